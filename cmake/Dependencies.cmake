@@ -1,0 +1,10 @@
+# The library itself stands on SUNDIALS, Eigen and SuiteSparse alone; the rest serves the command and the tests.
+find_package(Eigen3 3.3 REQUIRED NO_MODULE)
+find_package(SUNDIALS 6.4 REQUIRED COMPONENTS cvode nvecserial sunlinsolklu)
+
+if(MARIOTTE_APPS OR MARIOTTE_TESTS OR PROJECT_IS_TOP_LEVEL)
+  find_package(fmt REQUIRED)
+  find_package(nlohmann_json REQUIRED)
+  find_package(tomlplusplus REQUIRED)
+  find_package(CLI11 REQUIRED)
+endif()

@@ -1,0 +1,24 @@
+// Linear spring f = k δ [Acary 2003, eq. 1 with n = 1].
+#pragma once
+#include "mariotte/contact/force.hpp"
+
+namespace mariotte::contact {
+
+struct Linear {
+  double stiffness;  ///< k [N/m]
+};
+
+inline double exponent(const Linear&) { return 1; }
+inline double damping(const Linear&) { return 0; }
+
+/// Force and slopes at indentation δ ≥ 0 [m]; the rate does not matter.
+inline Force force(const Linear& law, double indentation, double /*rate*/) {
+  return {.value = law.stiffness * indentation, .by_indentation = law.stiffness, .by_rate = 0};
+}
+
+/// Elastic energy k δ²/2 [J].
+inline double stored_energy(const Linear& law, double indentation) {
+  return 0.5 * law.stiffness * indentation * indentation;
+}
+
+}  // namespace mariotte::contact

@@ -1,0 +1,24 @@
+// How a run ends.
+#pragma once
+
+namespace mariotte::hybrid {
+
+enum class Ending {
+  separated,    ///< no contact carries force and no two bodies can meet again
+  time_limit,   ///< Options::max_time was reached
+  event_limit,  ///< Options::max_events was reached
+  failed        ///< a flow could not go on; what was computed until then is kept
+};
+
+/// "separated", "time_limit", "event_limit", "failed".
+constexpr const char* name(Ending ending) {
+  switch (ending) {
+    case Ending::separated: return "separated";
+    case Ending::time_limit: return "time_limit";
+    case Ending::event_limit: return "event_limit";
+    case Ending::failed: return "failed";
+  }
+  return "failed";
+}
+
+}  // namespace mariotte::hybrid

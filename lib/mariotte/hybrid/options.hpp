@@ -1,0 +1,16 @@
+// What a caller may ask of a run.
+#pragma once
+#include <string>
+
+#include "mariotte/core/types.hpp"
+
+namespace mariotte::hybrid {
+
+struct Options {
+  double accuracy = 1e-10;     ///< wanted error of the final velocities relative to the largest incident speed
+  double max_time = infinity;  ///< stop at this time [s]
+  Index max_events = 1000000;  ///< stop after so many changes of the set of contacts
+  std::string flow = "auto";   ///< name of the flow of every contact phase; "auto" chooses
+};
+
+}  // namespace mariotte::hybrid

@@ -1,0 +1,103 @@
+// The impact of a chain, from start to separation: the quantities a researcher asks for, in the chain's units.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mariotte/hybrid/ending.hpp"
+#include "mariotte/hybrid/options.hpp"
+#include "mariotte/model/chain.hpp"
+
+namespace mariotte::impact {
+
+/// A stretch of time in which one contact carries force [s]; `end` is empty if it still does at the end.
+struct Period {
+  double start;
+  std::optional<double> end;
+};
+
+/// What one contact did.
+struct ContactHistory {
+  double impulse = 0;           ///< p = ∫ f dt [N s]
+  double peak_force = 0;        ///< [N]
+  double peak_indentation = 0;  ///< [m]
+  double stored = 0;            ///< elastic energy left at the end [J]
+  double dissipated = 0;        ///< energy lost, ≥ 0 [J]
+  std::vector<Period> periods;  ///< in order of time
+};
+
+/// One instant at which the set of force-carrying contacts changes; contacts count from 0.
+struct Event {
+  double time;  ///< [s]
+  std::vector<Index> open;
+  std::vector<Index> close;
+};
+
+/// final_kinetic + stored + dissipated − initial − work = residual [J].
+struct EnergyLedger {
+  double initial = 0;     ///< kinetic plus stored energy at the start
+  double final = 0;       ///< kinetic energy at the end
+  double stored = 0;      ///< elastic energy at the end
+  double dissipated = 0;  ///< Σ over contacts
+  double work = 0;        ///< done on the balls by gravity and moving walls
+  double residual = 0;    ///< error of the ledger
+  std::optional<double> ratio_lab;     ///< kinetic energy ratio T⁺/T⁻ in the given frame; empty if T⁻ = 0 or walls
+  std::optional<double> ratio_centre;  ///< the same relative to the mass centre
+};
+
+/// Momentum of the balls of finite mass [N s].
+struct MomentumLedger {
+  double initial = 0;
+  double final = 0;
+  double residual = 0;  ///< final − initial − impulses of walls and gravity
+};
+
+/// Work done by one flow.
+struct FlowUse {
+  std::string name;
+  Index phases = 0;
+  Index steps = 0;
+  Index rhs = 0;  ///< evaluations of the right-hand side
+};
+
+/// Something that was left out because this chain does not need it.
+struct Skipped {
+  std::string what;
+  std::string why;
+};
+
+/// Samples of a run, one row per time; filled only on request.
+struct Trace {
+  std::vector<double> time;                   ///< [s]
+  std::vector<std::vector<double>> velocity;  ///< rows of n values [m/s]
+  std::vector<std::vector<double>> gap;       ///< rows of n−1 values [m]
+  std::vector<std::vector<double>> force;     ///< rows of n−1 values [N]
+};
+
+struct ChainImpact {
+  hybrid::Ending ending = hybrid::Ending::separated;
+  std::string message;           ///< why, for endings other than separated; else empty
+  double time = 0;               ///< of the ending [s]
+  std::vector<double> velocity;  ///< n values [m/s]
+  std::vector<double> gap;       ///< n−1 values [m]
+  std::vector<ContactHistory> contacts;
+  std::vector<std::optional<double>> icr;  ///< α_j = p_j/p_{j+1}, n−2 values; empty where p_{j+1} = 0
+  std::vector<double> impulse_direction;   ///< r = p/|p|, n−1 values; zeros if no impulse was exchanged
+  std::vector<Event> events;               ///< in order of time
+  EnergyLedger energy;
+  MomentumLedger momentum;
+  std::vector<FlowUse> flows;
+  std::vector<Skipped> skipped;
+  double requested_accuracy = 0;
+  std::optional<double> estimated_accuracy;  ///< only from estimate_accuracy
+  Trace trace;
+};
+
+/// Simulate a chain until it separates for good, or a limit. With `trace`, samples are kept (at most a few
+/// thousand rows). Throws InvalidParameter for a chain, accuracy or flow name that makes no sense.
+ChainImpact simulate(const model::Chain& chain, const hybrid::Options& options = {}, bool trace = false);
+
+/// Error of `result.velocity` relative to the largest incident speed, from a second run at a tighter accuracy.
+double estimate_accuracy(const model::Chain& chain, const hybrid::Options& options, const ChainImpact& result);
+
+}  // namespace mariotte::impact

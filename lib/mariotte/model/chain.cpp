@@ -1,0 +1,46 @@
+#include "mariotte/model/chain.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "mariotte/core/error.hpp"
+
+namespace mariotte::model {
+namespace {
+
+[[noreturn]] void reject(const std::string& thing, std::size_t index, const std::string& rule) {
+  throw InvalidParameter(thing + " " + std::to_string(index + 1) + ": " + rule);
+}
+
+void validate_ball(const Chain& chain, std::size_t i) {
+  if (!(chain.mass[i] > 0)) reject("ball", i, "mass must be positive");
+  if (!std::isfinite(chain.velocity[i])) reject("ball", i, "velocity must be finite");
+}
+
+void validate_contact(const Chain& chain, std::size_t j) {
+  const auto positive = [](double value) { return value > 0 && std::isfinite(value); };
+  const auto& law = chain.law[j];
+  if (!positive(contact::stiffness(law))) reject("contact", j, "stiffness must be positive and finite");
+  if (!(contact::damping(law) >= 0) || !std::isfinite(contact::damping(law)))
+    reject("contact", j, "damping must be finite and not negative");
+  if (!(contact::exponent(law) >= 1) || !std::isfinite(contact::exponent(law)))
+    reject("contact", j, "exponent must be finite and at least 1");
+  if (!std::isfinite(chain.gap[j])) reject("contact", j, "gap must be finite");
+  if (chain.gap[j] < 0 && !chain.precompressed)
+    reject("contact", j, "gap is negative but the chain is not precompressed");
+}
+
+}  // namespace
+
+void validate(const Chain& chain) {
+  const auto balls = chain.mass.size();
+  if (balls < 2) throw InvalidParameter("a chain needs at least two balls");
+  if (chain.velocity.size() != balls) throw InvalidParameter("a chain needs one velocity per ball");
+  if (chain.law.size() != balls - 1 || chain.gap.size() != balls - 1)
+    throw InvalidParameter("a chain of n balls needs n-1 contact laws and n-1 gaps");
+  if (!std::isfinite(chain.gravity)) throw InvalidParameter("gravity must be finite");
+  for (std::size_t i = 0; i < balls; ++i) validate_ball(chain, i);
+  for (std::size_t j = 0; j + 1 < balls; ++j) validate_contact(chain, j);
+}
+
+}  // namespace mariotte::model

@@ -1,0 +1,1 @@
+#include "mariotte/scene/scene.hpp"

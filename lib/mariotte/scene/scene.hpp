@@ -1,0 +1,39 @@
+// A scene: what the user wrote, resolved to SI values and checked.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "mariotte/core/error.hpp"
+#include "mariotte/hybrid/options.hpp"
+#include "mariotte/model/chain.hpp"
+
+namespace mariotte::scene {
+
+/// A scene that was rejected; what() reads "file:line:column: message".
+struct SceneError : Error {
+  using Error::Error;
+};
+
+/// A file that could not be read; what() names it.
+struct FileError : Error {
+  using Error::Error;
+};
+
+struct Scene {
+  std::string title;
+  model::Chain chain;
+  hybrid::Options run;
+  std::vector<std::string> warnings;  ///< "file:line:column: message" of suspicious but possible values
+  std::string sha256;                 ///< of the scene's text and overrides, for provenance
+};
+
+/// One `--set KEY=VALUE`: keys count from 0 with brackets, as in "chain.velocity[0]=2 m/s".
+using Overrides = std::vector<std::string>;
+
+/// Read a scene from a file. Throws FileError or SceneError.
+Scene read(const std::string& path, const Overrides& overrides = {});
+
+/// Read a scene from text; `name` stands for the file in messages. Throws SceneError.
+Scene parse(const std::string& text, const std::string& name, const Overrides& overrides = {});
+
+}  // namespace mariotte::scene
