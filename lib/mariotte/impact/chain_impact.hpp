@@ -33,7 +33,7 @@ struct Event {
   std::vector<Index> close;
 };
 
-/// final_kinetic + stored + dissipated − initial − work = residual [J].
+/// final + stored + dissipated − initial − work = residual [J].
 struct EnergyLedger {
   double initial = 0;     ///< kinetic plus stored energy at the start
   double final = 0;       ///< kinetic energy at the end
@@ -41,8 +41,8 @@ struct EnergyLedger {
   double dissipated = 0;  ///< Σ over contacts
   double work = 0;        ///< done on the balls by gravity and moving walls
   double residual = 0;    ///< error of the ledger
-  std::optional<double> ratio_lab;     ///< kinetic energy ratio T⁺/T⁻ in the given frame; empty if T⁻ = 0 or walls
-  std::optional<double> ratio_centre;  ///< the same relative to the mass centre
+  std::optional<double> ratio_lab;     ///< kinetic energy ratio T⁺/T⁻ in the given frame; empty if T⁻ = 0
+  std::optional<double> ratio_centre;  ///< the same relative to the mass centre; empty with walls, too
 };
 
 /// Momentum of the balls of finite mass [N s].

@@ -1,0 +1,86 @@
+#include "mariotte/flow/ballistic.hpp"
+
+#include <cmath>
+
+namespace mariotte::flow {
+namespace {
+
+/// Roots of value + rate t + bend t²/2 without cancellation: q = −(rate ± √(rate² − 2 bend value)),
+/// t = q / bend and t = 2 value / q. Falling crossings are at the root where the slope is negative.
+double falling_root(double value, double rate, double bend) {
+  if (bend == 0) return rate < 0 ? -value / rate : infinity;
+  // Scale by the largest rate-like size so that squares neither overflow nor vanish.
+  const double size = std::max(std::abs(rate), std::sqrt(std::abs(bend)) * std::sqrt(std::abs(value)));
+  if (size == 0) return infinity;
+  const double r = rate / size;
+  const double discriminant = r * r - 2 * (bend / size) * (value / size);
+  if (discriminant < 0) return infinity;
+  const double root = std::sqrt(discriminant);
+  // Slope at the crossing is −root: t = (−root − r) size / bend, or the same multiplied out.
+  if (r <= 0) return 2 * (value / size) / (root - r);
+  return -(root + r) * (size / bend);
+}
+
+class Parabola final : public Step {
+ public:
+  Parabola(ConstState rate, ConstState bend) : rate_(rate), bend_(bend) {}
+  void at(double time, State x) const override {
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] = before[i] + time * (rate_[i] + 0.5 * time * bend_[i]);
+  }
+
+ private:
+  ConstState rate_, bend_;
+};
+
+}  // namespace
+
+double first_crossing(Crossing crossing, double value, double rate, double bend) {
+  if (crossing == Crossing::none) return infinity;
+  const double sign = crossing == Crossing::falling ? 1 : -1;
+  const double time = falling_root(sign * value, sign * rate, sign * bend);
+  return time > 0 ? time : infinity;
+}
+
+double Ballistic::next_crossing(const Problem& problem, ConstState x, Index& guard) {
+  const auto count = problem.guard_count();
+  for (auto* values : {&value_, &value_rate_, &value_bend_}) values->resize(count);
+  problem.derivative(x, rate_);
+  problem.second_derivative(x, bend_);
+  problem.guards(x, value_);
+  problem.guards(rate_, value_rate_);
+  problem.guards(bend_, value_bend_);
+  double first = infinity;
+  for (Index i = 0; i < count; ++i) {
+    const double time = first_crossing(problem.crossings()[i], value_[i], value_rate_[i], value_bend_[i]);
+    if (time >= first) continue;
+    first = time;
+    guard = i;
+  }
+  return first;
+}
+
+Arrival Ballistic::follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) {
+  start_.assign(x.begin(), x.end());
+  rate_.resize(x.size());
+  bend_.resize(x.size());
+  Index guard = -1;
+  const double first = next_crossing(problem, x, guard);
+  if (!std::isfinite(first) && !std::isfinite(request.limit)) return {.outcome = Outcome::never, .message = {}};
+  const bool arrives = first <= request.limit;
+  const double duration = arrives ? first : request.limit;
+
+  Parabola step(rate_, bend_);
+  step.before = start_;
+  step.at(duration, x);
+  step.start = 0;
+  step.end = duration;
+  step.after = x;
+  if (request.watcher) request.watcher->watch(step);
+  if (arrives) {
+    fired.push_back(guard);
+    simultaneous_.collect(problem, x, simultaneity_window(problem, request.accuracy), fired);
+  }
+  return {.outcome = arrives ? Outcome::guard : Outcome::limit, .duration = duration, .steps = 1, .message = {}};
+}
+
+}  // namespace mariotte::flow

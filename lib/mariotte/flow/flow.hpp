@@ -1,0 +1,59 @@
+// Following one smooth field to the next guard: the one interface of all flows.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "mariotte/flow/problem.hpp"
+
+namespace mariotte::flow {
+
+/// A dense piece of trajectory, valid during the call that hands it out.
+class Step {
+ public:
+  virtual ~Step() = default;
+  double start = 0;  ///< local time of the phase
+  double end = 0;
+  ConstState before;  ///< state at start
+  ConstState after;   ///< state at end
+  /// State at start ≤ time ≤ end.
+  virtual void at(double time, State x) const = 0;
+};
+
+/// Sees every step of a flow; peaks, traces and pictures come from here.
+class Watcher {
+ public:
+  virtual ~Watcher() = default;
+  virtual void watch(const Step& step) = 0;
+};
+
+enum class Outcome {
+  guard,  ///< at least one guard fired
+  limit,  ///< the time limit came first
+  never,  ///< no guard will ever fire
+  failed  ///< the flow could not go on; `Arrival::message` says why
+};
+
+/// Where a flow stopped.
+struct Arrival {
+  Outcome outcome = Outcome::failed;
+  double duration = 0;  ///< local time from the start of the phase
+  Index steps = 0;
+  Index rhs = 0;  ///< evaluations of the right-hand side
+  std::string message;
+};
+
+struct Request {
+  double limit = infinity;    ///< longest duration
+  double accuracy = 1e-10;    ///< wanted error at the end of the run, relative to the magnitudes
+  Watcher* watcher = nullptr;  ///< may be null
+};
+
+class Flow {
+ public:
+  virtual ~Flow() = default;
+  /// Follow the field from x until a guard crosses zero the way that fires it, and leave x there. A guard that is
+  /// zero at the start does not fire. All guards that fire at that instant are appended to `fired`.
+  virtual Arrival follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) = 0;
+};
+
+}  // namespace mariotte::flow

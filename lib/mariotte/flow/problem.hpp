@@ -1,0 +1,57 @@
+// What a flow follows: one smooth autonomous field x' = f(x) with the guards that end it.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "mariotte/core/types.hpp"
+
+namespace mariotte::flow {
+
+/// The way a guard must cross zero to fire; `none` masks it.
+enum class Crossing : signed char { falling = -1, none = 0, rising = 1 };
+
+/// A structurally non-zero place of the Jacobian ∂f/∂x.
+struct Entry {
+  Index row;
+  Index column;
+};
+
+/// A field of one mode, with everything dimensionless. Sizes and pattern never change; field, crossings and
+/// time scale belong to the present mode. Implemented by the models.
+class Problem {
+ public:
+  virtual ~Problem() = default;
+
+  virtual Index size() const = 0;
+  virtual void derivative(ConstState x, State dx) const = 0;
+
+  virtual Index guard_count() const = 0;
+  virtual void guards(ConstState x, State values) const = 0;
+  /// One crossing per guard.
+  virtual std::span<const Crossing> crossings() const = 0;
+
+  /// Natural size of each component: an error of accuracy × magnitude is what the user allows.
+  virtual std::span<const double> magnitudes() const = 0;
+  /// Shortest natural time of what is active.
+  virtual double time_scale() const = 0;
+
+  /// Places of the Jacobian in any mode, and their values in this one, in the same order.
+  virtual const std::vector<Entry>& pattern() const = 0;
+  virtual void jacobian(ConstState x, State values) const = 0;
+  /// Largest damping ratio c/√(k m) of the active contacts: what makes a phase stiff.
+  virtual double damping_ratio() const = 0;
+
+  /// True if no force acts but constant accelerations: then x(t) = x + t f(x) + t²/2 f'(x) f(x) exactly, and the
+  /// guards are linear in x.
+  virtual bool is_ballistic() const = 0;
+  /// f'(x) f(x), asked of ballistic modes only.
+  virtual void second_derivative(ConstState x, State ddx) const = 0;
+
+  /// Told after every accepted step: a guard that starts at zero is watched only once it has left it.
+  virtual void accept(ConstState x) = 0;
+
+  /// Name of a component for messages, such as "velocity 3".
+  virtual std::string component(Index index) const = 0;
+};
+
+}  // namespace mariotte::flow

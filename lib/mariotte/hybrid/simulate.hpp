@@ -1,0 +1,93 @@
+// The event loop. x is continuous; t⁻ and t⁺ are the two sides of an event:
+//
+//   mode ← mode_at(x₀)                                  which contacts act at 0+
+//   repeat
+//     if is_over(mode, x)              → separated      asked before the first flow, too
+//     if events ≥ max_events           → event_limit
+//     flow ← the cheapest that mode admits
+//     follow it from t⁺ until a guard crosses, or max_time
+//     if the time limit came first     → time_limit
+//     if no guard can ever cross       → separated
+//     if the flow could not go on      → failed         state and events until then are kept
+//     t ← t + duration                                  a compensated sum of local clocks
+//     mode ← transition(mode, fired, x)                 the whole set that fired at t⁻
+#pragma once
+#include <utility>
+
+#include "mariotte/core/compensated.hpp"
+#include "mariotte/hybrid/options.hpp"
+#include "mariotte/hybrid/system.hpp"
+#include "mariotte/hybrid/trajectory.hpp"
+
+namespace mariotte::hybrid {
+
+/// Told when a phase begins, so that a watcher of steps knows its place on the absolute clock.
+class PhaseWatcher : public flow::Watcher {
+ public:
+  virtual void begin_phase(double time, ConstState x) = 0;
+};
+
+namespace detail {
+
+template <class Change>
+void record(Trajectory<Change>& run, double time, std::vector<Change>& changes) {
+  if (changes.empty()) return;
+  ++run.events;
+  for (const auto& change : changes) run.changes.push_back({time, change});
+  changes.clear();
+}
+
+inline void count(FlowCount& use, const flow::Arrival& arrival) {
+  ++use.phases;
+  use.steps += arrival.steps;
+  use.rhs += arrival.rhs;
+}
+
+}  // namespace detail
+
+/// Run a system from state x until an ending. Options are in the system's scales; `watcher` may be null.
+template <HybridSystem System>
+Trajectory<typename System::Change> simulate(System& system, std::vector<double> x, const Options& options,
+                                             PhaseWatcher* watcher = nullptr) {
+  const auto requested = flow::parse_kind(options.flow);
+  Trajectory<typename System::Change> run;
+  std::vector<typename System::Change> changes;
+  std::vector<Index> fired;
+  flow::Flows flows;
+  CompensatedSum time;
+
+  auto mode = system.mode_at(x, changes);
+  const auto end = [&](Ending ending, std::string message = {}) {
+    run.ending = ending;
+    run.message = std::move(message);
+    run.time = time.value();
+    run.state = std::move(x);
+    return std::move(run);
+  };
+  for (;;) {
+    detail::record(run, time.value(), changes);
+    if (system.is_over(mode, x, run.events > 0)) {
+      system.finish(mode, changes);
+      detail::record(run, time.value(), changes);
+      return end(Ending::separated);
+    }
+    if (run.events >= options.max_events) return end(Ending::event_limit);
+
+    auto& problem = system.problem(mode);
+    const auto kind = flow::choose(problem, requested);
+    if (watcher) watcher->begin_phase(time.value(), x);
+    fired.clear();
+    auto arrival = flows.get(kind, problem)
+                       .follow(problem, x,
+                               {.limit = options.max_time - time.value(), .accuracy = options.accuracy, .watcher = watcher},
+                               fired);
+    detail::count(run.flows[static_cast<std::size_t>(kind)], arrival);
+    time += arrival.duration;
+    if (arrival.outcome == flow::Outcome::limit) return end(Ending::time_limit);
+    if (arrival.outcome == flow::Outcome::never) return end(Ending::separated);
+    if (arrival.outcome == flow::Outcome::failed) return end(Ending::failed, std::move(arrival.message));
+    system.transition(mode, fired, x, changes);
+  }
+}
+
+}  // namespace mariotte::hybrid

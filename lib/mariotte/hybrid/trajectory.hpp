@@ -1,0 +1,39 @@
+// What a run leaves behind.
+#pragma once
+#include <array>
+#include <string>
+#include <vector>
+
+#include "mariotte/core/types.hpp"
+#include "mariotte/flow/choose.hpp"
+#include "mariotte/hybrid/ending.hpp"
+
+namespace mariotte::hybrid {
+
+/// Cost of one flow over a run.
+struct FlowCount {
+  Index phases = 0;
+  Index steps = 0;
+  Index rhs = 0;
+};
+
+/// Changes of the discrete state at one instant; `Change` is the system's own.
+template <class Change>
+struct Timed {
+  double time;
+  Change change;
+};
+
+/// All times and states dimensionless, in the scales of the system.
+template <class Change>
+struct Trajectory {
+  Ending ending = Ending::failed;
+  std::string message;
+  double time = 0;                    ///< of the ending
+  std::vector<double> state;          ///< at the ending
+  std::vector<Timed<Change>> changes;  ///< in order of time; those of one instant are neighbours with equal times
+  Index events = 0;                   ///< instants at which something changed
+  std::array<FlowCount, flow::kinds.size()> flows{};  ///< by flow::Kind
+};
+
+}  // namespace mariotte::hybrid

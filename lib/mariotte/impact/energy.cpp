@@ -1,0 +1,142 @@
+#include "mariotte/impact/energy.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mariotte::impact {
+
+using model::ChainLayout;
+using model::DimensionlessChain;
+
+namespace {
+
+bool is_wall(const DimensionlessChain& chain, Index i) {
+  return chain.inverse_mass[i] == 0;
+}
+
+/// Σ mᵢ (vᵢ − frame)ᵏ over the balls of finite mass.
+template <class Power>
+double sum_over_balls(const DimensionlessChain& chain, const ChainLayout& layout, ConstState x, Power&& power) {
+  double sum = 0;
+  for (Index i = 0; i < layout.balls(); ++i)
+    if (!is_wall(chain, i)) sum += chain.mass[i] * power(x[layout.velocity[i]]);
+  return sum;
+}
+
+double mass(const DimensionlessChain& chain, const ChainLayout& layout, ConstState x) {
+  return sum_over_balls(chain, layout, x, [](double) { return 1.0; });
+}
+double momentum(const DimensionlessChain& chain, const ChainLayout& layout, ConstState x) {
+  return sum_over_balls(chain, layout, x, [](double v) { return v; });
+}
+double kinetic(const DimensionlessChain& chain, const ChainLayout& layout, ConstState x, double frame = 0) {
+  return 0.5 * sum_over_balls(chain, layout, x, [&](double v) { return (v - frame) * (v - frame); });
+}
+
+double strength(const DimensionlessChain& chain) {
+  return *std::max_element(chain.gravity.begin(), chain.gravity.end(),
+                           [](double a, double b) { return std::abs(a) < std::abs(b); });
+}
+
+/// −γ Σ m Δx. A wall tells where the balls are; without one the mass centre falls in closed form.
+double gravity_work(const DimensionlessChain& chain, const ChainLayout& layout, const Stretch& stretch) {
+  const double gravity = strength(chain), t = stretch.time;
+  if (gravity == 0) return 0;
+  Index wall = 0;
+  while (wall < layout.balls() && !is_wall(chain, wall)) ++wall;
+  if (wall == layout.balls()) {
+    const double total = mass(chain, layout, stretch.before);
+    return -gravity * (momentum(chain, layout, stretch.before) * t - 0.5 * total * gravity * t * t);
+  }
+  double displacement = stretch.before[layout.velocity[wall]] * t, sum = 0;
+  const double from_wall = displacement;
+  const auto widening = [&](Index j) { return stretch.after[layout.gap[j]] - stretch.before[layout.gap[j]]; };
+  const auto add = [&](Index i) { sum += is_wall(chain, i) ? 0 : chain.mass[i] * displacement; };
+  for (Index i = wall + 1; i < layout.balls(); ++i) displacement += widening(i - 1), add(i);
+  displacement = from_wall;
+  for (Index i = wall - 1; i >= 0; --i) displacement -= widening(i), add(i);
+  return -gravity * sum;
+}
+
+double wall_work(const DimensionlessChain& chain, const ChainLayout& layout, const std::vector<double>& p,
+                 const Stretch& stretch) {
+  double work = 0;
+  for (Index i = 0; i < layout.balls(); ++i) {
+    if (!is_wall(chain, i)) continue;
+    const double right = i < layout.contacts() ? p[i] : 0, left = i > 0 ? p[i - 1] : 0;
+    work += stretch.before[layout.velocity[i]] * (right - left);
+  }
+  return work;
+}
+
+double stored_at_start(const DimensionlessChain& chain, const ChainLayout& layout, ConstState x) {
+  double sum = 0;
+  for (Index j = 0; j < layout.contacts(); ++j)
+    if (x[layout.gap[j]] < 0) sum += contact::stored_energy(chain.law[j], -x[layout.gap[j]]);
+  return sum;
+}
+
+void add_ratios(EnergyLedger& ledger, const DimensionlessChain& chain, const ChainLayout& layout,
+                const Stretch& stretch) {
+  const auto ratio = [&](double frame_before, double frame_after) -> std::optional<double> {
+    const double before = kinetic(chain, layout, stretch.before, frame_before);
+    if (!(before > 0)) return std::nullopt;
+    return kinetic(chain, layout, stretch.after, frame_after) / before;
+  };
+  ledger.ratio_lab = ratio(0, 0);
+  const bool walls = std::count(chain.inverse_mass.begin(), chain.inverse_mass.end(), 0.0) > 0;
+  const double total = mass(chain, layout, stretch.before);
+  if (!walls)
+    ledger.ratio_centre = ratio(momentum(chain, layout, stretch.before) / total,
+                                momentum(chain, layout, stretch.after) / total);
+}
+
+}  // namespace
+
+std::vector<ContactEnergy> contact_energies(const DimensionlessChain& chain, const ChainLayout& layout,
+                                            const contact::ContactSet& mode, const Stretch& stretch) {
+  std::vector<ContactEnergy> energies(layout.contacts());
+  for (Index j = 0; j < layout.contacts(); ++j) {
+    auto& energy = energies[j];
+    const double gap = stretch.after[layout.gap[j]];
+    if (contact::carries_force(mode[j]) && gap < 0) energy.stored = contact::stored_energy(chain.law[j], -gap);
+    if (layout.work[j] != ChainLayout::absent) energy.dissipated = stretch.after[layout.work[j]] - energy.stored;
+  }
+  return energies;
+}
+
+EnergyLedger energy_ledger(const DimensionlessChain& chain, const ChainLayout& layout,
+                           const std::vector<ContactEnergy>& contacts, const std::vector<double>& p,
+                           const Stretch& stretch) {
+  EnergyLedger ledger;
+  ledger.initial = kinetic(chain, layout, stretch.before) + stored_at_start(chain, layout, stretch.before);
+  ledger.final = kinetic(chain, layout, stretch.after);
+  ledger.work = gravity_work(chain, layout, stretch) + wall_work(chain, layout, p, stretch);
+  for (const auto& energy : contacts) {
+    ledger.stored += energy.stored;
+    ledger.dissipated += energy.dissipated;
+  }
+  ledger.residual = ledger.final + ledger.stored + ledger.dissipated - ledger.initial - ledger.work;
+  for (double* entry : {&ledger.initial, &ledger.final, &ledger.stored, &ledger.dissipated, &ledger.work,
+                        &ledger.residual})
+    *entry *= chain.scale.energy();
+  add_ratios(ledger, chain, layout, stretch);
+  return ledger;
+}
+
+MomentumLedger momentum_ledger(const DimensionlessChain& chain, const ChainLayout& layout, const Stretch& stretch) {
+  MomentumLedger ledger;
+  ledger.initial = momentum(chain, layout, stretch.before);
+  ledger.final = momentum(chain, layout, stretch.after);
+  double given = -mass(chain, layout, stretch.before) * strength(chain) * stretch.time;
+  for (Index i = 0; i < layout.balls(); ++i) {
+    if (!is_wall(chain, i)) continue;
+    if (i < layout.contacts()) given += stretch.after[layout.impulse[i]];
+    if (i > 0) given -= stretch.after[layout.impulse[i - 1]];
+  }
+  ledger.residual = ledger.final - ledger.initial - given;
+  for (double* entry : {&ledger.initial, &ledger.final, &ledger.residual}) *entry *= chain.scale.momentum();
+  return ledger;
+}
+
+}  // namespace mariotte::impact

@@ -1,0 +1,39 @@
+// Largest force and indentation of every contact, found inside the steps of whatever flow runs.
+#pragma once
+#include <vector>
+
+#include "mariotte/hybrid/simulate.hpp"
+#include "mariotte/model/chain_phase.hpp"
+
+namespace mariotte::impact {
+
+/// Dimensionless peaks of one contact.
+struct Peak {
+  double force = 0;
+  double indentation = 0;
+};
+
+/// Looks at each step for a maximum of δ or f: a slope that falls through zero. The maximum itself is flat, so a
+/// loose time is enough for a tight value.
+class PeakWatcher {
+ public:
+  PeakWatcher(const model::ChainPhase& phase, const model::ChainLayout& layout);
+  void watch(const flow::Step& step);
+  const std::vector<Peak>& peaks() const { return peaks_; }
+
+ private:
+  struct Slopes {
+    double indentation;  ///< δ̇
+    double force;        ///< ḟ
+  };
+  Slopes slopes(ConstState x, Index j);
+  void take(ConstState x, Index j);
+  void search(const flow::Step& step, Index j, double Slopes::* slope, const Slopes& before, const Slopes& after);
+
+  const model::ChainPhase& phase_;
+  const model::ChainLayout& layout_;
+  std::vector<Peak> peaks_;
+  std::vector<double> inside_, rate_;
+};
+
+}  // namespace mariotte::impact

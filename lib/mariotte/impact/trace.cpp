@@ -1,0 +1,44 @@
+#include "mariotte/impact/trace.hpp"
+
+#include <utility>
+
+namespace mariotte::impact {
+namespace {
+
+template <class Row>
+void drop_every_other(std::vector<Row>& rows) {
+  for (std::size_t i = 0; 2 * i < rows.size(); ++i) rows[i] = std::move(rows[2 * i]);
+  rows.resize((rows.size() + 1) / 2);
+}
+
+}  // namespace
+
+void TraceRecorder::watch(double start, const flow::Step& step) {
+  if (trace_.time.empty()) keep(start + step.start, step.before);
+  // A trajectory has no corners in free flight, but a picture needs both ends of it; elsewhere ends suffice.
+  if (++steps_ % stride_ == 0) keep(start + step.end, step.after);
+}
+
+void TraceRecorder::keep(double time, ConstState x) {
+  if (trace_.time.size() == capacity) thin();
+  const auto& scale = chain_.scale;
+  trace_.time.push_back(time * scale.time);
+  auto& velocity = trace_.velocity.emplace_back();
+  for (Index i = 0; i < layout_.balls(); ++i) velocity.push_back(x[layout_.velocity[i]] * scale.velocity);
+  auto& gap = trace_.gap.emplace_back();
+  auto& force = trace_.force.emplace_back();
+  for (Index j = 0; j < layout_.contacts(); ++j) {
+    gap.push_back(x[layout_.gap[j]] * scale.length);
+    force.push_back(phase_.force(x, j).value * scale.force());
+  }
+}
+
+void TraceRecorder::thin() {
+  drop_every_other(trace_.time);
+  drop_every_other(trace_.velocity);
+  drop_every_other(trace_.gap);
+  drop_every_other(trace_.force);
+  stride_ *= 2;
+}
+
+}  // namespace mariotte::impact

@@ -1,0 +1,36 @@
+// Samples of a run for pictures: one row per step, thinned so that memory stays bounded.
+#pragma once
+#include "mariotte/core/compensated.hpp"
+#include "mariotte/hybrid/simulate.hpp"
+#include "mariotte/impact/chain_impact.hpp"
+#include "mariotte/model/chain_phase.hpp"
+
+namespace mariotte::impact {
+
+/// Keeps the ends of every `stride`-th step; the stride doubles, and every other row is dropped, whenever
+/// `capacity` rows are full.
+class TraceRecorder {
+ public:
+  static constexpr std::size_t capacity = 4096;
+
+  TraceRecorder(const model::ChainPhase& phase, const model::DimensionlessChain& chain,
+                const model::ChainLayout& layout)
+      : phase_(phase), chain_(chain), layout_(layout) {}
+
+  /// `start` is the absolute dimensionless time at which the step's phase began.
+  void watch(double start, const flow::Step& step);
+  Trace take() { return std::move(trace_); }
+
+ private:
+  void keep(double time, ConstState x);
+  void thin();
+
+  const model::ChainPhase& phase_;
+  const model::DimensionlessChain& chain_;
+  const model::ChainLayout& layout_;
+  Trace trace_;
+  Index stride_ = 1;
+  Index steps_ = 0;
+};
+
+}  // namespace mariotte::impact

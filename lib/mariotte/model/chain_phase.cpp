@@ -1,0 +1,171 @@
+#include "mariotte/model/chain_phase.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mariotte::model {
+
+using contact::ContactMode;
+using flow::Crossing;
+
+namespace {
+
+/// Places of one contact's derivatives: the force pushes on both balls, the gap follows their velocities.
+std::vector<flow::Entry> contact_pattern(const ChainLayout& at, Index j) {
+  const Index left = at.velocity[j], right = at.velocity[j + 1], gap = at.gap[j];
+  std::vector<flow::Entry> entries = {{gap, left}, {gap, right}};
+  for (const Index row : {left, right, at.work[j], at.impulse[j]}) {
+    if (row == ChainLayout::absent) continue;
+    for (const Index column : {gap, left, right}) entries.push_back({row, column});
+  }
+  return entries;
+}
+
+std::vector<flow::Entry> make_pattern(const ChainLayout& layout) {
+  std::vector<flow::Entry> pattern;
+  for (Index j = 0; j < layout.contacts(); ++j) {
+    const auto entries = contact_pattern(layout, j);
+    pattern.insert(pattern.end(), entries.begin(), entries.end());
+  }
+  return pattern;
+}
+
+}  // namespace
+
+ChainGuards make_guards(const ChainLayout& layout) {
+  ChainGuards guards;
+  for (Index j = 0; j < layout.contacts(); ++j) guards.contact.push_back(j);
+  for (Index j = 0; j < layout.contacts(); ++j) {
+    const bool damped = layout.work[j] != ChainLayout::absent;
+    guards.load.push_back(damped ? static_cast<Index>(guards.contact.size()) : ChainLayout::absent);
+    if (damped) guards.contact.push_back(j);
+  }
+  return guards;
+}
+
+double load(const contact::Law& law, double indentation, double rate) {
+  return contact::stiffness(law) * indentation + contact::damping(law) * rate;
+}
+
+ChainPhase::ChainPhase(const DimensionlessChain& chain, const ChainLayout& layout, double accuracy)
+    : chain_(chain),
+      layout_(layout),
+      guards_(make_guards(layout)),
+      magnitudes_(model::magnitudes(chain, layout)),
+      pattern_(make_pattern(layout)),
+      crossings_(guards_.contact.size(), Crossing::none),
+      loaded_(std::max(0.1 * accuracy, 1e3 * epsilon)) {}
+
+void ChainPhase::bind(contact::ContactSet& mode) {
+  mode_ = &mode;
+  active_ = touching_ = 0;
+  time_scale_ = infinity;
+  double any = infinity;
+  for (Index j = 0; j < layout_.contacts(); ++j) {
+    watch(j);
+    any = std::min(any, chain_.time[j]);
+    if (!contact::carries_force(mode[j])) continue;
+    ++active_;
+    touching_ += mode[j] == ContactMode::touching;
+    time_scale_ = std::min(time_scale_, chain_.time[j]);
+  }
+  if (active_ == 0) time_scale_ = any;
+}
+
+void ChainPhase::watch(Index j) {
+  const ContactMode mode = (*mode_)[j];
+  auto& gap = crossings_[j];
+  switch (mode) {
+    case ContactMode::open: gap = Crossing::falling; break;
+    case ContactMode::slack: gap = Crossing::rising; break;
+    case ContactMode::touching: gap = Crossing::none; break;
+    case ContactMode::closed: gap = guards_.load[j] == ChainLayout::absent ? Crossing::rising : Crossing::none;
+  }
+  if (guards_.load[j] == ChainLayout::absent) return;
+  crossings_[guards_.load[j]] = mode == ContactMode::closed  ? Crossing::falling
+                                : mode == ContactMode::slack ? Crossing::rising
+                                                      : Crossing::none;
+}
+
+contact::Force ChainPhase::force(ConstState x, Index j) const {
+  const double gap = x[layout_.gap[j]];
+  if (!contact::carries_force((*mode_)[j]) || gap > 0) return {0, 0, 0};
+  return contact::force(chain_.law[j], -gap, rate(x, j));
+}
+
+void ChainPhase::derivative(ConstState x, State dx) const {
+  double push = 0;  // force of the contact on the left
+  for (Index i = 0; i < layout_.balls(); ++i) {
+    const bool last = i == layout_.contacts();
+    const double force = last ? 0 : this->force(x, i).value;
+    dx[layout_.velocity[i]] = (push - force) * chain_.inverse_mass[i] - chain_.gravity[i];
+    push = force;
+    if (last) break;
+    dx[layout_.gap[i]] = -rate(x, i);
+    if (layout_.work[i] != ChainLayout::absent) dx[layout_.work[i]] = force * rate(x, i);
+    if (layout_.impulse[i] != ChainLayout::absent) dx[layout_.impulse[i]] = force;
+  }
+}
+
+void ChainPhase::guards(ConstState x, State values) const {
+  for (Index i = 0; i < guard_count(); ++i) {
+    const Index j = guards_.contact[i];
+    const double gap = x[layout_.gap[j]];
+    // A masked guard stands on the side from which it cannot seem to have crossed when it is watched again.
+    if (crossings_[i] == Crossing::none)
+      values[i] = i == j ? -1 : 1;
+    else
+      values[i] = i == j ? gap : load(chain_.law[j], -gap, rate(x, j));
+  }
+}
+
+void ChainPhase::jacobian(ConstState x, State values) const {
+  std::size_t entry = 0;
+  for (Index j = 0; j < layout_.contacts(); ++j) {
+    const auto f = force(x, j);
+    const auto row = [&](double factor) {  // of ∂(factor · f) by gap, left and right velocity
+      values[entry++] = -factor * f.by_indentation;
+      values[entry++] = factor * f.by_rate;
+      values[entry++] = -factor * f.by_rate;
+    };
+    values[entry++] = -1;
+    values[entry++] = 1;
+    row(-chain_.inverse_mass[j]);
+    row(chain_.inverse_mass[j + 1]);
+    if (layout_.work[j] != ChainLayout::absent) {
+      row(rate(x, j));
+      values[entry - 2] += f.value;
+      values[entry - 1] -= f.value;
+    }
+    if (layout_.impulse[j] != ChainLayout::absent) row(1);
+  }
+}
+
+double ChainPhase::damping_ratio() const {
+  double largest = 0;
+  for (Index j = 0; j < layout_.contacts(); ++j) {
+    if (!contact::carries_force((*mode_)[j])) continue;
+    // c δ^{n−1}/(m*/T) at the natural indentation
+    const double width = std::pow(chain_.length[j], contact::exponent(chain_.law[j]) - 1);
+    largest = std::max(largest, contact::damping(chain_.law[j]) * width * chain_.time[j] / chain_.reduced_mass[j]);
+  }
+  return largest;
+}
+
+void ChainPhase::second_derivative(ConstState, State ddx) const {
+  std::fill(ddx.begin(), ddx.end(), 0.0);
+  for (Index j = 0; j < layout_.contacts(); ++j) ddx[layout_.gap[j]] = chain_.gravity[j] - chain_.gravity[j + 1];
+}
+
+void ChainPhase::accept(ConstState x) {
+  if (touching_ == 0) return;
+  for (Index j = 0; j < layout_.contacts(); ++j) {
+    if ((*mode_)[j] != ContactMode::touching || !(-x[layout_.gap[j]] > loaded_ * chain_.length[j])) continue;
+    if (guards_.load[j] != ChainLayout::absent && !(force(x, j).value > 0)) continue;
+    (*mode_)[j] = ContactMode::closed;
+    --touching_;
+    watch(j);
+  }
+}
+
+}  // namespace mariotte::model

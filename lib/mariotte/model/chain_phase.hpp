@@ -1,0 +1,65 @@
+// The smooth field of a chain while its contact set stays as it is [Acary 2003, eq. 2 and 9].
+#pragma once
+#include "mariotte/contact/contact_set.hpp"
+#include "mariotte/model/chain_layout.hpp"
+
+namespace mariotte::model {
+
+/// Guards 0 … n−2 are the gaps. Each damped contact has one more, its load k δ + c δ̇, in the order of the contacts.
+struct ChainGuards {
+  std::vector<Index> load;     ///< guard of contact j's load, or ChainLayout::absent
+  std::vector<Index> contact;  ///< contact of every guard
+};
+
+ChainGuards make_guards(const ChainLayout& layout);
+
+/// Load k δ + c δ̇ of a damped contact; its sign is the sign of the force.
+double load(const contact::Law& law, double indentation, double rate);
+
+/// A chain bound to a mode; `bind` moves it on to the next.
+class ChainPhase final : public flow::Problem {
+ public:
+  ChainPhase(const DimensionlessChain& chain, const ChainLayout& layout, double accuracy);
+
+  /// From now on follow `mode`, which must outlive the phase; accepted steps turn its touching contacts closed.
+  void bind(contact::ContactSet& mode);
+  const contact::ContactSet& mode() const { return *mode_; }
+
+  Index size() const override { return layout_.size; }
+  void derivative(ConstState x, State dx) const override;
+  Index guard_count() const override { return static_cast<Index>(guards_.contact.size()); }
+  void guards(ConstState x, State values) const override;
+  std::span<const flow::Crossing> crossings() const override { return crossings_; }
+  std::span<const double> magnitudes() const override { return magnitudes_; }
+  double time_scale() const override { return time_scale_; }
+  const std::vector<flow::Entry>& pattern() const override { return pattern_; }
+  void jacobian(ConstState x, State values) const override;
+  double damping_ratio() const override;
+  bool is_ballistic() const override { return active_ == 0; }
+  void second_derivative(ConstState x, State ddx) const override;
+  void accept(ConstState x) override;
+  std::string component(Index index) const override { return component_name(layout_, index); }
+
+  /// Force of contact j and its slopes; zero unless it carries force.
+  contact::Force force(ConstState x, Index j) const;
+
+ private:
+  double rate(ConstState x, Index j) const {
+    return x[layout_.velocity[j]] - x[layout_.velocity[j + 1]];
+  }
+  void watch(Index j);
+
+  const DimensionlessChain& chain_;
+  const ChainLayout& layout_;
+  ChainGuards guards_;
+  std::vector<double> magnitudes_;
+  std::vector<flow::Entry> pattern_;
+  std::vector<flow::Crossing> crossings_;
+  double loaded_;  ///< indentation, in natural lengths, above which a touching contact has left the noise
+  contact::ContactSet* mode_ = nullptr;
+  Index active_ = 0;    ///< contacts that carry force
+  Index touching_ = 0;  ///< those of them that are still touching
+  double time_scale_ = 1;
+};
+
+}  // namespace mariotte::model

@@ -1,0 +1,112 @@
+#include "mariotte/model/dimensionless_chain.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mariotte::model {
+namespace {
+
+double reduced_mass(double a, double b) {
+  if (std::isinf(a)) return std::isinf(b) ? 1 : b;
+  return std::isinf(b) ? a : a / (1 + a / b);
+}
+
+/// Speed that the bodies can reach relative to each other: what they start with, and what gravity and stored
+/// energy can add.
+double reference_speed(const Chain& chain) {
+  const auto [slowest, fastest] = std::minmax_element(chain.velocity.begin(), chain.velocity.end());
+  const double spread = std::min(*fastest - *slowest, std::max(std::abs(*slowest), std::abs(*fastest)));
+  double squared = spread * spread;
+  for (std::size_t j = 0; j < chain.gap.size(); ++j) {
+    squared += 2 * std::abs(chain.gravity) * std::max(0.0, chain.gap[j]);
+    const double mass = reduced_mass(chain.mass[j], chain.mass[j + 1]);
+    if (chain.gap[j] < 0) squared += 2 * contact::stored_energy(chain.law[j], -chain.gap[j]) / mass;
+  }
+  if (squared > 0) return std::sqrt(squared);
+  // Nothing moves unless gravity presses touching balls together: the speed gained over a static indentation.
+  if (chain.gravity == 0) return 1;
+  double indentation = 0;
+  for (std::size_t j = 0; j < chain.law.size(); ++j) {
+    const double weight = reduced_mass(chain.mass[j], chain.mass[j + 1]) * std::abs(chain.gravity);
+    indentation = std::max(indentation, std::pow(weight / contact::stiffness(chain.law[j]),
+                                                 1 / contact::exponent(chain.law[j])));
+  }
+  return std::sqrt(2 * std::abs(chain.gravity) * indentation);
+}
+
+double natural_length(const contact::Law& law, double mass, double speed) {
+  return natural_root(mass * speed * speed / contact::stiffness(law), contact::exponent(law));
+}
+
+/// The contact with the shortest natural time; it alone sets the units, so a mirrored chain has the same.
+std::size_t quickest_contact(const Chain& chain, double speed) {
+  std::size_t quickest = 0;
+  double shortest = infinity;
+  for (std::size_t j = 0; j < chain.law.size(); ++j) {
+    const double length = natural_length(chain.law[j], reduced_mass(chain.mass[j], chain.mass[j + 1]), speed);
+    if (length >= shortest) continue;
+    shortest = length;
+    quickest = j;
+  }
+  return quickest;
+}
+
+Scale choose_scale(const Chain& chain, double speed) {
+  const auto j = quickest_contact(chain, speed);
+  Scale scale;
+  scale.mass = power_of_two_below(2 * reduced_mass(chain.mass[j], chain.mass[j + 1]));
+  scale.velocity = power_of_two_below(speed);
+  scale.length = natural_length(chain.law[j], scale.mass, scale.velocity);
+  scale.time = scale.length / scale.velocity;
+  return scale;
+}
+
+/// k L^{n+1}/(M V²) and c L^n/(M V). Contacts with the reference's exponent divide by its stiffness instead of going
+/// through L, which makes the reference's own stiffness exactly 1.
+contact::Law scaled(const contact::Law& law, const Scale& scale, const contact::Law& reference) {
+  const double n = contact::exponent(law);
+  const double stiffness = n == contact::exponent(reference)
+                               ? contact::stiffness(law) / contact::stiffness(reference)
+                               : contact::stiffness(law) * std::pow(scale.length, n + 1) / scale.energy();
+  if (std::holds_alternative<contact::Linear>(law)) return contact::Linear{stiffness};
+  if (std::holds_alternative<contact::Hertz>(law)) return contact::Hertz{stiffness};
+  const double damping = contact::damping(law) * std::pow(scale.length, n) / scale.momentum();
+  return contact::Viscoelastic{.stiffness = stiffness, .damping = damping, .exponent = n};
+}
+
+/// Gravity towards decreasing position pulls a ball back to a wall on its left; upwards gravity mirrors that.
+bool pulls_back(const Chain& chain) {
+  if (chain.gravity == 0) return false;
+  for (std::size_t j = 0; j + 1 < chain.mass.size(); ++j) {
+    const auto below = chain.gravity > 0 ? j : j + 1, above = chain.gravity > 0 ? j + 1 : j;
+    if (std::isinf(chain.mass[below]) && !std::isinf(chain.mass[above])) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+DimensionlessChain make_dimensionless(const Chain& chain) {
+  const double speed = reference_speed(chain);
+  DimensionlessChain d;
+  d.scale = choose_scale(chain, speed);
+  d.speed = speed / d.scale.velocity;
+  d.falls_back = pulls_back(chain);
+  const auto& reference = chain.law[quickest_contact(chain, speed)];
+  for (std::size_t i = 0; i < chain.mass.size(); ++i) {
+    d.mass.push_back(chain.mass[i] / d.scale.mass);
+    d.inverse_mass.push_back(1 / d.mass[i]);
+    d.velocity.push_back(chain.velocity[i] / d.scale.velocity);
+    d.gravity.push_back(std::isinf(chain.mass[i]) ? 0 : chain.gravity * d.scale.time / d.scale.velocity);
+  }
+  for (std::size_t j = 0; j < chain.law.size(); ++j) {
+    d.law.push_back(scaled(chain.law[j], d.scale, reference));
+    d.gap.push_back(chain.gap[j] / d.scale.length);
+    d.reduced_mass.push_back(reduced_mass(d.mass[j], d.mass[j + 1]));
+    d.length.push_back(natural_length(d.law[j], d.reduced_mass[j], d.speed));
+    d.time.push_back(d.length[j] / d.speed);
+  }
+  return d;
+}
+
+}  // namespace mariotte::model

@@ -1,0 +1,27 @@
+// A chain in units of order one, with the natural sizes that tolerances are relative to.
+#pragma once
+#include <vector>
+
+#include "mariotte/core/scale.hpp"
+#include "mariotte/model/chain.hpp"
+
+namespace mariotte::model {
+
+/// The chain divided by `scale`. Contact j alone, struck at the reference speed, would indent by about length[j]
+/// within about time[j] [Acary 2003, §2.2]: L = (m* v²/k)^{1/(n+1)}, T = L/v with m* the reduced mass.
+struct DimensionlessChain {
+  Scale scale;
+  std::vector<double> mass, inverse_mass;  ///< n values; 1/∞ = 0 for a wall
+  std::vector<contact::Law> law;           ///< n−1 values
+  std::vector<double> gap, velocity;       ///< at the start
+  std::vector<double> gravity;             ///< n values; 0 for a wall
+  double speed = 1;                        ///< reference speed: largest that can matter
+  std::vector<double> reduced_mass;        ///< n−1 values; 1 between walls
+  std::vector<double> length, time;        ///< n−1 natural lengths and times
+  bool falls_back = false;                 ///< gravity pulls some ball back to a wall
+};
+
+/// Convert a validated chain.
+DimensionlessChain make_dimensionless(const Chain& chain);
+
+}  // namespace mariotte::model
