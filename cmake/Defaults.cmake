@@ -1,4 +1,5 @@
-# What a checkout gets when nothing is said: C++20, optimised, position independent.
+# What a checkout gets when nothing is said: C++20, optimised, position independent, GNU folders.
+include(GNUInstallDirs)
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)

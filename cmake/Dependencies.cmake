@@ -2,9 +2,11 @@
 find_package(Eigen3 3.3 REQUIRED NO_MODULE)
 find_package(SUNDIALS 6.4 REQUIRED COMPONENTS cvode nvecserial sunlinsolklu)
 
-if(MARIOTTE_APPS OR MARIOTTE_TESTS OR PROJECT_IS_TOP_LEVEL)
+if(MARIOTTE_APPS OR MARIOTTE_TESTS)
   find_package(fmt REQUIRED)
   find_package(nlohmann_json REQUIRED)
   find_package(tomlplusplus REQUIRED)
+endif()
+if(MARIOTTE_APPS)
   find_package(CLI11 REQUIRED)
 endif()

@@ -1,1 +1,5 @@
-int main() { return 0; }
+#include "command.hpp"
+
+int main(int argc, char** argv) {
+  return mariotte::command::command_line(argc, argv);
+}

@@ -1,5 +1,6 @@
 // Hertz contact f = k δ^{3/2} [Acary 2003, eq. 1 with n = 3/2] and its stiffness from materials.
 #pragma once
+#include <algorithm>
 #include <cmath>
 
 #include "mariotte/contact/force.hpp"
@@ -13,9 +14,9 @@ struct Hertz {
 inline double exponent(const Hertz&) { return 1.5; }
 inline double damping(const Hertz&) { return 0; }
 
-/// Force and slopes at indentation δ ≥ 0 [m]; the rate does not matter.
-inline Force force(const Hertz& law, double indentation, double /*rate*/) {
-  const double slope = law.stiffness * std::sqrt(indentation);
+/// k δ^{3/2}, with slopes; 0 for δ ≤ 0. The rate does not matter.
+inline Force smooth_force(const Hertz& law, double indentation, double /*rate*/) {
+  const double slope = law.stiffness * std::sqrt(std::max(0.0, indentation));
   return {.value = slope * indentation, .by_indentation = 1.5 * slope, .by_rate = 0};
 }
 

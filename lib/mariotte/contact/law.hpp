@@ -10,9 +10,19 @@ namespace mariotte::contact {
 
 using Law = std::variant<Linear, Hertz, Viscoelastic>;
 
-inline Force force(const Law& law, double indentation, double rate) {
-  return std::visit([&](const auto& one) { return force(one, indentation, rate); }, law);
+/// The law's field before it is cut off at f = 0: what a closed contact follows until a guard says it has let go, so
+/// that a step which reaches past that instant meets no kink.
+inline Force smooth_force(const Law& law, double indentation, double rate) {
+  return std::visit([&](const auto& one) { return smooth_force(one, indentation, rate); }, law);
 }
+
+/// Force and slopes at indentation δ ≥ 0 [m] and rate δ̇ [m/s]; all zero where the contact would pull.
+template <class AnyLaw>
+Force force(const AnyLaw& law, double indentation, double rate) {
+  const auto smooth = smooth_force(law, indentation, rate);
+  return smooth.value > 0 ? smooth : Force{.value = 0, .by_indentation = 0, .by_rate = 0};
+}
+
 inline double stored_energy(const Law& law, double indentation) {
   return std::visit([&](const auto& one) { return stored_energy(one, indentation); }, law);
 }
@@ -24,12 +34,6 @@ inline double damping(const Law& law) {
 }
 inline double exponent(const Law& law) {
   return std::visit([](const auto& one) { return exponent(one); }, law);
-}
-
-/// Rate of energy loss f_damping · δ̇ ≥ 0 [W] of a contact that carries force.
-inline double dissipation_rate(const Law& law, double indentation, double rate) {
-  if (damping(law) == 0) return 0;
-  return damping(law) * contact_width(exponent(law), indentation) * rate * rate;
 }
 
 }  // namespace mariotte::contact

@@ -11,8 +11,8 @@ struct Linear {
 inline double exponent(const Linear&) { return 1; }
 inline double damping(const Linear&) { return 0; }
 
-/// Force and slopes at indentation δ ≥ 0 [m]; the rate does not matter.
-inline Force force(const Linear& law, double indentation, double /*rate*/) {
+/// k δ of either sign, with slopes; the rate does not matter.
+inline Force smooth_force(const Linear& law, double indentation, double /*rate*/) {
   return {.value = law.stiffness * indentation, .by_indentation = law.stiffness, .by_rate = 0};
 }
 

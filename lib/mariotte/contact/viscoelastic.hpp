@@ -26,13 +26,13 @@ inline double contact_width(double exponent, double indentation) {
   return std::pow(indentation, exponent - 1);
 }
 
-/// Force and slopes at indentation δ ≥ 0 [m] and rate δ̇ [m/s]; all zero where the contact would pull.
+/// δ^{n−1} (k δ + c δ̇) of either sign, with slopes; for n > 1, 0 for δ ≤ 0.
 /// The slope by indentation is unbounded towards δ = 0 for n < 2 and left out (0) at δ = 0 itself.
-inline Force force(const Viscoelastic& law, double indentation, double rate) {
+inline Force smooth_force(const Viscoelastic& law, double indentation, double rate) {
+  if (law.exponent > 1 && !(indentation > 0)) return {.value = 0, .by_indentation = 0, .by_rate = 0};
   const double load = law.stiffness * indentation + law.damping * rate;
-  if (!(load > 0)) return {.value = 0, .by_indentation = 0, .by_rate = 0};
   const double width = contact_width(law.exponent, indentation);
-  const double bend = indentation > 0 ? (law.exponent - 1) * width * load / indentation : 0;
+  const double bend = law.exponent > 1 ? (law.exponent - 1) * width * load / indentation : 0;
   return {.value = width * load, .by_indentation = bend + width * law.stiffness, .by_rate = width * law.damping};
 }
 

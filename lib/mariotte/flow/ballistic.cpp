@@ -47,8 +47,8 @@ double Ballistic::next_crossing(const Problem& problem, ConstState x, Index& gua
   problem.derivative(x, rate_);
   problem.second_derivative(x, bend_);
   problem.guards(x, value_);
-  problem.guards(rate_, value_rate_);
-  problem.guards(bend_, value_bend_);
+  problem.guard_rates(x, rate_, value_rate_);
+  problem.guard_rates(x, bend_, value_bend_);  // linear guards
   double first = infinity;
   for (Index i = 0; i < count; ++i) {
     const double time = first_crossing(problem.crossings()[i], value_[i], value_rate_[i], value_bend_[i]);

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <optional>
 
 #include "mariotte/core/error.hpp"
+#include "mariotte/flow/certificate.hpp"
 #include "mariotte/flow/linear_solver.hpp"
 #include "mariotte/flow/simultaneous.hpp"
 
@@ -21,8 +23,9 @@ double local_tolerance(CvodeMethod method, double accuracy) {
   return std::max(factor * accuracy, 4 * epsilon);
 }
 
-/// A phase that needs more steps than this is not going anywhere.
+/// A phase that needs more steps than this is not going anywhere; nor is one whose clock stands still so often.
 constexpr Index step_limit = 10'000'000;
+constexpr Index stall_limit = 100;
 
 ConstState view(N_Vector v) {
   return {N_VGetArrayPointer(v), static_cast<std::size_t>(N_VGetLength_Serial(v))};
@@ -51,6 +54,7 @@ struct Cvode::Memory {
   std::string complaint;  ///< SUNDIALS' last message
   std::vector<double> before;
   std::vector<int> roots;
+  Certificate certificate;
   Simultaneous simultaneous;
 
   Memory(CvodeMethod chosen, const Problem& like) : method(chosen), roots(like.guard_count()) {
@@ -127,6 +131,13 @@ struct Cvode::Memory {
     const auto crossings = next.crossings();
     std::transform(crossings.begin(), crossings.end(), roots.begin(), [](Crossing c) { return static_cast<int>(c); });
     check(CVodeSetRootDirection(cvode.get(), roots.data()), "the directions of the guards");
+    before.assign(x.begin(), x.end());
+    certificate.begin(next, x);
+  }
+  void append_roots(std::vector<Index>& fired) {
+    check(CVodeGetRootInfo(cvode.get(), roots.data()), "root information");
+    for (std::size_t i = 0; i < roots.size(); ++i)
+      if (roots[i] != 0) fired.push_back(static_cast<Index>(i));
   }
 
   /// "velocity 3, gap 2": the components with the largest share of the local error.
@@ -153,12 +164,19 @@ struct Cvode::Memory {
     CVodeGetNumRhsEvals(cvode.get(), &rhs);
     return {outcome, time, steps, rhs, std::move(message)};
   }
+  Arrival fail(const std::string& reason, double time, State x) {
+    std::string message = reason + " at local time " + std::to_string(time) + " after ";
+    auto arrival = finish(Outcome::failed, time, x);
+    message += std::to_string(arrival.steps) + " steps (worst components: " + worst_components() + ")";
+    if (!complaint.empty()) message += "; SUNDIALS: " + complaint;
+    arrival.message = std::move(message);
+    return arrival;
+  }
   Arrival fail(int code, double time, State x) {
     char* raw = CVodeGetReturnFlagName(code);
-    std::string message = std::string(raw) + " at local time " + std::to_string(time) + ": " + complaint +
-                          " (worst components: " + worst_components() + ")";
+    const std::string flag = raw;
     std::free(raw);
-    return finish(Outcome::failed, time, x, std::move(message));
+    return fail(flag, time, x);
   }
   void move_to(double time) { CVodeGetDky(cvode.get(), time, 0, state.get()); }
 };
@@ -188,32 +206,36 @@ Cvode::~Cvode() = default;
 Arrival Cvode::follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) {
   auto& m = *memory_;
   m.restart(problem, x, request);
-  m.before.assign(x.begin(), x.end());
   Interpolant step(m.cvode.get(), m.dense.get());
-  for (Index count = 0; count < step_limit; ++count) {
-    double time = step.end;
-    const int code = CVode(m.cvode.get(), step.start + problem.time_scale(), m.state.get(), &time, CV_ONE_STEP);
-    if (code < 0) return m.fail(code, step.end, x);
-    const bool limited = time >= request.limit;
-    if (limited) m.move_to(time = request.limit);
-
+  Index stalled = 0;
+  for (Index count = 0; count < step_limit && stalled < stall_limit; ++count) {
     step.start = step.end;
-    step.end = time;
+    const int code = CVode(m.cvode.get(), step.start + problem.time_scale(), m.state.get(), &step.end, CV_ONE_STEP);
+    if (code < 0) return m.fail(code, step.start, x);
+    auto outcome = code == CV_ROOT_RETURN ? std::optional(Outcome::guard) : std::nullopt;
+    if (step.end >= request.limit) {
+      m.move_to(step.end = request.limit);
+      outcome = Outcome::limit;
+    }
     step.before = m.before;
     step.after = view(m.state.get());
-    if (request.watcher) request.watcher->watch(step);
-    problem.accept(step.after);
-    if (limited) return m.finish(Outcome::limit, time, x);
-    if (code == CV_ROOT_RETURN) {
-      check(CVodeGetRootInfo(m.cvode.get(), m.roots.data()), "root information");
-      for (std::size_t i = 0; i < m.roots.size(); ++i)
-        if (m.roots[i] != 0) fired.push_back(static_cast<Index>(i));
-      m.simultaneous.collect(problem, step.after, simultaneity_window(problem, request.accuracy), fired);
-      return m.finish(Outcome::guard, time, x);
+    if (const auto hidden = m.certificate.examine(problem, step)) {
+      m.move_to(step.end = hidden->time);
+      fired.push_back(hidden->guard);
+      outcome = Outcome::guard;
+    } else if (outcome == Outcome::guard) {
+      m.append_roots(fired);
     }
+    if (request.watcher) request.watcher->watch(step);
+    if (problem.accept(step.after)) m.certificate.begin(problem, step.after);
+    if (outcome == Outcome::guard)
+      m.simultaneous.collect(problem, step.after, simultaneity_window(problem, request.accuracy), fired);
+    if (outcome) return m.finish(*outcome, step.end, x);
     m.before.assign(step.after.begin(), step.after.end());
+    stalled += step.end - step.start <= 2 * epsilon * step.end;
   }
-  return m.finish(Outcome::failed, step.end, x, "no guard fired within the step limit");
+  return m.fail(stalled == stall_limit ? "the step has shrunk to nothing" : "no guard fired within the step limit",
+                step.end, x);
 }
 
 std::string sundials_version() {

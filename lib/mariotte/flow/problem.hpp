@@ -27,6 +27,8 @@ class Problem {
 
   virtual Index guard_count() const = 0;
   virtual void guards(ConstState x, State values) const = 0;
+  /// Time derivatives of the guards, given dx = f(x).
+  virtual void guard_rates(ConstState x, ConstState dx, State rates) const = 0;
   /// One crossing per guard.
   virtual std::span<const Crossing> crossings() const = 0;
 
@@ -47,8 +49,9 @@ class Problem {
   /// f'(x) f(x), asked of ballistic modes only.
   virtual void second_derivative(ConstState x, State ddx) const = 0;
 
-  /// Told after every accepted step: a guard that starts at zero is watched only once it has left it.
-  virtual void accept(ConstState x) = 0;
+  /// Told after every accepted step: a guard that starts at zero is watched only once it has left it. True if what
+  /// is watched has changed.
+  virtual bool accept(ConstState x) = 0;
 
   /// Name of a component for messages, such as "velocity 3".
   virtual std::string component(Index index) const = 0;

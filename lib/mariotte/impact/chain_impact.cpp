@@ -104,7 +104,7 @@ std::vector<Skipped> skipped(const ChainSystem& system, const Run& run, bool tra
   if (const Index flights = used(flow::Kind::ballistic))
     list.push_back({"free flight", std::to_string(flights) + " phases in closed form, not integrated"});
   if (none(system.layout.work)) list.push_back({"dissipation", "no contact is damped"});
-  if (none(system.layout.impulse)) list.push_back({"impulse integrals", "no walls: momentum gives every impulse"});
+  if (none(system.layout.impulse)) list.push_back({"impulse integrals", "momentum gives every impulse of a chain without walls"});
   if (used(flow::Kind::cvode_bdf_dense) + used(flow::Kind::cvode_bdf_band) + used(flow::Kind::cvode_bdf_klu) == 0)
     list.push_back({"Newton iteration", "no phase was followed implicitly"});
   if (!trace) list.push_back({"trace", "not asked for"});

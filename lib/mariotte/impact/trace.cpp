@@ -1,5 +1,6 @@
 #include "mariotte/impact/trace.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace mariotte::impact {
@@ -7,7 +8,7 @@ namespace {
 
 template <class Row>
 void drop_every_other(std::vector<Row>& rows) {
-  for (std::size_t i = 0; 2 * i < rows.size(); ++i) rows[i] = std::move(rows[2 * i]);
+  for (std::size_t i = 1; 2 * i < rows.size(); ++i) rows[i] = std::move(rows[2 * i]);
   rows.resize((rows.size() + 1) / 2);
 }
 
@@ -29,7 +30,7 @@ void TraceRecorder::keep(double time, ConstState x) {
   auto& force = trace_.force.emplace_back();
   for (Index j = 0; j < layout_.contacts(); ++j) {
     gap.push_back(x[layout_.gap[j]] * scale.length);
-    force.push_back(phase_.force(x, j).value * scale.force());
+    force.push_back(std::max(0.0, phase_.force(x, j).value) * scale.force());
   }
 }
 

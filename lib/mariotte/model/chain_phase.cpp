@@ -88,9 +88,12 @@ void ChainPhase::watch(Index j) {
 }
 
 contact::Force ChainPhase::force(ConstState x, Index j) const {
-  const double gap = x[layout_.gap[j]];
-  if (!contact::carries_force((*mode_)[j]) || gap > 0) return {0, 0, 0};
-  return contact::force(chain_.law[j], -gap, rate(x, j));
+  const double indentation = -x[layout_.gap[j]];
+  switch ((*mode_)[j]) {
+    case ContactMode::closed: return contact::smooth_force(chain_.law[j], indentation, rate(x, j));
+    case ContactMode::touching: return contact::force(chain_.law[j], std::max(0.0, indentation), rate(x, j));
+    default: return {0, 0, 0};
+  }
 }
 
 void ChainPhase::derivative(ConstState x, State dx) const {
@@ -107,16 +110,21 @@ void ChainPhase::derivative(ConstState x, State dx) const {
   }
 }
 
+/// Gap or load: both are linear in x, so the rate of a guard is the guard of the rates.
+double ChainPhase::guard(ConstState x, Index i) const {
+  const Index j = guards_.contact[i];
+  const double gap = x[layout_.gap[j]];
+  return i == j ? gap : load(chain_.law[j], -gap, rate(x, j));
+}
+
 void ChainPhase::guards(ConstState x, State values) const {
-  for (Index i = 0; i < guard_count(); ++i) {
-    const Index j = guards_.contact[i];
-    const double gap = x[layout_.gap[j]];
-    // A masked guard stands on the side from which it cannot seem to have crossed when it is watched again.
-    if (crossings_[i] == Crossing::none)
-      values[i] = i == j ? -1 : 1;
-    else
-      values[i] = i == j ? gap : load(chain_.law[j], -gap, rate(x, j));
-  }
+  // A masked guard stands on the side from which it cannot seem to have crossed when it is watched again.
+  for (Index i = 0; i < guard_count(); ++i)
+    values[i] = crossings_[i] != Crossing::none ? guard(x, i) : i < layout_.contacts() ? -1 : 1;
+}
+
+void ChainPhase::guard_rates(ConstState, ConstState dx, State rates) const {
+  for (Index i = 0; i < guard_count(); ++i) rates[i] = crossings_[i] != Crossing::none ? guard(dx, i) : 0;
 }
 
 void ChainPhase::jacobian(ConstState x, State values) const {
@@ -157,8 +165,9 @@ void ChainPhase::second_derivative(ConstState, State ddx) const {
   for (Index j = 0; j < layout_.contacts(); ++j) ddx[layout_.gap[j]] = chain_.gravity[j] - chain_.gravity[j + 1];
 }
 
-void ChainPhase::accept(ConstState x) {
-  if (touching_ == 0) return;
+bool ChainPhase::accept(ConstState x) {
+  if (touching_ == 0) return false;
+  const Index before = touching_;
   for (Index j = 0; j < layout_.contacts(); ++j) {
     if ((*mode_)[j] != ContactMode::touching || !(-x[layout_.gap[j]] > loaded_ * chain_.length[j])) continue;
     if (guards_.load[j] != ChainLayout::absent && !(force(x, j).value > 0)) continue;
@@ -166,6 +175,7 @@ void ChainPhase::accept(ConstState x) {
     --touching_;
     watch(j);
   }
+  return touching_ < before;
 }
 
 }  // namespace mariotte::model

@@ -29,6 +29,7 @@ class ChainPhase final : public flow::Problem {
   void derivative(ConstState x, State dx) const override;
   Index guard_count() const override { return static_cast<Index>(guards_.contact.size()); }
   void guards(ConstState x, State values) const override;
+  void guard_rates(ConstState x, ConstState dx, State rates) const override;
   std::span<const flow::Crossing> crossings() const override { return crossings_; }
   std::span<const double> magnitudes() const override { return magnitudes_; }
   double time_scale() const override { return time_scale_; }
@@ -37,7 +38,7 @@ class ChainPhase final : public flow::Problem {
   double damping_ratio() const override;
   bool is_ballistic() const override { return active_ == 0; }
   void second_derivative(ConstState x, State ddx) const override;
-  void accept(ConstState x) override;
+  bool accept(ConstState x) override;
   std::string component(Index index) const override { return component_name(layout_, index); }
 
   /// Force of contact j and its slopes; zero unless it carries force.
@@ -47,6 +48,7 @@ class ChainPhase final : public flow::Problem {
   double rate(ConstState x, Index j) const {
     return x[layout_.velocity[j]] - x[layout_.velocity[j + 1]];
   }
+  double guard(ConstState x, Index i) const;
   void watch(Index j);
 
   const DimensionlessChain& chain_;

@@ -1,1 +1,88 @@
 #include "mariotte/scene/scene.hpp"
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "mariotte/scene/chain_reader.hpp"
+#include "mariotte/scene/overrides.hpp"
+#include "mariotte/scene/run_reader.hpp"
+#include "mariotte/scene/sha256.hpp"
+#include "mariotte/scene/sweep_shape.hpp"
+#include "mariotte/scene/toml.hpp"
+
+namespace mariotte::scene {
+namespace {
+
+constexpr std::array<std::string_view, 7> keys{"title", "chain",   "run",      "sweep",
+                                               "body",  "surface", "incidence"};
+
+/// The digest of the text alone is that of the file; a zero byte, which no scene holds, sets off each
+/// override.
+std::string fingerprint(const std::string& text, const Overrides& overrides) {
+  std::string all = text;
+  for (const auto& override : overrides) (all += '\0') += override;
+  return sha256(all);
+}
+
+void expect_chain_scene(const Source& source, const Field& root) {
+  expect_keys(source, root, keys);
+  for (const auto* key : {"body", "surface", "incidence"})
+    if (const auto field = find(root, key))
+      reject(source, *field,
+             "scenes of a body on a surface are not supported by this version, only [chain] scenes");
+  if (!find(root, "chain")) reject(source, root.place(), "the scene has no [chain]");
+}
+
+Scene resolve(Source& source, const Field& root) {
+  expect_chain_scene(source, root);
+  Scene scene;
+  std::optional<Field> gravity;
+  if (const auto title = find(root, "title")) scene.title = text(source, *title);
+  if (const auto run = find(root, "run")) {
+    scene.run = read_run(source, *run);
+    gravity = find(*run, "gravity");
+  }
+  if (const auto sweeps = find(root, "sweep")) expect_sweeps(source, *sweeps);
+  const auto chain = *find(root, "chain");
+  auto resolved = read_chain(source, chain, gravity);
+  scene.chain = std::move(resolved.chain);
+  scene.radius = std::move(resolved.radius);
+  return scene;
+}
+
+/// Whatever the reader let through, the model has the last word on what can be simulated.
+void expect_valid(const Source& source, const Field& root, const model::Chain& chain) {
+  try {
+    model::validate(chain);
+  } catch (const InvalidParameter& error) {
+    reject(source, *find(root, "chain"), error.what());
+  }
+}
+
+}  // namespace
+
+Scene parse(const std::string& text, const std::string& name, const Overrides& overrides) {
+  Source source{.name = name, .set_keys = {}};
+  Node tree = parse_toml(source, text);
+  apply(overrides, source, tree);
+  const Field root{&tree, ""};
+  Scene scene = resolve(source, root);
+  expect_valid(source, root, scene.chain);
+  scene.warnings = std::move(source.warnings);
+  scene.sha256 = fingerprint(text, overrides);
+  return scene;
+}
+
+Scene read(const std::string& path, const Overrides& overrides) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  // An empty file sets failbit on the copy, so only what was opened and what broke are asked.
+  if (!file.is_open() || file.bad() || text.bad() || std::filesystem::is_directory(path))
+    throw FileError(path + ": cannot be read");
+  return parse(std::move(text).str(), path, overrides);
+}
+
+}  // namespace mariotte::scene

@@ -22,6 +22,7 @@ struct FileError : Error {
 struct Scene {
   std::string title;
   model::Chain chain;
+  std::vector<double> radius;  ///< n values [m], infinite for planes; empty unless every ball has one
   hybrid::Options run;
   std::vector<std::string> warnings;  ///< "file:line:column: message" of suspicious but possible values
   std::string sha256;                 ///< of the scene's text and overrides, for provenance

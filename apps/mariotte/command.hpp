@@ -1,0 +1,16 @@
+// The mariotte command: one function per subcommand adds it to the command line.
+#pragma once
+#include <CLI/CLI.hpp>
+
+namespace mariotte::command {
+
+/// Parse the command line, do what it says and return the exit code. Never throws.
+int command_line(int argc, char** argv) noexcept;
+
+/// Each declares its options and, when chosen, runs and leaves its exit code in `code`.
+void add_run(CLI::App& app, int& code);
+void add_check(CLI::App& app, int& code);
+void add_demo(CLI::App& app, int& code);
+void add_version(CLI::App& app, int& code);
+
+}  // namespace mariotte::command

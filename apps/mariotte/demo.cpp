@@ -1,0 +1,25 @@
+#include "command.hpp"
+#include "demo_scene.hpp"
+#include "exit_code.hpp"
+#include "mariotte/report/table.hpp"
+#include "terminal.hpp"
+
+namespace mariotte::command {
+namespace {
+
+int demo() {
+  const auto scene = scene::parse(demo_scene, "demo");
+  const auto impact = impact::simulate(scene.chain, scene.run);
+  print(report::table(impact, scene));
+  return exit_code(impact.ending);
+}
+
+}  // namespace
+
+void add_demo(CLI::App& app, int& code) {
+  auto* command = app.add_subcommand("demo", "Newton's cradle of five steel balls, built in");
+  command->footer("Example:\n  mariotte demo\n");
+  command->callback([&code] { code = demo(); });
+}
+
+}  // namespace mariotte::command

@@ -1,0 +1,55 @@
+#include "exit_code.hpp"
+
+#include <new>
+#include <system_error>
+
+#include "mariotte/report/files.hpp"
+#include "mariotte/scene/scene.hpp"
+#include "terminal.hpp"
+
+namespace mariotte::command {
+namespace {
+
+int fail(const char* message, ExitCode code) {
+  error(message);
+  return code;
+}
+
+}  // namespace
+
+ExitCode exit_code(hybrid::Ending ending) {
+  switch (ending) {
+    case hybrid::Ending::separated:
+      return ExitCode::ok;
+    case hybrid::Ending::time_limit:
+    case hybrid::Ending::event_limit:
+      return ExitCode::limit;
+    case hybrid::Ending::failed:
+      return ExitCode::solver_failed;
+  }
+  return ExitCode::solver_failed;
+}
+
+int guarded(const std::function<int()>& action) noexcept {
+  try {
+    return action();
+  } catch (const UsageError& problem) {
+    return fail(problem.what(), ExitCode::usage);
+  } catch (const scene::SceneError& problem) {
+    return fail(problem.what(), ExitCode::bad_scene);
+  } catch (const InvalidParameter& problem) {
+    return fail(problem.what(), ExitCode::bad_scene);
+  } catch (const scene::FileError& problem) {
+    return fail(problem.what(), ExitCode::bad_file);
+  } catch (const report::FileError& problem) {
+    return fail(problem.what(), ExitCode::bad_file);
+  } catch (const std::system_error& problem) {
+    return fail(problem.what(), ExitCode::bad_file);
+  } catch (const std::bad_alloc&) {
+    return fail("out of memory", ExitCode::solver_failed);
+  } catch (const std::exception& problem) {
+    return fail(problem.what(), ExitCode::solver_failed);
+  }
+}
+
+}  // namespace mariotte::command

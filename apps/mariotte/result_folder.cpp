@@ -1,0 +1,71 @@
+#include "result_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+
+#include "mariotte/report/csv.hpp"
+#include "mariotte/report/files.hpp"
+#include "mariotte/report/json.hpp"
+#include "mariotte/report/plot.hpp"
+
+namespace mariotte::command {
+namespace {
+
+using Texts = std::map<std::string, std::string>;  // by file name
+
+constexpr std::size_t most_balls_traced = 1000;  // some thousand samples of these are about 100 MB of text
+
+std::vector<std::string> file_names() {
+  std::vector<std::string> names = {"result.json", "events.csv", "trace.csv", "plot.csv", "plot.gp"};
+  const auto& figures = report::figure_names();
+  names.insert(names.end(), figures.begin(), figures.end());
+  return names;
+}
+
+// One sample or none makes no curve.
+bool can_plot(const impact::Trace& trace) {
+  return trace.time.size() > 1;
+}
+
+Texts texts(const impact::ChainImpact& impact, const scene::Scene& scene) {
+  Texts texts = {{"result.json", report::text(report::json(impact, scene))},
+                 {"events.csv", report::events_csv(impact)}};
+  if (can_trace(scene.chain)) texts["trace.csv"] = report::trace_csv(impact);
+  if (can_plot(impact.trace)) {
+    texts["plot.csv"] = report::plot_data(impact.trace);
+    texts["plot.gp"] = report::plot_script(impact.trace, scene.title);
+  }
+  return texts;
+}
+
+// A figure of an earlier run must not be taken for one of this run.
+void remove_others(const std::filesystem::path& folder, const Texts& texts) {
+  auto names = file_names();
+  std::erase_if(names, [&](const std::string& name) { return texts.contains(name); });
+  report::remove_files(folder, names);
+}
+
+}  // namespace
+
+bool can_trace(const model::Chain& chain) {
+  return chain.mass.size() <= most_balls_traced;
+}
+
+void prepare_result_folder(const std::filesystem::path& folder, bool force) {
+  report::prepare_folder(folder, file_names(), force);
+}
+
+std::string write_result_folder(const std::filesystem::path& folder, const impact::ChainImpact& impact,
+                                const scene::Scene& scene) {
+  const Texts files = texts(impact, scene);
+  for (const auto& [name, text] : files) report::write_file(folder / name, text);
+  remove_others(folder, files);
+  if (!can_trace(scene.chain)) return fmt::format("the chain has more than {} balls", most_balls_traced);
+  if (!can_plot(impact.trace)) return "the run has no duration";
+  const std::string problem = report::draw(folder);
+  if (problem.empty()) return "";
+  return fmt::format("{}; data and script are in {}", problem, (folder / "plot.gp").string());
+}
+
+}  // namespace mariotte::command

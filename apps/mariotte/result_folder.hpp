@@ -1,0 +1,22 @@
+// What `--out DIR` leaves in DIR.
+#pragma once
+#include <filesystem>
+#include <string>
+
+#include "mariotte/impact/chain_impact.hpp"
+#include "mariotte/scene/scene.hpp"
+
+namespace mariotte::command {
+
+/// Whether samples of the chain fit into memory and files of sensible size.
+bool can_trace(const model::Chain& chain);
+
+/// Create the folder; without `force`, throw report::FileError if it holds a file that would be written.
+void prepare_result_folder(const std::filesystem::path& folder, bool force);
+
+/// Write the result files, replacing those of an earlier run. Returns an empty text, or why there are no
+/// figures. Throws report::FileError.
+std::string write_result_folder(const std::filesystem::path& folder, const impact::ChainImpact& impact,
+                                const scene::Scene& scene);
+
+}  // namespace mariotte::command

@@ -1,0 +1,114 @@
+#include <fmt/format.h>
+
+#include <chrono>
+#include <memory>
+
+#include "command.hpp"
+#include "exit_code.hpp"
+#include "mariotte/flow/choose.hpp"
+#include "mariotte/report/json.hpp"
+#include "mariotte/report/reason.hpp"
+#include "mariotte/report/table.hpp"
+#include "result_folder.hpp"
+#include "scene_choice.hpp"
+#include "terminal.hpp"
+
+namespace mariotte::command {
+namespace {
+
+struct Run {
+  SceneChoice scene;
+  std::optional<double> accuracy;
+  std::string flow;
+  std::string out;
+  bool json = false;
+  bool force = false;
+  bool estimate = false;
+  bool verbose = false;
+};
+
+// CLI11 takes an empty text for yes.
+std::string is_accuracy(const std::string& text) {
+  double value = 0;
+  const bool sensible = CLI::detail::lexical_cast(text, value) && value > 0 && value < 1;
+  return sensible ? "" : "must be a number between 0 and 1, not " + text;
+}
+
+std::string is_flow(const std::string& text) {
+  try {
+    flow::parse_kind(text);
+    return "";
+  } catch (const InvalidParameter& problem) {
+    return problem.what();
+  }
+}
+
+scene::Scene resolve(const Run& options) {
+  auto scene = read(options.scene);
+  if (options.accuracy) scene.run.accuracy = *options.accuracy;
+  if (!options.flow.empty()) scene.run.flow = options.flow;
+  return scene;
+}
+
+impact::ChainImpact simulate(const Run& options, const scene::Scene& scene) {
+  const auto start = std::chrono::steady_clock::now();
+  const bool trace = !options.out.empty() && can_trace(scene.chain);
+  auto impact = impact::simulate(scene.chain, scene.run, trace);
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  if (options.verbose)
+    note(fmt::format("simulated {} balls in {:.3g} s", scene.chain.mass.size(), taken.count()));
+  if (options.estimate) impact.estimated_accuracy = impact::estimate_accuracy(scene.chain, scene.run, impact);
+  return impact;
+}
+
+void write(const Run& options, const impact::ChainImpact& impact, const scene::Scene& scene) {
+  const std::string shortfall = write_result_folder(options.out, impact, scene);
+  if (!shortfall.empty() && !options.scene.quiet) warning("no figures: " + shortfall);
+  if (options.verbose) note("wrote " + options.out);
+}
+
+int run(const Run& options) {
+  const auto scene = resolve(options);
+  if (!options.out.empty()) prepare_result_folder(options.out, options.force);
+  const auto impact = simulate(options, scene);
+  if (!options.out.empty()) write(options, impact, scene);
+  print(options.json ? report::text(report::json(impact, scene)) : report::table(impact, scene));
+  if (const auto why = report::reason(impact, scene.run); !why.empty()) error(why);
+  return exit_code(impact.ending);
+}
+
+constexpr const char* examples = R"(Examples:
+  mariotte run cradle.toml
+  mariotte run cradle.toml --out results --force
+  mariotte run cradle.toml --set "chain.velocity[0]=2 m/s" --accuracy 1e-12 --estimate
+  mariotte run cradle.toml --flow cvode-adams --json
+
+With --out DIR: result.json, events.csv, trace.csv, plot.csv, plot.gp and, by gnuplot, forces and velocities
+as png and svg.
+)";
+
+void add_options(CLI::App& command, Run& options) {
+  add_scene_choice(command, options.scene);
+  command.add_option("--accuracy", options.accuracy, "Wanted error of the final velocities / largest speed")
+      ->check(is_accuracy, "");
+  command.add_option("--flow", options.flow, "How contact phases are computed; auto chooses")
+      ->check(is_flow, "");
+  command.add_option("--out", options.out, "Write result files and figures into this folder")
+      ->type_name("DIR");
+  command.add_flag("--json", options.json, "One JSON object on stdout instead of the table");
+  command.add_flag("--force", options.force, "Overwrite files of an earlier run");
+  command.add_flag("--estimate", options.estimate, "Estimate the error by a second, tighter run");
+  command.add_flag("-v,--verbose", options.verbose, "Tell what is being done")->excludes("--quiet");
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, int& code) {
+  auto* command = app.add_subcommand("run", "Simulate a scene and print what happened");
+  auto options = std::make_shared<Run>();
+  add_options(*command, *options);
+  command->footer(examples);
+  command->callback([options, &code] { code = run(*options); });
+}
+
+}  // namespace mariotte::command

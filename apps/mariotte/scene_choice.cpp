@@ -1,0 +1,23 @@
+#include "scene_choice.hpp"
+
+#include "terminal.hpp"
+
+namespace mariotte::command {
+
+void add_scene_choice(CLI::App& command, SceneChoice& choice) {
+  command.add_option("SCENE", choice.path, "Scene file (TOML)")->required();
+  command
+      .add_option("--set", choice.set, "Replace one value of the scene; lists count from 0; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  command.add_flag("-q,--quiet", choice.quiet, "No warnings");
+}
+
+scene::Scene read(const SceneChoice& choice) {
+  auto scene = scene::read(choice.path, choice.set);
+  if (!choice.quiet)
+    for (const auto& one : scene.warnings) warning(one);
+  return scene;
+}
+
+}  // namespace mariotte::command

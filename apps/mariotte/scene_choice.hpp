@@ -1,0 +1,22 @@
+// The scene a subcommand works on, as the command line names it.
+#pragma once
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "mariotte/scene/scene.hpp"
+
+namespace mariotte::command {
+
+struct SceneChoice {
+  std::string path;
+  scene::Overrides set;
+  bool quiet = false;
+};
+
+/// Declare SCENE, --set and --quiet.
+void add_scene_choice(CLI::App& command, SceneChoice& choice);
+
+/// Read the scene and, unless quiet, print its warnings. Throws scene::FileError or scene::SceneError.
+scene::Scene read(const SceneChoice& choice);
+
+}  // namespace mariotte::command

@@ -1,0 +1,38 @@
+#include "terminal.hpp"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <string>
+
+#include "mariotte/report/files.hpp"
+
+namespace mariotte::command {
+namespace {
+
+void say(const char* kind, std::string_view message) {
+  std::fprintf(stderr, "mariotte: %s%.*s\n", kind, static_cast<int>(message.size()), message.data());
+}
+
+}  // namespace
+
+void print(std::string_view text) {
+  errno = 0;
+  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+  if (written && std::fflush(stdout) == 0) return;
+  throw report::FileError(std::string("cannot write to standard output: ") + std::strerror(errno));
+}
+
+void error(std::string_view message) noexcept {
+  say("error: ", message);
+}
+
+void warning(std::string_view message) noexcept {
+  say("warning: ", message);
+}
+
+void note(std::string_view message) noexcept {
+  say("", message);
+}
+
+}  // namespace mariotte::command

@@ -1,0 +1,15 @@
+// stdout carries the result and nothing else; every other word goes to stderr.
+#pragma once
+#include <string_view>
+
+namespace mariotte::command {
+
+/// Write to stdout. Throws report::FileError unless every byte was taken.
+void print(std::string_view text);
+
+/// "mariotte: error: …", "mariotte: warning: …" and "mariotte: …" on stderr.
+void error(std::string_view message) noexcept;
+void warning(std::string_view message) noexcept;
+void note(std::string_view message) noexcept;
+
+}  // namespace mariotte::command

@@ -1,0 +1,18 @@
+# What an installation holds: the library with its headers, the command, and the package for find_package(mariotte).
+include(CMakePackageConfigHelpers)
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/mariotte)
+
+install(TARGETS mariotte EXPORT mariotteTargets)
+foreach(module IN LISTS MARIOTTE_LIBRARY_MODULES)
+  install(DIRECTORY lib/mariotte/${module} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/mariotte
+          FILES_MATCHING PATTERN "*.hpp" REGEX "/(sundials|linear_solver)[^/]*\\.hpp$" EXCLUDE)
+endforeach()
+if(MARIOTTE_APPS)
+  install(TARGETS mariotte_command)
+endif()
+
+configure_package_config_file(cmake/mariotteConfig.cmake.in mariotteConfig.cmake INSTALL_DESTINATION ${package_dir})
+write_basic_package_version_file(mariotteConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/mariotteConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/mariotteConfigVersion.cmake
+        DESTINATION ${package_dir})
+install(EXPORT mariotteTargets NAMESPACE mariotte:: DESTINATION ${package_dir})

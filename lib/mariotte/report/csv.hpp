@@ -1,0 +1,17 @@
+// Events and samples of a run as CSV, 17 significant digits, units in the header. Contacts and balls count
+// from 1.
+#pragma once
+#include <string>
+
+#include "mariotte/impact/chain_impact.hpp"
+
+namespace mariotte::report {
+
+/// `time [s],open,close`: one row per event; the contacts that open and close at that instant, separated by
+/// spaces.
+std::string events_csv(const impact::ChainImpact& impact);
+
+/// `time [s],v1 [m/s],…,gap1 [m],…,force1 [N],…`: one row per sample; a gap is negative in contact.
+std::string trace_csv(const impact::ChainImpact& impact);
+
+}  // namespace mariotte::report

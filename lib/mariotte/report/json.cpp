@@ -1,0 +1,129 @@
+#include "mariotte/report/json.hpp"
+
+#include "mariotte/report/law_name.hpp"
+#include "mariotte/report/provenance.hpp"
+#include "mariotte/report/reason.hpp"
+
+namespace mariotte::report {
+namespace {
+
+Json nullable(const std::optional<double>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+template <class Values, class Write>
+Json list(const Values& values, const Write& write) {
+  Json array = Json::array();
+  for (const auto& value : values) array.push_back(write(value));
+  return array;
+}
+
+Json period(const impact::Period& period) {
+  return Json::array({period.start, nullable(period.end)});
+}
+
+Json contact_history(const impact::ContactHistory& contact) {
+  return {{"impulse", contact.impulse},
+          {"peak_force", contact.peak_force},
+          {"peak_indentation", contact.peak_indentation},
+          {"periods", list(contact.periods, period)},
+          {"stored", contact.stored},
+          {"dissipated", contact.dissipated}};
+}
+
+Json from_one(const std::vector<Index>& positions) {
+  return list(positions, [](Index position) { return position + 1; });
+}
+
+// Every model names the same five changes; balls on a line neither stick, slip nor get captured.
+Json event(const impact::Event& event) {
+  return {{"time", event.time},     {"open", from_one(event.open)}, {"close", from_one(event.close)},
+          {"stick", Json::array()}, {"slip", Json::array()},        {"capture", Json::array()}};
+}
+
+Json energy(const impact::EnergyLedger& ledger) {
+  return {{"initial", ledger.initial},
+          {"final", ledger.final},
+          {"stored", ledger.stored},
+          {"dissipated", ledger.dissipated},
+          {"work", ledger.work},
+          {"residual", ledger.residual},
+          {"ratio_lab", nullable(ledger.ratio_lab)},
+          {"ratio_centre", nullable(ledger.ratio_centre)}};
+}
+
+Json momentum(const impact::MomentumLedger& ledger) {
+  return {{"initial", ledger.initial}, {"final", ledger.final}, {"residual", ledger.residual}};
+}
+
+Json flow(const impact::FlowUse& use) {
+  return {{"name", use.name}, {"phases", use.phases}, {"steps", use.steps}, {"rhs", use.rhs}};
+}
+
+Json skipped(const std::vector<impact::Skipped>& skipped) {
+  Json object = Json::object();
+  for (const auto& one : skipped) object[one.what] = one.why;
+  return object;
+}
+
+Json provenance_of(const scene::Scene& scene) {
+  const auto program = provenance();
+  return {{"version", program.version},
+          {"scene_sha256", scene.sha256},
+          {"sundials", program.sundials},
+          {"compiler", program.compiler},
+          {"build_type", program.build_type}};
+}
+
+Json law(const contact::Law& law) {
+  return {{"law", law_name(law)},
+          {"stiffness", contact::stiffness(law)},
+          {"damping", contact::damping(law)},
+          {"exponent", contact::exponent(law)}};
+}
+
+Json chain(const model::Chain& chain) {
+  return {{"mass", chain.mass},       {"velocity", chain.velocity},
+          {"gap", chain.gap},         {"contact", list(chain.law, law)},
+          {"gravity", chain.gravity}, {"precompressed", chain.precompressed}};
+}
+
+Json options(const hybrid::Options& run) {
+  return {{"accuracy", run.accuracy},
+          {"max_time", run.max_time},
+          {"max_events", run.max_events},
+          {"flow", run.flow}};
+}
+
+}  // namespace
+
+Json json(const impact::ChainImpact& impact, const scene::Scene& scene) {
+  Json result = {{"ending", hybrid::name(impact.ending)}, {"title", scene.title}, {"model", "chain"}};
+  if (const auto why = reason(impact, scene.run); !why.empty()) result["message"] = why;
+  result["final"] = {{"time", impact.time}, {"velocity", impact.velocity}, {"gap", impact.gap}};
+  result["contacts"] = list(impact.contacts, contact_history);
+  result["icr"] = list(impact.icr, nullable);
+  result["impulse_direction"] = impact.impulse_direction;
+  result["events"] = list(impact.events, event);
+  result["energy"] = energy(impact.energy);
+  result["momentum"] = momentum(impact.momentum);
+  result["accuracy"] = {{"requested", impact.requested_accuracy},
+                        {"estimated", nullable(impact.estimated_accuracy)}};
+  result["flows"] = list(impact.flows, flow);
+  result["skipped"] = skipped(impact.skipped);
+  if (!scene.warnings.empty()) result["warnings"] = scene.warnings;
+  result["provenance"] = provenance_of(scene);
+  return result;
+}
+
+Json json(const scene::Scene& scene) {
+  Json result = {{"title", scene.title}, {"model", "chain"}};
+  result["chain"] = chain(scene.chain);
+  if (!scene.radius.empty()) result["chain"]["radius"] = scene.radius;
+  result["run"] = options(scene.run);
+  if (!scene.warnings.empty()) result["warnings"] = scene.warnings;
+  result["provenance"] = provenance_of(scene);
+  return result;
+}
+
+}  // namespace mariotte::report

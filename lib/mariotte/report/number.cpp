@@ -1,0 +1,55 @@
+#include "mariotte/report/number.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace mariotte::report {
+namespace {
+
+constexpr int significant_digits = 8;
+constexpr std::array prefixes = {"f", "p", "n", "µ", "m", "", "k", "M", "G", "T"};  // from 10⁻¹⁵ to 10¹²
+constexpr int no_prefix = 5;
+
+double largest_magnitude(std::span<const double> values) {
+  double largest = 0;
+  for (const double value : values)
+    if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+// Position in `prefixes` that brings `largest` into [1, 1000).
+int prefix_for(double largest, const std::string& unit) {
+  if (largest == 0 || (largest >= 0.1 && largest < 1e4)) return no_prefix;
+  const int thousands = static_cast<int>(std::floor(std::log10(largest) / 3));
+  const int last = unit == "s" ? no_prefix : static_cast<int>(prefixes.size()) - 1;
+  return std::clamp(no_prefix + thousands, 0, last);
+}
+
+}  // namespace
+
+std::string exact(double value) {
+  return fmt::format("{:.17g}", value);
+}
+
+Display display_for(std::span<const double> values, const std::string& unit) {
+  const double largest = largest_magnitude(values);
+  const int prefix = prefix_for(largest, unit);
+  const double factor = std::pow(10.0, 3 * (no_prefix - prefix));
+  const int whole_digits = largest > 0 ? static_cast<int>(std::floor(std::log10(largest * factor))) + 1 : 1;
+  return {.factor = factor,
+          .unit = prefixes[static_cast<std::size_t>(prefix)] + unit,
+          .decimals = std::clamp(significant_digits - whole_digits, 0, significant_digits)};
+}
+
+std::string shown(const Display& display, double value) {
+  const double scaled = display.factor * value;
+  if (scaled == 0) return fmt::format("{:.{}f}", 0.0, display.decimals);
+  if (std::abs(scaled) < std::pow(10.0, -display.decimals) || std::abs(scaled) >= 1e12)
+    return fmt::format("{:.2e}", scaled);
+  return fmt::format("{:.{}f}", scaled, display.decimals);
+}
+
+}  // namespace mariotte::report

@@ -1,0 +1,25 @@
+// Numbers as text: exact for programs, scaled and aligned for people.
+#pragma once
+#include <span>
+#include <string>
+
+namespace mariotte::report {
+
+/// 17 significant digits, enough to give back the same double; "inf", "-inf" or "nan" if it is not finite.
+std::string exact(double value);
+
+/// How the numbers of one column or axis are shown: multiplied by `factor`, in `unit`, with `decimals`.
+struct Display {
+  double factor;     ///< shown number = factor × SI value
+  std::string unit;  ///< with its prefix, for example "µs"
+  int decimals;      ///< digits after the point
+};
+
+/// A display with eight significant digits for the largest finite magnitude among `values`, and an SI prefix
+/// where that magnitude is below 0.1 or from 10⁴ on. Times in "s" get no prefix above one.
+Display display_for(std::span<const double> values, const std::string& unit);
+
+/// `value` [SI] as the display shows it; a value too small for its decimals is shown as a power of ten.
+std::string shown(const Display& display, double value);
+
+}  // namespace mariotte::report

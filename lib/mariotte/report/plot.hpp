@@ -1,0 +1,26 @@
+// Figures of a run by gnuplot: contact forces and velocities over time.
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "mariotte/impact/chain_impact.hpp"
+
+namespace mariotte::report {
+
+/// Names of the figures that `draw` makes.
+const std::vector<std::string>& figure_names();
+
+/// `plot.csv`: a block per curve, velocities before forces, with the number of the ball or contact, time [s]
+/// and value [m/s or N]; only points that can be seen, and of a long chain evenly spaced balls and contacts.
+std::string plot_data(const impact::Trace& trace);
+
+/// `plot.gp`: a gnuplot script that reads plot.csv in its folder and makes forces and velocities, as PNG and
+/// SVG, from the start until soon after the last force above a thousandth of the largest.
+std::string plot_script(const impact::Trace& trace, const std::string& title);
+
+/// Run plot.gp in `folder`; the figures appear all at once. Returns an empty text, or why there are no
+/// figures: gnuplot is not installed, or it failed.
+std::string draw(const std::filesystem::path& folder);
+
+}  // namespace mariotte::report

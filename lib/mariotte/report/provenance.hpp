@@ -1,0 +1,17 @@
+// What a result was computed with, so that it can be computed again.
+#pragma once
+#include <string>
+
+namespace mariotte::report {
+
+struct Provenance {
+  std::string version;     ///< of mariotte
+  std::string sundials;    ///< version that is linked
+  std::string compiler;    ///< name and version
+  std::string build_type;  ///< CMake's word, for example "Release"
+};
+
+/// The provenance of this very program.
+Provenance provenance();
+
+}  // namespace mariotte::report

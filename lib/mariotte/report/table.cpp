@@ -1,0 +1,121 @@
+#include "mariotte/report/table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mariotte/report/columns.hpp"
+#include "mariotte/report/ledger_table.hpp"
+#include "mariotte/report/number.hpp"
+#include "mariotte/report/reason.hpp"
+
+namespace mariotte::report {
+namespace {
+
+constexpr std::size_t periods_shown = 2;
+
+template <class Values, class Get>
+Display display_of(const Values& values, const Get& get, const std::string& unit) {
+  std::vector<double> numbers;
+  for (const auto& value : values) numbers.push_back(get(value));
+  return display_for(numbers, unit);
+}
+
+std::string heading(const scene::Scene& scene) {
+  const std::string title = scene.title.empty() ? "Chain of balls" : scene.title;
+  std::string text = title + "\n";
+  for (std::size_t i = 0; i < width(title); ++i) text += "═";
+  return text + "\n";
+}
+
+std::string summary(const impact::ChainImpact& impact, const hybrid::Options& options, const Display& time) {
+  std::string text =
+      fmt::format("{} at {} {} · {} balls · accuracy {:.3g} requested", hybrid::name(impact.ending),
+                  shown(time, impact.time), time.unit, impact.velocity.size(), impact.requested_accuracy);
+  if (impact.estimated_accuracy) text += fmt::format(", {:.1e} estimated", *impact.estimated_accuracy);
+  if (const auto why = reason(impact, options); !why.empty()) text += "\n" + why;
+  return text + "\n";
+}
+
+std::string events(const impact::ChainImpact& impact, const Display& time) {
+  if (impact.events.empty()) return "\nEvents: none\n";
+  const auto row = [&](Index i) -> Row {
+    const auto& event = impact.events[static_cast<std::size_t>(i)];
+    return {shown(time, event.time), numbers(event.close), numbers(event.open)};
+  };
+  return "\nEvents\n" + columns({"time [" + time.unit + "]", "contacts close", "contacts open"},
+                                std::ssize(impact.events), row);
+}
+
+std::string balls(const impact::ChainImpact& impact, const model::Chain& chain) {
+  const auto after = display_for(impact.velocity, "m/s");
+  const auto before = display_for(chain.velocity, "m/s");
+  const auto row = [&](Index i) -> Row {
+    const auto k = static_cast<std::size_t>(i);
+    return {fmt::format("{}", i + 1), shown(before, chain.velocity[k]), shown(after, impact.velocity[k])};
+  };
+  return "\nBalls\n" +
+         columns({"ball", "velocity before [" + before.unit + "]", "after [" + after.unit + "]"},
+                 std::ssize(impact.velocity), row);
+}
+
+std::string periods(const impact::ContactHistory& contact, const Display& time) {
+  std::string text;
+  const std::size_t count = contact.periods.size();
+  for (std::size_t i = 0; i < std::min(count, periods_shown); ++i) {
+    const auto& period = contact.periods[i];
+    text += fmt::format("{}{:.5g}–{}", i > 0 ? ", " : "", time.factor * period.start,
+                        period.end ? fmt::format("{:.5g}", time.factor * *period.end) : "");
+  }
+  if (count > periods_shown) text += fmt::format(" +{}", count - periods_shown);
+  return count == 0 ? "never" : text;
+}
+
+std::string contacts(const impact::ChainImpact& impact, const Display& time) {
+  using History = impact::ContactHistory;
+  const auto& all = impact.contacts;
+  auto impulse = display_of(
+      all, [](const History& c) { return c.impulse; }, "N s");
+  auto force = display_of(
+      all, [](const History& c) { return c.peak_force; }, "N");
+  auto depth = display_of(
+      all, [](const History& c) { return c.peak_indentation; }, "m");
+  auto loss = display_of(
+      all, [](const History& c) { return c.dissipated; }, "J");
+  for (auto* display : {&force, &depth, &loss}) display->decimals = std::max(0, display->decimals - 2);
+  const auto row = [&](Index j) -> Row {
+    const auto& contact = all[static_cast<std::size_t>(j)];
+    return {fmt::format("{}", j + 1),         shown(impulse, contact.impulse),
+            shown(force, contact.peak_force), shown(depth, contact.peak_indentation),
+            shown(loss, contact.dissipated),  periods(contact, time)};
+  };
+  const Row header = {"contact",
+                      "impulse [" + impulse.unit + "]",
+                      "peak force [" + force.unit + "]",
+                      "indentation [" + depth.unit + "]",
+                      "lost [" + loss.unit + "]",
+                      "closed [" + time.unit + "]"};
+  return "\nContacts\n" + columns(header, std::ssize(all), row);
+}
+
+std::string ratios(const impact::ChainImpact& impact) {
+  if (impact.icr.empty()) return "";
+  const auto row = [&](Index j) -> Row {
+    const auto& ratio = impact.icr[static_cast<std::size_t>(j)];
+    return {fmt::format("{}/{}", j + 1, j + 2), ratio ? fmt::format("{:.10f}", *ratio) : "undefined"};
+  };
+  return "\nImpulse correlation ratios\n" + columns({"contacts", "α"}, std::ssize(impact.icr), row);
+}
+
+}  // namespace
+
+std::string table(const impact::ChainImpact& impact, const scene::Scene& scene) {
+  const auto time = display_for(std::vector{impact.time}, "s");
+  return heading(scene) + summary(impact, scene.run, time) + events(impact, time) +
+         balls(impact, scene.chain) + contacts(impact, time) + ratios(impact) + energy_table(impact.energy) +
+         momentum_table(impact.momentum, scene.chain) + flows_table(impact.flows) +
+         skipped_table(impact.skipped);
+}
+
+}  // namespace mariotte::report

@@ -1,0 +1,17 @@
+// Results and scenes for people: aligned text with units, at most 100 columns wide, long lists left out in
+// the middle. Balls and contacts count from 1.
+#pragma once
+#include <string>
+
+#include "mariotte/impact/chain_impact.hpp"
+#include "mariotte/scene/scene.hpp"
+
+namespace mariotte::report {
+
+/// Events, balls, contacts, ratios, ledgers, flows and what was skipped.
+std::string table(const impact::ChainImpact& impact, const scene::Scene& scene);
+
+/// The scene as it was understood, in SI units without prefixes.
+std::string table(const scene::Scene& scene);
+
+}  // namespace mariotte::report

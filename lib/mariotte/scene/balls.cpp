@@ -1,0 +1,120 @@
+#include "mariotte/scene/balls.hpp"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <span>
+
+namespace mariotte::scene {
+namespace {
+
+constexpr std::array<std::string_view, 5> override_keys{"number", "mass", "radius", "material", "velocity"};
+
+double read_mass(Source& source, const Field& field) {
+  return number(source, field, dimension::mass, Domain::positive_or_infinite);
+}
+
+double read_radius(Source& source, const Field& field) {
+  const double radius = number(source, field, dimension::length, Domain::positive_or_infinite);
+  if (std::isfinite(radius) && radius > 1) warn(source, field, "more than 1 m (a bare number is in metres)");
+  return radius;
+}
+
+double read_velocity(Source& source, const Field& field) {
+  return number(source, field, dimension::velocity, Domain::finite);
+}
+
+/// Calls visit(key, member, reader) for every key a ball can have.
+template <class Visit>
+void each_key(Visit visit) {
+  visit("mass", &Ball::mass, read_mass);
+  visit("radius", &Ball::radius, read_radius);
+  visit("material", &Ball::material, read_material);
+  visit("velocity", &Ball::velocity, read_velocity);
+}
+
+/// One value for all, or an array.
+void read_columns(Source& source, const Field& chain, const Layout& layout, std::span<Ball> balls) {
+  each_key([&](const char* key, auto member, auto read) {
+    const auto field = find(chain, key);
+    if (!field) return;
+    if (!field->node->array()) {
+      const auto value = read(source, *field);
+      for (auto& ball : balls) ball.*member = value;
+      return;
+    }
+    expect_per_ball(source, *field, layout);
+    for (Index i = 0; i < layout.listed; ++i) balls[i].*member = read(source, element(*field, i));
+  });
+}
+
+/// The ball a [[chain.ball]] table is about, from 0.
+Index numbered(const Source& source, const Field& table, const Layout& layout, std::vector<bool>& seen) {
+  const auto field = find(table, "number");
+  if (!field) reject(source, table, "'number' is missing (which ball is this about, counted from 1)");
+  const Index i = whole(source, *field, 1, layout.balls()) - 1;
+  if ((layout.left && i == 0) || (layout.right && i == layout.balls() - 1))
+    reject(source, *field, "ball " + std::to_string(i + 1) + " is a wall; only 'wall_material' describes it");
+  if (seen[i]) reject(source, *field, "ball " + std::to_string(i + 1) + " was given before");
+  seen[i] = true;
+  return i;
+}
+
+void read_overrides(Source& source, const Field& list, const Layout& layout, std::vector<Ball>& balls) {
+  if (!list.node->array()) reject(source, list, "write [[chain.ball]], with two brackets");
+  std::vector<bool> seen(balls.size());
+  for (Index i = 0; i < static_cast<Index>(list.node->array()->size()); ++i) {
+    const auto table = element(list, i);
+    expect_keys(source, table, override_keys);
+    auto& ball = balls[numbered(source, table, layout, seen)];
+    each_key([&](const char* key, auto member, auto read) {
+      if (const auto field = find(table, key)) ball.*member = read(source, *field);
+    });
+  }
+}
+
+/// Walls are of wall_material, else of the chain's one material; else, if empty, of their neighbour's.
+std::optional<Material> common_wall_material(Source& source, const Field& chain, const Layout& layout) {
+  if (const auto own = find(chain, "wall_material")) {
+    if (!layout.left && !layout.right) reject(source, *own, "there is no wall ('wall' makes one)");
+    return read_material(source, *own);
+  }
+  const auto common = find(chain, "material");
+  if (!common || !common->node->table()) return {};
+  Source silent = source;  // what there is to warn of was said when the balls were read
+  return read_material(silent, *common);
+}
+
+void add_walls(Source& source, const Field& chain, const Layout& layout, std::vector<Ball>& balls) {
+  const auto common = common_wall_material(source, chain, layout);
+  const auto wall = [&](const Ball& neighbour) {
+    return Ball{infinity, infinity, common ? common : neighbour.material, {}};
+  };
+  if (layout.left) balls.front() = wall(balls[1]);
+  if (layout.right) balls.back() = wall(balls[balls.size() - 2]);
+}
+
+double solid_sphere(const Source& source, const Field& chain, const Ball& ball, Index i) {
+  const auto name = "ball " + std::to_string(i + 1);
+  if (!ball.radius || !ball.material || !ball.material->density)
+    reject(source, chain, name + " needs a mass, or a radius and a material with a density");
+  const double radius = *ball.radius;
+  const double mass = 4.0 / 3.0 * std::numbers::pi * *ball.material->density * radius * radius * radius;
+  if (!(mass > 0) || !std::isfinite(mass))
+    reject(source, chain, name + " has no finite positive mass by its radius and density; give its mass");
+  return mass;
+}
+
+}  // namespace
+
+std::vector<Ball> read_balls(Source& source, const Field& chain, const Layout& layout) {
+  std::vector<Ball> balls(layout.balls());
+  read_columns(source, chain, layout, std::span(balls).subspan(layout.left ? 1 : 0, layout.listed));
+  if (const auto list = find(chain, "ball")) read_overrides(source, *list, layout, balls);
+  add_walls(source, chain, layout, balls);
+  for (Index i = 0; i < layout.balls(); ++i)
+    if (!balls[i].mass) balls[i].mass = solid_sphere(source, chain, balls[i], i);
+  return balls;
+}
+
+}  // namespace mariotte::scene

@@ -1,0 +1,22 @@
+// The balls of a chain and their masses.
+#pragma once
+#include <vector>
+
+#include "mariotte/scene/layout.hpp"
+#include "mariotte/scene/material.hpp"
+
+namespace mariotte::scene {
+
+struct Ball {
+  std::optional<double> mass;    ///< [kg]; infinite for a wall
+  std::optional<double> radius;  ///< [m]; infinite for a plane
+  std::optional<Material> material;
+  std::optional<double> velocity;  ///< [m/s]
+};
+
+/// One per ball of the model, walls included: from the keys of [chain], then the [[chain.ball]] tables. A
+/// missing mass is that of a solid sphere; a missing velocity stays missing and means rest. Throws
+/// SceneError.
+std::vector<Ball> read_balls(Source& source, const Field& chain, const Layout& layout);
+
+}  // namespace mariotte::scene

@@ -1,0 +1,16 @@
+// `[chain]`: a chain of balls, resolved to SI.
+#pragma once
+#include "mariotte/model/chain.hpp"
+#include "mariotte/scene/field.hpp"
+
+namespace mariotte::scene {
+
+struct ResolvedChain {
+  model::Chain chain;
+  std::vector<double> radius;  ///< n values [m], infinite for planes; empty unless every ball has one
+};
+
+/// Throws SceneError; warns of what looks like a slip. `gravity` is what [run] says of it, if anything.
+ResolvedChain read_chain(Source& source, const Field& chain, const std::optional<Field>& gravity);
+
+}  // namespace mariotte::scene

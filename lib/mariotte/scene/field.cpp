@@ -1,0 +1,110 @@
+#include "mariotte/scene/field.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mariotte/core/nearest.hpp"
+#include "mariotte/core/quantity.hpp"
+
+namespace mariotte::scene {
+namespace {
+
+std::string joined(std::string_view path, std::string_view key) {
+  return path.empty() ? std::string(key) : std::string(path) + "." + std::string(key);
+}
+
+/// "key: message", without the key where the place says it already.
+std::string named(const Source& source, const Field& field, const std::string& message) {
+  return where(source, field.place()) == "--set " + field.path ? message : field.path + ": " + message;
+}
+
+[[noreturn]] void wrong_type(const Source& source, const Field& field, const std::string& wanted) {
+  reject(source, field, "expected " + wanted + ", got " + kind(*field.node));
+}
+
+double value_of(const Source& source, const Field& field, const Dimension& dimension) {
+  if (const auto* real = std::get_if<double>(&field.node->value)) return *real;
+  if (const auto* integer = std::get_if<std::int64_t>(&field.node->value))
+    return static_cast<double>(*integer);
+  if (const auto* quantity = std::get_if<std::string>(&field.node->value)) try {
+      return parse_quantity(*quantity, dimension);
+    } catch (const QuantityError& error) {
+      reject(source, field, error.what());
+    }
+  wrong_type(source, field, describe(dimension));
+}
+
+/// What is wrong with the value, or nullptr.
+const char* objection(double value, Domain domain) {
+  if (std::isnan(value)) return "must not be nan";
+  if (std::isinf(value) && !(domain == Domain::positive_or_infinite && value > 0)) return "must be finite";
+  if (domain == Domain::finite) return nullptr;
+  if (domain == Domain::not_negative) return value < 0 ? "must not be negative" : nullptr;
+  return value > 0 ? nullptr : "must be positive";
+}
+
+}  // namespace
+
+void reject(const Source& source, const Field& field, const std::string& message) {
+  reject(source, field.place(), named(source, field, message));
+}
+
+void warn(Source& source, const Field& field, const std::string& message) {
+  warn(source, field.place(), named(source, field, message));
+}
+
+std::optional<Field> find(const Field& table, std::string_view key) {
+  const Entry* const entry = find(*table.node->table(), key);
+  if (!entry) return {};
+  return Field{&entry->node, joined(table.path, key)};
+}
+
+Field element(const Field& array, Index index) {
+  return {&(*array.node->array())[static_cast<std::size_t>(index)],
+          array.path + "[" + std::to_string(index) + "]"};
+}
+
+void expect_keys(const Source& source, const Field& table, std::span<const std::string_view> known) {
+  if (!table.node->table()) wrong_type(source, table, "a table");
+  for (const auto& [key, place, value] : *table.node->table())
+    if (std::find(known.begin(), known.end(), key) == known.end())
+      reject(source, place, "unknown key '" + joined(table.path, key) + "'" + suggestion(key, known));
+}
+
+double number(const Source& source, const Field& field, const Dimension& dimension, Domain domain) {
+  const double value = value_of(source, field, dimension);
+  if (const char* const complaint = objection(value, domain)) reject(source, field, complaint);
+  return value;
+}
+
+Index whole(const Source& source, const Field& field, Index least, Index most) {
+  const double value = value_of(source, field, dimension::none);
+  if (value != std::floor(value)) reject(source, field, "must be a whole number");
+  // The limits are far below 2^53, so nothing is lost in a double.
+  if (!(value >= static_cast<double>(least) && value <= static_cast<double>(most)))
+    reject(source, field, "must be between " + std::to_string(least) + " and " + std::to_string(most));
+  return static_cast<Index>(value);
+}
+
+std::string text(const Source& source, const Field& field) {
+  const auto* const value = std::get_if<std::string>(&field.node->value);
+  if (!value) wrong_type(source, field, "a string");
+  return *value;
+}
+
+bool boolean(const Source& source, const Field& field) {
+  const auto* const value = std::get_if<bool>(&field.node->value);
+  if (!value) wrong_type(source, field, "true or false");
+  return *value;
+}
+
+std::size_t choice(const Source& source, const Field& field, const char* noun,
+                   std::span<const std::string_view> known) {
+  const auto word = text(source, field);
+  const auto found = std::find(known.begin(), known.end(), word);
+  if (found == known.end())
+    reject(source, field, "unknown " + std::string(noun) + " '" + word + "'" + suggestion(word, known));
+  return static_cast<std::size_t>(found - known.begin());
+}
+
+}  // namespace mariotte::scene

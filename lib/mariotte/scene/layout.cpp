@@ -1,0 +1,70 @@
+#include "mariotte/scene/layout.hpp"
+
+#include <array>
+
+namespace mariotte::scene {
+namespace {
+
+constexpr Index most_balls = 10'000'000;
+constexpr std::array<std::string_view, 3> sides{"left", "right", "both"};
+constexpr std::array<std::string_view, 4> per_ball{"mass", "radius", "material", "velocity"};
+constexpr std::array<std::string_view, 5> per_contact{"gap", "law", "stiffness", "damping", "exponent"};
+
+Index size(const Field& array) {
+  return static_cast<Index>(array.node->array()->size());
+}
+
+std::optional<Field> find_array(const Field& chain, std::string_view key) {
+  auto field = find(chain, key);
+  return field && field->node->array() ? field : std::nullopt;
+}
+
+std::optional<Index> infer_contacts(const Field& chain) {
+  for (const auto key : per_contact)
+    if (const auto array = find_array(chain, key)) return size(*array);
+  const auto contacts = find_array(chain, "contact");
+  // A single [[chain.contact]] stands for all contacts and tells nothing.
+  return contacts && size(*contacts) > 1 ? std::optional(size(*contacts)) : std::nullopt;
+}
+
+Index count_balls(const Source& source, const Field& chain, Index walls) {
+  if (const auto balls = find(chain, "balls")) return whole(source, *balls, 1, most_balls);
+  for (const auto key : per_ball)
+    if (const auto array = find_array(chain, key)) return size(*array);
+  if (const auto contacts = infer_contacts(chain)) return *contacts + 1 - walls;
+  reject(source, chain, "how many balls? Give 'balls', or an array with one value per ball");
+}
+
+void expect_size(const Source& source, const Field& array, Index wanted, const std::string& things) {
+  if (size(array) != wanted)
+    reject(source, array,
+           "needs one value per " + things + " (" + std::to_string(wanted) + "), got " +
+               std::to_string(size(array)));
+}
+
+}  // namespace
+
+Layout read_layout(const Source& source, const Field& chain) {
+  Layout layout;
+  if (const auto wall = find(chain, "wall")) {
+    const auto side = sides[choice(source, *wall, "wall", sides)];
+    layout.left = side != "right";
+    layout.right = side != "left";
+  }
+  layout.listed = count_balls(source, chain, layout.left + layout.right);
+  if (layout.listed < 1 || layout.balls() < 2 || layout.listed > most_balls)
+    reject(source, chain, "a chain has from two balls (or a ball and a wall) to ten million");
+  return layout;
+}
+
+void expect_per_ball(const Source& source, const Field& array, const Layout& layout) {
+  const bool walls = layout.left || layout.right;
+  expect_size(source, array, layout.listed, walls ? "ball that is no wall" : "ball");
+}
+
+void expect_per_contact(const Source& source, const Field& array, const Layout& layout) {
+  const bool walls = layout.left || layout.right;
+  expect_size(source, array, layout.contacts(), walls ? "contact, those of the walls included" : "contact");
+}
+
+}  // namespace mariotte::scene

@@ -1,0 +1,24 @@
+// How many balls a chain has, and where its walls stand.
+#pragma once
+#include "mariotte/scene/field.hpp"
+
+namespace mariotte::scene {
+
+/// Walls made by `wall = …` are balls of the model, but the arrays of a scene list only the others.
+struct Layout {
+  Index listed = 0;  ///< balls the arrays of the scene speak of
+  bool left = false;
+  bool right = false;
+
+  Index balls() const { return listed + left + right; }
+  Index contacts() const { return balls() - 1; }
+};
+
+/// From `balls` and `wall`; without `balls`, from the first array that tells. Throws SceneError.
+Layout read_layout(const Source& source, const Field& chain);
+
+/// Rejects an array that has not one value per listed ball, or per contact.
+void expect_per_ball(const Source& source, const Field& array, const Layout& layout);
+void expect_per_contact(const Source& source, const Field& array, const Layout& layout);
+
+}  // namespace mariotte::scene

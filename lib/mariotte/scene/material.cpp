@@ -1,0 +1,47 @@
+#include "mariotte/scene/material.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace mariotte::scene {
+namespace {
+
+constexpr std::array<std::string_view, 3> keys{"young", "poisson", "density"};
+
+void warn_of_slips(Source& source, const Field& field, const Material& material) {
+  // No solid that dense is that soft: rubber and foams stay below 2000 kg/m³, metal and stone above 1 GPa.
+  if (material.young && material.density && *material.young < 1e9 && *material.density >= 2000)
+    warn(source, *find(field, "young"), "below 1 GPa is very soft for this density (GPa meant?)");
+  if (material.young && std::isfinite(*material.young) && *material.young > 2e12)
+    warn(source, *find(field, "young"), "stiffer than diamond (inf makes a body rigid)");
+  if (material.density && (*material.density < 50 || *material.density > 25000))
+    warn(source, *find(field, "density"), "outside 50 to 25000 kg/m^3 (is the unit right?)");
+}
+
+double read_poisson(const Source& source, const Field& field) {
+  const double poisson = number(source, field, dimension::none, Domain::finite);
+  if (!(poisson > -1 && poisson <= 0.5)) reject(source, field, "must be above -1 and at most 0.5");
+  return poisson;
+}
+
+}  // namespace
+
+Material read_material(Source& source, const Field& field) {
+  expect_keys(source, field, keys);
+  Material material;
+  if (const auto young = find(field, "young"))
+    material.young = number(source, *young, dimension::pressure, Domain::positive_or_infinite);
+  if (const auto poisson = find(field, "poisson")) material.poisson = read_poisson(source, *poisson);
+  if (const auto density = find(field, "density"))
+    material.density = number(source, *density, dimension::density, Domain::positive);
+  if (material.young && std::isinf(*material.young) && !material.poisson) material.poisson = 0;
+  warn_of_slips(source, field, material);
+  return material;
+}
+
+std::optional<contact::Material> elastic(const Material& material) {
+  if (!material.young || !material.poisson) return {};
+  return contact::Material{.young = *material.young, .poisson = *material.poisson};
+}
+
+}  // namespace mariotte::scene

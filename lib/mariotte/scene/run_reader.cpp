@@ -1,0 +1,43 @@
+#include "mariotte/scene/run_reader.hpp"
+
+#include <array>
+
+namespace mariotte::scene {
+namespace {
+
+constexpr std::array<std::string_view, 6> keys{"accuracy", "max_time", "max_events",
+                                               "gravity",  "impacts",  "flow"};
+constexpr Index no_limit = 1'000'000'000'000'000;  // still a whole number in a double
+
+double read_accuracy(Source& source, const Field& field) {
+  const double accuracy = number(source, field, dimension::none, Domain::finite);
+  if (!(accuracy > 0 && accuracy < 1)) reject(source, field, "must be between 0 and 1");
+  if (accuracy < 1e-14) warn(source, field, "finer than double precision can give");
+  if (accuracy > 1e-2) warn(source, field, "so coarse that the result says little");
+  return accuracy;
+}
+
+std::string read_flow(const Source& source, const Field& field) {
+  auto flow = text(source, field);
+  if (flow.empty()) reject(source, field, "must not be empty ('auto' chooses)");
+  return flow;
+}
+
+}  // namespace
+
+hybrid::Options read_run(Source& source, const Field& run) {
+  expect_keys(source, run, keys);
+  hybrid::Options options;
+  if (const auto field = find(run, "accuracy")) options.accuracy = read_accuracy(source, *field);
+  if (const auto field = find(run, "max_time"))
+    options.max_time = number(source, *field, dimension::time, Domain::positive_or_infinite);
+  if (const auto field = find(run, "max_events")) options.max_events = whole(source, *field, 1, no_limit);
+  if (const auto field = find(run, "flow")) options.flow = read_flow(source, *field);
+  if (const auto field = find(run, "impacts")) {
+    whole(source, *field, 1, no_limit);
+    warn(source, *field, "has no effect on a chain");
+  }
+  return options;
+}
+
+}  // namespace mariotte::scene

@@ -1,0 +1,45 @@
+#include "mariotte/scene/source.hpp"
+
+#include "mariotte/scene/scene.hpp"
+
+namespace mariotte::scene {
+namespace {
+
+constexpr std::size_t longest_message = 300;
+constexpr std::size_t most_warnings = 20;
+
+bool continues_character(char byte) {
+  return (static_cast<unsigned char>(byte) & 0xc0) == 0x80;
+}
+
+/// A message may quote the scene, which may hold line breaks, control characters or a megabyte of text.
+std::string presentable(std::string text) {
+  if (text.size() > longest_message) {
+    std::size_t end = longest_message;
+    while (end > 0 && continues_character(text[end])) --end;
+    text = text.substr(0, end) + "…";
+  }
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = ' ';
+  return text;
+}
+
+}  // namespace
+
+std::string where(const Source& source, const Place& place) {
+  if (place.set >= 0) return "--set " + presentable(source.set_keys[static_cast<std::size_t>(place.set)]);
+  return source.name + ":" + std::to_string(place.line) + ":" + std::to_string(place.column);
+}
+
+void reject(const Source& source, const Place& place, const std::string& message) {
+  throw SceneError(where(source, place) + ": " + presentable(message));
+}
+
+void warn(Source& source, const Place& place, const std::string& message) {
+  if (source.warnings.size() < most_warnings)
+    source.warnings.push_back(where(source, place) + ": " + presentable(message));
+  else if (source.warnings.size() == most_warnings)
+    source.warnings.push_back(source.name + ": more warnings of this kind are not shown");
+}
+
+}  // namespace mariotte::scene

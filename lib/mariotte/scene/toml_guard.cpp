@@ -1,0 +1,144 @@
+#include "mariotte/scene/toml_guard.hpp"
+
+#include <cstdint>
+#include <string>
+
+namespace mariotte::scene {
+namespace {
+
+constexpr int deepest = 16;
+
+struct Character {
+  char32_t code;
+  std::size_t size;  ///< bytes; 0 if they are not UTF-8
+};
+
+/// The first character of a text that is not empty.
+Character decode(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char lead = byte(0);
+  if (lead < 0x80) return {lead, 1};
+  const std::size_t size = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
+  if (lead < 0xc2 || lead > 0xf4 || text.size() < size) return {0, 0};
+  char32_t code = lead & (0x7f >> size);
+  for (std::size_t i = 1; i < size; ++i) {
+    if ((byte(i) & 0xc0) != 0x80) return {0, 0};
+    code = code << 6 | (byte(i) & 0x3f);
+  }
+  const bool overlong = (size == 3 && code < 0x800) || (size == 4 && code < 0x10000);
+  const bool surrogate = code >= 0xd800 && code <= 0xdfff;
+  return overlong || surrogate || code > 0x10ffff ? Character{0, 0} : Character{code, size};
+}
+
+bool is_control(char32_t code) {
+  return (code < 0x20 && code != '\t' && code != '\n') || code == 0x7f;
+}
+
+bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+}
+
+class Guard {
+ public:
+  Guard(const Source& source, std::string_view text) : source_(source), rest_(text) {}
+
+  void run() {
+    if (rest_.starts_with("\xef\xbb\xbf")) rest_.remove_prefix(3);  // a byte order mark is allowed once
+    while (!rest_.empty()) {
+      if (rest_.front() == '#')
+        skip_comment();
+      else if (rest_.front() == '"' || rest_.front() == '\'')
+        skip_string(rest_.front());
+      else
+        plain();
+    }
+  }
+
+ private:
+  void advance() {
+    if (rest_.starts_with("\r\n")) rest_.remove_prefix(1);
+    const auto [code, size] = decode(rest_);
+    if (size == 0) reject(source_, place_, "not valid UTF-8");
+    if (is_control(code)) reject(source_, place_, "control characters are not allowed");
+    last_ = rest_.front();
+    rest_.remove_prefix(size);
+    place_ = code == '\n' ? Place{place_.line + 1, 1} : Place{place_.line, place_.column + 1};
+  }
+
+  void advance(std::size_t characters) {
+    for (; characters > 0; --characters) advance();
+  }
+
+  bool at_line_end() const { return rest_.empty() || rest_.front() == '\n' || rest_.starts_with("\r\n"); }
+
+  void skip_comment() {
+    while (!at_line_end()) advance();
+  }
+
+  /// A backslash and what it escapes: one character, or the blanks of a continued line. What follows must be
+  /// ASCII, or toml++ loses its way in its table of blanks.
+  void skip_escape() {
+    advance();
+    const bool continued = !rest_.empty() && is_blank(rest_.front());
+    while (!rest_.empty() && is_blank(rest_.front())) advance();
+    if (rest_.empty()) return;
+    if (static_cast<unsigned char>(rest_.front()) >= 0x80)
+      reject(source_, place_, "only ASCII characters may follow a backslash");
+    if (!continued) advance();
+  }
+
+  /// toml++ reads a number on into a string that touches it, and a scene needs no such thing.
+  void expect_string_start() {
+    if (!is_blank(last_) && std::string_view("=,[{").find(last_) == std::string_view::npos)
+      reject(source_, place_, "unexpected quote");
+  }
+
+  void skip_string(char quote) {
+    expect_string_start();
+    const Place start = place_;
+    const std::string three(3, quote);
+    const bool multiline = rest_.starts_with(three);
+    const std::string_view closing = multiline ? three : std::string_view(three).substr(0, 1);
+    advance(closing.size());
+    while (!rest_.starts_with(closing)) {
+      if (rest_.empty() || (!multiline && at_line_end())) reject(source_, start, "the string does not end");
+      if (quote == '"' && rest_.front() == '\\')
+        skip_escape();
+      else
+        advance();
+    }
+    advance(closing.size());
+    // Up to two quotes right before the closing ones belong to the string.
+    for (int extra = 0; multiline && extra < 2 && rest_.starts_with(quote); ++extra) advance();
+  }
+
+  void plain() {
+    const char c = rest_.front();
+    const Place here = place_;
+    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    const auto before = rest_;
+    advance();
+    if (!letter && std::string_view(" \t\r\n_-+.,:=[]{}").find(c) == std::string_view::npos)
+      reject(source_, here,
+             "unexpected '" + std::string(before.substr(0, before.size() - rest_.size())) + "'");
+    if ((c == '[' || c == '{') && ++depth_ > deepest) reject(source_, here, "nested too deeply");
+    if ((c == ']' || c == '}') && depth_ > 0) --depth_;
+    if (std::string_view("=,[]{}\r\n").find(c) != std::string_view::npos) dots_ = 0;
+    if (c == '.' && ++dots_ >= deepest) reject(source_, here, "too many dots in one key");
+  }
+
+  const Source& source_;
+  std::string_view rest_;
+  char last_ = '\n';  ///< byte before the rest
+  Place place_;
+  int depth_ = 0;
+  int dots_ = 0;
+};
+
+}  // namespace
+
+void guard_toml(const Source& source, std::string_view text) {
+  Guard(source, text).run();
+}
+
+}  // namespace mariotte::scene

@@ -1,0 +1,68 @@
+#define BOOST_TEST_MODULE command_check
+#include <boost/test/unit_test.hpp>
+
+#include "session.hpp"
+
+using support::has;
+using support::Session;
+using Json = nlohmann::json;
+
+BOOST_FIXTURE_TEST_CASE(check_shows_the_scene_and_runs_nothing, Session) {
+  const auto check = mariotte("check three.toml");
+  BOOST_TEST(check.code == 0);
+  BOOST_TEST(has(check.out, "3 balls"));
+  BOOST_TEST(!has(check.out, "separated"));
+  BOOST_TEST(entries() == 1);
+}
+
+BOOST_FIXTURE_TEST_CASE(check_resolves_units_and_overrides_to_si, Session) {
+  const auto check = mariotte("check three.toml --json --set 'chain.velocity[0]=2 mm/s'");
+  const auto scene = Json::parse(check.out);
+  BOOST_TEST(scene["chain"]["velocity"] == Json::array({0.002, 0.0, 0.0}));
+  BOOST_TEST(scene["chain"]["contact"][1]["law"] == "hertz");
+}
+
+BOOST_FIXTURE_TEST_CASE(a_malformed_scene_gives_code_3_and_writes_nothing, Session) {
+  write("bad.toml", "[chain]\nmass = [1, 1]\nvelocity = [1, 0]\nstiffnes = 1\n");
+  for (const char* arguments : {"check bad.toml", "run bad.toml --out results", "run bad.toml --json"}) {
+    const auto run = mariotte(arguments);
+    BOOST_TEST(run.code == 3);
+    BOOST_TEST(run.out == "");
+    BOOST_TEST(run.err.starts_with("mariotte: error: bad.toml:4:1: "));
+  }
+  BOOST_TEST(entries() == 2);
+}
+
+BOOST_FIXTURE_TEST_CASE(a_scene_that_cannot_be_read_gives_code_6, Session) {
+  const auto run = mariotte("run missing.toml");
+  BOOST_TEST(run.code == 6);
+  BOOST_TEST(has(run.err, "missing.toml"));
+  BOOST_TEST(mariotte("run .").code == 6);
+}
+
+BOOST_FIXTURE_TEST_CASE(a_command_line_without_sense_gives_code_2, Session) {
+  for (const char* arguments :
+       {"", "run", "jump", "run three.toml --bogus", "run three.toml --accuracy 0",
+        "run three.toml --accuracy 1", "run three.toml --accuracy nan", "run three.toml --accuracy -1",
+        "run three.toml --flow nonsense", "run three.toml -q -v", "check three.toml --out results"}) {
+    const auto run = mariotte(arguments);
+    BOOST_TEST(run.code == 2, arguments);
+    BOOST_TEST(run.out == "");
+    BOOST_TEST(run.err.starts_with("mariotte: error: "));
+  }
+}
+
+BOOST_FIXTURE_TEST_CASE(every_command_explains_itself_with_an_example, Session) {
+  for (const char* command : {"", "run", "check", "demo", "version"}) {
+    const auto help = mariotte(std::string(command) + " --help");
+    BOOST_TEST(help.code == 0);
+    BOOST_TEST(has(help.out, "Example"));
+    BOOST_TEST(has(help.out, std::string("mariotte ") + command));
+    BOOST_TEST(help.err == "");
+  }
+}
+
+BOOST_FIXTURE_TEST_CASE(version_names_the_version, Session) {
+  BOOST_TEST(mariotte("version").out.starts_with("mariotte " MARIOTTE_VERSION "\n"));
+  BOOST_TEST(mariotte("--version").out == "mariotte " MARIOTTE_VERSION "\n");
+}

@@ -1,0 +1,107 @@
+#define BOOST_TEST_MODULE command_run
+#include <boost/test/unit_test.hpp>
+
+#include "session.hpp"
+
+using support::has;
+using support::Session;
+using Json = nlohmann::json;
+namespace fs = std::filesystem;
+
+BOOST_FIXTURE_TEST_CASE(run_prints_a_table_and_nothing_on_stderr, Session) {
+  const auto run = mariotte("run three.toml");
+  BOOST_TEST(run.code == 0);
+  BOOST_TEST(run.out.starts_with("Three balls\n"));
+  BOOST_TEST(has(run.out, "separated at"));
+  BOOST_TEST(run.err == "");
+  BOOST_TEST(entries() == 1);
+}
+
+BOOST_FIXTURE_TEST_CASE(json_is_one_object_alone_on_stdout, Session) {
+  const auto run = mariotte("run three.toml --json -v");
+  BOOST_TEST(run.code == 0);
+  const auto result = Json::parse(run.out);
+  BOOST_TEST(result["ending"] == "separated");
+  BOOST_TEST(result["final"]["velocity"].size() == 3);
+  BOOST_TEST(result["accuracy"]["estimated"].is_null());
+  BOOST_TEST(result["provenance"]["version"] == MARIOTTE_VERSION);
+}
+
+BOOST_FIXTURE_TEST_CASE(set_accuracy_and_estimate_reach_the_run, Session) {
+  const auto run = mariotte(
+      "run three.toml --json --set 'chain.velocity[0]=2' --set 'chain.velocity[2]=1' "
+      "--accuracy 1e-6 --estimate");
+  const auto result = Json::parse(run.out);
+  BOOST_TEST(std::abs(result["momentum"]["initial"].get<double>() - 3) < 1e-12);
+  BOOST_TEST(result["accuracy"]["requested"] == 1e-6);
+  BOOST_TEST(result["accuracy"]["estimated"].get<double>() < 1e-4);
+}
+
+BOOST_FIXTURE_TEST_CASE(a_flow_asked_for_is_the_flow_used, Session) {
+  const auto flows = Json::parse(mariotte("run three.toml --json --flow cvode-bdf-dense").out)["flows"];
+  BOOST_TEST(std::any_of(flows.begin(), flows.end(),
+                         [](const Json& flow) { return flow["name"] == "cvode-bdf-dense"; }));
+}
+
+BOOST_FIXTURE_TEST_CASE(out_holds_result_events_trace_and_plot, Session) {
+  const auto run = mariotte("run three.toml --out a/b");
+  BOOST_TEST(run.code == 0);
+  for (const char* name : {"result.json", "events.csv", "trace.csv", "plot.csv", "plot.gp"})
+    BOOST_TEST(fs::file_size(folder / "a/b" / name) > 0, name);
+  const auto result = Json::parse(support::content(folder / "a/b/result.json"));
+  BOOST_TEST(result["title"] == "Three balls");
+  BOOST_TEST(
+      support::content(folder / "a/b/trace.csv").starts_with("time [s],v1 [m/s],v2 [m/s],v3 [m/s],gap1 [m]"));
+}
+
+BOOST_FIXTURE_TEST_CASE(figures_are_drawn_or_their_absence_is_said, Session) {
+  const auto run = mariotte("run three.toml --out results");
+  const bool drawn =
+      fs::exists(folder / "results/forces.png") && fs::exists(folder / "results/velocities.svg");
+  BOOST_TEST(drawn == !has(run.err, "no figures"));
+}
+
+BOOST_FIXTURE_TEST_CASE(without_gnuplot_data_and_script_are_written_and_said_so, Session) {
+  fs::create_directory(folder / "empty");
+  const auto run = shell("PATH=\"$PWD/empty\" \"$mariotte\" run three.toml --out results");
+  BOOST_TEST(run.code == 0);
+  BOOST_TEST(has(run.err, "mariotte: warning: no figures: gnuplot is not installed"));
+  BOOST_TEST(entries("results") == 5);
+}
+
+BOOST_FIXTURE_TEST_CASE(results_are_not_overwritten_unless_forced, Session) {
+  mariotte("run three.toml --out results");
+  const auto before = support::content(folder / "results/result.json");
+  const auto refused = mariotte("run three.toml --out results --accuracy 1e-6");
+  BOOST_TEST(refused.code == 6);
+  BOOST_TEST(refused.out == "");
+  BOOST_TEST(has(refused.err, "result.json"));
+  BOOST_TEST(support::content(folder / "results/result.json") == before);
+  BOOST_TEST(mariotte("run three.toml --out results --accuracy 1e-6 --force").code == 0);
+  BOOST_TEST(support::content(folder / "results/result.json") != before);
+}
+
+BOOST_FIXTURE_TEST_CASE(a_limit_gives_code_5_and_keeps_the_partial_result, Session) {
+  const auto run = mariotte("run three.toml --json --out results --set run.max_events=1");
+  BOOST_TEST(run.code == 5);
+  BOOST_TEST(has(run.err, "mariotte: error: "));
+  const auto result = Json::parse(run.out);
+  BOOST_TEST(result["ending"] == "event_limit");
+  BOOST_TEST(!result["message"].get<std::string>().empty());
+  BOOST_TEST(support::content(folder / "results/result.json") == run.out);
+  BOOST_TEST(mariotte("run three.toml --set run.max_time=0.5").code == 5);
+}
+
+BOOST_FIXTURE_TEST_CASE(a_chain_that_never_meets_is_a_result, Session) {
+  const auto run = mariotte("run three.toml --json --out results --set 'chain.velocity[0]=-1'");
+  BOOST_TEST(run.code == 0);
+  BOOST_TEST(Json::parse(run.out)["events"].empty());
+  BOOST_TEST(fs::exists(folder / "results/result.json"));
+}
+
+BOOST_FIXTURE_TEST_CASE(demo_needs_no_file, Session) {
+  const auto demo = mariotte("demo");
+  BOOST_TEST(demo.code == 0);
+  BOOST_TEST(has(demo.out, "separated at"));
+  BOOST_TEST(has(demo.out, "5 balls"));
+}

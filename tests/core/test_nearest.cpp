@@ -1,0 +1,39 @@
+#define BOOST_TEST_MODULE core_nearest
+#include <array>
+#include <boost/test/unit_test.hpp>
+#include <string>
+
+#include "mariotte/core/nearest.hpp"
+
+namespace {
+
+using mariotte::nearest;
+
+constexpr std::array<std::string_view, 5> keys{"stiffness", "damping", "exponent", "gap", "MPa"};
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(one_slip_of_each_kind_is_forgiven) {
+  BOOST_TEST(nearest("stiffnes", keys) == "stiffness");
+  BOOST_TEST(nearest("stifffness", keys) == "stiffness");
+  BOOST_TEST(nearest("damqing", keys) == "damping");
+  BOOST_TEST(nearest("exopnent", keys) == "exponent");
+  BOOST_TEST(nearest("Gap", keys) == "gap");
+}
+
+BOOST_AUTO_TEST_CASE(a_changed_case_is_nearer_than_a_changed_letter) {
+  constexpr std::array<std::string_view, 2> units{"kPa", "MPa"};
+  BOOST_TEST(nearest("mPa", units) == "MPa");
+}
+
+BOOST_AUTO_TEST_CASE(a_word_unlike_all_others_has_no_neighbour) {
+  BOOST_TEST(nearest("colour", keys).empty());
+  BOOST_TEST(nearest("xyz", keys).empty());
+  BOOST_TEST(nearest("", keys).empty());
+  BOOST_TEST(nearest(std::string(100000, 's'), keys).empty());
+}
+
+BOOST_AUTO_TEST_CASE(a_suggestion_is_ready_to_append) {
+  BOOST_TEST(mariotte::suggestion("gpa", keys) == " (did you mean 'gap'?)");
+  BOOST_TEST(mariotte::suggestion("colour", keys).empty());
+}

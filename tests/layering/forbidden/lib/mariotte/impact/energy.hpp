@@ -1,0 +1,3 @@
+#pragma once
+// A comment is no #include "mariotte/scene/scene.hpp".
+#include <Eigen/Core>

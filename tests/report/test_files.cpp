@@ -1,0 +1,85 @@
+#define BOOST_TEST_MODULE report_files
+#include <stdlib.h>
+#include <unistd.h>
+
+#include <boost/test/unit_test.hpp>
+#include <fstream>
+#include <iterator>
+
+#include "mariotte/report/files.hpp"
+
+namespace report = mariotte::report;
+namespace fs = std::filesystem;
+
+namespace {
+
+// A folder of its own, gone after the test.
+struct Folder {
+  fs::path path;
+  Folder() {
+    std::string name = (fs::temp_directory_path() / "mariotte-XXXXXX").string();
+    path = ::mkdtemp(name.data());
+  }
+  ~Folder() { fs::remove_all(path); }
+  std::ptrdiff_t entries() const {
+    return std::distance(fs::directory_iterator(path), fs::directory_iterator());
+  }
+};
+
+std::string content(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace
+
+BOOST_FIXTURE_TEST_CASE(a_written_file_holds_the_text_and_leaves_nothing_beside_it, Folder) {
+  const std::string text(3000000, 'x');
+  report::write_file(path / "a.txt", text);
+  BOOST_TEST((content(path / "a.txt") == text));
+  BOOST_TEST(entries() == 1);
+}
+
+BOOST_FIXTURE_TEST_CASE(writing_replaces_a_file_instead_of_changing_it, Folder) {
+  report::write_file(path / "a.txt", "old");
+  fs::create_hard_link(path / "a.txt", path / "kept.txt");
+  report::write_file(path / "a.txt", "new");
+  BOOST_TEST(content(path / "a.txt") == "new");
+  BOOST_TEST(content(path / "kept.txt") == "old");
+}
+
+BOOST_FIXTURE_TEST_CASE(a_file_that_cannot_be_written_is_named_and_leaves_nothing, Folder) {
+  fs::create_directory(path / "taken");
+  const auto names_it = [](const report::FileError& e) {
+    return std::string(e.what()).find("taken") != std::string::npos;
+  };
+  BOOST_CHECK_EXCEPTION(report::write_file(path / "taken", "text"), report::FileError, names_it);
+  BOOST_CHECK_THROW(report::write_file(path / "missing" / "a.txt", "text"), report::FileError);
+  BOOST_TEST(entries() == 1);
+}
+
+BOOST_FIXTURE_TEST_CASE(a_folder_is_made_with_its_parents, Folder) {
+  report::prepare_folder(path / "a" / "b", {"result.json"}, false);
+  BOOST_TEST(fs::is_directory(path / "a" / "b"));
+}
+
+BOOST_FIXTURE_TEST_CASE(existing_files_are_not_overwritten_unless_asked, Folder) {
+  report::write_file(path / "result.json", "old");
+  BOOST_CHECK_THROW(report::prepare_folder(path, {"events.csv", "result.json"}, false), report::FileError);
+  BOOST_CHECK_NO_THROW(report::prepare_folder(path, {"events.csv", "result.json"}, true));
+  BOOST_CHECK_NO_THROW(report::prepare_folder(path, {"events.csv"}, false));
+  BOOST_TEST(content(path / "result.json") == "old");
+}
+
+BOOST_FIXTURE_TEST_CASE(a_folder_cannot_be_made_of_a_file, Folder) {
+  report::write_file(path / "file", "text");
+  BOOST_CHECK_THROW(report::prepare_folder(path / "file", {}, true), report::FileError);
+}
+
+BOOST_FIXTURE_TEST_CASE(removing_files_leaves_the_others, Folder) {
+  report::write_file(path / "a", "");
+  report::write_file(path / "b", "");
+  report::remove_files(path, {"a", "never there"});
+  BOOST_TEST(!fs::exists(path / "a"));
+  BOOST_TEST(fs::exists(path / "b"));
+}

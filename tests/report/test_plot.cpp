@@ -1,0 +1,75 @@
+#define BOOST_TEST_MODULE report_plot
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+
+#include "mariotte/report/plot.hpp"
+
+using namespace mariotte;
+
+namespace {
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+impact::Trace trace_of(std::size_t balls) {
+  impact::Trace trace;
+  for (const double time : {0.0, 5e-5}) {
+    trace.time.push_back(time);
+    trace.velocity.emplace_back(balls, 1.0);
+    trace.gap.emplace_back(balls - 1, 0.0);
+    trace.force.emplace_back(balls - 1, 2e4);
+  }
+  return trace;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(axes_have_quantities_and_engineering_units) {
+  const auto script = report::plot_script(trace_of(5), "Cradle");
+  BOOST_TEST(has(script, "set xlabel 'time [µs]'"));
+  BOOST_TEST(has(script, "set ylabel 'force [kN]'"));
+  BOOST_TEST(has(script, "set ylabel 'velocity [m/s]'"));
+}
+
+BOOST_AUTO_TEST_CASE(twelve_contacts_have_a_legend_and_more_a_colour_bar) {
+  BOOST_TEST(has(report::plot_script(trace_of(13), ""), "sprintf('contact %d', i)"));
+  BOOST_TEST(!has(report::plot_script(trace_of(14), ""), "sprintf('contact %d', i)"));
+  BOOST_TEST(has(report::plot_script(trace_of(14), ""), "set cblabel 'contact'"));
+}
+
+BOOST_AUTO_TEST_CASE(a_faint_late_contact_does_not_stretch_the_axis) {
+  auto trace = trace_of(3);
+  trace.time.push_back(1.0);
+  trace.velocity.push_back({1, 1, 1});
+  trace.gap.push_back({0, 0});
+  trace.force.push_back({1e-3, 0});
+  BOOST_TEST(has(report::plot_script(trace, ""), "set xrange [0:55]\n"));
+}
+
+BOOST_AUTO_TEST_CASE(a_title_cannot_leave_its_quotes) {
+  const auto script = report::plot_script(trace_of(2), "it's\n`date`");
+  BOOST_TEST(has(script, "set title 'it''s `date`: contact forces' noenhanced"));
+}
+
+BOOST_AUTO_TEST_CASE(data_have_a_block_per_ball_and_per_contact) {
+  BOOST_TEST(report::plot_data(trace_of(2)) ==
+             "# ball, time [s], velocity [m/s]\n1,0,1\n1,5e-05,1\n\n\n2,0,1\n2,5e-05,1\n\n\n"
+             "# contact, time [s], force [N]\n1,0,20000\n1,5e-05,20000\n\n\n");
+}
+
+BOOST_AUTO_TEST_CASE(data_of_a_long_chain_are_those_of_evenly_spaced_balls) {
+  const auto data = report::plot_data(trace_of(500));
+  BOOST_TEST(has(data, "\n\n6,0,1\n"));
+  BOOST_TEST(has(data, "\n\n496,0,1\n"));
+  BOOST_TEST(std::count(data.begin(), data.end(), '\n') == 2 + 2 * 100 * 4);
+}
+
+BOOST_AUTO_TEST_CASE(data_leave_out_points_on_a_level_stretch) {
+  auto trace = trace_of(2);
+  trace.time = {0, 1, 2, 3, 4, 5};
+  trace.velocity.assign(6, {0, 0});
+  trace.force = {{0}, {0}, {0}, {1}, {1.00001}, {1}};
+  const auto data = report::plot_data(trace);
+  BOOST_TEST(has(data, "1,0,0\n1,2,0\n1,3,1\n1,5,1\n"));
+}

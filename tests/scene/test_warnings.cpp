@@ -1,0 +1,74 @@
+#define BOOST_TEST_MODULE scene_warnings
+#include <boost/test/unit_test.hpp>
+#include <string>
+
+#include "mariotte/scene/scene.hpp"
+
+namespace {
+
+using mariotte::scene::parse;
+
+const std::string text = R"([chain]
+radius = "10 mm"
+material = { young = "210 GPa", poisson = 0.3, density = "7800 kg/m^3" }
+law = "hertz"
+balls = 2
+velocity = [1, 0]
+)";
+
+/// The only warning of the scene with one value overridden.
+std::string warning(const std::string& override) {
+  const auto warnings = parse(text, "f", {override}).warnings;
+  BOOST_TEST(warnings.size() == 1u, override);
+  return warnings.empty() ? "" : warnings.front();
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(an_ordinary_scene_has_none) {
+  BOOST_TEST(parse(text, "f").warnings.empty());
+}
+
+BOOST_AUTO_TEST_CASE(megapascals_for_steel_are_suspicious) {
+  auto slip = text;
+  slip.replace(slip.find("GPa"), 3, "MPa");
+  const auto warnings = parse(slip, "f").warnings;
+  BOOST_REQUIRE(warnings.size() == 1u);
+  BOOST_TEST(warnings[0] ==
+             "f:3:22: chain.material.young: below 1 GPa is very soft for this density (GPa meant?)");
+}
+
+BOOST_AUTO_TEST_CASE(slips_in_units_are_suspicious) {
+  BOOST_TEST(
+      warning("chain.material.young=210e12").starts_with("--set chain.material.young: stiffer than diamond"));
+  BOOST_TEST(
+      warning("chain.material.density=7.8").starts_with("--set chain.material.density: outside 50 to 25000"));
+  BOOST_TEST(warning("chain.radius=10").starts_with("--set chain.radius: more than 1 m"));
+}
+
+BOOST_AUTO_TEST_CASE(accuracies_beyond_reason_are_suspicious) {
+  BOOST_TEST(warning("run.accuracy=1e-15") == "--set run.accuracy: finer than double precision can give");
+  BOOST_TEST(warning("run.accuracy=0.5").starts_with("--set run.accuracy: so coarse"));
+}
+
+BOOST_AUTO_TEST_CASE(a_chain_at_rest_is_suspicious) {
+  BOOST_TEST(warning("chain.velocity=0") ==
+             "f:1:1: chain: nothing moves: no velocity, no gravity, no compressed contact");
+}
+
+BOOST_AUTO_TEST_CASE(a_key_without_effect_is_mentioned) {
+  BOOST_TEST(warning("run.impacts=2") == "--set run.impacts: has no effect on a chain");
+}
+
+BOOST_AUTO_TEST_CASE(a_wall_of_the_same_material_does_not_repeat_a_warning) {
+  const auto warnings = parse(text, "f", {"chain.wall=both", "chain.material.density=30000"}).warnings;
+  BOOST_TEST(warnings.size() == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(many_warnings_are_cut_short) {
+  std::string many = "[chain]\nmass = 1\nlaw = 'linear'\nstiffness = 1\nvelocity = 1\nradius = [5";
+  for (int i = 1; i < 1000; ++i) many += ", 5";
+  const auto warnings = parse(many + "]", "f").warnings;
+  BOOST_TEST(warnings.size() == 21u);
+  BOOST_TEST(warnings.back() == "f: more warnings of this kind are not shown");
+}
