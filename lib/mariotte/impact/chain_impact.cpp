@@ -165,7 +165,7 @@ ChainImpact simulate(const model::Chain& chain, const hybrid::Options& options, 
   impact.flows = flow_uses(run);
   impact.skipped = skipped(system, run, trace);
   impact.requested_accuracy = options.accuracy;
-  impact.trace = observers.recorder.take();
+  if (trace) impact.trace = observers.recorder.take(run.time, run.state);
   return impact;
 }
 

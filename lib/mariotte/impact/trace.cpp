@@ -16,7 +16,6 @@ void drop_every_other(std::vector<Row>& rows) {
 
 void TraceRecorder::watch(double start, const flow::Step& step) {
   if (trace_.time.empty()) keep(start + step.start, step.before);
-  // A trajectory has no corners in free flight, but a picture needs both ends of it; elsewhere ends suffice.
   if (++steps_ % stride_ == 0) keep(start + step.end, step.after);
 }
 
@@ -32,6 +31,11 @@ void TraceRecorder::keep(double time, ConstState x) {
     gap.push_back(x[layout_.gap[j]] * scale.length);
     force.push_back(std::max(0.0, phase_.force(x, j).value) * scale.force());
   }
+}
+
+Trace TraceRecorder::take(double time, ConstState x) {
+  if (trace_.time.empty() || trace_.time.back() != time * chain_.scale.time) keep(time, x);
+  return std::move(trace_);
 }
 
 void TraceRecorder::thin() {

@@ -19,7 +19,8 @@ class TraceRecorder {
 
   /// `start` is the absolute dimensionless time at which the step's phase began.
   void watch(double start, const flow::Step& step);
-  Trace take() { return std::move(trace_); }
+  /// The samples, with the state at the ending as the last.
+  Trace take(double time, ConstState x);
 
  private:
   void keep(double time, ConstState x);

@@ -1,0 +1,67 @@
+// Prints the table of the README: worst error of the final velocities, relative to the largest incident speed,
+// against the accuracy asked for. Fails if an error is larger than what was asked.
+#include <cstdio>
+#include <functional>
+
+#include "support/reference.hpp"
+
+using namespace mariotte;
+using namespace mariotte::test;
+
+namespace {
+
+constexpr double asked[] = {1e-6, 1e-8, 1e-10, 1e-12};
+
+struct Family {
+  const char* name;
+  const char* file;
+  std::function<bool(const nlohmann::json&)> belongs;
+  std::function<model::Chain(const nlohmann::json&)> chain;
+};
+
+const Family families[] = {
+    {"3 balls, linear or Hertz contacts, stiffness ratios 0.01 to 100", "triplets.json",
+     [](const auto&) { return true; }, triplet},
+    {"3 balls, linear contacts, against the closed form", "linear_triplets.json",
+     [](const auto& c) { return c.at("kappa") <= 1e4; }, linear_triplet},
+    {"3 to 21 equal Hertz balls", "equal_chains.json", [](const auto&) { return true; },
+     [](const auto& c) { return equal_chain(c.at("n")); }},
+    {"Hertz chains with one big ball", "big_ball_chains.json", [](const auto&) { return true; },
+     [](const auto& c) { return big_ball_chain(c.at("radius")); }},
+    {"3 balls, damped contacts", "viscoelastic.json", [](const auto& c) { return c.contains("final"); },
+     [](const auto& c) {
+       return equal_masses({viscoelastic(c), viscoelastic(c)}, {1, 0, 0});
+     }},
+};
+
+double error(const model::Chain& chain, const nlohmann::json& c, double accuracy) {
+  double speed = 0;
+  for (const double velocity : chain.velocity) speed = std::max(speed, std::abs(velocity));
+  return difference(impact::simulate(chain, {.accuracy = accuracy}).velocity, c.at("final")) / speed;
+}
+
+}  // namespace
+
+int main() {
+  bool kept = true;
+  std::printf("| reference cases | number |");
+  for (const double accuracy : asked) std::printf(" %.0e |", accuracy);
+  std::printf("\n|---|---|---|---|---|---|\n");
+  for (const auto& family : families) {
+    int number = 0;
+    double worst[std::size(asked)] = {};
+    for (const auto& c : cases(family.file)) {
+      if (!family.belongs(c)) continue;
+      ++number;
+      for (std::size_t i = 0; i < std::size(asked); ++i)
+        worst[i] = std::max(worst[i], error(family.chain(c), c, asked[i]));
+    }
+    std::printf("| %s | %d |", family.name, number);
+    for (std::size_t i = 0; i < std::size(asked); ++i) {
+      std::printf(" %.0e |", worst[i]);
+      kept = kept && worst[i] <= asked[i];
+    }
+    std::printf("\n");
+  }
+  return kept ? 0 : 1;
+}
