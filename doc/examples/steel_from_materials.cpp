@@ -21,8 +21,8 @@ int main() {
 
   for (std::size_t j = 0; j < chain.law.size(); ++j) {
     const auto& contact = impact.contacts[j];
-    std::printf("contact %zu: k = %.5g N/m^1.5, impulse %.6f mN s, peak force %.2f N, indentation %.4f µm\n", j + 1,
-                contact::stiffness(chain.law[j]), 1e3 * contact.impulse, contact.peak_force,
+    std::printf("contact %zu: k = %.5g N/m^1.5, impulse %.6f mN s, peak force %.2f N, indentation %.4f µm\n",
+                j + 1, contact::stiffness(chain.law[j]), 1e3 * contact.impulse, contact.peak_force,
                 1e6 * contact.peak_indentation);
   }
   std::printf("impulse correlation ratio %.6f after %.3f µs\n", *impact.icr[0], 1e6 * impact.time);

@@ -69,7 +69,7 @@ BOOST_AUTO_TEST_CASE(the_estimate_is_close_to_the_true_error) {
     const double error = difference(impact.velocity, c.at("final"));
     const double estimate = impact::estimate_accuracy(chain, options, impact);
     BOOST_TEST_CONTEXT(c.at("law") << " kappa " << c.at("kappa") << " velocity " << c.at("velocity")) {
-      BOOST_TEST(estimate > 0.8 * error);
+      BOOST_TEST(estimate >= 0.8 * error - 1e-15);  // closed forms have none to estimate
       BOOST_TEST(estimate < 1.2 * error + 1e-9);
     }
   }

@@ -1,5 +1,6 @@
-// Prints the table of the README: worst error of the final velocities, relative to the largest incident speed,
-// against the accuracy asked for. Fails if an error is larger than what was asked.
+// Prints the table of the README: worst error of the final velocities, relative to the largest incident
+// speed, against the accuracy asked for. Fails if an error is larger than what was asked, times the factor of
+// its family.
 #include <cstdio>
 #include <functional>
 
@@ -17,21 +18,32 @@ struct Family {
   const char* file;
   std::function<bool(const nlohmann::json&)> belongs;
   std::function<model::Chain(const nlohmann::json&)> chain;
+  double factor = 1;  ///< largest error allowed / accuracy asked
 };
 
+bool all(const nlohmann::json&) {
+  return true;
+}
+model::Chain equal(const nlohmann::json& c) {
+  return equal_chain(c.at("n"));
+}
+model::Chain big_ball(const nlohmann::json& c) {
+  return big_ball_chain(c.at("radius"));
+}
+model::Chain damped(const nlohmann::json& c) {
+  return equal_masses({viscoelastic(c), viscoelastic(c)}, {1, 0, 0});
+}
+
 const Family families[] = {
-    {"3 balls, linear or Hertz contacts, stiffness ratios 0.01 to 100", "triplets.json",
-     [](const auto&) { return true; }, triplet},
-    {"3 balls, linear contacts, against the closed form", "linear_triplets.json",
+    {"3 balls, linear or Hertz contacts, stiffness ratios 0.01 to 100", "triplets.json", all, triplet},
+    {"3 balls, linear contacts, ratios 0.01 to 10⁴, closed form", "linear_triplets.json",
      [](const auto& c) { return c.at("kappa") <= 1e4; }, linear_triplet},
-    {"3 to 21 equal Hertz balls", "equal_chains.json", [](const auto&) { return true; },
-     [](const auto& c) { return equal_chain(c.at("n")); }},
-    {"Hertz chains with one big ball", "big_ball_chains.json", [](const auto&) { return true; },
-     [](const auto& c) { return big_ball_chain(c.at("radius")); }},
+    {"the same, ratio 10⁸", "linear_triplets.json", [](const auto& c) { return c.at("kappa") > 1e4; },
+     linear_triplet, 30},  // thousands of oscillations add up
+    {"3 to 21 equal Hertz balls", "equal_chains.json", all, equal},
+    {"Hertz chains with one big ball", "big_ball_chains.json", all, big_ball},
     {"3 balls, damped contacts", "viscoelastic.json", [](const auto& c) { return c.contains("final"); },
-     [](const auto& c) {
-       return equal_masses({viscoelastic(c), viscoelastic(c)}, {1, 0, 0});
-     }},
+     damped},
 };
 
 double error(const model::Chain& chain, const nlohmann::json& c, double accuracy) {
@@ -44,7 +56,7 @@ double error(const model::Chain& chain, const nlohmann::json& c, double accuracy
 
 int main() {
   bool kept = true;
-  std::printf("| reference cases | number |");
+  std::printf("| worst error when asked for | cases |");
   for (const double accuracy : asked) std::printf(" %.0e |", accuracy);
   std::printf("\n|---|---|---|---|---|---|\n");
   for (const auto& family : families) {
@@ -59,7 +71,7 @@ int main() {
     std::printf("| %s | %d |", family.name, number);
     for (std::size_t i = 0; i < std::size(asked); ++i) {
       std::printf(" %.0e |", worst[i]);
-      kept = kept && worst[i] <= asked[i];
+      kept = kept && worst[i] <= family.factor * asked[i];
     }
     std::printf("\n");
   }

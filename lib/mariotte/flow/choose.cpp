@@ -5,6 +5,7 @@
 #include "mariotte/core/error.hpp"
 #include "mariotte/flow/ballistic.hpp"
 #include "mariotte/flow/cvode.hpp"
+#include "mariotte/flow/pair.hpp"
 
 namespace mariotte::flow {
 namespace {
@@ -17,6 +18,7 @@ constexpr Index dense_size = 12;
 std::unique_ptr<Flow> make(Kind kind, const Problem& problem) {
   switch (kind) {
     case Kind::ballistic: return std::make_unique<Ballistic>();
+    case Kind::pair: return std::make_unique<Pair>();
     case Kind::cvode_adams: return std::make_unique<Cvode>(CvodeMethod::adams, problem);
     case Kind::cvode_bdf_dense: return std::make_unique<Cvode>(CvodeMethod::bdf_dense, problem);
     case Kind::cvode_bdf_band: return std::make_unique<Cvode>(CvodeMethod::bdf_band, problem);
@@ -28,8 +30,8 @@ std::unique_ptr<Flow> make(Kind kind, const Problem& problem) {
 }  // namespace
 
 std::string_view name(Kind kind) {
-  constexpr std::array<std::string_view, kinds.size()> names = {"ballistic", "cvode-adams", "cvode-bdf-dense",
-                                                                "cvode-bdf-band", "cvode-bdf-klu"};
+  constexpr std::array<std::string_view, kinds.size()> names = {
+      "ballistic", "pair", "cvode-adams", "cvode-bdf-dense", "cvode-bdf-band", "cvode-bdf-klu"};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -46,7 +48,11 @@ std::optional<Kind> parse_kind(std::string_view text) {
 
 Kind choose(const Problem& problem, std::optional<Kind> requested) {
   if (problem.is_ballistic()) return Kind::ballistic;
-  if (requested) return *requested;
+  if (requested.value_or(Kind::pair) == Kind::pair) {
+    if (problem.pair()) return Kind::pair;
+  } else {
+    return *requested;
+  }
   if (problem.damping_ratio() < stiff_damping) return Kind::cvode_adams;
   return problem.size() <= dense_size ? Kind::cvode_bdf_dense : Kind::cvode_bdf_band;
 }

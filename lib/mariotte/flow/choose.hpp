@@ -9,19 +9,19 @@
 
 namespace mariotte::flow {
 
-enum class Kind { ballistic, cvode_adams, cvode_bdf_dense, cvode_bdf_band, cvode_bdf_klu };
-inline constexpr std::array kinds = {Kind::ballistic, Kind::cvode_adams, Kind::cvode_bdf_dense,
-                                     Kind::cvode_bdf_band, Kind::cvode_bdf_klu};
+enum class Kind { ballistic, pair, cvode_adams, cvode_bdf_dense, cvode_bdf_band, cvode_bdf_klu };
+inline constexpr std::array kinds = {Kind::ballistic,       Kind::pair,           Kind::cvode_adams,
+                                     Kind::cvode_bdf_dense, Kind::cvode_bdf_band, Kind::cvode_bdf_klu};
 
-/// "ballistic", "cvode-adams", "cvode-bdf-dense", "cvode-bdf-band", "cvode-bdf-klu".
+/// "ballistic", "pair", "cvode-adams", "cvode-bdf-dense", "cvode-bdf-band", "cvode-bdf-klu".
 std::string_view name(Kind kind);
 
 /// The flow a user may ask for by name for the contact phases; empty for "auto".
 /// Throws InvalidParameter for any other name ("ballistic" follows no contact and is among those).
 std::optional<Kind> parse_kind(std::string_view name);
 
-/// Free flight is followed in closed form whatever was asked; contact phases by the flow asked for or, left to
-/// itself, by Adams unless damping makes the phase stiff.
+/// Free flight is followed in closed form whatever was asked; contact phases by the flow asked for if they admit it or,
+/// left to itself, by a closed form where there is one, else by Adams unless damping makes the phase stiff.
 Kind choose(const Problem& problem, std::optional<Kind> requested);
 
 /// The flows of one run, each made when first needed and kept.

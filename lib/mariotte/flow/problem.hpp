@@ -1,9 +1,11 @@
 // What a flow follows: one smooth autonomous field x' = f(x) with the guards that end it.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "mariotte/core/types.hpp"
+#include "mariotte/flow/pair_motion.hpp"
 
 namespace mariotte::flow {
 
@@ -14,6 +16,21 @@ enum class Crossing : signed char { falling = -1, none = 0, rising = 1 };
 struct Entry {
   Index row;
   Index column;
+};
+
+/// A phase in which two bodies push each other through one contact and everything else flies freely at constant
+/// velocity: where its quantities stand in the state. −1 for what does not exist.
+struct PairPhase {
+  PairLaw law;
+  double left_share;   ///< m*/m of the left body: what it takes of a change of δ̇
+  double right_share;  ///< m*/m of the right body
+  Index left, right;   ///< velocities; δ̇ = x[left] − x[right]
+  Index gap;           ///< δ = −x[gap]
+  Index work;          ///< ∫ f δ̇ dt
+  Index impulse;       ///< ∫ f dt
+  Index guard;         ///< that fires when the contact lets go
+  Index left_gap, right_gap;      ///< gaps of the two bodies to their other neighbours
+  Index left_guard, right_guard;  ///< guards of these gaps
 };
 
 /// A field of one mode, with everything dimensionless. Sizes and pattern never change; field, crossings and
@@ -48,6 +65,9 @@ class Problem {
   virtual bool is_ballistic() const = 0;
   /// f'(x) f(x), asked of ballistic modes only.
   virtual void second_derivative(ConstState x, State ddx) const = 0;
+
+  /// The present mode as one pair, if it is one whose contact has a closed form.
+  virtual std::optional<PairPhase> pair() const { return std::nullopt; }
 
   /// Told after every accepted step: a guard that starts at zero is watched only once it has left it. True if what
   /// is watched has changed.

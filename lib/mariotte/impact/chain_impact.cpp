@@ -103,6 +103,8 @@ std::vector<Skipped> skipped(const ChainSystem& system, const Run& run, bool tra
   std::vector<Skipped> list;
   if (const Index flights = used(flow::Kind::ballistic))
     list.push_back({"free flight", std::to_string(flights) + " phases in closed form, not integrated"});
+  if (const Index pairs = used(flow::Kind::pair))
+    list.push_back({"single contacts", std::to_string(pairs) + " phases in closed form, not integrated"});
   if (none(system.layout.work)) list.push_back({"dissipation", "no contact is damped"});
   if (none(system.layout.impulse)) list.push_back({"impulse integrals", "momentum gives every impulse of a chain without walls"});
   if (used(flow::Kind::cvode_bdf_dense) + used(flow::Kind::cvode_bdf_band) + used(flow::Kind::cvode_bdf_klu) == 0)
@@ -148,7 +150,9 @@ ChainImpact simulate(const model::Chain& chain, const hybrid::Options& options, 
   const Stretch stretch{.before = start, .after = run.state, .time = run.time};
   auto p = impulses(system.chain, system.layout, stretch);
   clear_untouched(p, run);
-  const auto energies = contact_energies(system.chain, system.layout, final_mode(run, system.layout.contacts()), stretch);
+  auto mode = final_mode(run, system.layout.contacts());
+  system.problem(mode);  // the loop's own mode is gone; forces at the ending are those of the last one
+  const auto energies = contact_energies(system.chain, system.layout, mode, stretch);
 
   ChainImpact impact;
   impact.ending = run.ending;

@@ -16,7 +16,20 @@ void drop_every_other(std::vector<Row>& rows) {
 
 void TraceRecorder::watch(double start, const flow::Step& step) {
   if (trace_.time.empty()) keep(start + step.start, step.before);
-  if (++steps_ % stride_ == 0) keep(start + step.end, step.after);
+  // A closed form crosses a whole contact in one step: a picture needs points between.
+  const double duration = step.end - step.start, fine = phase_.time_scale() / 20;
+  const Index pieces = phase_.is_ballistic() ? 1 : static_cast<Index>(std::clamp(duration / fine, 1.0, 64.0));
+  std::vector<double> inside(pieces > 1 ? layout_.size : 0);
+  for (Index i = 1; i < pieces; ++i) {
+    const double time = step.start + duration * static_cast<double>(i) / static_cast<double>(pieces);
+    step.at(time, inside);
+    offer(start + time, inside);
+  }
+  offer(start + step.end, step.after);
+}
+
+void TraceRecorder::offer(double time, ConstState x) {
+  if (++offered_ % stride_ == 0) keep(time, x);
 }
 
 void TraceRecorder::keep(double time, ConstState x) {
@@ -34,7 +47,7 @@ void TraceRecorder::keep(double time, ConstState x) {
 }
 
 Trace TraceRecorder::take(double time, ConstState x) {
-  if (trace_.time.empty() || trace_.time.back() != time * chain_.scale.time) keep(time, x);
+  if (trace_.time.empty() || trace_.time.back() < time * chain_.scale.time) keep(time, x);
   return std::move(trace_);
 }
 

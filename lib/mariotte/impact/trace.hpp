@@ -7,7 +7,8 @@
 
 namespace mariotte::impact {
 
-/// Keeps the ends of every `stride`-th step; the stride doubles, and every other row is dropped, whenever
+/// Keeps every `stride`-th point of those offered, the ends of steps and, where a step is long against the contact
+/// time, points within; the stride doubles, and every other row is dropped, whenever
 /// `capacity` rows are full.
 class TraceRecorder {
  public:
@@ -23,6 +24,7 @@ class TraceRecorder {
   Trace take(double time, ConstState x);
 
  private:
+  void offer(double time, ConstState x);
   void keep(double time, ConstState x);
   void thin();
 
@@ -31,7 +33,7 @@ class TraceRecorder {
   const model::ChainLayout& layout_;
   Trace trace_;
   Index stride_ = 1;
-  Index steps_ = 0;
+  Index offered_ = 0;
 };
 
 }  // namespace mariotte::impact

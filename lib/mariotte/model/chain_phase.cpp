@@ -54,16 +54,18 @@ ChainPhase::ChainPhase(const DimensionlessChain& chain, const ChainLayout& layou
       magnitudes_(model::magnitudes(chain, layout)),
       pattern_(make_pattern(layout)),
       crossings_(guards_.contact.size(), Crossing::none),
+      gravity_(std::any_of(chain.gravity.begin(), chain.gravity.end(), [](double g) { return g != 0; })),
       loaded_(std::max(0.1 * accuracy, 1e3 * epsilon)) {}
 
 void ChainPhase::bind(contact::ContactSet& mode) {
   mode_ = &mode;
-  active_ = touching_ = 0;
+  active_ = touching_ = slack_ = 0;
   time_scale_ = infinity;
   double any = infinity;
   for (Index j = 0; j < layout_.contacts(); ++j) {
     watch(j);
     any = std::min(any, chain_.time[j]);
+    slack_ += mode[j] == ContactMode::slack;
     if (!contact::carries_force(mode[j])) continue;
     ++active_;
     touching_ += mode[j] == ContactMode::touching;
@@ -163,6 +165,28 @@ double ChainPhase::damping_ratio() const {
 void ChainPhase::second_derivative(ConstState, State ddx) const {
   std::fill(ddx.begin(), ddx.end(), 0.0);
   for (Index j = 0; j < layout_.contacts(); ++j) ddx[layout_.gap[j]] = chain_.gravity[j] - chain_.gravity[j + 1];
+}
+
+std::optional<flow::PairPhase> ChainPhase::pair() const {
+  if (active_ != 1 || touching_ != 0 || slack_ != 0 || gravity_) return std::nullopt;
+  const Index j = std::find(mode_->begin(), mode_->end(), ContactMode::closed) - mode_->begin();
+  const auto& law = chain_.law[j];
+  const double n = contact::exponent(law), c = contact::damping(law), m = chain_.reduced_mass[j];
+  if (n != 1 && (n != 1.5 || c > 0)) return std::nullopt;
+  const bool first = j == 0, last = j + 1 == layout_.contacts();
+  return flow::PairPhase{.law = {contact::stiffness(law), c, n, m},
+                         .left_share = m * chain_.inverse_mass[j],
+                         .right_share = m * chain_.inverse_mass[j + 1],
+                         .left = layout_.velocity[j],
+                         .right = layout_.velocity[j + 1],
+                         .gap = layout_.gap[j],
+                         .work = layout_.work[j],
+                         .impulse = layout_.impulse[j],
+                         .guard = c > 0 ? guards_.load[j] : j,
+                         .left_gap = first ? -1 : layout_.gap[j - 1],
+                         .right_gap = last ? -1 : layout_.gap[j + 1],
+                         .left_guard = first ? -1 : j - 1,
+                         .right_guard = last ? -1 : j + 1};
 }
 
 bool ChainPhase::accept(ConstState x) {

@@ -38,6 +38,7 @@ class ChainPhase final : public flow::Problem {
   double damping_ratio() const override;
   bool is_ballistic() const override { return active_ == 0; }
   void second_derivative(ConstState x, State ddx) const override;
+  std::optional<flow::PairPhase> pair() const override;
   bool accept(ConstState x) override;
   std::string component(Index index) const override { return component_name(layout_, index); }
 
@@ -57,10 +58,12 @@ class ChainPhase final : public flow::Problem {
   std::vector<double> magnitudes_;
   std::vector<flow::Entry> pattern_;
   std::vector<flow::Crossing> crossings_;
+  bool gravity_;
   double loaded_;  ///< indentation, in natural lengths, above which a touching contact has left the noise
   contact::ContactSet* mode_ = nullptr;
   Index active_ = 0;    ///< contacts that carry force
   Index touching_ = 0;  ///< those of them that are still touching
+  Index slack_ = 0;
   double time_scale_ = 1;
 };
 

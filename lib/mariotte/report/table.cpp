@@ -49,14 +49,15 @@ std::string events(const impact::ChainImpact& impact, const Display& time) {
 }
 
 std::string balls(const impact::ChainImpact& impact, const model::Chain& chain) {
-  const auto after = display_for(impact.velocity, "m/s");
-  const auto before = display_for(chain.velocity, "m/s");
+  auto all = chain.velocity;
+  all.insert(all.end(), impact.velocity.begin(), impact.velocity.end());
+  const auto velocity = display_for(all, "m/s");
   const auto row = [&](Index i) -> Row {
     const auto k = static_cast<std::size_t>(i);
-    return {fmt::format("{}", i + 1), shown(before, chain.velocity[k]), shown(after, impact.velocity[k])};
+    return {fmt::format("{}", i + 1), shown(velocity, chain.velocity[k]), shown(velocity, impact.velocity[k])};
   };
   return "\nBalls\n" +
-         columns({"ball", "velocity before [" + before.unit + "]", "after [" + after.unit + "]"},
+         columns({"ball", "velocity before [" + velocity.unit + "]", "after [" + velocity.unit + "]"},
                  std::ssize(impact.velocity), row);
 }
 

@@ -1,0 +1,92 @@
+// Two bodies in one closed contact, nothing else acting: δ(t) in closed form.
+#pragma once
+#include <variant>
+
+namespace mariotte::flow {
+
+/// A contact f = k δⁿ (undamped, n = 1 or 3/2) or f = k δ + c δ̇ between two bodies of reduced mass m*.
+struct PairLaw {
+  double stiffness;     ///< k
+  double damping;       ///< c, 0 unless n = 1
+  double exponent;      ///< n
+  double reduced_mass;  ///< m*
+};
+
+/// Indentation and its rate at one time.
+struct Indentation {
+  double value;  ///< δ
+  double rate;   ///< δ̇
+};
+
+/// A gap elsewhere while the contact is closed: g(t) = value + rate t + share (δ(t) − δ(0)) with share ≥ 0. As long
+/// as the contact pushes δ is concave, and so is g: it falls through zero once at most, and it does so exactly
+/// when it is not positive at the end.
+struct ConcaveGap {
+  double value;
+  double rate;
+  double share;
+};
+
+/// δ̈ = −(k/m*) δ^{3/2}. With y = −δ̇/w∞ and w∞² = δ̇² + (4/5)(k/m*) δ^{5/2}:
+///   δ = δ_m (1−y²)^{2/5},  t = τ [T(y) − T(y₀)],  T(y) = ∫₀^y (1−u²)^{−3/5} du.
+class HertzMotion {
+ public:
+  HertzMotion(const PairLaw& law, const Indentation& start);
+  double duration() const { return tau_ * (full_ - start_time_); }
+  double turn() const { return y_start_ < 0 ? -tau_ * start_time_ : 0; }  ///< time of largest indentation
+  Indentation at(double time) const;
+  double fall(const ConcaveGap& gap) const;
+
+ private:
+  struct Place {
+    double y, z, ratio;  ///< y, 1 − y², δ/δ_m
+  };
+  Place from_y(double y) const;
+  Place from_ratio(double ratio) const;
+  double time(const Place& place) const;
+  double value(const ConcaveGap& gap, const Place& place) const;
+
+  double speed_, depth_, tau_, start_depth_;  ///< w∞, δ_m, τ, δ(0)
+  double y_start_, start_time_;               ///< y₀, T(y₀)
+  static const double full_;                  ///< T(1)
+};
+
+/// δ̈ = −ω² δ: δ = (w∞/ω) cos θ, δ̇ = −w∞ sin θ, θ = θ₀ + ω t.
+class LinearMotion {
+ public:
+  LinearMotion(const PairLaw& law, const Indentation& start);
+  double duration() const;
+  double turn() const;
+  Indentation at(double time) const;
+  double fall(const ConcaveGap& gap) const;
+
+ private:
+  double frequency_, angle_, speed_;
+};
+
+/// δ̈ + 2 b δ̇ + ω² δ = 0, to the instant at which the force, and with it δ̈, is zero.
+class DampedMotion {
+ public:
+  DampedMotion(const PairLaw& law, const Indentation& start);
+  double duration() const { return duration_; }
+  double turn() const { return duration_; }  ///< not looked for: a step's watcher finds both peaks
+  Indentation at(double time) const;
+  double fall(const ConcaveGap& gap) const;
+
+ private:
+  double find_duration() const;
+
+  /// Sines, hyperbolic sines, or two exponentials: each where it keeps its digits.
+  enum class Form { oscillating, creeping, stiff };
+
+  Indentation start_;
+  double decay_, square_, split_;  ///< b, ω², √|ω²−b²|
+  Form form_;
+  double duration_;
+};
+
+using PairMotion = std::variant<HertzMotion, LinearMotion, DampedMotion>;
+
+PairMotion make_pair_motion(const PairLaw& law, const Indentation& start);
+
+}  // namespace mariotte::flow
