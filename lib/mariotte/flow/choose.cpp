@@ -5,6 +5,7 @@
 #include "mariotte/core/error.hpp"
 #include "mariotte/flow/ballistic.hpp"
 #include "mariotte/flow/cvode.hpp"
+#include "mariotte/flow/modal.hpp"
 #include "mariotte/flow/pair.hpp"
 
 namespace mariotte::flow {
@@ -12,6 +13,8 @@ namespace {
 
 /// Above this damping ratio c/√(k m) BDF needs fewer evaluations than Adams.
 constexpr double stiff_damping = 5;
+/// Up to so many closed contacts, natural modes and their root search cost less than integration.
+constexpr std::size_t modal_contacts = 24;
 /// Up to this size a dense matrix costs less than a band.
 constexpr Index dense_size = 12;
 
@@ -19,6 +22,7 @@ std::unique_ptr<Flow> make(Kind kind, const Problem& problem) {
   switch (kind) {
     case Kind::ballistic: return std::make_unique<Ballistic>();
     case Kind::pair: return std::make_unique<Pair>();
+    case Kind::modal: return std::make_unique<Modal>();
     case Kind::cvode_adams: return std::make_unique<Cvode>(CvodeMethod::adams, problem);
     case Kind::cvode_bdf_dense: return std::make_unique<Cvode>(CvodeMethod::bdf_dense, problem);
     case Kind::cvode_bdf_band: return std::make_unique<Cvode>(CvodeMethod::bdf_band, problem);
@@ -31,7 +35,7 @@ std::unique_ptr<Flow> make(Kind kind, const Problem& problem) {
 
 std::string_view name(Kind kind) {
   constexpr std::array<std::string_view, kinds.size()> names = {
-      "ballistic", "pair", "cvode-adams", "cvode-bdf-dense", "cvode-bdf-band", "cvode-bdf-klu"};
+      "ballistic", "pair", "modal", "cvode-adams", "cvode-bdf-dense", "cvode-bdf-band", "cvode-bdf-klu"};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -48,11 +52,12 @@ std::optional<Kind> parse_kind(std::string_view text) {
 
 Kind choose(const Problem& problem, std::optional<Kind> requested) {
   if (problem.is_ballistic()) return Kind::ballistic;
-  if (requested.value_or(Kind::pair) == Kind::pair) {
-    if (problem.pair()) return Kind::pair;
-  } else {
-    return *requested;
-  }
+  const bool closed_forms = !requested || *requested == Kind::pair || *requested == Kind::modal;
+  if (!closed_forms) return *requested;
+  if (requested != Kind::modal && problem.pair()) return Kind::pair;
+  if (requested != Kind::pair)
+    if (const auto phase = problem.linear(); phase && (requested || phase->closed.size() <= modal_contacts))
+      return Kind::modal;
   if (problem.damping_ratio() < stiff_damping) return Kind::cvode_adams;
   return problem.size() <= dense_size ? Kind::cvode_bdf_dense : Kind::cvode_bdf_band;
 }

@@ -33,6 +33,25 @@ struct PairPhase {
   Index left_guard, right_guard;  ///< guards of these gaps
 };
 
+/// A phase in which all forces are those of linear undamped contacts: where its quantities stand in the state.
+struct LinearPhase {
+  struct Body {
+    Index velocity;
+    double inverse_mass;
+  };
+  struct Contact {
+    Index left, right;  ///< bodies; δ̇ = x[body[left].velocity] − x[body[right].velocity]
+    Index gap;
+    Index impulse;      ///< ∫ f dt, or −1
+    Index guard;
+    double stiffness;   ///< 0 for an open contact
+    double noise;       ///< indentation from which its guard is watched; 0 if it is from the start
+  };
+  std::vector<Body> body;
+  std::vector<Contact> contacts;
+  std::vector<Index> closed;  ///< those of the contacts that are
+};
+
 /// A field of one mode, with everything dimensionless. Sizes and pattern never change; field, crossings and
 /// time scale belong to the present mode. Implemented by the models.
 class Problem {
@@ -68,6 +87,9 @@ class Problem {
 
   /// The present mode as one pair, if it is one whose contact has a closed form.
   virtual std::optional<PairPhase> pair() const { return std::nullopt; }
+
+  /// The present mode as linear contacts, if all of two or more active ones are.
+  virtual std::optional<LinearPhase> linear() const { return std::nullopt; }
 
   /// Told after every accepted step: a guard that starts at zero is watched only once it has left it. True if what
   /// is watched has changed.

@@ -105,6 +105,8 @@ std::vector<Skipped> skipped(const ChainSystem& system, const Run& run, bool tra
     list.push_back({"free flight", std::to_string(flights) + " phases in closed form, not integrated"});
   if (const Index pairs = used(flow::Kind::pair))
     list.push_back({"single contacts", std::to_string(pairs) + " phases in closed form, not integrated"});
+  if (const Index modal = used(flow::Kind::modal))
+    list.push_back({"linear contacts", std::to_string(modal) + " phases by natural modes, not integrated"});
   if (none(system.layout.work)) list.push_back({"dissipation", "no contact is damped"});
   if (none(system.layout.impulse)) list.push_back({"impulse integrals", "momentum gives every impulse of a chain without walls"});
   if (used(flow::Kind::cvode_bdf_dense) + used(flow::Kind::cvode_bdf_band) + used(flow::Kind::cvode_bdf_klu) == 0)

@@ -189,6 +189,30 @@ std::optional<flow::PairPhase> ChainPhase::pair() const {
                          .right_guard = last ? -1 : j + 1};
 }
 
+bool ChainPhase::is_spring(Index j) const {
+  return contact::exponent(chain_.law[j]) == 1 && contact::damping(chain_.law[j]) == 0;
+}
+
+std::optional<flow::LinearPhase> ChainPhase::linear() const {
+  if (active_ < 2 || slack_ != 0 || gravity_) return std::nullopt;
+  for (Index j = 0; j < layout_.contacts(); ++j)
+    if (contact::carries_force((*mode_)[j]) && !is_spring(j)) return std::nullopt;
+  flow::LinearPhase phase;
+  for (Index i = 0; i < layout_.balls(); ++i) phase.body.push_back({layout_.velocity[i], chain_.inverse_mass[i]});
+  for (Index j = 0; j < layout_.contacts(); ++j) {
+    const bool closed = contact::carries_force((*mode_)[j]), touching = (*mode_)[j] == ContactMode::touching;
+    if (closed) phase.closed.push_back(j);
+    phase.contacts.push_back({.left = j,
+                              .right = j + 1,
+                              .gap = layout_.gap[j],
+                              .impulse = layout_.impulse[j],
+                              .guard = j,
+                              .stiffness = closed ? contact::stiffness(chain_.law[j]) : 0,
+                              .noise = touching ? loaded_ * chain_.length[j] : 0});
+  }
+  return phase;
+}
+
 bool ChainPhase::accept(ConstState x) {
   if (touching_ == 0) return false;
   const Index before = touching_;

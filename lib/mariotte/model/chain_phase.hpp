@@ -39,6 +39,7 @@ class ChainPhase final : public flow::Problem {
   bool is_ballistic() const override { return active_ == 0; }
   void second_derivative(ConstState x, State ddx) const override;
   std::optional<flow::PairPhase> pair() const override;
+  std::optional<flow::LinearPhase> linear() const override;
   bool accept(ConstState x) override;
   std::string component(Index index) const override { return component_name(layout_, index); }
 
@@ -51,6 +52,7 @@ class ChainPhase final : public flow::Problem {
   }
   double guard(ConstState x, Index i) const;
   void watch(Index j);
+  bool is_spring(Index j) const;
 
   const DimensionlessChain& chain_;
   const ChainLayout& layout_;
