@@ -33,9 +33,8 @@ double slope(double x0, double y0, double x1, double y1) {
 
 BOOST_AUTO_TEST_CASE(asked_is_got_from_1e_minus_3_to_1e_minus_10) {
   for (const auto* flow : flows)
-    for (int decade = 3; decade <= 10; ++decade)
-      BOOST_TEST_CONTEXT(flow << " at 1e-" << decade)
-    BOOST_TEST(measure(flow, std::pow(10.0, -decade)).error <= std::pow(10.0, -decade));
+    for (int decade = 3; decade <= 10; ++decade) BOOST_TEST_CONTEXT(flow << " at 1e-" << decade)
+  BOOST_TEST(measure(flow, std::pow(10.0, -decade)).error <= std::pow(10.0, -decade));
 }
 
 BOOST_AUTO_TEST_CASE(the_error_falls_in_proportion_to_the_accuracy_asked) {

@@ -1,5 +1,5 @@
-// Prints the table of the README: worst error of the final velocities, relative to the largest incident speed,
-// against the accuracy asked for. Fails if an error is larger than what was asked.
+// Prints the table of the README: worst error of the final velocities, relative to the largest incident
+// speed, against the accuracy asked for. Fails if an error is larger than what was asked.
 #include <cstdio>
 #include <functional>
 

@@ -28,7 +28,8 @@ Result follow(flow::Kind kind, flow::Problem& problem, std::vector<double> x, do
               double limit = 100, flow::Watcher* watcher = nullptr) {
   flow::Flows made;
   Result result{{}, x, {}};
-  result.arrival = made.get(kind, problem).follow(problem, result.x, {limit, accuracy, watcher}, result.fired);
+  result.arrival =
+      made.get(kind, problem).follow(problem, result.x, {limit, accuracy, watcher}, result.fired);
   return result;
 }
 
@@ -50,7 +51,9 @@ struct Recorder : flow::Watcher {
 }  // namespace
 
 namespace mariotte::flow {
-inline std::ostream& operator<<(std::ostream& out, Kind kind) { return out << name(kind); }
+inline std::ostream& operator<<(std::ostream& out, Kind kind) {
+  return out << name(kind);
+}
 }  // namespace mariotte::flow
 
 BOOST_DATA_TEST_CASE(known_event_times_are_met, boost::unit_test::data::make(flows), kind) {
@@ -73,7 +76,8 @@ BOOST_DATA_TEST_CASE(guards_that_fire_together_are_one_event, boost::unit_test::
   BOOST_TEST(result.fired == (std::vector<Index>{0, 1}), boost::test_tools::per_element());
 }
 
-BOOST_DATA_TEST_CASE(a_guard_that_is_zero_at_the_start_does_not_fire_there, boost::unit_test::data::make(flows), kind) {
+BOOST_DATA_TEST_CASE(a_guard_that_is_zero_at_the_start_does_not_fire_there,
+                     boost::unit_test::data::make(flows), kind) {
   auto again = oscillator({0.0}, {Crossing::rising});
   BOOST_TEST(std::abs(follow(kind, again, {0, 1}).arrival.duration - 2 * pi) < 1e-8);
   auto back = oscillator({0.0}, {Crossing::falling});
@@ -120,21 +124,25 @@ BOOST_DATA_TEST_CASE(steps_join_and_are_dense, boost::unit_test::data::make(flow
   const auto result = follow(kind, problem, {0, 1}, 1e-9, 100, &recorder);
   BOOST_TEST(recorder.starts.front() == 0);
   BOOST_TEST(recorder.ends.back() == result.arrival.duration);
-  for (std::size_t i = 1; i < recorder.starts.size(); ++i) BOOST_TEST(recorder.starts[i] == recorder.ends[i - 1]);
+  for (std::size_t i = 1; i < recorder.starts.size(); ++i)
+    BOOST_TEST(recorder.starts[i] == recorder.ends[i - 1]);
   BOOST_TEST(recorder.worst < 1e-9);
 }
 
-BOOST_DATA_TEST_CASE(a_field_that_is_not_finite_is_a_named_failure, boost::unit_test::data::make(flows), kind) {
+BOOST_DATA_TEST_CASE(a_field_that_is_not_finite_is_a_named_failure, boost::unit_test::data::make(flows),
+                     kind) {
   Toy problem(
       1, [](ConstState x, State dx) { dx[0] = x[0] > 0.5 ? std::nan("") : 1.0; }, 1,
       [](ConstState x, State g) { g[0] = x[0] - 1; }, {Crossing::rising});
   const auto result = follow(kind, problem, {0});
   BOOST_TEST((result.arrival.outcome == Outcome::failed));
-  BOOST_TEST_CONTEXT(result.arrival.message) BOOST_TEST(result.arrival.message.find("x0") != std::string::npos);
+  BOOST_TEST_CONTEXT(result.arrival.message)
+  BOOST_TEST(result.arrival.message.find("x0") != std::string::npos);
   BOOST_TEST(result.x[0] <= 0.5 + 1e-6);
 }
 
-BOOST_DATA_TEST_CASE(a_guard_that_is_not_finite_is_a_named_failure, boost::unit_test::data::make(flows), kind) {
+BOOST_DATA_TEST_CASE(a_guard_that_is_not_finite_is_a_named_failure, boost::unit_test::data::make(flows),
+                     kind) {
   Toy problem(
       1, [](ConstState, State dx) { dx[0] = 1; }, 1,
       [](ConstState x, State g) { g[0] = x[0] > 0.5 ? std::nan("") : -1.0; }, {Crossing::rising});
@@ -154,7 +162,8 @@ BOOST_DATA_TEST_CASE(the_error_falls_with_the_accuracy_asked, boost::unit_test::
   BOOST_TEST(last < 1e-6 * first);
 }
 
-BOOST_DATA_TEST_CASE(memory_kept_from_one_phase_does_not_change_the_next, boost::unit_test::data::make(flows), kind) {
+BOOST_DATA_TEST_CASE(memory_kept_from_one_phase_does_not_change_the_next, boost::unit_test::data::make(flows),
+                     kind) {
   auto problem = oscillator({0.5}, {Crossing::falling});
   flow::Flows kept;
   std::vector<double> first = {0, 1}, second = {0, 1};
@@ -167,10 +176,13 @@ BOOST_DATA_TEST_CASE(memory_kept_from_one_phase_does_not_change_the_next, boost:
 BOOST_DATA_TEST_CASE(a_graze_shorter_than_a_step_is_not_missed, boost::unit_test::data::make(flows), kind) {
   // x = sin t passes 1 − depth and comes back within 2√(2 depth).
   for (const double depth : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) {
-    auto up = oscillator({1 - depth}, {Crossing::rising}), down = oscillator({depth - 1}, {Crossing::falling});
+    auto up = oscillator({1 - depth}, {Crossing::rising}),
+         down = oscillator({depth - 1}, {Crossing::falling});
     const double early = std::acos(1 - depth);
-    BOOST_TEST(std::abs(follow(kind, up, {0, 1}).arrival.duration - (pi / 2 - early)) < 1e-8 / std::sqrt(depth));
-    BOOST_TEST(std::abs(follow(kind, down, {0, 1}).arrival.duration - (3 * pi / 2 - early)) < 1e-8 / std::sqrt(depth));
+    BOOST_TEST(std::abs(follow(kind, up, {0, 1}).arrival.duration - (pi / 2 - early)) <
+               1e-8 / std::sqrt(depth));
+    BOOST_TEST(std::abs(follow(kind, down, {0, 1}).arrival.duration - (3 * pi / 2 - early)) <
+               1e-8 / std::sqrt(depth));
   }
 }
 

@@ -12,9 +12,12 @@ using flow::Wave;
 
 namespace {
 
-/// Chains of linear springs only: 3 to 8 balls, masses over 2 decades, stiffnesses over 6, half of the contacts apart.
+/// Chains of linear springs only: 3 to 8 balls, masses over 2 decades, stiffnesses over 6, half of the
+/// contacts apart.
 model::Chain random_springs(std::mt19937_64& random) {
-  const auto uniform = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
+  const auto uniform = [&](double low, double high) {
+    return std::uniform_real_distribution(low, high)(random);
+  };
   const int balls = std::uniform_int_distribution(3, 8)(random);
   model::Chain chain;
   for (int i = 0; i < balls; ++i) {
@@ -28,19 +31,27 @@ model::Chain random_springs(std::mt19937_64& random) {
   return chain;
 }
 
-/// Closed form of the triplet struck by its first ball [Acary 2003, appendix B, corrected], contact 1 opening first.
+/// Closed form of the triplet struck by its first ball [Acary 2003, appendix B, corrected], contact 1 opening
+/// first.
 Numbers triplet_velocities(double ratio) {
-  const double s = std::sqrt(ratio * ratio - ratio + 1), fast = std::sqrt(ratio + 1 + s), slow = std::sqrt(3 * ratio) / fast;
+  const double s = std::sqrt(ratio * ratio - ratio + 1), fast = std::sqrt(ratio + 1 + s),
+               slow = std::sqrt(3 * ratio) / fast;
   const double gamma = ratio < 1 ? ratio - 1 - s : -ratio / (ratio - 1 + s), beta = -ratio / gamma;
-  const auto x1 = [&](double t) { return (beta * std::sin(slow * t) / slow - gamma * std::sin(fast * t) / fast) / (2 * s); };
+  const auto x1 = [&](double t) {
+    return (beta * std::sin(slow * t) / slow - gamma * std::sin(fast * t) / fast) / (2 * s);
+  };
   double low = 1, high = 4;
   for (int i = 0; i < 200; ++i) (x1(0.5 * (low + high)) > 0 ? low : high) = 0.5 * (low + high);
-  const auto swing = [&](double w) { const double half = std::sin(0.5 * w * low); return 2 * half * half / (w * w); };
+  const auto swing = [&](double w) {
+    const double half = std::sin(0.5 * w * low);
+    return 2 * half * half / (w * w);
+  };
   const double X = (std::sin(slow * low) / slow - std::sin(fast * low) / fast) / (2 * s);
   const double D = (std::cos(slow * low) - std::cos(fast * low)) / (2 * s);
   const double W = std::sqrt(2 * ratio), angle = std::atan2(X * W, -D);
   const double p1 = (beta * swing(slow) - gamma * swing(fast)) / (2 * s);
-  const double p2 = ratio * ((swing(slow) - swing(fast)) / (2 * s) + X * std::sin(angle) / W + D * (1 - std::cos(angle)) / (W * W));
+  const double p2 = ratio * ((swing(slow) - swing(fast)) / (2 * s) + X * std::sin(angle) / W +
+                             D * (1 - std::cos(angle)) / (W * W));
   return {1 - p1, p1 - p2, p2};
 }
 
@@ -69,7 +80,8 @@ BOOST_AUTO_TEST_CASE(the_earliest_of_many_roots_is_found) {
   std::uniform_real_distribution<double> uniform(0, 1);
   for (int i = 0; i < 300; ++i) {
     std::vector<Mode> modes;
-    for (int k = 0; k < 4; ++k) modes.push_back({uniform(random), std::pow(10, 2 * uniform(random)), 6 * uniform(random)});
+    for (int k = 0; k < 4; ++k)
+      modes.push_back({uniform(random), std::pow(10, 2 * uniform(random)), 6 * uniform(random)});
     const Wave wave{1, -0.05 * uniform(random), {1, -1, 0.5, 0.3}};
     if (wave.at(modes, 0) <= 0) continue;
     const double end = 20;
@@ -91,14 +103,15 @@ BOOST_AUTO_TEST_CASE(the_earliest_of_many_roots_is_found) {
 BOOST_AUTO_TEST_CASE(triplets_agree_with_their_closed_form_at_any_stiffness_ratio) {
   // Where contact 1 opens first: ω₂/ω₁ below 2, and beyond for ratios below 1 always.
   for (const double ratio : {1e-4, 1e-3, 0.01, 0.1, 0.3, 0.5, 0.9, 1.0, 1.5, 2.0, 2.2}) {
-    const auto impact = impact::simulate(equal_masses({contact::Linear{1}, contact::Linear{ratio}}, {1, 0, 0}));
-    BOOST_TEST_CONTEXT("ratio " << ratio) BOOST_TEST(difference(impact.velocity, triplet_velocities(ratio)) < 1e-14);
+    const auto impact =
+        impact::simulate(equal_masses({contact::Linear{1}, contact::Linear{ratio}}, {1, 0, 0}));
+    BOOST_TEST_CONTEXT("ratio " << ratio)
+    BOOST_TEST(difference(impact.velocity, triplet_velocities(ratio)) < 1e-14);
   }
 }
 
 BOOST_AUTO_TEST_CASE(all_linear_references_are_met_to_1e_minus_14) {
-  for (const auto& c : cases("linear_triplets.json"))
-    BOOST_TEST_CONTEXT("kappa " << c.at("kappa")) {
+  for (const auto& c : cases("linear_triplets.json")) BOOST_TEST_CONTEXT("kappa " << c.at("kappa")) {
       const auto impact = impact::simulate(linear_triplet(c));
       BOOST_TEST(difference(impact.velocity, c.at("final")) < 1e-14);
       // The end of a stiff last contact hangs on a velocity difference that is small itself.
@@ -117,8 +130,8 @@ BOOST_AUTO_TEST_CASE(all_linear_references_are_met_to_1e_minus_14) {
 }
 
 BOOST_AUTO_TEST_CASE(stiffness_ratios_up_to_1e10_stay_exact) {
-  // In the limit the last two balls are one of mass 2 while in contact, then the stiff contact has a last word; energy
-  // and momentum leave one number to check, and the mirrored chain must agree on it.
+  // In the limit the last two balls are one of mass 2 while in contact, then the stiff contact has a last
+  // word; energy and momentum leave one number to check, and the mirrored chain must agree on it.
   for (const double ratio : {1e7, 1e8, 1e9, 1e10}) {
     const contact::Linear soft{1}, stiff{ratio};
     const auto impact = impact::simulate(equal_masses({soft, stiff}, {1, 0, 0}));

@@ -34,7 +34,8 @@ Indentation at(const flow::PairMotion& motion, double time) {
 std::vector<PairLaw> all_laws() {
   std::vector<PairLaw> laws = {hertz, linear};
   // Through critical damping, which is at √2 here, and far beyond it.
-  for (const double c : {1e-3, 0.1, 1.0, 1.4142, std::sqrt(2.0), 1.4143, 1.5, 2.0, 10.0, 1e4, 1e7}) laws.push_back(damped(c));
+  for (const double c : {1e-3, 0.1, 1.0, 1.4142, std::sqrt(2.0), 1.4143, 1.5, 2.0, 10.0, 1e4, 1e7})
+    laws.push_back(damped(c));
   return laws;
 }
 
@@ -69,7 +70,8 @@ BOOST_AUTO_TEST_CASE(the_force_is_zero_at_the_end_and_not_before) {
       const auto [depth, rate] = at(motion, time);
       return law.stiffness * std::pow(std::max(0.0, depth), law.exponent) + law.damping * rate;
     };
-    const double total = duration(motion), size = std::max({force(0.0), force(0.5 * total), force(0.1 * total)});
+    const double total = duration(motion),
+                 size = std::max({force(0.0), force(0.5 * total), force(0.1 * total)});
     BOOST_TEST(std::abs(force(total)) < 1e-9 * size);
     for (int i = 1; i < 100; ++i) BOOST_TEST(force(0.01 * i * total) > 0);
   }
@@ -80,7 +82,8 @@ BOOST_AUTO_TEST_CASE(the_rate_is_the_derivative_of_the_indentation) {
     const auto motion = flow::make_pair_motion(law, {0, 1});
     const double total = duration(motion), h = 1e-5 * total;
     for (const double part : {0.1, 0.3, 0.5, 0.8, 0.95}) {
-      const double slope = (at(motion, part * total + h).value - at(motion, part * total - h).value) / (2 * h);
+      const double slope =
+          (at(motion, part * total + h).value - at(motion, part * total - h).value) / (2 * h);
       BOOST_TEST(std::abs(slope - at(motion, part * total).rate) < 1e-6);
     }
   }
@@ -93,9 +96,14 @@ BOOST_AUTO_TEST_CASE(another_gap_closes_exactly_where_its_concave_course_ends) {
     const auto motion = flow::make_pair_motion(law, {0, 1});
     const double total = duration(motion), last = at(motion, total).value;
     for (int i = 0; i < 200; ++i) {
-      const flow::ConcaveGap gap{i % 3 ? 0.3 * uniform(random) * total : 0, 2 * uniform(random) - 1.5, i % 5 ? uniform(random) : 0};
-      const auto value = [&](double time) { return gap.value + gap.rate * time + gap.share * at(motion, time).value; };
-      if (gap.value + gap.rate * total + gap.share * last > 0 || (gap.value == 0 && gap.rate + gap.share <= 0)) continue;
+      const flow::ConcaveGap gap{i % 3 ? 0.3 * uniform(random) * total : 0, 2 * uniform(random) - 1.5,
+                                 i % 5 ? uniform(random) : 0};
+      const auto value = [&](double time) {
+        return gap.value + gap.rate * time + gap.share * at(motion, time).value;
+      };
+      if (gap.value + gap.rate * total + gap.share * last > 0 ||
+          (gap.value == 0 && gap.rate + gap.share <= 0))
+        continue;
       const double time = ask(motion, [&](const auto& one) { return one.fall(gap); });
       BOOST_TEST(std::abs(value(time)) < 1e-13 * total);
       for (const double part : {0.1, 0.5, 0.9, 0.99}) BOOST_TEST(value(part * time) > 0);
@@ -121,7 +129,8 @@ BOOST_AUTO_TEST_CASE(pairs_in_random_chains_are_followed_as_cvode_follows_them) 
       BOOST_TEST(period_counts(by_pair) == period_counts(by_cvode), boost::test_tools::per_element());
       if (difference(by_pair.velocity, by_cvode.velocity) > 2e-9)
         BOOST_TEST(difference(by_pair.velocity, by_cvode.velocity) <=
-                   100 * impact::estimate_accuracy(chain, {.accuracy = 1e-9, .flow = "cvode-adams"}, by_cvode));
+                   100 *
+                       impact::estimate_accuracy(chain, {.accuracy = 1e-9, .flow = "cvode-adams"}, by_cvode));
       for (std::size_t j = 0; j < by_pair.contacts.size(); ++j) {
         const auto &a = by_pair.contacts[j], &b = by_cvode.contacts[j];
         BOOST_TEST(std::abs(a.peak_force - b.peak_force) <= 1e-5 * (1e-3 + b.peak_force));

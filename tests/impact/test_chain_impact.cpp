@@ -64,7 +64,8 @@ BOOST_AUTO_TEST_CASE(peaks_of_a_pair_are_those_of_hertz) {
   const auto impact = impact::simulate(equal_masses({hertz}, {1, 0}));
   const double indentation = std::pow(1.25 * 0.5, 0.4);  // (5 m* v²/4k)^{2/5}
   BOOST_TEST(impact.contacts[0].peak_indentation == indentation, boost::test_tools::tolerance(1e-11));
-  BOOST_TEST(impact.contacts[0].peak_force == std::pow(indentation, 1.5), boost::test_tools::tolerance(1e-11));
+  BOOST_TEST(impact.contacts[0].peak_force == std::pow(indentation, 1.5),
+             boost::test_tools::tolerance(1e-11));
   BOOST_TEST(impact.time == 2.94328 * indentation, boost::test_tools::tolerance(2e-6));
 }
 
@@ -84,7 +85,8 @@ BOOST_AUTO_TEST_CASE(energy_ratios_name_their_frame) {
 }
 
 BOOST_AUTO_TEST_CASE(a_wall_keeps_its_velocity_and_its_impulse_is_known) {
-  const auto impact = impact::simulate({.mass = {1, infinity}, .law = {hertz}, .gap = {0.3}, .velocity = {2, 0.5}});
+  const auto impact =
+      impact::simulate({.mass = {1, infinity}, .law = {hertz}, .gap = {0.3}, .velocity = {2, 0.5}});
   BOOST_TEST(impact.velocity[1] == 0.5);
   BOOST_TEST(std::abs(impact.velocity[0] + 1) < 1e-10);
   BOOST_TEST(std::abs(impact.contacts[0].impulse - 3) < 1e-10);
@@ -170,7 +172,8 @@ BOOST_AUTO_TEST_CASE(a_trace_begins_at_the_start_and_ends_at_the_end) {
   BOOST_TEST(trace.time.size() <= 4097u);
   BOOST_TEST(trace.time.front() == 0);
   BOOST_TEST(trace.time.back() == impact.time, boost::test_tools::tolerance(1e-15));
-  for (const auto* rows : {&trace.velocity, &trace.gap, &trace.force}) BOOST_TEST(rows->size() == trace.time.size());
+  for (const auto* rows : {&trace.velocity, &trace.gap, &trace.force})
+    BOOST_TEST(rows->size() == trace.time.size());
   BOOST_TEST(trace.velocity.front().size() == 40u);
   BOOST_TEST(difference(trace.velocity.back(), impact.velocity) < 1e-15);
   BOOST_TEST(std::is_sorted(trace.time.begin(), trace.time.end()));

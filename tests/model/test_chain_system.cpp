@@ -14,7 +14,8 @@ static_assert(hybrid::HybridSystem<ChainSystem>);
 
 namespace {
 
-const contact::Law hertz = contact::Hertz{1}, damped = contact::Viscoelastic{.stiffness = 1, .damping = 0.5, .exponent = 1};
+const contact::Law hertz = contact::Hertz{1},
+                   damped = contact::Viscoelastic{.stiffness = 1, .damping = 0.5, .exponent = 1};
 
 struct Fixture {
   model::Chain chain;
@@ -70,7 +71,8 @@ BOOST_AUTO_TEST_CASE(slack_to_open_when_the_gap_rises_through_zero) {
 }
 BOOST_AUTO_TEST_CASE(open_to_touching_for_a_resting_row_that_is_pressed) {
   Fixture f{.chain = equal_masses({hertz, hertz, hertz, hertz}, {1, 0, 0, 0, 0.5})};
-  check_modes(f.start(), {ContactMode::closed, ContactMode::touching, ContactMode::touching, ContactMode::open});
+  check_modes(f.start(),
+              {ContactMode::closed, ContactMode::touching, ContactMode::touching, ContactMode::open});
   BOOST_TEST(f.changes.size() == 3u);
 }
 BOOST_AUTO_TEST_CASE(touching_to_closed_when_the_indentation_has_left_the_noise) {
@@ -109,7 +111,8 @@ BOOST_AUTO_TEST_CASE(touching_balls_that_part_or_rest_are_open) {
 }
 
 BOOST_AUTO_TEST_CASE(indented_damped_contacts_start_slack_if_they_would_pull) {
-  Fixture f{.chain = {.mass = {1, 1}, .law = {damped}, .gap = {-0.1}, .velocity = {-1, 0}, .precompressed = true}};
+  Fixture f{
+      .chain = {.mass = {1, 1}, .law = {damped}, .gap = {-0.1}, .velocity = {-1, 0}, .precompressed = true}};
   check_modes(f.start(), {ContactMode::slack});
 }
 
@@ -123,14 +126,18 @@ BOOST_AUTO_TEST_CASE(an_approaching_pair_is_not_over_and_a_parting_one_is) {
 }
 
 BOOST_AUTO_TEST_CASE(gravity_above_a_wall_is_not_over_before_the_first_impact) {
-  Fixture f{.chain = {.mass = {infinity, 1}, .law = {hertz}, .gap = {1}, .velocity = {0, 0}, .gravity = 9.81}};
+  Fixture f{
+      .chain = {.mass = {infinity, 1}, .law = {hertz}, .gap = {1}, .velocity = {0, 0}, .gravity = 9.81}};
   BOOST_TEST(!f.system.is_over({ContactMode::open}, f.x, false));
   BOOST_TEST(f.system.is_over({ContactMode::open}, f.x, true));
 }
 
 BOOST_AUTO_TEST_CASE(the_jacobian_agrees_with_differences) {
   const contact::Law soft = contact::Viscoelastic{.stiffness = 2, .damping = 0.3, .exponent = 1.5};
-  model::Chain chain{.mass = {infinity, 1, 2, 3}, .law = {hertz, damped, soft}, .gap = {0, 0, 0}, .velocity = {0, -1, -0.5, -2}};
+  model::Chain chain{.mass = {infinity, 1, 2, 3},
+                     .law = {hertz, damped, soft},
+                     .gap = {0, 0, 0},
+                     .velocity = {0, -1, -0.5, -2}};
   Fixture f{.chain = chain};
   auto mode = f.start();
   auto& phase = f.system.problem(mode);
@@ -139,11 +146,13 @@ BOOST_AUTO_TEST_CASE(the_jacobian_agrees_with_differences) {
   std::vector<double> values(phase.pattern().size()), full(n * n, 0.0), up(n), down(n);
   phase.jacobian(f.x, values);
   for (std::size_t e = 0; e < values.size(); ++e)
-    full[static_cast<std::size_t>(phase.pattern()[e].row) * n + static_cast<std::size_t>(phase.pattern()[e].column)] += values[e];
+    full[static_cast<std::size_t>(phase.pattern()[e].row) * n +
+         static_cast<std::size_t>(phase.pattern()[e].column)] += values[e];
   for (std::size_t j = 0; j < n; ++j) {
     auto x = f.x;
     x[j] += 1e-6, phase.derivative(x, up);
     x[j] -= 2e-6, phase.derivative(x, down);
-    for (std::size_t i = 0; i < n; ++i) BOOST_TEST(std::abs(full[i * n + j] - (up[i] - down[i]) / 2e-6) < 1e-8);
+    for (std::size_t i = 0; i < n; ++i)
+      BOOST_TEST(std::abs(full[i * n + j] - (up[i] - down[i]) / 2e-6) < 1e-8);
   }
 }

@@ -33,21 +33,26 @@ void check_peak(const model::Chain& chain, const HertzPeak& expected) {
 void check_spheres(const Sphere& s, const HertzPeak& expected) {
   const contact::Material material{s.young, s.poisson};
   const double stiffness = contact::hertz_stiffness(material, s.radius, material, s.radius);
-  check_peak({.mass = {mass(s), mass(s)}, .law = {contact::Hertz{stiffness}}, .gap = {0}, .velocity = {10, -10}},
-             expected);
+  check_peak(
+      {.mass = {mass(s), mass(s)}, .law = {contact::Hertz{stiffness}}, .gap = {0}, .velocity = {10, -10}},
+      expected);
 }
 
 /// [Chung & Ooi 2011, test 2]: a sphere on a rigid plane at 0.2 m/s.
 void check_plane(const Sphere& s, const HertzPeak& expected) {
   const contact::Material material{s.young, s.poisson}, rigid{infinity, 0};
   const double stiffness = contact::hertz_stiffness(material, s.radius, rigid, infinity);
-  check_peak({.mass = {infinity, mass(s)}, .law = {contact::Hertz{stiffness}}, .gap = {0}, .velocity = {0, -0.2}},
-             expected);
+  check_peak(
+      {.mass = {infinity, mass(s)}, .law = {contact::Hertz{stiffness}}, .gap = {0}, .velocity = {0, -0.2}},
+      expected);
 }
 
 /// N equal balls at unit speed against a wall of their material, k_wall = √2 k.
 model::Chain column(std::size_t balls) {
-  model::Chain chain{.mass = Numbers(balls + 1, 1.0), .law = {}, .gap = Numbers(balls, 0.0), .velocity = Numbers(balls + 1, -1.0)};
+  model::Chain chain{.mass = Numbers(balls + 1, 1.0),
+                     .law = {},
+                     .gap = Numbers(balls, 0.0),
+                     .velocity = Numbers(balls + 1, -1.0)};
   chain.mass[0] = infinity;
   chain.velocity[0] = 0;
   chain.law.assign(balls, contact::Hertz{1});
@@ -80,9 +85,10 @@ BOOST_AUTO_TEST_CASE(restitution_of_viscoelastic_pairs) {
   for (const auto& [b, restitution] : expected) {
     const double damping = b * std::pow(stiffness, 0.6) * std::pow(m / 2, 0.4) / std::pow(speed, 0.2);
     const contact::Viscoelastic law{.stiffness = stiffness, .damping = damping, .exponent = 1.5};
-    const auto impact =
-        impact::simulate({.mass = {m, m}, .law = {law}, .gap = {0}, .velocity = {speed, 0}}, {.accuracy = 1e-12});
-    BOOST_TEST((impact.velocity[1] - impact.velocity[0]) / speed == restitution, boost::test_tools::tolerance(1e-10));
+    const auto impact = impact::simulate({.mass = {m, m}, .law = {law}, .gap = {0}, .velocity = {speed, 0}},
+                                         {.accuracy = 1e-12});
+    BOOST_TEST((impact.velocity[1] - impact.velocity[0]) / speed == restitution,
+               boost::test_tools::tolerance(1e-10));
   }
 }
 
@@ -95,7 +101,8 @@ BOOST_AUTO_TEST_CASE(ends_of_a_long_equal_chain) {
 
 // Effective restitution and velocities of a column that hits a wall [Falcon et al. 1998 for the experiment].
 BOOST_AUTO_TEST_CASE(column_of_beads_on_a_wall) {
-  const double expected[][2] = {{1, 1}, {2, 0.970752}, {3, 0.946371}, {4, 0.932461}, {5, 0.930370}, {6, 0.931150}, {8, 0.925005}};
+  const double expected[][2] = {{1, 1},        {2, 0.970752}, {3, 0.946371}, {4, 0.932461},
+                                {5, 0.930370}, {6, 0.931150}, {8, 0.925005}};
   for (const auto& [balls, restitution] : expected) {
     const auto impact = impact::simulate(column(static_cast<std::size_t>(balls)));
     double momentum = 0;

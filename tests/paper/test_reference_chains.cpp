@@ -26,7 +26,8 @@ void check_periods(const impact::ChainImpact& impact, const nlohmann::json& cont
   for (std::size_t j = 0; j < contacts.size(); ++j)
     for (std::size_t i = 0; i < contacts[j].size(); ++i) {
       const double start = contacts[j][i][0], end = contacts[j][i][1];
-      if (start > 1e-3) BOOST_TEST(std::abs(impact.contacts[j].periods[i].start - start) < 1e-8 * (1 + start));
+      if (start > 1e-3)
+        BOOST_TEST(std::abs(impact.contacts[j].periods[i].start - start) < 1e-8 * (1 + start));
       BOOST_TEST(std::abs(*impact.contacts[j].periods[i].end - end) < 1e-8 * (1 + end));
     }
 }
@@ -62,7 +63,8 @@ BOOST_AUTO_TEST_CASE(equal_chains_of_3_to_21_balls) {
       check_outcome(impact, c);
       check_counts(impact, c.at("periods"));
       const Numbers expected = c.at("icr");
-      for (std::size_t j = 0; j < expected.size(); ++j) BOOST_TEST(std::abs(*impact.icr[j] - expected[j]) < allowed);
+      for (std::size_t j = 0; j < expected.size(); ++j)
+        BOOST_TEST(std::abs(*impact.icr[j] - expected[j]) < allowed);
     }
   }
 }

@@ -43,8 +43,8 @@ double largest_speed(const model::Chain& chain) {
   return speed;
 }
 
-/// Two runs of one physics agree to what was asked of each. Some of these scenes, with up to a hundred events, blow
-/// up every error on the way; for them the error that a tighter run reveals is the measure.
+/// Two runs of one physics agree to what was asked of each. Some of these scenes, with up to a hundred
+/// events, blow up every error on the way; for them the error that a tighter run reveals is the measure.
 void check_same(const model::Chain& chain, const impact::ChainImpact& impact, const Numbers& velocity) {
   const double apart = difference(velocity, impact.velocity) / largest_speed(chain);
   if (apart <= 2 * options.accuracy) return;
@@ -102,7 +102,8 @@ BOOST_AUTO_TEST_CASE(impulses_push_and_periods_alternate) {
 BOOST_AUTO_TEST_CASE(the_mirror_image_is_the_mirror_image) {
   for_each_chain([](const auto& chain, const auto& impact) {
     auto mirrored = chain;
-    for (auto* list : {&mirrored.mass, &mirrored.velocity, &mirrored.gap}) std::reverse(list->begin(), list->end());
+    for (auto* list : {&mirrored.mass, &mirrored.velocity, &mirrored.gap})
+      std::reverse(list->begin(), list->end());
     std::reverse(mirrored.law.begin(), mirrored.law.end());
     for (double& v : mirrored.velocity) v = -v;
     auto velocity = impact::simulate(mirrored, options).velocity;

@@ -59,7 +59,8 @@ BOOST_AUTO_TEST_CASE(other_stiffnesses_agree_to_1e_minus_12) {
   for (const auto* law : laws) {
     const auto soft = impact::simulate(triplet_of_stiffness(law, 1, 2.7));
     for (const double stiffness : {3.3, 1e9, 7.7e29})
-      BOOST_TEST(difference(impact::simulate(triplet_of_stiffness(law, stiffness, 2.7)).velocity, soft.velocity) < 1e-12);
+      BOOST_TEST(difference(impact::simulate(triplet_of_stiffness(law, stiffness, 2.7)).velocity,
+                            soft.velocity) < 1e-12);
   }
 }
 

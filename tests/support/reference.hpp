@@ -20,7 +20,10 @@ inline nlohmann::json cases(const std::string& file) {
 
 /// Balls of mass 1 touching each other, with the given laws.
 inline model::Chain equal_masses(std::vector<contact::Law> laws, Numbers velocity) {
-  return {.mass = Numbers(velocity.size(), 1.0), .law = laws, .gap = Numbers(laws.size(), 0.0), .velocity = velocity};
+  return {.mass = Numbers(velocity.size(), 1.0),
+          .law = laws,
+          .gap = Numbers(laws.size(), 0.0),
+          .velocity = velocity};
 }
 
 inline contact::Law undamped(const std::string& name, double stiffness) {
@@ -48,7 +51,8 @@ inline model::Chain big_ball_chain(const Numbers& radius) {
   auto chain = equal_chain(radius.size());
   for (std::size_t i = 0; i < radius.size(); ++i) chain.mass[i] = std::pow(radius[i] / 10, 3);
   for (std::size_t j = 0; j + 1 < radius.size(); ++j)
-    chain.law[j] = contact::Hertz{std::sqrt(2 * radius[j] * radius[j + 1] / (10 * (radius[j] + radius[j + 1])))};
+    chain.law[j] =
+        contact::Hertz{std::sqrt(2 * radius[j] * radius[j + 1] / (10 * (radius[j] + radius[j + 1])))};
   return chain;
 }
 
@@ -59,7 +63,8 @@ inline contact::Law viscoelastic(const nlohmann::json& c) {
 /// Largest difference of two lists.
 inline double difference(const Numbers& a, const Numbers& b) {
   double largest = a.size() == b.size() ? 0 : infinity;
-  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+    largest = std::max(largest, std::abs(a[i] - b[i]));
   return largest;
 }
 

@@ -14,7 +14,12 @@ class Toy : public flow::Problem {
  public:
   using Field = std::function<void(ConstState, State)>;
   Toy(Index size, Field field, Index guard_count, Field guard, std::vector<flow::Crossing> crossing)
-      : size_(size), field_(field), guard_count_(guard_count), guard_(guard), crossing_(crossing), magnitude_(size, 1.0) {
+      : size_(size),
+        field_(field),
+        guard_count_(guard_count),
+        guard_(guard),
+        crossing_(crossing),
+        magnitude_(size, 1.0) {
     for (Index i = 0; i < size; ++i)
       for (Index j = 0; j < size; ++j) pattern_.push_back({i, j});
   }

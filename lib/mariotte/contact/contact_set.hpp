@@ -2,10 +2,9 @@
 //
 //   open     → closed    the gap falls through 0
 //   open     → touching  touched at rest (gap = 0, no approach) and now pressed on by a neighbour
-//   touching → closed    the indentation has left the noise around 0; no event, the guards are watched from here
-//   closed   → open      undamped: the gap rises through 0
-//   closed   → slack     damped: the load k δ + c δ̇ falls through 0 while δ > 0
-//   slack    → closed    the load rises through 0: a neighbour pushes again
+//   touching → closed    the indentation has left the noise around 0; no event, the guards are watched from
+//   here closed   → open      undamped: the gap rises through 0 closed   → slack     damped: the load k δ + c
+//   δ̇ falls through 0 while δ > 0 slack    → closed    the load rises through 0: a neighbour pushes again
 //   slack    → open      the gap rises through 0
 #pragma once
 #include <vector>

@@ -11,8 +11,12 @@ struct Hertz {
   double stiffness;  ///< k [N/m^{3/2}]
 };
 
-inline double exponent(const Hertz&) { return 1.5; }
-inline double damping(const Hertz&) { return 0; }
+inline double exponent(const Hertz&) {
+  return 1.5;
+}
+inline double damping(const Hertz&) {
+  return 0;
+}
 
 /// k δ^{3/2}, with slopes; 0 for δ ≤ 0. The rate does not matter.
 inline Force smooth_force(const Hertz& law, double indentation, double /*rate*/) {

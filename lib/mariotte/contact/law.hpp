@@ -10,8 +10,8 @@ namespace mariotte::contact {
 
 using Law = std::variant<Linear, Hertz, Viscoelastic>;
 
-/// The law's field before it is cut off at f = 0: what a closed contact follows until a guard says it has let go, so
-/// that a step which reaches past that instant meets no kink.
+/// The law's field before it is cut off at f = 0: what a closed contact follows until a guard says it has let
+/// go, so that a step which reaches past that instant meets no kink.
 inline Force smooth_force(const Law& law, double indentation, double rate) {
   return std::visit([&](const auto& one) { return smooth_force(one, indentation, rate); }, law);
 }

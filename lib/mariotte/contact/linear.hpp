@@ -8,8 +8,12 @@ struct Linear {
   double stiffness;  ///< k [N/m]
 };
 
-inline double exponent(const Linear&) { return 1; }
-inline double damping(const Linear&) { return 0; }
+inline double exponent(const Linear&) {
+  return 1;
+}
+inline double damping(const Linear&) {
+  return 0;
+}
 
 /// k δ of either sign, with slopes; the rate does not matter.
 inline Force smooth_force(const Linear& law, double indentation, double /*rate*/) {

@@ -16,8 +16,12 @@ struct Viscoelastic {
   double exponent = 1.5;  ///< n ≥ 1
 };
 
-inline double exponent(const Viscoelastic& law) { return law.exponent; }
-inline double damping(const Viscoelastic& law) { return law.damping; }
+inline double exponent(const Viscoelastic& law) {
+  return law.exponent;
+}
+inline double damping(const Viscoelastic& law) {
+  return law.damping;
+}
 
 /// δ^{n−1} without pow for the exponents that occur most.
 inline double contact_width(double exponent, double indentation) {
@@ -33,7 +37,8 @@ inline Force smooth_force(const Viscoelastic& law, double indentation, double ra
   const double load = law.stiffness * indentation + law.damping * rate;
   const double width = contact_width(law.exponent, indentation);
   const double bend = law.exponent > 1 ? (law.exponent - 1) * width * load / indentation : 0;
-  return {.value = width * load, .by_indentation = bend + width * law.stiffness, .by_rate = width * law.damping};
+  return {
+      .value = width * load, .by_indentation = bend + width * law.stiffness, .by_rate = width * law.damping};
 }
 
 /// Elastic energy k δ^{n+1}/(n+1) [J].

@@ -7,7 +7,8 @@ namespace mariotte {
 /// Time in [low, high] at which f changes sign, to `tolerance` in time; regula falsi with the Illinois rule.
 /// f(low) and f(high) are given and must not have the same sign.
 template <class Function>
-double locate_sign_change(Function&& f, double low, double f_low, double high, double f_high, double tolerance) {
+double locate_sign_change(Function&& f, double low, double f_low, double high, double f_high,
+                          double tolerance) {
   for (int i = 0; i < 60 && high - low > tolerance; ++i) {
     const double middle = high - f_high * (high - low) / (f_high - f_low);
     const double value = f(middle);

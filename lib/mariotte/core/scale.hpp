@@ -23,8 +23,8 @@ inline double power_of_two_below(double value) {
   return std::ldexp(1.0, std::ilogb(value));
 }
 
-/// q^{1/(n+1)}, homogeneous to the last bit for n = 1 and 3/2: multiplying q by 4^m or 32^m multiplies the result
-/// by exactly 2^m or 4^m.
+/// q^{1/(n+1)}, homogeneous to the last bit for n = 1 and 3/2: multiplying q by 4^m or 32^m multiplies the
+/// result by exactly 2^m or 4^m.
 inline double natural_root(double q, double exponent) {
   if (exponent == 1) return std::sqrt(q);
   if (exponent != 1.5) return std::pow(q, 1 / (exponent + 1));

@@ -65,7 +65,8 @@ Arrival Ballistic::follow(Problem& problem, State x, const Request& request, std
   bend_.resize(x.size());
   Index guard = -1;
   const double first = next_crossing(problem, x, guard);
-  if (!std::isfinite(first) && !std::isfinite(request.limit)) return {.outcome = Outcome::never, .message = {}};
+  if (!std::isfinite(first) && !std::isfinite(request.limit))
+    return {.outcome = Outcome::never, .message = {}};
   const bool arrives = first <= request.limit;
   const double duration = arrives ? first : request.limit;
 
@@ -80,7 +81,8 @@ Arrival Ballistic::follow(Problem& problem, State x, const Request& request, std
     fired.push_back(guard);
     simultaneous_.collect(problem, x, simultaneity_window(problem, request.accuracy), fired);
   }
-  return {.outcome = arrives ? Outcome::guard : Outcome::limit, .duration = duration, .steps = 1, .message = {}};
+  return {
+      .outcome = arrives ? Outcome::guard : Outcome::limit, .duration = duration, .steps = 1, .message = {}};
 }
 
 }  // namespace mariotte::flow

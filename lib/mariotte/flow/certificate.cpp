@@ -5,12 +5,13 @@
 namespace mariotte::flow {
 namespace {
 
-/// Bisections until a dip that is still undecided is no deeper than rounding; and how many a step may cost, since a
-/// guard that hovers in rounding noise stays undecided everywhere.
+/// Bisections until a dip that is still undecided is no deeper than rounding; and how many a step may cost,
+/// since a guard that hovers in rounding noise stays undecided everywhere.
 constexpr int deepest = 40;
 constexpr int most_bisections = 1000;
 
-/// +1 for guards that fire falling, −1 for rising ones: seen with this sign, all are positive until they fire.
+/// +1 for guards that fire falling, −1 for rising ones: seen with this sign, all are positive until they
+/// fire.
 double side(Crossing crossing) {
   return crossing == Crossing::rising ? -1 : 1;
 }
@@ -50,7 +51,8 @@ std::optional<double> Certificate::search(const Problem& problem, const Step& st
   const auto middle = point(problem, step, guard, 0.5 * (from.time + to.time));
   if (middle.value <= 0 && from.value > 0) {
     const auto value_at = [&](double time) { return point(problem, step, guard, time).value; };
-    return locate_sign_change(value_at, from.time, from.value, middle.time, middle.value, epsilon * middle.time);
+    return locate_sign_change(value_at, from.time, from.value, middle.time, middle.value,
+                              epsilon * middle.time);
   }
   if (const auto first = search(problem, step, guard, from, middle, depth + 1)) return first;
   return search(problem, step, guard, middle, to, depth + 1);

@@ -20,13 +20,20 @@ constexpr Index dense_size = 12;
 
 std::unique_ptr<Flow> make(Kind kind, const Problem& problem) {
   switch (kind) {
-    case Kind::ballistic: return std::make_unique<Ballistic>();
-    case Kind::pair: return std::make_unique<Pair>();
-    case Kind::modal: return std::make_unique<Modal>();
-    case Kind::cvode_adams: return std::make_unique<Cvode>(CvodeMethod::adams, problem);
-    case Kind::cvode_bdf_dense: return std::make_unique<Cvode>(CvodeMethod::bdf_dense, problem);
-    case Kind::cvode_bdf_band: return std::make_unique<Cvode>(CvodeMethod::bdf_band, problem);
-    case Kind::cvode_bdf_klu: return std::make_unique<Cvode>(CvodeMethod::bdf_klu, problem);
+    case Kind::ballistic:
+      return std::make_unique<Ballistic>();
+    case Kind::pair:
+      return std::make_unique<Pair>();
+    case Kind::modal:
+      return std::make_unique<Modal>();
+    case Kind::cvode_adams:
+      return std::make_unique<Cvode>(CvodeMethod::adams, problem);
+    case Kind::cvode_bdf_dense:
+      return std::make_unique<Cvode>(CvodeMethod::bdf_dense, problem);
+    case Kind::cvode_bdf_band:
+      return std::make_unique<Cvode>(CvodeMethod::bdf_band, problem);
+    case Kind::cvode_bdf_klu:
+      return std::make_unique<Cvode>(CvodeMethod::bdf_klu, problem);
   }
   throw Error("unknown kind of flow");
 }

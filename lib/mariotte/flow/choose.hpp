@@ -10,8 +10,9 @@
 namespace mariotte::flow {
 
 enum class Kind { ballistic, pair, modal, cvode_adams, cvode_bdf_dense, cvode_bdf_band, cvode_bdf_klu };
-inline constexpr std::array kinds = {Kind::ballistic,       Kind::pair,           Kind::modal,        Kind::cvode_adams,
-                                     Kind::cvode_bdf_dense, Kind::cvode_bdf_band, Kind::cvode_bdf_klu};
+inline constexpr std::array kinds = {
+    Kind::ballistic,       Kind::pair,           Kind::modal,        Kind::cvode_adams,
+    Kind::cvode_bdf_dense, Kind::cvode_bdf_band, Kind::cvode_bdf_klu};
 
 /// "ballistic", "pair", "modal", "cvode-adams", "cvode-bdf-dense", "cvode-bdf-band", "cvode-bdf-klu".
 std::string_view name(Kind kind);
@@ -20,8 +21,9 @@ std::string_view name(Kind kind);
 /// Throws InvalidParameter for any other name ("ballistic" follows no contact and is among those).
 std::optional<Kind> parse_kind(std::string_view name);
 
-/// Free flight is followed in closed form whatever was asked; contact phases by the flow asked for if they admit it or,
-/// left to itself, by the closed form of a pair or of linear contacts where there is one, else by Adams unless damping makes the phase stiff.
+/// Free flight is followed in closed form whatever was asked; contact phases by the flow asked for if they
+/// admit it or, left to itself, by the closed form of a pair or of linear contacts where there is one, else
+/// by Adams unless damping makes the phase stiff.
 Kind choose(const Problem& problem, std::optional<Kind> requested);
 
 /// The flows of one run, each made when first needed and kept.

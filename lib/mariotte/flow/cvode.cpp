@@ -16,14 +16,15 @@
 namespace mariotte::flow {
 namespace {
 
-/// Local tolerance for a wanted global error. Measured on the reference chains (tests/flow, convergence): Adams
-/// turns a local tolerance into an error 10 to 300 times as large, BDF 100 to 1000 times.
+/// Local tolerance for a wanted global error. Measured on the reference chains (tests/flow, convergence):
+/// Adams turns a local tolerance into an error 10 to 300 times as large, BDF 100 to 1000 times.
 double local_tolerance(CvodeMethod method, double accuracy) {
   const double factor = method == CvodeMethod::adams ? 3e-4 : 1e-4;
   return std::max(factor * accuracy, 4 * epsilon);
 }
 
-/// A phase that needs more steps than this is not going anywhere; nor is one whose clock stands still so often.
+/// A phase that needs more steps than this is not going anywhere; nor is one whose clock stands still so
+/// often.
 constexpr Index step_limit = 10'000'000;
 constexpr Index stall_limit = 100;
 
@@ -129,7 +130,8 @@ struct Cvode::Memory {
     // At an onset the force starts from zero and fools the automatic first step.
     check(CVodeSetInitStep(cvode.get(), 0.1 * std::sqrt(tolerance) * next.time_scale()), "the first step");
     const auto crossings = next.crossings();
-    std::transform(crossings.begin(), crossings.end(), roots.begin(), [](Crossing c) { return static_cast<int>(c); });
+    std::transform(crossings.begin(), crossings.end(), roots.begin(),
+                   [](Crossing c) { return static_cast<int>(c); });
     check(CVodeSetRootDirection(cvode.get(), roots.data()), "the directions of the guards");
     before.assign(x.begin(), x.end());
     certificate.begin(next, x);
@@ -210,7 +212,8 @@ Arrival Cvode::follow(Problem& problem, State x, const Request& request, std::ve
   Index stalled = 0;
   for (Index count = 0; count < step_limit && stalled < stall_limit; ++count) {
     step.start = step.end;
-    const int code = CVode(m.cvode.get(), step.start + problem.time_scale(), m.state.get(), &step.end, CV_ONE_STEP);
+    const int code =
+        CVode(m.cvode.get(), step.start + problem.time_scale(), m.state.get(), &step.end, CV_ONE_STEP);
     if (code < 0) return m.fail(code, step.start, x);
     auto outcome = code == CV_ROOT_RETURN ? std::optional(Outcome::guard) : std::nullopt;
     if (step.end >= request.limit) {
@@ -234,8 +237,9 @@ Arrival Cvode::follow(Problem& problem, State x, const Request& request, std::ve
     m.before.assign(step.after.begin(), step.after.end());
     stalled += step.end - step.start <= 2 * epsilon * step.end;
   }
-  return m.fail(stalled == stall_limit ? "the step has shrunk to nothing" : "no guard fired within the step limit",
-                step.end, x);
+  return m.fail(
+      stalled == stall_limit ? "the step has shrunk to nothing" : "no guard fired within the step limit",
+      step.end, x);
 }
 
 std::string sundials_version() {

@@ -6,7 +6,8 @@
 
 namespace mariotte::flow {
 
-/// Adams (order ≤ 12) with fixed-point iteration, or BDF (order ≤ 5) with Newton on a dense, band or sparse matrix.
+/// Adams (order ≤ 12) with fixed-point iteration, or BDF (order ≤ 5) with Newton on a dense, band or sparse
+/// matrix.
 enum class CvodeMethod { adams, bdf_dense, bdf_band, bdf_klu };
 
 /// Keeps its memory between phases; made for problems of one size, pattern and number of guards.

@@ -43,16 +43,16 @@ struct Arrival {
 };
 
 struct Request {
-  double limit = infinity;    ///< longest duration
-  double accuracy = 1e-10;    ///< wanted error at the end of the run, relative to the magnitudes
+  double limit = infinity;     ///< longest duration
+  double accuracy = 1e-10;     ///< wanted error at the end of the run, relative to the magnitudes
   Watcher* watcher = nullptr;  ///< may be null
 };
 
 class Flow {
  public:
   virtual ~Flow() = default;
-  /// Follow the field from x until a guard crosses zero the way that fires it, and leave x there. A guard that is
-  /// zero at the start does not fire. All guards that fire at that instant are appended to `fired`.
+  /// Follow the field from x until a guard crosses zero the way that fires it, and leave x there. A guard
+  /// that is zero at the start does not fire. All guards that fire at that instant are appended to `fired`.
   virtual Arrival follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) = 0;
 };
 

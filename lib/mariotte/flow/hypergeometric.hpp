@@ -5,7 +5,8 @@
 
 namespace mariotte::flow {
 
-/// ₂F₁(a, b; c; s) for 0 ≤ s ≤ 1/2 to rounding: its Taylor polynomial about s = 1/4, whose terms fall like 3^{−k}.
+/// ₂F₁(a, b; c; s) for 0 ≤ s ≤ 1/2 to rounding: its Taylor polynomial about s = 1/4, whose terms fall like
+/// 3^{−k}.
 class HalfHypergeometric {
  public:
   constexpr HalfHypergeometric(double a, double b, double c) {
@@ -21,8 +22,9 @@ class HalfHypergeometric {
     std::array<long double, terms> f{value, slope};
     for (std::size_t k = 0; k + 2 < terms; ++k) {
       const auto n = static_cast<long double>(k);
-      f[k + 2] = ((n * (n - 1) + sum * n + a * b) * f[k] - (n + 1) * (tilt * n + c - sum * centre) * f[k + 1]) /
-                 (stretch * (n + 2) * (n + 1));
+      f[k + 2] =
+          ((n * (n - 1) + sum * n + a * b) * f[k] - (n + 1) * (tilt * n + c - sum * centre) * f[k + 1]) /
+          (stretch * (n + 2) * (n + 1));
     }
     for (std::size_t k = 0; k < terms; ++k) coefficient_[k] = static_cast<double>(f[k]);
   }

@@ -15,9 +15,15 @@ namespace mariotte::flow {
 NewtonMatrix::NewtonMatrix(MatrixKind kind, const Problem& problem, N_Vector like, SUNContext context)
     : size_(problem.size()), kind_(kind), pattern_(problem.pattern()), values_(pattern_.size()) {
   switch (kind) {
-    case MatrixKind::dense: make_dense(like, context); break;
-    case MatrixKind::band: make_band(like, context); break;
-    case MatrixKind::sparse: make_sparse(like, context); break;
+    case MatrixKind::dense:
+      make_dense(like, context);
+      break;
+    case MatrixKind::band:
+      make_band(like, context);
+      break;
+    case MatrixKind::sparse:
+      make_sparse(like, context);
+      break;
   }
 }
 
@@ -66,8 +72,12 @@ bool NewtonMatrix::fill(const Problem& problem, ConstState x, SUNMatrix target) 
   SUNMatZero(target);
   double* data = nullptr;
   switch (kind_) {
-    case MatrixKind::dense: data = SM_DATA_D(target); break;
-    case MatrixKind::band: data = SM_DATA_B(target); break;
+    case MatrixKind::dense:
+      data = SM_DATA_D(target);
+      break;
+    case MatrixKind::band:
+      data = SM_DATA_B(target);
+      break;
     case MatrixKind::sparse:
       std::copy(column_start_.begin(), column_start_.end(), SM_INDEXPTRS_S(target));
       std::copy(row_.begin(), row_.end(), SM_INDEXVALS_S(target));

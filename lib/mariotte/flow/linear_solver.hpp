@@ -30,7 +30,7 @@ class NewtonMatrix {
   Index size_;
   MatrixKind kind_;
   std::vector<Entry> pattern_;
-  std::vector<Index> place_;  ///< of each entry in the matrix's data
+  std::vector<Index> place_;                      ///< of each entry in the matrix's data
   std::vector<sunindextype> column_start_, row_;  ///< sparse structure
   std::vector<double> values_;
   sundials::Matrix matrix_;

@@ -17,9 +17,9 @@ using Contact = LinearPhase::Contact;
 /// The modes of a phase, and how the contacts ride on them.
 struct Vibration {
   std::vector<Mode> modes;
-  MatrixXd shape;                 ///< U, closed contacts by modes
-  VectorXd start, start_rate;     ///< Uᵀ √K δ, Uᵀ √K δ̇
-  VectorXd root;                  ///< √k of the closed contacts
+  MatrixXd shape;              ///< U, closed contacts by modes
+  VectorXd start, start_rate;  ///< Uᵀ √K δ, Uᵀ √K δ̇
+  VectorXd root;               ///< √k of the closed contacts
 
   Index count() const { return static_cast<Index>(modes.size()); }
   double impulse(Index spring, double time) const;
@@ -36,7 +36,8 @@ double Vibration::impulse(Index spring, double time) const {
 }
 
 Vibration make_vibration(const LinearPhase& phase, ConstState x) {
-  const Index springs = static_cast<Index>(phase.closed.size()), bodies = static_cast<Index>(phase.body.size());
+  const Index springs = static_cast<Index>(phase.closed.size()),
+              bodies = static_cast<Index>(phase.body.size());
   Vibration v;
   v.root.resize(springs);
   MatrixXd coupling = MatrixXd::Zero(bodies, springs);  // Cᵀ
@@ -94,7 +95,8 @@ Wave open_gap(const LinearPhase& phase, const Vibration& v, const Contact& gap, 
 
 class ModalStep final : public Step {
  public:
-  ModalStep(const LinearPhase& phase, const Vibration& vibration, const std::vector<Wave>& waves, ConstState origin)
+  ModalStep(const LinearPhase& phase, const Vibration& vibration, const std::vector<Wave>& waves,
+            ConstState origin)
       : phase_(phase), vibration_(vibration), waves_(waves), origin_(origin) {}
 
   void at(double time, State x) const override {
@@ -208,7 +210,8 @@ Arrival Modal::follow(Problem& problem, State x, const Request& request, std::ve
   Index guard = -1;
   const auto event = m.first_event(request.limit, guard);
   if (!event && !std::isfinite(request.limit))
-    return {.outcome = Outcome::failed, .message = "no guard fired within a million half-periods of the slowest mode"};
+    return {.outcome = Outcome::failed,
+            .message = "no guard fired within a million half-periods of the slowest mode"};
   const double duration = event.value_or(request.limit);
 
   ModalStep step(m.phase, m.vibration, m.waves, m.start);
@@ -219,7 +222,8 @@ Arrival Modal::follow(Problem& problem, State x, const Request& request, std::ve
     fired.push_back(guard);
     m.simultaneous.collect(problem, x, simultaneity_window(problem, request.accuracy), fired);
   }
-  return {.outcome = event ? Outcome::guard : Outcome::limit, .duration = duration, .steps = 1, .message = {}};
+  return {
+      .outcome = event ? Outcome::guard : Outcome::limit, .duration = duration, .steps = 1, .message = {}};
 }
 
 }  // namespace mariotte::flow

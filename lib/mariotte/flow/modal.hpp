@@ -6,8 +6,9 @@
 
 namespace mariotte::flow {
 
-/// With z = √K δ the closed contacts obey z̈ = −C Cᵀ z, C = √K G M^{−1/2}. The singular values of C are the natural
-/// frequencies; taking them from C, not from C Cᵀ, keeps the low ones exact beside contacts 10^10 times as stiff.
+/// With z = √K δ the closed contacts obey z̈ = −C Cᵀ z, C = √K G M^{−1/2}. The singular values of C are the
+/// natural frequencies; taking them from C, not from C Cᵀ, keeps the low ones exact beside contacts 10^10
+/// times as stiff.
 class Modal final : public Flow {
  public:
   Modal();

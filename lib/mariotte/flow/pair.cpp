@@ -32,7 +32,8 @@ class PairStep final : public Step {
   /// Rate of a component as if the pair moved with its mass centre.
   double free_rate(std::size_t component, double approach) const {
     const auto i = static_cast<Index>(component);
-    if (i == phase_.left || i == phase_.right || i == phase_.gap || i == phase_.work || i == phase_.impulse) return 0;
+    if (i == phase_.left || i == phase_.right || i == phase_.gap || i == phase_.work || i == phase_.impulse)
+      return 0;
     if (i == phase_.left_gap) return rate_[component] - phase_.left_share * approach;
     if (i == phase_.right_gap) return rate_[component] - phase_.right_share * approach;
     return rate_[component];
@@ -45,7 +46,9 @@ class PairStep final : public Step {
 
 /// The gap that guard i watches, as the pair moves it.
 ConcaveGap concave_gap(const PairPhase& phase, Index guard, double value, double rate, double approach) {
-  const double share = guard == phase.left_guard ? phase.left_share : guard == phase.right_guard ? phase.right_share : 0;
+  const double share = guard == phase.left_guard    ? phase.left_share
+                       : guard == phase.right_guard ? phase.right_share
+                                                    : 0;
   return {value, rate - share * approach, share};
 }
 
@@ -104,7 +107,11 @@ Arrival Pair::follow(Problem& problem, State x, const Request& request, std::vec
     fired.push_back(guard);
     simultaneous_.collect(problem, x, simultaneity_window(problem, request.accuracy), fired);
   }
-  return {.outcome = limited ? Outcome::limit : Outcome::guard, .duration = duration, .steps = 1, .rhs = 1, .message = {}};
+  return {.outcome = limited ? Outcome::limit : Outcome::guard,
+          .duration = duration,
+          .steps = 1,
+          .rhs = 1,
+          .message = {}};
 }
 
 }  // namespace mariotte::flow

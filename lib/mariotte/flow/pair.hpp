@@ -8,8 +8,8 @@
 
 namespace mariotte::flow {
 
-/// Velocities follow from momentum, time from quadrature in closed form. Other gaps are concave in time while the
-/// contact pushes, so the sign at the end of the contact proves whether one of them closes before.
+/// Velocities follow from momentum, time from quadrature in closed form. Other gaps are concave in time while
+/// the contact pushes, so the sign at the end of the contact proves whether one of them closes before.
 class Pair final : public Flow {
  public:
   Arrival follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) override;

@@ -23,8 +23,8 @@ double value_of(const ConcaveGap& gap, double time, double deepened) {
   return gap.value + gap.rate * time + gap.share * deepened;
 }
 
-/// Falling root of a gap in time, for motions known as functions of time. The gap rises at first if it started from
-/// zero; its only falling root lies behind its maximum.
+/// Falling root of a gap in time, for motions known as functions of time. The gap rises at first if it
+/// started from zero; its only falling root lies behind its maximum.
 template <class Motion>
 double fall_in_time(const Motion& motion, const ConcaveGap& gap, double duration) {
   if (gap.share == 0) return -gap.value / gap.rate;
@@ -32,9 +32,8 @@ double fall_in_time(const Motion& motion, const ConcaveGap& gap, double duration
   const auto rate = [&](double time) { return gap.rate + gap.share * motion.at(time).rate; };
   const auto value = [&](double time) { return value_of(gap, time, motion.at(time).value - start); };
   const double first = rate(0), last = rate(duration);
-  const double top = first > 0 && last < 0
-                         ? locate_sign_change(rate, 0, first, duration, last, 1e-3 * duration)
-                         : 0;
+  const double top =
+      first > 0 && last < 0 ? locate_sign_change(rate, 0, first, duration, last, 1e-3 * duration) : 0;
   const double highest = value(top), lowest = value(duration);
   if (!(highest > 0)) return top;
   return locate_sign_change(value, top, highest, duration, lowest, epsilon * duration);
@@ -44,7 +43,8 @@ double fall_in_time(const Motion& motion, const ConcaveGap& gap, double duration
 
 const double HertzMotion::full_ = middle * from_middle(0.5) + 1.25 * fifth_power_root(0.5) * from_end(0.5);
 
-HertzMotion::HertzMotion(const PairLaw& law, const Indentation& start) : start_depth_(std::max(0.0, start.value)) {
+HertzMotion::HertzMotion(const PairLaw& law, const Indentation& start)
+    : start_depth_(std::max(0.0, start.value)) {
   const double spring = law.stiffness / law.reduced_mass;
   const double stored = 0.8 * spring * start_depth_ * start_depth_ * std::sqrt(start_depth_);
   const double energy = start.rate * start.rate + stored;
@@ -141,13 +141,13 @@ DampedMotion::DampedMotion(const PairLaw& law, const Indentation& start)
       square_(law.stiffness / law.reduced_mass),
       // Equal roots are moved apart by a rounding error, which the motion does not notice.
       split_(std::sqrt(std::max(std::abs(square_ - decay_ * decay_), epsilon * epsilon * square_))),
-      form_(square_ >= decay_ * decay_     ? Form::oscillating
-            : 2 * split_ <= decay_         ? Form::creeping
-                                           : Form::stiff),
+      form_(square_ >= decay_ * decay_ ? Form::oscillating
+            : 2 * split_ <= decay_     ? Form::creeping
+                                       : Form::stiff),
       duration_(find_duration()) {}
 
-/// First zero of δ̈ = e^{−bt} (A cos φ + B sin φ), φ = √|ω²−b²| t, A < 0, with hyperbolic functions beyond critical
-/// damping; or of p r₁² e^{r₁t} + q r₂² e^{r₂t}.
+/// First zero of δ̈ = e^{−bt} (A cos φ + B sin φ), φ = √|ω²−b²| t, A < 0, with hyperbolic functions beyond
+/// critical damping; or of p r₁² e^{r₁t} + q r₂² e^{r₂t}.
 double DampedMotion::find_duration() const {
   const double a = -(square_ * start_.value + 2 * decay_ * start_.rate);
   const double jerk = -(square_ * start_.rate + 2 * decay_ * a);

@@ -18,9 +18,9 @@ struct Indentation {
   double rate;   ///< δ̇
 };
 
-/// A gap elsewhere while the contact is closed: g(t) = value + rate t + share (δ(t) − δ(0)) with share ≥ 0. As long
-/// as the contact pushes δ is concave, and so is g: it falls through zero once at most, and it does so exactly
-/// when it is not positive at the end.
+/// A gap elsewhere while the contact is closed: g(t) = value + rate t + share (δ(t) − δ(0)) with share ≥ 0.
+/// As long as the contact pushes δ is concave, and so is g: it falls through zero once at most, and it does
+/// so exactly when it is not positive at the end.
 struct ConcaveGap {
   double value;
   double rate;

@@ -18,22 +18,23 @@ struct Entry {
   Index column;
 };
 
-/// A phase in which two bodies push each other through one contact and everything else flies freely at constant
-/// velocity: where its quantities stand in the state. −1 for what does not exist.
+/// A phase in which two bodies push each other through one contact and everything else flies freely at
+/// constant velocity: where its quantities stand in the state. −1 for what does not exist.
 struct PairPhase {
   PairLaw law;
-  double left_share;   ///< m*/m of the left body: what it takes of a change of δ̇
-  double right_share;  ///< m*/m of the right body
-  Index left, right;   ///< velocities; δ̇ = x[left] − x[right]
-  Index gap;           ///< δ = −x[gap]
-  Index work;          ///< ∫ f δ̇ dt
-  Index impulse;       ///< ∫ f dt
-  Index guard;         ///< that fires when the contact lets go
+  double left_share;              ///< m*/m of the left body: what it takes of a change of δ̇
+  double right_share;             ///< m*/m of the right body
+  Index left, right;              ///< velocities; δ̇ = x[left] − x[right]
+  Index gap;                      ///< δ = −x[gap]
+  Index work;                     ///< ∫ f δ̇ dt
+  Index impulse;                  ///< ∫ f dt
+  Index guard;                    ///< that fires when the contact lets go
   Index left_gap, right_gap;      ///< gaps of the two bodies to their other neighbours
   Index left_guard, right_guard;  ///< guards of these gaps
 };
 
-/// A phase in which all forces are those of linear undamped contacts: where its quantities stand in the state.
+/// A phase in which all forces are those of linear undamped contacts: where its quantities stand in the
+/// state.
 struct LinearPhase {
   struct Body {
     Index velocity;
@@ -42,10 +43,10 @@ struct LinearPhase {
   struct Contact {
     Index left, right;  ///< bodies; δ̇ = x[body[left].velocity] − x[body[right].velocity]
     Index gap;
-    Index impulse;      ///< ∫ f dt, or −1
+    Index impulse;  ///< ∫ f dt, or −1
     Index guard;
-    double stiffness;   ///< 0 for an open contact
-    double noise;       ///< indentation from which its guard is watched; 0 if it is from the start
+    double stiffness;  ///< 0 for an open contact
+    double noise;      ///< indentation from which its guard is watched; 0 if it is from the start
   };
   std::vector<Body> body;
   std::vector<Contact> contacts;
@@ -79,8 +80,8 @@ class Problem {
   /// Largest damping ratio c/√(k m) of the active contacts: what makes a phase stiff.
   virtual double damping_ratio() const = 0;
 
-  /// True if no force acts but constant accelerations: then x(t) = x + t f(x) + t²/2 f'(x) f(x) exactly, and the
-  /// guards are linear in x.
+  /// True if no force acts but constant accelerations: then x(t) = x + t f(x) + t²/2 f'(x) f(x) exactly, and
+  /// the guards are linear in x.
   virtual bool is_ballistic() const = 0;
   /// f'(x) f(x), asked of ballistic modes only.
   virtual void second_derivative(ConstState x, State ddx) const = 0;
@@ -91,8 +92,8 @@ class Problem {
   /// The present mode as linear contacts, if all of two or more active ones are.
   virtual std::optional<LinearPhase> linear() const { return std::nullopt; }
 
-  /// Told after every accepted step: a guard that starts at zero is watched only once it has left it. True if what
-  /// is watched has changed.
+  /// Told after every accepted step: a guard that starts at zero is watched only once it has left it. True if
+  /// what is watched has changed.
   virtual bool accept(ConstState x) = 0;
 
   /// Name of a component for messages, such as "velocity 3".

@@ -13,9 +13,9 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr std::size_t order = 10;    ///< of the polynomial for slow modes
-constexpr double slow_angle = 1.5;   ///< a mode is slow if it turns by no more over the interval
-constexpr int deepest = 60;          ///< halvings until an interval is shorter than rounding
+constexpr std::size_t order = 10;   ///< of the polynomial for slow modes
+constexpr double slow_angle = 1.5;  ///< a mode is slow if it turns by no more over the interval
+constexpr int deepest = 60;         ///< halvings until an interval is shorter than rounding
 
 struct Range {
   double low = 0;
@@ -51,7 +51,9 @@ Range bounds(const std::array<double, order + 1>& power) {
 Range sine_over(double from, double to) {
   if (to - from >= 2 * pi) return {-1, 1};
   const double a = std::sin(from), b = std::sin(to);
-  const auto holds = [&](double angle) { return angle + 2 * pi * std::ceil((from - angle) / (2 * pi)) <= to; };
+  const auto holds = [&](double angle) {
+    return angle + 2 * pi * std::ceil((from - angle) / (2 * pi)) <= to;
+  };
   return {holds(-pi / 2) ? -1 : std::min(a, b), holds(pi / 2) ? 1 : std::max(a, b)};
 }
 
@@ -109,7 +111,8 @@ Enclosure enclose(const Wave& wave, const std::vector<Mode>& modes, double from,
 }
 
 /// The wave is positive, or rising from zero, at `from`.
-std::optional<double> search(const Wave& wave, const std::vector<Mode>& modes, double from, double to, int depth) {
+std::optional<double> search(const Wave& wave, const std::vector<Mode>& modes, double from, double to,
+                             int depth) {
   const auto enclosure = enclose(wave, modes, from, to);
   if (enclosure.value_range().low > 0) return std::nullopt;
   const auto rate = enclosure.rate_range();
@@ -118,7 +121,8 @@ std::optional<double> search(const Wave& wave, const std::vector<Mode>& modes, d
     const double first = wave.at(modes, from), last = wave.at(modes, to);
     if (last > 0) return std::nullopt;
     if (!(first > 0)) return from;
-    return locate_sign_change([&](double time) { return wave.at(modes, time); }, from, first, to, last, epsilon * to);
+    return locate_sign_change([&](double time) { return wave.at(modes, time); }, from, first, to, last,
+                              epsilon * to);
   }
   const double middle = 0.5 * (from + to);
   if (const auto early = search(wave, modes, from, middle, depth + 1)) return early;

@@ -13,10 +13,14 @@ enum class Ending {
 /// "separated", "time_limit", "event_limit", "failed".
 constexpr const char* name(Ending ending) {
   switch (ending) {
-    case Ending::separated: return "separated";
-    case Ending::time_limit: return "time_limit";
-    case Ending::event_limit: return "event_limit";
-    case Ending::failed: return "failed";
+    case Ending::separated:
+      return "separated";
+    case Ending::time_limit:
+      return "time_limit";
+    case Ending::event_limit:
+      return "event_limit";
+    case Ending::failed:
+      return "failed";
   }
   return "failed";
 }

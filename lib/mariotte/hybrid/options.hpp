@@ -7,7 +7,7 @@
 namespace mariotte::hybrid {
 
 struct Options {
-  double accuracy = 1e-10;     ///< wanted error of the final velocities relative to the largest incident speed
+  double accuracy = 1e-10;  ///< wanted error of the final velocities relative to the largest incident speed
   double max_time = infinity;  ///< stop at this time [s]
   Index max_events = 1000000;  ///< stop after so many changes of the set of contacts
   std::string flow = "auto";   ///< name of the flow of every contact phase; "auto" chooses

@@ -77,10 +77,12 @@ Trajectory<typename System::Change> simulate(System& system, std::vector<double>
     const auto kind = flow::choose(problem, requested);
     if (watcher) watcher->begin_phase(time.value(), x);
     fired.clear();
-    auto arrival = flows.get(kind, problem)
-                       .follow(problem, x,
-                               {.limit = options.max_time - time.value(), .accuracy = options.accuracy, .watcher = watcher},
-                               fired);
+    auto arrival =
+        flows.get(kind, problem)
+            .follow(
+                problem, x,
+                {.limit = options.max_time - time.value(), .accuracy = options.accuracy, .watcher = watcher},
+                fired);
     detail::count(run.flows[static_cast<std::size_t>(kind)], arrival);
     time += arrival.duration;
     if (arrival.outcome == flow::Outcome::limit) return end(Ending::time_limit);

@@ -15,9 +15,9 @@ namespace mariotte::hybrid {
 ///   problem(mode)                 the smooth field of that mode; may be told of accepted steps
 /// All but the last depend on their arguments alone; what changed is appended to `changes`.
 template <class S>
-concept HybridSystem = requires(S& system, const S& fixed, typename S::Mode& mode, const typename S::Mode& from,
-                                ConstState x, std::vector<Index>& fired, bool impacted,
-                                std::vector<typename S::Change>& changes) {
+concept HybridSystem = requires(S& system, const S& fixed, typename S::Mode& mode,
+                                const typename S::Mode& from, ConstState x, std::vector<Index>& fired,
+                                bool impacted, std::vector<typename S::Change>& changes) {
   { fixed.mode_at(x, changes) } -> std::same_as<typename S::Mode>;
   { fixed.transition(mode, fired, x, changes) } -> std::same_as<void>;
   { fixed.is_over(from, x, impacted) } -> std::same_as<bool>;

@@ -29,10 +29,11 @@ template <class Change>
 struct Trajectory {
   Ending ending = Ending::failed;
   std::string message;
-  double time = 0;                    ///< of the ending
-  std::vector<double> state;          ///< at the ending
-  std::vector<Timed<Change>> changes;  ///< in order of time; those of one instant are neighbours with equal times
-  Index events = 0;                   ///< instants at which something changed
+  double time = 0;            ///< of the ending
+  std::vector<double> state;  ///< at the ending
+  std::vector<Timed<Change>>
+      changes;       ///< in order of time; those of one instant are neighbours with equal times
+  Index events = 0;  ///< instants at which something changed
   std::array<FlowCount, flow::kinds.size()> flows{};  ///< by flow::Kind
 };
 

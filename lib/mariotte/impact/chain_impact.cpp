@@ -39,7 +39,8 @@ class Observers final : public hybrid::PhaseWatcher {
 };
 
 void validate(const hybrid::Options& options) {
-  if (!(options.accuracy > 0 && options.accuracy < 1)) throw InvalidParameter("accuracy must lie between 0 and 1");
+  if (!(options.accuracy > 0 && options.accuracy < 1))
+    throw InvalidParameter("accuracy must lie between 0 and 1");
   if (!(options.max_time > 0)) throw InvalidParameter("max_time must be positive");
   if (options.max_events < 1) throw InvalidParameter("max_events must be at least 1");
 }
@@ -67,7 +68,8 @@ std::vector<Event> events(const Run& run, double unit) {
   std::vector<Event> list;
   for (const auto& [time, change] : run.changes) {
     if (!starts_force(change) && !ends_force(change)) continue;
-    if (list.empty() || list.back().time != time * unit) list.push_back({.time = time * unit, .open = {}, .close = {}});
+    if (list.empty() || list.back().time != time * unit)
+      list.push_back({.time = time * unit, .open = {}, .close = {}});
     (starts_force(change) ? list.back().close : list.back().open).push_back(change.contact);
   }
   for (auto& event : list) {
@@ -108,15 +110,19 @@ std::vector<Skipped> skipped(const ChainSystem& system, const Run& run, bool tra
   if (const Index modal = used(flow::Kind::modal))
     list.push_back({"linear contacts", std::to_string(modal) + " phases by natural modes, not integrated"});
   if (none(system.layout.work)) list.push_back({"dissipation", "no contact is damped"});
-  if (none(system.layout.impulse)) list.push_back({"impulse integrals", "momentum gives every impulse of a chain without walls"});
-  if (used(flow::Kind::cvode_bdf_dense) + used(flow::Kind::cvode_bdf_band) + used(flow::Kind::cvode_bdf_klu) == 0)
+  if (none(system.layout.impulse))
+    list.push_back({"impulse integrals", "momentum gives every impulse of a chain without walls"});
+  if (used(flow::Kind::cvode_bdf_dense) + used(flow::Kind::cvode_bdf_band) +
+          used(flow::Kind::cvode_bdf_klu) ==
+      0)
     list.push_back({"Newton iteration", "no phase was followed implicitly"});
   if (!trace) list.push_back({"trace", "not asked for"});
   return list;
 }
 
 std::vector<ContactHistory> histories(const ChainSystem& system, const Run& run, const std::vector<double>& p,
-                                      const std::vector<ContactEnergy>& energies, const std::vector<Peak>& peaks) {
+                                      const std::vector<ContactEnergy>& energies,
+                                      const std::vector<Peak>& peaks) {
   const auto& scale = system.chain.scale;
   std::vector<ContactHistory> contacts(system.layout.contacts());
   for (std::size_t j = 0; j < contacts.size(); ++j)
@@ -133,7 +139,8 @@ std::vector<ContactHistory> histories(const ChainSystem& system, const Run& run,
 /// A contact that never carried force has no impulse, whatever rounding says.
 void clear_untouched(std::vector<double>& p, const Run& run) {
   std::vector<bool> touched(p.size(), false);
-  for (const auto& [time, change] : run.changes) touched[change.contact] = touched[change.contact] || starts_force(change);
+  for (const auto& [time, change] : run.changes)
+    touched[change.contact] = touched[change.contact] || starts_force(change);
   for (std::size_t j = 0; j < p.size(); ++j)
     if (!touched[j]) p[j] = 0;
 }
@@ -175,7 +182,8 @@ ChainImpact simulate(const model::Chain& chain, const hybrid::Options& options, 
   return impact;
 }
 
-double estimate_accuracy(const model::Chain& chain, const hybrid::Options& options, const ChainImpact& result) {
+double estimate_accuracy(const model::Chain& chain, const hybrid::Options& options,
+                         const ChainImpact& result) {
   auto tighter = options;
   tighter.accuracy = std::max(1e-2 * options.accuracy, 16 * epsilon);
   const auto reference = simulate(chain, tighter);

@@ -1,4 +1,5 @@
-// The impact of a chain, from start to separation: the quantities a researcher asks for, in the chain's units.
+// The impact of a chain, from start to separation: the quantities a researcher asks for, in the chain's
+// units.
 #pragma once
 #include <optional>
 #include <string>
@@ -35,13 +36,13 @@ struct Event {
 
 /// final + stored + dissipated − initial − work = residual [J].
 struct EnergyLedger {
-  double initial = 0;     ///< kinetic plus stored energy at the start
-  double final = 0;       ///< kinetic energy at the end
-  double stored = 0;      ///< elastic energy at the end
-  double dissipated = 0;  ///< Σ over contacts
-  double work = 0;        ///< done on the balls by gravity and moving walls
-  double residual = 0;    ///< error of the ledger
-  std::optional<double> ratio_lab;     ///< kinetic energy ratio T⁺/T⁻ in the given frame; empty if T⁻ = 0
+  double initial = 0;               ///< kinetic plus stored energy at the start
+  double final = 0;                 ///< kinetic energy at the end
+  double stored = 0;                ///< elastic energy at the end
+  double dissipated = 0;            ///< Σ over contacts
+  double work = 0;                  ///< done on the balls by gravity and moving walls
+  double residual = 0;              ///< error of the ledger
+  std::optional<double> ratio_lab;  ///< kinetic energy ratio T⁺/T⁻ in the given frame; empty if T⁻ = 0
   std::optional<double> ratio_centre;  ///< the same relative to the mass centre; empty with walls, too
 };
 
@@ -97,7 +98,9 @@ struct ChainImpact {
 /// thousand rows). Throws InvalidParameter for a chain, accuracy or flow name that makes no sense.
 ChainImpact simulate(const model::Chain& chain, const hybrid::Options& options = {}, bool trace = false);
 
-/// Error of `result.velocity` relative to the largest incident speed, from a second run at a tighter accuracy.
-double estimate_accuracy(const model::Chain& chain, const hybrid::Options& options, const ChainImpact& result);
+/// Error of `result.velocity` relative to the largest incident speed, from a second run at a tighter
+/// accuracy.
+double estimate_accuracy(const model::Chain& chain, const hybrid::Options& options,
+                         const ChainImpact& result);
 
 }  // namespace mariotte::impact

@@ -16,7 +16,8 @@ bool is_wall(const DimensionlessChain& chain, Index i) {
 
 /// Σ mᵢ (vᵢ − frame)ᵏ over the balls of finite mass.
 template <class Power>
-double sum_over_balls(const DimensionlessChain& chain, const ChainLayout& layout, ConstState x, Power&& power) {
+double sum_over_balls(const DimensionlessChain& chain, const ChainLayout& layout, ConstState x,
+                      Power&& power) {
   double sum = 0;
   for (Index i = 0; i < layout.balls(); ++i)
     if (!is_wall(chain, i)) sum += chain.mass[i] * power(x[layout.velocity[i]]);
@@ -99,8 +100,10 @@ std::vector<ContactEnergy> contact_energies(const DimensionlessChain& chain, con
   for (Index j = 0; j < layout.contacts(); ++j) {
     auto& energy = energies[j];
     const double gap = stretch.after[layout.gap[j]];
-    if (contact::carries_force(mode[j]) && gap < 0) energy.stored = contact::stored_energy(chain.law[j], -gap);
-    if (layout.work[j] != ChainLayout::absent) energy.dissipated = stretch.after[layout.work[j]] - energy.stored;
+    if (contact::carries_force(mode[j]) && gap < 0)
+      energy.stored = contact::stored_energy(chain.law[j], -gap);
+    if (layout.work[j] != ChainLayout::absent)
+      energy.dissipated = stretch.after[layout.work[j]] - energy.stored;
   }
   return energies;
 }
@@ -117,14 +120,15 @@ EnergyLedger energy_ledger(const DimensionlessChain& chain, const ChainLayout& l
     ledger.dissipated += energy.dissipated;
   }
   ledger.residual = ledger.final + ledger.stored + ledger.dissipated - ledger.initial - ledger.work;
-  for (double* entry : {&ledger.initial, &ledger.final, &ledger.stored, &ledger.dissipated, &ledger.work,
-                        &ledger.residual})
+  for (double* entry :
+       {&ledger.initial, &ledger.final, &ledger.stored, &ledger.dissipated, &ledger.work, &ledger.residual})
     *entry *= chain.scale.energy();
   add_ratios(ledger, chain, layout, stretch);
   return ledger;
 }
 
-MomentumLedger momentum_ledger(const DimensionlessChain& chain, const ChainLayout& layout, const Stretch& stretch) {
+MomentumLedger momentum_ledger(const DimensionlessChain& chain, const ChainLayout& layout,
+                               const Stretch& stretch) {
   MomentumLedger ledger;
   ledger.initial = momentum(chain, layout, stretch.before);
   ledger.final = momentum(chain, layout, stretch.after);

@@ -9,12 +9,14 @@ namespace mariotte::impact {
 /// Elastic energy and loss of one contact, dimensionless.
 struct ContactEnergy {
   double stored = 0;
-  double dissipated = 0;  ///< work put in less what is stored; what a slack contact still holds counts as lost
+  double dissipated =
+      0;  ///< work put in less what is stored; what a slack contact still holds counts as lost
 };
 
 /// `mode` is the contact set at the end of the stretch.
-std::vector<ContactEnergy> contact_energies(const model::DimensionlessChain& chain, const model::ChainLayout& layout,
-                                            const contact::ContactSet& mode, const Stretch& stretch);
+std::vector<ContactEnergy> contact_energies(const model::DimensionlessChain& chain,
+                                            const model::ChainLayout& layout, const contact::ContactSet& mode,
+                                            const Stretch& stretch);
 
 /// Both ledgers in the chain's own units; `p` are the dimensionless impulses.
 EnergyLedger energy_ledger(const model::DimensionlessChain& chain, const model::ChainLayout& layout,

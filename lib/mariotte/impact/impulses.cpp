@@ -6,8 +6,8 @@ namespace mariotte::impact {
 namespace {
 
 /// Momentum that ball i has lost to its contacts.
-double lost_momentum(const model::DimensionlessChain& chain, const model::ChainLayout& layout, const Stretch& stretch,
-                     Index i) {
+double lost_momentum(const model::DimensionlessChain& chain, const model::ChainLayout& layout,
+                     const Stretch& stretch, Index i) {
   const Index v = layout.velocity[i];
   return chain.mass[i] * (stretch.before[v] - stretch.after[v] - chain.gravity[i] * stretch.time);
 }
@@ -21,12 +21,15 @@ std::vector<double> impulses(const model::DimensionlessChain& chain, const model
   const auto is_wall = [&](Index i) { return chain.inverse_mass[i] == 0; };
   Index right_end = n - 1;  // the trailing balls up to the last wall are summed from the free right end
   for (; right_end > 0 && !is_wall(right_end); --right_end) {
-    p[right_end - 1] = (right_end == n - 1 ? 0 : p[right_end]) - lost_momentum(chain, layout, stretch, right_end);
+    p[right_end - 1] =
+        (right_end == n - 1 ? 0 : p[right_end]) - lost_momentum(chain, layout, stretch, right_end);
   }
   if (right_end == 0 && !is_wall(0)) right_end = n;  // no wall: from the left, as the ratios read
   for (Index j = 0; j + 1 < n && j < right_end; ++j) {
-    if (is_wall(j)) p[j] = stretch.after[layout.impulse[j]] - stretch.before[layout.impulse[j]];
-    else p[j] = (j == 0 ? 0 : p[j - 1]) + lost_momentum(chain, layout, stretch, j);
+    if (is_wall(j))
+      p[j] = stretch.after[layout.impulse[j]] - stretch.before[layout.impulse[j]];
+    else
+      p[j] = (j == 0 ? 0 : p[j - 1]) + lost_momentum(chain, layout, stretch, j);
   }
   return p;
 }

@@ -14,8 +14,8 @@ struct Stretch {
   double time;
 };
 
-/// p_j = ∫ f_j dt of all n−1 contacts, from momentum: p_j = p_{j−1} − m_j (Δv_j + γ t), started at a free end of the
-/// chain where p = 0. Only between two walls does it rest on the integral of a wall's force.
+/// p_j = ∫ f_j dt of all n−1 contacts, from momentum: p_j = p_{j−1} − m_j (Δv_j + γ t), started at a free end
+/// of the chain where p = 0. Only between two walls does it rest on the integral of a wall's force.
 std::vector<double> impulses(const model::DimensionlessChain& chain, const model::ChainLayout& layout,
                              const Stretch& stretch);
 

@@ -24,7 +24,7 @@ void PeakWatcher::take(ConstState x, Index j) {
   peak.indentation = std::max(peak.indentation, -x[layout_.gap[j]]);
 }
 
-void PeakWatcher::search(const flow::Step& step, Index j, double Slopes::* slope, const Slopes& before,
+void PeakWatcher::search(const flow::Step& step, Index j, double Slopes::*slope, const Slopes& before,
                          const Slopes& after) {
   if (!(before.*slope > 0 && after.*slope < 0)) return;
   const auto slope_at = [&](double time) {

@@ -13,8 +13,8 @@ struct Peak {
   double indentation = 0;
 };
 
-/// Looks at each step for a maximum of δ or f: a slope that falls through zero. The maximum itself is flat, so a
-/// loose time is enough for a tight value.
+/// Looks at each step for a maximum of δ or f: a slope that falls through zero. The maximum itself is flat,
+/// so a loose time is enough for a tight value.
 class PeakWatcher {
  public:
   PeakWatcher(const model::ChainPhase& phase, const model::ChainLayout& layout);
@@ -28,7 +28,8 @@ class PeakWatcher {
   };
   Slopes slopes(ConstState x, Index j);
   void take(ConstState x, Index j);
-  void search(const flow::Step& step, Index j, double Slopes::* slope, const Slopes& before, const Slopes& after);
+  void search(const flow::Step& step, Index j, double Slopes::*slope, const Slopes& before,
+              const Slopes& after);
 
   const model::ChainPhase& phase_;
   const model::ChainLayout& layout_;

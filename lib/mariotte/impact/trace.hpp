@@ -7,9 +7,9 @@
 
 namespace mariotte::impact {
 
-/// Keeps every `stride`-th point of those offered, the ends of steps and, where a step is long against the contact
-/// time, points within; the stride doubles, and every other row is dropped, whenever
-/// `capacity` rows are full.
+/// Keeps every `stride`-th point of those offered, the ends of steps and, where a step is long against the
+/// contact time, points within; the stride doubles, and every other row is dropped, whenever `capacity` rows
+/// are full.
 class TraceRecorder {
  public:
   static constexpr std::size_t capacity = 4096;

@@ -10,12 +10,12 @@ namespace mariotte::model {
 /// Balls 1..n from left to right; contact j joins balls j and j+1 [Acary 2003, §2]. A wall is a ball of
 /// infinite mass; it keeps its velocity and feels no gravity.
 struct Chain {
-  std::vector<double> mass;        ///< m_i > 0, n values [kg]
-  std::vector<contact::Law> law;   ///< contact laws, n−1 values
-  std::vector<double> gap;         ///< start gaps g_j, n−1 values [m]; < 0 only if `precompressed`
-  std::vector<double> velocity;    ///< start velocities, n values [m/s]
-  double gravity = 0;              ///< acceleration of every ball towards decreasing position [m/s²]
-  bool precompressed = false;      ///< contacts may start indented
+  std::vector<double> mass;       ///< m_i > 0, n values [kg]
+  std::vector<contact::Law> law;  ///< contact laws, n−1 values
+  std::vector<double> gap;        ///< start gaps g_j, n−1 values [m]; < 0 only if `precompressed`
+  std::vector<double> velocity;   ///< start velocities, n values [m/s]
+  double gravity = 0;             ///< acceleration of every ball towards decreasing position [m/s²]
+  bool precompressed = false;     ///< contacts may start indented
 };
 
 /// Throws InvalidParameter, naming ball or contact (from 1), unless the chain is one that can be simulated:

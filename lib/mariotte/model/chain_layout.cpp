@@ -39,7 +39,8 @@ std::vector<double> magnitudes(const DimensionlessChain& chain, const ChainLayou
     // A heavy ball changes its velocity little: what its light neighbour can do to it.
     for (const Index i : {j, j + 1}) {
       auto& velocity = size[layout.velocity[i]];
-      velocity = std::max(velocity, chain.speed * std::min(1.0, 2 * chain.reduced_mass[j] * chain.inverse_mass[i]));
+      velocity =
+          std::max(velocity, chain.speed * std::min(1.0, 2 * chain.reduced_mass[j] * chain.inverse_mass[i]));
     }
   }
   for (Index i = 0; i < layout.balls(); ++i)
@@ -52,8 +53,8 @@ std::string component_name(const ChainLayout& layout, Index component) {
     const auto place = std::find(places.begin(), places.end(), component);
     return place == places.end() ? "" : quantity + std::to_string(place - places.begin() + 1);
   };
-  for (const auto& name : {find(layout.velocity, "velocity "), find(layout.gap, "gap "), find(layout.work, "work "),
-                           find(layout.impulse, "impulse ")})
+  for (const auto& name : {find(layout.velocity, "velocity "), find(layout.gap, "gap "),
+                           find(layout.work, "work "), find(layout.impulse, "impulse ")})
     if (!name.empty()) return name;
   return "component " + std::to_string(component);
 }

@@ -78,23 +78,33 @@ void ChainPhase::watch(Index j) {
   const ContactMode mode = (*mode_)[j];
   auto& gap = crossings_[j];
   switch (mode) {
-    case ContactMode::open: gap = Crossing::falling; break;
-    case ContactMode::slack: gap = Crossing::rising; break;
-    case ContactMode::touching: gap = Crossing::none; break;
-    case ContactMode::closed: gap = guards_.load[j] == ChainLayout::absent ? Crossing::rising : Crossing::none;
+    case ContactMode::open:
+      gap = Crossing::falling;
+      break;
+    case ContactMode::slack:
+      gap = Crossing::rising;
+      break;
+    case ContactMode::touching:
+      gap = Crossing::none;
+      break;
+    case ContactMode::closed:
+      gap = guards_.load[j] == ChainLayout::absent ? Crossing::rising : Crossing::none;
   }
   if (guards_.load[j] == ChainLayout::absent) return;
   crossings_[guards_.load[j]] = mode == ContactMode::closed  ? Crossing::falling
                                 : mode == ContactMode::slack ? Crossing::rising
-                                                      : Crossing::none;
+                                                             : Crossing::none;
 }
 
 contact::Force ChainPhase::force(ConstState x, Index j) const {
   const double indentation = -x[layout_.gap[j]];
   switch ((*mode_)[j]) {
-    case ContactMode::closed: return contact::smooth_force(chain_.law[j], indentation, rate(x, j));
-    case ContactMode::touching: return contact::force(chain_.law[j], std::max(0.0, indentation), rate(x, j));
-    default: return {0, 0, 0};
+    case ContactMode::closed:
+      return contact::smooth_force(chain_.law[j], indentation, rate(x, j));
+    case ContactMode::touching:
+      return contact::force(chain_.law[j], std::max(0.0, indentation), rate(x, j));
+    default:
+      return {0, 0, 0};
   }
 }
 
@@ -157,14 +167,16 @@ double ChainPhase::damping_ratio() const {
     if (!contact::carries_force((*mode_)[j])) continue;
     // c δ^{n−1}/(m*/T) at the natural indentation
     const double width = std::pow(chain_.length[j], contact::exponent(chain_.law[j]) - 1);
-    largest = std::max(largest, contact::damping(chain_.law[j]) * width * chain_.time[j] / chain_.reduced_mass[j]);
+    largest =
+        std::max(largest, contact::damping(chain_.law[j]) * width * chain_.time[j] / chain_.reduced_mass[j]);
   }
   return largest;
 }
 
 void ChainPhase::second_derivative(ConstState, State ddx) const {
   std::fill(ddx.begin(), ddx.end(), 0.0);
-  for (Index j = 0; j < layout_.contacts(); ++j) ddx[layout_.gap[j]] = chain_.gravity[j] - chain_.gravity[j + 1];
+  for (Index j = 0; j < layout_.contacts(); ++j)
+    ddx[layout_.gap[j]] = chain_.gravity[j] - chain_.gravity[j + 1];
 }
 
 std::optional<flow::PairPhase> ChainPhase::pair() const {
@@ -198,7 +210,8 @@ std::optional<flow::LinearPhase> ChainPhase::linear() const {
   for (Index j = 0; j < layout_.contacts(); ++j)
     if (contact::carries_force((*mode_)[j]) && !is_spring(j)) return std::nullopt;
   flow::LinearPhase phase;
-  for (Index i = 0; i < layout_.balls(); ++i) phase.body.push_back({layout_.velocity[i], chain_.inverse_mass[i]});
+  for (Index i = 0; i < layout_.balls(); ++i)
+    phase.body.push_back({layout_.velocity[i], chain_.inverse_mass[i]});
   for (Index j = 0; j < layout_.contacts(); ++j) {
     const bool closed = contact::carries_force((*mode_)[j]), touching = (*mode_)[j] == ContactMode::touching;
     if (closed) phase.closed.push_back(j);

@@ -5,7 +5,8 @@
 
 namespace mariotte::model {
 
-/// Guards 0 … n−2 are the gaps. Each damped contact has one more, its load k δ + c δ̇, in the order of the contacts.
+/// Guards 0 … n−2 are the gaps. Each damped contact has one more, its load k δ + c δ̇, in the order of the
+/// contacts.
 struct ChainGuards {
   std::vector<Index> load;     ///< guard of contact j's load, or ChainLayout::absent
   std::vector<Index> contact;  ///< contact of every guard
@@ -21,7 +22,8 @@ class ChainPhase final : public flow::Problem {
  public:
   ChainPhase(const DimensionlessChain& chain, const ChainLayout& layout, double accuracy);
 
-  /// From now on follow `mode`, which must outlive the phase; accepted steps turn its touching contacts closed.
+  /// From now on follow `mode`, which must outlive the phase; accepted steps turn its touching contacts
+  /// closed.
   void bind(contact::ContactSet& mode);
   const contact::ContactSet& mode() const { return *mode_; }
 
@@ -47,9 +49,7 @@ class ChainPhase final : public flow::Problem {
   contact::Force force(ConstState x, Index j) const;
 
  private:
-  double rate(ConstState x, Index j) const {
-    return x[layout_.velocity[j]] - x[layout_.velocity[j + 1]];
-  }
+  double rate(ConstState x, Index j) const { return x[layout_.velocity[j]] - x[layout_.velocity[j + 1]]; }
   double guard(ConstState x, Index i) const;
   void watch(Index j);
   bool is_spring(Index j) const;

@@ -32,7 +32,8 @@ bool ChainSystem::rests(const Mode& mode, ConstState x, Index j) const {
   return mode[j] == ContactMode::open && x[layout.gap[j]] == 0 && approach(x, j) == 0;
 }
 
-/// Touching neighbours at rest are pressed in the same instant, δ ~ t^{7/2} [theory page, "Touching at rest"].
+/// Touching neighbours at rest are pressed in the same instant, δ ~ t^{7/2} [theory page, "Touching at
+/// rest"].
 void ChainSystem::press_row(Mode& mode, ConstState x, Index from, std::vector<Change>& changes) const {
   for (Index j = from + 1; j < layout.contacts() && rests(mode, x, j); ++j)
     change(mode, j, ContactMode::touching, changes);
@@ -61,10 +62,14 @@ ChainSystem::Mode ChainSystem::mode_at(ConstState x, std::vector<Change>& change
 
 ContactMode ChainSystem::after(ContactMode mode, bool load_fired, double gap) const {
   switch (mode) {
-    case ContactMode::open: return ContactMode::closed;
-    case ContactMode::slack: return load_fired ? ContactMode::closed : ContactMode::open;
-    case ContactMode::closed: return load_fired && gap < 0 ? ContactMode::slack : ContactMode::open;
-    case ContactMode::touching: return ContactMode::touching;
+    case ContactMode::open:
+      return ContactMode::closed;
+    case ContactMode::slack:
+      return load_fired ? ContactMode::closed : ContactMode::open;
+    case ContactMode::closed:
+      return load_fired && gap < 0 ? ContactMode::slack : ContactMode::open;
+    case ContactMode::touching:
+      return ContactMode::touching;
   }
   return mode;
 }

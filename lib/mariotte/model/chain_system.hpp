@@ -27,7 +27,8 @@ class ChainSystem {
   /// Contacts that carry force at 0+: indented ones, touching ones that approach or are driven together, and
   /// touching ones at rest that stand in a row with one of these.
   Mode mode_at(ConstState x, std::vector<Change>& changes) const;
-  void transition(Mode& mode, const std::vector<Index>& fired, ConstState x, std::vector<Change>& changes) const;
+  void transition(Mode& mode, const std::vector<Index>& fired, ConstState x,
+                  std::vector<Change>& changes) const;
   /// No contact carries force and the velocities are in order from left to right: a theorem without outside
   /// forces. Where gravity leads back to a wall, the end of the first impact.
   bool is_over(const Mode& mode, ConstState x, bool impacted) const;

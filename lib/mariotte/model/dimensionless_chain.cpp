@@ -61,8 +61,8 @@ Scale choose_scale(const Chain& chain, double speed) {
   return scale;
 }
 
-/// k L^{n+1}/(M V²) and c L^n/(M V). Contacts with the reference's exponent divide by its stiffness instead of going
-/// through L, which makes the reference's own stiffness exactly 1.
+/// k L^{n+1}/(M V²) and c L^n/(M V). Contacts with the reference's exponent divide by its stiffness instead
+/// of going through L, which makes the reference's own stiffness exactly 1.
 contact::Law scaled(const contact::Law& law, const Scale& scale, const contact::Law& reference) {
   const double n = contact::exponent(law);
   const double stiffness = n == contact::exponent(reference)

@@ -7,8 +7,9 @@
 
 namespace mariotte::model {
 
-/// The chain divided by `scale`. Contact j alone, struck at the reference speed, would indent by about length[j]
-/// within about time[j] [Acary 2003, §2.2]: L = (m* v²/k)^{1/(n+1)}, T = L/v with m* the reduced mass.
+/// The chain divided by `scale`. Contact j alone, struck at the reference speed, would indent by about
+/// length[j] within about time[j] [Acary 2003, §2.2]: L = (m* v²/k)^{1/(n+1)}, T = L/v with m* the reduced
+/// mass.
 struct DimensionlessChain {
   Scale scale;
   std::vector<double> mass, inverse_mass;  ///< n values; 1/∞ = 0 for a wall

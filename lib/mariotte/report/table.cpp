@@ -54,7 +54,8 @@ std::string balls(const impact::ChainImpact& impact, const model::Chain& chain) 
   const auto velocity = display_for(all, "m/s");
   const auto row = [&](Index i) -> Row {
     const auto k = static_cast<std::size_t>(i);
-    return {fmt::format("{}", i + 1), shown(velocity, chain.velocity[k]), shown(velocity, impact.velocity[k])};
+    return {fmt::format("{}", i + 1), shown(velocity, chain.velocity[k]),
+            shown(velocity, impact.velocity[k])};
   };
   return "\nBalls\n" +
          columns({"ball", "velocity before [" + velocity.unit + "]", "after [" + velocity.unit + "]"},

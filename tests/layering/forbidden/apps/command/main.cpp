@@ -1,5 +1,4 @@
 #include <CLI/CLI.hpp>
-
 #include <Eigen/Dense>
 
 #include "mariotte/report/table.hpp"

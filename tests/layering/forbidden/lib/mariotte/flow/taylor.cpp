@@ -1,5 +1,6 @@
 #include "mariotte/flow/taylor.hpp"
 
-  #  include <cvode/cvode.h>
+#include <cvode/cvode.h>
 #include <klu.h>
+
 #include <Eigen/Dense>
