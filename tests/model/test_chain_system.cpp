@@ -80,11 +80,32 @@ BOOST_AUTO_TEST_CASE(touching_to_closed_when_the_indentation_has_left_the_noise)
   auto mode = f.start();
   auto& phase = f.system.problem(mode);
   f.x[f.system.layout.gap[1]] = -1e-14;
-  BOOST_TEST(!phase.accept(f.x));
+  BOOST_TEST((phase.accept(f.x) == flow::Accepted::unchanged));
   check_modes(mode, {ContactMode::closed, ContactMode::touching});
   f.x[f.system.layout.gap[1]] = -1e-6;
-  BOOST_TEST(phase.accept(f.x));
+  BOOST_TEST((phase.accept(f.x) == flow::Accepted::rewatched));
   check_modes(mode, {ContactMode::closed, ContactMode::closed});
+}
+
+BOOST_AUTO_TEST_CASE(open_to_hovering_when_the_approach_may_be_rounding) {
+  auto f = pair(hertz);
+  f.set(0, 0, 1e-13);
+  check_modes(f.after({ContactMode::open}, {0}), {ContactMode::hovering});
+  check_modes(f.after({ContactMode::hovering}, {0}), {ContactMode::closed});
+}
+BOOST_AUTO_TEST_CASE(closed_to_hovering_when_what_is_left_is_noise) {
+  auto f = pair(hertz);
+  ChainSystem::Mode mode = {ContactMode::closed};
+  auto& phase = f.system.problem(mode);
+  f.set(0, -1e-11, 1e-13);  // deepening
+  BOOST_TEST((phase.accept(f.x) == flow::Accepted::unchanged));
+  f.set(0, -1e-11, -1e-3);  // parting, not slowly
+  BOOST_TEST((phase.accept(f.x) == flow::Accepted::unchanged));
+  f.set(0, -1e-11, -1e-13);
+  BOOST_TEST((phase.accept(f.x) == flow::Accepted::ended));
+  check_modes(mode, {ContactMode::hovering});
+  check_modes(f.after(mode, {}), {ContactMode::hovering});
+  BOOST_TEST(f.changes.size() == 1u);
 }
 
 BOOST_AUTO_TEST_CASE(a_row_struck_later_is_pressed_as_a_whole) {

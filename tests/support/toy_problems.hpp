@@ -50,7 +50,7 @@ class Toy : public flow::Problem {
   double damping_ratio() const override { return 0; }
   bool is_ballistic() const override { return false; }
   void second_derivative(ConstState, State) const override {}
-  bool accept(ConstState) override { return false; }
+  flow::Accepted accept(ConstState) override { return flow::Accepted::unchanged; }
   std::string component(Index index) const override { return "x" + std::to_string(index); }
 
  private:

@@ -230,9 +230,11 @@ Arrival Cvode::follow(Problem& problem, State x, const Request& request, std::ve
       m.append_roots(fired);
     }
     if (request.watcher) request.watcher->watch(step);
-    if (problem.accept(step.after)) m.certificate.begin(problem, step.after);
     if (outcome == Outcome::guard)
       m.simultaneous.collect(problem, step.after, simultaneity_window(problem, request.accuracy), fired);
+    const auto accepted = problem.accept(step.after);
+    if (accepted == Accepted::rewatched) m.certificate.begin(problem, step.after);
+    if (accepted == Accepted::ended && !outcome) outcome = Outcome::guard;
     if (outcome) return m.finish(*outcome, step.end, x);
     m.before.assign(step.after.begin(), step.after.end());
     stalled += step.end - step.start <= 2 * epsilon * step.end;

@@ -27,7 +27,7 @@ class Watcher {
 };
 
 enum class Outcome {
-  guard,  ///< at least one guard fired
+  guard,  ///< guards fired, or the problem ended its mode itself
   limit,  ///< the time limit came first
   never,  ///< no guard will ever fire
   failed  ///< the flow could not go on; `Arrival::message` says why

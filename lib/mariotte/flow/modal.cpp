@@ -82,7 +82,7 @@ void add_push(Wave& wave, const Vibration& v, Index spring, double factor) {
 /// An open gap: straight, but for the pushes on its two bodies.
 Wave open_gap(const LinearPhase& phase, const Vibration& v, const Contact& gap, ConstState x) {
   const auto &left = phase.body[gap.left], &right = phase.body[gap.right];
-  Wave wave{x[gap.gap], x[right.velocity] - x[left.velocity], std::vector<double>(v.modes.size(), 0.0)};
+  Wave wave{x[gap.gap] + gap.level, x[right.velocity] - x[left.velocity], std::vector<double>(v.modes.size(), 0.0)};
   for (Index j = 0; j < static_cast<Index>(phase.closed.size()); ++j) {
     const auto& spring = phase.contacts[phase.closed[j]];
     if (spring.right == gap.right) add_push(wave, v, j, right.inverse_mass);
@@ -103,7 +103,8 @@ class ModalStep final : public Step {
     std::copy(origin_.begin(), origin_.end(), x.begin());
     for (std::size_t j = 0; j < phase_.contacts.size(); ++j) {
       const auto& c = phase_.contacts[j];
-      x[c.gap] = (c.stiffness > 0 ? -1 : 1) * waves_[j].at(vibration_.modes, time);
+      const double value = waves_[j].at(vibration_.modes, time);
+      x[c.gap] = c.stiffness > 0 ? -value : value - c.level;
     }
     for (Index j = 0; j < static_cast<Index>(phase_.closed.size()); ++j) {
       const auto& c = phase_.contacts[phase_.closed[j]];

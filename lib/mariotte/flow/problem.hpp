@@ -12,6 +12,13 @@ namespace mariotte::flow {
 /// The way a guard must cross zero to fire; `none` masks it.
 enum class Crossing : signed char { falling = -1, none = 0, rising = 1 };
 
+/// What an accepted step has done to the mode.
+enum class Accepted {
+  unchanged,
+  rewatched,  ///< other guards are watched from here
+  ended       ///< the mode itself has changed: the phase ends here though no guard has fired
+};
+
 /// A structurally non-zero place of the Jacobian ∂f/∂x.
 struct Entry {
   Index row;
@@ -46,6 +53,7 @@ struct LinearPhase {
     Index impulse;  ///< ∫ f dt, or −1
     Index guard;
     double stiffness;  ///< 0 for an open contact
+    double level;       ///< an open contact closes where its gap is −level
     double noise;      ///< indentation from which its guard is watched; 0 if it is from the start
   };
   std::vector<Body> body;
@@ -92,9 +100,9 @@ class Problem {
   /// The present mode as linear contacts, if all of two or more active ones are.
   virtual std::optional<LinearPhase> linear() const { return std::nullopt; }
 
-  /// Told after every accepted step: a guard that starts at zero is watched only once it has left it. True if
-  /// what is watched has changed.
-  virtual bool accept(ConstState x) = 0;
+  /// Told after every accepted step: a guard that starts at zero is watched only once it has left it, and what has
+  /// sunk into rounding noise is no longer worth following.
+  virtual Accepted accept(ConstState x) = 0;
 
   /// Name of a component for messages, such as "velocity 3".
   virtual std::string component(Index index) const = 0;

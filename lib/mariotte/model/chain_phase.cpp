@@ -47,18 +47,18 @@ double load(const contact::Law& law, double indentation, double rate) {
   return contact::stiffness(law) * indentation + contact::damping(law) * rate;
 }
 
-ChainPhase::ChainPhase(const DimensionlessChain& chain, const ChainLayout& layout, double accuracy)
+ChainPhase::ChainPhase(const DimensionlessChain& chain, const ChainLayout& layout)
     : chain_(chain),
       layout_(layout),
       guards_(make_guards(layout)),
       magnitudes_(model::magnitudes(chain, layout)),
       pattern_(make_pattern(layout)),
       crossings_(guards_.contact.size(), Crossing::none),
-      gravity_(std::any_of(chain.gravity.begin(), chain.gravity.end(), [](double g) { return g != 0; })),
-      loaded_(std::max(0.1 * accuracy, 1e3 * epsilon)) {}
+      gravity_(std::any_of(chain.gravity.begin(), chain.gravity.end(), [](double g) { return g != 0; })) {}
 
 void ChainPhase::bind(contact::ContactSet& mode) {
   mode_ = &mode;
+  faded_.clear();
   active_ = touching_ = slack_ = 0;
   time_scale_ = infinity;
   double any = infinity;
@@ -79,6 +79,7 @@ void ChainPhase::watch(Index j) {
   auto& gap = crossings_[j];
   switch (mode) {
     case ContactMode::open:
+    case ContactMode::hovering:
       gap = Crossing::falling;
       break;
     case ContactMode::slack:
@@ -122,7 +123,8 @@ void ChainPhase::derivative(ConstState x, State dx) const {
   }
 }
 
-/// Gap or load: both are linear in x, so the rate of a guard is the guard of the rates.
+/// Gap, from where it is to be watched, or load: both are linear in x up to a constant, so the rate of a guard is the
+/// guard of the rates.
 double ChainPhase::guard(ConstState x, Index i) const {
   const Index j = guards_.contact[i];
   const double gap = x[layout_.gap[j]];
@@ -132,7 +134,12 @@ double ChainPhase::guard(ConstState x, Index i) const {
 void ChainPhase::guards(ConstState x, State values) const {
   // A masked guard stands on the side from which it cannot seem to have crossed when it is watched again.
   for (Index i = 0; i < guard_count(); ++i)
-    values[i] = crossings_[i] != Crossing::none ? guard(x, i) : i < layout_.contacts() ? -1 : 1;
+    values[i] = crossings_[i] != Crossing::none ? guard(x, i) + level(i) : i < layout_.contacts() ? -1 : 1;
+}
+
+/// A hovering contact closes where its gap is −level.
+double ChainPhase::level(Index i) const {
+  return i < layout_.contacts() && (*mode_)[i] == ContactMode::hovering ? chain_.shallow[i] : 0;
 }
 
 void ChainPhase::guard_rates(ConstState, ConstState dx, State rates) const {
@@ -221,22 +228,40 @@ std::optional<flow::LinearPhase> ChainPhase::linear() const {
                               .impulse = layout_.impulse[j],
                               .guard = j,
                               .stiffness = closed ? contact::stiffness(chain_.law[j]) : 0,
-                              .noise = touching ? loaded_ * chain_.length[j] : 0});
+                              .level = level(j),
+                              .noise = touching ? 2 * chain_.shallow[j] : 0});
   }
   return phase;
 }
 
-bool ChainPhase::accept(ConstState x) {
-  if (touching_ == 0) return false;
-  const Index before = touching_;
+/// A touching contact has left the noise.
+bool ChainPhase::has_loaded(ConstState x, Index j) const {
+  if ((*mode_)[j] != ContactMode::touching || !(-x[layout_.gap[j]] > 2 * chain_.shallow[j])) return false;
+  return guards_.load[j] == ChainLayout::absent || force(x, j).value > 0;
+}
+
+/// A closed contact parts so slowly, and is so shallow, that its end would be an event made of noise.
+bool ChainPhase::has_faded(ConstState x, Index j) const {
+  if ((*mode_)[j] != ContactMode::closed || !(-x[layout_.gap[j]] < chain_.shallow[j])) return false;
+  return rate(x, j) <= 0 && rate(x, j) >= -chain_.slow;
+}
+
+flow::Accepted ChainPhase::accept(ConstState x) {
+  auto accepted = flow::Accepted::unchanged;
   for (Index j = 0; j < layout_.contacts(); ++j) {
-    if ((*mode_)[j] != ContactMode::touching || !(-x[layout_.gap[j]] > loaded_ * chain_.length[j])) continue;
-    if (guards_.load[j] != ChainLayout::absent && !(force(x, j).value > 0)) continue;
-    (*mode_)[j] = ContactMode::closed;
-    --touching_;
-    watch(j);
+    if (has_loaded(x, j)) {
+      (*mode_)[j] = ContactMode::closed;
+      --touching_;
+      watch(j);
+      if (accepted == flow::Accepted::unchanged) accepted = flow::Accepted::rewatched;
+    } else if (has_faded(x, j)) {
+      (*mode_)[j] = ContactMode::hovering;
+      faded_.push_back(j);
+      watch(j);
+      accepted = flow::Accepted::ended;
+    }
   }
-  return touching_ < before;
+  return accepted;
 }
 
 }  // namespace mariotte::model

@@ -20,12 +20,14 @@ double load(const contact::Law& law, double indentation, double rate);
 /// A chain bound to a mode; `bind` moves it on to the next.
 class ChainPhase final : public flow::Problem {
  public:
-  ChainPhase(const DimensionlessChain& chain, const ChainLayout& layout, double accuracy);
+  ChainPhase(const DimensionlessChain& chain, const ChainLayout& layout);
 
   /// From now on follow `mode`, which must outlive the phase; accepted steps turn its touching contacts
   /// closed.
   void bind(contact::ContactSet& mode);
   const contact::ContactSet& mode() const { return *mode_; }
+  /// Contacts that accepted steps have turned from closed to hovering since `bind`.
+  const std::vector<Index>& faded() const { return faded_; }
 
   Index size() const override { return layout_.size; }
   void derivative(ConstState x, State dx) const override;
@@ -42,7 +44,7 @@ class ChainPhase final : public flow::Problem {
   void second_derivative(ConstState x, State ddx) const override;
   std::optional<flow::PairPhase> pair() const override;
   std::optional<flow::LinearPhase> linear() const override;
-  bool accept(ConstState x) override;
+  flow::Accepted accept(ConstState x) override;
   std::string component(Index index) const override { return component_name(layout_, index); }
 
   /// Force of contact j and its slopes; zero unless it carries force.
@@ -51,8 +53,11 @@ class ChainPhase final : public flow::Problem {
  private:
   double rate(ConstState x, Index j) const { return x[layout_.velocity[j]] - x[layout_.velocity[j + 1]]; }
   double guard(ConstState x, Index i) const;
+  double level(Index i) const;
   void watch(Index j);
   bool is_spring(Index j) const;
+  bool has_loaded(ConstState x, Index j) const;
+  bool has_faded(ConstState x, Index j) const;
 
   const DimensionlessChain& chain_;
   const ChainLayout& layout_;
@@ -61,8 +66,8 @@ class ChainPhase final : public flow::Problem {
   std::vector<flow::Entry> pattern_;
   std::vector<flow::Crossing> crossings_;
   bool gravity_;
-  double loaded_;  ///< indentation, in natural lengths, above which a touching contact has left the noise
   contact::ContactSet* mode_ = nullptr;
+  std::vector<Index> faded_;
   Index active_ = 0;    ///< contacts that carry force
   Index touching_ = 0;  ///< those of them that are still touching
   Index slack_ = 0;

@@ -17,11 +17,10 @@ void change(ChainSystem::Mode& mode, Index j, ContactMode after, std::vector<Con
 }  // namespace
 
 ChainSystem::ChainSystem(const Chain& source, double accuracy, bool stay)
-    : chain(make_dimensionless(source)),
+    : chain(make_dimensionless(source, accuracy)),
       layout(make_layout(chain)),
       guards_(make_guards(layout)),
-      phase_(chain, layout, accuracy),
-      still_(std::max(1e-3 * accuracy, 8 * epsilon) * chain.speed),
+      phase_(chain, layout),
       stay_(stay) {}
 
 double ChainSystem::approach(ConstState x, Index j) const {
@@ -60,9 +59,11 @@ ChainSystem::Mode ChainSystem::mode_at(ConstState x, std::vector<Change>& change
   return mode;
 }
 
-ContactMode ChainSystem::after(ContactMode mode, bool load_fired, double gap) const {
+ContactMode ChainSystem::after(ContactMode mode, bool load_fired, double gap, double approach) const {
   switch (mode) {
     case ContactMode::open:
+      return approach > chain.slow ? ContactMode::closed : ContactMode::hovering;
+    case ContactMode::hovering:
       return ContactMode::closed;
     case ContactMode::slack:
       return load_fired ? ContactMode::closed : ContactMode::open;
@@ -76,9 +77,11 @@ ContactMode ChainSystem::after(ContactMode mode, bool load_fired, double gap) co
 
 void ChainSystem::transition(Mode& mode, const std::vector<Index>& fired, ConstState x,
                              std::vector<Change>& changes) const {
+  for (const Index j : phase_.faded()) changes.push_back({j, ContactMode::closed, ContactMode::hovering});
   for (const Index guard : fired) {
     const Index j = guards_.contact[guard];
-    change(mode, j, after(mode[j], guard != j, x[layout.gap[j]]), changes);
+    if (std::count(phase_.faded().begin(), phase_.faded().end(), j) > 0) continue;
+    change(mode, j, after(mode[j], guard != j, x[layout.gap[j]], approach(x, j)), changes);
     if (mode[j] == ContactMode::closed) press_row(mode, x, j, changes);
   }
 }
@@ -86,7 +89,7 @@ void ChainSystem::transition(Mode& mode, const std::vector<Index>& fired, ConstS
 bool ChainSystem::is_over(const Mode& mode, ConstState x, bool impacted) const {
   if (chain.falls_back && (stay_ || !impacted)) return false;
   for (Index j = 0; j < layout.contacts(); ++j)
-    if (mode[j] == ContactMode::closed || approach(x, j) > still_) return false;
+    if (mode[j] == ContactMode::closed || approach(x, j) > chain.slow) return false;
   return true;
 }
 

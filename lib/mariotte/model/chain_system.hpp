@@ -27,6 +27,7 @@ class ChainSystem {
   /// Contacts that carry force at 0+: indented ones, touching ones that approach or are driven together, and
   /// touching ones at rest that stand in a row with one of these.
   Mode mode_at(ConstState x, std::vector<Change>& changes) const;
+  /// After contacts that faded in the phase behind, those whose guards have fired.
   void transition(Mode& mode, const std::vector<Index>& fired, ConstState x,
                   std::vector<Change>& changes) const;
   /// No contact carries force and the velocities are in order from left to right: a theorem without outside
@@ -42,13 +43,12 @@ class ChainSystem {
 
  private:
   double approach(ConstState x, Index j) const;
-  contact::ContactMode after(contact::ContactMode mode, bool load_fired, double gap) const;
+  contact::ContactMode after(contact::ContactMode mode, bool load_fired, double gap, double approach) const;
   bool rests(const Mode& mode, ConstState x, Index j) const;
   void press_row(Mode& mode, ConstState x, Index from, std::vector<Change>& changes) const;
 
   ChainGuards guards_;
   ChainPhase phase_;
-  double still_;  ///< approach speed that cannot be told from rest
   bool stay_;
 };
 

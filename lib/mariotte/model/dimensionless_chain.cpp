@@ -86,11 +86,12 @@ bool pulls_back(const Chain& chain) {
 
 }  // namespace
 
-DimensionlessChain make_dimensionless(const Chain& chain) {
+DimensionlessChain make_dimensionless(const Chain& chain, double accuracy) {
   const double speed = reference_speed(chain);
   DimensionlessChain d;
   d.scale = choose_scale(chain, speed);
   d.speed = speed / d.scale.velocity;
+  d.slow = std::max(0.03 * accuracy, 8 * epsilon) * d.speed;
   d.falls_back = pulls_back(chain);
   const auto& reference = chain.law[quickest_contact(chain, speed)];
   for (std::size_t i = 0; i < chain.mass.size(); ++i) {
@@ -104,6 +105,7 @@ DimensionlessChain make_dimensionless(const Chain& chain) {
     d.gap.push_back(chain.gap[j] / d.scale.length);
     d.reduced_mass.push_back(reduced_mass(d.mass[j], d.mass[j + 1]));
     d.length.push_back(natural_length(d.law[j], d.reduced_mass[j], d.speed));
+    d.shallow.push_back(natural_length(d.law[j], d.reduced_mass[j], d.slow));
     d.time.push_back(d.length[j] / d.speed);
   }
   return d;

@@ -19,10 +19,12 @@ struct DimensionlessChain {
   double speed = 1;                        ///< reference speed: largest that can matter
   std::vector<double> reduced_mass;        ///< n−1 values; 1 between walls
   std::vector<double> length, time;        ///< n−1 natural lengths and times
+  double slow = 0;                         ///< approach speed that cannot be told from rest
+  std::vector<double> shallow;             ///< n−1 values: depth that a contact approached so slowly reaches
   bool falls_back = false;                 ///< gravity pulls some ball back to a wall
 };
 
-/// Convert a validated chain.
-DimensionlessChain make_dimensionless(const Chain& chain);
+/// Convert a validated chain. `accuracy` decides what is slow: a few hundredths of what may be wrong anyway.
+DimensionlessChain make_dimensionless(const Chain& chain, double accuracy);
 
 }  // namespace mariotte::model

@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+
 #include <Eigen/Dense>
 
 #include "mariotte/report/table.hpp"

@@ -1,6 +1,5 @@
 #include "mariotte/flow/taylor.hpp"
 
-#include <cvode/cvode.h>
+  #  include <cvode/cvode.h>
 #include <klu.h>
-
 #include <Eigen/Dense>
