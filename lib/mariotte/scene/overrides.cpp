@@ -84,7 +84,8 @@ Node& member(Node& node, std::string_view name, const Path& path, const std::str
   if (!table) path.fail("'" + parent + "' is " + kind(node) + ", not a table");
   if (Entry* const entry = find(*table, name)) return entry->node;
   if (path.index_follows()) path.fail("the scene has no '" + path.walked() + "'");
-  return table->emplace_back(std::string(name), place, Node{Table{}, place}).node;
+  table->push_back({std::string(name), place, Node{Table{}, place}});
+  return table->back().node;
 }
 
 void move_to(const Place& place, Node& node) {
