@@ -120,17 +120,25 @@ std::vector<Skipped> skipped(const ChainSystem& system, const Run& run, bool tra
   return list;
 }
 
+/// A loss is a difference of two integrals; below the accuracy asked for its sign means nothing.
+double loss_above(double noise, double loss) {
+  return loss < 0 && loss > -noise ? 0 : loss;
+}
+
 std::vector<ContactHistory> histories(const ChainSystem& system, const Run& run, const std::vector<double>& p,
                                       const std::vector<ContactEnergy>& energies,
-                                      const std::vector<Peak>& peaks) {
+                                      const std::vector<Peak>& peaks, double accuracy) {
   const auto& scale = system.chain.scale;
+  const double speed = system.chain.speed;
   std::vector<ContactHistory> contacts(system.layout.contacts());
   for (std::size_t j = 0; j < contacts.size(); ++j)
     contacts[j] = {.impulse = p[j] * scale.momentum(),
                    .peak_force = peaks[j].force * scale.force(),
                    .peak_indentation = peaks[j].indentation * scale.length,
                    .stored = energies[j].stored * scale.energy(),
-                   .dissipated = std::max(0.0, energies[j].dissipated) * scale.energy(),
+                   .dissipated = loss_above(accuracy * system.chain.reduced_mass[j] * speed * speed,
+                                            energies[j].dissipated) *
+                                 scale.energy(),
                    .periods = {}};
   add_periods(contacts, run, scale.time);
   return contacts;
@@ -169,7 +177,7 @@ ChainImpact simulate(const model::Chain& chain, const hybrid::Options& options, 
   impact.time = run.time * scale.time;
   for (const Index at : system.layout.velocity) impact.velocity.push_back(run.state[at] * scale.velocity);
   for (const Index at : system.layout.gap) impact.gap.push_back(run.state[at] * scale.length);
-  impact.contacts = histories(system, run, p, energies, observers.peaks.peaks());
+  impact.contacts = histories(system, run, p, energies, observers.peaks.peaks(), options.accuracy);
   impact.icr = correlation_ratios(p);
   impact.impulse_direction = direction(p);
   impact.events = events(run, scale.time);
