@@ -6,8 +6,8 @@
 using namespace mariotte;
 using namespace mariotte::test;
 
-// Behind the wave velocities fall off like 0.45^i, below any accuracy after some 30 balls. What happens there must
-// not show as events.
+// Behind the wave velocities fall off like 0.45^i, below any accuracy after some 30 balls. What happens there
+// must not show as events.
 BOOST_AUTO_TEST_CASE(contacts_whose_motion_is_below_the_accuracy_make_no_events) {
   for (const std::size_t balls : {40u, 60u, 100u}) {
     for (const double accuracy : {1e-6, 1e-8, 1e-10}) {

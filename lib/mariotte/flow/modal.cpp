@@ -82,7 +82,8 @@ void add_push(Wave& wave, const Vibration& v, Index spring, double factor) {
 /// An open gap: straight, but for the pushes on its two bodies.
 Wave open_gap(const LinearPhase& phase, const Vibration& v, const Contact& gap, ConstState x) {
   const auto &left = phase.body[gap.left], &right = phase.body[gap.right];
-  Wave wave{x[gap.gap] + gap.level, x[right.velocity] - x[left.velocity], std::vector<double>(v.modes.size(), 0.0)};
+  Wave wave{x[gap.gap] + gap.level, x[right.velocity] - x[left.velocity],
+            std::vector<double>(v.modes.size(), 0.0)};
   for (Index j = 0; j < static_cast<Index>(phase.closed.size()); ++j) {
     const auto& spring = phase.contacts[phase.closed[j]];
     if (spring.right == gap.right) add_push(wave, v, j, right.inverse_mass);

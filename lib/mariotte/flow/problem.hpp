@@ -53,7 +53,7 @@ struct LinearPhase {
     Index impulse;  ///< ∫ f dt, or −1
     Index guard;
     double stiffness;  ///< 0 for an open contact
-    double level;       ///< an open contact closes where its gap is −level
+    double level;      ///< an open contact closes where its gap is −level
     double noise;      ///< indentation from which its guard is watched; 0 if it is from the start
   };
   std::vector<Body> body;
@@ -100,8 +100,8 @@ class Problem {
   /// The present mode as linear contacts, if all of two or more active ones are.
   virtual std::optional<LinearPhase> linear() const { return std::nullopt; }
 
-  /// Told after every accepted step: a guard that starts at zero is watched only once it has left it, and what has
-  /// sunk into rounding noise is no longer worth following.
+  /// Told after every accepted step: a guard that starts at zero is watched only once it has left it, and
+  /// what has sunk into rounding noise is no longer worth following.
   virtual Accepted accept(ConstState x) = 0;
 
   /// Name of a component for messages, such as "velocity 3".

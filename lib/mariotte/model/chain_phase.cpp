@@ -123,8 +123,8 @@ void ChainPhase::derivative(ConstState x, State dx) const {
   }
 }
 
-/// Gap, from where it is to be watched, or load: both are linear in x up to a constant, so the rate of a guard is the
-/// guard of the rates.
+/// Gap, from where it is to be watched, or load: both are linear in x up to a constant, so the rate of a
+/// guard is the guard of the rates.
 double ChainPhase::guard(ConstState x, Index i) const {
   const Index j = guards_.contact[i];
   const double gap = x[layout_.gap[j]];

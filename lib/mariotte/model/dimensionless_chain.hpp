@@ -20,8 +20,8 @@ struct DimensionlessChain {
   std::vector<double> reduced_mass;        ///< n−1 values; 1 between walls
   std::vector<double> length, time;        ///< n−1 natural lengths and times
   double slow = 0;                         ///< approach speed that cannot be told from rest
-  std::vector<double> shallow;             ///< n−1 values: depth that a contact approached so slowly reaches
-  bool falls_back = false;                 ///< gravity pulls some ball back to a wall
+  std::vector<double> shallow;  ///< n−1 values: depth that a contact approached so slowly reaches
+  bool falls_back = false;      ///< gravity pulls some ball back to a wall
 };
 
 /// Convert a validated chain. `accuracy` decides what is slow: a few hundredths of what may be wrong anyway.
