@@ -103,7 +103,6 @@ BOOST_AUTO_TEST_CASE(closed_to_hovering_when_what_is_left_is_noise) {
   BOOST_TEST((phase.accept(f.x) == flow::Accepted::unchanged));
   f.set(0, -1e-11, -1e-13);
   BOOST_TEST((phase.accept(f.x) == flow::Accepted::ended));
-  check_modes(mode, {ContactMode::hovering});
   check_modes(f.after(mode, {}), {ContactMode::hovering});
   BOOST_TEST(f.changes.size() == 1u);
 }

@@ -74,9 +74,10 @@ Arrival Pair::follow(Problem& problem, State x, const Request& request, std::vec
   for (Index i = 0; i < problem.guard_count(); ++i) {
     if (i == phase.guard || problem.crossings()[i] != Crossing::falling) continue;
     const auto gap = concave_gap(phase, i, value_[i], value_rate_[i], begin.rate);
-    if (gap.value + gap.rate * opening + gap.share * (last.value - begin.value) > 0) continue;
-    const double time = std::visit([&](const auto& one) { return one.fall(gap); }, motion);
-    if (time >= duration) continue;
+    // Touching bodies at rest elsewhere keep a gap of exactly zero: that is no crossing.
+    if (gap.value + gap.rate * opening + gap.share * (last.value - begin.value) >= 0) continue;
+    const double time = std::max(0.0, std::visit([&](const auto& one) { return one.fall(gap); }, motion));
+    if (!(time < duration)) continue;
     duration = time;
     guard = i;
   }

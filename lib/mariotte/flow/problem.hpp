@@ -16,7 +16,7 @@ enum class Crossing : signed char { falling = -1, none = 0, rising = 1 };
 enum class Accepted {
   unchanged,
   rewatched,  ///< other guards are watched from here
-  ended       ///< the mode itself has changed: the phase ends here though no guard has fired
+  ended       ///< the mode is over here though no guard has fired
 };
 
 /// A structurally non-zero place of the Jacobian ∂f/∂x.

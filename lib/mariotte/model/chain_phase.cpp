@@ -43,6 +43,11 @@ ChainGuards make_guards(const ChainLayout& layout) {
   return guards;
 }
 
+bool has_faded(const DimensionlessChain& chain, const ChainLayout& layout, ConstState x, Index j) {
+  const double approach = x[layout.velocity[j]] - x[layout.velocity[j + 1]];
+  return -x[layout.gap[j]] < chain.shallow[j] && approach <= 0 && approach >= -chain.slow;
+}
+
 double load(const contact::Law& law, double indentation, double rate) {
   return contact::stiffness(law) * indentation + contact::damping(law) * rate;
 }
@@ -58,7 +63,6 @@ ChainPhase::ChainPhase(const DimensionlessChain& chain, const ChainLayout& layou
 
 void ChainPhase::bind(contact::ContactSet& mode) {
   mode_ = &mode;
-  faded_.clear();
   active_ = touching_ = slack_ = 0;
   time_scale_ = infinity;
   double any = infinity;
@@ -240,26 +244,15 @@ bool ChainPhase::has_loaded(ConstState x, Index j) const {
   return guards_.load[j] == ChainLayout::absent || force(x, j).value > 0;
 }
 
-/// A closed contact parts so slowly, and is so shallow, that its end would be an event made of noise.
-bool ChainPhase::has_faded(ConstState x, Index j) const {
-  if ((*mode_)[j] != ContactMode::closed || !(-x[layout_.gap[j]] < chain_.shallow[j])) return false;
-  return rate(x, j) <= 0 && rate(x, j) >= -chain_.slow;
-}
-
 flow::Accepted ChainPhase::accept(ConstState x) {
   auto accepted = flow::Accepted::unchanged;
   for (Index j = 0; j < layout_.contacts(); ++j) {
-    if (has_loaded(x, j)) {
-      (*mode_)[j] = ContactMode::closed;
-      --touching_;
-      watch(j);
-      if (accepted == flow::Accepted::unchanged) accepted = flow::Accepted::rewatched;
-    } else if (has_faded(x, j)) {
-      (*mode_)[j] = ContactMode::hovering;
-      faded_.push_back(j);
-      watch(j);
-      accepted = flow::Accepted::ended;
-    }
+    if ((*mode_)[j] == ContactMode::closed && has_faded(chain_, layout_, x, j)) return flow::Accepted::ended;
+    if (!has_loaded(x, j)) continue;
+    (*mode_)[j] = ContactMode::closed;
+    --touching_;
+    watch(j);
+    accepted = flow::Accepted::rewatched;
   }
   return accepted;
 }

@@ -17,6 +17,9 @@ ChainGuards make_guards(const ChainLayout& layout);
 /// Load k δ + c δ̇ of a damped contact; its sign is the sign of the force.
 double load(const contact::Law& law, double indentation, double rate);
 
+/// A closed contact so shallow, and parting so slowly, that its end would be an event made of noise: it has let go.
+bool has_faded(const DimensionlessChain& chain, const ChainLayout& layout, ConstState x, Index contact);
+
 /// A chain bound to a mode; `bind` moves it on to the next.
 class ChainPhase final : public flow::Problem {
  public:
@@ -26,8 +29,6 @@ class ChainPhase final : public flow::Problem {
   /// closed.
   void bind(contact::ContactSet& mode);
   const contact::ContactSet& mode() const { return *mode_; }
-  /// Contacts that accepted steps have turned from closed to hovering since `bind`.
-  const std::vector<Index>& faded() const { return faded_; }
 
   Index size() const override { return layout_.size; }
   void derivative(ConstState x, State dx) const override;
@@ -57,7 +58,6 @@ class ChainPhase final : public flow::Problem {
   void watch(Index j);
   bool is_spring(Index j) const;
   bool has_loaded(ConstState x, Index j) const;
-  bool has_faded(ConstState x, Index j) const;
 
   const DimensionlessChain& chain_;
   const ChainLayout& layout_;
@@ -67,7 +67,6 @@ class ChainPhase final : public flow::Problem {
   std::vector<flow::Crossing> crossings_;
   bool gravity_;
   contact::ContactSet* mode_ = nullptr;
-  std::vector<Index> faded_;
   Index active_ = 0;    ///< contacts that carry force
   Index touching_ = 0;  ///< those of them that are still touching
   Index slack_ = 0;

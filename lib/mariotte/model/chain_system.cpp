@@ -77,13 +77,14 @@ ContactMode ChainSystem::after(ContactMode mode, bool load_fired, double gap, do
 
 void ChainSystem::transition(Mode& mode, const std::vector<Index>& fired, ConstState x,
                              std::vector<Change>& changes) const {
-  for (const Index j : phase_.faded()) changes.push_back({j, ContactMode::closed, ContactMode::hovering});
   for (const Index guard : fired) {
     const Index j = guards_.contact[guard];
-    if (std::count(phase_.faded().begin(), phase_.faded().end(), j) > 0) continue;
     change(mode, j, after(mode[j], guard != j, x[layout.gap[j]], approach(x, j)), changes);
     if (mode[j] == ContactMode::closed) press_row(mode, x, j, changes);
   }
+  for (Index j = 0; j < layout.contacts(); ++j)
+    if (mode[j] == ContactMode::closed && has_faded(chain, layout, x, j))
+      change(mode, j, ContactMode::hovering, changes);
 }
 
 bool ChainSystem::is_over(const Mode& mode, ConstState x, bool impacted) const {

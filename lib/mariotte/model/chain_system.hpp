@@ -27,7 +27,7 @@ class ChainSystem {
   /// Contacts that carry force at 0+: indented ones, touching ones that approach or are driven together, and
   /// touching ones at rest that stand in a row with one of these.
   Mode mode_at(ConstState x, std::vector<Change>& changes) const;
-  /// After contacts that faded in the phase behind, those whose guards have fired.
+  /// What has fired, and closed contacts that have faded by then.
   void transition(Mode& mode, const std::vector<Index>& fired, ConstState x,
                   std::vector<Change>& changes) const;
   /// No contact carries force and the velocities are in order from left to right: a theorem without outside
