@@ -20,7 +20,7 @@ class PairStep final : public Step {
     for (std::size_t i = 0; i < x.size(); ++i) x[i] = origin_[i] + time * free_rate(i, approach);
     x[phase_.left] = origin_[phase_.left] - phase_.left_share * lost;
     x[phase_.right] = origin_[phase_.right] + phase_.right_share * lost;
-    x[phase_.gap] = -now.value;
+    x[phase_.gap] = 0 - now.value;  // never −0
     if (phase_.left_gap >= 0) x[phase_.left_gap] += phase_.left_share * deepened;
     if (phase_.right_gap >= 0) x[phase_.right_gap] += phase_.right_share * deepened;
     const double m = phase_.law.reduced_mass;
