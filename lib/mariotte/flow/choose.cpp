@@ -7,6 +7,7 @@
 #include "mariotte/flow/cvode.hpp"
 #include "mariotte/flow/modal.hpp"
 #include "mariotte/flow/pair.hpp"
+#include "mariotte/flow/taylor.hpp"
 
 namespace mariotte::flow {
 namespace {
@@ -26,6 +27,8 @@ std::unique_ptr<Flow> make(Kind kind, const Problem& problem) {
       return std::make_unique<Pair>();
     case Kind::modal:
       return std::make_unique<Modal>();
+    case Kind::taylor:
+      return std::make_unique<Taylor>();
     case Kind::cvode_adams:
       return std::make_unique<Cvode>(CvodeMethod::adams, problem);
     case Kind::cvode_bdf_dense:
@@ -38,11 +41,16 @@ std::unique_ptr<Flow> make(Kind kind, const Problem& problem) {
   throw Error("unknown kind of flow");
 }
 
+/// True of flows that follow some phases only; where they do not, another takes over.
+bool exact(Kind kind) {
+  return kind == Kind::pair || kind == Kind::modal || kind == Kind::taylor;
+}
+
 }  // namespace
 
 std::string_view name(Kind kind) {
   constexpr std::array<std::string_view, kinds.size()> names = {
-      "ballistic", "pair", "modal", "cvode-adams", "cvode-bdf-dense", "cvode-bdf-band", "cvode-bdf-klu"};
+      "ballistic", "pair", "modal", "taylor", "cvode-adams", "cvode-bdf-dense", "cvode-bdf-band", "cvode-bdf-klu"};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -59,13 +67,13 @@ std::optional<Kind> parse_kind(std::string_view text) {
 
 Kind choose(const Problem& problem, std::optional<Kind> requested) {
   if (problem.is_ballistic()) return Kind::ballistic;
-  const bool closed_forms = !requested || *requested == Kind::pair || *requested == Kind::modal;
-  if (!closed_forms) return *requested;
-  if (requested != Kind::modal && problem.pair()) return Kind::pair;
-  if (requested != Kind::pair)
+  if (requested && !exact(*requested)) return *requested;
+  if (requested != Kind::modal && requested != Kind::taylor && problem.pair()) return Kind::pair;
+  if (!requested || *requested == Kind::modal)
     if (const auto phase = problem.linear(); phase && (requested || phase->closed.size() <= modal_contacts))
       return Kind::modal;
-  if (problem.damping_ratio() < stiff_damping) return Kind::cvode_adams;
+  if (problem.damping_ratio() < stiff_damping || requested == Kind::taylor)
+    return Taylor::admits(problem) ? Kind::taylor : Kind::cvode_adams;
   return problem.size() <= dense_size ? Kind::cvode_bdf_dense : Kind::cvode_bdf_band;
 }
 

@@ -61,6 +61,39 @@ struct LinearPhase {
   std::vector<Index> closed;  ///< those of the contacts that are
 };
 
+/// A phase of bodies on a line, each with a contact to the next, under constant outside accelerations: where
+/// its quantities stand in the state.
+struct SerialPhase {
+  struct Body {
+    Index velocity;
+    double inverse_mass;
+    double acceleration;
+  };
+  enum class Role : signed char {
+    open,      ///< carries no force; closes where its gap is −level
+    closed,    ///< carries force
+    touching,  ///< carries force; touched at rest before, its guards are not watched yet
+    slack      ///< indented without force
+  };
+  /// Contact j joins bodies j and j+1; f = δ^{n−1} (k δ + c δ̇).
+  struct Contact {
+    Index gap;
+    Index work;        ///< ∫ f δ̇ dt, or −1
+    Index impulse;     ///< ∫ f dt, or −1
+    Index guard;       ///< of the gap
+    Index load_guard;  ///< of k δ + c δ̇, or −1
+    double stiffness, damping, exponent;
+    double length;      ///< natural indentation
+    double shallow;     ///< indentation that cannot be told from rounding
+    double level = 0;
+    Role role = Role::open;
+  };
+  std::vector<Body> body;
+  std::vector<Contact> contact;
+  double speed = 1;  ///< natural relative speed
+  double slow = 0;   ///< relative speed that cannot be told from rest
+};
+
 /// A field of one mode, with everything dimensionless. Sizes and pattern never change; field, crossings and
 /// time scale belong to the present mode. Implemented by the models.
 class Problem {
@@ -99,6 +132,9 @@ class Problem {
 
   /// The present mode as linear contacts, if all of two or more active ones are.
   virtual std::optional<LinearPhase> linear() const { return std::nullopt; }
+
+  /// The present mode as a series of bodies, if it is one; follows every change of the mode.
+  virtual const SerialPhase* serial() const { return nullptr; }
 
   /// Told after every accepted step: a guard that starts at zero is watched only once it has left it, and
   /// what has sunk into rounding noise is no longer worth following.

@@ -30,6 +30,43 @@ std::vector<flow::Entry> make_pattern(const ChainLayout& layout) {
   return pattern;
 }
 
+flow::SerialPhase make_serial(const DimensionlessChain& chain, const ChainLayout& at,
+                              const ChainGuards& guards) {
+  flow::SerialPhase phase;
+  phase.speed = chain.speed;
+  phase.slow = chain.slow;
+  for (Index i = 0; i < at.balls(); ++i)
+    phase.body.push_back({at.velocity[i], chain.inverse_mass[i], -chain.gravity[i]});
+  for (Index j = 0; j < at.contacts(); ++j)
+    phase.contact.push_back({.gap = at.gap[j],
+                             .work = at.work[j],
+                             .impulse = at.impulse[j],
+                             .guard = j,
+                             .load_guard = guards.load[j],
+                             .stiffness = contact::stiffness(chain.law[j]),
+                             .damping = contact::damping(chain.law[j]),
+                             .exponent = contact::exponent(chain.law[j]),
+                             .length = chain.length[j],
+                             .shallow = chain.shallow[j]});
+  return phase;
+}
+
+flow::SerialPhase::Role role(ContactMode mode) {
+  using Role = flow::SerialPhase::Role;
+  switch (mode) {
+    case ContactMode::open:
+    case ContactMode::hovering:
+      return Role::open;
+    case ContactMode::touching:
+      return Role::touching;
+    case ContactMode::closed:
+      return Role::closed;
+    case ContactMode::slack:
+      return Role::slack;
+  }
+  return Role::open;
+}
+
 }  // namespace
 
 ChainGuards make_guards(const ChainLayout& layout) {
@@ -59,6 +96,7 @@ ChainPhase::ChainPhase(const DimensionlessChain& chain, const ChainLayout& layou
       magnitudes_(model::magnitudes(chain, layout)),
       pattern_(make_pattern(layout)),
       crossings_(guards_.contact.size(), Crossing::none),
+      serial_(make_serial(chain, layout, guards_)),
       gravity_(std::any_of(chain.gravity.begin(), chain.gravity.end(), [](double g) { return g != 0; })) {}
 
 void ChainPhase::bind(contact::ContactSet& mode) {
@@ -80,6 +118,8 @@ void ChainPhase::bind(contact::ContactSet& mode) {
 
 void ChainPhase::watch(Index j) {
   const ContactMode mode = (*mode_)[j];
+  serial_.contact[j].role = role(mode);
+  serial_.contact[j].level = level(j);
   auto& gap = crossings_[j];
   switch (mode) {
     case ContactMode::open:

@@ -46,6 +46,7 @@ class ChainPhase final : public flow::Problem {
   void second_derivative(ConstState x, State ddx) const override;
   std::optional<flow::PairPhase> pair() const override;
   std::optional<flow::LinearPhase> linear() const override;
+  const flow::SerialPhase* serial() const override { return &serial_; }
   flow::Accepted accept(ConstState x) override;
   std::string component(Index index) const override { return component_name(layout_, index); }
 
@@ -66,6 +67,7 @@ class ChainPhase final : public flow::Problem {
   std::vector<double> magnitudes_;
   std::vector<flow::Entry> pattern_;
   std::vector<flow::Crossing> crossings_;
+  flow::SerialPhase serial_;
   bool gravity_;
   contact::ContactSet* mode_ = nullptr;
   Index active_ = 0;    ///< contacts that carry force

@@ -1,0 +1,82 @@
+#include "mariotte/flow/polynomial.hpp"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+
+#include "mariotte/core/bracket.hpp"
+#include "mariotte/core/types.hpp"
+
+namespace mariotte::flow {
+namespace {
+
+constexpr std::size_t most_coefficients = 32;
+constexpr int deepest = 50;  ///< halvings until an interval is shorter than rounding
+using Bernstein = std::array<double, most_coefficients>;
+
+/// Bernstein coefficients on [0, 1] from powers: b_j = Σ_{k≤j} C(j,k)/C(n,k) a_k.
+Bernstein from_powers(std::span<const double> c, double end) {
+  const std::size_t n = c.size() - 1;
+  Bernstein scaled{}, b{};
+  double power = 1;
+  for (std::size_t k = 0; k <= n; ++k, power *= end) scaled[k] = c[k] * power;
+  for (std::size_t j = 0; j <= n; ++j) {
+    double ratio = 1;
+    for (std::size_t k = 0; k <= j; ++k) {
+      b[j] += ratio * scaled[k];
+      ratio *= static_cast<double>(j - k) / static_cast<double>(n - k);
+    }
+  }
+  return b;
+}
+
+/// De Casteljau at the middle: `left` becomes the left half and the right half is returned.
+Bernstein halve(Bernstein& left, std::size_t n) {
+  Bernstein right{};
+  for (std::size_t i = 0; i <= n; ++i) {
+    right[n - i] = left[n];
+    for (std::size_t j = n; j > i; --j) left[j] = 0.5 * (left[j] + left[j - 1]);
+  }
+  return right;
+}
+
+struct Search {
+  std::span<const double> c;
+  std::size_t n;
+
+  /// The polynomial is positive right of `from`.
+  std::optional<double> first(Bernstein b, double from, double to, int depth) const {
+    const auto last = b.begin() + static_cast<Index>(n) + 1;
+    if (std::all_of(b.begin() + 1, last, [](double value) { return value > 0; })) return std::nullopt;
+    if (std::is_sorted(b.begin(), last, std::greater<>()) || depth == deepest) return single(from, to);
+    const auto right = halve(b, n);
+    const double middle = 0.5 * (from + to);
+    if (const auto early = first(b, from, middle, depth + 1)) return early;
+    if (right[0] <= 0) return middle;
+    return first(right, middle, to, depth + 1);
+  }
+
+  std::optional<double> single(double from, double to) const {
+    const double begin = horner(c, from), end = horner(c, to);
+    if (end > 0) return std::nullopt;
+    if (!(begin > 0)) return from;
+    return locate_sign_change([&](double x) { return horner(c, x); }, from, begin, to, end, epsilon * to);
+  }
+};
+
+}  // namespace
+
+double horner(std::span<const double> c, double x) {
+  double sum = 0;
+  for (std::size_t k = c.size(); k-- > 0;) sum = sum * x + c[k];
+  return sum;
+}
+
+std::optional<double> first_fall(std::span<const double> c, double end) {
+  while (c.size() > 1 && c[0] == 0) c = c.subspan(1);  // a root at 0 is divided out
+  if (c.size() < 2) return std::nullopt;
+  const Search search{c, c.size() - 1};
+  return search.first(from_powers(c, end), 0, end, 0);
+}
+
+}  // namespace mariotte::flow

@@ -1,0 +1,15 @@
+// First roots of the polynomials that steps are made of, none skipped.
+#pragma once
+#include <optional>
+#include <span>
+
+namespace mariotte::flow {
+
+/// Σ c[k] xᵏ.
+double horner(std::span<const double> c, double x);
+
+/// First x in (0, end] at which Σ c[k] xᵏ falls to zero, for a polynomial that is positive right of 0. A root
+/// at 0 itself does not count. Proven by subdivision of the Bernstein form; at most 32 coefficients.
+std::optional<double> first_fall(std::span<const double> c, double end);
+
+}  // namespace mariotte::flow

@@ -1,0 +1,12 @@
+// The series in registers of four, for processors with AVX2 and FMA.
+#define MARIOTTE_INSTRUCTION_SET avx2
+#define MARIOTTE_VECTOR_BYTES 32
+#include "mariotte/flow/taylor_series.hpp"
+
+namespace mariotte::flow::taylor {
+
+std::unique_ptr<Expansion> make_avx2_expansion(int lanes) {
+  return avx2::make(lanes);
+}
+
+}  // namespace mariotte::flow::taylor

@@ -1,0 +1,306 @@
+// The recurrences of the Taylor flow. Included by one source file per instruction set, which names the
+// namespace they live in; nothing here may call functions that other files share.
+//
+// With the clock factor g = dt/dσ (1, or √δ_c in the clock of lane c), u the inverse masses, k-th coefficients
+// written as indices and products as convolutions:
+//   λ = k δ + c δ̇            load
+//   s: s² = δ                 s_k = (δ_k − Σ_{0<j<k} s_j s_{k−j}) / (2 s_0); of lane c, s' = δ̇/2
+//   f = s λ, or λ             force
+//   δ' = g δ̇
+//   δ̇' = g (u_l f_left − (u_l + u_r) f + u_r f_right + drive)
+//   p' = g f                  impulse
+//   w' = g f δ̇                work
+#pragma once
+#include "mariotte/flow/taylor_lanes.hpp"
+
+namespace mariotte::flow::taylor::MARIOTTE_INSTRUCTION_SET {
+
+typedef double Vec __attribute__((vector_size(MARIOTTE_VECTOR_BYTES)));
+typedef long long Mask __attribute__((vector_size(MARIOTTE_VECTOR_BYTES)));
+inline constexpr int width = MARIOTTE_VECTOR_BYTES / 8;
+
+inline Vec splat(double a) {
+  return a - Vec{};
+}
+inline Vec least(Vec a, Vec b) {
+  return a < b ? a : b;
+}
+inline Vec largest(Vec a, Vec b) {
+  return a > b ? a : b;
+}
+inline Vec magnitude(Vec a) {
+  return largest(a, -a);
+}
+inline Vec root(Vec a) {
+  for (int i = 0; i < width; ++i) a[i] = __builtin_sqrt(a[i]);
+  return a;
+}
+/// first, first + 1, …: the lanes that a shift takes from two neighbouring registers.
+inline Mask counting_from(int first) {
+  Mask mask{};
+  for (int i = 0; i < width; ++i) mask[i] = first + i;
+  return mask;
+}
+
+/// N registers of lanes.
+template <int N>
+struct Row {
+  Vec part[N];
+};
+
+template <int N, class F>
+[[gnu::always_inline]] inline Row<N> each(F&& f) {
+  Row<N> r;
+#pragma GCC unroll 16
+  for (int i = 0; i < N; ++i) r.part[i] = f(i);
+  return r;
+}
+template <int N>
+inline Row<N> load(const double* from) {
+  return each<N>([&](int i) { return *reinterpret_cast<const Vec*>(from + width * i); });
+}
+template <int N>
+inline void store(const Row<N>& r, double* to) {
+  for (int i = 0; i < N; ++i) *reinterpret_cast<Vec*>(to + width * i) = r.part[i];
+}
+template <int N>
+inline Row<N> operator+(const Row<N>& a, const Row<N>& b) {
+  return each<N>([&](int i) { return a.part[i] + b.part[i]; });
+}
+template <int N>
+inline Row<N> operator-(const Row<N>& a, const Row<N>& b) {
+  return each<N>([&](int i) { return a.part[i] - b.part[i]; });
+}
+template <int N>
+inline Row<N> operator*(const Row<N>& a, const Row<N>& b) {
+  return each<N>([&](int i) { return a.part[i] * b.part[i]; });
+}
+template <int N>
+inline Row<N> operator*(double a, const Row<N>& b) {
+  return each<N>([&](int i) { return a * b.part[i]; });
+}
+/// Lane i takes the value of its left neighbour; the first takes 0.
+template <int N>
+inline Row<N> from_left(const Row<N>& a) {
+  return each<N>([&](int i) {
+    return __builtin_shuffle(i > 0 ? a.part[i - 1] : Vec{}, a.part[i], counting_from(width - 1));
+  });
+}
+template <int N>
+inline Row<N> from_right(const Row<N>& a) {
+  return each<N>([&](int i) {
+    return __builtin_shuffle(a.part[i], i + 1 < N ? a.part[i + 1] : Vec{}, counting_from(1));
+  });
+}
+
+/// 1/k.
+inline constexpr struct Reciprocals {
+  double of[order_limit + 2];
+  constexpr Reciprocals() : of{} {
+    for (int k = 1; k < order_limit + 2; ++k) of[k] = 1.0 / k;
+  }
+} reciprocal;
+
+template <int N>
+class Series final : public Expansion {
+ public:
+  void expand(const Lanes& lanes, int order, int clock) override {
+    order_ = order;
+    clock_ = clock;
+    damped_ = lanes.damped;
+    lanes_ = &lanes;
+    begin(lanes);
+    if (clock == plain)
+      damped_ ? run<false, true>() : run<false, false>();
+    else
+      damped_ ? run<true, true>() : run<true, false>();
+  }
+
+  double size(int k) const override {
+    const auto weight = load<N>(lanes_->weight);
+    Vec most{};
+    for (int i = 0; i < N; ++i)
+      most = largest(most, largest(magnitude(rate_[k].part[i]), weight.part[i] * magnitude(indentation_[k].part[i])));
+    double size = most[0];
+    for (int i = 1; i < width; ++i) size = most[i] > size ? most[i] : size;
+    return size;
+  }
+
+  void evaluate(double place, Values& values) const override {
+    auto d = indentation_[order_], p = impulse_[order_], rest = magnitude_of(d);
+    for (int k = order_ - 1; k >= 0; --k) {
+      d = place * d + indentation_[k];
+      p = place * p + impulse_[k];
+      if (k >= 4) rest = place * rest + magnitude_of(indentation_[k]);
+    }
+    store(d, values.indentation);
+    store(p, values.impulse);
+    const auto margin = bound(indentation_, load<N>(lanes_->side), rest, place);
+    store(margin + load<N>(lanes_->level), values.margin);
+    values.time = clock_ == plain ? place : horner(time_, place);
+    if (damped_) evaluate_damped(place, values);
+  }
+
+  void coefficients(Quantity quantity, int lane, double* c) const override {
+    for (int k = 0; k <= order_; ++k) {
+      switch (quantity) {
+        case Quantity::indentation:
+          c[k] = at(indentation_[k], lane);
+          break;
+        case Quantity::rate:
+          c[k] = at(rate_[k], lane);
+          break;
+        case Quantity::load:
+          c[k] = at(stiffness_, lane) * at(indentation_[k], lane) + at(damping_, lane) * at(rate_[k], lane);
+          break;
+        case Quantity::clock:
+          c[k] = clock_ == plain ? k == 0 : stretch_[k];
+          break;
+        case Quantity::time:
+          c[k] = clock_ == plain ? k == 1 : time_[k];
+      }
+    }
+  }
+
+ private:
+  static double at(const Row<N>& row, int lane) { return row.part[lane / width][lane % width]; }
+  static Row<N> magnitude_of(const Row<N>& a) {
+    return each<N>([&](int i) { return magnitude(a.part[i]); });
+  }
+  double horner(const double* c, double place) const {
+    double sum = c[order_];
+    for (int k = order_ - 1; k >= 0; --k) sum = sum * place + c[k];
+    return sum;
+  }
+
+  void begin(const Lanes& lanes) {
+    push_ = load<N>(lanes.push);
+    stiffness_ = load<N>(lanes.stiffness);
+    damping_ = load<N>(lanes.damping);
+    indentation_[0] = load<N>(lanes.indentation);
+    rate_[0] = load<N>(lanes.rate);
+    impulse_[0] = work_[0] = Row<N>{};
+    left_ = load<N>(lanes.left);
+    right_ = load<N>(lanes.right);
+    drive_ = load<N>(lanes.drive);
+    const auto sharp = load<N>(lanes.sharp);
+    for (int i = 0; i < N; ++i) {
+      const Vec s = root(largest(indentation_[0].part[i], Vec{}));
+      const auto curved = sharp.part[i] != Vec{};
+      root_[0].part[i] = curved ? s : splat(1);
+      half_inverse_.part[i] = curved & (s != Vec{}) ? 0.5 / s : Vec{};
+    }
+    if (clock_ != plain) {
+      chosen_ = Row<N>{};
+      chosen_.part[clock_ / width][clock_ % width] = 1;
+      stretch_[0] = at(root_[0], clock_);
+      time_[0] = 0;
+    }
+  }
+
+  /// s_k of every lane.
+  template <bool Clock>
+  Row<N> next_root(int k) const {
+    Row<N> sum{};
+    for (int j = (k - 1) / 2; j >= 1; --j) sum = sum + root_[j] * root_[k - j];
+    sum = sum + sum;
+    if (k % 2 == 0) sum = sum + root_[k / 2] * root_[k / 2];
+    auto s = (indentation_[k] - sum) * half_inverse_;
+    if constexpr (Clock)
+      for (int i = 0; i < N; ++i) s.part[i] = chosen_.part[i] != Vec{} ? splat(stretch_[k]) : s.part[i];
+    return s;
+  }
+
+  /// Σ a_j b_{k−j}; the newest coefficients, on which the next stage waits, come last.
+  static Row<N> product(const Row<N>* a, const Row<N>* b, int k) {
+    if (k == 0) return a[0] * b[0];
+    Row<N> even{}, odd{};
+    for (int j = 1; j + 1 < k; j += 2) {
+      even = even + a[j] * b[k - j];
+      odd = odd + a[j + 1] * b[k - j - 1];
+    }
+    if (k % 2 == 0) even = even + a[k - 1] * b[1];
+    return (even + odd) + a[k] * b[0] + a[0] * b[k];
+  }
+  static Row<N> stretched(const double* g, const Row<N>* b, int k) {
+    Row<N> sum{};
+    for (int j = 0; j <= k; ++j) sum = sum + g[k - j] * b[j];
+    return sum;
+  }
+
+  template <bool Clock, bool Damped>
+  void stage(int k) {
+    if (k > 0) root_[k] = next_root<Clock>(k);
+    load_[k] = stiffness_ * indentation_[k];
+    if constexpr (Damped) load_[k] = load_[k] + damping_ * rate_[k];
+    force_[k] = push_ * product(root_, load_, k);
+    const double step = reciprocal.of[k + 1];
+    auto push = force_[k], drift = rate_[k];
+    if constexpr (Clock) {
+      push = stretched(stretch_, force_, k);
+      drift = stretched(stretch_, rate_, k);
+      time_[k + 1] = step * stretch_[k];
+    }
+    if constexpr (Damped) {
+      pushed_[k] = push;
+      work_[k + 1] = step * product(pushed_, rate_, k);
+    }
+    const auto change = left_ * (from_left(push) - push) + right_ * (from_right(push) - push);
+    const double outside = Clock ? stretch_[k] : k == 0;
+    rate_[k + 1] = step * (change + outside * drive_);
+    indentation_[k + 1] = step * drift;
+    impulse_[k + 1] = step * push;
+    if constexpr (Clock) stretch_[k + 1] = 0.5 * step * at(rate_[k], clock_);
+  }
+
+  template <bool Clock, bool Damped>
+  void run() {
+    for (int k = 0; k < order_; ++k) stage<Clock, Damped>(k);
+  }
+
+  /// Lower bound of side × polynomial on [0, place]: the Bernstein form of its first four terms less `rest`,
+  /// a bound of all others divided by place⁴. A polynomial that starts at zero is divided by σ first.
+  static Row<N> bound(const Row<N>* c, const Row<N>& side, const Row<N>& rest, double place) {
+    const double square = place * place;
+    return each<N>([&](int i) {
+      const Vec s = side.part[i], a = s * c[0].part[i], b = s * c[1].part[i], d = place * s * c[2].part[i],
+                e = square * s * c[3].part[i];
+      const Vec b1 = a + place / 3 * b, b2 = b1 + place / 3 * (b + d), b3 = a + place * (b + d + e);
+      const Vec from_zero = least(b, least(b + 0.5 * d, b + d + e));
+      const Vec least_value = a == Vec{} ? from_zero : least(least(a, b1), least(b2, b3));
+      const Vec beyond = (a == Vec{} ? splat(place) : splat(square)) * square * rest.part[i];
+      return s == Vec{} ? s : least_value - beyond;
+    });
+  }
+
+  void evaluate_damped(double place, Values& values) const {
+    Row<N> loads[order_limit + 1];
+    for (int k = 0; k <= order_; ++k) loads[k] = stiffness_ * indentation_[k] + damping_ * rate_[k];
+    auto w = work_[order_], rest = magnitude_of(loads[order_]);
+    for (int k = order_ - 1; k >= 0; --k) {
+      w = place * w + work_[k];
+      if (k >= 4) rest = place * rest + magnitude_of(loads[k]);
+    }
+    store(w, values.work);
+    store(bound(loads, load<N>(lanes_->load_side), rest, place), values.load_margin);
+  }
+
+  using Coefficients = Row<N>[order_limit + 1];
+  const Lanes* lanes_ = nullptr;
+  int order_ = 0, clock_ = plain;
+  bool damped_ = false;
+  Row<N> push_, stiffness_, damping_, left_, right_, drive_, half_inverse_, chosen_;
+  Coefficients indentation_, rate_, root_, load_, force_, pushed_, impulse_, work_;
+  double stretch_[order_limit + 1], time_[order_limit + 1];  ///< √δ_c, and t
+};
+
+/// The smallest series that has so many lanes.
+inline std::unique_ptr<Expansion> make(int lanes) {
+  if (lanes <= 4) return std::unique_ptr<Expansion>(new Series<4 / width>);
+  if (lanes <= 8) return std::unique_ptr<Expansion>(new Series<8 / width>);
+  if (lanes <= 12) return std::unique_ptr<Expansion>(new Series<12 / width>);
+  if (lanes <= 16) return std::unique_ptr<Expansion>(new Series<16 / width>);
+  return std::unique_ptr<Expansion>(new Series<lane_limit / width>);
+}
+
+}  // namespace mariotte::flow::taylor::MARIOTTE_INSTRUCTION_SET

@@ -1,0 +1,165 @@
+#include "mariotte/flow/taylor_window.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mariotte/core/types.hpp"
+
+namespace mariotte::flow::taylor {
+namespace {
+
+using Role = SerialPhase::Role;
+
+double rate(const SerialPhase& phase, ConstState x, Index j) {
+  return x[phase.body[j].velocity] - x[phase.body[j + 1].velocity];
+}
+double drive(const SerialPhase& phase, Index j) {
+  return phase.body[j].acceleration - phase.body[j + 1].acceleration;
+}
+
+/// Depth below which the force of a contact may be left out: over the natural time it changes no velocity by
+/// more than the tolerance.
+double wake_depth(const SerialPhase::Contact& c, double speed, double tolerance) {
+  if (c.exponent == 1) return -infinity;
+  const double strain = c.damping * speed / (c.stiffness * c.length);
+  return c.length * std::cbrt(tolerance * tolerance) / (1 + strain);
+}
+
+/// A contact that the window must hold.
+bool is_active(const SerialPhase& phase, ConstState x, Index j, double speed, double tolerance) {
+  const auto& c = phase.contact[j];
+  if (c.role == Role::touching) return -x[c.gap] > wake_depth(c, speed, tolerance);
+  return c.role != Role::open;
+}
+
+/// First time after 0 at which an open gap that flies freely falls to −level.
+double closing_time(const SerialPhase& phase, ConstState x, Index j) {
+  const auto& c = phase.contact[j];
+  const double gap = x[c.gap] + c.level, speed = rate(phase, x, j), push = drive(phase, j);
+  if (push == 0) return speed > 0 ? std::max(0.0, gap / speed) : infinity;
+  const double square = speed * speed + 2 * push * gap;  // gap − speed t − push t²/2 = 0
+  if (square < 0) return infinity;
+  const double root = std::sqrt(square);
+  if (speed > 0) return std::max(0.0, 2 * gap / (speed + root));
+  return push > 0 ? (root - speed) / push : infinity;
+}
+
+void find_outside(Window& w) {
+  w.outside_time = infinity;
+  for (Index j = 0; j < static_cast<Index>(w.phase->contact.size()); ++j) {
+    if (j >= w.first && j < w.first + w.lanes.count) continue;
+    if (w.phase->contact[j].role != Role::open) continue;
+    const double time = w.since + closing_time(*w.phase, w.x, j);
+    if (time >= w.outside_time) continue;
+    w.outside_time = time;
+    w.outside = j;
+  }
+}
+
+void fill(Window& w, int lane, double tolerance) {
+  const auto& phase = *w.phase;
+  const Index j = w.first + lane;
+  const auto& c = phase.contact[j];
+  auto& l = w.lanes;
+  l.indentation[lane] = -w.x[c.gap];
+  l.rate[lane] = rate(phase, w.x, j);
+  l.stiffness[lane] = c.stiffness;
+  l.damping[lane] = c.damping;
+  l.sharp[lane] = c.exponent == 1.5;
+  l.left[lane] = phase.body[j].inverse_mass;
+  l.right[lane] = phase.body[j + 1].inverse_mass;
+  l.drive[lane] = drive(phase, j);
+  l.level[lane] = c.level;
+  l.weight[lane] = 1 / c.length;
+  w.wake[lane] = wake_depth(c, phase.speed, tolerance);
+  w.impulse[lane] = w.work[lane] = 0;
+  l.damped |= c.damping > 0;
+  watch(w, lane);
+}
+
+}  // namespace
+
+void watch(Window& w, int lane) {
+  const auto& c = w.contact(lane);
+  auto& l = w.lanes;
+  const bool damped = c.load_guard >= 0;
+  l.side[lane] = l.load_side[lane] = 0;
+  switch (c.role) {
+    case Role::open:
+      l.side[lane] = -1;
+      break;
+    case Role::closed:
+      (damped ? l.load_side : l.side)[lane] = 1;
+      break;
+    case Role::slack:
+      l.side[lane] = 1;
+      l.load_side[lane] = -1;
+      break;
+    case Role::touching:
+      break;
+  }
+}
+
+bool place(Window& w, const SerialPhase& phase, State x, double time, double tolerance) {
+  const Index count = static_cast<Index>(phase.contact.size());
+  Index from = 0, to = count - 1;
+  while (from < count && !is_active(phase, x, from, phase.speed, tolerance)) ++from;
+  while (to >= from && !is_active(phase, x, to, phase.speed, tolerance)) --to;
+  from = std::max<Index>(0, from - 1);
+  to = std::min(count - 1, to + 1);
+  if (to - from + 1 > lane_limit) return false;
+  w.phase = &phase;
+  w.x = x;
+  w.since = w.time = time;
+  w.first = from;
+  w.lanes.count = static_cast<int>(to - from + 1);
+  w.lanes.damped = false;
+  for (int lane = 0; lane < w.lanes.count; ++lane) fill(w, lane, tolerance);
+  for (int body = 0; body <= w.lanes.count; ++body) w.velocity[body] = x[phase.body[from + body].velocity];
+  find_outside(w);
+  return true;
+}
+
+void advance(Window& w, const Values& values) {
+  auto& l = w.lanes;
+  w.time += values.time;
+  double push = 0;
+  for (int lane = 0; lane <= l.count; ++lane) {
+    const auto& body = w.phase->body[w.first + lane];
+    const double force = lane < l.count ? values.impulse[lane] : 0;
+    w.velocity[lane] += body.inverse_mass * (push - force) + body.acceleration * values.time;
+    push = force;
+  }
+  for (int lane = 0; lane < l.count; ++lane) {
+    l.indentation[lane] = values.indentation[lane];
+    l.rate[lane] = w.velocity[lane] - w.velocity[lane + 1];
+    w.impulse[lane] += values.impulse[lane];
+    if (l.damped) w.work[lane] += values.work[lane];
+  }
+}
+
+void write(const Window& w, State x) {
+  const double elapsed = w.time - w.since;
+  const auto& phase = *w.phase;
+  const Index count = static_cast<Index>(phase.contact.size()), last = w.first + w.lanes.count;
+  for (Index j = 0; j < count; ++j) {
+    const auto& c = phase.contact[j];
+    if (j >= w.first && j < last) {
+      const int lane = static_cast<int>(j - w.first);
+      if (c.impulse >= 0) x[c.impulse] = w.x[c.impulse] + w.impulse[lane];
+      if (c.work >= 0) x[c.work] = w.x[c.work] + w.work[lane];
+      x[c.gap] = 0 - w.lanes.indentation[lane];  // never −0
+    } else {
+      x[c.gap] = w.x[c.gap] - elapsed * (rate(phase, w.x, j) + 0.5 * elapsed * drive(phase, j));
+      if (c.impulse >= 0) x[c.impulse] = w.x[c.impulse];
+      if (c.work >= 0) x[c.work] = w.x[c.work];
+    }
+  }
+  for (Index i = 0; i <= count; ++i) {
+    const auto& body = phase.body[i];
+    x[body.velocity] = i >= w.first && i <= last ? w.velocity[i - w.first]
+                                                 : w.x[body.velocity] + elapsed * body.acceleration;
+  }
+}
+
+}  // namespace mariotte::flow::taylor
