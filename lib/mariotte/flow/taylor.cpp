@@ -121,7 +121,8 @@ struct Taylor::Memory {
   }
 
   bool struck(int lane) const {
-    return window.pushes(lane) && window.lanes.indentation[lane] == 0 && window.lanes.rate[lane] > 0;
+    return window.contact(lane).role == Role::closed && window.lanes.indentation[lane] == 0 &&
+           window.lanes.rate[lane] > 0;
   }
 
   /// The start series, if all contacts that carry force are undamped Hertz contacts which start undeformed.
@@ -277,6 +278,11 @@ struct Taylor::Memory {
       l.indentation[fall.lane] = l.side[fall.lane] < 0 ? l.level[fall.lane] : 0;
   }
 
+  bool is_finite() const {
+    return std::all_of(window.velocity, window.velocity + window.lanes.count + 1,
+                       [](double velocity) { return std::isfinite(velocity); });
+  }
+
   /// A closed contact that is so shallow, and parts so slowly, that its end would be an event made of noise.
   bool has_faded() const {
     const auto& l = window.lanes;
@@ -357,6 +363,7 @@ Arrival Taylor::follow(Problem& problem, State x, const Request& request, std::v
     if (request.watcher) m.show(*piece, *request.watcher);
     taylor::advance(w, m.values);
     m.settle(*piece, fall);
+    if (!m.is_finite()) return stop(Outcome::failed, "a velocity is not finite");
     first = false;
 
     if (fall.guard >= 0) {

@@ -12,19 +12,19 @@ inline constexpr int lane_limit = 32;
 struct Lanes {
   int count = 0;
   bool damped = false;                       ///< some damping is not zero
-  alignas(64) double indentation[lane_limit];  ///< δ; negative where open
-  alignas(64) double rate[lane_limit];         ///< δ̇
-  alignas(64) double push[lane_limit];         ///< 1 where the contact carries force, else 0
-  alignas(64) double stiffness[lane_limit];    ///< k
-  alignas(64) double damping[lane_limit];      ///< c
-  alignas(64) double sharp[lane_limit];        ///< 1 where the force is √δ (k δ + c δ̇), 0 where it is k δ + c δ̇
-  alignas(64) double left[lane_limit];         ///< 1/m of body j
-  alignas(64) double right[lane_limit];        ///< 1/m of body j+1
-  alignas(64) double drive[lane_limit];        ///< δ̈ from outside forces
-  alignas(64) double side[lane_limit];         ///< sign that δ is to keep, 0 where nobody watches
-  alignas(64) double level[lane_limit];        ///< depth to which an open contact may reach
-  alignas(64) double load_side[lane_limit];    ///< sign that the load k δ + c δ̇ is to keep, or 0
-  alignas(64) double weight[lane_limit];       ///< 1/natural length
+  alignas(64) double indentation[lane_limit] = {};  ///< δ; negative where open
+  alignas(64) double rate[lane_limit] = {};         ///< δ̇
+  alignas(64) double push[lane_limit] = {};         ///< 1 where the contact carries force, else 0
+  alignas(64) double stiffness[lane_limit] = {};    ///< k
+  alignas(64) double damping[lane_limit] = {};      ///< c
+  alignas(64) double sharp[lane_limit] = {};        ///< 1 where the force is √δ (k δ + c δ̇), 0 where it is k δ + c δ̇
+  alignas(64) double left[lane_limit] = {};         ///< 1/m of body j
+  alignas(64) double right[lane_limit] = {};        ///< 1/m of body j+1
+  alignas(64) double drive[lane_limit] = {};        ///< δ̈ from outside forces
+  alignas(64) double side[lane_limit] = {};         ///< sign that δ is to keep, 0 where nobody watches
+  alignas(64) double level[lane_limit] = {};        ///< depth to which an open contact may reach
+  alignas(64) double load_side[lane_limit] = {};    ///< sign that the load k δ + c δ̇ is to keep, or 0
+  alignas(64) double weight[lane_limit] = {};       ///< 1/natural length
 };
 
 /// What an expansion gives at one place of its clock.

@@ -186,7 +186,7 @@ class Series final : public Expansion {
     const auto sharp = load<N>(lanes.sharp);
     for (int i = 0; i < N; ++i) {
       const Vec s = root(largest(indentation_[0].part[i], Vec{}));
-      const auto curved = sharp.part[i] != Vec{};
+      const auto curved = sharp.part[i] * push_.part[i] != Vec{};
       root_[0].part[i] = curved ? s : splat(1);
       half_inverse_.part[i] = curved & (s != Vec{}) ? 0.5 / s : Vec{};
     }

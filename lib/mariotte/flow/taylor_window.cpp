@@ -77,6 +77,12 @@ void fill(Window& w, int lane, double tolerance) {
   watch(w, lane);
 }
 
+void clear(Lanes& l, int lane) {
+  for (auto* row : {l.indentation, l.rate, l.push, l.stiffness, l.damping, l.sharp, l.left, l.right, l.drive, l.side,
+                    l.level, l.load_side, l.weight})
+    row[lane] = 0;
+}
+
 }  // namespace
 
 void watch(Window& w, int lane) {
@@ -105,14 +111,18 @@ bool place(Window& w, const SerialPhase& phase, State x, double time, double tol
   Index from = 0, to = count - 1;
   while (from < count && !is_active(phase, x, from, phase.speed, tolerance)) ++from;
   while (to >= from && !is_active(phase, x, to, phase.speed, tolerance)) --to;
-  from = std::max<Index>(0, from - 1);
-  to = std::min(count - 1, to + 1);
+  // One contact more on each side, and another where that one is about to be pressed.
+  const auto touching = [&](Index j) { return phase.contact[j].role == Role::touching; };
+  if (from > 0 && touching(--from) && from > 0) --from;
+  if (to + 1 < count && touching(++to) && to + 1 < count) ++to;
   if (to - from + 1 > lane_limit) return false;
   w.phase = &phase;
   w.x = x;
   w.since = w.time = time;
   w.first = from;
+  const int idle = w.lanes.count;
   w.lanes.count = static_cast<int>(to - from + 1);
+  for (int lane = w.lanes.count; lane < idle; ++lane) clear(w.lanes, lane);
   w.lanes.damped = false;
   for (int lane = 0; lane < w.lanes.count; ++lane) fill(w, lane, tolerance);
   for (int body = 0; body <= w.lanes.count; ++body) w.velocity[body] = x[phase.body[from + body].velocity];
