@@ -79,7 +79,7 @@ Kind choose(const Problem& problem, std::optional<Kind> requested) {
 
 Flow& Flows::get(Kind kind, const Problem& problem) {
   auto& flow = flows_[static_cast<std::size_t>(kind)];
-  if (!flow) flow = make(kind, problem);
+  if (!flow || !flow->fits(problem)) flow = make(kind, problem);
   return *flow;
 }
 

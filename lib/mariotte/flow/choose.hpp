@@ -26,7 +26,7 @@ std::optional<Kind> parse_kind(std::string_view name);
 /// by Adams unless damping makes the phase stiff.
 Kind choose(const Problem& problem, std::optional<Kind> requested);
 
-/// The flows of one run, each made when first needed and kept.
+/// The flows of one run after the other, each made when first needed and kept as long as it fits.
 class Flows {
  public:
   Flow& get(Kind kind, const Problem& problem);

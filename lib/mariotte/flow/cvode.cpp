@@ -205,6 +205,12 @@ class Interpolant final : public Step {
 Cvode::Cvode(CvodeMethod method, const Problem& like) : memory_(std::make_unique<Memory>(method, like)) {}
 Cvode::~Cvode() = default;
 
+bool Cvode::fits(const Problem& problem) const {
+  const auto& m = *memory_;
+  return problem.size() == N_VGetLength_Serial(m.state.get()) &&
+         problem.guard_count() == static_cast<Index>(m.roots.size()) && (!m.newton || m.newton->fits(problem));
+}
+
 Arrival Cvode::follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) {
   auto& m = *memory_;
   m.restart(problem, x, request);

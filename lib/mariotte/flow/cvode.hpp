@@ -15,6 +15,7 @@ class Cvode final : public Flow {
  public:
   Cvode(CvodeMethod method, const Problem& like);
   ~Cvode() override;
+  bool fits(const Problem& problem) const override;
   Arrival follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) override;
 
  private:

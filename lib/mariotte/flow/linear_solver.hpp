@@ -18,6 +18,8 @@ class NewtonMatrix {
   SUNMatrix matrix() const { return matrix_.get(); }
   SUNLinearSolver solver() const { return solver_.get(); }
 
+  bool fits(const Problem& problem) const { return problem.pattern() == pattern_; }
+
   /// Write the problem's Jacobian at x into `target`, a matrix of the same kind and shape.
   /// False if an entry is not finite.
   bool fill(const Problem& problem, ConstState x, SUNMatrix target);

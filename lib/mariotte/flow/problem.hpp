@@ -23,6 +23,7 @@ enum class Accepted {
 struct Entry {
   Index row;
   Index column;
+  bool operator==(const Entry&) const = default;
 };
 
 /// A phase in which two bodies push each other through one contact and everything else flies freely at
@@ -116,7 +117,7 @@ class Problem {
   virtual double time_scale() const = 0;
 
   /// Places of the Jacobian in any mode, and their values in this one, in the same order.
-  virtual const std::vector<Entry>& pattern() const = 0;
+  virtual std::vector<Entry> pattern() const = 0;
   virtual void jacobian(ConstState x, State values) const = 0;
   /// Largest damping ratio c/√(k m) of the active contacts: what makes a phase stiff.
   virtual double damping_ratio() const = 0;

@@ -2,6 +2,7 @@
 #pragma once
 #include <string>
 
+#include "mariotte/core/scale.hpp"
 #include "mariotte/core/types.hpp"
 
 namespace mariotte::hybrid {
@@ -12,5 +13,14 @@ struct Options {
   Index max_events = 1000000;  ///< stop after so many changes of the set of contacts
   std::string flow = "auto";   ///< name of the flow of every contact phase; "auto" chooses
 };
+
+/// Throws InvalidParameter unless accuracy and limits make sense.
+void validate(const Options& options);
+
+/// Times divided by those of a scale.
+inline Options scaled(Options options, const Scale& scale) {
+  options.max_time /= scale.time;
+  return options;
+}
 
 }  // namespace mariotte::hybrid

@@ -45,25 +45,37 @@ inline void count(FlowCount& use, const flow::Arrival& arrival) {
 
 }  // namespace detail
 
-/// Run a system from state x until an ending. Options are in the system's scales; `watcher` may be null.
+/// What a run needs; kept from one run to the next, it allocates nothing after the first of its size.
 template <HybridSystem System>
-Trajectory<typename System::Change> simulate(System& system, std::vector<double> x, const Options& options,
-                                             PhaseWatcher* watcher = nullptr) {
-  const auto requested = flow::parse_kind(options.flow);
-  Trajectory<typename System::Change> run;
+struct Workspace {
+  flow::Flows flows;
+  typename System::Mode mode;
   std::vector<typename System::Change> changes;
   std::vector<Index> fired;
-  flow::Flows flows;
-  CompensatedSum time;
+  Trajectory<typename System::Change> run;
+};
 
-  auto mode = system.mode_at(x, changes);
-  const auto end = [&](Ending ending, std::string message = {}) {
+/// Run a system from state x until an ending; the result stays in the workspace. Options are in the system's
+/// scales; `watcher` may be null.
+template <HybridSystem System>
+const Trajectory<typename System::Change>& simulate(System& system, ConstState x0, const Options& options,
+                                                    Workspace<System>& workspace,
+                                                    PhaseWatcher* watcher = nullptr) {
+  const auto requested = flow::parse_kind(options.flow);
+  auto& [flows, mode, changes, fired, run] = workspace;
+  clear(run);
+  changes.clear();
+  auto& x = run.state;
+  x.assign(x0.begin(), x0.end());
+  CompensatedSum time;
+  const auto end = [&](Ending ending, std::string message = {}) -> const auto& {
     run.ending = ending;
     run.message = std::move(message);
     run.time = time.value();
-    run.state = std::move(x);
-    return std::move(run);
+    return run;
   };
+
+  system.mode_at(x, mode, changes);
   for (;;) {
     detail::record(run, time.value(), changes);
     if (system.is_over(mode, x, run.events > 0)) {

@@ -8,7 +8,7 @@
 namespace mariotte::hybrid {
 
 /// A system whose state x is continuous while its mode jumps.
-///   mode_at(x, changes)           the mode in which the run starts, at 0+
+///   mode_at(x, mode, changes)     sets the mode in which the run starts, at 0+
 ///   transition(mode, fired, x, …) the mode after a set of guards has fired at x
 ///   is_over(mode, x, impacted)    nothing can happen any more
 ///   finish(mode, changes)         the mode to end in, once it is over
@@ -18,7 +18,7 @@ template <class S>
 concept HybridSystem = requires(S& system, const S& fixed, typename S::Mode& mode,
                                 const typename S::Mode& from, ConstState x, std::vector<Index>& fired,
                                 bool impacted, std::vector<typename S::Change>& changes) {
-  { fixed.mode_at(x, changes) } -> std::same_as<typename S::Mode>;
+  { fixed.mode_at(x, mode, changes) } -> std::same_as<void>;
   { fixed.transition(mode, fired, x, changes) } -> std::same_as<void>;
   { fixed.is_over(from, x, impacted) } -> std::same_as<bool>;
   { fixed.finish(mode, changes) } -> std::same_as<void>;

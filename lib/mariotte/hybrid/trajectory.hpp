@@ -37,4 +37,14 @@ struct Trajectory {
   std::array<FlowCount, flow::kinds.size()> flows{};  ///< by flow::Kind
 };
 
+/// Empty again; keeps its memory.
+template <class Change>
+void clear(Trajectory<Change>& run) {
+  run.message.clear();
+  run.state.clear();
+  run.changes.clear();
+  run.events = 0;
+  run.flows.fill({});
+}
+
 }  // namespace mariotte::hybrid

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "mariotte/core/error.hpp"
 #include "mariotte/hybrid/simulate.hpp"
+#include "mariotte/impact/chain_solver.hpp"
 #include "mariotte/impact/energy.hpp"
 #include "mariotte/impact/impulses.hpp"
 #include "mariotte/impact/peaks.hpp"
@@ -23,7 +23,7 @@ namespace {
 class Observers final : public hybrid::PhaseWatcher {
  public:
   Observers(const model::ChainPhase& phase, const ChainSystem& system, bool trace)
-      : peaks(phase, system.layout), recorder(phase, system.chain, system.layout), trace_(trace) {}
+      : peaks(phase, system.layout()), recorder(phase, system.chain(), system.layout()), trace_(trace) {}
   void begin_phase(double time, ConstState) override { start_ = time; }
   void watch(const flow::Step& step) override {
     peaks.watch(step);
@@ -38,27 +38,6 @@ class Observers final : public hybrid::PhaseWatcher {
   double start_ = 0;
 };
 
-void validate(const hybrid::Options& options) {
-  if (!(options.accuracy > 0 && options.accuracy < 1))
-    throw InvalidParameter("accuracy must lie between 0 and 1");
-  if (!(options.max_time > 0)) throw InvalidParameter("max_time must be positive");
-  if (options.max_events < 1) throw InvalidParameter("max_events must be at least 1");
-}
-
-hybrid::Options scaled(hybrid::Options options, const Scale& scale) {
-  options.max_time /= scale.time;
-  return options;
-}
-
-contact::ContactSet final_mode(const Run& run, Index contacts) {
-  contact::ContactSet mode(contacts, contact::ContactMode::open);
-  for (const auto& [time, change] : run.changes) mode[change.contact] = change.after;
-  return mode;
-}
-
-bool starts_force(const model::ContactChange& change) {
-  return !contact::carries_force(change.before) && contact::carries_force(change.after);
-}
 bool ends_force(const model::ContactChange& change) {
   return contact::carries_force(change.before) && !contact::carries_force(change.after);
 }
@@ -109,8 +88,8 @@ std::vector<Skipped> skipped(const ChainSystem& system, const Run& run, bool tra
     list.push_back({"single contacts", std::to_string(pairs) + " phases in closed form, not integrated"});
   if (const Index modal = used(flow::Kind::modal))
     list.push_back({"linear contacts", std::to_string(modal) + " phases by natural modes, not integrated"});
-  if (none(system.layout.work)) list.push_back({"dissipation", "no contact is damped"});
-  if (none(system.layout.impulse))
+  if (none(system.layout().work)) list.push_back({"dissipation", "no contact is damped"});
+  if (none(system.layout().impulse))
     list.push_back({"impulse integrals", "momentum gives every impulse of a chain without walls"});
   if (used(flow::Kind::cvode_bdf_dense) + used(flow::Kind::cvode_bdf_band) +
           used(flow::Kind::cvode_bdf_klu) ==
@@ -128,15 +107,15 @@ double loss_above(double noise, double loss) {
 std::vector<ContactHistory> histories(const ChainSystem& system, const Run& run, const std::vector<double>& p,
                                       const std::vector<ContactEnergy>& energies,
                                       const std::vector<Peak>& peaks, double accuracy) {
-  const auto& scale = system.chain.scale;
-  const double speed = system.chain.speed;
-  std::vector<ContactHistory> contacts(system.layout.contacts());
+  const auto& scale = system.chain().scale;
+  const double speed = system.chain().speed;
+  std::vector<ContactHistory> contacts(system.layout().contacts());
   for (std::size_t j = 0; j < contacts.size(); ++j)
     contacts[j] = {.impulse = p[j] * scale.momentum(),
                    .peak_force = peaks[j].force * scale.force(),
                    .peak_indentation = peaks[j].indentation * scale.length,
                    .stored = energies[j].stored * scale.energy(),
-                   .dissipated = loss_above(accuracy * system.chain.reduced_mass[j] * speed * speed,
+                   .dissipated = loss_above(accuracy * system.chain().reduced_mass[j] * speed * speed,
                                             energies[j].dissipated) *
                                  scale.energy(),
                    .periods = {}};
@@ -144,45 +123,40 @@ std::vector<ContactHistory> histories(const ChainSystem& system, const Run& run,
   return contacts;
 }
 
-/// A contact that never carried force has no impulse, whatever rounding says.
-void clear_untouched(std::vector<double>& p, const Run& run) {
-  std::vector<bool> touched(p.size(), false);
-  for (const auto& [time, change] : run.changes)
-    touched[change.contact] = touched[change.contact] || starts_force(change);
-  for (std::size_t j = 0; j < p.size(); ++j)
-    if (!touched[j]) p[j] = 0;
-}
-
 }  // namespace
 
 ChainImpact simulate(const model::Chain& chain, const hybrid::Options& options, bool trace) {
   model::validate(chain);
-  validate(options);
-  ChainSystem system(chain, options.accuracy, /*stay=*/std::isfinite(options.max_time));
-  const auto start = system.start();
+  hybrid::validate(options);
+  ChainSystem system;
+  system.reset(chain, options.accuracy, /*stay=*/std::isfinite(options.max_time));
+  std::vector<double> start, p;
+  std::vector<Index> periods;
+  initial_state(system.chain(), system.layout(), start);
   Observers observers(system.phase(), system, trace);
-  const Run run = hybrid::simulate(system, start, scaled(options, system.chain.scale), &observers);
+  hybrid::Workspace<ChainSystem> workspace;
+  const Run& run =
+      hybrid::simulate(system, start, hybrid::scaled(options, system.chain().scale), workspace, &observers);
 
-  const auto& scale = system.chain.scale;
+  const auto& scale = system.chain().scale;
   const Stretch stretch{.before = start, .after = run.state, .time = run.time};
-  auto p = impulses(system.chain, system.layout, stretch);
-  clear_untouched(p, run);
-  auto mode = final_mode(run, system.layout.contacts());
-  system.problem(mode);  // the loop's own mode is gone; forces at the ending are those of the last one
-  const auto energies = contact_energies(system.chain, system.layout, mode, stretch);
+  impulses(system.chain(), system.layout(), stretch, p);
+  count_periods(run.changes, system.layout().contacts(), periods);
+  clear_untouched(periods, p);
+  const auto energies = contact_energies(system.chain(), system.layout(), workspace.mode, stretch);
 
   ChainImpact impact;
   impact.ending = run.ending;
   impact.message = run.message;
   impact.time = run.time * scale.time;
-  for (const Index at : system.layout.velocity) impact.velocity.push_back(run.state[at] * scale.velocity);
-  for (const Index at : system.layout.gap) impact.gap.push_back(run.state[at] * scale.length);
+  for (const Index at : system.layout().velocity) impact.velocity.push_back(run.state[at] * scale.velocity);
+  for (const Index at : system.layout().gap) impact.gap.push_back(run.state[at] * scale.length);
   impact.contacts = histories(system, run, p, energies, observers.peaks.peaks(), options.accuracy);
   impact.icr = correlation_ratios(p);
   impact.impulse_direction = direction(p);
   impact.events = events(run, scale.time);
-  impact.energy = energy_ledger(system.chain, system.layout, energies, p, stretch);
-  impact.momentum = momentum_ledger(system.chain, system.layout, stretch);
+  impact.energy = energy_ledger(system.chain(), system.layout(), energies, p, stretch);
+  impact.momentum = momentum_ledger(system.chain(), system.layout(), stretch);
   impact.flows = flow_uses(run);
   impact.skipped = skipped(system, run, trace);
   impact.requested_accuracy = options.accuracy;
@@ -194,7 +168,8 @@ double estimate_accuracy(const model::Chain& chain, const hybrid::Options& optio
                          const ChainImpact& result) {
   auto tighter = options;
   tighter.accuracy = std::max(1e-2 * options.accuracy, 16 * epsilon);
-  const auto reference = simulate(chain, tighter);
+  ChainSolver solver;
+  const auto& reference = solver.solve(chain, tighter);
   double error = 0, speed = 0;
   for (std::size_t i = 0; i < chain.velocity.size(); ++i) {
     error = std::max(error, std::abs(result.velocity[i] - reference.velocity[i]));

@@ -14,10 +14,10 @@ double lost_momentum(const model::DimensionlessChain& chain, const model::ChainL
 
 }  // namespace
 
-std::vector<double> impulses(const model::DimensionlessChain& chain, const model::ChainLayout& layout,
-                             const Stretch& stretch) {
+void impulses(const model::DimensionlessChain& chain, const model::ChainLayout& layout, const Stretch& stretch,
+              std::vector<double>& p) {
   const Index n = layout.balls();
-  std::vector<double> p(n - 1, 0.0);
+  p.assign(n - 1, 0.0);
   const auto is_wall = [&](Index i) { return chain.inverse_mass[i] == 0; };
   Index right_end = n - 1;  // the trailing balls up to the last wall are summed from the free right end
   for (; right_end > 0 && !is_wall(right_end); --right_end) {
@@ -31,7 +31,17 @@ std::vector<double> impulses(const model::DimensionlessChain& chain, const model
     else
       p[j] = (j == 0 ? 0 : p[j - 1]) + lost_momentum(chain, layout, stretch, j);
   }
-  return p;
+}
+
+void count_periods(const std::vector<hybrid::Timed<model::ContactChange>>& changes, Index contacts,
+                   std::vector<Index>& periods) {
+  periods.assign(contacts, 0);
+  for (const auto& [time, change] : changes) periods[change.contact] += starts_force(change);
+}
+
+void clear_untouched(const std::vector<Index>& periods, std::vector<double>& p) {
+  for (std::size_t j = 0; j < p.size(); ++j)
+    if (periods[j] == 0) p[j] = 0;
 }
 
 std::vector<std::optional<double>> correlation_ratios(const std::vector<double>& impulses) {

@@ -3,7 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "mariotte/model/chain_layout.hpp"
+#include "mariotte/hybrid/trajectory.hpp"
+#include "mariotte/model/chain_system.hpp"
 
 namespace mariotte::impact {
 
@@ -15,9 +16,21 @@ struct Stretch {
 };
 
 /// p_j = ∫ f_j dt of all n−1 contacts, from momentum: p_j = p_{j−1} − m_j (Δv_j + γ t), started at a free end
-/// of the chain where p = 0. Only between two walls does it rest on the integral of a wall's force.
-std::vector<double> impulses(const model::DimensionlessChain& chain, const model::ChainLayout& layout,
-                             const Stretch& stretch);
+/// of the chain where p = 0. Only between two walls does it rest on the integral of a wall's force. Fills p.
+void impulses(const model::DimensionlessChain& chain, const model::ChainLayout& layout, const Stretch& stretch,
+              std::vector<double>& p);
+
+/// A contact starts to carry force.
+inline bool starts_force(const model::ContactChange& change) {
+  return !contact::carries_force(change.before) && contact::carries_force(change.after);
+}
+
+/// How often each of the n−1 contacts started to carry force.
+void count_periods(const std::vector<hybrid::Timed<model::ContactChange>>& changes, Index contacts,
+                   std::vector<Index>& periods);
+
+/// A contact that never carried force has no impulse, whatever rounding says.
+void clear_untouched(const std::vector<Index>& periods, std::vector<double>& p);
 
 /// α_j = p_j/p_{j+1} [Acary 2003, eq. 5], n−2 values; empty where p_{j+1} = 0.
 std::vector<std::optional<double>> correlation_ratios(const std::vector<double>& impulses);

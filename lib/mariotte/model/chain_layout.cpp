@@ -5,8 +5,9 @@
 
 namespace mariotte::model {
 
-ChainLayout make_layout(const DimensionlessChain& chain) {
-  ChainLayout layout;
+void make_layout(const DimensionlessChain& chain, ChainLayout& layout) {
+  layout.size = 0;
+  for (auto* places : {&layout.velocity, &layout.gap, &layout.work, &layout.impulse}) places->clear();
   for (std::size_t i = 0; i < chain.mass.size(); ++i) {
     layout.velocity.push_back(layout.size++);
     if (i == chain.law.size()) break;
@@ -15,22 +16,20 @@ ChainLayout make_layout(const DimensionlessChain& chain) {
     layout.work.push_back(contact::damping(chain.law[i]) > 0 ? layout.size++ : ChainLayout::absent);
     layout.impulse.push_back(wall ? layout.size++ : ChainLayout::absent);
   }
-  return layout;
 }
 
-std::vector<double> initial_state(const DimensionlessChain& chain, const ChainLayout& layout) {
-  std::vector<double> x(layout.size, 0.0);
+void initial_state(const DimensionlessChain& chain, const ChainLayout& layout, std::vector<double>& x) {
+  x.assign(layout.size, 0.0);
   for (Index i = 0; i < layout.balls(); ++i) x[layout.velocity[i]] = chain.velocity[i];
   for (Index j = 0; j < layout.contacts(); ++j) {
     x[layout.gap[j]] = chain.gap[j];
     if (layout.work[j] != ChainLayout::absent && chain.gap[j] < 0)
       x[layout.work[j]] = contact::stored_energy(chain.law[j], -chain.gap[j]);
   }
-  return x;
 }
 
-std::vector<double> magnitudes(const DimensionlessChain& chain, const ChainLayout& layout) {
-  std::vector<double> size(layout.size, 0.0);
+void magnitudes(const DimensionlessChain& chain, const ChainLayout& layout, std::vector<double>& size) {
+  size.assign(layout.size, 0.0);
   for (Index j = 0; j < layout.contacts(); ++j) {
     const double momentum = chain.reduced_mass[j] * chain.speed;
     size[layout.gap[j]] = chain.length[j];
@@ -45,7 +44,6 @@ std::vector<double> magnitudes(const DimensionlessChain& chain, const ChainLayou
   }
   for (Index i = 0; i < layout.balls(); ++i)
     if (chain.inverse_mass[i] == 0) size[layout.velocity[i]] = chain.speed;
-  return size;
 }
 
 std::string component_name(const ChainLayout& layout, Index component) {

@@ -24,13 +24,14 @@ struct ChainLayout {
   Index contacts() const { return static_cast<Index>(gap.size()); }
 };
 
-ChainLayout make_layout(const DimensionlessChain& chain);
+// These fill what they are given and reuse its memory.
+void make_layout(const DimensionlessChain& chain, ChainLayout& layout);
 
 /// State at the start; the work of a contact that starts indented is its stored energy.
-std::vector<double> initial_state(const DimensionlessChain& chain, const ChainLayout& layout);
+void initial_state(const DimensionlessChain& chain, const ChainLayout& layout, std::vector<double>& x);
 
 /// Natural size of each component of the state.
-std::vector<double> magnitudes(const DimensionlessChain& chain, const ChainLayout& layout);
+void magnitudes(const DimensionlessChain& chain, const ChainLayout& layout, std::vector<double>& size);
 
 /// "velocity 3", "gap 2", … for messages; counted from 1.
 std::string component_name(const ChainLayout& layout, Index component);

@@ -21,18 +21,10 @@ std::vector<flow::Entry> contact_pattern(const ChainLayout& at, Index j) {
   return entries;
 }
 
-std::vector<flow::Entry> make_pattern(const ChainLayout& layout) {
-  std::vector<flow::Entry> pattern;
-  for (Index j = 0; j < layout.contacts(); ++j) {
-    const auto entries = contact_pattern(layout, j);
-    pattern.insert(pattern.end(), entries.begin(), entries.end());
-  }
-  return pattern;
-}
-
-flow::SerialPhase make_serial(const DimensionlessChain& chain, const ChainLayout& at,
-                              const ChainGuards& guards) {
-  flow::SerialPhase phase;
+void make_serial(const DimensionlessChain& chain, const ChainLayout& at, const ChainGuards& guards,
+                 flow::SerialPhase& phase) {
+  phase.body.clear();
+  phase.contact.clear();
   phase.speed = chain.speed;
   phase.slow = chain.slow;
   for (Index i = 0; i < at.balls(); ++i)
@@ -48,7 +40,6 @@ flow::SerialPhase make_serial(const DimensionlessChain& chain, const ChainLayout
                              .exponent = contact::exponent(chain.law[j]),
                              .length = chain.length[j],
                              .shallow = chain.shallow[j]});
-  return phase;
 }
 
 flow::SerialPhase::Role role(ContactMode mode) {
@@ -69,15 +60,15 @@ flow::SerialPhase::Role role(ContactMode mode) {
 
 }  // namespace
 
-ChainGuards make_guards(const ChainLayout& layout) {
-  ChainGuards guards;
+void make_guards(const ChainLayout& layout, ChainGuards& guards) {
+  guards.contact.clear();
+  guards.load.clear();
   for (Index j = 0; j < layout.contacts(); ++j) guards.contact.push_back(j);
   for (Index j = 0; j < layout.contacts(); ++j) {
     const bool damped = layout.work[j] != ChainLayout::absent;
     guards.load.push_back(damped ? static_cast<Index>(guards.contact.size()) : ChainLayout::absent);
     if (damped) guards.contact.push_back(j);
   }
-  return guards;
 }
 
 bool has_faded(const DimensionlessChain& chain, const ChainLayout& layout, ConstState x, Index j) {
@@ -89,15 +80,22 @@ double load(const contact::Law& law, double indentation, double rate) {
   return contact::stiffness(law) * indentation + contact::damping(law) * rate;
 }
 
-ChainPhase::ChainPhase(const DimensionlessChain& chain, const ChainLayout& layout)
-    : chain_(chain),
-      layout_(layout),
-      guards_(make_guards(layout)),
-      magnitudes_(model::magnitudes(chain, layout)),
-      pattern_(make_pattern(layout)),
-      crossings_(guards_.contact.size(), Crossing::none),
-      serial_(make_serial(chain, layout, guards_)),
-      gravity_(std::any_of(chain.gravity.begin(), chain.gravity.end(), [](double g) { return g != 0; })) {}
+void ChainPhase::reset() {
+  make_guards(layout_, guards_);
+  model::magnitudes(chain_, layout_, magnitudes_);
+  crossings_.assign(guards_.contact.size(), Crossing::none);
+  make_serial(chain_, layout_, guards_, serial_);
+  gravity_ = std::any_of(chain_.gravity.begin(), chain_.gravity.end(), [](double g) { return g != 0; });
+}
+
+std::vector<flow::Entry> ChainPhase::pattern() const {
+  std::vector<flow::Entry> pattern;
+  for (Index j = 0; j < layout_.contacts(); ++j) {
+    const auto entries = contact_pattern(layout_, j);
+    pattern.insert(pattern.end(), entries.begin(), entries.end());
+  }
+  return pattern;
+}
 
 void ChainPhase::bind(contact::ContactSet& mode) {
   mode_ = &mode;

@@ -12,7 +12,8 @@ struct ChainGuards {
   std::vector<Index> contact;  ///< contact of every guard
 };
 
-ChainGuards make_guards(const ChainLayout& layout);
+/// Fills `guards`, whose memory is reused.
+void make_guards(const ChainLayout& layout, ChainGuards& guards);
 
 /// Load k δ + c δ̇ of a damped contact; its sign is the sign of the force.
 double load(const contact::Law& law, double indentation, double rate);
@@ -24,7 +25,9 @@ bool has_faded(const DimensionlessChain& chain, const ChainLayout& layout, Const
 /// A chain bound to a mode; `bind` moves it on to the next.
 class ChainPhase final : public flow::Problem {
  public:
-  ChainPhase(const DimensionlessChain& chain, const ChainLayout& layout);
+  /// For a chain and layout that outlive it; `reset` when they have changed.
+  ChainPhase(const DimensionlessChain& chain, const ChainLayout& layout) : chain_(chain), layout_(layout) {}
+  void reset();
 
   /// From now on follow `mode`, which must outlive the phase; accepted steps turn its touching contacts
   /// closed.
@@ -39,7 +42,7 @@ class ChainPhase final : public flow::Problem {
   std::span<const flow::Crossing> crossings() const override { return crossings_; }
   std::span<const double> magnitudes() const override { return magnitudes_; }
   double time_scale() const override { return time_scale_; }
-  const std::vector<flow::Entry>& pattern() const override { return pattern_; }
+  std::vector<flow::Entry> pattern() const override;
   void jacobian(ConstState x, State values) const override;
   double damping_ratio() const override;
   bool is_ballistic() const override { return active_ == 0; }
@@ -65,10 +68,9 @@ class ChainPhase final : public flow::Problem {
   const ChainLayout& layout_;
   ChainGuards guards_;
   std::vector<double> magnitudes_;
-  std::vector<flow::Entry> pattern_;
   std::vector<flow::Crossing> crossings_;
   flow::SerialPhase serial_;
-  bool gravity_;
+  bool gravity_ = false;
   contact::ContactSet* mode_ = nullptr;
   Index active_ = 0;    ///< contacts that carry force
   Index touching_ = 0;  ///< those of them that are still touching

@@ -13,20 +13,25 @@ struct ContactChange {
   contact::ContactMode after;
 };
 
-/// Satisfies hybrid::HybridSystem. Dimensionless; `chain.scale` leads back.
+/// Satisfies hybrid::HybridSystem. Dimensionless; `chain().scale` leads back.
 class ChainSystem {
  public:
   using Mode = contact::ContactSet;
   using Change = ContactChange;
 
-  /// `stay` keeps a chain that gravity leads back to a wall going after its first impact.
-  ChainSystem(const Chain& chain, double accuracy, bool stay);
+  ChainSystem() : phase_(chain_, layout_) {}
+  ChainSystem(const ChainSystem&) = delete;
+  ChainSystem& operator=(const ChainSystem&) = delete;
 
-  std::vector<double> start() const { return initial_state(chain, layout); }
+  /// Become the system of another chain and reuse the memory. `stay` keeps a chain that gravity leads back to
+  /// a wall going after its first impact.
+  void reset(const Chain& chain, double accuracy, bool stay);
+  const DimensionlessChain& chain() const { return chain_; }
+  const ChainLayout& layout() const { return layout_; }
 
   /// Contacts that carry force at 0+: indented ones, touching ones that approach or are driven together, and
   /// touching ones at rest that stand in a row with one of these.
-  Mode mode_at(ConstState x, std::vector<Change>& changes) const;
+  void mode_at(ConstState x, Mode& mode, std::vector<Change>& changes) const;
   /// What has fired, and closed contacts that have faded by then.
   void transition(Mode& mode, const std::vector<Index>& fired, ConstState x,
                   std::vector<Change>& changes) const;
@@ -38,18 +43,17 @@ class ChainSystem {
   ChainPhase& problem(Mode& mode);
   const ChainPhase& phase() const { return phase_; }
 
-  const DimensionlessChain chain;
-  const ChainLayout layout;
-
  private:
   double approach(ConstState x, Index j) const;
   contact::ContactMode after(contact::ContactMode mode, bool load_fired, double gap, double approach) const;
   bool rests(const Mode& mode, ConstState x, Index j) const;
   void press_row(Mode& mode, ConstState x, Index from, std::vector<Change>& changes) const;
 
+  DimensionlessChain chain_;
+  ChainLayout layout_;
   ChainGuards guards_;
   ChainPhase phase_;
-  bool stay_;
+  bool stay_ = false;
 };
 
 }  // namespace mariotte::model

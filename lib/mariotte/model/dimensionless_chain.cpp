@@ -51,8 +51,7 @@ std::size_t quickest_contact(const Chain& chain, double speed) {
   return quickest;
 }
 
-Scale choose_scale(const Chain& chain, double speed) {
-  const auto j = quickest_contact(chain, speed);
+Scale choose_scale(const Chain& chain, double speed, std::size_t j) {
   Scale scale;
   scale.mass = power_of_two_below(2 * reduced_mass(chain.mass[j], chain.mass[j + 1]));
   scale.velocity = power_of_two_below(speed);
@@ -86,14 +85,18 @@ bool pulls_back(const Chain& chain) {
 
 }  // namespace
 
-DimensionlessChain make_dimensionless(const Chain& chain, double accuracy) {
+void make_dimensionless(const Chain& chain, double accuracy, DimensionlessChain& d) {
   const double speed = reference_speed(chain);
-  DimensionlessChain d;
-  d.scale = choose_scale(chain, speed);
+  const auto quickest = quickest_contact(chain, speed);
+  d.scale = choose_scale(chain, speed, quickest);
   d.speed = speed / d.scale.velocity;
   d.slow = std::max(0.03 * accuracy, 8 * epsilon) * d.speed;
   d.falls_back = pulls_back(chain);
-  const auto& reference = chain.law[quickest_contact(chain, speed)];
+  for (auto* list : {&d.mass, &d.inverse_mass, &d.gap, &d.velocity, &d.gravity, &d.reduced_mass, &d.length, &d.time,
+                     &d.shallow})
+    list->clear();
+  d.law.clear();
+  const auto& reference = chain.law[quickest];
   for (std::size_t i = 0; i < chain.mass.size(); ++i) {
     d.mass.push_back(chain.mass[i] / d.scale.mass);
     d.inverse_mass.push_back(1 / d.mass[i]);
@@ -108,7 +111,6 @@ DimensionlessChain make_dimensionless(const Chain& chain, double accuracy) {
     d.shallow.push_back(natural_length(d.law[j], d.reduced_mass[j], d.slow));
     d.time.push_back(d.length[j] / d.speed);
   }
-  return d;
 }
 
 }  // namespace mariotte::model

@@ -24,7 +24,8 @@ struct DimensionlessChain {
   bool falls_back = false;      ///< gravity pulls some ball back to a wall
 };
 
-/// Convert a validated chain. `accuracy` decides what is slow: a few hundredths of what may be wrong anyway.
-DimensionlessChain make_dimensionless(const Chain& chain, double accuracy);
+/// Convert a validated chain into `d`, whose memory is reused. `accuracy` decides what is slow: a few hundredths
+/// of what may be wrong anyway.
+void make_dimensionless(const Chain& chain, double accuracy, DimensionlessChain& d);
 
 }  // namespace mariotte::model

@@ -1,0 +1,14 @@
+#include "mariotte/hybrid/options.hpp"
+
+#include "mariotte/core/error.hpp"
+
+namespace mariotte::hybrid {
+
+void validate(const Options& options) {
+  if (!(options.accuracy > 0 && options.accuracy < 1))
+    throw InvalidParameter("accuracy must lie between 0 and 1");
+  if (!(options.max_time > 0)) throw InvalidParameter("max_time must be positive");
+  if (options.max_events < 1) throw InvalidParameter("max_events must be at least 1");
+}
+
+}  // namespace mariotte::hybrid
