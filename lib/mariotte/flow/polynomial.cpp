@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 
 #include "mariotte/core/bracket.hpp"
@@ -40,6 +41,46 @@ Bernstein halve(Bernstein& left, std::size_t n) {
   return right;
 }
 
+/// Of Σ factor(k) c[k] xᵏ on [0, end]: the Bernstein form of four terms less what the others can take away.
+template <class Factor>
+double lower_bound(std::span<const double> c, double end, Factor&& factor) {
+  const auto term = [&](std::size_t k) { return k < c.size() ? factor(k) * c[k] : 0; };
+  double loss = 0;
+  for (std::size_t k = c.size(); k-- > 4;) loss = loss * end + std::max(0.0, -term(k));
+  const double a = term(0), b = end * term(1), d = end * end * term(2), e = end * end * end * term(3);
+  const double inner = std::min(a + b / 3, a + (2 * b + d) / 3);
+  return std::min({a, inner, a + b + d + e}) - end * end * end * end * loss;
+}
+double lower_bound(std::span<const double> c, double end) {
+  return lower_bound(c, end, [](std::size_t) { return 1.0; });
+}
+
+/// The derivative is provably negative on [0, end].
+bool falls(std::span<const double> c, double end) {
+  const auto slope = c.subspan(1);
+  return lower_bound(slope, end, [](std::size_t k) { return -static_cast<double>(k + 1); }) > 0;
+}
+
+/// Newton's method for the root of a falling polynomial, kept between 0 and end.
+std::optional<double> only_root(std::span<const double> c, double end) {
+  const double last = horner(c, end);
+  if (last > 0) return std::nullopt;
+  double low = 0, high = end, x = end * c[0] / (c[0] - last);
+  for (int i = 0; i < 60; ++i) {
+    double value = 0, slope = 0;
+    for (std::size_t k = c.size(); k-- > 0;) {
+      slope = slope * x + value;
+      value = value * x + c[k];
+    }
+    (value > 0 ? low : high) = x;
+    double next = x - value / slope;
+    if (!(next >= low && next <= high)) next = 0.5 * (low + high);
+    if (std::abs(next - x) <= 2 * epsilon * end) return next;
+    x = next;
+  }
+  return x;
+}
+
 struct Search {
   std::span<const double> c;
   std::size_t n;
@@ -75,6 +116,8 @@ double horner(std::span<const double> c, double x) {
 std::optional<double> first_fall(std::span<const double> c, double end) {
   while (c.size() > 1 && c[0] == 0) c = c.subspan(1);  // a root at 0 is divided out
   if (c.size() < 2) return std::nullopt;
+  if (lower_bound(c, end) > 0) return std::nullopt;
+  if (falls(c, end)) return only_root(c, end);
   const Search search{c, c.size() - 1};
   return search.first(from_powers(c, end), 0, end, 0);
 }

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 
 #include "mariotte/core/bracket.hpp"
 #include "mariotte/flow/polynomial.hpp"
@@ -21,21 +22,23 @@ namespace {
 
 constexpr Index step_limit = 10'000'000;
 /// A contact whose remaining time is below so many steps is landed in its own clock.
-constexpr double landing_steps = 2.5;
+const double landing_steps = getenv("LAND") ? atof(getenv("LAND")) : 2.5;
 /// Share of the accuracy that one step may spend.
 constexpr double local_share = 0.1;
 
 struct Precision {
-  double tolerance;
-  int order;
+  double tolerance = 0;
+  int order = 0;
+  double small = 0;  ///< tolerance^{2/3}
 };
 
 /// Higher orders pay for themselves at tighter tolerances; measured by work_precision.
 Precision precision(double accuracy) {
+  if (getenv("ORD")) return {std::max(atof(getenv("SHARE")) * accuracy, 0.25 * epsilon), atoi(getenv("ORD")),0};
   const double tolerance = std::max(local_share * accuracy, 0.25 * epsilon);
   for (const auto& [above, order] : {std::pair{3e-6, 8}, {3e-8, 10}, {1e-9, 14}, {1e-12, 16}})
-    if (accuracy > above) return {tolerance, order};
-  return {tolerance, 18};
+    if (accuracy > above) return {.tolerance = tolerance, .order = order};
+  return {.tolerance = tolerance, .order = 18};
 }
 
 /// x^{1/n} to some per cent: the exponent bits divided by n.
@@ -346,7 +349,8 @@ Arrival Taylor::follow(Problem& problem, State x, const Request& request, std::v
     arrival.message = std::move(message);
     return arrival;
   };
-  if (!place(w, *problem.serial(), x, 0, m.precision.tolerance))
+  m.precision.small = std::cbrt(m.precision.tolerance * m.precision.tolerance);
+  if (!place(w, *problem.serial(), x, 0, m.precision.small))
     return {.outcome = Outcome::failed, .message = "more contacts than the series has lanes"};
   bool first = true;
   while (arrival.steps < step_limit) {
@@ -380,7 +384,7 @@ Arrival Taylor::follow(Problem& problem, State x, const Request& request, std::v
     if (m.has_faded() || m.accept(problem) == Accepted::ended) return stop(Outcome::guard);
     if (m.outgrown()) {
       write(w, x);
-      if (!place(w, *problem.serial(), x, w.time, m.precision.tolerance)) return stop(Outcome::guard);
+      if (!place(w, *problem.serial(), x, w.time, m.precision.small)) return stop(Outcome::guard);
     }
   }
   return stop(Outcome::failed, "no guard fired within the step limit");

@@ -4,7 +4,7 @@
 
 namespace mariotte::flow::taylor {
 
-inline constexpr int order_limit = 20;
+inline constexpr int order_limit = 24;
 inline constexpr int lane_limit = 32;
 
 /// What a series starts from. Lane j is the contact between bodies j and j+1; lanes from `count` on are idle.

@@ -127,15 +127,16 @@ class Series final : public Expansion {
   }
 
   void evaluate(double place, Values& values) const override {
-    auto d = indentation_[order_], p = impulse_[order_], rest = magnitude_of(d);
+    const auto side = load<N>(lanes_->side);
+    auto d = indentation_[order_], p = impulse_[order_], loss = loss_of(side * d);
     for (int k = order_ - 1; k >= 0; --k) {
       d = place * d + indentation_[k];
       p = place * p + impulse_[k];
-      if (k >= 4) rest = place * rest + magnitude_of(indentation_[k]);
+      if (k >= 4) loss = place * loss + loss_of(side * indentation_[k]);
     }
     store(d, values.indentation);
     store(p, values.impulse);
-    const auto margin = bound(indentation_, load<N>(lanes_->side), rest, place);
+    const auto margin = bound(indentation_, side, loss, place);
     store(margin + load<N>(lanes_->level), values.margin);
     values.time = clock_ == plain ? place : horner(time_, place);
     if (damped_) evaluate_damped(place, values);
@@ -164,8 +165,9 @@ class Series final : public Expansion {
 
  private:
   static double at(const Row<N>& row, int lane) { return row.part[lane / width][lane % width]; }
-  static Row<N> magnitude_of(const Row<N>& a) {
-    return each<N>([&](int i) { return magnitude(a.part[i]); });
+  /// What a term of higher order can take away.
+  static Row<N> loss_of(const Row<N>& a) {
+    return each<N>([&](int i) { return largest(-a.part[i], Vec{}); });
   }
   double horner(const double* c, double place) const {
     double sum = c[order_];
@@ -258,9 +260,9 @@ class Series final : public Expansion {
     for (int k = 0; k < order_; ++k) stage<Clock, Damped>(k);
   }
 
-  /// Lower bound of side × polynomial on [0, place]: the Bernstein form of its first four terms less `rest`,
-  /// a bound of all others divided by place⁴. A polynomial that starts at zero is divided by σ first.
-  static Row<N> bound(const Row<N>* c, const Row<N>& side, const Row<N>& rest, double place) {
+  /// Lower bound of side × polynomial on [0, place]: the Bernstein form of its first four terms less what the
+  /// others can take away, `loss` place⁴. A polynomial that starts at zero is divided by σ first.
+  static Row<N> bound(const Row<N>* c, const Row<N>& side, const Row<N>& loss, double place) {
     const double square = place * place;
     return each<N>([&](int i) {
       const Vec s = side.part[i], a = s * c[0].part[i], b = s * c[1].part[i], d = place * s * c[2].part[i],
@@ -268,7 +270,7 @@ class Series final : public Expansion {
       const Vec b1 = a + place / 3 * b, b2 = b1 + place / 3 * (b + d), b3 = a + place * (b + d + e);
       const Vec from_zero = least(b, least(b + 0.5 * d, b + d + e));
       const Vec least_value = a == Vec{} ? from_zero : least(least(a, b1), least(b2, b3));
-      const Vec beyond = (a == Vec{} ? splat(place) : splat(square)) * square * rest.part[i];
+      const Vec beyond = (a == Vec{} ? splat(place) : splat(square)) * square * loss.part[i];
       return s == Vec{} ? s : least_value - beyond;
     });
   }
@@ -276,13 +278,14 @@ class Series final : public Expansion {
   void evaluate_damped(double place, Values& values) const {
     Row<N> loads[order_limit + 1];
     for (int k = 0; k <= order_; ++k) loads[k] = stiffness_ * indentation_[k] + damping_ * rate_[k];
-    auto w = work_[order_], rest = magnitude_of(loads[order_]);
+    const auto side = load<N>(lanes_->load_side);
+    auto w = work_[order_], loss = loss_of(side * loads[order_]);
     for (int k = order_ - 1; k >= 0; --k) {
       w = place * w + work_[k];
-      if (k >= 4) rest = place * rest + magnitude_of(loads[k]);
+      if (k >= 4) loss = place * loss + loss_of(side * loads[k]);
     }
     store(w, values.work);
-    store(bound(loads, load<N>(lanes_->load_side), rest, place), values.load_margin);
+    store(bound(loads, side, loss, place), values.load_margin);
   }
 
   using Coefficients = Row<N>[order_limit + 1];

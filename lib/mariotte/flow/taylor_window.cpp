@@ -18,17 +18,17 @@ double drive(const SerialPhase& phase, Index j) {
 }
 
 /// Depth below which the force of a contact may be left out: over the natural time it changes no velocity by
-/// more than the tolerance.
-double wake_depth(const SerialPhase::Contact& c, double speed, double tolerance) {
+/// more than the tolerance. `small` is tolerance^{2/3}.
+double wake_depth(const SerialPhase::Contact& c, double speed, double small) {
   if (c.exponent == 1) return -infinity;
   const double strain = c.damping * speed / (c.stiffness * c.length);
-  return c.length * std::cbrt(tolerance * tolerance) / (1 + strain);
+  return c.length * small / (1 + strain);
 }
 
 /// A contact that the window must hold.
-bool is_active(const SerialPhase& phase, ConstState x, Index j, double speed, double tolerance) {
+bool is_active(const SerialPhase& phase, ConstState x, Index j, double small) {
   const auto& c = phase.contact[j];
-  if (c.role == Role::touching) return -x[c.gap] > wake_depth(c, speed, tolerance);
+  if (c.role == Role::touching) return -x[c.gap] > wake_depth(c, phase.speed, small);
   return c.role != Role::open;
 }
 
@@ -56,7 +56,7 @@ void find_outside(Window& w) {
   }
 }
 
-void fill(Window& w, int lane, double tolerance) {
+void fill(Window& w, int lane, double small) {
   const auto& phase = *w.phase;
   const Index j = w.first + lane;
   const auto& c = phase.contact[j];
@@ -71,7 +71,7 @@ void fill(Window& w, int lane, double tolerance) {
   l.drive[lane] = drive(phase, j);
   l.level[lane] = c.level;
   l.weight[lane] = 1 / c.length;
-  w.wake[lane] = wake_depth(c, phase.speed, tolerance);
+  w.wake[lane] = wake_depth(c, phase.speed, small);
   w.impulse[lane] = w.work[lane] = 0;
   l.damped |= c.damping > 0;
   watch(w, lane);
@@ -106,11 +106,11 @@ void watch(Window& w, int lane) {
   }
 }
 
-bool place(Window& w, const SerialPhase& phase, State x, double time, double tolerance) {
+bool place(Window& w, const SerialPhase& phase, State x, double time, double small) {
   const Index count = static_cast<Index>(phase.contact.size());
   Index from = 0, to = count - 1;
-  while (from < count && !is_active(phase, x, from, phase.speed, tolerance)) ++from;
-  while (to >= from && !is_active(phase, x, to, phase.speed, tolerance)) --to;
+  while (from < count && !is_active(phase, x, from, small)) ++from;
+  while (to >= from && !is_active(phase, x, to, small)) --to;
   // One contact more on each side, and another where that one is about to be pressed.
   const auto touching = [&](Index j) { return phase.contact[j].role == Role::touching; };
   if (from > 0 && touching(--from) && from > 0) --from;
@@ -124,7 +124,7 @@ bool place(Window& w, const SerialPhase& phase, State x, double time, double tol
   w.lanes.count = static_cast<int>(to - from + 1);
   for (int lane = w.lanes.count; lane < idle; ++lane) clear(w.lanes, lane);
   w.lanes.damped = false;
-  for (int lane = 0; lane < w.lanes.count; ++lane) fill(w, lane, tolerance);
+  for (int lane = 0; lane < w.lanes.count; ++lane) fill(w, lane, small);
   for (int body = 0; body <= w.lanes.count; ++body) w.velocity[body] = x[phase.body[from + body].velocity];
   find_outside(w);
   return true;

@@ -213,7 +213,7 @@ void ChainPhase::jacobian(ConstState x, State values) const {
 double ChainPhase::damping_ratio() const {
   double largest = 0;
   for (Index j = 0; j < layout_.contacts(); ++j) {
-    if (!contact::carries_force((*mode_)[j])) continue;
+    if (layout_.work[j] == ChainLayout::absent || !contact::carries_force((*mode_)[j])) continue;
     // c δ^{n−1}/(m*/T) at the natural indentation
     const double width = std::pow(chain_.length[j], contact::exponent(chain_.law[j]) - 1);
     largest =
