@@ -19,25 +19,33 @@ const contact::Law hertz = contact::Hertz{1},
 
 struct Fixture {
   model::Chain chain;
-  ChainSystem system{chain, 1e-10, false};
-  std::vector<double> x = system.start();
+  ChainSystem system{};
+  std::vector<double> x{};
   std::vector<model::ContactChange> changes{};
 
-  ChainSystem::Mode start() { return system.mode_at(x, changes); }
+  explicit Fixture(const model::Chain& one) : chain(one) {
+    system.reset(chain, 1e-10, false);
+    initial_state(system.chain(), system.layout(), x);
+  }
+  ChainSystem::Mode start() {
+    ChainSystem::Mode mode;
+    system.mode_at(x, mode, changes);
+    return mode;
+  }
   ChainSystem::Mode after(ChainSystem::Mode mode, std::vector<Index> fired) {
     changes.clear();
     system.transition(mode, fired, x, changes);
     return mode;
   }
   void set(Index contact, double gap, double approach) {
-    x[system.layout.gap[contact]] = gap;
-    x[system.layout.velocity[contact]] = approach;
-    x[system.layout.velocity[contact + 1]] = 0;
+    x[system.layout().gap[contact]] = gap;
+    x[system.layout().velocity[contact]] = approach;
+    x[system.layout().velocity[contact + 1]] = 0;
   }
 };
 
 Fixture pair(contact::Law law) {
-  return {.chain = equal_masses({law}, {1, 0})};
+  return Fixture(equal_masses({law}, {1, 0}));
 }
 
 void check_modes(const ChainSystem::Mode& mode, const std::vector<ContactMode>& expected) {
@@ -70,19 +78,19 @@ BOOST_AUTO_TEST_CASE(slack_to_open_when_the_gap_rises_through_zero) {
   check_modes(f.after({ContactMode::slack}, {0}), {ContactMode::open});
 }
 BOOST_AUTO_TEST_CASE(open_to_touching_for_a_resting_row_that_is_pressed) {
-  Fixture f{.chain = equal_masses({hertz, hertz, hertz, hertz}, {1, 0, 0, 0, 0.5})};
+  Fixture f{equal_masses({hertz, hertz, hertz, hertz}, {1, 0, 0, 0, 0.5})};
   check_modes(f.start(),
               {ContactMode::closed, ContactMode::touching, ContactMode::touching, ContactMode::open});
   BOOST_TEST(f.changes.size() == 3u);
 }
 BOOST_AUTO_TEST_CASE(touching_to_closed_when_the_indentation_has_left_the_noise) {
-  Fixture f{.chain = equal_masses({hertz, hertz}, {1, 0, 0})};
+  Fixture f{equal_masses({hertz, hertz}, {1, 0, 0})};
   auto mode = f.start();
   auto& phase = f.system.problem(mode);
-  f.x[f.system.layout.gap[1]] = -1e-14;
+  f.x[f.system.layout().gap[1]] = -1e-14;
   BOOST_TEST((phase.accept(f.x) == flow::Accepted::unchanged));
   check_modes(mode, {ContactMode::closed, ContactMode::touching});
-  f.x[f.system.layout.gap[1]] = -1e-6;
+  f.x[f.system.layout().gap[1]] = -1e-6;
   BOOST_TEST((phase.accept(f.x) == flow::Accepted::rewatched));
   check_modes(mode, {ContactMode::closed, ContactMode::closed});
 }
@@ -108,16 +116,16 @@ BOOST_AUTO_TEST_CASE(closed_to_hovering_when_what_is_left_is_noise) {
 }
 
 BOOST_AUTO_TEST_CASE(a_row_struck_later_is_pressed_as_a_whole) {
-  Fixture f{.chain = equal_masses({hertz, hertz, hertz}, {1, 0, 0, 0})};
-  f.x[f.system.layout.gap[0]] = 1;
+  Fixture f{equal_masses({hertz, hertz, hertz}, {1, 0, 0, 0})};
+  f.x[f.system.layout().gap[0]] = 1;
   auto mode = f.start();
   check_modes(mode, {ContactMode::open, ContactMode::open, ContactMode::open});
-  f.x[f.system.layout.gap[0]] = 0;
+  f.x[f.system.layout().gap[0]] = 0;
   check_modes(f.after(mode, {0}), {ContactMode::closed, ContactMode::touching, ContactMode::touching});
 }
 
 BOOST_AUTO_TEST_CASE(a_set_of_contacts_changes_in_one_transition) {
-  Fixture f{.chain = equal_masses({hertz, hertz}, {1, 0, -1})};
+  Fixture f{equal_masses({hertz, hertz}, {1, 0, -1})};
   const auto mode = f.start();
   check_modes(mode, {ContactMode::closed, ContactMode::closed});
   check_modes(f.after(mode, {0, 1}), {ContactMode::open, ContactMode::open});
@@ -125,14 +133,14 @@ BOOST_AUTO_TEST_CASE(a_set_of_contacts_changes_in_one_transition) {
 }
 
 BOOST_AUTO_TEST_CASE(touching_balls_that_part_or_rest_are_open) {
-  Fixture f{.chain = equal_masses({hertz, hertz}, {0, 1, 1})};
+  Fixture f{equal_masses({hertz, hertz}, {0, 1, 1})};
   check_modes(f.start(), {ContactMode::open, ContactMode::open});
   BOOST_TEST(f.system.is_over(f.start(), f.x, false));
 }
 
 BOOST_AUTO_TEST_CASE(indented_damped_contacts_start_slack_if_they_would_pull) {
   Fixture f{
-      .chain = {.mass = {1, 1}, .law = {damped}, .gap = {-0.1}, .velocity = {-1, 0}, .precompressed = true}};
+      {.mass = {1, 1}, .law = {damped}, .gap = {-0.1}, .velocity = {-1, 0}, .precompressed = true}};
   check_modes(f.start(), {ContactMode::slack});
 }
 
@@ -147,7 +155,7 @@ BOOST_AUTO_TEST_CASE(an_approaching_pair_is_not_over_and_a_parting_one_is) {
 
 BOOST_AUTO_TEST_CASE(gravity_above_a_wall_is_not_over_before_the_first_impact) {
   Fixture f{
-      .chain = {.mass = {infinity, 1}, .law = {hertz}, .gap = {1}, .velocity = {0, 0}, .gravity = 9.81}};
+      {.mass = {infinity, 1}, .law = {hertz}, .gap = {1}, .velocity = {0, 0}, .gravity = 9.81}};
   BOOST_TEST(!f.system.is_over({ContactMode::open}, f.x, false));
   BOOST_TEST(f.system.is_over({ContactMode::open}, f.x, true));
 }
@@ -158,10 +166,10 @@ BOOST_AUTO_TEST_CASE(the_jacobian_agrees_with_differences) {
                      .law = {hertz, damped, soft},
                      .gap = {0, 0, 0},
                      .velocity = {0, -1, -0.5, -2}};
-  Fixture f{.chain = chain};
+  Fixture f{chain};
   auto mode = f.start();
   auto& phase = f.system.problem(mode);
-  for (const Index j : {0, 1, 2}) f.x[f.system.layout.gap[j]] = -0.1 * static_cast<double>(j + 1);
+  for (const Index j : {0, 1, 2}) f.x[f.system.layout().gap[j]] = -0.1 * static_cast<double>(j + 1);
   const auto n = static_cast<std::size_t>(phase.size());
   std::vector<double> values(phase.pattern().size()), full(n * n, 0.0), up(n), down(n);
   phase.jacobian(f.x, values);

@@ -37,7 +37,7 @@ class Toy : public flow::Problem {
   std::span<const flow::Crossing> crossings() const override { return crossing_; }
   std::span<const double> magnitudes() const override { return magnitude_; }
   double time_scale() const override { return 1; }
-  const std::vector<flow::Entry>& pattern() const override { return pattern_; }
+  std::vector<flow::Entry> pattern() const override { return pattern_; }
   void jacobian(ConstState x, State values) const override {
     std::vector<double> up(x.begin(), x.end()), down = up, f(size_), g(size_);
     for (Index j = 0; j < size_; ++j) {

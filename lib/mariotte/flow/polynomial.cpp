@@ -5,7 +5,6 @@
 #include <cmath>
 #include <functional>
 
-#include "mariotte/core/bracket.hpp"
 #include "mariotte/core/types.hpp"
 
 namespace mariotte::flow {
@@ -61,11 +60,12 @@ bool falls(std::span<const double> c, double end) {
   return lower_bound(slope, end, [](std::size_t k) { return -static_cast<double>(k + 1); }) > 0;
 }
 
-/// Newton's method for the root of a falling polynomial, kept between 0 and end.
-std::optional<double> only_root(std::span<const double> c, double end) {
-  const double last = horner(c, end);
+/// Newton's method for the root of a polynomial that falls from low to high, kept between them.
+std::optional<double> only_root(std::span<const double> c, double low, double high) {
+  const double first = horner(c, low), last = horner(c, high);
   if (last > 0) return std::nullopt;
-  double low = 0, high = end, x = end * c[0] / (c[0] - last);
+  if (!(first > 0)) return low;
+  double x = low + (high - low) * first / (first - last);
   for (int i = 0; i < 60; ++i) {
     double value = 0, slope = 0;
     for (std::size_t k = c.size(); k-- > 0;) {
@@ -75,7 +75,7 @@ std::optional<double> only_root(std::span<const double> c, double end) {
     (value > 0 ? low : high) = x;
     double next = x - value / slope;
     if (!(next >= low && next <= high)) next = 0.5 * (low + high);
-    if (std::abs(next - x) <= 2 * epsilon * end) return next;
+    if (std::abs(next - x) <= 2 * epsilon * next) return next;
     x = next;
   }
   return x;
@@ -89,19 +89,12 @@ struct Search {
   std::optional<double> first(Bernstein b, double from, double to, int depth) const {
     const auto last = b.begin() + static_cast<Index>(n) + 1;
     if (std::all_of(b.begin() + 1, last, [](double value) { return value > 0; })) return std::nullopt;
-    if (std::is_sorted(b.begin(), last, std::greater<>()) || depth == deepest) return single(from, to);
+    if (std::is_sorted(b.begin(), last, std::greater<>()) || depth == deepest) return only_root(c, from, to);
     const auto right = halve(b, n);
     const double middle = 0.5 * (from + to);
     if (const auto early = first(b, from, middle, depth + 1)) return early;
     if (right[0] <= 0) return middle;
     return first(right, middle, to, depth + 1);
-  }
-
-  std::optional<double> single(double from, double to) const {
-    const double begin = horner(c, from), end = horner(c, to);
-    if (end > 0) return std::nullopt;
-    if (!(begin > 0)) return from;
-    return locate_sign_change([&](double x) { return horner(c, x); }, from, begin, to, end, epsilon * to);
   }
 };
 
@@ -117,7 +110,7 @@ std::optional<double> first_fall(std::span<const double> c, double end) {
   while (c.size() > 1 && c[0] == 0) c = c.subspan(1);  // a root at 0 is divided out
   if (c.size() < 2) return std::nullopt;
   if (lower_bound(c, end) > 0) return std::nullopt;
-  if (falls(c, end)) return only_root(c, end);
+  if (falls(c, end)) return only_root(c, 0, end);
   const Search search{c, c.size() - 1};
   return search.first(from_powers(c, end), 0, end, 0);
 }

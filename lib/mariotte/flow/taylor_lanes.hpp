@@ -4,20 +4,21 @@
 
 namespace mariotte::flow::taylor {
 
-inline constexpr int order_limit = 24;
+inline constexpr int order_limit = 20;
 inline constexpr int lane_limit = 32;
 
 /// What a series starts from. Lane j is the contact between bodies j and j+1; lanes from `count` on are idle.
 /// Plain arrays: code compiled for different instruction sets shares nothing but this layout.
 struct Lanes {
   int count = 0;
-  bool damped = false;                       ///< some damping is not zero
+  bool damped = false;   ///< some damping is not zero
+  bool general = false;  ///< some exponent is neither 1 nor 3/2
   alignas(64) double indentation[lane_limit] = {};  ///< δ; negative where open
   alignas(64) double rate[lane_limit] = {};         ///< δ̇
   alignas(64) double push[lane_limit] = {};         ///< 1 where the contact carries force, else 0
   alignas(64) double stiffness[lane_limit] = {};    ///< k
   alignas(64) double damping[lane_limit] = {};      ///< c
-  alignas(64) double sharp[lane_limit] = {};        ///< 1 where the force is √δ (k δ + c δ̇), 0 where it is k δ + c δ̇
+  alignas(64) double power[lane_limit] = {};        ///< p = n − 1 of the force δᵖ (k δ + c δ̇)
   alignas(64) double left[lane_limit] = {};         ///< 1/m of body j
   alignas(64) double right[lane_limit] = {};        ///< 1/m of body j+1
   alignas(64) double drive[lane_limit] = {};        ///< δ̈ from outside forces
@@ -42,7 +43,7 @@ struct Values {
 enum class Quantity { indentation, rate, load, clock, time };
 
 /// Series of all lanes in a clock σ. Plain: t = σ. Of a lane c: dt = √δ_c dσ, in which onset (δ_c = 0,
-/// δ̇_c > 0) and separation of c are ordinary points.
+/// δ̇_c > 0) and separation of c are ordinary points; for windows without general exponents.
 class Expansion {
  public:
   static constexpr int plain = -1;

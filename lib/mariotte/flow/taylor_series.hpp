@@ -4,8 +4,9 @@
 // With the clock factor g = dt/dσ (1, or √δ_c in the clock of lane c), u the inverse masses, k-th coefficients
 // written as indices and products as convolutions:
 //   λ = k δ + c δ̇            load
-//   s: s² = δ                 s_k = (δ_k − Σ_{0<j<k} s_j s_{k−j}) / (2 s_0); of lane c, s' = δ̇/2
-//   f = s λ, or λ             force
+//   s = δᵖ                    p = 1/2: s_k = (δ_k − Σ_{0<j<k} s_j s_{k−j}) / (2 s_0); of lane c, s' = δ̇/2
+//                             any p: s_k = Σ_{0<j≤k} (j (p + 1) − k) δ_j s_{k−j} / (k δ_0); s = 1 if p = 0
+//   f = s λ                   force
 //   δ' = g δ̇
 //   δ̇' = g (u_l f_left − (u_l + u_r) f + u_r f_right + drive)
 //   p' = g f                  impulse
@@ -33,6 +34,10 @@ inline Vec magnitude(Vec a) {
 }
 inline Vec root(Vec a) {
   for (int i = 0; i < width; ++i) a[i] = __builtin_sqrt(a[i]);
+  return a;
+}
+inline Vec to_the(Vec a, Vec power) {
+  for (int i = 0; i < width; ++i) a[i] = __builtin_pow(a[i], power[i]);
   return a;
 }
 /// first, first + 1, …: the lanes that a shift takes from two neighbouring registers.
@@ -107,13 +112,15 @@ class Series final : public Expansion {
   void expand(const Lanes& lanes, int order, int clock) override {
     order_ = order;
     clock_ = clock;
-    damped_ = lanes.damped;
+    damped_ = lanes.damped || lanes.general;
     lanes_ = &lanes;
     begin(lanes);
-    if (clock == plain)
-      damped_ ? run<false, true>() : run<false, false>();
+    if (lanes.general)
+      run<Root::any, true>();
+    else if (clock == plain)
+      damped_ ? run<Root::square, true>() : run<Root::square, false>();
     else
-      damped_ ? run<true, true>() : run<true, false>();
+      damped_ ? run<Root::clock, true>() : run<Root::clock, false>();
   }
 
   double size(int k) const override {
@@ -164,7 +171,12 @@ class Series final : public Expansion {
   }
 
  private:
+  enum class Root { square, clock, any };
+
   static double at(const Row<N>& row, int lane) { return row.part[lane / width][lane % width]; }
+  static Row<N> splat_row(double a) {
+    return each<N>([&](int) { return splat(a); });
+  }
   /// What a term of higher order can take away.
   static Row<N> loss_of(const Row<N>& a) {
     return each<N>([&](int i) { return largest(-a.part[i], Vec{}); });
@@ -176,21 +188,25 @@ class Series final : public Expansion {
   }
 
   void begin(const Lanes& lanes) {
-    push_ = load<N>(lanes.push);
     stiffness_ = load<N>(lanes.stiffness);
     damping_ = load<N>(lanes.damping);
     indentation_[0] = load<N>(lanes.indentation);
     rate_[0] = load<N>(lanes.rate);
     impulse_[0] = work_[0] = Row<N>{};
-    left_ = load<N>(lanes.left);
-    right_ = load<N>(lanes.right);
     drive_ = load<N>(lanes.drive);
-    const auto sharp = load<N>(lanes.sharp);
+    const auto push = load<N>(lanes.push), left = load<N>(lanes.left), right = load<N>(lanes.right);
+    strength_ = damped_ ? push : push * stiffness_;
+    from_left_ = left * from_left(strength_);
+    from_right_ = right * from_right(strength_);
+    own_ = (left + right) * strength_;
+    power_ = load<N>(lanes.power);
     for (int i = 0; i < N; ++i) {
-      const Vec s = root(largest(indentation_[0].part[i], Vec{}));
-      const auto curved = sharp.part[i] * push_.part[i] != Vec{};
+      const Vec depth = largest(indentation_[0].part[i], Vec{});
+      const auto curved = power_.part[i] * push.part[i] != Vec{};
+      const Vec s = lanes.general ? to_the(depth, power_.part[i]) : root(depth);
       root_[0].part[i] = curved ? s : splat(1);
       half_inverse_.part[i] = curved & (s != Vec{}) ? 0.5 / s : Vec{};
+      inverse_.part[i] = curved & (depth != Vec{}) ? 1 / depth : Vec{};
     }
     if (clock_ != plain) {
       chosen_ = Row<N>{};
@@ -201,20 +217,25 @@ class Series final : public Expansion {
   }
 
   /// s_k of every lane.
-  template <bool Clock>
-  Row<N> next_root(int k) const {
+  template <Root Kind>
+  [[gnu::always_inline]] Row<N> next_root(int k) const {
+    if constexpr (Kind == Root::any) {
+      Row<N> sum{};
+      for (int j = 1; j <= k; ++j) sum = sum + (double(j) * power_ + splat_row(j - k)) * indentation_[j] * root_[k - j];
+      return reciprocal.of[k] * (sum * inverse_);
+    }
     Row<N> sum{};
     for (int j = (k - 1) / 2; j >= 1; --j) sum = sum + root_[j] * root_[k - j];
     sum = sum + sum;
     if (k % 2 == 0) sum = sum + root_[k / 2] * root_[k / 2];
     auto s = (indentation_[k] - sum) * half_inverse_;
-    if constexpr (Clock)
+    if constexpr (Kind == Root::clock)
       for (int i = 0; i < N; ++i) s.part[i] = chosen_.part[i] != Vec{} ? splat(stretch_[k]) : s.part[i];
     return s;
   }
 
   /// Σ a_j b_{k−j}; the newest coefficients, on which the next stage waits, come last.
-  static Row<N> product(const Row<N>* a, const Row<N>* b, int k) {
+  [[gnu::always_inline]] static Row<N> product(const Row<N>* a, const Row<N>* b, int k) {
     if (k == 0) return a[0] * b[0];
     Row<N> even{}, odd{};
     for (int j = 1; j + 1 < k; j += 2) {
@@ -224,40 +245,40 @@ class Series final : public Expansion {
     if (k % 2 == 0) even = even + a[k - 1] * b[1];
     return (even + odd) + a[k] * b[0] + a[0] * b[k];
   }
-  static Row<N> stretched(const double* g, const Row<N>* b, int k) {
+  [[gnu::always_inline]] static Row<N> stretched(const double* g, const Row<N>* b, int k) {
     Row<N> sum{};
     for (int j = 0; j <= k; ++j) sum = sum + g[k - j] * b[j];
     return sum;
   }
 
-  template <bool Clock, bool Damped>
-  void stage(int k) {
-    if (k > 0) root_[k] = next_root<Clock>(k);
-    load_[k] = stiffness_ * indentation_[k];
-    if constexpr (Damped) load_[k] = load_[k] + damping_ * rate_[k];
-    force_[k] = push_ * product(root_, load_, k);
+  template <Root Kind, bool Damped>
+  [[gnu::always_inline]] void stage(int k) {
+    constexpr bool Clock = Kind == Root::clock;
+    if (k > 0) root_[k] = next_root<Kind>(k);
+    if constexpr (Damped) load_[k] = stiffness_ * indentation_[k] + damping_ * rate_[k];
+    force_[k] = product(root_, Damped ? load_ : indentation_, k);
     const double step = reciprocal.of[k + 1];
-    auto push = force_[k], drift = rate_[k];
+    auto force = force_[k], drift = rate_[k];
     if constexpr (Clock) {
-      push = stretched(stretch_, force_, k);
+      force = stretched(stretch_, force_, k);
       drift = stretched(stretch_, rate_, k);
       time_[k + 1] = step * stretch_[k];
     }
     if constexpr (Damped) {
-      pushed_[k] = push;
-      work_[k + 1] = step * product(pushed_, rate_, k);
+      stretched_[k] = force;
+      work_[k + 1] = step * (strength_ * product(stretched_, rate_, k));
     }
-    const auto change = left_ * (from_left(push) - push) + right_ * (from_right(push) - push);
     const double outside = Clock ? stretch_[k] : k == 0;
-    rate_[k + 1] = step * (change + outside * drive_);
+    const auto pull = outside * drive_ - own_ * force;
+    rate_[k + 1] = step * (from_left_ * from_left(force) + (from_right_ * from_right(force) + pull));
     indentation_[k + 1] = step * drift;
-    impulse_[k + 1] = step * push;
+    impulse_[k + 1] = step * (strength_ * force);
     if constexpr (Clock) stretch_[k + 1] = 0.5 * step * at(rate_[k], clock_);
   }
 
-  template <bool Clock, bool Damped>
+  template <Root Kind, bool Damped>
   void run() {
-    for (int k = 0; k < order_; ++k) stage<Clock, Damped>(k);
+    for (int k = 0; k < order_; ++k) stage<Kind, Damped>(k);
   }
 
   /// Lower bound of side × polynomial on [0, place]: the Bernstein form of its first four terms less what the
@@ -292,8 +313,9 @@ class Series final : public Expansion {
   const Lanes* lanes_ = nullptr;
   int order_ = 0, clock_ = plain;
   bool damped_ = false;
-  Row<N> push_, stiffness_, damping_, left_, right_, drive_, half_inverse_, chosen_;
-  Coefficients indentation_, rate_, root_, load_, force_, pushed_, impulse_, work_;
+  Row<N> stiffness_, damping_, drive_, power_, half_inverse_, inverse_, chosen_;
+  Row<N> strength_, from_left_, from_right_, own_;  ///< couplings of the forces; without damping k is in them
+  Coefficients indentation_, rate_, root_, load_, force_, stretched_, impulse_, work_;
   double stretch_[order_limit + 1], time_[order_limit + 1];  ///< √δ_c, and t
 };
 

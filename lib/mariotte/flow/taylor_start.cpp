@@ -4,6 +4,30 @@
 #include <cmath>
 
 namespace mariotte::flow::taylor {
+namespace {
+
+/// 1/(first + q k), the factors of integration in z = t^q.
+struct Reciprocals {
+  double of[order_limit + 1];
+  constexpr Reciprocals(double first, double power) : of{} {
+    for (int k = 0; k <= order_limit; ++k) of[k] = first + power * k > 0 ? 1 / (first + power * k) : 0;
+  }
+};
+
+/// Of δ̇ and δ of struck contacts, and of their impulse and its integral; then of pressed ones.
+struct Integrals {
+  Reciprocals rate, indentation, impulse, travel, pressed_impulse, pressed_travel;
+  constexpr explicit Integrals(double q)
+      : rate(0, q),
+        indentation(1, q),
+        impulse(2.5, q),
+        travel(3.5, q),
+        pressed_impulse(6.25, q),
+        pressed_travel(7.25, q) {}
+};
+constexpr Integrals with_pressed(1.25), all_struck(2.5);
+
+}  // namespace
 
 /// Σ over the neighbours and the lane itself of (coupling) e_k, of the lanes of one part.
 double Start::pushes(int lane, Part from, int k, const Coefficients* force) const {
@@ -22,14 +46,15 @@ void Start::next_force(int lane, int k) {
   auto& s = root_[lane];
   if (k == 0) {
     s[0] = std::sqrt(d[0]);
-  } else {
-    double sum = d[k];
-    for (int j = 1; j < k; ++j) sum -= s[j] * s[k - j];
-    s[k] = sum / (2 * s[0]);
+    half_inverse_[lane] = 0.5 / s[0];
+    force_[lane][0] = lanes_->stiffness[lane] * d[0] * s[0];
+    return;
   }
-  double product = 0;
-  for (int j = 0; j <= k; ++j) product += d[j] * s[k - j];
-  force_[lane][k] = lanes_->stiffness[lane] * product;
+  double twice = 0, product = 0;
+  for (int j = 1; 2 * j < k; ++j) twice += s[j] * s[k - j];
+  for (int j = 1; j < k; ++j) product += d[j] * s[k - j];
+  s[k] = (d[k] - 2 * twice - (k % 2 == 0 ? s[k / 2] * s[k / 2] : 0)) * half_inverse_[lane];
+  force_[lane][k] = lanes_->stiffness[lane] * (product + d[0] * s[k] + d[k] * s[0]);
 }
 
 double Start::expand(const Lanes& lanes, const Part* part, int order, double tolerance) {
@@ -39,21 +64,22 @@ double Start::expand(const Lanes& lanes, const Part* part, int order, double tol
   pressed_ = std::count(part, part + lanes.count, Part::pressed) > 0;
   power_ = pressed_ ? 1.25 : 2.5;
   const int shift = pressed_ ? 2 : 1;
+  const auto& integral = pressed_ ? with_pressed : all_struck;
   double last = 0;  // size of the highest coefficients
   for (int k = 0; k <= order; ++k) {
     for (int j = 0; j < lanes.count; ++j) {
       if (part_[j] != Part::struck) continue;
       const double push = pushes(j, Part::struck, k - shift, force_) + pushes(j, Part::pressed, k - 5, force_);
-      rate_[j][k] = k == 0 ? lanes.rate[j] : push / (power_ * k);
-      indentation_[j][k] = rate_[j][k] / (1 + power_ * k);
+      rate_[j][k] = k == 0 ? lanes.rate[j] : push * integral.rate.of[k];
+      indentation_[j][k] = rate_[j][k] * integral.indentation.of[k];
       next_force(j, k);
       if (k + 3 > order) last = std::max(last, std::abs(rate_[j][k]));
     }
     for (int j = 0; pressed_ && j < lanes.count; ++j) {
       if (part_[j] != Part::pressed) continue;
       const double push = pushes(j, Part::struck, k, force_) + pushes(j, Part::pressed, k - 3, force_);
-      rate_[j][k] = push / (2.5 + power_ * k);
-      indentation_[j][k] = rate_[j][k] / (3.5 + power_ * k);
+      rate_[j][k] = push * integral.impulse.of[k];
+      indentation_[j][k] = rate_[j][k] * integral.travel.of[k];
       next_force(j, k);
       if (k + 3 > order) last = std::max(last, std::abs(rate_[j][k]));
     }
@@ -82,19 +108,23 @@ void Start::evaluate(double time, Values& values) const {
   const auto& l = *lanes_;
   const double half = std::sqrt(time), quarter = std::sqrt(half), square = time * time;
   const double z = pressed_ ? time * quarter : square * half;
+  const auto& integral = pressed_ ? with_pressed : all_struck;
   double travel[lane_limit + 2] = {};  // ∫∫ f dt dt of lane j at j + 1
   for (int j = 0; j < l.count; ++j) {
     values.impulse[j] = 0;
     if (part_[j] == Part::passive) continue;
-    const double first = part_[j] == Part::struck ? 2.5 : 6.25;
+    const bool struck = part_[j] == Part::struck;
+    const auto& once = struck ? integral.impulse : integral.pressed_impulse;
+    const auto& twice = struck ? integral.travel : integral.pressed_travel;
     double p = 0, q = 0;
     for (int k = order_; k >= 0; --k) {
-      const double term = force_[j][k] / (first + power_ * k);
+      const double term = force_[j][k] * once.of[k];
       p = p * z + term;
-      q = q * z + term / (first + 1 + power_ * k);
+      q = q * z + term * twice.of[k];
     }
-    values.impulse[j] = square * (part_[j] == Part::struck ? half : square * square * quarter) * p;
-    travel[j + 1] = time * square * (part_[j] == Part::struck ? half : square * square * quarter) * q;
+    const double size = square * (struck ? half : square * square * quarter);
+    values.impulse[j] = size * p;
+    travel[j + 1] = time * size * q;
   }
   for (int j = 0; j < l.count; ++j) {
     const double own = (l.left[j] + l.right[j]) * travel[j + 1];

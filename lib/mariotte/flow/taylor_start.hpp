@@ -30,6 +30,7 @@ class Start {
   int order_ = 0;
   bool pressed_ = false;
   double power_ = 1.25;  ///< of z in t
+  double half_inverse_[lane_limit];
   Coefficients rate_[lane_limit], indentation_[lane_limit], root_[lane_limit], force_[lane_limit];
 };
 

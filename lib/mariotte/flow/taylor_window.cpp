@@ -18,11 +18,11 @@ double drive(const SerialPhase& phase, Index j) {
 }
 
 /// Depth below which the force of a contact may be left out: over the natural time it changes no velocity by
-/// more than the tolerance. `small` is tolerance^{2/3}.
+/// more than the tolerance. `small` is tolerance^{2/3}, and the tolerance (δ/L)ⁿ.
 double wake_depth(const SerialPhase::Contact& c, double speed, double small) {
   if (c.exponent == 1) return -infinity;
   const double strain = c.damping * speed / (c.stiffness * c.length);
-  return c.length * small / (1 + strain);
+  return c.length * (c.exponent == 1.5 ? small : std::pow(small, 1.5 / c.exponent)) / (1 + strain);
 }
 
 /// A contact that the window must hold.
@@ -65,7 +65,7 @@ void fill(Window& w, int lane, double small) {
   l.rate[lane] = rate(phase, w.x, j);
   l.stiffness[lane] = c.stiffness;
   l.damping[lane] = c.damping;
-  l.sharp[lane] = c.exponent == 1.5;
+  l.power[lane] = c.exponent - 1;
   l.left[lane] = phase.body[j].inverse_mass;
   l.right[lane] = phase.body[j + 1].inverse_mass;
   l.drive[lane] = drive(phase, j);
@@ -74,11 +74,12 @@ void fill(Window& w, int lane, double small) {
   w.wake[lane] = wake_depth(c, phase.speed, small);
   w.impulse[lane] = w.work[lane] = 0;
   l.damped |= c.damping > 0;
+  l.general |= c.exponent != 1 && c.exponent != 1.5;
   watch(w, lane);
 }
 
 void clear(Lanes& l, int lane) {
-  for (auto* row : {l.indentation, l.rate, l.push, l.stiffness, l.damping, l.sharp, l.left, l.right, l.drive, l.side,
+  for (auto* row : {l.indentation, l.rate, l.push, l.stiffness, l.damping, l.power, l.left, l.right, l.drive, l.side,
                     l.level, l.load_side, l.weight})
     row[lane] = 0;
 }
@@ -123,7 +124,7 @@ bool place(Window& w, const SerialPhase& phase, State x, double time, double sma
   const int idle = w.lanes.count;
   w.lanes.count = static_cast<int>(to - from + 1);
   for (int lane = w.lanes.count; lane < idle; ++lane) clear(w.lanes, lane);
-  w.lanes.damped = false;
+  w.lanes.damped = w.lanes.general = false;
   for (int lane = 0; lane < w.lanes.count; ++lane) fill(w, lane, small);
   for (int body = 0; body <= w.lanes.count; ++body) w.velocity[body] = x[phase.body[from + body].velocity];
   find_outside(w);

@@ -21,7 +21,7 @@ struct Window {
 
   const SerialPhase::Contact& contact(int lane) const { return phase->contact[first + lane]; }
   /// Of lane's contact the force is a function with a branch point at δ = 0.
-  bool is_sharp(int lane) const { return lanes.sharp[lane] > 0; }
+  bool is_sharp(int lane) const { return lanes.power[lane] > 0; }
   bool pushes(int lane) const {
     const auto role = contact(lane).role;
     return role == SerialPhase::Role::closed || role == SerialPhase::Role::touching;

@@ -103,12 +103,17 @@ void make_dimensionless(const Chain& chain, double accuracy, DimensionlessChain&
     d.velocity.push_back(chain.velocity[i] / d.scale.velocity);
     d.gravity.push_back(std::isinf(chain.mass[i]) ? 0 : chain.gravity * d.scale.time / d.scale.velocity);
   }
+  double exponent = 0, slow_length = 0;  // of the contact before: mostly they are all alike
   for (std::size_t j = 0; j < chain.law.size(); ++j) {
     d.law.push_back(scaled(chain.law[j], d.scale, reference));
     d.gap.push_back(chain.gap[j] / d.scale.length);
     d.reduced_mass.push_back(reduced_mass(d.mass[j], d.mass[j + 1]));
     d.length.push_back(natural_length(d.law[j], d.reduced_mass[j], d.speed));
-    d.shallow.push_back(natural_length(d.law[j], d.reduced_mass[j], d.slow));
+    if (const double n = contact::exponent(d.law[j]); n != exponent) {
+      exponent = n;
+      slow_length = natural_root((d.slow / d.speed) * (d.slow / d.speed), n);
+    }
+    d.shallow.push_back(d.length[j] * slow_length);
     d.time.push_back(d.length[j] / d.speed);
   }
 }

@@ -1,0 +1,209 @@
+#include "mariotte/flow/taylor_stepper.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include "mariotte/flow/polynomial.hpp"
+
+namespace mariotte::flow::taylor {
+
+using Role = SerialPhase::Role;
+
+namespace {
+
+/// Share of the accuracy that one step may spend.
+constexpr double local_share = 0.1;
+/// A contact that would let go within this share of a step is landed in its own clock. Earlier is dearer: near
+/// its end a contact is so weak that it hardly bounds the step.
+constexpr double landing_share = 0.5;
+/// A contact may sink this far past the depth at which it wakes before it is heard.
+constexpr double late = 3;
+
+/// x^{1/n} to some per cent: the exponent bits divided by n.
+double rough_root(double x, int n) {
+  constexpr std::int64_t one = 0x3fef000000000000;
+  return std::bit_cast<double>((std::bit_cast<std::int64_t>(x) - one) / n + one);
+}
+
+}  // namespace
+
+/// Higher orders pay for themselves at tighter tolerances; measured by work_precision.
+Precision precision(double accuracy) {
+  Precision p{.tolerance = std::max(local_share * accuracy, 0.25 * epsilon), .order = order_limit};
+  p.small = std::cbrt(p.tolerance * p.tolerance);
+  for (const auto& [above, order] : {std::pair{1e-5, 10}, {1e-7, 12}, {1e-9, 16}, {1e-11, 18}}) {
+    if (!(accuracy > above)) continue;
+    p.order = order;
+    break;
+  }
+  return p;
+}
+
+bool Stepper::begin(const SerialPhase& phase, State x, double time, const Precision& precision) {
+  precision_ = precision;
+  return place(window, phase, x, time, precision.small);
+}
+
+Expansion& Stepper::expansion() {
+  const int lanes = window.lanes.count;
+  const std::size_t size = lanes <= 16 ? (lanes - 1) / 4 : 4;
+  auto& chosen = expansions_[size];
+  if (!chosen) chosen = make_expansion(lanes);
+  return *chosen;
+}
+
+void Stepper::shorten(Piece& piece, double place) {
+  piece.end = place;
+  piece.evaluate(place, values_);
+}
+
+bool Stepper::is_struck(int lane) const {
+  return window.contact(lane).role == Role::closed && window.lanes.indentation[lane] == 0 &&
+         window.lanes.rate[lane] > 0;
+}
+
+/// The start series serves if all contacts that carry force are undamped Hertz contacts which start undeformed.
+bool Stepper::starts(Parts& part) const {
+  const auto& l = window.lanes;
+  if (l.damped || l.general) return false;
+  int struck = 0, pressed = 0;
+  for (int j = 0; j < l.count; ++j) {
+    part[j] = Start::Part::passive;
+    if (l.drive[j] != 0) return false;
+    if (window.contact(j).role == Role::open) continue;
+    if (l.indentation[j] != 0 || !window.is_sharp(j)) return false;
+    if (!is_struck(j)) continue;
+    part[j] = Start::Part::struck;
+    ++struck;
+  }
+  const auto is = [&](int j) { return j >= 0 && j < l.count && part[j] == Start::Part::struck; };
+  for (int j = 0; j < l.count; ++j) {
+    if (window.contact(j).role != Role::touching || l.rate[j] != 0 || !(is(j - 1) || is(j + 1))) continue;
+    part[j] = Start::Part::pressed;
+    ++pressed;
+  }
+  return struck > 1 || (struck == 1 && pressed > 0);
+}
+
+std::optional<Piece> Stepper::start_piece() {
+  Parts part;
+  if (!starts(part)) return std::nullopt;
+  auto& l = window.lanes;
+  for (int j = 0; j < l.count; ++j) l.push[j] = part[j] != Start::Part::passive;
+  Piece piece{.start = &start_, .order = precision_.order};
+  double end = 0.9 * start_.expand(l, part.data(), precision_.order, precision_.tolerance);
+  for (int tries = 0; tries < 60; ++tries, end *= 0.5) {
+    shorten(piece, end);
+    if (std::all_of(values_.margin, values_.margin + l.count, [](double margin) { return margin >= 0; }))
+      return piece;
+  }
+  return std::nullopt;
+}
+
+/// The lane whose onset or separation limits a series in time.
+int Stepper::choose_clock() const {
+  const auto& l = window.lanes;
+  int clock = Expansion::plain;
+  if (l.general) return clock;
+  double soonest = landing_share * last_time;
+  for (int j = 0; j < l.count; ++j) {
+    if (!window.is_sharp(j) || window.contact(j).role != Role::closed) continue;
+    if (is_struck(j)) return j;
+    if (!(l.rate[j] < 0) || !(l.indentation[j] < -soonest * l.rate[j])) continue;
+    soonest = -l.indentation[j] / l.rate[j];
+    clock = j;
+  }
+  return clock;
+}
+
+Piece Stepper::series_piece() {
+  auto& l = window.lanes;
+  Piece piece{.series = &expansion(), .order = precision_.order, .clock = choose_clock()};
+  for (int j = 0; j < l.count; ++j)
+    l.push[j] = window.pushes(j) && (j == piece.clock || l.indentation[j] > window.wake[j]);
+  piece.series->expand(l, piece.order, piece.clock);
+  // Right after an onset only every fifth coefficient differs from zero.
+  const bool fresh = piece.clock != Expansion::plain && l.indentation[piece.clock] == 0;
+  double end = infinity;
+  for (int k = piece.order; k > piece.order - (fresh ? 5 : 2); --k)
+    end = std::min(end, rough_root(precision_.tolerance / std::max(piece.series->size(k), 1e-300), k));
+  watched_clock_ = piece.clock != Expansion::plain && l.side[piece.clock] > 0;
+  if (watched_clock_) l.side[piece.clock] = 0;  // looked at through √δ instead
+  shorten(piece, end);
+  return piece;
+}
+
+/// End the piece where a contact whose force is left out has reached the depth at which it wakes. Depths grow
+/// with some power of time.
+void Stepper::wake_gently(Piece& piece) {
+  const auto& l = window.lanes;
+  for (int j = 0; j < l.count; ++j) {
+    if (!window.pushes(j) || l.push[j] > 0) continue;
+    const double depth = std::max(l.indentation[j], 0.0), goal = 0.6 * late * window.wake[j];
+    for (int tries = 0; tries < 60 && values_.indentation[j] > late * window.wake[j]; ++tries) {
+      const double secant = depth > 0 ? (goal - depth) / (values_.indentation[j] - depth) : 0;
+      const double power = rough_root(goal / values_.indentation[j], 4);
+      shorten(piece, piece.end * std::clamp(std::max(secant, power), 0.1, 0.98));
+    }
+  }
+}
+
+Piece Stepper::next(bool first, double time) {
+  auto start = first ? start_piece() : std::nullopt;
+  Piece piece = start ? *start : series_piece();
+  wake_gently(piece);
+  cut_ = !(values_.time < time);
+  if (cut_) {
+    shorten(piece, piece.place(time, values_.time));
+    values_.time = time;
+  }
+  return piece;
+}
+
+void Stepper::search(const Piece& piece, Quantity quantity, int lane, double side, double level, Index guard,
+                     Fall& fall) const {
+  Coefficients c;
+  const auto used = piece.coefficients(quantity, lane, c);
+  for (double& coefficient : c) coefficient *= side;
+  c[0] += level;
+  const auto place = flow::first_fall(used, std::min(piece.end, fall.place));
+  if (place && *place < fall.place) fall = {guard, lane, *place};
+}
+
+Fall Stepper::first_fall(const Piece& piece) const {
+  Fall fall;
+  if (!piece.series) return fall;  // a start is chosen so short that none fires
+  const auto& l = window.lanes;
+  for (int j = 0; j < l.count; ++j) {
+    const auto& c = window.contact(j);
+    if (l.side[j] != 0 && values_.margin[j] < 0)
+      search(piece, Quantity::indentation, j, l.side[j], l.level[j], c.guard, fall);
+    if (l.load_side[j] != 0 && values_.load_margin[j] < 0)
+      search(piece, Quantity::load, j, l.load_side[j], 0, c.load_guard, fall);
+  }
+  if (watched_clock_)
+    search(piece, Quantity::clock, piece.clock, 1, 0, window.contact(piece.clock).guard, fall);
+  return fall;
+}
+
+void Stepper::advance(const Piece& piece, const Fall& fall) {
+  auto& l = window.lanes;
+  last_time = values_.time;
+  taylor::advance(window, values_);
+  if (piece.series && watched_clock_) watch(window, piece.clock);
+  watched_clock_ = false;
+  if (fall.lane >= 0 && fall.guard == window.contact(fall.lane).guard)
+    l.indentation[fall.lane] = l.side[fall.lane] < 0 ? l.level[fall.lane] : 0;
+}
+
+bool Stepper::has_outgrown() const {
+  const int last = window.lanes.count - 1;
+  const auto awake = [&](int j) { return window.pushes(j) && window.lanes.indentation[j] > window.wake[j]; };
+  const bool at_left_end = window.first == 0,
+             at_right_end = window.first + last + 1 == static_cast<Index>(window.phase->contact.size());
+  return (!at_left_end && awake(0)) || (!at_right_end && awake(last));
+}
+
+}  // namespace mariotte::flow::taylor

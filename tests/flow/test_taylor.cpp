@@ -1,0 +1,170 @@
+#define BOOST_TEST_MODULE the Taylor flow
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <random>
+
+#include "mariotte/flow/taylor_lanes.hpp"
+#include "mariotte/flow/taylor_start.hpp"
+#include "mariotte/impact/chain_impact.hpp"
+#include "support/reference.hpp"
+
+using namespace mariotte;
+using namespace mariotte::test;
+using namespace mariotte::flow::taylor;
+
+namespace {
+
+impact::ChainImpact by_taylor(const model::Chain& chain, double accuracy) {
+  return impact::simulate(chain, {.accuracy = accuracy, .flow = "taylor"});
+}
+
+bool used(const impact::ChainImpact& impact, const std::string& flow) {
+  return std::any_of(impact.flows.begin(), impact.flows.end(), [&](const auto& f) { return f.name == flow; });
+}
+
+/// Contacts of any law, indentation and rate, all pushing.
+Lanes random_lanes(int count, std::mt19937& random, bool damped) {
+  std::uniform_real_distribution<double> unit(0, 1);
+  Lanes lanes;
+  lanes.count = count;
+  lanes.damped = damped;
+  for (int j = 0; j < count; ++j) {
+    lanes.indentation[j] = 0.1 + unit(random);
+    lanes.rate[j] = 2 * unit(random) - 1;
+    lanes.push[j] = lanes.weight[j] = lanes.side[j] = lanes.load_side[j] = 1;
+    lanes.stiffness[j] = 0.5 + unit(random);
+    lanes.damping[j] = damped ? unit(random) : 0;
+    lanes.power[j] = unit(random) < 0.7 ? 0.5 : 0;
+    lanes.left[j] = 0.5 + unit(random);
+    lanes.right[j] = 0.5 + unit(random);
+  }
+  return lanes;
+}
+
+double polynomial(const Expansion& series, Quantity quantity, int lane, int order, double place) {
+  double c[order_limit + 1], sum = 0;
+  series.coefficients(quantity, lane, c);
+  for (int k = order; k >= 0; --k) sum = sum * place + c[k];
+  return sum;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_series_satisfies_the_equations_of_motion) {
+  std::mt19937 random(7);
+  for (const bool damped : {false, true}) {
+    const auto lanes = random_lanes(7, random, damped);
+    for (const int clock : {Expansion::plain, 3}) {
+      if (clock >= 0 && lanes.power[clock] == 0) continue;
+      const auto series = make_expansion(7);
+      constexpr int order = 18;
+      series->expand(lanes, order, clock);
+      // At a small place, dδ/dσ = g δ̇ and dδ̇/dσ = g (…), by central differences of the polynomials.
+      const double at = 0.02, step = 1e-4;
+      double force[9] = {};
+      for (int j = 0; j < 7; ++j) {
+        const double depth = polynomial(*series, Quantity::indentation, j, order, at);
+        const double load = lanes.stiffness[j] * depth +
+                            lanes.damping[j] * polynomial(*series, Quantity::rate, j, order, at);
+        force[j + 1] = (lanes.power[j] > 0 ? std::sqrt(depth) : 1) * load;
+      }
+      const double g = polynomial(*series, Quantity::clock, 0, order, at);
+      for (int j = 0; j < 7; ++j) {
+        const auto slope = [&](Quantity q) {
+          return (polynomial(*series, q, j, order, at + step) - polynomial(*series, q, j, order, at - step)) /
+                 (2 * step);
+        };
+        const double push = lanes.left[j] * (force[j] - force[j + 1]) + lanes.right[j] * (force[j + 2] - force[j + 1]);
+        BOOST_TEST(std::abs(slope(Quantity::indentation) - g * polynomial(*series, Quantity::rate, j, order, at)) < 1e-6);
+        BOOST_TEST(std::abs(slope(Quantity::rate) - g * push) < 1e-6);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(every_instruction_set_gives_the_same_series) {
+  std::mt19937 random(3);
+  for (const int count : {2, 4, 7, 12, 16, 32}) {
+    for (const bool damped : {false, true}) {
+      const auto lanes = random_lanes(count, random, damped);
+      const auto best = make_expansion(count), baseline = make_baseline_expansion(count);
+      Values a, b;
+      for (const int clock : {Expansion::plain, lanes.power[1] > 0 ? 1 : Expansion::plain}) {
+        best->expand(lanes, 16, clock);
+        baseline->expand(lanes, 16, clock);
+        best->evaluate(0.1, a);
+        baseline->evaluate(0.1, b);
+        BOOST_TEST(std::abs(a.time - b.time) < 1e-15);
+        for (int j = 0; j < count; ++j) {
+          BOOST_TEST(std::abs(a.indentation[j] - b.indentation[j]) < 1e-14);
+          BOOST_TEST(std::abs(a.impulse[j] - b.impulse[j]) < 1e-14);
+          BOOST_TEST(std::abs(a.margin[j] - b.margin[j]) < 1e-12);
+        }
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(margins_are_lower_bounds) {
+  std::mt19937 random(11);
+  for (int i = 0; i < 200; ++i) {
+    const auto lanes = random_lanes(4, random, true);
+    const auto series = make_expansion(4);
+    series->expand(lanes, 14, Expansion::plain);
+    const double end = 0.01 * (1 + i % 60);
+    Values values;
+    series->evaluate(end, values);
+    for (int j = 0; j < 4; ++j)
+      for (int part = 0; part <= 50; ++part) {
+        const double place = end * part / 50;
+        BOOST_TEST(values.margin[j] <= polynomial(*series, Quantity::indentation, j, 14, place) + 1e-14);
+        BOOST_TEST(values.load_margin[j] <= polynomial(*series, Quantity::load, j, 14, place) + 1e-14);
+      }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_single_contact_agrees_with_its_closed_form) {
+  for (const double ratio : {1.0, 1e-3, 1e3}) {
+    auto chain = equal_masses({contact::Hertz{2}}, {1, -0.5});
+    chain.mass = {1, ratio};
+    const auto series = by_taylor(chain, 1e-14), exact = impact::simulate(chain, {.accuracy = 1e-14});
+    BOOST_TEST(used(series, "taylor"));
+    BOOST_TEST(used(exact, "pair"));
+    BOOST_TEST(difference(series.velocity, exact.velocity) < 1e-14);
+    BOOST_TEST(std::abs(series.time / exact.time - 1) < 1e-13);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(asked_is_got_on_the_reference_triplets) {
+  for (const double accuracy : {1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14})
+    for (const auto& c : cases("triplets.json")) {
+      const auto impact = by_taylor(triplet(c), accuracy);
+      BOOST_TEST(difference(impact.velocity, c.at("final").get<Numbers>()) <= 2 * accuracy);
+      BOOST_TEST(used(impact, "taylor"));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(asked_is_got_on_the_reference_chains) {
+  for (const double accuracy : {1e-6, 1e-10, 1e-14})
+    for (const auto& c : cases("equal_chains.json")) {
+      const auto impact = by_taylor(equal_chain(c.at("n")), accuracy);
+      BOOST_TEST(difference(impact.velocity, c.at("final").get<Numbers>()) <= accuracy);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(any_exponent_and_any_mixture_agrees_with_cvode) {
+  const contact::Law laws[] = {contact::Hertz{1}, contact::Linear{2},
+                               contact::Viscoelastic{.stiffness = 1, .damping = 0.3, .exponent = 1},
+                               contact::Viscoelastic{.stiffness = 1.5, .damping = 0.2, .exponent = 1.5},
+                               contact::Viscoelastic{.stiffness = 1, .damping = 0.1, .exponent = 2},
+                               contact::Viscoelastic{.stiffness = 1, .damping = 0, .exponent = 1.75}};
+  for (const auto& first : laws)
+    for (const auto& second : laws) {
+      auto chain = equal_masses({first, second, contact::Hertz{0.7}}, {1, 0.1, 0, -0.4});
+      chain.gap = {0, 0.2, 0.1};
+      const auto series = by_taylor(chain, 1e-9), cvode = impact::simulate(chain, {.accuracy = 1e-10, .flow = "cvode-adams"});
+      BOOST_TEST(used(series, "taylor"));
+      BOOST_TEST(difference(series.velocity, cvode.velocity) < 2e-9);
+      BOOST_TEST(period_counts(series) == period_counts(cvode), boost::test_tools::per_element());
+    }
+}

@@ -1,0 +1,91 @@
+#define BOOST_TEST_MODULE many chains with one solver
+#include <boost/test/unit_test.hpp>
+#include <cstdlib>
+#include <new>
+
+#include "mariotte/impact/chain_solver.hpp"
+#include "support/reference.hpp"
+
+using namespace mariotte;
+using namespace mariotte::test;
+
+// The operators below are a matching pair, which the compiler fails to see once they are inlined.
+#pragma GCC diagnostic ignored "-Wmismatched-new-delete"
+
+namespace {
+long allocations = 0;
+}
+
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size)) return memory;
+  throw std::bad_alloc();
+}
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  ++allocations;
+  const auto unit = static_cast<std::size_t>(alignment);
+  if (void* memory = std::aligned_alloc(unit, (size + unit - 1) / unit * unit)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::align_val_t) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
+  std::free(memory);
+}
+
+namespace {
+
+/// Allocations of a second round over chains that a first round has seen.
+long allocations_when_repeated(const std::vector<model::Chain>& chains, const std::string& flow = "auto") {
+  impact::ChainSolver solver;
+  const hybrid::Options options{.accuracy = 1e-8, .flow = flow};
+  for (const auto& chain : chains) solver.solve(chain, options);
+  const long before = allocations;
+  for (const auto& chain : chains) solver.solve(chain, options);
+  return allocations - before;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(nothing_is_allocated_after_the_first_scene) {
+  std::vector<model::Chain> chains;
+  for (const auto& c : cases("triplets.json"))
+    if (c.at("law") == "hertz") chains.push_back(triplet(c));
+  BOOST_TEST(allocations_when_repeated(chains) == 0);
+  BOOST_TEST(allocations_when_repeated({equal_chain(21)}) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(it_agrees_with_the_full_result) {
+  impact::ChainSolver solver;
+  for (const auto& c : cases("triplets.json")) {
+    const auto chain = triplet(c);
+    const auto& brief = solver.solve(chain, {.accuracy = 1e-10});
+    const auto full = impact::simulate(chain, {.accuracy = 1e-10});
+    BOOST_TEST(difference(brief.velocity, full.velocity) < 1e-10);
+    BOOST_TEST(difference(brief.impulse, impulses(full)) < 1e-10);
+    const auto counts = period_counts(full);
+    BOOST_TEST(std::equal(counts.begin(), counts.end(), brief.periods.begin(),
+                          [](std::size_t a, Index b) { return static_cast<Index>(a) == b; }));
+    BOOST_TEST((brief.ending == full.ending));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(chains_of_any_kind_may_follow_each_other) {
+  const std::vector<model::Chain> chains = {
+      equal_chain(5), equal_masses({contact::Linear{1}, contact::Linear{5}}, {1, 0, 0}),
+      equal_masses({contact::Viscoelastic{.stiffness = 1, .damping = 20, .exponent = 1.5}}, {1, 0}),
+      equal_chain(3),
+      equal_masses({contact::Viscoelastic{.stiffness = 1, .damping = 30, .exponent = 1.5}, contact::Hertz{1}},
+                   {1, 0, 0})};
+  impact::ChainSolver solver;
+  for (int round = 0; round < 2; ++round)
+    for (const auto& chain : chains)
+      BOOST_TEST(difference(solver.solve(chain).velocity, impact::simulate(chain).velocity) < 1e-10);
+}
