@@ -5,7 +5,7 @@ set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/mariotte)
 install(TARGETS mariotte EXPORT mariotteTargets)
 foreach(module IN LISTS MARIOTTE_LIBRARY_MODULES)
   install(DIRECTORY lib/mariotte/${module} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/mariotte
-          FILES_MATCHING PATTERN "*.hpp" REGEX "/(sundials|linear_solver)[^/]*\\.hpp$" EXCLUDE)
+          FILES_MATCHING PATTERN "*.hpp" REGEX "/(sundials|linear_solver|taylor_series)[^/]*\\.hpp$" EXCLUDE)
 endforeach()
 if(MARIOTTE_APPS)
   install(TARGETS mariotte_command)

@@ -21,6 +21,10 @@ constexpr double landing_share = 0.5;
 /// A contact may sink this far past the depth at which it wakes before it is heard.
 constexpr double late = 3;
 
+/// Share of the radius of convergence that a step may use.
+constexpr double safe_radius = 0.7;
+constexpr double tiny = 1e-300;  ///< keeps quotients of vanishing coefficients finite
+
 /// x^{1/n} to some per cent: the exponent bits divided by n.
 double rough_root(double x, int n) {
   constexpr std::int64_t one = 0x3fef000000000000;
@@ -55,6 +59,7 @@ Expansion& Stepper::expansion() {
 }
 
 void Stepper::shorten(Piece& piece, double place) {
+  landed_ = landed_ && place == piece.end;
   piece.end = place;
   piece.evaluate(place, values_);
 }
@@ -93,6 +98,7 @@ std::optional<Piece> Stepper::start_piece() {
   auto& l = window.lanes;
   for (int j = 0; j < l.count; ++j) l.push[j] = part[j] != Start::Part::passive;
   Piece piece{.start = &start_, .order = precision_.order};
+  landed_ = false;
   double end = 0.9 * start_.expand(l, part.data(), precision_.order, precision_.tolerance);
   for (int tries = 0; tries < 60; ++tries, end *= 0.5) {
     shorten(piece, end);
@@ -118,21 +124,43 @@ int Stepper::choose_clock() const {
   return clock;
 }
 
+/// Where the last coefficients come to the tolerance, but no further than a safe share of the radius of
+/// convergence: beyond, a weak singularity, a contact about to let go, hides behind small coefficients.
+double Stepper::reach(const Expansion& series, bool fresh) const {
+  const int order = precision_.order, group = fresh ? 5 : 2;  // right after an onset four of five vanish
+  double end = infinity, last = tiny, before = tiny;
+  for (int k = order; k > order - group; --k) {
+    const double size = std::max(series.size(k), tiny);
+    end = std::min(end, rough_root(precision_.tolerance / size, k));
+    last = std::max(last, size);
+    before = std::max(before, series.size(k - group));
+  }
+  return std::min(end, safe_radius * rough_root(before / last, group));
+}
+
 Piece Stepper::series_piece() {
   auto& l = window.lanes;
   Piece piece{.series = &expansion(), .order = precision_.order, .clock = choose_clock()};
   for (int j = 0; j < l.count; ++j)
     l.push[j] = window.pushes(j) && (j == piece.clock || l.indentation[j] > window.wake[j]);
   piece.series->expand(l, piece.order, piece.clock);
-  // Right after an onset only every fifth coefficient differs from zero.
-  const bool fresh = piece.clock != Expansion::plain && l.indentation[piece.clock] == 0;
-  double end = infinity;
-  for (int k = piece.order; k > piece.order - (fresh ? 5 : 2); --k)
-    end = std::min(end, rough_root(precision_.tolerance / std::max(piece.series->size(k), 1e-300), k));
-  watched_clock_ = piece.clock != Expansion::plain && l.side[piece.clock] > 0;
-  if (watched_clock_) l.side[piece.clock] = 0;  // looked at through √δ instead
-  shorten(piece, end);
+  const double end = reach(*piece.series, piece.clock != Expansion::plain && l.indentation[piece.clock] == 0);
+  piece.end = end;
+  landed_ = piece.clock != Expansion::plain && land(piece);
+  shorten(piece, piece.end);
   return piece;
+}
+
+/// End a piece in a contact's own clock where that contact lets go: behind, time would run backwards. There
+/// δ is zero, which the landing tells better than δ itself. True if it lands.
+bool Stepper::land(Piece& piece) {
+  auto& l = window.lanes;
+  watched_clock_ = l.side[piece.clock] > 0;
+  l.side[piece.clock] = 0;
+  Coefficients c;
+  const auto place = flow::first_fall(piece.coefficients(Quantity::clock, piece.clock, c), piece.end);
+  if (place) piece.end = *place;
+  return place.has_value();
 }
 
 /// End the piece where a contact whose force is left out has reached the depth at which it wakes. Depths grow
@@ -183,8 +211,7 @@ Fall Stepper::first_fall(const Piece& piece) const {
     if (l.load_side[j] != 0 && values_.load_margin[j] < 0)
       search(piece, Quantity::load, j, l.load_side[j], 0, c.load_guard, fall);
   }
-  if (watched_clock_)
-    search(piece, Quantity::clock, piece.clock, 1, 0, window.contact(piece.clock).guard, fall);
+  if (landed_ && watched_clock_ && fall.guard < 0) fall = {window.contact(piece.clock).guard, piece.clock, piece.end};
   return fall;
 }
 
@@ -192,8 +219,7 @@ void Stepper::advance(const Piece& piece, const Fall& fall) {
   auto& l = window.lanes;
   last_time = values_.time;
   taylor::advance(window, values_);
-  if (piece.series && watched_clock_) watch(window, piece.clock);
-  watched_clock_ = false;
+  if (piece.clock != Expansion::plain) watch(window, piece.clock);
   if (fall.lane >= 0 && fall.guard == window.contact(fall.lane).guard)
     l.indentation[fall.lane] = l.side[fall.lane] < 0 ? l.level[fall.lane] : 0;
 }

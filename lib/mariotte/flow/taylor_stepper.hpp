@@ -56,6 +56,8 @@ class Stepper {
   std::optional<Piece> start_piece();
   int choose_clock() const;
   Piece series_piece();
+  bool land(Piece& piece);
+  double reach(const Expansion& series, bool fresh) const;
   Expansion& expansion();
   void wake_gently(Piece& piece);
   void search(const Piece& piece, Quantity quantity, int lane, double side, double level, Index guard,
@@ -66,6 +68,7 @@ class Stepper {
   Start start_;
   std::array<std::unique_ptr<Expansion>, 5> expansions_;  ///< by number of lanes
   bool watched_clock_ = false;                            ///< the clock's contact is watched
+  bool landed_ = false;                                   ///< the piece ends where the clock's contact lets go
   bool cut_ = false;
 };
 

@@ -56,13 +56,21 @@ void find_outside(Window& w) {
   }
 }
 
+/// Indentation at the start: on the side where its role holds it, and exactly zero at an onset, where rounding
+/// may have left it beside.
+double settled(const SerialPhase::Contact& c, double indentation, double rate) {
+  if (c.role == Role::open) return std::min(indentation, c.level);
+  const bool onset = c.role == Role::closed && rate > 0 && indentation <= 16 * epsilon * c.length;
+  return onset ? 0 : std::max(indentation, 0.0);
+}
+
 void fill(Window& w, int lane, double small) {
   const auto& phase = *w.phase;
   const Index j = w.first + lane;
   const auto& c = phase.contact[j];
   auto& l = w.lanes;
-  l.indentation[lane] = -w.x[c.gap];
   l.rate[lane] = rate(phase, w.x, j);
+  l.indentation[lane] = settled(c, -w.x[c.gap], l.rate[lane]);
   l.stiffness[lane] = c.stiffness;
   l.damping[lane] = c.damping;
   l.power[lane] = c.exponent - 1;

@@ -143,6 +143,7 @@ ChainImpact simulate(const model::Chain& chain, const hybrid::Options& options, 
   impulses(system.chain(), system.layout(), stretch, p);
   count_periods(run.changes, system.layout().contacts(), periods);
   clear_untouched(periods, p);
+  system.problem(workspace.mode);  // forces at the ending are those of the last mode
   const auto energies = contact_energies(system.chain(), system.layout(), workspace.mode, stretch);
 
   ChainImpact impact;
