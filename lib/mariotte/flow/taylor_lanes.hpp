@@ -49,7 +49,7 @@ class Expansion {
   static constexpr int plain = -1;
   virtual ~Expansion() = default;
   virtual void expand(const Lanes& lanes, int order, int clock) = 0;
-  /// Largest coefficient k of δ/length and δ̇.
+  /// Largest coefficient k of δ/length, δ̇ and, if damped, work/m*.
   virtual double size(int k) const = 0;
   virtual void evaluate(double place, Values& values) const = 0;
   /// Coefficients of one quantity of a lane, or of the clock √δ_c and the time.

@@ -128,6 +128,7 @@ class Series final : public Expansion {
     Vec most{};
     for (int i = 0; i < N; ++i)
       most = largest(most, largest(magnitude(rate_[k].part[i]), weight.part[i] * magnitude(indentation_[k].part[i])));
+    for (int i = 0; damped_ && i < N; ++i) most = largest(most, mobility_.part[i] * magnitude(work_[k].part[i]));
     double size = most[0];
     for (int i = 1; i < width; ++i) size = most[i] > size ? most[i] : size;
     return size;
@@ -198,7 +199,8 @@ class Series final : public Expansion {
     strength_ = damped_ ? push : push * stiffness_;
     from_left_ = left * from_left(strength_);
     from_right_ = right * from_right(strength_);
-    own_ = (left + right) * strength_;
+    mobility_ = left + right;
+    own_ = mobility_ * strength_;
     power_ = load<N>(lanes.power);
     for (int i = 0; i < N; ++i) {
       const Vec depth = largest(indentation_[0].part[i], Vec{});
@@ -314,6 +316,7 @@ class Series final : public Expansion {
   int order_ = 0, clock_ = plain;
   bool damped_ = false;
   Row<N> stiffness_, damping_, drive_, power_, half_inverse_, inverse_, chosen_;
+  Row<N> mobility_;  ///< 1/m*
   Row<N> strength_, from_left_, from_right_, own_;  ///< couplings of the forces; without damping k is in them
   Coefficients indentation_, rate_, root_, load_, force_, stretched_, impulse_, work_;
   double stretch_[order_limit + 1], time_[order_limit + 1];  ///< √δ_c, and t

@@ -36,7 +36,6 @@ double rough_root(double x, int n) {
 /// Higher orders pay for themselves at tighter tolerances; measured by work_precision.
 Precision precision(double accuracy) {
   Precision p{.tolerance = std::max(local_share * accuracy, 0.25 * epsilon), .order = order_limit};
-  p.small = std::cbrt(p.tolerance * p.tolerance);
   for (const auto& [above, order] : {std::pair{1e-5, 10}, {1e-7, 12}, {1e-9, 16}, {1e-11, 18}}) {
     if (!(accuracy > above)) continue;
     p.order = order;
@@ -47,7 +46,7 @@ Precision precision(double accuracy) {
 
 bool Stepper::begin(const SerialPhase& phase, State x, double time, const Precision& precision) {
   precision_ = precision;
-  return place(window, phase, x, time, precision.small);
+  return place(window, phase, x, time);
 }
 
 Expansion& Stepper::expansion() {

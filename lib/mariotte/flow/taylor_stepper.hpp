@@ -11,7 +11,6 @@ namespace mariotte::flow::taylor {
 struct Precision {
   double tolerance = 0;  ///< of one step
   int order = 0;
-  double small = 0;  ///< tolerance^{2/3}
 };
 
 /// For a wanted error at the end of the run.

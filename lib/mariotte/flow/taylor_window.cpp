@@ -17,18 +17,18 @@ double drive(const SerialPhase& phase, Index j) {
   return phase.body[j].acceleration - phase.body[j + 1].acceleration;
 }
 
-/// Depth below which the force of a contact may be left out: over the natural time it changes no velocity by
-/// more than the tolerance. `small` is tolerance^{2/3}, and the tolerance (δ/L)ⁿ.
-double wake_depth(const SerialPhase::Contact& c, double speed, double small) {
+/// Depth below which the force of a contact is left out: within the depth that cannot be told from rounding,
+/// less for what damping adds to the force. Laws without a branch point need none.
+double wake_depth(const SerialPhase::Contact& c, double speed) {
   if (c.exponent == 1) return -infinity;
   const double strain = c.damping * speed / (c.stiffness * c.length);
-  return c.length * (c.exponent == 1.5 ? small : std::pow(small, 1.5 / c.exponent)) / (1 + strain);
+  return 0.5 * c.shallow / (1 + strain);
 }
 
 /// A contact that the window must hold.
-bool is_active(const SerialPhase& phase, ConstState x, Index j, double small) {
+bool is_active(const SerialPhase& phase, ConstState x, Index j) {
   const auto& c = phase.contact[j];
-  if (c.role == Role::touching) return -x[c.gap] > wake_depth(c, phase.speed, small);
+  if (c.role == Role::touching) return -x[c.gap] > wake_depth(c, phase.speed);
   return c.role != Role::open;
 }
 
@@ -64,7 +64,7 @@ double settled(const SerialPhase::Contact& c, double indentation, double rate) {
   return onset ? 0 : std::max(indentation, 0.0);
 }
 
-void fill(Window& w, int lane, double small) {
+void fill(Window& w, int lane) {
   const auto& phase = *w.phase;
   const Index j = w.first + lane;
   const auto& c = phase.contact[j];
@@ -79,7 +79,7 @@ void fill(Window& w, int lane, double small) {
   l.drive[lane] = drive(phase, j);
   l.level[lane] = c.level;
   l.weight[lane] = 1 / c.length;
-  w.wake[lane] = wake_depth(c, phase.speed, small);
+  w.wake[lane] = wake_depth(c, phase.speed);
   w.impulse[lane] = w.work[lane] = 0;
   l.damped |= c.damping > 0;
   l.general |= c.exponent != 1 && c.exponent != 1.5;
@@ -115,11 +115,11 @@ void watch(Window& w, int lane) {
   }
 }
 
-bool place(Window& w, const SerialPhase& phase, State x, double time, double small) {
+bool place(Window& w, const SerialPhase& phase, State x, double time) {
   const Index count = static_cast<Index>(phase.contact.size());
   Index from = 0, to = count - 1;
-  while (from < count && !is_active(phase, x, from, small)) ++from;
-  while (to >= from && !is_active(phase, x, to, small)) --to;
+  while (from < count && !is_active(phase, x, from)) ++from;
+  while (to >= from && !is_active(phase, x, to)) --to;
   // One contact more on each side, and another where that one is about to be pressed.
   const auto touching = [&](Index j) { return phase.contact[j].role == Role::touching; };
   if (from > 0 && touching(--from) && from > 0) --from;
@@ -133,7 +133,7 @@ bool place(Window& w, const SerialPhase& phase, State x, double time, double sma
   w.lanes.count = static_cast<int>(to - from + 1);
   for (int lane = w.lanes.count; lane < idle; ++lane) clear(w.lanes, lane);
   w.lanes.damped = w.lanes.general = false;
-  for (int lane = 0; lane < w.lanes.count; ++lane) fill(w, lane, small);
+  for (int lane = 0; lane < w.lanes.count; ++lane) fill(w, lane);
   for (int body = 0; body <= w.lanes.count; ++body) w.velocity[body] = x[phase.body[from + body].velocity];
   find_outside(w);
   return true;

@@ -29,9 +29,8 @@ struct Window {
 };
 
 /// Place the window around what moves or pushes at `time`, where the whole state is x. False if that needs more
-/// lanes than there are. `small` = tolerance^{2/3} is the share of its natural indentation below which the
-/// force of a contact is left out.
-bool place(Window& window, const SerialPhase& phase, State x, double time, double small);
+/// lanes than there are.
+bool place(Window& window, const SerialPhase& phase, State x, double time);
 
 /// Watch lane's guards as its contact's role demands.
 void watch(Window& window, int lane);
