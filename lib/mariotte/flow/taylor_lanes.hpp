@@ -5,7 +5,7 @@
 namespace mariotte::flow::taylor {
 
 inline constexpr int order_limit = 20;
-inline constexpr int lane_limit = 32;
+inline constexpr int lane_limit = 64;
 
 /// What a series starts from. Lane j is the contact between bodies j and j+1; lanes from `count` on are idle.
 /// Plain arrays: code compiled for different instruction sets shares nothing but this layout.

@@ -328,6 +328,7 @@ inline std::unique_ptr<Expansion> make(int lanes) {
   if (lanes <= 8) return std::unique_ptr<Expansion>(new Series<8 / width>);
   if (lanes <= 12) return std::unique_ptr<Expansion>(new Series<12 / width>);
   if (lanes <= 16) return std::unique_ptr<Expansion>(new Series<16 / width>);
+  if (lanes <= 32) return std::unique_ptr<Expansion>(new Series<32 / width>);
   return std::unique_ptr<Expansion>(new Series<lane_limit / width>);
 }
 

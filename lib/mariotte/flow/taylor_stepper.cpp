@@ -14,7 +14,7 @@ using Role = SerialPhase::Role;
 namespace {
 
 /// Share of the accuracy that one step may spend.
-constexpr double local_share = 0.1;
+constexpr double local_share = 0.03;
 /// A contact that would let go within this share of a step is landed in its own clock. Earlier is dearer: near
 /// its end a contact is so weak that it hardly bounds the step.
 constexpr double landing_share = 0.5;
@@ -51,7 +51,7 @@ bool Stepper::begin(const SerialPhase& phase, State x, double time, const Precis
 
 Expansion& Stepper::expansion() {
   const int lanes = window.lanes.count;
-  const std::size_t size = lanes <= 16 ? (lanes - 1) / 4 : 4;
+  const std::size_t size = lanes <= 16 ? (lanes - 1) / 4 : lanes <= 32 ? 4 : 5;
   auto& chosen = expansions_[size];
   if (!chosen) chosen = make_expansion(lanes);
   return *chosen;

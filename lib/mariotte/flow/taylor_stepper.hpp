@@ -65,7 +65,7 @@ class Stepper {
   Precision precision_;
   Values values_;
   Start start_;
-  std::array<std::unique_ptr<Expansion>, 5> expansions_;  ///< by number of lanes
+  std::array<std::unique_ptr<Expansion>, 6> expansions_;  ///< by number of lanes
   bool watched_clock_ = false;                            ///< the clock's contact is watched
   bool landed_ = false;                                   ///< the piece ends where the clock's contact lets go
   bool cut_ = false;

@@ -90,7 +90,7 @@ void make_dimensionless(const Chain& chain, double accuracy, DimensionlessChain&
   const auto quickest = quickest_contact(chain, speed);
   d.scale = choose_scale(chain, speed, quickest);
   d.speed = speed / d.scale.velocity;
-  d.slow = std::max(0.03 * accuracy, 8 * epsilon) * d.speed;
+  d.slow = std::max(0.1 * accuracy, 8 * epsilon) * d.speed;
   d.falls_back = pulls_back(chain);
   for (auto* list : {&d.mass, &d.inverse_mass, &d.gap, &d.velocity, &d.gravity, &d.reduced_mass, &d.length, &d.time,
                      &d.shallow})

@@ -24,7 +24,7 @@ struct DimensionlessChain {
   bool falls_back = false;      ///< gravity pulls some ball back to a wall
 };
 
-/// Convert a validated chain into `d`, whose memory is reused. `accuracy` decides what is slow: a few hundredths
+/// Convert a validated chain into `d`, whose memory is reused. `accuracy` decides what is slow: a tenth
 /// of what may be wrong anyway.
 void make_dimensionless(const Chain& chain, double accuracy, DimensionlessChain& d);
 
