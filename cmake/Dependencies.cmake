@@ -9,4 +9,5 @@ if(MARIOTTE_APPS OR MARIOTTE_TESTS)
 endif()
 if(MARIOTTE_APPS)
   find_package(CLI11 REQUIRED)
+  find_package(Boost REQUIRED)  # odeint, a rival in work_precision; headers only
 endif()

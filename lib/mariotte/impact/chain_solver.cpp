@@ -26,6 +26,7 @@ struct ChainSolver::Memory {
     count_periods(run.changes, layout.contacts(), impact.periods);
     clear_untouched(impact.periods, impact.impulse);
     for (double& p : impact.impulse) p *= chain.scale.momentum();
+    impact.events = run.events;
     impact.steps = impact.rhs = 0;
     for (const auto& flow : run.flows) {
       impact.steps += flow.steps;

@@ -30,9 +30,10 @@ int run_gnuplot(const std::filesystem::path& folder, const std::string& setting)
   return child > 0 && WIFEXITED(status) ? WEXITSTATUS(status) : 1;
 }
 
-bool move_figures(const std::filesystem::path& from, const std::filesystem::path& to) {
+bool move_figures(const std::filesystem::path& from, const std::filesystem::path& to,
+                  const std::vector<std::string>& figures) {
   std::error_code problem;
-  for (const auto& name : figure_names()) {
+  for (const auto& name : figures) {
     std::filesystem::rename(from / name, to / name, problem);
     if (problem) return false;
   }
@@ -41,12 +42,12 @@ bool move_figures(const std::filesystem::path& from, const std::filesystem::path
 
 }  // namespace
 
-std::string draw(const std::filesystem::path& folder) {
+std::string draw(const std::filesystem::path& folder, const std::vector<std::string>& figures) {
   const std::string temporary = fmt::format(".figures.{}.tmp", ::getpid());
   std::error_code problem;
   std::filesystem::create_directory(folder / temporary, problem);
   const int code = problem ? 1 : run_gnuplot(folder, fmt::format("folder='{}/'", temporary));
-  const bool drawn = code == 0 && move_figures(folder / temporary, folder);
+  const bool drawn = code == 0 && move_figures(folder / temporary, folder, figures);
   std::filesystem::remove_all(folder / temporary, problem);
   if (code == command_not_found) return "gnuplot is not installed";
   return drawn ? "" : "gnuplot failed";

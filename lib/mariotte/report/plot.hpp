@@ -19,8 +19,10 @@ std::string plot_data(const impact::Trace& trace);
 /// SVG, from the start until soon after the last force above a thousandth of the largest.
 std::string plot_script(const impact::Trace& trace, const std::string& title);
 
-/// Run plot.gp in `folder`; the figures appear all at once. Returns an empty text, or why there are no
-/// figures: gnuplot is not installed, or it failed.
-std::string draw(const std::filesystem::path& folder);
+/// Run plot.gp in `folder`; the figures, files of these names that it makes in the folder named by its
+/// variable `folder`, appear all at once. Returns an empty text, or why there are no figures: gnuplot is not
+/// installed, or it failed.
+std::string draw(const std::filesystem::path& folder,
+                 const std::vector<std::string>& figures = figure_names());
 
 }  // namespace mariotte::report

@@ -1,0 +1,159 @@
+#include "command_line.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+
+#include "mariotte/report/files.hpp"
+#include "measure.hpp"
+#include "plots.hpp"
+#include "ratios.hpp"
+
+namespace mariotte::work_precision {
+namespace {
+
+enum ExitCode : int { ok = 0, usage = 2, failed = 4, bad_file = 6 };
+
+struct UsageError : Error {
+  using Error::Error;
+};
+
+struct Options {
+  std::vector<std::string> problems;
+  std::vector<std::string> methods;
+  std::string csv;
+  std::string plots;
+  bool quick = false;
+  bool force = false;
+};
+
+/// A family of problems may be asked for by what stands before the dash.
+bool is(const std::string& name, const std::string& wanted) {
+  return name == wanted || name.starts_with(wanted + "-");
+}
+
+/// Those of `known` that are wanted, all if nothing is; throws UsageError for a name that means none.
+template <class Thing, class NameOf>
+std::vector<Thing> chosen(const std::vector<Thing>& known, const std::vector<std::string>& wanted,
+                          const char* what, const NameOf& name_of) {
+  if (wanted.empty()) return known;
+  std::vector<std::string> names;
+  for (const auto& thing : known) names.push_back(name_of(thing));
+  for (const auto& name : wanted)
+    if (std::none_of(names.begin(), names.end(), [&](const auto& one) { return is(one, name); }))
+      throw UsageError(fmt::format("unknown {} '{}' (one of: {})", what, name, fmt::join(names, ", ")));
+  std::vector<Thing> list;
+  for (const auto& thing : known)
+    if (std::any_of(wanted.begin(), wanted.end(), [&](const auto& name) { return is(name_of(thing), name); }))
+      list.push_back(thing);
+  return list;
+}
+
+std::vector<std::string> chosen_problems(const Options& options) {
+  return chosen(problem_names(), options.problems, "problem", [](const auto& name) { return name; });
+}
+
+std::vector<Row> measure_all(const std::vector<std::string>& problems, const Options& options) {
+  const auto effort = options.quick ? quick_effort() : full_effort();
+  const auto list =
+      chosen(methods(), options.methods, "method", [](const Method& method) { return method.name; });
+  std::vector<Row> rows;
+  for (const auto& name : problems) {
+    const auto solved = problem(name, effort.map_stride);
+    for (const auto& method : list) {
+      std::fprintf(stderr, "%s by %s\n", name.c_str(), method.name.c_str());
+      for (auto& row : measure(solved, method, effort)) rows.push_back(std::move(row));
+    }
+  }
+  return rows;
+}
+
+void print(const std::string& text) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) return;
+  throw report::FileError("cannot write to standard output");
+}
+
+/// Throws report::FileError for a file that exists, unless `force`.
+void refuse_to_overwrite(const std::string& file, bool force) {
+  if (!file.empty() && !force && std::filesystem::exists(file))
+    throw report::FileError("cannot write " + file + ": it exists already (--force overwrites)");
+}
+
+void draw(const Options& options, const std::vector<Row>& rows) {
+  const auto shortfall = write_plots(options.plots, rows);
+  if (!shortfall.empty())
+    std::fprintf(stderr, "work_precision: warning: no figures: %s\n", shortfall.c_str());
+}
+
+int run(const Options& options) {
+  const auto names = chosen_problems(options);
+  refuse_to_overwrite(options.csv, options.force);
+  if (!options.plots.empty()) prepare_plots(options.plots, names, options.force);
+  const auto rows = measure_all(names, options);
+  if (!options.csv.empty()) report::write_file(options.csv, csv(rows));
+  if (!options.plots.empty()) draw(options, rows);
+  print(ratios(rows));
+  if (const auto text = map_accuracy(rows); !text.empty()) print("\n" + text);
+  return ok;
+}
+
+constexpr const char* examples = R"(Examples:
+  work_precision --quick
+  work_precision --problem P1 --problem P3 --method auto --method odeint-rkf78 --csv points.csv
+
+A problem named without what follows its dash means all of them: P3 is P3-1, P3-1e4 and P3-1e8.
+
+Exit codes: 0 ok, 2 usage, 4 failure, 6 file error.
+)";
+
+void add_options(CLI::App& app, Options& options) {
+  app.add_option("--problem", options.problems, "Only this problem; may be repeated")->type_name("NAME");
+  app.add_option("--method", options.methods, "Only this method; may be repeated")->type_name("NAME");
+  app.add_flag("--quick", options.quick, "Coarse ladders and short timings: all within a minute");
+  app.add_option("--csv", options.csv, "Write every point of the diagrams to this file")->type_name("FILE");
+  app.add_option("--plots", options.plots,
+                 "Draw run time against error, a figure per problem, in this folder")
+      ->type_name("DIR");
+  app.add_flag("--force", options.force, "Overwrite files of an earlier run");
+  app.footer(examples);
+}
+
+int act(int argc, char** argv) {
+  CLI::App app("Run time against error of mariotte and of its rivals, on impacts that are known exactly.",
+               "work_precision");
+  Options options;
+  add_options(app, options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    print(app.help());
+    return ok;
+  } catch (const CLI::ParseError& problem) {
+    throw UsageError(std::string(problem.what()) + " (see --help)");
+  }
+  return run(options);
+}
+
+int fail(const std::exception& problem, ExitCode code) {
+  std::fprintf(stderr, "work_precision: error: %s\n", problem.what());
+  return code;
+}
+
+}  // namespace
+
+int command_line(int argc, char** argv) noexcept {
+  try {
+    return act(argc, argv);
+  } catch (const UsageError& problem) {
+    return fail(problem, usage);
+  } catch (const report::FileError& problem) {
+    return fail(problem, bad_file);
+  } catch (const std::exception& problem) {
+    return fail(problem, failed);
+  }
+}
+
+}  // namespace mariotte::work_precision

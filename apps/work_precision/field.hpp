@@ -1,0 +1,116 @@
+// The right-hand side that every rival gets: a chain of N balls of unit mass, written for speed. The number
+// of balls and the law are known to the compiler, so that everything is inlined and nothing is allocated.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+
+#include "mariotte/core/error.hpp"
+#include "method.hpp"
+
+namespace mariotte::work_precision {
+
+/// How far past the last separation a rival that knows no ending integrates.
+inline constexpr double overtime = 1.01;
+/// Longest step of a rival that adapts it: in free flight it would leap over a late contact. The shortest
+/// contacts that begin late last five times as long.
+inline constexpr double longest_step = 0.5;
+
+/// Forces before they are cut off where they would pull; `depth` may be negative.
+struct LinearForce {
+  static constexpr bool damped = false;
+  static double at(double stiffness, double /*damping*/, double depth, double /*rate*/) {
+    return stiffness * depth;
+  }
+};
+struct HertzForce {
+  static constexpr bool damped = false;
+  static double at(double stiffness, double /*damping*/, double depth, double /*rate*/) {
+    return stiffness * depth * std::sqrt(std::max(0.0, depth));
+  }
+};
+struct ViscoelasticForce {
+  static constexpr bool damped = true;
+  static double at(double stiffness, double damping, double depth, double rate) {
+    return std::sqrt(std::max(0.0, depth)) * (stiffness * depth + damping * rate);
+  }
+};
+
+/// State: N−1 gaps, then N velocities.
+template <std::size_t N, class Force>
+struct Field {
+  static constexpr std::size_t balls = N;
+  static constexpr std::size_t contacts = N - 1;
+  static constexpr std::size_t size = contacts + N;
+  static constexpr bool damped = Force::damped;
+  using State = std::array<double, size>;
+
+  std::array<double, contacts> stiffness{};
+  double damping = 0;
+
+  Field() = default;
+  explicit Field(const model::Chain& chain) {
+    for (std::size_t j = 0; j < contacts; ++j) stiffness[j] = contact::stiffness(chain.law[j]);
+    damping = contact::damping(chain.law[0]);
+  }
+  static void start(const model::Chain& chain, double* x) {
+    std::copy(chain.gap.begin(), chain.gap.end(), x);
+    std::copy(chain.velocity.begin(), chain.velocity.end(), x + contacts);
+  }
+  static void finish(const double* x, Answer& answer) {
+    std::copy(x + contacts, x + size, answer.velocity.begin());
+  }
+
+  /// Force of contact j, not cut off.
+  double smooth_force(std::size_t j, const double* gap, const double* velocity) const {
+    return Force::at(stiffness[j], damping, -gap[j], velocity[j] - velocity[j + 1]);
+  }
+  /// Accelerations at these gaps and velocities; every force passes through `cut(j, smooth)`.
+  template <class Cut>
+  void accelerations(const double* gap, const double* velocity, double* acceleration, const Cut& cut) const {
+    std::array<double, N + 1> force;  // 0, N−1 contacts, 0
+    force[0] = force[N] = 0;
+    for (std::size_t j = 0; j < contacts; ++j) force[j + 1] = cut(j, smooth_force(j, gap, velocity));
+    for (std::size_t i = 0; i < N; ++i) acceleration[i] = force[i] - force[i + 1];
+  }
+  template <class Cut>
+  void derivative(const double* x, double* dx, const Cut& cut) const {
+    const double* velocity = x + contacts;
+    for (std::size_t j = 0; j < contacts; ++j) dx[j] = velocity[j + 1] - velocity[j];
+    accelerations(x, velocity, dx + contacts, cut);
+  }
+  void operator()(const double* x, double* dx) const { derivative(x, dx, pushing); }
+
+  static double pushing(std::size_t, double force) { return std::max(0.0, force); }
+};
+
+/// `make.operator()<Field>()` for the field of a problem.
+template <class Make>
+Solve with_field(const Problem& problem, const Make& make) {
+  const auto& chain = problem.cases.front().chain;
+  const bool linear = std::holds_alternative<contact::Linear>(chain.law[0]);
+  const bool hertz = std::holds_alternative<contact::Hertz>(chain.law[0]);
+  if (chain.mass.size() == 21 && hertz) return make.template operator()<Field<21, HertzForce>>();
+  if (chain.mass.size() != 3) throw Error("no rival has been compiled for so many balls");
+  if (linear) return make.template operator()<Field<3, LinearForce>>();
+  if (hertz) return make.template operator()<Field<3, HertzForce>>();
+  return make.template operator()<Field<3, ViscoelasticForce>>();
+}
+
+/// A rival as a Solve: `Rival` is a template over the field, made from the setting, with solve(case, answer).
+template <template <class> class Rival>
+Solve rival(const Problem& problem, double setting) {
+  return with_field(problem, [&]<class F>() -> Solve {
+    auto solver = std::make_shared<Rival<F>>(setting);
+    auto answer = std::make_shared<Answer>();
+    answer->velocity.resize(F::balls);
+    return [solver, answer](const Case& one) -> const Answer& {
+      answer->rhs = answer->steps = answer->events = 0;
+      solver->solve(one, *answer);
+      return *answer;
+    };
+  });
+}
+
+}  // namespace mariotte::work_precision

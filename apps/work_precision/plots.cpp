@@ -1,0 +1,115 @@
+#include "plots.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "mariotte/report/files.hpp"
+#include "mariotte/report/plot.hpp"
+
+namespace mariotte::work_precision {
+namespace {
+
+constexpr double least_error = 1e-17;  // shown for smaller ones: the axis is logarithmic
+
+/// One method on one problem: neighbours among the rows.
+struct Curve {
+  const Row& first;
+  std::size_t block;  ///< of plot.csv, from 0
+};
+
+bool same_curve(const Row& a, const Row& b) {
+  return a.problem == b.problem && a.method == b.method;
+}
+
+std::vector<Curve> curves(const std::vector<Row>& rows) {
+  std::vector<Curve> list;
+  for (const auto& row : rows)
+    if (list.empty() || !same_curve(list.back().first, row)) list.push_back({row, list.size()});
+  return list;
+}
+
+std::string data(const std::vector<Row>& rows) {
+  std::string text =
+      "# error of the final velocities, CPU time per impact [s]; a block per problem and method";
+  const Row* before = nullptr;
+  for (const auto& row : rows) {
+    if (before == nullptr || !same_curve(*before, row))
+      text += fmt::format("{}# {} {}\n", before ? "\n\n" : "\n", row.problem, row.method);
+    text += fmt::format("{:.4g},{:.4g}\n", std::max(row.error, least_error), row.seconds);
+    before = &row;
+  }
+  return text;
+}
+
+/// `auto` stands out; a family shares its dashes, and a method has its colour in every figure.
+std::string style(const Row& row, const std::vector<std::string>& methods) {
+  static constexpr const char* colours[] = {"#4171d6", "#c4391d", "#5fb94a", "#e0a11b", "#7d3c98", "#1fb5b0",
+                                            "#8c564b", "#e377c2", "#30123b", "#7f7f7f", "#a3b81b", "#17406d"};
+  if (row.method == "auto") return "with linespoints lw 4 pt 7 dt 1 lc rgb 'black'";
+  const auto at = std::find(methods.begin(), methods.end(), row.method) - methods.begin();
+  return fmt::format("with linespoints lw 2 pt {} dt {} lc rgb '{}'", 1 + at % 13,
+                     1 + static_cast<int>(row.family), colours[at % std::size(colours)]);
+}
+
+std::vector<std::string> method_names() {
+  std::vector<std::string> names;
+  for (const auto& method : methods()) names.push_back(method.name);
+  return names;
+}
+
+std::string figure(const std::string& problem, const std::vector<Row>& rows) {
+  std::string plot;
+  const auto names = method_names();
+  for (const auto& [first, block] : curves(rows))
+    if (first.problem == problem)
+      plot += fmt::format("{} 'plot.csv' index {} {} title '{}'", plot.empty() ? "plot" : ", \\\n    ", block,
+                          style(first, names), first.method);
+  return fmt::format("\nset title '{}'\nset terminal pngcairo size 1200,800 font 'sans,14'\n", problem) +
+         fmt::format("set output folder.'{}.png'\n{}\n", problem, plot) +
+         "set terminal svg size 800,540 dynamic font 'sans,13' background 'white'\n" +
+         fmt::format("set output folder.'{}.svg'\n{}\n", problem, plot);
+}
+
+std::vector<std::string> problems(const std::vector<Row>& rows) {
+  std::vector<std::string> names;
+  for (const auto& [first, block] : curves(rows))
+    if (names.empty() || names.back() != first.problem) names.push_back(first.problem);
+  return names;
+}
+
+std::string script(const std::vector<Row>& rows) {
+  std::string text = "# Run with gnuplot in this folder.\nif (!exists('folder')) folder = ''\n";
+  text += "set encoding utf8\nset datafile separator comma\nset logscale xy\n";
+  text += "set border 3 lc rgb '#555555'\nset tics nomirror out\nset grid lt 1 lc rgb '#e6e6e6' lw 1\n";
+  text +=
+      "set format '10^{%T}'\nset xlabel 'largest error of the final velocities'\nset xrange [*:*] reverse\n";
+  text += "set ylabel 'CPU time per impact [s]'\nset key outside right top reverse Left samplen 3\n";
+  for (const auto& problem : problems(rows)) text += figure(problem, rows);
+  return text;
+}
+
+std::vector<std::string> figures(const std::vector<std::string>& problems) {
+  std::vector<std::string> names;
+  for (const auto& problem : problems)
+    for (const char* ending : {".png", ".svg"}) names.push_back(problem + ending);
+  return names;
+}
+
+}  // namespace
+
+void prepare_plots(const std::filesystem::path& folder, const std::vector<std::string>& problems,
+                   bool force) {
+  auto names = figures(problems);
+  names.insert(names.end(), {"plot.csv", "plot.gp"});
+  report::prepare_folder(folder, names, force);
+}
+
+std::string write_plots(const std::filesystem::path& folder, const std::vector<Row>& rows) {
+  if (rows.empty()) return "no method solved anything";
+  report::write_file(folder / "plot.csv", data(rows));
+  report::write_file(folder / "plot.gp", script(rows));
+  return report::draw(folder, figures(problems(rows)));
+}
+
+}  // namespace mariotte::work_precision

@@ -1,0 +1,34 @@
+#include "reference.hpp"
+
+#include <cstdlib>
+#include <sstream>
+
+namespace mariotte::work_precision {
+namespace {
+
+Fields split(const std::string& line) {
+  Fields fields;
+  std::istringstream in(line);
+  for (std::string field; std::getline(in, field, ',');) fields.push_back(field);
+  return fields;
+}
+
+}  // namespace
+
+std::vector<Fields> rows(std::string_view csv) {
+  std::vector<Fields> table;
+  std::istringstream in{std::string(csv)};
+  bool header = true;
+  for (std::string line; std::getline(in, line);) {
+    if (line.empty() || line.front() == '#') continue;
+    if (!header) table.push_back(split(line));
+    header = false;
+  }
+  return table;
+}
+
+long double number(const std::string& field) {
+  return std::strtold(field.c_str(), nullptr);
+}
+
+}  // namespace mariotte::work_precision

@@ -1,0 +1,17 @@
+// The stored references: CSV tables with a first line that says where they come from.
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mariotte::work_precision {
+
+using Fields = std::vector<std::string>;
+
+/// Rows of a table without its comments (#) and its header; fields as they stand.
+std::vector<Fields> rows(std::string_view csv);
+
+/// A decimal string to more digits than a double holds.
+long double number(const std::string& field);
+
+}  // namespace mariotte::work_precision

@@ -1,0 +1,86 @@
+// Rivals with a fixed step: the Runge–Kutta–Gill method of order 4 and velocity Verlet.
+#include "field.hpp"
+
+namespace mariotte::work_precision {
+namespace {
+
+/// Gill's four stages with his single register of accumulated increments
+/// [Gill 1951, Proc. Cambridge Phil. Soc. 47, 96–108].
+template <class F>
+void gill_step(const F& field, double h, typename F::State& x, typename F::State& q,
+               typename F::State& slope) {
+  constexpr double r = 0.70710678118654752440;
+  constexpr double a[] = {0.5, 1 - r, 1 + r, 1.0 / 6};
+  constexpr double b[] = {2, 1, 1, 2};
+  constexpr double c[] = {0.5, 1 - r, 1 + r, 0.5};
+  for (int stage = 0; stage < 4; ++stage) {
+    field(x.data(), slope.data());
+    for (std::size_t i = 0; i < F::size; ++i) {
+      const double growth = a[stage] * (h * slope[i] - b[stage] * q[i]);
+      x[i] += growth;
+      q[i] += 3 * growth - c[stage] * h * slope[i];
+    }
+  }
+}
+
+template <class F>
+class Gill {
+ public:
+  explicit Gill(double rate) : rate_(rate) {}
+  void solve(const Case& one, Answer& answer) {
+    const F field(one.chain);
+    typename F::State x, q{}, slope;
+    F::start(one.chain, x.data());
+    const double time = overtime * one.end;
+    answer.steps = static_cast<Index>(std::ceil(rate_ * time));
+    const double h = time / static_cast<double>(answer.steps);
+    for (Index i = 0; i < answer.steps; ++i) gill_step(field, h, x, q, slope);
+    answer.rhs = 4 * answer.steps;
+    F::finish(x.data(), answer);
+  }
+
+ private:
+  double rate_;  // steps per unit of time
+};
+
+/// Kick, drift, kick; forces that depend on velocities see those predicted by the old acceleration, which
+/// keeps order 2.
+template <class F>
+class Verlet {
+ public:
+  explicit Verlet(double rate) : rate_(rate) {}
+  void solve(const Case& one, Answer& answer) {
+    const F field(one.chain);
+    typename F::State x;
+    F::start(one.chain, x.data());
+    const double time = overtime * one.end;
+    answer.steps = static_cast<Index>(std::ceil(rate_ * time));
+    const double h = time / static_cast<double>(answer.steps);
+    double *gap = x.data(), *velocity = gap + F::contacts;
+    std::array<double, F::balls> acceleration, predicted;
+    field.accelerations(gap, velocity, acceleration.data(), F::pushing);
+    for (Index step = 0; step < answer.steps; ++step) {
+      for (std::size_t i = 0; i < F::balls; ++i) {
+        velocity[i] += 0.5 * h * acceleration[i];
+        predicted[i] = velocity[i] + 0.5 * h * acceleration[i];
+      }
+      for (std::size_t j = 0; j < F::contacts; ++j) gap[j] += h * (velocity[j + 1] - velocity[j]);
+      field.accelerations(gap, predicted.data(), acceleration.data(), F::pushing);
+      for (std::size_t i = 0; i < F::balls; ++i) velocity[i] += 0.5 * h * acceleration[i];
+    }
+    answer.rhs = answer.steps + 1;
+    F::finish(x.data(), answer);
+  }
+
+ private:
+  double rate_;  // steps per unit of time
+};
+
+}  // namespace
+
+std::vector<Method> fixed_step_rivals() {
+  return {{.name = "rk-gill", .family = Family::fixed_step, .prepare = rival<Gill>},
+          {.name = "verlet", .family = Family::fixed_step, .prepare = rival<Verlet>}};
+}
+
+}  // namespace mariotte::work_precision

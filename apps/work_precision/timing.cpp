@@ -1,0 +1,29 @@
+#include "timing.hpp"
+
+#include <time.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mariotte::work_precision {
+
+double cpu_seconds() {
+  timespec now{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+double least_seconds(const std::function<void()>& action, double first, const Patience& patience) {
+  const double total = patience.batch * patience.batches;
+  const int batches = first > total ? 0 : patience.batches;
+  const int repeats = std::max(1, static_cast<int>(std::ceil(patience.batch / first)));
+  double least = first;
+  for (int batch = 0; batch < batches; ++batch) {
+    const double start = cpu_seconds();
+    for (int i = 0; i < repeats; ++i) action();
+    least = std::min(least, (cpu_seconds() - start) / repeats);
+  }
+  return least;
+}
+
+}  // namespace mariotte::work_precision

@@ -1,0 +1,110 @@
+#define BOOST_TEST_MODULE work precision run
+#include <boost/test/unit_test.hpp>
+#include <map>
+#include <sstream>
+
+#include "command/session.hpp"
+
+using support::has;
+using support::Session;
+namespace fs = std::filesystem;
+
+namespace {
+
+using Rows = std::vector<std::map<std::string, std::string>>;  // by the name of the column
+
+std::vector<std::string> fields(const std::string& line) {
+  std::vector<std::string> list;
+  std::istringstream in(line);
+  for (std::string field; std::getline(in, field, ',');) list.push_back(field);
+  return list;
+}
+
+Rows rows(const fs::path& csv) {
+  std::istringstream in(support::content(csv));
+  std::string line;
+  std::getline(in, line);
+  const auto names = fields(line);
+  Rows table;
+  while (std::getline(in, line)) {
+    const auto values = fields(line);
+    BOOST_TEST_REQUIRE(values.size() == names.size());
+    auto& row = table.emplace_back();
+    for (std::size_t i = 0; i < names.size(); ++i) row[names[i]] = values[i];
+  }
+  return table;
+}
+
+}  // namespace
+
+BOOST_FIXTURE_TEST_CASE(csv_has_a_row_per_method_and_tolerance, Session) {
+  const auto run =
+      mariotte("--quick --problem P1 --method auto --method odeint --method rk-gill --csv points.csv");
+  BOOST_TEST(run.code == 0);
+  const auto text = support::content(folder / "points.csv");
+  BOOST_TEST(text.starts_with("problem,method,tolerance,error,seconds,rhs,steps,events\n"));
+  for (const char* method : {"auto", "odeint-rkf78", "odeint-bulirsch-stoer", "rk-gill"})
+    BOOST_TEST(has(text, std::string("\nP1,") + method + ","), method);
+}
+
+BOOST_FIXTURE_TEST_CASE(auto_keeps_the_accuracy_it_is_asked_for, Session) {
+  mariotte("--quick --problem P1 --problem P2 --problem P3 --problem V --method auto --csv points.csv");
+  std::size_t seen = 0;
+  for (const auto& row : rows(folder / "points.csv")) {
+    if (row.at("tolerance") != "1e-10") continue;
+    BOOST_TEST(std::stod(row.at("error")) < 1e-10, row.at("problem"));
+    ++seen;
+  }
+  BOOST_TEST(seen == 9);
+}
+
+// The references are no one's own: methods that share nothing meet there. A cut-off force costs those that
+// locate no events some digits; the tightest rungs of the ladders still reach this.
+BOOST_FIXTURE_TEST_CASE(every_method_converges_to_the_reference, Session) {
+  mariotte("--quick --problem P1 --csv points.csv");
+  std::map<std::string, double> best;
+  for (const auto& row : rows(folder / "points.csv")) {
+    const double error = std::stod(row.at("error"));
+    const auto [at, first] = best.emplace(row.at("method"), error);
+    if (!first) at->second = std::min(at->second, error);
+  }
+  BOOST_TEST(best.size() >= 10);
+  for (const auto& [method, error] : best) BOOST_TEST(error < 1e-7, method);
+}
+
+BOOST_FIXTURE_TEST_CASE(results_go_to_stdout_and_progress_to_stderr, Session) {
+  const auto run = mariotte("--quick --problem P3-1 --method auto");
+  BOOST_TEST(has(run.out, "P3-1 "));
+  BOOST_TEST(has(run.out, "ratio"));
+  BOOST_TEST(run.err == "P3-1 by auto\n");
+  BOOST_TEST(entries() == 1);
+}
+
+BOOST_FIXTURE_TEST_CASE(an_unknown_problem_or_method_gives_code_2_and_the_known_ones, Session) {
+  const auto problem = mariotte("--problem P9");
+  BOOST_TEST(problem.code == 2);
+  BOOST_TEST(problem.out == "");
+  BOOST_TEST(has(problem.err, "unknown problem 'P9' (one of: P1, P2-0.1, "));
+  BOOST_TEST(has(problem.err, "map)"));
+  const auto method = mariotte("--method euler");
+  BOOST_TEST(method.code == 2);
+  BOOST_TEST(has(method.err, "unknown method 'euler' (one of: auto, "));
+  BOOST_TEST(mariotte("--bogus").code == 2);
+}
+
+BOOST_FIXTURE_TEST_CASE(figures_are_drawn_or_their_absence_is_said, Session) {
+  const auto run = mariotte("--quick --problem P3-1 --method auto --method verlet --plots figures");
+  BOOST_TEST(run.code == 0);
+  BOOST_TEST(fs::file_size(folder / "figures/plot.csv") > 0);
+  const bool drawn = fs::exists(folder / "figures/P3-1.png") && fs::exists(folder / "figures/P3-1.svg");
+  BOOST_TEST(drawn == !has(run.err, "no figures"));
+}
+
+BOOST_FIXTURE_TEST_CASE(files_are_not_overwritten_unless_forced, Session) {
+  write("points.csv", "mine");
+  const std::string arguments = "--quick --problem P3-1 --method auto --csv points.csv";
+  BOOST_TEST(mariotte(arguments).code == 6);
+  BOOST_TEST(support::content(folder / "points.csv") == "mine");
+  BOOST_TEST(mariotte(arguments + " --force").code == 0);
+  BOOST_TEST(support::content(folder / "points.csv") != "mine");
+}
