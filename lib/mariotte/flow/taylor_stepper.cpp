@@ -154,7 +154,6 @@ Piece Stepper::series_piece() {
 /// δ is zero, which the landing tells better than δ itself. True if it lands.
 bool Stepper::land(Piece& piece) {
   auto& l = window.lanes;
-  watched_clock_ = l.side[piece.clock] > 0;
   l.side[piece.clock] = 0;
   Coefficients c;
   const auto place = flow::first_fall(piece.coefficients(Quantity::clock, piece.clock, c), piece.end);
@@ -210,7 +209,10 @@ Fall Stepper::first_fall(const Piece& piece) const {
     if (l.load_side[j] != 0 && values_.load_margin[j] < 0)
       search(piece, Quantity::load, j, l.load_side[j], 0, c.load_guard, fall);
   }
-  if (landed_ && watched_clock_ && fall.guard < 0) fall = {window.contact(piece.clock).guard, piece.clock, piece.end};
+  if (landed_ && fall.guard < 0) {  // a damped contact that comes down to δ = 0 has lost its load, too
+    const auto& c = window.contact(piece.clock);
+    fall = {c.load_guard < 0 ? c.guard : c.load_guard, piece.clock, piece.end};
+  }
   return fall;
 }
 
@@ -219,7 +221,9 @@ void Stepper::advance(const Piece& piece, const Fall& fall) {
   last_time = values_.time;
   taylor::advance(window, values_);
   if (piece.clock != Expansion::plain) watch(window, piece.clock);
-  if (fall.lane >= 0 && fall.guard == window.contact(fall.lane).guard)
+  if (fall.guard < 0) return;
+  if (landed_ && fall.lane == piece.clock) l.indentation[fall.lane] = 0;
+  if (fall.guard == window.contact(fall.lane).guard)
     l.indentation[fall.lane] = l.side[fall.lane] < 0 ? l.level[fall.lane] : 0;
 }
 

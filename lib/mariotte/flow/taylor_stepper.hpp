@@ -66,7 +66,6 @@ class Stepper {
   Values values_;
   Start start_;
   std::array<std::unique_ptr<Expansion>, 6> expansions_;  ///< by number of lanes
-  bool watched_clock_ = false;                            ///< the clock's contact is watched
   bool landed_ = false;                                   ///< the piece ends where the clock's contact lets go
   bool cut_ = false;
 };

@@ -1,0 +1,49 @@
+#include "impact_case.hpp"
+
+#include <cmath>
+
+namespace mariotte::stiffness_study {
+namespace {
+
+contact::Law law(const ImpactCase& one, double stiffness) {
+  if (one.law == "linear") return contact::Linear{stiffness};
+  if (one.law == "hertz") return contact::Hertz{stiffness};
+  return contact::Viscoelastic{.stiffness = stiffness, .damping = one.damping, .exponent = one.exponent};
+}
+
+}  // namespace
+
+model::Chain chain(const ImpactCase& one) {
+  const auto balls = static_cast<std::size_t>(one.balls);
+  model::Chain chain;
+  chain.mass.assign(balls, one.mass);
+  chain.gap.assign(balls - 1, 0.0);
+  chain.velocity.assign(balls, 0.0);
+  chain.velocity[0] = one.speed;
+  for (std::size_t j = 0; j + 1 < balls; ++j)
+    chain.law.push_back(law(one, j % 2 == 0 ? one.stiffness : one.ratio * one.stiffness));
+  return chain;
+}
+
+double exponent(const ImpactCase& one) {
+  return one.law == "linear" ? 1 : one.law == "hertz" ? 1.5 : one.exponent;
+}
+
+double natural_time(const ImpactCase& one) {
+  return std::pow(one.mass * one.speed * one.speed / one.stiffness, 1 / (exponent(one) + 1)) / one.speed;
+}
+
+double damping_group(const ImpactCase& one) {
+  const double n = exponent(one);
+  return one.damping * std::pow(one.speed, (n - 1) / (n + 1)) * std::pow(one.stiffness, -n / (n + 1)) *
+         std::pow(one.mass, -1 / (n + 1));
+}
+
+ImpactCase dimensionless(const ImpactCase& one) {
+  auto unit = one;
+  unit.damping = damping_group(one);
+  unit.stiffness = unit.mass = unit.speed = 1;
+  return unit;
+}
+
+}  // namespace mariotte::stiffness_study

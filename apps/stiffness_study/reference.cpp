@@ -1,0 +1,83 @@
+#include "reference.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "guard.hpp"
+#include "linear_triplet.hpp"
+#include "stored_numbers.hpp"
+
+namespace mariotte::stiffness_study {
+namespace {
+
+using Json = nlohmann::json;
+using Numbers = std::vector<double>;
+
+const Json& cases(const char* text) {
+  static std::map<const char*, Json> parsed;
+  auto& found = parsed[text];
+  if (found.is_null()) found = Json::parse(text).at("cases");
+  return found;
+}
+
+bool same(double a, double b) {
+  return std::abs(a - b) <= 1e-12 * std::abs(b);
+}
+
+template <class Matches>
+std::optional<Numbers> stored_in(const char* text, const Matches& matches) {
+  for (const auto& one : cases(text))
+    if (one.contains("final") && matches(one)) return one.at("final").get<Numbers>();
+  return std::nullopt;
+}
+
+std::optional<Numbers> stored_numbers(const ImpactCase& unit) {
+  if (unit.law == "hertz" && unit.balls == 3)
+    return stored_in(stored::triplets, [&](const Json& one) {
+      return one["law"] == "hertz" && same(one["kappa"], unit.ratio) && one["velocity"] == Numbers{1, 0, 0};
+    });
+  if (unit.law == "hertz" && unit.ratio == 1)
+    return stored_in(stored::equal_chains, [&](const Json& one) { return one["n"] == unit.balls; });
+  if (unit.law == "viscoelastic" && unit.balls == 3 && unit.ratio == 1)
+    return stored_in(stored::viscoelastic, [&](const Json& one) {
+      return one["final"].size() == 3 && one["exponent"] == unit.exponent &&
+             same(one["damping"], unit.damping);
+    });
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Reference> References::find(const ImpactCase& one, const std::vector<std::string>& used,
+                                          double accuracy) {
+  const auto unit = dimensionless(one);
+  if (auto numbers = stored_numbers(unit)) return Reference{*numbers, "stored"};
+  if (unit.law == "linear" && unit.balls == 3 && unit.ratio >= 1)
+    return Reference{linear_triplet(unit.ratio), "closed form"};
+  for (const char* flow : {"cvode-adams", "cvode-bdf-band", "taylor"}) {
+    if (std::find(used.begin(), used.end(), flow) != used.end()) continue;
+    if (auto found = computed(unit, flow, std::max(0.01 * accuracy, 1e-14))) return found;
+  }
+  return std::nullopt;
+}
+
+std::optional<Reference> References::computed(const ImpactCase& unit, const std::string& flow,
+                                              double accuracy) {
+  const auto family = fmt::format("{} {} {} {}", flow, unit.law, unit.balls, unit.exponent);
+  const auto key = fmt::format("{} {} {:.12g} {}", family, unit.ratio, unit.damping, accuracy);
+  if (const auto found = known_.find(key); found != known_.end()) return found->second;
+  auto& reference = known_[key];
+  if (slowest_[family] > patience_) return reference;
+  const double limit = 4 * patience_;
+  const auto run = guarded(unit, {.flow = flow, .accuracy = accuracy, .batch = 0}, limit);
+  slowest_[family] = std::max(slowest_[family], run.ending == "-" ? limit : run.seconds);
+  if (run.separated() && run.admitted)
+    reference = Reference{run.velocity, fmt::format("{} at {:.0e}", flow, accuracy)};
+  return reference;
+}
+
+}  // namespace mariotte::stiffness_study
