@@ -1,35 +1,37 @@
 #define BOOST_TEST_MODULE modal flow
 #include <boost/test/unit_test.hpp>
+#include <cstdlib>
+#include <new>
 #include <random>
 
-#include "mariotte/flow/wave.hpp"
+#include "mariotte/flow/modal.hpp"
+#include "mariotte/model/chain_system.hpp"
+#include "support/linear_chains.hpp"
 #include "support/reference.hpp"
 
 using namespace mariotte;
 using namespace mariotte::test;
-using flow::Mode;
-using flow::Wave;
 
 namespace {
 
-/// Chains of linear springs only: 3 to 8 balls, masses over 2 decades, stiffnesses over 6, half of the
-/// contacts apart.
-model::Chain random_springs(std::mt19937_64& random) {
-  const auto uniform = [&](double low, double high) {
-    return std::uniform_real_distribution(low, high)(random);
-  };
-  const int balls = std::uniform_int_distribution(3, 8)(random);
-  model::Chain chain;
-  for (int i = 0; i < balls; ++i) {
-    chain.mass.push_back(std::pow(10, uniform(-1, 1)));
-    chain.velocity.push_back(uniform(-1, 1));
-  }
-  for (int j = 0; j + 1 < balls; ++j) {
-    chain.gap.push_back(uniform(0, 1) < 0.5 ? 0 : uniform(0, 1));
-    chain.law.push_back(contact::Linear{std::pow(10, uniform(-3, 3))});
-  }
-  return chain;
+long allocations = 0;
+
+}  // namespace
+
+// Not inlined, or the compiler takes each malloc and free for a mismatched pair.
+[[gnu::noinline]] void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size)) return memory;
+  throw std::bad_alloc();
 }
+[[gnu::noinline]] void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+
+namespace {
 
 /// Closed form of the triplet struck by its first ball [Acary 2003, appendix B, corrected], contact 1 opening
 /// first.
@@ -56,49 +58,6 @@ Numbers triplet_velocities(double ratio) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_CASE(the_first_root_of_a_wave_is_found_however_short_its_visit) {
-  // 1 − depth − cos t falls below zero for 2√(2 depth) only, once per turn.
-  for (const double depth : {1e-1, 1e-3, 1e-6, 1e-9, 1e-12}) {
-    const std::vector<Mode> modes = {{1, 1, std::acos(-1.0) / 2}};
-    const Wave wave{1 - depth, 0, {-1}};
-    const auto root = flow::first_fall(wave, modes, 0.5, 30);
-    BOOST_REQUIRE(root.has_value());
-    BOOST_TEST(std::abs(*root - (2 * std::acos(-1.0) - std::acos(1 - depth))) < 1e-9);
-  }
-}
-
-BOOST_AUTO_TEST_CASE(a_wave_that_only_comes_near_zero_has_no_root) {
-  for (const double distance : {1e-1, 1e-4, 1e-8, 1e-12}) {
-    const std::vector<Mode> modes = {{1, 1, 0.3}, {1e-3, 977, 0}};
-    BOOST_TEST(!flow::first_fall({1 + 1e-3 + distance, 0, {1, 1}}, modes, 0, 300).has_value());
-  }
-}
-
-BOOST_AUTO_TEST_CASE(the_earliest_of_many_roots_is_found) {
-  std::mt19937_64 random(11);
-  std::uniform_real_distribution<double> uniform(0, 1);
-  for (int i = 0; i < 300; ++i) {
-    std::vector<Mode> modes;
-    for (int k = 0; k < 4; ++k)
-      modes.push_back({uniform(random), std::pow(10, 2 * uniform(random)), 6 * uniform(random)});
-    const Wave wave{1, -0.05 * uniform(random), {1, -1, 0.5, 0.3}};
-    if (wave.at(modes, 0) <= 0) continue;
-    const double end = 20;
-    std::optional<double> sampled;
-    double last = wave.at(modes, 0);
-    for (int k = 1; k <= 200000 && !sampled; ++k) {
-      const double value = wave.at(modes, end * k / 200000);
-      if (last > 0 && value <= 0) sampled = end * k / 200000;
-      last = value;
-    }
-    const auto root = flow::first_fall(wave, modes, 0, end);
-    if (sampled) BOOST_REQUIRE(root.has_value());
-    if (!root) continue;
-    BOOST_TEST(std::abs(wave.at(modes, *root)) < 1e-12);
-    if (sampled) BOOST_TEST(*root <= *sampled);
-  }
-}
 
 BOOST_AUTO_TEST_CASE(triplets_agree_with_their_closed_form_at_any_stiffness_ratio) {
   // Where contact 1 opens first: ω₂/ω₁ below 2, and beyond for ratios below 1 always.
@@ -163,5 +122,80 @@ BOOST_AUTO_TEST_CASE(random_springs_are_followed_as_cvode_follows_them) {
         BOOST_TEST(std::abs(exact.contacts[j].peak_force - cvode.contacts[j].peak_force) <=
                    1e-5 * (1e-3 + cvode.contacts[j].peak_force));
     }
+  }
+}
+
+namespace {
+
+struct CountPieces final : flow::Watcher {
+  void watch(const flow::Step& step) override {
+    tiles = tiles && step.start == end;
+    end = step.end;
+    ++pieces;
+  }
+  Index pieces = 0;
+  double end = 0;
+  bool tiles = true;
+};
+
+struct Followed {
+  flow::Arrival arrival;
+  long allocations;
+  std::vector<double> x;
+};
+
+/// The first phase of a chain, followed by a flow that may have memory already.
+Followed follow_first(flow::Flow& flow, model::ChainSystem& system, flow::Watcher* watcher = nullptr) {
+  std::vector<model::ContactChange> changes;
+  auto x = system.start();
+  auto mode = system.mode_at(x, changes);
+  auto& problem = system.problem(mode);
+  std::vector<Index> fired;
+  fired.reserve(8);
+  const long before = allocations;
+  flow::has_modes(problem);
+  auto arrival = flow.follow(problem, x, {.watcher = watcher}, fired);
+  return {arrival, allocations - before, x};
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(nothing_is_allocated_in_the_second_phase_of_a_size) {
+  for (const auto& laws :
+       {std::vector<contact::Law>{contact::Linear{1}, contact::Linear{7}, contact::Linear{2}},
+        std::vector{damper(1, 0.1), damper(7, 0.7), damper(2, 0.2)},
+        std::vector{damper(1, 0.1), damper(7, 3), contact::Law(contact::Linear{2})}}) {
+    model::ChainSystem system(equal_masses(laws, {1, 0, 0, 0}), 1e-10, false);
+    flow::Modal modal;
+    CountPieces watcher;
+    const auto first = follow_first(modal, system, &watcher), second = follow_first(modal, system, &watcher);
+    BOOST_TEST(first.allocations > 0);
+    BOOST_TEST(second.allocations == 0);
+    BOOST_TEST(second.x == first.x, boost::test_tools::per_element());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_watcher_sees_few_pieces_that_tile_the_phase) {
+  for (const double ratio : {1e-4, 1.0, 1e4, 1e7, 1e10}) {
+    model::ChainSystem system(equal_masses({contact::Linear{1}, contact::Linear{ratio}}, {1, 0, 0}), 1e-10,
+                              false);
+    flow::Modal modal;
+    CountPieces watcher;
+    const auto followed = follow_first(modal, system, &watcher);
+    BOOST_TEST(watcher.pieces <= 5);
+    BOOST_TEST(watcher.tiles);
+    BOOST_TEST(watcher.end == followed.arrival.duration);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(peaks_of_stiff_contacts_are_the_largest_of_all) {
+  // Beside a stiff contact the soft one sees two balls as one, and the stiff one carries half the force; its
+  // own vibration, started with nothing, doubles none of it.
+  for (const double ratio : {1e6, 1e8, 1e10}) {
+    const auto impact =
+        impact::simulate(equal_masses({contact::Linear{1}, contact::Linear{ratio}}, {1, 0, 0}));
+    const double force = std::sqrt(2.0 / 3);
+    BOOST_TEST(std::abs(impact.contacts[0].peak_force - force) < 2 / std::sqrt(ratio));
+    BOOST_TEST(std::abs(impact.contacts[1].peak_force - force / 2) < 2 / std::sqrt(ratio));
   }
 }

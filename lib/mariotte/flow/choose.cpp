@@ -1,5 +1,7 @@
 #include "mariotte/flow/choose.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "mariotte/core/error.hpp"
@@ -12,12 +14,37 @@
 namespace mariotte::flow {
 namespace {
 
-/// Above this damping ratio c/√(k m) BDF needs fewer evaluations than Adams.
-constexpr double stiff_damping = 5;
-/// Up to so many closed contacts, natural modes and their root search cost less than integration.
-constexpr std::size_t modal_contacts = 24;
-/// Up to this size a dense matrix costs less than a band.
-constexpr Index dense_size = 12;
+// Measured by stiffness_study --study crossover and --study ratio.
+
+/// Damping ratios c/√(k m) from which BDF costs less than the series, and than Adams. Its Newton matrices are
+/// sparse: KLU is at no size dearer than a dense or a band matrix.
+constexpr double stiff_for_taylor = 1e4;
+constexpr double stiff_for_adams = 5;
+/// Natural modes of n contacts cost n³, series √κ of the ratio of fastest to slowest rate squared: equal near
+/// κ = 10^{0.8 n}. Two contacts are followed by modes whatever κ, to the last digit.
+constexpr Index always_modal = 2;
+constexpr double decades_per_contact = 0.8;
+
+/// Largest over smallest of the rates squared, k/m* and (c/m*)², of the contacts that carry force.
+double spread(const SerialPhase& phase) {
+  double least = infinity, most = 0;
+  for (std::size_t j = 0; j < phase.contact.size(); ++j) {
+    const auto& c = phase.contact[j];
+    if (c.role == SerialPhase::Role::open) continue;
+    const double mobility = phase.body[j].inverse_mass + phase.body[j + 1].inverse_mass;
+    const double decay = c.damping * mobility;
+    least = std::min(least, c.stiffness * mobility);
+    most = std::max({most, c.stiffness * mobility, decay * decay});
+  }
+  return most / least;
+}
+
+bool modes_pay(const Problem& problem) {
+  const Index contacts = problem.linear_contacts();
+  const auto* phase = problem.serial();
+  return contacts <= always_modal || !phase ||
+         spread(*phase) > std::pow(10, decades_per_contact * static_cast<double>(contacts));
+}
 
 std::unique_ptr<Flow> make(Kind kind, const Problem& problem) {
   switch (kind) {
@@ -42,7 +69,7 @@ std::unique_ptr<Flow> make(Kind kind, const Problem& problem) {
 }
 
 /// True of flows that follow some phases only; where they do not, another takes over.
-bool exact(Kind kind) {
+bool follows_some(Kind kind) {
   return kind == Kind::pair || kind == Kind::modal || kind == Kind::taylor;
 }
 
@@ -67,14 +94,14 @@ std::optional<Kind> parse_kind(std::string_view text) {
 
 Kind choose(const Problem& problem, std::optional<Kind> requested) {
   if (problem.is_ballistic()) return Kind::ballistic;
-  if (requested && !exact(*requested)) return *requested;
-  if (requested != Kind::modal && requested != Kind::taylor && problem.pair()) return Kind::pair;
-  if (!requested || *requested == Kind::modal)
-    if (const auto phase = problem.linear(); phase && (requested || phase->closed.size() <= modal_contacts))
-      return Kind::modal;
-  if (problem.damping_ratio() < stiff_damping || requested == Kind::taylor)
-    return Taylor::admits(problem) ? Kind::taylor : Kind::cvode_adams;
-  return problem.size() <= dense_size ? Kind::cvode_bdf_dense : Kind::cvode_bdf_band;
+  if (requested && !follows_some(*requested)) return *requested;
+  const auto may = [&](Kind kind) { return !requested || requested == kind; };
+  if (may(Kind::pair) && problem.pair()) return Kind::pair;
+  if (may(Kind::modal) && (requested || modes_pay(problem)) && problem.linear_contacts() > 0 && has_modes(problem))
+    return Kind::modal;
+  const double damping = problem.damping_ratio();
+  if (may(Kind::taylor) && (requested || damping < stiff_for_taylor) && Taylor::admits(problem)) return Kind::taylor;
+  return damping < stiff_for_adams ? Kind::cvode_adams : Kind::cvode_bdf_klu;
 }
 
 Flow& Flows::get(Kind kind, const Problem& problem) {

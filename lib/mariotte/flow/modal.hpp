@@ -1,4 +1,4 @@
-// Linear undamped contacts: the motion is a sum of natural modes, nothing is integrated.
+// Linear contacts, damped or not: the motion is a sum of natural modes, nothing is integrated.
 #pragma once
 #include <memory>
 
@@ -6,9 +6,8 @@
 
 namespace mariotte::flow {
 
-/// With z = √K δ the closed contacts obey z̈ = −C Cᵀ z, C = √K G M^{−1/2}. The singular values of C are the
-/// natural frequencies; taking them from C, not from C Cᵀ, keeps the low ones exact beside contacts 10^10
-/// times as stiff.
+/// Follows phases with `linear_contacts()`, once `has_modes` has said so. Cost depends neither on stiffness
+/// nor on damping ratios; nothing is allocated after the first phase of a size.
 class Modal final : public Flow {
  public:
   Modal();
@@ -19,5 +18,10 @@ class Modal final : public Flow {
   struct Memory;
   std::unique_ptr<Memory> memory_;
 };
+
+/// False where modes are so nearly alike that they cannot carry the motion: within about 10⁻⁴ of critical
+/// damping of some mode, if the ratio of damping to stiffness is not the same in all contacts that shake each
+/// other.
+bool has_modes(const Problem& problem);
 
 }  // namespace mariotte::flow

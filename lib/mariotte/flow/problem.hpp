@@ -41,25 +41,29 @@ struct PairPhase {
   Index left_guard, right_guard;  ///< guards of these gaps
 };
 
-/// A phase in which all forces are those of linear undamped contacts: where its quantities stand in the
-/// state.
+/// A phase in which all forces are those of linear contacts, f = k δ + c δ̇, between bodies in a row: where
+/// its quantities stand in the state. −1 for what does not exist.
 struct LinearPhase {
   struct Body {
     Index velocity;
     double inverse_mass;
   };
+  /// Contact j joins bodies j and j + 1.
   struct Contact {
-    Index left, right;  ///< bodies; δ̇ = x[body[left].velocity] − x[body[right].velocity]
-    Index gap;
-    Index impulse;  ///< ∫ f dt, or −1
-    Index guard;
-    double stiffness;  ///< 0 for an open contact
+    enum class State : unsigned char { open, closed, slack };
+    State state;
+    Index gap;         ///< δ = −x[gap]
+    Index work;        ///< ∫ f δ̇ dt
+    Index impulse;     ///< ∫ f dt
+    Index gap_guard;   ///< falling where the contact is open, rising where it is not
+    Index load_guard;  ///< of damped contacts k δ + c δ̇: falling where closed, rising where slack
+    double stiffness;  ///< k
+    double damping;    ///< c
     double level;      ///< an open contact closes where its gap is −level
-    double noise;      ///< indentation from which its guard is watched; 0 if it is from the start
+    double noise;      ///< indentation from which a closed contact is watched; 0 if it is from the start
   };
   std::vector<Body> body;
   std::vector<Contact> contacts;
-  std::vector<Index> closed;  ///< those of the contacts that are
 };
 
 /// A phase of bodies on a line, each with a contact to the next, under constant outside accelerations: where
@@ -131,8 +135,10 @@ class Problem {
   /// The present mode as one pair, if it is one whose contact has a closed form.
   virtual std::optional<PairPhase> pair() const { return std::nullopt; }
 
-  /// The present mode as linear contacts, if all of two or more active ones are.
-  virtual std::optional<LinearPhase> linear() const { return std::nullopt; }
+  /// Number of contacts that carry force in the present mode if all of them are linear and nothing else acts
+  /// on the bodies, else 0; and the mode as such, filled in where it is asked.
+  virtual Index linear_contacts() const { return 0; }
+  virtual void linear(LinearPhase&) const {}
 
   /// The present mode as a series of bodies, if it is one; follows every change of the mode.
   virtual const SerialPhase* serial() const { return nullptr; }

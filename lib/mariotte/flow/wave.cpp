@@ -1,156 +1,129 @@
 #include "mariotte/flow/wave.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numbers>
 
-#include "mariotte/core/bracket.hpp"
 #include "mariotte/core/types.hpp"
+#include "mariotte/flow/enclosure.hpp"
 
 namespace mariotte::flow {
 namespace {
 
-using std::numbers::pi;
+constexpr int deepest = 60;  ///< halvings until an interval is shorter than rounding
 
-constexpr std::size_t order = 10;   ///< of the polynomial for slow modes
-constexpr double slow_angle = 1.5;  ///< a mode is slow if it turns by no more over the interval
-constexpr int deepest = 60;         ///< halvings until an interval is shorter than rounding
-
-struct Range {
-  double low = 0;
-  double high = 0;
-};
-
-/// C(j, k)/C(order, k): from powers of s on [0, 1] to Bernstein coefficients.
-constexpr auto bernstein = [] {
-  std::array<std::array<double, order + 1>, order + 1> table{};
-  for (std::size_t j = 0; j <= order; ++j) {
-    double ratio = 1;
-    for (std::size_t k = 0; k <= j; ++k) {
-      table[j][k] = ratio;
-      if (k < j) ratio *= static_cast<double>(j - k) / static_cast<double>(order - k);
-    }
+/// Root of a function that falls from `low` to `high`, by Newton's rule as long as it stays between what is
+/// known to be above and below zero, else by halves.
+template <class Function>
+double fall_between(Function&& f, double low, double high, double tolerance) {
+  double time = 0.5 * (low + high), last = infinity;
+  const double small = 1e-6 * (high - low);
+  for (int i = 0; i < deepest; ++i) {
+    const Slope now = f(time);
+    const double ahead = -now.value / now.rate, step = std::abs(ahead);
+    // A small step that does not shrink is rounding noise.
+    if (step <= tolerance || (step <= small && step >= 0.5 * last))
+      return std::clamp(time + ahead, low, high);
+    (now.value > 0 ? low : high) = time;
+    const bool inside = time + ahead > low && time + ahead < high;
+    last = inside ? step : infinity;
+    time = inside ? time + ahead : 0.5 * (low + high);
   }
-  return table;
-}();
-
-/// Bounds of Σ power[k] sᵏ over 0 ≤ s ≤ 1.
-Range bounds(const std::array<double, order + 1>& power) {
-  Range range{infinity, -infinity};
-  for (std::size_t j = 0; j <= order; ++j) {
-    double coefficient = 0;
-    for (std::size_t k = 0; k <= j; ++k) coefficient += bernstein[j][k] * power[k];
-    range.low = std::min(range.low, coefficient);
-    range.high = std::max(range.high, coefficient);
-  }
-  return range;
-}
-
-/// Exact range of sin over [from, to]: the ends, and ±1 where a crest or a trough lies between.
-Range sine_over(double from, double to) {
-  if (to - from >= 2 * pi) return {-1, 1};
-  const double a = std::sin(from), b = std::sin(to);
-  const auto holds = [&](double angle) {
-    return angle + 2 * pi * std::ceil((from - angle) / (2 * pi)) <= to;
-  };
-  return {holds(-pi / 2) ? -1 : std::min(a, b), holds(pi / 2) ? 1 : std::max(a, b)};
-}
-
-void add(Range& sum, double factor, const Range& term) {
-  sum.low += factor * (factor > 0 ? term.low : term.high);
-  sum.high += factor * (factor > 0 ? term.high : term.low);
-}
-
-/// Value, and rate times length, of a wave over an interval; s = (t − from)/length.
-struct Enclosure {
-  std::array<double, order + 1> value{}, rate{};
-  Range fast_value, fast_rate;
-  double value_rest = 0, rate_rest = 0;
-
-  void add_slow(double factor, const Mode& mode, double from, double length) {
-    const double angle = mode.frequency * length, turn = mode.frequency * from + mode.phase;
-    const double size = factor * mode.amplitude, sine = size * std::sin(turn), cosine = size * std::cos(turn);
-    const std::array<double, 4> cycle = {sine, cosine, -sine, -cosine};
-    double power = 1;
-    for (std::size_t k = 0; k <= order; ++k) {
-      value[k] += power * cycle[k % 4];
-      rate[k] += power * angle * cycle[(k + 1) % 4];
-      power *= angle / static_cast<double>(k + 1);
-    }
-    value_rest += std::abs(size) * power;
-    rate_rest += std::abs(size) * power * angle;
-  }
-  void add_fast(double factor, const Mode& mode, double from, double length) {
-    const double a = mode.frequency * from + mode.phase, b = a + mode.frequency * length;
-    const double size = factor * mode.amplitude;
-    add(fast_value, size, sine_over(a, b));
-    add(fast_rate, size * mode.frequency * length, sine_over(a + pi / 2, b + pi / 2));
-  }
-  Range value_range() const { return widened(bounds(value), fast_value, value_rest); }
-  Range rate_range() const { return widened(bounds(rate), fast_rate, rate_rest); }
-
- private:
-  static Range widened(const Range& slow, const Range& fast, double rest) {
-    return {slow.low + fast.low - rest, slow.high + fast.high + rest};
-  }
-};
-
-Enclosure enclose(const Wave& wave, const std::vector<Mode>& modes, double from, double to) {
-  const double length = to - from;
-  Enclosure e;
-  e.value[0] = wave.constant + wave.slope * from;
-  e.value[1] = e.rate[0] = wave.slope * length;
-  for (std::size_t i = 0; i < modes.size(); ++i) {
-    if (modes[i].frequency * length <= slow_angle)
-      e.add_slow(wave.weight[i], modes[i], from, length);
-    else
-      e.add_fast(wave.weight[i], modes[i], from, length);
-  }
-  return e;
+  return time;
 }
 
 /// The wave is positive, or rising from zero, at `from`.
 std::optional<double> search(const Wave& wave, const std::vector<Mode>& modes, double from, double to,
                              int depth) {
-  const auto enclosure = enclose(wave, modes, from, to);
-  if (enclosure.value_range().low > 0) return std::nullopt;
-  const auto rate = enclosure.rate_range();
+  const Enclosure enclosure(wave, modes, from, to);
+  if (enclosure.value().low > 0) return std::nullopt;
+  const auto rate = enclosure.rate();
   if (rate.low >= 0) return std::nullopt;
   if (rate.high <= 0 || depth == deepest) {
-    const double first = wave.at(modes, from), last = wave.at(modes, to);
-    if (last > 0) return std::nullopt;
-    if (!(first > 0)) return from;
-    return locate_sign_change([&](double time) { return wave.at(modes, time); }, from, first, to, last,
-                              epsilon * to);
+    if (wave.at(modes, to) > 0) return std::nullopt;
+    if (!(wave.at(modes, from) > 0)) return from;
+    return fall_between([&](double time) { return wave.slope_at(modes, time); }, from, to, 4 * epsilon * to);
   }
   const double middle = 0.5 * (from + to);
   if (const auto early = search(wave, modes, from, middle, depth + 1)) return early;
   return search(wave, modes, middle, to, depth + 1);
 }
 
-}  // namespace
+/// What is higher by less than that, relative, is not higher.
+constexpr double level = 1e-13;
 
-double Mode::at(double time) const {
-  return amplitude * std::sin(frequency * time + phase);
-}
-double Mode::rate(double time) const {
-  return amplitude * frequency * std::cos(frequency * time + phase);
-}
+/// Branch and bound for the highest point.
+struct Climb {
+  const Wave& wave;
+  const std::vector<Mode>& modes;
+  double height;                 ///< of the highest point known
+  std::optional<Summit> summit;  ///< where that is, unless at an end
+
+  void offer(double value, double time, double reach) {
+    if (!(value > height)) return;
+    height = value;
+    summit = {time, reach};
+  }
+  /// The more promising half first: its height may spare the other.
+  void search(double from, double to, const Enclosure& enclosure, double bound, int depth) {
+    if (bound <= height + level * std::abs(height)) return;
+    const auto rate = enclosure.rate();
+    if (rate.low >= 0 || rate.high <= 0) return;  // no maximum inside; the ends belong to neighbours
+    if (enclosure.bend().high < 0) return climb(from, to);
+    const double middle = 0.5 * (from + to);
+    offer(wave.at(modes, middle), middle, 0);
+    if (depth == deepest) return;
+    const Enclosure early(wave, modes, from, middle), late(wave, modes, middle, to);
+    const double early_bound = early.value().high, late_bound = late.value().high;
+    const bool early_first = early_bound > late_bound;
+    if (early_first) search(from, middle, early, early_bound, depth + 1);
+    search(middle, to, late, late_bound, depth + 1);
+    if (!early_first) search(from, middle, early, early_bound, depth + 1);
+  }
+  void climb(double from, double to) {
+    if (!(wave.slope_at(modes, from).rate > 0 && wave.slope_at(modes, to).rate < 0)) return;
+    const double time = fall_between([&](double t) { return bend_at(t); }, from, to, 1e-9 * (to - from));
+    offer(wave.at(modes, time), time, std::min({1e-3 * (to - from), time - from, to - time}));
+  }
+  Slope bend_at(double time) const {
+    Slope sum{wave.slope, 0};
+    for (std::size_t i = 0; i < modes.size(); ++i) {
+      const auto first = derivative(modes[i], wave.weight[i]), second = derivative(modes[i], first);
+      const auto now = values(modes[i], time);
+      sum.value += dot(first, now);
+      sum.rate += dot(second, now);
+    }
+    return sum;
+  }
+};
+
+}  // namespace
 
 double Wave::at(const std::vector<Mode>& modes, double time) const {
   double sum = constant + slope * time;
-  for (std::size_t i = 0; i < modes.size(); ++i) sum += weight[i] * modes[i].at(time);
+  for (std::size_t i = 0; i < modes.size(); ++i)
+    if (weight[i].even != 0 || weight[i].odd != 0) sum += dot(weight[i], values(modes[i], time));
   return sum;
 }
-double Wave::rate(const std::vector<Mode>& modes, double time) const {
-  double sum = slope;
-  for (std::size_t i = 0; i < modes.size(); ++i) sum += weight[i] * modes[i].rate(time);
+Slope Wave::slope_at(const std::vector<Mode>& modes, double time) const {
+  Slope sum{constant + slope * time, slope};
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    if (weight[i].even == 0 && weight[i].odd == 0) continue;
+    const auto now = values(modes[i], time);
+    sum.value += dot(weight[i], now);
+    sum.rate += dot(derivative(modes[i], weight[i]), now);
+  }
   return sum;
 }
 
 std::optional<double> first_fall(const Wave& wave, const std::vector<Mode>& modes, double from, double to) {
   return search(wave, modes, from, to, 0);
+}
+
+std::optional<Summit> highest(const Wave& wave, const std::vector<Mode>& modes, double from, double to) {
+  Climb climb{wave, modes, std::max(wave.at(modes, from), wave.at(modes, to)), std::nullopt};
+  const Enclosure enclosure(wave, modes, from, to);
+  climb.search(from, to, enclosure, enclosure.value().high, 0);
+  return climb.summit;
 }
 
 }  // namespace mariotte::flow

@@ -250,30 +250,35 @@ std::optional<flow::PairPhase> ChainPhase::pair() const {
                          .right_guard = last ? -1 : j + 1};
 }
 
-bool ChainPhase::is_spring(Index j) const {
-  return contact::exponent(chain_.law[j]) == 1 && contact::damping(chain_.law[j]) == 0;
+Index ChainPhase::linear_contacts() const {
+  if (gravity_) return 0;
+  for (Index j = 0; j < layout_.contacts(); ++j) {
+    const bool pushes = contact::carries_force((*mode_)[j]) || (*mode_)[j] == ContactMode::slack;
+    if (pushes && contact::exponent(chain_.law[j]) != 1) return 0;
+  }
+  return active_;
 }
 
-std::optional<flow::LinearPhase> ChainPhase::linear() const {
-  if (active_ < 2 || slack_ != 0 || gravity_) return std::nullopt;
-  for (Index j = 0; j < layout_.contacts(); ++j)
-    if (contact::carries_force((*mode_)[j]) && !is_spring(j)) return std::nullopt;
-  flow::LinearPhase phase;
-  for (Index i = 0; i < layout_.balls(); ++i)
-    phase.body.push_back({layout_.velocity[i], chain_.inverse_mass[i]});
+void ChainPhase::linear(flow::LinearPhase& phase) const {
+  using State = flow::LinearPhase::Contact::State;
+  phase.body.resize(layout_.balls());
+  phase.contacts.resize(layout_.contacts());
+  for (Index i = 0; i < layout_.balls(); ++i) phase.body[i] = {layout_.velocity[i], chain_.inverse_mass[i]};
   for (Index j = 0; j < layout_.contacts(); ++j) {
-    const bool closed = contact::carries_force((*mode_)[j]), touching = (*mode_)[j] == ContactMode::touching;
-    if (closed) phase.closed.push_back(j);
-    phase.contacts.push_back({.left = j,
-                              .right = j + 1,
-                              .gap = layout_.gap[j],
-                              .impulse = layout_.impulse[j],
-                              .guard = j,
-                              .stiffness = closed ? contact::stiffness(chain_.law[j]) : 0,
-                              .level = level(j),
-                              .noise = touching ? 2 * chain_.shallow[j] : 0});
+    const auto mode = (*mode_)[j];
+    phase.contacts[j] = {.state = contact::carries_force(mode) ? State::closed
+                                  : mode == ContactMode::slack ? State::slack
+                                                               : State::open,
+                         .gap = layout_.gap[j],
+                         .work = layout_.work[j],
+                         .impulse = layout_.impulse[j],
+                         .gap_guard = j,
+                         .load_guard = guards_.load[j],
+                         .stiffness = contact::stiffness(chain_.law[j]),
+                         .damping = contact::damping(chain_.law[j]),
+                         .level = level(j),
+                         .noise = mode == ContactMode::touching ? 2 * chain_.shallow[j] : 0};
   }
-  return phase;
 }
 
 /// A touching contact has left the noise.

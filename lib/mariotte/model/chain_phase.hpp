@@ -48,7 +48,8 @@ class ChainPhase final : public flow::Problem {
   bool is_ballistic() const override { return active_ == 0; }
   void second_derivative(ConstState x, State ddx) const override;
   std::optional<flow::PairPhase> pair() const override;
-  std::optional<flow::LinearPhase> linear() const override;
+  Index linear_contacts() const override;
+  void linear(flow::LinearPhase& phase) const override;
   const flow::SerialPhase* serial() const override { return &serial_; }
   flow::Accepted accept(ConstState x) override;
   std::string component(Index index) const override { return component_name(layout_, index); }
@@ -61,7 +62,6 @@ class ChainPhase final : public flow::Problem {
   double guard(ConstState x, Index i) const;
   double level(Index i) const;
   void watch(Index j);
-  bool is_spring(Index j) const;
   bool has_loaded(ConstState x, Index j) const;
 
   const DimensionlessChain& chain_;

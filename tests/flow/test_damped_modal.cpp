@@ -1,0 +1,207 @@
+#define BOOST_TEST_MODULE modal flow of damped contacts
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <random>
+
+#include "mariotte/hybrid/simulate.hpp"
+#include "mariotte/model/chain_system.hpp"
+#include "support/linear_chains.hpp"
+#include "support/reference.hpp"
+
+using namespace mariotte;
+using namespace mariotte::test;
+
+namespace {
+
+/// Some of the contacts damped, lightly to heavily, and each by its own; walls at some ends.
+model::Chain random_dampers(std::mt19937_64& random) {
+  const auto uniform = [&](double low, double high) {
+    return std::uniform_real_distribution(low, high)(random);
+  };
+  auto chain = random_springs(random);
+  for (auto& law : chain.law) {
+    const double stiffness = std::pow(10, uniform(-1, 1));
+    law = uniform(0, 1) < 0.3 ? contact::Law(contact::Linear{stiffness})
+                              : damper(stiffness, std::pow(10, uniform(-2, 1)) * std::sqrt(stiffness));
+  }
+  if (uniform(0, 1) < 0.3) {
+    chain.mass.front() = infinity;
+    chain.velocity.front() = 0;
+  } else if (uniform(0, 1) < 0.3) {
+    chain.mass.back() = infinity;
+    chain.velocity.back() = -0.5;
+  }
+  return chain;
+}
+
+bool used(const impact::ChainImpact& impact, const std::string& flow) {
+  return std::any_of(impact.flows.begin(), impact.flows.end(),
+                     [&](const auto& use) { return use.name == flow; });
+}
+
+/// Velocities, impulses, losses and peaks of two runs.
+void check_same(const impact::ChainImpact& a, const impact::ChainImpact& b, double allowed) {
+  BOOST_TEST(difference(a.velocity, b.velocity) < allowed);
+  BOOST_TEST(period_counts(a) == period_counts(b), boost::test_tools::per_element());
+  for (std::size_t j = 0; j < a.contacts.size(); ++j) {
+    const auto &left = a.contacts[j], &right = b.contacts[j];
+    BOOST_TEST(std::abs(left.impulse - right.impulse) < 10 * allowed);
+    BOOST_TEST(std::abs(left.dissipated - right.dissipated) < 10 * allowed);
+    BOOST_TEST(std::abs(left.peak_force - right.peak_force) <= 10 * allowed * (1 + right.peak_force));
+    BOOST_TEST(std::abs(left.peak_indentation - right.peak_indentation) <=
+               10 * allowed * (1 + right.peak_indentation));
+  }
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(damped_pairs_move_as_in_closed_form) {
+  // Through critical damping, which is at √2, and far beyond it.
+  for (const double c : {1e-6, 1e-3, 0.1, 1.0, 1.4, std::sqrt(2.0), 1.415, 2.0, 10.0, 1e3, 1e6}) {
+    const auto chain = equal_masses({damper(1, c)}, {1, 0});
+    const auto exact = impact::simulate(chain, {.flow = "pair"});
+    const auto modal = impact::simulate(chain, {.flow = "modal"});
+    BOOST_TEST_CONTEXT("damping " << c) {
+      BOOST_TEST(used(modal, "modal"));
+      check_same(modal, exact, 1e-13);
+      BOOST_TEST(modal.time == exact.time, boost::test_tools::tolerance(1e-12));
+      BOOST_TEST(std::abs(modal.energy.residual) < 1e-14);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(damped_references_are_met_to_1e_minus_13) {
+  for (const auto& c : cases("viscoelastic.json")) {
+    if (c.at("exponent") != 1.0 || !c.contains("final")) continue;
+    BOOST_TEST_CONTEXT("damping " << c.at("damping")) {
+      const auto law = viscoelastic(c);
+      const auto impact = impact::simulate(equal_masses({law, law}, {1, 0, 0}));
+      BOOST_TEST(difference(impact.velocity, c.at("final")) < 1e-13);
+      BOOST_TEST(impact.time == c.at("time").get<double>(), boost::test_tools::tolerance(1e-12));
+      BOOST_TEST(std::abs(*impact.energy.ratio_lab - c.at("energy_ratio").get<double>()) < 1e-13);
+      BOOST_TEST(!used(impact, "cvode-adams"));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(damped_triplets_are_followed_as_cvode_follows_them) {
+  // Equal and different ratios c/k, critical for the first mode at (2, 2), one contact undamped.
+  const double dampings[][2] = {{0.1, 0.1}, {2, 2},   {5, 5},  {0.1, 1}, {1, 0.1},
+                                {0, 0.5},   {0.5, 0}, {3, 20}, {30, 2}};
+  for (const auto& c : dampings)
+    for (const double ratio : {0.1, 1.0, 10.0})
+      for (const Numbers& v : {Numbers{1, 0, 0}, Numbers{1, 0, -0.5}, Numbers{1, 0.3, -1}}) {
+        const auto law = [](double k, double damping) {
+          return damping > 0 ? damper(k, damping) : contact::Law(contact::Linear{k});
+        };
+        const auto chain = equal_masses({law(1, c[0]), law(ratio, c[1] * ratio)}, v);
+        const auto modal = impact::simulate(chain);
+        BOOST_TEST_CONTEXT("damping " << c[0] << " " << c[1] << " ratio " << ratio << " velocity " << v[1]) {
+          BOOST_TEST(!used(modal, "cvode-adams"));
+          BOOST_TEST(std::abs(modal.energy.residual) < 1e-13);
+          check_same(modal, impact::simulate(chain, {.accuracy = 1e-11, .flow = "cvode-adams"}), 1e-9);
+        }
+      }
+}
+
+BOOST_AUTO_TEST_CASE(random_dampers_are_followed_as_cvode_follows_them) {
+  std::mt19937_64 random(1673);
+  for (int i = 0; i < 100; ++i) {
+    const auto chain = random_dampers(random);
+    const hybrid::Options to_end{.max_time = 50},
+        by_cvode{.accuracy = 1e-9, .max_time = 50, .flow = "cvode-adams"};
+    const auto modal = impact::simulate(chain, to_end);
+    const auto cvode = impact::simulate(chain, by_cvode);
+    BOOST_TEST_CONTEXT("scene " << i) {
+      BOOST_TEST((modal.ending == cvode.ending));
+      BOOST_TEST(std::abs(modal.energy.residual) <
+                 1e-11 * (modal.energy.initial + std::abs(modal.energy.work)));
+      BOOST_TEST(std::abs(modal.momentum.residual) < 1e-12);
+      const double wrong = impact::estimate_accuracy(chain, by_cvode, cvode);
+      check_same(modal, cvode, std::max(1e-7, 100 * wrong));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(damping_ratios_up_to_1e6_stay_exact) {
+  // Damping so strong is a plastic impact: in the limit a contact takes all approach at once.
+  for (const double c : {1e2, 1e4, 1e6})
+    for (const auto& laws :
+         {std::vector{damper(1, c), damper(1, c)}, std::vector{damper(1, c), damper(3, 2 * c)},
+          std::vector{damper(1, c), contact::Law(contact::Linear{1})}}) {
+      const auto chain = equal_masses(laws, {1, 0, 0});
+      const auto impact = impact::simulate(chain);
+      auto mirror = equal_masses({laws[1], laws[0]}, {0, 0, -1});
+      auto mirrored = impact::simulate(mirror).velocity;
+      std::reverse(mirrored.begin(), mirrored.end());
+      for (double& v : mirrored) v = -v;
+      BOOST_TEST_CONTEXT("damping " << c << " " << contact::damping(laws[1])) {
+        BOOST_TEST(!used(impact, "cvode-bdf-dense"));
+        BOOST_TEST(difference(impact.velocity, mirrored) < 1e-12);
+        BOOST_TEST(std::abs(impact.energy.residual) < 1e-12);
+        if (contact::damping(laws[1]) > 0)
+          BOOST_TEST(difference(impact.velocity, {1.0 / 3, 1.0 / 3, 1.0 / 3}) < 2 / c);
+        if (c <= 1e2)
+          check_same(impact, impact::simulate(chain, {.accuracy = 1e-9, .flow = "cvode-bdf-dense"}), 1e-6);
+      }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(modes_that_meet_are_left_to_other_flows) {
+  // One body between two walls: λ² + 4 λ + 4, from contacts of different c/k; and the same a little off.
+  for (const double off : {0.0, 1e-10, 1e-6, 1e-2}) {
+    const model::Chain chain{.mass = {infinity, 1, infinity},
+                             .law = {damper(1, 3), damper(3, 1 + off)},
+                             .gap = {-0.1, -0.1},
+                             .velocity = {0, 0.01, 0},
+                             .precompressed = true};
+    const hybrid::Options short_while{.max_time = 0.05};
+    const auto impact = impact::simulate(chain, short_while);
+    BOOST_TEST_CONTEXT("off by " << off) {
+      BOOST_TEST(used(impact, "modal") == (off > 1e-5));
+      const auto cvode =
+          impact::simulate(chain, {.accuracy = 1e-11, .max_time = 0.05, .flow = "cvode-adams"});
+      check_same(impact, cvode, 1e-9);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(contacts_between_walls_have_a_part_that_does_not_vibrate) {
+  for (const double c : {0.0, 0.3})
+    for (const double speed : {0.0, -0.2}) {
+      const auto law = [&](double k) { return c > 0 ? damper(k, c) : contact::Law(contact::Linear{k}); };
+      const model::Chain chain{.mass = {infinity, 1, 2, infinity},
+                               .law = {law(1), law(2), law(1)},
+                               .gap = {-0.5, -0.3, -0.5},
+                               .velocity = {0, 0.1, -0.1, speed},
+                               .precompressed = true};
+      const auto modal = impact::simulate(chain, {.max_time = 2});
+      BOOST_TEST_CONTEXT("damping " << c << " speed " << speed) {
+        BOOST_TEST(used(modal, "modal"));
+        BOOST_TEST(std::abs(modal.energy.residual) < 1e-14);
+        check_same(modal, impact::simulate(chain, {.accuracy = 1e-11, .max_time = 2, .flow = "cvode-adams"}),
+                   1e-9);
+      }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_slack_contact_is_armed_again_when_a_neighbour_pushes) {
+  // The third ball comes at the time at which the first contact has let go but is still indented.
+  using contact::ContactMode;
+  int armed = 0;
+  for (double gap = 2; gap < 4; gap += 0.1) {
+    auto chain = equal_masses({damper(1, 0.5), damper(2, 0.1)}, {1, 0, -1});
+    chain.gap[1] = gap;
+    model::ChainSystem system(chain, 1e-10, false);
+    const auto run = hybrid::simulate(system, system.start(), {});
+    for (const auto& [time, change] : run.changes)
+      armed += change.before == ContactMode::slack && change.after == ContactMode::closed;
+    const auto modal = impact::simulate(chain);
+    BOOST_TEST_CONTEXT("gap " << gap) {
+      BOOST_TEST(!used(modal, "cvode-adams"));
+      BOOST_TEST(std::abs(modal.energy.residual) < 1e-14);
+      check_same(modal, impact::simulate(chain, {.accuracy = 1e-11, .flow = "cvode-adams"}), 1e-9);
+    }
+  }
+  BOOST_TEST(armed > 0);
+}
