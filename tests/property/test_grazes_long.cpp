@@ -1,0 +1,17 @@
+// A hundred thousand grazes, down to ten times the accuracy; see test_grazes.cpp for a taste of them.
+#define BOOST_TEST_MODULE all grazes
+#include <boost/test/unit_test.hpp>
+#include <iostream>
+
+#include "support/graze_campaign.hpp"
+
+using namespace mariotte;
+using namespace mariotte::test;
+
+BOOST_AUTO_TEST_CASE(of_1e5_grazes_none_is_missed_and_none_invented) {
+  const auto campaign = run_campaign(100'000, {"auto", "taylor", "cvode-adams"});
+  std::cout << campaign;
+  BOOST_TEST(campaign.losing > 49'000u);
+  BOOST_TEST(campaign.keeping > 49'000u);
+  for (const auto& scene : campaign.wrong) BOOST_ERROR(scene);
+}
