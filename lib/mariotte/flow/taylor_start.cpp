@@ -50,11 +50,16 @@ void Start::next_force(int lane, int k) {
     force_[lane][0] = lanes_->stiffness[lane] * d[0] * s[0];
     return;
   }
-  double twice = 0, product = 0;
-  for (int j = 1; 2 * j < k; ++j) twice += s[j] * s[k - j];
-  for (int j = 1; j < k; ++j) product += d[j] * s[k - j];
-  s[k] = (d[k] - 2 * twice - (k % 2 == 0 ? s[k / 2] * s[k / 2] : 0)) * half_inverse_[lane];
-  force_[lane][k] = lanes_->stiffness[lane] * (product + d[0] * s[k] + d[k] * s[0]);
+  const double middle = k % 2 == 0 ? s[k / 2] : 0;
+  double twice = 0, left = 0, right = d[k] * s[0];  // sums that do not wait for each other
+  for (int j = 1; 2 * j < k; ++j) {
+    twice += s[j] * s[k - j];
+    left += d[j] * s[k - j];
+    right += d[k - j] * s[j];
+  }
+  if (k % 2 == 0) left += d[k / 2] * middle;
+  s[k] = (d[k] - 2 * twice - middle * middle) * half_inverse_[lane];
+  force_[lane][k] = lanes_->stiffness[lane] * (left + right + d[0] * s[k]);
 }
 
 double Start::expand(const Lanes& lanes, const Part* part, int order, double tolerance) {

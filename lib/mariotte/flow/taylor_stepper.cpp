@@ -36,7 +36,7 @@ double rough_root(double x, int n) {
 /// Higher orders pay for themselves at tighter tolerances; measured by work_precision.
 Precision precision(double accuracy) {
   Precision p{.tolerance = std::max(local_share * accuracy, 0.25 * epsilon), .order = order_limit};
-  for (const auto& [above, order] : {std::pair{1e-5, 10}, {1e-7, 12}, {1e-9, 16}, {1e-11, 18}}) {
+  for (const auto& [above, order] : {std::pair{1e-5, 10}, {1e-7, 12}, {1e-9, 14}, {1e-11, 16}, {1e-13, 18}}) {
     if (!(accuracy > above)) continue;
     p.order = order;
     break;
