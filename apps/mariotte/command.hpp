@@ -11,6 +11,7 @@ int command_line(int argc, char** argv) noexcept;
 void add_run(CLI::App& app, int& code);
 void add_check(CLI::App& app, int& code);
 void add_demo(CLI::App& app, int& code);
+void add_study(CLI::App& app, int& code);
 void add_version(CLI::App& app, int& code);
 
 }  // namespace mariotte::command

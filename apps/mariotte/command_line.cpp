@@ -42,6 +42,7 @@ int act(int argc, char** argv) {
   add_run(app, code);
   add_check(app, code);
   add_demo(app, code);
+  add_study(app, code);
   add_version(app, code);
   return parse(app, argc, argv, code);
 }

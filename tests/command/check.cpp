@@ -66,3 +66,13 @@ BOOST_FIXTURE_TEST_CASE(version_names_the_version, Session) {
   BOOST_TEST(mariotte("version").out.starts_with("mariotte " MARIOTTE_VERSION "\n"));
   BOOST_TEST(mariotte("--version").out == "mariotte " MARIOTTE_VERSION "\n");
 }
+
+BOOST_FIXTURE_TEST_CASE(study_starts_the_program_of_that_study, Session) {
+  for (const std::string study : {"stiffness", "work-precision"}) {
+    const auto help = mariotte("study " + study + " --help");
+    BOOST_TEST(help.code == 0);
+    BOOST_TEST(has(help.out, "--csv"));
+  }
+  BOOST_TEST(mariotte("study work-precision --problem P0").code == 2);
+  BOOST_TEST(mariotte("study").code == 2);
+}
