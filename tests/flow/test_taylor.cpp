@@ -64,8 +64,8 @@ BOOST_AUTO_TEST_CASE(the_series_satisfies_the_equations_of_motion) {
       double force[9] = {};
       for (int j = 0; j < 7; ++j) {
         const double depth = polynomial(*series, Quantity::indentation, j, order, at);
-        const double load = lanes.stiffness[j] * depth +
-                            lanes.damping[j] * polynomial(*series, Quantity::rate, j, order, at);
+        const double load =
+            lanes.stiffness[j] * depth + lanes.damping[j] * polynomial(*series, Quantity::rate, j, order, at);
         force[j + 1] = (lanes.power[j] > 0 ? std::sqrt(depth) : 1) * load;
       }
       const double g = polynomial(*series, Quantity::clock, 0, order, at);
@@ -74,8 +74,10 @@ BOOST_AUTO_TEST_CASE(the_series_satisfies_the_equations_of_motion) {
           return (polynomial(*series, q, j, order, at + step) - polynomial(*series, q, j, order, at - step)) /
                  (2 * step);
         };
-        const double push = lanes.left[j] * (force[j] - force[j + 1]) + lanes.right[j] * (force[j + 2] - force[j + 1]);
-        BOOST_TEST(std::abs(slope(Quantity::indentation) - g * polynomial(*series, Quantity::rate, j, order, at)) < 1e-6);
+        const double push =
+            lanes.left[j] * (force[j] - force[j + 1]) + lanes.right[j] * (force[j + 2] - force[j + 1]);
+        BOOST_TEST(std::abs(slope(Quantity::indentation) -
+                            g * polynomial(*series, Quantity::rate, j, order, at)) < 1e-6);
         BOOST_TEST(std::abs(slope(Quantity::rate) - g * push) < 1e-6);
       }
     }
@@ -153,7 +155,8 @@ BOOST_AUTO_TEST_CASE(asked_is_got_on_the_reference_chains) {
 }
 
 BOOST_AUTO_TEST_CASE(any_exponent_and_any_mixture_agrees_with_cvode) {
-  const contact::Law laws[] = {contact::Hertz{1}, contact::Linear{2},
+  const contact::Law laws[] = {contact::Hertz{1},
+                               contact::Linear{2},
                                contact::Viscoelastic{.stiffness = 1, .damping = 0.3, .exponent = 1},
                                contact::Viscoelastic{.stiffness = 1.5, .damping = 0.2, .exponent = 1.5},
                                contact::Viscoelastic{.stiffness = 1, .damping = 0.1, .exponent = 2},
@@ -162,7 +165,8 @@ BOOST_AUTO_TEST_CASE(any_exponent_and_any_mixture_agrees_with_cvode) {
     for (const auto& second : laws) {
       auto chain = equal_masses({first, second, contact::Hertz{0.7}}, {1, 0.1, 0, -0.4});
       chain.gap = {0, 0.2, 0.1};
-      const auto series = by_taylor(chain, 1e-9), cvode = impact::simulate(chain, {.accuracy = 1e-10, .flow = "cvode-adams"});
+      const auto series = by_taylor(chain, 1e-9),
+                 cvode = impact::simulate(chain, {.accuracy = 1e-10, .flow = "cvode-adams"});
       BOOST_TEST(used(series, "taylor"));
       BOOST_TEST(difference(series.velocity, cvode.velocity) < 2e-9);
       BOOST_TEST(period_counts(series) == period_counts(cvode), boost::test_tools::per_element());

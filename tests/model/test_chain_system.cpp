@@ -139,8 +139,7 @@ BOOST_AUTO_TEST_CASE(touching_balls_that_part_or_rest_are_open) {
 }
 
 BOOST_AUTO_TEST_CASE(indented_damped_contacts_start_slack_if_they_would_pull) {
-  Fixture f{
-      {.mass = {1, 1}, .law = {damped}, .gap = {-0.1}, .velocity = {-1, 0}, .precompressed = true}};
+  Fixture f{{.mass = {1, 1}, .law = {damped}, .gap = {-0.1}, .velocity = {-1, 0}, .precompressed = true}};
   check_modes(f.start(), {ContactMode::slack});
 }
 
@@ -154,8 +153,7 @@ BOOST_AUTO_TEST_CASE(an_approaching_pair_is_not_over_and_a_parting_one_is) {
 }
 
 BOOST_AUTO_TEST_CASE(gravity_above_a_wall_is_not_over_before_the_first_impact) {
-  Fixture f{
-      {.mass = {infinity, 1}, .law = {hertz}, .gap = {1}, .velocity = {0, 0}, .gravity = 9.81}};
+  Fixture f{{.mass = {infinity, 1}, .law = {hertz}, .gap = {1}, .velocity = {0, 0}, .gravity = 9.81}};
   BOOST_TEST(!f.system.is_over({ContactMode::open}, f.x, false));
   BOOST_TEST(f.system.is_over({ContactMode::open}, f.x, true));
 }

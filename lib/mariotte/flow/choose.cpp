@@ -77,7 +77,8 @@ bool follows_some(Kind kind) {
 
 std::string_view name(Kind kind) {
   constexpr std::array<std::string_view, kinds.size()> names = {
-      "ballistic", "pair", "modal", "taylor", "cvode-adams", "cvode-bdf-dense", "cvode-bdf-band", "cvode-bdf-klu"};
+      "ballistic",       "pair",           "modal",        "taylor", "cvode-adams",
+      "cvode-bdf-dense", "cvode-bdf-band", "cvode-bdf-klu"};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -97,10 +98,12 @@ Kind choose(const Problem& problem, std::optional<Kind> requested) {
   if (requested && !follows_some(*requested)) return *requested;
   const auto may = [&](Kind kind) { return !requested || requested == kind; };
   if (may(Kind::pair) && problem.pair()) return Kind::pair;
-  if (may(Kind::modal) && (requested || modes_pay(problem)) && problem.linear_contacts() > 0 && has_modes(problem))
+  if (may(Kind::modal) && (requested || modes_pay(problem)) && problem.linear_contacts() > 0 &&
+      has_modes(problem))
     return Kind::modal;
   const double damping = problem.damping_ratio();
-  if (may(Kind::taylor) && (requested || damping < stiff_for_taylor) && Taylor::admits(problem)) return Kind::taylor;
+  if (may(Kind::taylor) && (requested || damping < stiff_for_taylor) && Taylor::admits(problem))
+    return Kind::taylor;
   return damping < stiff_for_adams ? Kind::cvode_adams : Kind::cvode_bdf_klu;
 }
 

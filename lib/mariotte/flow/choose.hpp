@@ -9,12 +9,22 @@
 
 namespace mariotte::flow {
 
-enum class Kind { ballistic, pair, modal, taylor, cvode_adams, cvode_bdf_dense, cvode_bdf_band, cvode_bdf_klu };
-inline constexpr std::array kinds = {
-    Kind::ballistic,       Kind::pair,           Kind::modal, Kind::taylor, Kind::cvode_adams,
-    Kind::cvode_bdf_dense, Kind::cvode_bdf_band, Kind::cvode_bdf_klu};
+enum class Kind {
+  ballistic,
+  pair,
+  modal,
+  taylor,
+  cvode_adams,
+  cvode_bdf_dense,
+  cvode_bdf_band,
+  cvode_bdf_klu
+};
+inline constexpr std::array kinds = {Kind::ballistic,      Kind::pair,         Kind::modal,
+                                     Kind::taylor,         Kind::cvode_adams,  Kind::cvode_bdf_dense,
+                                     Kind::cvode_bdf_band, Kind::cvode_bdf_klu};
 
-/// "ballistic", "pair", "modal", "taylor", "cvode-adams", "cvode-bdf-dense", "cvode-bdf-band", "cvode-bdf-klu".
+/// "ballistic", "pair", "modal", "taylor", "cvode-adams", "cvode-bdf-dense", "cvode-bdf-band",
+/// "cvode-bdf-klu".
 std::string_view name(Kind kind);
 
 /// The flow a user may ask for by name for the contact phases; empty for "auto".

@@ -208,7 +208,8 @@ Cvode::~Cvode() = default;
 bool Cvode::fits(const Problem& problem) const {
   const auto& m = *memory_;
   return problem.size() == N_VGetLength_Serial(m.state.get()) &&
-         problem.guard_count() == static_cast<Index>(m.roots.size()) && (!m.newton || m.newton->fits(problem));
+         problem.guard_count() == static_cast<Index>(m.roots.size()) &&
+         (!m.newton || m.newton->fits(problem));
 }
 
 Arrival Cvode::follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) {

@@ -88,8 +88,8 @@ struct SerialPhase {
     Index guard;       ///< of the gap
     Index load_guard;  ///< of k δ + c δ̇, or −1
     double stiffness, damping, exponent;
-    double length;      ///< natural indentation
-    double shallow;     ///< indentation that cannot be told from rounding
+    double length;   ///< natural indentation
+    double shallow;  ///< indentation that cannot be told from rounding
     double level = 0;
     Role role = Role::open;
   };

@@ -11,8 +11,8 @@ inline constexpr int lane_limit = 64;
 /// Plain arrays: code compiled for different instruction sets shares nothing but this layout.
 struct Lanes {
   int count = 0;
-  bool damped = false;   ///< some damping is not zero
-  bool general = false;  ///< some exponent is neither 1 nor 3/2
+  bool damped = false;                              ///< some damping is not zero
+  bool general = false;                             ///< some exponent is neither 1 nor 3/2
   alignas(64) double indentation[lane_limit] = {};  ///< δ; negative where open
   alignas(64) double rate[lane_limit] = {};         ///< δ̇
   alignas(64) double push[lane_limit] = {};         ///< 1 where the contact carries force, else 0

@@ -1,8 +1,8 @@
 // The recurrences of the Taylor flow. Included by one source file per instruction set, which names the
 // namespace they live in; nothing here may call functions that other files share.
 //
-// With the clock factor g = dt/dσ (1, or √δ_c in the clock of lane c), u the inverse masses, k-th coefficients
-// written as indices and products as convolutions:
+// With the clock factor g = dt/dσ (1, or √δ_c in the clock of lane c), u the inverse masses, k-th
+// coefficients written as indices and products as convolutions:
 //   λ = k δ + c δ̇            load
 //   s = δᵖ                    p = 1/2: s_k = (δ_k − Σ_{0<j<k} s_j s_{k−j}) / (2 s_0); of lane c, s' = δ̇/2
 //                             any p: s_k = Σ_{0<j≤k} (j (p + 1) − k) δ_j s_{k−j} / (k δ_0); s = 1 if p = 0
@@ -127,8 +127,10 @@ class Series final : public Expansion {
     const auto weight = load<N>(lanes_->weight);
     Vec most{};
     for (int i = 0; i < N; ++i)
-      most = largest(most, largest(magnitude(rate_[k].part[i]), weight.part[i] * magnitude(indentation_[k].part[i])));
-    for (int i = 0; damped_ && i < N; ++i) most = largest(most, mobility_.part[i] * magnitude(work_[k].part[i]));
+      most = largest(
+          most, largest(magnitude(rate_[k].part[i]), weight.part[i] * magnitude(indentation_[k].part[i])));
+    for (int i = 0; damped_ && i < N; ++i)
+      most = largest(most, mobility_.part[i] * magnitude(work_[k].part[i]));
     double size = most[0];
     for (int i = 1; i < width; ++i) size = most[i] > size ? most[i] : size;
     return size;
@@ -223,7 +225,8 @@ class Series final : public Expansion {
   [[gnu::always_inline]] Row<N> next_root(int k) const {
     if constexpr (Kind == Root::any) {
       Row<N> sum{};
-      for (int j = 1; j <= k; ++j) sum = sum + (double(j) * power_ + splat_row(j - k)) * indentation_[j] * root_[k - j];
+      for (int j = 1; j <= k; ++j)
+        sum = sum + (double(j) * power_ + splat_row(j - k)) * indentation_[j] * root_[k - j];
       return reciprocal.of[k] * (sum * inverse_);
     }
     Row<N> sum{};
@@ -316,7 +319,7 @@ class Series final : public Expansion {
   int order_ = 0, clock_ = plain;
   bool damped_ = false;
   Row<N> stiffness_, damping_, drive_, power_, half_inverse_, inverse_, chosen_;
-  Row<N> mobility_;  ///< 1/m*
+  Row<N> mobility_;                                 ///< 1/m*
   Row<N> strength_, from_left_, from_right_, own_;  ///< couplings of the forces; without damping k is in them
   Coefficients indentation_, rate_, root_, load_, force_, stretched_, impulse_, work_;
   double stretch_[order_limit + 1], time_[order_limit + 1];  ///< √δ_c, and t

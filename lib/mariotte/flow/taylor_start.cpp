@@ -74,7 +74,8 @@ double Start::expand(const Lanes& lanes, const Part* part, int order, double tol
   for (int k = 0; k <= order; ++k) {
     for (int j = 0; j < lanes.count; ++j) {
       if (part_[j] != Part::struck) continue;
-      const double push = pushes(j, Part::struck, k - shift, force_) + pushes(j, Part::pressed, k - 5, force_);
+      const double push =
+          pushes(j, Part::struck, k - shift, force_) + pushes(j, Part::pressed, k - 5, force_);
       rate_[j][k] = k == 0 ? lanes.rate[j] : push * integral.rate.of[k];
       indentation_[j][k] = rate_[j][k] * integral.indentation.of[k];
       next_force(j, k);
@@ -103,8 +104,9 @@ double Start::margin(int lane, double time, double own, double given) const {
     case Part::pressed:
       return 0.5 * given - own;
     case Part::passive:
-      return l.side[lane] < 0 ? l.level[lane] - l.indentation[lane] - std::fmax(0.0, l.rate[lane]) * time - given
-                              : 0;
+      return l.side[lane] < 0
+                 ? l.level[lane] - l.indentation[lane] - std::fmax(0.0, l.rate[lane]) * time - given
+                 : 0;
   }
   return 0;
 }

@@ -1,4 +1,5 @@
-// The first moments of Hertz contacts that all start undeformed: one power series instead of many graded steps.
+// The first moments of Hertz contacts that all start undeformed: one power series instead of many graded
+// steps.
 #pragma once
 #include "mariotte/flow/taylor_lanes.hpp"
 

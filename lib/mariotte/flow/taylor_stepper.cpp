@@ -15,8 +15,8 @@ namespace {
 
 /// Share of the accuracy that one step may spend.
 constexpr double local_share = 0.03;
-/// A contact that would let go within this share of a step is landed in its own clock. Earlier is dearer: near
-/// its end a contact is so weak that it hardly bounds the step.
+/// A contact that would let go within this share of a step is landed in its own clock. Earlier is dearer:
+/// near its end a contact is so weak that it hardly bounds the step.
 constexpr double landing_share = 0.5;
 /// A contact may sink this far past the depth at which it wakes before it is heard.
 constexpr double late = 3;
@@ -68,7 +68,8 @@ bool Stepper::is_struck(int lane) const {
          window.lanes.rate[lane] > 0;
 }
 
-/// The start series serves if all contacts that carry force are undamped Hertz contacts which start undeformed.
+/// The start series serves if all contacts that carry force are undamped Hertz contacts which start
+/// undeformed.
 bool Stepper::starts(Parts& part) const {
   const auto& l = window.lanes;
   if (l.damped || l.general) return false;

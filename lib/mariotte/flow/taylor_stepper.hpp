@@ -66,7 +66,7 @@ class Stepper {
   Values values_;
   Start start_;
   std::array<std::unique_ptr<Expansion>, 6> expansions_;  ///< by number of lanes
-  bool landed_ = false;                                   ///< the piece ends where the clock's contact lets go
+  bool landed_ = false;  ///< the piece ends where the clock's contact lets go
   bool cut_ = false;
 };
 

@@ -56,8 +56,8 @@ void find_outside(Window& w) {
   }
 }
 
-/// Indentation at the start: on the side where its role holds it, and exactly zero at an onset, where rounding
-/// may have left it beside.
+/// Indentation at the start: on the side where its role holds it, and exactly zero at an onset, where
+/// rounding may have left it beside.
 double settled(const SerialPhase::Contact& c, double indentation, double rate) {
   if (c.role == Role::open) return std::min(indentation, c.level);
   const bool onset = c.role == Role::closed && rate > 0 && indentation <= 16 * epsilon * c.length;
@@ -87,8 +87,8 @@ void fill(Window& w, int lane) {
 }
 
 void clear(Lanes& l, int lane) {
-  for (auto* row : {l.indentation, l.rate, l.push, l.stiffness, l.damping, l.power, l.left, l.right, l.drive, l.side,
-                    l.level, l.load_side, l.weight})
+  for (auto* row : {l.indentation, l.rate, l.push, l.stiffness, l.damping, l.power, l.left, l.right, l.drive,
+                    l.side, l.level, l.load_side, l.weight})
     row[lane] = 0;
 }
 

@@ -8,16 +8,16 @@ namespace mariotte::flow::taylor {
 
 struct Window {
   const SerialPhase* phase = nullptr;
-  State x;              ///< the whole state at `since`; what is outside is as it was then
-  double since = 0;     ///< local time of the phase
+  State x;           ///< the whole state at `since`; what is outside is as it was then
+  double since = 0;  ///< local time of the phase
   double time = 0;
-  Index first = 0;      ///< contact of lane 0
+  Index first = 0;  ///< contact of lane 0
   Lanes lanes;
-  double velocity[lane_limit + 1];  ///< of bodies first, first + 1, …
-  double wake[lane_limit];          ///< indentation below which a contact's force is left out
+  double velocity[lane_limit + 1];               ///< of bodies first, first + 1, …
+  double wake[lane_limit];                       ///< indentation below which a contact's force is left out
   double impulse[lane_limit], work[lane_limit];  ///< since `since`
-  double outside_time = 0;  ///< when the first of the gaps outside closes
-  Index outside = -1;       ///< that contact
+  double outside_time = 0;                       ///< when the first of the gaps outside closes
+  Index outside = -1;                            ///< that contact
 
   const SerialPhase::Contact& contact(int lane) const { return phase->contact[first + lane]; }
   /// Of lane's contact the force is a function with a branch point at δ = 0.
@@ -28,8 +28,8 @@ struct Window {
   }
 };
 
-/// Place the window around what moves or pushes at `time`, where the whole state is x. False if that needs more
-/// lanes than there are.
+/// Place the window around what moves or pushes at `time`, where the whole state is x. False if that needs
+/// more lanes than there are.
 bool place(Window& window, const SerialPhase& phase, State x, double time);
 
 /// Watch lane's guards as its contact's role demands.

@@ -18,7 +18,7 @@ struct BriefImpact {
   std::vector<double> velocity;  ///< n values [m/s]
   std::vector<double> impulse;   ///< n−1 values [N s]
   std::vector<Index> periods;    ///< n−1 counts of stretches in which a contact carried force
-  Index events = 0;  ///< instants at which contacts closed or opened
+  Index events = 0;              ///< instants at which contacts closed or opened
   Index steps = 0;
   Index rhs = 0;  ///< evaluations of the right-hand side, or of its series
 };

@@ -14,8 +14,8 @@ double lost_momentum(const model::DimensionlessChain& chain, const model::ChainL
 
 }  // namespace
 
-void impulses(const model::DimensionlessChain& chain, const model::ChainLayout& layout, const Stretch& stretch,
-              std::vector<double>& p) {
+void impulses(const model::DimensionlessChain& chain, const model::ChainLayout& layout,
+              const Stretch& stretch, std::vector<double>& p) {
   const Index n = layout.balls();
   p.assign(n - 1, 0.0);
   const auto is_wall = [&](Index i) { return chain.inverse_mass[i] == 0; };

@@ -92,8 +92,8 @@ void make_dimensionless(const Chain& chain, double accuracy, DimensionlessChain&
   d.speed = speed / d.scale.velocity;
   d.slow = std::max(0.1 * accuracy, 8 * epsilon) * d.speed;
   d.falls_back = pulls_back(chain);
-  for (auto* list : {&d.mass, &d.inverse_mass, &d.gap, &d.velocity, &d.gravity, &d.reduced_mass, &d.length, &d.time,
-                     &d.shallow})
+  for (auto* list : {&d.mass, &d.inverse_mass, &d.gap, &d.velocity, &d.gravity, &d.reduced_mass, &d.length,
+                     &d.time, &d.shallow})
     list->clear();
   d.law.clear();
   const auto& reference = chain.law[quickest];
