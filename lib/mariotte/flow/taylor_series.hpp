@@ -14,6 +14,11 @@
 #pragma once
 #include "mariotte/flow/taylor_lanes.hpp"
 
+// Left to itself the compiler keeps rows in memory; sanitizers turn this off, since it makes them crawl.
+#ifndef MARIOTTE_INLINE
+#define MARIOTTE_INLINE [[gnu::always_inline]]
+#endif
+
 namespace mariotte::flow::taylor::MARIOTTE_INSTRUCTION_SET {
 
 typedef double Vec __attribute__((vector_size(MARIOTTE_VECTOR_BYTES)));
@@ -54,7 +59,7 @@ struct Row {
 };
 
 template <int N, class F>
-[[gnu::always_inline]] inline Row<N> each(F&& f) {
+MARIOTTE_INLINE inline Row<N> each(F&& f) {
   Row<N> r;
 #pragma GCC unroll 16
   for (int i = 0; i < N; ++i) r.part[i] = f(i);
@@ -222,7 +227,7 @@ class Series final : public Expansion {
 
   /// s_k of every lane.
   template <Root Kind>
-  [[gnu::always_inline]] Row<N> next_root(int k) const {
+  MARIOTTE_INLINE Row<N> next_root(int k) const {
     if constexpr (Kind == Root::any) {
       Row<N> sum{};
       for (int j = 1; j <= k; ++j)
@@ -240,7 +245,7 @@ class Series final : public Expansion {
   }
 
   /// Σ a_j b_{k−j}; the newest coefficients, on which the next stage waits, come last.
-  [[gnu::always_inline]] static Row<N> product(const Row<N>* a, const Row<N>* b, int k) {
+  MARIOTTE_INLINE static Row<N> product(const Row<N>* a, const Row<N>* b, int k) {
     if (k == 0) return a[0] * b[0];
     Row<N> even{}, odd{};
     for (int j = 1; j + 1 < k; j += 2) {
@@ -250,14 +255,14 @@ class Series final : public Expansion {
     if (k % 2 == 0) even = even + a[k - 1] * b[1];
     return (even + odd) + a[k] * b[0] + a[0] * b[k];
   }
-  [[gnu::always_inline]] static Row<N> stretched(const double* g, const Row<N>* b, int k) {
+  MARIOTTE_INLINE static Row<N> stretched(const double* g, const Row<N>* b, int k) {
     Row<N> sum{};
     for (int j = 0; j <= k; ++j) sum = sum + g[k - j] * b[j];
     return sum;
   }
 
   template <Root Kind, bool Damped>
-  [[gnu::always_inline]] void stage(int k) {
+  MARIOTTE_INLINE void stage(int k) {
     constexpr bool Clock = Kind == Root::clock;
     if (k > 0) root_[k] = next_root<Kind>(k);
     if constexpr (Damped) load_[k] = stiffness_ * indentation_[k] + damping_ * rate_[k];
