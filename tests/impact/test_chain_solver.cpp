@@ -89,3 +89,15 @@ BOOST_AUTO_TEST_CASE(chains_of_any_kind_may_follow_each_other) {
     for (const auto& chain : chains)
       BOOST_TEST(difference(solver.solve(chain).velocity, impact::simulate(chain).velocity) < 1e-10);
 }
+
+BOOST_AUTO_TEST_CASE(a_map_ends_separated_everywhere_at_any_accuracy) {
+  impact::ChainSolver solver;
+  for (const double accuracy : {1e-2, 1e-3, 1e-4, 1e-5, 1e-7, 1e-9, 1e-13})
+    for (int i = 0; i < 64 * 64; ++i) {
+      const double ratio = 0.1 * std::pow(100.0, (i / 64) / 63.0), third = -1 + (i % 64) / 63.0;
+      const auto& impact = solver.solve(equal_masses({contact::Hertz{1}, contact::Hertz{ratio}}, {1, 0, third}),
+                                        {.accuracy = accuracy});
+      BOOST_TEST_CONTEXT(accuracy << ", " << ratio << ", " << third << ": " << impact.message)
+      BOOST_TEST((impact.ending == hybrid::Ending::separated));
+    }
+}
