@@ -17,8 +17,9 @@ namespace {
 // Measured by stiffness_study --study crossover and --study ratio.
 
 /// Damping ratios c/√(k m) from which BDF costs less than the series, and than Adams. Its Newton matrices are
-/// sparse: KLU is at no size dearer than a dense or a band matrix.
-constexpr double stiff_for_taylor = 1e4;
+/// sparse: KLU is hardly dearer than a dense or a band matrix at any size, and mostly cheaper.
+constexpr double stiff_for_taylor = 1e4, stiff_for_taylor_of_few = 2e5;
+constexpr std::size_t few = 4;  ///< contacts
 constexpr double stiff_for_adams = 5;
 /// Natural modes of n contacts cost n³, series √κ of the ratio of fastest to slowest rate squared: equal near
 /// κ = 10^{0.8 n}. Two contacts are followed by modes whatever κ, to the last digit.
@@ -37,6 +38,11 @@ double spread(const SerialPhase& phase) {
     most = std::max({most, c.stiffness * mobility, decay * decay});
   }
   return most / least;
+}
+
+bool series_pay(const Problem& problem, double damping) {
+  const auto* phase = problem.serial();
+  return damping < (phase && phase->contact.size() <= few ? stiff_for_taylor_of_few : stiff_for_taylor);
 }
 
 bool modes_pay(const Problem& problem) {
@@ -102,7 +108,7 @@ Kind choose(const Problem& problem, std::optional<Kind> requested) {
       has_modes(problem))
     return Kind::modal;
   const double damping = problem.damping_ratio();
-  if (may(Kind::taylor) && (requested || damping < stiff_for_taylor) && Taylor::admits(problem))
+  if (may(Kind::taylor) && (requested || series_pay(problem, damping)) && Taylor::admits(problem))
     return Kind::taylor;
   return damping < stiff_for_adams ? Kind::cvode_adams : Kind::cvode_bdf_klu;
 }
