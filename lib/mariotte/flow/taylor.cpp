@@ -92,7 +92,7 @@ Arrival Taylor::follow(Problem& problem, State x, const Request& request, std::v
   auto& m = *memory_;
   auto& stepper = m.stepper;
   const auto& w = stepper.window;
-  const auto precision = taylor::precision(request.accuracy, problem.serial()->contact.size());
+  const auto precision = taylor::precision(request.accuracy);
   Arrival arrival{.outcome = Outcome::guard, .message = {}};
   const auto stop = [&](Outcome outcome, std::string message = {}) {
     write(w, x);

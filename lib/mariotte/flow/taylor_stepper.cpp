@@ -15,8 +15,7 @@ namespace {
 
 /// Share of the accuracy that one step may spend: errors add up along a chain, and behind its wave they must
 /// not look like approaches.
-constexpr double local_share = 0.03, local_share_of_few = 0.1;
-constexpr std::size_t few = 4;  ///< contacts
+constexpr double local_share = 0.03;
 /// A contact that would let go within this share of a step is landed in its own clock. Earlier is dearer:
 /// near its end a contact is so weak that it hardly bounds the step.
 constexpr double landing_share = 0.5;
@@ -36,9 +35,8 @@ double rough_root(double x, int n) {
 }  // namespace
 
 /// Higher orders pay for themselves at tighter tolerances; measured by work_precision.
-Precision precision(double accuracy, std::size_t contacts) {
-  const double share = contacts <= few ? local_share_of_few : local_share;
-  Precision p{.tolerance = std::max(share * accuracy, 0.25 * epsilon), .order = order_limit};
+Precision precision(double accuracy) {
+  Precision p{.tolerance = std::max(local_share * accuracy, 0.25 * epsilon), .order = order_limit};
   for (const auto& [above, order] : {std::pair{1e-5, 10}, {1e-7, 12}, {1e-9, 14}, {1e-11, 16}, {1e-13, 18}}) {
     if (!(accuracy > above)) continue;
     p.order = order;

@@ -13,8 +13,8 @@ struct Precision {
   int order = 0;
 };
 
-/// For a wanted error at the end of the run of so many contacts.
-Precision precision(double accuracy, std::size_t contacts);
+/// For a wanted error at the end of the run.
+Precision precision(double accuracy);
 
 /// The guard that ends a step.
 struct Fall {
