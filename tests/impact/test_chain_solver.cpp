@@ -95,8 +95,8 @@ BOOST_AUTO_TEST_CASE(a_map_ends_separated_everywhere_at_any_accuracy) {
   for (const double accuracy : {1e-2, 1e-3, 1e-4, 1e-5, 1e-7, 1e-9, 1e-13})
     for (int i = 0; i < 64 * 64; ++i) {
       const double ratio = 0.1 * std::pow(100.0, (i / 64) / 63.0), third = -1 + (i % 64) / 63.0;
-      const auto& impact = solver.solve(equal_masses({contact::Hertz{1}, contact::Hertz{ratio}}, {1, 0, third}),
-                                        {.accuracy = accuracy});
+      const auto& impact = solver.solve(
+          equal_masses({contact::Hertz{1}, contact::Hertz{ratio}}, {1, 0, third}), {.accuracy = accuracy});
       BOOST_TEST_CONTEXT(accuracy << ", " << ratio << ", " << third << ": " << impact.message)
       BOOST_TEST((impact.ending == hybrid::Ending::separated));
     }

@@ -32,8 +32,8 @@ std::string_view name(Kind kind);
 std::optional<Kind> parse_kind(std::string_view name);
 
 /// Free flight is followed in closed form whatever was asked; contact phases by the flow asked for if they
-/// admit it or, left to itself, by the cheapest that does: the closed form of a pair, natural modes where they
-/// cost less than series, series unless damping makes the phase too stiff for them, then CVODE.
+/// admit it or, left to itself, by the cheapest that does: the closed form of a pair, natural modes where
+/// they cost less than series, series unless damping makes the phase too stiff for them, then CVODE.
 Kind choose(const Problem& problem, std::optional<Kind> requested);
 
 /// The flows of one run after the other, each made when first needed and kept as long as it fits.
