@@ -56,7 +56,7 @@ BOOST_AUTO_TEST_CASE(the_series_satisfies_the_equations_of_motion) {
     const auto lanes = random_lanes(7, random, damped);
     for (const int clock : {Expansion::plain, 3}) {
       if (clock >= 0 && lanes.power[clock] == 0) continue;
-      const auto series = make_expansion(7);
+      const auto series = make_expansion(1);
       constexpr int order = 18;
       series->expand(lanes, order, clock);
       // At a small place, dδ/dσ = g δ̇ and dδ̇/dσ = g (…), by central differences of the polynomials.
@@ -86,10 +86,11 @@ BOOST_AUTO_TEST_CASE(the_series_satisfies_the_equations_of_motion) {
 
 BOOST_AUTO_TEST_CASE(every_instruction_set_gives_the_same_series) {
   std::mt19937 random(3);
-  for (const int count : {2, 4, 7, 12, 16, 32}) {
+  for (std::size_t size = 0; size < lane_sizes.size(); ++size) {
+    const int count = lane_sizes[size] - 1;
     for (const bool damped : {false, true}) {
       const auto lanes = random_lanes(count, random, damped);
-      const auto best = make_expansion(count), baseline = make_baseline_expansion(count);
+      const auto best = make_expansion(size), baseline = make_baseline_expansion(size);
       Values a, b;
       for (const int clock : {Expansion::plain, lanes.power[1] > 0 ? 1 : Expansion::plain}) {
         best->expand(lanes, 16, clock);
@@ -111,7 +112,7 @@ BOOST_AUTO_TEST_CASE(margins_are_lower_bounds) {
   std::mt19937 random(11);
   for (int i = 0; i < 200; ++i) {
     const auto lanes = random_lanes(4, random, true);
-    const auto series = make_expansion(4);
+    const auto series = make_expansion(0);
     series->expand(lanes, 14, Expansion::plain);
     const double end = 0.01 * (1 + i % 60);
     Values values;
@@ -141,7 +142,7 @@ BOOST_AUTO_TEST_CASE(asked_is_got_on_the_reference_triplets) {
   for (const double accuracy : {1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14})
     for (const auto& c : cases("triplets.json")) {
       const auto impact = by_taylor(triplet(c), accuracy);
-      BOOST_TEST(difference(impact.velocity, c.at("final").get<Numbers>()) <= 2 * accuracy);
+      BOOST_TEST(difference(impact.velocity, c.at("final").get<Numbers>()) <= accuracy);
       BOOST_TEST(used(impact, "taylor"));
     }
 }

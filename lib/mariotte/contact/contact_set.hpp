@@ -1,13 +1,14 @@
 // The discrete state of one contact, and of all of them.
 //
 //   open     → closed    the gap falls through 0
-//   open     → hovering  the gap falls through 0 so slowly that the approach may be rounding: no force yet,
-//   no event hovering → closed    the gap falls through −θ, the depth that such an approach cannot reach
-//   closed   → hovering  shallower than θ and parting as slowly: it has let go, though its gap may take long
-//   to open open     → touching  touched at rest (gap = 0, no approach) and now pressed on by a neighbour
-//   touching → closed    the indentation has left the noise around 0; no event, the guards are watched from
-//   here closed   → open      undamped: the gap rises through 0 closed   → slack     damped: the load k δ + c
-//   δ̇ falls through 0 while δ > 0 slack    → closed    the load rises through 0: a neighbour pushes again
+//   open     → hovering  it does so slowly that the approach may be rounding: no force, no event
+//   hovering → closed    the gap falls through −θ, the depth that such an approach cannot reach
+//   closed   → hovering  shallower than θ and parting as slowly: it has let go
+//   open     → touching  touched at rest (gap = 0, no approach), now pressed by a neighbour
+//   touching → closed    indented beyond the noise around 0: guards are watched; no event
+//   closed   → open      undamped: the gap rises through 0
+//   closed   → slack     damped: the load k δ + c δ̇ falls through 0 while δ > 0
+//   slack    → closed    the load rises through 0: a neighbour pushes again
 //   slack    → open      the gap rises through 0
 #pragma once
 #include <vector>

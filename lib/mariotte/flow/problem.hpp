@@ -96,7 +96,6 @@ struct SerialPhase {
   std::vector<Body> body;
   std::vector<Contact> contact;
   double speed = 1;  ///< natural relative speed
-  double slow = 0;   ///< relative speed that cannot be told from rest
 };
 
 /// A field of one mode, with everything dimensionless. Sizes and pattern never change; field, crossings and

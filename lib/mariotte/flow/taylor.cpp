@@ -21,22 +21,14 @@ bool is_finite(const Window& w) {
   return std::all_of(w.velocity, w.velocity + w.lanes.count + 1, [](double v) { return std::isfinite(v); });
 }
 
-/// A closed contact that is so shallow, and parts so slowly, that its end would be an event made of noise.
-bool has_faded(const Window& w) {
+/// A contact may have left the noise, or sunk into it: the problem is to say.
+bool concerns_problem(const Window& w) {
   for (int j = 0; j < w.lanes.count; ++j) {
     const auto& contact = w.contact(j);
-    const double rate = w.lanes.rate[j];
-    if (w.lanes.indentation[j] < contact.shallow && contact.role == Role::closed && rate <= 0 &&
-        rate >= -w.phase->slow)
-      return true;
+    const double depth = w.lanes.indentation[j];
+    if (contact.role == Role::closed && depth < contact.shallow) return true;
+    if (contact.role == Role::touching && depth > contact.shallow) return true;
   }
-  return false;
-}
-
-/// A contact touched at rest has left the noise.
-bool has_loaded(const Window& w) {
-  for (int j = 0; j < w.lanes.count; ++j)
-    if (w.contact(j).role == Role::touching && w.lanes.indentation[j] > 2 * w.contact(j).shallow) return true;
   return false;
 }
 
@@ -65,11 +57,11 @@ struct Taylor::Memory {
 
   Accepted accept(Problem& problem) {
     auto& window = stepper.window;
-    if (has_faded(window)) return Accepted::ended;
-    if (!has_loaded(window)) return Accepted::unchanged;
+    if (!concerns_problem(window)) return Accepted::unchanged;
     after.resize(window.x.size());
     write(window, after);
     const auto accepted = problem.accept(after);
+    if (accepted != Accepted::rewatched) return accepted;
     for (int j = 0; j < window.lanes.count; ++j) watch(window, j);
     return accepted;
   }
@@ -107,7 +99,7 @@ Arrival Taylor::follow(Problem& problem, State x, const Request& request, std::v
   while (arrival.steps < step_limit) {
     auto piece = stepper.next(arrival.steps == 0, std::min(request.limit, w.outside_time) - w.time);
     const auto fall = stepper.first_fall(piece);
-    const bool ends = fall.guard >= 0 || stepper.was_cut();  // perhaps at once: a contact at zero that parts
+    const bool ends = fall.guard >= 0 || piece.is_cut;  // perhaps at once: a contact at zero that parts
     if (!(piece.end > 0) && !ends) return stop(Outcome::failed, "the series does not converge");
     if (fall.guard >= 0) stepper.shorten(piece, fall.place);
     ++arrival.steps;
@@ -116,7 +108,7 @@ Arrival Taylor::follow(Problem& problem, State x, const Request& request, std::v
     stepper.advance(piece, fall);
     if (!is_finite(w)) return stop(Outcome::failed, "a velocity is not finite");
 
-    const bool cut = fall.guard < 0 && stepper.was_cut();
+    const bool cut = fall.guard < 0 && piece.is_cut;
     if (cut && w.time >= request.limit) return stop(Outcome::limit);
     if (fall.guard >= 0 || cut) {
       fired.push_back(cut ? w.phase->contact[w.outside].guard : fall.guard);

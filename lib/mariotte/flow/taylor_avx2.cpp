@@ -5,8 +5,8 @@
 
 namespace mariotte::flow::taylor {
 
-std::unique_ptr<Expansion> make_avx2_expansion(int lanes) {
-  return avx2::make(lanes);
+std::unique_ptr<Expansion> make_avx2_expansion(std::size_t size) {
+  return avx2::make(size);
 }
 
 }  // namespace mariotte::flow::taylor

@@ -5,8 +5,8 @@
 
 namespace mariotte::flow::taylor {
 
-std::unique_ptr<Expansion> make_baseline_expansion(int lanes) {
-  return baseline::make(lanes);
+std::unique_ptr<Expansion> make_baseline_expansion(std::size_t size) {
+  return baseline::make(size);
 }
 
 }  // namespace mariotte::flow::taylor

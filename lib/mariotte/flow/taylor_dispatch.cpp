@@ -2,11 +2,11 @@
 
 namespace mariotte::flow::taylor {
 
-std::unique_ptr<Expansion> make_expansion(int lanes) {
+std::unique_ptr<Expansion> make_expansion(std::size_t size) {
 #ifdef MARIOTTE_AVX2
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return make_avx2_expansion(lanes);
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return make_avx2_expansion(size);
 #endif
-  return make_baseline_expansion(lanes);
+  return make_baseline_expansion(size);
 }
 
 }  // namespace mariotte::flow::taylor

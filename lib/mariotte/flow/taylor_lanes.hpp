@@ -1,11 +1,14 @@
 // Neighbouring contacts of a chain side by side, one lane each, and their Taylor expansion.
 #pragma once
+#include <array>
 #include <memory>
 
 namespace mariotte::flow::taylor {
 
 inline constexpr int order_limit = 20;
-inline constexpr int lane_limit = 64;
+/// An expansion is compiled for each of these numbers of lanes.
+inline constexpr std::array lane_sizes = {4, 8, 12, 16, 32, 64};
+inline constexpr int lane_limit = lane_sizes.back();
 
 /// What a series starts from. Lane j is the contact between bodies j and j+1; lanes from `count` on are idle.
 /// Plain arrays: code compiled for different instruction sets shares nothing but this layout.
@@ -56,11 +59,11 @@ class Expansion {
   virtual void coefficients(Quantity quantity, int lane, double* c) const = 0;
 };
 
-/// For up to `lanes` lanes, with the widest vectors that this machine has.
-std::unique_ptr<Expansion> make_expansion(int lanes);
+/// For lane_sizes[size] lanes, with the widest vectors that this machine has.
+std::unique_ptr<Expansion> make_expansion(std::size_t size);
 
 // One per instruction set.
-std::unique_ptr<Expansion> make_avx2_expansion(int lanes);
-std::unique_ptr<Expansion> make_baseline_expansion(int lanes);
+std::unique_ptr<Expansion> make_avx2_expansion(std::size_t size);
+std::unique_ptr<Expansion> make_baseline_expansion(std::size_t size);
 
 }  // namespace mariotte::flow::taylor

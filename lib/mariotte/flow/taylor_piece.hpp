@@ -16,7 +16,9 @@ struct Piece {
   const Start* start = nullptr;  ///< null for the others
   int order = 0;
   int clock = Expansion::plain;
-  double end = 0;  ///< last place of the clock
+  double end = 0;       ///< last place of the clock
+  bool lands = false;   ///< ends where the contact of the clock lets go
+  bool is_cut = false;  ///< ends at the time to which it was to go at most
 
   void evaluate(double place, Values& values) const {
     series ? series->evaluate(place, values) : start->evaluate(place, values);

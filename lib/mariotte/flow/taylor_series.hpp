@@ -330,14 +330,12 @@ class Series final : public Expansion {
   double stretch_[order_limit + 1], time_[order_limit + 1];  ///< √δ_c, and t
 };
 
-/// The smallest series that has so many lanes.
-inline std::unique_ptr<Expansion> make(int lanes) {
-  if (lanes <= 4) return std::unique_ptr<Expansion>(new Series<4 / width>);
-  if (lanes <= 8) return std::unique_ptr<Expansion>(new Series<8 / width>);
-  if (lanes <= 12) return std::unique_ptr<Expansion>(new Series<12 / width>);
-  if (lanes <= 16) return std::unique_ptr<Expansion>(new Series<16 / width>);
-  if (lanes <= 32) return std::unique_ptr<Expansion>(new Series<32 / width>);
-  return std::unique_ptr<Expansion>(new Series<lane_limit / width>);
+/// The series of lane_sizes[size] lanes.
+template <std::size_t Size = 0>
+inline std::unique_ptr<Expansion> make(std::size_t size) {
+  if constexpr (Size + 1 < lane_sizes.size())
+    if (size != Size) return make<Size + 1>(size);
+  return std::unique_ptr<Expansion>(new Series<lane_sizes[Size] / width>);
 }
 
 }  // namespace mariotte::flow::taylor::MARIOTTE_INSTRUCTION_SET

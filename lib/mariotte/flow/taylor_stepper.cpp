@@ -51,15 +51,15 @@ bool Stepper::begin(const SerialPhase& phase, State x, double time, const Precis
 }
 
 Expansion& Stepper::expansion() {
-  const int lanes = window.lanes.count;
-  const std::size_t size = lanes <= 16 ? (lanes - 1) / 4 : lanes <= 32 ? 4 : 5;
+  const auto fits = std::lower_bound(lane_sizes.begin(), lane_sizes.end(), window.lanes.count);
+  const auto size = static_cast<std::size_t>(fits - lane_sizes.begin());
   auto& chosen = expansions_[size];
-  if (!chosen) chosen = make_expansion(lanes);
+  if (!chosen) chosen = make_expansion(size);
   return *chosen;
 }
 
 void Stepper::shorten(Piece& piece, double place) {
-  landed_ = landed_ && place == piece.end;
+  piece.lands = piece.lands && place == piece.end;
   piece.end = place;
   piece.evaluate(place, values_);
 }
@@ -99,7 +99,6 @@ std::optional<Piece> Stepper::start_piece() {
   auto& l = window.lanes;
   for (int j = 0; j < l.count; ++j) l.push[j] = part[j] != Start::Part::passive;
   Piece piece{.start = &start_, .order = precision_.order};
-  landed_ = false;
   double end = 0.9 * start_.expand(l, part.data(), precision_.order, precision_.tolerance);
   for (int tries = 0; tries < 60; ++tries, end *= 0.5) {
     shorten(piece, end);
@@ -147,20 +146,20 @@ Piece Stepper::series_piece() {
   piece.series->expand(l, piece.order, piece.clock);
   const double end = reach(*piece.series, piece.clock != Expansion::plain && l.indentation[piece.clock] == 0);
   piece.end = end;
-  landed_ = piece.clock != Expansion::plain && land(piece);
+  if (piece.clock != Expansion::plain) land(piece);
   shorten(piece, piece.end);
   return piece;
 }
 
 /// End a piece in a contact's own clock where that contact lets go: behind, time would run backwards. There
-/// δ is zero, which the landing tells better than δ itself. True if it lands.
-bool Stepper::land(Piece& piece) {
+/// δ is zero, which the landing tells better than δ itself.
+void Stepper::land(Piece& piece) {
   auto& l = window.lanes;
   l.side[piece.clock] = 0;
   Coefficients c;
   const auto place = flow::first_fall(piece.coefficients(Quantity::clock, piece.clock, c), piece.end);
-  if (place) piece.end = *place;
-  return place.has_value();
+  piece.lands = place.has_value();
+  piece.end = place.value_or(piece.end);
 }
 
 /// End the piece where a contact whose force is left out has reached the depth at which it wakes. Depths grow
@@ -182,8 +181,8 @@ Piece Stepper::next(bool first, double time) {
   auto start = first ? start_piece() : std::nullopt;
   Piece piece = start ? *start : series_piece();
   wake_gently(piece);
-  cut_ = !(values_.time < time);
-  if (cut_) {
+  piece.is_cut = !(values_.time < time);
+  if (piece.is_cut) {
     shorten(piece, piece.place(time, values_.time));
     values_.time = time;
   }
@@ -211,7 +210,7 @@ Fall Stepper::first_fall(const Piece& piece) const {
     if (l.load_side[j] != 0 && values_.load_margin[j] < 0)
       search(piece, Quantity::load, j, l.load_side[j], 0, c.load_guard, fall);
   }
-  if (landed_ && fall.guard < 0) {  // a damped contact that comes down to δ = 0 has lost its load, too
+  if (piece.lands && fall.guard < 0) {  // a damped contact that comes down to δ = 0 has lost its load, too
     const auto& c = window.contact(piece.clock);
     fall = {c.load_guard < 0 ? c.guard : c.load_guard, piece.clock, piece.end};
   }
@@ -224,7 +223,7 @@ void Stepper::advance(const Piece& piece, const Fall& fall) {
   taylor::advance(window, values_);
   if (piece.clock != Expansion::plain) watch(window, piece.clock);
   if (fall.guard < 0) return;
-  if (landed_ && fall.lane == piece.clock) l.indentation[fall.lane] = 0;
+  if (piece.lands && fall.lane == piece.clock) l.indentation[fall.lane] = 0;
   if (fall.guard == window.contact(fall.lane).guard)
     l.indentation[fall.lane] = l.side[fall.lane] < 0 ? l.level[fall.lane] : 0;
 }

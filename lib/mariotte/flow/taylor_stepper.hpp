@@ -33,8 +33,6 @@ class Stepper {
   /// The longest piece within the tolerance that wakes no contact too late and ends after `time` at the
   /// latest. `first` allows the series of contacts that start undeformed.
   Piece next(bool first, double time);
-  /// True if the piece was cut at that time.
-  bool was_cut() const { return cut_; }
   /// The first guard that fires within the piece; proven.
   Fall first_fall(const Piece& piece) const;
   /// What the piece says at its end, or at an earlier place that becomes its end.
@@ -55,7 +53,7 @@ class Stepper {
   std::optional<Piece> start_piece();
   int choose_clock() const;
   Piece series_piece();
-  bool land(Piece& piece);
+  void land(Piece& piece);
   double reach(const Expansion& series, bool fresh) const;
   Expansion& expansion();
   void wake_gently(Piece& piece);
@@ -65,9 +63,7 @@ class Stepper {
   Precision precision_;
   Values values_;
   Start start_;
-  std::array<std::unique_ptr<Expansion>, 6> expansions_;  ///< by number of lanes
-  bool landed_ = false;  ///< the piece ends where the clock's contact lets go
-  bool cut_ = false;
+  std::array<std::unique_ptr<Expansion>, lane_sizes.size()> expansions_;
 };
 
 }  // namespace mariotte::flow::taylor

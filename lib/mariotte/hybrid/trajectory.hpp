@@ -31,8 +31,8 @@ struct Trajectory {
   std::string message;
   double time = 0;            ///< of the ending
   std::vector<double> state;  ///< at the ending
-  std::vector<Timed<Change>>
-      changes;       ///< in order of time; those of one instant are neighbours with equal times
+  /// In order of time; those of one instant are neighbours with equal times.
+  std::vector<Timed<Change>> changes;
   Index events = 0;  ///< instants at which something changed
   std::array<FlowCount, flow::kinds.size()> flows{};  ///< by flow::Kind
 };

@@ -26,7 +26,6 @@ void make_serial(const DimensionlessChain& chain, const ChainLayout& at, const C
   phase.body.clear();
   phase.contact.clear();
   phase.speed = chain.speed;
-  phase.slow = chain.slow;
   for (Index i = 0; i < at.balls(); ++i)
     phase.body.push_back({at.velocity[i], chain.inverse_mass[i], -chain.gravity[i]});
   for (Index j = 0; j < at.contacts(); ++j)
