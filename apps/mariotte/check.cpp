@@ -1,11 +1,11 @@
 #include <memory>
 
 #include "command.hpp"
-#include "exit_code.hpp"
+#include "command_line/exit_code.hpp"
+#include "command_line/terminal.hpp"
 #include "mariotte/report/json.hpp"
 #include "mariotte/report/table.hpp"
 #include "scene_choice.hpp"
-#include "terminal.hpp"
 
 namespace mariotte::command {
 namespace {

@@ -1,9 +1,7 @@
-#include <csignal>
-
 #include "command.hpp"
-#include "exit_code.hpp"
+#include "command_line/exit_code.hpp"
+#include "command_line/program.hpp"
 #include "mariotte/report/provenance.hpp"
-#include "terminal.hpp"
 
 namespace mariotte::command {
 namespace {
@@ -19,21 +17,9 @@ Exit codes: 0 ok, 1 check failed, 2 usage, 3 scene error, 4 solver failure, 5 a 
 6 file error, 130 or 143 interrupted.
 )";
 
-int parse(CLI::App& app, int argc, char** argv, const int& code) {
-  try {
-    app.parse(argc, argv);
-    return code;
-  } catch (const CLI::CallForHelp&) {
-    print(app.help());
-  } catch (const CLI::CallForVersion& version) {
-    print(std::string(version.what()) + "\n");
-  } catch (const CLI::ParseError& problem) {
-    throw UsageError(std::string(problem.what()) + " (see --help)");
-  }
-  return ExitCode::ok;
-}
+}  // namespace
 
-int act(int argc, char** argv) {
+int command_line(int argc, char** argv) noexcept {
   CLI::App app("Stiff, event-driven impacts: what balls in a chain do when they meet.", "mariotte");
   app.footer(examples);
   app.set_version_flag("--version", "mariotte " + report::provenance().version);
@@ -44,16 +30,7 @@ int act(int argc, char** argv) {
   add_demo(app, code);
   add_study(app, code);
   add_version(app, code);
-  return parse(app, argc, argv, code);
-}
-
-}  // namespace
-
-int command_line(int argc, char** argv) noexcept {
-  // A closed pipe and a file at its size limit are errors to report, not reasons to die silently.
-  std::signal(SIGPIPE, SIG_IGN);
-  std::signal(SIGXFSZ, SIG_IGN);
-  return guarded([&] { return act(argc, argv); });
+  return run_program(app, argc, argv, [&] { return code; });
 }
 
 }  // namespace mariotte::command

@@ -1,8 +1,8 @@
 #include "command.hpp"
+#include "command_line/exit_code.hpp"
+#include "command_line/terminal.hpp"
 #include "demo_scene.hpp"
-#include "exit_code.hpp"
 #include "mariotte/report/table.hpp"
-#include "terminal.hpp"
 
 namespace mariotte::command {
 namespace {

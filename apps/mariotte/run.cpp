@@ -4,14 +4,14 @@
 #include <memory>
 
 #include "command.hpp"
-#include "exit_code.hpp"
-#include "mariotte/flow/choose.hpp"
+#include "command_line/checks.hpp"
+#include "command_line/exit_code.hpp"
+#include "command_line/terminal.hpp"
 #include "mariotte/report/json.hpp"
 #include "mariotte/report/reason.hpp"
 #include "mariotte/report/table.hpp"
 #include "result_folder.hpp"
 #include "scene_choice.hpp"
-#include "terminal.hpp"
 
 namespace mariotte::command {
 namespace {
@@ -26,22 +26,6 @@ struct Run {
   bool estimate = false;
   bool verbose = false;
 };
-
-// CLI11 takes an empty text for yes.
-std::string is_accuracy(const std::string& text) {
-  double value = 0;
-  const bool sensible = CLI::detail::lexical_cast(text, value) && value > 0 && value < 1;
-  return sensible ? "" : "must be a number between 0 and 1, not " + text;
-}
-
-std::string is_flow(const std::string& text) {
-  try {
-    flow::parse_kind(text);
-    return "";
-  } catch (const InvalidParameter& problem) {
-    return problem.what();
-  }
-}
 
 scene::Scene resolve(const Run& options) {
   auto scene = read(options.scene);

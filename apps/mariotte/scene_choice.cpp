@@ -1,6 +1,6 @@
 #include "scene_choice.hpp"
 
-#include "terminal.hpp"
+#include "command_line/terminal.hpp"
 
 namespace mariotte::command {
 

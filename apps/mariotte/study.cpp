@@ -7,7 +7,7 @@
 #include <map>
 
 #include "command.hpp"
-#include "exit_code.hpp"
+#include "command_line/exit_code.hpp"
 #include "mariotte/core/error.hpp"
 
 namespace mariotte::command {

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
 #include "command.hpp"
-#include "exit_code.hpp"
+#include "command_line/exit_code.hpp"
+#include "command_line/terminal.hpp"
 #include "mariotte/report/provenance.hpp"
-#include "terminal.hpp"
 
 namespace mariotte::command {
 

@@ -1,21 +1,20 @@
 // How cost and results depend on stiffness: tables, CSV, figures, and what they prove.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdio>
-#include <exception>
 #include <string>
 
-#include "mariotte/core/error.hpp"
-#include "mariotte/flow/choose.hpp"
+#include "command_line/checks.hpp"
+#include "command_line/exit_code.hpp"
+#include "command_line/program.hpp"
+#include "command_line/terminal.hpp"
 #include "mariotte/report/files.hpp"
 #include "output.hpp"
 
 namespace mariotte::stiffness_study {
 namespace {
 
-enum ExitCode : int { ok = 0, theorem_failed = 1, usage = 2, solver_failed = 4, bad_file = 6 };
+using command::print;
 
 struct CommandLine {
   Settings settings;
@@ -24,25 +23,6 @@ struct CommandLine {
   std::string plots;
 };
 
-void print(const std::string& text) {
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
-    throw report::FileError("cannot write to standard output");
-}
-
-int fail(const std::string& message, ExitCode code) {
-  std::fprintf(stderr, "stiffness_study: error: %s\n", message.c_str());
-  return code;
-}
-
-std::string is_flow(const std::string& text) {
-  try {
-    flow::parse_kind(text);
-    return "";
-  } catch (const InvalidParameter& problem) {
-    return problem.what();
-  }
-}
-
 std::string is_study(const std::string& text) {
   std::string known;
   for (const auto& study : studies()) {
@@ -50,13 +30,6 @@ std::string is_study(const std::string& text) {
     known += (known.empty() ? "" : ", ") + study.name;
   }
   return "unknown study '" + text + "' (one of: " + known + ")";
-}
-
-std::string is_accuracy(const std::string& text) {
-  double value = 0;
-  return CLI::detail::lexical_cast(text, value) && value > 0 && value < 1
-             ? ""
-             : "must be a number between 0 and 1";
 }
 
 constexpr const char* notes = R"(
@@ -79,10 +52,10 @@ void declare(CLI::App& app, CommandLine& line) {
          "stiffness, ratio, damping, scaling or crossover; may be repeated (default: all but crossover)")
       ->allow_extra_args(false)
       ->check(is_study, "");
-  app.add_option("--flow", line.settings.flow, "Only this flow")->check(is_flow, "");
+  app.add_option("--flow", line.settings.flow, "Only this flow")->check(command::is_flow, "");
   app.add_option("--accuracy", line.settings.accuracy,
                  "Wanted error of the final velocities / incident speed")
-      ->check(is_accuracy, "")
+      ->check(command::is_accuracy, "")
       ->capture_default_str();
   app.add_option("--csv", line.csv, "Write every run into this file")->type_name("FILE");
   app.add_option("--plots", line.plots, "Write figures, their data and script into this folder")
@@ -115,27 +88,11 @@ int act(const CommandLine& line) {
   if (!line.csv.empty()) report::write_file(line.csv, csv(findings.rows));
   if (!line.plots.empty())
     if (const auto why = draw(line.plots, findings.figures); !why.empty())
-      std::fprintf(stderr, "stiffness_study: warning: no figures: %s\n", why.c_str());
+      command::warning("no figures: " + why);
   const bool holds =
       std::all_of(findings.statements.begin(), findings.statements.end(),
                   [](const Statement& one) { return one.kind != Statement::Kind::theorem || one.holds; });
-  return holds ? ExitCode::ok : ExitCode::theorem_failed;
-}
-
-int command_line(int argc, char** argv) {
-  CLI::App app("How cost and results of impacts depend on stiffness, stiffness ratio and damping.",
-               "stiffness_study");
-  CommandLine line;
-  declare(app, line);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp&) {
-    print(app.help());
-    return ExitCode::ok;
-  } catch (const CLI::ParseError& problem) {
-    return fail(std::string(problem.what()) + " (see --help)", ExitCode::usage);
-  }
-  return act(line);
+  return holds ? command::ExitCode::ok : command::ExitCode::check_failed;
 }
 
 }  // namespace
@@ -143,11 +100,9 @@ int command_line(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using namespace mariotte;
-  try {
-    return stiffness_study::command_line(argc, argv);
-  } catch (const report::FileError& problem) {
-    return stiffness_study::fail(problem.what(), stiffness_study::bad_file);
-  } catch (const std::exception& problem) {
-    return stiffness_study::fail(problem.what(), stiffness_study::solver_failed);
-  }
+  CLI::App app("How cost and results of impacts depend on stiffness, stiffness ratio and damping.",
+               "stiffness_study");
+  stiffness_study::CommandLine line;
+  stiffness_study::declare(app, line);
+  return command::run_program(app, argc, argv, [&] { return stiffness_study::act(line); });
 }

@@ -157,7 +157,7 @@ Followed follow_first(flow::Flow& flow, const model::Chain& chain, flow::Watcher
   std::vector<Index> fired;
   fired.reserve(8);
   const long before = allocations;
-  flow::has_modes(problem);
+  BOOST_REQUIRE(flow.admits(problem));
   auto arrival = flow.follow(problem, x, {.watcher = watcher}, fired);
   return {arrival, allocations - before, x};
 }

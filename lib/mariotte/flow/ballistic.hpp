@@ -14,6 +14,7 @@ double first_crossing(Crossing crossing, double value, double rate, double bend)
 /// x(t) = x + t x' + t²/2 x'' up to the first crossing of a guard.
 class Ballistic final : public Flow {
  public:
+  bool admits(const Problem& problem) override { return problem.is_ballistic(); }
   Arrival follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) override;
 
  private:

@@ -40,16 +40,21 @@ double spread(const SerialPhase& phase) {
   return most / least;
 }
 
-bool series_pay(const Problem& problem, double damping) {
-  const auto* phase = problem.serial();
-  return damping < (phase && phase->contact.size() <= few ? stiff_for_taylor_of_few : stiff_for_taylor);
+bool modes_pay(const SerialPhase& phase) {
+  const auto pushes = [](const SerialPhase::Contact& c) { return c.pushes(); };
+  const auto contacts = std::count_if(phase.contact.begin(), phase.contact.end(), pushes);
+  return contacts <= always_modal ||
+         spread(phase) > std::pow(10, decades_per_contact * static_cast<double>(contacts));
 }
 
-bool modes_pay(const Problem& problem) {
-  const Index contacts = problem.linear_contacts();
+/// True unless another flow that admits the phase costs less.
+bool pays(Kind kind, const Problem& problem) {
   const auto* phase = problem.serial();
-  return contacts <= always_modal || !phase ||
-         spread(*phase) > std::pow(10, decades_per_contact * static_cast<double>(contacts));
+  if (!phase) return false;
+  if (kind == Kind::modal) return modes_pay(*phase);
+  if (kind != Kind::taylor) return true;
+  return problem.damping_ratio() <
+         (phase->contact.size() <= few ? stiff_for_taylor_of_few : stiff_for_taylor);
 }
 
 std::unique_ptr<Flow> make(Kind kind, const Problem& problem) {
@@ -74,10 +79,8 @@ std::unique_ptr<Flow> make(Kind kind, const Problem& problem) {
   throw Error("unknown kind of flow");
 }
 
-/// True of flows that follow some phases only; where they do not, another takes over.
-bool follows_some(Kind kind) {
-  return kind == Kind::pair || kind == Kind::modal || kind == Kind::taylor;
-}
+/// Those that follow some phases only, the cheapest first; where they do not, another takes over.
+constexpr std::array special = {Kind::pair, Kind::modal, Kind::taylor};
 
 }  // namespace
 
@@ -99,18 +102,15 @@ std::optional<Kind> parse_kind(std::string_view text) {
   throw InvalidParameter("unknown flow '" + std::string(text) + "' (one of: " + known + ")");
 }
 
-Kind choose(const Problem& problem, std::optional<Kind> requested) {
-  if (problem.is_ballistic()) return Kind::ballistic;
-  if (requested && !follows_some(*requested)) return *requested;
-  const auto may = [&](Kind kind) { return !requested || requested == kind; };
-  if (may(Kind::pair) && problem.pair()) return Kind::pair;
-  if (may(Kind::modal) && (requested || modes_pay(problem)) && problem.linear_contacts() > 0 &&
-      has_modes(problem))
-    return Kind::modal;
-  const double damping = problem.damping_ratio();
-  if (may(Kind::taylor) && (requested || series_pay(problem, damping)) && Taylor::admits(problem))
-    return Kind::taylor;
-  return damping < stiff_for_adams ? Kind::cvode_adams : Kind::cvode_bdf_klu;
+Choice Flows::choose(const Problem& problem, std::optional<Kind> requested) {
+  const auto take = [&](Kind kind) -> Choice { return {kind, get(kind, problem)}; };
+  if (problem.is_ballistic()) return take(Kind::ballistic);
+  const bool any = requested && std::find(special.begin(), special.end(), *requested) == special.end();
+  if (any) return take(*requested);
+  for (const auto kind : special)
+    if (requested ? requested == kind : pays(kind, problem))
+      if (auto choice = take(kind); choice.flow.admits(problem)) return choice;
+  return take(problem.damping_ratio() < stiff_for_adams ? Kind::cvode_adams : Kind::cvode_bdf_klu);
 }
 
 Flow& Flows::get(Kind kind, const Problem& problem) {

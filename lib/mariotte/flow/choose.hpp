@@ -31,14 +31,18 @@ std::string_view name(Kind kind);
 /// Throws InvalidParameter for any other name ("ballistic" follows no contact and is among those).
 std::optional<Kind> parse_kind(std::string_view name);
 
-/// Free flight is followed in closed form whatever was asked; contact phases by the flow asked for if they
-/// admit it or, left to itself, by the cheapest that does: the closed form of a pair, natural modes where
-/// they cost less than series, series unless damping makes the phase too stiff for them, then CVODE.
-Kind choose(const Problem& problem, std::optional<Kind> requested);
+struct Choice {
+  Kind kind;
+  Flow& flow;
+};
 
 /// The flows of one run after the other, each made when first needed and kept as long as it fits.
 class Flows {
  public:
+  /// Free flight is followed in closed form whatever was asked; contact phases by the flow asked for if they
+  /// admit it or, left to itself, by the cheapest that does: the closed form of a pair, natural modes where
+  /// they cost less than series, series unless damping makes the phase too stiff for them, then CVODE.
+  Choice choose(const Problem& problem, std::optional<Kind> requested);
   Flow& get(Kind kind, const Problem& problem);
 
  private:

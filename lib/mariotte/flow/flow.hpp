@@ -53,6 +53,8 @@ class Flow {
   virtual ~Flow() = default;
   /// False if the flow's memory was made for problems of another shape.
   virtual bool fits(const Problem&) const { return true; }
+  /// True if the flow can follow the present mode. Asked before `follow`, which uses what it has found out.
+  virtual bool admits(const Problem&) { return true; }
   /// Follow the field from x until a guard crosses zero the way that fires it, and leave x there. A guard
   /// that is zero at the start does not fire. All guards that fire at that instant are appended to `fired`.
   virtual Arrival follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) = 0;

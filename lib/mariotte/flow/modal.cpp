@@ -9,7 +9,7 @@
 namespace mariotte::flow {
 namespace {
 
-using Contact = LinearPhase::Contact;
+using Role = SerialPhase::Role;
 
 /// Half-periods of the slowest mode until a phase without end is given up.
 constexpr double patience = 1e6;
@@ -21,10 +21,16 @@ struct Watched {
   Wave wave;
 };
 
+/// All forces are those of linear contacts.
+bool is_linear(const SerialPhase& phase) {
+  const auto is_straight = [](const auto& c) { return c.role == Role::open || c.exponent == 1; };
+  return std::all_of(phase.contact.begin(), phase.contact.end(), is_straight) && !has_acceleration(phase);
+}
+
 }  // namespace
 
 struct Modal::Memory {
-  LinearPhase phase;
+  const SerialPhase* phase = nullptr;
   Vibration vibration;
   std::vector<Watched> watched;
   Index guards = 0;  ///< as many of the watched are in use
@@ -34,31 +40,28 @@ struct Modal::Memory {
   ModalStep::Workspace workspace;
   Simultaneous simultaneous;
 
-  bool begin(const Problem& problem, ConstState x) {
-    problem.linear(phase);
-    if (!vibration.find(phase)) return false;
-    vibration.start(phase, x);
+  void begin(ConstState x) {
+    vibration.start(*phase, x);
     start.assign(x.begin(), x.end());
     after.resize(start.size());
     workspace.swing.resize(vibration.modes().size());
     workspace.progress.resize(vibration.modes().size());
     guards = 0;
-    watched_from.assign(phase.contacts.size(), 0.0);
-    for (std::size_t j = 0; j < phase.contacts.size(); ++j) watch_contact(j);
-    return true;
+    watched_from.assign(phase->contact.size(), 0.0);
+    for (std::size_t j = 0; j < phase->contact.size(); ++j) watch_contact(j);
   }
 
   void watch_contact(Index j) {
-    const auto& contact = phase.contacts[j];
+    const auto& contact = phase->contact[j];
     const auto& motion = vibration.of(j);
-    if (contact.state == Contact::State::open)
-      watch(contact.gap_guard, j, motion.depth, -1, contact.level);
-    else if (contact.state == Contact::State::slack)
-      watch(contact.gap_guard, j, motion.depth, 1, 0), watch(contact.load_guard, j, motion.force, -1, 0);
+    if (contact.role == Role::open)
+      watch(contact.guard, j, motion.depth, -1, contact.level);
+    else if (contact.role == Role::slack)
+      watch(contact.guard, j, motion.depth, 1, 0), watch(contact.load_guard, j, motion.force, -1, 0);
     else if (contact.load_guard >= 0)
       watch(contact.load_guard, j, motion.force, 1, 0);
     else
-      watch(contact.gap_guard, j, motion.depth, 1, 0);
+      watch(contact.guard, j, motion.depth, 1, 0);
   }
   /// sign · wave + level.
   void watch(Index guard, Index contact, const Wave& wave, double sign, double level) {
@@ -79,7 +82,7 @@ struct Modal::Memory {
   /// Where the indentation of a contact touched at rest leaves the noise, if it does before `limit`: early,
   /// as a rule, so that the search begins with short stretches.
   double leaves_noise(Index contact, double limit) {
-    set(scratch, vibration.of(contact).depth, -1, 1.01 * phase.contacts[contact].noise);
+    set(scratch, vibration.of(contact).depth, -1, 1.01 * phase->contact[contact].loaded());
     std::optional<double> time;
     for (double from = 0, to = 1e-3 / vibration.fastest(); !time && from < limit; from = to, to *= 4)
       time = first_fall(scratch, vibration.modes(), from, std::min(to, limit));
@@ -94,8 +97,9 @@ struct Modal::Memory {
     const double last = std::min(limit, patience * half_period);
     for (double from = 0, to = half_period; !first && from < last; from = to, to *= 2) {
       to = std::min(to, last);
-      for (Index j = 0; j < static_cast<Index>(phase.contacts.size()); ++j)
-        if (phase.contacts[j].noise > 0 && watched_from[j] >= from) watched_from[j] = leaves_noise(j, to);
+      for (Index j = 0; j < static_cast<Index>(phase->contact.size()); ++j)
+        if (phase->contact[j].role == Role::touching && watched_from[j] >= from)
+          watched_from[j] = leaves_noise(j, to);
       for (Index i = 0; i < guards; ++i) {
         const double begin = std::max(from, watched_from[watched[i].contact]), end = first.value_or(to);
         if (begin >= end) continue;
@@ -110,8 +114,8 @@ struct Modal::Memory {
 
   /// Tell the problem of each indentation that has left the noise on the way.
   void accept_loads(Problem& problem, const ModalStep& step, double duration) {
-    for (std::size_t j = 0; j < phase.contacts.size(); ++j) {
-      if (phase.contacts[j].noise == 0 || watched_from[j] >= duration) continue;
+    for (std::size_t j = 0; j < phase->contact.size(); ++j) {
+      if (phase->contact[j].role != Role::touching || watched_from[j] >= duration) continue;
       step.at(watched_from[j], after);
       problem.accept(after);
     }
@@ -120,10 +124,10 @@ struct Modal::Memory {
   /// Pieces that put the largest indentation and force of each contact where a watcher looks.
   void show(ModalStep& step, double duration, Watcher& watcher) {
     bounds.clear();
-    for (std::size_t j = 0; j < phase.contacts.size(); ++j) {
-      if (phase.contacts[j].state != Contact::State::closed) continue;
+    for (std::size_t j = 0; j < phase->contact.size(); ++j) {
+      if (!phase->contact[j].pushes()) continue;
       add_summit(vibration.of(j).depth, duration);
-      if (phase.contacts[j].load_guard >= 0) add_summit(vibration.of(j).force, duration);
+      if (phase->contact[j].load_guard >= 0) add_summit(vibration.of(j).force, duration);
     }
     bounds.push_back(duration);
     std::sort(bounds.begin(), bounds.end());
@@ -151,10 +155,14 @@ struct Modal::Memory {
 Modal::Modal() : memory_(std::make_unique<Memory>()) {}
 Modal::~Modal() = default;
 
+bool Modal::admits(const Problem& problem) {
+  memory_->phase = problem.serial();
+  return memory_->phase && is_linear(*memory_->phase) && memory_->vibration.find(*memory_->phase);
+}
+
 Arrival Modal::follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) {
   auto& m = *memory_;
-  if (!m.begin(problem, x))
-    return {.outcome = Outcome::failed, .message = "natural modes are too close to each other"};
+  m.begin(x);
   Index guard = -1;
   const auto event = m.first_event(request.limit, guard);
   if (!event && !std::isfinite(request.limit))
@@ -162,7 +170,7 @@ Arrival Modal::follow(Problem& problem, State x, const Request& request, std::ve
             .message = "no guard fired within a million half-periods of the slowest mode"};
   const double duration = event.value_or(request.limit);
 
-  ModalStep step(m.phase, m.vibration, m.start, m.workspace);
+  ModalStep step(*m.phase, m.vibration, m.start, m.workspace);
   if (request.watcher) m.show(step, duration, *request.watcher);
   m.accept_loads(problem, step, duration);
   step.at(duration, x);
@@ -172,13 +180,6 @@ Arrival Modal::follow(Problem& problem, State x, const Request& request, std::ve
   }
   return {
       .outcome = event ? Outcome::guard : Outcome::limit, .duration = duration, .steps = 1, .message = {}};
-}
-
-bool has_modes(const Problem& problem) {
-  thread_local LinearPhase phase;
-  thread_local Vibration vibration;
-  problem.linear(phase);
-  return vibration.find(phase);
 }
 
 }  // namespace mariotte::flow

@@ -20,11 +20,11 @@ void ModalStep::at(double time, State x) const {
   const auto& modes = vibration_.modes();
   for (std::size_t i = 0; i < modes.size(); ++i) workspace_.swing[i] = swing(modes[i], time);
   std::copy(origin_.begin(), origin_.end(), x.begin());
-  for (std::size_t j = 0; j < phase_.contacts.size(); ++j) {
-    const auto& c = phase_.contacts[j];
+  for (std::size_t j = 0; j < phase_.contact.size(); ++j) {
+    const auto& c = phase_.contact[j];
     const auto& motion = vibration_.of(j);
     x[c.gap] = 0 - value(motion.depth, time);  // never −0
-    if (c.state != LinearPhase::Contact::State::closed) continue;
+    if (!c.pushes()) continue;
     const auto &left = phase_.body[j], &right = phase_.body[j + 1];
     const double p = motion.impulse_at(workspace_.swing, time);
     x[left.velocity] -= p * left.inverse_mass;
@@ -49,8 +49,8 @@ void ModalStep::add_work(const Island& island, double time, State x) const {
   }
   if (!island.between_walls) return;
   for (Index j = island.first; j < island.first + island.count; ++j)
-    if (phase_.contacts[j].work >= 0)
-      x[phase_.contacts[j].work] += straight_work(island, vibration_.of(j), time);
+    if (phase_.contact[j].work >= 0)
+      x[phase_.contact[j].work] += straight_work(island, vibration_.of(j), time);
 }
 
 /// What two modes do together.
@@ -58,9 +58,9 @@ void ModalStep::add_product(const Island& island, Index i, Index k, double time,
   const auto& modes = vibration_.modes();
   const auto product = overlap(workspace_.progress[i], workspace_.progress[k], time);
   for (Index j = island.first; j < island.first + island.count; ++j) {
-    if (phase_.contacts[j].work < 0) continue;
+    if (phase_.contact[j].work < 0) continue;
     const auto &force = vibration_.of(j).force.weight, &depth = vibration_.of(j).depth.weight;
-    double& work = x[phase_.contacts[j].work];
+    double& work = x[phase_.contact[j].work];
     work += integral_of(product, force[i], derivative(modes[k], depth[k]));
     if (k != i) work += integral_of(product, derivative(modes[i], depth[i]), force[k]);
   }

@@ -16,7 +16,7 @@ class ModalStep final : public Step {
   };
 
   /// All must outlive the step; `origin` is the state at time 0.
-  ModalStep(const LinearPhase& phase, const Vibration& vibration, ConstState origin, Workspace& workspace)
+  ModalStep(const SerialPhase& phase, const Vibration& vibration, ConstState origin, Workspace& workspace)
       : phase_(phase), vibration_(vibration), origin_(origin), workspace_(workspace) {}
 
   void at(double time, State x) const override;
@@ -27,7 +27,7 @@ class ModalStep final : public Step {
   void add_product(const Island& island, Index left, Index right, double time, State x) const;
   double straight_work(const Island& island, const ContactMotion& motion, double time) const;
 
-  const LinearPhase& phase_;
+  const SerialPhase& phase_;
   const Vibration& vibration_;
   ConstState origin_;
   Workspace& workspace_;

@@ -54,8 +54,14 @@ ConcaveGap concave_gap(const PairPhase& phase, Index guard, double value, double
 
 }  // namespace
 
+bool Pair::admits(const Problem& problem) {
+  const auto* phase = problem.serial();
+  phase_ = phase ? find_pair(*phase) : std::nullopt;
+  return phase_.has_value();
+}
+
 Arrival Pair::follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) {
-  const PairPhase phase = *problem.pair();
+  const PairPhase& phase = phase_.value();
   start_.assign(x.begin(), x.end());
   rate_.resize(x.size());
   value_.resize(problem.guard_count());

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "mariotte/flow/flow.hpp"
-#include "mariotte/flow/pair_motion.hpp"
+#include "mariotte/flow/pair_phase.hpp"
 #include "mariotte/flow/simultaneous.hpp"
 
 namespace mariotte::flow {
@@ -12,9 +12,11 @@ namespace mariotte::flow {
 /// the contact pushes, so the sign at the end of the contact proves whether one of them closes before.
 class Pair final : public Flow {
  public:
+  bool admits(const Problem& problem) override;
   Arrival follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) override;
 
  private:
+  std::optional<PairPhase> phase_;
   std::vector<double> start_, rate_, value_, value_rate_;
   Simultaneous simultaneous_;
 };

@@ -10,10 +10,6 @@ namespace {
 /// square: 10⁻¹² at most.
 constexpr double worst_condition = 100;
 
-bool is_closed(const LinearPhase::Contact& contact) {
-  return contact.state == LinearPhase::Contact::State::closed;
-}
-
 double common_ratio(std::span<const double> stiffness, std::span<const double> damping) {
   const double ratio = damping.front() / stiffness.front();
   for (std::size_t j = 1; j < stiffness.size(); ++j)
@@ -40,7 +36,7 @@ double Vibration::fastest() const {
   return largest;
 }
 
-bool Vibration::find(const LinearPhase& phase) {
+bool Vibration::find(const SerialPhase& phase) {
   find_islands(phase);
   natural_.resize(std::max(natural_.size(), islands_.size()));
   damped_.resize(std::max(damped_.size(), islands_.size()));
@@ -57,27 +53,27 @@ bool Vibration::find(const LinearPhase& phase) {
   return true;
 }
 
-void Vibration::find_islands(const LinearPhase& phase) {
+void Vibration::find_islands(const SerialPhase& phase) {
   islands_.clear();
   const auto is_wall = [&](Index body) { return phase.body[body].inverse_mass == 0; };
-  const auto contacts = static_cast<Index>(phase.contacts.size());
+  const auto contacts = static_cast<Index>(phase.contact.size());
   for (Index j = 0; j < contacts; ++j) {
-    if (!is_closed(phase.contacts[j])) continue;
+    if (!phase.contact[j].pushes()) continue;
     Index end = j + 1;
-    while (end < contacts && is_closed(phase.contacts[end]) && !is_wall(end)) ++end;
+    while (end < contacts && phase.contact[end].pushes() && !is_wall(end)) ++end;
     islands_.push_back({j, end - j, 0, is_wall(j) && is_wall(end), 0});
     j = end - 1;
   }
 }
 
-void Vibration::gather(const LinearPhase& phase, const Island& island) {
+void Vibration::gather(const SerialPhase& phase, const Island& island) {
   inverse_mass_.clear();
   stiffness_.clear();
   damping_.clear();
   for (Index j = island.first; j < island.first + island.count; ++j) {
     inverse_mass_.push_back(phase.body[j].inverse_mass);
-    stiffness_.push_back(phase.contacts[j].stiffness);
-    damping_.push_back(phase.contacts[j].damping);
+    stiffness_.push_back(phase.contact[j].stiffness);
+    damping_.push_back(phase.contact[j].damping);
   }
   inverse_mass_.push_back(phase.body[island.first + island.count].inverse_mass);
 }
@@ -112,8 +108,8 @@ bool Vibration::add_damped_modes(const Island& island) {
   return true;
 }
 
-void Vibration::start(const LinearPhase& phase, ConstState x) {
-  const auto contacts = static_cast<Index>(phase.contacts.size());
+void Vibration::start(const SerialPhase& phase, ConstState x) {
+  const auto contacts = static_cast<Index>(phase.contact.size());
   motion_.resize(contacts);
   for (auto& motion : motion_) {
     motion.depth.weight.assign(modes_.size(), {});
@@ -122,15 +118,15 @@ void Vibration::start(const LinearPhase& phase, ConstState x) {
   }
   for (const auto& island : islands_) start_island(phase, island, x);
   for (Index j = 0; j < contacts; ++j)
-    if (!is_closed(phase.contacts[j])) start_open(phase, j, x);
+    if (!phase.contact[j].pushes()) start_open(phase, j, x);
 }
 
-void Vibration::start_island(const LinearPhase& phase, const Island& island, ConstState x) {
+void Vibration::start_island(const SerialPhase& phase, const Island& island, ConstState x) {
   gather(phase, island);
   depth_.clear();
   rate_.clear();
   for (Index j = island.first; j < island.first + island.count; ++j) {
-    depth_.push_back(-x[phase.contacts[j].gap]);
+    depth_.push_back(-x[phase.contact[j].gap]);
     rate_.push_back(x[phase.body[j].velocity] - x[phase.body[j + 1].velocity]);
     for (auto* wave : {&motion_[j].depth, &motion_[j].force}) wave->constant = wave->slope = 0;
   }
@@ -212,16 +208,16 @@ void Vibration::ride_damped_modes(const Island& island, const DampedModes& shape
 }
 
 /// An open or slack gap: straight, but for the pushes on its two bodies from their other sides.
-void Vibration::start_open(const LinearPhase& phase, Index j, ConstState x) {
+void Vibration::start_open(const SerialPhase& phase, Index j, ConstState x) {
   auto& depth = motion_[j].depth;
   const auto &left = phase.body[j], &right = phase.body[j + 1];
-  depth.constant = -x[phase.contacts[j].gap];
+  depth.constant = -x[phase.contact[j].gap];
   depth.slope = x[left.velocity] - x[right.velocity];
-  if (j > 0 && is_closed(phase.contacts[j - 1])) add_push(depth, motion_[j - 1], left.inverse_mass);
-  if (j + 1 < static_cast<Index>(phase.contacts.size()) && is_closed(phase.contacts[j + 1]))
+  if (j > 0 && phase.contact[j - 1].pushes()) add_push(depth, motion_[j - 1], left.inverse_mass);
+  if (j + 1 < static_cast<Index>(phase.contact.size()) && phase.contact[j + 1].pushes())
     add_push(depth, motion_[j + 1], right.inverse_mass);
   auto& load = motion_[j].force;  // k δ + c δ̇
-  const double k = phase.contacts[j].stiffness, c = phase.contacts[j].damping;
+  const double k = phase.contact[j].stiffness, c = phase.contact[j].damping;
   load.constant = k * depth.constant + c * depth.slope;
   load.slope = k * depth.slope;
   for (std::size_t i = 0; i < modes_.size(); ++i) {

@@ -5,7 +5,7 @@
 
 #include "mariotte/flow/damped_modes.hpp"
 #include "mariotte/flow/natural_modes.hpp"
-#include "mariotte/flow/problem.hpp"
+#include "mariotte/flow/serial_phase.hpp"
 #include "mariotte/flow/wave.hpp"
 
 namespace mariotte::flow {
@@ -34,9 +34,9 @@ class Vibration {
   /// Finds the modes. Equal ratios c/k, none among them, have the shapes of the undamped contacts, and each
   /// mode decays as one body would, at and beyond critical damping, too. Other damping has complex shapes;
   /// false if these are too close to each other to tell what takes part in a motion.
-  bool find(const LinearPhase& phase);
+  bool find(const SerialPhase& phase);
   /// The motion that starts from x.
-  void start(const LinearPhase& phase, ConstState x);
+  void start(const SerialPhase& phase, ConstState x);
 
   const std::vector<Mode>& modes() const { return modes_; }
   const std::vector<Island>& islands() const { return islands_; }
@@ -46,16 +46,16 @@ class Vibration {
   double fastest() const;
 
  private:
-  void find_islands(const LinearPhase& phase);
-  void gather(const LinearPhase& phase, const Island& island);
+  void find_islands(const SerialPhase& phase);
+  void gather(const SerialPhase& phase, const Island& island);
   DampedRow row() const { return {inverse_mass_, stiffness_, damping_}; }
   void add_natural_modes(const Island& island);
   bool add_damped_modes(const Island& island);
-  void start_island(const LinearPhase& phase, const Island& island, ConstState x);
+  void start_island(const SerialPhase& phase, const Island& island, ConstState x);
   void take_straight_part(const Island& island);
   void ride_natural_modes(const Island& island, const NaturalModes& shapes);
   void ride_damped_modes(const Island& island, const DampedModes& shapes);
-  void start_open(const LinearPhase& phase, Index contact, ConstState x);
+  void start_open(const SerialPhase& phase, Index contact, ConstState x);
   void add_push(Wave& depth, const ContactMotion& neighbour, double inverse_mass) const;
 
   std::vector<Mode> modes_;

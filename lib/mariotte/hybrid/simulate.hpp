@@ -86,15 +86,12 @@ const Trajectory<typename System::Change>& simulate(System& system, ConstState x
     if (run.events >= options.max_events) return end(Ending::event_limit);
 
     auto& problem = system.problem(mode);
-    const auto kind = flow::choose(problem, requested);
+    auto [kind, flow] = flows.choose(problem, requested);
     if (watcher) watcher->begin_phase(time.value(), x);
     fired.clear();
-    auto arrival =
-        flows.get(kind, problem)
-            .follow(
-                problem, x,
-                {.limit = options.max_time - time.value(), .accuracy = options.accuracy, .watcher = watcher},
-                fired);
+    auto arrival = flow.follow(
+        problem, x,
+        {.limit = options.max_time - time.value(), .accuracy = options.accuracy, .watcher = watcher}, fired);
     detail::count(run.flows[static_cast<std::size_t>(kind)], arrival);
     time += arrival.duration;
     if (arrival.outcome == flow::Outcome::limit) return end(Ending::time_limit);

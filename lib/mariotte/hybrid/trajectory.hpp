@@ -33,7 +33,7 @@ struct Trajectory {
   std::vector<double> state;  ///< at the ending
   /// In order of time; those of one instant are neighbours with equal times.
   std::vector<Timed<Change>> changes;
-  Index events = 0;  ///< instants at which something changed
+  Index events = 0;                                   ///< instants at which something changed
   std::array<FlowCount, flow::kinds.size()> flows{};  ///< by flow::Kind
 };
 

@@ -84,7 +84,6 @@ void ChainPhase::reset() {
   model::magnitudes(chain_, layout_, magnitudes_);
   crossings_.assign(guards_.contact.size(), Crossing::none);
   make_serial(chain_, layout_, guards_, serial_);
-  gravity_ = std::any_of(chain_.gravity.begin(), chain_.gravity.end(), [](double g) { return g != 0; });
 }
 
 std::vector<flow::Entry> ChainPhase::pattern() const {
@@ -98,16 +97,14 @@ std::vector<flow::Entry> ChainPhase::pattern() const {
 
 void ChainPhase::bind(contact::ContactSet& mode) {
   mode_ = &mode;
-  active_ = touching_ = slack_ = 0;
+  active_ = 0;
   time_scale_ = infinity;
   double any = infinity;
   for (Index j = 0; j < layout_.contacts(); ++j) {
     watch(j);
     any = std::min(any, chain_.time[j]);
-    slack_ += mode[j] == ContactMode::slack;
     if (!contact::carries_force(mode[j])) continue;
     ++active_;
-    touching_ += mode[j] == ContactMode::touching;
     time_scale_ = std::min(time_scale_, chain_.time[j]);
   }
   if (active_ == 0) time_scale_ = any;
@@ -227,62 +224,10 @@ void ChainPhase::second_derivative(ConstState, State ddx) const {
     ddx[layout_.gap[j]] = chain_.gravity[j] - chain_.gravity[j + 1];
 }
 
-std::optional<flow::PairPhase> ChainPhase::pair() const {
-  if (active_ != 1 || touching_ != 0 || slack_ != 0 || gravity_) return std::nullopt;
-  const Index j = std::find(mode_->begin(), mode_->end(), ContactMode::closed) - mode_->begin();
-  const auto& law = chain_.law[j];
-  const double n = contact::exponent(law), c = contact::damping(law), m = chain_.reduced_mass[j];
-  if (n != 1 && (n != 1.5 || c > 0)) return std::nullopt;
-  const bool first = j == 0, last = j + 1 == layout_.contacts();
-  return flow::PairPhase{.law = {contact::stiffness(law), c, n, m},
-                         .left_share = m * chain_.inverse_mass[j],
-                         .right_share = m * chain_.inverse_mass[j + 1],
-                         .left = layout_.velocity[j],
-                         .right = layout_.velocity[j + 1],
-                         .gap = layout_.gap[j],
-                         .work = layout_.work[j],
-                         .impulse = layout_.impulse[j],
-                         .guard = c > 0 ? guards_.load[j] : j,
-                         .left_gap = first ? -1 : layout_.gap[j - 1],
-                         .right_gap = last ? -1 : layout_.gap[j + 1],
-                         .left_guard = first ? -1 : j - 1,
-                         .right_guard = last ? -1 : j + 1};
-}
-
-Index ChainPhase::linear_contacts() const {
-  if (gravity_) return 0;
-  for (Index j = 0; j < layout_.contacts(); ++j) {
-    const bool pushes = contact::carries_force((*mode_)[j]) || (*mode_)[j] == ContactMode::slack;
-    if (pushes && contact::exponent(chain_.law[j]) != 1) return 0;
-  }
-  return active_;
-}
-
-void ChainPhase::linear(flow::LinearPhase& phase) const {
-  using State = flow::LinearPhase::Contact::State;
-  phase.body.resize(layout_.balls());
-  phase.contacts.resize(layout_.contacts());
-  for (Index i = 0; i < layout_.balls(); ++i) phase.body[i] = {layout_.velocity[i], chain_.inverse_mass[i]};
-  for (Index j = 0; j < layout_.contacts(); ++j) {
-    const auto mode = (*mode_)[j];
-    phase.contacts[j] = {.state = contact::carries_force(mode) ? State::closed
-                                  : mode == ContactMode::slack ? State::slack
-                                                               : State::open,
-                         .gap = layout_.gap[j],
-                         .work = layout_.work[j],
-                         .impulse = layout_.impulse[j],
-                         .gap_guard = j,
-                         .load_guard = guards_.load[j],
-                         .stiffness = contact::stiffness(chain_.law[j]),
-                         .damping = contact::damping(chain_.law[j]),
-                         .level = level(j),
-                         .noise = mode == ContactMode::touching ? 2 * chain_.shallow[j] : 0};
-  }
-}
-
 /// A touching contact has left the noise.
 bool ChainPhase::has_loaded(ConstState x, Index j) const {
-  if ((*mode_)[j] != ContactMode::touching || !(-x[layout_.gap[j]] > 2 * chain_.shallow[j])) return false;
+  if ((*mode_)[j] != ContactMode::touching || !(-x[layout_.gap[j]] > serial_.contact[j].loaded()))
+    return false;
   return guards_.load[j] == ChainLayout::absent || force(x, j).value > 0;
 }
 
@@ -292,7 +237,6 @@ flow::Accepted ChainPhase::accept(ConstState x) {
     if ((*mode_)[j] == ContactMode::closed && has_faded(chain_, layout_, x, j)) return flow::Accepted::ended;
     if (!has_loaded(x, j)) continue;
     (*mode_)[j] = ContactMode::closed;
-    --touching_;
     watch(j);
     accepted = flow::Accepted::rewatched;
   }

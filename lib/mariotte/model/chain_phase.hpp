@@ -47,9 +47,6 @@ class ChainPhase final : public flow::Problem {
   double damping_ratio() const override;
   bool is_ballistic() const override { return active_ == 0; }
   void second_derivative(ConstState x, State ddx) const override;
-  std::optional<flow::PairPhase> pair() const override;
-  Index linear_contacts() const override;
-  void linear(flow::LinearPhase& phase) const override;
   const flow::SerialPhase* serial() const override { return &serial_; }
   flow::Accepted accept(ConstState x) override;
   std::string component(Index index) const override { return component_name(layout_, index); }
@@ -70,11 +67,8 @@ class ChainPhase final : public flow::Problem {
   std::vector<double> magnitudes_;
   std::vector<flow::Crossing> crossings_;
   flow::SerialPhase serial_;
-  bool gravity_ = false;
   contact::ContactSet* mode_ = nullptr;
-  Index active_ = 0;    ///< contacts that carry force
-  Index touching_ = 0;  ///< those of them that are still touching
-  Index slack_ = 0;
+  Index active_ = 0;  ///< contacts that carry force
   double time_scale_ = 1;
 };
 

@@ -1,20 +1,27 @@
-#include "terminal.hpp"
+#include "command_line/terminal.hpp"
 
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <string>
+#include <utility>
 
 #include "mariotte/report/files.hpp"
 
 namespace mariotte::command {
 namespace {
 
+std::string speaker = "mariotte";
+
 void say(const char* kind, std::string_view message) {
-  std::fprintf(stderr, "mariotte: %s%.*s\n", kind, static_cast<int>(message.size()), message.data());
+  std::fprintf(stderr, "%s: %s%.*s\n", speaker.c_str(), kind, static_cast<int>(message.size()),
+               message.data());
 }
 
 }  // namespace
+
+void speak_as(std::string program) {
+  speaker = std::move(program);
+}
 
 void print(std::string_view text) {
   errno = 0;

@@ -1,13 +1,17 @@
 // stdout carries the result and nothing else; every other word goes to stderr.
 #pragma once
+#include <string>
 #include <string_view>
 
 namespace mariotte::command {
 
+/// The name before every message on stderr.
+void speak_as(std::string program);
+
 /// Write to stdout. Throws report::FileError unless every byte was taken.
 void print(std::string_view text);
 
-/// "mariotte: error: …", "mariotte: warning: …" and "mariotte: …" on stderr.
+/// "<program>: error: …", "<program>: warning: …" and "<program>: …" on stderr.
 void error(std::string_view message) noexcept;
 void warning(std::string_view message) noexcept;
 void note(std::string_view message) noexcept;

@@ -1,4 +1,4 @@
-// What the command tells the shell.
+// What a program tells the shell.
 #pragma once
 #include <functional>
 

@@ -1,11 +1,11 @@
-#include "exit_code.hpp"
+#include "command_line/exit_code.hpp"
 
 #include <new>
 #include <system_error>
 
+#include "command_line/terminal.hpp"
 #include "mariotte/report/files.hpp"
 #include "mariotte/scene/scene.hpp"
-#include "terminal.hpp"
 
 namespace mariotte::command {
 namespace {
