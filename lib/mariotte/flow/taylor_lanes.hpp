@@ -52,8 +52,8 @@ class Expansion {
   static constexpr int plain = -1;
   virtual ~Expansion() = default;
   virtual void expand(const Lanes& lanes, int order, int clock) = 0;
-  /// Largest coefficient k of δ/length, δ̇ and, if damped, work/m*.
-  virtual double size(int k) const = 0;
+  /// Largest coefficient k of δ/length, δ̇ and, if damped, work/m*, for k from `first` to the order.
+  virtual void sizes(int first, double* size) const = 0;
   virtual void evaluate(double place, Values& values) const = 0;
   /// Coefficients of one quantity of a lane, or of the clock √δ_c and the time.
   virtual void coefficients(Quantity quantity, int lane, double* c) const = 0;

@@ -128,17 +128,8 @@ class Series final : public Expansion {
       damped_ ? run<Root::clock, true>() : run<Root::clock, false>();
   }
 
-  double size(int k) const override {
-    const auto weight = load<N>(lanes_->weight);
-    Vec most{};
-    for (int i = 0; i < N; ++i)
-      most = largest(
-          most, largest(magnitude(rate_[k].part[i]), weight.part[i] * magnitude(indentation_[k].part[i])));
-    for (int i = 0; damped_ && i < N; ++i)
-      most = largest(most, mobility_.part[i] * magnitude(work_[k].part[i]));
-    double size = most[0];
-    for (int i = 1; i < width; ++i) size = most[i] > size ? most[i] : size;
-    return size;
+  void sizes(int first, double* size) const override {
+    for (int k = first; k <= order_; ++k) size[k - first] = size_of(k);
   }
 
   void evaluate(double place, Values& values) const override {
@@ -180,6 +171,19 @@ class Series final : public Expansion {
 
  private:
   enum class Root { square, clock, any };
+
+  double size_of(int k) const {
+    const auto weight = load<N>(lanes_->weight);
+    Vec most{};
+    for (int i = 0; i < N; ++i)
+      most = largest(
+          most, largest(magnitude(rate_[k].part[i]), weight.part[i] * magnitude(indentation_[k].part[i])));
+    for (int i = 0; damped_ && i < N; ++i)
+      most = largest(most, mobility_.part[i] * magnitude(work_[k].part[i]));
+    double size = most[0];
+    for (int i = 1; i < width; ++i) size = most[i] > size ? most[i] : size;
+    return size;
+  }
 
   static double at(const Row<N>& row, int lane) { return row.part[lane / width][lane % width]; }
   static Row<N> splat_row(double a) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mariotte/flow/rough_root.hpp"
+
 namespace mariotte::flow::taylor {
 namespace {
 
@@ -90,7 +92,7 @@ double Start::expand(const Lanes& lanes, const Part* part, int order, double tol
       if (k + 3 > order) last = std::max(last, std::abs(rate_[j][k]));
     }
   }
-  return std::pow(tolerance / std::max(last, 1e-300), 1 / (power_ * order));
+  return rough_root(tolerance / std::max(last, 1e-300), power_ * order);
 }
 
 /// What a contact's own force takes away grows faster than what its neighbours give: if a struck contact is

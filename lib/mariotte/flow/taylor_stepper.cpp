@@ -1,11 +1,10 @@
 #include "mariotte/flow/taylor_stepper.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 
 #include "mariotte/flow/polynomial.hpp"
+#include "mariotte/flow/rough_root.hpp"
 
 namespace mariotte::flow::taylor {
 
@@ -25,12 +24,6 @@ constexpr double late = 3;
 /// Share of the radius of convergence that a step may use.
 constexpr double safe_radius = 0.7;
 constexpr double tiny = 1e-300;  ///< keeps quotients of vanishing coefficients finite
-
-/// x^{1/n} to some per cent: the exponent bits divided by n.
-double rough_root(double x, int n) {
-  constexpr std::int64_t one = 0x3fef000000000000;
-  return std::bit_cast<double>((std::bit_cast<std::int64_t>(x) - one) / n + one);
-}
 
 }  // namespace
 
@@ -128,12 +121,13 @@ int Stepper::choose_clock() const {
 /// convergence: beyond, a weak singularity, a contact about to let go, hides behind small coefficients.
 double Stepper::reach(const Expansion& series, bool fresh) const {
   const int order = precision_.order, group = fresh ? 5 : 2;  // right after an onset four of five vanish
-  double end = infinity, last = tiny, before = tiny;
-  for (int k = order; k > order - group; --k) {
-    const double size = std::max(series.size(k), tiny);
-    end = std::min(end, rough_root(precision_.tolerance / size, k));
-    last = std::max(last, size);
-    before = std::max(before, series.size(k - group));
+  double end = infinity, last = tiny, before = tiny, size[10];
+  series.sizes(order - 2 * group + 1, size);
+  for (int i = 0; i < group; ++i) {
+    const double highest = std::max(size[group + i], tiny);
+    end = std::min(end, rough_root(precision_.tolerance / highest, order - group + 1 + i));
+    last = std::max(last, highest);
+    before = std::max(before, size[i]);
   }
   return std::min(end, safe_radius * rough_root(before / last, group));
 }

@@ -34,12 +34,23 @@ double reference_speed(const Chain& chain) {
   return std::sqrt(2 * std::abs(chain.gravity) * indentation);
 }
 
-double natural_length(const contact::Law& law, double mass, double speed) {
-  return natural_root(mass * speed * speed / contact::stiffness(law), contact::exponent(law));
-}
+/// Remembers its last answer: contacts of a chain are mostly alike.
+class NaturalLength {
+ public:
+  double operator()(const contact::Law& law, double mass, double speed) {
+    const double q = mass * speed * speed / contact::stiffness(law), exponent = contact::exponent(law);
+    if (q != q_ || exponent != exponent_) length_ = natural_root(q, exponent);
+    q_ = q;
+    exponent_ = exponent;
+    return length_;
+  }
+
+ private:
+  double q_ = 0, exponent_ = 0, length_ = 0;
+};
 
 /// The contact with the shortest natural time; it alone sets the units, so a mirrored chain has the same.
-std::size_t quickest_contact(const Chain& chain, double speed) {
+std::size_t quickest_contact(const Chain& chain, double speed, NaturalLength& natural_length) {
   std::size_t quickest = 0;
   double shortest = infinity;
   for (std::size_t j = 0; j < chain.law.size(); ++j) {
@@ -51,7 +62,7 @@ std::size_t quickest_contact(const Chain& chain, double speed) {
   return quickest;
 }
 
-Scale choose_scale(const Chain& chain, double speed, std::size_t j) {
+Scale choose_scale(const Chain& chain, double speed, std::size_t j, NaturalLength& natural_length) {
   Scale scale;
   scale.mass = power_of_two_below(2 * reduced_mass(chain.mass[j], chain.mass[j + 1]));
   scale.velocity = power_of_two_below(speed);
@@ -87,8 +98,9 @@ bool pulls_back(const Chain& chain) {
 
 void make_dimensionless(const Chain& chain, double accuracy, DimensionlessChain& d) {
   const double speed = reference_speed(chain);
-  const auto quickest = quickest_contact(chain, speed);
-  d.scale = choose_scale(chain, speed, quickest);
+  NaturalLength natural_length;
+  const auto quickest = quickest_contact(chain, speed, natural_length);
+  d.scale = choose_scale(chain, speed, quickest, natural_length);
   d.speed = speed / d.scale.velocity;
   d.slow = std::max(0.1 * accuracy, 8 * epsilon) * d.speed;
   d.falls_back = pulls_back(chain);
