@@ -16,11 +16,12 @@ namespace {
 
 // Measured by stiffness_study --study crossover and --study ratio.
 
-/// Damping ratios c/√(k m) from which BDF costs less than the series, and than Adams. Its Newton matrices are
-/// sparse: KLU is hardly dearer than a dense or a band matrix at any size, and mostly cheaper.
-constexpr double stiff_for_taylor = 1e4, stiff_for_taylor_of_few = 2e5;
-constexpr std::size_t few = 4;  ///< contacts
+/// Damping ratios c/√(k m) from which BDF costs less than Adams. Its Newton matrices are sparse: KLU is
+/// hardly dearer than a dense or a band matrix at any size, and mostly cheaper.
 constexpr double stiff_for_adams = 5;
+/// Damping ratio up to which series tell the sign of a creeping contact's load, ratio⁻³ of its natural force:
+/// beyond, that is rounding.
+constexpr double stiff_for_taylor = 8e4;
 /// Natural modes of n contacts cost n³, series √κ of the ratio of fastest to slowest rate squared: equal near
 /// κ = 10^{0.8 n}. Two contacts are followed by modes whatever κ, to the last digit.
 constexpr Index always_modal = 2;
@@ -53,8 +54,7 @@ bool pays(Kind kind, const Problem& problem) {
   if (!phase) return false;
   if (kind == Kind::modal) return modes_pay(*phase);
   if (kind != Kind::taylor) return true;
-  return problem.damping_ratio() <
-         (phase->contact.size() <= few ? stiff_for_taylor_of_few : stiff_for_taylor);
+  return problem.damping_ratio() < stiff_for_taylor;
 }
 
 std::unique_ptr<Flow> make(Kind kind, const Problem& problem) {
@@ -102,11 +102,12 @@ std::optional<Kind> parse_kind(std::string_view text) {
   throw InvalidParameter("unknown flow '" + std::string(text) + "' (one of: " + known + ")");
 }
 
-Choice Flows::choose(const Problem& problem, std::optional<Kind> requested) {
+Choice Flows::choose(const Problem& problem, std::optional<Kind> requested, bool stiff) {
   const auto take = [&](Kind kind) -> Choice { return {kind, get(kind, problem)}; };
   if (problem.is_ballistic()) return take(Kind::ballistic);
   const bool any = requested && std::find(special.begin(), special.end(), *requested) == special.end();
   if (any) return take(*requested);
+  if (stiff) return take(Kind::cvode_bdf_klu);
   for (const auto kind : special)
     if (requested ? requested == kind : pays(kind, problem))
       if (auto choice = take(kind); choice.flow.admits(problem)) return choice;

@@ -42,7 +42,8 @@ class Flows {
   /// Free flight is followed in closed form whatever was asked; contact phases by the flow asked for if they
   /// admit it or, left to itself, by the cheapest that does: the closed form of a pair, natural modes where
   /// they cost less than series, series unless damping makes the phase too stiff for them, then CVODE.
-  Choice choose(const Problem& problem, std::optional<Kind> requested);
+  /// `stiff`: one of these has found the phase too stiff for it; then BDF.
+  Choice choose(const Problem& problem, std::optional<Kind> requested, bool stiff = false);
   Flow& get(Kind kind, const Problem& problem);
 
  private:

@@ -30,6 +30,7 @@ enum class Outcome {
   guard,  ///< guards fired, or the problem ended its mode itself
   limit,  ///< the time limit came first
   never,  ///< no guard will ever fire
+  stiff,  ///< followed so far; the rest of the phase is too stiff for this flow
   failed  ///< the flow could not go on; `Arrival::message` says why
 };
 

@@ -6,6 +6,7 @@
 //     if events ≥ max_events           → event_limit
 //     flow ← the cheapest that mode admits
 //     follow it from t⁺ until a guard crosses, or max_time
+//     if the phase is too stiff for it → the same mode again, by another
 //     if the time limit came first     → time_limit
 //     if no guard can ever cross       → separated
 //     if the flow could not go on      → failed         state and events until then are kept
@@ -76,7 +77,7 @@ const Trajectory<typename System::Change>& simulate(System& system, ConstState x
   };
 
   system.mode_at(x, mode, changes);
-  for (;;) {
+  for (bool stiff = false;;) {
     detail::record(run, time.value(), changes);
     if (system.is_over(mode, x, run.events > 0)) {
       system.finish(mode, changes);
@@ -86,7 +87,7 @@ const Trajectory<typename System::Change>& simulate(System& system, ConstState x
     if (run.events >= options.max_events) return end(Ending::event_limit);
 
     auto& problem = system.problem(mode);
-    auto [kind, flow] = flows.choose(problem, requested);
+    auto [kind, flow] = flows.choose(problem, requested, stiff);
     if (watcher) watcher->begin_phase(time.value(), x);
     fired.clear();
     auto arrival = flow.follow(
@@ -94,6 +95,8 @@ const Trajectory<typename System::Change>& simulate(System& system, ConstState x
         {.limit = options.max_time - time.value(), .accuracy = options.accuracy, .watcher = watcher}, fired);
     detail::count(run.flows[static_cast<std::size_t>(kind)], arrival);
     time += arrival.duration;
+    stiff = arrival.outcome == flow::Outcome::stiff;
+    if (stiff) continue;
     if (arrival.outcome == flow::Outcome::limit) return end(Ending::time_limit);
     if (arrival.outcome == flow::Outcome::never) return end(Ending::separated);
     if (arrival.outcome == flow::Outcome::failed) return end(Ending::failed, std::move(arrival.message));
