@@ -1,0 +1,148 @@
+#include "mariotte/impact/configuration.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/SparseQR>
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "mariotte/core/error.hpp"
+
+namespace mariotte::impact {
+namespace {
+
+using Numbers = std::vector<double>;
+using Vector = Eigen::VectorXd;
+using Matrix = Eigen::MatrixXd;
+using Sparse = Eigen::SparseMatrix<double>;
+
+Index freedoms(const Configuration& c) {
+  return std::ssize(c.velocity);
+}
+Index contacts(const Configuration& c) {
+  return std::ssize(c.contact);
+}
+bool is_diagonal(const Configuration& c) {
+  return std::ssize(c.mass) == freedoms(c);
+}
+
+Eigen::Map<const Vector> view(const Numbers& numbers) {
+  return {numbers.data(), std::ssize(numbers)};
+}
+Eigen::Map<const Matrix> full_mass(const Configuration& c) {
+  return {c.mass.data(), freedoms(c), freedoms(c)};
+}
+
+/// Gᵀ, n × m.
+Sparse directions(const Configuration& c) {
+  std::vector<Eigen::Triplet<double>> places;
+  for (Index j = 0; j < contacts(c); ++j)
+    for (const auto& [freedom, coefficient] : c.contact[j])
+      places.emplace_back(static_cast<int>(freedom), static_cast<int>(j), coefficient);
+  Sparse g(freedoms(c), contacts(c));
+  g.setFromTriplets(places.begin(), places.end());
+  return g;
+}
+
+/// M^{−1/2} Gᵀ, with the Cholesky factor for the root of a full matrix.
+Sparse scaled_directions(const Configuration& c) {
+  const auto g = directions(c);
+  if (is_diagonal(c)) return view(c.mass).cwiseInverse().cwiseSqrt().asDiagonal() * g;
+  const Eigen::LLT<Matrix> factor(full_mass(c));
+  return factor.matrixL().solve(Matrix(g)).sparseView();
+}
+
+void expect(bool holds, const char* rule) {
+  if (!holds) throw InvalidParameter(rule);
+}
+
+void validate_mass(const Configuration& c) {
+  const auto finite = [](double value) { return std::isfinite(value); };
+  if (is_diagonal(c)) {
+    for (const double mass : c.mass) expect(mass > 0, "every mass must be positive");
+    return;
+  }
+  expect(std::ssize(c.mass) == freedoms(c) * freedoms(c),
+         "the mass matrix needs one value per degree of freedom, or all rows");
+  expect(std::all_of(c.mass.begin(), c.mass.end(), finite), "a full mass matrix must be finite");
+  const auto m = full_mass(c);
+  expect((m - m.transpose()).cwiseAbs().maxCoeff() <= 1e-12 * m.cwiseAbs().maxCoeff(),  // as written by hand
+         "the mass matrix must be symmetric");
+  expect(Eigen::LLT<Matrix>(m).info() == Eigen::Success, "the mass matrix must be positive definite");
+}
+
+}  // namespace
+
+Configuration chain_configuration(Numbers mass, Numbers velocity) {
+  Configuration c{.mass = std::move(mass), .contact = {}, .velocity = std::move(velocity)};
+  for (Index j = 0; j + 1 < freedoms(c); ++j) c.contact.push_back({{j, -1}, {j + 1, 1}});
+  return c;
+}
+
+void validate(const Configuration& c) {
+  expect(freedoms(c) > 0, "an impact needs at least one velocity");
+  expect(contacts(c) > 0, "an impact needs at least one contact");
+  for (const double v : c.velocity) expect(std::isfinite(v), "every velocity must be finite");
+  for (const auto& direction : c.contact)
+    for (const auto& [freedom, coefficient] : direction) {
+      expect(freedom >= 0 && freedom < freedoms(c),
+             "a contact direction names a freedom that does not exist");
+      expect(std::isfinite(coefficient), "every coefficient of a contact direction must be finite");
+    }
+  validate_mass(c);
+}
+
+Numbers gap_rates(const Configuration& c, const Numbers& velocity) {
+  Numbers rates;
+  for (const auto& direction : c.contact) {
+    rates.push_back(0);
+    for (const auto& [freedom, coefficient] : direction) rates.back() += coefficient * velocity[freedom];
+  }
+  return rates;
+}
+
+Numbers generalised_impulse(const Configuration& c, const Numbers& p) {
+  Numbers change(c.velocity.size(), 0.0);
+  for (Index j = 0; j < contacts(c); ++j)
+    for (const auto& [freedom, coefficient] : c.contact[j]) change[freedom] += coefficient * p[j];
+  return change;
+}
+
+Numbers velocity_change(const Configuration& c, const Numbers& p) {
+  auto change = generalised_impulse(c, p);
+  if (is_diagonal(c)) {
+    for (Index i = 0; i < freedoms(c); ++i) change[i] /= c.mass[i];
+    return change;
+  }
+  const Vector solution = full_mass(c).llt().solve(view(change));
+  return {solution.begin(), solution.end()};
+}
+
+Numbers compliance(const Configuration& c) {
+  const auto scaled = scaled_directions(c);
+  const Matrix product = Matrix(scaled.transpose() * scaled);
+  return {product.data(), product.data() + product.size()};
+}
+
+double kinetic_energy(const Configuration& c, const Numbers& velocity) {
+  if (!is_diagonal(c)) return 0.5 * view(velocity).dot(full_mass(c) * view(velocity));
+  double sum = 0;
+  for (Index i = 0; i < freedoms(c); ++i)
+    if (std::isfinite(c.mass[i])) sum += c.mass[i] * velocity[i] * velocity[i];
+  return 0.5 * sum;
+}
+
+double relative_energy(const Configuration& c, const Numbers& velocity) {
+  auto scaled = scaled_directions(c);
+  scaled.makeCompressed();
+  // M^{−1/2} Gᵀ Π = Q R: wᵀ (G M⁻¹ Gᵀ)⁺ w is the square of R⁻ᵀ Πᵀ w, over the rank alone.
+  const Eigen::SparseQR<Sparse, Eigen::COLAMDOrdering<int>> qr(scaled);
+  const Index rank = qr.rank();
+  const auto rates = gap_rates(c, velocity);
+  Vector w = (qr.colsPermutation().transpose() * view(rates)).head(rank);
+  const Sparse r = qr.matrixR().topLeftCorner(rank, rank);
+  r.transpose().triangularView<Eigen::Lower>().solveInPlace(w);
+  return 0.5 * w.squaredNorm();
+}
+
+}  // namespace mariotte::impact
