@@ -10,6 +10,7 @@ int command_line(int argc, char** argv) noexcept;
 /// Each declares its options and, when chosen, runs and leaves its exit code in `code`.
 void add_run(CLI::App& app, int& code);
 void add_check(CLI::App& app, int& code);
+void add_law(CLI::App& app, int& code);
 void add_demo(CLI::App& app, int& code);
 void add_study(CLI::App& app, int& code);
 void add_version(CLI::App& app, int& code);

@@ -11,6 +11,7 @@ constexpr const char* examples = R"(Examples:
   mariotte run cradle.toml                       a table of the impact
   mariotte run cradle.toml --out results         also files and figures
   mariotte run cradle.toml --json > cradle.json  the same for scripts
+  mariotte law cradle.toml                       the same impact by the multiple-impact law
   mariotte run --help                            all about one command
 
 Exit codes: 0 ok, 1 check failed, 2 usage, 3 scene error, 4 solver failure, 5 a limit was reached,
@@ -27,6 +28,7 @@ int command_line(int argc, char** argv) noexcept {
   int code = ExitCode::ok;
   add_run(app, code);
   add_check(app, code);
+  add_law(app, code);
   add_demo(app, code);
   add_study(app, code);
   add_version(app, code);

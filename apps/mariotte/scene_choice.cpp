@@ -6,6 +6,10 @@ namespace mariotte::command {
 
 void add_scene_choice(CLI::App& command, SceneChoice& choice) {
   command.add_option("SCENE", choice.path, "Scene file (TOML)")->required();
+  add_overrides(command, choice);
+}
+
+void add_overrides(CLI::App& command, SceneChoice& choice) {
   command
       .add_option("--set", choice.set, "Replace one value of the scene; lists count from 0; may be repeated")
       ->type_name("KEY=VALUE")
@@ -13,8 +17,8 @@ void add_scene_choice(CLI::App& command, SceneChoice& choice) {
   command.add_flag("-q,--quiet", choice.quiet, "No warnings");
 }
 
-scene::Scene read(const SceneChoice& choice) {
-  auto scene = scene::read(choice.path, choice.set);
+scene::Scene read(const SceneChoice& choice, scene::Purpose purpose) {
+  auto scene = scene::read(choice.path, choice.set, purpose);
   if (!choice.quiet)
     for (const auto& one : scene.warnings) warning(one);
   return scene;

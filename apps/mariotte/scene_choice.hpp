@@ -16,7 +16,10 @@ struct SceneChoice {
 /// Declare SCENE, --set and --quiet.
 void add_scene_choice(CLI::App& command, SceneChoice& choice);
 
+/// Declare --set and --quiet.
+void add_overrides(CLI::App& command, SceneChoice& choice);
+
 /// Read the scene and, unless quiet, print its warnings. Throws scene::FileError or scene::SceneError.
-scene::Scene read(const SceneChoice& choice);
+scene::Scene read(const SceneChoice& choice, scene::Purpose purpose = scene::Purpose::simulation);
 
 }  // namespace mariotte::command

@@ -53,7 +53,7 @@ BOOST_FIXTURE_TEST_CASE(a_command_line_without_sense_gives_code_2, Session) {
 }
 
 BOOST_FIXTURE_TEST_CASE(every_command_explains_itself_with_an_example, Session) {
-  for (const char* command : {"", "run", "check", "demo", "version"}) {
+  for (const char* command : {"", "run", "check", "law", "demo", "version"}) {
     const auto help = mariotte(std::string(command) + " --help");
     BOOST_TEST(help.code == 0);
     BOOST_TEST(has(help.out, "Example"));

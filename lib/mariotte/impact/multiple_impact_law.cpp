@@ -16,17 +16,6 @@ double dot(const Numbers& a, const Numbers& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
-Numbers sum(Numbers a, const Numbers& b) {
-  for (std::size_t i = 0; i < a.size(); ++i) a[i] += b[i];
-  return a;
-}
-
-double largest(const Numbers& values) {
-  double most = 0;
-  for (const double value : values) most = std::max(most, std::abs(value));
-  return most;
-}
-
 /// Energies before in the frame of e, twice the kinetic one.
 double energy_before(const Configuration& c, EnergyFrame frame) {
   if (frame == EnergyFrame::mass_centre) return 2 * relative_energy(c, c.velocity);
@@ -60,86 +49,26 @@ void validate(const Configuration& c, const LawParameters& parameters) {
     throw InvalidParameter("the energy ratio must be finite and not negative");
 }
 
-std::optional<Index> first_below(const Numbers& values, double bound) {
-  const auto found = std::find_if(values.begin(), values.end(), [&](double v) { return v < bound; });
-  return found == values.end() ? std::nullopt : std::optional(found - values.begin());
-}
-
-/// Whether a contact pulls or goes on closing.
-void judge(LawOutcome& outcome, const Configuration& c, double slow) {
-  const auto rates = gap_rates(c, outcome.velocity);
-  const double speed = std::max(largest(rates), largest(gap_rates(c, c.velocity)));
-  outcome.status = LawStatus::admissible;
-  if ((outcome.contact = first_below(outcome.impulse, 0)))
-    outcome.status = LawStatus::tensile_impulse;
-  else if ((outcome.contact = first_below(rates, -slow * speed)))
-    outcome.status = LawStatus::penetrating_velocity;
-}
-
-std::optional<double> ratio(double after, double before) {
-  return before > 0 ? std::optional(after / before) : std::nullopt;
-}
-
-void add_ratios(LawOutcome& outcome, const Configuration& c) {
-  outcome.ratio_lab = ratio(kinetic_energy(c, outcome.velocity), kinetic_energy(c, c.velocity));
-  outcome.ratio_centre = ratio(relative_energy(c, outcome.velocity), relative_energy(c, c.velocity));
-}
-
 }  // namespace
 
 LawOutcome multiple_impact(const Configuration& c, const LawParameters& parameters) {
   validate(c, parameters);
   const auto r = direction(parameters.direction);
-  const auto unit_change = velocity_change(c, r);
-  const EnergyBalance balance{.a = dot(generalised_impulse(c, r), unit_change),
+  const EnergyBalance balance{.a = dot(generalised_impulse(c, r), velocity_change(c, r)),
                               .b = -dot(r, gap_rates(c, c.velocity)),
                               .s = energy_before(c, parameters.frame)};
-  LawOutcome outcome{
-      .status = LawStatus::no_impact, .impulse = Numbers(r.size(), 0.0), .velocity = c.velocity};
-  if (balance.b > 0 && balance.a > 0) {
-    outcome.least_energy_ratio = balance.least_ratio();
-    const auto size = balance.size(parameters.energy_ratio);
-    if (!size) return {.status = LawStatus::complex, .least_energy_ratio = outcome.least_energy_ratio};
-    for (std::size_t j = 0; j < r.size(); ++j) outcome.impulse[j] = *size * r[j];
-    outcome.velocity = sum(c.velocity, velocity_change(c, outcome.impulse));
-    judge(outcome, c, parameters.slow);
+  if (!(balance.b > 0 && balance.a > 0)) {
+    auto outcome = outcome_of(c, Numbers(r.size(), 0.0));
+    outcome.status = LawStatus::no_impact;
+    return outcome;
   }
-  add_ratios(outcome, c);
+  const auto size = balance.size(parameters.energy_ratio);
+  if (!size) return {.status = LawStatus::complex, .least_energy_ratio = balance.least_ratio()};
+  auto p = r;
+  for (double& impulse : p) impulse *= *size;
+  auto outcome = outcome_of(c, std::move(p), parameters.slow);
+  outcome.least_energy_ratio = balance.least_ratio();
   return outcome;
-}
-
-const char* name(LawStatus status) {
-  switch (status) {
-    case LawStatus::admissible:
-      return "admissible";
-    case LawStatus::tensile_impulse:
-      return "tensile_impulse";
-    case LawStatus::penetrating_velocity:
-      return "penetrating_velocity";
-    case LawStatus::complex:
-      return "complex";
-    case LawStatus::no_impact:
-      return "no_impact";
-  }
-  return "complex";
-}
-
-std::string reason(const LawOutcome& outcome) {
-  const auto at = outcome.contact ? "contact " + std::to_string(*outcome.contact + 1) : "";
-  switch (outcome.status) {
-    case LawStatus::admissible:
-      return "";
-    case LawStatus::tensile_impulse:
-      return at + " would pull: its impulse is negative";
-    case LawStatus::penetrating_velocity:
-      return at + " would go on closing after the impact";
-    case LawStatus::complex:
-      return "no real impulse loses so much energy: the energy ratio must be at least " +
-             std::to_string(*outcome.least_energy_ratio);
-    case LawStatus::no_impact:
-      return "no impact: along the impulse direction nothing approaches";
-  }
-  return "";
 }
 
 Numbers direction_of_ratios(const Numbers& icr) {
@@ -171,7 +100,7 @@ LawParameters parameters_of(const ChainImpact& impact, EnergyFrame frame) {
   return {.direction = impact.impulse_direction,
           .energy_ratio = *ratio,
           .frame = frame,
-          .slow = std::max(1e-12, impact.requested_accuracy)};
+          .slow = std::max(rounding, impact.requested_accuracy)};
 }
 
 }  // namespace mariotte::impact

@@ -6,12 +6,10 @@
 //
 // Of the two roots the larger is taken: an admissible outcome has p · w⁺ ≥ 0 with gap rates w⁺ = G v⁺.
 #pragma once
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "mariotte/impact/chain_impact.hpp"
-#include "mariotte/impact/configuration.hpp"
+#include "mariotte/impact/law_outcome.hpp"
 
 namespace mariotte::impact {
 
@@ -25,36 +23,12 @@ struct LawParameters {
   std::vector<double> direction;  ///< r, one value per contact; its length does not matter
   double energy_ratio = 1;        ///< e = T⁺/T⁻ ≥ 0
   EnergyFrame frame = EnergyFrame::given;
-  double slow = 1e-12;  ///< approach, relative to the largest gap rate, that counts as none: rounding
-};
-
-enum class LawStatus {
-  admissible,
-  tensile_impulse,       ///< a contact would pull
-  penetrating_velocity,  ///< a contact would go on closing
-  complex,               ///< e is below `least_energy_ratio`: nothing satisfies the energy balance
-  no_impact              ///< B ≤ 0: along r nothing approaches; velocities stay
-};
-
-struct LawOutcome {
-  LawStatus status = LawStatus::no_impact;
-  std::optional<Index> contact = {};              ///< the first that pulls or goes on closing, from 0
-  std::vector<double> impulse = {};               ///< p, one value per contact; empty if complex
-  std::vector<double> velocity = {};              ///< v⁺, n values; empty if complex
-  std::optional<double> least_energy_ratio = {};  ///< e_min = 1 − B²/(A S); empty if B ≤ 0
-  std::optional<double> ratio_lab = {};           ///< T⁺/T⁻ in the given frame; empty if T⁻ = 0
-  std::optional<double> ratio_centre = {};        ///< the same of the relative energy
+  double slow = rounding;  ///< approach, relative to the largest gap rate, that counts as none
 };
 
 /// Apply the law. Throws InvalidParameter for input that makes no sense, among it a moving wall where e
 /// compares energies in the given frame.
 LawOutcome multiple_impact(const Configuration& configuration, const LawParameters& parameters);
-
-/// "admissible", "tensile_impulse", "penetrating_velocity", "complex", "no_impact".
-const char* name(LawStatus status);
-
-/// Why an outcome is not admissible, a sentence in which contacts count from 1; empty if it is.
-std::string reason(const LawOutcome& outcome);
 
 /// Impulse direction of n balls from n−2 ratios α_j = p_j/p_{j+1}: r_{n−1} = 1, r_j = α_j r_{j+1}.
 /// Throws InvalidParameter if a ratio is not finite.

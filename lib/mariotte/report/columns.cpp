@@ -70,6 +70,12 @@ std::string numbers(const std::vector<Index>& positions) {
                      runs.back(), positions.size());
 }
 
+std::string heading(const std::string& title) {
+  std::string text = title + "\n";
+  for (std::size_t i = 0; i < width(title); ++i) text += "═";
+  return text + "\n";
+}
+
 std::size_t width(const std::string& text) {
   return static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));

@@ -21,6 +21,9 @@ std::string columns(const Row& header, Index count, const std::function<Row(Inde
 /// long.
 std::string numbers(const std::vector<Index>& positions);
 
+/// A title, underlined.
+std::string heading(const std::string& title);
+
 /// Columns a terminal needs for UTF-8 text without wide characters.
 std::size_t width(const std::string& text);
 

@@ -1,22 +1,11 @@
 #include "mariotte/report/json.hpp"
 
+#include "mariotte/report/json_parts.hpp"
 #include "mariotte/report/law_name.hpp"
-#include "mariotte/report/provenance.hpp"
 #include "mariotte/report/reason.hpp"
 
 namespace mariotte::report {
 namespace {
-
-Json nullable(const std::optional<double>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
-
-template <class Values, class Write>
-Json list(const Values& values, const Write& write) {
-  Json array = Json::array();
-  for (const auto& value : values) array.push_back(write(value));
-  return array;
-}
 
 Json period(const impact::Period& period) {
   return Json::array({period.start, nullable(period.end)});
@@ -66,15 +55,6 @@ Json skipped(const std::vector<impact::Skipped>& skipped) {
   return object;
 }
 
-Json provenance_of(const scene::Scene& scene) {
-  const auto program = provenance();
-  return {{"version", program.version},
-          {"scene_sha256", scene.sha256},
-          {"sundials", program.sundials},
-          {"compiler", program.compiler},
-          {"build_type", program.build_type}};
-}
-
 Json law(const contact::Law& law) {
   return {{"law", law_name(law)},
           {"stiffness", contact::stiffness(law)},
@@ -112,7 +92,7 @@ Json json(const impact::ChainImpact& impact, const scene::Scene& scene) {
   result["flows"] = list(impact.flows, flow);
   result["skipped"] = skipped(impact.skipped);
   if (!scene.warnings.empty()) result["warnings"] = scene.warnings;
-  result["provenance"] = provenance_of(scene);
+  result["provenance"] = provenance_json(scene.sha256);
   return result;
 }
 
@@ -122,7 +102,7 @@ Json json(const scene::Scene& scene) {
   if (!scene.radius.empty()) result["chain"]["radius"] = scene.radius;
   result["run"] = options(scene.run);
   if (!scene.warnings.empty()) result["warnings"] = scene.warnings;
-  result["provenance"] = provenance_of(scene);
+  result["provenance"] = provenance_json(scene.sha256);
   return result;
 }
 

@@ -22,13 +22,6 @@ Display display_of(const Values& values, const Get& get, const std::string& unit
   return display_for(numbers, unit);
 }
 
-std::string heading(const scene::Scene& scene) {
-  const std::string title = scene.title.empty() ? "Chain of balls" : scene.title;
-  std::string text = title + "\n";
-  for (std::size_t i = 0; i < width(title); ++i) text += "═";
-  return text + "\n";
-}
-
 std::string summary(const impact::ChainImpact& impact, const hybrid::Options& options, const Display& time) {
   std::string text =
       fmt::format("{} at {} {} · {} balls · accuracy {:.3g} requested", hybrid::name(impact.ending),
@@ -114,10 +107,10 @@ std::string ratios(const impact::ChainImpact& impact) {
 
 std::string table(const impact::ChainImpact& impact, const scene::Scene& scene) {
   const auto time = display_for(std::vector{impact.time}, "s");
-  return heading(scene) + summary(impact, scene.run, time) + events(impact, time) +
-         balls(impact, scene.chain) + contacts(impact, time) + ratios(impact) + energy_table(impact.energy) +
-         momentum_table(impact.momentum, scene.chain) + flows_table(impact.flows) +
-         skipped_table(impact.skipped);
+  return heading(scene.title.empty() ? "Chain of balls" : scene.title) + summary(impact, scene.run, time) +
+         events(impact, time) + balls(impact, scene.chain) + contacts(impact, time) + ratios(impact) +
+         energy_table(impact.energy) + momentum_table(impact.momentum, scene.chain) +
+         flows_table(impact.flows) + skipped_table(impact.skipped);
 }
 
 }  // namespace mariotte::report

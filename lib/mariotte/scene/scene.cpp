@@ -15,8 +15,8 @@
 namespace mariotte::scene {
 namespace {
 
-constexpr std::array<std::string_view, 7> keys{"title", "chain",   "run",      "sweep",
-                                               "body",  "surface", "incidence"};
+constexpr std::array<std::string_view, 8> keys{"title", "chain", "run",     "sweep",
+                                               "law",   "body",  "surface", "incidence"};
 
 /// The digest of the text alone is that of the file; a zero byte, which no scene holds, sets off each
 /// override.
@@ -32,10 +32,17 @@ void expect_chain_scene(const Source& source, const Field& root) {
     if (const auto field = find(root, key))
       reject(source, *field,
              "scenes of a body on a surface are not supported by this version, only [chain] scenes");
-  if (!find(root, "chain")) reject(source, root.place(), "the scene has no [chain]");
 }
 
-Scene resolve(Source& source, const Field& root) {
+/// What is to be simulated needs a chain, and a law needs the masses of one or its own.
+bool has_chain(const Source& source, const Field& root, const std::optional<Law>& law, Purpose purpose) {
+  if (find(root, "chain")) return true;
+  if (purpose == Purpose::simulation || !law || law->mass.empty())
+    reject(source, root.place(), "the scene has no [chain]");
+  return false;
+}
+
+Scene resolve(Source& source, const Field& root, Purpose purpose) {
   expect_chain_scene(source, root);
   Scene scene;
   std::optional<Field> gravity;
@@ -45,6 +52,8 @@ Scene resolve(Source& source, const Field& root) {
     gravity = find(*run, "gravity");
   }
   if (const auto sweeps = find(root, "sweep")) expect_sweeps(source, *sweeps);
+  if (const auto law = find(root, "law")) scene.law = read_law(source, *law);
+  if (!has_chain(source, root, scene.law, purpose)) return scene;
   const auto chain = *find(root, "chain");
   auto resolved = read_chain(source, chain, gravity);
   scene.chain = std::move(resolved.chain);
@@ -63,26 +72,26 @@ void expect_valid(const Source& source, const Field& root, const model::Chain& c
 
 }  // namespace
 
-Scene parse(const std::string& text, const std::string& name, const Overrides& overrides) {
+Scene parse(const std::string& text, const std::string& name, const Overrides& overrides, Purpose purpose) {
   Source source{.name = name, .set_keys = {}};
   Node tree = parse_toml(source, text);
   apply(overrides, source, tree);
   const Field root{&tree, ""};
-  Scene scene = resolve(source, root);
-  expect_valid(source, root, scene.chain);
+  Scene scene = resolve(source, root, purpose);
+  if (!scene.chain.mass.empty()) expect_valid(source, root, scene.chain);
   scene.warnings = std::move(source.warnings);
   scene.sha256 = fingerprint(text, overrides);
   return scene;
 }
 
-Scene read(const std::string& path, const Overrides& overrides) {
+Scene read(const std::string& path, const Overrides& overrides, Purpose purpose) {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
   text << file.rdbuf();
   // An empty file sets failbit on the copy, so only what was opened and what broke are asked.
   if (!file.is_open() || file.bad() || text.bad() || std::filesystem::is_directory(path))
     throw FileError(path + ": cannot be read");
-  return parse(std::move(text).str(), path, overrides);
+  return parse(std::move(text).str(), path, overrides, purpose);
 }
 
 }  // namespace mariotte::scene

@@ -6,6 +6,7 @@
 #include "mariotte/core/error.hpp"
 #include "mariotte/hybrid/options.hpp"
 #include "mariotte/model/chain.hpp"
+#include "mariotte/scene/law_reader.hpp"
 
 namespace mariotte::scene {
 
@@ -21,7 +22,8 @@ struct FileError : Error {
 
 struct Scene {
   std::string title;
-  model::Chain chain;
+  model::Chain chain;          ///< without balls if [law] stands alone
+  std::optional<Law> law;      ///< of scenes with [law]
   std::vector<double> radius;  ///< n values [m], infinite for planes; empty unless every ball has one
   hybrid::Options run;
   std::vector<std::string> warnings;  ///< "file:line:column: message" of suspicious but possible values
@@ -31,10 +33,15 @@ struct Scene {
 /// One `--set KEY=VALUE`: keys count from 0 with brackets, as in "chain.velocity[0]=2 m/s".
 using Overrides = std::vector<std::string>;
 
+/// What a scene is read for: a chain to simulate, or the multiple-impact law, for which the masses and
+/// velocities of [law] are enough.
+enum class Purpose { simulation, law };
+
 /// Read a scene from a file. Throws FileError or SceneError.
-Scene read(const std::string& path, const Overrides& overrides = {});
+Scene read(const std::string& path, const Overrides& overrides = {}, Purpose purpose = Purpose::simulation);
 
 /// Read a scene from text; `name` stands for the file in messages. Throws SceneError.
-Scene parse(const std::string& text, const std::string& name, const Overrides& overrides = {});
+Scene parse(const std::string& text, const std::string& name, const Overrides& overrides = {},
+            Purpose purpose = Purpose::simulation);
 
 }  // namespace mariotte::scene

@@ -1,0 +1,71 @@
+#include <memory>
+
+#include "command.hpp"
+#include "exit_code.hpp"
+#include "law_problem.hpp"
+#include "mariotte/report/law_report.hpp"
+#include "terminal.hpp"
+
+namespace mariotte::command {
+namespace {
+
+int apply(const LawChoice& choice) {
+  auto problem = law_problem(choice);
+  if (problem.simulation_ended != hybrid::Ending::separated) return exit_code(problem.simulation_ended);
+  auto& report = problem.report;
+  report.outcome = impact::multiple_impact(report.before, report.parameters);
+  print(choice.json ? report::text(report::json(report)) : report::table(report));
+  const auto why = reason(report.outcome);
+  if (why.empty()) return ExitCode::ok;
+  error(why);
+  return ExitCode::check_failed;
+}
+
+int law(const LawChoice& choice) {
+  try {
+    return apply(choice);
+  } catch (const InvalidParameter& problem) {
+    if (!choice.scene.path.empty()) throw;
+    throw UsageError(problem.what());
+  }
+}
+
+constexpr const char* examples = R"(Examples:
+  mariotte law --mass 1,1,1 --velocity 1,0,0 --icr 1.5 --energy-ratio 0.9
+  mariotte law --mass "100 g,100 g" --velocity "1 m/s,0" --direction 1 --energy-ratio 0.5 --frame mass-centre
+  mariotte law cradle.toml                       ratios and e from a simulation of the scene
+  mariotte law cradle.toml --energy-ratio 0.9    ratios from the simulation, e as given
+  mariotte law triplet_law.toml --json           a scene with [law]
+
+An outcome that is not admissible, or no real one: exit code 1, with the reason.
+)";
+
+void add_options(CLI::App& command, LawChoice& choice) {
+  command.add_option("SCENE", choice.scene.path, "Scene with [law], or with a [chain] to be simulated");
+  add_overrides(command, choice.scene);
+  const auto list = [&](const char* name, std::vector<std::string>& values, const char* what) {
+    return command.add_option(name, values, what)->delimiter(',')->type_name("X,X,…");
+  };
+  auto* mass = list("--mass", choice.mass, "Masses from left to right [kg]; inf is a wall");
+  auto* velocity = list("--velocity", choice.velocity, "Velocities before the impact [m/s]");
+  mass->needs(velocity);
+  velocity->needs(mass);
+  auto* icr = list("--icr", choice.icr, "Impulse correlation ratios p_j/p_{j+1}, one less than contacts");
+  list("--direction", choice.direction, "Impulses up to their size, one per contact")->excludes(icr);
+  command.add_option("--energy-ratio", choice.energy_ratio, "e = T+/T-, kinetic energies");
+  command.add_option("--frame", choice.frame, "Frame of e: given, or mass-centre")->type_name("FRAME");
+  command.add_flag("--json", choice.json, "One JSON object on stdout instead of the table");
+}
+
+}  // namespace
+
+void add_law(CLI::App& app, int& code) {
+  auto* command =
+      app.add_subcommand("law", "Apply the multiple-impact law: velocities from ratios and energy");
+  auto choice = std::make_shared<LawChoice>();
+  add_options(*command, *choice);
+  command->footer(examples);
+  command->callback([choice, &code] { code = law(*choice); });
+}
+
+}  // namespace mariotte::command

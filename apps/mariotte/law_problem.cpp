@@ -1,0 +1,85 @@
+#include "law_problem.hpp"
+
+#include "exit_code.hpp"
+#include "mariotte/core/quantity.hpp"
+#include "mariotte/report/reason.hpp"
+#include "terminal.hpp"
+
+namespace mariotte::command {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+double number(const std::string& flag, const std::string& text, const Dimension& dimension) {
+  try {
+    return parse_quantity(text, dimension);
+  } catch (const QuantityError& problem) {
+    throw UsageError("--" + flag + ": " + problem.what());
+  }
+}
+
+std::vector<double> numbers(const std::string& flag, const Texts& texts, const Dimension& dimension) {
+  std::vector<double> values;
+  for (const auto& text : texts) values.push_back(number(flag, text, dimension));
+  return values;
+}
+
+impact::EnergyFrame frame(const std::string& text) {
+  for (const auto frame : {impact::EnergyFrame::given, impact::EnergyFrame::mass_centre})
+    if (text == report::frame_name(frame)) return frame;
+  throw UsageError("--frame: must be given or mass-centre, not " + text);
+}
+
+/// What the flags say beside [law].
+void add_flags(scene::Law& law, const LawChoice& choice) {
+  if (!choice.mass.empty()) {
+    law.mass = numbers("mass", choice.mass, dimension::mass);
+    law.velocity = numbers("velocity", choice.velocity, dimension::velocity);
+  }
+  if (!choice.direction.empty()) law.direction = numbers("direction", choice.direction, dimension::none);
+  if (!choice.icr.empty())
+    law.direction = impact::direction_of_ratios(numbers("icr", choice.icr, dimension::none));
+  if (!choice.energy_ratio.empty())
+    law.energy_ratio = number("energy-ratio", choice.energy_ratio, dimension::none);
+  if (!choice.frame.empty()) law.frame = frame(choice.frame);
+}
+
+/// Impulses and energies of the scene's chain stand in for what is not given.
+void complete_by_simulation(LawProblem& problem, scene::Law& law, const scene::Scene& scene) {
+  const auto impact = impact::simulate(scene.chain, scene.run);
+  problem.simulation_ended = impact.ending;
+  if (const auto why = report::reason(impact, scene.run); !why.empty()) error(why);
+  const auto found = impact::parameters_of(impact, law.frame);
+  if (law.direction.empty()) law.direction = found.direction;
+  if (!law.energy_ratio) law.energy_ratio = found.energy_ratio;
+  problem.report.parameters.slow = found.slow;
+  problem.report.simulated = impact.velocity;
+}
+
+scene::Scene read_scene(const SceneChoice& choice) {
+  return choice.path.empty() ? scene::Scene{} : read(choice, scene::Purpose::law);
+}
+
+}  // namespace
+
+LawProblem law_problem(const LawChoice& choice) {
+  const auto scene = read_scene(choice.scene);
+  auto law = scene.law.value_or(scene::Law{});
+  add_flags(law, choice);
+  LawProblem problem;
+  problem.report.title = scene.title;
+  problem.report.scene_sha256 = scene.sha256;
+  const bool own = !law.mass.empty();
+  if (!own && scene.chain.mass.empty()) throw UsageError("give a scene, or --mass and --velocity");
+  if (!own && (law.direction.empty() || !law.energy_ratio)) complete_by_simulation(problem, law, scene);
+  if (law.direction.empty()) throw UsageError("give --icr or --direction");
+  if (!law.energy_ratio) throw UsageError("give --energy-ratio");
+  problem.report.before = impact::chain_configuration(own ? law.mass : scene.chain.mass,
+                                                      own ? law.velocity : scene.chain.velocity);
+  problem.report.parameters.direction = law.direction;
+  problem.report.parameters.energy_ratio = *law.energy_ratio;
+  problem.report.parameters.frame = law.frame;
+  return problem;
+}
+
+}  // namespace mariotte::command

@@ -1,0 +1,30 @@
+// What `mariotte law` is asked, from flags and a scene.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mariotte/hybrid/ending.hpp"
+#include "mariotte/report/law_report.hpp"
+#include "scene_choice.hpp"
+
+namespace mariotte::command {
+
+/// Texts of the flags; empty for those not given.
+struct LawChoice {
+  SceneChoice scene;
+  std::vector<std::string> mass, velocity, icr, direction;
+  std::string energy_ratio, frame;
+  bool json = false;
+};
+
+struct LawProblem {
+  report::LawReport report;  ///< all but its outcome
+  hybrid::Ending simulation_ended = hybrid::Ending::separated;
+};
+
+/// Flags go before the scene's [law], that before a simulation of its [chain]. Throws UsageError where flags
+/// make no sense or something is missing, and what reading and simulating a scene throw.
+LawProblem law_problem(const LawChoice& choice);
+
+}  // namespace mariotte::command

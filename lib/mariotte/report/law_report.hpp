@@ -1,0 +1,29 @@
+// What `mariotte law` says.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mariotte/impact/multiple_impact_law.hpp"
+#include "mariotte/report/json.hpp"
+
+namespace mariotte::report {
+
+/// The law applied to a chain, and where its parameters come from.
+struct LawReport {
+  std::string title;
+  impact::Configuration before;
+  impact::LawParameters parameters;
+  impact::LawOutcome outcome;
+  std::vector<double> simulated = {};  ///< velocities of the simulation the parameters are from, or empty
+  std::string scene_sha256 = {};       ///< empty if there is no scene
+};
+
+/// As the result of a run, with `status`, `reason`, `frame` and the least possible energy ratio.
+Json json(const LawReport& report);
+std::string table(const LawReport& report);
+
+/// "given" or "mass-centre", as scenes and flags spell it.
+const char* frame_name(impact::EnergyFrame frame);
+
+}  // namespace mariotte::report

@@ -1,0 +1,116 @@
+#define BOOST_TEST_MODULE command_law
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "session.hpp"
+
+using support::has;
+using support::Session;
+using Json = nlohmann::json;
+
+namespace {
+
+constexpr const char* triplet = "law --mass 1,1,1 --velocity 1,0,0 ";
+
+double difference(const Json& a, const std::vector<double>& b) {
+  double largest = a.size() == b.size() ? 0 : 1e300;
+  for (std::size_t i = 0; i < b.size(); ++i) largest = std::max(largest, std::abs(a[i].get<double>() - b[i]));
+  return largest;
+}
+
+}  // namespace
+
+BOOST_FIXTURE_TEST_CASE(law_answers_from_flags_alone, Session) {
+  const auto run = mariotte(triplet + std::string("--icr 2 --energy-ratio 1 --json"));
+  BOOST_TEST(run.code == 0);
+  BOOST_TEST(run.err == "");
+  const auto answer = Json::parse(run.out);
+  BOOST_TEST(answer["status"] == "admissible");
+  BOOST_TEST(difference(answer["final"]["velocity"], {-1.0 / 3, 2.0 / 3, 2.0 / 3}) < 1e-15);
+  BOOST_TEST(std::abs(answer["contacts"][0]["impulse"].get<double>() - 4.0 / 3) < 1e-15);
+  BOOST_TEST(answer["icr"] == Json::array({2.0}));
+  BOOST_TEST(answer["energy"]["frame"] == "given");
+}
+
+BOOST_FIXTURE_TEST_CASE(direction_units_and_walls_are_understood, Session) {
+  const auto run =
+      mariotte("law --mass '100 g,inf' --velocity '2 m/s,0' --direction 1 --energy-ratio 0.25 --json");
+  BOOST_TEST(run.code == 0);
+  BOOST_TEST(difference(Json::parse(run.out)["final"]["velocity"], {-1, 0}) < 1e-15);
+  const auto negative = mariotte("law --mass 1,1 --velocity -1,-2 --direction 1 --energy-ratio 1");
+  BOOST_TEST(negative.code == 0);
+}
+
+BOOST_FIXTURE_TEST_CASE(frame_of_the_energy_ratio_is_named_and_counts, Session) {
+  const std::string parameters = "--icr 1.5 --energy-ratio 0.9 --json";
+  const auto given = Json::parse(mariotte(triplet + parameters).out);
+  const auto centre = Json::parse(mariotte(triplet + parameters + " --frame mass-centre").out);
+  BOOST_TEST(std::abs(given["energy"]["ratio_lab"].get<double>() - 0.9) < 1e-14);
+  BOOST_TEST(std::abs(centre["energy"]["ratio_centre"].get<double>() - 0.9) < 1e-14);
+  BOOST_TEST(given["final"] != centre["final"]);
+  BOOST_TEST(centre["energy"]["frame"] == "mass-centre");
+}
+
+BOOST_FIXTURE_TEST_CASE(what_is_inadmissible_gives_code_1_and_the_reason, Session) {
+  const struct {
+    const char* parameters;
+    const char* status;
+    const char* reason;
+  } cases[] = {
+      {"--icr 2.5 --energy-ratio 1", "penetrating_velocity", "contact 2 would go on closing"},
+      {"--direction 1,-0.5 --energy-ratio 1", "tensile_impulse", "contact 2 would pull"},
+      {"--icr 2 --energy-ratio 0.2", "complex", "at least 0.33333333333333"},
+      {"--direction -1,-1 --energy-ratio 1", "no_impact", "nothing approaches"},
+  };
+  for (const auto& c : cases) {
+    const auto run = mariotte(std::string(triplet) + c.parameters + " --json");
+    BOOST_TEST(run.code == 1);
+    BOOST_TEST(has(run.err, c.reason));
+    BOOST_TEST(Json::parse(run.out)["status"] == c.status);
+    BOOST_TEST(has(mariotte(std::string(triplet) + c.parameters).out, c.reason));
+  }
+}
+
+BOOST_FIXTURE_TEST_CASE(law_of_a_simulated_scene_gives_the_simulated_velocities, Session) {
+  const auto law = mariotte("law three.toml --json"), run = mariotte("run three.toml --json");
+  BOOST_TEST(law.code == 0);
+  const auto answer = Json::parse(law.out), result = Json::parse(run.out);
+  const auto simulated = result["final"]["velocity"].get<std::vector<double>>();
+  BOOST_TEST(difference(answer["final"]["velocity"], simulated) < 1e-10);
+  BOOST_TEST(answer["simulated"] == Json({{"velocity", simulated}}));
+  BOOST_TEST(answer["provenance"]["scene_sha256"] == result["provenance"]["scene_sha256"]);
+  const auto lossy = Json::parse(mariotte("law three.toml --energy-ratio 0.8 --json").out);
+  BOOST_TEST(std::abs(lossy["energy"]["ratio_lab"].get<double>() - 0.8) < 1e-14);
+  BOOST_TEST(lossy["icr"] == answer["icr"]);
+}
+
+BOOST_FIXTURE_TEST_CASE(a_scene_with_a_law_needs_no_chain, Session) {
+  write("law.toml",
+        "title = \"Plain\"\n[law]\nmass = [1, 1, 1]\nvelocity = [\"1 m/s\", 0, 0]\nicr = [1.5]\n"
+        "energy_ratio = 0.9\nframe = \"mass-centre\"\n");
+  const auto run = mariotte("law law.toml --json");
+  BOOST_TEST(run.code == 0);
+  const auto answer = Json::parse(run.out);
+  BOOST_TEST(answer["title"] == "Plain");
+  BOOST_TEST(std::abs(answer["energy"]["ratio_centre"].get<double>() - 0.9) < 1e-14);
+  BOOST_TEST(Json::parse(mariotte("law law.toml --set law.energy_ratio=1 --json").out)["energy"]["ratio"] ==
+             1);
+  BOOST_TEST(has(mariotte("run law.toml").err, "the scene has no [chain]"));
+  BOOST_TEST(mariotte("run law.toml").code == 3);
+}
+
+BOOST_FIXTURE_TEST_CASE(flags_without_sense_give_code_2, Session) {
+  for (const std::string arguments :
+       {"law", "law --mass 1,1", "law --mass 1,1 --velocity 1,0 --energy-ratio 1",
+        "law --mass 1,1 --velocity 1,0 --direction 1",
+        "law --mass 1,x --velocity 1,0 --direction 1 --energy-ratio 1",
+        "law --mass 1,1 --velocity 1,0 --direction 1 --energy-ratio=-1",
+        "law --mass 1,-1 --velocity 1,0 --direction 1 --energy-ratio 1",
+        "law --mass 1,1 --velocity 1,0,0 --direction 1 --energy-ratio 1",
+        "law --mass 1,1 --velocity 1,0 --icr 1 --direction 1 --energy-ratio 1",
+        "law --mass 1,1 --velocity 1,0 --direction 1 --energy-ratio 1 --frame lab"}) {
+    const auto run = mariotte(arguments);
+    BOOST_TEST(run.code == 2, arguments);
+    BOOST_TEST(run.out == "");
+  }
+}
