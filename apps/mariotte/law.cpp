@@ -14,6 +14,7 @@ int apply(const LawChoice& choice) {
   if (problem.simulation_ended != hybrid::Ending::separated) return exit_code(problem.simulation_ended);
   auto& report = problem.report;
   report.outcome = impact::multiple_impact(report.before, report.parameters);
+  if (choice.rivals) report.rivals = impact::rival_outcomes(report.before, problem.rivals);
   print(choice.json ? report::text(report::json(report)) : report::table(report));
   const auto why = reason(report.outcome);
   if (why.empty()) return ExitCode::ok;
@@ -35,6 +36,7 @@ constexpr const char* examples = R"(Examples:
   mariotte law --mass "100 g,100 g" --velocity "1 m/s,0" --direction 1 --energy-ratio 0.5 --frame mass-centre
   mariotte law cradle.toml                       ratios and e from a simulation of the scene
   mariotte law cradle.toml --energy-ratio 0.9    ratios from the simulation, e as given
+  mariotte law cradle.toml --rivals              beside Newton, Poisson, Moreau and others
   mariotte law triplet_law.toml --json           a scene with [law]
 
 An outcome that is not admissible, or no real one: exit code 1, with the reason.
@@ -54,6 +56,9 @@ void add_options(CLI::App& command, LawChoice& choice) {
   list("--direction", choice.direction, "Impulses up to their size, one per contact")->excludes(icr);
   command.add_option("--energy-ratio", choice.energy_ratio, "e = T+/T-, kinetic energies");
   command.add_option("--frame", choice.frame, "Frame of e: given, or mass-centre")->type_name("FRAME");
+  auto* rivals = command.add_flag("--rivals", choice.rivals, "Show what other impact laws answer, too");
+  command.add_option("--restitution", choice.restitution, "Coefficient of restitution of these; default 1")
+      ->needs(rivals);
   command.add_flag("--json", choice.json, "One JSON object on stdout instead of the table");
 }
 

@@ -56,6 +56,21 @@ void complete_by_simulation(LawProblem& problem, scene::Law& law, const scene::S
   problem.report.simulated = impact.velocity;
 }
 
+/// The chain's own contacts for the rival that needs them; equal Hertz ones where there is no single
+/// exponent.
+impact::RivalParameters rival_parameters(const LawChoice& choice, const model::Chain& chain) {
+  impact::RivalParameters parameters;
+  if (!choice.restitution.empty())
+    parameters.restitution = number("restitution", choice.restitution, dimension::none);
+  if (chain.law.empty()) return parameters;
+  const double exponent = contact::exponent(chain.law.front());
+  for (const auto& law : chain.law)
+    if (contact::exponent(law) != exponent) return parameters;
+  parameters.exponent = exponent;
+  for (const auto& law : chain.law) parameters.stiffness.push_back(contact::stiffness(law));
+  return parameters;
+}
+
 scene::Scene read_scene(const SceneChoice& choice) {
   return choice.path.empty() ? scene::Scene{} : read(choice, scene::Purpose::law);
 }
@@ -79,6 +94,8 @@ LawProblem law_problem(const LawChoice& choice) {
   problem.report.parameters.direction = law.direction;
   problem.report.parameters.energy_ratio = *law.energy_ratio;
   problem.report.parameters.frame = law.frame;
+  problem.rivals = rival_parameters(choice, own ? model::Chain{} : scene.chain);
+  problem.report.restitution = problem.rivals.restitution;
   return problem;
 }
 

@@ -14,12 +14,14 @@ namespace mariotte::command {
 struct LawChoice {
   SceneChoice scene;
   std::vector<std::string> mass, velocity, icr, direction;
-  std::string energy_ratio, frame;
+  std::string energy_ratio, frame, restitution;
+  bool rivals = false;
   bool json = false;
 };
 
 struct LawProblem {
-  report::LawReport report;  ///< all but its outcome
+  report::LawReport report;        ///< all but its outcomes
+  impact::RivalParameters rivals;  ///< stiffnesses and exponent of a chain whose exponents are all equal
   hybrid::Ending simulation_ended = hybrid::Ending::separated;
 };
 

@@ -1,6 +1,7 @@
 #define BOOST_TEST_MODULE command_law
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <map>
 
 #include "session.hpp"
 
@@ -97,6 +98,23 @@ BOOST_FIXTURE_TEST_CASE(a_scene_with_a_law_needs_no_chain, Session) {
              1);
   BOOST_TEST(has(mariotte("run law.toml").err, "the scene has no [chain]"));
   BOOST_TEST(mariotte("run law.toml").code == 3);
+}
+
+BOOST_FIXTURE_TEST_CASE(rivals_answer_beside_the_law, Session) {
+  const auto run = mariotte("law three.toml --rivals --json");
+  BOOST_TEST(run.code == 0);
+  const auto answer = Json::parse(run.out);
+  std::map<std::string, Json> rivals;
+  for (const auto& rival : answer["rivals"]) rivals[rival["name"]] = rival;
+  BOOST_TEST(rivals.size() == 6);
+  BOOST_TEST(answer["restitution"] == 1);
+  BOOST_TEST(difference(rivals["newton"]["velocity"], {-1.0 / 3, 2.0 / 3, 2.0 / 3}) < 1e-14);
+  BOOST_TEST(difference(rivals["by-event"]["velocity"], {0, 0, 1}) < 1e-14);
+  const auto simulated = answer["simulated"]["velocity"].get<std::vector<double>>();
+  BOOST_TEST(difference(rivals["liu-zhao-brogliato"]["velocity"], simulated) < 1e-8);
+  BOOST_TEST(mariotte("law three.toml --restitution 0.5").code == 2);
+  BOOST_TEST(mariotte("law three.toml --rivals --restitution 2").code == 3);
+  BOOST_TEST(has(mariotte("law three.toml --rivals --restitution 0").out, "moreau"));
 }
 
 BOOST_FIXTURE_TEST_CASE(flags_without_sense_give_code_2, Session) {

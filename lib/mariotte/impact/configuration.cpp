@@ -90,6 +90,10 @@ void validate(const Configuration& c) {
       expect(std::isfinite(coefficient), "every coefficient of a contact direction must be finite");
     }
   validate_mass(c);
+  for (Index j = 0; j < contacts(c); ++j)
+    if (std::none_of(c.contact[j].begin(), c.contact[j].end(),
+                     [&](const Term& t) { return t.coefficient != 0 && std::isfinite(c.mass[t.freedom]); }))
+      throw InvalidParameter("contact " + std::to_string(j + 1) + " joins nothing that can move");
 }
 
 Numbers gap_rates(const Configuration& c, const Numbers& velocity) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "mariotte/core/error.hpp"
+
 namespace mariotte::impact {
 namespace {
 
@@ -56,6 +58,14 @@ LawOutcome outcome_of(const Configuration& c, Numbers impulse, double slow) {
   judge(outcome, c, slow);
   add_ratios(outcome, c);
   return outcome;
+}
+
+void validate(const Configuration& c, const Numbers& restitution) {
+  validate(c);
+  if (restitution.size() != c.contact.size())
+    throw InvalidParameter("an impact law needs one coefficient of restitution per contact");
+  for (const double e : restitution)
+    if (!(e >= 0 && e <= 1)) throw InvalidParameter("a coefficient of restitution must lie between 0 and 1");
 }
 
 const char* name(LawStatus status) {

@@ -25,6 +25,7 @@ struct LawOutcome {
   std::optional<double> least_energy_ratio = {};  ///< of the multiple-impact law: 1 − B²/(A S)
   std::optional<double> ratio_lab = {};           ///< T⁺/T⁻ in the given frame; empty if T⁻ = 0
   std::optional<double> ratio_centre = {};        ///< the same of the relative energy
+  Index steps = 0;                                ///< collisions or steps of laws that take them
 };
 
 /// Gap rates of an outcome carry the rounding of velocities and impulses, times the number of contacts.
@@ -34,6 +35,10 @@ inline constexpr double rounding = 1e-12;
 /// after, counts as none.
 LawOutcome outcome_of(const Configuration& configuration, std::vector<double> impulse,
                       double slow = rounding);
+
+/// Throws InvalidParameter unless the configuration makes sense and there is one coefficient of restitution,
+/// 0 ≤ e ≤ 1, per contact.
+void validate(const Configuration& configuration, const std::vector<double>& restitution);
 
 /// "admissible", "tensile_impulse", "penetrating_velocity", "complex", "no_impact", "unfinished".
 const char* name(LawStatus status);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "mariotte/impact/impulses.hpp"
 #include "mariotte/report/columns.hpp"
@@ -72,6 +73,53 @@ std::string energies(const LawReport& report) {
          ratio("least possible e", report.outcome.least_energy_ratio);
 }
 
+/// The velocities that others are compared with: the simulated ones or, without, those of the law.
+const std::vector<double>& reference(const LawReport& report) {
+  return report.simulated.empty() ? report.outcome.velocity : report.simulated;
+}
+
+double difference(const std::vector<double>& a, const std::vector<double>& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+    largest = std::max(largest, std::abs(a[i] - b[i]));
+  return largest;
+}
+
+std::string rivals(const LawReport& report) {
+  if (report.rivals.empty()) return "";
+  auto laws = report.rivals;
+  if (is_real(report)) laws.insert(laws.begin(), {"multiple-impact", report.outcome});
+  if (!report.simulated.empty()) {
+    auto p = parameters_of(report.before, report.outcome.impulse, report.simulated);
+    laws.insert(
+        laws.begin(),
+        {"simulation",
+         {.status = LawStatus::admissible, .velocity = report.simulated, .ratio_lab = p.energy_ratio}});
+  }
+  const auto row = [&](Index i) -> Row {
+    const auto& [name, outcome] = laws[static_cast<std::size_t>(i)];
+    return {name, impact::name(outcome.status), fmt::format("{:.6f}", outcome.ratio_lab.value_or(1)),
+            fmt::format("{:.6f}", energy_dispersion(report.before, outcome.velocity)),
+            reference(report).empty()
+                ? ""
+                : fmt::format("{:.6f}", difference(outcome.velocity, reference(report)))};
+  };
+  return fmt::format("\nLaws, others with restitution {:g}\n", report.restitution) +
+         columns({"law", "outcome", "T⁺/T⁻", "dispersion", "velocities differ by [m/s]"}, std::ssize(laws),
+                 row);
+}
+
+Json rival(const impact::NamedOutcome& rival) {
+  const auto& outcome = rival.outcome;
+  Json result = {{"name", rival.name}, {"status", impact::name(outcome.status)}};
+  if (const auto why = reason(outcome); !why.empty()) result["reason"] = why;
+  result["velocity"] = outcome.velocity;
+  result["impulse"] = outcome.impulse;
+  result["ratio_lab"] = nullable(outcome.ratio_lab);
+  result["ratio_centre"] = nullable(outcome.ratio_centre);
+  return result;
+}
+
 Json energy(const LawReport& report) {
   Json energy = {{"initial", kinetic_energy(report.before, report.before.velocity)}, {"final", nullptr}};
   if (is_real(report)) energy["final"] = kinetic_energy(report.before, report.outcome.velocity);
@@ -99,6 +147,10 @@ Json json(const LawReport& report) {
   result["impulse_direction"] = impact::direction(report.parameters.direction);
   result["energy"] = energy(report);
   if (!report.simulated.empty()) result["simulated"] = {{"velocity", report.simulated}};
+  if (!report.rivals.empty()) {
+    result["restitution"] = report.restitution;
+    result["rivals"] = list(report.rivals, rival);
+  }
   result["provenance"] = provenance_json(report.scene_sha256);
   return result;
 }
@@ -106,7 +158,7 @@ Json json(const LawReport& report) {
 std::string table(const LawReport& report) {
   std::string text = heading(report.title.empty() ? "Multiple-impact law" : report.title) + summary(report);
   if (is_real(report)) text += balls(report) + contacts(report);
-  return text + energies(report);
+  return text + energies(report) + rivals(report);
 }
 
 }  // namespace mariotte::report

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mariotte/impact/multiple_impact_law.hpp"
+#include "mariotte/impact/rival_laws.hpp"
 #include "mariotte/report/json.hpp"
 
 namespace mariotte::report {
@@ -16,7 +17,9 @@ struct LawReport {
   impact::LawParameters parameters;
   impact::LawOutcome outcome;
   std::vector<double> simulated = {};  ///< velocities of the simulation the parameters are from, or empty
-  std::string scene_sha256 = {};       ///< empty if there is no scene
+  std::vector<impact::NamedOutcome> rivals = {};  ///< on request
+  double restitution = 1;                         ///< of the rivals
+  std::string scene_sha256 = {};                  ///< empty if there is no scene
 };
 
 /// As the result of a run, with `status`, `reason`, `frame` and the least possible energy ratio.

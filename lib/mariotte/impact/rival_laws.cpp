@@ -1,0 +1,38 @@
+#include "mariotte/impact/rival_laws.hpp"
+
+#include <cmath>
+
+#include "mariotte/impact/liu_zhao_brogliato_law.hpp"
+#include "mariotte/impact/moreau_law.hpp"
+#include "mariotte/impact/newton_law.hpp"
+#include "mariotte/impact/poisson_law.hpp"
+#include "mariotte/impact/sequential_law.hpp"
+
+namespace mariotte::impact {
+
+std::vector<NamedOutcome> rival_outcomes(const Configuration& c, const RivalParameters& parameters) {
+  const std::vector<double> e(c.contact.size(), parameters.restitution);
+  std::vector<NamedOutcome> outcomes = {{"newton", newton(c, e)},
+                                        {"poisson", poisson(c, e)},
+                                        {"moreau", moreau(c, parameters.restitution)},
+                                        {"left-to-right", left_to_right(c, {.restitution = e})},
+                                        {"by-event", by_event(c, {.restitution = e})}};
+  if (!(parameters.restitution > 0)) return outcomes;
+  DistributionLaw law{.restitution = e, .stiffness = parameters.stiffness, .exponent = parameters.exponent};
+  if (law.stiffness.empty()) law.stiffness.assign(e.size(), 1.0);
+  outcomes.push_back({"liu-zhao-brogliato", liu_zhao_brogliato(c, law)});
+  return outcomes;
+}
+
+double energy_dispersion(const Configuration& c, const std::vector<double>& velocity) {
+  const double total = kinetic_energy(c, velocity);
+  if (!(total > 0)) return 0;
+  double even = 0;
+  for (std::size_t i = 0; i < velocity.size(); ++i) {
+    const double share = std::isinf(c.mass[i]) ? 0 : 0.5 * c.mass[i] * velocity[i] * velocity[i] / total;
+    even += share * share;
+  }
+  return 1 - even;
+}
+
+}  // namespace mariotte::impact
