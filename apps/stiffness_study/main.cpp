@@ -47,9 +47,9 @@ Exit codes: 0 ok, 1 a theorem failed, 2 usage, 4 solver failure, 6 file error.
 
 void declare(CLI::App& app, CommandLine& line) {
   app.footer(notes);
-  app.add_option(
-         "--study", line.studies,
-         "stiffness, ratio, damping, scaling or crossover; may be repeated (default: all but crossover)")
+  app.add_option("--study", line.studies,
+                 "stiffness, ratio, damping, scaling, conclusions or crossover; may be repeated (default: "
+                 "all but crossover)")
       ->allow_extra_args(false)
       ->check(is_study, "");
   app.add_option("--flow", line.settings.flow, "Only this flow")->check(command::is_flow, "");

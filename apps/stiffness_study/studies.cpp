@@ -8,6 +8,7 @@ const std::vector<Study>& studies() {
       {"ratio", "Stiffness ratio", true, ratio_study},
       {"damping", "Damping", true, damping_study},
       {"scaling", "The group Π of damped contacts", true, scaling_study},
+      {"conclusions", "The conclusions of the paper, on random chains", true, conclusions_study},
       {"crossover", "Where one flow becomes cheaper than another", false, crossover_study}};
   return all;
 }

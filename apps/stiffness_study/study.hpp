@@ -33,6 +33,9 @@ Findings ratio_study(const Settings& settings);
 Findings damping_study(const Settings& settings);
 /// Damped contacts: ICRs are constant along c ∝ k^{n/(n+1)}, and not otherwise.
 Findings scaling_study(const Settings& settings);
+/// What [Acary 2003, §4] concludes for finite-dimensional systems, on chains at random. 2(b) is the scaling
+/// study.
+Findings conclusions_study(const Settings& settings);
 /// Where one flow becomes cheaper than another: numbers for flow/choose.
 Findings crossover_study(const Settings& settings);
 

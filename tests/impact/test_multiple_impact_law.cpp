@@ -166,6 +166,24 @@ BOOST_AUTO_TEST_CASE(every_inadmissible_class_is_reported_as_such) {
   BOOST_TEST(reason(triplet({1, 0, 0}, 1.5, 1)).empty());
 }
 
+BOOST_AUTO_TEST_CASE(at_the_least_energy_ratio_the_impact_is_plastic) {
+  std::mt19937_64 random(8);
+  for (int i = 0; i < 100; ++i) {
+    const auto c = test::random_configuration(random);
+    const Numbers r(c.contact.size(), 1.0);
+    for (const auto frame : {EnergyFrame::given, EnergyFrame::mass_centre}) {
+      const auto least = multiple_impact(c, {.direction = r, .frame = frame}).least_energy_ratio;
+      if (!least) continue;
+      const auto plastic = multiple_impact(c, {.direction = r, .energy_ratio = *least, .frame = frame});
+      BOOST_TEST_REQUIRE((plastic.status != LawStatus::complex));
+      double power = 0, scale = 0;
+      for (const double rate : gap_rates(c, plastic.velocity)) power += rate;
+      for (const double rate : gap_rates(c, c.velocity)) scale += std::abs(rate);
+      BOOST_TEST(std::abs(power) < 1e-6 * scale);  // a root of the rounding of e
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(walls_keep_their_velocity) {
   const auto outcome =
       multiple_impact(chain_configuration({infinity, 1, 2}, {0, -1, -1}), {.direction = {1.2, 0.1}});

@@ -30,10 +30,10 @@ struct EnergyBalance {
   double a, b, s;
 
   double least_ratio() const { return 1 - b / a * (b / s); }
-  /// The larger root for this e; empty if complex by more than rounding.
+  /// The larger root for this e; empty if complex by more than the rounding of e and of the terms.
   std::optional<double> size(double e) const {
     const double discriminant = b * b - a * (1 - e) * s;
-    if (discriminant < -8 * epsilon * b * b) return std::nullopt;
+    if (discriminant < -8 * epsilon * (b * b + a * s)) return std::nullopt;
     return (b + std::sqrt(std::max(0.0, discriminant))) / a;
   }
 };
