@@ -14,6 +14,8 @@ int apply(const LawChoice& choice) {
   if (problem.simulation_ended != hybrid::Ending::separated) return exit_code(problem.simulation_ended);
   auto& report = problem.report;
   report.outcome = impact::multiple_impact(report.before, report.parameters);
+  if (problem.from_table)
+    report.velocity_error = impact::multiple_impact(report.before, *problem.from_table).velocity_error;
   if (choice.rivals) report.rivals = impact::rival_outcomes(report.before, problem.rivals);
   print(choice.json ? report::text(report::json(report)) : report::table(report));
   const auto why = reason(report.outcome);
@@ -25,6 +27,9 @@ int apply(const LawChoice& choice) {
 int law(const LawChoice& choice) {
   try {
     return apply(choice);
+  } catch (const impact::OutsideTable& problem) {
+    error(problem.what());
+    return ExitCode::check_failed;
   } catch (const InvalidParameter& problem) {
     if (!choice.scene.path.empty()) throw;
     throw UsageError(problem.what());
@@ -38,8 +43,9 @@ constexpr const char* examples = R"(Examples:
   mariotte law cradle.toml --energy-ratio 0.9    ratios from the simulation, e as given
   mariotte law cradle.toml --rivals              beside Newton, Poisson, Moreau and others
   mariotte law triplet_law.toml --json           a scene with [law]
+  mariotte law --table kappa.csv --at kappa=2 --mass 1,1,1 --velocity 1,0,0
 
-An outcome that is not admissible, or no real one: exit code 1, with the reason.
+An outcome that is not admissible, or no real one, or a place outside the table: exit code 1, with the reason.
 )";
 
 void add_options(CLI::App& command, LawChoice& choice) {
@@ -53,9 +59,14 @@ void add_options(CLI::App& command, LawChoice& choice) {
   mass->needs(velocity);
   velocity->needs(mass);
   auto* icr = list("--icr", choice.icr, "Impulse correlation ratios p_j/p_{j+1}, one less than contacts");
-  list("--direction", choice.direction, "Impulses up to their size, one per contact")->excludes(icr);
-  command.add_option("--energy-ratio", choice.energy_ratio, "e = T+/T-, kinetic energies");
-  command.add_option("--frame", choice.frame, "Frame of e: given, or mass-centre")->type_name("FRAME");
+  auto* direction = list("--direction", choice.direction, "Impulses up to their size, one per contact");
+  direction->excludes(icr);
+  auto* e = command.add_option("--energy-ratio", choice.energy_ratio, "e = T+/T-, kinetic energies");
+  auto* frame = command.add_option("--frame", choice.frame, "Frame of e: given, or mass-centre");
+  frame->type_name("FRAME");
+  auto* table = command.add_option("--table", choice.table, "Take direction and e from a file of icr_table");
+  table->type_name("FILE")->excludes(icr)->excludes(direction)->excludes(e)->excludes(frame);
+  list("--at", choice.at, "Where in the table")->type_name("NAME=VALUE,…")->needs(table);
   auto* rivals = command.add_flag("--rivals", choice.rivals, "Show what other impact laws answer, too");
   command.add_option("--restitution", choice.restitution, "Coefficient of restitution of these; default 1")
       ->needs(rivals);

@@ -1,8 +1,11 @@
 #include "law_problem.hpp"
 
+#include <map>
+
 #include "exit_code.hpp"
 #include "mariotte/core/quantity.hpp"
 #include "mariotte/report/reason.hpp"
+#include "mariotte/scene/text_file.hpp"
 #include "terminal.hpp"
 
 namespace mariotte::command {
@@ -42,6 +45,43 @@ void add_flags(scene::Law& law, const LawChoice& choice) {
   if (!choice.energy_ratio.empty())
     law.energy_ratio = number("energy-ratio", choice.energy_ratio, dimension::none);
   if (!choice.frame.empty()) law.frame = frame(choice.frame);
+}
+
+impact::IcrTable read_table(const std::string& path) {
+  try {
+    return impact::parse_icr_table(scene::read_text(path));
+  } catch (const InvalidParameter& problem) {
+    throw scene::SceneError(path + ": " + problem.what());
+  }
+}
+
+/// One value per axis: those of --at, and of axes that have only one.
+std::vector<double> place(const impact::IcrTable& table, const Texts& at) {
+  std::map<std::string, double> given;
+  for (const auto& text : at) {
+    const auto equals = text.find('=');
+    if (equals == std::string::npos) throw UsageError("--at: write NAME=VALUE, not " + text);
+    given[text.substr(0, equals)] = number("at", text.substr(equals + 1), dimension::none);
+  }
+  std::vector<double> values;
+  for (const auto& axis : table.axis) {
+    if (!given.contains(axis.name) && axis.values.size() > 1)
+      throw UsageError("give --at " + axis.name + "=VALUE: the table has " +
+                       std::to_string(axis.values.size()));
+    values.push_back(given.contains(axis.name) ? given[axis.name] : axis.values[0]);
+    given.erase(axis.name);
+  }
+  if (!given.empty()) throw UsageError("--at: the table has no axis '" + given.begin()->first + "'");
+  return values;
+}
+
+void take_from_table(LawProblem& problem, scene::Law& law, const LawChoice& choice) {
+  const auto table = read_table(choice.table);
+  problem.from_table = impact::look_up(table, place(table, choice.at));
+  const auto& parameters = problem.from_table->parameters;
+  law.direction = parameters.direction;
+  law.energy_ratio = parameters.energy_ratio;
+  law.frame = parameters.frame;
 }
 
 /// Impulses and energies of the scene's chain stand in for what is not given.
@@ -84,10 +124,11 @@ LawProblem law_problem(const LawChoice& choice) {
   LawProblem problem;
   problem.report.title = scene.title;
   problem.report.scene_sha256 = scene.sha256;
+  if (!choice.table.empty()) take_from_table(problem, law, choice);
   const bool own = !law.mass.empty();
   if (!own && scene.chain.mass.empty()) throw UsageError("give a scene, or --mass and --velocity");
   if (!own && (law.direction.empty() || !law.energy_ratio)) complete_by_simulation(problem, law, scene);
-  if (law.direction.empty()) throw UsageError("give --icr or --direction");
+  if (law.direction.empty()) throw UsageError("give --icr, --direction or --table");
   if (!law.energy_ratio) throw UsageError("give --energy-ratio");
   problem.report.before = impact::chain_configuration(own ? law.mass : scene.chain.mass,
                                                       own ? law.velocity : scene.chain.velocity);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mariotte/hybrid/ending.hpp"
+#include "mariotte/impact/icr_table.hpp"
 #include "mariotte/report/law_report.hpp"
 #include "scene_choice.hpp"
 
@@ -15,18 +16,22 @@ struct LawChoice {
   SceneChoice scene;
   std::vector<std::string> mass, velocity, icr, direction;
   std::string energy_ratio, frame, restitution;
+  std::string table;            ///< file of ratios
+  std::vector<std::string> at;  ///< NAME=VALUE, one per axis of the table that has more than one value
   bool rivals = false;
   bool json = false;
 };
 
 struct LawProblem {
+  std::optional<impact::TableAnswer> from_table;
   report::LawReport report;        ///< all but its outcomes
   impact::RivalParameters rivals;  ///< stiffnesses and exponent of a chain whose exponents are all equal
   hybrid::Ending simulation_ended = hybrid::Ending::separated;
 };
 
-/// Flags go before the scene's [law], that before a simulation of its [chain]. Throws UsageError where flags
-/// make no sense or something is missing, and what reading and simulating a scene throw.
+/// A table or flags go before the scene's [law], that before a simulation of its [chain]. Throws UsageError
+/// where flags make no sense or something is missing, impact::OutsideTable, and what reading and simulating a
+/// scene throw.
 LawProblem law_problem(const LawChoice& choice);
 
 }  // namespace mariotte::command

@@ -13,8 +13,8 @@
 namespace mariotte::command {
 namespace {
 
-const std::map<std::string, std::string> programs = {{"stiffness", "stiffness_study"},
-                                                     {"work-precision", "work_precision"}};
+const std::map<std::string, std::string> programs = {
+    {"icr-table", "icr_table"}, {"stiffness", "stiffness_study"}, {"work-precision", "work_precision"}};
 
 /// The study's own program: installed beside this one, or built in the folder next to it.
 std::filesystem::path find_program(const std::string& name) {
@@ -37,8 +37,10 @@ void become(const std::filesystem::path& program, std::vector<std::string> argum
 }  // namespace
 
 void add_study(CLI::App& app, int& code) {
-  auto* command = app.add_subcommand("study", "Measure the solver: stiffness, or work-precision");
-  command->footer("Examples:\n  mariotte study stiffness --quick\n  mariotte study work-precision --help\n");
+  auto* command = app.add_subcommand("study", "Programs of their own: icr-table, stiffness, work-precision");
+  command->footer(
+      "Examples:\n  mariotte study icr-table --kappa 0.1:10:41:log --out kappa.csv\n  mariotte study "
+      "stiffness --quick\n  mariotte study work-precision --help\n");
   command->require_subcommand(1);
   for (const auto& [study, program] : programs) {
     auto* one = command->add_subcommand(study, fmt::format("The same as {}", program));

@@ -117,6 +117,45 @@ BOOST_FIXTURE_TEST_CASE(rivals_answer_beside_the_law, Session) {
   BOOST_TEST(has(mariotte("law three.toml --rivals --restitution 0").out, "moreau"));
 }
 
+BOOST_FIXTURE_TEST_CASE(tables_stand_in_for_a_simulation, Session) {
+  BOOST_TEST(mariotte("study icr-table --kappa 0.5:4:21:log --out k.csv").code == 0);
+  BOOST_TEST(mariotte("study icr-table --kappa 2 --out k.csv").code == 6);  // is not overwritten
+  const std::string balls = " --mass 1,1,1 --velocity 1,0,0 --json";
+  const auto run = mariotte("law --table k.csv --at kappa=1.7" + balls);
+  BOOST_TEST(run.code == 0);
+  const auto answer = Json::parse(run.out);
+  const auto exact =
+      Json::parse(mariotte("run three.toml --json --set 'chain.contact=[{law = \"hertz\", stiffness = 1},"
+                           "{law = \"hertz\", stiffness = 1.7}]'")
+                      .out);
+  const double bound = answer["interpolation"]["velocity_error"];
+  BOOST_TEST(bound < 1e-2);
+  BOOST_TEST(difference(answer["final"]["velocity"], exact["final"]["velocity"].get<std::vector<double>>()) <
+             bound);
+  const auto outside = mariotte("law --table k.csv --at kappa=5" + balls);
+  BOOST_TEST(outside.code == 1);
+  BOOST_TEST(has(outside.err, "kappa = 5.000000 is outside the table"));
+  for (const std::string at : {"", " --at kappa", " --at speed=1,kappa=1", " --at kappa=1 --energy-ratio 1"})
+    BOOST_TEST(mariotte("law --table k.csv" + at + balls).code == 2);
+  write("broken.csv", "kappa,e\n");
+  BOOST_TEST(mariotte("law --table broken.csv" + balls).code == 3);
+  BOOST_TEST(mariotte("law --table missing.csv" + balls).code == 6);
+}
+
+BOOST_FIXTURE_TEST_CASE(rows_of_many_balls_have_tables_too, Session) {
+  const auto table = mariotte("study icr-table --balls 3:6");
+  BOOST_TEST(table.code == 0);
+  write("rows.csv", table.out);
+  const auto run = mariotte("law --table rows.csv --at balls=4 --mass 1,1,1,1 --velocity 2,0,0,0 --json");
+  BOOST_TEST(run.code == 0);
+  BOOST_TEST(Json::parse(run.out)["interpolation"]["velocity_error"] < 1e-9);
+  BOOST_TEST(mariotte("law --table rows.csv --at balls=7 --mass 1,1 --velocity 1,0").code == 1);
+  for (const std::string bad :
+       {"--balls 1", "--balls 3:2", "--balls 3 --kappa 2", "--kappa 1:2:2", "--kappa 2:1:9",
+        "--kappa -1:1:9:log", "--kappa 1:2", "--law soft", "--kappa x"})
+    BOOST_TEST(mariotte("study icr-table " + bad).code == 2, bad);
+}
+
 BOOST_FIXTURE_TEST_CASE(flags_without_sense_give_code_2, Session) {
   for (const std::string arguments :
        {"law", "law --mass 1,1", "law --mass 1,1 --velocity 1,0 --energy-ratio 1",

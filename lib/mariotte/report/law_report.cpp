@@ -26,6 +26,9 @@ std::string summary(const LawReport& report) {
       "{} · {} balls · e = {:.10g} ({})", impact::name(report.outcome.status), report.before.mass.size(),
       p.energy_ratio, p.frame == impact::EnergyFrame::given ? "given frame" : "relative to the mass centre");
   if (!report.simulated.empty()) text += ", direction and e from a simulation";
+  if (report.velocity_error)
+    text += fmt::format(", both from a table\ninterpolation moves velocities by at most {:.1e} m/s",
+                        *report.velocity_error);
   if (const auto why = reason(report.outcome); !why.empty()) text += "\n" + why;
   return text + "\n";
 }
@@ -147,6 +150,7 @@ Json json(const LawReport& report) {
   result["impulse_direction"] = impact::direction(report.parameters.direction);
   result["energy"] = energy(report);
   if (!report.simulated.empty()) result["simulated"] = {{"velocity", report.simulated}};
+  if (report.velocity_error) result["interpolation"] = {{"velocity_error", *report.velocity_error}};
   if (!report.rivals.empty()) {
     result["restitution"] = report.restitution;
     result["rivals"] = list(report.rivals, rival);

@@ -17,6 +17,7 @@ struct LawReport {
   impact::LawParameters parameters;
   impact::LawOutcome outcome;
   std::vector<double> simulated = {};  ///< velocities of the simulation the parameters are from, or empty
+  std::optional<double> velocity_error = {};      ///< bound on the error of interpolated parameters
   std::vector<impact::NamedOutcome> rivals = {};  ///< on request
   double restitution = 1;                         ///< of the rivals
   std::string scene_sha256 = {};                  ///< empty if there is no scene

@@ -1,15 +1,13 @@
 #include "mariotte/scene/scene.hpp"
 
 #include <array>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "mariotte/scene/chain_reader.hpp"
 #include "mariotte/scene/overrides.hpp"
 #include "mariotte/scene/run_reader.hpp"
 #include "mariotte/scene/sha256.hpp"
 #include "mariotte/scene/sweep_shape.hpp"
+#include "mariotte/scene/text_file.hpp"
 #include "mariotte/scene/toml.hpp"
 
 namespace mariotte::scene {
@@ -85,13 +83,7 @@ Scene parse(const std::string& text, const std::string& name, const Overrides& o
 }
 
 Scene read(const std::string& path, const Overrides& overrides, Purpose purpose) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  // An empty file sets failbit on the copy, so only what was opened and what broke are asked.
-  if (!file.is_open() || file.bad() || text.bad() || std::filesystem::is_directory(path))
-    throw FileError(path + ": cannot be read");
-  return parse(std::move(text).str(), path, overrides, purpose);
+  return parse(read_text(path), path, overrides, purpose);
 }
 
 }  // namespace mariotte::scene
