@@ -1,23 +1,21 @@
 // Tables of impulse correlation ratios, for laws that are applied without a simulation.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <map>
 
+#include "command_line/checks.hpp"
+#include "command_line/exit_code.hpp"
+#include "command_line/program.hpp"
+#include "command_line/terminal.hpp"
 #include "family.hpp"
 #include "mariotte/report/files.hpp"
 
 namespace mariotte::icr_table {
 namespace {
 
-enum ExitCode : int { ok = 0, usage = 2, solver_failed = 4, bad_file = 6 };
-
-struct UsageError : Error {
-  using Error::Error;
-};
+using command::UsageError;
 
 struct CommandLine {
   ContactLaw law;
@@ -142,44 +140,30 @@ Exit codes: 0 ok, 2 usage, 4 solver failure, 6 file error.
     app.add_option(std::string("--") + p.name, line.ranges[p.name], p.meaning)->type_name("RANGE");
   app.add_option("--balls", line.ranges["balls"], "Rows of N equal balls instead of triplets")
       ->type_name("N[:N]");
-  app.add_option("--accuracy", line.accuracy, "Accuracy of the simulations")->check(CLI::Range(1e-15, 1e-2));
+  app.add_option("--accuracy", line.accuracy, "Accuracy of the simulations")->check(command::is_accuracy, "");
   app.add_option("--out", line.out, "File to write; standard output without")->type_name("FILE");
   app.add_flag("--force", line.force, "Overwrite the file");
 }
 
+std::string table(const CommandLine& line) {
+  const auto balls = line.ranges.find("balls");
+  if (balls == line.ranges.end()) return impact::write(triplets(line));
+  if (line.ranges.size() > 1 + line.ranges.count("damping"))
+    throw UsageError("--balls goes with --damping only");
+  return impact::write(rows(line, balls->second));
+}
+
 int act(CommandLine& line) {
   std::erase_if(line.ranges, [](const auto& range) { return range.second.empty(); });
-  const auto balls = line.ranges.find("balls");
-  if (balls != line.ranges.end() && line.ranges.size() > 1 + line.ranges.count("damping"))
-    throw UsageError("--balls goes with --damping only");
   if (!line.out.empty() && !line.force && std::filesystem::exists(line.out))
     throw report::FileError(line.out + " exists (--force overwrites it)");
-  const auto text = impact::write(balls == line.ranges.end() ? triplets(line) : rows(line, balls->second));
-  if (!line.out.empty())
-    report::write_file(line.out, text);
-  else if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
-    throw report::FileError("cannot write to standard output");
-  return ExitCode::ok;
-}
-
-int fail(const char* message, ExitCode code) {
-  std::fprintf(stderr, "icr_table: error: %s\n", message);
-  return code;
-}
-
-int command_line(int argc, char** argv) {
-  CLI::App app("Impulse correlation ratios and energy ratios on a grid of impacts.", "icr_table");
-  CommandLine line;
-  declare(app, line);
   try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp&) {
-    std::fputs(app.help().c_str(), stdout);
-    return ExitCode::ok;
-  } catch (const CLI::ParseError& problem) {
-    return fail((std::string(problem.what()) + " (see --help)").c_str(), ExitCode::usage);
+    const auto text = table(line);
+    line.out.empty() ? command::print(text) : report::write_file(line.out, text);
+  } catch (const InvalidParameter& problem) {
+    throw UsageError(problem.what());
   }
-  return act(line);
+  return command::ExitCode::ok;
 }
 
 }  // namespace
@@ -187,16 +171,8 @@ int command_line(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using namespace mariotte;
-  using namespace mariotte::icr_table;
-  try {
-    return command_line(argc, argv);
-  } catch (const UsageError& problem) {
-    return fail(problem.what(), ExitCode::usage);
-  } catch (const InvalidParameter& problem) {
-    return fail(problem.what(), ExitCode::usage);
-  } catch (const report::FileError& problem) {
-    return fail(problem.what(), ExitCode::bad_file);
-  } catch (const std::exception& problem) {
-    return fail(problem.what(), ExitCode::solver_failed);
-  }
+  CLI::App app("Impulse correlation ratios and energy ratios on a grid of impacts.", "icr_table");
+  icr_table::CommandLine line;
+  icr_table::declare(app, line);
+  return command::run_program(app, argc, argv, [&] { return icr_table::act(line); });
 }

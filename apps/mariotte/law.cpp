@@ -1,10 +1,10 @@
 #include <memory>
 
 #include "command.hpp"
-#include "exit_code.hpp"
+#include "command_line/exit_code.hpp"
+#include "command_line/terminal.hpp"
 #include "law_problem.hpp"
 #include "mariotte/report/law_report.hpp"
-#include "terminal.hpp"
 
 namespace mariotte::command {
 namespace {

@@ -2,11 +2,11 @@
 
 #include <map>
 
-#include "exit_code.hpp"
+#include "command_line/exit_code.hpp"
+#include "command_line/terminal.hpp"
 #include "mariotte/core/quantity.hpp"
 #include "mariotte/report/reason.hpp"
 #include "mariotte/scene/text_file.hpp"
-#include "terminal.hpp"
 
 namespace mariotte::command {
 namespace {
