@@ -6,6 +6,7 @@
 
 #include "mariotte/report/csv.hpp"
 #include "mariotte/report/files.hpp"
+#include "mariotte/report/gnuplot.hpp"
 #include "mariotte/report/json.hpp"
 #include "mariotte/report/plot.hpp"
 
@@ -63,7 +64,7 @@ std::string write_result_folder(const std::filesystem::path& folder, const impac
   remove_others(folder, files);
   if (!can_trace(scene.chain)) return fmt::format("the chain has more than {} balls", most_balls_traced);
   if (!can_plot(impact.trace)) return "the run has no duration";
-  const std::string problem = report::draw(folder);
+  const std::string problem = report::draw(folder, report::figure_names());
   if (problem.empty()) return "";
   return fmt::format("{}; data and script are in {}", problem, (folder / "plot.gp").string());
 }

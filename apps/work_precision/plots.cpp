@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "mariotte/report/files.hpp"
-#include "mariotte/report/plot.hpp"
+#include "mariotte/report/gnuplot.hpp"
 
 namespace mariotte::work_precision {
 namespace {
@@ -65,10 +65,7 @@ std::string figure(const std::string& problem, const std::vector<Row>& rows) {
     if (first.problem == problem)
       plot += fmt::format("{} 'plot.csv' index {} {} title '{}'", plot.empty() ? "plot" : ", \\\n    ", block,
                           style(first, names), first.method);
-  return fmt::format("\nset title '{}'\nset terminal pngcairo size 1200,800 font 'sans,14'\n", problem) +
-         fmt::format("set output folder.'{}.png'\n{}\n", problem, plot) +
-         "set terminal svg size 800,540 dynamic font 'sans,13' background 'white'\n" +
-         fmt::format("set output folder.'{}.svg'\n{}\n", problem, plot);
+  return fmt::format("\nset title '{}'\n", problem) + report::on_both_terminals(problem, plot + "\n");
 }
 
 std::vector<std::string> problems(const std::vector<Row>& rows) {
@@ -79,12 +76,11 @@ std::vector<std::string> problems(const std::vector<Row>& rows) {
 }
 
 std::string script(const std::vector<Row>& rows) {
-  std::string text = "# Run with gnuplot in this folder.\nif (!exists('folder')) folder = ''\n";
-  text += "set encoding utf8\nset datafile separator comma\nset logscale xy\n";
-  text += "set border 3 lc rgb '#555555'\nset tics nomirror out\nset grid lt 1 lc rgb '#e6e6e6' lw 1\n";
+  std::string text = report::script_head;
+  text += "set logscale xy\n";
   text +=
       "set format '10^{%T}'\nset xlabel 'largest error of the final velocities'\nset xrange [*:*] reverse\n";
-  text += "set ylabel 'CPU time per impact [s]'\nset key outside right top reverse Left samplen 3\n";
+  text += "set ylabel 'CPU time per impact [s]'\n";
   for (const auto& problem : problems(rows)) text += figure(problem, rows);
   return text;
 }
@@ -92,7 +88,7 @@ std::string script(const std::vector<Row>& rows) {
 std::vector<std::string> figures(const std::vector<std::string>& problems) {
   std::vector<std::string> names;
   for (const auto& problem : problems)
-    for (const char* ending : {".png", ".svg"}) names.push_back(problem + ending);
+    for (const auto& name : report::files_of_figure(problem)) names.push_back(name);
   return names;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mariotte/report/gnuplot.hpp"
 #include "mariotte/report/number.hpp"
 
 namespace mariotte::report {
@@ -77,14 +78,6 @@ double end_of_action(const impact::Trace& trace) {
   return last > 0 ? std::min(1.1 * last, trace.time.back()) : trace.time.back();
 }
 
-// Inside single quotes a quote is doubled; a title is one line.
-std::string quoted(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
-  for (std::size_t at = 0; (at = text.find('\'', at)) != std::string::npos; at += 2) text.insert(at, 1, '\'');
-  return "'" + text + "'";
-}
-
 struct Figure {
   std::string name;      // of the file, without its ending
   std::string title;     // after the scene's
@@ -116,14 +109,9 @@ std::string figure_script(const Figure& figure, const Display& time, const std::
                                  quoted(title.empty() ? figure.title : title + ": " + figure.title));
   text += fmt::format("set ylabel '{} [{}]'\n", figure.quantity, figure.display.unit);
   text += fmt::format("set cbrange [1:{}]\n", std::max<std::size_t>(2, figure.count));
-  text += has_legend(figure) ? "set key outside right top reverse Left samplen 2\nunset colorbox\n"
+  text += has_legend(figure) ? "unset colorbox\n"
                              : fmt::format("unset key\nset colorbox\nset cblabel '{}'\n", figure.thing);
-  const std::string draw = curves(figure, time);
-  text += "set terminal pngcairo size 1200,750 font 'sans,14'\n";
-  text += fmt::format("set output folder.'{}.png'\n{}", figure.name, draw);
-  text += "set terminal svg size 800,500 dynamic font 'sans,13' background 'white'\n";
-  text += fmt::format("set output folder.'{}.svg'\n{}", figure.name, draw);
-  return text;
+  return text + on_both_terminals(figure.name, curves(figure, time));
 }
 
 }  // namespace
@@ -158,12 +146,7 @@ std::string plot_script(const impact::Trace& trace, const std::string& title) {
                              .display = display_for(extremes(trace.velocity), "m/s"),
                              .count = balls,
                              .block = 0};
-  std::string text = "# Run with gnuplot in this folder.\n";
-  text += "if (!exists('folder')) folder = ''\n";
-  text += "set encoding utf8\nset datafile separator comma\n";
-  text += "set border 3 lc rgb '#555555'\nset tics nomirror out\nset grid lt 1 lc rgb '#e6e6e6' lw 1\n";
-  text +=
-      "set palette defined (0 '#30123b', 1 '#4171d6', 2 '#1fb5b0', 3 '#5fb94a', 4 '#e0a11b', 5 '#c4391d')\n";
+  std::string text = script_head;
   text += fmt::format("set xlabel 'time [{}]'\n", time.unit);
   text += fmt::format("set xrange [0:{:.8g}]\n", time.factor * end);
   return text + figure_script(forces, time, title) + figure_script(velocities, time, title);

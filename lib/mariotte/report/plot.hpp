@@ -1,6 +1,5 @@
 // Figures of a run by gnuplot: contact forces and velocities over time.
 #pragma once
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -8,7 +7,7 @@
 
 namespace mariotte::report {
 
-/// Names of the figures that `draw` makes.
+/// The files that the script of a run makes.
 const std::vector<std::string>& figure_names();
 
 /// `plot.csv`: a block per curve, velocities before forces, with the number of the ball or contact, time [s]
@@ -18,11 +17,5 @@ std::string plot_data(const impact::Trace& trace);
 /// `plot.gp`: a gnuplot script that reads plot.csv in its folder and makes forces and velocities, as PNG and
 /// SVG, from the start until soon after the last force above a thousandth of the largest.
 std::string plot_script(const impact::Trace& trace, const std::string& title);
-
-/// Run plot.gp in `folder`; the figures, files of these names that it makes in the folder named by its
-/// variable `folder`, appear all at once. Returns an empty text, or why there are no figures: gnuplot is not
-/// installed, or it failed.
-std::string draw(const std::filesystem::path& folder,
-                 const std::vector<std::string>& figures = figure_names());
 
 }  // namespace mariotte::report
