@@ -35,7 +35,7 @@ Texts texts(const impact::ChainImpact& impact, const scene::Scene& scene) {
   if (can_trace(scene.chain)) texts["trace.csv"] = report::trace_csv(impact);
   if (can_plot(impact.trace)) {
     texts["plot.csv"] = report::plot_data(impact.trace);
-    texts["plot.gp"] = report::plot_script(impact.trace, scene.title);
+    texts["plot.gp"] = report::plot_script(impact, scene.title);
   }
   return texts;
 }

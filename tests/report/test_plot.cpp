@@ -23,32 +23,39 @@ impact::Trace trace_of(std::size_t balls) {
   return trace;
 }
 
+std::string script_of(std::size_t balls, const std::string& title = "") {
+  impact::ChainImpact impact;
+  impact.trace = trace_of(balls);
+  return report::plot_script(impact, title);
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(axes_have_quantities_and_engineering_units) {
-  const auto script = report::plot_script(trace_of(5), "Cradle");
+  const auto script = script_of(5, "Cradle");
   BOOST_TEST(has(script, "set xlabel 'time [µs]'"));
   BOOST_TEST(has(script, "set ylabel 'force [kN]'"));
   BOOST_TEST(has(script, "set ylabel 'velocity [m/s]'"));
 }
 
 BOOST_AUTO_TEST_CASE(twelve_contacts_have_a_legend_and_more_a_colour_bar) {
-  BOOST_TEST(has(report::plot_script(trace_of(13), ""), "sprintf('contact %d', i)"));
-  BOOST_TEST(!has(report::plot_script(trace_of(14), ""), "sprintf('contact %d', i)"));
-  BOOST_TEST(has(report::plot_script(trace_of(14), ""), "set cblabel 'contact'"));
+  BOOST_TEST(has(script_of(13), "sprintf('contact %d', i)"));
+  BOOST_TEST(!has(script_of(14), "sprintf('contact %d', i)"));
+  BOOST_TEST(has(script_of(14), "set cblabel 'contact'"));
 }
 
 BOOST_AUTO_TEST_CASE(a_faint_late_contact_does_not_stretch_the_axis) {
-  auto trace = trace_of(3);
+  impact::ChainImpact impact;
+  auto& trace = impact.trace = trace_of(3);
   trace.time.push_back(1.0);
   trace.velocity.push_back({1, 1, 1});
   trace.gap.push_back({0, 0});
   trace.force.push_back({1e-3, 0});
-  BOOST_TEST(has(report::plot_script(trace, ""), "set xrange [0:55]\n"));
+  BOOST_TEST(has(report::plot_script(impact, ""), "set xrange [0:55]\n"));
 }
 
 BOOST_AUTO_TEST_CASE(a_title_cannot_leave_its_quotes) {
-  const auto script = report::plot_script(trace_of(2), "it's\n`date`");
+  const auto script = script_of(2, "it's\n`date`");
   BOOST_TEST(has(script, "set title 'it''s `date`: contact forces' noenhanced"));
 }
 
@@ -72,4 +79,23 @@ BOOST_AUTO_TEST_CASE(data_leave_out_points_on_a_level_stretch) {
   trace.force = {{0}, {0}, {0}, {1}, {1.00001}, {1}};
   const auto data = report::plot_data(trace);
   BOOST_TEST(has(data, "1,0,0\n1,2,0\n1,3,1\n1,5,1\n"));
+}
+
+BOOST_AUTO_TEST_CASE(phases_are_shaded_between_events_the_darker_the_more_contacts_are_closed) {
+  impact::ChainImpact impact;
+  impact.trace = trace_of(3);
+  impact.events = {{0, {}, {0, 1}}, {2e-5, {0}, {}}, {4e-5, {1}, {}}};
+  const auto script = report::plot_script(impact, "");
+  BOOST_TEST(has(script, "rectangle from 0, graph 0 to 20, graph 1 behind fillcolor rgb '#e6ecf3'"));
+  BOOST_TEST(has(script, "rectangle from 20, graph 0 to 40, graph 1 behind fillcolor rgb '#f1f4f8'"));
+  BOOST_TEST(!has(script, "rectangle from 40"));
+  BOOST_TEST(has(script, "set label '1–2 close' at 0, "));
+  BOOST_TEST(has(script, "set label '2 open' at 40, "));
+}
+
+BOOST_AUTO_TEST_CASE(too_many_events_to_tell_apart_are_not_marked) {
+  impact::ChainImpact impact;
+  impact.trace = trace_of(3);
+  for (int i = 0; i < 31; ++i) impact.events.push_back({1e-6 * i, {}, {0}});
+  BOOST_TEST(!has(report::plot_script(impact, ""), "set label"));
 }

@@ -7,6 +7,7 @@
 
 #include "mariotte/report/gnuplot.hpp"
 #include "mariotte/report/number.hpp"
+#include "mariotte/report/phases.hpp"
 
 namespace mariotte::report {
 namespace {
@@ -127,7 +128,8 @@ std::string plot_data(const impact::Trace& trace) {
          "# contact, time [s], force [N]\n" + blocks(trace.time, trace.force);
 }
 
-std::string plot_script(const impact::Trace& trace, const std::string& title) {
+std::string plot_script(const impact::ChainImpact& impact, const std::string& title) {
+  const auto& trace = impact.trace;
   const double end = end_of_action(trace);
   const auto time = display_for(std::vector{end}, "s");
   const std::size_t balls = columns_of(trace.velocity);
@@ -149,6 +151,7 @@ std::string plot_script(const impact::Trace& trace, const std::string& title) {
   std::string text = script_head;
   text += fmt::format("set xlabel 'time [{}]'\n", time.unit);
   text += fmt::format("set xrange [0:{:.8g}]\n", time.factor * end);
+  text += phase_marks(impact.events, time, end);
   return text + figure_script(forces, time, title) + figure_script(velocities, time, title);
 }
 

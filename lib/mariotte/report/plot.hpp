@@ -15,7 +15,8 @@ const std::vector<std::string>& figure_names();
 std::string plot_data(const impact::Trace& trace);
 
 /// `plot.gp`: a gnuplot script that reads plot.csv in its folder and makes forces and velocities, as PNG and
-/// SVG, from the start until soon after the last force above a thousandth of the largest.
-std::string plot_script(const impact::Trace& trace, const std::string& title);
+/// SVG, from the start until soon after the last force above a thousandth of the largest; phases are shaded.
+/// The impact must have a trace.
+std::string plot_script(const impact::ChainImpact& impact, const std::string& title);
 
 }  // namespace mariotte::report
