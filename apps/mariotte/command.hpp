@@ -12,7 +12,10 @@ void add_run(CLI::App& app, int& code);
 void add_check(CLI::App& app, int& code);
 void add_law(CLI::App& app, int& code);
 void add_demo(CLI::App& app, int& code);
-void add_study(CLI::App& app, int& code);
 void add_version(CLI::App& app, int& code);
+
+/// These run another program instead.
+void add_reproduce(CLI::App& app);
+void add_study(CLI::App& app);
 
 }  // namespace mariotte::command

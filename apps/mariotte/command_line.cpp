@@ -30,7 +30,8 @@ int command_line(int argc, char** argv) noexcept {
   add_check(app, code);
   add_law(app, code);
   add_demo(app, code);
-  add_study(app, code);
+  add_reproduce(app);
+  add_study(app);
   add_version(app, code);
   return run_program(app, argc, argv, [&] { return code; });
 }

@@ -1,0 +1,15 @@
+#include "acary.hpp"
+#include "figure.hpp"
+
+namespace mariotte::paper_figures {
+
+const std::vector<Figure>& figures() {
+  static const auto all = [] {
+    auto list = acary_forces();
+    for (const auto& more : {acary_ratios(), acary_law()}) list.insert(list.end(), more.begin(), more.end());
+    return list;
+  }();
+  return all;
+}
+
+}  // namespace mariotte::paper_figures
