@@ -28,6 +28,7 @@ confine("mariotte/flow/(sundials|linear_solver)"            "${sundials_border}"
 confine("(unsupported/)?Eigen/"                             "(flow|model|impact)/.*\\.cpp")
 confine("toml"                                              "scene/")
 confine("(nlohmann|fmt)/"                                   "(scene|study|report|apps)/")
+confine("mpi\\.h"                                            "apps/mariotte/ranks\\.cpp")
 confine("CLI/"                                              "apps/")
 confine("boost/"                                            "(tests/|${rivals})")
 

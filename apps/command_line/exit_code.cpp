@@ -6,6 +6,7 @@
 #include "command_line/terminal.hpp"
 #include "mariotte/report/files.hpp"
 #include "mariotte/scene/scene.hpp"
+#include "mariotte/study/journal.hpp"
 
 namespace mariotte::command {
 namespace {
@@ -40,6 +41,8 @@ int guarded(const std::function<int()>& action) noexcept {
   } catch (const InvalidParameter& problem) {
     return fail(problem.what(), ExitCode::bad_scene);
   } catch (const scene::FileError& problem) {
+    return fail(problem.what(), ExitCode::bad_file);
+  } catch (const study::JournalError& problem) {
     return fail(problem.what(), ExitCode::bad_file);
   } catch (const report::FileError& problem) {
     return fail(problem.what(), ExitCode::bad_file);

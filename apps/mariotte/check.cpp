@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <memory>
 
 #include "command.hpp"
@@ -5,6 +7,7 @@
 #include "command_line/terminal.hpp"
 #include "mariotte/report/json.hpp"
 #include "mariotte/report/table.hpp"
+#include "mariotte/study/design_reader.hpp"
 #include "scene_choice.hpp"
 
 namespace mariotte::command {
@@ -15,9 +18,19 @@ struct Check {
   bool json = false;
 };
 
+/// What its [[sweep]] tables would do, if the scene has any. Throws SceneError if they make no sense.
+std::string check_sweep(const SceneChoice& choice) {
+  auto document = scene::open(choice.path, choice.set);
+  if (!find(*document.tree.table(), "sweep")) return "";
+  const auto design = study::read_design(document);
+  return fmt::format("\nSweep\n  {} points, varying {}\n", design.points(),
+                     fmt::join(study::keys(design), ", "));
+}
+
 int check(const Check& options) {
   const auto scene = read(options.scene);
-  print(options.json ? report::text(report::json(scene)) : report::table(scene));
+  const auto sweep = check_sweep(options.scene);
+  print(options.json ? report::text(report::json(scene)) : report::table(scene) + sweep);
   return ExitCode::ok;
 }
 

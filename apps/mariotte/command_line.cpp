@@ -11,6 +11,7 @@ constexpr const char* examples = R"(Examples:
   mariotte run cradle.toml                       a table of the impact
   mariotte run cradle.toml --out results         also files and figures
   mariotte run cradle.toml --json > cradle.json  the same for scripts
+  mariotte sweep map.toml --out results          many scenes, by its [[sweep]] tables
   mariotte law cradle.toml                       the same impact by the multiple-impact law
   mariotte run --help                            all about one command
 
@@ -29,6 +30,7 @@ int command_line(int argc, char** argv) noexcept {
   add_run(app, code);
   add_check(app, code);
   add_law(app, code);
+  add_sweep(app, code);
   add_demo(app, code);
   add_reproduce(app);
   add_study(app);

@@ -33,6 +33,16 @@ BOOST_FIXTURE_TEST_CASE(a_malformed_scene_gives_code_3_and_writes_nothing, Sessi
   BOOST_TEST(entries() == 2);
 }
 
+BOOST_FIXTURE_TEST_CASE(check_tells_what_a_sweep_would_do_or_why_it_cannot, Session) {
+  const std::string sweep = std::string(support::three_balls) + "[[sweep]]\nkey = 'chain.velocity[2]'\n";
+  write("good.toml", sweep + "values = [0, '-1 m/s']\n");
+  write("bad.toml", sweep + "values = [0, '1 kg']\n");
+  BOOST_TEST(has(mariotte("check good.toml").out, "2 points, varying chain.velocity[2]"));
+  const auto bad = mariotte("check bad.toml");
+  BOOST_TEST(bad.code == 3);
+  BOOST_TEST(bad.err.starts_with("mariotte: error: bad.toml:11:14: "));
+}
+
 BOOST_FIXTURE_TEST_CASE(a_scene_that_cannot_be_read_gives_code_6, Session) {
   const auto run = mariotte("run missing.toml");
   BOOST_TEST(run.code == 6);
@@ -53,7 +63,7 @@ BOOST_FIXTURE_TEST_CASE(a_command_line_without_sense_gives_code_2, Session) {
 }
 
 BOOST_FIXTURE_TEST_CASE(every_command_explains_itself_with_an_example, Session) {
-  for (const char* command : {"", "run", "check", "law", "demo", "version"}) {
+  for (const char* command : {"", "run", "check", "sweep", "law", "demo", "version"}) {
     const auto help = mariotte(std::string(command) + " --help");
     BOOST_TEST(help.code == 0);
     BOOST_TEST(has(help.out, "Example"));

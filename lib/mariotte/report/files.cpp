@@ -7,7 +7,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <string_view>
+#include <utility>
 
 namespace mariotte::report {
 namespace {
@@ -30,25 +30,37 @@ bool write_all(int file, std::string_view text) {
   return true;
 }
 
-// 0, or the errno of the first step that failed.
-int write_new(const std::filesystem::path& path, const std::string& text) {
-  ::unlink(path.c_str());
-  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (file < 0) return errno;
-  int problem = write_all(file, text) && ::fsync(file) == 0 ? 0 : errno;
-  if (::close(file) != 0 && problem == 0) problem = errno;
-  return problem;
-}
-
 }  // namespace
 
+NewFile::NewFile(std::filesystem::path path) : path_(std::move(path)), temporary_(temporary_name(path_)) {
+  ::unlink(temporary_.c_str());
+  file_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (file_ < 0) fail(errno);
+}
+
+NewFile::~NewFile() {
+  if (file_ >= 0) ::close(file_);
+  ::unlink(temporary_.c_str());  // gone already if it was renamed
+}
+
+void NewFile::append(std::string_view text) {
+  if (!write_all(file_, text)) fail(errno);
+}
+
+void NewFile::commit() {
+  if (::fsync(file_) != 0) fail(errno);
+  if (::close(std::exchange(file_, -1)) != 0) fail(errno);
+  if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail(errno);
+}
+
+void NewFile::fail(int problem) const {
+  report::fail(path_, std::strerror(problem));
+}
+
 void write_file(const std::filesystem::path& path, const std::string& text) {
-  const auto temporary = temporary_name(path);
-  int problem = write_new(temporary, text);
-  if (problem == 0 && std::rename(temporary.c_str(), path.c_str()) != 0) problem = errno;
-  if (problem == 0) return;
-  ::unlink(temporary.c_str());
-  fail(path, std::strerror(problem));
+  NewFile file(path);
+  file.append(text);
+  file.commit();
 }
 
 void prepare_folder(const std::filesystem::path& folder, const std::vector<std::string>& names,
@@ -60,6 +72,15 @@ void prepare_folder(const std::filesystem::path& folder, const std::vector<std::
   for (const auto& name : names)
     if (!overwrite && std::filesystem::exists(std::filesystem::symlink_status(folder / name)))
       fail(folder / name, "it exists already (--force overwrites)");
+}
+
+void remove_unfinished(const std::filesystem::path& folder, const std::vector<std::string>& names) {
+  std::error_code problem;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, problem))
+    for (const auto& name : names)
+      if (const auto file = entry.path().filename().string();
+          file.starts_with("." + name + ".") && file.ends_with(".tmp"))
+        std::filesystem::remove(entry.path(), problem);
 }
 
 void remove_files(const std::filesystem::path& folder, const std::vector<std::string>& names) {

@@ -2,6 +2,7 @@
 #pragma once
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mariotte/core/error.hpp"
@@ -17,10 +18,32 @@ struct FileError : Error {
 /// what was there. Throws FileError and leaves nothing behind if that fails.
 void write_file(const std::filesystem::path& path, const std::string& text);
 
+/// The same for a text that comes in parts, which need not fit into memory together.
+class NewFile {
+ public:
+  explicit NewFile(std::filesystem::path path);
+  ~NewFile();  ///< without `commit` nothing is left behind
+  NewFile(const NewFile&) = delete;
+  NewFile& operator=(const NewFile&) = delete;
+
+  void append(std::string_view text);
+  void commit();
+
+ private:
+  [[noreturn]] void fail(int problem) const;
+
+  std::filesystem::path path_;
+  std::filesystem::path temporary_;
+  int file_ = -1;
+};
+
 /// Create `folder` to receive files of these names. Throws FileError if it cannot be written to or, unless
 /// `overwrite`, if one of the files exists.
 void prepare_folder(const std::filesystem::path& folder, const std::vector<std::string>& names,
                     bool overwrite);
+
+/// Remove what a killed process left of files of these names that it had not finished.
+void remove_unfinished(const std::filesystem::path& folder, const std::vector<std::string>& names);
 
 /// Remove those of the files that exist, so that nothing of an earlier run stays beside a new one.
 /// Throws FileError.

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
+#include <string_view>
 
 namespace mariotte::report {
 namespace {
@@ -31,7 +33,16 @@ int prefix_for(double largest, const std::string& unit) {
 }  // namespace
 
 std::string exact(double value) {
-  return fmt::format("{:.17g}", value);
+  std::string text;
+  append_exact(value, text);
+  return text;
+}
+
+void append_exact(double value, std::string& text) {
+  std::array<char, 32> digits;
+  const auto [end, problem] =
+      std::to_chars(digits.begin(), digits.end(), value, std::chars_format::general, 17);
+  text += std::isnan(value) ? "nan" : std::string_view(digits.begin(), end);
 }
 
 Display display_for(std::span<const double> values, const std::string& unit) {

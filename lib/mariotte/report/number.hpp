@@ -7,6 +7,8 @@ namespace mariotte::report {
 
 /// 17 significant digits, enough to give back the same double; "inf", "-inf" or "nan" if it is not finite.
 std::string exact(double value);
+/// The same, at the end of a text.
+void append_exact(double value, std::string& text);
 
 /// How the numbers of one column or axis are shown: multiplied by `factor`, in `unit`, with `decimals`.
 struct Display {

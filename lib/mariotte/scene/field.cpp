@@ -22,7 +22,13 @@ std::string named(const Source& source, const Field& field, const std::string& m
   reject(source, field, "expected " + wanted + ", got " + kind(*field.node));
 }
 
+void tell(Watch& watch, const Node* node, const Dimension& dimension) {
+  for (auto& reading : watch.readings)
+    if (reading.node == node) reading.dimension = dimension;
+}
+
 double value_of(const Source& source, const Field& field, const Dimension& dimension) {
+  if (source.watch) tell(*source.watch, field.node, dimension);
   if (const auto* real = std::get_if<double>(&field.node->value)) return *real;
   if (const auto* integer = std::get_if<std::int64_t>(&field.node->value))
     return static_cast<double>(*integer);
@@ -37,6 +43,7 @@ double value_of(const Source& source, const Field& field, const Dimension& dimen
 /// What is wrong with the value, or nullptr.
 const char* objection(double value, Domain domain) {
   if (std::isnan(value)) return "must not be nan";
+  if (domain == Domain::any) return nullptr;
   if (std::isinf(value) && !(domain == Domain::positive_or_infinite && value > 0)) return "must be finite";
   if (domain == Domain::finite) return nullptr;
   if (domain == Domain::not_negative) return value < 0 ? "must not be negative" : nullptr;

@@ -22,6 +22,7 @@ struct Field {
 
 /// Values a number may take; nan is never one.
 enum class Domain {
+  any,  ///< infinite, too
   finite,
   positive,  ///< and finite
   positive_or_infinite,

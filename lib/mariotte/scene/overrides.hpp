@@ -1,6 +1,6 @@
 // `--set KEY=VALUE`: change one value of a scene without touching its file.
 //
-//     KEY   = name { "." name | "[" index "]" }      indices count from 0
+//     KEY   = as key_path.hpp reads it: chain.contact[0].stiffness
 //     VALUE = a TOML value, or else text taken as a string: 2, "2 m/s", 2 m/s, [1, 0], { young = 1e9 }
 #pragma once
 #include "mariotte/scene/scene.hpp"

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "mariotte/scene/chain_reader.hpp"
+#include "mariotte/scene/document.hpp"
 #include "mariotte/scene/overrides.hpp"
 #include "mariotte/scene/run_reader.hpp"
 #include "mariotte/scene/sha256.hpp"
@@ -13,7 +14,7 @@
 namespace mariotte::scene {
 namespace {
 
-constexpr std::array<std::string_view, 8> keys{"title", "chain", "run",     "sweep",
+constexpr std::array<std::string_view, 9> keys{"title", "chain", "run",     "sweep",    "columns",
                                                "law",   "body",  "surface", "incidence"};
 
 /// The digest of the text alone is that of the file; a zero byte, which no scene holds, sets off each
@@ -40,7 +41,7 @@ bool has_chain(const Source& source, const Field& root, const std::optional<Law>
   return false;
 }
 
-Scene resolve(Source& source, const Field& root, Purpose purpose) {
+Scene read_scene(Source& source, const Field& root, Purpose purpose) {
   expect_chain_scene(source, root);
   Scene scene;
   std::optional<Field> gravity;
@@ -50,6 +51,7 @@ Scene resolve(Source& source, const Field& root, Purpose purpose) {
     gravity = find(*run, "gravity");
   }
   if (const auto sweeps = find(root, "sweep")) expect_sweeps(source, *sweeps);
+  if (const auto columns = find(root, "columns")) expect_columns(source, *columns);
   if (const auto law = find(root, "law")) scene.law = read_law(source, *law);
   if (!has_chain(source, root, scene.law, purpose)) return scene;
   const auto chain = *find(root, "chain");
@@ -70,20 +72,35 @@ void expect_valid(const Source& source, const Field& root, const model::Chain& c
 
 }  // namespace
 
-Scene parse(const std::string& text, const std::string& name, const Overrides& overrides, Purpose purpose) {
-  Source source{.name = name, .set_keys = {}};
-  Node tree = parse_toml(source, text);
-  apply(overrides, source, tree);
-  const Field root{&tree, ""};
-  Scene scene = resolve(source, root, purpose);
+Document parse_document(const std::string& text, const std::string& name, const Overrides& overrides) {
+  Document document{.source = {.name = name, .set_keys = {}}, .tree = {}, .sha256 = {}};
+  document.tree = parse_toml(document.source, text);
+  apply(overrides, document.source, document.tree);
+  document.sha256 = fingerprint(text, overrides);
+  return document;
+}
+
+Document open(const std::string& path, const Overrides& overrides) {
+  return parse_document(read_text(path), path, overrides);
+}
+
+Scene resolve(const Document& document, Purpose purpose, Watch* watch) {
+  Source source = document.source;
+  source.watch = watch;
+  const Field root{&document.tree, ""};
+  Scene scene = read_scene(source, root, purpose);
   if (!scene.chain.mass.empty()) expect_valid(source, root, scene.chain);
   scene.warnings = std::move(source.warnings);
-  scene.sha256 = fingerprint(text, overrides);
+  scene.sha256 = document.sha256;
   return scene;
 }
 
+Scene parse(const std::string& text, const std::string& name, const Overrides& overrides, Purpose purpose) {
+  return resolve(parse_document(text, name, overrides), purpose);
+}
+
 Scene read(const std::string& path, const Overrides& overrides, Purpose purpose) {
-  return parse(read_text(path), path, overrides, purpose);
+  return resolve(open(path, overrides), purpose);
 }
 
 }  // namespace mariotte::scene

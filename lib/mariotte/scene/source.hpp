@@ -1,16 +1,28 @@
 // What is being read: its name for messages, and what was noticed on the way.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "mariotte/core/dimension.hpp"
 #include "mariotte/scene/node.hpp"
 
 namespace mariotte::scene {
+
+/// Nodes somebody wants to know the meaning of.
+struct Watch {
+  struct Reading {
+    const Node* node;
+    std::optional<Dimension> dimension = {};  ///< of the number it was read as; empty if it was read as none
+  };
+  std::vector<Reading> readings;
+};
 
 struct Source {
   std::string name;                   ///< the file, as the user wrote it
   std::vector<std::string> set_keys;  ///< the KEY of every override
   std::vector<std::string> warnings = {};
+  Watch* watch = nullptr;  ///< told of every number that is read; may be null
 };
 
 /// "file:line:column", or "--set KEY" for what an override wrote.

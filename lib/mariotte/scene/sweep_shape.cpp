@@ -5,16 +5,18 @@
 namespace mariotte::scene {
 namespace {
 
-constexpr std::array<std::string_view, 7> keys{"key", "from", "to", "count", "step", "scale", "values"};
+constexpr std::array<std::string_view, 9> keys{"key",   "from",   "to",  "count", "step",
+                                               "scale", "values", "zip", "random"};
 constexpr std::array<std::string_view, 2> scales{"linear", "log"};
-constexpr Index most_points = 1'000'000'000;
+constexpr Index largest_seed = 1'000'000'000'000'000;  // still a whole number in a double
 
-/// A number or a string with a unit; of which dimension depends on the key and shows when the sweep is run.
+/// A number, a string, which may carry a unit, or true or false; of which dimension depends on the key and
+/// shows when the sweep is run.
 void expect_value(const Source& source, const Field& field) {
   const auto& value = field.node->value;
   if (!std::holds_alternative<double>(value) && !std::holds_alternative<std::int64_t>(value) &&
-      !std::holds_alternative<std::string>(value))
-    reject(source, field, std::string("expected a number or a string with a unit, got ") + kind(*field.node));
+      !std::holds_alternative<std::string>(value) && !std::holds_alternative<bool>(value))
+    reject(source, field, std::string("expected a number or a string, got ") + kind(*field.node));
 }
 
 void expect_values(const Source& source, const Field& values) {
@@ -22,6 +24,11 @@ void expect_values(const Source& source, const Field& values) {
     reject(source, values, "expected an array of at least one value");
   for (Index i = 0; i < static_cast<Index>(values.node->array()->size()); ++i)
     expect_value(source, element(values, i));
+}
+
+void expect_random(const Source& source, const Field& sweep, const Field& seed) {
+  whole(source, seed, 0, largest_seed);
+  if (const auto step = find(sweep, "step")) reject(source, *step, "does not go with 'random'");
 }
 
 void expect_range(const Source& source, const Field& sweep) {
@@ -35,6 +42,7 @@ void expect_range(const Source& source, const Field& sweep) {
   if (bool(count) == bool(step)) reject(source, sweep, "give either 'count' or 'step'");
   if (count) whole(source, *count, 1, most_points);
   if (step) expect_value(source, *step);
+  if (const auto seed = find(sweep, "random")) expect_random(source, sweep, *seed);
 }
 
 void expect_sweep(const Source& source, const Field& sweep) {
@@ -43,10 +51,11 @@ void expect_sweep(const Source& source, const Field& sweep) {
   if (!key) reject(source, sweep, "'key' is missing (which value is swept)");
   text(source, *key);
   if (const auto scale = find(sweep, "scale")) choice(source, *scale, "scale", scales);
+  if (const auto zip = find(sweep, "zip")) boolean(source, *zip);
   const auto values = find(sweep, "values");
   if (!values) return expect_range(source, sweep);
   expect_values(source, *values);
-  for (const auto* other : {"from", "to", "count", "step"})
+  for (const auto* other : {"from", "to", "count", "step", "random"})
     if (const auto field = find(sweep, other)) reject(source, *field, "does not go with 'values'");
 }
 
@@ -56,6 +65,13 @@ void expect_sweeps(const Source& source, const Field& list) {
   if (!list.node->array()) reject(source, list, "write [[sweep]], with two brackets");
   for (Index i = 0; i < static_cast<Index>(list.node->array()->size()); ++i)
     expect_sweep(source, element(list, i));
+}
+
+void expect_columns(const Source& source, const Field& columns) {
+  if (!columns.node->array() || columns.node->array()->empty())
+    reject(source, columns, "expected an array of at least one result key");
+  for (Index i = 0; i < static_cast<Index>(columns.node->array()->size()); ++i)
+    text(source, element(columns, i));
 }
 
 }  // namespace mariotte::scene

@@ -1,0 +1,216 @@
+#include "mariotte/study/sweep.hpp"
+
+#include <fmt/format.h>
+#include <sched.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <ctime>
+#include <memory>
+#include <thread>
+
+#include "command.hpp"
+#include "command_line/checks.hpp"
+#include "command_line/exit_code.hpp"
+#include "command_line/terminal.hpp"
+#include "interruption.hpp"
+#include "mariotte/report/json.hpp"
+#include "mariotte/report/provenance.hpp"
+#include "mariotte/report/sweep_csv.hpp"
+#include "mariotte/scene/sha256.hpp"
+#include "mariotte/study/sweep_reader.hpp"
+#include "progress_line.hpp"
+#include "ranks.hpp"
+#include "scene_choice.hpp"
+#include "sweep_folder.hpp"
+
+namespace mariotte::command {
+namespace {
+
+constexpr auto patience = std::chrono::seconds(3);  // for what a killed mpirun leaves behind to end
+
+struct Options {
+  SceneChoice scene;
+  std::string accuracy;
+  std::string flow;
+  std::vector<std::string> columns;
+  std::string out;
+  int threads = 0;
+  bool no_figures = false;
+  bool force = false;
+  bool verbose = false;
+};
+
+/// Options that stand for a key of the scene are overrides like any other.
+scene::Overrides overrides(const Options& options) {
+  auto all = options.scene.set;
+  if (!options.accuracy.empty()) all.push_back("run.accuracy=" + options.accuracy);
+  if (!options.flow.empty()) all.push_back("run.flow=" + options.flow);
+  return all;
+}
+
+study::Json simulate(const scene::Scene& scene) {
+  return report::json(impact::simulate(scene.chain, scene.run), scene);
+}
+
+study::SweepPlan read(const Options& options, const Ranks& ranks) try {
+  auto plan =
+      study::read_sweep(scene::open(options.scene.path, overrides(options)), simulate, options.columns);
+  if (!options.scene.quiet && ranks.first())
+    for (const auto& one : plan.warnings) warning(one);
+  return plan;
+} catch (const study::ColumnError& problem) {
+  throw UsageError(problem.what());
+}
+
+/// What must be the same for a journal to be gone on with.
+std::string identity(const study::SweepPlan& plan) {
+  return scene::sha256(plan.document.sha256 + report::sweep_header(plan.design, plan.columns) +
+                       report::provenance().version);
+}
+
+/// As many as this process may use at once: what mpirun or a batch system bound it to.
+int cores() {
+  cpu_set_t allowed;
+  if (::sched_getaffinity(0, sizeof allowed, &allowed) == 0) return CPU_COUNT(&allowed);
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+int threads(const Options& options) {
+  return options.threads > 0 ? options.threads : cores();
+}
+
+study::Progress compute(const Options& options, const study::SweepPlan& plan, study::Journal& journal,
+                        Ranks& ranks) {
+  const auto missing = journal.missing();
+  ProgressLine line(total(missing), options.scene.quiet || !ranks.first());
+  const study::Sweep sweep{
+      .document = plan.document,
+      .design = plan.design,
+      .columns = plan.columns.size(),
+      .make_evaluate = [&] { return study::make_evaluate(plan.columns, simulate); },
+      .append_rows = [&](const auto& batch, auto& text) { report::append_rows(plan.design, batch, text); }};
+  const study::Dealer dealer(missing, {.rank = ranks.rank(), .ranks = ranks.count()});
+  return run(sweep, dealer, threads(options), journal, [&](const auto& progress) {
+    line.show(ranks.tell(progress.done));
+    return interruption() == 0;
+  });
+}
+
+/// What a point costs in processor time, and what of it is not the simulation.
+void tell_cost(const study::Progress& progress, int threads, double taken) {
+  if (progress.done == 0) return;
+  const double each = 1e6 / static_cast<double>(progress.done);
+  const double all = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+  note(fmt::format(
+      "{} points in {:.3g} s on {} threads; processor time of a point {:.3g} µs: simulation {:.3g}, "
+      "rows and journal {:.3g}, the rest {:.3g}",
+      progress.done, taken, threads, each * all, each * progress.evaluating, each * progress.writing,
+      each * (all - progress.evaluating - progress.writing)));
+}
+
+void tell_resumed(const study::SweepPlan& plan, const study::Journal& journal) {
+  const Index points = plan.design.points(), left = total(journal.missing());
+  if (left < points) note(fmt::format("{} of {} points were done before", points - left, points));
+}
+
+int interrupted(const Options& options, const study::SweepPlan& plan, const study::Journal& journal) {
+  note(fmt::format("interrupted; {} of {} points are kept in {}, and the same command goes on from there",
+                   plan.design.points() - total(journal.missing()), plan.design.points(), options.out));
+  return 128 + (interruption() != 0 ? interruption() : SIGTERM);  // or another rank was told to stop
+}
+
+int finish(const Options& options, const study::SweepPlan& plan, study::Journal& journal) {
+  write_sweep(options.out, plan, journal);
+  if (!options.no_figures)
+    if (const auto shortfall = draw_sweep(options.out, plan); !shortfall.empty() && !options.scene.quiet)
+      warning(shortfall);
+  const Index points = plan.design.points(), failed = journal.failed();
+  print(fmt::format("{} points, {} without a result: {}\n", points, failed,
+                    (std::filesystem::path(options.out) / "sweep.csv").string()));
+  return failed < points ? ExitCode::ok : ExitCode::solver_failed;
+}
+
+/// All ranks see what is done before one of them adds to it; what is wrong the first one says alone.
+void open(const Ranks& ranks, const std::function<void()>& open_one) {
+  if (!ranks.first()) ranks.meet();
+  open_one();
+  if (ranks.first()) ranks.meet();
+  ranks.meet();
+}
+
+int sweep(const Options& options, Ranks& ranks) {
+  const auto start = std::chrono::steady_clock::now();
+  await_interruption();
+  study::SweepPlan plan;
+  std::optional<study::Journal> journal;
+  open(ranks, [&] {
+    plan = read(options, ranks);
+    if (ranks.first()) prepare_sweep_folder(options.out, options.force);
+    journal.emplace(options.out, identity(plan), plan.design.points(), ranks.rank(), patience);
+  });
+  if (ranks.first() && !options.scene.quiet) tell_resumed(plan, *journal);
+  const auto progress = compute(options, plan, *journal, ranks);
+  ranks.meet();
+  if (!ranks.first()) return ExitCode::ok;
+  journal->reload();
+  if (!journal->missing().empty()) return interrupted(options, plan, *journal);
+  const int code = finish(options, plan, *journal);
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  if (options.verbose) tell_cost(progress, threads(options), taken.count());
+  return code;
+}
+
+/// One rank that cannot go on ends all, for they would wait for it forever.
+int sweep(const Options& options) {
+  Ranks ranks;
+  try {
+    return sweep(options, ranks);
+  } catch (...) {
+    if (ranks.count() > 1) ranks.end_all(guarded([]() -> int { throw; }));
+    throw;
+  }
+}
+
+constexpr const char* examples = R"(Examples:
+  mariotte sweep map.toml --out results
+  mariotte sweep map.toml --out results --column "icr[0]" --column "final.velocity[*]"
+  mariotte sweep map.toml --out results --threads 1 --set run.accuracy=1e-6 -v
+
+The scene says by [[sweep]] tables what is varied. Stopped or killed, the same command goes on where it was.
+With --out DIR: sweep.csv, one row per point, journal.jsonl, and by gnuplot figures as png and svg with
+their data and script, plot.csv and plot.gp.
+)";
+
+void add_options(CLI::App& command, Options& options) {
+  add_scene_choice(command, options.scene);
+  command.add_option("--out", options.out, "Folder for the result and the journal")
+      ->type_name("DIR")
+      ->required();
+  command
+      .add_option("--column", options.columns, "Result key of a column, * for all indices; may be repeated")
+      ->type_name("KEY")
+      ->allow_extra_args(false);
+  command.add_option("--threads", options.threads, "How many points at once (default: one per core allowed)")
+      ->check(CLI::Range(1, 4096));
+  command.add_option("--accuracy", options.accuracy, "Wanted error of the final velocities / largest speed")
+      ->check(is_accuracy, "");
+  command.add_option("--flow", options.flow, "How contact phases are computed; auto chooses")
+      ->check(is_flow, "");
+  command.add_flag("--no-figures", options.no_figures, "Write the data, draw nothing");
+  command.add_flag("--force", options.force, "Start anew, whatever the folder holds of an earlier sweep");
+  command.add_flag("-v,--verbose", options.verbose, "Tell what a point costs")->excludes("--quiet");
+}
+
+}  // namespace
+
+void add_sweep(CLI::App& app, int& code) {
+  auto* command = app.add_subcommand("sweep", "Simulate a scene for all values of its [[sweep]] tables");
+  auto options = std::make_shared<Options>();
+  add_options(*command, *options);
+  command->footer(examples);
+  command->callback([options, &code] { code = sweep(*options); });
+}
+
+}  // namespace mariotte::command

@@ -1,0 +1,16 @@
+// A sweep as CSV: one row per point, in their order.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "mariotte/study/batch.hpp"
+
+namespace mariotte::report {
+
+/// The varied keys, the columns, then `ending,reason`.
+std::string sweep_header(const study::Design& design, const std::vector<std::string>& columns);
+
+/// Appends the rows of a batch: 17 significant digits in SI, empty where there is no number.
+void append_rows(const study::Design& design, const study::Batch& batch, std::string& text);
+
+}  // namespace mariotte::report

@@ -1,0 +1,59 @@
+// Which values a sweep gives to which keys of a scene: axes, their grid, and what each point of it sets.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mariotte/core/types.hpp"
+#include "mariotte/scene/node.hpp"
+
+namespace mariotte::study {
+
+/// Values between two ends, which are among them unless they are drawn at random [SI].
+struct Range {
+  double from = 0;
+  double to = 0;
+  bool logarithmic = false;                ///< even ratios instead of even distances
+  std::optional<std::uint64_t> seed = {};  ///< drawn at random instead of evenly spaced
+};
+
+/// One key that is varied. Parameters of one axis move together.
+struct Parameter {
+  std::string key;                     ///< as `--set` writes it
+  scene::Place place = {};             ///< of the key in the scene file
+  Index axis = 0;                      ///< whose position chooses the value
+  std::optional<Range> range = {};     ///< or else
+  std::vector<scene::Node> list = {};  ///< the values; numbers in SI
+};
+
+struct Axis {
+  Index count = 0;
+  Index stride = 0;  ///< points from one position to the next
+};
+
+/// All points of a sweep: the grid of its axes, the last one fastest.
+struct Design {
+  std::vector<Parameter> parameters;
+  std::vector<Axis> axes;
+
+  Index points() const { return axes.empty() ? 0 : axes.front().count * axes.front().stride; }
+};
+
+/// The keys that are varied.
+std::vector<std::string> keys(const Design& design);
+
+/// Where on an axis a point lies, from 0.
+Index position(const Axis& axis, Index point);
+
+/// Whether all values of a parameter are numbers.
+bool is_numeric(const Parameter& parameter);
+
+/// What a point gives to the parameter of this number. A random value depends on the seed, on the number of
+/// the parameter and on the position along its axis, and on nothing else.
+scene::Node value(const Design& design, std::size_t parameter, Index point);
+
+/// The same for a numeric parameter [SI].
+double number(const Design& design, std::size_t parameter, Index point);
+
+}  // namespace mariotte::study

@@ -1,0 +1,38 @@
+// Sets of points as stretches of neighbours.
+#pragma once
+#include <vector>
+
+#include "mariotte/core/types.hpp"
+
+namespace mariotte::study {
+
+/// Points first … first + count − 1.
+struct Stretch {
+  Index first = 0;
+  Index count = 0;
+};
+
+/// What `done` leaves of 0 … points − 1, in order. Overlaps do no harm.
+std::vector<Stretch> missing(std::vector<Stretch> done, Index points);
+
+/// Number of points in all.
+Index total(const std::vector<Stretch>& stretches);
+
+/// Deals points out to the workers of one process, in order. Of several processes each gets its share of
+/// small pieces, like cards.
+class Dealer {
+ public:
+  struct Share {
+    Index rank = 0;
+    Index ranks = 1;
+  };
+  Dealer(std::vector<Stretch> points, Share share);
+
+  /// The next at most `most` points; none if all are dealt.
+  Stretch take(Index most);
+
+ private:
+  std::vector<Stretch> pieces_;  ///< of this process, the last to be dealt first
+};
+
+}  // namespace mariotte::study

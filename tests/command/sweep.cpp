@@ -1,0 +1,182 @@
+#define BOOST_TEST_MODULE command_sweep
+#include <boost/test/unit_test.hpp>
+#include <sstream>
+
+#include "sweep_session.hpp"
+
+using support::content;
+using support::has;
+using support::Session;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::vector<std::string> lines(const std::string& text) {
+  std::vector<std::string> all;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) all.push_back(line);
+  return all;
+}
+
+const std::string few = std::string(support::three_balls) + R"(
+[[sweep]]
+key = "chain.velocity[2]"
+values = ["-0.5 m/s", 0]
+[[sweep]]
+key = "chain.mass[1]"
+from = 1
+to = 3
+count = 3
+)";
+
+}  // namespace
+
+BOOST_FIXTURE_TEST_CASE(a_row_is_what_run_says_of_that_point, Session) {
+  write("few.toml", few);
+  const auto sweep = mariotte("sweep few.toml --out out --column 'final.velocity[*]' --column 'icr[0]'");
+  BOOST_TEST(sweep.code == 0);
+  BOOST_TEST(sweep.out == "6 points, 0 without a result: out/sweep.csv\n");
+  const auto rows = lines(content(folder / "out/sweep.csv"));
+  BOOST_TEST_REQUIRE(rows.size() == 7);
+  BOOST_TEST(rows[0] ==
+             "chain.velocity[2],chain.mass[1],final.velocity[0],final.velocity[1],final.velocity[2],icr[0],"
+             "ending,reason");
+  const auto run = nlohmann::json::parse(
+      mariotte("run few.toml --json --set 'chain.velocity[2]=-0.5' --set 'chain.mass[1]=2'").out);
+  std::istringstream row(rows[2]);
+  std::vector<std::string> cells;
+  for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
+  BOOST_TEST(std::stod(cells[0]) == -0.5);
+  BOOST_TEST(std::stod(cells[1]) == 2);
+  for (std::size_t i = 0; i < 3; ++i)
+    BOOST_TEST(std::abs(std::stod(cells[2 + i]) - run["final"]["velocity"][i].get<double>()) < 1e-10);
+  BOOST_TEST(std::abs(std::stod(cells[5]) - run["icr"][0].get<double>()) < 1e-8);
+  BOOST_TEST(cells[6] == "separated");
+}
+
+BOOST_FIXTURE_TEST_CASE(any_number_of_threads_gives_the_same_csv, Session) {
+  write("map.toml", support::map_scene(20));
+  for (const std::string threads : {"1", "2", "3"})
+    BOOST_TEST(mariotte("sweep map.toml --out o" + threads + " --threads " + threads).code == 0);
+  const auto one = content(folder / "o1/sweep.csv");
+  BOOST_TEST(lines(one).size() == 4001);
+  BOOST_TEST((content(folder / "o2/sweep.csv") == one));
+  BOOST_TEST((content(folder / "o3/sweep.csv") == one));
+}
+
+BOOST_FIXTURE_TEST_CASE(kills_lose_nothing_and_leave_the_same_csv, Session) {
+  write("map.toml", support::map_scene(100));
+  BOOST_TEST(mariotte("sweep map.toml --out calm").code == 0);
+  const auto result =
+      support::kill_and_go_on(*this, "\"$mariotte\" sweep map.toml --out killed", "killed", 8, 0.05);
+  BOOST_TEST(result.kills > 0);
+  BOOST_TEST(result.lost == 0);
+  BOOST_TEST(result.ended);
+  BOOST_TEST((content(folder / "killed/sweep.csv") == content(folder / "calm/sweep.csv")));
+}
+
+BOOST_FIXTURE_TEST_CASE(an_interrupted_sweep_says_so_and_goes_on, Session) {
+  write("map.toml", support::map_scene(5000));
+  for (const auto& [signal, code] : {std::pair("INT", 130), std::pair("TERM", 143)}) {
+    const auto stopped = shell("timeout --preserve-status -s " + std::string(signal) +
+                               " 0.6 \"$mariotte\" sweep map.toml --out out");
+    BOOST_TEST(stopped.code == code);
+    BOOST_TEST(has(stopped.err, "the same command goes on from there"));
+    BOOST_TEST(!fs::exists(folder / "out/sweep.csv"));
+  }
+  const auto goes_on = shell("timeout --preserve-status -s INT 0.6 \"$mariotte\" sweep map.toml --out out");
+  BOOST_TEST(has(goes_on.err, "of 1000000 points were done before"));
+}
+
+BOOST_FIXTURE_TEST_CASE(another_sweep_in_the_folder_is_refused_unless_forced, Session) {
+  write("few.toml", few);
+  BOOST_TEST(mariotte("sweep few.toml --out out").code == 0);
+  const auto before = content(folder / "out/sweep.csv");
+  for (const std::string change : {"--set 'chain.mass[0]=2'", "--accuracy 1e-6", "--column 'icr[0]'"}) {
+    const auto refused = mariotte("sweep few.toml --out out " + change);
+    BOOST_TEST(refused.code == 6);
+    BOOST_TEST(has(refused.err, "belongs to another sweep"));
+  }
+  BOOST_TEST(content(folder / "out/sweep.csv") == before);
+  BOOST_TEST(mariotte("sweep few.toml --out out --force --accuracy 1e-6").code == 0);
+  BOOST_TEST(content(folder / "out/sweep.csv") != before);
+}
+
+BOOST_FIXTURE_TEST_CASE(a_finished_sweep_is_not_computed_again, Session) {
+  write("few.toml", few);
+  BOOST_TEST(mariotte("sweep few.toml --out out").code == 0);
+  const auto journal = content(folder / "out/journal.jsonl");
+  const auto again = mariotte("sweep few.toml --out out");
+  BOOST_TEST(again.code == 0);
+  BOOST_TEST(has(again.err, "6 of 6 points were done before"));
+  BOOST_TEST(content(folder / "out/journal.jsonl") == journal);
+}
+
+BOOST_FIXTURE_TEST_CASE(points_that_fail_are_rows_with_their_reason, Session) {
+  write(
+      "some.toml",
+      std::string(support::three_balls).replace(std::string(support::three_balls).find("gap = 0\n"), 8, "") +
+          "[[sweep]]\nkey = 'chain.precompressed'\nvalues = [false, true]\n"
+          "[[sweep]]\nkey = 'chain.gap'\nvalues = [0, -0.1]\n");
+  const auto sweep = mariotte("sweep some.toml --out out --column final.time");
+  BOOST_TEST(sweep.code == 0);
+  BOOST_TEST(sweep.out.starts_with("4 points, 1 without a result"));
+  const auto rows = lines(content(folder / "out/sweep.csv"));
+  BOOST_TEST(rows[2].starts_with("false,-0.10000000000000001,,rejected,"));
+  BOOST_TEST(has(rows[2], "must not be negative"));
+  const auto none = mariotte("sweep some.toml --out none --set run.flow=nonsense");
+  BOOST_TEST(none.code == 3);
+  BOOST_TEST(!fs::exists(folder / "none"));
+}
+
+BOOST_FIXTURE_TEST_CASE(errors_have_their_codes_and_leave_nothing, Session) {
+  write("bad.toml",
+        std::string(support::three_balls) + "[[sweep]]\nkey = 'chain.velocity[0]'\nvalues = ['1 kg']\n");
+  write("few.toml", few);
+  const auto bad = mariotte("sweep bad.toml --out out");
+  BOOST_TEST(bad.code == 3);
+  BOOST_TEST(bad.err.starts_with("mariotte: error: bad.toml:11:11: "));
+  BOOST_TEST(mariotte("sweep three.toml --out out").code == 3);
+  BOOST_TEST(mariotte("sweep few.toml").code == 2);
+  BOOST_TEST(mariotte("sweep few.toml --out out --column icr").code == 2);
+  BOOST_TEST(
+      has(mariotte("sweep few.toml --out out --column final.velocty[0]").err, "did you mean 'velocity'"));
+  BOOST_TEST(mariotte("sweep few.toml --out out --threads 0").code == 2);
+  BOOST_TEST(!fs::exists(folder / "out"));
+  BOOST_TEST(mariotte("sweep few.toml --out few.toml").code == 6);
+  BOOST_TEST(content(folder / "few.toml") == few);
+}
+
+BOOST_FIXTURE_TEST_CASE(a_disk_that_is_full_loses_no_finished_point, Session) {
+  write("map.toml", support::map_scene(10));
+  BOOST_TEST(mariotte("sweep map.toml --out calm").code == 0);
+  const auto full = shell("ulimit -f 100; \"$mariotte\" sweep map.toml --out out");  // 50 kB of 280
+  BOOST_TEST(full.code == 6);
+  BOOST_TEST(has(full.err, "journal.jsonl"));
+  BOOST_TEST(!fs::exists(folder / "out/sweep.csv"));
+  const auto goes_on = mariotte("sweep map.toml --out out");
+  BOOST_TEST(goes_on.code == 0);
+  BOOST_TEST(has(goes_on.err, "points were done before"));
+  BOOST_TEST((content(folder / "out/sweep.csv") == content(folder / "calm/sweep.csv")));
+  BOOST_TEST(entries("out") == entries("calm"));
+}
+
+BOOST_FIXTURE_TEST_CASE(what_a_kill_left_half_written_is_cleared_away, Session) {
+  write("few.toml", few);
+  fs::create_directory(folder / "out");
+  write("out/.sweep.csv.123.tmp", "half");
+  BOOST_TEST(mariotte("sweep few.toml --out out").code == 0);
+  BOOST_TEST(!fs::exists(folder / "out/.sweep.csv.123.tmp"));
+}
+
+BOOST_FIXTURE_TEST_CASE(a_sweep_that_is_being_written_is_left_alone, Session) {
+  write("map.toml", support::map_scene(5000));
+  const auto two = shell(
+      "timeout 5 \"$mariotte\" sweep map.toml --out out -q 2>/dev/null & sleep 0.3; "
+      "\"$mariotte\" sweep map.toml --out out; echo code $? >&2; "
+      "\"$mariotte\" sweep map.toml --out out --force; echo forced $? >&2; kill $!; wait");
+  BOOST_TEST(has(two.err, "another sweep is writing it"));
+  BOOST_TEST(has(two.err, "code 6"));
+  BOOST_TEST(has(two.err, "forced 6"));
+  BOOST_TEST(fs::exists(folder / "out/journal.jsonl"));
+}

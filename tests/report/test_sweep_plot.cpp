@@ -1,0 +1,121 @@
+#define BOOST_TEST_MODULE report_sweep_plot
+#include <stdlib.h>
+
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <sstream>
+
+#include "mariotte/report/files.hpp"
+#include "mariotte/report/gnuplot.hpp"
+#include "mariotte/report/sweep_axes.hpp"
+#include "mariotte/report/sweep_plot.hpp"
+
+using namespace mariotte;
+using study::Design;
+namespace fs = std::filesystem;
+
+namespace {
+
+study::Parameter ranged(const std::string& key, Index axis, study::Range range) {
+  return {.key = key, .axis = axis, .range = range};
+}
+
+Design curve(Index count) {
+  return {.parameters = {ranged("a", 0, {.from = 0, .to = 1})}, .axes = {{.count = count, .stride = 1}}};
+}
+
+Design map(Index along_x, Index along_y) {
+  return {.parameters = {ranged("a", 0, {.from = 0.1, .to = 10, .logarithmic = true}),
+                         ranged("b", 1, {.from = 0, .to = 1})},
+          .axes = {{.count = along_x, .stride = along_y}, {.count = along_y, .stride = 1}}};
+}
+
+Design cloud(Index count) {
+  return {.parameters = {ranged("a", 0, {.from = 0, .to = 1, .seed = 1}),
+                         ranged("b", 0, {.from = 0, .to = 1, .seed = 1})},
+          .axes = {{.count = count, .stride = 1}}};
+}
+
+std::vector<std::string> lines(const std::string& text) {
+  std::vector<std::string> all;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) all.push_back(line);
+  return all;
+}
+
+/// What gnuplot makes of a sweep with one row per point.
+std::string drawn(const Design& design, const std::vector<std::string>& columns, const std::string& cells) {
+  std::string folder = (fs::temp_directory_path() / "mariotte-XXXXXX").string();
+  ::mkdtemp(folder.data());
+  std::string rows, data;
+  for (Index point = 0; point < design.points(); ++point)
+    rows += std::string(design.parameters.size(), ',') + cells + "\n";
+  report::append_drawn(design, 0, rows, data);
+  const auto plot = report::sweep_plot(design, columns, "It's a title");
+  report::write_file(fs::path(folder) / "plot.csv", data);
+  report::write_file(fs::path(folder) / "plot.gp", plot.script);
+  auto problem = report::draw(folder, plot.figures);
+  for (const auto& figure : plot.figures)
+    if (problem.empty() && fs::file_size(fs::path(folder) / figure) < 1000) problem = figure + " is empty";
+  fs::remove_all(folder);
+  return problem == "gnuplot is not installed" ? "" : problem;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(curves_of_one_quantity_share_a_figure_and_maps_do_not) {
+  const std::vector<std::string> columns = {"final.velocity[0]", "icr[0]", "final.velocity[1]"};
+  BOOST_TEST(report::sweep_plot(curve(5), columns, "").figures ==
+                 (std::vector<std::string>{"sweep.final.velocity.png", "sweep.final.velocity.svg",
+                                           "sweep.icr.png", "sweep.icr.svg"}),
+             boost::test_tools::per_element());
+  BOOST_TEST(report::sweep_plot(map(3, 3), columns, "").figures.size() == 6);
+  BOOST_TEST(report::sweep_plot(map(3, 3), columns, "").figures[2] == "sweep.icr_0.png");
+}
+
+BOOST_AUTO_TEST_CASE(what_has_no_figure_is_said) {
+  auto three = map(2, 2);
+  three.parameters.push_back(ranged("c", 2, {.from = 0, .to = 1}));
+  three.axes = {{.count = 2, .stride = 4}, {.count = 2, .stride = 2}, {.count = 2, .stride = 1}};
+  const auto none = report::sweep_plot(three, {"icr[0]"}, "");
+  BOOST_TEST((none.figures.empty() && !none.shortfall.empty()));
+  std::vector<std::string> many;
+  for (int i = 0; i < 20; ++i) many.push_back("contacts[" + std::to_string(i) + "].impulse");
+  const auto some = report::sweep_plot(map(2, 2), many, "");
+  BOOST_TEST((some.figures.size() == 24 && some.shortfall == "only the first 12 are drawn"));
+  BOOST_TEST(report::sweep_plot(curve(2), many, "").shortfall == "");
+}
+
+BOOST_AUTO_TEST_CASE(a_logarithmic_axis_shows_logarithms_with_the_values_beside_it) {
+  BOOST_TEST(report::coordinate(map(3, 2), 0, 2) == 0, boost::test_tools::tolerance(1e-12));
+  const auto axis = report::axis_settings(map(3, 2), 0, 'x');
+  BOOST_TEST(axis.find("'0.1' -1, ") != std::string::npos, axis);
+  BOOST_TEST(axis.find("'10' 1)") != std::string::npos, axis);
+}
+
+BOOST_AUTO_TEST_CASE(a_large_map_is_thinned_out_evenly) {
+  const auto design = map(1000, 500);
+  std::string rows, data;
+  for (Index point = 0; point < design.points(); ++point) rows += std::to_string(point) + "\n";
+  report::append_drawn(design, 0, rows, data);
+  const auto all = lines(data);
+  BOOST_TEST_REQUIRE(all.size() == 200u * 167u);
+  BOOST_TEST(all[1].ends_with(",3"));
+  BOOST_TEST(all[167].ends_with(",2500"));
+  std::string in_parts;
+  report::append_drawn(design, 0, rows.substr(0, rows.find("\n1000\n") + 1), in_parts);
+  report::append_drawn(design, 1000, rows.substr(rows.find("\n1000\n") + 1), in_parts);
+  BOOST_TEST((in_parts == data));
+}
+
+BOOST_AUTO_TEST_CASE(gnuplot_draws_every_kind_of_sweep) {
+  for (const auto& design : {curve(10), map(4, 3), cloud(30)}) {
+    BOOST_TEST(drawn(design, {"x[0]", "x[1]", "y"}, "1,2,3,separated,") == "");
+    BOOST_TEST(drawn(design, {"x[0]", "x[1]", "y"}, "1,,,separated,") == "");
+  }
+  Design listed = curve(2);
+  listed.parameters[0].range.reset();
+  listed.parameters[0].list = {{.value = "it's", .place = {}}, {.value = true, .place = {}}};
+  BOOST_TEST(drawn(listed, {"x"}, "1,separated,") == "");
+}
