@@ -6,6 +6,7 @@
 //   closed   → hovering  shallower than θ and parting as slowly: it has let go
 //   open     → touching  touched at rest (gap = 0, no approach), now pressed by a neighbour
 //   touching → closed    indented beyond the noise around 0: guards are watched; no event
+//   touching → open      drawn apart before that
 //   closed   → open      undamped: the gap rises through 0
 //   closed   → slack     damped: the load k δ + c δ̇ falls through 0 while δ > 0
 //   slack    → closed    the load rises through 0: a neighbour pushes again

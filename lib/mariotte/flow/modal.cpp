@@ -157,7 +157,8 @@ Modal::~Modal() = default;
 
 bool Modal::admits(const Problem& problem) {
   memory_->phase = problem.serial();
-  return memory_->phase && is_linear(*memory_->phase) && memory_->vibration.find(*memory_->phase);
+  return memory_->phase && is_linear(*memory_->phase) && !presses_beyond(*memory_->phase) &&
+         memory_->vibration.find(*memory_->phase);
 }
 
 Arrival Modal::follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) {

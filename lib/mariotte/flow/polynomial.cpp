@@ -14,19 +14,18 @@ constexpr std::size_t most_coefficients = 32;
 constexpr int deepest = 50;  ///< halvings until an interval is shorter than rounding
 using Bernstein = std::array<double, most_coefficients>;
 
-/// Bernstein coefficients on [0, 1] from powers: b_j = Σ_{k≤j} C(j,k)/C(n,k) a_k.
+/// Bernstein coefficients on [0, end] from powers, b_j = Σ_{k≤j} C(j,k) a_k endᵏ/C(n,k), summed as Pascal's
+/// triangle is.
 Bernstein from_powers(std::span<const double> c, double end) {
   const std::size_t n = c.size() - 1;
-  Bernstein scaled{}, b{};
-  double power = 1;
-  for (std::size_t k = 0; k <= n; ++k, power *= end) scaled[k] = c[k] * power;
-  for (std::size_t j = 0; j <= n; ++j) {
-    double ratio = 1;
-    for (std::size_t k = 0; k <= j; ++k) {
-      b[j] += ratio * scaled[k];
-      ratio *= static_cast<double>(j - k) / static_cast<double>(n - k);
-    }
+  Bernstein b{};
+  double factor = 1;  // endᵏ/C(n,k)
+  for (std::size_t k = 0; k <= n; ++k) {
+    b[k] = c[k] * factor;
+    factor *= end * static_cast<double>(k + 1) / static_cast<double>(std::max<std::size_t>(n - k, 1));
   }
+  for (std::size_t row = 1; row <= n; ++row)
+    for (std::size_t j = n; j >= row; --j) b[j] += b[j - 1];
   return b;
 }
 

@@ -1,5 +1,6 @@
 // Bodies in a row, seen as what they are: what the flows that need more than a field are made for.
 #pragma once
+#include <algorithm>
 #include <vector>
 
 #include "mariotte/core/types.hpp"
@@ -17,7 +18,7 @@ struct SerialPhase {
   enum class Role : signed char {
     open,      ///< carries no force; closes where its gap is −level
     closed,    ///< carries force
-    touching,  ///< carries force; touched at rest before, its guards are not watched yet
+    touching,  ///< carries force; touched at rest before, and is watched once it has left the noise
     slack      ///< indented without force
   };
   /// Contact j joins bodies j and j+1; f = δ^{n−1} (k δ + c δ̇).
@@ -39,8 +40,15 @@ struct SerialPhase {
   };
   std::vector<Body> body;
   std::vector<Contact> contact;
-  double speed = 1;  ///< natural relative speed
+  double speed = 1;      ///< natural relative speed
+  bool goes_on = false;  ///< the bodies are some of a longer row, which a touching contact may press
 };
+
+/// True if what a touching contact presses may lie beyond the phase.
+inline bool presses_beyond(const SerialPhase& phase) {
+  const auto touches = [](const SerialPhase::Contact& c) { return c.role == SerialPhase::Role::touching; };
+  return phase.goes_on && std::any_of(phase.contact.begin(), phase.contact.end(), touches);
+}
 
 /// True if a constant acceleration acts on any body.
 inline bool has_acceleration(const SerialPhase& phase) {

@@ -54,12 +54,10 @@ struct Taylor::Memory {
     before.resize(window.x.size());
     after.resize(window.x.size());
     write(window, before);
-    Window next = window;
-    advance(next, stepper.values());
-    write(next, after);
+    write(window, stepper.values(), after);
     PieceStep step(window, piece, stepper.values().time);
     step.start = window.time;
-    step.end = next.time;
+    step.end = window.time + stepper.values().time;
     step.before = before;
     step.after = after;
     watcher.watch(step);
@@ -119,7 +117,7 @@ Arrival Taylor::follow(Problem& problem, State x, const Request& request, std::v
     if (!is_finite(w)) return stop(Outcome::failed, "a velocity is not finite");
 
     const bool cut = fall.guard < 0 && piece.is_cut;
-    if (cut && w.time >= request.limit) return stop(Outcome::limit);
+    if (cut && request.limit <= w.outside_time) return stop(Outcome::limit);
     if (fall.guard >= 0 || cut) {
       fired.push_back(cut ? w.phase->contact[w.outside].guard : fall.guard);
       stop(Outcome::guard);

@@ -21,9 +21,7 @@ double Piece::place(double time, double end_time) const {
 void PieceStep::at(double time, State x) const {
   Values values;
   piece_.evaluate(piece_.place(time - start, duration_), values);
-  Window inside = window_;
-  advance(inside, values);
-  write(inside, x);
+  write(window_, values, x);
 }
 
 }  // namespace mariotte::flow::taylor

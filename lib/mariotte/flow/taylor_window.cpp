@@ -77,13 +77,44 @@ void fill(Window& w, int lane) {
   l.left[lane] = phase.body[j].inverse_mass;
   l.right[lane] = phase.body[j + 1].inverse_mass;
   l.drive[lane] = drive(phase, j);
-  l.level[lane] = c.level;
   l.weight[lane] = 1 / c.length;
   w.wake[lane] = wake_depth(c, phase.speed);
   w.impulse[lane] = w.work[lane] = 0;
   l.damped |= c.damping > 0;
   l.general |= c.exponent != 1 && c.exponent != 1.5;
   watch(w, lane);
+}
+
+/// Velocities of the window's bodies where the series says `values`.
+template <class Take>
+void for_each_velocity(const Window& w, const Values& values, Take&& take) {
+  double push = 0;
+  for (int lane = 0; lane <= w.lanes.count; ++lane) {
+    const auto& body = w.phase->body[w.first + lane];
+    const double force = lane < w.lanes.count ? values.impulse[lane] : 0;
+    take(lane, w.velocity[lane] + (body.inverse_mass * (push - force) + body.acceleration * values.time));
+    push = force;
+  }
+}
+
+/// What flies freely, `elapsed` after the window was placed.
+void write_outside(const Window& w, double elapsed, State x) {
+  const auto& phase = *w.phase;
+  const Index count = static_cast<Index>(phase.contact.size()), last = w.first + w.lanes.count;
+  for (Index j = 0; j < count; ++j) {
+    if (j == w.first) j = last;
+    if (j >= count) break;
+    const auto& c = phase.contact[j];
+    x[c.gap] = w.x[c.gap] - elapsed * (rate(phase, w.x, j) + 0.5 * elapsed * drive(phase, j));
+    if (c.impulse >= 0) x[c.impulse] = w.x[c.impulse];
+    if (c.work >= 0) x[c.work] = w.x[c.work];
+  }
+  for (Index i = 0; i <= count; ++i) {
+    if (i == w.first) i = last + 1;
+    if (i > count) break;
+    const auto& body = phase.body[i];
+    x[body.velocity] = w.x[body.velocity] + elapsed * body.acceleration;
+  }
 }
 
 void clear(Lanes& l, int lane) {
@@ -99,6 +130,7 @@ void watch(Window& w, int lane) {
   auto& l = w.lanes;
   const bool damped = c.load_guard >= 0;
   l.side[lane] = l.load_side[lane] = 0;
+  l.level[lane] = c.level;
   switch (c.role) {
     case Role::open:
       l.side[lane] = -1;
@@ -110,7 +142,9 @@ void watch(Window& w, int lane) {
       l.side[lane] = 1;
       l.load_side[lane] = -1;
       break;
-    case Role::touching:
+    case Role::touching:  // one without a branch point is never left out, and must not pull
+      l.side[lane] = w.is_sharp(lane) ? 0 : 1;
+      l.level[lane] = c.loaded();
       break;
   }
 }
@@ -142,13 +176,7 @@ bool place(Window& w, const SerialPhase& phase, State x, double time) {
 void advance(Window& w, const Values& values) {
   auto& l = w.lanes;
   w.time += values.time;
-  double push = 0;
-  for (int lane = 0; lane <= l.count; ++lane) {
-    const auto& body = w.phase->body[w.first + lane];
-    const double force = lane < l.count ? values.impulse[lane] : 0;
-    w.velocity[lane] += body.inverse_mass * (push - force) + body.acceleration * values.time;
-    push = force;
-  }
+  for_each_velocity(w, values, [&](Index body, double velocity) { w.velocity[body] = velocity; });
   for (int lane = 0; lane < l.count; ++lane) {
     l.indentation[lane] = values.indentation[lane];
     l.rate[lane] = w.velocity[lane] - w.velocity[lane + 1];
@@ -158,27 +186,27 @@ void advance(Window& w, const Values& values) {
 }
 
 void write(const Window& w, State x) {
-  const double elapsed = w.time - w.since;
-  const auto& phase = *w.phase;
-  const Index count = static_cast<Index>(phase.contact.size()), last = w.first + w.lanes.count;
-  for (Index j = 0; j < count; ++j) {
-    const auto& c = phase.contact[j];
-    if (j >= w.first && j < last) {
-      const int lane = static_cast<int>(j - w.first);
-      if (c.impulse >= 0) x[c.impulse] = w.x[c.impulse] + w.impulse[lane];
-      if (c.work >= 0) x[c.work] = w.x[c.work] + w.work[lane];
-      x[c.gap] = 0 - w.lanes.indentation[lane];  // never −0
-    } else {
-      x[c.gap] = w.x[c.gap] - elapsed * (rate(phase, w.x, j) + 0.5 * elapsed * drive(phase, j));
-      if (c.impulse >= 0) x[c.impulse] = w.x[c.impulse];
-      if (c.work >= 0) x[c.work] = w.x[c.work];
-    }
+  write_outside(w, w.time - w.since, x);
+  for (int lane = 0; lane < w.lanes.count; ++lane) {
+    const auto& c = w.contact(lane);
+    x[c.gap] = 0 - w.lanes.indentation[lane];  // never −0
+    if (c.impulse >= 0) x[c.impulse] = w.x[c.impulse] + w.impulse[lane];
+    if (c.work >= 0) x[c.work] = w.x[c.work] + w.work[lane];
   }
-  for (Index i = 0; i <= count; ++i) {
-    const auto& body = phase.body[i];
-    x[body.velocity] = i >= w.first && i <= last ? w.velocity[i - w.first]
-                                                 : w.x[body.velocity] + elapsed * body.acceleration;
+  for (int body = 0; body <= w.lanes.count; ++body)
+    x[w.phase->body[w.first + body].velocity] = w.velocity[body];
+}
+
+void write(const Window& w, const Values& values, State x) {
+  write_outside(w, w.time + values.time - w.since, x);
+  for (int lane = 0; lane < w.lanes.count; ++lane) {
+    const auto& c = w.contact(lane);
+    x[c.gap] = 0 - values.indentation[lane];
+    if (c.impulse >= 0) x[c.impulse] = w.x[c.impulse] + w.impulse[lane] + values.impulse[lane];
+    if (c.work >= 0) x[c.work] = w.x[c.work] + w.work[lane] + values.work[lane];
   }
+  for_each_velocity(
+      w, values, [&](Index body, double velocity) { x[w.phase->body[w.first + body].velocity] = velocity; });
 }
 
 }  // namespace mariotte::flow::taylor

@@ -41,4 +41,7 @@ void advance(Window& window, const Values& values);
 /// Write the whole state at the window's time to x, which may be the window's own.
 void write(const Window& window, State x);
 
+/// Write the state that an expansion from there says to another x.
+void write(const Window& window, const Values& values, State x);
+
 }  // namespace mariotte::flow::taylor

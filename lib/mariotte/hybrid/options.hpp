@@ -7,11 +7,15 @@
 
 namespace mariotte::hybrid {
 
+/// Whether a long system is divided into parts with clocks of their own.
+enum class Islands { automatic, never, always };
+
 struct Options {
   double accuracy = 1e-10;  ///< wanted error of the final velocities relative to the largest incident speed
   double max_time = infinity;  ///< stop at this time [s]
   Index max_events = 1000000;  ///< stop after so many changes of the set of contacts
   std::string flow = "auto";   ///< name of the flow of every contact phase; "auto" chooses
+  Islands islands = Islands::automatic;
 };
 
 /// Throws InvalidParameter unless accuracy and limits make sense.

@@ -28,24 +28,6 @@ class PhaseWatcher : public flow::Watcher {
   virtual void begin_phase(double time, ConstState x) = 0;
 };
 
-namespace detail {
-
-template <class Change>
-void record(Trajectory<Change>& run, double time, std::vector<Change>& changes) {
-  if (changes.empty()) return;
-  ++run.events;
-  for (const auto& change : changes) run.changes.push_back({time, change});
-  changes.clear();
-}
-
-inline void count(FlowCount& use, const flow::Arrival& arrival) {
-  ++use.phases;
-  use.steps += arrival.steps;
-  use.rhs += arrival.rhs;
-}
-
-}  // namespace detail
-
 /// What a run needs; kept from one run to the next, it allocates nothing after the first of its size.
 template <HybridSystem System>
 struct Workspace {
@@ -78,10 +60,10 @@ const Trajectory<typename System::Change>& simulate(System& system, ConstState x
 
   system.mode_at(x, mode, changes);
   for (bool stiff = false;;) {
-    detail::record(run, time.value(), changes);
+    record(run, time.value(), changes);
     if (system.is_over(mode, x, run.events > 0)) {
       system.finish(mode, changes);
-      detail::record(run, time.value(), changes);
+      record(run, time.value(), changes);
       return end(Ending::separated);
     }
     if (run.events >= options.max_events) return end(Ending::event_limit);
@@ -93,7 +75,7 @@ const Trajectory<typename System::Change>& simulate(System& system, ConstState x
     auto arrival = flow.follow(
         problem, x,
         {.limit = options.max_time - time.value(), .accuracy = options.accuracy, .watcher = watcher}, fired);
-    detail::count(run.flows[static_cast<std::size_t>(kind)], arrival);
+    count(run.flows[static_cast<std::size_t>(kind)], arrival);
     time += arrival.duration;
     stiff = arrival.outcome == flow::Outcome::stiff;
     if (stiff) continue;

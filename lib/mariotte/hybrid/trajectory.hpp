@@ -47,4 +47,19 @@ void clear(Trajectory<Change>& run) {
   run.flows.fill({});
 }
 
+/// Changes of one instant are one event; `changes` is emptied.
+template <class Change>
+void record(Trajectory<Change>& run, double time, std::vector<Change>& changes) {
+  if (changes.empty()) return;
+  ++run.events;
+  for (const auto& change : changes) run.changes.push_back({time, change});
+  changes.clear();
+}
+
+inline void count(FlowCount& use, const flow::Arrival& arrival) {
+  ++use.phases;
+  use.steps += arrival.steps;
+  use.rhs += arrival.rhs;
+}
+
 }  // namespace mariotte::hybrid

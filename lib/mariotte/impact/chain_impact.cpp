@@ -4,39 +4,18 @@
 #include <cmath>
 #include <utility>
 
-#include "mariotte/hybrid/simulate.hpp"
 #include "mariotte/impact/chain_solver.hpp"
+#include "mariotte/impact/course.hpp"
 #include "mariotte/impact/energy.hpp"
 #include "mariotte/impact/impulses.hpp"
-#include "mariotte/impact/peaks.hpp"
-#include "mariotte/impact/trace.hpp"
-#include "mariotte/model/chain_system.hpp"
 
 namespace mariotte::impact {
 
-using model::ChainSystem;
-using Run = hybrid::Trajectory<ChainSystem::Change>;
+using model::ChainLayout;
+using model::DimensionlessChain;
+using Run = model::Islands::Run;
 
 namespace {
-
-/// Hands every step to those who look at it.
-class Observers final : public hybrid::PhaseWatcher {
- public:
-  Observers(const model::ChainPhase& phase, const ChainSystem& system, bool trace)
-      : peaks(phase, system.layout()), recorder(phase, system.chain(), system.layout()), trace_(trace) {}
-  void begin_phase(double time, ConstState) override { start_ = time; }
-  void watch(const flow::Step& step) override {
-    peaks.watch(step);
-    if (trace_) recorder.watch(start_, step);
-  }
-
-  PeakWatcher peaks;
-  TraceRecorder recorder;
-
- private:
-  bool trace_;
-  double start_ = 0;
-};
 
 bool ends_force(const model::ContactChange& change) {
   return contact::carries_force(change.before) && !contact::carries_force(change.after);
@@ -76,20 +55,29 @@ std::vector<FlowUse> flow_uses(const Run& run) {
   return uses;
 }
 
-std::vector<Skipped> skipped(const ChainSystem& system, const Run& run, bool trace) {
+/// What islands did not have to do.
+void skip_at_rest(const model::IslandCount& islands, Index contacts, std::vector<Skipped>& list) {
+  list.push_back({"balls at rest or in free flight",
+                  "at most " + std::to_string(islands.widest) + " of " + std::to_string(contacts) +
+                      " contacts were integrated together, in " + std::to_string(islands.formed) +
+                      " islands, up to " + std::to_string(islands.at_once) + " at one time"});
+}
+
+std::vector<Skipped> skipped(const ChainLayout& layout, const Course& course, bool trace) {
   const auto none = [](const std::vector<Index>& places) {
-    return std::all_of(places.begin(), places.end(), [](Index p) { return p == model::ChainLayout::absent; });
+    return std::all_of(places.begin(), places.end(), [](Index p) { return p == ChainLayout::absent; });
   };
-  const auto used = [&](flow::Kind kind) { return run.flows[static_cast<std::size_t>(kind)].phases; };
+  const auto used = [&](flow::Kind kind) { return course.run.flows[static_cast<std::size_t>(kind)].phases; };
   std::vector<Skipped> list;
+  if (course.islands) skip_at_rest(*course.islands, layout.contacts(), list);
   if (const Index flights = used(flow::Kind::ballistic))
     list.push_back({"free flight", std::to_string(flights) + " phases in closed form, not integrated"});
   if (const Index pairs = used(flow::Kind::pair))
     list.push_back({"single contacts", std::to_string(pairs) + " phases in closed form, not integrated"});
   if (const Index modal = used(flow::Kind::modal))
     list.push_back({"linear contacts", std::to_string(modal) + " phases by natural modes, not integrated"});
-  if (none(system.layout().work)) list.push_back({"dissipation", "no contact is damped"});
-  if (none(system.layout().impulse))
+  if (none(layout.work)) list.push_back({"dissipation", "no contact is damped"});
+  if (none(layout.impulse))
     list.push_back({"impulse integrals", "momentum gives every impulse of a chain without walls"});
   if (used(flow::Kind::cvode_bdf_dense) + used(flow::Kind::cvode_bdf_band) +
           used(flow::Kind::cvode_bdf_klu) ==
@@ -104,23 +92,79 @@ double loss_above(double noise, double loss) {
   return loss < 0 && loss > -noise ? 0 : loss;
 }
 
-std::vector<ContactHistory> histories(const ChainSystem& system, const Run& run, const std::vector<double>& p,
-                                      const std::vector<ContactEnergy>& energies,
-                                      const std::vector<Peak>& peaks, double accuracy) {
-  const auto& scale = system.chain().scale;
-  const double speed = system.chain().speed;
-  std::vector<ContactHistory> contacts(system.layout().contacts());
+std::vector<ContactHistory> histories(const DimensionlessChain& chain, const Course& course,
+                                      const std::vector<double>& p,
+                                      const std::vector<ContactEnergy>& energies, double accuracy) {
+  const auto& scale = chain.scale;
+  const double speed = chain.speed;
+  const auto& peaks = course.peaks;
+  std::vector<ContactHistory> contacts(p.size());
   for (std::size_t j = 0; j < contacts.size(); ++j)
-    contacts[j] = {.impulse = p[j] * scale.momentum(),
-                   .peak_force = peaks[j].force * scale.force(),
-                   .peak_indentation = peaks[j].indentation * scale.length,
-                   .stored = energies[j].stored * scale.energy(),
-                   .dissipated = loss_above(accuracy * system.chain().reduced_mass[j] * speed * speed,
-                                            energies[j].dissipated) *
-                                 scale.energy(),
-                   .periods = {}};
-  add_periods(contacts, run, scale.time);
+    contacts[j] = {
+        .impulse = p[j] * scale.momentum(),
+        .peak_force = peaks[j].force * scale.force(),
+        .peak_indentation = peaks[j].indentation * scale.length,
+        .stored = energies[j].stored * scale.energy(),
+        .dissipated = loss_above(accuracy * chain.reduced_mass[j] * speed * speed, energies[j].dissipated) *
+                      scale.energy(),
+        .periods = {}};
+  add_periods(contacts, course.run, scale.time);
   return contacts;
+}
+
+/// Everything asked for, in the chain's units.
+ChainImpact describe(const DimensionlessChain& chain, const ChainLayout& layout, ConstState start,
+                     const Course& course, double accuracy) {
+  const Run& run = course.run;
+  const auto& scale = chain.scale;
+  const Stretch stretch{.before = start, .after = run.state, .time = run.time};
+  std::vector<double> p;
+  std::vector<Index> periods;
+  impulses(chain, layout, stretch, p);
+  count_periods(run.changes, layout.contacts(), periods);
+  clear_untouched(periods, p);
+  const auto energies = contact_energies(chain, layout, course.mode, stretch);
+
+  ChainImpact impact;
+  impact.ending = run.ending;
+  impact.message = run.message;
+  impact.time = run.time * scale.time;
+  for (const Index at : layout.velocity) impact.velocity.push_back(run.state[at] * scale.velocity);
+  for (const Index at : layout.gap) impact.gap.push_back(run.state[at] * scale.length);
+  impact.contacts = histories(chain, course, p, energies, accuracy);
+  impact.icr = correlation_ratios(p);
+  impact.impulse_direction = direction(p);
+  impact.events = events(run, scale.time);
+  impact.energy = energy_ledger(chain, layout, energies, p, stretch);
+  impact.momentum = momentum_ledger(chain, layout, stretch);
+  impact.flows = flow_uses(run);
+  return impact;
+}
+
+ChainImpact simulate_whole(const model::Chain& chain, const hybrid::Options& options, bool trace) {
+  model::ChainSystem system;
+  system.reset(chain, options.accuracy, /*stay=*/std::isfinite(options.max_time));
+  std::vector<double> start;
+  initial_state(system.chain(), system.layout(), start);
+  auto course = follow_whole(system, start, hybrid::scaled(options, system.chain().scale), trace);
+  auto impact = describe(system.chain(), system.layout(), start, course, options.accuracy);
+  impact.skipped = skipped(system.layout(), course, trace);
+  impact.trace = std::move(course.trace);
+  return impact;
+}
+
+ChainImpact simulate_islands(const model::Chain& chain, const hybrid::Options& options) {
+  DimensionlessChain scaled;
+  ChainLayout layout;
+  std::vector<double> start;
+  make_dimensionless(chain, options.accuracy, scaled);
+  make_layout(scaled, layout);
+  initial_state(scaled, layout, start);
+  const auto course = follow_islands(scaled, layout, start, hybrid::scaled(options, scaled.scale),
+                                     /*stay=*/std::isfinite(options.max_time));
+  auto impact = describe(scaled, layout, start, course, options.accuracy);
+  impact.skipped = skipped(layout, course, /*trace=*/false);
+  return impact;
 }
 
 }  // namespace
@@ -128,40 +172,10 @@ std::vector<ContactHistory> histories(const ChainSystem& system, const Run& run,
 ChainImpact simulate(const model::Chain& chain, const hybrid::Options& options, bool trace) {
   model::validate(chain);
   hybrid::validate(options);
-  ChainSystem system;
-  system.reset(chain, options.accuracy, /*stay=*/std::isfinite(options.max_time));
-  std::vector<double> start, p;
-  std::vector<Index> periods;
-  initial_state(system.chain(), system.layout(), start);
-  Observers observers(system.phase(), system, trace);
-  hybrid::Workspace<ChainSystem> workspace;
-  const Run& run =
-      hybrid::simulate(system, start, hybrid::scaled(options, system.chain().scale), workspace, &observers);
-
-  const auto& scale = system.chain().scale;
-  const Stretch stretch{.before = start, .after = run.state, .time = run.time};
-  impulses(system.chain(), system.layout(), stretch, p);
-  count_periods(run.changes, system.layout().contacts(), periods);
-  clear_untouched(periods, p);
-  system.problem(workspace.mode);  // forces at the ending are those of the last mode
-  const auto energies = contact_energies(system.chain(), system.layout(), workspace.mode, stretch);
-
-  ChainImpact impact;
-  impact.ending = run.ending;
-  impact.message = run.message;
-  impact.time = run.time * scale.time;
-  for (const Index at : system.layout().velocity) impact.velocity.push_back(run.state[at] * scale.velocity);
-  for (const Index at : system.layout().gap) impact.gap.push_back(run.state[at] * scale.length);
-  impact.contacts = histories(system, run, p, energies, observers.peaks.peaks(), options.accuracy);
-  impact.icr = correlation_ratios(p);
-  impact.impulse_direction = direction(p);
-  impact.events = events(run, scale.time);
-  impact.energy = energy_ledger(system.chain(), system.layout(), energies, p, stretch);
-  impact.momentum = momentum_ledger(system.chain(), system.layout(), stretch);
-  impact.flows = flow_uses(run);
-  impact.skipped = skipped(system, run, trace);
+  const auto inner = tightened(options, chain.mass.size());
+  auto impact = !trace && divides(options, chain.mass.size()) ? simulate_islands(chain, inner)
+                                                              : simulate_whole(chain, inner, trace);
   impact.requested_accuracy = options.accuracy;
-  if (trace) impact.trace = observers.recorder.take(run.time, run.state);
   return impact;
 }
 

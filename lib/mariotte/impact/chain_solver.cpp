@@ -3,20 +3,23 @@
 #include <cmath>
 
 #include "mariotte/hybrid/simulate.hpp"
+#include "mariotte/impact/course.hpp"
 #include "mariotte/impact/impulses.hpp"
-#include "mariotte/model/chain_system.hpp"
 
 namespace mariotte::impact {
+
+using model::ChainLayout;
+using model::DimensionlessChain;
 
 struct ChainSolver::Memory {
   model::ChainSystem system;
   hybrid::Workspace<model::ChainSystem> workspace;
+  DimensionlessChain divided;
+  ChainLayout divided_layout;
   std::vector<double> start;
   BriefImpact impact;
 
-  void report(const hybrid::Trajectory<model::ContactChange>& run) {
-    const auto& chain = system.chain();
-    const auto& layout = system.layout();
+  void report(const DimensionlessChain& chain, const ChainLayout& layout, const model::Islands::Run& run) {
     impact.ending = run.ending;
     impact.message = run.message;
     impact.time = run.time * chain.scale.time;
@@ -33,6 +36,22 @@ struct ChainSolver::Memory {
       impact.rhs += flow.rhs;
     }
   }
+
+  void solve_whole(const model::Chain& chain, const hybrid::Options& options, bool stay) {
+    system.reset(chain, options.accuracy, stay);
+    initial_state(system.chain(), system.layout(), start);
+    report(system.chain(), system.layout(),
+           hybrid::simulate(system, start, hybrid::scaled(options, system.chain().scale), workspace));
+  }
+
+  void solve_islands(const model::Chain& chain, const hybrid::Options& options, bool stay) {
+    make_dimensionless(chain, options.accuracy, divided);
+    make_layout(divided, divided_layout);
+    initial_state(divided, divided_layout, start);
+    model::Islands islands(divided, divided_layout, start, hybrid::scaled(options, divided.scale), stay, {});
+    islands.run();
+    report(divided, divided_layout, islands.result());
+  }
 };
 
 ChainSolver::ChainSolver() : memory_(std::make_unique<Memory>()) {}
@@ -42,9 +61,9 @@ const BriefImpact& ChainSolver::solve(const model::Chain& chain, const hybrid::O
   auto& m = *memory_;
   model::validate(chain);
   hybrid::validate(options);
-  m.system.reset(chain, options.accuracy, /*stay=*/std::isfinite(options.max_time));
-  initial_state(m.system.chain(), m.system.layout(), m.start);
-  m.report(hybrid::simulate(m.system, m.start, hybrid::scaled(options, m.system.chain().scale), m.workspace));
+  const bool stay = std::isfinite(options.max_time);
+  const auto inner = tightened(options, chain.mass.size());
+  divides(inner, chain.mass.size()) ? m.solve_islands(chain, inner, stay) : m.solve_whole(chain, inner, stay);
   return m.impact;
 }
 

@@ -17,7 +17,8 @@ struct Peak {
 /// so a loose time is enough for a tight value.
 class PeakWatcher {
  public:
-  PeakWatcher(const model::ChainPhase& phase, const model::ChainLayout& layout);
+  /// From now on look at the steps of this phase, all peaks forgotten; both must outlive the watching.
+  void begin(const model::ChainPhase& phase, const model::ChainLayout& layout);
   void watch(const flow::Step& step);
   const std::vector<Peak>& peaks() const { return peaks_; }
 
@@ -31,8 +32,8 @@ class PeakWatcher {
   void search(const flow::Step& step, Index j, double Slopes::*slope, const Slopes& before,
               const Slopes& after);
 
-  const model::ChainPhase& phase_;
-  const model::ChainLayout& layout_;
+  const model::ChainPhase* phase_ = nullptr;
+  const model::ChainLayout* layout_ = nullptr;
   std::vector<Peak> peaks_;
   std::vector<double> inside_, rate_;
 };

@@ -75,6 +75,12 @@ bool has_faded(const DimensionlessChain& chain, const ChainLayout& layout, Const
   return -x[layout.gap[j]] < chain.shallow[j] && approach <= 0 && approach >= -chain.slow;
 }
 
+bool has_loaded(const DimensionlessChain& chain, const ChainLayout& layout, ConstState x, Index j) {
+  const double indentation = -x[layout.gap[j]];
+  if (!(indentation > 2 * chain.shallow[j])) return false;
+  return load(chain.law[j], indentation, x[layout.velocity[j]] - x[layout.velocity[j + 1]]) > 0;
+}
+
 double load(const contact::Law& law, double indentation, double rate) {
   return contact::stiffness(law) * indentation + contact::damping(law) * rate;
 }
@@ -84,6 +90,11 @@ void ChainPhase::reset() {
   model::magnitudes(chain_, layout_, magnitudes_);
   crossings_.assign(guards_.contact.size(), Crossing::none);
   make_serial(chain_, layout_, guards_, serial_);
+}
+
+void ChainPhase::set_edges(SliceEdges edges) {
+  edges_ = edges;
+  serial_.goes_on = edges.left || edges.right;
 }
 
 std::vector<flow::Entry> ChainPhase::pattern() const {
@@ -224,19 +235,17 @@ void ChainPhase::second_derivative(ConstState, State ddx) const {
     ddx[layout_.gap[j]] = chain_.gravity[j] - chain_.gravity[j + 1];
 }
 
-/// A touching contact has left the noise.
-bool ChainPhase::has_loaded(ConstState x, Index j) const {
-  if ((*mode_)[j] != ContactMode::touching || !(-x[layout_.gap[j]] > serial_.contact[j].loaded()))
-    return false;
-  return guards_.load[j] == ChainLayout::absent || force(x, j).value > 0;
+bool ChainPhase::is_at_edge(Index j) const {
+  return (edges_.left && j < edges_.margin) || (edges_.right && j >= layout_.contacts() - edges_.margin);
 }
 
 flow::Accepted ChainPhase::accept(ConstState x) {
   auto accepted = flow::Accepted::unchanged;
   for (Index j = 0; j < layout_.contacts(); ++j) {
     if ((*mode_)[j] == ContactMode::closed && has_faded(chain_, layout_, x, j)) return flow::Accepted::ended;
-    if (!has_loaded(x, j)) continue;
+    if ((*mode_)[j] != ContactMode::touching || !has_loaded(chain_, layout_, x, j)) continue;
     (*mode_)[j] = ContactMode::closed;
+    if (is_at_edge(j)) return flow::Accepted::ended;
     watch(j);
     accepted = flow::Accepted::rewatched;
   }

@@ -22,12 +22,26 @@ double load(const contact::Law& law, double indentation, double rate);
 /// let go.
 bool has_faded(const DimensionlessChain& chain, const ChainLayout& layout, ConstState x, Index contact);
 
+/// A touching contact has left the noise.
+bool has_loaded(const DimensionlessChain& chain, const ChainLayout& layout, ConstState x, Index contact);
+
+/// Edges of a slice beyond which the chain goes on. A contact nearer than `margin` to such an edge must not
+/// push: what it would push on is not there.
+struct SliceEdges {
+  bool left = false;
+  bool right = false;
+  Index margin = 0;
+};
+
 /// A chain bound to a mode; `bind` moves it on to the next.
 class ChainPhase final : public flow::Problem {
  public:
   /// For a chain and layout that outlive it; `reset` when they have changed.
   ChainPhase(const DimensionlessChain& chain, const ChainLayout& layout) : chain_(chain), layout_(layout) {}
   void reset();
+  /// For a slice: phases end where a touching contact at such an edge is loaded.
+  void set_edges(SliceEdges edges);
+  SliceEdges edges() const { return edges_; }
 
   /// From now on follow `mode`, which must outlive the phase; accepted steps turn its touching contacts
   /// closed.
@@ -59,7 +73,7 @@ class ChainPhase final : public flow::Problem {
   double guard(ConstState x, Index i) const;
   double level(Index i) const;
   void watch(Index j);
-  bool has_loaded(ConstState x, Index j) const;
+  bool is_at_edge(Index j) const;
 
   const DimensionlessChain& chain_;
   const ChainLayout& layout_;
@@ -67,6 +81,7 @@ class ChainPhase final : public flow::Problem {
   std::vector<double> magnitudes_;
   std::vector<flow::Crossing> crossings_;
   flow::SerialPhase serial_;
+  SliceEdges edges_;
   contact::ContactSet* mode_ = nullptr;
   Index active_ = 0;  ///< contacts that carry force
   double time_scale_ = 1;

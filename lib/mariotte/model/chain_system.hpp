@@ -2,16 +2,10 @@
 #pragma once
 #include <vector>
 
+#include "mariotte/model/chain_modes.hpp"
 #include "mariotte/model/chain_phase.hpp"
 
 namespace mariotte::model {
-
-/// A contact that passes from one mode to another.
-struct ContactChange {
-  Index contact;
-  contact::ContactMode before;
-  contact::ContactMode after;
-};
 
 /// Satisfies hybrid::HybridSystem. Dimensionless; `chain().scale` leads back.
 class ChainSystem {
@@ -26,13 +20,16 @@ class ChainSystem {
   /// Become the system of another chain and reuse the memory. `stay` keeps a chain that gravity leads back to
   /// a wall going after its first impact.
   void reset(const Chain& chain, double accuracy, bool stay);
+  /// Become the system of balls `first` to `last` of a chain; its phases end where a row of touching contacts
+  /// is about to push beyond them, `margin` contacts before it does.
+  void reset(const DimensionlessChain& whole, Index first, Index last, Index margin);
   const DimensionlessChain& chain() const { return chain_; }
   const ChainLayout& layout() const { return layout_; }
 
   /// Contacts that carry force at 0+: indented ones, touching ones that approach or are driven together, and
   /// touching ones at rest that stand in a row with one of these.
   void mode_at(ConstState x, Mode& mode, std::vector<Change>& changes) const;
-  /// What has fired, and closed contacts that have faded by then.
+  /// What has fired, closed contacts that have faded by then, and touching ones that have left the noise.
   void transition(Mode& mode, const std::vector<Index>& fired, ConstState x,
                   std::vector<Change>& changes) const;
   /// No contact carries force and the velocities are in order from left to right: a theorem without outside
@@ -44,10 +41,7 @@ class ChainSystem {
   const ChainPhase& phase() const { return phase_; }
 
  private:
-  double approach(ConstState x, Index j) const;
-  contact::ContactMode after(contact::ContactMode mode, bool load_fired, double gap, double approach) const;
-  bool rests(const Mode& mode, ConstState x, Index j) const;
-  void press_row(Mode& mode, ConstState x, Index from, std::vector<Change>& changes) const;
+  ChainState state(ConstState x) const { return {chain_, layout_, x}; }
 
   DimensionlessChain chain_;
   ChainLayout layout_;

@@ -130,4 +130,18 @@ void make_dimensionless(const Chain& chain, double accuracy, DimensionlessChain&
   }
 }
 
+void copy_slice(const DimensionlessChain& whole, Index first, Index last, DimensionlessChain& slice) {
+  slice.scale = whole.scale;
+  slice.speed = whole.speed;
+  slice.slow = whole.slow;
+  slice.falls_back = whole.falls_back;
+  const auto copy = [&](auto list, Index end) {
+    (slice.*list).assign((whole.*list).begin() + first, (whole.*list).begin() + end);
+  };
+  using D = DimensionlessChain;
+  for (const auto list : {&D::mass, &D::inverse_mass, &D::velocity, &D::gravity}) copy(list, last + 1);
+  for (const auto list : {&D::gap, &D::reduced_mass, &D::length, &D::time, &D::shallow}) copy(list, last);
+  copy(&D::law, last);
+}
+
 }  // namespace mariotte::model

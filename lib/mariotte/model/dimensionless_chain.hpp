@@ -28,4 +28,7 @@ struct DimensionlessChain {
 /// of what may be wrong anyway.
 void make_dimensionless(const Chain& chain, double accuracy, DimensionlessChain& d);
 
+/// Balls `first` to `last` of a chain as a chain, in the same units and with the same speeds.
+void copy_slice(const DimensionlessChain& whole, Index first, Index last, DimensionlessChain& slice);
+
 }  // namespace mariotte::model

@@ -1,0 +1,49 @@
+// Which contacts of a chain act, and what comes after a guard has fired.
+#pragma once
+#include <vector>
+
+#include "mariotte/contact/contact_set.hpp"
+#include "mariotte/model/chain_layout.hpp"
+
+namespace mariotte::model {
+
+/// A contact that passes from one mode to another.
+struct ContactChange {
+  Index contact;
+  contact::ContactMode before;
+  contact::ContactMode after;
+};
+
+/// A chain, where its quantities stand, and a state.
+struct ChainState {
+  const DimensionlessChain& chain;
+  const ChainLayout& layout;
+  ConstState x;
+
+  double gap(Index j) const { return x[layout.gap[j]]; }
+  double approach(Index j) const { return x[layout.velocity[j]] - x[layout.velocity[j + 1]]; }
+};
+
+/// Set one contact's mode; a change is appended to `changes`.
+void change(contact::ContactSet& mode, Index j, contact::ContactMode after,
+            std::vector<ContactChange>& changes);
+
+/// The mode of contact j after its gap, or its load, has fired.
+contact::ContactMode after(const ChainState& state, Index j, contact::ContactMode before, bool load_fired);
+
+/// Touching neighbours at rest are pressed in the same instant as contact `from`, δ ~ t^{7/2} [theory page,
+/// "Touching at rest"].
+void press_row(const ChainState& state, contact::ContactSet& mode, Index from,
+               std::vector<ContactChange>& changes);
+
+/// Contact j of mode `mode` touches at rest.
+bool rests(const ChainState& state, contact::ContactMode mode, Index j);
+
+/// Contacts that carry force at 0+: indented ones, touching ones that approach or are driven together, and
+/// touching ones at rest that stand in a row with one of these.
+void contact_set_at(const ChainState& state, contact::ContactSet& mode, std::vector<ContactChange>& changes);
+
+/// Contacts that touched but were never pressed noticeably open at the end.
+void open_touching(contact::ContactSet& mode, std::vector<ContactChange>& changes);
+
+}  // namespace mariotte::model
