@@ -41,6 +41,7 @@ struct SerialPhase {
   std::vector<Body> body;
   std::vector<Contact> contact;
   double speed = 1;      ///< natural relative speed
+  double faint = 0;      ///< rate at which a contact that has become shallow fades
   bool goes_on = false;  ///< the bodies are some of a longer row, which a touching contact may press
 };
 

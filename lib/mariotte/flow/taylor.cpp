@@ -36,8 +36,9 @@ bool concerns_problem(const Window& w) {
   for (int j = 0; j < w.lanes.count; ++j) {
     const auto& contact = w.contact(j);
     const double depth = w.lanes.indentation[j];
-    if (contact.role == Role::closed && depth < contact.shallow) return true;
-    if (contact.role == Role::touching && depth > contact.shallow) return true;
+    const double rate = std::abs(w.lanes.rate[j]);
+    if (contact.role == Role::closed && depth < contact.shallow && rate <= w.phase->faint) return true;
+    if (contact.role == Role::touching && depth > contact.loaded()) return true;
   }
   return false;
 }

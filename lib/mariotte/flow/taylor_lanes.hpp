@@ -55,6 +55,8 @@ class Expansion {
   /// Largest coefficient k of δ/length, δ̇ and, if damped, work/m*, for k from `first` to the order.
   virtual void sizes(int first, double* size) const = 0;
   virtual void evaluate(double place, Values& values) const = 0;
+  /// Replace margins of indentations by those of a longer Bernstein form, where that is positive.
+  virtual void sharpen(double place, Values& values) const = 0;
   /// Coefficients of one quantity of a lane, or of the clock √δ_c and the time.
   virtual void coefficients(Quantity quantity, int lane, double* c) const = 0;
 };

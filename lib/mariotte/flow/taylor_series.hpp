@@ -148,6 +148,28 @@ class Series final : public Expansion {
     if (damped_) evaluate_damped(place, values);
   }
 
+  void sharpen(double place, Values& values) const override {
+    constexpr int degree = 9;  // of the terms in Bernstein form; what the others can take away is subtracted
+    double factor[degree + 1] = {1};  // placeᵏ/C(degree, k)
+    for (int k = 0; k < degree; ++k) factor[k + 1] = factor[k] * place * (k + 1) * reciprocal.of[degree - k];
+    const double beyond = factor[degree] * place;
+    const auto side = load<N>(lanes_->side), level = load<N>(lanes_->level), margin = load<N>(values.margin);
+    store(each<N>([&](int i) {
+            Vec loss{}, b[degree + 1];
+            for (int k = order_; k > degree; --k)
+              loss = place * loss + largest(-side.part[i] * indentation_[k].part[i], Vec{});
+            for (int k = 0; k <= degree; ++k) b[k] = factor[k] * side.part[i] * indentation_[k].part[i];
+            b[0] += level.part[i];
+            for (int row = 1; row <= degree; ++row)  // as in Pascal's triangle
+              for (int k = degree; k >= row; --k) b[k] += b[k - 1];
+            Vec lowest = b[0];
+            for (int k = 1; k <= degree; ++k) lowest = least(lowest, b[k]);
+            lowest -= beyond * loss;
+            return lowest > Vec{} ? lowest : margin.part[i];
+          }),
+          values.margin);
+  }
+
   void coefficients(Quantity quantity, int lane, double* c) const override {
     for (int k = 0; k <= order_; ++k) {
       switch (quantity) {

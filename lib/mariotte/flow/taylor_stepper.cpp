@@ -16,10 +16,11 @@ namespace {
 /// not look like approaches.
 constexpr double local_share = 0.03;
 /// A contact that would let go within this share of a step is landed in its own clock. Earlier is dearer:
-/// near its end a contact is so weak that it hardly bounds the step.
-constexpr double landing_share = 0.5;
+/// near its end a contact is so weak that it hardly bounds the step, and among many less than among few.
+constexpr double landing_share = 0.5, landing_share_of_many = 0.2;
+constexpr int many_lanes = 8;
 /// A contact may sink this far past the depth at which it wakes before it is heard.
-constexpr double late = 3;
+constexpr double late = 5;
 
 /// Share of the radius of convergence that a step may use.
 constexpr double safe_radius = 0.7;
@@ -106,7 +107,7 @@ int Stepper::choose_clock() const {
   const auto& l = window.lanes;
   int clock = Expansion::plain;
   if (l.general) return clock;
-  double soonest = landing_share * last_time;
+  double soonest = (l.count > many_lanes ? landing_share_of_many : landing_share) * last_time;
   for (int j = 0; j < l.count; ++j) {
     if (!window.is_sharp(j) || window.contact(j).role != Role::closed) continue;
     if (is_struck(j)) return j;
@@ -193,10 +194,12 @@ void Stepper::search(const Piece& piece, Quantity quantity, int lane, double sid
   if (place && *place < fall.place) fall = {guard, lane, *place};
 }
 
-Fall Stepper::first_fall(const Piece& piece) const {
+Fall Stepper::first_fall(const Piece& piece) {
   Fall fall;
   if (!piece.series) return fall;  // a start is chosen so short that none fires
   const auto& l = window.lanes;
+  if (std::any_of(values_.margin, values_.margin + l.count, [](double margin) { return margin < 0; }))
+    piece.series->sharpen(piece.end, values_);
   for (int j = 0; j < l.count; ++j) {
     const auto& c = window.contact(j);
     if (l.side[j] != 0 && values_.margin[j] < 0)

@@ -34,7 +34,7 @@ class Stepper {
   /// latest. `first` allows the series of contacts that start undeformed.
   Piece next(bool first, double time);
   /// The first guard that fires within the piece; proven.
-  Fall first_fall(const Piece& piece) const;
+  Fall first_fall(const Piece& piece);
   /// What the piece says at its end, or at an earlier place that becomes its end.
   const Values& values() const { return values_; }
   void shorten(Piece& piece, double place);

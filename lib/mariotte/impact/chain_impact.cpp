@@ -158,9 +158,11 @@ ChainImpact simulate_islands(const model::Chain& chain, const hybrid::Options& o
   ChainLayout layout;
   std::vector<double> start;
   make_dimensionless(chain, options.accuracy, scaled);
+  const auto inner = tightened(options, chain.mass.size());
+  fade_later(scaled, inner.accuracy);
   make_layout(scaled, layout);
   initial_state(scaled, layout, start);
-  const auto course = follow_islands(scaled, layout, start, hybrid::scaled(options, scaled.scale),
+  const auto course = follow_islands(scaled, layout, start, hybrid::scaled(inner, scaled.scale),
                                      /*stay=*/std::isfinite(options.max_time));
   auto impact = describe(scaled, layout, start, course, options.accuracy);
   impact.skipped = skipped(layout, course, /*trace=*/false);
@@ -172,9 +174,9 @@ ChainImpact simulate_islands(const model::Chain& chain, const hybrid::Options& o
 ChainImpact simulate(const model::Chain& chain, const hybrid::Options& options, bool trace) {
   model::validate(chain);
   hybrid::validate(options);
-  const auto inner = tightened(options, chain.mass.size());
-  auto impact = !trace && divides(options, chain.mass.size()) ? simulate_islands(chain, inner)
-                                                              : simulate_whole(chain, inner, trace);
+  auto impact = !trace && divides(options, chain.mass.size())
+                    ? simulate_islands(chain, options)
+                    : simulate_whole(chain, tightened(options, chain.mass.size()), trace);
   impact.requested_accuracy = options.accuracy;
   return impact;
 }

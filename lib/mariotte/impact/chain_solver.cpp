@@ -46,9 +46,11 @@ struct ChainSolver::Memory {
 
   void solve_islands(const model::Chain& chain, const hybrid::Options& options, bool stay) {
     make_dimensionless(chain, options.accuracy, divided);
+    const auto inner = tightened(options, chain.mass.size());
+    fade_later(divided, inner.accuracy);
     make_layout(divided, divided_layout);
     initial_state(divided, divided_layout, start);
-    model::Islands islands(divided, divided_layout, start, hybrid::scaled(options, divided.scale), stay, {});
+    model::Islands islands(divided, divided_layout, start, hybrid::scaled(inner, divided.scale), stay, {});
     islands.run();
     report(divided, divided_layout, islands.result());
   }
@@ -62,8 +64,8 @@ const BriefImpact& ChainSolver::solve(const model::Chain& chain, const hybrid::O
   model::validate(chain);
   hybrid::validate(options);
   const bool stay = std::isfinite(options.max_time);
-  const auto inner = tightened(options, chain.mass.size());
-  divides(inner, chain.mass.size()) ? m.solve_islands(chain, inner, stay) : m.solve_whole(chain, inner, stay);
+  divides(options, chain.mass.size()) ? m.solve_islands(chain, options, stay)
+                                      : m.solve_whole(chain, tightened(options, chain.mass.size()), stay);
   return m.impact;
 }
 

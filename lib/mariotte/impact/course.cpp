@@ -60,7 +60,7 @@ class PeakLog final : public model::StretchLog {
 }  // namespace
 
 hybrid::Options tightened(hybrid::Options options, std::size_t balls) {
-  const double passed = static_cast<double>(balls) / 500;
+  const double passed = static_cast<double>(balls) / 700;
   options.accuracy =
       std::max(options.accuracy / std::max(1.0, passed), std::min(options.accuracy, 8 * epsilon));
   return options;

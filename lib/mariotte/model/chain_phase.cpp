@@ -26,6 +26,7 @@ void make_serial(const DimensionlessChain& chain, const ChainLayout& at, const C
   phase.body.clear();
   phase.contact.clear();
   phase.speed = chain.speed;
+  phase.faint = chain.faint * chain.slow;
   for (Index i = 0; i < at.balls(); ++i)
     phase.body.push_back({at.velocity[i], chain.inverse_mass[i], -chain.gravity[i]});
   for (Index j = 0; j < at.contacts(); ++j)
@@ -38,7 +39,7 @@ void make_serial(const DimensionlessChain& chain, const ChainLayout& at, const C
                              .damping = contact::damping(chain.law[j]),
                              .exponent = contact::exponent(chain.law[j]),
                              .length = chain.length[j],
-                             .shallow = chain.shallow[j]});
+                             .shallow = chain.faint_depth * chain.shallow[j]});
 }
 
 flow::SerialPhase::Role role(ContactMode mode) {
@@ -72,12 +73,13 @@ void make_guards(const ChainLayout& layout, ChainGuards& guards) {
 
 bool has_faded(const DimensionlessChain& chain, const ChainLayout& layout, ConstState x, Index j) {
   const double approach = x[layout.velocity[j]] - x[layout.velocity[j + 1]];
-  return -x[layout.gap[j]] < chain.shallow[j] && approach <= 0 && approach >= -chain.slow;
+  return -x[layout.gap[j]] < chain.faint_depth * chain.shallow[j] &&
+         std::abs(approach) <= chain.faint * chain.slow;
 }
 
 bool has_loaded(const DimensionlessChain& chain, const ChainLayout& layout, ConstState x, Index j) {
   const double indentation = -x[layout.gap[j]];
-  if (!(indentation > 2 * chain.shallow[j])) return false;
+  if (!(indentation > 2 * chain.faint_depth * chain.shallow[j])) return false;
   return load(chain.law[j], indentation, x[layout.velocity[j]] - x[layout.velocity[j + 1]]) > 0;
 }
 

@@ -18,7 +18,7 @@ void make_guards(const ChainLayout& layout, ChainGuards& guards);
 /// Load k δ + c δ̇ of a damped contact; its sign is the sign of the force.
 double load(const contact::Law& law, double indentation, double rate);
 
-/// A closed contact so shallow, and parting so slowly, that its end would be an event made of noise: it has
+/// A closed contact so shallow, and moving so slowly, that its end would be an event made of noise: it has
 /// let go.
 bool has_faded(const DimensionlessChain& chain, const ChainLayout& layout, ConstState x, Index contact);
 

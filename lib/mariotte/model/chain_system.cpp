@@ -1,5 +1,7 @@
 #include "mariotte/model/chain_system.hpp"
 
+#include <algorithm>
+
 namespace mariotte::model {
 
 using contact::ContactMode;
@@ -33,8 +35,11 @@ void ChainSystem::transition(Mode& mode, const std::vector<Index>& fired, ConstS
     change(mode, j, after(state(x), j, mode[j], guard != j), changes);
     if (mode[j] == ContactMode::closed) press_row(state(x), mode, j, changes);
   }
+  const auto has_fired = [&](Index j) {
+    return std::any_of(fired.begin(), fired.end(), [&](Index guard) { return guards_.contact[guard] == j; });
+  };
   for (Index j = 0; j < layout_.contacts(); ++j) {
-    if (mode[j] == ContactMode::closed && has_faded(chain_, layout_, x, j))
+    if (mode[j] == ContactMode::closed && has_faded(chain_, layout_, x, j) && !has_fired(j))
       change(mode, j, ContactMode::hovering, changes);
     if (mode[j] == ContactMode::touching && has_loaded(chain_, layout_, x, j))
       mode[j] = ContactMode::closed;  // no event

@@ -84,6 +84,11 @@ contact::Law scaled(const contact::Law& law, const Scale& scale, const contact::
   return contact::Viscoelastic{.stiffness = stiffness, .damping = damping, .exponent = n};
 }
 
+/// A tenth of the accuracy, but what double precision can tell.
+double slow_share(double accuracy) {
+  return std::max(0.1 * accuracy, 8 * epsilon);
+}
+
 /// Gravity towards decreasing position pulls a ball back to a wall on its left; upwards gravity mirrors that.
 bool pulls_back(const Chain& chain) {
   if (chain.gravity == 0) return false;
@@ -102,7 +107,8 @@ void make_dimensionless(const Chain& chain, double accuracy, DimensionlessChain&
   const auto quickest = quickest_contact(chain, speed, natural_length);
   d.scale = choose_scale(chain, speed, quickest, natural_length);
   d.speed = speed / d.scale.velocity;
-  d.slow = std::max(0.1 * accuracy, 8 * epsilon) * d.speed;
+  d.slow = slow_share(accuracy) * d.speed;
+  d.faint = d.faint_depth = 1;
   d.falls_back = pulls_back(chain);
   for (auto* list : {&d.mass, &d.inverse_mass, &d.gap, &d.velocity, &d.gravity, &d.reduced_mass, &d.length,
                      &d.time, &d.shallow})
@@ -130,10 +136,17 @@ void make_dimensionless(const Chain& chain, double accuracy, DimensionlessChain&
   }
 }
 
+void fade_later(DimensionlessChain& d, double accuracy) {
+  d.faint = std::min(1.0, slow_share(accuracy) * d.speed / d.slow);
+  d.faint_depth = std::pow(d.faint, 0.8);  // of Hertz contacts; linear ones fade a little early
+}
+
 void copy_slice(const DimensionlessChain& whole, Index first, Index last, DimensionlessChain& slice) {
   slice.scale = whole.scale;
   slice.speed = whole.speed;
   slice.slow = whole.slow;
+  slice.faint = whole.faint;
+  slice.faint_depth = whole.faint_depth;
   slice.falls_back = whole.falls_back;
   const auto copy = [&](auto list, Index end) {
     (slice.*list).assign((whole.*list).begin() + first, (whole.*list).begin() + end);

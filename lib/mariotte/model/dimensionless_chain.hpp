@@ -21,12 +21,18 @@ struct DimensionlessChain {
   std::vector<double> length, time;        ///< n−1 natural lengths and times
   double slow = 0;                         ///< approach speed that cannot be told from rest
   std::vector<double> shallow;  ///< n−1 values: depth that a contact approached so slowly reaches
+  double faint = 1;             ///< speed at which a contact fades, relative to slow
+  double faint_depth = 1;       ///< depth at which it does, relative to shallow
   bool falls_back = false;      ///< gravity pulls some ball back to a wall
 };
 
 /// Convert a validated chain into `d`, whose memory is reused. `accuracy` decides what is slow: a tenth
 /// of what may be wrong anyway.
 void make_dimensionless(const Chain& chain, double accuracy, DimensionlessChain& d);
+
+/// Let contacts fade as flows of a better accuracy can tell, so that what they leave behind is not an
+/// approach that counts.
+void fade_later(DimensionlessChain& d, double accuracy);
 
 /// Balls `first` to `last` of a chain as a chain, in the same units and with the same speeds.
 void copy_slice(const DimensionlessChain& whole, Index first, Index last, DimensionlessChain& slice);

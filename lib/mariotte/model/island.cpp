@@ -27,7 +27,7 @@ bool is_active(const ChainState& state, ContactMode mode, Index j) {
     case ContactMode::closed:
       return true;
     case ContactMode::touching:
-      return driven || state.gap(j) < -2 * chain.shallow[j] ||
+      return driven || state.gap(j) < -2 * chain.faint_depth * chain.shallow[j] ||
              (state.gap(j) <= 0 && state.approach(j) > chain.slow);
     case ContactMode::slack:
       return driven || state.approach(j) > chain.slow;

@@ -19,7 +19,7 @@ struct Appointment {
 };
 
 /// Appointments by time. Each contact and each island has one at most: a new one replaces the old, which
-/// stays in the heap until its time comes and is then passed over.
+/// stays in the heap until its time comes and is then passed over, or until such as these are the most of it.
 class IslandQueue {
  public:
   explicit IslandQueue(Index contacts) : meeting_(contacts) {}
@@ -38,6 +38,7 @@ class IslandQueue {
 
   void arrive(Index island, Instant time) {
     if (island >= std::ssize(arrival_)) arrival_.resize(island + 1);
+    if (std::ssize(heap_) > 64 + 4 * (meetings_ + std::ssize(arrival_))) forget_replaced();
     add({time, island, ++arrival_[island], Appointment::Kind::arrival});
   }
   void cancel_arrival(Index island) { ++arrival_[island]; }
@@ -63,6 +64,10 @@ class IslandQueue {
   void add(const Appointment& appointment) {
     heap_.push_back(appointment);
     std::push_heap(heap_.begin(), heap_.end(), later);
+  }
+  void forget_replaced() {
+    std::erase_if(heap_, [&](const Appointment& a) { return !is_valid(a); });
+    std::make_heap(heap_.begin(), heap_.end(), later);
   }
   void drop() {
     std::pop_heap(heap_.begin(), heap_.end(), later);

@@ -2,12 +2,13 @@
 //
 //   form islands around the contacts that push; reckon when free neighbours meet
 //   repeat
-//     take the earliest: an arrival of an island, or a meeting        nothing due earlier can interfere with
-//     it if there is none                       → separated if it comes after the time limit       →
-//     time_limit arrival: the island's next state becomes certain, its contact set makes its transition
+//     take the earliest: an arrival of an island, or a meeting. Nothing due earlier can interfere with it
+//       there is none                 → separated
+//       it comes after the time limit → time_limit
+//     arrival: the island's next state becomes certain, its contact set makes its transition
 //     meeting: the contact closes; islands whose end balls meet are brought to that time and dissolved
 //     an island that has grown, shrunk or fallen apart, and what was dissolved, is cut anew
-//     follow every new contact set to its next guard                  uncertain until its turn comes
+//     follow every new contact set to its next guard: uncertain until its turn comes
 #pragma once
 #include "mariotte/flow/choose.hpp"
 #include "mariotte/hybrid/options.hpp"
