@@ -115,6 +115,30 @@ BOOST_AUTO_TEST_CASE(column_of_beads_on_a_wall) {
   }
 }
 
+// Weak gravity and a high fall: the same impact after 10⁹ units of flight, on clocks that keep its digits.
+BOOST_AUTO_TEST_CASE(a_column_dropped_from_high_hits_like_one_thrown) {
+  for (const auto islands : {hybrid::Islands::never, hybrid::Islands::always}) {
+    auto dropped = column(40);
+    dropped.velocity.assign(41, 0.0);
+    dropped.gravity = 1e-9;
+    dropped.gap[0] = 0.5 / dropped.gravity;
+    const auto impact = impact::simulate(dropped, {.islands = islands});
+    const auto thrown = impact::simulate(column(40));
+    BOOST_TEST(difference(impact.velocity, thrown.velocity) < 100 * dropped.gravity);
+    const auto& wall = impact.contacts[0].periods;
+    BOOST_TEST(wall.size() == 1u);
+    BOOST_TEST(std::abs(*wall[0].end - wall[0].start - *thrown.contacts[0].periods[0].end) < 2e-6);
+    BOOST_TEST(std::abs(impact.energy.residual) < 1e-9);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_bead_more_leans_on_the_wall_for_two_units_more) {
+  const auto contact_time = [](std::size_t balls) {
+    return *impact::simulate(column(balls)).contacts[0].periods[0].end;
+  };
+  BOOST_TEST(std::abs((contact_time(40) - contact_time(10)) / 30 - 2.1) < 0.06);
+}
+
 BOOST_AUTO_TEST_CASE(velocities_of_columns_from_the_wall) {
   const Numbers three = {0, 0.509677, 1.048326, 1.281110};
   const Numbers five = {0, 0.314795, 0.769735, 1.038365, 1.137191, 1.391763};
