@@ -8,7 +8,7 @@ foreach(module IN LISTS MARIOTTE_LIBRARY_MODULES)
           FILES_MATCHING PATTERN "*.hpp" REGEX "/(sundials|linear_solver|taylor_series)[^/]*\\.hpp$" EXCLUDE)
 endforeach()
 if(MARIOTTE_APPS)
-  install(TARGETS mariotte_command icr_table stiffness_study work_precision)
+  install(TARGETS mariotte_command icr_table scaling_study stiffness_study work_precision)
 endif()
 
 configure_package_config_file(cmake/mariotteConfig.cmake.in mariotteConfig.cmake INSTALL_DESTINATION ${package_dir})

@@ -8,16 +8,19 @@
 namespace mariotte::command {
 namespace {
 
-const std::map<std::string, std::string> programs = {
-    {"icr-table", "icr_table"}, {"stiffness", "stiffness_study"}, {"work-precision", "work_precision"}};
+const std::map<std::string, std::string> programs = {{"icr-table", "icr_table"},
+                                                     {"scaling", "scaling_study"},
+                                                     {"stiffness", "stiffness_study"},
+                                                     {"work-precision", "work_precision"}};
 
 }  // namespace
 
 void add_study(CLI::App& app) {
-  auto* command = app.add_subcommand("study", "Programs of their own: icr-table, stiffness, work-precision");
+  auto* command =
+      app.add_subcommand("study", "Programs of their own: icr-table, scaling, stiffness, work-precision");
   command->footer(
       "Examples:\n  mariotte study icr-table --kappa 0.1:10:41:log --out kappa.csv\n  mariotte study "
-      "stiffness --quick\n  mariotte study work-precision --help\n");
+      "stiffness --quick\n  mariotte study scaling --help\n  mariotte study work-precision --help\n");
   command->require_subcommand(1);
   for (const auto& [study, program] : programs) {
     auto* one = command->add_subcommand(study, fmt::format("The same as {}", program));

@@ -42,6 +42,7 @@ struct ChainSolver::Memory {
     initial_state(system.chain(), system.layout(), start);
     report(system.chain(), system.layout(),
            hybrid::simulate(system, start, hybrid::scaled(options, system.chain().scale), workspace));
+    impact.widest = system.layout().contacts();
   }
 
   void solve_islands(const model::Chain& chain, const hybrid::Options& options, bool stay) {
@@ -53,6 +54,7 @@ struct ChainSolver::Memory {
     model::Islands islands(divided, divided_layout, start, hybrid::scaled(inner, divided.scale), stay, {});
     islands.run();
     report(divided, divided_layout, islands.result());
+    impact.widest = islands.count().widest;
   }
 };
 

@@ -20,7 +20,8 @@ struct BriefImpact {
   std::vector<Index> periods;    ///< n−1 counts of stretches in which a contact carried force
   Index events = 0;              ///< instants at which contacts closed or opened
   Index steps = 0;
-  Index rhs = 0;  ///< evaluations of the right-hand side, or of its series
+  Index rhs = 0;     ///< evaluations of the right-hand side, or of its series
+  Index widest = 0;  ///< contacts of the largest island; all of them if the chain was one system
 };
 
 /// Solves one chain after the other. After the first of its kind and size nothing is allocated. Not to be

@@ -1,0 +1,87 @@
+// What a long row costs, ball by ball, beside methods that integrate every ball at every step.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+
+#include "command_line/checks.hpp"
+#include "command_line/exit_code.hpp"
+#include "command_line/program.hpp"
+#include "command_line/terminal.hpp"
+#include "mariotte/report/files.hpp"
+#include "study.hpp"
+
+namespace mariotte::scaling_study {
+namespace {
+
+struct CommandLine {
+  Settings settings{.accuracies = {1e-8, 1e-12}};
+  std::string csv;
+  bool quick = false;
+  bool force = false;
+};
+
+constexpr const char* notes = R"(
+Errors are those of the velocities at both ends of the row, which are known in extended precision. Times are
+CPU time; memory is what a process of its own takes above what it started with, the row itself included.
+Rivals are told when the impact ends and follow no events; the last column is their time over ours at an
+error no larger than theirs. Their lengths double until the next would take longer than --patience.
+
+Examples:
+  scaling_study --quick
+  scaling_study --accuracy 1e-10 --longest 1e5 --patience 10
+  scaling_study --csv scaling.csv
+
+Exit codes: 0 ok, 2 usage, 4 failure, 6 file error.
+)";
+
+void declare(CLI::App& app, CommandLine& line) {
+  app.footer(notes);
+  app.add_option("--accuracy", line.settings.accuracies,
+                 "Wanted error of the final velocities / incident speed; may be repeated")
+      ->check(command::is_accuracy, "")
+      ->capture_default_str();
+  app.add_option("--longest", line.settings.longest, "Balls of the longest row")
+      ->check(CLI::Range(100., 1e7))
+      ->capture_default_str();
+  app.add_option("--patience", line.settings.patience, "Longest time of a rival's run [s]; 0 for none")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  app.add_option("--csv", line.csv, "Write every point into this file")->type_name("FILE");
+  app.add_flag("--quick", line.quick, "Up to 10000 balls, rivals up to a second");
+  app.add_flag("--force", line.force, "Overwrite the file");
+}
+
+void tell(const Point& point) {
+  std::fprintf(stderr, "%s, %zu balls: %.3g s\n", point.method.c_str(), point.balls, point.found.seconds);
+}
+
+int act(CommandLine& line) {
+  if (!line.csv.empty() && !line.force && std::filesystem::exists(line.csv))
+    throw report::FileError("cannot write " + line.csv + ": it exists already (--force overwrites)");
+  if (line.quick) line.settings.longest = 1e4, line.settings.patience = 1;
+  auto points = study_own(line.settings, tell);
+  command::print(table(points));
+  for (const double accuracy : line.settings.accuracies)
+    command::print(
+        fmt::format("at {:.0e} time grows like n^{:.2f}\n", accuracy, growth_exponent(points, accuracy)));
+  if (line.settings.patience > 0) {
+    const auto rivals = study_rivals(line.settings, tell);
+    command::print("\n" + rival_table(rivals));
+    points.insert(points.end(), rivals.begin(), rivals.end());
+  }
+  if (!line.csv.empty()) report::write_file(line.csv, csv(points));
+  return command::ExitCode::ok;
+}
+
+}  // namespace
+}  // namespace mariotte::scaling_study
+
+int main(int argc, char** argv) {
+  using namespace mariotte;
+  CLI::App app("Time, memory and error of a wave through a row of balls against its length.",
+               "scaling_study");
+  scaling_study::CommandLine line;
+  scaling_study::declare(app, line);
+  return command::run_program(app, argc, argv, [&] { return scaling_study::act(line); });
+}

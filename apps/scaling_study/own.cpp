@@ -1,0 +1,29 @@
+#include "mariotte/core/error.hpp"
+#include "mariotte/impact/chain_solver.hpp"
+#include "method.hpp"
+#include "row.hpp"
+#include "work_precision/timing.hpp"
+
+namespace mariotte::scaling_study {
+namespace {
+
+constexpr work_precision::Patience patience{.batch = 0.05, .batches = 5, .longest = 1};
+
+}  // namespace
+
+Measurement measure_own(std::size_t balls, double accuracy) {
+  const auto chain = row(balls);
+  const hybrid::Options options{.accuracy = accuracy, .max_events = 10 * static_cast<Index>(balls)};
+  impact::ChainSolver solver;
+  const double start = work_precision::cpu_seconds();
+  const auto& impact = solver.solve(chain, options);
+  const double first = work_precision::cpu_seconds() - start;
+  if (impact.ending != hybrid::Ending::separated) throw Error(impact.message);
+  const auto again = [&] { solver.solve(chain, options); };
+  return {.seconds = work_precision::least_seconds(again, first, patience),
+          .error = error_of(impact.velocity),
+          .steps = impact.steps,
+          .widest = impact.widest};
+}
+
+}  // namespace mariotte::scaling_study

@@ -1,0 +1,56 @@
+#include <fmt/format.h>
+
+#include "mariotte/report/columns.hpp"
+#include "mariotte/report/number.hpp"
+#include "study.hpp"
+
+namespace mariotte::scaling_study {
+namespace {
+
+double per_ball(const Point& point, double amount) {
+  return amount / static_cast<double>(point.balls);
+}
+
+}  // namespace
+
+std::string table(const std::vector<Point>& own) {
+  const report::Row header = {"balls",   "asked for",  "error",  "time [ms]",
+                              "µs/ball", "steps/ball", "widest", "bytes/ball"};
+  return report::columns(header, std::ssize(own), [&](Index i) -> report::Row {
+    const auto& point = own[static_cast<std::size_t>(i)];
+    const auto& found = point.found;
+    return {std::to_string(point.balls),
+            fmt::format("{:.0e}", point.accuracy),
+            fmt::format("{:.0e}", found.error),
+            fmt::format("{:.3g}", 1e3 * found.seconds),
+            fmt::format("{:.2f}", per_ball(point, 1e6 * found.seconds)),
+            fmt::format("{:.2f}", per_ball(point, static_cast<double>(found.steps))),
+            std::to_string(found.widest),
+            fmt::format("{:.0f}", per_ball(point, found.bytes))};
+  });
+}
+
+std::string rival_table(const std::vector<Point>& rivals) {
+  const report::Row header = {"method", "balls", "error", "time [ms]", "bytes/ball", "× mariotte"};
+  return report::columns(header, std::ssize(rivals), [&](Index i) -> report::Row {
+    const auto& point = rivals[static_cast<std::size_t>(i)];
+    const auto& found = point.found;
+    return {point.method,
+            std::to_string(point.balls),
+            fmt::format("{:.0e}", found.error),
+            fmt::format("{:.3g}", 1e3 * found.seconds),
+            fmt::format("{:.0f}", per_ball(point, found.bytes)),
+            fmt::format("{:.3g}", found.seconds / point.own_seconds)};
+  });
+}
+
+std::string csv(const std::vector<Point>& points) {
+  std::string text = "method,balls,accuracy,error,time [s],steps,widest,memory [B],own time [s]\n";
+  for (const auto& [method, balls, accuracy, found, own] : points)
+    text += fmt::format("{},{},{},{},{},{},{},{},{}\n", method, balls, report::exact(accuracy),
+                        report::exact(found.error), report::exact(found.seconds), found.steps, found.widest,
+                        report::exact(found.bytes), report::exact(own));
+  return text;
+}
+
+}  // namespace mariotte::scaling_study
