@@ -15,12 +15,14 @@ namespace {
 
 using Texts = std::map<std::string, std::string>;  // by file name
 
+constexpr const char* spacetime = "spacetime";
 constexpr std::size_t most_balls_traced = 1000;  // some thousand samples of these are about 100 MB of text
 
 std::vector<std::string> file_names() {
-  std::vector<std::string> names = {"result.json", "events.csv", "trace.csv", "plot.csv", "plot.gp"};
-  const auto& figures = report::figure_names();
-  names.insert(names.end(), figures.begin(), figures.end());
+  std::vector<std::string> names = {"result.json", "events.csv", "trace.csv",
+                                    "plot.csv",    "plot.gp",    "spacetime.csv"};
+  for (const auto& figures : {report::figure_names(), report::files_of_figure(spacetime)})
+    names.insert(names.end(), figures.begin(), figures.end());
   return names;
 }
 
@@ -29,13 +31,22 @@ bool can_plot(const impact::Trace& trace) {
   return trace.time.size() > 1;
 }
 
-Texts texts(const impact::ChainImpact& impact, const scene::Scene& scene) {
+bool is_image(const report::Spacetime* waves) {
+  return waves && waves->is_image();
+}
+
+Texts texts(const impact::ChainImpact& impact, const scene::Scene& scene, const report::Spacetime* waves) {
   Texts texts = {{"result.json", report::text(report::json(impact, scene))},
                  {"events.csv", report::events_csv(impact)}};
   if (can_trace(scene.chain)) texts["trace.csv"] = report::trace_csv(impact);
   if (can_plot(impact.trace)) {
     texts["plot.csv"] = report::plot_data(impact.trace);
     texts["plot.gp"] = report::plot_script(impact, scene.title);
+  }
+  if (is_image(waves)) {
+    texts["spacetime.csv"] = waves->data();
+    if (!can_plot(impact.trace)) texts["plot.gp"] = report::script_head;
+    texts["plot.gp"] += waves->script(scene.title);
   }
   return texts;
 }
@@ -58,13 +69,15 @@ void prepare_result_folder(const std::filesystem::path& folder, bool force) {
 }
 
 std::string write_result_folder(const std::filesystem::path& folder, const impact::ChainImpact& impact,
-                                const scene::Scene& scene) {
-  const Texts files = texts(impact, scene);
+                                const scene::Scene& scene, const report::Spacetime* waves) {
+  const Texts files = texts(impact, scene, waves);
   for (const auto& [name, text] : files) report::write_file(folder / name, text);
   remove_others(folder, files);
-  if (!can_trace(scene.chain)) return fmt::format("the chain has more than {} balls", most_balls_traced);
-  if (!can_plot(impact.trace)) return "the run has no duration";
-  const std::string problem = report::draw(folder, report::figure_names());
+  auto figures = can_plot(impact.trace) ? report::figure_names() : std::vector<std::string>();
+  if (is_image(waves))
+    for (const auto& file : report::files_of_figure(spacetime)) figures.push_back(file);
+  if (figures.empty()) return "the run has no duration";
+  const std::string problem = report::draw(folder, figures);
   if (problem.empty()) return "";
   return fmt::format("{}; data and script are in {}", problem, (folder / "plot.gp").string());
 }

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "mariotte/impact/chain_impact.hpp"
+#include "mariotte/report/spacetime.hpp"
 #include "mariotte/scene/scene.hpp"
 
 namespace mariotte::command {
@@ -15,8 +16,8 @@ bool can_trace(const model::Chain& chain);
 void prepare_result_folder(const std::filesystem::path& folder, bool force);
 
 /// Write the result files, replacing those of an earlier run. Returns an empty text, or why there are no
-/// figures. Throws report::FileError.
+/// figures; `waves` may be null. Throws report::FileError.
 std::string write_result_folder(const std::filesystem::path& folder, const impact::ChainImpact& impact,
-                                const scene::Scene& scene);
+                                const scene::Scene& scene, const report::Spacetime* waves);
 
 }  // namespace mariotte::command

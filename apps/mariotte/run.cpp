@@ -11,13 +11,18 @@
 #include "mariotte/report/reason.hpp"
 #include "mariotte/report/table.hpp"
 #include "result_folder.hpp"
+#include "run_progress.hpp"
 #include "scene_choice.hpp"
+#include "trace_choice.hpp"
 
 namespace mariotte::command {
 namespace {
 
+constexpr std::size_t least_balls_of_image = 48;  // fewer are curves that can be told apart
+
 struct Run {
   SceneChoice scene;
+  TraceChoice trace;
   std::optional<double> accuracy;
   std::string flow;
   std::string out;
@@ -34,10 +39,12 @@ scene::Scene resolve(const Run& options) {
   return scene;
 }
 
-impact::ChainImpact simulate(const Run& options, const scene::Scene& scene) {
+impact::ChainImpact simulate(const Run& options, const scene::Scene& scene, impact::Watching watching) {
   const auto start = std::chrono::steady_clock::now();
-  const bool trace = !options.out.empty() && can_trace(scene.chain);
-  auto impact = impact::simulate(scene.chain, scene.run, trace);
+  RunProgress progress(scene.run);
+  if (!options.scene.quiet) watching.progress = std::ref(progress);
+  watching.trace = !options.out.empty() && can_trace(scene.chain);
+  auto impact = impact::simulate(scene.chain, scene.run, watching);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   if (options.verbose)
     note(fmt::format("simulated {} balls in {:.3g} s", scene.chain.mass.size(), taken.count()));
@@ -45,8 +52,9 @@ impact::ChainImpact simulate(const Run& options, const scene::Scene& scene) {
   return impact;
 }
 
-void write(const Run& options, const impact::ChainImpact& impact, const scene::Scene& scene) {
-  const std::string shortfall = write_result_folder(options.out, impact, scene);
+void write(const Run& options, const impact::ChainImpact& impact, const scene::Scene& scene,
+           const report::Spacetime* waves) {
+  const std::string shortfall = write_result_folder(options.out, impact, scene, waves);
   if (!shortfall.empty() && !options.scene.quiet) warning("no figures: " + shortfall);
   if (options.verbose) note("wrote " + options.out);
 }
@@ -54,8 +62,16 @@ void write(const Run& options, const impact::ChainImpact& impact, const scene::S
 int run(const Run& options) {
   const auto scene = resolve(options);
   if (!options.out.empty()) prepare_result_folder(options.out, options.force);
-  const auto impact = simulate(options, scene);
-  if (!options.out.empty()) write(options, impact, scene);
+  const auto balls = scene.chain.mass.size();
+  const auto trace = start_trace(options.trace, balls, options.force);
+  std::optional<report::Spacetime> waves;
+  if (!options.out.empty() && balls >= least_balls_of_image) waves.emplace(balls);
+  impact::Watching watching;
+  if (trace) watching.samplings.push_back(trace->sampling);
+  if (waves) watching.samplings.push_back(waves->sampling());
+  const auto impact = simulate(options, scene, std::move(watching));
+  if (trace) trace->file.commit();
+  if (!options.out.empty()) write(options, impact, scene, waves ? &*waves : nullptr);
   print(options.json ? report::text(report::json(impact, scene)) : report::table(impact, scene));
   if (const auto why = report::reason(impact, scene.run); !why.empty()) error(why);
   return exit_code(impact.ending);
@@ -67,12 +83,16 @@ constexpr const char* examples = R"(Examples:
   mariotte run cradle.toml --set "chain.velocity[0]=2 m/s" --accuracy 1e-12 --estimate
   mariotte run cradle.toml --flow cvode-adams --json
 
+  mariotte run solitary_wave.toml --trace wave.csv --every "5 us" --balls 100:1000:100 --contacts 500
+
 With --out DIR: result.json, events.csv, trace.csv, plot.csv, plot.gp and, by gnuplot, forces and velocities
-as png and svg.
+as png and svg; of 48 balls and more also spacetime.csv and its image, of more than 1000 no trace.csv and
+no curves.
 )";
 
 void add_options(CLI::App& command, Run& options) {
   add_scene_choice(command, options.scene);
+  add_trace_choice(command, options.trace);
   command.add_option("--accuracy", options.accuracy, "Wanted error of the final velocities / largest speed")
       ->check(is_accuracy, "");
   command.add_option("--flow", options.flow, "How contact phases are computed; auto chooses")

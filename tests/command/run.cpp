@@ -1,8 +1,10 @@
 #define BOOST_TEST_MODULE command_run
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 
 #include "session.hpp"
 
+using support::content;
 using support::has;
 using support::Session;
 using Json = nlohmann::json;
@@ -48,10 +50,9 @@ BOOST_FIXTURE_TEST_CASE(out_holds_result_events_trace_and_plot, Session) {
   BOOST_TEST(run.code == 0);
   for (const char* name : {"result.json", "events.csv", "trace.csv", "plot.csv", "plot.gp"})
     BOOST_TEST(fs::file_size(folder / "a/b" / name) > 0, name);
-  const auto result = Json::parse(support::content(folder / "a/b/result.json"));
+  const auto result = Json::parse(content(folder / "a/b/result.json"));
   BOOST_TEST(result["title"] == "Three balls");
-  BOOST_TEST(
-      support::content(folder / "a/b/trace.csv").starts_with("time [s],v1 [m/s],v2 [m/s],v3 [m/s],gap1 [m]"));
+  BOOST_TEST(content(folder / "a/b/trace.csv").starts_with("time [s],v1 [m/s],v2 [m/s],v3 [m/s],gap1 [m]"));
 }
 
 BOOST_FIXTURE_TEST_CASE(figures_are_drawn_or_their_absence_is_said, Session) {
@@ -71,14 +72,14 @@ BOOST_FIXTURE_TEST_CASE(without_gnuplot_data_and_script_are_written_and_said_so,
 
 BOOST_FIXTURE_TEST_CASE(results_are_not_overwritten_unless_forced, Session) {
   mariotte("run three.toml --out results");
-  const auto before = support::content(folder / "results/result.json");
+  const auto before = content(folder / "results/result.json");
   const auto refused = mariotte("run three.toml --out results --accuracy 1e-6");
   BOOST_TEST(refused.code == 6);
   BOOST_TEST(refused.out == "");
   BOOST_TEST(has(refused.err, "result.json"));
-  BOOST_TEST(support::content(folder / "results/result.json") == before);
+  BOOST_TEST(content(folder / "results/result.json") == before);
   BOOST_TEST(mariotte("run three.toml --out results --accuracy 1e-6 --force").code == 0);
-  BOOST_TEST(support::content(folder / "results/result.json") != before);
+  BOOST_TEST(content(folder / "results/result.json") != before);
 }
 
 BOOST_FIXTURE_TEST_CASE(a_limit_gives_code_5_and_keeps_the_partial_result, Session) {
@@ -88,7 +89,7 @@ BOOST_FIXTURE_TEST_CASE(a_limit_gives_code_5_and_keeps_the_partial_result, Sessi
   const auto result = Json::parse(run.out);
   BOOST_TEST(result["ending"] == "event_limit");
   BOOST_TEST(!result["message"].get<std::string>().empty());
-  BOOST_TEST(support::content(folder / "results/result.json") == run.out);
+  BOOST_TEST(content(folder / "results/result.json") == run.out);
   BOOST_TEST(mariotte("run three.toml --set run.max_time=0.5").code == 5);
 }
 
@@ -97,6 +98,68 @@ BOOST_FIXTURE_TEST_CASE(a_chain_that_never_meets_is_a_result, Session) {
   BOOST_TEST(run.code == 0);
   BOOST_TEST(Json::parse(run.out)["events"].empty());
   BOOST_TEST(fs::exists(folder / "results/result.json"));
+}
+
+namespace {
+
+constexpr const char* sixty_balls = R"(title = "Sixty balls"
+[chain]
+mass = 1
+law = "hertz"
+stiffness = 1
+balls = 60
+[[chain.ball]]
+number = 1
+velocity = 1
+)";
+
+std::size_t lines(const std::string& text) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+}  // namespace
+
+BOOST_FIXTURE_TEST_CASE(a_trace_holds_what_was_asked_for, Session) {
+  write("sixty.toml", sixty_balls);
+  const auto run = mariotte("run sixty.toml --trace wave.csv --every 0.5 --balls 1,20:60:20 --contacts 59");
+  BOOST_TEST(run.code == 0);
+  const auto trace = content(folder / "wave.csv");
+  BOOST_TEST(
+      trace.starts_with("time [s],v1 [m/s],v20 [m/s],v40 [m/s],v60 [m/s],gap59 [m],force59 [N]\n0,1,0,"));
+  BOOST_TEST(lines(trace) == 146u);  // the last force ends at 71.6385 s
+  BOOST_TEST(entries() == 3);
+}
+
+BOOST_FIXTURE_TEST_CASE(a_run_that_reaches_a_limit_keeps_its_trace, Session) {
+  const auto run = mariotte("run three.toml --trace wave.csv --every \"1 s\" --set run.max_time=2");
+  BOOST_TEST(run.code == 5);
+  BOOST_TEST(lines(content(folder / "wave.csv")) == 4u);
+}
+
+BOOST_FIXTURE_TEST_CASE(a_trace_without_sense_gives_code_2, Session) {
+  for (const char* arguments :
+       {"--trace w.csv --balls 4", "--trace w.csv --balls 0", "--trace w.csv --contacts 1:2:0",
+        "--trace w.csv --every 0", "--trace w.csv --every \"1 m\"", "--every 1", "--balls 1"}) {
+    BOOST_TEST(mariotte(std::string("run three.toml ") + arguments).code == 2, arguments);
+    BOOST_TEST(entries() == 1);
+  }
+}
+
+BOOST_FIXTURE_TEST_CASE(a_trace_is_not_overwritten_unless_forced, Session) {
+  write("wave.csv", "mine");
+  BOOST_TEST(mariotte("run three.toml --trace wave.csv").code == 6);
+  BOOST_TEST(content(folder / "wave.csv") == "mine");
+  BOOST_TEST(mariotte("run three.toml --trace wave.csv --force").code == 0);
+  BOOST_TEST(content(folder / "wave.csv").starts_with("time [s]"));
+}
+
+BOOST_FIXTURE_TEST_CASE(waves_of_a_long_chain_are_an_image, Session) {
+  write("sixty.toml", sixty_balls);
+  const auto run = mariotte("run sixty.toml --out results");
+  BOOST_TEST(run.code == 0);
+  BOOST_TEST(lines(content(folder / "results/spacetime.csv")) > 200u);
+  BOOST_TEST(fs::exists(folder / "results/spacetime.png") == !has(run.err, "no figures"));
+  BOOST_TEST(has(mariotte("run sixty.toml").out, "balls at rest or in free flight"));
 }
 
 BOOST_FIXTURE_TEST_CASE(demo_needs_no_file, Session) {

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "mariotte/impact/chain_solver.hpp"
 #include "mariotte/impact/course.hpp"
 #include "mariotte/impact/energy.hpp"
 #include "mariotte/impact/impulses.hpp"
+#include "mariotte/impact/sampler.hpp"
+#include "mariotte/impact/trace.hpp"
 
 namespace mariotte::impact {
 
@@ -153,7 +156,17 @@ ChainImpact simulate_whole(const model::Chain& chain, const hybrid::Options& opt
   return impact;
 }
 
-ChainImpact simulate_islands(const model::Chain& chain, const hybrid::Options& options) {
+/// All balls and contacts of a chain, kept by `trace`.
+Sampling whole_trace(SampledTrace& trace, std::size_t balls) {
+  Sampling sampling{.balls = std::vector<Index>(balls),
+                    .contacts = std::vector<Index>(balls - 1),
+                    .take = [&trace](const Sample& sample) { return trace.take(sample); }};
+  std::iota(sampling.balls.begin(), sampling.balls.end(), 0);
+  std::iota(sampling.contacts.begin(), sampling.contacts.end(), 0);
+  return sampling;
+}
+
+ChainImpact simulate_islands(const model::Chain& chain, const hybrid::Options& options, Watching watching) {
   DimensionlessChain scaled;
   ChainLayout layout;
   std::vector<double> start;
@@ -162,21 +175,31 @@ ChainImpact simulate_islands(const model::Chain& chain, const hybrid::Options& o
   fade_later(scaled, inner.accuracy);
   make_layout(scaled, layout);
   initial_state(scaled, layout, start);
+  SampledTrace trace;
+  if (watching.trace) watching.samplings.push_back(whole_trace(trace, chain.mass.size()));
+  Sampler sampler(scaled, watching);
+  const bool looks_on = !watching.samplings.empty() || watching.progress;
   const auto course = follow_islands(scaled, layout, start, hybrid::scaled(inner, scaled.scale),
-                                     /*stay=*/std::isfinite(options.max_time));
+                                     /*stay=*/std::isfinite(options.max_time), looks_on ? &sampler : nullptr);
   auto impact = describe(scaled, layout, start, course, options.accuracy);
-  impact.skipped = skipped(layout, course, /*trace=*/false);
+  impact.skipped = skipped(layout, course, watching.trace);
+  impact.trace = trace.take();
   return impact;
 }
 
 }  // namespace
 
 ChainImpact simulate(const model::Chain& chain, const hybrid::Options& options, bool trace) {
+  return simulate(chain, options, Watching{.trace = trace});
+}
+
+ChainImpact simulate(const model::Chain& chain, const hybrid::Options& options, const Watching& watching) {
   model::validate(chain);
   hybrid::validate(options);
-  auto impact = !trace && divides(options, chain.mass.size())
-                    ? simulate_islands(chain, options)
-                    : simulate_whole(chain, tightened(options, chain.mass.size()), trace);
+  const auto balls = chain.mass.size();
+  auto impact = divides(options, balls) || !watching.samplings.empty()
+                    ? simulate_islands(chain, options, watching)
+                    : simulate_whole(chain, tightened(options, balls), watching.trace);
   impact.requested_accuracy = options.accuracy;
   return impact;
 }

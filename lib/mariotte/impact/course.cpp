@@ -86,12 +86,13 @@ Course follow_whole(ChainSystem& system, ConstState start, const hybrid::Options
 }
 
 Course follow_islands(const model::DimensionlessChain& chain, const model::ChainLayout& layout,
-                      ConstState start, const hybrid::Options& options, bool stay) {
+                      ConstState start, const hybrid::Options& options, bool stay,
+                      model::Onlooker* onlooker) {
   Course course;
   course.peaks.resize(layout.contacts());
   model::Islands islands(chain, layout, start, options, stay,
                          [&] { return std::make_unique<PeakLog>(course.peaks); });
-  islands.run();
+  islands.run(onlooker);
   course.run = std::move(islands.result());
   course.mode = islands.mode();
   course.islands = islands.count();

@@ -30,8 +30,8 @@ bool divides(const hybrid::Options& options, std::size_t balls);
 /// The chain as one system. `options` are dimensionless.
 Course follow_whole(model::ChainSystem& system, ConstState start, const hybrid::Options& options, bool trace);
 
-/// The chain as islands.
+/// The chain as islands; `onlooker` may be null.
 Course follow_islands(const model::DimensionlessChain& chain, const model::ChainLayout& layout,
-                      ConstState start, const hybrid::Options& options, bool stay);
+                      ConstState start, const hybrid::Options& options, bool stay, model::Onlooker* onlooker);
 
 }  // namespace mariotte::impact

@@ -12,6 +12,13 @@ void drop_every_other(std::vector<Row>& rows) {
   rows.resize((rows.size() + 1) / 2);
 }
 
+void thin(Trace& trace) {
+  drop_every_other(trace.time);
+  drop_every_other(trace.velocity);
+  drop_every_other(trace.gap);
+  drop_every_other(trace.force);
+}
+
 }  // namespace
 
 void TraceRecorder::watch(double start, const flow::Step& step) {
@@ -52,11 +59,22 @@ Trace TraceRecorder::take(double time, ConstState x) {
 }
 
 void TraceRecorder::thin() {
-  drop_every_other(trace_.time);
-  drop_every_other(trace_.velocity);
-  drop_every_other(trace_.gap);
-  drop_every_other(trace_.force);
+  impact::thin(trace_);
   stride_ *= 2;
+}
+
+double SampledTrace::take(const Sample& sample) {
+  if (interval_ == 0) interval_ = sample.natural_time / 4;
+  const double horizon = 4 * sample.crossing_time;
+  if (trace_.time.size() >= capacity && sample.time <= horizon) {
+    thin(trace_);
+    interval_ *= 2;
+  }
+  trace_.time.push_back(sample.time);
+  trace_.velocity.push_back(sample.velocity);
+  trace_.gap.push_back(sample.gap);
+  trace_.force.push_back(sample.force);
+  return sample.time < horizon ? interval_ : sample.time;
 }
 
 }  // namespace mariotte::impact

@@ -2,7 +2,7 @@
 #pragma once
 #include "mariotte/core/compensated.hpp"
 #include "mariotte/hybrid/simulate.hpp"
-#include "mariotte/impact/chain_impact.hpp"
+#include "mariotte/impact/sampling.hpp"
 #include "mariotte/model/chain_phase.hpp"
 
 namespace mariotte::impact {
@@ -34,6 +34,22 @@ class TraceRecorder {
   Trace trace_;
   Index stride_ = 1;
   Index offered_ = 0;
+};
+
+/// The trace of a chain of islands: samples at one interval for about as long as a wave takes to cross the
+/// chain four times, the interval doubling whenever `capacity` rows are full; later ones at twice the time of
+/// the one before.
+class SampledTrace {
+ public:
+  static constexpr std::size_t capacity = 4096;
+
+  /// Keep a sample; how long until the next.
+  double take(const Sample& sample);
+  Trace take() { return std::move(trace_); }
+
+ private:
+  Trace trace_;
+  double interval_ = 0;
 };
 
 }  // namespace mariotte::impact

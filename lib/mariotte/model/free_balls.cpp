@@ -22,6 +22,11 @@ double FreeBalls::velocity(Index i, Instant t) const {
   return ball_time_.empty() ? v : v - chain_.gravity[i] * (t - ball_time_[i]);
 }
 
+double FreeBalls::gap(Index j, Instant t) const {
+  const double elapsed = t - contact_time_[j];
+  return gap(j) - elapsed * (approach(j, contact_time_[j]) + 0.5 * elapsed * drive(j));
+}
+
 double FreeBalls::approach(Index j, Instant t) const {
   return velocity(j, t) - velocity(j + 1, t);
 }
@@ -34,8 +39,7 @@ void FreeBalls::move_ball(Index i, Instant t) {
 
 void FreeBalls::move_contact(Index j, Instant t) {
   auto& gap = x_[layout_.gap[j]];
-  const double elapsed = t - contact_time_[j], speed = approach(j, contact_time_[j]);
-  gap -= elapsed * (speed + 0.5 * elapsed * drive(j));
+  gap = this->gap(j, t);
   contact_time_[j] = t;
   auto& mode = mode_[j];
   if (mode == ContactMode::slack && gap >= 0) mode = ContactMode::open;
@@ -77,10 +81,7 @@ void FreeBalls::stamp(Index first, Index last, Instant t) {
 }
 
 std::vector<double> FreeBalls::take(Instant t) {
-  for (Index j = 0; j < contacts(); ++j) {
-    const double elapsed = t - contact_time_[j];
-    x_[layout_.gap[j]] -= elapsed * (approach(j, contact_time_[j]) + 0.5 * elapsed * drive(j));
-  }
+  for (Index j = 0; j < contacts(); ++j) x_[layout_.gap[j]] = gap(j, t);
   for (Index i = 0; i < layout_.balls(); ++i) move_ball(i, t);
   return std::move(x_);
 }

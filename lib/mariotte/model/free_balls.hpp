@@ -18,6 +18,9 @@ class FreeBalls {
   /// Each part as of its own time.
   ChainState state() const { return {chain_, layout_, x_}; }
 
+  /// Of a free ball, and of the gap between two, at t.
+  double velocity(Index i, Instant t) const;
+  double gap(Index j, Instant t) const;
   /// v_j − v_{j+1} of two free balls.
   double approach(Index j, Instant t) const;
   /// Difference of the accelerations of balls j and j+1: not zero beside a wall under gravity only.
@@ -50,7 +53,6 @@ class FreeBalls {
 
  private:
   double level(Index j) const { return mode_[j] == contact::ContactMode::hovering ? chain_.shallow[j] : 0; }
-  double velocity(Index i, Instant t) const;
 
   const DimensionlessChain& chain_;
   const ChainLayout& layout_;

@@ -19,13 +19,15 @@ Islands::Islands(const DimensionlessChain& chain, const ChainLayout& layout, Con
       make_log_(std::move(make_log)),
       balls_(chain, layout, start),
       owner_(layout.balls(), -1),
-      queue_(layout.contacts()) {
+      queue_(layout.contacts()),
+      snapshot_(balls_, owner_, islands_, options) {
   for (Index j = 0; j < layout.contacts(); ++j)
     if (layout.impulse[j] != ChainLayout::absent) walls_.push_back(j);
   contact_set_at(balls_.state(), balls_.modes(), changes_);
 }
 
-void Islands::run() {
+void Islands::run(Onlooker* onlooker) {
+  onlooker_ = onlooker;
   from_ = 0;
   to_ = balls_.contacts() - 1;
   cut();
@@ -33,6 +35,7 @@ void Islands::run() {
     const auto* next = queue_.next();
     if (!next || is_over()) return end(Ending::separated);
     if (run_.events >= options_.max_events) return end(Ending::event_limit);
+    if (onlooker_) show(std::min(next->time.value, options_.max_time));
     if (is_beyond_limit(*next)) {
       now_ = {options_.max_time};
       return end(Ending::time_limit);
@@ -96,7 +99,19 @@ void Islands::record() {
   hybrid::record(run_, now_.value, changes_);
 }
 
+void Islands::show(double until) {
+  for (double time = onlooker_->next_look(); time < until; time = onlooker_->next_look()) {
+    snapshot_.move_to({time});
+    onlooker_->look(snapshot_);
+  }
+  onlooker_->passed(now_.value, run_.events);
+}
+
 void Islands::end(Ending ending) {
+  if (onlooker_) {
+    snapshot_.move_to(now_);
+    onlooker_->look_last(snapshot_);
+  }
   for (std::size_t id = 0; id < islands_.size(); ++id)
     if (std::find(unused_.begin(), unused_.end(), static_cast<Index>(id)) == unused_.end())
       dissolve(static_cast<Index>(id));

@@ -16,6 +16,7 @@
 #include "mariotte/model/free_balls.hpp"
 #include "mariotte/model/island.hpp"
 #include "mariotte/model/island_queue.hpp"
+#include "mariotte/model/snapshot.hpp"
 
 namespace mariotte::model {
 
@@ -37,8 +38,8 @@ class Islands {
   Islands(const DimensionlessChain& chain, const ChainLayout& layout, ConstState start,
           const hybrid::Options& options, bool stay, LogMaker make_log);
 
-  /// To the ending.
-  void run();
+  /// To the ending; `onlooker` may be null.
+  void run(Onlooker* onlooker = nullptr);
   /// Valid after `run`.
   Run& result() { return run_; }
   const contact::ContactSet& mode() { return balls_.modes(); }
@@ -52,6 +53,7 @@ class Islands {
   void arrive(Index id);
   void meet(Index contact);
   void record();
+  void show(double until);
   void end(hybrid::Ending ending);
 
   // One island.
@@ -89,6 +91,8 @@ class Islands {
   std::vector<Index> unused_;  ///< among them
   IslandQueue queue_;
   flow::Flows flows_;
+  Snapshot snapshot_;
+  Onlooker* onlooker_ = nullptr;
   std::vector<ContactChange> changes_;
   std::vector<Index> walls_;  ///< contacts with a wall
   Index from_ = 0, to_ = -1;  ///< contacts to be cut

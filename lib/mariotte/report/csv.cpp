@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <numeric>
+
 #include "mariotte/report/number.hpp"
 
 namespace mariotte::report {
@@ -13,10 +15,16 @@ std::string from_one(const std::vector<Index>& positions) {
   return fmt::format("{}", fmt::join(counted, " "));
 }
 
-std::string names(const std::string& quantity, std::size_t count, const std::string& unit) {
+std::string names(const std::string& quantity, const std::vector<Index>& places, const std::string& unit) {
   std::string text;
-  for (std::size_t i = 1; i <= count; ++i) text += fmt::format(",{}{} [{}]", quantity, i, unit);
+  for (const Index place : places) text += fmt::format(",{}{} [{}]", quantity, place + 1, unit);
   return text;
+}
+
+std::vector<Index> all(std::size_t count) {
+  std::vector<Index> places(count);
+  std::iota(places.begin(), places.end(), 0);
+  return places;
 }
 
 void append(std::string& text, const std::vector<double>& values) {
@@ -32,18 +40,25 @@ std::string events_csv(const impact::ChainImpact& impact) {
   return text;
 }
 
+std::string trace_header(const std::vector<Index>& balls, const std::vector<Index>& contacts) {
+  return "time [s]" + names("v", balls, "m/s") + names("gap", contacts, "m") + names("force", contacts, "N") +
+         "\n";
+}
+
+std::string trace_row(double time, const std::vector<double>& velocity, const std::vector<double>& gap,
+                      const std::vector<double>& force) {
+  std::string text = exact(time);
+  append(text, velocity);
+  append(text, gap);
+  append(text, force);
+  return text + "\n";
+}
+
 std::string trace_csv(const impact::ChainImpact& impact) {
   const auto& trace = impact.trace;
-  const std::size_t contacts = impact.contacts.size();
-  std::string text = "time [s]" + names("v", impact.velocity.size(), "m/s") + names("gap", contacts, "m") +
-                     names("force", contacts, "N") + "\n";
-  for (std::size_t row = 0; row < trace.time.size(); ++row) {
-    text += exact(trace.time[row]);
-    append(text, trace.velocity[row]);
-    append(text, trace.gap[row]);
-    append(text, trace.force[row]);
-    text += "\n";
-  }
+  std::string text = trace_header(all(impact.velocity.size()), all(impact.contacts.size()));
+  for (std::size_t row = 0; row < trace.time.size(); ++row)
+    text += trace_row(trace.time[row], trace.velocity[row], trace.gap[row], trace.force[row]);
   return text;
 }
 

@@ -2,6 +2,7 @@
 // from 1.
 #pragma once
 #include <string>
+#include <vector>
 
 #include "mariotte/impact/chain_impact.hpp"
 
@@ -13,5 +14,10 @@ std::string events_csv(const impact::ChainImpact& impact);
 
 /// `time [s],v1 [m/s],…,gap1 [m],…,force1 [N],…`: one row per sample; a gap is negative in contact.
 std::string trace_csv(const impact::ChainImpact& impact);
+
+/// The lines that such a table is made of, for chosen balls and contacts.
+std::string trace_header(const std::vector<Index>& balls, const std::vector<Index>& contacts);
+std::string trace_row(double time, const std::vector<double>& velocity, const std::vector<double>& gap,
+                      const std::vector<double>& force);
 
 }  // namespace mariotte::report

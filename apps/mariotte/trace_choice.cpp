@@ -1,0 +1,86 @@
+#include "trace_choice.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <filesystem>
+
+#include "command_line/exit_code.hpp"
+#include "mariotte/core/quantity.hpp"
+#include "mariotte/report/csv.hpp"
+
+namespace mariotte::command {
+namespace {
+
+Index number(const std::string& text, const std::string& list, std::size_t count) {
+  Index value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, problem] = std::from_chars(text.data(), end, value);
+  if (problem != std::errc() || stop != end || value < 1 || value > static_cast<Index>(count))
+    throw UsageError(fmt::format("'{}' in '{}' is no number from 1 to {}", text, list, count));
+  return value;
+}
+
+/// "1,5,10:20,100:1000:50", from 1; the places from 0.
+std::vector<Index> places(const std::string& list, std::size_t count) {
+  std::vector<Index> found;
+  for (const auto& part : CLI::detail::split(list, ',')) {
+    const auto range = CLI::detail::split(part, ':');
+    const Index from = number(range.front(), list, count);
+    const Index to = range.size() > 1 ? number(range[1], list, count) : from;
+    const Index step = range.size() > 2 ? number(range[2], list, count) : 1;
+    if (range.size() > 3) throw UsageError(fmt::format("'{}': write N, FROM:TO or FROM:TO:STEP", part));
+    for (Index place = from; place <= to; place += step) found.push_back(place - 1);
+  }
+  return found;
+}
+
+double interval(const std::string& text) {
+  if (text.empty()) return 0;
+  try {
+    const double value = parse_quantity(text, dimension::time);
+    if (value > 0) return value;
+  } catch (const QuantityError& problem) {
+    throw UsageError(std::string("--every: ") + problem.what());
+  }
+  throw UsageError("--every must be positive");
+}
+
+}  // namespace
+
+void add_trace_choice(CLI::App& command, TraceChoice& choice) {
+  auto* trace = command.add_option("--trace", choice.file, "Write samples into this CSV file as they come")
+                    ->type_name("FILE");
+  command
+      .add_option("--every", choice.every,
+                  "Time between samples, such as \"1 us\" (default: natural time of the quickest contact)")
+      ->type_name("TIME")
+      ->needs(trace);
+  command.add_option("--balls", choice.balls, "Balls to trace, such as 1,5,10:20,100:1000:50 (default: all)")
+      ->type_name("LIST")
+      ->needs(trace);
+  command.add_option("--contacts", choice.contacts, "Contacts to trace (default: all)")
+      ->type_name("LIST")
+      ->needs(trace);
+}
+
+std::unique_ptr<RunningTrace> start_trace(const TraceChoice& choice, std::size_t balls, bool force) {
+  if (choice.file.empty()) return nullptr;
+  const auto all = [](std::size_t count) { return fmt::format("1:{}", count); };
+  impact::Sampling sampling{
+      .balls = places(choice.balls.empty() ? all(balls) : choice.balls, balls),
+      .contacts = places(choice.contacts.empty() ? all(balls - 1) : choice.contacts, balls - 1)};
+  const double every = interval(choice.every);
+  if (!force && std::filesystem::exists(std::filesystem::symlink_status(choice.file)))
+    throw report::FileError("cannot write " + choice.file + ": it exists already (--force overwrites)");
+  std::unique_ptr<RunningTrace> trace(new RunningTrace{std::move(sampling), report::NewFile(choice.file)});
+  auto& file = trace->file;
+  file.append(report::trace_header(trace->sampling.balls, trace->sampling.contacts));
+  trace->sampling.take = [&file, every](const impact::Sample& sample) {
+    file.append(report::trace_row(sample.time, sample.velocity, sample.gap, sample.force));
+    return every > 0 ? every : sample.natural_time;
+  };
+  return trace;
+}
+
+}  // namespace mariotte::command
