@@ -1,22 +1,43 @@
 #include "interruption.hpp"
 
+#include <signal.h>
+#include <time.h>
+
 #include <csignal>
 
 namespace mariotte::command {
 namespace {
 
 volatile std::sig_atomic_t noted = 0;
+volatile time_t since = 0;
+
+time_t now() {
+  timespec time{};
+  ::clock_gettime(CLOCK_MONOTONIC, &time);
+  return time.tv_sec;
+}
 
 extern "C" void note_signal(int signal) {
-  noted = signal;
-  std::signal(signal, SIG_DFL);
+  if (noted == 0) {
+    since = now();
+    noted = signal;
+  } else if (now() - since > 1) {
+    std::signal(signal, SIG_DFL);
+    ::raise(signal);
+  }
+}
+
+void await(int signal) {
+  struct sigaction action {};
+  action.sa_handler = note_signal;
+  ::sigaction(signal, &action, nullptr);
 }
 
 }  // namespace
 
 void await_interruption() {
-  std::signal(SIGINT, note_signal);
-  std::signal(SIGTERM, note_signal);
+  await(SIGINT);
+  await(SIGTERM);
 }
 
 int interruption() {

@@ -3,7 +3,8 @@
 
 namespace mariotte::command {
 
-/// From now on the first SIGINT or SIGTERM is only noted; a second one kills as usual.
+/// From now on the first SIGINT or SIGTERM is only noted. A later one kills as usual; one that comes at once
+/// is the same wish, sent to a process and to its group.
 void await_interruption();
 
 /// The signal that came, or 0.

@@ -37,7 +37,8 @@ void prepare_sweep_folder(const std::filesystem::path& folder, bool force) {
 }
 
 void write_sweep(const std::filesystem::path& folder, const study::SweepPlan& plan, study::Journal& journal) {
-  report::remove_unfinished(folder, names);  // this process alone writes here: it holds the journal
+  report::remove_unfinished(folder, names);
+  report::remove_unfinished(folder, {"figures"});  // this process alone writes here: it holds the journal
   report::NewFile csv(folder / "sweep.csv"), drawn(folder / "plot.csv");
   csv.append(report::sweep_header(plan.design, plan.columns));
   drawn.append("# where a point stands in the figures, then its row of sweep.csv\n");

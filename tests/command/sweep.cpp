@@ -54,10 +54,28 @@ BOOST_FIXTURE_TEST_CASE(a_row_is_what_run_says_of_that_point, Session) {
   BOOST_TEST(cells[6] == "separated");
 }
 
+BOOST_FIXTURE_TEST_CASE(a_sweep_is_drawn_unless_it_shall_not, Session) {
+  write("few.toml", few);
+  const auto drawn = mariotte("sweep few.toml --out out --column 'icr[0]' --column energy.final");
+  BOOST_TEST(drawn.code == 0);
+  BOOST_TEST(fs::exists(folder / "out/plot.gp"));
+  BOOST_TEST(lines(content(folder / "out/plot.csv")).size() == 7);
+  if (shell("command -v gnuplot").code == 0)
+    for (const auto* name : {"icr_0.png", "icr_0.svg", "energy.final.png", "energy.final.svg"})
+      BOOST_TEST(fs::file_size(folder / "out" / (std::string("sweep.") + name)) > 1000);
+  const auto again = mariotte("sweep few.toml --out out --column 'icr[0]' --force --no-figures");
+  BOOST_TEST(again.code == 0);
+  BOOST_TEST(entries("out") == 3);  // sweep.csv, plot.csv, the journal
+  const auto missing =
+      shell("mkdir -p bin; ln -sf \"$mariotte\" bin/m; PATH=bin m sweep few.toml --out bare");
+  BOOST_TEST(missing.code == 0);
+  BOOST_TEST(has(missing.err, "gnuplot is not installed; data and script are in bare/plot.gp"));
+}
+
 BOOST_FIXTURE_TEST_CASE(any_number_of_threads_gives_the_same_csv, Session) {
   write("map.toml", support::map_scene(20));
   for (const std::string threads : {"1", "2", "3"})
-    BOOST_TEST(mariotte("sweep map.toml --out o" + threads + " --threads " + threads).code == 0);
+    BOOST_TEST(mariotte("sweep map.toml --no-figures --out o" + threads + " --threads " + threads).code == 0);
   const auto one = content(folder / "o1/sweep.csv");
   BOOST_TEST(lines(one).size() == 4001);
   BOOST_TEST((content(folder / "o2/sweep.csv") == one));
@@ -66,9 +84,9 @@ BOOST_FIXTURE_TEST_CASE(any_number_of_threads_gives_the_same_csv, Session) {
 
 BOOST_FIXTURE_TEST_CASE(kills_lose_nothing_and_leave_the_same_csv, Session) {
   write("map.toml", support::map_scene(100));
-  BOOST_TEST(mariotte("sweep map.toml --out calm").code == 0);
-  const auto result =
-      support::kill_and_go_on(*this, "\"$mariotte\" sweep map.toml --out killed", "killed", 8, 0.05);
+  BOOST_TEST(mariotte("sweep map.toml --no-figures --out calm").code == 0);
+  const auto result = support::kill_and_go_on(*this, "\"$mariotte\" sweep map.toml --no-figures --out killed",
+                                              "killed", 8, 0.05);
   BOOST_TEST(result.kills > 0);
   BOOST_TEST(result.lost == 0);
   BOOST_TEST(result.ended);
@@ -79,12 +97,13 @@ BOOST_FIXTURE_TEST_CASE(an_interrupted_sweep_says_so_and_goes_on, Session) {
   write("map.toml", support::map_scene(5000));
   for (const auto& [signal, code] : {std::pair("INT", 130), std::pair("TERM", 143)}) {
     const auto stopped = shell("timeout --preserve-status -s " + std::string(signal) +
-                               " 0.6 \"$mariotte\" sweep map.toml --out out");
+                               " 0.6 \"$mariotte\" sweep map.toml --no-figures --out out");
     BOOST_TEST(stopped.code == code);
     BOOST_TEST(has(stopped.err, "the same command goes on from there"));
     BOOST_TEST(!fs::exists(folder / "out/sweep.csv"));
   }
-  const auto goes_on = shell("timeout --preserve-status -s INT 0.6 \"$mariotte\" sweep map.toml --out out");
+  const auto goes_on =
+      shell("timeout --preserve-status -s INT 0.6 \"$mariotte\" sweep map.toml --no-figures --out out");
   BOOST_TEST(has(goes_on.err, "of 1000000 points were done before"));
 }
 
@@ -149,12 +168,13 @@ BOOST_FIXTURE_TEST_CASE(errors_have_their_codes_and_leave_nothing, Session) {
 
 BOOST_FIXTURE_TEST_CASE(a_disk_that_is_full_loses_no_finished_point, Session) {
   write("map.toml", support::map_scene(10));
-  BOOST_TEST(mariotte("sweep map.toml --out calm").code == 0);
-  const auto full = shell("ulimit -f 100; \"$mariotte\" sweep map.toml --out out");  // 50 kB of 280
+  BOOST_TEST(mariotte("sweep map.toml --no-figures --out calm").code == 0);
+  const auto full =
+      shell("ulimit -f 100; \"$mariotte\" sweep map.toml --no-figures --out out");  // 50 kB of 280
   BOOST_TEST(full.code == 6);
   BOOST_TEST(has(full.err, "journal.jsonl"));
   BOOST_TEST(!fs::exists(folder / "out/sweep.csv"));
-  const auto goes_on = mariotte("sweep map.toml --out out");
+  const auto goes_on = mariotte("sweep map.toml --no-figures --out out");
   BOOST_TEST(goes_on.code == 0);
   BOOST_TEST(has(goes_on.err, "points were done before"));
   BOOST_TEST((content(folder / "out/sweep.csv") == content(folder / "calm/sweep.csv")));
@@ -172,9 +192,9 @@ BOOST_FIXTURE_TEST_CASE(what_a_kill_left_half_written_is_cleared_away, Session) 
 BOOST_FIXTURE_TEST_CASE(a_sweep_that_is_being_written_is_left_alone, Session) {
   write("map.toml", support::map_scene(5000));
   const auto two = shell(
-      "timeout 5 \"$mariotte\" sweep map.toml --out out -q 2>/dev/null & sleep 0.3; "
-      "\"$mariotte\" sweep map.toml --out out; echo code $? >&2; "
-      "\"$mariotte\" sweep map.toml --out out --force; echo forced $? >&2; kill $!; wait");
+      "timeout 5 \"$mariotte\" sweep map.toml --no-figures --out out -q 2>/dev/null & sleep 0.3; "
+      "\"$mariotte\" sweep map.toml --no-figures --out out; echo code $? >&2; "
+      "\"$mariotte\" sweep map.toml --no-figures --out out --force; echo forced $? >&2; kill $!; wait");
   BOOST_TEST(has(two.err, "another sweep is writing it"));
   BOOST_TEST(has(two.err, "code 6"));
   BOOST_TEST(has(two.err, "forced 6"));

@@ -8,7 +8,8 @@
 namespace {
 
 /// Columns that the quick run of a chain does not have make the sweep long enough for so many kills.
-const std::string sweep = "\"$mariotte\" sweep map.toml -q --column 'contacts[*].peak_force' --out ";
+const std::string sweep =
+    "\"$mariotte\" sweep map.toml --no-figures -q --column 'contacts[*].peak_force' --out ";
 
 struct Calm : support::Session {
   std::string csv;

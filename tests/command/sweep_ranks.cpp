@@ -11,10 +11,11 @@ using support::Session;
 
 BOOST_FIXTURE_TEST_CASE(any_number_of_ranks_gives_the_same_csv, Session) {
   write("map.toml", support::map_scene(20));
-  BOOST_TEST(mariotte("sweep map.toml --out alone").code == 0);
+  BOOST_TEST(mariotte("sweep map.toml --no-figures --out alone").code == 0);
   for (const int ranks : {1, 2, 4}) {
     const auto out = "o" + std::to_string(ranks);
-    const auto run = shell(mpirun(ranks) + "\"$mariotte\" sweep map.toml --threads 1 --out " + out);
+    const auto run =
+        shell(mpirun(ranks) + "\"$mariotte\" sweep map.toml --no-figures --threads 1 --out " + out);
     BOOST_TEST(run.code == 0);
     BOOST_TEST(run.out == "4000 points, 0 without a result: " + out + "/sweep.csv\n");
     BOOST_TEST((content(folder / out / "sweep.csv") == content(folder / "alone/sweep.csv")));
@@ -23,14 +24,14 @@ BOOST_FIXTURE_TEST_CASE(any_number_of_ranks_gives_the_same_csv, Session) {
 
 BOOST_FIXTURE_TEST_CASE(what_some_ranks_have_done_others_go_on_with, Session) {
   write("map.toml", support::map_scene(1000));
-  BOOST_TEST(mariotte("sweep map.toml --out alone").code == 0);
-  const auto killed =
-      shell("timeout -s KILL 1.2 " + mpirun(3) + "\"$mariotte\" sweep map.toml --threads 1 --out out -q");
+  BOOST_TEST(mariotte("sweep map.toml --no-figures --out alone").code == 0);
+  const auto killed = shell("timeout -s KILL 1.2 " + mpirun(3) +
+                            "\"$mariotte\" sweep map.toml --no-figures --threads 1 --out out -q");
   BOOST_TEST(killed.code == 137);
   const auto stopped = shell("timeout --preserve-status -s TERM 1.2 " + mpirun(2) +
-                             "\"$mariotte\" sweep map.toml --threads 1 --out out -q");
+                             "\"$mariotte\" sweep map.toml --no-figures --threads 1 --out out -q");
   BOOST_TEST(stopped.code != 0);
-  const auto last = mariotte("sweep map.toml --out out");
+  const auto last = mariotte("sweep map.toml --no-figures --out out");
   BOOST_TEST(last.code == 0);
   BOOST_TEST(has(last.err, "points were done before"));
   BOOST_TEST((content(folder / "out/sweep.csv") == content(folder / "alone/sweep.csv")));
@@ -38,7 +39,7 @@ BOOST_FIXTURE_TEST_CASE(what_some_ranks_have_done_others_go_on_with, Session) {
 
 BOOST_FIXTURE_TEST_CASE(one_rank_that_cannot_go_on_ends_all, Session) {
   write("map.toml", support::map_scene(20));
-  const auto bad = shell(mpirun(2) + "\"$mariotte\" sweep map.toml --out out --set chain.mas=1");
+  const auto bad = shell(mpirun(2) + "\"$mariotte\" sweep map.toml --no-figures --out out --set chain.mas=1");
   BOOST_TEST(bad.code == 3);
   BOOST_TEST(bad.err.find("mariotte: error: ") == bad.err.rfind("mariotte: error: "));
 }

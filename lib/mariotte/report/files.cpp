@@ -80,7 +80,7 @@ void remove_unfinished(const std::filesystem::path& folder, const std::vector<st
     for (const auto& name : names)
       if (const auto file = entry.path().filename().string();
           file.starts_with("." + name + ".") && file.ends_with(".tmp"))
-        std::filesystem::remove(entry.path(), problem);
+        std::filesystem::remove_all(entry.path(), problem);
 }
 
 void remove_files(const std::filesystem::path& folder, const std::vector<std::string>& names) {
