@@ -1,0 +1,43 @@
+// Any bytes as a scene: they are read, or rejected with a place and a reason, and nothing else happens.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+
+#include "mariotte/study/design_reader.hpp"
+
+namespace {
+
+using namespace mariotte;
+
+/// A rejection says "name:line:column: why" on one line.
+void expect_readable(const std::string& what) {
+  if (!what.starts_with("fuzz") || what.find('\n') != std::string::npos || what.size() > 4000) std::abort();
+}
+
+void read(const std::string& text) try {
+  scene::Document document = scene::parse_document(text, "fuzz");
+  scene::resolve(document, scene::Purpose::law);
+  const auto design = study::read_design(document);
+  for (const Index point : {Index{0}, design.points() / 2, design.points() - 1}) study::values(design, point);
+} catch (const scene::SceneError& error) {
+  expect_readable(error.what());
+}
+
+/// The first line, if it is `--set KEY=VALUE`, is an override of the rest.
+void read_with_override(const std::string& text) try {
+  const auto end = text.find('\n');
+  const std::string flag = "--set ";
+  if (!text.starts_with(flag) || end == std::string::npos) return read(text);
+  scene::parse(text.substr(end + 1), "fuzz", {text.substr(flag.size(), end - flag.size())});
+} catch (const scene::SceneError& error) {
+  const std::string what = error.what();
+  if (!what.starts_with("--set ")) expect_readable(what);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  read_with_override(std::string(reinterpret_cast<const char*>(data), size));
+  return 0;
+}
