@@ -13,6 +13,7 @@ void add_check(CLI::App& app, int& code);
 void add_law(CLI::App& app, int& code);
 void add_demo(CLI::App& app, int& code);
 void add_sweep(CLI::App& app, int& code);
+void add_report(CLI::App& app, int& code);
 void add_version(CLI::App& app, int& code);
 
 /// These run another program instead.

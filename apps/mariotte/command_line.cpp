@@ -31,6 +31,7 @@ int command_line(int argc, char** argv) noexcept {
   add_check(app, code);
   add_law(app, code);
   add_sweep(app, code);
+  add_report(app, code);
   add_demo(app, code);
   add_reproduce(app);
   add_study(app);

@@ -7,8 +7,8 @@
 #include "mariotte/report/csv.hpp"
 #include "mariotte/report/files.hpp"
 #include "mariotte/report/gnuplot.hpp"
-#include "mariotte/report/json.hpp"
 #include "mariotte/report/plot.hpp"
+#include "report_page.hpp"
 
 namespace mariotte::command {
 namespace {
@@ -20,7 +20,7 @@ constexpr std::size_t most_balls_traced = 1000;  // some thousand samples of the
 
 std::vector<std::string> file_names() {
   std::vector<std::string> names = {"result.json", "events.csv", "trace.csv",
-                                    "plot.csv",    "plot.gp",    "spacetime.csv"};
+                                    "plot.csv",    "plot.gp",    "spacetime.csv", report_page};
   for (const auto& figures : {report::figure_names(), report::files_of_figure(spacetime)})
     names.insert(names.end(), figures.begin(), figures.end());
   return names;
@@ -35,9 +35,9 @@ bool is_image(const report::Spacetime* waves) {
   return waves && waves->is_image();
 }
 
-Texts texts(const impact::ChainImpact& impact, const scene::Scene& scene, const report::Spacetime* waves) {
-  Texts texts = {{"result.json", report::text(report::json(impact, scene))},
-                 {"events.csv", report::events_csv(impact)}};
+Texts texts(const report::Json& json, const impact::ChainImpact& impact, const scene::Scene& scene,
+            const report::Spacetime* waves) {
+  Texts texts = {{"result.json", report::text(json)}, {"events.csv", report::events_csv(impact)}};
   if (can_trace(scene.chain)) texts["trace.csv"] = report::trace_csv(impact);
   if (can_plot(impact.trace)) {
     texts["plot.csv"] = report::plot_data(impact.trace);
@@ -65,12 +65,16 @@ bool can_trace(const model::Chain& chain) {
 }
 
 void prepare_result_folder(const std::filesystem::path& folder, bool force) {
-  report::prepare_folder(folder, file_names(), force);
+  const auto names = file_names();
+  report::prepare_folder(folder, names, force);
+  report::remove_unfinished(folder, names);
+  report::remove_unfinished(folder, {"figures"});
 }
 
-std::string write_result_folder(const std::filesystem::path& folder, const impact::ChainImpact& impact,
-                                const scene::Scene& scene, const report::Spacetime* waves) {
-  const Texts files = texts(impact, scene, waves);
+std::string write_result_folder(const std::filesystem::path& folder, const report::Json& json,
+                                const impact::ChainImpact& impact, const scene::Scene& scene,
+                                const report::Spacetime* waves) {
+  const Texts files = texts(json, impact, scene, waves);
   for (const auto& [name, text] : files) report::write_file(folder / name, text);
   remove_others(folder, files);
   auto figures = can_plot(impact.trace) ? report::figure_names() : std::vector<std::string>();

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "mariotte/impact/chain_impact.hpp"
+#include "mariotte/report/json.hpp"
 #include "mariotte/report/spacetime.hpp"
 #include "mariotte/scene/scene.hpp"
 
@@ -17,7 +18,8 @@ void prepare_result_folder(const std::filesystem::path& folder, bool force);
 
 /// Write the result files, replacing those of an earlier run. Returns an empty text, or why there are no
 /// figures; `waves` may be null. Throws report::FileError.
-std::string write_result_folder(const std::filesystem::path& folder, const impact::ChainImpact& impact,
-                                const scene::Scene& scene, const report::Spacetime* waves);
+std::string write_result_folder(const std::filesystem::path& folder, const report::Json& json,
+                                const impact::ChainImpact& impact, const scene::Scene& scene,
+                                const report::Spacetime* waves);
 
 }  // namespace mariotte::command

@@ -4,12 +4,12 @@
 #include <memory>
 
 #include "command.hpp"
-#include "command_line/checks.hpp"
 #include "command_line/exit_code.hpp"
 #include "command_line/terminal.hpp"
 #include "mariotte/report/json.hpp"
 #include "mariotte/report/reason.hpp"
 #include "mariotte/report/table.hpp"
+#include "report_page.hpp"
 #include "result_folder.hpp"
 #include "run_progress.hpp"
 #include "scene_choice.hpp"
@@ -23,21 +23,13 @@ constexpr std::size_t least_balls_of_image = 48;  // fewer are curves that can b
 struct Run {
   SceneChoice scene;
   TraceChoice trace;
-  std::optional<double> accuracy;
-  std::string flow;
   std::string out;
   bool json = false;
+  bool report = false;
   bool force = false;
   bool estimate = false;
   bool verbose = false;
 };
-
-scene::Scene resolve(const Run& options) {
-  auto scene = read(options.scene);
-  if (options.accuracy) scene.run.accuracy = *options.accuracy;
-  if (!options.flow.empty()) scene.run.flow = options.flow;
-  return scene;
-}
 
 impact::ChainImpact simulate(const Run& options, const scene::Scene& scene, impact::Watching watching) {
   const auto start = std::chrono::steady_clock::now();
@@ -52,15 +44,24 @@ impact::ChainImpact simulate(const Run& options, const scene::Scene& scene, impa
   return impact;
 }
 
-void write(const Run& options, const impact::ChainImpact& impact, const scene::Scene& scene,
-           const report::Spacetime* waves) {
-  const std::string shortfall = write_result_folder(options.out, impact, scene, waves);
+/// The result, and what it takes to repeat the run.
+report::Json json(const Run& options, const impact::ChainImpact& impact, const scene::Scene& scene) {
+  auto result = report::json(impact, scene);
+  result["provenance"]["scene"] = options.scene.path;
+  result["provenance"]["overrides"] = options.scene.set;
+  return result;
+}
+
+void write(const Run& options, const report::Json& result, const impact::ChainImpact& impact,
+           const scene::Scene& scene, const report::Spacetime* waves) {
+  const std::string shortfall = write_result_folder(options.out, result, impact, scene, waves);
   if (!shortfall.empty() && !options.scene.quiet) warning("no figures: " + shortfall);
+  if (options.report) write_report_page(options.out, result);
   if (options.verbose) note("wrote " + options.out);
 }
 
 int run(const Run& options) {
-  const auto scene = resolve(options);
+  const auto scene = read(options.scene);
   if (!options.out.empty()) prepare_result_folder(options.out, options.force);
   const auto balls = scene.chain.mass.size();
   const auto trace = start_trace(options.trace, balls, options.force);
@@ -71,15 +72,16 @@ int run(const Run& options) {
   if (waves) watching.samplings.push_back(waves->sampling());
   const auto impact = simulate(options, scene, std::move(watching));
   if (trace) trace->file.commit();
-  if (!options.out.empty()) write(options, impact, scene, waves ? &*waves : nullptr);
-  print(options.json ? report::text(report::json(impact, scene)) : report::table(impact, scene));
+  const auto result = json(options, impact, scene);
+  if (!options.out.empty()) write(options, result, impact, scene, waves ? &*waves : nullptr);
+  print(options.json ? report::text(result) : report::table(impact, scene));
   if (const auto why = report::reason(impact, scene.run); !why.empty()) error(why);
   return exit_code(impact.ending);
 }
 
 constexpr const char* examples = R"(Examples:
   mariotte run cradle.toml
-  mariotte run cradle.toml --out results --force
+  mariotte run cradle.toml --out results --report --force
   mariotte run cradle.toml --set "chain.velocity[0]=2 m/s" --accuracy 1e-12 --estimate
   mariotte run cradle.toml --flow cvode-adams --json
 
@@ -87,19 +89,17 @@ constexpr const char* examples = R"(Examples:
 
 With --out DIR: result.json, events.csv, trace.csv, plot.csv, plot.gp and, by gnuplot, forces and velocities
 as png and svg; of 48 balls and more also spacetime.csv and its image, of more than 1000 no trace.csv and
-no curves.
+no curves. With --report also report.html, all of it in one page.
 )";
 
 void add_options(CLI::App& command, Run& options) {
   add_scene_choice(command, options.scene);
   add_trace_choice(command, options.trace);
-  command.add_option("--accuracy", options.accuracy, "Wanted error of the final velocities / largest speed")
-      ->check(is_accuracy, "");
-  command.add_option("--flow", options.flow, "How contact phases are computed; auto chooses")
-      ->check(is_flow, "");
+  add_run_options(command, options.scene);
   command.add_option("--out", options.out, "Write result files and figures into this folder")
       ->type_name("DIR");
   command.add_flag("--json", options.json, "One JSON object on stdout instead of the table");
+  command.add_flag("--report", options.report, "Make one page of the result files")->needs("--out");
   command.add_flag("--force", options.force, "Overwrite files of an earlier run");
   command.add_flag("--estimate", options.estimate, "Estimate the error by a second, tighter run");
   command.add_flag("-v,--verbose", options.verbose, "Tell what is being done")->excludes("--quiet");

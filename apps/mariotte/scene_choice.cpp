@@ -1,5 +1,6 @@
 #include "scene_choice.hpp"
 
+#include "command_line/checks.hpp"
 #include "command_line/terminal.hpp"
 
 namespace mariotte::command {
@@ -15,6 +16,20 @@ void add_overrides(CLI::App& command, SceneChoice& choice) {
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   command.add_flag("-q,--quiet", choice.quiet, "No warnings");
+}
+
+void add_run_options(CLI::App& command, SceneChoice& choice) {
+  const auto sets = [&choice](const char* key) {
+    return [&choice, key](const std::string& value) { choice.set.push_back(key + ("=" + value)); };
+  };
+  command
+      .add_option_function<std::string>("--accuracy", sets("run.accuracy"),
+                                        "Wanted error of the final velocities / largest speed")
+      ->check(is_accuracy, "");
+  command
+      .add_option_function<std::string>("--flow", sets("run.flow"),
+                                        "How contact phases are computed; auto chooses")
+      ->check(is_flow, "");
 }
 
 scene::Scene read(const SceneChoice& choice, scene::Purpose purpose) {

@@ -19,6 +19,9 @@ void add_scene_choice(CLI::App& command, SceneChoice& choice);
 /// Declare --set and --quiet.
 void add_overrides(CLI::App& command, SceneChoice& choice);
 
+/// Declare --accuracy and --flow, which stand for a --set of their key.
+void add_run_options(CLI::App& command, SceneChoice& choice);
+
 /// Read the scene and, unless quiet, print its warnings. Throws scene::FileError or scene::SceneError.
 scene::Scene read(const SceneChoice& choice, scene::Purpose purpose = scene::Purpose::simulation);
 

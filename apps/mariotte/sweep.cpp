@@ -11,7 +11,6 @@
 #include <thread>
 
 #include "command.hpp"
-#include "command_line/checks.hpp"
 #include "command_line/exit_code.hpp"
 #include "command_line/terminal.hpp"
 #include "interruption.hpp"
@@ -32,8 +31,6 @@ constexpr auto patience = std::chrono::seconds(3);  // for what a killed mpirun 
 
 struct Options {
   SceneChoice scene;
-  std::string accuracy;
-  std::string flow;
   std::vector<std::string> columns;
   std::string out;
   int threads = 0;
@@ -42,21 +39,13 @@ struct Options {
   bool verbose = false;
 };
 
-/// Options that stand for a key of the scene are overrides like any other.
-scene::Overrides overrides(const Options& options) {
-  auto all = options.scene.set;
-  if (!options.accuracy.empty()) all.push_back("run.accuracy=" + options.accuracy);
-  if (!options.flow.empty()) all.push_back("run.flow=" + options.flow);
-  return all;
-}
-
 study::Json simulate(const scene::Scene& scene) {
   return report::json(impact::simulate(scene.chain, scene.run), scene);
 }
 
 study::SweepPlan read(const Options& options, const Ranks& ranks) try {
   auto plan =
-      study::read_sweep(scene::open(options.scene.path, overrides(options)), simulate, options.columns);
+      study::read_sweep(scene::open(options.scene.path, options.scene.set), simulate, options.columns);
   if (!options.scene.quiet && ranks.first())
     for (const auto& one : plan.warnings) warning(one);
   return plan;
@@ -194,10 +183,7 @@ void add_options(CLI::App& command, Options& options) {
       ->allow_extra_args(false);
   command.add_option("--threads", options.threads, "How many points at once (default: one per core allowed)")
       ->check(CLI::Range(1, 4096));
-  command.add_option("--accuracy", options.accuracy, "Wanted error of the final velocities / largest speed")
-      ->check(is_accuracy, "");
-  command.add_option("--flow", options.flow, "How contact phases are computed; auto chooses")
-      ->check(is_flow, "");
+  add_run_options(command, options.scene);
   command.add_flag("--no-figures", options.no_figures, "Write the data, draw nothing");
   command.add_flag("--force", options.force, "Start anew, whatever the folder holds of an earlier sweep");
   command.add_flag("-v,--verbose", options.verbose, "Tell what a point costs")->excludes("--quiet");

@@ -1,0 +1,53 @@
+#include <memory>
+
+#include "command.hpp"
+#include "command_line/exit_code.hpp"
+#include "command_line/terminal.hpp"
+#include "mariotte/report/files.hpp"
+#include "mariotte/scene/text_file.hpp"
+#include "report_page.hpp"
+
+namespace mariotte::command {
+namespace {
+
+struct Report {
+  std::string folder;
+  bool force = false;
+};
+
+/// Of a folder that `run --out` has filled.
+report::Json read_result(const std::filesystem::path& folder) {
+  const auto path = folder / "result.json";
+  auto result = report::Json::parse(scene::read_text(path.string()), nullptr, false);
+  if (!result.is_object()) throw scene::FileError(path.string() + ": holds no result");
+  return result;
+}
+
+int report(const Report& options) {
+  const auto result = read_result(options.folder);
+  report::prepare_folder(options.folder, {report_page}, options.force);
+  write_report_page(options.folder, result);
+  print((std::filesystem::path(options.folder) / report_page).string() + "\n");
+  return ExitCode::ok;
+}
+
+constexpr const char* examples = R"(Examples:
+  mariotte run cradle.toml --out results && mariotte report results
+  mariotte run cradle.toml --out results --report
+
+Writes report.html: outcome and checks, figures, tables, provenance, the command that repeats the run, and what
+to cite, all in one file.
+)";
+
+}  // namespace
+
+void add_report(CLI::App& app, int& code) {
+  auto* command = app.add_subcommand("report", "Make one page of the files of a run");
+  auto options = std::make_shared<Report>();
+  command->add_option("DIR", options->folder, "Folder that `run --out` has filled")->required();
+  command->add_flag("--force", options->force, "Overwrite an earlier page");
+  command->footer(examples);
+  command->callback([options, &code] { code = report(*options); });
+}
+
+}  // namespace mariotte::command

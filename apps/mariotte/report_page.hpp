@@ -1,0 +1,15 @@
+// report.html in a folder of results.
+#pragma once
+#include <filesystem>
+
+#include "mariotte/report/json.hpp"
+
+namespace mariotte::command {
+
+/// Name of the page.
+inline constexpr const char* report_page = "report.html";
+
+/// Write the page of a result with the figures of the folder. Throws report::FileError.
+void write_report_page(const std::filesystem::path& folder, const report::Json& result);
+
+}  // namespace mariotte::command

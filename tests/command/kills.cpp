@@ -1,0 +1,54 @@
+// Runs that are killed while they write.
+#define BOOST_TEST_MODULE command_kills
+#include <boost/test/unit_test.hpp>
+#include <random>
+
+#include "session.hpp"
+
+using support::content;
+using support::Session;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Whether a file of a run is there to its end.
+bool is_whole(const fs::path& path) {
+  const auto text = content(path);
+  const auto kind = path.extension();
+  if (kind == ".json") return nlohmann::json::accept(text);
+  if (kind == ".svg") return text.ends_with("</svg>\n\n") || text.ends_with("</svg>\n");
+  if (kind == ".png") return text.find("IEND") != std::string::npos;
+  if (kind == ".html") return text.ends_with("</html>\n");
+  return text.ends_with('\n');
+}
+
+}  // namespace
+
+BOOST_FIXTURE_TEST_CASE(a_run_killed_at_any_moment_leaves_whole_files, Session) {
+  const std::string run = "run three.toml --out out --report --force -q";
+  std::mt19937 random(1);
+  int kills = 0, files = 0;
+  for (int i = 0; i < 30; ++i) {
+    const double after = std::uniform_real_distribution<double>(0.0, 0.6)(random);
+    kills += shell("timeout -s KILL " + std::to_string(after) + " \"$mariotte\" " + run).code == 137;
+    if (!fs::exists(folder / "out")) continue;
+    for (const auto& entry : fs::directory_iterator(folder / "out"))
+      if (const auto name = entry.path().filename().string(); !name.starts_with(".")) {
+        BOOST_TEST(is_whole(entry.path()), name << " after " << after << " s");
+        ++files;
+      }
+  }
+  BOOST_TEST(kills > 0);
+  BOOST_TEST(files > 30);
+  BOOST_TEST(mariotte(run).code == 0);
+  for (const auto& entry : fs::directory_iterator(folder / "out"))
+    BOOST_TEST(!entry.path().filename().string().starts_with("."));
+}
+
+BOOST_FIXTURE_TEST_CASE(a_disk_that_is_full_leaves_the_files_of_the_run_before, Session) {
+  BOOST_TEST(mariotte("run three.toml --out out").code == 0);
+  const auto before = content(folder / "out/trace.csv");
+  const auto full = shell("ulimit -f 4; \"$mariotte\" run three.toml --out out --force --accuracy 1e-6");
+  BOOST_TEST(full.code == 6);
+  BOOST_TEST((content(folder / "out/trace.csv") == before));
+}

@@ -1,0 +1,70 @@
+#define BOOST_TEST_MODULE command_report
+#include <boost/test/unit_test.hpp>
+
+#include "session.hpp"
+
+using support::content;
+using support::has;
+using support::Session;
+namespace fs = std::filesystem;
+
+BOOST_FIXTURE_TEST_CASE(run_and_report_make_the_same_page, Session) {
+  BOOST_TEST(mariotte("run three.toml --out out --report").code == 0);
+  const auto page = content(folder / "out/report.html");
+  BOOST_TEST(has(page, "<title>Three balls</title>"));
+  BOOST_TEST(has(page, "separated"));
+  fs::remove(folder / "out/report.html");
+  const auto again = mariotte("report out");
+  BOOST_TEST(again.code == 0);
+  BOOST_TEST(again.out == "out/report.html\n");
+  BOOST_TEST((content(folder / "out/report.html") == page));
+}
+
+BOOST_FIXTURE_TEST_CASE(the_command_on_the_page_gives_the_same_result, Session) {
+  const auto run = mariotte(
+      "run three.toml --out out --accuracy 1e-7 --flow cvode-adams --set 'chain.velocity[0]=2 m/s' --json");
+  const auto result = nlohmann::json::parse(run.out);
+  BOOST_TEST(result["accuracy"]["requested"] == 1e-7);
+  BOOST_TEST(mariotte("report out").code == 0);
+  const auto page = content(folder / "out/report.html");
+  const auto start = page.find("mariotte run '"), end = page.find("</pre>", start);
+  BOOST_TEST_REQUIRE(end != std::string::npos);
+  const auto repeated =
+      mariotte(page.substr(start + std::string("mariotte ").size(), end - start - 9) + " --json");
+  const auto again = nlohmann::json::parse(repeated.out);
+  for (const auto* part : {"final", "events", "flows", "accuracy", "provenance"})
+    BOOST_TEST((again[part] == result[part]), part);
+}
+
+BOOST_FIXTURE_TEST_CASE(a_page_of_an_earlier_run_is_not_left_beside_a_new_one, Session) {
+  BOOST_TEST(mariotte("run three.toml --out out --report").code == 0);
+  BOOST_TEST(mariotte("report out").code == 6);
+  BOOST_TEST(mariotte("report out --force").code == 0);
+  BOOST_TEST(mariotte("run three.toml --out out --force").code == 0);
+  BOOST_TEST(!fs::exists(folder / "out/report.html"));
+}
+
+BOOST_FIXTURE_TEST_CASE(a_folder_without_a_result_is_refused, Session) {
+  BOOST_TEST(mariotte("report nowhere").code == 6);
+  fs::create_directory(folder / "out");
+  write("out/result.json", "{ half");
+  const auto bad = mariotte("report out");
+  BOOST_TEST(bad.code == 6);
+  BOOST_TEST(has(bad.err, "holds no result"));
+  BOOST_TEST(mariotte("run three.toml --report").code == 2);
+}
+
+// A browser is not among the packages the project needs; where there is one it has to be content.
+BOOST_FIXTURE_TEST_CASE(a_browser_has_nothing_to_complain_about, Session) {
+  if (shell("command -v chromium").code != 0) return;
+  BOOST_TEST(mariotte("run three.toml --out out --report").code == 0);
+  for (const auto* width : {"1280", "400"}) {
+    const auto seen = shell(
+        "timeout 60 chromium --headless --no-sandbox --disable-gpu --enable-logging=stderr "
+        "--user-data-dir=profile --window-size=" +
+        std::string(width) + ",1200 --screenshot=page.png \"file://$PWD/out/report.html\"");
+    BOOST_TEST(seen.code == 0);
+    BOOST_TEST(!has(seen.err, "CONSOLE"));
+    BOOST_TEST(fs::file_size(folder / "page.png") > 10'000);
+  }
+}
