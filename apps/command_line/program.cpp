@@ -4,9 +4,33 @@
 
 #include "command_line/exit_code.hpp"
 #include "command_line/terminal.hpp"
+#include "mariotte/core/nearest.hpp"
 
 namespace mariotte::command {
 namespace {
+
+/// What the command line got to before it failed.
+const CLI::App& innermost(const CLI::App& app) {
+  const auto parsed = app.get_subcommands();
+  return parsed.empty() ? app : innermost(*parsed.back());
+}
+
+/// The first word that means nothing, and what it is like; empty if there is none.
+std::string unknown_word(const CLI::App& app) {
+  const auto& at = innermost(app);
+  std::vector<std::string> known;
+  for (const auto* command : at.get_subcommands([](const CLI::App*) { return true; }))
+    known.push_back(command->get_name());
+  for (const auto* option : at.get_options())
+    for (const auto& name : option->get_lnames()) known.push_back("--" + name);
+  const std::vector<std::string_view> names(known.begin(), known.end());
+  for (const auto& word : at.remaining()) {
+    const std::string kind = word.starts_with("-") ? "option" : "command";
+    if (const auto similar = suggestion(word, names); !similar.empty())
+      return "unknown " + kind + " '" + word + "'" + similar;
+  }
+  return "";
+}
 
 /// False if all that was asked for is printed.
 bool parse(CLI::App& app, int argc, char** argv) {
@@ -18,7 +42,8 @@ bool parse(CLI::App& app, int argc, char** argv) {
   } catch (const CLI::CallForVersion& version) {
     print(std::string(version.what()) + "\n");
   } catch (const CLI::ParseError& problem) {
-    throw UsageError(std::string(problem.what()) + " (see --help)");
+    const auto misspelt = unknown_word(app);
+    throw UsageError((misspelt.empty() ? problem.what() : misspelt) + " (see --help)");
   }
   return false;
 }

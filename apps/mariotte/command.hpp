@@ -16,6 +16,9 @@ void add_sweep(CLI::App& app, int& code);
 void add_report(CLI::App& app, int& code);
 void add_version(CLI::App& app, int& code);
 
+/// Prints all the others as a man page or as completions.
+void add_help_pages(CLI::App& app);
+
 /// These run another program instead.
 void add_reproduce(CLI::App& app);
 void add_study(CLI::App& app);

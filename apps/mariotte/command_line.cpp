@@ -36,6 +36,7 @@ int command_line(int argc, char** argv) noexcept {
   add_reproduce(app);
   add_study(app);
   add_version(app, code);
+  add_help_pages(app);
   return run_program(app, argc, argv, [&] { return code; });
 }
 

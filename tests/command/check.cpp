@@ -62,8 +62,33 @@ BOOST_FIXTURE_TEST_CASE(a_command_line_without_sense_gives_code_2, Session) {
   }
 }
 
+BOOST_FIXTURE_TEST_CASE(a_misspelt_word_is_told_what_it_is_like, Session) {
+  const auto command = mariotte("rnu three.toml");
+  BOOST_TEST(command.code == 2);
+  BOOST_TEST(has(command.err, "unknown command 'rnu' (did you mean 'run'?)"));
+  BOOST_TEST(has(mariotte("run three.toml --acuracy 1e-6").err, "did you mean '--accuracy'?"));
+  BOOST_TEST(has(mariotte("study stifness").err, "did you mean 'stiffness'?"));
+}
+
+BOOST_FIXTURE_TEST_CASE(man_page_and_completions_name_every_command_and_option, Session) {
+  const auto page = mariotte("man"), completion = mariotte("completion");
+  for (const std::string command : {"run", "check", "sweep", "report", "law", "demo"}) {
+    BOOST_TEST(has(page.out, ".SS \"mariotte " + command + "\""));
+    BOOST_TEST(has(completion.out, "    " + command + ") words='"));
+  }
+  BOOST_TEST(has(page.out, "\\-\\-no\\-figures"));
+  BOOST_TEST(has(completion.out, "--no-figures"));
+  if (shell("command -v man").code == 0)
+    BOOST_TEST(shell("\"$mariotte\" man | man --warnings -l - >/dev/null").err == "");
+  const auto completed = shell(
+      "\"$mariotte\" completion > words.sh; bash -c '. ./words.sh; COMP_WORDS=(mariotte sw); COMP_CWORD=1; "
+      "_mariotte; echo \"${COMPREPLY[@]}\"; COMP_WORDS=(mariotte sweep --thr); COMP_CWORD=2; _mariotte; echo "
+      "\"${COMPREPLY[@]}\"'");
+  BOOST_TEST(completed.out == "sweep\n--threads\n");
+}
+
 BOOST_FIXTURE_TEST_CASE(every_command_explains_itself_with_an_example, Session) {
-  for (const char* command : {"", "run", "check", "sweep", "law", "demo", "version"}) {
+  for (const char* command : {"", "run", "check", "sweep", "report", "law", "demo", "version"}) {
     const auto help = mariotte(std::string(command) + " --help");
     BOOST_TEST(help.code == 0);
     BOOST_TEST(has(help.out, "Example"));
