@@ -1,9 +1,13 @@
 // The documents against the program: files they quote, output they show, scenes, links.
 //
 //   <!-- file: PATH -->            the next block is that file, to the letter
+//   <!-- save: NAME -->            the next block is written to that file, for the commands after it
+//   <!-- run -->                   the next block of sh is run and must succeed
 //   ```console                     `$ COMMAND` and what it prints
 //   <!-- magnitudes: COMMAND -->   the next table is what COMMAND prints, errors within a factor of 10
 //   ```toml                        a scene, if it has a line `[chain]`
+//
+// Commands run in a folder that looks like the source folder; those of one document share it.
 #define BOOST_TEST_MODULE quotations
 #include "quotes.hpp"
 
@@ -52,21 +56,46 @@ std::string program(const std::string& command) {
   return fs::path(command.substr(0, command.find(' '))).filename().string();
 }
 
-/// Standard output of one of this project's programs, run in the source folder.
-std::string output(const std::string& command) {
-  const auto rest = command.find(' ') == std::string::npos ? "" : command.substr(command.find(' '));
-  const std::string line =
-      "cd '" MARIOTTE_ROOT "' && PATH='" MARIOTTE_PROGRAMS "':\"$PATH\" " + program(command) + rest;
-  std::string text;
-  auto* pipe = ::popen(line.c_str(), "r");
-  BOOST_TEST_REQUIRE(pipe);
-  for (char part[4096]; const auto size = std::fread(part, 1, sizeof part, pipe);) text.append(part, size);
-  BOOST_TEST(::pclose(pipe) == 0);
-  return text;
+/// A folder in which the source folder's entries are found, and whatever commands write beside them.
+class Workshop {
+ public:
+  Workshop() {
+    std::string name = (fs::temp_directory_path() / "mariotte-doc-XXXXXX").string();
+    folder_ = ::mkdtemp(name.data());
+    for (const auto& entry : fs::directory_iterator(root))
+      fs::create_symlink(entry.path(), folder_ / entry.path().filename());
+  }
+  ~Workshop() { fs::remove_all(folder_); }
+  Workshop(const Workshop&) = delete;
+  Workshop& operator=(const Workshop&) = delete;
+
+  const fs::path& folder() const { return folder_; }
+
+  /// Standard output of lines of shell that start programs of this project by name.
+  std::string output(const std::string& lines) const {
+    const std::string line =
+        "cd '" + folder_.string() + "' && export PATH='" MARIOTTE_PROGRAMS "':\"$PATH\" && " + lines;
+    std::string text;
+    auto* pipe = ::popen(line.c_str(), "r");
+    BOOST_TEST_REQUIRE(pipe);
+    for (char part[4096]; const auto size = std::fread(part, 1, sizeof part, pipe);) text.append(part, size);
+    BOOST_TEST(::pclose(pipe) == 0);
+    return text;
+  }
+
+ private:
+  fs::path folder_;
+};
+
+/// The command without its program's folder: the build folder may be any.
+std::string by_name(const std::string& command) {
+  const auto blank = command.find(' ');
+  return program(command) + (blank == std::string::npos ? "" : command.substr(blank));
 }
 
-void check_output(const Lines& quoted, const std::string& command, Numbers numbers) {
-  const auto printed = output(command);
+void check_output(const Workshop& workshop, const Lines& quoted, const std::string& command,
+                  Numbers numbers) {
+  const auto printed = workshop.output(by_name(command));
   const bool same = same_text(quoted, lines_of(std::istringstream(printed)), numbers);
   BOOST_TEST(same, "`" << command << "` now prints\n" << printed);
 }
@@ -87,36 +116,38 @@ BOOST_AUTO_TEST_CASE(quoted_files_are_the_files) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(console_blocks_show_what_is_printed) {
-  for (const auto& block : blocks()) {
-    if (block.language != "console") continue;
-    BOOST_TEST_CONTEXT(block.place) {
-      BOOST_TEST_REQUIRE((!block.text.empty() && block.text[0].starts_with("$ ")));
-      check_output({block.text.begin() + 1, block.text.end()}, block.text[0].substr(2), Numbers::digits);
-    }
-  }
+void try_out(const Block& block, const Workshop& workshop) {
+  if (const auto name = told(block, "save: "); !name.empty())
+    std::ofstream(workshop.folder() / name) << joined(block.text);
+  if (block.comment == "run")
+    for (const auto& command : block.text) workshop.output("set -e; " + by_name(command));
+  if (const auto command = told(block, "magnitudes: "); !command.empty())
+    check_output(workshop, block.text, command, Numbers::magnitudes);
+  if (block.language != "console") return;
+  BOOST_TEST_REQUIRE((!block.text.empty() && block.text[0].starts_with("$ ")));
+  check_output(workshop, {block.text.begin() + 1, block.text.end()}, block.text[0].substr(2),
+               Numbers::digits);
 }
 
-BOOST_AUTO_TEST_CASE(tables_of_errors_hold) {
-  for (const auto& block : blocks()) {
-    const auto command = told(block, "magnitudes: ");
-    if (command.empty()) continue;
-    BOOST_TEST_CONTEXT(block.place) {
-      check_output(block.text, command, Numbers::magnitudes);
-    }
+BOOST_AUTO_TEST_CASE(commands_print_what_is_shown) {
+  for (const auto& path : documents()) {
+    const Workshop workshop;
+    for (const auto& block : blocks_of(path.string(), lines_of(std::ifstream(root / path))))
+      BOOST_TEST_CONTEXT(block.place) {
+        try_out(block, workshop);
+      }
   }
 }
 
 BOOST_AUTO_TEST_CASE(scenes_are_valid) {
-  const auto file = fs::temp_directory_path() / ("mariotte-quoted-" + std::to_string(::getpid()) + ".toml");
+  const Workshop workshop;
   for (const auto& block : blocks()) {
     if (!is_scene(block)) continue;
     BOOST_TEST_CONTEXT(block.place) {
-      std::ofstream(file) << joined(block.text);
-      output("mariotte check '" + file.string() + "'");
+      std::ofstream(workshop.folder() / "quoted.toml") << joined(block.text);
+      workshop.output("mariotte check quoted.toml");
     }
   }
-  fs::remove(file);
 }
 
 BOOST_AUTO_TEST_CASE(every_example_is_quoted_with_its_output) {
