@@ -21,6 +21,7 @@ int fail(const char* message, ExitCode code) {
 ExitCode exit_code(hybrid::Ending ending) {
   switch (ending) {
     case hybrid::Ending::separated:
+    case hybrid::Ending::captured:
       return ExitCode::ok;
     case hybrid::Ending::time_limit:
     case hybrid::Ending::event_limit:

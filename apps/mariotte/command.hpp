@@ -11,6 +11,7 @@ int command_line(int argc, char** argv) noexcept;
 void add_run(CLI::App& app, int& code);
 void add_check(CLI::App& app, int& code);
 void add_law(CLI::App& app, int& code);
+void add_capture(CLI::App& app, int& code);
 void add_demo(CLI::App& app, int& code);
 void add_sweep(CLI::App& app, int& code);
 void add_report(CLI::App& app, int& code);

@@ -13,6 +13,7 @@ constexpr const char* examples = R"(Examples:
   mariotte run cradle.toml --json > cradle.json  the same for scripts
   mariotte sweep map.toml --out results          many scenes, by its [[sweep]] tables
   mariotte law cradle.toml                       the same impact by the multiple-impact law
+  mariotte capture microsphere.toml              how slow a microbody may be to get off again
   mariotte run --help                            all about one command
 
 Exit codes: 0 ok, 1 check failed, 2 usage, 3 scene error, 4 solver failure, 5 a limit was reached,
@@ -22,7 +23,7 @@ Exit codes: 0 ok, 1 check failed, 2 usage, 3 scene error, 4 solver failure, 5 a 
 }  // namespace
 
 int command_line(int argc, char** argv) noexcept {
-  CLI::App app("Stiff, event-driven impacts: what balls in a chain do when they meet.", "mariotte");
+  CLI::App app("Stiff, event-driven impacts: balls in a chain, microbodies on a plane.", "mariotte");
   app.footer(examples);
   app.set_version_flag("--version", "mariotte " + report::provenance().version);
   app.require_subcommand(1);
@@ -31,6 +32,7 @@ int command_line(int argc, char** argv) noexcept {
   add_check(app, code);
   add_law(app, code);
   add_sweep(app, code);
+  add_capture(app, code);
   add_report(app, code);
   add_demo(app, code);
   add_reproduce(app);

@@ -88,7 +88,7 @@ void take_from_table(LawProblem& problem, scene::Law& law, const LawChoice& choi
 void complete_by_simulation(LawProblem& problem, scene::Law& law, const scene::Scene& scene) {
   const auto impact = impact::simulate(scene.chain, scene.run);
   problem.simulation_ended = impact.ending;
-  if (const auto why = report::reason(impact, scene.run); !why.empty()) error(why);
+  if (const auto why = report::reason(impact.ending, impact.message, scene.run); !why.empty()) error(why);
   const auto found = impact::parameters_of(impact, law.frame);
   if (law.direction.empty()) law.direction = found.direction;
   if (!law.energy_ratio) law.energy_ratio = found.energy_ratio;

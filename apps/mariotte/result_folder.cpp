@@ -19,8 +19,8 @@ constexpr const char* spacetime = "spacetime";
 constexpr std::size_t most_balls_traced = 1000;  // some thousand samples of these are about 100 MB of text
 
 std::vector<std::string> file_names() {
-  std::vector<std::string> names = {"result.json", "events.csv", "trace.csv",
-                                    "plot.csv",    "plot.gp",    "spacetime.csv", report_page};
+  std::vector<std::string> names = {"result.json", "events.csv",    "trace.csv", "plot.csv",
+                                    "plot.gp",     "spacetime.csv", report_page};
   for (const auto& figures : {report::figure_names(), report::files_of_figure(spacetime)})
     names.insert(names.end(), figures.begin(), figures.end());
   return names;
@@ -30,15 +30,19 @@ std::vector<std::string> file_names() {
 bool can_plot(const impact::Trace& trace) {
   return trace.time.size() > 1;
 }
+bool can_plot(const impact::BodyTrace& trace) {
+  return trace.state.size() > 1;
+}
 
 bool is_image(const report::Spacetime* waves) {
   return waves && waves->is_image();
 }
 
-Texts texts(const report::Json& json, const impact::ChainImpact& impact, const scene::Scene& scene,
+template <class Impact>
+Texts texts(const report::Json& json, const Impact& impact, const scene::Scene& scene,
             const report::Spacetime* waves) {
   Texts texts = {{"result.json", report::text(json)}, {"events.csv", report::events_csv(impact)}};
-  if (can_trace(scene.chain)) texts["trace.csv"] = report::trace_csv(impact);
+  if (can_trace(scene)) texts["trace.csv"] = report::trace_csv(impact);
   if (can_plot(impact.trace)) {
     texts["plot.csv"] = report::plot_data(impact.trace);
     texts["plot.gp"] = report::plot_script(impact, scene.title);
@@ -58,10 +62,25 @@ void remove_others(const std::filesystem::path& folder, const Texts& texts) {
   report::remove_files(folder, names);
 }
 
+template <class Impact>
+std::string write(const std::filesystem::path& folder, const report::Json& json, const Impact& impact,
+                  const scene::Scene& scene, const report::Spacetime* waves) {
+  const Texts files = texts(json, impact, scene, waves);
+  for (const auto& [name, text] : files) report::write_file(folder / name, text);
+  remove_others(folder, files);
+  auto figures = can_plot(impact.trace) ? report::figure_names() : std::vector<std::string>();
+  if (is_image(waves))
+    for (const auto& file : report::files_of_figure(spacetime)) figures.push_back(file);
+  if (figures.empty()) return "the run has no duration";
+  const std::string problem = report::draw(folder, figures);
+  if (problem.empty()) return "";
+  return fmt::format("{}; data and script are in {}", problem, (folder / "plot.gp").string());
+}
+
 }  // namespace
 
-bool can_trace(const model::Chain& chain) {
-  return chain.mass.size() <= most_balls_traced;
+bool can_trace(const scene::Scene& scene) {
+  return scene.chain.mass.size() <= most_balls_traced;
 }
 
 void prepare_result_folder(const std::filesystem::path& folder, bool force) {
@@ -74,16 +93,12 @@ void prepare_result_folder(const std::filesystem::path& folder, bool force) {
 std::string write_result_folder(const std::filesystem::path& folder, const report::Json& json,
                                 const impact::ChainImpact& impact, const scene::Scene& scene,
                                 const report::Spacetime* waves) {
-  const Texts files = texts(json, impact, scene, waves);
-  for (const auto& [name, text] : files) report::write_file(folder / name, text);
-  remove_others(folder, files);
-  auto figures = can_plot(impact.trace) ? report::figure_names() : std::vector<std::string>();
-  if (is_image(waves))
-    for (const auto& file : report::files_of_figure(spacetime)) figures.push_back(file);
-  if (figures.empty()) return "the run has no duration";
-  const std::string problem = report::draw(folder, figures);
-  if (problem.empty()) return "";
-  return fmt::format("{}; data and script are in {}", problem, (folder / "plot.gp").string());
+  return write(folder, json, impact, scene, waves);
+}
+
+std::string write_result_folder(const std::filesystem::path& folder, const report::Json& json,
+                                const impact::MicrobodyImpact& impact, const scene::Scene& scene) {
+  return write(folder, json, impact, scene, nullptr);
 }
 
 }  // namespace mariotte::command

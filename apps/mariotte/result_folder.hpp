@@ -4,14 +4,15 @@
 #include <string>
 
 #include "mariotte/impact/chain_impact.hpp"
+#include "mariotte/impact/microbody_impact.hpp"
 #include "mariotte/report/json.hpp"
 #include "mariotte/report/spacetime.hpp"
 #include "mariotte/scene/scene.hpp"
 
 namespace mariotte::command {
 
-/// Whether samples of the chain fit into memory and files of sensible size.
-bool can_trace(const model::Chain& chain);
+/// Whether samples of the scene fit into memory and files of sensible size.
+bool can_trace(const scene::Scene& scene);
 
 /// Create the folder; without `force`, throw report::FileError if it holds a file that would be written.
 void prepare_result_folder(const std::filesystem::path& folder, bool force);
@@ -21,5 +22,7 @@ void prepare_result_folder(const std::filesystem::path& folder, bool force);
 std::string write_result_folder(const std::filesystem::path& folder, const report::Json& json,
                                 const impact::ChainImpact& impact, const scene::Scene& scene,
                                 const report::Spacetime* waves);
+std::string write_result_folder(const std::filesystem::path& folder, const report::Json& json,
+                                const impact::MicrobodyImpact& impact, const scene::Scene& scene);
 
 }  // namespace mariotte::command

@@ -31,52 +31,75 @@ struct Run {
   bool verbose = false;
 };
 
-impact::ChainImpact simulate(const Run& options, const scene::Scene& scene, impact::Watching watching) {
+std::string size_of(const scene::Scene& scene) {
+  return scene.body ? "a body" : fmt::format("{} balls", scene.chain.mass.size());
+}
+
+/// Calls `follow` for the impact, and says what it took.
+template <class Model, class Follow>
+auto simulate(const Run& options, const Model& model, const scene::Scene& scene, Follow&& follow) {
   const auto start = std::chrono::steady_clock::now();
-  RunProgress progress(scene.run);
-  if (!options.scene.quiet) watching.progress = std::ref(progress);
-  watching.trace = !options.out.empty() && can_trace(scene.chain);
-  auto impact = impact::simulate(scene.chain, scene.run, watching);
+  auto impact = follow();
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  if (options.verbose)
-    note(fmt::format("simulated {} balls in {:.3g} s", scene.chain.mass.size(), taken.count()));
-  if (options.estimate) impact.estimated_accuracy = impact::estimate_accuracy(scene.chain, scene.run, impact);
+  if (options.verbose) note(fmt::format("simulated {} in {:.3g} s", size_of(scene), taken.count()));
+  if (options.estimate) impact.estimated_accuracy = impact::estimate_accuracy(model, scene.run, impact);
   return impact;
 }
 
 /// The result, and what it takes to repeat the run.
-report::Json json(const Run& options, const impact::ChainImpact& impact, const scene::Scene& scene) {
+template <class Impact>
+report::Json json(const Run& options, const Impact& impact, const scene::Scene& scene) {
   auto result = report::json(impact, scene);
   result["provenance"]["scene"] = options.scene.path;
   result["provenance"]["overrides"] = options.scene.set;
   return result;
 }
 
-void write(const Run& options, const report::Json& result, const impact::ChainImpact& impact,
-           const scene::Scene& scene, const report::Spacetime* waves) {
-  const std::string shortfall = write_result_folder(options.out, result, impact, scene, waves);
-  if (!shortfall.empty() && !options.scene.quiet) warning("no figures: " + shortfall);
-  if (options.report) write_report_page(options.out, result);
-  if (options.verbose) note("wrote " + options.out);
+/// Writes and prints the impact; `waves...` is what only a chain has.
+template <class Impact, class... Waves>
+int finish(const Run& options, const Impact& impact, const scene::Scene& scene, Waves... waves) {
+  const auto result = json(options, impact, scene);
+  if (!options.out.empty()) {
+    const std::string shortfall = write_result_folder(options.out, result, impact, scene, waves...);
+    if (!shortfall.empty() && !options.scene.quiet) warning("no figures: " + shortfall);
+    if (options.report) write_report_page(options.out, result);
+    if (options.verbose) note("wrote " + options.out);
+  }
+  print(options.json ? report::text(result) : report::table(impact, scene));
+  if (const auto why = report::reason(impact.ending, impact.message, scene.run); !why.empty()) error(why);
+  return exit_code(impact.ending);
+}
+
+int run_chain(const Run& options, const scene::Scene& scene) {
+  const auto balls = scene.chain.mass.size();
+  const auto trace = start_trace(options.trace, balls, options.force);
+  std::optional<report::Spacetime> waves;
+  if (!options.out.empty() && balls >= least_balls_of_image) waves.emplace(balls);
+  RunProgress progress(scene.run);
+  impact::Watching watching{.trace = !options.out.empty() && can_trace(scene)};
+  if (trace) watching.samplings.push_back(trace->sampling);
+  if (waves) watching.samplings.push_back(waves->sampling());
+  if (!options.scene.quiet) watching.progress = std::ref(progress);
+  const auto impact = simulate(options, scene.chain, scene,
+                               [&] { return impact::simulate(scene.chain, scene.run, watching); });
+  if (trace) trace->file.commit();
+  const report::Spacetime* const image = waves ? &*waves : nullptr;
+  return finish(options, impact, scene, image);
+}
+
+int run_body(const Run& options, const scene::Scene& scene) {
+  if (!options.trace.file.empty())
+    throw UsageError("--trace samples chains; --out writes the trace of a body");
+  const auto impact = simulate(options, *scene.body, scene, [&] {
+    return impact::simulate(*scene.body, scene.run, !options.out.empty());
+  });
+  return finish(options, impact, scene);
 }
 
 int run(const Run& options) {
   const auto scene = read(options.scene);
   if (!options.out.empty()) prepare_result_folder(options.out, options.force);
-  const auto balls = scene.chain.mass.size();
-  const auto trace = start_trace(options.trace, balls, options.force);
-  std::optional<report::Spacetime> waves;
-  if (!options.out.empty() && balls >= least_balls_of_image) waves.emplace(balls);
-  impact::Watching watching;
-  if (trace) watching.samplings.push_back(trace->sampling);
-  if (waves) watching.samplings.push_back(waves->sampling());
-  const auto impact = simulate(options, scene, std::move(watching));
-  if (trace) trace->file.commit();
-  const auto result = json(options, impact, scene);
-  if (!options.out.empty()) write(options, result, impact, scene, waves ? &*waves : nullptr);
-  print(options.json ? report::text(result) : report::table(impact, scene));
-  if (const auto why = report::reason(impact, scene.run); !why.empty()) error(why);
-  return exit_code(impact.ending);
+  return scene.body ? run_body(options, scene) : run_chain(options, scene);
 }
 
 constexpr const char* examples = R"(Examples:

@@ -7,9 +7,11 @@
 #include "mariotte/core/error.hpp"
 #include "mariotte/flow/ballistic.hpp"
 #include "mariotte/flow/cvode.hpp"
+#include "mariotte/flow/flight.hpp"
 #include "mariotte/flow/modal.hpp"
 #include "mariotte/flow/pair.hpp"
 #include "mariotte/flow/taylor.hpp"
+#include "mariotte/flow/tip_taylor.hpp"
 
 namespace mariotte::flow {
 namespace {
@@ -50,6 +52,7 @@ bool modes_pay(const SerialPhase& phase) {
 
 /// True unless another flow that admits the phase costs less.
 bool pays(Kind kind, const Problem& problem) {
+  if (problem.tip()) return kind == Kind::taylor;
   const auto* phase = problem.serial();
   if (!phase) return false;
   if (kind == Kind::modal) return modes_pay(*phase);
@@ -60,12 +63,14 @@ bool pays(Kind kind, const Problem& problem) {
 std::unique_ptr<Flow> make(Kind kind, const Problem& problem) {
   switch (kind) {
     case Kind::ballistic:
+      if (problem.free_body()) return std::make_unique<Flight>();
       return std::make_unique<Ballistic>();
     case Kind::pair:
       return std::make_unique<Pair>();
     case Kind::modal:
       return std::make_unique<Modal>();
     case Kind::taylor:
+      if (!problem.serial()) return std::make_unique<TipTaylor>();
       return std::make_unique<Taylor>();
     case Kind::cvode_adams:
       return std::make_unique<Cvode>(CvodeMethod::adams, problem);

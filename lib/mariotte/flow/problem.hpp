@@ -5,6 +5,7 @@
 
 #include "mariotte/core/types.hpp"
 #include "mariotte/flow/serial_phase.hpp"
+#include "mariotte/flow/tip_phase.hpp"
 
 namespace mariotte::flow {
 
@@ -52,14 +53,18 @@ class Problem {
   /// Largest damping ratio c/√(k m) of the active contacts: what makes a phase stiff.
   virtual double damping_ratio() const = 0;
 
-  /// True if no force acts but constant accelerations: then x(t) = x + t f(x) + t²/2 f'(x) f(x) exactly, and
-  /// the guards are linear in x.
+  /// True if no force acts but constant accelerations. Unless the mode is a free body, x(t) is then
+  /// x + t f(x) + t²/2 f'(x) f(x) exactly, and the guards are linear in x.
   virtual bool is_ballistic() const = 0;
-  /// f'(x) f(x), asked of ballistic modes only.
+  /// f'(x) f(x), asked of ballistic modes that are no free body.
   virtual void second_derivative(ConstState x, State ddx) const = 0;
 
   /// The present mode as a series of bodies, if it is one; follows every change of the mode.
   virtual const SerialPhase* serial() const { return nullptr; }
+
+  /// The present mode as one tip of a symmetric body on a plane, or as such a body in free flight.
+  virtual const TipPhase* tip() const { return nullptr; }
+  virtual const FreePhase* free_body() const { return nullptr; }
 
   /// Told after every accepted step: a guard that starts at zero is watched only once it has left it, and
   /// what has sunk into rounding noise is no longer worth following.

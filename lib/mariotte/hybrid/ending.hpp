@@ -5,16 +5,19 @@ namespace mariotte::hybrid {
 
 enum class Ending {
   separated,    ///< no contact carries force and no two bodies can meet again
+  captured,     ///< a tip has turned back in the well of adhesion
   time_limit,   ///< Options::max_time was reached
   event_limit,  ///< Options::max_events was reached
   failed        ///< a flow could not go on; what was computed until then is kept
 };
 
-/// "separated", "time_limit", "event_limit", "failed".
+/// "separated", "captured", "time_limit", "event_limit", "failed".
 constexpr const char* name(Ending ending) {
   switch (ending) {
     case Ending::separated:
       return "separated";
+    case Ending::captured:
+      return "captured";
     case Ending::time_limit:
       return "time_limit";
     case Ending::event_limit:

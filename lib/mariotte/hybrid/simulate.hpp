@@ -2,7 +2,7 @@
 //
 //   mode ← mode_at(x₀)                                  which contacts act at 0+
 //   repeat
-//     if is_over(mode, x)              → separated      asked before the first flow, too
+//     if is_over(mode, x)              → its ending     asked before the first flow, too
 //     if events ≥ max_events           → event_limit
 //     flow ← the cheapest that mode admits
 //     follow it from t⁺ until a guard crosses, or max_time
@@ -64,7 +64,7 @@ const Trajectory<typename System::Change>& simulate(System& system, ConstState x
     if (system.is_over(mode, x, run.events > 0)) {
       system.finish(mode, changes);
       record(run, time.value(), changes);
-      return end(Ending::separated);
+      return end(system.ending(mode));
     }
     if (run.events >= options.max_events) return end(Ending::event_limit);
 

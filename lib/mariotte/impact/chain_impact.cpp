@@ -8,6 +8,7 @@
 #include "mariotte/impact/chain_solver.hpp"
 #include "mariotte/impact/course.hpp"
 #include "mariotte/impact/energy.hpp"
+#include "mariotte/impact/flow_use.hpp"
 #include "mariotte/impact/impulses.hpp"
 #include "mariotte/impact/sampler.hpp"
 #include "mariotte/impact/trace.hpp"
@@ -46,16 +47,6 @@ void add_periods(std::vector<ContactHistory>& contacts, const Run& run, double u
     if (starts_force(change)) periods.push_back({.start = time * unit, .end = std::nullopt});
     if (ends_force(change)) periods.back().end = time * unit;
   }
-}
-
-std::vector<FlowUse> flow_uses(const Run& run) {
-  std::vector<FlowUse> uses;
-  for (const auto kind : flow::kinds) {
-    const auto& count = run.flows[static_cast<std::size_t>(kind)];
-    if (count.phases > 0)
-      uses.push_back({std::string(flow::name(kind)), count.phases, count.steps, count.rhs});
-  }
-  return uses;
 }
 
 /// What islands did not have to do.
@@ -140,7 +131,7 @@ ChainImpact describe(const DimensionlessChain& chain, const ChainLayout& layout,
   impact.events = events(run, scale.time);
   impact.energy = energy_ledger(chain, layout, energies, p, stretch);
   impact.momentum = momentum_ledger(chain, layout, stretch);
-  impact.flows = flow_uses(run);
+  impact.flows = flow_uses(run.flows);
   return impact;
 }
 

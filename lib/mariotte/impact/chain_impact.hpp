@@ -7,6 +7,7 @@
 
 #include "mariotte/hybrid/ending.hpp"
 #include "mariotte/hybrid/options.hpp"
+#include "mariotte/impact/flow_use.hpp"
 #include "mariotte/model/chain.hpp"
 
 namespace mariotte::impact {
@@ -51,20 +52,6 @@ struct MomentumLedger {
   double initial = 0;
   double final = 0;
   double residual = 0;  ///< final − initial − impulses of walls and gravity
-};
-
-/// Work done by one flow.
-struct FlowUse {
-  std::string name;
-  Index phases = 0;
-  Index steps = 0;
-  Index rhs = 0;  ///< evaluations of the right-hand side
-};
-
-/// Something that was left out because this chain does not need it.
-struct Skipped {
-  std::string what;
-  std::string why;
 };
 
 /// Samples of a run, one row per time; filled only on request.

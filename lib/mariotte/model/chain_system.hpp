@@ -2,6 +2,7 @@
 #pragma once
 #include <vector>
 
+#include "mariotte/hybrid/ending.hpp"
 #include "mariotte/model/chain_modes.hpp"
 #include "mariotte/model/chain_phase.hpp"
 
@@ -35,6 +36,7 @@ class ChainSystem {
   /// No contact carries force and the velocities are in order from left to right: a theorem without outside
   /// forces. Where gravity leads back to a wall, the end of the first impact.
   bool is_over(const Mode& mode, ConstState x, bool impacted) const;
+  hybrid::Ending ending(const Mode&) const { return hybrid::Ending::separated; }
   /// Contacts that touched but were never pressed noticeably open at the end.
   void finish(Mode& mode, std::vector<Change>& changes) const;
   ChainPhase& problem(Mode& mode);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mariotte/impact/chain_impact.hpp"
+#include "mariotte/impact/microbody_impact.hpp"
 
 namespace mariotte::report {
 
@@ -19,5 +20,13 @@ std::string trace_csv(const impact::ChainImpact& impact);
 std::string trace_header(const std::vector<Index>& balls, const std::vector<Index>& contacts);
 std::string trace_row(double time, const std::vector<double>& velocity, const std::vector<double>& gap,
                       const std::vector<double>& force);
+
+/// `time [s],open,close,stick,slip,force_sign,capture`: tips count from 1; a force sign of −1 says that tip 1
+/// is pulled from now on.
+std::string events_csv(const impact::MicrobodyImpact& impact);
+
+/// `time [s]`, position, velocity, spin and quaternion of the body, and of each tip its gap, normal force,
+/// friction and slip.
+std::string trace_csv(const impact::MicrobodyImpact& impact);
 
 }  // namespace mariotte::report

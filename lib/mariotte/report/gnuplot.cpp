@@ -44,6 +44,10 @@ bool move_figures(const std::filesystem::path& from, const std::filesystem::path
 
 }  // namespace
 
+std::string time_axis(const Display& time, double end) {
+  return fmt::format("set xlabel 'time [{}]'\nset xrange [0:{:.8g}]\n", time.unit, time.factor * end);
+}
+
 const char* const script_head = R"(# Run with gnuplot in this folder.
 if (!exists('folder')) folder = ''
 set encoding utf8

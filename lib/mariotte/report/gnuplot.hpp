@@ -4,10 +4,15 @@
 #include <string>
 #include <vector>
 
+#include "mariotte/report/number.hpp"
+
 namespace mariotte::report {
 
 /// How every script begins: where figures go, how data files look, and the style.
 extern const char* const script_head;
+
+/// Labels the horizontal axis as time, from 0 to `end` [s].
+std::string time_axis(const Display& time, double end);
 
 /// Text for a script, on one line between single quotes.
 std::string quoted(std::string text);

@@ -20,10 +20,6 @@ Json contact_history(const impact::ContactHistory& contact) {
           {"dissipated", contact.dissipated}};
 }
 
-Json from_one(const std::vector<Index>& positions) {
-  return list(positions, [](Index position) { return position + 1; });
-}
-
 // Every model names the same five changes; balls on a line neither stick, slip nor get captured.
 Json event(const impact::Event& event) {
   return {{"time", event.time},     {"open", from_one(event.open)}, {"close", from_one(event.close)},
@@ -45,16 +41,6 @@ Json momentum(const impact::MomentumLedger& ledger) {
   return {{"initial", ledger.initial}, {"final", ledger.final}, {"residual", ledger.residual}};
 }
 
-Json flow(const impact::FlowUse& use) {
-  return {{"name", use.name}, {"phases", use.phases}, {"steps", use.steps}, {"rhs", use.rhs}};
-}
-
-Json skipped(const std::vector<impact::Skipped>& skipped) {
-  Json object = Json::object();
-  for (const auto& one : skipped) object[one.what] = one.why;
-  return object;
-}
-
 Json law(const contact::Law& law) {
   return {{"law", law_name(law)},
           {"stiffness", contact::stiffness(law)},
@@ -68,18 +54,12 @@ Json chain(const model::Chain& chain) {
           {"gravity", chain.gravity}, {"precompressed", chain.precompressed}};
 }
 
-Json options(const hybrid::Options& run) {
-  return {{"accuracy", run.accuracy},
-          {"max_time", run.max_time},
-          {"max_events", run.max_events},
-          {"flow", run.flow}};
-}
-
 }  // namespace
 
 Json json(const impact::ChainImpact& impact, const scene::Scene& scene) {
   Json result = {{"ending", hybrid::name(impact.ending)}, {"title", scene.title}, {"model", "chain"}};
-  if (const auto why = reason(impact, scene.run); !why.empty()) result["message"] = why;
+  if (const auto why = reason(impact.ending, impact.message, scene.run); !why.empty())
+    result["message"] = why;
   result["final"] = {{"time", impact.time}, {"velocity", impact.velocity}, {"gap", impact.gap}};
   result["contacts"] = list(impact.contacts, contact_history);
   result["icr"] = list(impact.icr, nullable);
@@ -97,6 +77,7 @@ Json json(const impact::ChainImpact& impact, const scene::Scene& scene) {
 }
 
 Json json(const scene::Scene& scene) {
+  if (scene.body) return json_of_body(scene);
   Json result = {{"title", scene.title}, {"model", "chain"}};
   result["chain"] = chain(scene.chain);
   if (!scene.radius.empty()) result["chain"]["radius"] = scene.radius;

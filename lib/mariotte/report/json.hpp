@@ -5,6 +5,7 @@
 #include <string>
 
 #include "mariotte/impact/chain_impact.hpp"
+#include "mariotte/impact/microbody_impact.hpp"
 #include "mariotte/scene/scene.hpp"
 
 namespace mariotte::report {
@@ -14,6 +15,10 @@ using Json = nlohmann::ordered_json;
 /// The result of a run. Arrays count from 0 by position; the contacts named in `events` count from 1.
 /// Undefined ratios, periods that have not ended and an accuracy that was not estimated are null.
 Json json(const impact::ChainImpact& impact, const scene::Scene& scene);
+
+/// The same of a body: tips count from 1 in `events` and `impacts`; a `force_sign` of 1 says that the force
+/// on tip 1 turns into a push, −1 into a pull.
+Json json(const impact::MicrobodyImpact& impact, const scene::Scene& scene);
 
 /// The scene as it was understood. An infinite mass, radius or limit is null.
 Json json(const scene::Scene& scene);

@@ -1,8 +1,9 @@
-// Pieces that every JSON result is made of.
+// Parts that every JSON result is made of.
 #pragma once
 #include <optional>
 #include <string>
 
+#include "mariotte/impact/flow_use.hpp"
 #include "mariotte/report/json.hpp"
 
 namespace mariotte::report {
@@ -18,7 +19,17 @@ Json list(const Values& values, const Write& write) {
   return array;
 }
 
+/// Positions from 0 as numbers from 1.
+Json from_one(const std::vector<Index>& positions);
+
+Json flow(const impact::FlowUse& use);
+Json skipped(const std::vector<impact::Skipped>& skipped);
+Json options(const hybrid::Options& run);
+
 /// What computed the result, and of which scene; null where there was none.
 Json provenance_json(const std::string& scene_sha256);
+
+/// The scene of a body as it was understood.
+Json json_of_body(const scene::Scene& scene);
 
 }  // namespace mariotte::report

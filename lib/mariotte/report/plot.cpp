@@ -148,10 +148,7 @@ std::string plot_script(const impact::ChainImpact& impact, const std::string& ti
                              .display = display_for(extremes(trace.velocity), "m/s"),
                              .count = balls,
                              .block = 0};
-  std::string text = script_head;
-  text += fmt::format("set xlabel 'time [{}]'\n", time.unit);
-  text += fmt::format("set xrange [0:{:.8g}]\n", time.factor * end);
-  text += phase_marks(impact.events, time, end);
+  std::string text = script_head + time_axis(time, end) + phase_marks(impact.events, time, end);
   return text + figure_script(forces, time, title) + figure_script(velocities, time, title);
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "mariotte/impact/chain_impact.hpp"
+#include "mariotte/impact/microbody_impact.hpp"
 
 namespace mariotte::report {
 
@@ -18,5 +19,9 @@ std::string plot_data(const impact::Trace& trace);
 /// SVG, from the start until soon after the last force above a thousandth of the largest; phases are shaded.
 /// The impact must have a trace.
 std::string plot_script(const impact::ChainImpact& impact, const std::string& title);
+
+/// The same two of a body: the forces on its tips and the velocity of its mass centre.
+std::string plot_data(const impact::BodyTrace& trace);
+std::string plot_script(const impact::MicrobodyImpact& impact, const std::string& title);
 
 }  // namespace mariotte::report

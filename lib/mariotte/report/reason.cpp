@@ -4,11 +4,12 @@
 
 namespace mariotte::report {
 
-std::string reason(const impact::ChainImpact& impact, const hybrid::Options& options) {
+std::string reason(hybrid::Ending ending, const std::string& message, const hybrid::Options& options) {
   using hybrid::Ending;
-  if (!impact.message.empty()) return impact.message;
-  switch (impact.ending) {
+  if (!message.empty()) return message;
+  switch (ending) {
     case Ending::separated:
+    case Ending::captured:
       return "";
     case Ending::time_limit:
       return fmt::format("max_time = {:g} s was reached before the end", options.max_time);

@@ -2,11 +2,13 @@
 #pragma once
 #include <string>
 
-#include "mariotte/impact/chain_impact.hpp"
+#include "mariotte/hybrid/ending.hpp"
+#include "mariotte/hybrid/options.hpp"
 
 namespace mariotte::report {
 
-/// The message of the run or, if it has none, the limit of `options` that was reached; empty if it separated.
-std::string reason(const impact::ChainImpact& impact, const hybrid::Options& options);
+/// The message of a run or, if it has none, the limit of `options` that was reached; empty if it came to an
+/// end.
+std::string reason(hybrid::Ending ending, const std::string& message, const hybrid::Options& options);
 
 }  // namespace mariotte::report

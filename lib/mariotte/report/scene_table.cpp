@@ -59,7 +59,10 @@ std::string limits(const hybrid::Options& run) {
 
 }  // namespace
 
+std::string table_of_body(const scene::Scene& scene);
+
 std::string table(const scene::Scene& scene) {
+  if (scene.body) return table_of_body(scene);
   return heading(scene) + "\n" + balls(scene) + "\n" + contacts(scene.chain) + limits(scene.run);
 }
 

@@ -27,7 +27,7 @@ std::string summary(const impact::ChainImpact& impact, const hybrid::Options& op
       fmt::format("{} at {} {} · {} balls · accuracy {:.3g} requested", hybrid::name(impact.ending),
                   shown(time, impact.time), time.unit, impact.velocity.size(), impact.requested_accuracy);
   if (impact.estimated_accuracy) text += fmt::format(", {:.1e} estimated", *impact.estimated_accuracy);
-  if (const auto why = reason(impact, options); !why.empty()) text += "\n" + why;
+  if (const auto why = reason(impact.ending, impact.message, options); !why.empty()) text += "\n" + why;
   return text + "\n";
 }
 

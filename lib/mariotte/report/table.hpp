@@ -4,12 +4,17 @@
 #include <string>
 
 #include "mariotte/impact/chain_impact.hpp"
+#include "mariotte/impact/microbody_impact.hpp"
 #include "mariotte/scene/scene.hpp"
 
 namespace mariotte::report {
 
 /// Events, balls, contacts, ratios, ledgers, flows and what was skipped.
 std::string table(const impact::ChainImpact& impact, const scene::Scene& scene);
+
+/// Events, motion before and after, restitution, impacts, ledger, flows and what was skipped; tips count
+/// from 1.
+std::string table(const impact::MicrobodyImpact& impact, const scene::Scene& scene);
 
 /// The scene as it was understood, in SI units without prefixes.
 std::string table(const scene::Scene& scene);

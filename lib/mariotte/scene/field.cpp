@@ -93,6 +93,13 @@ Index whole(const Source& source, const Field& field, Index least, Index most) {
   return static_cast<Index>(value);
 }
 
+Vector3 read_vector(const Source& source, const Field& field, const Dimension& dimension) {
+  if (!field.node->array() || field.node->array()->size() != 3)
+    reject(source, field, "expected an array of three values");
+  const auto at = [&](Index i) { return number(source, element(field, i), dimension, Domain::finite); };
+  return {at(0), at(1), at(2)};
+}
+
 std::string text(const Source& source, const Field& field) {
   const auto* const value = std::get_if<std::string>(&field.node->value);
   if (!value) wrong_type(source, field, "a string");

@@ -8,6 +8,7 @@
 
 #include "mariotte/core/dimension.hpp"
 #include "mariotte/core/types.hpp"
+#include "mariotte/core/vector3.hpp"
 #include "mariotte/scene/source.hpp"
 
 namespace mariotte::scene {
@@ -46,6 +47,9 @@ double number(const Source& source, const Field& field, const Dimension& dimensi
 
 /// A whole number between `least` and `most`.
 Index whole(const Source& source, const Field& field, Index least, Index most);
+
+/// An array of three finite numbers of this dimension.
+Vector3 read_vector(const Source& source, const Field& field, const Dimension& dimension);
 
 std::string text(const Source& source, const Field& field);
 bool boolean(const Source& source, const Field& field);

@@ -5,8 +5,8 @@
 namespace mariotte::scene {
 namespace {
 
-constexpr std::array<std::string_view, 6> keys{"accuracy", "max_time", "max_events",
-                                               "gravity",  "impacts",  "flow"};
+constexpr std::array<std::string_view, 7> keys{"accuracy", "max_time", "max_events",   "gravity",
+                                               "impacts",  "flow",     "after_capture"};
 constexpr Index no_limit = 1'000'000'000'000'000;  // still a whole number in a double
 
 double read_accuracy(Source& source, const Field& field) {
@@ -25,7 +25,7 @@ std::string read_flow(const Source& source, const Field& field) {
 
 }  // namespace
 
-hybrid::Options read_run(Source& source, const Field& run) {
+hybrid::Options read_run(Source& source, const Field& run, bool of_body) {
   expect_keys(source, run, keys);
   hybrid::Options options;
   if (const auto field = find(run, "accuracy")) options.accuracy = read_accuracy(source, *field);
@@ -33,10 +33,10 @@ hybrid::Options read_run(Source& source, const Field& run) {
     options.max_time = number(source, *field, dimension::time, Domain::positive_or_infinite);
   if (const auto field = find(run, "max_events")) options.max_events = whole(source, *field, 1, no_limit);
   if (const auto field = find(run, "flow")) options.flow = read_flow(source, *field);
-  if (const auto field = find(run, "impacts")) {
-    whole(source, *field, 1, no_limit);
-    warn(source, *field, "has no effect on a chain");
-  }
+  if (of_body) return options;
+  for (const auto* key : {"impacts", "after_capture"})
+    if (const auto field = find(run, key)) warn(source, *field, "has no effect on a chain");
+  if (const auto field = find(run, "impacts")) whole(source, *field, 1, no_limit);
   return options;
 }
 

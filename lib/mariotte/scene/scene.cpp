@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "mariotte/scene/body_reader.hpp"
 #include "mariotte/scene/chain_reader.hpp"
 #include "mariotte/scene/document.hpp"
 #include "mariotte/scene/overrides.hpp"
@@ -25,49 +26,64 @@ std::string fingerprint(const std::string& text, const Overrides& overrides) {
   return sha256(all);
 }
 
-void expect_chain_scene(const Source& source, const Field& root) {
-  expect_keys(source, root, keys);
-  for (const auto* key : {"body", "surface", "incidence"})
+/// True of a body, false of a chain or of a law.
+bool is_body_scene(const Source& source, const Field& root, Purpose purpose) {
+  if (const auto body = find(root, "body")) {
+    for (const auto* key : {"chain", "law"})
+      if (const auto field = find(root, key))
+        reject(source, *field, "a scene has a [body] or a [" + std::string(key) + "], not both");
+    if (purpose == Purpose::law) reject(source, *body, "the multiple-impact law needs a [chain]");
+    return true;
+  }
+  for (const auto* key : {"surface", "incidence"})
     if (const auto field = find(root, key))
-      reject(source, *field,
-             "scenes of a body on a surface are not supported by this version, only [chain] scenes");
+      reject(source, *field, "is for scenes of a [body]; there is none");
+  return false;
 }
 
 /// What is to be simulated needs a chain, and a law needs the masses of one or its own.
 bool has_chain(const Source& source, const Field& root, const std::optional<Law>& law, Purpose purpose) {
   if (find(root, "chain")) return true;
   if (purpose == Purpose::simulation || !law || law->mass.empty())
-    reject(source, root.place(), "the scene has no [chain]");
+    reject(source, root.place(), "the scene has no [chain] and no [body]");
   return false;
 }
 
-Scene read_scene(Source& source, const Field& root, Purpose purpose) {
-  expect_chain_scene(source, root);
-  Scene scene;
-  std::optional<Field> gravity;
-  if (const auto title = find(root, "title")) scene.title = text(source, *title);
-  if (const auto run = find(root, "run")) {
-    scene.run = read_run(source, *run);
-    gravity = find(*run, "gravity");
+/// Whatever the reader let through, the model has the last word on what can be simulated.
+template <class Model>
+void expect_valid(const Source& source, const Field& table, const Model& model) {
+  try {
+    model::validate(model);
+  } catch (const InvalidParameter& error) {
+    reject(source, table, error.what());
   }
+}
+
+void resolve_chain(Source& source, const Field& root, const std::optional<Field>& run, Scene& scene) {
+  const auto chain = *find(root, "chain");
+  auto resolved = read_chain(source, chain, run ? find(*run, "gravity") : std::nullopt);
+  scene.chain = std::move(resolved.chain);
+  scene.radius = std::move(resolved.radius);
+  expect_valid(source, chain, scene.chain);
+}
+
+Scene read_scene(Source& source, const Field& root, Purpose purpose) {
+  expect_keys(source, root, keys);
+  const bool of_body = is_body_scene(source, root, purpose);
+  Scene scene;
+  if (const auto title = find(root, "title")) scene.title = text(source, *title);
+  const auto run = find(root, "run");
+  if (run) scene.run = read_run(source, *run, of_body);
   if (const auto sweeps = find(root, "sweep")) expect_sweeps(source, *sweeps);
   if (const auto columns = find(root, "columns")) expect_columns(source, *columns);
   if (const auto law = find(root, "law")) scene.law = read_law(source, *law);
-  if (!has_chain(source, root, scene.law, purpose)) return scene;
-  const auto chain = *find(root, "chain");
-  auto resolved = read_chain(source, chain, gravity);
-  scene.chain = std::move(resolved.chain);
-  scene.radius = std::move(resolved.radius);
-  return scene;
-}
-
-/// Whatever the reader let through, the model has the last word on what can be simulated.
-void expect_valid(const Source& source, const Field& root, const model::Chain& chain) {
-  try {
-    model::validate(chain);
-  } catch (const InvalidParameter& error) {
-    reject(source, *find(root, "chain"), error.what());
+  if (of_body) {
+    scene.body = read_microbody(source, root, run);
+    expect_valid(source, *find(root, "body"), *scene.body);
+  } else if (has_chain(source, root, scene.law, purpose)) {
+    resolve_chain(source, root, run, scene);
   }
+  return scene;
 }
 
 }  // namespace
@@ -89,7 +105,6 @@ Scene resolve(const Document& document, Purpose purpose, Watch* watch) {
   source.watch = watch;
   const Field root{&document.tree, ""};
   Scene scene = read_scene(source, root, purpose);
-  if (!scene.chain.mass.empty()) expect_valid(source, root, scene.chain);
   scene.warnings = std::move(source.warnings);
   scene.sha256 = document.sha256;
   return scene;

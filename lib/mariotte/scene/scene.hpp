@@ -1,11 +1,13 @@
 // A scene: what the user wrote, resolved to SI values and checked.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "mariotte/core/error.hpp"
 #include "mariotte/hybrid/options.hpp"
 #include "mariotte/model/chain.hpp"
+#include "mariotte/model/microbody.hpp"
 #include "mariotte/scene/law_reader.hpp"
 
 namespace mariotte::scene {
@@ -20,9 +22,11 @@ struct FileError : Error {
   using Error::Error;
 };
 
+/// Of a chain or of a body: `body` is empty in the first case, `chain` has no balls in the second.
 struct Scene {
   std::string title;
-  model::Chain chain;          ///< without balls if [law] stands alone
+  model::Chain chain;  ///< without balls if [law] stands alone
+  std::optional<model::Microbody> body;
   std::optional<Law> law;      ///< of scenes with [law]
   std::vector<double> radius;  ///< n values [m], infinite for planes; empty unless every ball has one
   hybrid::Options run;

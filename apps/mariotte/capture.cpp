@@ -1,0 +1,83 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "command.hpp"
+#include "command_line/exit_code.hpp"
+#include "command_line/terminal.hpp"
+#include "mariotte/impact/capture_velocity.hpp"
+#include "mariotte/report/json.hpp"
+#include "mariotte/report/number.hpp"
+#include "scene_choice.hpp"
+
+namespace mariotte::command {
+namespace {
+
+struct Capture {
+  SceneChoice scene;
+  double tolerance = 1e-9;
+  bool json = false;
+};
+
+constexpr const char* speed_key = "incidence.normal_speed";
+
+/// The scene's body at another speed; ζ's are read again, since the damping they stand for depends on it.
+model::Microbody at_speed(const Capture& options, double speed) {
+  auto set = options.scene.set;
+  set.push_back(fmt::format("{}={}", speed_key, report::exact(speed)));
+  return *scene::read(options.scene.path, set).body;
+}
+
+std::string table(const impact::CaptureVelocity& found, const scene::Scene& scene) {
+  return fmt::format(
+      "{}\ncapture velocity {:.12g} m/s\n  captured at {:.12g} m/s, separated at {:.12g} m/s · {} impacts "
+      "simulated\n",
+      scene.title.empty() ? "Microbody" : scene.title, found.value(), found.captured, found.separated,
+      found.runs);
+}
+
+report::Json json(const impact::CaptureVelocity& found, const scene::Scene& scene) {
+  return {{"title", scene.title},
+          {"capture_velocity", found.value()},
+          {"captured", found.captured},
+          {"separated", found.separated},
+          {"runs", found.runs}};
+}
+
+int capture(const Capture& options) {
+  const auto scene = read(options.scene);
+  if (!scene.body) throw scene::SceneError(options.scene.path + ": only a [body] can be captured");
+  const auto found = impact::capture_velocity([&](double speed) { return at_speed(options, speed); },
+                                              -scene.body->velocity.e1, options.tolerance, scene.run);
+  if (!found) {
+    error("no capture velocity within a factor of a million of the scene's speed");
+    return ExitCode::check_failed;
+  }
+  print(options.json ? report::text(json(*found, scene)) : table(*found, scene));
+  return ExitCode::ok;
+}
+
+constexpr const char* examples = R"(Examples:
+  mariotte capture microsphere.toml
+  mariotte capture microrod.toml --set "incidence.angles[1]=20 deg" --json
+
+Halves a bracket around the normal speed below which the body stays; all else is as the scene says.
+A body that is never captured, as one without damping: exit code 1.
+)";
+
+}  // namespace
+
+void add_capture(CLI::App& app, int& code) {
+  auto* command =
+      app.add_subcommand("capture", "Find the speed below which a microbody does not come off again");
+  auto options = std::make_shared<Capture>();
+  add_scene_choice(*command, options->scene);
+  command->add_option("--tolerance", options->tolerance, "Width of the bracket, relative to the speed")
+      ->check(CLI::Range(1e-15, 0.5))
+      ->capture_default_str();
+  command->add_flag("--json", options->json, "One JSON object on stdout");
+  command->footer(examples);
+  command->callback([options, &code] { code = capture(*options); });
+}
+
+}  // namespace mariotte::command

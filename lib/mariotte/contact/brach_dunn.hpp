@@ -1,0 +1,103 @@
+// Adhesive, damped contact of a spherical tip with a plane [Cheng 2002, eq. 1]:
+//
+//     F = √r K δ^{3/2} (1 − C_H ṅ) − 2π f₀ √(r δ) (1 + C_A ṅ),    δ = −n > 0
+//
+// a Hertz force and a ring of adhesion on the edge of the contact, each with its own damping. ṅ is the normal
+// velocity of the tip, so the indentation rate is −ṅ. Both dampings take energy for either sign of ṅ.
+#pragma once
+#include <cmath>
+#include <numbers>
+
+#include "mariotte/contact/force.hpp"
+
+namespace mariotte::contact {
+
+struct BrachDunn {
+  double stiffness = 0;         ///< √r K [N/m^{3/2}]
+  double adhesion = 0;          ///< 2π f₀ √r [N/m^{1/2}]
+  double damping_hertz = 0;     ///< C_H [s/m]
+  double damping_adhesion = 0;  ///< C_A [s/m]
+};
+
+/// The force without its factor √δ, which has the same sign: K√r δ (1 − C_H ṅ) − 2π f₀√r (1 + C_A ṅ).
+inline double pressure(const BrachDunn& law, double indentation, double velocity) {
+  return law.stiffness * indentation * (1 - law.damping_hertz * velocity) -
+         law.adhesion * (1 + law.damping_adhesion * velocity);
+}
+
+/// Force, positive away from the plane, with its slopes by δ and δ̇ = −ṅ; zero for δ ≤ 0.
+inline Force normal_force(const BrachDunn& law, double indentation, double velocity) {
+  if (!(indentation > 0)) return {.value = 0, .by_indentation = 0, .by_rate = 0};
+  const double root = std::sqrt(indentation), factor = pressure(law, indentation, velocity);
+  const double bend = law.stiffness * (1 - law.damping_hertz * velocity);
+  return {.value = root * factor,
+          .by_indentation = root * bend + 0.5 * factor / root,
+          .by_rate =
+              root * (law.stiffness * indentation * law.damping_hertz + law.adhesion * law.damping_adhesion)};
+}
+
+/// Energy of the undamped force: (2/5) √r K δ^{5/2} − (4π/3) f₀ √r δ^{3/2} [J]; negative in the well.
+inline double stored_energy(const BrachDunn& law, double indentation) {
+  const double root = std::sqrt(indentation);
+  return indentation * root * (0.4 * law.stiffness * indentation - 2.0 / 3.0 * law.adhesion);
+}
+
+/// Powers of the two dampings, never positive [W].
+inline double hertz_damping_power(const BrachDunn& law, double indentation, double velocity) {
+  return -law.stiffness * law.damping_hertz * indentation * std::sqrt(indentation) * velocity * velocity;
+}
+inline double adhesion_damping_power(const BrachDunn& law, double indentation, double velocity) {
+  return -law.adhesion * law.damping_adhesion * std::sqrt(indentation) * velocity * velocity;
+}
+
+/// Indentation at which the tip can rest, 2π f₀ / K [m]: the Hertz force balances the ring.
+inline double rest_indentation(const BrachDunn& law) {
+  return law.adhesion / law.stiffness;
+}
+
+/// What the law follows from [Cheng 2002, Table 1].
+struct Surface {
+  double stiffness = 0;  ///< K = (4/3) E* [Pa]
+  double adhesion = 0;   ///< work of adhesion w_A [J/m²]
+};
+
+/// f₀ = (9 K r w_A² / 2π)^{1/3} [N/m] [Cheng 2002, eq. 2].
+inline double line_force(const Surface& surface, double radius) {
+  return std::cbrt(9 * surface.stiffness * radius * surface.adhesion * surface.adhesion /
+                   (2 * std::numbers::pi));
+}
+
+/// The law of a tip with this radius [m] and damping coefficients [s/m].
+inline BrachDunn brach_dunn(const Surface& surface, double radius, double damping_hertz,
+                            double damping_adhesion) {
+  const double root = std::sqrt(radius);
+  return {.stiffness = root * surface.stiffness,
+          .adhesion = 2 * std::numbers::pi * line_force(surface, radius) * root,
+          .damping_hertz = damping_hertz,
+          .damping_adhesion = damping_adhesion};
+}
+
+/// Prefactors of the damping coefficients, reconstructed: the printed ones fit no figure of the paper.
+inline constexpr double hertz_prefactor = 1.5120513740747573e-6;  ///< c_H = (4π⁸/5)^{−3/2}
+inline constexpr double adhesion_prefactor = 31.77899017804106;   ///< c_A = (3π⁸/5)^{2/5}
+
+/// C_H = ζ c_H v₀^{−1/4} X^{−3/4}, X = f₀³ K^{−5/2} r^{−3} ρ^{−1/2} [s/m]: [Cheng 2002, eq. 4] with the
+/// exponents that dimensions demand. v₀ is the incident normal speed of the mass centre.
+inline double hertz_damping(double zeta, const Surface& surface, double radius, double density, double speed,
+                            double prefactor = hertz_prefactor) {
+  const double f = line_force(surface, radius);
+  const double x =
+      f * f * f / (std::pow(surface.stiffness, 2.5) * radius * radius * radius) / std::sqrt(density);
+  return zeta * prefactor * std::pow(speed, -0.25) * std::pow(x, -0.75);
+}
+
+/// C_A = ζ c_A v₀^{−1/4} X^{−3/4}, X = f₀^{−2/5} K^{9/10} r^{2/5} ρ^{−1/2} [s/m]: [Cheng 2002, eq. 5],
+/// likewise.
+inline double adhesion_damping(double zeta, const Surface& surface, double radius, double density,
+                               double speed, double prefactor = adhesion_prefactor) {
+  const double x = std::pow(line_force(surface, radius), -0.4) * std::pow(surface.stiffness, 0.9) *
+                   std::pow(radius, 0.4) / std::sqrt(density);
+  return zeta * prefactor * std::pow(speed, -0.25) * std::pow(x, -0.75);
+}
+
+}  // namespace mariotte::contact

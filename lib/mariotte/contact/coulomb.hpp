@@ -1,0 +1,16 @@
+// Dry friction on the magnitude of the normal force, pull included [Cheng 2002, eq. 6–7]: a sliding tip feels
+// μ |F_n| against its slip, a sticking one at most as much in any direction.
+#pragma once
+#include <cmath>
+
+namespace mariotte::contact {
+
+struct Coulomb {
+  double coefficient = 0;  ///< μ ≥ 0
+};
+
+inline double limit(const Coulomb& law, double normal_force) {
+  return law.coefficient * std::abs(normal_force);
+}
+
+}  // namespace mariotte::contact

@@ -1,0 +1,63 @@
+// Attitude of a rigid body as a unit quaternion: rotate(q, v) turns body components into space components.
+#pragma once
+#include "mariotte/core/vector3.hpp"
+
+namespace mariotte {
+
+struct Quaternion {
+  double w = 1, x = 0, y = 0, z = 0;
+};
+
+inline Quaternion operator*(const Quaternion& p, const Quaternion& q) {
+  return {p.w * q.w - p.x * q.x - p.y * q.y - p.z * q.z, p.w * q.x + p.x * q.w + p.y * q.z - p.z * q.y,
+          p.w * q.y - p.x * q.z + p.y * q.w + p.z * q.x, p.w * q.z + p.x * q.y - p.y * q.x + p.z * q.w};
+}
+inline Quaternion operator*(double s, const Quaternion& q) {
+  return {s * q.w, s * q.x, s * q.y, s * q.z};
+}
+inline Quaternion conjugate(const Quaternion& q) {
+  return {q.w, -q.x, -q.y, -q.z};
+}
+inline Quaternion normalized(const Quaternion& q) {
+  const double size = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
+  return {q.w / size, q.x / size, q.y / size, q.z / size};
+}
+
+/// v + 2 i × (i × v + w v) with the imaginary part i.
+inline Vector3 rotate(const Quaternion& q, const Vector3& v) {
+  const Vector3 imaginary{q.x, q.y, q.z};
+  return v + 2 * cross(imaginary, cross(imaginary, v) + q.w * v);
+}
+
+/// Rotation by `angle` [rad] about a unit vector.
+inline Quaternion rotation(const Vector3& axis, double angle) {
+  const double half = std::sin(angle / 2);
+  return {std::cos(angle / 2), half * axis.e1, half * axis.e2, half * axis.e3};
+}
+
+/// Rates of a quaternion that turns with angular velocity ω (space axes): q̇ = ½ ω q.
+inline Quaternion quaternion_rate(const Quaternion& q, const Vector3& spin) {
+  return 0.5 * (Quaternion{0, spin.e1, spin.e2, spin.e3} * q);
+}
+
+/// R₁(α) R₂(β) R₃(γ), the rotation by γ about axis 3 first [rad].
+struct EulerAngles {
+  double alpha = 0, beta = 0, gamma = 0;
+};
+
+inline Quaternion from_euler(const EulerAngles& angles) {
+  return rotation({1, 0, 0}, angles.alpha) * rotation({0, 1, 0}, angles.beta) *
+         rotation({0, 0, 1}, angles.gamma);
+}
+
+/// The angles of a rotation; where β = ±90° makes them ambiguous, γ = 0.
+inline EulerAngles to_euler(const Quaternion& q) {
+  const Vector3 one = rotate(q, {1, 0, 0}), two = rotate(q, {0, 1, 0}), three = rotate(q, {0, 0, 1});
+  const double level = std::hypot(one.e1, two.e1);
+  const double beta = std::atan2(three.e1, level);
+  if (level == 0) return {std::atan2(two.e3, two.e2), beta, 0};
+  // a zero less another is +0, where −0 would be an angle of −180° or be shown as such
+  return {std::atan2(0 - three.e2, three.e3), beta, std::atan2(0 - two.e1, one.e1)};
+}
+
+}  // namespace mariotte

@@ -1,0 +1,115 @@
+// Taylor coefficients of the motion of a body with one tip in contact, in the clock dτ with dt = 2 s dτ,
+// s = √δ [numerics page, "An adhesive tip"]. A prime is d/dτ. In this clock every field is a polynomial:
+//
+//     s' = −w,   P = s²,   Q = k P − k c_H (P w) − b (1 + c_A w),   f = 2 s F = 2 P Q
+//     t' = 2 s,  lost by damping: 2 k c_H (P w)²  and  2 b c_A (P w) w,  by friction: −y u
+//
+// w is the normal velocity of the tip, F the normal force, T friction and y = 2 s T. Each `expand` runs
+// through the orders once; row[k] is the coefficient of τᵏ.
+#pragma once
+#include <array>
+
+#include "mariotte/flow/tip_phase.hpp"
+
+namespace mariotte::flow {
+
+inline constexpr int most_order = 24;
+using Row = std::array<double, most_order + 2>;
+
+/// The first n of Σ a_j b_{−j}; four sums at once do not wait for each other.
+inline double convolution(const double* a, const double* b, int n) {
+  double one = 0, two = 0, three = 0, four = 0;
+  for (; n >= 4; n -= 4, a += 4, b -= 4) {
+    one += a[0] * b[0];
+    two += a[1] * b[-1];
+    three += a[2] * b[-2];
+    four += a[3] * b[-3];
+  }
+  if (n > 0) one += a[0] * b[0];
+  if (n > 1) two += a[1] * b[-1];
+  if (n > 2) three += a[2] * b[-2];
+  return (one + two) + (three + four);
+}
+
+/// Σ a_j b_{k−j}.
+inline double product(const Row& a, const Row& b, int k) {
+  return convolution(a.data(), b.data() + k, k + 1);
+}
+inline double square(const Row& a, int k) {
+  const double twice = 2 * convolution(a.data(), a.data() + k, (k + 1) / 2);
+  return k % 2 == 0 ? twice + a[k / 2] * a[k / 2] : twice;
+}
+
+/// The normal contact: what all motions share.
+struct TipRows {
+  Row s, w, time;
+  Row area;      ///< P = s²
+  Row pressure;  ///< Q = F / s
+  Row force;     ///< f = 2 s F
+  Row rate;      ///< P w
+  std::array<Row, 3> work;
+
+  /// P, P w, Q and f at order k, from s and w up to k.
+  void contact(const TipPhase& phase, int k);
+  /// s, t and the works of the dampings at order k + 1.
+  void advance(const TipPhase& phase, int k);
+};
+
+/// Motion along the normal: w' = f/m − 2 s g.
+struct NormalSeries : TipRows {
+  void expand(const TipPhase& phase, int order);
+};
+
+/// Motion in the plane of e1 and the tangent, ω about the axis, tip at d = D (a₁, a₂):
+///     z = 2 s ω, θ' = z, cos' = −z sin, sin' = z cos, (a₁, a₂) turned by −θ, ℓ₁ = d₁ − r (+ P)
+///     w = v₁ + ω d₂,  u = v₂ − ω ℓ₁,  v₁' = f/m − 2 s g,  v₂' = y/m,  I ω' = d₂ f − ℓ₁ y
+///     sliding: y = −μ σ_F σ_u f      sticking: (I/m + ℓ₁²) y = ℓ₁ d₂ f + I ω ℓ₁'
+struct PlanarSeries : TipRows {
+  Row normal, tangential, spin, cosine, sine, turn;  ///< v₁, v₂, ω, cos θ, sin θ, z
+  Row angle, position;                               ///< θ and ∫ v₂ dt
+  Row rise, across, lever;                           ///< a₁, d₂, ℓ₁
+  Row moment, friction, slip;                        ///< d₂ f, y, u
+  Row inertia, load, lever_rate;                     ///< I/m + ℓ₁², its right-hand side, ℓ₁'
+  double rise_start, run_start;                      ///< a₁ and a₂ at τ = 0
+
+  void expand(const TipPhase& phase, int order);
+
+ private:
+  void stick(const TipPhase& phase, int k);
+};
+
+/// Motion in space of a symmetric body with unit axis a, angular momentum H and ℓ = D a − r e1 (+ P e1):
+///     ω = H/I + κ p a,  p = H·a,  κ = 1/I_a − 1/I
+///     a' = 2 s H × a / I,  H' = ℓ × (f, y),  v' = (f, y)/m − 2 s g e1,  q' = ½ (2 s ω) q
+///     w = v₁ + ω₂ ℓ₃ − ω₃ ℓ₂,  u = (v + ω × ℓ) in the plane
+///     sliding: y = −μ σ_F f u/|u|, with |u|⁻¹ as a power of |u|²
+///     u' = A y + N,  N = [κ p a' × ℓ + ω × ℓ'] − ℓ₁ f ℓ/I in the plane,
+///       A = (1/m + ℓ²/I) 1 − ℓ ℓᵀ/I + κ r² a⊥ a⊥ᵀ,  a⊥ = (a₃, −a₂)
+///     sticking: A y = −N
+///     sliding from rest: u = ρ û, y = −μ σ_F f û, |û| = 1, where u' = A y + N gives û_k and ρ_{k+1} at order
+///     k
+struct SpatialSeries : TipRows {
+  using Rows = std::array<Row, 3>;
+  Rows velocity, momentum, axis, spin, lever, axis_rate;
+  Row along;  ///< p
+  std::array<Row, 4> attitude;
+  std::array<Row, 2> position, slip, direction, friction;
+  Row slip_square, slip_inverse;                           ///< |u|², 1/|u|
+  Row mobility_22, mobility_23, mobility_33, lever_force;  ///< A and ℓ₁ f
+  std::array<Row, 2> free;                                 ///< N
+  Row speed;                                               ///< ρ of a slip from rest
+  Row grip_22, grip_23, grip_33;                           ///< μ σ_F f A
+
+  void expand(const TipPhase& phase, int order);
+
+ private:
+  void kinematics(const TipPhase& phase, int k);
+  void slide(const TipPhase& phase, int k);
+  void respond(const TipPhase& phase, int k);
+  void stick(int k);
+  void slide_from_rest(const TipPhase& phase, int k);
+  void move(const TipPhase& phase, int k);
+  Rows swing_, twist_, turn_;  ///< 2 s H/I, κ p a', 2 s ω
+};
+
+}  // namespace mariotte::flow

@@ -1,0 +1,33 @@
+// The state of a microbody: gap of each tip, tangential position, velocity, attitude, angular momentum and,
+// if they are wanted, the energies lost by Hertz damping, adhesion damping and friction.
+#pragma once
+#include <string>
+
+#include "mariotte/flow/tip_phase.hpp"
+#include "mariotte/model/dimensionless_microbody.hpp"
+
+namespace mariotte::model {
+
+struct MicrobodyLayout {
+  flow::BodyPlaces place;
+  Index size = 0;
+  Index tips = 1;
+};
+
+MicrobodyLayout microbody_layout(std::size_t tips, bool ledger);
+
+/// State at the start.
+std::vector<double> initial_state(const DimensionlessMicrobody& body, const MicrobodyLayout& layout);
+
+/// Natural size of each component: an error of accuracy × size is what the user allows.
+std::vector<double> magnitudes(const DimensionlessMicrobody& body, const MicrobodyLayout& layout);
+
+/// "velocity 2", "attitude 1", … for messages; counted from 1.
+std::string component_name(const MicrobodyLayout& layout, Index component);
+
+Vector3 vector_at(ConstState x, Index place);
+Quaternion quaternion_at(ConstState x, Index place);
+void put(State x, Index place, const Vector3& v);
+void put(State x, Index place, const Quaternion& q);
+
+}  // namespace mariotte::model

@@ -1,0 +1,152 @@
+#include "mariotte/scene/body_reader.hpp"
+
+#include <array>
+
+#include "mariotte/scene/shape.hpp"
+
+namespace mariotte::scene {
+namespace {
+
+constexpr std::array<std::string_view, 11> surface_keys{
+    "law",           "stiffness",        "work_of_adhesion", "zeta_hertz",      "damping_hertz",
+    "zeta_adhesion", "damping_adhesion", "friction",         "hertz_prefactor", "adhesion_prefactor",
+    "lever"};
+constexpr std::array<std::string_view, 4> incidence_keys{"normal_speed", "tangential_velocity", "angles",
+                                                         "spin"};
+constexpr std::array<std::string_view, 1> laws{"brach-dunn"};
+constexpr std::array<std::string_view, 2> levers{"radius", "indented"};
+constexpr std::array<std::string_view, 2> after{"stop", "continue"};
+constexpr Dimension adhesion_dimension{.kg = 1, .s = -2};
+constexpr Dimension damping_dimension{.m = -1, .s = 1};
+constexpr Dimension spin_dimension{.s = -1};
+constexpr Index most_impacts = 1'000'000;
+
+Field table(const Source& source, const Field& root, const char* key) {
+  const auto field = find(root, key);
+  if (!field) reject(source, root.place(), "the scene has a [body] but no [" + std::string(key) + "]");
+  return *field;
+}
+
+double positive(const Source& source, const Field& table, const char* key, const Dimension& dimension) {
+  const auto field = find(table, key);
+  if (!field) reject(source, table, "'" + std::string(key) + "' is missing");
+  return number(source, *field, dimension, Domain::positive);
+}
+
+double optional_number(const Source& source, const Field& table, const char* key, const Dimension& dimension,
+                       Domain domain, double otherwise) {
+  const auto field = find(table, key);
+  return field ? number(source, *field, dimension, domain) : otherwise;
+}
+
+/// A damping coefficient, either itself or by its ζ; `formula(ζ, prefactor)` needs what may be missing.
+template <class Formula>
+double read_damping(const Source& source, const Field& surface, const std::string& name, double prefactor,
+                    const contact::Surface& material, const std::optional<double>& density,
+                    Formula&& formula) {
+  const auto own = find(surface, "damping_" + name), zeta = find(surface, "zeta_" + name);
+  if (own && zeta) reject(source, *zeta, "'damping_" + name + "' is given, too; give one of them");
+  const auto factor = find(surface, name + "_prefactor");
+  if (factor) prefactor = number(source, *factor, dimension::none, Domain::positive);
+  if (factor && !zeta) reject(source, *factor, "has no effect without 'zeta_" + name + "'");
+  if (own) return number(source, *own, damping_dimension, Domain::not_negative);
+  if (!zeta) return 0;
+  const double value = number(source, *zeta, dimension::none, Domain::not_negative);
+  if (value == 0) return 0;
+  if (!(material.adhesion > 0))
+    reject(source, *zeta, "needs a work of adhesion (give 'damping_" + name + "' instead)");
+  if (!density) reject(source, *zeta, "needs 'body.density'");
+  return formula(value, *density, prefactor);
+}
+
+contact::BrachDunn read_law(const Source& source, const Field& surface, double radius,
+                            const std::optional<double>& density, double speed) {
+  const contact::Surface material{.stiffness = positive(source, surface, "stiffness", dimension::pressure),
+                                  .adhesion = optional_number(source, surface, "work_of_adhesion",
+                                                              adhesion_dimension, Domain::not_negative, 0)};
+  const double hertz =
+      read_damping(source, surface, "hertz", contact::hertz_prefactor, material, density,
+                   [&](double zeta, double rho, double prefactor) {
+                     return contact::hertz_damping(zeta, material, radius, rho, speed, prefactor);
+                   });
+  const double adhesion =
+      read_damping(source, surface, "adhesion", contact::adhesion_prefactor, material, density,
+                   [&](double zeta, double rho, double prefactor) {
+                     return contact::adhesion_damping(zeta, material, radius, rho, speed, prefactor);
+                   });
+  return contact::brach_dunn(material, radius, hertz, adhesion);
+}
+
+void read_surface(const Source& source, const Field& surface, const Shape& shape, double speed,
+                  model::Microbody& body) {
+  expect_keys(source, surface, surface_keys);
+  if (const auto law = find(surface, "law")) choice(source, *law, "law", laws);
+  for (const auto& tip : shape.body.tips)
+    body.law.push_back(read_law(source, surface, tip.radius, shape.density, speed));
+  body.friction = {optional_number(source, surface, "friction", dimension::none, Domain::not_negative, 0)};
+  if (const auto lever = find(surface, "lever"))
+    body.lever = choice(source, *lever, "lever", levers) == 0 ? model::Lever::radius : model::Lever::indented;
+}
+
+double read_speed(const Source& source, const Field& incidence) {
+  const auto field = find(incidence, "normal_speed");
+  if (!field) reject(source, incidence, "'normal_speed' is missing");
+  const double speed = number(source, *field, dimension::velocity, Domain::finite);
+  if (!(speed > 0)) reject(source, *field, "must be positive: the body has to approach the plane");
+  return speed;
+}
+
+void read_incidence(const Source& source, const Field& incidence, model::Microbody& body) {
+  body.velocity = {-read_speed(source, incidence), 0, 0};
+  if (const auto field = find(incidence, "tangential_velocity")) {
+    if (!field->node->array() || field->node->array()->size() != 2)
+      reject(source, *field, "expected an array of two values, along e2 and e3");
+    body.velocity.e2 = number(source, element(*field, 0), dimension::velocity, Domain::finite);
+    body.velocity.e3 = number(source, element(*field, 1), dimension::velocity, Domain::finite);
+  }
+  if (const auto field = find(incidence, "angles")) {
+    const Vector3 angles = read_vector(source, *field, dimension::none);
+    body.attitude = from_euler({angles.e1, angles.e2, angles.e3});
+  }
+  if (const auto field = find(incidence, "spin")) body.spin = read_vector(source, *field, spin_dimension);
+}
+
+void read_run_of_body(const Source& source, const std::optional<Field>& run, model::Microbody& body) {
+  if (!run) return;
+  body.gravity = optional_number(source, *run, "gravity", dimension::acceleration, Domain::finite, 0);
+  if (const auto field = find(*run, "impacts")) body.impacts = whole(source, *field, 1, most_impacts);
+  const auto captured = find(*run, "after_capture");
+  if (!captured || choice(source, *captured, "word", after) == 0) return;
+  if (!find(*run, "max_time"))
+    reject(source, *captured, "a captured body moves for ever; 'continue' needs 'run.max_time'");
+  body.after_capture = model::AfterCapture::go_on;
+}
+
+/// What is wrong with the start, at the key that makes it so.
+void expect_first_tip_first(const Source& source, const Field& incidence, const model::Microbody& body) {
+  const auto blame = [&](const char* key) { return find(incidence, key).value_or(incidence); };
+  if (const auto tip = model::tip_below_plane(body))
+    reject(source, blame("angles"),
+           "tip " + std::to_string(*tip + 1) + " would start below the plane: these angles put it first");
+  if (!(model::tip_velocity(body, 0) < 0))
+    reject(source, blame("spin"),
+           "the spin lifts tip 1 off the plane" +
+               std::string(body.body.tips.size() > 1 ? "; the other tip would be first" : ""));
+}
+
+}  // namespace
+
+model::Microbody read_microbody(Source& source, const Field& root, const std::optional<Field>& run) {
+  const auto surface = table(source, root, "surface"), incidence = table(source, root, "incidence");
+  const Shape shape = read_shape(source, *find(root, "body"));
+  model::Microbody body;
+  body.body = shape.body;
+  expect_keys(source, incidence, incidence_keys);
+  read_incidence(source, incidence, body);
+  read_surface(source, surface, shape, -body.velocity.e1, body);
+  read_run_of_body(source, run, body);
+  expect_first_tip_first(source, incidence, body);
+  return body;
+}
+
+}  // namespace mariotte::scene

@@ -1,0 +1,16 @@
+// `[body]`: shape, size and mass.
+#pragma once
+#include "mariotte/model/rigid_body.hpp"
+#include "mariotte/scene/field.hpp"
+
+namespace mariotte::scene {
+
+struct Shape {
+  model::RigidBody body;
+  std::optional<double> density;  ///< ρ [kg/m³], where the scene gives it
+};
+
+/// Throws SceneError.
+Shape read_shape(Source& source, const Field& body);
+
+}  // namespace mariotte::scene

@@ -1,0 +1,183 @@
+// What a run of a microbody reports, beyond the reference cases.
+#define BOOST_TEST_MODULE impact_microbody_impact
+#include <boost/test/unit_test.hpp>
+
+#include "mariotte/core/error.hpp"
+#include "mariotte/impact/microbody_solver.hpp"
+#include "support/reference_bodies.hpp"
+
+using namespace mariotte;
+using namespace mariotte::test;
+
+namespace {
+
+model::Microbody sphere_at(double speed, double damping_hertz, double damping_adhesion) {
+  model::Microbody body;
+  body.body = model::sphere(2.45e-6, density);
+  body.law = {contact::brach_dunn(table_1, 2.45e-6, damping_hertz, damping_adhesion)};
+  body.velocity = {-speed, 0, 0};
+  return body;
+}
+
+/// No two moments equal and tips off the axis.
+model::Microbody lopsided() {
+  model::Microbody body;
+  body.body = {
+      .mass = 5e-13,
+      .inertia = {3e-24, 2e-23, 2.1e-23},
+      .tips = {{.centre = {-9e-6, 0.5e-6, 0}, .radius = 2e-6}, {.centre = {8e-6, 0, 1e-6}, .radius = 3e-6}}};
+  for (const auto& tip : body.body.tips)
+    body.law.push_back(contact::brach_dunn(table_1, tip.radius, 0.007, 0.009));
+  body.friction = {0.3};
+  body.attitude = from_euler({0.2, 1.1, -0.3});
+  body.velocity = {-5, 0.4, -0.7};
+  body.spin = {2e5, 1e5, -5e4};
+  return body;
+}
+
+double lost_share(const impact::MicrobodyImpact& impact) {
+  return std::abs(impact.energy.residual) / impact.energy.initial;
+}
+
+bool skips(const impact::MicrobodyImpact& impact, const std::string& what) {
+  return std::any_of(impact.skipped.begin(), impact.skipped.end(),
+                     [&](const auto& one) { return one.what == what; });
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(without_damping_a_sphere_rebounds_as_fast_as_it_came) {
+  for (const double speed : {0.01, 1.0, 50.0}) {
+    const auto impact = impact::simulate(sphere_at(speed, 0, 0));
+    BOOST_TEST((impact.ending == hybrid::Ending::separated));
+    BOOST_TEST(std::abs(impact.restitution.tip - 1) < 1e-9);
+    BOOST_TEST(skips(impact, "dissipation of the contact"));
+  }
+}
+
+// Hertz theory: δ_max = (5 m v² / 4 k)^{2/5}, duration 2.94328 δ_max / v, F_max = k δ_max^{3/2}.
+BOOST_AUTO_TEST_CASE(without_adhesion_and_damping_the_contact_is_that_of_hertz) {
+  auto body = sphere_at(3, 0, 0);
+  body.law[0].adhesion = 0;
+  const double k = body.law[0].stiffness, depth = std::pow(5 * body.body.mass * 9 / (4 * k), 0.4);
+  const auto impact = impact::simulate(body);
+  const auto& one = impact.impacts.at(0);
+  BOOST_TEST(std::abs(one.peak_indentation / depth - 1) < 1e-9);
+  BOOST_TEST(std::abs(one.peak_force / (k * depth * std::sqrt(depth)) - 1) < 1e-9);
+  BOOST_TEST(std::abs(*one.end / (2.94328 * depth / 3) - 1) < 2e-6);
+  BOOST_TEST(one.peak_pull == 0);
+  BOOST_TEST(skips(impact, "adhesion"));
+}
+
+BOOST_AUTO_TEST_CASE(a_captured_sphere_comes_to_rest_in_the_well) {
+  auto body = sphere_at(0.5, 0.05, 0.05);
+  const auto stopped = impact::simulate(body);
+  BOOST_TEST((stopped.ending == hybrid::Ending::captured));
+  BOOST_REQUIRE(stopped.rest.has_value());
+  BOOST_TEST(std::abs(stopped.rest->indentation - 34.63e-9) < 0.01e-9);
+  BOOST_TEST(stopped.restitution.tip == 0);
+  body.after_capture = model::AfterCapture::go_on;
+  const auto rested = impact::simulate(body, {.max_time = 5e-5});
+  BOOST_TEST((rested.ending == hybrid::Ending::time_limit));
+  const double depth = body.body.tips[0].radius - rested.final.position.e1;
+  BOOST_TEST(std::abs(depth / stopped.rest->indentation - 1) < 1e-6);
+  BOOST_TEST(norm(rested.final.velocity) < 1e-6 * 0.5);
+  BOOST_TEST(lost_share(rested) < 1e-8);
+}
+
+BOOST_AUTO_TEST_CASE(a_body_without_symmetry_is_followed_in_contact_and_flight) {
+  auto body = lopsided();
+  body.impacts = 3;
+  const auto impact = impact::simulate(body, {.accuracy = 1e-9});
+  BOOST_TEST((impact.ending == hybrid::Ending::separated));
+  BOOST_TEST(impact.impacts.size() >= 2);
+  BOOST_TEST(impact.energy.friction > 0);
+  BOOST_TEST(lost_share(impact) < 1e-8);
+  BOOST_TEST(!skips(impact, "integration of free flight"));
+  const auto other = impact::simulate(body, {.accuracy = 1e-9, .flow = "cvode-bdf-dense"});
+  BOOST_TEST(norm(impact.final.velocity - other.final.velocity) < 1e-7 * norm(body.velocity));
+  BOOST_TEST(reach(body) * norm(impact.final.spin - other.final.spin) < 1e-7 * norm(body.velocity));
+}
+
+// In flight nothing turns a body: Rᵀ-components of the angular momentum precess, its space components do not.
+BOOST_AUTO_TEST_CASE(angular_momentum_and_energy_are_kept_in_flight_with_the_gyroscopic_term) {
+  auto body = lopsided();
+  body.impacts = 10;
+  const auto first = impact::simulate(body, {.accuracy = 1e-11, .max_time = 2e-7});
+  const auto later = impact::simulate(body, {.accuracy = 1e-11, .max_time = 4e-7});
+  BOOST_REQUIRE(first.impacts.size() == later.impacts.size());
+  const auto momentum = [&](const impact::BodyState& state) {
+    const auto& i = body.body.inertia;
+    const Vector3 w = rotate(conjugate(state.attitude), state.spin);
+    return rotate(state.attitude, {i.e1 * w.e1, i.e2 * w.e2, i.e3 * w.e3});
+  };
+  const Vector3 before = momentum(first.final), after = momentum(later.final);
+  BOOST_TEST(norm(after - before) < 1e-10 * norm(before));
+  BOOST_TEST(norm(later.final.spin - first.final.spin) > 1e-3 * norm(first.final.spin));
+  BOOST_TEST(norm(later.final.velocity - first.final.velocity) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_rod_that_lands_flat_has_both_tips_in_contact_and_does_not_turn) {
+  auto body = sphere_at(5, 0.007, 0.009);
+  body.body = model::rod(2.45e-6, 10, density);
+  body.law.push_back(body.law[0]);
+  body.friction = {0.5};
+  body.attitude = from_euler({0, std::numbers::pi / 2, 0});
+  body.impacts = 2;
+  const auto impact = impact::simulate(body, {.accuracy = 1e-9});
+  BOOST_TEST((impact.ending == hybrid::Ending::separated));
+  BOOST_REQUIRE(impact.impacts.size() == 2);
+  BOOST_TEST(std::abs(*impact.impacts[0].end - *impact.impacts[1].end) < 1e-8 * *impact.impacts[0].end);
+  BOOST_TEST(reach(body) * norm(impact.final.spin) < 1e-7 * 5);
+  // Half the mass on each tip: the impact of a sphere of that mass.
+  auto half = sphere_at(5, 0.007, 0.009);
+  half.body.mass = body.body.mass / 2;
+  BOOST_TEST(std::abs(impact.restitution.tip - impact::simulate(half).restitution.tip) < 1e-8);
+}
+
+BOOST_AUTO_TEST_CASE(limits_keep_what_was_computed) {
+  const auto late = impact::simulate(sphere_at(5, 0.007, 0.009), {.max_time = 1e-8});
+  BOOST_TEST((late.ending == hybrid::Ending::time_limit));
+  BOOST_TEST(late.final.time == 1e-8);
+  BOOST_TEST(late.final.velocity.e1 > -5.5);
+  BOOST_TEST(late.energy.stored != 0);
+  BOOST_TEST(lost_share(late) < 1e-9);
+  const auto few = impact::simulate(lopsided(), {.max_events = 1});
+  BOOST_TEST((few.ending == hybrid::Ending::event_limit));
+}
+
+BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused_by_name) {
+  const auto message = [](const model::Microbody& body) -> std::string {
+    try {
+      impact::simulate(body);
+    } catch (const InvalidParameter& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  auto body = sphere_at(5, 0, 0);
+  body.friction = {-0.1};
+  BOOST_TEST(message(body).find("friction") != std::string::npos);
+  body = sphere_at(-1, 0, 0);
+  BOOST_TEST(message(body) == "the body does not approach the plane");
+  body = sphere_at(5, 0, 0);
+  body.body.tips[0].radius = 0;
+  BOOST_TEST(message(body).find("radius") != std::string::npos);
+  body = lopsided();
+  std::swap(body.body.tips[0], body.body.tips[1]);
+  BOOST_TEST(message(body) == "tip 2 starts below the plane");
+}
+
+BOOST_AUTO_TEST_CASE(the_solver_gives_what_a_full_run_gives) {
+  impact::MicrobodySolver solver;
+  for (const auto* file : {"sphere_oblique.json", "rod_events.json", "spatial.json", "secondary.json"})
+    for (const auto& c : body_cases(file)) {
+      const auto body = microbody(c);
+      const auto full = impact::simulate(body, {.accuracy = 1e-9});
+      const auto& brief = solver.solve(body, {.accuracy = 1e-9});
+      BOOST_TEST((brief.ending == full.ending));
+      BOOST_TEST(norm(brief.velocity - full.final.velocity) < 1e-8 * speed_scale(body));
+      BOOST_TEST(reach(body) * norm(brief.spin - full.final.spin) < 1e-8 * speed_scale(body));
+      BOOST_TEST(brief.impacts == std::ssize(full.impacts) - (full.ending == hybrid::Ending::captured));
+    }
+}

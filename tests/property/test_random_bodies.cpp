@@ -1,0 +1,60 @@
+#define BOOST_TEST_MODULE property_random_bodies
+#include "support/body_properties.hpp"
+
+using namespace mariotte;
+using namespace mariotte::test;
+
+namespace {
+
+Vector3 turned(const Vector3& v, double angle) {
+  return rotate(rotation(normal_axis, angle), v);
+}
+
+double difference(const model::Microbody& body, const Vector3& velocity, const Vector3& spin,
+                  const impact::MicrobodyImpact& other) {
+  return std::max(norm(velocity - other.final.velocity), reach(body) * norm(spin - other.final.spin)) /
+         speed_scale(body);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(kinetic_energy_never_grows_in_a_first_impact) {
+  check_many(1000, 20021, 1);
+}
+
+BOOST_AUTO_TEST_CASE(kinetic_energy_never_grows_over_many_impacts) {
+  check_many(200, 20022, 6);
+}
+
+BOOST_AUTO_TEST_CASE(a_rotation_of_everything_about_the_normal_changes_nothing) {
+  std::mt19937 random(20023);
+  for (int i = 0; i < 200; ++i) {
+    const auto body = random_body(random);
+    auto other = body;
+    const double angle = 0.1 + 0.03 * i;
+    other.attitude = rotation(normal_axis, angle) * body.attitude;
+    other.velocity = turned(body.velocity, angle);
+    other.spin = turned(body.spin, angle);
+    const auto one = impact::simulate(body, {.accuracy = 1e-9}),
+               two = impact::simulate(other, {.accuracy = 1e-9});
+    BOOST_TEST_CONTEXT("scene " << i) {
+      BOOST_TEST((one.ending == two.ending));
+      if (one.ending == hybrid::Ending::separated)
+        BOOST_TEST(difference(body, turned(one.final.velocity, angle), turned(one.final.spin, angle), two) <
+                   1e-8);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_sphere_has_no_frame_of_its_own) {
+  std::mt19937 random(20024);
+  std::uniform_real_distribution<double> any(-3, 3);
+  for (const auto& c : body_cases("sphere_oblique.json")) {
+    const auto body = microbody(c);
+    auto other = body;
+    other.attitude = from_euler({any(random), any(random), any(random)});
+    const auto one = impact::simulate(body, {.accuracy = 1e-9}),
+               two = impact::simulate(other, {.accuracy = 1e-9});
+    BOOST_TEST(difference(body, one.final.velocity, one.final.spin, two) < 1e-9);
+  }
+}
