@@ -4,9 +4,9 @@
 #include <array>
 
 #include "acary.hpp"
+#include "chain_reference.hpp"
 #include "mariotte/impact/chain_impact.hpp"
 #include "mariotte/report/phases.hpp"
-#include "reference.hpp"
 
 namespace mariotte::paper_figures {
 namespace {

@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "acary.hpp"
+#include "chain_reference.hpp"
 #include "mariotte/impact/chain_impact.hpp"
-#include "reference.hpp"
 
 namespace mariotte::paper_figures {
 namespace {

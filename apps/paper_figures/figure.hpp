@@ -2,6 +2,7 @@
 // it.
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,12 +32,13 @@ struct Claim {
   std::string finding;
 };
 
-enum class Style { line, points, line_and_points };
+enum class Style { line, dashed, points, line_and_points };
 
 struct Curve {
-  std::string name;
-  Style style;
-  std::vector<double> x, y;
+  std::string name;  ///< empty: not in the legend
+  Style style = Style::line;
+  std::vector<double> x = {}, y = {};
+  std::optional<double> colour = {};  ///< place on the palette, 0 … 1; without it curves have colours in turn
 };
 
 struct Picture {

@@ -1,4 +1,5 @@
 #include "acary.hpp"
+#include "cheng.hpp"
 #include "figure.hpp"
 
 namespace mariotte::paper_figures {
@@ -6,7 +7,8 @@ namespace mariotte::paper_figures {
 const std::vector<Figure>& figures() {
   static const auto all = [] {
     auto list = acary_forces();
-    for (const auto& more : {acary_ratios(), acary_law()}) list.insert(list.end(), more.begin(), more.end());
+    for (const auto& more : {acary_ratios(), acary_law(), cheng_spheres(), cheng_shapes(), cheng_histories()})
+      list.insert(list.end(), more.begin(), more.end());
     return list;
   }();
   return all;

@@ -11,12 +11,23 @@ const char* drawn(Style style) {
   switch (style) {
     case Style::line:
       return "lines lw 2";
+    case Style::dashed:
+      return "lines lw 2 dt 2";
     case Style::points:
       return "points pt 7 ps 0.8";
     case Style::line_and_points:
       return "linespoints lw 2 pt 7 ps 0.8";
   }
   return "lines";
+}
+
+std::string colour(const Curve& curve, std::size_t position) {
+  return curve.colour ? fmt::format("lc palette fraction {:.3f}", *curve.colour)
+                      : fmt::format("lc {}", position + 1);
+}
+
+std::string title(const Curve& curve) {
+  return curve.name.empty() ? "notitle" : "title " + report::quoted(curve.name);
 }
 
 }  // namespace
@@ -36,10 +47,12 @@ std::string plot_script(const Picture& picture, const std::string& name) {
   std::string text = report::script_head;
   text += fmt::format("set title {} noenhanced\nset xlabel '{}'\nset ylabel '{}'\n{}",
                       report::quoted(picture.title), picture.x_label, picture.y_label, picture.commands);
+  text += "unset colorbox\nset cbrange [0:1]\n";
   std::string plot = "plot";
   for (std::size_t i = 0; i < picture.curves.size(); ++i)
-    plot += fmt::format("{} 'plot.csv' index {} using 1:2 with {} lt {} title {}", i > 0 ? "," : "", i,
-                        drawn(picture.curves[i].style), i + 1, report::quoted(picture.curves[i].name));
+    plot +=
+        fmt::format("{} 'plot.csv' index {} using 1:2 with {} {} {}", i > 0 ? "," : "", i,
+                    drawn(picture.curves[i].style), colour(picture.curves[i], i), title(picture.curves[i]));
   return text + report::on_both_terminals(name, plot + "\n");
 }
 

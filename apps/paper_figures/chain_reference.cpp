@@ -1,4 +1,4 @@
-#include "reference.hpp"
+#include "chain_reference.hpp"
 
 #include <stdexcept>
 
