@@ -66,6 +66,7 @@ BOOST_AUTO_TEST_CASE(what_a_scene_does_not_say_has_a_default) {
   BOOST_TEST(scene.title.empty());
   BOOST_TEST(scene.run.accuracy == 1e-10);
   BOOST_TEST(std::isinf(scene.run.max_time));
+  BOOST_TEST(scene.run.max_events == 1000000);
   BOOST_TEST(scene.run.flow == "auto");
   BOOST_TEST(scene.chain.gap[0] == 0);
   BOOST_TEST(scene.chain.gravity == 0);
@@ -215,6 +216,7 @@ BOOST_AUTO_TEST_CASE(a_million_balls_need_five_lines) {
       parse(steel + "radius = '10 mm'\nballs = 1_000_000\n[[chain.ball]]\nnumber = 1_000_000\nvelocity = -1");
   BOOST_TEST(scene.chain.mass.size() == 1000000u);
   BOOST_TEST(scene.chain.velocity.back() == -1);
+  BOOST_TEST(scene.run.max_events == 10000000);  // its wave alone makes a million
 }
 
 BOOST_AUTO_TEST_CASE(sweeps_are_checked_and_left_to_others) {

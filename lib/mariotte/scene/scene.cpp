@@ -1,5 +1,6 @@
 #include "mariotte/scene/scene.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "mariotte/scene/body_reader.hpp"
@@ -59,12 +60,19 @@ void expect_valid(const Source& source, const Field& table, const Model& model) 
   }
 }
 
+/// A wave through a chain makes an event per ball: the limit is for what does not end.
+void allow_for_length(const std::optional<Field>& run, Scene& scene) {
+  if (run && find(*run, "max_events")) return;
+  scene.run.max_events = std::max<Index>(scene.run.max_events, 10 * std::ssize(scene.chain.mass));
+}
+
 void resolve_chain(Source& source, const Field& root, const std::optional<Field>& run, Scene& scene) {
   const auto chain = *find(root, "chain");
   auto resolved = read_chain(source, chain, run ? find(*run, "gravity") : std::nullopt);
   scene.chain = std::move(resolved.chain);
   scene.radius = std::move(resolved.radius);
   expect_valid(source, chain, scene.chain);
+  allow_for_length(run, scene);
 }
 
 Scene read_scene(Source& source, const Field& root, Purpose purpose) {
