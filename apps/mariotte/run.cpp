@@ -107,7 +107,6 @@ constexpr const char* examples = R"(Examples:
   mariotte run cradle.toml --out results --report --force
   mariotte run cradle.toml --set "chain.velocity[0]=2 m/s" --accuracy 1e-12 --estimate
   mariotte run cradle.toml --flow cvode-adams --json
-
   mariotte run solitary_wave.toml --trace wave.csv --every "5 us" --balls 100:1000:100 --contacts 500
 
 With --out DIR: result.json, events.csv, trace.csv, plot.csv, plot.gp and, by gnuplot, forces and velocities

@@ -37,7 +37,7 @@ void PeakWatcher::search(const flow::Step& step, Index j, double Slopes::*slope,
     return slopes(inside_, j).*slope;
   };
   const double time = locate_sign_change(slope_at, step.start, before.*slope, step.end, after.*slope,
-                                         1e-9 * (step.end - step.start));
+                                         1e-6 * (step.end - step.start));
   step.at(time, inside_);
   take(inside_, j);
 }
