@@ -5,9 +5,6 @@ function(mariotte_warnings target)
   endif()
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
                          $<$<BOOL:${MARIOTTE_WERROR}>:-Werror>)
-  if(MARIOTTE_FUZZ)
-    target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
-  endif()
   if(MARIOTTE_SANITIZE)
     target_compile_options(${target} PUBLIC -fsanitize=${MARIOTTE_SANITIZE} -fno-omit-frame-pointer
                            -fno-sanitize-recover=all)
