@@ -5,6 +5,7 @@
 #include <map>
 
 #include "mariotte/report/csv.hpp"
+#include "mariotte/report/energy_plot.hpp"
 #include "mariotte/report/files.hpp"
 #include "mariotte/report/gnuplot.hpp"
 #include "mariotte/report/plot.hpp"
@@ -15,13 +16,15 @@ namespace {
 
 using Texts = std::map<std::string, std::string>;  // by file name
 
+constexpr const char* energy = "energy";
 constexpr const char* spacetime = "spacetime";
 constexpr std::size_t most_balls_traced = 1000;  // some thousand samples of these are about 100 MB of text
 
 std::vector<std::string> file_names() {
-  std::vector<std::string> names = {"result.json", "events.csv",    "trace.csv", "plot.csv",
-                                    "plot.gp",     "spacetime.csv", report_page};
-  for (const auto& figures : {report::figure_names(), report::files_of_figure(spacetime)})
+  std::vector<std::string> names = {"result.json", "events.csv", "trace.csv",     "plot.csv",
+                                    "plot.gp",     "energy.csv", "spacetime.csv", report_page};
+  for (const auto& figures :
+       {report::figure_names(), report::files_of_figure(energy), report::files_of_figure(spacetime)})
     names.insert(names.end(), figures.begin(), figures.end());
   return names;
 }
@@ -38,6 +41,15 @@ bool is_image(const report::Spacetime* waves) {
   return waves && waves->is_image();
 }
 
+void add_energy(Texts& texts, const impact::ChainImpact& impact, const scene::Scene& scene) {
+  const auto course = report::energy_course(impact.trace, scene.chain);
+  texts["energy.csv"] = report::energy_csv(course);
+  texts["plot.gp"] += report::energy_script(course, scene.title);
+}
+
+// What a trace of a body shows does not say what its contacts store.
+void add_energy(Texts&, const impact::MicrobodyImpact&, const scene::Scene&) {}
+
 template <class Impact>
 Texts texts(const report::Json& json, const Impact& impact, const scene::Scene& scene,
             const report::Spacetime* waves) {
@@ -46,6 +58,7 @@ Texts texts(const report::Json& json, const Impact& impact, const scene::Scene& 
   if (can_plot(impact.trace)) {
     texts["plot.csv"] = report::plot_data(impact.trace);
     texts["plot.gp"] = report::plot_script(impact, scene.title);
+    add_energy(texts, impact, scene);
   }
   if (is_image(waves)) {
     texts["spacetime.csv"] = waves->data();
@@ -69,8 +82,11 @@ std::string write(const std::filesystem::path& folder, const report::Json& json,
   for (const auto& [name, text] : files) report::write_file(folder / name, text);
   remove_others(folder, files);
   auto figures = can_plot(impact.trace) ? report::figure_names() : std::vector<std::string>();
-  if (is_image(waves))
-    for (const auto& file : report::files_of_figure(spacetime)) figures.push_back(file);
+  const auto add = [&](const char* name) {
+    for (const auto& file : report::files_of_figure(name)) figures.push_back(file);
+  };
+  if (files.contains("energy.csv")) add(energy);
+  if (is_image(waves)) add(spacetime);
   if (figures.empty()) return "the run has no duration";
   const std::string problem = report::draw(folder, figures);
   if (problem.empty()) return "";

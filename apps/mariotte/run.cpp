@@ -109,8 +109,8 @@ constexpr const char* examples = R"(Examples:
   mariotte run cradle.toml --flow cvode-adams --json
   mariotte run solitary_wave.toml --trace wave.csv --every "5 us" --balls 100:1000:100 --contacts 500
 
-With --out DIR: result.json, events.csv, trace.csv, plot.csv, plot.gp and, by gnuplot, forces and velocities
-as png and svg; of 48 balls and more also spacetime.csv and its image, of more than 1000 no trace.csv and
+With --out DIR: result.json, events.csv, trace.csv, energy.csv, plot.csv, plot.gp and, by gnuplot, forces,
+velocities and energy as png and svg; of 48 balls and more also spacetime.csv and its image, of more than 1000 no trace.csv and
 no curves. With --report also report.html, all of it in one page.
 )";
 

@@ -57,8 +57,7 @@ BOOST_FIXTURE_TEST_CASE(out_holds_result_events_trace_and_plot, Session) {
 
 BOOST_FIXTURE_TEST_CASE(figures_are_drawn_or_their_absence_is_said, Session) {
   const auto run = mariotte("run three.toml --out results");
-  const bool drawn =
-      fs::exists(folder / "results/forces.png") && fs::exists(folder / "results/velocities.svg");
+  const bool drawn = fs::exists(folder / "results/forces.png") && fs::exists(folder / "results/energy.svg");
   BOOST_TEST(drawn == !has(run.err, "no figures"));
 }
 
@@ -67,7 +66,7 @@ BOOST_FIXTURE_TEST_CASE(without_gnuplot_data_and_script_are_written_and_said_so,
   const auto run = shell("PATH=\"$PWD/empty\" \"$mariotte\" run three.toml --out results");
   BOOST_TEST(run.code == 0);
   BOOST_TEST(has(run.err, "mariotte: warning: no figures: gnuplot is not installed"));
-  BOOST_TEST(entries("results") == 5);
+  BOOST_TEST(entries("results") == 6);
 }
 
 BOOST_FIXTURE_TEST_CASE(results_are_not_overwritten_unless_forced, Session) {

@@ -45,7 +45,8 @@ bool move_figures(const std::filesystem::path& from, const std::filesystem::path
 }  // namespace
 
 std::string time_axis(const Display& time, double end) {
-  return fmt::format("set xlabel 'time [{}]'\nset xrange [0:{:.8g}]\n", time.unit, time.factor * end);
+  return fmt::format("set xlabel 'time [{}]'\nset xrange [0:{:.8g}]\ntime_factor = {:g}\n", time.unit,
+                     time.factor * end, time.factor);
 }
 
 const char* const script_head = R"(# Run with gnuplot in this folder.

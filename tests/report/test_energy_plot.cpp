@@ -1,0 +1,49 @@
+#define BOOST_TEST_MODULE report_energy_plot
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+
+#include "mariotte/report/energy_plot.hpp"
+
+using namespace mariotte;
+
+namespace {
+
+model::Chain balls(contact::Law law) {
+  return {.mass = {1, 1, 1}, .law = {law, law}, .gap = {0, 0.1}, .velocity = {1, 0, -0.5}};
+}
+
+report::EnergyCourse course_of(const model::Chain& chain, impact::ChainImpact& impact) {
+  impact = impact::simulate(chain, {}, true);
+  return report::energy_course(impact.trace, chain);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(elastic_contacts_lose_nothing_at_any_instant) {
+  impact::ChainImpact impact;
+  for (const contact::Law law : {contact::Law(contact::Hertz{1}), contact::Law(contact::Linear{1})}) {
+    const auto course = course_of(balls(law), impact);
+    BOOST_TEST(*std::max_element(course.stored.begin(), course.stored.end()) > 0.1);
+    for (const double lost : course.lost)
+      BOOST_TEST(std::abs(lost) < 1e-8);  // accuracy 1e-10 of unit energies
+  }
+}
+
+BOOST_AUTO_TEST_CASE(what_is_lost_in_the_end_is_what_the_ledger_says) {
+  impact::ChainImpact impact;
+  const auto course = course_of(balls(contact::Viscoelastic{1, 0.2, 1.5}), impact);
+  BOOST_TEST(impact.energy.dissipated > 0.01);
+  BOOST_TEST(course.lost.back() == impact.energy.dissipated, boost::test_tools::tolerance(1e-7));
+  BOOST_TEST(course.kinetic.back() == impact.energy.final, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(course.stored.back() == 0);
+}
+
+BOOST_AUTO_TEST_CASE(with_gravity_nothing_is_said_about_losses) {
+  auto chain = balls(contact::Hertz{1});
+  chain.gravity = 1;
+  impact::ChainImpact impact;
+  const auto course = course_of(chain, impact);
+  BOOST_TEST(course.lost.empty());
+  BOOST_TEST(report::energy_script(course, "").find("'lost'") == std::string::npos);
+  BOOST_TEST(report::energy_csv(course).starts_with("time [s],kinetic [J],stored [J],lost [J]\n"));
+}
