@@ -40,6 +40,8 @@ BOOST_AUTO_TEST_CASE(what_trips_the_parser_is_rejected_where_it_stands) {
   BOOST_TEST(verdict("\xef\xb9\xbf") == "f:1:1: unexpected '\ufe7f'");
   BOOST_TEST(verdict("a = 1\n\u00b5 = 2") == "f:2:1: unexpected '\u00b5'");
   BOOST_TEST(verdict("a = 1'\u00b5'") == "f:1:6: unexpected quote");
+  BOOST_TEST(verdict("a = 22e30A8['\u00b7'") == "f:1:12: unexpected bracket");
+  BOOST_TEST(verdict("a = 1{'\u00b7'") == "f:1:6: unexpected bracket");
   BOOST_TEST(verdict("a = \"\"\"\\\n \u00b5\"\"\"") == "f:2:2: only ASCII characters may follow a backslash");
 }
 

@@ -87,14 +87,14 @@ class Guard {
     if (!continued) advance();
   }
 
-  /// toml++ reads a number on into a string that touches it, and a scene needs no such thing.
-  void expect_string_start() {
+  /// toml++ reads a number on into a string or bracket that touches it, and a scene needs no such thing.
+  void expect_start(const char* what) {
     if (!is_blank(last_) && std::string_view("=,[{").find(last_) == std::string_view::npos)
-      reject(source_, place_, "unexpected quote");
+      reject(source_, place_, std::string("unexpected ") + what);
   }
 
   void skip_string(char quote) {
-    expect_string_start();
+    expect_start("quote");
     const Place start = place_;
     const std::string three(3, quote);
     const bool multiline = rest_.starts_with(three);
@@ -115,6 +115,7 @@ class Guard {
   void plain() {
     const char c = rest_.front();
     const Place here = place_;
+    if (c == '[' || c == '{') expect_start("bracket");
     const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
     const auto before = rest_;
     advance();
