@@ -54,6 +54,37 @@ BOOST_FIXTURE_TEST_CASE(a_row_is_what_run_says_of_that_point, Session) {
   BOOST_TEST(cells[6] == "separated");
 }
 
+BOOST_FIXTURE_TEST_CASE(a_body_is_swept_like_a_chain, Session) {
+  const std::string body = R"([body]
+shape = "sphere"
+radius = "2.45 um"
+density = "1350 kg/m^3"
+[surface]
+law = "brach-dunn"
+stiffness = "1.74 GPa"
+work_of_adhesion = "0.38 J/m^2"
+zeta_hertz = 1.5
+zeta_adhesion = 0.5
+friction = 0.15
+[incidence]
+normal_speed = "5 m/s"
+)";
+  const std::string sweep = "[[sweep]]\nkey = 'incidence.normal_speed'\nfrom = '2 m/s'\nto = '6 ";
+  write("body.toml", body + sweep + "m/s'\ncount = 5\n");
+  const auto done = mariotte("sweep body.toml --out out --no-figures --column restitution.tip");
+  BOOST_TEST(done.out == "5 points, 0 without a result: out/sweep.csv\n");
+  const auto run =
+      nlohmann::json::parse(mariotte("run body.toml --json --set 'incidence.normal_speed=3'").out);
+  const auto row = lines(content(folder / "out/sweep.csv"))[2];
+  BOOST_TEST(row.starts_with("3,"));
+  BOOST_TEST(std::stod(row.substr(2)) == run["restitution"]["tip"].get<double>());
+  write("wrong.toml", body + sweep + "m'\ncount = 5\n");
+  const auto wrong = mariotte("sweep wrong.toml --out wrong");
+  BOOST_TEST(wrong.code == 3);
+  BOOST_TEST(has(wrong.err, "wrong.toml:17:6: "));
+  BOOST_TEST(has(wrong.err, "expected a velocity"));
+}
+
 BOOST_FIXTURE_TEST_CASE(a_sweep_is_drawn_unless_it_shall_not, Session) {
   write("few.toml", few);
   const auto drawn = mariotte("sweep few.toml --out out --column 'icr[0]' --column energy.final");
