@@ -31,6 +31,7 @@ BOOST_AUTO_TEST_CASE(all_that_a_scene_needs_passes) {
         "# any character in a comment: \u00b5 \ufe7f (", "title = \"\u00b5m and \U0001f600 (in strings)\"",
         "a = 'C:\\'\nb = 1", "a = \"say \\\"hi\\\" # no comment\"", "a = \"\"\nb = ''",
         "a = \"\"\"\nx\n\"\"\"\"\"", "a = '''it's'''", "[[chain.ball]]\nx = [{ a = [1, 2.5e-3] }]",
+        "a = { b = 1, c = 2 }\nd = [\n  { e = 1 },\n  { e = 2, f = '=' },\n]\ng = 3",
         "a = 1979-05-27T07:32:00Z", "a = \"\"\"x \\\n   y\"\"\"", "a.b . c = +1_000"})
     BOOST_TEST(verdict(text) == "passed", text);
 }
@@ -41,6 +42,7 @@ BOOST_AUTO_TEST_CASE(what_trips_the_parser_is_rejected_where_it_stands) {
   BOOST_TEST(verdict("a = 1\n\u00b5 = 2") == "f:2:1: unexpected '\u00b5'");
   BOOST_TEST(verdict("a = 1'\u00b5'") == "f:1:6: unexpected quote");
   BOOST_TEST(verdict("a = 22e30A8['\u00b7'") == "f:1:12: unexpected bracket");
+  BOOST_TEST(verdict("a = 0=='\u00b7'") == "f:1:6: unexpected '='");
   BOOST_TEST(verdict("a = 1{'\u00b7'") == "f:1:6: unexpected bracket");
   BOOST_TEST(verdict("a = \"\"\"\\\n \u00b5\"\"\"") == "f:2:2: only ASCII characters may follow a backslash");
 }

@@ -125,6 +125,8 @@ class Guard {
     if ((c == '[' || c == '{') && ++depth_ > deepest) reject(source_, here, "nested too deeply");
     if ((c == ']' || c == '}') && depth_ > 0) --depth_;
     if (std::string_view("=,[]{}\r\n").find(c) != std::string_view::npos) dots_ = 0;
+    if (c == '=' && valued_) reject(source_, here, "unexpected '='");
+    if (std::string_view("=,[{\r\n").find(c) != std::string_view::npos) valued_ = c == '=';
     if (c == '.' && ++dots_ >= deepest) reject(source_, here, "too many dots in one key");
   }
 
@@ -134,6 +136,7 @@ class Guard {
   Place place_;
   int depth_ = 0;
   int dots_ = 0;
+  bool valued_ = false;  ///< an = came, and nothing after it that another key could follow
 };
 
 }  // namespace
