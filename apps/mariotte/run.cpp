@@ -58,7 +58,8 @@ report::Json json(const Run& options, const Impact& impact, const scene::Scene& 
 /// Writes and prints the impact; `waves...` is what only a chain has.
 template <class Impact, class... Waves>
 int finish(const Run& options, const Impact& impact, const scene::Scene& scene, Waves... waves) {
-  const auto result = json(options, impact, scene);
+  const bool is_read = options.json || !options.out.empty();  // of a long chain it takes gigabytes
+  const auto result = is_read ? json(options, impact, scene) : report::Json();
   if (!options.out.empty()) {
     const std::string shortfall = write_result_folder(options.out, result, impact, scene, waves...);
     if (!shortfall.empty() && !options.scene.quiet) warning("no figures: " + shortfall);
