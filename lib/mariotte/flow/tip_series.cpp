@@ -1,5 +1,7 @@
 #include "mariotte/flow/tip_series.hpp"
 
+#include <utility>
+
 namespace mariotte::flow {
 namespace {
 
@@ -8,9 +10,19 @@ bool is_damped(const TipPhase& phase) {
   return phase.damping_hertz > 0 || phase.damping_adhesion > 0;
 }
 
+/// Calls visit(k) for k = 0 … order, each a constant, so that the sums over j ≤ k are unrolled.
+template <class Visit>
+void each_order(int order, Visit&& visit) {
+  [&]<int... k>(std::integer_sequence<int, k...>) {
+    ((k <= order ? visit(std::integral_constant<int, k>()) : void()), ...);
+  }
+  (std::make_integer_sequence<int, most_order + 1>());
+}
+
 }  // namespace
 
-void TipRows::contact(const TipPhase& phase, int k) {
+template <class Order>
+void TipRows::contact(const TipPhase& phase, Order k) {
   const double one = k == 0 ? 1 : 0;
   area[k] = square(s, k);
   rate[k] = is_damped(phase) ? product(area, w, k) : 0;
@@ -19,7 +31,8 @@ void TipRows::contact(const TipPhase& phase, int k) {
   force[k] = 2 * product(area, pressure, k);
 }
 
-void TipRows::advance(const TipPhase& phase, int k) {
+template <class Order>
+void TipRows::advance(const TipPhase& phase, Order k) {
   const double share = 1.0 / (k + 1);
   s[k + 1] = -w[k] * share;
   time[k + 1] = 2 * s[k] * share;
@@ -30,15 +43,16 @@ void TipRows::advance(const TipPhase& phase, int k) {
 }
 
 void NormalSeries::expand(const TipPhase& phase, int order) {
-  for (int k = 0; k < order; ++k) {
+  each_order(order, [&](auto k) {
     contact(phase, k);
+    if (k == order) return;
     advance(phase, k);
     w[k + 1] = (force[k] / phase.body.mass - 2 * phase.body.gravity * s[k]) / (k + 1);
-  }
-  contact(phase, order);
+  });
 }
 
-void PlanarSeries::stick(const TipPhase& phase, int k) {
+template <class Order>
+void PlanarSeries::stick(const TipPhase& phase, Order k) {
   const double inertia_of_body = phase.body.transverse;
   inertia[k] = square(lever, k) + (k == 0 ? inertia_of_body / phase.body.mass : 0);
   load[k] = product(lever, moment, k) + inertia_of_body * product(spin, lever_rate, k);
@@ -47,41 +61,45 @@ void PlanarSeries::stick(const TipPhase& phase, int k) {
   friction[k] = known / inertia[0];
 }
 
-void PlanarSeries::expand(const TipPhase& phase, int order) {
+template <class Order>
+void PlanarSeries::step(const TipPhase& phase, int order, Order k) {
   const auto& body = phase.body;
   const double arm = body.arm[phase.tip];
   const double sliding = -phase.friction * phase.force_sign * phase.direction;
-  for (int k = 0; k <= order; ++k) {
-    rise[k] = rise_start * cosine[k] + run_start * sine[k];
-    across[k] = arm * (run_start * cosine[k] - rise_start * sine[k]);
-    w[k] = normal[k] + product(spin, across, k);
-    contact(phase, k);
-    lever[k] = arm * rise[k] + (phase.indented ? area[k] : 0) - (k == 0 ? body.radius[phase.tip] : 0);
-    slip[k] = tangential[k] - product(spin, lever, k);
-    turn[k] = 2 * product(s, spin, k);
-    moment[k] = product(across, force, k);
-    if (phase.sticking) {
-      lever_rate[k] = product(turn, across, k) - (phase.indented ? 2 * product(s, w, k) : 0);
-      stick(phase, k);
-    } else {
-      friction[k] = sliding * force[k];
-    }
-    if (k == order) return;
-    const double share = 1.0 / (k + 1);
-    advance(phase, k);
-    normal[k + 1] = (force[k] / body.mass - 2 * body.gravity * s[k]) * share;
-    tangential[k + 1] = friction[k] / body.mass * share;
-    spin[k + 1] = (moment[k] - product(lever, friction, k)) / body.transverse * share;
-    cosine[k + 1] = -product(turn, sine, k) * share;
-    sine[k + 1] = product(turn, cosine, k) * share;
-    angle[k + 1] = turn[k] * share;
-    if (phase.place.work < 0) continue;
-    position[k + 1] = 2 * product(s, tangential, k) * share;
-    if (!phase.sticking) work[2][k + 1] = -product(friction, slip, k) * share;
+  rise[k] = rise_start * cosine[k] + run_start * sine[k];
+  across[k] = arm * (run_start * cosine[k] - rise_start * sine[k]);
+  w[k] = normal[k] + product(spin, across, k);
+  contact(phase, k);
+  lever[k] = arm * rise[k] + (phase.indented ? area[k] : 0) - (k == 0 ? body.radius[phase.tip] : 0);
+  slip[k] = tangential[k] - product(spin, lever, k);
+  turn[k] = 2 * product(s, spin, k);
+  moment[k] = product(across, force, k);
+  if (phase.sticking) {
+    lever_rate[k] = product(turn, across, k) - (phase.indented ? 2 * product(s, w, k) : 0);
+    stick(phase, k);
+  } else {
+    friction[k] = sliding * force[k];
   }
+  if (k == order) return;
+  const double share = 1.0 / (k + 1);
+  advance(phase, k);
+  normal[k + 1] = (force[k] / body.mass - 2 * body.gravity * s[k]) * share;
+  tangential[k + 1] = friction[k] / body.mass * share;
+  spin[k + 1] = (moment[k] - product(lever, friction, k)) / body.transverse * share;
+  cosine[k + 1] = -product(turn, sine, k) * share;
+  sine[k + 1] = product(turn, cosine, k) * share;
+  angle[k + 1] = turn[k] * share;
+  if (phase.place.work < 0) return;
+  position[k + 1] = 2 * product(s, tangential, k) * share;
+  if (!phase.sticking) work[2][k + 1] = -product(friction, slip, k) * share;
 }
 
-void SpatialSeries::kinematics(const TipPhase& phase, int k) {
+void PlanarSeries::expand(const TipPhase& phase, int order) {
+  each_order(order, [&](auto k) { step(phase, order, k); });
+}
+
+template <class Order>
+void SpatialSeries::kinematics(const TipPhase& phase, Order k) {
   const auto& body = phase.body;
   const double twist = 1 / body.axial - 1 / body.transverse, arm = body.arm[phase.tip];
   along[k] =
@@ -102,7 +120,8 @@ void SpatialSeries::kinematics(const TipPhase& phase, int k) {
   }
 }
 
-void SpatialSeries::slide(const TipPhase& phase, int k) {
+template <class Order>
+void SpatialSeries::slide(const TipPhase& phase, Order k) {
   if (phase.friction == 0) {
     friction[0][k] = friction[1][k] = 0;
     return;
@@ -122,7 +141,8 @@ void SpatialSeries::slide(const TipPhase& phase, int k) {
   }
 }
 
-void SpatialSeries::respond(const TipPhase& phase, int k) {
+template <class Order>
+void SpatialSeries::respond(const TipPhase& phase, Order k) {
   const auto& body = phase.body;
   const double twist = 1 / body.axial - 1 / body.transverse, radius = body.radius[phase.tip];
   const double inverse = 1 / body.transverse, one = k == 0 ? 1 / body.mass : 0;
@@ -143,7 +163,8 @@ void SpatialSeries::respond(const TipPhase& phase, int k) {
                inverse * product(lever_force, lever[2], k);
 }
 
-void SpatialSeries::stick(int k) {
+template <class Order>
+void SpatialSeries::stick(Order k) {
   double known_2 = -free[0][k], known_3 = -free[1][k];
   for (int j = 1; j <= k; ++j) {
     known_2 -= mobility_22[j] * friction[0][k - j] + mobility_23[j] * friction[1][k - j];
@@ -155,7 +176,8 @@ void SpatialSeries::stick(int k) {
 }
 
 /// With B = (k+1) ρ₁ + μ σ_F f₀ A₀ the unknowns satisfy B û_k + (k+1) ρ_{k+1} û₀ = known, 2 û₀·û_k = known.
-void SpatialSeries::slide_from_rest(const TipPhase& phase, int k) {
+template <class Order>
+void SpatialSeries::slide_from_rest(const TipPhase& phase, Order k) {
   const double limit = phase.friction * phase.force_sign;
   grip_22[k] = limit * product(force, mobility_22, k);
   grip_23[k] = limit * product(force, mobility_23, k);
@@ -193,7 +215,8 @@ void SpatialSeries::slide_from_rest(const TipPhase& phase, int k) {
   for (int i = 0; i < 2; ++i) friction[i][k] = -limit * product(force, direction[i], k);
 }
 
-void SpatialSeries::move(const TipPhase& phase, int k) {
+template <class Order>
+void SpatialSeries::move(const TipPhase& phase, Order k) {
   const auto& body = phase.body;
   const double share = 1.0 / (k + 1);
   advance(phase, k);
@@ -220,9 +243,9 @@ void SpatialSeries::move(const TipPhase& phase, int k) {
 }
 
 void SpatialSeries::expand(const TipPhase& phase, int order) {
-  for (int k = 0; k <= order; ++k) {
+  const bool from_rest = phase.slip != TipPhase::Slip::moving && phase.friction > 0;
+  each_order(order, [&](auto k) {
     kinematics(phase, k);
-    const bool from_rest = phase.slip != TipPhase::Slip::moving && phase.friction > 0;
     if (phase.sticking || from_rest) respond(phase, k);
     if (phase.sticking)
       stick(k);
@@ -231,7 +254,7 @@ void SpatialSeries::expand(const TipPhase& phase, int order) {
     else
       slide(phase, k);
     if (k < order) move(phase, k);
-  }
+  });
 }
 
 }  // namespace mariotte::flow

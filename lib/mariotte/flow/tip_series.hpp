@@ -17,7 +17,7 @@ inline constexpr int most_order = 24;
 using Row = std::array<double, most_order + 2>;
 
 /// The first n of Σ a_j b_{−j}; four sums at once do not wait for each other.
-inline double convolution(const double* a, const double* b, int n) {
+[[gnu::always_inline]] inline double convolution(const double* a, const double* b, int n) {
   double one = 0, two = 0, three = 0, four = 0;
   for (; n >= 4; n -= 4, a += 4, b -= 4) {
     one += a[0] * b[0];
@@ -31,11 +31,13 @@ inline double convolution(const double* a, const double* b, int n) {
   return (one + two) + (three + four);
 }
 
-/// Σ a_j b_{k−j}.
-inline double product(const Row& a, const Row& b, int k) {
+/// Σ a_j b_{k−j}. An order that the compiler knows (`Order` is an integral_constant) leaves no loop.
+template <class Order>
+double product(const Row& a, const Row& b, Order k) {
   return convolution(a.data(), b.data() + k, k + 1);
 }
-inline double square(const Row& a, int k) {
+template <class Order>
+double square(const Row& a, Order k) {
   const double twice = 2 * convolution(a.data(), a.data() + k, (k + 1) / 2);
   return k % 2 == 0 ? twice + a[k / 2] * a[k / 2] : twice;
 }
@@ -50,9 +52,11 @@ struct TipRows {
   std::array<Row, 3> work;
 
   /// P, P w, Q and f at order k, from s and w up to k.
-  void contact(const TipPhase& phase, int k);
+  template <class Order>
+  void contact(const TipPhase& phase, Order k);
   /// s, t and the works of the dampings at order k + 1.
-  void advance(const TipPhase& phase, int k);
+  template <class Order>
+  void advance(const TipPhase& phase, Order k);
 };
 
 /// Motion along the normal: w' = f/m − 2 s g.
@@ -75,7 +79,10 @@ struct PlanarSeries : TipRows {
   void expand(const TipPhase& phase, int order);
 
  private:
-  void stick(const TipPhase& phase, int k);
+  template <class Order>
+  void step(const TipPhase& phase, int order, Order k);
+  template <class Order>
+  void stick(const TipPhase& phase, Order k);
 };
 
 /// Motion in space of a symmetric body with unit axis a, angular momentum H and ℓ = D a − r e1 (+ P e1):
@@ -103,12 +110,18 @@ struct SpatialSeries : TipRows {
   void expand(const TipPhase& phase, int order);
 
  private:
-  void kinematics(const TipPhase& phase, int k);
-  void slide(const TipPhase& phase, int k);
-  void respond(const TipPhase& phase, int k);
-  void stick(int k);
-  void slide_from_rest(const TipPhase& phase, int k);
-  void move(const TipPhase& phase, int k);
+  template <class Order>
+  void kinematics(const TipPhase& phase, Order k);
+  template <class Order>
+  void slide(const TipPhase& phase, Order k);
+  template <class Order>
+  void respond(const TipPhase& phase, Order k);
+  template <class Order>
+  void stick(Order k);
+  template <class Order>
+  void slide_from_rest(const TipPhase& phase, Order k);
+  template <class Order>
+  void move(const TipPhase& phase, Order k);
   Rows swing_, twist_, turn_;  ///< 2 s H/I, κ p a', 2 s ω
 };
 

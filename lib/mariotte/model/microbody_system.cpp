@@ -151,6 +151,11 @@ void MicrobodySystem::transition(Mode& mode, const std::vector<Index>& fired, Co
         flip_force(mode, i, changes);
         break;
       case TipGuard::slip:
+        // In space a slip that is quick to turn may have passed a right angle within one step. What is below
+        // a third of the accuracy counts as rest.
+        if (body_.motion == TipPhase::Motion::spatial &&
+            norm(mechanics().tip(x, i).slip) > 30 * mechanics().slip_noise)
+          break;
         choose_friction(mode, i, x, mechanics().force_noise, changes);
         break;
       case TipGuard::cone:
