@@ -8,6 +8,7 @@
 #include "mariotte/impact/chain_solver.hpp"
 #include "mariotte/impact/course.hpp"
 #include "mariotte/impact/energy.hpp"
+#include "mariotte/impact/event_list.hpp"
 #include "mariotte/impact/flow_use.hpp"
 #include "mariotte/impact/impulses.hpp"
 #include "mariotte/impact/sampler.hpp"
@@ -21,34 +22,6 @@ using Run = model::Islands::Run;
 
 namespace {
 
-bool ends_force(const model::ContactChange& change) {
-  return contact::carries_force(change.before) && !contact::carries_force(change.after);
-}
-
-/// Changes of one instant become one event; those that leave every force as it is become none.
-std::vector<Event> events(const Run& run, double unit) {
-  std::vector<Event> list;
-  for (const auto& [time, change] : run.changes) {
-    if (!starts_force(change) && !ends_force(change)) continue;
-    if (list.empty() || list.back().time != time * unit)
-      list.push_back({.time = time * unit, .open = {}, .close = {}});
-    (starts_force(change) ? list.back().close : list.back().open).push_back(change.contact);
-  }
-  for (auto& event : list) {
-    std::sort(event.open.begin(), event.open.end());
-    std::sort(event.close.begin(), event.close.end());
-  }
-  return list;
-}
-
-void add_periods(std::vector<ContactHistory>& contacts, const Run& run, double unit) {
-  for (const auto& [time, change] : run.changes) {
-    auto& periods = contacts[change.contact].periods;
-    if (starts_force(change)) periods.push_back({.start = time * unit, .end = std::nullopt});
-    if (ends_force(change)) periods.back().end = time * unit;
-  }
-}
-
 /// What islands did not have to do.
 void skip_at_rest(const model::IslandCount& islands, Index contacts, std::vector<Skipped>& list) {
   list.push_back({"balls at rest or in free flight",
@@ -61,29 +34,13 @@ std::vector<Skipped> skipped(const ChainLayout& layout, const Course& course, bo
   const auto none = [](const std::vector<Index>& places) {
     return std::all_of(places.begin(), places.end(), [](Index p) { return p == ChainLayout::absent; });
   };
-  const auto used = [&](flow::Kind kind) { return course.run.flows[static_cast<std::size_t>(kind)].phases; };
-  std::vector<Skipped> list;
+  auto list = skipped_by_flows(course.run);
   if (course.islands) skip_at_rest(*course.islands, layout.contacts(), list);
-  if (const Index flights = used(flow::Kind::ballistic))
-    list.push_back({"free flight", std::to_string(flights) + " phases in closed form, not integrated"});
-  if (const Index pairs = used(flow::Kind::pair))
-    list.push_back({"single contacts", std::to_string(pairs) + " phases in closed form, not integrated"});
-  if (const Index modal = used(flow::Kind::modal))
-    list.push_back({"linear contacts", std::to_string(modal) + " phases by natural modes, not integrated"});
   if (none(layout.work)) list.push_back({"dissipation", "no contact is damped"});
   if (none(layout.impulse))
     list.push_back({"impulse integrals", "momentum gives every impulse of a chain without walls"});
-  if (used(flow::Kind::cvode_bdf_dense) + used(flow::Kind::cvode_bdf_band) +
-          used(flow::Kind::cvode_bdf_klu) ==
-      0)
-    list.push_back({"Newton iteration", "no phase was followed implicitly"});
   if (!trace) list.push_back({"trace", "not asked for"});
   return list;
-}
-
-/// A loss is a difference of two integrals; below the accuracy asked for its sign means nothing.
-double loss_above(double noise, double loss) {
-  return loss < 0 && loss > -noise ? 0 : loss;
 }
 
 std::vector<ContactHistory> histories(const DimensionlessChain& chain, const Course& course,
@@ -102,7 +59,7 @@ std::vector<ContactHistory> histories(const DimensionlessChain& chain, const Cou
         .dissipated = loss_above(accuracy * chain.reduced_mass[j] * speed * speed, energies[j].dissipated) *
                       scale.energy(),
         .periods = {}};
-  add_periods(contacts, course.run, scale.time);
+  add_periods(contacts, course.run.changes, scale.time);
   return contacts;
 }
 
@@ -128,7 +85,7 @@ ChainImpact describe(const DimensionlessChain& chain, const ChainLayout& layout,
   impact.contacts = histories(chain, course, p, energies, accuracy);
   impact.icr = correlation_ratios(p);
   impact.impulse_direction = direction(p);
-  impact.events = events(run, scale.time);
+  impact.events = event_list(run.changes, scale.time);
   impact.energy = energy_ledger(chain, layout, energies, p, stretch);
   impact.momentum = momentum_ledger(chain, layout, stretch);
   impact.flows = flow_uses(run.flows);

@@ -57,28 +57,35 @@ struct MomentumLedger {
 /// Samples of a run, one row per time; filled only on request.
 struct Trace {
   std::vector<double> time;                   ///< [s]
-  std::vector<std::vector<double>> velocity;  ///< rows of n values [m/s]
-  std::vector<std::vector<double>> gap;       ///< rows of n−1 values [m]
-  std::vector<std::vector<double>> force;     ///< rows of n−1 values [N]
+  std::vector<std::vector<double>> velocity;  ///< rows of n values
+  std::vector<std::vector<double>> gap;       ///< rows of m values [m]
+  std::vector<std::vector<double>> force;     ///< rows of m values [N]
+  std::string moving = "ball";                ///< what has a velocity
+  std::string velocity_unit = "m/s";          ///< empty where units differ
 };
 
-struct ChainImpact {
+/// What every model made of contacts has to tell: n velocities, m contacts.
+struct ContactImpact {
   hybrid::Ending ending = hybrid::Ending::separated;
   std::string message;           ///< why, for endings other than separated; else empty
   double time = 0;               ///< of the ending [s]
   std::vector<double> velocity;  ///< n values [m/s]
-  std::vector<double> gap;       ///< n−1 values [m]
+  std::vector<double> gap;       ///< m values [m]
   std::vector<ContactHistory> contacts;
-  std::vector<std::optional<double>> icr;  ///< α_j = p_j/p_{j+1}, n−2 values; empty where p_{j+1} = 0
-  std::vector<double> impulse_direction;   ///< r = p/|p|, n−1 values; zeros if no impulse was exchanged
+  std::vector<std::optional<double>> icr;  ///< α_j = p_j/p_{j+1}, m−1 values; empty where p_{j+1} = 0
+  std::vector<double> impulse_direction;   ///< r = p/|p|, m values; zeros if no impulse was exchanged
   std::vector<Event> events;               ///< in order of time
   EnergyLedger energy;
-  MomentumLedger momentum;
   std::vector<FlowUse> flows;
   std::vector<Skipped> skipped;
   double requested_accuracy = 0;
   std::optional<double> estimated_accuracy;  ///< only from estimate_accuracy
   Trace trace;
+};
+
+/// Of n balls and m = n−1 contacts.
+struct ChainImpact : ContactImpact {
+  MomentumLedger momentum;
 };
 
 /// Simulate a chain until it separates for good, or a limit. With `trace`, samples are kept (at most a few

@@ -2,9 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/SparseQR>
-#include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "mariotte/core/error.hpp"
 
@@ -23,7 +21,7 @@ Index contacts(const Configuration& c) {
   return std::ssize(c.contact);
 }
 bool is_diagonal(const Configuration& c) {
-  return std::ssize(c.mass) == freedoms(c);
+  return model::is_diagonal(c.mass, freedoms(c));
 }
 
 Eigen::Map<const Vector> view(const Numbers& numbers) {
@@ -56,21 +54,6 @@ void expect(bool holds, const char* rule) {
   if (!holds) throw InvalidParameter(rule);
 }
 
-void validate_mass(const Configuration& c) {
-  const auto finite = [](double value) { return std::isfinite(value); };
-  if (is_diagonal(c)) {
-    for (const double mass : c.mass) expect(mass > 0, "every mass must be positive");
-    return;
-  }
-  expect(std::ssize(c.mass) == freedoms(c) * freedoms(c),
-         "the mass matrix needs one value per degree of freedom, or all rows");
-  expect(std::all_of(c.mass.begin(), c.mass.end(), finite), "a full mass matrix must be finite");
-  const auto m = full_mass(c);
-  expect((m - m.transpose()).cwiseAbs().maxCoeff() <= 1e-12 * m.cwiseAbs().maxCoeff(),  // as written by hand
-         "the mass matrix must be symmetric");
-  expect(Eigen::LLT<Matrix>(m).info() == Eigen::Success, "the mass matrix must be positive definite");
-}
-
 }  // namespace
 
 Configuration chain_configuration(Numbers mass, Numbers velocity) {
@@ -83,25 +66,12 @@ void validate(const Configuration& c) {
   expect(freedoms(c) > 0, "an impact needs at least one velocity");
   expect(contacts(c) > 0, "an impact needs at least one contact");
   for (const double v : c.velocity) expect(std::isfinite(v), "every velocity must be finite");
-  for (const auto& direction : c.contact)
-    for (const auto& [freedom, coefficient] : direction) {
-      expect(freedom >= 0 && freedom < freedoms(c),
-             "a contact direction names a freedom that does not exist");
-      expect(std::isfinite(coefficient), "every coefficient of a contact direction must be finite");
-    }
-  validate_mass(c);
-  for (Index j = 0; j < contacts(c); ++j)
-    if (std::none_of(c.contact[j].begin(), c.contact[j].end(),
-                     [&](const Term& t) { return t.coefficient != 0 && std::isfinite(c.mass[t.freedom]); }))
-      throw InvalidParameter("contact " + std::to_string(j + 1) + " joins nothing that can move");
+  model::validate(c.mass, c.contact, freedoms(c));
 }
 
 Numbers gap_rates(const Configuration& c, const Numbers& velocity) {
   Numbers rates;
-  for (const auto& direction : c.contact) {
-    rates.push_back(0);
-    for (const auto& [freedom, coefficient] : direction) rates.back() += coefficient * velocity[freedom];
-  }
+  for (const auto& direction : c.contact) rates.push_back(model::gap_rate(direction, velocity));
   return rates;
 }
 
@@ -113,13 +83,7 @@ Numbers generalised_impulse(const Configuration& c, const Numbers& p) {
 }
 
 Numbers velocity_change(const Configuration& c, const Numbers& p) {
-  auto change = generalised_impulse(c, p);
-  if (is_diagonal(c)) {
-    for (Index i = 0; i < freedoms(c); ++i) change[i] /= c.mass[i];
-    return change;
-  }
-  const Vector solution = full_mass(c).llt().solve(view(change));
-  return {solution.begin(), solution.end()};
+  return model::solve(c.mass, generalised_impulse(c, p));
 }
 
 Numbers compliance(const Configuration& c) {

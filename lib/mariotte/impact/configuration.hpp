@@ -3,22 +3,17 @@
 #include <vector>
 
 #include "mariotte/core/types.hpp"
+#include "mariotte/model/mass_matrix.hpp"
 
 namespace mariotte::impact {
 
-/// One coefficient of a contact direction.
-struct Term {
-  Index freedom;
-  double coefficient;
-};
-
-/// A row of G: the rate of the contact's gap is Σ coefficient · velocity of that freedom.
-using ContactDirection = std::vector<Term>;
+using model::ContactDirection;
+using model::Term;
 
 /// n degrees of freedom with mass matrix M, m contacts with gap rates w = G v [theory page, "The
 /// multiple-impact law"]. Any consistent units.
 struct Configuration {
-  std::vector<double> mass;               ///< M: its diagonal (n values, ∞ for a wall) or all n², by rows
+  model::MassMatrix mass;                 ///< M
   std::vector<ContactDirection> contact;  ///< G, m rows
   std::vector<double> velocity;           ///< v⁻, n values
 };

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "mariotte/hybrid/simulate.hpp"
-#include "mariotte/impact/trace.hpp"
+#include "mariotte/impact/observers.hpp"
 
 namespace mariotte::impact {
 
@@ -12,33 +12,12 @@ using model::ChainSystem;
 
 namespace {
 
-/// Hands every step to those who look at it.
-class Observers final : public hybrid::PhaseWatcher {
- public:
-  Observers(const ChainSystem& system, bool trace)
-      : recorder(system.phase(), system.chain(), system.layout()), trace_(trace) {
-    peaks.begin(system.phase(), system.layout());
-  }
-  void begin_phase(double time, ConstState) override { start_ = time; }
-  void watch(const flow::Step& step) override {
-    peaks.watch(step);
-    if (trace_) recorder.watch(start_, step);
-  }
-
-  PeakWatcher peaks;
-  TraceRecorder recorder;
-
- private:
-  bool trace_;
-  double start_ = 0;
-};
-
 /// The peaks of one island after the other.
 class PeakLog final : public model::StretchLog {
  public:
   explicit PeakLog(std::vector<Peak>& all) : all_(all) {}
   void begin(const ChainSystem& slice, Index first, Instant) override {
-    watcher_.begin(slice.phase(), slice.layout());
+    watcher_.begin(slice.phase());
     first_ = first;
   }
   void watch(const flow::Step& step) override { watcher_.watch(step); }
@@ -72,7 +51,7 @@ bool divides(const hybrid::Options& options, std::size_t balls) {
 }
 
 Course follow_whole(ChainSystem& system, ConstState start, const hybrid::Options& options, bool trace) {
-  Observers observers(system, trace);
+  Observers observers(system.phase(), system.chain().scale, trace);
   hybrid::Workspace<ChainSystem> workspace;
   hybrid::simulate(system, start, options, workspace, &observers);
   Course course{.run = std::move(workspace.run),

@@ -93,7 +93,7 @@ LawParameters parameters_of(const Configuration& before, const Numbers& impulse,
           .frame = frame};
 }
 
-LawParameters parameters_of(const ChainImpact& impact, EnergyFrame frame) {
+LawParameters parameters_of(const ContactImpact& impact, EnergyFrame frame) {
   const auto& energy = impact.energy;
   const auto ratio = frame == EnergyFrame::given ? energy.ratio_lab : energy.ratio_centre;
   if (!ratio) throw InvalidParameter("the energy ratio of this impact is not defined in that frame");

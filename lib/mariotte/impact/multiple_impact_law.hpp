@@ -40,6 +40,6 @@ LawParameters parameters_of(const Configuration& before, const std::vector<doubl
                             EnergyFrame frame = EnergyFrame::given);
 
 /// Of a simulated impact. Throws InvalidParameter where the energy ratio is not defined in that frame.
-LawParameters parameters_of(const ChainImpact& impact, EnergyFrame frame = EnergyFrame::given);
+LawParameters parameters_of(const ContactImpact& impact, EnergyFrame frame = EnergyFrame::given);
 
 }  // namespace mariotte::impact

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "mariotte/hybrid/simulate.hpp"
-#include "mariotte/model/chain_phase.hpp"
+#include "mariotte/model/contact_phase.hpp"
 
 namespace mariotte::impact {
 
@@ -17,8 +17,8 @@ struct Peak {
 /// so a loose time is enough for a tight value.
 class PeakWatcher {
  public:
-  /// From now on look at the steps of this phase, all peaks forgotten; both must outlive the watching.
-  void begin(const model::ChainPhase& phase, const model::ChainLayout& layout);
+  /// From now on look at the steps of this phase, all peaks forgotten; it must outlive the watching.
+  void begin(const model::ContactPhase& phase);
   void watch(const flow::Step& step);
   const std::vector<Peak>& peaks() const { return peaks_; }
 
@@ -27,15 +27,17 @@ class PeakWatcher {
     double indentation;  ///< δ̇
     double force;        ///< ḟ
   };
-  Slopes slopes(ConstState x, Index j);
+  /// `dx` is the derivative at x, needed only where a contact is damped.
+  Slopes slopes(ConstState x, ConstState dx, Index j) const;
+  void differentiate(ConstState x, State dx) const;
   void take(ConstState x, Index j);
   void search(const flow::Step& step, Index j, double Slopes::*slope, const Slopes& before,
               const Slopes& after);
 
-  const model::ChainPhase* phase_ = nullptr;
-  const model::ChainLayout* layout_ = nullptr;
+  const model::ContactPhase* phase_ = nullptr;
   std::vector<Peak> peaks_;
-  std::vector<double> inside_, rate_;
+  bool damped_ = false;  ///< any contact
+  std::vector<double> inside_, rate_, rate_before_, rate_after_;
 };
 
 }  // namespace mariotte::impact

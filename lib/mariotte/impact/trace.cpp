@@ -26,7 +26,7 @@ void TraceRecorder::watch(double start, const flow::Step& step) {
   // A closed form crosses a whole contact in one step: a picture needs points between.
   const double duration = step.end - step.start, fine = phase_.time_scale() / 20;
   const Index pieces = phase_.is_ballistic() ? 1 : static_cast<Index>(std::clamp(duration / fine, 1.0, 64.0));
-  std::vector<double> inside(pieces > 1 ? layout_.size : 0);
+  std::vector<double> inside(pieces > 1 ? phase_.size() : 0);
   for (Index i = 1; i < pieces; ++i) {
     const double time = step.start + duration * static_cast<double>(i) / static_cast<double>(pieces);
     step.at(time, inside);
@@ -41,20 +41,19 @@ void TraceRecorder::offer(double time, ConstState x) {
 
 void TraceRecorder::keep(double time, ConstState x) {
   if (trace_.time.size() == capacity) thin();
-  const auto& scale = chain_.scale;
-  trace_.time.push_back(time * scale.time);
+  trace_.time.push_back(time * scale_.time);
   auto& velocity = trace_.velocity.emplace_back();
-  for (Index i = 0; i < layout_.balls(); ++i) velocity.push_back(x[layout_.velocity[i]] * scale.velocity);
+  for (Index i = 0; i < phase_.velocities(); ++i) velocity.push_back(phase_.velocity(x, i) * scale_.velocity);
   auto& gap = trace_.gap.emplace_back();
   auto& force = trace_.force.emplace_back();
-  for (Index j = 0; j < layout_.contacts(); ++j) {
-    gap.push_back(x[layout_.gap[j]] * scale.length);
-    force.push_back(std::max(0.0, phase_.force(x, j).value) * scale.force());
+  for (Index j = 0; j < phase_.contacts(); ++j) {
+    gap.push_back(phase_.gap(x, j) * scale_.length);
+    force.push_back(std::max(0.0, phase_.force(x, j).value) * scale_.force());
   }
 }
 
 Trace TraceRecorder::take(double time, ConstState x) {
-  if (trace_.time.empty() || trace_.time.back() < time * chain_.scale.time) keep(time, x);
+  if (trace_.time.empty() || trace_.time.back() < time * scale_.time) keep(time, x);
   return std::move(trace_);
 }
 

@@ -1,9 +1,10 @@
 // Samples of a run for pictures: one row per step, thinned so that memory stays bounded.
 #pragma once
 #include "mariotte/core/compensated.hpp"
+#include "mariotte/core/scale.hpp"
 #include "mariotte/hybrid/simulate.hpp"
 #include "mariotte/impact/sampling.hpp"
-#include "mariotte/model/chain_phase.hpp"
+#include "mariotte/model/contact_phase.hpp"
 
 namespace mariotte::impact {
 
@@ -14,9 +15,7 @@ class TraceRecorder {
  public:
   static constexpr std::size_t capacity = 4096;
 
-  TraceRecorder(const model::ChainPhase& phase, const model::DimensionlessChain& chain,
-                const model::ChainLayout& layout)
-      : phase_(phase), chain_(chain), layout_(layout) {}
+  TraceRecorder(const model::ContactPhase& phase, const Scale& scale) : phase_(phase), scale_(scale) {}
 
   /// `start` is the absolute dimensionless time at which the step's phase began.
   void watch(double start, const flow::Step& step);
@@ -28,9 +27,8 @@ class TraceRecorder {
   void keep(double time, ConstState x);
   void thin();
 
-  const model::ChainPhase& phase_;
-  const model::DimensionlessChain& chain_;
-  const model::ChainLayout& layout_;
+  const model::ContactPhase& phase_;
+  const Scale& scale_;
   Trace trace_;
   Index stride_ = 1;
   Index offered_ = 0;

@@ -17,20 +17,20 @@ void validate_ball(const Chain& chain, std::size_t i) {
   if (!std::isfinite(chain.velocity[i])) reject("ball", i, "velocity must be finite");
 }
 
-void validate_contact(const Chain& chain, std::size_t j) {
+}  // namespace
+
+void validate_contact(std::size_t j, const contact::Law& law, double gap, bool precompressed,
+                      const char* whole) {
   const auto positive = [](double value) { return value > 0 && std::isfinite(value); };
-  const auto& law = chain.law[j];
   if (!positive(contact::stiffness(law))) reject("contact", j, "stiffness must be positive and finite");
   if (!(contact::damping(law) >= 0) || !std::isfinite(contact::damping(law)))
     reject("contact", j, "damping must be finite and not negative");
   if (!(contact::exponent(law) >= 1) || !std::isfinite(contact::exponent(law)))
     reject("contact", j, "exponent must be finite and at least 1");
-  if (!std::isfinite(chain.gap[j])) reject("contact", j, "gap must be finite");
-  if (chain.gap[j] < 0 && !chain.precompressed)
-    reject("contact", j, "gap is negative but the chain is not precompressed");
+  if (!std::isfinite(gap)) reject("contact", j, "gap must be finite");
+  if (gap < 0 && !precompressed)
+    reject("contact", j, std::string("gap is negative but the ") + whole + " is not precompressed");
 }
-
-}  // namespace
 
 void validate(const Chain& chain) {
   const auto balls = chain.mass.size();
@@ -40,7 +40,8 @@ void validate(const Chain& chain) {
     throw InvalidParameter("a chain of n balls needs n-1 contact laws and n-1 gaps");
   if (!std::isfinite(chain.gravity)) throw InvalidParameter("gravity must be finite");
   for (std::size_t i = 0; i < balls; ++i) validate_ball(chain, i);
-  for (std::size_t j = 0; j + 1 < balls; ++j) validate_contact(chain, j);
+  for (std::size_t j = 0; j + 1 < balls; ++j)
+    validate_contact(j, chain.law[j], chain.gap[j], chain.precompressed, "chain");
 }
 
 }  // namespace mariotte::model

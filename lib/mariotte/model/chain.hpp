@@ -23,4 +23,8 @@ struct Chain {
 /// exponent ≥ 1, gaps ≥ 0 unless precompressed.
 void validate(const Chain& chain);
 
+/// The rules for contact j (from 0) of a `whole`, "chain" or "network".
+void validate_contact(std::size_t j, const contact::Law& law, double gap, bool precompressed,
+                      const char* whole);
+
 }  // namespace mariotte::model

@@ -1,32 +1,12 @@
 #include "mariotte/model/chain_modes.hpp"
 
-#include "mariotte/model/chain_phase.hpp"
-
 namespace mariotte::model {
 
 using contact::ContactMode;
 using contact::ContactSet;
 
-void change(ContactSet& mode, Index j, ContactMode after, std::vector<ContactChange>& changes) {
-  if (mode[j] == after) return;
-  changes.push_back({j, mode[j], after});
-  mode[j] = after;
-}
-
 ContactMode after(const ChainState& state, Index j, ContactMode before, bool load_fired) {
-  switch (before) {
-    case ContactMode::open:
-      return state.approach(j) > state.chain.slow ? ContactMode::closed : ContactMode::hovering;
-    case ContactMode::hovering:
-      return ContactMode::closed;
-    case ContactMode::slack:
-      return load_fired ? ContactMode::closed : ContactMode::open;
-    case ContactMode::closed:
-      return load_fired && state.gap(j) < 0 ? ContactMode::slack : ContactMode::open;
-    case ContactMode::touching:
-      return ContactMode::open;
-  }
-  return before;
+  return mode_after(before, load_fired, state.gap(j), state.approach(j), state.chain.slow);
 }
 
 bool rests(const ChainState& state, ContactMode mode, Index j) {

@@ -2,17 +2,10 @@
 #pragma once
 #include <vector>
 
-#include "mariotte/contact/contact_set.hpp"
 #include "mariotte/model/chain_layout.hpp"
+#include "mariotte/model/contact_automaton.hpp"
 
 namespace mariotte::model {
-
-/// A contact that passes from one mode to another.
-struct ContactChange {
-  Index contact;
-  contact::ContactMode before;
-  contact::ContactMode after;
-};
 
 /// A chain, where its quantities stand, and a state.
 struct ChainState {
@@ -23,10 +16,6 @@ struct ChainState {
   double gap(Index j) const { return x[layout.gap[j]]; }
   double approach(Index j) const { return x[layout.velocity[j]] - x[layout.velocity[j + 1]]; }
 };
-
-/// Set one contact's mode; a change is appended to `changes`.
-void change(contact::ContactSet& mode, Index j, contact::ContactMode after,
-            std::vector<ContactChange>& changes);
 
 /// The mode of contact j after its gap, or its load, has fired.
 contact::ContactMode after(const ChainState& state, Index j, contact::ContactMode before, bool load_fired);

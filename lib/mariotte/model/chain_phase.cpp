@@ -42,22 +42,6 @@ void make_serial(const DimensionlessChain& chain, const ChainLayout& at, const C
                              .shallow = chain.faint_depth * chain.shallow[j]});
 }
 
-flow::SerialPhase::Role role(ContactMode mode) {
-  using Role = flow::SerialPhase::Role;
-  switch (mode) {
-    case ContactMode::open:
-    case ContactMode::hovering:
-      return Role::open;
-    case ContactMode::touching:
-      return Role::touching;
-    case ContactMode::closed:
-      return Role::closed;
-    case ContactMode::slack:
-      return Role::slack;
-  }
-  return Role::open;
-}
-
 }  // namespace
 
 void make_guards(const ChainLayout& layout, ChainGuards& guards) {
@@ -81,10 +65,6 @@ bool has_loaded(const DimensionlessChain& chain, const ChainLayout& layout, Cons
   const double indentation = -x[layout.gap[j]];
   if (!(indentation > 2 * chain.faint_depth * chain.shallow[j])) return false;
   return load(chain.law[j], indentation, x[layout.velocity[j]] - x[layout.velocity[j + 1]]) > 0;
-}
-
-double load(const contact::Law& law, double indentation, double rate) {
-  return contact::stiffness(law) * indentation + contact::damping(law) * rate;
 }
 
 void ChainPhase::reset() {
@@ -127,37 +107,14 @@ void ChainPhase::watch(Index j) {
   const ContactMode mode = (*mode_)[j];
   serial_.contact[j].role = role(mode);
   serial_.contact[j].level = level(j);
-  auto& gap = crossings_[j];
-  switch (mode) {
-    case ContactMode::open:
-    case ContactMode::hovering:
-      gap = Crossing::falling;
-      break;
-    case ContactMode::slack:
-      gap = Crossing::rising;
-      break;
-    case ContactMode::touching:
-      gap = Crossing::none;
-      break;
-    case ContactMode::closed:
-      gap = guards_.load[j] == ChainLayout::absent ? Crossing::rising : Crossing::none;
-  }
-  if (guards_.load[j] == ChainLayout::absent) return;
-  crossings_[guards_.load[j]] = mode == ContactMode::closed  ? Crossing::falling
-                                : mode == ContactMode::slack ? Crossing::rising
-                                                             : Crossing::none;
+  const Index load_guard = guards_.load[j];
+  const auto [gap, load] = watched(mode, load_guard != ChainLayout::absent);
+  crossings_[j] = gap;
+  if (load_guard != ChainLayout::absent) crossings_[load_guard] = load;
 }
 
 contact::Force ChainPhase::force(ConstState x, Index j) const {
-  const double indentation = -x[layout_.gap[j]];
-  switch ((*mode_)[j]) {
-    case ContactMode::closed:
-      return contact::smooth_force(chain_.law[j], indentation, rate(x, j));
-    case ContactMode::touching:
-      return contact::force(chain_.law[j], std::max(0.0, indentation), rate(x, j));
-    default:
-      return {0, 0, 0};
-  }
+  return force_in((*mode_)[j], chain_.law[j], -x[layout_.gap[j]], approach(x, j));
 }
 
 void ChainPhase::derivative(ConstState x, State dx) const {
@@ -168,8 +125,8 @@ void ChainPhase::derivative(ConstState x, State dx) const {
     dx[layout_.velocity[i]] = (push - force) * chain_.inverse_mass[i] - chain_.gravity[i];
     push = force;
     if (last) break;
-    dx[layout_.gap[i]] = -rate(x, i);
-    if (layout_.work[i] != ChainLayout::absent) dx[layout_.work[i]] = force * rate(x, i);
+    dx[layout_.gap[i]] = -approach(x, i);
+    if (layout_.work[i] != ChainLayout::absent) dx[layout_.work[i]] = force * approach(x, i);
     if (layout_.impulse[i] != ChainLayout::absent) dx[layout_.impulse[i]] = force;
   }
 }
@@ -179,7 +136,7 @@ void ChainPhase::derivative(ConstState x, State dx) const {
 double ChainPhase::guard(ConstState x, Index i) const {
   const Index j = guards_.contact[i];
   const double gap = x[layout_.gap[j]];
-  return i == j ? gap : load(chain_.law[j], -gap, rate(x, j));
+  return i == j ? gap : load(chain_.law[j], -gap, approach(x, j));
 }
 
 void ChainPhase::guards(ConstState x, State values) const {
@@ -211,7 +168,7 @@ void ChainPhase::jacobian(ConstState x, State values) const {
     row(-chain_.inverse_mass[j]);
     row(chain_.inverse_mass[j + 1]);
     if (layout_.work[j] != ChainLayout::absent) {
-      row(rate(x, j));
+      row(approach(x, j));
       values[entry - 2] += f.value;
       values[entry - 1] -= f.value;
     }

@@ -1,7 +1,8 @@
 // The smooth field of a chain while its contact set stays as it is [Acary 2003, eq. 2 and 9].
 #pragma once
-#include "mariotte/contact/contact_set.hpp"
 #include "mariotte/model/chain_layout.hpp"
+#include "mariotte/model/contact_automaton.hpp"
+#include "mariotte/model/contact_phase.hpp"
 
 namespace mariotte::model {
 
@@ -14,9 +15,6 @@ struct ChainGuards {
 
 /// Fills `guards`, whose memory is reused.
 void make_guards(const ChainLayout& layout, ChainGuards& guards);
-
-/// Load k δ + c δ̇ of a damped contact; its sign is the sign of the force.
-double load(const contact::Law& law, double indentation, double rate);
 
 /// A closed contact so shallow, and moving so slowly, that its end would be an event made of noise: it has
 /// let go.
@@ -34,7 +32,7 @@ struct SliceEdges {
 };
 
 /// A chain bound to a mode; `bind` moves it on to the next.
-class ChainPhase final : public flow::Problem {
+class ChainPhase final : public ContactPhase {
  public:
   /// For a chain and layout that outlive it; `reset` when they have changed.
   ChainPhase(const DimensionlessChain& chain, const ChainLayout& layout) : chain_(chain), layout_(layout) {}
@@ -46,7 +44,6 @@ class ChainPhase final : public flow::Problem {
   /// From now on follow `mode`, which must outlive the phase; accepted steps turn its touching contacts
   /// closed.
   void bind(contact::ContactSet& mode);
-  const contact::ContactSet& mode() const { return *mode_; }
 
   Index size() const override { return layout_.size; }
   void derivative(ConstState x, State dx) const override;
@@ -65,11 +62,18 @@ class ChainPhase final : public flow::Problem {
   flow::Accepted accept(ConstState x) override;
   std::string component(Index index) const override { return component_name(layout_, index); }
 
-  /// Force of contact j and its slopes; zero unless it carries force.
-  contact::Force force(ConstState x, Index j) const;
+  const contact::ContactSet& mode() const override { return *mode_; }
+  Index velocities() const override { return layout_.balls(); }
+  Index contacts() const override { return layout_.contacts(); }
+  double velocity(ConstState x, Index i) const override { return x[layout_.velocity[i]]; }
+  double gap(ConstState x, Index j) const override { return x[layout_.gap[j]]; }
+  double approach(ConstState x, Index j) const override {
+    return x[layout_.velocity[j]] - x[layout_.velocity[j + 1]];
+  }
+  contact::Force force(ConstState x, Index j) const override;
+  bool is_damped(Index j) const override { return layout_.work[j] != ChainLayout::absent; }
 
  private:
-  double rate(ConstState x, Index j) const { return x[layout_.velocity[j]] - x[layout_.velocity[j + 1]]; }
   double guard(ConstState x, Index i) const;
   double level(Index i) const;
   void watch(Index j);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mariotte/model/scaled_law.hpp"
+
 namespace mariotte::model {
 namespace {
 
@@ -69,19 +71,6 @@ Scale choose_scale(const Chain& chain, double speed, std::size_t j, NaturalLengt
   scale.length = natural_length(chain.law[j], scale.mass, scale.velocity);
   scale.time = scale.length / scale.velocity;
   return scale;
-}
-
-/// k L^{n+1}/(M V²) and c L^n/(M V). Contacts with the reference's exponent divide by its stiffness instead
-/// of going through L, which makes the reference's own stiffness exactly 1.
-contact::Law scaled(const contact::Law& law, const Scale& scale, const contact::Law& reference) {
-  const double n = contact::exponent(law);
-  const double stiffness = n == contact::exponent(reference)
-                               ? contact::stiffness(law) / contact::stiffness(reference)
-                               : contact::stiffness(law) * std::pow(scale.length, n + 1) / scale.energy();
-  if (std::holds_alternative<contact::Linear>(law)) return contact::Linear{stiffness};
-  if (std::holds_alternative<contact::Hertz>(law)) return contact::Hertz{stiffness};
-  const double damping = contact::damping(law) * std::pow(scale.length, n) / scale.momentum();
-  return contact::Viscoelastic{.stiffness = stiffness, .damping = damping, .exponent = n};
 }
 
 /// A tenth of the accuracy, but what double precision can tell.

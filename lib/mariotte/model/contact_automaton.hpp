@@ -1,0 +1,40 @@
+// The automaton of one contact, the same in every model; its table is in contact/contact_set.hpp.
+#pragma once
+#include "mariotte/contact/contact_set.hpp"
+#include "mariotte/contact/law.hpp"
+#include "mariotte/flow/problem.hpp"
+
+namespace mariotte::model {
+
+/// A contact that passes from one mode to another.
+struct ContactChange {
+  Index contact;
+  contact::ContactMode before;
+  contact::ContactMode after;
+};
+
+/// Put contact j into a mode and note it, if that is new.
+void change(contact::ContactSet& mode, Index j, contact::ContactMode after,
+            std::vector<ContactChange>& changes);
+
+/// The mode after a guard of the contact has fired: that of its load, or of its gap. An approach of at most
+/// `slow` cannot be told from rest.
+contact::ContactMode mode_after(contact::ContactMode mode, bool load_fired, double gap, double approach,
+                                double slow);
+
+/// What the flows of a row call a mode.
+flow::SerialPhase::Role role(contact::ContactMode mode);
+
+/// How the guards of a contact are watched; only damped contacts have a load.
+struct Watched {
+  flow::Crossing gap, load;
+};
+Watched watched(contact::ContactMode mode, bool damped);
+
+/// Force of a contact in a mode and its slopes; zero unless it carries force.
+contact::Force force_in(contact::ContactMode mode, const contact::Law& law, double indentation, double rate);
+
+/// Load k δ + c δ̇ of a damped contact; its sign is the sign of the force.
+double load(const contact::Law& law, double indentation, double rate);
+
+}  // namespace mariotte::model

@@ -1,0 +1,43 @@
+// Masses and contact directions of a system with any degrees of freedom.
+#pragma once
+#include <vector>
+
+#include "mariotte/core/types.hpp"
+
+namespace mariotte::model {
+
+/// One coefficient of a contact direction.
+struct Term {
+  Index freedom;
+  double coefficient;
+};
+
+/// A row of G: the rate of the contact's gap is Σ coefficient · velocity of that freedom.
+using ContactDirection = std::vector<Term>;
+
+/// M of n freedoms: its diagonal (n values, ∞ for a wall) or all n², by rows.
+using MassMatrix = std::vector<double>;
+
+inline bool is_diagonal(const MassMatrix& mass, Index freedoms) {
+  return std::ssize(mass) == freedoms;
+}
+
+/// Throws InvalidParameter unless the mass matrix is one of n freedoms, symmetric and positive, and every
+/// direction names existing freedoms, is finite and can move something.
+void validate(const MassMatrix& mass, const std::vector<ContactDirection>& contact, Index freedoms);
+
+/// M⁻¹ y.
+std::vector<double> solve(const MassMatrix& mass, std::vector<double> y);
+
+/// Columns of M⁻¹ Gᵀ: how each contact's impulse changes the velocities. Zeros are left out.
+std::vector<ContactDirection> push_directions(const MassMatrix& mass,
+                                              const std::vector<ContactDirection>& contact, Index freedoms);
+
+/// G v of one contact.
+inline double gap_rate(const ContactDirection& contact, ConstState velocity) {
+  double rate = 0;
+  for (const auto& [freedom, coefficient] : contact) rate += coefficient * velocity[freedom];
+  return rate;
+}
+
+}  // namespace mariotte::model
