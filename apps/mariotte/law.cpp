@@ -49,7 +49,8 @@ An outcome that is not admissible, or no real one, or a place outside the table:
 )";
 
 void add_options(CLI::App& command, LawChoice& choice) {
-  command.add_option("SCENE", choice.scene.path, "Scene with [law], or with a [chain] to be simulated");
+  command.add_option("SCENE", choice.scene.path,
+                     "Scene with [law], or with a [chain] or [network] to be simulated");
   add_overrides(command, choice.scene);
   const auto list = [&](const char* name, std::vector<std::string>& values, const char* what) {
     return command.add_option(name, values, what)->delimiter(',')->type_name("X,X,…");

@@ -5,6 +5,7 @@
 #include "command_line/exit_code.hpp"
 #include "command_line/terminal.hpp"
 #include "mariotte/core/quantity.hpp"
+#include "mariotte/impact/network_impact.hpp"
 #include "mariotte/report/reason.hpp"
 #include "mariotte/scene/text_file.hpp"
 
@@ -84,11 +85,13 @@ void take_from_table(LawProblem& problem, scene::Law& law, const LawChoice& choi
   law.frame = parameters.frame;
 }
 
-/// Impulses and energies of the scene's chain stand in for what is not given.
-void complete_by_simulation(LawProblem& problem, scene::Law& law, const scene::Scene& scene) {
-  const auto impact = impact::simulate(scene.chain, scene.run);
+/// Impulses and energies of a simulated impact stand in for what is not given.
+template <class Model>
+void complete_by_simulation(LawProblem& problem, scene::Law& law, const Model& model,
+                            const hybrid::Options& run) {
+  const auto impact = impact::simulate(model, run);
   problem.simulation_ended = impact.ending;
-  if (const auto why = report::reason(impact.ending, impact.message, scene.run); !why.empty()) error(why);
+  if (const auto why = report::reason(impact.ending, impact.message, run); !why.empty()) error(why);
   const auto found = impact::parameters_of(impact, law.frame);
   if (law.direction.empty()) law.direction = found.direction;
   if (!law.energy_ratio) law.energy_ratio = found.energy_ratio;
@@ -96,19 +99,38 @@ void complete_by_simulation(LawProblem& problem, scene::Law& law, const scene::S
   problem.report.simulated = impact.velocity;
 }
 
-/// The chain's own contacts for the rival that needs them; equal Hertz ones where there is no single
+/// The model's own contacts for the rival that needs them; equal Hertz ones where there is no single
 /// exponent.
-impact::RivalParameters rival_parameters(const LawChoice& choice, const model::Chain& chain) {
+impact::RivalParameters rival_parameters(const LawChoice& choice, const std::vector<contact::Law>& laws) {
   impact::RivalParameters parameters;
   if (!choice.restitution.empty())
     parameters.restitution = number("restitution", choice.restitution, dimension::none);
-  if (chain.law.empty()) return parameters;
-  const double exponent = contact::exponent(chain.law.front());
-  for (const auto& law : chain.law)
+  if (laws.empty()) return parameters;
+  const double exponent = contact::exponent(laws.front());
+  for (const auto& law : laws)
     if (contact::exponent(law) != exponent) return parameters;
   parameters.exponent = exponent;
-  for (const auto& law : chain.law) parameters.stiffness.push_back(contact::stiffness(law));
+  for (const auto& law : laws) parameters.stiffness.push_back(contact::stiffness(law));
   return parameters;
+}
+
+void complete_by_simulation(LawProblem& problem, scene::Law& law, const scene::Scene& scene) {
+  if (scene.network)
+    complete_by_simulation(problem, law, *scene.network, scene.run);
+  else
+    complete_by_simulation(problem, law, scene.chain, scene.run);
+}
+
+void name_velocities(report::LawReport& report, const model::Network& network) {
+  report.moving = impact::moving(network);
+  report.velocity_unit = impact::velocity_unit(network);
+}
+
+/// What collides: the law's own row of balls, or the model of the scene.
+impact::Configuration before_impact(const scene::Law& law, const scene::Scene& scene) {
+  if (!law.mass.empty()) return impact::chain_configuration(law.mass, law.velocity);
+  if (scene.network) return impact::configuration_of(*scene.network);
+  return impact::chain_configuration(scene.chain.mass, scene.chain.velocity);
 }
 
 scene::Scene read_scene(const SceneChoice& choice) {
@@ -126,16 +148,18 @@ LawProblem law_problem(const LawChoice& choice) {
   problem.report.scene_sha256 = scene.sha256;
   if (!choice.table.empty()) take_from_table(problem, law, choice);
   const bool own = !law.mass.empty();
-  if (!own && scene.chain.mass.empty()) throw UsageError("give a scene, or --mass and --velocity");
+  if (!own && scene.chain.mass.empty() && !scene.network)
+    throw UsageError("give a scene, or --mass and --velocity");
   if (!own && (law.direction.empty() || !law.energy_ratio)) complete_by_simulation(problem, law, scene);
   if (law.direction.empty()) throw UsageError("give --icr, --direction or --table");
   if (!law.energy_ratio) throw UsageError("give --energy-ratio");
-  problem.report.before = impact::chain_configuration(own ? law.mass : scene.chain.mass,
-                                                      own ? law.velocity : scene.chain.velocity);
+  problem.report.before = before_impact(law, scene);
+  if (scene.network && !own) name_velocities(problem.report, *scene.network);
   problem.report.parameters.direction = law.direction;
   problem.report.parameters.energy_ratio = *law.energy_ratio;
   problem.report.parameters.frame = law.frame;
-  problem.rivals = rival_parameters(choice, own ? model::Chain{} : scene.chain);
+  const auto& laws = scene.network ? scene.network->law : scene.chain.law;
+  problem.rivals = rival_parameters(choice, own ? std::vector<contact::Law>{} : laws);
   problem.report.restitution = problem.rivals.restitution;
   return problem;
 }

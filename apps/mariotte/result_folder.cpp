@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "mariotte/report/csv.hpp"
@@ -96,7 +97,8 @@ std::string write(const std::filesystem::path& folder, const report::Json& json,
 }  // namespace
 
 bool can_trace(const scene::Scene& scene) {
-  return scene.chain.mass.size() <= most_balls_traced;
+  if (!scene.network) return scene.chain.mass.size() <= most_balls_traced;
+  return std::max(scene.network->law.size(), scene.network->velocity.size()) <= most_balls_traced;
 }
 
 void prepare_result_folder(const std::filesystem::path& folder, bool force) {
@@ -107,7 +109,7 @@ void prepare_result_folder(const std::filesystem::path& folder, bool force) {
 }
 
 std::string write_result_folder(const std::filesystem::path& folder, const report::Json& json,
-                                const impact::ChainImpact& impact, const scene::Scene& scene,
+                                const impact::ContactImpact& impact, const scene::Scene& scene,
                                 const report::Spacetime* waves) {
   return write(folder, json, impact, scene, waves);
 }

@@ -20,7 +20,7 @@ void prepare_result_folder(const std::filesystem::path& folder, bool force);
 /// Write the result files, replacing those of an earlier run. Returns an empty text, or why there are no
 /// figures; `waves` may be null. Throws report::FileError.
 std::string write_result_folder(const std::filesystem::path& folder, const report::Json& json,
-                                const impact::ChainImpact& impact, const scene::Scene& scene,
+                                const impact::ContactImpact& impact, const scene::Scene& scene,
                                 const report::Spacetime* waves);
 std::string write_result_folder(const std::filesystem::path& folder, const report::Json& json,
                                 const impact::MicrobodyImpact& impact, const scene::Scene& scene);

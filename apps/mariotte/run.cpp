@@ -32,7 +32,9 @@ struct Run {
 };
 
 std::string size_of(const scene::Scene& scene) {
-  return scene.body ? "a body" : fmt::format("{} balls", scene.chain.mass.size());
+  if (scene.body) return "a body";
+  if (scene.network) return fmt::format("{} contacts", scene.network->law.size());
+  return fmt::format("{} balls", scene.chain.mass.size());
 }
 
 /// Calls `follow` for the impact, and says what it took.
@@ -55,7 +57,7 @@ report::Json json(const Run& options, const Impact& impact, const scene::Scene& 
   return result;
 }
 
-/// Writes and prints the impact; `waves...` is what only a chain has.
+/// Writes and prints the impact; `waves...` is what a body has not.
 template <class Impact, class... Waves>
 int finish(const Run& options, const Impact& impact, const scene::Scene& scene, Waves... waves) {
   const bool is_read = options.json || !options.out.empty();  // of a long chain it takes gigabytes
@@ -97,10 +99,21 @@ int run_body(const Run& options, const scene::Scene& scene) {
   return finish(options, impact, scene);
 }
 
+int run_network(const Run& options, const scene::Scene& scene) {
+  if (!options.trace.file.empty())
+    throw UsageError("--trace samples chains; --out writes the trace of a network");
+  const bool trace = !options.out.empty() && can_trace(scene);
+  const auto impact = simulate(options, *scene.network, scene,
+                               [&] { return impact::simulate(*scene.network, scene.run, trace); });
+  const report::Spacetime* const no_image = nullptr;
+  return finish(options, impact, scene, no_image);
+}
+
 int run(const Run& options) {
   const auto scene = read(options.scene);
   if (!options.out.empty()) prepare_result_folder(options.out, options.force);
-  return scene.body ? run_body(options, scene) : run_chain(options, scene);
+  if (scene.body) return run_body(options, scene);
+  return scene.network ? run_network(options, scene) : run_chain(options, scene);
 }
 
 constexpr const char* examples = R"(Examples:

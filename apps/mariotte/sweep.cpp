@@ -41,6 +41,7 @@ struct Options {
 
 study::Json simulate(const scene::Scene& scene) {
   if (scene.body) return report::json(impact::simulate(*scene.body, scene.run), scene);
+  if (scene.network) return report::json(impact::simulate(*scene.network, scene.run), scene);
   return report::json(impact::simulate(scene.chain, scene.run), scene);
 }
 

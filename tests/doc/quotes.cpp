@@ -5,7 +5,7 @@
 //   <!-- run -->                   the next block of sh is run and must succeed
 //   ```console                     `$ COMMAND` and what it prints
 //   <!-- magnitudes: COMMAND -->   the next table is what COMMAND prints, errors within a factor of 10
-//   ```toml                        a scene, if it has a line `[chain]` or `[body]`
+//   ```toml                        a scene, if it has a line `[chain]`, `[network]` or `[body]`
 //
 // Commands run in a folder that looks like the source folder; those of one document share it.
 #define BOOST_TEST_MODULE quotations
@@ -101,9 +101,8 @@ void check_output(const Workshop& workshop, const Lines& quoted, const std::stri
 }
 
 bool is_scene(const Block& block) {
-  return block.language == "toml" && std::count(block.text.begin(), block.text.end(), "[chain]") +
-                                             std::count(block.text.begin(), block.text.end(), "[body]") ==
-                                         1;
+  const auto lines = [&](const char* line) { return std::count(block.text.begin(), block.text.end(), line); };
+  return block.language == "toml" && lines("[chain]") + lines("[network]") + lines("[body]") == 1;
 }
 
 }  // namespace

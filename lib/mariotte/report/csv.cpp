@@ -33,16 +33,17 @@ void append(std::string& text, const std::vector<double>& values) {
 
 }  // namespace
 
-std::string events_csv(const impact::ChainImpact& impact) {
+std::string events_csv(const impact::ContactImpact& impact) {
   std::string text = "time [s],open,close\n";
   for (const auto& event : impact.events)
     text += fmt::format("{},{},{}\n", exact(event.time), from_one(event.open), from_one(event.close));
   return text;
 }
 
-std::string trace_header(const std::vector<Index>& balls, const std::vector<Index>& contacts) {
-  return "time [s]" + names("v", balls, "m/s") + names("gap", contacts, "m") + names("force", contacts, "N") +
-         "\n";
+std::string trace_header(const std::vector<Index>& balls, const std::vector<Index>& contacts,
+                         const std::string& velocity_unit) {
+  return "time [s]" + names("v", balls, velocity_unit.empty() ? "SI" : velocity_unit) +
+         names("gap", contacts, "m") + names("force", contacts, "N") + "\n";
 }
 
 std::string trace_row(double time, const std::vector<double>& velocity, const std::vector<double>& gap,
@@ -54,9 +55,10 @@ std::string trace_row(double time, const std::vector<double>& velocity, const st
   return text + "\n";
 }
 
-std::string trace_csv(const impact::ChainImpact& impact) {
+std::string trace_csv(const impact::ContactImpact& impact) {
   const auto& trace = impact.trace;
-  std::string text = trace_header(all(impact.velocity.size()), all(impact.contacts.size()));
+  std::string text =
+      trace_header(all(impact.velocity.size()), all(impact.contacts.size()), trace.velocity_unit);
   for (std::size_t row = 0; row < trace.time.size(); ++row)
     text += trace_row(trace.time[row], trace.velocity[row], trace.gap[row], trace.force[row]);
   return text;

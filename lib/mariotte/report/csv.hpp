@@ -11,13 +11,15 @@ namespace mariotte::report {
 
 /// `time [s],open,close`: one row per event; the contacts that open and close at that instant, separated by
 /// spaces.
-std::string events_csv(const impact::ChainImpact& impact);
+std::string events_csv(const impact::ContactImpact& impact);
 
 /// `time [s],v1 [m/s],…,gap1 [m],…,force1 [N],…`: one row per sample; a gap is negative in contact.
-std::string trace_csv(const impact::ChainImpact& impact);
+/// Velocities of freedoms of any kind are in "SI".
+std::string trace_csv(const impact::ContactImpact& impact);
 
 /// The lines that such a table is made of, for chosen balls and contacts.
-std::string trace_header(const std::vector<Index>& balls, const std::vector<Index>& contacts);
+std::string trace_header(const std::vector<Index>& balls, const std::vector<Index>& contacts,
+                         const std::string& velocity_unit = "m/s");
 std::string trace_row(double time, const std::vector<double>& velocity, const std::vector<double>& gap,
                       const std::vector<double>& force);
 

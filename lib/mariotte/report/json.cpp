@@ -54,10 +54,29 @@ Json chain(const model::Chain& chain) {
           {"gravity", chain.gravity}, {"precompressed", chain.precompressed}};
 }
 
-}  // namespace
+Json term(const model::Term& term) {
+  return Json::array({term.freedom, term.coefficient});
+}
 
-Json json(const impact::ChainImpact& impact, const scene::Scene& scene) {
-  Json result = {{"ending", hybrid::name(impact.ending)}, {"title", scene.title}, {"model", "chain"}};
+Json network(const model::Network& network) {
+  Json contacts = Json::array();
+  for (std::size_t j = 0; j < network.law.size(); ++j) {
+    contacts.push_back(law(network.law[j]));
+    contacts.back()["gap"] = network.gap[j];
+    contacts.back()["direction"] = list(network.direction[j], term);
+    if (const auto pair = balls_of(network, static_cast<Index>(j)))
+      contacts.back()["balls"] = {pair->left + 1, pair->right + 1};
+  }
+  return {{"mass", network.mass},
+          {"velocity", network.velocity},
+          {"dimension", network.dimension},
+          {"contact", contacts},
+          {"precompressed", network.precompressed}};
+}
+
+Json result(const impact::ContactImpact& impact, const scene::Scene& scene, const char* model,
+            const Json& momentum) {
+  Json result = {{"ending", hybrid::name(impact.ending)}, {"title", scene.title}, {"model", model}};
   if (const auto why = reason(impact.ending, impact.message, scene.run); !why.empty())
     result["message"] = why;
   result["final"] = {{"time", impact.time}, {"velocity", impact.velocity}, {"gap", impact.gap}};
@@ -66,7 +85,7 @@ Json json(const impact::ChainImpact& impact, const scene::Scene& scene) {
   result["impulse_direction"] = impact.impulse_direction;
   result["events"] = list(impact.events, event);
   result["energy"] = energy(impact.energy);
-  result["momentum"] = momentum(impact.momentum);
+  result["momentum"] = momentum;
   result["accuracy"] = {{"requested", impact.requested_accuracy},
                         {"estimated", nullable(impact.estimated_accuracy)}};
   result["flows"] = list(impact.flows, flow);
@@ -76,11 +95,22 @@ Json json(const impact::ChainImpact& impact, const scene::Scene& scene) {
   return result;
 }
 
+}  // namespace
+
+Json json(const impact::ChainImpact& impact, const scene::Scene& scene) {
+  return result(impact, scene, "chain", momentum(impact.momentum));
+}
+
+Json json(const impact::NetworkImpact& impact, const scene::Scene& scene) {
+  return result(impact, scene, "network", {{"residual", impact.momentum_residual}});
+}
+
 Json json(const scene::Scene& scene) {
   if (scene.body) return json_of_body(scene);
-  Json result = {{"title", scene.title}, {"model", "chain"}};
-  result["chain"] = chain(scene.chain);
-  if (!scene.radius.empty()) result["chain"]["radius"] = scene.radius;
+  const char* const model = scene.network ? "network" : "chain";
+  Json result = {{"title", scene.title}, {"model", model}};
+  result[model] = scene.network ? network(*scene.network) : chain(scene.chain);
+  if (!scene.radius.empty()) result[model]["radius"] = scene.radius;
   result["run"] = options(scene.run);
   if (!scene.warnings.empty()) result["warnings"] = scene.warnings;
   result["provenance"] = provenance_json(scene.sha256);

@@ -6,6 +6,7 @@
 
 #include "mariotte/impact/chain_impact.hpp"
 #include "mariotte/impact/microbody_impact.hpp"
+#include "mariotte/impact/network_impact.hpp"
 #include "mariotte/scene/scene.hpp"
 
 namespace mariotte::report {
@@ -19,6 +20,9 @@ Json json(const impact::ChainImpact& impact, const scene::Scene& scene);
 /// The same of a body: tips count from 1 in `events` and `impacts`; a `force_sign` of 1 says that the force
 /// on tip 1 turns into a push, −1 into a pull.
 Json json(const impact::MicrobodyImpact& impact, const scene::Scene& scene);
+
+/// As of a chain; of the momentum only the residual is told.
+Json json(const impact::NetworkImpact& impact, const scene::Scene& scene);
 
 /// The scene as it was understood. An infinite mass, radius or limit is null.
 Json json(const scene::Scene& scene);

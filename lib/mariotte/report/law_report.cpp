@@ -22,9 +22,10 @@ bool is_real(const LawReport& report) {
 
 std::string summary(const LawReport& report) {
   const auto& p = report.parameters;
-  auto text = fmt::format(
-      "{} · {} balls · e = {:.10g} ({})", impact::name(report.outcome.status), report.before.mass.size(),
-      p.energy_ratio, p.frame == impact::EnergyFrame::given ? "given frame" : "relative to the mass centre");
+  auto text =
+      fmt::format("{} · {} {}s · e = {:.10g} ({})", impact::name(report.outcome.status),
+                  report.before.velocity.size(), report.moving, p.energy_ratio,
+                  p.frame == impact::EnergyFrame::given ? "given frame" : "relative to the mass centre");
   if (!report.simulated.empty()) text += ", direction and e from a simulation";
   if (report.velocity_error)
     text += fmt::format(", both from a table\ninterpolation moves velocities by at most {:.1e} m/s",
@@ -33,13 +34,13 @@ std::string summary(const LawReport& report) {
   return text + "\n";
 }
 
-std::string balls(const LawReport& report) {
+std::string velocities(const LawReport& report) {
   const auto& before = report.before.velocity;
   const auto& after = report.outcome.velocity;
   auto all = before;
   all.insert(all.end(), after.begin(), after.end());
-  const auto velocity = display_for(all, "m/s");
-  Row header = {"ball", "velocity before [" + velocity.unit + "]", "after [" + velocity.unit + "]"};
+  const auto velocity = display_for(all, report.velocity_unit);
+  Row header = {report.moving, "velocity before [" + velocity.unit + "]", "after [" + velocity.unit + "]"};
   if (!report.simulated.empty()) header.push_back("simulated [" + velocity.unit + "]");
   const auto row = [&](Index i) -> Row {
     const auto k = static_cast<std::size_t>(i);
@@ -47,7 +48,7 @@ std::string balls(const LawReport& report) {
     if (!report.simulated.empty()) cells.push_back(shown(velocity, report.simulated[k]));
     return cells;
   };
-  return "\nBalls\n" + columns(header, std::ssize(after), row);
+  return (report.moving == "ball" ? "\nBalls\n" : "\nVelocities\n") + columns(header, std::ssize(after), row);
 }
 
 std::string contacts(const LawReport& report) {
@@ -88,6 +89,13 @@ double difference(const std::vector<double>& a, const std::vector<double>& b) {
   return largest;
 }
 
+/// Shares in the energy are those of the freedoms, if these are not coupled.
+std::string dispersion(const LawReport& report, const impact::LawOutcome& outcome) {
+  const auto& before = report.before;
+  if (!model::is_diagonal(before.mass, std::ssize(before.velocity))) return "";
+  return fmt::format("{:.6f}", energy_dispersion(before, outcome.velocity));
+}
+
 std::string rivals(const LawReport& report) {
   if (report.rivals.empty()) return "";
   auto laws = report.rivals;
@@ -102,7 +110,7 @@ std::string rivals(const LawReport& report) {
   const auto row = [&](Index i) -> Row {
     const auto& [name, outcome] = laws[static_cast<std::size_t>(i)];
     return {name, impact::name(outcome.status), fmt::format("{:.6f}", outcome.ratio_lab.value_or(1)),
-            fmt::format("{:.6f}", energy_dispersion(report.before, outcome.velocity)),
+            dispersion(report, outcome),
             reference(report).empty()
                 ? ""
                 : fmt::format("{:.6f}", difference(outcome.velocity, reference(report)))};
@@ -161,7 +169,7 @@ Json json(const LawReport& report) {
 
 std::string table(const LawReport& report) {
   std::string text = heading(report.title.empty() ? "Multiple-impact law" : report.title) + summary(report);
-  if (is_real(report)) text += balls(report) + contacts(report);
+  if (is_real(report)) text += velocities(report) + contacts(report);
   return text + energies(report) + rivals(report);
 }
 

@@ -10,7 +10,7 @@
 
 namespace mariotte::report {
 
-/// The law applied to a chain, and where its parameters come from.
+/// The law applied to a chain or network, and where its parameters come from.
 struct LawReport {
   std::string title;
   impact::Configuration before;
@@ -20,6 +20,8 @@ struct LawReport {
   std::optional<double> velocity_error = {};      ///< bound on the error of interpolated parameters
   std::vector<impact::NamedOutcome> rivals = {};  ///< on request
   double restitution = 1;                         ///< of the rivals
+  std::string moving = "ball";                    ///< what has a velocity
+  std::string velocity_unit = "m/s";              ///< empty where units differ
   std::string scene_sha256 = {};                  ///< empty if there is no scene
 };
 

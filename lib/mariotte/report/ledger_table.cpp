@@ -56,6 +56,10 @@ std::string momentum_table(const impact::MomentumLedger& ledger, const model::Ch
   return text;
 }
 
+std::string momentum_table(const impact::NetworkImpact& impact) {
+  return "\nMomentum\n" + line("relative residual", fmt::format("{:.2e}", impact.momentum_residual));
+}
+
 std::string flows_table(const std::vector<impact::FlowUse>& flows) {
   if (flows.empty()) return "";
   const auto row = [&](Index i) -> Row {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "mariotte/impact/chain_impact.hpp"
+#include "mariotte/impact/network_impact.hpp"
 
 namespace mariotte::report {
 
@@ -12,6 +13,9 @@ std::string energy_table(const impact::EnergyLedger& ledger);
 
 /// The ledger in N s; its residual also relative to Σ m |v| of the balls of finite mass at the start.
 std::string momentum_table(const impact::MomentumLedger& ledger, const model::Chain& chain);
+
+/// Of a network, whose momenta differ in kind, only how well the impulses explain the velocities.
+std::string momentum_table(const impact::NetworkImpact& impact);
 
 std::string flows_table(const std::vector<impact::FlowUse>& flows);
 std::string skipped_table(const std::vector<impact::Skipped>& skipped);

@@ -24,7 +24,7 @@ double largest_magnitude(std::span<const double> values) {
 
 // Position in `prefixes` that brings `largest` into [1, 1000).
 int prefix_for(double largest, const std::string& unit) {
-  if (largest == 0 || (largest >= 0.1 && largest < 1e4)) return no_prefix;
+  if (unit.empty() || largest == 0 || (largest >= 0.1 && largest < 1e4)) return no_prefix;
   const int thousands = static_cast<int>(std::floor(std::log10(largest) / 3));
   const int last = unit == "s" ? no_prefix : static_cast<int>(prefixes.size()) - 1;
   return std::clamp(no_prefix + thousands, 0, last);
@@ -51,7 +51,7 @@ Display display_for(std::span<const double> values, const std::string& unit) {
   const double factor = std::pow(10.0, 3 * (no_prefix - prefix));
   const int whole_digits = largest > 0 ? static_cast<int>(std::floor(std::log10(largest * factor))) + 1 : 1;
   return {.factor = factor,
-          .unit = prefixes[static_cast<std::size_t>(prefix)] + unit,
+          .unit = unit.empty() ? "SI" : prefixes[static_cast<std::size_t>(prefix)] + unit,
           .decimals = std::clamp(significant_digits - whole_digits, 0, significant_digits)};
 }
 

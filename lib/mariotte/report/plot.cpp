@@ -124,11 +124,13 @@ const std::vector<std::string>& figure_names() {
 }
 
 std::string plot_data(const impact::Trace& trace) {
-  return "# ball, time [s], velocity [m/s]\n" + blocks(trace.time, trace.velocity) +
-         "# contact, time [s], force [N]\n" + blocks(trace.time, trace.force);
+  const std::string& unit = trace.velocity_unit;
+  return fmt::format("# {}, time [s], velocity [{}]\n", trace.moving, unit.empty() ? "SI" : unit) +
+         blocks(trace.time, trace.velocity) + "# contact, time [s], force [N]\n" +
+         blocks(trace.time, trace.force);
 }
 
-std::string plot_script(const impact::ChainImpact& impact, const std::string& title) {
+std::string plot_script(const impact::ContactImpact& impact, const std::string& title) {
   const auto& trace = impact.trace;
   const double end = end_of_action(trace);
   const auto time = display_for(std::vector{end}, "s");
@@ -144,8 +146,8 @@ std::string plot_script(const impact::ChainImpact& impact, const std::string& ti
   const Figure velocities = {.name = "velocities",
                              .title = "velocities",
                              .quantity = "velocity",
-                             .thing = "ball",
-                             .display = display_for(extremes(trace.velocity), "m/s"),
+                             .thing = trace.moving,
+                             .display = display_for(extremes(trace.velocity), trace.velocity_unit),
                              .count = balls,
                              .block = 0};
   std::string text = script_head + time_axis(time, end) + phase_marks(impact.events, time, end);

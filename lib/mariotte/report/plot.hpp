@@ -18,7 +18,7 @@ std::string plot_data(const impact::Trace& trace);
 /// `plot.gp`: a gnuplot script that reads plot.csv in its folder and makes forces and velocities, as PNG and
 /// SVG, from the start until soon after the last force above a thousandth of the largest; phases are shaded.
 /// The impact must have a trace. More figures may follow on the same time axis.
-std::string plot_script(const impact::ChainImpact& impact, const std::string& title);
+std::string plot_script(const impact::ContactImpact& impact, const std::string& title);
 
 /// The same two of a body: the forces on its tips and the velocity of its mass centre.
 std::string plot_data(const impact::BodyTrace& trace);

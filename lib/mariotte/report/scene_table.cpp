@@ -5,6 +5,7 @@
 
 #include "mariotte/report/columns.hpp"
 #include "mariotte/report/law_name.hpp"
+#include "mariotte/report/network_table.hpp"
 #include "mariotte/report/table.hpp"
 
 namespace mariotte::report {
@@ -40,15 +41,50 @@ std::string balls(const scene::Scene& scene) {
   return columns(header, std::ssize(scene.chain.mass), row);
 }
 
-std::string contacts(const model::Chain& chain) {
+std::string contacts(const std::vector<contact::Law>& laws, const std::vector<double>& gaps,
+                     const std::vector<std::string>& names) {
   const auto row = [&](Index j) -> Row {
-    const auto& law = chain.law[static_cast<std::size_t>(j)];
-    return {fmt::format("{}", j + 1),        law_name(law),
-            number(contact::stiffness(law)), number(contact::damping(law)),
-            number(contact::exponent(law)),  number(chain.gap[static_cast<std::size_t>(j)])};
+    const auto& law = laws[static_cast<std::size_t>(j)];
+    const auto name = names.empty() ? fmt::format("{}", j + 1)
+                                    : fmt::format("{} ({})", j + 1, names[static_cast<std::size_t>(j)]);
+    return {name,
+            law_name(law),
+            number(contact::stiffness(law)),
+            number(contact::damping(law)),
+            number(contact::exponent(law)),
+            number(gaps[static_cast<std::size_t>(j)])};
   };
-  return columns({"contact", "law", "stiffness k [N/mⁿ]", "damping c [N s/mⁿ]", "exponent n", "gap [m]"},
-                 std::ssize(chain.law), row);
+  return columns({names.empty() ? "contact" : "contact (balls)", "law", "stiffness k [N/mⁿ]",
+                  "damping c [N s/mⁿ]", "exponent n", "gap [m]"},
+                 std::ssize(laws), row);
+}
+
+/// One line per freedom: of balls their coordinates in turn.
+std::string freedoms(const scene::Scene& scene) {
+  const auto& network = *scene.network;
+  const bool diagonal = model::is_diagonal(network.mass, std::ssize(network.velocity));
+  const auto row = [&](Index i) -> Row {
+    const auto k = static_cast<std::size_t>(i);
+    Row cells = {fmt::format("{}", i + 1),
+                 number(network.mass[diagonal ? k : k * (network.velocity.size() + 1)]),
+                 number(network.velocity[k])};
+    if (network.dimension > 0) {
+      const auto ball = k / static_cast<std::size_t>(network.dimension);
+      cells.insert(cells.begin() + 1, fmt::format("{}", ball + 1));
+      cells.push_back(number(scene.radius[ball]));
+    }
+    return cells;
+  };
+  Row header = {"freedom", diagonal ? "mass" : "mass (diagonal)", "velocity"};
+  if (network.dimension > 0) header = {"freedom", "ball", "mass [kg]", "velocity [m/s]", "radius [m]"};
+  return columns(header, std::ssize(network.velocity), row);
+}
+
+std::string network(const scene::Scene& scene) {
+  const auto& network = *scene.network;
+  return (scene.title.empty() ? "Contact network" : scene.title) + "\n" + size_of(network) +
+         (network.precompressed ? ", precompressed\n\n" : "\n\n") + freedoms(scene) + "\n" +
+         contacts(network.law, network.gap, contact_names(network));
 }
 
 std::string limits(const hybrid::Options& run) {
@@ -63,7 +99,9 @@ std::string table_of_body(const scene::Scene& scene);
 
 std::string table(const scene::Scene& scene) {
   if (scene.body) return table_of_body(scene);
-  return heading(scene) + "\n" + balls(scene) + "\n" + contacts(scene.chain) + limits(scene.run);
+  if (scene.network) return network(scene) + limits(scene.run);
+  return heading(scene) + "\n" + balls(scene) + "\n" + contacts(scene.chain.law, scene.chain.gap, {}) +
+         limits(scene.run);
 }
 
 }  // namespace mariotte::report

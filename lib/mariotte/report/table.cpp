@@ -7,13 +7,12 @@
 
 #include "mariotte/report/columns.hpp"
 #include "mariotte/report/ledger_table.hpp"
+#include "mariotte/report/network_table.hpp"
 #include "mariotte/report/number.hpp"
 #include "mariotte/report/reason.hpp"
 
 namespace mariotte::report {
 namespace {
-
-constexpr std::size_t periods_shown = 2;
 
 template <class Values, class Get>
 Display display_of(const Values& values, const Get& get, const std::string& unit) {
@@ -22,16 +21,20 @@ Display display_of(const Values& values, const Get& get, const std::string& unit
   return display_for(numbers, unit);
 }
 
-std::string summary(const impact::ChainImpact& impact, const hybrid::Options& options, const Display& time) {
-  std::string text =
-      fmt::format("{} at {} {} · {} balls · accuracy {:.3g} requested", hybrid::name(impact.ending),
-                  shown(time, impact.time), time.unit, impact.velocity.size(), impact.requested_accuracy);
+Display time_display(const impact::ContactImpact& impact) {
+  return display_for(std::vector{impact.time}, "s");
+}
+
+std::string summary(const impact::ContactImpact& impact, const std::string& size,
+                    const hybrid::Options& options, const Display& time) {
+  std::string text = fmt::format("{} at {} {} · {} · accuracy {:.3g} requested", hybrid::name(impact.ending),
+                                 shown(time, impact.time), time.unit, size, impact.requested_accuracy);
   if (impact.estimated_accuracy) text += fmt::format(", {:.1e} estimated", *impact.estimated_accuracy);
   if (const auto why = reason(impact.ending, impact.message, options); !why.empty()) text += "\n" + why;
   return text + "\n";
 }
 
-std::string events(const impact::ChainImpact& impact, const Display& time) {
+std::string events(const impact::ContactImpact& impact, const Display& time) {
   if (impact.events.empty()) return "\nEvents: none\n";
   const auto row = [&](Index i) -> Row {
     const auto& event = impact.events[static_cast<std::size_t>(i)];
@@ -55,19 +58,21 @@ std::string balls(const impact::ChainImpact& impact, const model::Chain& chain) 
                  std::ssize(impact.velocity), row);
 }
 
-std::string periods(const impact::ContactHistory& contact, const Display& time) {
+std::string periods(const impact::ContactHistory& contact, const Display& time, std::size_t most) {
   std::string text;
   const std::size_t count = contact.periods.size();
-  for (std::size_t i = 0; i < std::min(count, periods_shown); ++i) {
+  for (std::size_t i = 0; i < std::min(count, most); ++i) {
     const auto& period = contact.periods[i];
     text += fmt::format("{}{:.5g}–{}", i > 0 ? ", " : "", time.factor * period.start,
                         period.end ? fmt::format("{:.5g}", time.factor * *period.end) : "");
   }
-  if (count > periods_shown) text += fmt::format(" +{}", count - periods_shown);
+  if (count > most) text += fmt::format(" +{}", count - most);
   return count == 0 ? "never" : text;
 }
 
-std::string contacts(const impact::ChainImpact& impact, const Display& time) {
+/// `name` tells what each contact joins, where that is not clear.
+std::string contacts(const impact::ContactImpact& impact, const Display& time,
+                     const std::vector<std::string>& name) {
   using History = impact::ContactHistory;
   const auto& all = impact.contacts;
   auto impulse = display_of(
@@ -81,20 +86,23 @@ std::string contacts(const impact::ChainImpact& impact, const Display& time) {
   for (auto* display : {&force, &depth, &loss}) display->decimals = std::max(0, display->decimals - 2);
   const auto row = [&](Index j) -> Row {
     const auto& contact = all[static_cast<std::size_t>(j)];
-    return {fmt::format("{}", j + 1),         shown(impulse, contact.impulse),
-            shown(force, contact.peak_force), shown(depth, contact.peak_indentation),
-            shown(loss, contact.dissipated),  periods(contact, time)};
+    Row cells = {fmt::format("{}", j + 1),         shown(impulse, contact.impulse),
+                 shown(force, contact.peak_force), shown(depth, contact.peak_indentation),
+                 shown(loss, contact.dissipated),  periods(contact, time, name.empty() ? 2 : 1)};
+    if (!name.empty()) cells.insert(cells.begin() + 1, name[static_cast<std::size_t>(j)]);
+    return cells;
   };
-  const Row header = {"contact",
-                      "impulse [" + impulse.unit + "]",
-                      "peak force [" + force.unit + "]",
-                      "indentation [" + depth.unit + "]",
-                      "lost [" + loss.unit + "]",
-                      "closed [" + time.unit + "]"};
+  Row header = {"contact",
+                "impulse [" + impulse.unit + "]",
+                "peak force [" + force.unit + "]",
+                "indentation [" + depth.unit + "]",
+                "lost [" + loss.unit + "]",
+                "closed [" + time.unit + "]"};
+  if (!name.empty()) header.insert(header.begin() + 1, "balls");
   return "\nContacts\n" + columns(header, std::ssize(all), row);
 }
 
-std::string ratios(const impact::ChainImpact& impact) {
+std::string ratios(const impact::ContactImpact& impact) {
   if (impact.icr.empty()) return "";
   const auto row = [&](Index j) -> Row {
     const auto& ratio = impact.icr[static_cast<std::size_t>(j)];
@@ -103,14 +111,27 @@ std::string ratios(const impact::ChainImpact& impact) {
   return "\nImpulse correlation ratios\n" + columns({"contacts", "α"}, std::ssize(impact.icr), row);
 }
 
+std::string head(const impact::ContactImpact& impact, const scene::Scene& scene, const char* otherwise,
+                 const std::string& size) {
+  return heading(scene.title.empty() ? otherwise : scene.title) +
+         summary(impact, size, scene.run, time_display(impact)) + events(impact, time_display(impact));
+}
+
 }  // namespace
 
 std::string table(const impact::ChainImpact& impact, const scene::Scene& scene) {
-  const auto time = display_for(std::vector{impact.time}, "s");
-  return heading(scene.title.empty() ? "Chain of balls" : scene.title) + summary(impact, scene.run, time) +
-         events(impact, time) + balls(impact, scene.chain) + contacts(impact, time) + ratios(impact) +
+  return head(impact, scene, "Chain of balls", fmt::format("{} balls", impact.velocity.size())) +
+         balls(impact, scene.chain) + contacts(impact, time_display(impact), {}) + ratios(impact) +
          energy_table(impact.energy) + momentum_table(impact.momentum, scene.chain) +
          flows_table(impact.flows) + skipped_table(impact.skipped);
+}
+
+std::string table(const impact::NetworkImpact& impact, const scene::Scene& scene) {
+  const auto& network = *scene.network;
+  return head(impact, scene, "Contact network", size_of(network)) + motion_table(network, impact.velocity) +
+         contacts(impact, time_display(impact), contact_names(network)) + direction_table(impact) +
+         energy_table(impact.energy) + momentum_table(impact) + flows_table(impact.flows) +
+         skipped_table(impact.skipped);
 }
 
 }  // namespace mariotte::report

@@ -5,6 +5,7 @@
 
 #include "mariotte/impact/chain_impact.hpp"
 #include "mariotte/impact/microbody_impact.hpp"
+#include "mariotte/impact/network_impact.hpp"
 #include "mariotte/scene/scene.hpp"
 
 namespace mariotte::report {
@@ -15,6 +16,9 @@ std::string table(const impact::ChainImpact& impact, const scene::Scene& scene);
 /// Events, motion before and after, restitution, impacts, ledger, flows and what was skipped; tips count
 /// from 1.
 std::string table(const impact::MicrobodyImpact& impact, const scene::Scene& scene);
+
+/// As of a chain, with the direction of all impulses instead of ratios.
+std::string table(const impact::NetworkImpact& impact, const scene::Scene& scene);
 
 /// The scene as it was understood, in SI units without prefixes.
 std::string table(const scene::Scene& scene);

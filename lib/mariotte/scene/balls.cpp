@@ -67,9 +67,8 @@ void read_overrides(Source& source, const Field& list, const Layout& layout, std
     const auto table = element(list, i);
     expect_keys(source, table, override_keys);
     auto& ball = balls[numbered(source, table, layout, seen)];
-    each_key([&](const char* key, auto member, auto read) {
-      if (const auto field = find(table, key)) ball.*member = read(source, *field);
-    });
+    read_properties(source, table, ball);
+    if (const auto field = find(table, "velocity")) ball.velocity = read_velocity(source, *field);
   }
 }
 
@@ -94,18 +93,24 @@ void add_walls(Source& source, const Field& chain, const Layout& layout, std::ve
   if (layout.right) balls.back() = wall(balls[balls.size() - 2]);
 }
 
-double solid_sphere(const Source& source, const Field& chain, const Ball& ball, Index i) {
+}  // namespace
+
+void read_properties(Source& source, const Field& table, Ball& ball) {
+  if (const auto field = find(table, "mass")) ball.mass = read_mass(source, *field);
+  if (const auto field = find(table, "radius")) ball.radius = read_radius(source, *field);
+  if (const auto field = find(table, "material")) ball.material = read_material(source, *field);
+}
+
+double solid_sphere(const Source& source, const Field& table, const Ball& ball, Index i) {
   const auto name = "ball " + std::to_string(i + 1);
   if (!ball.radius || !ball.material || !ball.material->density)
-    reject(source, chain, name + " needs a mass, or a radius and a material with a density");
+    reject(source, table, name + " needs a mass, or a radius and a material with a density");
   const double radius = *ball.radius;
   const double mass = 4.0 / 3.0 * std::numbers::pi * *ball.material->density * radius * radius * radius;
   if (!(mass > 0) || !std::isfinite(mass))
-    reject(source, chain, name + " has no finite positive mass by its radius and density; give its mass");
+    reject(source, table, name + " has no finite positive mass by its radius and density; give its mass");
   return mass;
 }
-
-}  // namespace
 
 std::vector<Ball> read_balls(Source& source, const Field& chain, const Layout& layout) {
   std::vector<Ball> balls(layout.balls());

@@ -14,6 +14,12 @@ struct Ball {
   std::optional<double> velocity;  ///< [m/s]
 };
 
+/// Takes mass, radius and material from a table, as far as it has them.
+void read_properties(Source& source, const Field& table, Ball& ball);
+
+/// The mass of ball i (from 0) by its radius and density; `table` is where that should be said.
+double solid_sphere(const Source& source, const Field& table, const Ball& ball, Index i);
+
 /// One per ball of the model, walls included: from the keys of [chain], then the [[chain.ball]] tables. A
 /// missing mass is that of a solid sphere; a missing velocity stays missing and means rest. Throws
 /// SceneError.

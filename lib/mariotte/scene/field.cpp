@@ -84,6 +84,20 @@ double number(const Source& source, const Field& field, const Dimension& dimensi
   return value;
 }
 
+std::vector<double> numbers(const Source& source, const Field& array, const Dimension& dimension,
+                            Domain domain) {
+  if (!array.node->array()) wrong_type(source, array, "an array");
+  std::vector<double> values;
+  for (Index i = 0; i < std::ssize(*array.node->array()); ++i)
+    values.push_back(number(source, element(array, i), dimension, domain));
+  return values;
+}
+
+void expect_length(const Source& source, const Field& array, std::size_t length, std::size_t wanted) {
+  if (length != wanted)
+    reject(source, array, "needs " + std::to_string(wanted) + " values, has " + std::to_string(length));
+}
+
 Index whole(const Source& source, const Field& field, Index least, Index most) {
   const double value = value_of(source, field, dimension::none);
   if (value != std::floor(value)) reject(source, field, "must be a whole number");

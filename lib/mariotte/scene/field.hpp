@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "mariotte/core/dimension.hpp"
 #include "mariotte/core/types.hpp"
@@ -44,6 +45,13 @@ void expect_keys(const Source& source, const Field& table, std::span<const std::
 
 /// A number, or a string with a unit of this dimension [SI].
 double number(const Source& source, const Field& field, const Dimension& dimension, Domain domain);
+
+/// An array of such numbers.
+std::vector<double> numbers(const Source& source, const Field& array, const Dimension& dimension,
+                            Domain domain);
+
+/// Rejects an array that has another length than it needs.
+void expect_length(const Source& source, const Field& array, std::size_t length, std::size_t wanted);
 
 /// A whole number between `least` and `most`.
 Index whole(const Source& source, const Field& field, Index least, Index most);

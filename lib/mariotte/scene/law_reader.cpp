@@ -9,20 +9,6 @@ constexpr std::array<std::string_view, 6> keys{"mass",      "velocity",     "icr
                                                "direction", "energy_ratio", "frame"};
 constexpr std::array<std::string_view, 2> frames{"given", "mass-centre"};
 
-std::vector<double> numbers(const Source& source, const Field& array, const Dimension& dimension,
-                            Domain domain) {
-  if (!array.node->array()) reject(source, array, "expected an array");
-  std::vector<double> values;
-  for (Index i = 0; i < std::ssize(*array.node->array()); ++i)
-    values.push_back(number(source, element(array, i), dimension, domain));
-  return values;
-}
-
-void expect_length(const Source& source, const Field& field, std::size_t length, std::size_t wanted) {
-  if (length != wanted)
-    reject(source, field, "needs " + std::to_string(wanted) + " values, has " + std::to_string(length));
-}
-
 std::vector<double> read_direction(const Source& source, const Field& law) {
   const auto icr = find(law, "icr"), direction = find(law, "direction");
   if (icr && direction) reject(source, *direction, "'law.icr' gives the direction, too");

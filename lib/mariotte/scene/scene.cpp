@@ -6,6 +6,7 @@
 #include "mariotte/scene/body_reader.hpp"
 #include "mariotte/scene/chain_reader.hpp"
 #include "mariotte/scene/document.hpp"
+#include "mariotte/scene/network_reader.hpp"
 #include "mariotte/scene/overrides.hpp"
 #include "mariotte/scene/run_reader.hpp"
 #include "mariotte/scene/sha256.hpp"
@@ -16,8 +17,8 @@
 namespace mariotte::scene {
 namespace {
 
-constexpr std::array<std::string_view, 9> keys{"title", "chain", "run",     "sweep",    "columns",
-                                               "law",   "body",  "surface", "incidence"};
+constexpr std::array<std::string_view, 10> keys{"title",   "chain", "network", "run",     "sweep",
+                                                "columns", "law",   "body",    "surface", "incidence"};
 
 /// The digest of the text alone is that of the file; a zero byte, which no scene holds, sets off each
 /// override.
@@ -27,18 +28,22 @@ std::string fingerprint(const std::string& text, const Overrides& overrides) {
   return sha256(all);
 }
 
-/// True of a body, false of a chain or of a law.
+/// True of a body, false of a chain, of a network or of a law.
 bool is_body_scene(const Source& source, const Field& root, Purpose purpose) {
   if (const auto body = find(root, "body")) {
-    for (const auto* key : {"chain", "law"})
+    for (const auto* key : {"chain", "network", "law"})
       if (const auto field = find(root, key))
         reject(source, *field, "a scene has a [body] or a [" + std::string(key) + "], not both");
-    if (purpose == Purpose::law) reject(source, *body, "the multiple-impact law needs a [chain]");
+    if (purpose == Purpose::law)
+      reject(source, *body, "the multiple-impact law needs a [chain] or [network]");
     return true;
   }
   for (const auto* key : {"surface", "incidence"})
     if (const auto field = find(root, key))
       reject(source, *field, "is for scenes of a [body]; there is none");
+  const auto network = find(root, "network");
+  if (network && find(root, "chain"))
+    reject(source, *network, "a scene has a [chain] or a [network], not both");
   return false;
 }
 
@@ -46,7 +51,7 @@ bool is_body_scene(const Source& source, const Field& root, Purpose purpose) {
 bool has_chain(const Source& source, const Field& root, const std::optional<Law>& law, Purpose purpose) {
   if (find(root, "chain")) return true;
   if (purpose == Purpose::simulation || !law || law->mass.empty())
-    reject(source, root.place(), "the scene has no [chain] and no [body]");
+    reject(source, root.place(), "the scene has no [chain], [network] or [body]");
   return false;
 }
 
@@ -75,6 +80,16 @@ void resolve_chain(Source& source, const Field& root, const std::optional<Field>
   allow_for_length(run, scene);
 }
 
+void resolve_network(Source& source, const Field& root, const std::optional<Field>& run, Scene& scene) {
+  const auto network = *find(root, "network");
+  const auto gravity = run ? find(*run, "gravity") : std::nullopt;
+  if (gravity) reject(source, *gravity, "does not act on networks");
+  auto resolved = read_network(source, network);
+  expect_valid(source, network, resolved.network);
+  scene.network = std::move(resolved.network);
+  scene.radius = std::move(resolved.radius);
+}
+
 Scene read_scene(Source& source, const Field& root, Purpose purpose) {
   expect_keys(source, root, keys);
   const bool of_body = is_body_scene(source, root, purpose);
@@ -88,6 +103,8 @@ Scene read_scene(Source& source, const Field& root, Purpose purpose) {
   if (of_body) {
     scene.body = read_microbody(source, root, run);
     expect_valid(source, *find(root, "body"), *scene.body);
+  } else if (find(root, "network")) {
+    resolve_network(source, root, run, scene);
   } else if (has_chain(source, root, scene.law, purpose)) {
     resolve_chain(source, root, run, scene);
   }

@@ -8,6 +8,7 @@
 #include "mariotte/hybrid/options.hpp"
 #include "mariotte/model/chain.hpp"
 #include "mariotte/model/microbody.hpp"
+#include "mariotte/model/network.hpp"
 #include "mariotte/scene/law_reader.hpp"
 
 namespace mariotte::scene {
@@ -22,10 +23,11 @@ struct FileError : Error {
   using Error::Error;
 };
 
-/// Of a chain or of a body: `body` is empty in the first case, `chain` has no balls in the second.
+/// Of a chain, a network or a body: `network` and `body` are empty of others, and `chain` has no balls.
 struct Scene {
   std::string title;
   model::Chain chain;  ///< without balls if [law] stands alone
+  std::optional<model::Network> network;
   std::optional<model::Microbody> body;
   std::optional<Law> law;      ///< of scenes with [law]
   std::vector<double> radius;  ///< n values [m], infinite for planes; empty unless every ball has one
@@ -37,7 +39,7 @@ struct Scene {
 /// One `--set KEY=VALUE`: keys count from 0 with brackets, as in "chain.velocity[0]=2 m/s".
 using Overrides = std::vector<std::string>;
 
-/// What a scene is read for: a chain to simulate, or the multiple-impact law, for which the masses and
+/// What a scene is read for: a model to simulate, or the multiple-impact law, for which the masses and
 /// velocities of [law] are enough.
 enum class Purpose { simulation, law };
 

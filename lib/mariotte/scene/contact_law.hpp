@@ -1,0 +1,42 @@
+// Contact laws by name and parameters, or from the materials of the balls that touch.
+#pragma once
+#include <array>
+#include <vector>
+
+#include "mariotte/contact/law.hpp"
+#include "mariotte/scene/balls.hpp"
+
+namespace mariotte::scene {
+
+/// Keys that say what the law of a contact is.
+inline constexpr std::array<std::string_view, 4> law_keys{"law", "stiffness", "damping", "exponent"};
+
+/// Everything a scene says of laws: keys of the whole, one value or one per contact, and tables of contacts:
+/// none, one for all, or one per contact.
+struct LawTables {
+  Field whole;
+  std::vector<Field> contacts;
+
+  /// The table of one contact, or the whole.
+  const Field& place_of(Index contact) const {
+    return contacts.empty() ? whole : contacts[contacts.size() == 1 ? 0 : contact];
+  }
+  /// What the scene says of one contact under one key.
+  std::optional<Field> find_for(Index contact, std::string_view key) const {
+    if (!contacts.empty())
+      if (auto own = find(place_of(contact), key)) return own;
+    auto common = find(whole, key);
+    return common && common->node->array() ? element(*common, contact) : common;
+  }
+};
+
+/// The balls that a contact joins; null where it joins none.
+struct BallPair {
+  const Ball* left;
+  const Ball* right;
+};
+
+/// Throws SceneError.
+contact::Law read_law(const Source& source, const LawTables& tables, Index contact, const BallPair& pair);
+
+}  // namespace mariotte::scene

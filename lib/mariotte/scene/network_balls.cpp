@@ -1,0 +1,126 @@
+#include "mariotte/scene/network_balls.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "mariotte/core/error.hpp"
+#include "mariotte/scene/contact_law.hpp"
+
+namespace mariotte::scene {
+namespace {
+
+constexpr std::array<std::string_view, 11> keys{"ball",  "mass",      "radius",       "material",
+                                                "law",   "stiffness", "damping",      "exponent",
+                                                "reach", "touching",  "precompressed"};
+constexpr std::array<std::string_view, 5> ball_keys{"position", "velocity", "mass", "radius", "material"};
+
+/// The balls, with what was said of the bodies and where.
+struct PlacedBalls {
+  std::vector<Field> table;
+  std::vector<Ball> body;
+  std::vector<model::Ball> ball;
+};
+
+std::vector<double> read_coordinates(const Source& source, const Field& field, const Dimension& dimension) {
+  auto values = numbers(source, field, dimension, Domain::finite);
+  if (values.size() != 2 && values.size() != 3) reject(source, field, "expected two values, or three");
+  return values;
+}
+
+model::Ball place(const Source& source, const Field& table, const Ball& body, Index i) {
+  const auto position = find(table, "position"), velocity = find(table, "velocity");
+  if (!position) reject(source, table, "'position' is missing");
+  if (!body.radius) reject(source, table, "ball " + std::to_string(i + 1) + " needs a radius");
+  if (!std::isfinite(*body.radius))
+    reject(source, table, "ball " + std::to_string(i + 1) + " must have a finite radius");
+  model::Ball ball{.position = read_coordinates(source, *position, dimension::length),
+                   .velocity = {},
+                   .mass = body.mass ? *body.mass : solid_sphere(source, table, body, i),
+                   .radius = *body.radius};
+  ball.velocity.assign(ball.position.size(), 0.0);
+  if (velocity) {
+    ball.velocity = read_coordinates(source, *velocity, dimension::velocity);
+    expect_length(source, *velocity, ball.velocity.size(), ball.position.size());
+  }
+  return ball;
+}
+
+PlacedBalls read_placed(Source& source, const Field& network) {
+  const auto list = *find(network, "ball");
+  if (!list.node->array()) reject(source, list, "write [[network.ball]], with two brackets");
+  Ball common;
+  read_properties(source, network, common);
+  PlacedBalls balls;
+  for (Index i = 0; i < std::ssize(*list.node->array()); ++i) {
+    const auto& table = balls.table.emplace_back(element(list, i));
+    expect_keys(source, table, ball_keys);
+    auto& body = balls.body.emplace_back(common);
+    read_properties(source, table, body);
+    balls.ball.push_back(place(source, table, body, i));
+    if (balls.ball[i].position.size() != balls.ball[0].position.size())
+      expect_length(source, *find(table, "position"), balls.ball[i].position.size(),
+                    balls.ball[0].position.size());
+  }
+  return balls;
+}
+
+double read_distance(const Source& source, const Field& network, std::string_view key, double standard) {
+  const auto field = find(network, key);
+  return field ? number(source, *field, dimension::length, Domain::not_negative) : standard;
+}
+
+double smallest_radius(const std::vector<model::Ball>& balls) {
+  double least = infinity;
+  for (const auto& ball : balls) least = std::min(least, ball.radius);
+  return least;
+}
+
+/// Contact and gap of two balls; no direction if they are out of reach of each other.
+model::BallContact contact_of(const Source& source, const PlacedBalls& balls, Index i, Index j,
+                              double touching, double reach) {
+  try {
+    auto contact = model::ball_contact(balls.ball, i, j);
+    if (std::abs(contact.gap) <= touching) contact.gap = 0;
+    return contact.gap > reach ? model::BallContact{{}, contact.gap} : contact;
+  } catch (const InvalidParameter& error) {
+    reject(source, balls.table[j], error.what());
+  }
+}
+
+}  // namespace
+
+ResolvedNetwork read_ball_network(Source& source, const Field& network, bool precompressed) {
+  expect_keys(source, network, keys);
+  for (const auto key : law_keys)
+    if (const auto field = find(network, key); field && field->node->array())
+      reject(source, *field, "must be one value for all contacts of balls");
+  const auto balls = read_placed(source, network);
+  const double touching = read_distance(source, network, "touching", 0);
+  const double reach = read_distance(source, network, "reach", 0.01 * smallest_radius(balls.ball));
+  const LawTables tables{network, {}};
+  ResolvedNetwork resolved{.network = model::free_balls(balls.ball), .radius = {}};
+  auto& model = resolved.network;
+  model.precompressed = precompressed;
+  for (Index i = 0; i < std::ssize(balls.ball); ++i) {
+    resolved.radius.push_back(balls.ball[i].radius);
+    for (Index j = i + 1; j < std::ssize(balls.ball); ++j) {
+      auto [direction, gap] = contact_of(source, balls, i, j, touching, reach);
+      if (direction.empty()) continue;
+      if (gap < 0 && !precompressed)
+        reject(
+            source, balls.table[j],
+            "balls " + std::to_string(i + 1) + " and " + std::to_string(j + 1) +
+                " overlap ('touching' is the distance taken as none; precompressed = true allows overlaps)");
+      model.law.push_back(read_law(source, tables, std::ssize(model.law), {&balls.body[i], &balls.body[j]}));
+      model.direction.push_back(std::move(direction));
+      model.gap.push_back(gap);
+    }
+  }
+  if (model.law.empty())
+    reject(source, network,
+           "no two balls are within 'reach' of each other, by default a hundredth of the smallest radius");
+  return resolved;
+}
+
+}  // namespace mariotte::scene

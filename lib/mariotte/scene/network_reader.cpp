@@ -1,0 +1,108 @@
+#include "mariotte/scene/network_reader.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "mariotte/scene/contact_law.hpp"
+#include "mariotte/scene/network_balls.hpp"
+
+namespace mariotte::scene {
+namespace {
+
+constexpr std::array<std::string_view, 9> keys{"mass",      "velocity", "contact",  "gap",          "law",
+                                               "stiffness", "damping",  "exponent", "precompressed"};
+constexpr std::array<std::string_view, 6> contact_keys{"direction", "gap",     "law",
+                                                       "stiffness", "damping", "exponent"};
+
+/// The diagonal, or all rows one after the other. Units are those of the freedoms, which only the author
+/// knows.
+model::MassMatrix read_mass(const Source& source, const Field& mass, std::size_t freedoms) {
+  const auto* const rows = mass.node->array();
+  if (!rows || rows->empty() || !rows->front().array()) {
+    auto diagonal = numbers(source, mass, dimension::none, Domain::positive_or_infinite);
+    expect_length(source, mass, diagonal.size(), freedoms);
+    return diagonal;
+  }
+  expect_length(source, mass, rows->size(), freedoms);
+  model::MassMatrix all;
+  for (std::size_t i = 0; i < freedoms; ++i) {
+    const auto field = element(mass, static_cast<Index>(i));
+    const auto row = numbers(source, field, dimension::none, Domain::finite);
+    expect_length(source, field, row.size(), freedoms);
+    all.insert(all.end(), row.begin(), row.end());
+  }
+  return all;
+}
+
+model::ContactDirection read_direction(const Source& source, const Field& contact, std::size_t freedoms) {
+  const auto field = find(contact, "direction");
+  if (!field) reject(source, contact, "'direction' is missing (one value per velocity)");
+  const auto all = numbers(source, *field, dimension::none, Domain::finite);
+  expect_length(source, *field, all.size(), freedoms);
+  model::ContactDirection direction;
+  for (std::size_t i = 0; i < freedoms; ++i)
+    if (all[i] != 0) direction.push_back({static_cast<Index>(i), all[i]});
+  return direction;
+}
+
+double read_gap(const Source& source, const LawTables& tables, Index contact, bool precompressed) {
+  const auto field = tables.find_for(contact, "gap");
+  if (!field) return 0;
+  const double gap = number(source, *field, dimension::length, Domain::finite);
+  if (gap < 0 && !precompressed) reject(source, *field, "must not be negative, unless precompressed = true");
+  return gap;
+}
+
+LawTables read_tables(const Source& source, const Field& network) {
+  LawTables tables{network, {}};
+  const auto list = find(network, "contact");
+  if (!list->node->array()) reject(source, *list, "write [[network.contact]], with two brackets");
+  for (Index j = 0; j < std::ssize(*list->node->array()); ++j)
+    expect_keys(source, tables.contacts.emplace_back(element(*list, j)), contact_keys);
+  for (const auto* key : {"gap", "law", "stiffness", "damping", "exponent"})
+    if (const auto field = find(network, key); field && field->node->array())
+      expect_length(source, *field, field->node->array()->size(), tables.contacts.size());
+  return tables;
+}
+
+model::Network read_freedoms(const Source& source, const Field& network, bool precompressed) {
+  expect_keys(source, network, keys);
+  const auto mass = find(network, "mass"), velocity = find(network, "velocity");
+  if (!mass || !velocity)
+    reject(source, network, "'mass' and 'velocity' are needed beside [[network.contact]]");
+  model::Network model;
+  model.precompressed = precompressed;
+  model.velocity = numbers(source, *velocity, dimension::none, Domain::finite);
+  model.mass = read_mass(source, *mass, model.velocity.size());
+  const auto tables = read_tables(source, network);
+  for (Index j = 0; j < std::ssize(tables.contacts); ++j) {
+    model.direction.push_back(read_direction(source, tables.contacts[j], model.velocity.size()));
+    model.law.push_back(read_law(source, tables, j, {nullptr, nullptr}));
+    model.gap.push_back(read_gap(source, tables, j, precompressed));
+  }
+  return model;
+}
+
+void warn_of_rest(Source& source, const Field& network, const model::Network& model) {
+  const auto zero = [](double value) { return value == 0; };
+  const bool pressed = std::any_of(model.gap.begin(), model.gap.end(), [](double gap) { return gap < 0; });
+  if (!pressed && std::all_of(model.velocity.begin(), model.velocity.end(), zero))
+    warn(source, network, "nothing moves: no velocity, no compressed contact");
+}
+
+}  // namespace
+
+ResolvedNetwork read_network(Source& source, const Field& network) {
+  if (!network.node->table()) expect_keys(source, network, keys);  // says that it is no table
+  const bool balls = find(network, "ball").has_value(), contacts = find(network, "contact").has_value();
+  if (balls == contacts)
+    reject(source, network, "give either [[network.ball]], or 'mass', 'velocity' and [[network.contact]]");
+  bool precompressed = false;
+  if (const auto field = find(network, "precompressed")) precompressed = boolean(source, *field);
+  auto resolved = balls ? read_ball_network(source, network, precompressed)
+                        : ResolvedNetwork{read_freedoms(source, network, precompressed), {}};
+  warn_of_rest(source, network, resolved.network);
+  return resolved;
+}
+
+}  // namespace mariotte::scene

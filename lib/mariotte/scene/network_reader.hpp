@@ -1,0 +1,17 @@
+// `[network]`: a contact network, resolved to SI.
+#pragma once
+#include "mariotte/model/network.hpp"
+#include "mariotte/scene/field.hpp"
+
+namespace mariotte::scene {
+
+struct ResolvedNetwork {
+  model::Network network;
+  std::vector<double> radius;  ///< of the balls [m]; empty where the network has none
+};
+
+/// Of balls, given by [[network.ball]], or of freedoms, given by mass, velocity and [[network.contact]].
+/// Throws SceneError; warns of what looks like a slip.
+ResolvedNetwork read_network(Source& source, const Field& network);
+
+}  // namespace mariotte::scene
