@@ -25,6 +25,20 @@ model::Chain chain(const ImpactCase& one) {
   return chain;
 }
 
+model::Network packing(const ImpactCase& one) {
+  std::vector<model::Ball> disks;
+  for (Index i = 0; i < one.side; ++i)
+    for (Index j = 0; j < one.side; ++j) {
+      const double number = static_cast<double>(disks.size());
+      disks.push_back(
+          {.position = {static_cast<double>(i), static_cast<double>(j)},
+           .velocity = {one.speed * std::sin(1 + 7 * number), one.speed * std::cos(2 + 5 * number)},
+           .mass = one.mass,
+           .radius = 0.5});
+    }
+  return model::ball_network(disks, 0, [&](Index, Index) { return law(one, one.stiffness); });
+}
+
 double exponent(const ImpactCase& one) {
   return one.law == "linear" ? 1 : one.law == "hertz" ? 1.5 : one.exponent;
 }
@@ -37,6 +51,10 @@ double damping_group(const ImpactCase& one) {
   const double n = exponent(one);
   return one.damping * std::pow(one.speed, (n - 1) / (n + 1)) * std::pow(one.stiffness, -n / (n + 1)) *
          std::pow(one.mass, -1 / (n + 1));
+}
+
+double damping_for(double ratio, double exponent) {
+  return ratio * std::pow(0.5, 1 / (exponent + 1));
 }
 
 ImpactCase dimensionless(const ImpactCase& one) {

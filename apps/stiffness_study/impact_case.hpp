@@ -1,8 +1,9 @@
-// The impacts that are studied: equal balls in touch at rest, struck by the first.
+// The impacts that are studied: equal balls in touch at rest, struck by the first, and packings of disks.
 #pragma once
 #include <string>
 
 #include "mariotte/model/chain.hpp"
+#include "mariotte/model/network.hpp"
 
 namespace mariotte::stiffness_study {
 
@@ -16,9 +17,11 @@ struct ImpactCase {
   double speed = 1;       ///< of the first ball [m/s]
   double damping = 0;     ///< c of every contact [N s/m^n]; viscoelastic contacts only
   double exponent = 1.5;  ///< n; viscoelastic contacts only
+  Index side = 0;         ///< instead of a row, a square packing of side² disks that move hither and thither
 };
 
 model::Chain chain(const ImpactCase& one);
+model::Network packing(const ImpactCase& one);
 
 /// n of the contact law.
 double exponent(const ImpactCase& one);
@@ -28,6 +31,10 @@ double natural_time(const ImpactCase& one);
 
 /// Π = c v^{(n−1)/(n+1)} k^{−n/(n+1)} m^{−1/(n+1)}: all that damped impacts depend on.
 double damping_group(const ImpactCase& one);
+
+/// c for a damping ratio as flow::choose sees it: c L^n/(m* v) with m* = m/2 the reduced mass and
+/// k = m = v = 1.
+double damping_for(double ratio, double exponent);
 
 /// The same impact in units in which k = m = v = 1.
 ImpactCase dimensionless(const ImpactCase& one);

@@ -48,8 +48,8 @@ Exit codes: 0 ok, 1 a theorem failed, 2 usage, 4 solver failure, 6 file error.
 void declare(CLI::App& app, CommandLine& line) {
   app.footer(notes);
   app.add_option("--study", line.studies,
-                 "stiffness, ratio, damping, scaling, conclusions or crossover; may be repeated (default: "
-                 "all but crossover)")
+                 "stiffness, ratio, damping, scaling, conclusions, crossover or network; may be repeated "
+                 "(default: all but the last two)")
       ->allow_extra_args(false)
       ->check(is_study, "");
   app.add_option("--flow", line.settings.flow, "Only this flow")->check(command::is_flow, "");

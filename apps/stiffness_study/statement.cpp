@@ -39,6 +39,21 @@ void compare(Spread& spread, const Run& first, const Run& run) {
   spread.most_steps = std::max(spread.most_steps, run.steps);
 }
 
+/// Times of two flows at one value.
+struct Pair {
+  double value, a, b;
+};
+
+std::vector<Pair> pairs(const Rows& rows, const std::string& a, const std::string& b) {
+  std::vector<Pair> found;
+  for (const auto& one : rows)
+    for (const auto& other : rows)
+      if (one.flow == a && other.flow == b && one.value == other.value && one.run.seconds > 0 &&
+          other.run.seconds > 0)
+        found.push_back({one.value, one.run.seconds, other.run.seconds});
+  return found;
+}
+
 }  // namespace
 
 Spread spread(const Rows& rows) {
@@ -145,6 +160,25 @@ std::vector<Statement> error_statements(const Rows& rows) {
                      worst->accuracy, worst->series, worst->family, worst->value, worst->reference)});
   }
   return statements;
+}
+
+Statement comparison(const Rows& rows, const std::string& a, const std::string& b) {
+  std::vector<std::string> ratios, crossings;
+  const auto both = pairs(rows, a, b);
+  for (std::size_t i = 0; i < both.size(); ++i) {
+    const auto& [value, time, other] = both[i];
+    ratios.push_back(fmt::format("{:.2g} at {:.3g}", time / other, value));
+    if (i == 0) continue;
+    const double before = std::log(both[i - 1].a / both[i - 1].b), after = std::log(time / other);
+    if (before * after < 0)
+      crossings.push_back(fmt::format(
+          "{:.2g}", both[i - 1].value * std::pow(value / both[i - 1].value, before / (before - after))));
+  }
+  return {Statement::Kind::observation,
+          fmt::format("{}: {} and {} cost the same at {} = {}; time ratio {}", rows.front().series, a, b,
+                      rows.front().family,
+                      crossings.empty() ? "(nowhere)" : fmt::format("{}", fmt::join(crossings, ", ")),
+                      fmt::join(ratios, ", "))};
 }
 
 }  // namespace mariotte::stiffness_study

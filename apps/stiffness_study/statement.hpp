@@ -63,6 +63,9 @@ Statement steps_statement(const Rows& rows, const std::string& quantity);
 /// How far the times of a flow over the rows lie apart, "auto within 1.3 (2.1 … 2.7 µs)".
 Statement times_statement(const Rows& rows, const std::string& quantity);
 
+/// "taylor / cvode-adams: 0.11 at 0.1, 0.3 at 1 …": where two flows cost the same, and ratios of their times.
+Statement comparison(const Rows& rows, const std::string& a, const std::string& b);
+
 /// Largest error of each flow against its references.
 std::vector<Statement> error_statements(const Rows& rows);
 

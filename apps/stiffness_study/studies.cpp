@@ -9,7 +9,8 @@ const std::vector<Study>& studies() {
       {"damping", "Damping", true, damping_study},
       {"scaling", "The group Π of damped contacts", true, scaling_study},
       {"conclusions", "The conclusions of the paper, on random chains", true, conclusions_study},
-      {"crossover", "Where one flow becomes cheaper than another", false, crossover_study}};
+      {"crossover", "Where one flow becomes cheaper than another", false, crossover_study},
+      {"network", "Dense and sparse matrices of contact networks", false, network_study}};
   return all;
 }
 

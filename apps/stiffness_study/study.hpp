@@ -38,5 +38,7 @@ Findings scaling_study(const Settings& settings);
 Findings conclusions_study(const Settings& settings);
 /// Where one flow becomes cheaper than another: numbers for flow/choose.
 Findings crossover_study(const Settings& settings);
+/// Packings of disks: what a dense and a sparse matrix cost where no band fits.
+Findings network_study(const Settings& settings);
 
 }  // namespace mariotte::stiffness_study

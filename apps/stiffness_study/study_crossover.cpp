@@ -1,17 +1,11 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "study.hpp"
 
 namespace mariotte::stiffness_study {
 namespace {
-
-// c for a damping ratio as flow::choose sees it: c L^n/(m* v) with m* = m/2 the reduced mass.
-double damping(double ratio, double exponent) {
-  return ratio * std::pow(0.5, 1 / (exponent + 1));
-}
 
 const char* exponent_name(double exponent) {
   return exponent == 1 ? "n = 1" : "n = 3/2";
@@ -31,7 +25,7 @@ std::vector<Series> over_size(bool quick) {
         series.points.push_back({static_cast<double>(balls),
                                  {.law = "viscoelastic",
                                   .balls = balls,
-                                  .damping = damping(20, exponent),
+                                  .damping = damping_for(20, exponent),
                                   .exponent = exponent}});
     all.push_back(series);
   }
@@ -51,7 +45,7 @@ std::vector<Series> over_damping_ratio(double accuracy, bool quick) {
         series.points.push_back({ratio,
                                  {.law = "viscoelastic",
                                   .balls = balls,
-                                  .damping = damping(ratio, exponent),
+                                  .damping = damping_for(ratio, exponent),
                                   .exponent = exponent}});
       all.push_back(series);
     }
@@ -83,41 +77,6 @@ std::vector<Series> over_stiffness_ratio(bool quick) {
   return all;
 }
 
-/// Times of two flows at one value.
-struct Pair {
-  double value, a, b;
-};
-
-std::vector<Pair> pairs(const Rows& rows, const std::string& a, const std::string& b) {
-  std::vector<Pair> found;
-  for (const auto& one : rows)
-    for (const auto& other : rows)
-      if (one.flow == a && other.flow == b && one.value == other.value && one.run.seconds > 0 &&
-          other.run.seconds > 0)
-        found.push_back({one.value, one.run.seconds, other.run.seconds});
-  return found;
-}
-
-// "taylor / cvode-adams: 0.11 at 0.1, 0.3 at 1 …"
-Statement compare(const Rows& rows, const std::string& a, const std::string& b) {
-  std::vector<std::string> ratios, crossings;
-  const auto both = pairs(rows, a, b);
-  for (std::size_t i = 0; i < both.size(); ++i) {
-    const auto& [value, time, other] = both[i];
-    ratios.push_back(fmt::format("{:.2g} at {:.3g}", time / other, value));
-    if (i == 0) continue;
-    const double before = std::log(both[i - 1].a / both[i - 1].b), after = std::log(time / other);
-    if (before * after < 0)
-      crossings.push_back(fmt::format(
-          "{:.2g}", both[i - 1].value * std::pow(value / both[i - 1].value, before / (before - after))));
-  }
-  return {Statement::Kind::observation,
-          fmt::format("{}: {} and {} cost the same at {} = {}; time ratio {}", rows.front().series, a, b,
-                      rows.front().family,
-                      crossings.empty() ? "(nowhere)" : fmt::format("{}", fmt::join(crossings, ", ")),
-                      fmt::join(ratios, ", "))};
-}
-
 }  // namespace
 
 Findings crossover_study(const Settings& settings) {
@@ -127,7 +86,7 @@ Findings crossover_study(const Settings& settings) {
   const auto run = [&](const Series& series, const Flows& flows, const Settings& with,
                        const std::vector<std::pair<std::string, std::string>>& rivals) {
     const auto rows = sweep(series, flows, with, references);
-    for (const auto& [a, b] : rivals) findings.statements.push_back(compare(rows, a, b));
+    for (const auto& [a, b] : rivals) findings.statements.push_back(comparison(rows, a, b));
     add(findings.rows, rows);
   };
   const std::string dense = "cvode-bdf-dense", band = "cvode-bdf-band", klu = "cvode-bdf-klu",

@@ -59,8 +59,9 @@ Rows sweep(const Series& series, const std::vector<std::string>& flows, const Se
                               : Run{.ending = "-", .reason = slow};
       if (!run.admitted) continue;
       if (slow.empty()) slow = too_slow(run, value, settings.patience());
-      const auto reference =
-          run.separated() ? references.find(one, run.flows, settings.accuracy) : std::nullopt;
+      const auto reference = run.separated() && one.side == 0
+                                 ? references.find(one, run.flows, settings.accuracy)
+                                 : std::nullopt;
       const double wrong = error(run, reference);
       rows.push_back({series.study, series.name, series.family, value, flow, settings.accuracy, one,
                       std::move(run), wrong, reference ? reference->source : "-"});
