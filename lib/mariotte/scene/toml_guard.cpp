@@ -6,7 +6,7 @@
 namespace mariotte::scene {
 namespace {
 
-constexpr int deepest = 16;
+constexpr std::size_t deepest = 16;
 
 struct Character {
   char32_t code;
@@ -122,10 +122,11 @@ class Guard {
     if (!letter && std::string_view(" \t\r\n_-+.,:=[]{}").find(c) == std::string_view::npos)
       reject(source_, here,
              "unexpected '" + std::string(before.substr(0, before.size() - rest_.size())) + "'");
-    if ((c == '[' || c == '{') && ++depth_ > deepest) reject(source_, here, "nested too deeply");
-    if ((c == ']' || c == '}') && depth_ > 0) --depth_;
+    if (c == '=' && (valued_ || open_.ends_with('['))) reject(source_, here, "unexpected '='");
+    if (c == '[' || c == '{') open_ += c;
+    if (open_.size() > deepest) reject(source_, here, "nested too deeply");
+    if ((c == ']' || c == '}') && !open_.empty()) open_.pop_back();
     if (std::string_view("=,[]{}\r\n").find(c) != std::string_view::npos) dots_ = 0;
-    if (c == '=' && valued_) reject(source_, here, "unexpected '='");
     if (std::string_view("=,[{\r\n").find(c) != std::string_view::npos) valued_ = c == '=';
     if (c == '.' && ++dots_ >= deepest) reject(source_, here, "too many dots in one key");
   }
@@ -134,8 +135,8 @@ class Guard {
   std::string_view rest_;
   char last_ = '\n';  ///< byte before the rest
   Place place_;
-  int depth_ = 0;
-  int dots_ = 0;
+  std::string open_;  ///< brackets, the innermost last
+  std::size_t dots_ = 0;
   bool valued_ = false;  ///< an = came, and nothing after it that another key could follow
 };
 
