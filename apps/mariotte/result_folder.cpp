@@ -42,7 +42,9 @@ bool is_image(const report::Spacetime* waves) {
   return waves && waves->is_image();
 }
 
-void add_energy(Texts& texts, const impact::ChainImpact& impact, const scene::Scene& scene) {
+// Of chains.
+void add_energy(Texts& texts, const impact::ContactImpact& impact, const scene::Scene& scene) {
+  if (scene.network) return;
   const auto course = report::energy_course(impact.trace, scene.chain);
   texts["energy.csv"] = report::energy_csv(course);
   texts["plot.gp"] += report::energy_script(course, scene.title);
