@@ -34,8 +34,10 @@ std::vector<Skipped> skipped(const ChainLayout& layout, const Course& course, bo
   const auto none = [](const std::vector<Index>& places) {
     return std::all_of(places.begin(), places.end(), [](Index p) { return p == ChainLayout::absent; });
   };
-  auto list = skipped_by_flows(course.run);
+  std::vector<Skipped> list;
   if (course.islands) skip_at_rest(*course.islands, layout.contacts(), list);
+  const auto by_flows = skipped_by_flows(course.run);
+  list.insert(list.end(), by_flows.begin(), by_flows.end());
   if (none(layout.work)) list.push_back({"dissipation", "no contact is damped"});
   if (none(layout.impulse))
     list.push_back({"impulse integrals", "momentum gives every impulse of a chain without walls"});

@@ -37,7 +37,7 @@ double noise_of_force(const DimensionlessMicrobody& body) {
 }  // namespace
 
 MicrobodyPhase::MicrobodyPhase(const DimensionlessMicrobody& body, const MicrobodyLayout& layout,
-                               double accuracy, Watched watched)
+                               double accuracy, WatchedSigns watched)
     : body_(body),
       layout_(layout),
       mechanics_{body, layout, noise_of_slip(body, accuracy), noise_of_force(body)},

@@ -21,7 +21,7 @@ inline Index escape_guard(Index tips) {
 }
 
 /// What a run watches beside what it must.
-struct Watched {
+struct WatchedSigns {
   bool force_signs =
       true;  ///< F_n = 0 even where nothing changes there: without friction, or sticking freely
 };
@@ -30,7 +30,7 @@ struct Watched {
 class MicrobodyPhase final : public flow::Problem {
  public:
   MicrobodyPhase(const DimensionlessMicrobody& body, const MicrobodyLayout& layout, double accuracy,
-                 Watched watched);
+                 WatchedSigns watched);
 
   void bind(const MicrobodyMode& mode);
   const MicrobodyMode& mode() const { return mode_; }
@@ -65,7 +65,7 @@ class MicrobodyPhase final : public flow::Problem {
   const DimensionlessMicrobody& body_;
   const MicrobodyLayout& layout_;
   Mechanics mechanics_;
-  Watched watched_;
+  WatchedSigns watched_;
   MicrobodyMode mode_;
   Index closed_ = 0;
   bool series_ = false;

@@ -16,7 +16,7 @@ Vector3 unit(const Vector3& v) {
 
 }  // namespace
 
-MicrobodySystem::MicrobodySystem(const Microbody& body, double accuracy, bool ledger, Watched watched)
+MicrobodySystem::MicrobodySystem(const Microbody& body, double accuracy, bool ledger, WatchedSigns watched)
     : body_(dimensionless(body)),
       layout_(microbody_layout(body_.tips(), ledger)),
       phase_(body_, layout_, accuracy, watched) {}

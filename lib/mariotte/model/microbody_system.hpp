@@ -14,7 +14,7 @@ class MicrobodySystem {
   using Change = MicrobodyChange;
 
   /// With `ledger` the state holds what damping and friction have taken, and positions.
-  MicrobodySystem(const Microbody& body, double accuracy, bool ledger, Watched watched = {});
+  MicrobodySystem(const Microbody& body, double accuracy, bool ledger, WatchedSigns watched = {});
   MicrobodySystem(const MicrobodySystem&) = delete;
   MicrobodySystem& operator=(const MicrobodySystem&) = delete;
 
