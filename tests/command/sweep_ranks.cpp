@@ -4,6 +4,7 @@
 
 #include "sweep_session.hpp"
 
+namespace fs = std::filesystem;
 using support::content;
 using support::has;
 using support::mpirun;
@@ -23,14 +24,12 @@ BOOST_FIXTURE_TEST_CASE(any_number_of_ranks_gives_the_same_csv, Session) {
 }
 
 BOOST_FIXTURE_TEST_CASE(what_some_ranks_have_done_others_go_on_with, Session) {
-  write("map.toml", support::map_scene(1000));
+  write("map.toml", support::map_scene(3000));
   BOOST_TEST(mariotte("sweep map.toml --no-figures --out alone").code == 0);
-  const auto killed = shell("timeout -s KILL 1.2 " + mpirun(3) +
-                            "\"$mariotte\" sweep map.toml --no-figures --threads 1 --out out -q");
-  BOOST_TEST(killed.code == 137);
-  const auto stopped = shell("timeout --preserve-status -s TERM 1.2 " + mpirun(2) +
-                             "\"$mariotte\" sweep map.toml --no-figures --threads 1 --out out -q");
-  BOOST_TEST(stopped.code != 0);
+  const std::string sweep = "\"$mariotte\" sweep map.toml --no-figures --threads 1 --out out -q";
+  BOOST_TEST(shell(support::struck("KILL", mpirun(3) + sweep, "out")).code == 137);
+  BOOST_TEST(shell(support::struck("TERM", mpirun(2) + sweep, "out")).code != 0);
+  BOOST_TEST(!fs::exists(folder / "out/sweep.csv"));
   const auto last = mariotte("sweep map.toml --no-figures --out out");
   BOOST_TEST(last.code == 0);
   BOOST_TEST(has(last.err, "points were done before"));

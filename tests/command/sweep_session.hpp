@@ -31,6 +31,14 @@ inline std::string mpirun(int ranks) {
          std::to_string(ranks) + " ";
 }
 
+/// A line of shell that starts a sweep into `out` and sends it a signal as soon as its journals have grown,
+/// however fast the machine; its code is that of the sweep.
+inline std::string struck(const std::string& signal, const std::string& line, const std::string& out) {
+  const std::string size = "$(cat " + out + "/*.jsonl 2>/dev/null | wc -c)";
+  return "before=" + size + "; " + line + " & until [ " + size +
+         " -gt $((before + 5000)) ]; do sleep 0.02; done; kill -s " + signal + " $!; wait $!";
+}
+
 /// The journals of a sweep by name, without a last line that is torn.
 inline std::map<std::string, std::string> journals(const fs::path& folder) {
   std::map<std::string, std::string> whole;
