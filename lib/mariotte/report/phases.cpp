@@ -10,7 +10,7 @@
 namespace mariotte::report {
 namespace {
 
-constexpr std::size_t most_marked = 30;
+constexpr std::size_t most_marked = 12;                           // more words would cover each other
 constexpr std::array shades = {"#f1f4f8", "#e6ecf3", "#dce4ee"};  // of one, two, three and more contacts
 
 std::string shade(double from, double to, std::size_t closed) {
