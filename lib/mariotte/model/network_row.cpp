@@ -52,6 +52,7 @@ std::vector<Index> places_in_row(const DimensionlessNetwork& network) {
 void make_serial(const DimensionlessNetwork& network, const NetworkLayout& layout,
                  const std::vector<Index>& places, flow::SerialPhase& phase) {
   phase.speed = network.speed;
+  phase.faint = network.slow;
   phase.body.resize(places.size() + 1);
   phase.contact.resize(places.size());
   for (Index j = 0; j < std::ssize(places); ++j) {
