@@ -21,7 +21,7 @@ void prepare_result_folder(const std::filesystem::path& folder, bool force);
 /// figures; `waves` may be null. Throws report::FileError.
 std::string write_result_folder(const std::filesystem::path& folder, const report::Json& json,
                                 const impact::ContactImpact& impact, const scene::Scene& scene,
-                                const report::Spacetime* waves);
+                                const report::Spacetime* waves = nullptr);
 std::string write_result_folder(const std::filesystem::path& folder, const report::Json& json,
                                 const impact::MicrobodyImpact& impact, const scene::Scene& scene);
 

@@ -7,6 +7,7 @@
 #include "command_line/exit_code.hpp"
 #include "command_line/terminal.hpp"
 #include "mariotte/report/json.hpp"
+#include "mariotte/report/network_table.hpp"
 #include "mariotte/report/reason.hpp"
 #include "mariotte/report/table.hpp"
 #include "report_page.hpp"
@@ -33,7 +34,7 @@ struct Run {
 
 std::string size_of(const scene::Scene& scene) {
   if (scene.body) return "a body";
-  if (scene.network) return fmt::format("{} contacts", scene.network->law.size());
+  if (scene.network) return report::size_of(*scene.network);
   return fmt::format("{} balls", scene.chain.mass.size());
 }
 
@@ -57,7 +58,7 @@ report::Json json(const Run& options, const Impact& impact, const scene::Scene& 
   return result;
 }
 
-/// Writes and prints the impact; `waves...` is what a body has not.
+/// Writes and prints the impact; `waves...` is the image that only chains have.
 template <class Impact, class... Waves>
 int finish(const Run& options, const Impact& impact, const scene::Scene& scene, Waves... waves) {
   const bool is_read = options.json || !options.out.empty();  // of a long chain it takes gigabytes
@@ -105,8 +106,7 @@ int run_network(const Run& options, const scene::Scene& scene) {
   const bool trace = !options.out.empty() && can_trace(scene);
   const auto impact = simulate(options, *scene.network, scene,
                                [&] { return impact::simulate(*scene.network, scene.run, trace); });
-  const report::Spacetime* const no_image = nullptr;
-  return finish(options, impact, scene, no_image);
+  return finish(options, impact, scene);
 }
 
 int run(const Run& options) {
@@ -124,8 +124,8 @@ constexpr const char* examples = R"(Examples:
   mariotte run solitary_wave.toml --trace wave.csv --every "5 us" --balls 100:1000:100 --contacts 500
 
 With --out DIR: result.json, events.csv, trace.csv, energy.csv, plot.csv, plot.gp and, by gnuplot, forces,
-velocities and energy as png and svg; of 48 balls and more also spacetime.csv and its image, of more than 1000 no trace.csv and
-no curves. With --report also report.html, all of it in one page.
+velocities and energy as png and svg; of 48 balls and more also spacetime.csv and its image, of more than
+1000 no trace.csv and no curves. With --report also report.html, all of it in one page.
 )";
 
 void add_options(CLI::App& command, Run& options) {

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "mariotte/core/bracket.hpp"
+#include "mariotte/core/state_vectors.hpp"
 
 namespace mariotte::flow {
 namespace {
@@ -117,9 +118,9 @@ struct Body {
 
   Body(const FreePhase& free, ConstState x) : phase(free) {
     const auto& p = free.place;
-    attitude = {x[p.attitude], x[p.attitude + 1], x[p.attitude + 2], x[p.attitude + 3]};
-    velocity = {x[p.velocity], x[p.velocity + 1], x[p.velocity + 2]};
-    momentum = {x[p.momentum], x[p.momentum + 1], x[p.momentum + 2]};
+    attitude = quaternion_at(x, p.attitude);
+    velocity = vector_at(x, p.velocity);
+    momentum = vector_at(x, p.momentum);
   }
 
   /// The axis turns about the momentum: a₁(t) = const + A cos(Ω t + φ).
@@ -151,11 +152,7 @@ class FlightStep final : public Step {
     x[place.position] += t * body_.velocity.e2;
     x[place.position + 1] += t * body_.velocity.e3;
     x[place.velocity] -= t * body_.phase.body.gravity;
-    const auto q = flown(body_.attitude, body_.momentum, body_.phase.body, t);
-    x[place.attitude] = q.w;
-    x[place.attitude + 1] = q.x;
-    x[place.attitude + 2] = q.y;
-    x[place.attitude + 3] = q.z;
+    put(x, place.attitude, flown(body_.attitude, body_.momentum, body_.phase.body, t));
   }
 
  private:

@@ -3,19 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mariotte/core/state_vectors.hpp"
 #include "mariotte/flow/polynomial.hpp"
 
 namespace mariotte::flow {
 namespace {
-
-Vector3 vector_at(ConstState x, Index place) {
-  return {x[place], x[place + 1], x[place + 2]};
-}
-void put(State x, Index place, const Vector3& v) {
-  x[place] = v.e1;
-  x[place + 1] = v.e2;
-  x[place + 2] = v.e3;
-}
 
 double value(const Row& row, double tau, int order) {
   return horner({row.data(), static_cast<std::size_t>(order) + 1}, tau);
@@ -52,17 +44,12 @@ bool starts_from_rest(const TipPhase& phase) {
 }
 
 Quaternion attitude_at(const TipPhase& phase, ConstState x) {
-  const Index q = phase.place.attitude;
-  return {x[q], x[q + 1], x[q + 2], x[q + 3]};
+  return quaternion_at(x, phase.place.attitude);
 }
 
 void store_attitude(const TipPhase& phase, const Quaternion& q, State x) {
-  const Index place = phase.place.attitude;
   const auto unit = normalized(q);
-  x[place] = unit.w;
-  x[place + 1] = unit.x;
-  x[place + 2] = unit.y;
-  x[place + 3] = unit.z;
+  put(x, phase.place.attitude, unit);
   store_other_gap(phase, rotate(unit, {1, 0, 0}).e1, x);
 }
 

@@ -36,13 +36,13 @@ double highest(Function&& f, double low, double high) {
 BodyState body_state(const model::MicrobodySystem& system, double time, ConstState x) {
   const auto& scale = system.body().scale;
   const auto& place = system.layout().place;
-  const auto q = model::quaternion_at(x, place.attitude);
+  const auto q = quaternion_at(x, place.attitude);
   const auto& first = system.body().body.tips[0];
   const double height = x[place.gap[0]] + first.radius - rotate(q, first.centre).e1;
   return {.time = time * scale.time,
           .position = scale.length * Vector3{height, x[place.position], x[place.position + 1]},
           .attitude = q,
-          .velocity = scale.velocity * model::vector_at(x, place.velocity),
+          .velocity = scale.velocity * vector_at(x, place.velocity),
           .spin = (1 / scale.time) * system.mechanics().spin(x)};
 }
 

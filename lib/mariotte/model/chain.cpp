@@ -44,4 +44,11 @@ void validate(const Chain& chain) {
     validate_contact(j, chain.law[j], chain.gap[j], chain.precompressed, "chain");
 }
 
+double kinetic_energy(const Chain& chain, const std::vector<double>& velocity) {
+  double twice = 0;
+  for (std::size_t i = 0; i < velocity.size(); ++i)
+    if (std::isfinite(chain.mass[i])) twice += chain.mass[i] * velocity[i] * velocity[i];
+  return twice / 2;
+}
+
 }  // namespace mariotte::model

@@ -23,6 +23,9 @@ struct Chain {
 /// exponent ≥ 1, gaps ≥ 0 unless precompressed.
 void validate(const Chain& chain);
 
+/// ½ Σ m v² of the balls of finite mass at any velocities [J].
+double kinetic_energy(const Chain& chain, const std::vector<double>& velocity);
+
 /// The rules for contact j (from 0) of a `whole`, "chain" or "network".
 void validate_contact(std::size_t j, const contact::Law& law, double gap, bool precompressed,
                       const char* whole);

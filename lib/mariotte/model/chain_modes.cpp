@@ -40,9 +40,4 @@ void contact_set_at(const ChainState& state, ContactSet& mode, std::vector<Conta
     if (contact::carries_force(mode[j])) press_row(state, mode, j, changes);
 }
 
-void open_touching(ContactSet& mode, std::vector<ContactChange>& changes) {
-  for (Index j = 0; j < static_cast<Index>(mode.size()); ++j)
-    if (mode[j] == ContactMode::touching) change(mode, j, ContactMode::open, changes);
-}
-
 }  // namespace mariotte::model

@@ -32,7 +32,4 @@ bool rests(const ChainState& state, contact::ContactMode mode, Index j);
 /// touching ones at rest that stand in a row with one of these.
 void contact_set_at(const ChainState& state, contact::ContactSet& mode, std::vector<ContactChange>& changes);
 
-/// Contacts that touched but were never pressed noticeably open at the end.
-void open_touching(contact::ContactSet& mode, std::vector<ContactChange>& changes);
-
 }  // namespace mariotte::model

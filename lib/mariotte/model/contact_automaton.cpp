@@ -13,6 +13,11 @@ void change(contact::ContactSet& mode, Index j, ContactMode after, std::vector<C
   mode[j] = after;
 }
 
+void open_touching(contact::ContactSet& mode, std::vector<ContactChange>& changes) {
+  for (Index j = 0; j < std::ssize(mode); ++j)
+    if (mode[j] == ContactMode::touching) change(mode, j, ContactMode::open, changes);
+}
+
 ContactMode mode_after(ContactMode mode, bool load_fired, double gap, double approach, double slow) {
   switch (mode) {
     case ContactMode::open:

@@ -17,6 +17,9 @@ struct ContactChange {
 void change(contact::ContactSet& mode, Index j, contact::ContactMode after,
             std::vector<ContactChange>& changes);
 
+/// Contacts that touched but were never pressed noticeably open at the end.
+void open_touching(contact::ContactSet& mode, std::vector<ContactChange>& changes);
+
 /// The mode after a guard of the contact has fired: that of its load, or of its gap. An approach of at most
 /// `slow` cannot be told from rest.
 contact::ContactMode mode_after(contact::ContactMode mode, bool load_fired, double gap, double approach,

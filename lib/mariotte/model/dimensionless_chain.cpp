@@ -73,11 +73,6 @@ Scale choose_scale(const Chain& chain, double speed, std::size_t j, NaturalLengt
   return scale;
 }
 
-/// A tenth of the accuracy, but what double precision can tell.
-double slow_share(double accuracy) {
-  return std::max(0.1 * accuracy, 8 * epsilon);
-}
-
 /// Gravity towards decreasing position pulls a ball back to a wall on its left; upwards gravity mirrors that.
 bool pulls_back(const Chain& chain) {
   if (chain.gravity == 0) return false;

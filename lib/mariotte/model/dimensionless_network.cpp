@@ -31,10 +31,6 @@ double reference_speed(const Network& network, const Numbers& mass) {
   return squared > 0 ? std::sqrt(squared) : 1;
 }
 
-double natural_length(const contact::Law& law, double mass, double speed) {
-  return natural_root(mass * speed * speed / contact::stiffness(law), contact::exponent(law));
-}
-
 std::size_t quickest_contact(const Network& network, const Numbers& mass, double speed) {
   std::vector<double> length;
   for (std::size_t j = 0; j < mass.size(); ++j)
@@ -78,7 +74,7 @@ DimensionlessNetwork make_dimensionless(const Network& network, double accuracy)
   d.scale.length = natural_length(network.law[quickest], d.scale.mass, d.scale.velocity);
   d.scale.time = d.scale.length / d.scale.velocity;
   d.speed = speed / d.scale.velocity;
-  d.slow = std::max(0.1 * accuracy, 8 * epsilon) * d.speed;
+  d.slow = slow_share(accuracy) * d.speed;
   for (const double v : network.velocity) d.velocity.push_back(v / d.scale.velocity);
   for (auto& push : d.push)
     for (auto& term : push) term.coefficient *= d.scale.mass;

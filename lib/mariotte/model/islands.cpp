@@ -130,8 +130,7 @@ void Islands::follow(Island& island, double limit) {
   auto [kind, flow] = flows_.choose(problem, requested_, island.arrival.outcome == Outcome::stiff);
   if (island.log) island.log->begin(island.system, island.first, island.clock);
   island.arrival =
-      flows_.get(kind, problem)
-          .follow(problem, island.x,
+      flow.follow(problem, island.x,
                   {.limit = limit, .accuracy = options_.accuracy, .watcher = island.log.get()}, island.fired);
   hybrid::count(run_.flows[static_cast<std::size_t>(kind)], island.arrival);
 }

@@ -57,22 +57,4 @@ std::string component_name(const MicrobodyLayout& layout, Index component) {
   return "component " + std::to_string(component + 1);
 }
 
-Vector3 vector_at(ConstState x, Index place) {
-  return {x[place], x[place + 1], x[place + 2]};
-}
-Quaternion quaternion_at(ConstState x, Index place) {
-  return {x[place], x[place + 1], x[place + 2], x[place + 3]};
-}
-void put(State x, Index place, const Vector3& v) {
-  x[place] = v.e1;
-  x[place + 1] = v.e2;
-  x[place + 2] = v.e3;
-}
-void put(State x, Index place, const Quaternion& q) {
-  x[place] = q.w;
-  x[place + 1] = q.x;
-  x[place + 2] = q.y;
-  x[place + 3] = q.z;
-}
-
 }  // namespace mariotte::model

@@ -3,6 +3,7 @@
 #pragma once
 #include <string>
 
+#include "mariotte/core/state_vectors.hpp"
 #include "mariotte/flow/tip_phase.hpp"
 #include "mariotte/model/dimensionless_microbody.hpp"
 
@@ -24,10 +25,5 @@ std::vector<double> magnitudes(const DimensionlessMicrobody& body, const Microbo
 
 /// "velocity 2", "attitude 1", … for messages; counted from 1.
 std::string component_name(const MicrobodyLayout& layout, Index component);
-
-Vector3 vector_at(ConstState x, Index place);
-Quaternion quaternion_at(ConstState x, Index place);
-void put(State x, Index place, const Vector3& v);
-void put(State x, Index place, const Quaternion& q);
 
 }  // namespace mariotte::model

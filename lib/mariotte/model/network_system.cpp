@@ -65,8 +65,7 @@ bool NetworkSystem::is_over(const Mode& mode, ConstState x, bool) const {
 }
 
 void NetworkSystem::finish(Mode& mode, std::vector<Change>& changes) const {
-  for (Index j = 0; j < layout_.contacts; ++j)
-    if (mode[j] == ContactMode::touching) change(mode, j, ContactMode::open, changes);
+  open_touching(mode, changes);
 }
 
 NetworkPhase& NetworkSystem::problem(Mode& mode) {

@@ -1,5 +1,6 @@
 #include "mariotte/model/scaled_law.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace mariotte::model {
@@ -13,6 +14,14 @@ contact::Law scaled(const contact::Law& law, const Scale& scale, const contact::
   if (std::holds_alternative<contact::Hertz>(law)) return contact::Hertz{stiffness};
   const double damping = contact::damping(law) * std::pow(scale.length, n) / scale.momentum();
   return contact::Viscoelastic{.stiffness = stiffness, .damping = damping, .exponent = n};
+}
+
+double natural_length(const contact::Law& law, double mass, double speed) {
+  return natural_root(mass * speed * speed / contact::stiffness(law), contact::exponent(law));
+}
+
+double slow_share(double accuracy) {
+  return std::max(0.1 * accuracy, 8 * epsilon);
 }
 
 }  // namespace mariotte::model

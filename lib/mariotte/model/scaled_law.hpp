@@ -1,12 +1,20 @@
-// Contact laws in the units of a scale.
+// What making a chain or a network dimensionless has in common.
 #pragma once
 #include "mariotte/contact/law.hpp"
 #include "mariotte/core/scale.hpp"
+#include "mariotte/core/types.hpp"
 
 namespace mariotte::model {
 
 /// k L^{n+1}/(M V²) and c L^n/(M V). Contacts with the reference's exponent divide by its stiffness instead
 /// of going through L, which makes the reference's own stiffness exactly 1.
 contact::Law scaled(const contact::Law& law, const Scale& scale, const contact::Law& reference);
+
+/// The indentation L with k L^{n+1} = m v².
+double natural_length(const contact::Law& law, double mass, double speed);
+
+/// Approach that counts as none, relative to the largest: a tenth of the accuracy, but what double precision
+/// can tell.
+double slow_share(double accuracy);
 
 }  // namespace mariotte::model

@@ -76,6 +76,10 @@ std::string heading(const std::string& title) {
   return text + "\n";
 }
 
+std::string line(const std::string& name, const std::string& value, const std::string& note) {
+  return fmt::format("  {:<24}{:>16}{}{}\n", name, value, note.empty() ? "" : "  ", note);
+}
+
 std::size_t width(const std::string& text) {
   return static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));

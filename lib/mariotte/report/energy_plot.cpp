@@ -3,20 +3,12 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cmath>
 
 #include "mariotte/report/gnuplot.hpp"
 #include "mariotte/report/number.hpp"
 
 namespace mariotte::report {
 namespace {
-
-double kinetic(const model::Chain& chain, const std::vector<double>& velocity) {
-  double twice = 0;
-  for (std::size_t i = 0; i < velocity.size(); ++i)
-    if (std::isfinite(chain.mass[i])) twice += chain.mass[i] * velocity[i] * velocity[i];
-  return twice / 2;
-}
 
 /// A contact that is indented without force has lost what it stored.
 double stored(const model::Chain& chain, const std::vector<double>& gap, const std::vector<double>& force) {
@@ -31,7 +23,7 @@ double stored(const model::Chain& chain, const std::vector<double>& gap, const s
 EnergyCourse energy_course(const impact::Trace& trace, const model::Chain& chain) {
   EnergyCourse course{.time = trace.time, .kinetic = {}, .stored = {}, .lost = {}};
   for (std::size_t k = 0; k < trace.time.size(); ++k) {
-    course.kinetic.push_back(kinetic(chain, trace.velocity[k]));
+    course.kinetic.push_back(kinetic_energy(chain, trace.velocity[k]));
     course.stored.push_back(stored(chain, trace.gap[k], trace.force[k]));
     if (chain.gravity == 0)
       course.lost.push_back(course.kinetic[0] + course.stored[0] - course.kinetic[k] - course.stored[k]);

@@ -68,7 +68,7 @@ std::string contacts(const LawReport& report) {
 }
 
 std::string ratio(const char* name, const std::optional<double>& value) {
-  return value ? fmt::format("  {:<24}{:>16.10f}\n", name, *value) : "";
+  return value ? line(name, fmt::format("{:.10f}", *value)) : "";
 }
 
 std::string energies(const LawReport& report) {

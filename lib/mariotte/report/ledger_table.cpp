@@ -10,10 +10,6 @@
 namespace mariotte::report {
 namespace {
 
-std::string line(const std::string& name, const std::string& value, const std::string& note = "") {
-  return fmt::format("  {:<24}{:>16}{}{}\n", name, value, note.empty() ? "" : "  ", note);
-}
-
 std::string residual(const Display& display, double value, double scale) {
   const std::string note = scale > 0 ? fmt::format("(relative {:.1e})", std::abs(value) / scale) : "";
   return line("residual", fmt::format("{:.2e}", display.factor * value), note);

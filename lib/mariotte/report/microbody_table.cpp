@@ -14,13 +14,6 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-std::string heading(const scene::Scene& scene) {
-  const std::string title = scene.title.empty() ? "Microbody on a plane" : scene.title;
-  std::string text = title + "\n";
-  for (std::size_t i = 0; i < width(title); ++i) text += "═";
-  return text + "\n";
-}
-
 std::string summary(const impact::MicrobodyImpact& impact, const scene::Scene& scene, const Display& time) {
   std::string text =
       fmt::format("{} at {} {} · {} impact{} · accuracy {:.3g} requested", hybrid::name(impact.ending),
@@ -100,10 +93,6 @@ std::string impacts(const impact::MicrobodyImpact& impact, const Display& time) 
                                  std::ssize(impact.impacts), row);
 }
 
-std::string line(const std::string& name, const std::string& value) {
-  return fmt::format("  {:<24}{:>16}\n", name, value);
-}
-
 std::string restitution(const impact::Restitution& e) {
   return "\nRestitution\n" + line("tip", fmt::format("{:.10f}", e.tip)) +
          line("mass centre", fmt::format("{:.10f}", e.centre));
@@ -126,9 +115,10 @@ std::string energy(const impact::MicrobodyLedger& e) {
 
 std::string table(const impact::MicrobodyImpact& impact, const scene::Scene& scene) {
   const auto time = display_for(std::vector{impact.final.time}, "s");
-  return heading(scene) + summary(impact, scene, time) + events(impact, time) + motion(impact, *scene.body) +
-         restitution(impact.restitution) + impacts(impact, time) + energy(impact.energy) +
-         flows_table(impact.flows) + skipped_table(impact.skipped);
+  return heading(scene.title.empty() ? "Microbody on a plane" : scene.title) + summary(impact, scene, time) +
+         events(impact, time) + motion(impact, *scene.body) + restitution(impact.restitution) +
+         impacts(impact, time) + energy(impact.energy) + flows_table(impact.flows) +
+         skipped_table(impact.skipped);
 }
 
 std::string table_of_body(const scene::Scene& scene) {

@@ -95,8 +95,6 @@ std::string limits(const hybrid::Options& run) {
 
 }  // namespace
 
-std::string table_of_body(const scene::Scene& scene);
-
 std::string table(const scene::Scene& scene) {
   if (scene.body) return table_of_body(scene);
   if (scene.network) return network(scene) + limits(scene.run);

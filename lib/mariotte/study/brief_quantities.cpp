@@ -17,14 +17,6 @@ double at(const std::vector<double>& values, std::size_t i) {
   return i < values.size() ? values[i] : undefined;
 }
 
-/// Of the balls of finite mass.
-double kinetic(const model::Chain& chain, const std::vector<double>& velocity) {
-  double twice = 0;
-  for (std::size_t i = 0; i < velocity.size(); ++i)
-    if (std::isfinite(chain.mass[i])) twice += chain.mass[i] * velocity[i] * velocity[i];
-  return twice / 2;
-}
-
 double time(const Brief& brief, std::size_t) {
   return brief.impact.time;
 }
@@ -38,12 +30,12 @@ double impulse(const Brief& brief, std::size_t j) {
 }
 
 double energy(const Brief& brief, std::size_t) {
-  return kinetic(brief.chain, brief.impact.velocity);
+  return kinetic_energy(brief.chain, brief.impact.velocity);
 }
 
 double energy_ratio(const Brief& brief, std::size_t) {
-  const double before = kinetic(brief.chain, brief.chain.velocity);
-  return before > 0 ? kinetic(brief.chain, brief.impact.velocity) / before : undefined;
+  const double before = kinetic_energy(brief.chain, brief.chain.velocity);
+  return before > 0 ? kinetic_energy(brief.chain, brief.impact.velocity) / before : undefined;
 }
 
 double icr(const Brief& brief, std::size_t j) {
