@@ -15,9 +15,15 @@ void expect_readable(const std::string& what) {
   if (!what.starts_with("fuzz") || what.find('\n') != std::string::npos || what.size() > 4000) std::abort();
 }
 
+void understand(const scene::Document& document, scene::Purpose purpose) try {
+  scene::resolve(document, purpose);
+} catch (const scene::SceneError& error) {
+  expect_readable(error.what());
+}
+
 void read(const std::string& text) try {
-  scene::Document document = scene::parse_document(text, "fuzz");
-  scene::resolve(document, scene::Purpose::law);
+  auto document = scene::parse_document(text, "fuzz");
+  for (const auto purpose : {scene::Purpose::simulation, scene::Purpose::law}) understand(document, purpose);
   const auto design = study::read_design(document);
   for (const Index point : {Index{0}, design.points() / 2, design.points() - 1}) study::values(design, point);
 } catch (const scene::SceneError& error) {
