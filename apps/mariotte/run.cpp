@@ -86,7 +86,7 @@ int run_chain(const Run& options, const scene::Scene& scene) {
   if (!options.scene.quiet) watching.progress = std::ref(progress);
   const auto impact = simulate(options, scene.chain, scene,
                                [&] { return impact::simulate(scene.chain, scene.run, watching); });
-  if (trace) trace->file.commit();
+  if (trace) trace->file->commit();
   const report::Spacetime* const image = waves ? &*waves : nullptr;
   return finish(options, impact, scene, image);
 }

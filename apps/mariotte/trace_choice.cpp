@@ -7,7 +7,7 @@
 
 #include "command_line/exit_code.hpp"
 #include "mariotte/core/quantity.hpp"
-#include "mariotte/report/csv.hpp"
+#include "mariotte/report/files.hpp"
 
 namespace mariotte::command {
 namespace {
@@ -49,7 +49,9 @@ double interval(const std::string& text) {
 }  // namespace
 
 void add_trace_choice(CLI::App& command, TraceChoice& choice) {
-  auto* trace = command.add_option("--trace", choice.file, "Write samples into this CSV file as they come")
+  auto* trace = command
+                    .add_option("--trace", choice.file,
+                                "Write samples into this file as they come: CSV, or HDF5 if it ends in .h5")
                     ->type_name("FILE");
   command
       .add_option("--every", choice.every,
@@ -73,14 +75,12 @@ std::unique_ptr<RunningTrace> start_trace(const TraceChoice& choice, std::size_t
   const double every = interval(choice.every);
   if (!force && std::filesystem::exists(std::filesystem::symlink_status(choice.file)))
     throw report::FileError("cannot write " + choice.file + ": it exists already (--force overwrites)");
-  std::unique_ptr<RunningTrace> trace(new RunningTrace{std::move(sampling), report::NewFile(choice.file)});
-  auto& file = trace->file;
-  file.append(report::trace_header(trace->sampling.balls, trace->sampling.contacts));
-  trace->sampling.take = [&file, every](const impact::Sample& sample) {
-    file.append(report::trace_row(sample.time, sample.velocity, sample.gap, sample.force));
+  auto file = report::new_trace_file(choice.file, sampling.balls, sampling.contacts);
+  sampling.take = [to = file.get(), every](const impact::Sample& sample) {
+    to->add(sample);
     return every > 0 ? every : sample.natural_time;
   };
-  return trace;
+  return std::make_unique<RunningTrace>(RunningTrace{std::move(sampling), std::move(file)});
 }
 
 }  // namespace mariotte::command

@@ -4,8 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "mariotte/impact/sampling.hpp"
-#include "mariotte/report/files.hpp"
+#include "mariotte/report/trace_file.hpp"
 
 namespace mariotte::command {
 
@@ -18,11 +17,10 @@ struct TraceChoice {
 /// Declare --trace, --every, --balls and --contacts.
 void add_trace_choice(CLI::App& command, TraceChoice& choice);
 
-/// A trace on its way to its file; `sampling` feeds the file as long as this lives. Rows are written as they
-/// come, under a temporary name until the file is committed, so that a killed run leaves those it had.
+/// A trace on its way to its file; `sampling` feeds the file as long as this lives.
 struct RunningTrace {
   impact::Sampling sampling;
-  report::NewFile file;
+  std::unique_ptr<report::TraceFile> file;
 };
 
 /// For a chain of so many balls; null if none was asked for. Throws UsageError or report::FileError.

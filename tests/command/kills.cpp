@@ -45,6 +45,20 @@ BOOST_FIXTURE_TEST_CASE(a_run_killed_at_any_moment_leaves_whole_files, Session) 
     BOOST_TEST(!entry.path().filename().string().starts_with("."));
 }
 
+BOOST_FIXTURE_TEST_CASE(a_killed_trace_leaves_the_rows_it_had, Session) {
+  const auto killed = shell(
+      "\"$mariotte\" run three.toml --trace wave.csv --every 1e-7 -q & run=$!; "
+      "until [ -s .wave.csv.$run.tmp ]; do kill -0 $run || exit 9; done; kill -s KILL $run; wait $run");
+  BOOST_TEST(killed.code == 137);
+  BOOST_TEST(!fs::exists(folder / "wave.csv"));
+  fs::path left;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ".tmp") left = entry.path();
+  const auto rows = content(left);
+  BOOST_TEST(rows.starts_with("time [s],v1 [m/s]"));
+  BOOST_TEST(rows.ends_with('\n'));
+}
+
 BOOST_FIXTURE_TEST_CASE(a_disk_that_is_full_leaves_the_files_of_the_run_before, Session) {
   BOOST_TEST(mariotte("run three.toml --out out").code == 0);
   const auto before = content(folder / "out/trace.csv");

@@ -129,6 +129,17 @@ BOOST_FIXTURE_TEST_CASE(a_trace_holds_what_was_asked_for, Session) {
   BOOST_TEST(entries() == 3);
 }
 
+BOOST_FIXTURE_TEST_CASE(a_trace_can_be_hdf5, Session) {
+  const auto run = mariotte("run three.toml --trace wave.h5");
+  if (has(run.err, "built without HDF5")) {
+    BOOST_TEST(run.code == 6);
+    return;
+  }
+  BOOST_TEST(run.code == 0);
+  BOOST_TEST(content(folder / "wave.h5").starts_with("\x89HDF"));
+  BOOST_TEST(entries() == 2);
+}
+
 BOOST_FIXTURE_TEST_CASE(a_run_that_reaches_a_limit_keeps_its_trace, Session) {
   const auto run = mariotte("run three.toml --trace wave.csv --every \"1 s\" --set run.max_time=2");
   BOOST_TEST(run.code == 5);

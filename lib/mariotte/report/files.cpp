@@ -16,10 +16,6 @@ namespace {
   throw FileError("cannot write " + path.string() + ": " + reason);
 }
 
-std::filesystem::path temporary_name(const std::filesystem::path& path) {
-  return path.parent_path() / fmt::format(".{}.{}.tmp", path.filename().string(), ::getpid());
-}
-
 bool write_all(int file, std::string_view text) {
   while (!text.empty()) {
     const ssize_t written = ::write(file, text.data(), text.size());
@@ -31,6 +27,19 @@ bool write_all(int file, std::string_view text) {
 }
 
 }  // namespace
+
+std::filesystem::path temporary_name(const std::filesystem::path& path) {
+  return path.parent_path() / fmt::format(".{}.{}.tmp", path.filename().string(), ::getpid());
+}
+
+void put_in_place(const std::filesystem::path& temporary, const std::filesystem::path& path) {
+  const int file = ::open(temporary.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool flushed = file >= 0 && ::fsync(file) == 0;
+  const int problem = errno;
+  if (file >= 0) ::close(file);
+  if (!flushed) fail(path, std::strerror(problem));
+  if (std::rename(temporary.c_str(), path.c_str()) != 0) fail(path, std::strerror(errno));
+}
 
 NewFile::NewFile(std::filesystem::path path) : path_(std::move(path)), temporary_(temporary_name(path_)) {
   ::unlink(temporary_.c_str());
@@ -48,9 +57,8 @@ void NewFile::append(std::string_view text) {
 }
 
 void NewFile::commit() {
-  if (::fsync(file_) != 0) fail(errno);
   if (::close(std::exchange(file_, -1)) != 0) fail(errno);
-  if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail(errno);
+  put_in_place(temporary_, path_);
 }
 
 void NewFile::fail(int problem) const {

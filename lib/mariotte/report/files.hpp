@@ -37,6 +37,11 @@ class NewFile {
   int file_ = -1;
 };
 
+/// Where a file that is to appear at `path` grows, beside it; and its move there, flushed to the disk,
+/// replacing what was there. Throws FileError.
+std::filesystem::path temporary_name(const std::filesystem::path& path);
+void put_in_place(const std::filesystem::path& temporary, const std::filesystem::path& path);
+
 /// Create `folder` to receive files of these names. Throws FileError if it cannot be written to or, unless
 /// `overwrite`, if one of the files exists.
 void prepare_folder(const std::filesystem::path& folder, const std::vector<std::string>& names,

@@ -1,0 +1,30 @@
+// A trace on its way to its file, row by row.
+#pragma once
+#include <filesystem>
+#include <memory>
+
+#include "mariotte/impact/sampling.hpp"
+
+namespace mariotte::report {
+
+/// Rows go to the disk as they come, under a temporary name until `commit`. What a killed run had written
+/// stays there; a file that is not committed for another reason is removed. All throw FileError.
+class TraceFile {
+ public:
+  virtual ~TraceFile() = default;
+  virtual void add(const impact::Sample& sample) = 0;
+  virtual void commit() = 0;
+};
+
+/// Samples of these balls and contacts (from 0) into `path`: HDF5 if its name ends in .h5 or .hdf5, else the
+/// CSV of `trace_csv`. HDF5 files hold the tables `time` [s] (one value per sample), `velocity` [m/s] (one
+/// row per sample, one column per ball), `gap` [m] and `force` [N] (one column per contact), and the numbers
+/// of the columns, from 1, as `ball` and `contact`. Throws FileError.
+std::unique_ptr<TraceFile> new_trace_file(const std::filesystem::path& path, const std::vector<Index>& balls,
+                                          const std::vector<Index>& contacts);
+
+/// The HDF5 half of it; throws FileError where the program was built without HDF5.
+std::unique_ptr<TraceFile> new_hdf5_trace(const std::filesystem::path& path, const std::vector<Index>& balls,
+                                          const std::vector<Index>& contacts);
+
+}  // namespace mariotte::report

@@ -1,0 +1,142 @@
+#define BOOST_TEST_MODULE report_trace_file
+#include <signal.h>
+#include <stdlib.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <fstream>
+#include <iterator>
+
+#include "mariotte/report/files.hpp"
+#include "mariotte/report/trace_file.hpp"
+#ifdef MARIOTTE_HDF5
+#include <H5Cpp.h>
+#endif
+
+namespace report = mariotte::report;
+namespace fs = std::filesystem;
+using mariotte::Index;
+
+namespace {
+
+const std::vector<Index> balls = {0, 4, 9}, contacts = {2, 7};
+
+/// Row i of a trace whose every number says where it belongs.
+mariotte::impact::Sample sample(int i) {
+  const double t = i;
+  return {
+      .time = t, .velocity = {t, t + 0.1, t + 0.2}, .gap = {t + 0.3, t + 0.4}, .force = {t + 0.5, t + 0.6}};
+}
+
+struct Folder {
+  fs::path path;
+  Folder() {
+    std::string name = (fs::temp_directory_path() / "mariotte-XXXXXX").string();
+    path = ::mkdtemp(name.data());
+  }
+  ~Folder() { fs::remove_all(path); }
+
+  /// Rows into a file, in a process that is killed before it has committed it; what it leaves.
+  fs::path killed(const std::string& name, int rows) const {
+    const pid_t child = ::fork();
+    if (child == 0) {
+      const auto trace = report::new_trace_file(path / name, balls, contacts);
+      for (int i = 0; i < rows; ++i) trace->add(sample(i));
+      ::kill(::getpid(), SIGKILL);
+    }
+    ::waitpid(child, nullptr, 0);
+    BOOST_TEST(!fs::exists(path / name));
+    return fs::directory_iterator(path)->path();
+  }
+};
+
+std::string content(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace
+
+BOOST_FIXTURE_TEST_CASE(rows_of_csv_are_there_as_soon_as_they_are_added, Folder) {
+  const auto text = content(killed("wave.csv", 1000));
+  BOOST_TEST(
+      text.starts_with("time [s],v1 [m/s],v5 [m/s],v10 [m/s],gap3 [m],gap8 [m],force3 [N],force8 [N]\n0,"));
+  BOOST_TEST(std::count(text.begin(), text.end(), '\n') == 1001);
+  BOOST_TEST(text.ends_with('\n'));
+}
+
+BOOST_FIXTURE_TEST_CASE(a_trace_that_is_not_committed_leaves_nothing, Folder) {
+  for (const char* name : {"wave.csv", "wave.h5"}) try {
+      report::new_trace_file(path / name, balls, contacts)->add(sample(0));
+    } catch (const report::FileError&) {  // built without HDF5
+    }
+  BOOST_TEST(fs::is_empty(path));
+}
+
+#ifdef MARIOTTE_HDF5
+
+namespace {
+
+std::vector<double> numbers(const H5::H5File& file, const char* name, std::vector<hsize_t> expected) {
+  const auto table = file.openDataSet(name);
+  const auto space = table.getSpace();
+  std::vector<hsize_t> extent(space.getSimpleExtentNdims());
+  space.getSimpleExtentDims(extent.data());
+  BOOST_TEST(extent == expected, boost::test_tools::per_element());
+  std::vector<double> values(space.getSimpleExtentNpoints());
+  table.read(values.data(), H5::PredType::NATIVE_DOUBLE);
+  return values;
+}
+
+std::string unit(const H5::H5File& file, const char* name) {
+  const auto attribute = file.openDataSet(name).openAttribute("unit");
+  std::string text;
+  attribute.read(attribute.getStrType(), text);
+  return text;
+}
+
+}  // namespace
+
+BOOST_FIXTURE_TEST_CASE(hdf5_holds_the_tables_their_units_and_what_columns_are, Folder) {
+  const hsize_t rows = 20000;  // more than one chunk
+  const auto trace = report::new_trace_file(path / "wave.h5", balls, contacts);
+  for (int i = 0; i < static_cast<int>(rows); ++i) trace->add(sample(i));
+  trace->commit();
+  BOOST_TEST(std::distance(fs::directory_iterator(path), fs::directory_iterator()) == 1);
+
+  const H5::H5File file((path / "wave.h5").string(), H5F_ACC_RDONLY);
+  BOOST_TEST(numbers(file, "ball", {3}) == (std::vector<double>{1, 5, 10}), boost::test_tools::per_element());
+  BOOST_TEST(numbers(file, "contact", {2}) == (std::vector<double>{3, 8}), boost::test_tools::per_element());
+  const auto time = numbers(file, "time", {rows}), velocity = numbers(file, "velocity", {rows, 3}),
+             gap = numbers(file, "gap", {rows, 2}), force = numbers(file, "force", {rows, 2});
+  for (int i = 0; i < static_cast<int>(rows); ++i) {
+    const auto row = sample(i);
+    BOOST_REQUIRE(time[i] == row.time);
+    BOOST_REQUIRE(std::equal(row.velocity.begin(), row.velocity.end(), &velocity[3 * i]));
+    BOOST_REQUIRE(std::equal(row.gap.begin(), row.gap.end(), &gap[2 * i]));
+    BOOST_REQUIRE(std::equal(row.force.begin(), row.force.end(), &force[2 * i]));
+  }
+  BOOST_TEST(unit(file, "time") == "s");
+  BOOST_TEST(unit(file, "velocity") == "m/s");
+  BOOST_TEST(unit(file, "gap") == "m");
+  BOOST_TEST(unit(file, "force") == "N");
+}
+
+BOOST_FIXTURE_TEST_CASE(a_killed_run_leaves_hdf5_that_can_be_read, Folder) {
+  const H5::H5File file(killed("wave.h5", 100000).string(),
+                        H5F_ACC_RDONLY);  // 262144 values are flushed at once
+  const hsize_t rows = 262144 / 3 + 1;
+  BOOST_TEST(numbers(file, "time", {rows}).back() == rows - 1);
+}
+
+BOOST_FIXTURE_TEST_CASE(hdf5_that_cannot_be_written_is_named, Folder) {
+  const auto nowhere = path / "no" / "wave.h5";
+  BOOST_CHECK_EXCEPTION(report::new_trace_file(nowhere, balls, contacts), report::FileError,
+                        [&](const auto& error) {
+                          return std::string(error.what()).starts_with("cannot write " + nowhere.string());
+                        });
+}
+
+#endif
