@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "study.hpp"
 
 namespace mariotte::stiffness_study {
@@ -17,6 +19,19 @@ Series over_packings(bool quick) {
   return series;
 }
 
+/// Everything bounces, with redundant contacts in every square.
+Series over_linear_packings(double accuracy, bool quick) {
+  Series series{.study = "network",
+                .name = fmt::format("modes of a packing of disks, accuracy {:.0e}", accuracy),
+                .family = "disks on a side",
+                .points = {},
+                .longest = 1};
+  for (const Index side : {2, 3, 4, 5, 6, 8})
+    if (!quick || side <= 4)
+      series.points.push_back({static_cast<double>(side), {.law = "linear", .side = side}});
+  return series;
+}
+
 }  // namespace
 
 Findings network_study(const Settings& settings) {
@@ -27,6 +42,14 @@ Findings network_study(const Settings& settings) {
   loose.accuracy = 1e-6;
   findings.rows = sweep(over_packings(settings.quick), {dense, klu}, loose, references);
   findings.statements = {comparison(findings.rows, dense, klu)};
+  for (const double accuracy : {1e-6, 1e-10}) {
+    auto demand = settings;
+    demand.accuracy = accuracy;
+    const auto rows =
+        sweep(over_linear_packings(accuracy, settings.quick), {"modal", "cvode-adams"}, demand, references);
+    findings.statements.push_back(comparison(rows, "modal", "cvode-adams"));
+    findings.rows.insert(findings.rows.end(), rows.begin(), rows.end());
+  }
   findings.figures = figures_by_flow(findings.rows, "disks on a side", Figure::Quantity::seconds);
   return findings;
 }

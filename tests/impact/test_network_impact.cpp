@@ -42,7 +42,7 @@ model::Network random_network(std::mt19937_64& random) {
   std::uniform_real_distribution<double> unit(0, 1);
   const Numbers apart(c.velocity.size(), 1.0);
   for (auto& direction : network.direction)
-    if (model::gap_rate(direction, apart) < 0)
+    if (gap_rate(direction, apart) < 0)
       for (auto& term : direction) term.coefficient = -term.coefficient;
   for (std::size_t j = 0; j < c.contact.size(); ++j) {
     network.gap.push_back(unit(random) < 0.5 ? 0 : 0.1 * unit(random));

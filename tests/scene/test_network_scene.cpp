@@ -50,7 +50,7 @@ radius   = "10 mm"
 mass     = "1 kg"
 )";
 
-double size(const model::ContactDirection& direction) {
+double size(const ContactDirection& direction) {
   double squared = 0;
   for (const auto& term : direction) squared += term.coefficient * term.coefficient;
   return std::sqrt(squared);

@@ -29,16 +29,28 @@ inline model::Network rack(int rows, double gap) {
 }
 
 /// A square lattice of disks, `side` by `side`, with its diagonal neighbours apart, all moving at random.
-inline model::Network packing(int side, double damping, std::mt19937_64& random) {
+template <class LawOfPair>
+model::Network lattice(int side, std::mt19937_64& random, LawOfPair&& law) {
   std::uniform_real_distribution<double> speed(-1, 1);
   std::vector<model::Ball> balls;
   for (int i = 0; i < side; ++i)
     for (int j = 0; j < side; ++j)
       balls.push_back({{1.0 * i, 1.0 * j}, {speed(random), speed(random)}, 1, 0.5});
-  return model::ball_network(balls, 0.1, [&](Index, Index) -> contact::Law {
+  return model::ball_network(balls, 0.1, law);
+}
+
+/// Such a lattice of Hertz contacts, damped or not.
+inline model::Network packing(int side, double damping, std::mt19937_64& random) {
+  return lattice(side, random, [&](Index, Index) -> contact::Law {
     if (damping == 0) return contact::Hertz{1};
     return contact::Viscoelastic{.stiffness = 1, .damping = damping, .exponent = 1.5};
   });
+}
+
+/// The same network with other laws.
+inline model::Network with_law(model::Network network, const contact::Law& law) {
+  for (auto& each : network.law) each = law;
+  return network;
 }
 
 }  // namespace mariotte::test

@@ -29,12 +29,16 @@ constexpr double stiff_for_taylor = 8e4;
 constexpr Index always_modal = 2;
 constexpr double decades_per_contact = 0.8;
 
+/// Closed contacts of a network up to which its modes cost less than CVODE; integrals of the work of damped
+/// contacts cost the cube of their number.
+constexpr Index most_linked_modes = 50, most_damped_linked_modes = 8;
+
 /// Largest over smallest of the rates squared, k/m* and (c/m*)², of the contacts that carry force.
 double spread(const SerialPhase& phase) {
   double least = infinity, most = 0;
   for (std::size_t j = 0; j < phase.contact.size(); ++j) {
     const auto& c = phase.contact[j];
-    if (c.role == SerialPhase::Role::open) continue;
+    if (c.role == Role::open) continue;
     const double mobility = phase.body[j].inverse_mass + phase.body[j + 1].inverse_mass;
     const double decay = c.damping * mobility;
     least = std::min(least, c.stiffness * mobility);
@@ -43,9 +47,18 @@ double spread(const SerialPhase& phase) {
   return most / least;
 }
 
+Index pushing(const std::vector<PhaseContact>& contacts) {
+  return std::count_if(contacts.begin(), contacts.end(), [](const PhaseContact& c) { return c.pushes(); });
+}
+
+bool modes_pay(const LinkedPhase& phase) {
+  const auto is_damped = [](const PhaseContact& c) { return c.pushes() && c.damping > 0; };
+  const bool damped = std::any_of(phase.contact.begin(), phase.contact.end(), is_damped);
+  return pushing(phase.contact) <= (damped ? most_damped_linked_modes : most_linked_modes);
+}
+
 bool modes_pay(const SerialPhase& phase) {
-  const auto pushes = [](const SerialPhase::Contact& c) { return c.pushes(); };
-  const auto contacts = std::count_if(phase.contact.begin(), phase.contact.end(), pushes);
+  const auto contacts = pushing(phase.contact);
   return contacts <= always_modal ||
          spread(phase) > std::pow(10, decades_per_contact * static_cast<double>(contacts));
 }
@@ -53,6 +66,7 @@ bool modes_pay(const SerialPhase& phase) {
 /// True unless another flow that admits the phase costs less.
 bool pays(Kind kind, const Problem& problem) {
   if (problem.tip()) return kind == Kind::taylor;
+  if (const auto* linked = problem.linked()) return kind == Kind::modal && modes_pay(*linked);
   const auto* phase = problem.serial();
   if (!phase) return false;
   if (kind == Kind::modal) return modes_pay(*phase);

@@ -3,16 +3,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mariotte/flow/linked_vibration.hpp"
 #include "mariotte/flow/modal_step.hpp"
+#include "mariotte/flow/row_vibration.hpp"
 #include "mariotte/flow/simultaneous.hpp"
 
 namespace mariotte::flow {
 namespace {
 
-using Role = SerialPhase::Role;
-
 /// Half-periods of the slowest mode until a phase without end is given up.
 constexpr double patience = 1e6;
+
+/// Instead of a guard: a contact touched at rest is pulled apart, and the mode is over. Not in rows, where
+/// what presses one contact presses the next.
+constexpr Index parts = -1;
 
 /// A wave that is positive until its guard fires.
 struct Watched {
@@ -22,16 +26,17 @@ struct Watched {
 };
 
 /// All forces are those of linear contacts.
-bool is_linear(const SerialPhase& phase) {
+bool is_linear(const std::vector<PhaseContact>& contacts) {
   const auto is_straight = [](const auto& c) { return c.role == Role::open || c.exponent == 1; };
-  return std::all_of(phase.contact.begin(), phase.contact.end(), is_straight) && !has_acceleration(phase);
+  return std::all_of(contacts.begin(), contacts.end(), is_straight);
 }
 
 }  // namespace
 
 struct Modal::Memory {
-  const SerialPhase* phase = nullptr;
-  Vibration vibration;
+  RowVibration row;
+  LinkedVibration linked;
+  Vibration* vibration = nullptr;  ///< one of these
   std::vector<Watched> watched;
   Index guards = 0;  ///< as many of the watched are in use
   std::vector<double> start, before, after, bounds;
@@ -40,28 +45,41 @@ struct Modal::Memory {
   ModalStep::Workspace workspace;
   Simultaneous simultaneous;
 
+  bool take(const SerialPhase& phase) {
+    vibration = &row;
+    return is_linear(phase.contact) && !has_acceleration(phase) && !presses_beyond(phase) && row.find(phase);
+  }
+  bool take(const LinkedPhase& phase) {
+    vibration = &linked;
+    return is_linear(phase.contact) && linked.find(phase);
+  }
+
+  const PhaseContact& contact(Index j) const { return vibration->contacts()[j]; }
+  Index contacts() const { return std::ssize(vibration->contacts()); }
+
   void begin(ConstState x) {
-    vibration.start(*phase, x);
+    vibration->start(x);
     start.assign(x.begin(), x.end());
     after.resize(start.size());
-    workspace.swing.resize(vibration.modes().size());
-    workspace.progress.resize(vibration.modes().size());
+    workspace.swing.resize(vibration->modes().size());
+    workspace.progress.resize(vibration->modes().size());
     guards = 0;
-    watched_from.assign(phase->contact.size(), 0.0);
-    for (std::size_t j = 0; j < phase->contact.size(); ++j) watch_contact(j);
+    watched_from.assign(contacts(), 0.0);
+    for (Index j = 0; j < contacts(); ++j) watch_contact(j);
   }
 
   void watch_contact(Index j) {
-    const auto& contact = phase->contact[j];
-    const auto& motion = vibration.of(j);
-    if (contact.role == Role::open)
-      watch(contact.guard, j, motion.depth, -1, contact.level);
-    else if (contact.role == Role::slack)
-      watch(contact.guard, j, motion.depth, 1, 0), watch(contact.load_guard, j, motion.force, -1, 0);
-    else if (contact.load_guard >= 0)
-      watch(contact.load_guard, j, motion.force, 1, 0);
+    const auto& c = contact(j);
+    const auto& motion = vibration->of(j);
+    if (c.role == Role::open)
+      watch(c.guard, j, motion.depth, -1, c.level);
+    else if (c.role == Role::slack)
+      watch(c.guard, j, motion.depth, 1, 0), watch(c.load_guard, j, motion.force, -1, 0);
+    else if (c.load_guard >= 0)
+      watch(c.load_guard, j, motion.force, 1, 0);
     else
-      watch(contact.guard, j, motion.depth, 1, 0);
+      watch(c.guard, j, motion.depth, 1, 0);
+    if (c.role == Role::touching && vibration == &linked) watch(parts, j, motion.depth, 1, 1.01 * c.loaded());
   }
   /// sign · wave + level.
   void watch(Index guard, Index contact, const Wave& wave, double sign, double level) {
@@ -82,10 +100,10 @@ struct Modal::Memory {
   /// Where the indentation of a contact touched at rest leaves the noise, if it does before `limit`: early,
   /// as a rule, so that the search begins with short stretches.
   double leaves_noise(Index contact, double limit) {
-    set(scratch, vibration.of(contact).depth, -1, 1.01 * phase->contact[contact].loaded());
+    set(scratch, vibration->of(contact).depth, -1, 1.01 * this->contact(contact).loaded());
     std::optional<double> time;
-    for (double from = 0, to = 1e-3 / vibration.fastest(); !time && from < limit; from = to, to *= 4)
-      time = first_fall(scratch, vibration.modes(), from, std::min(to, limit));
+    for (double from = 0, to = 1e-3 / vibration->fastest(); !time && from < limit; from = to, to *= 4)
+      time = first_fall(scratch, vibration->modes(), from, std::min(to, limit));
     return time.value_or(infinity);
   }
 
@@ -93,17 +111,19 @@ struct Modal::Memory {
   /// and doubles.
   std::optional<double> first_event(double limit, Index& guard) {
     std::optional<double> first;
-    const double half_period = 3.2 / vibration.slowest();
+    const double half_period = 3.2 / vibration->slowest();
     const double last = std::min(limit, patience * half_period);
     for (double from = 0, to = half_period; !first && from < last; from = to, to *= 2) {
       to = std::min(to, last);
-      for (Index j = 0; j < static_cast<Index>(phase->contact.size()); ++j)
-        if (phase->contact[j].role == Role::touching && watched_from[j] >= from)
+      for (Index j = 0; j < contacts(); ++j)
+        if (contact(j).role == Role::touching && watched_from[j] >= from)
           watched_from[j] = leaves_noise(j, to);
       for (Index i = 0; i < guards; ++i) {
-        const double begin = std::max(from, watched_from[watched[i].contact]), end = first.value_or(to);
+        const double end = first.value_or(to);
+        const double begin =
+            watched[i].guard == parts ? from : std::max(from, watched_from[watched[i].contact]);
         if (begin >= end) continue;
-        const auto time = first_fall(watched[i].wave, vibration.modes(), begin, end);
+        const auto time = first_fall(watched[i].wave, vibration->modes(), begin, end);
         if (!time || (first && *time >= *first)) continue;
         first = time;
         guard = watched[i].guard;
@@ -114,8 +134,8 @@ struct Modal::Memory {
 
   /// Tell the problem of each indentation that has left the noise on the way.
   void accept_loads(Problem& problem, const ModalStep& step, double duration) {
-    for (std::size_t j = 0; j < phase->contact.size(); ++j) {
-      if (phase->contact[j].role != Role::touching || watched_from[j] >= duration) continue;
+    for (Index j = 0; j < contacts(); ++j) {
+      if (contact(j).role != Role::touching || watched_from[j] >= duration) continue;
       step.at(watched_from[j], after);
       problem.accept(after);
     }
@@ -124,10 +144,10 @@ struct Modal::Memory {
   /// Pieces that put the largest indentation and force of each contact where a watcher looks.
   void show(ModalStep& step, double duration, Watcher& watcher) {
     bounds.clear();
-    for (std::size_t j = 0; j < phase->contact.size(); ++j) {
-      if (!phase->contact[j].pushes()) continue;
-      add_summit(vibration.of(j).depth, duration);
-      if (phase->contact[j].load_guard >= 0) add_summit(vibration.of(j).force, duration);
+    for (Index j = 0; j < contacts(); ++j) {
+      if (!contact(j).pushes()) continue;
+      add_summit(vibration->of(j).depth, duration);
+      if (contact(j).load_guard >= 0) add_summit(vibration->of(j).force, duration);
     }
     bounds.push_back(duration);
     std::sort(bounds.begin(), bounds.end());
@@ -145,7 +165,7 @@ struct Modal::Memory {
   }
   /// The slope changes sign within a piece of its own.
   void add_summit(const Wave& wave, double duration) {
-    const auto summit = highest(wave, vibration.modes(), 0, duration);
+    const auto summit = highest(wave, vibration->modes(), 0, duration);
     if (!summit) return;
     bounds.push_back(summit->time - summit->reach);
     bounds.push_back(summit->time + summit->reach);
@@ -156,27 +176,27 @@ Modal::Modal() : memory_(std::make_unique<Memory>()) {}
 Modal::~Modal() = default;
 
 bool Modal::admits(const Problem& problem) {
-  memory_->phase = problem.serial();
-  return memory_->phase && is_linear(*memory_->phase) && !presses_beyond(*memory_->phase) &&
-         memory_->vibration.find(*memory_->phase);
+  if (const auto* row = problem.serial()) return memory_->take(*row);
+  const auto* linked = problem.linked();
+  return linked && memory_->take(*linked);
 }
 
 Arrival Modal::follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) {
   auto& m = *memory_;
   m.begin(x);
-  Index guard = -1;
+  Index guard = parts;
   const auto event = m.first_event(request.limit, guard);
   if (!event && !std::isfinite(request.limit))
     return {.outcome = Outcome::failed,
             .message = "no guard fired within a million half-periods of the slowest mode"};
   const double duration = event.value_or(request.limit);
 
-  ModalStep step(*m.phase, m.vibration, m.start, m.workspace);
+  ModalStep step(*m.vibration, m.start, m.workspace);
   if (request.watcher) m.show(step, duration, *request.watcher);
   m.accept_loads(problem, step, duration);
   step.at(duration, x);
   if (event) {
-    fired.push_back(guard);
+    if (guard != parts) fired.push_back(guard);
     m.simultaneous.collect(problem, x, simultaneity_window(problem, request.accuracy), fired);
   }
   return {

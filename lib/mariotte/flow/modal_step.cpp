@@ -5,10 +5,6 @@
 namespace mariotte::flow {
 namespace {
 
-Index end_of_modes(const Island& island) {
-  return island.first_mode + island.count - island.between_walls;
-}
-
 double integral_of(const Overlap& product, const Weight& left, const Weight& right) {
   return left.even * (product.even_even * right.even + product.even_odd * right.odd) +
          left.odd * (product.odd_even * right.even + product.odd_odd * right.odd);
@@ -20,15 +16,14 @@ void ModalStep::at(double time, State x) const {
   const auto& modes = vibration_.modes();
   for (std::size_t i = 0; i < modes.size(); ++i) workspace_.swing[i] = swing(modes[i], time);
   std::copy(origin_.begin(), origin_.end(), x.begin());
-  for (std::size_t j = 0; j < phase_.contact.size(); ++j) {
-    const auto& c = phase_.contact[j];
+  const auto contacts = vibration_.contacts();
+  for (std::size_t j = 0; j < contacts.size(); ++j) {
+    const auto& c = contacts[j];
     const auto& motion = vibration_.of(j);
     x[c.gap] = 0 - value(motion.depth, time);  // never −0
     if (!c.pushes()) continue;
-    const auto &left = phase_.body[j], &right = phase_.body[j + 1];
     const double p = motion.impulse_at(workspace_.swing, time);
-    x[left.velocity] -= p * left.inverse_mass;
-    x[right.velocity] += p * right.inverse_mass;
+    vibration_.push(j, p, x);
     if (c.impulse >= 0) x[c.impulse] += p;
   }
   for (const auto& island : vibration_.islands())
@@ -43,24 +38,24 @@ double ModalStep::value(const Wave& wave, double time) const {
 
 /// ∫ f δ̇ dt, with f and δ̇ sums over the modes of the island.
 void ModalStep::add_work(const Island& island, double time, State x) const {
-  for (Index i = island.first_mode; i < end_of_modes(island); ++i) {
+  for (Index i = island.first_mode; i < island.first_mode + island.modes(); ++i) {
     workspace_.progress[i] = progress(vibration_.modes()[i], time);
     for (Index k = island.first_mode; k <= i; ++k) add_product(island, i, k, time, x);
   }
-  if (!island.between_walls) return;
-  for (Index j = island.first; j < island.first + island.count; ++j)
-    if (phase_.contact[j].work >= 0)
-      x[phase_.contact[j].work] += straight_work(island, vibration_.of(j), time);
+  if (island.straight == 0) return;
+  for (const Index j : vibration_.members(island))
+    if (const Index work = vibration_.contacts()[j].work; work >= 0)
+      x[work] += straight_work(island, vibration_.of(j), time);
 }
 
 /// What two modes do together.
 void ModalStep::add_product(const Island& island, Index i, Index k, double time, State x) const {
   const auto& modes = vibration_.modes();
   const auto product = overlap(workspace_.progress[i], workspace_.progress[k], time);
-  for (Index j = island.first; j < island.first + island.count; ++j) {
-    if (phase_.contact[j].work < 0) continue;
+  for (const Index j : vibration_.members(island)) {
+    if (vibration_.contacts()[j].work < 0) continue;
     const auto &force = vibration_.of(j).force.weight, &depth = vibration_.of(j).depth.weight;
-    double& work = x[phase_.contact[j].work];
+    double& work = x[vibration_.contacts()[j].work];
     work += integral_of(product, force[i], derivative(modes[k], depth[k]));
     if (k != i) work += integral_of(product, derivative(modes[i], depth[i]), force[k]);
   }
@@ -71,7 +66,7 @@ void ModalStep::add_product(const Island& island, Index i, Index k, double time,
 double ModalStep::straight_work(const Island& island, const ContactMotion& motion, double time) const {
   const auto &force = motion.force, &depth = motion.depth;
   double work = depth.slope * time * (force.constant + 0.5 * force.slope * time);
-  for (Index i = island.first_mode; i < end_of_modes(island); ++i) {
+  for (Index i = island.first_mode; i < island.first_mode + island.modes(); ++i) {
     const auto& weight = depth.weight[i];
     const auto& now = workspace_.swing[i];
     const auto sum = integral(vibration_.modes()[i], weight);

@@ -16,8 +16,8 @@ class ModalStep final : public Step {
   };
 
   /// All must outlive the step; `origin` is the state at time 0.
-  ModalStep(const SerialPhase& phase, const Vibration& vibration, ConstState origin, Workspace& workspace)
-      : phase_(phase), vibration_(vibration), origin_(origin), workspace_(workspace) {}
+  ModalStep(const Vibration& vibration, ConstState origin, Workspace& workspace)
+      : vibration_(vibration), origin_(origin), workspace_(workspace) {}
 
   void at(double time, State x) const override;
 
@@ -27,7 +27,6 @@ class ModalStep final : public Step {
   void add_product(const Island& island, Index left, Index right, double time, State x) const;
   double straight_work(const Island& island, const ContactMotion& motion, double time) const;
 
-  const SerialPhase& phase_;
   const Vibration& vibration_;
   ConstState origin_;
   Workspace& workspace_;

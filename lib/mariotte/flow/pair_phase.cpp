@@ -3,8 +3,6 @@
 namespace mariotte::flow {
 namespace {
 
-using Role = SerialPhase::Role;
-
 /// The one contact that is not open, if it is closed; else −1.
 Index only_closed(const SerialPhase& phase) {
   Index found = -1;

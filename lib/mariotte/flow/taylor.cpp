@@ -11,7 +11,6 @@ namespace mariotte::flow {
 using taylor::Piece;
 using taylor::PieceStep;
 using taylor::Window;
-using Role = SerialPhase::Role;
 
 namespace {
 
@@ -83,7 +82,7 @@ bool Taylor::admits(const Problem& problem) {
   const auto* phase = problem.serial();
   if (!phase) return false;
   const auto& contacts = phase->contact;
-  const auto idle = [](const SerialPhase::Contact& c) { return c.role == Role::open; };
+  const auto idle = [](const PhaseContact& c) { return c.role == Role::open; };
   const auto first = std::find_if_not(contacts.begin(), contacts.end(), idle);
   const auto last = std::find_if_not(contacts.rbegin(), contacts.rend(), idle).base();
   return last - first + 2 <= taylor::lane_limit;

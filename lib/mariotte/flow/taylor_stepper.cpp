@@ -8,8 +8,6 @@
 
 namespace mariotte::flow::taylor {
 
-using Role = SerialPhase::Role;
-
 namespace {
 
 /// Share of the accuracy that one step may spend: errors add up along a chain, and behind its wave they must

@@ -8,8 +8,6 @@
 namespace mariotte::flow::taylor {
 namespace {
 
-using Role = SerialPhase::Role;
-
 double rate(const SerialPhase& phase, ConstState x, Index j) {
   return x[phase.body[j].velocity] - x[phase.body[j + 1].velocity];
 }
@@ -19,7 +17,7 @@ double drive(const SerialPhase& phase, Index j) {
 
 /// Depth below which the force of a contact is left out: within the depth that cannot be told from rounding,
 /// less for what damping adds to the force. Laws without a branch point need none.
-double wake_depth(const SerialPhase::Contact& c, double speed) {
+double wake_depth(const PhaseContact& c, double speed) {
   if (c.exponent == 1) return -infinity;
   const double strain = c.damping * speed / (c.stiffness * c.length);
   return 0.5 * c.shallow / (1 + strain);
@@ -58,7 +56,7 @@ void find_outside(Window& w) {
 
 /// Indentation at the start: on the side where its role holds it, and exactly zero at an onset, where
 /// rounding may have left it beside.
-double settled(const SerialPhase::Contact& c, double indentation, double rate) {
+double settled(const PhaseContact& c, double indentation, double rate) {
   if (c.role == Role::open) return std::min(indentation, c.level);
   const bool onset = c.role == Role::closed && rate > 0 && indentation <= 16 * epsilon * c.length;
   return onset ? 0 : std::max(indentation, 0.0);

@@ -19,12 +19,12 @@ struct Window {
   double outside_time = 0;                       ///< when the first of the gaps outside closes
   Index outside = -1;                            ///< that contact
 
-  const SerialPhase::Contact& contact(int lane) const { return phase->contact[first + lane]; }
+  const PhaseContact& contact(int lane) const { return phase->contact[first + lane]; }
   /// Of lane's contact the force is a function with a branch point at δ = 0.
   bool is_sharp(int lane) const { return lanes.power[lane] > 0; }
   bool pushes(int lane) const {
     const auto role = contact(lane).role;
-    return role == SerialPhase::Role::closed || role == SerialPhase::Role::touching;
+    return role == Role::closed || role == Role::touching;
   }
 };
 

@@ -3,20 +3,22 @@
 #include <span>
 #include <vector>
 
-#include "mariotte/flow/damped_modes.hpp"
+#include "mariotte/core/types.hpp"
 #include "mariotte/flow/natural_modes.hpp"
-#include "mariotte/flow/serial_phase.hpp"
+#include "mariotte/flow/phase_contact.hpp"
 #include "mariotte/flow/wave.hpp"
 
 namespace mariotte::flow {
 
-/// A row of closed contacts with no wall inside: it shakes by itself.
+/// Closed contacts that shake together.
 struct Island {
-  Index first;         ///< contact
-  Index count;         ///< contacts
-  double ratio;        ///< c/k of all contacts, or < 0 if they differ
-  bool between_walls;  ///< then its total indentation is straight in time
+  Index first;     ///< place among the members of all islands
+  Index count;     ///< contacts
+  double ratio;    ///< c/k of all contacts, or < 0 if they differ
+  Index straight;  ///< as many of its shapes do not vibrate: they move straight in time
   Index first_mode;
+
+  Index modes() const { return count - straight; }
 };
 
 /// What a contact does: δ = −g, and where it is closed its force and its impulse since the start.
@@ -28,42 +30,52 @@ struct ContactMotion {
   double impulse_at(const std::vector<Swing>& swing, double time) const;
 };
 
-/// Reuses its memory from phase to phase.
+/// What rows and networks of contacts have in common; reuses its memory from phase to phase. Equal ratios
+/// c/k, none among them, have the shapes of the undamped contacts, and each mode decays as one body would, at
+/// and beyond critical damping, too.
 class Vibration {
  public:
-  /// Finds the modes. Equal ratios c/k, none among them, have the shapes of the undamped contacts, and each
-  /// mode decays as one body would, at and beyond critical damping, too. Other damping has complex shapes;
-  /// false if these are too close to each other to tell what takes part in a motion.
-  bool find(const SerialPhase& phase);
-  /// The motion that starts from x.
-  void start(const SerialPhase& phase, ConstState x);
+  virtual ~Vibration() = default;
+  /// The motion that starts from x, of the phase whose modes were found last.
+  void start(ConstState x);
+  /// What an impulse of a contact adds to the velocities.
+  virtual void push(Index contact, double impulse, State x) const = 0;
 
+  std::span<const PhaseContact> contacts() const { return contacts_; }
   const std::vector<Mode>& modes() const { return modes_; }
   const std::vector<Island>& islands() const { return islands_; }
+  std::span<const Index> members(const Island& island) const;
   const ContactMotion& of(Index contact) const { return motion_[contact]; }
   /// Least and largest |λ|.
   double slowest() const;
   double fastest() const;
 
- private:
-  void find_islands(const SerialPhase& phase);
-  void gather(const SerialPhase& phase, const Island& island);
-  DampedRow row() const { return {inverse_mass_, stiffness_, damping_}; }
-  void add_natural_modes(const Island& island);
-  bool add_damped_modes(const Island& island);
-  void start_island(const SerialPhase& phase, const Island& island, ConstState x);
-  void take_straight_part(const Island& island);
+ protected:
+  /// δ̇ of a contact.
+  virtual double approach(Index contact, ConstState x) const = 0;
+  virtual void start_island(const Island& island) = 0;
+  virtual void add_pushes(Index open_contact) = 0;
+
+  void begin(std::span<const PhaseContact> contacts);
+  /// Stiffness and damping of the members; c/k of all of them, or −1.
+  void gather(const Island& island);
+  double common_ratio() const;
+  /// Shapes of zero frequency go last, and do not vibrate.
+  void add_natural_modes(Island& island, NaturalModes& shapes);
   void ride_natural_modes(const Island& island, const NaturalModes& shapes);
-  void ride_damped_modes(const Island& island, const DampedModes& shapes);
-  void start_open(const SerialPhase& phase, Index contact, ConstState x);
-  void add_push(Wave& depth, const ContactMotion& neighbour, double inverse_mass) const;
+  /// Adds factor · ∫∫ f dt dt of a closed contact to the depth of an open one.
+  void add_push(Index open_contact, Index closed_contact, double factor);
 
   std::vector<Mode> modes_;
   std::vector<Island> islands_;
+  std::vector<Index> members_;
   std::vector<ContactMotion> motion_;
-  std::vector<NaturalModes> natural_;  ///< by island, as far as it is proportional
-  std::vector<DampedModes> damped_;    ///< by island, as far as it is not
-  std::vector<double> inverse_mass_, stiffness_, damping_, depth_, rate_;
+  std::vector<double> stiffness_, damping_, depth_, rate_;  ///< by member of the island at hand
+
+ private:
+  void start_open(Index contact, ConstState x);
+
+  std::span<const PhaseContact> contacts_;
 };
 
 }  // namespace mariotte::flow

@@ -71,7 +71,7 @@ void validate(const Configuration& c) {
 
 Numbers gap_rates(const Configuration& c, const Numbers& velocity) {
   Numbers rates;
-  for (const auto& direction : c.contact) rates.push_back(model::gap_rate(direction, velocity));
+  for (const auto& direction : c.contact) rates.push_back(gap_rate(direction, velocity));
   return rates;
 }
 

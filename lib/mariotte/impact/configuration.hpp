@@ -7,9 +7,6 @@
 
 namespace mariotte::impact {
 
-using model::ContactDirection;
-using model::Term;
-
 /// n degrees of freedom with mass matrix M, m contacts with gap rates w = G v [theory page, "The
 /// multiple-impact law"]. Any consistent units.
 struct Configuration {

@@ -34,8 +34,8 @@ ContactMode mode_after(ContactMode mode, bool load_fired, double gap, double app
   return mode;
 }
 
-flow::SerialPhase::Role role(ContactMode mode) {
-  using Role = flow::SerialPhase::Role;
+flow::Role role(ContactMode mode) {
+  using flow::Role;
   switch (mode) {
     case ContactMode::open:
     case ContactMode::hovering:

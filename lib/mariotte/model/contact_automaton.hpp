@@ -26,7 +26,7 @@ contact::ContactMode mode_after(contact::ContactMode mode, bool load_fired, doub
                                 double slow);
 
 /// What the flows of a row call a mode.
-flow::SerialPhase::Role role(contact::ContactMode mode);
+flow::Role role(contact::ContactMode mode);
 
 /// How the guards of a contact are watched; only damped contacts have a load.
 struct Watched {

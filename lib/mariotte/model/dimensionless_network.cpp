@@ -65,6 +65,7 @@ DimensionlessNetwork make_dimensionless(const Network& network, double accuracy)
   d.freedoms = std::ssize(network.velocity);
   d.direction = network.direction;
   d.push = push_directions(network.mass, network.direction, d.freedoms);
+  d.half_push = half_pushes(network.mass, network.direction, d.freedoms);
   Numbers mass;
   for (std::size_t j = 0; j < d.push.size(); ++j) mass.push_back(reduced_mass(d.direction[j], d.push[j]));
   const double speed = reference_speed(network, mass);
@@ -78,6 +79,8 @@ DimensionlessNetwork make_dimensionless(const Network& network, double accuracy)
   for (const double v : network.velocity) d.velocity.push_back(v / d.scale.velocity);
   for (auto& push : d.push)
     for (auto& term : push) term.coefficient *= d.scale.mass;
+  for (auto& half : d.half_push)
+    for (auto& term : half) term.coefficient *= std::sqrt(d.scale.mass);
   for (std::size_t j = 0; j < network.law.size(); ++j) {
     d.law.push_back(scaled(network.law[j], d.scale, network.law[quickest]));
     d.gap.push_back(network.gap[j] / d.scale.length);

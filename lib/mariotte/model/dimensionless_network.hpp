@@ -12,6 +12,7 @@ struct DimensionlessNetwork {
   Index freedoms = 0;
   std::vector<ContactDirection> direction;  ///< G
   std::vector<ContactDirection> push;       ///< columns of M⁻¹ Gᵀ
+  std::vector<ContactDirection> half_push;  ///< columns of L⁻¹ Gᵀ, M = L Lᵀ
   std::vector<contact::Law> law;
   std::vector<double> gap, velocity;
   double speed = 1;                      ///< largest gap rate at the start, and what stored energy can add

@@ -36,6 +36,32 @@ void validate_mass(const MassMatrix& mass, Index freedoms) {
   expect(Eigen::LLT<Matrix>(m).info() == Eigen::Success, "the mass matrix must be positive definite");
 }
 
+/// The directions with each coefficient over its freedom's divisor.
+template <class Divisor>
+std::vector<ContactDirection> divided(const std::vector<ContactDirection>& contact, Divisor&& divisor) {
+  std::vector<ContactDirection> quotient(contact.size());
+  for (std::size_t j = 0; j < contact.size(); ++j)
+    for (const auto& [freedom, coefficient] : contact[j])
+      if (coefficient != 0 && std::isfinite(divisor(freedom)))
+        quotient[j].push_back({freedom, coefficient / divisor(freedom)});
+  return quotient;
+}
+
+/// The directions, each as a full column, after `solve` has changed it in place.
+template <class Solve>
+std::vector<ContactDirection> solved(const std::vector<ContactDirection>& contact, Index freedoms,
+                                     Solve&& solve) {
+  std::vector<ContactDirection> solution(contact.size());
+  for (std::size_t j = 0; j < contact.size(); ++j) {
+    Vector column = Vector::Zero(freedoms);
+    for (const auto& [freedom, coefficient] : contact[j]) column[freedom] += coefficient;
+    solve(column);
+    for (Index i = 0; i < freedoms; ++i)
+      if (column[i] != 0) solution[j].push_back({i, column[i]});
+  }
+  return solution;
+}
+
 }  // namespace
 
 void validate(const MassMatrix& mass, const std::vector<ContactDirection>& contact, Index freedoms) {
@@ -65,23 +91,16 @@ std::vector<double> solve(const MassMatrix& mass, std::vector<double> y) {
 
 std::vector<ContactDirection> push_directions(const MassMatrix& mass,
                                               const std::vector<ContactDirection>& contact, Index freedoms) {
-  std::vector<ContactDirection> push(contact.size());
-  if (is_diagonal(mass, freedoms)) {
-    for (std::size_t j = 0; j < contact.size(); ++j)
-      for (const auto& [freedom, coefficient] : contact[j])
-        if (coefficient != 0 && std::isfinite(mass[freedom]))
-          push[j].push_back({freedom, coefficient / mass[freedom]});
-    return push;
-  }
+  if (is_diagonal(mass, freedoms)) return divided(contact, [&](Index i) { return mass[i]; });
   const Eigen::LLT<Matrix> factor(full(mass, freedoms));
-  for (std::size_t j = 0; j < contact.size(); ++j) {
-    Vector column = Vector::Zero(freedoms);
-    for (const auto& [freedom, coefficient] : contact[j]) column[freedom] += coefficient;
-    factor.solveInPlace(column);
-    for (Index i = 0; i < freedoms; ++i)
-      if (column[i] != 0) push[j].push_back({i, column[i]});
-  }
-  return push;
+  return solved(contact, freedoms, [&](Vector& column) { factor.solveInPlace(column); });
+}
+
+std::vector<ContactDirection> half_pushes(const MassMatrix& mass,
+                                          const std::vector<ContactDirection>& contact, Index freedoms) {
+  if (is_diagonal(mass, freedoms)) return divided(contact, [&](Index i) { return std::sqrt(mass[i]); });
+  const Eigen::LLT<Matrix> factor(full(mass, freedoms));
+  return solved(contact, freedoms, [&](Vector& column) { factor.matrixL().solveInPlace(column); });
 }
 
 }  // namespace mariotte::model

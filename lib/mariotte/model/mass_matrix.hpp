@@ -2,18 +2,9 @@
 #pragma once
 #include <vector>
 
-#include "mariotte/core/types.hpp"
+#include "mariotte/core/contact_direction.hpp"
 
 namespace mariotte::model {
-
-/// One coefficient of a contact direction.
-struct Term {
-  Index freedom;
-  double coefficient;
-};
-
-/// A row of G: the rate of the contact's gap is Σ coefficient · velocity of that freedom.
-using ContactDirection = std::vector<Term>;
 
 /// M of n freedoms: its diagonal (n values, ∞ for a wall) or all n², by rows.
 using MassMatrix = std::vector<double>;
@@ -33,11 +24,8 @@ std::vector<double> solve(const MassMatrix& mass, std::vector<double> y);
 std::vector<ContactDirection> push_directions(const MassMatrix& mass,
                                               const std::vector<ContactDirection>& contact, Index freedoms);
 
-/// G v of one contact.
-inline double gap_rate(const ContactDirection& contact, ConstState velocity) {
-  double rate = 0;
-  for (const auto& [freedom, coefficient] : contact) rate += coefficient * velocity[freedom];
-  return rate;
-}
+/// Columns of L⁻¹ Gᵀ with M = L Lᵀ: half of the way there. Zeros are left out.
+std::vector<ContactDirection> half_pushes(const MassMatrix& mass,
+                                          const std::vector<ContactDirection>& contact, Index freedoms);
 
 }  // namespace mariotte::model

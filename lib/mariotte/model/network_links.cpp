@@ -1,4 +1,4 @@
-#include "mariotte/model/network_row.hpp"
+#include "mariotte/model/network_links.hpp"
 
 #include <cmath>
 #include <optional>
@@ -28,6 +28,19 @@ double inverse_mass(const ContactDirection& push, Index freedom) {
   return 0;
 }
 
+flow::PhaseContact contact_of(const DimensionlessNetwork& network, const NetworkLayout& layout, Index j) {
+  return {.gap = layout.gap(j),
+          .work = layout.work[j],
+          .impulse = layout.impulse(j),
+          .guard = j,
+          .load_guard = layout.load_guard[j],
+          .stiffness = contact::stiffness(network.law[j]),
+          .damping = contact::damping(network.law[j]),
+          .exponent = contact::exponent(network.law[j]),
+          .length = network.length[j],
+          .shallow = network.shallow[j]};
+}
+
 }  // namespace
 
 std::vector<Index> places_in_row(const DimensionlessNetwork& network) {
@@ -49,8 +62,9 @@ std::vector<Index> places_in_row(const DimensionlessNetwork& network) {
   return count == m ? place : std::vector<Index>{};
 }
 
-void make_serial(const DimensionlessNetwork& network, const NetworkLayout& layout,
-                 const std::vector<Index>& places, flow::SerialPhase& phase) {
+flow::SerialPhase make_serial(const DimensionlessNetwork& network, const NetworkLayout& layout,
+                              const std::vector<Index>& places) {
+  flow::SerialPhase phase;
   phase.speed = network.speed;
   phase.faint = network.slow;
   phase.body.resize(places.size() + 1);
@@ -59,17 +73,19 @@ void make_serial(const DimensionlessNetwork& network, const NetworkLayout& layou
     const auto [left, right] = *ends_of(network, j);
     phase.body[places[j]] = {left, inverse_mass(network.push[j], left), 0};
     phase.body[places[j] + 1] = {right, inverse_mass(network.push[j], right), 0};
-    phase.contact[places[j]] = {.gap = layout.gap(j),
-                                .work = layout.work[j],
-                                .impulse = layout.impulse(j),
-                                .guard = j,
-                                .load_guard = layout.load_guard[j],
-                                .stiffness = contact::stiffness(network.law[j]),
-                                .damping = contact::damping(network.law[j]),
-                                .exponent = contact::exponent(network.law[j]),
-                                .length = network.length[j],
-                                .shallow = network.shallow[j]};
+    phase.contact[places[j]] = contact_of(network, layout, j);
   }
+  return phase;
+}
+
+flow::LinkedPhase make_linked(const DimensionlessNetwork& network, const NetworkLayout& layout) {
+  flow::LinkedPhase phase{.contact = {},
+                          .freedoms = network.freedoms,
+                          .direction = network.direction,
+                          .push = network.push,
+                          .half_push = network.half_push};
+  for (Index j = 0; j < network.contacts(); ++j) phase.contact.push_back(contact_of(network, layout, j));
+  return phase;
 }
 
 }  // namespace mariotte::model

@@ -1,7 +1,8 @@
-// Networks that are rows of bodies, as the flows made for rows see them.
+// Networks as the flows see them that need more than a field: as a row of bodies, or as linked freedoms.
 #pragma once
+#include "mariotte/flow/linked_phase.hpp"
 #include "mariotte/flow/serial_phase.hpp"
-#include "mariotte/model/network_phase.hpp"
+#include "mariotte/model/network_layout.hpp"
 
 namespace mariotte::model {
 
@@ -10,7 +11,10 @@ namespace mariotte::model {
 std::vector<Index> places_in_row(const DimensionlessNetwork& network);
 
 /// The row as such, with all contacts open.
-void make_serial(const DimensionlessNetwork& network, const NetworkLayout& layout,
-                 const std::vector<Index>& places, flow::SerialPhase& phase);
+flow::SerialPhase make_serial(const DimensionlessNetwork& network, const NetworkLayout& layout,
+                              const std::vector<Index>& places);
+
+/// The network as such, with all contacts open; it must outlive the phase.
+flow::LinkedPhase make_linked(const DimensionlessNetwork& network, const NetworkLayout& layout);
 
 }  // namespace mariotte::model

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mariotte/model/network_row.hpp"
+#include "mariotte/model/network_links.hpp"
 
 namespace mariotte::model {
 
@@ -16,7 +16,10 @@ NetworkPhase::NetworkPhase(const DimensionlessNetwork& network, const NetworkLay
       magnitudes_(model::magnitudes(network, layout)),
       crossings_(layout.guard_contact.size(), Crossing::none),
       row_(places_in_row(network)) {
-  if (!row_.empty()) make_serial(network, layout, row_, serial_);
+  if (row_.empty())
+    linked_ = make_linked(network, layout);
+  else
+    serial_ = make_serial(network, layout, row_);
 }
 
 void NetworkPhase::bind(contact::ContactSet& mode) {
@@ -38,9 +41,9 @@ void NetworkPhase::watch(Index j) {
   const auto [gap, load] = watched((*mode_)[j], load_guard != NetworkLayout::absent);
   crossings_[j] = gap;
   if (load_guard != NetworkLayout::absent) crossings_[load_guard] = load;
-  if (row_.empty()) return;
-  serial_.contact[row_[j]].role = role((*mode_)[j]);
-  serial_.contact[row_[j]].level = level(j);
+  auto& contact = row_.empty() ? linked_.contact[j] : serial_.contact[row_[j]];
+  contact.role = role((*mode_)[j]);
+  contact.level = level(j);
 }
 
 contact::Force NetworkPhase::force(ConstState x, Index j) const {

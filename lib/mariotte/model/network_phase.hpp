@@ -7,7 +7,7 @@
 namespace mariotte::model {
 
 /// A network bound to a mode. Where its contacts are those of bodies in one row, −1 and +1 in two freedoms
-/// each, the flows made for rows can follow it.
+/// each, the flows made for rows can follow it; where not, natural modes of linked contacts can.
 class NetworkPhase final : public ContactPhase {
  public:
   /// For a network and layout that outlive it.
@@ -30,6 +30,7 @@ class NetworkPhase final : public ContactPhase {
   bool is_ballistic() const override { return active_ == 0; }
   void second_derivative(ConstState x, State ddx) const override;
   const flow::SerialPhase* serial() const override { return row_.empty() ? nullptr : &serial_; }
+  const flow::LinkedPhase* linked() const override { return row_.empty() ? &linked_ : nullptr; }
   flow::Accepted accept(ConstState x) override;
   std::string component(Index index) const override { return component_name(layout_, index); }
 
@@ -57,8 +58,9 @@ class NetworkPhase final : public ContactPhase {
   const NetworkLayout& layout_;
   std::vector<double> magnitudes_;
   std::vector<flow::Crossing> crossings_;
-  std::vector<Index> row_;  ///< by contact: its place in the row; empty if the network is none
-  flow::SerialPhase serial_;
+  std::vector<Index> row_;    ///< by contact: its place in the row; empty if the network is none
+  flow::SerialPhase serial_;  ///< unless it is none
+  flow::LinkedPhase linked_;  ///< if it is none
   contact::ContactSet* mode_ = nullptr;
   Index active_ = 0;
   double time_scale_ = 1;

@@ -54,7 +54,7 @@ Json chain(const model::Chain& chain) {
           {"gravity", chain.gravity}, {"precompressed", chain.precompressed}};
 }
 
-Json term(const model::Term& term) {
+Json term(const Term& term) {
   return Json::array({term.freedom, term.coefficient});
 }
 

@@ -34,12 +34,12 @@ model::MassMatrix read_mass(const Source& source, const Field& mass, std::size_t
   return all;
 }
 
-model::ContactDirection read_direction(const Source& source, const Field& contact, std::size_t freedoms) {
+ContactDirection read_direction(const Source& source, const Field& contact, std::size_t freedoms) {
   const auto field = find(contact, "direction");
   if (!field) reject(source, contact, "'direction' is missing (one value per velocity)");
   const auto all = numbers(source, *field, dimension::none, Domain::finite);
   expect_length(source, *field, all.size(), freedoms);
-  model::ContactDirection direction;
+  ContactDirection direction;
   for (std::size_t i = 0; i < freedoms; ++i)
     if (all[i] != 0) direction.push_back({static_cast<Index>(i), all[i]});
   return direction;

@@ -1,0 +1,25 @@
+// How a contact's gap follows the velocities of a system with any degrees of freedom.
+#pragma once
+#include <vector>
+
+#include "mariotte/core/types.hpp"
+
+namespace mariotte {
+
+/// One coefficient of a contact direction.
+struct Term {
+  Index freedom;
+  double coefficient;
+};
+
+/// A row of G: the rate of the contact's gap is Σ coefficient · velocity of that freedom.
+using ContactDirection = std::vector<Term>;
+
+/// G v of one contact.
+inline double gap_rate(const ContactDirection& contact, ConstState velocity) {
+  double rate = 0;
+  for (const auto& [freedom, coefficient] : contact) rate += coefficient * velocity[freedom];
+  return rate;
+}
+
+}  // namespace mariotte

@@ -1,0 +1,21 @@
+// Contacts that link the freedoms of a system in any way, seen as what they are.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "mariotte/core/contact_direction.hpp"
+#include "mariotte/flow/phase_contact.hpp"
+
+namespace mariotte::flow {
+
+/// A phase of n freedoms whose velocities are the first n components of the state, M v̇ = Gᵀ f, ġ = G v. The
+/// spans hold one entry per contact.
+struct LinkedPhase {
+  std::vector<PhaseContact> contact;
+  Index freedoms = 0;
+  std::span<const ContactDirection> direction;  ///< rows of G
+  std::span<const ContactDirection> push;       ///< columns of M⁻¹ Gᵀ
+  std::span<const ContactDirection> half_push;  ///< columns of L⁻¹ Gᵀ, M = L Lᵀ
+};
+
+}  // namespace mariotte::flow

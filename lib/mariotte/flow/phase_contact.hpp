@@ -1,0 +1,32 @@
+// A contact as the flows see it that need more than a field.
+#pragma once
+#include "mariotte/core/types.hpp"
+
+namespace mariotte::flow {
+
+enum class Role : signed char {
+  open,      ///< carries no force; closes where its gap is −level
+  closed,    ///< carries force
+  touching,  ///< carries force; touched at rest before, and is watched once it has left the noise
+  slack      ///< indented without force
+};
+
+/// f = δ^{n−1} (k δ + c δ̇), and where its quantities stand in the state.
+struct PhaseContact {
+  Index gap;
+  Index work;        ///< ∫ f δ̇ dt, or −1
+  Index impulse;     ///< ∫ f dt, or −1
+  Index guard;       ///< of the gap
+  Index load_guard;  ///< of k δ + c δ̇, or −1
+  double stiffness, damping, exponent;
+  double length;   ///< natural indentation
+  double shallow;  ///< indentation that cannot be told from rounding
+  double level = 0;
+  Role role = Role::open;
+
+  bool pushes() const { return role == Role::closed || role == Role::touching; }
+  /// Indentation from which a contact touched at rest is watched: out of the noise.
+  double loaded() const { return 2 * shallow; }
+};
+
+}  // namespace mariotte::flow
