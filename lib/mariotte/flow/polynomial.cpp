@@ -14,18 +14,36 @@ constexpr std::size_t most_coefficients = 32;
 constexpr int deepest = 50;  ///< halvings until an interval is shorter than rounding
 using Bernstein = std::array<double, most_coefficients>;
 
-/// Bernstein coefficients on [0, end] from powers, b_j = Σ_{k≤j} C(j,k) a_k endᵏ/C(n,k), summed as Pascal's
-/// triangle is.
+/// C(j,k)/C(n,k) at [k][j]: what the power k adds to the Bernstein coefficient j.
+using Shares = std::array<Bernstein, most_coefficients>;
+
+Shares make_shares(std::size_t n) {
+  Shares share{};
+  for (std::size_t j = 0; j <= n; ++j) share[0][j] = 1;
+  for (std::size_t k = 0; k < n; ++k)
+    for (std::size_t j = k + 1; j <= n; ++j)
+      share[k + 1][j] = share[k][j] * static_cast<double>(j - k) / static_cast<double>(n - k);
+  return share;
+}
+
+const Shares& shares(std::size_t n) {
+  static const auto all = [] {
+    std::array<Shares, most_coefficients> table;
+    for (std::size_t degree = 0; degree < table.size(); ++degree) table[degree] = make_shares(degree);
+    return table;
+  }();
+  return all[n];
+}
+
+/// Bernstein coefficients on [0, end] from powers, b_j = Σ_{k≤j} C(j,k)/C(n,k) a_k endᵏ.
 Bernstein from_powers(std::span<const double> c, double end) {
-  const std::size_t n = c.size() - 1;
+  const auto& share = shares(c.size() - 1);
   Bernstein b{};
-  double factor = 1;  // endᵏ/C(n,k)
-  for (std::size_t k = 0; k <= n; ++k) {
-    b[k] = c[k] * factor;
-    factor *= end * static_cast<double>(k + 1) / static_cast<double>(std::max<std::size_t>(n - k, 1));
+  double power = 1;
+  for (std::size_t k = 0; k < c.size(); ++k, power *= end) {
+    const double term = c[k] * power;
+    for (std::size_t j = 0; j < c.size(); ++j) b[j] += share[k][j] * term;
   }
-  for (std::size_t row = 1; row <= n; ++row)
-    for (std::size_t j = n; j >= row; --j) b[j] += b[j - 1];
   return b;
 }
 
