@@ -1,6 +1,5 @@
 #include "mariotte/impact/configuration.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/SparseQR>
 #include <cmath>
 
@@ -31,23 +30,16 @@ Eigen::Map<const Matrix> full_mass(const Configuration& c) {
   return {c.mass.data(), freedoms(c), freedoms(c)};
 }
 
-/// Gᵀ, n × m.
-Sparse directions(const Configuration& c) {
+/// L⁻¹ Gᵀ, n × m, with M = L Lᵀ.
+Sparse scaled_directions(const Configuration& c) {
+  const auto columns = model::half_pushes(c.mass, c.contact, freedoms(c));
   std::vector<Eigen::Triplet<double>> places;
   for (Index j = 0; j < contacts(c); ++j)
-    for (const auto& [freedom, coefficient] : c.contact[j])
+    for (const auto& [freedom, coefficient] : columns[j])
       places.emplace_back(static_cast<int>(freedom), static_cast<int>(j), coefficient);
-  Sparse g(freedoms(c), contacts(c));
-  g.setFromTriplets(places.begin(), places.end());
-  return g;
-}
-
-/// M^{−1/2} Gᵀ, with the Cholesky factor for the root of a full matrix.
-Sparse scaled_directions(const Configuration& c) {
-  const auto g = directions(c);
-  if (is_diagonal(c)) return view(c.mass).cwiseInverse().cwiseSqrt().asDiagonal() * g;
-  const Eigen::LLT<Matrix> factor(full_mass(c));
-  return factor.matrixL().solve(Matrix(g)).sparseView();
+  Sparse scaled(freedoms(c), contacts(c));
+  scaled.setFromTriplets(places.begin(), places.end());
+  return scaled;
 }
 
 void expect(bool holds, const char* rule) {
@@ -101,9 +93,8 @@ double kinetic_energy(const Configuration& c, const Numbers& velocity) {
 }
 
 double relative_energy(const Configuration& c, const Numbers& velocity) {
-  auto scaled = scaled_directions(c);
-  scaled.makeCompressed();
-  // M^{−1/2} Gᵀ Π = Q R: wᵀ (G M⁻¹ Gᵀ)⁺ w is the square of R⁻ᵀ Πᵀ w, over the rank alone.
+  const auto scaled = scaled_directions(c);
+  // L⁻¹ Gᵀ Π = Q R: wᵀ (G M⁻¹ Gᵀ)⁺ w is the square of R⁻ᵀ Πᵀ w, over the rank alone.
   const Eigen::SparseQR<Sparse, Eigen::COLAMDOrdering<int>> qr(scaled);
   const Index rank = qr.rank();
   const auto rates = gap_rates(c, velocity);
