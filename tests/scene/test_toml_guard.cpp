@@ -10,7 +10,7 @@ namespace {
 
 using namespace mariotte::scene;
 
-const Source source{.name = "f", .set_keys = {}};
+const Source source{.name = "f", .origins = {}};
 
 std::string verdict(const std::string& text) {
   try {

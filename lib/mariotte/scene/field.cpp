@@ -15,7 +15,7 @@ std::string joined(std::string_view path, std::string_view key) {
 
 /// "key: message", without the key where the place says it already.
 std::string named(const Source& source, const Field& field, const std::string& message) {
-  return where(source, field.place()) == "--set " + field.path ? message : field.path + ": " + message;
+  return where(source, field.place()).ends_with(" " + field.path) ? message : field.path + ": " + message;
 }
 
 [[noreturn]] void wrong_type(const Source& source, const Field& field, const std::string& wanted) {

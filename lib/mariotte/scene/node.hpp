@@ -8,11 +8,11 @@
 
 namespace mariotte::scene {
 
-/// Where a value or key was written: line and column in the file, or the number of a `--set`.
+/// Where a value or key was written: line and column in the file, or another origin, as a `--set`.
 struct Place {
   int line = 1;
   int column = 1;
-  int set = -1;  ///< index of the override, or −1 for the file
+  int origin = -1;  ///< index among the origins of the source, or −1 for the file
 };
 
 struct Node;

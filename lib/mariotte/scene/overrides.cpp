@@ -28,12 +28,11 @@ Node parse_value(std::string_view text, const Place& place) {
 void apply(const std::string& override, Source& source, Node& root) {
   const auto equals = override.find('=');
   const auto key = trimmed(std::string_view(override).substr(0, equals));
-  const Place place{.set = static_cast<int>(source.set_keys.size())};
-  source.set_keys.emplace_back(key);
+  const Place place = add_origin(source, "--set " + std::string(key));
   if (equals == std::string::npos) reject(source, place, "expected KEY=VALUE");
 
   const auto value = std::string_view(override).substr(equals + 1);
-  locate(source, root, source.set_keys.back(), place) = parse_value(trimmed(value), place);
+  locate(source, root, key, place) = parse_value(trimmed(value), place);
 }
 
 }  // namespace

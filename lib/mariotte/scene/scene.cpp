@@ -114,7 +114,7 @@ Scene read_scene(Source& source, const Field& root, Purpose purpose) {
 }  // namespace
 
 Document parse_document(const std::string& text, const std::string& name, const Overrides& overrides) {
-  Document document{.source = {.name = name, .set_keys = {}}, .tree = {}, .sha256 = {}};
+  Document document{.source = {.name = name, .origins = {}}, .tree = {}, .sha256 = {}};
   document.tree = parse_toml(document.source, text);
   apply(overrides, document.source, document.tree);
   document.sha256 = fingerprint(text, overrides);

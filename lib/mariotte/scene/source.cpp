@@ -27,8 +27,13 @@ std::string presentable(std::string text) {
 }  // namespace
 
 std::string where(const Source& source, const Place& place) {
-  if (place.set >= 0) return "--set " + presentable(source.set_keys[static_cast<std::size_t>(place.set)]);
+  if (place.origin >= 0) return presentable(source.origins[static_cast<std::size_t>(place.origin)]);
   return source.name + ":" + std::to_string(place.line) + ":" + std::to_string(place.column);
+}
+
+Place add_origin(Source& source, std::string origin) {
+  source.origins.push_back(std::move(origin));
+  return {.origin = static_cast<int>(source.origins.size()) - 1};
 }
 
 void reject(const Source& source, const Place& place, const std::string& message) {

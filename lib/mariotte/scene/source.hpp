@@ -19,14 +19,17 @@ struct Watch {
 };
 
 struct Source {
-  std::string name;                   ///< the file, as the user wrote it
-  std::vector<std::string> set_keys;  ///< the KEY of every override
+  std::string name;                  ///< the file, as the user wrote it
+  std::vector<std::string> origins;  ///< where values come from that are not the file's: "--set KEY"
   std::vector<std::string> warnings = {};
   Watch* watch = nullptr;  ///< told of every number that is read; may be null
 };
 
-/// "file:line:column", or "--set KEY" for what an override wrote.
+/// "file:line:column", or the origin of what is not the file's, as "--set KEY".
 std::string where(const Source& source, const Place& place);
+
+/// The place of whatever comes from there.
+Place add_origin(Source& source, std::string origin);
 
 /// Throws SceneError "where: message", shortened and on one line whatever the scene contains.
 [[noreturn]] void reject(const Source& source, const Place& place, const std::string& message);
