@@ -1,33 +1,12 @@
 #include "mariotte/report/sweep_csv.hpp"
 
-#include <algorithm>
 #include <cmath>
 
+#include "mariotte/report/csv_cell.hpp"
 #include "mariotte/report/number.hpp"
 
 namespace mariotte::report {
 namespace {
-
-// RFC 4180: quoted where it has to be. A row is a line, whatever a message holds.
-std::string cell(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
-  if (text.find_first_of(",\"") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + "\"";
-}
-
-void append_value(const scene::Node& node, std::string& text) {
-  if (const auto* real = std::get_if<double>(&node.value))
-    append_exact(*real, text);
-  else if (const auto* integer = std::get_if<std::int64_t>(&node.value))
-    text += std::to_string(*integer);
-  else if (const auto* truth = std::get_if<bool>(&node.value))
-    text += *truth ? "true" : "false";
-  else if (const auto* words = std::get_if<std::string>(&node.value))
-    text += cell(*words);
-}
 
 void append_parameter(const study::Design& design, std::size_t parameter, Index point, std::string& text) {
   if (design.parameters[parameter].range)

@@ -1,0 +1,29 @@
+#include "mariotte/report/csv_cell.hpp"
+
+#include <algorithm>
+
+#include "mariotte/report/number.hpp"
+
+namespace mariotte::report {
+
+std::string cell(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  if (text.find_first_of(",\"") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + "\"";
+}
+
+void append_value(const scene::Node& node, std::string& text) {
+  if (const auto* real = std::get_if<double>(&node.value))
+    append_exact(*real, text);
+  else if (const auto* integer = std::get_if<std::int64_t>(&node.value))
+    text += std::to_string(*integer);
+  else if (const auto* truth = std::get_if<bool>(&node.value))
+    text += *truth ? "true" : "false";
+  else if (const auto* words = std::get_if<std::string>(&node.value))
+    text += cell(*words);
+}
+
+}  // namespace mariotte::report

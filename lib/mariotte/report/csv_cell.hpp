@@ -1,0 +1,15 @@
+// Cells of a CSV: RFC 4180, on one line whatever they hold.
+#pragma once
+#include <string>
+
+#include "mariotte/scene/node.hpp"
+
+namespace mariotte::report {
+
+/// Text, quoted where it has to be.
+std::string cell(std::string text);
+
+/// Appends a value of a scene: 17 significant digits, or text; nothing for what is neither.
+void append_value(const scene::Node& node, std::string& text);
+
+}  // namespace mariotte::report
