@@ -6,6 +6,7 @@ if(MARIOTTE_APPS OR MARIOTTE_TESTS)
   find_package(fmt REQUIRED)
   find_package(nlohmann_json REQUIRED)
   find_package(tomlplusplus REQUIRED)
+  find_package(Boost REQUIRED)  # Student's t of fits, and odeint, a rival in work_precision; headers only
   if(MARIOTTE_HDF5)
     find_package(HDF5 QUIET COMPONENTS CXX)
   endif()
@@ -16,5 +17,4 @@ if(MARIOTTE_APPS)
     set(MPI_CXX_SKIP_MPICXX TRUE)
     find_package(MPI QUIET COMPONENTS CXX)
   endif()
-  find_package(Boost REQUIRED)  # odeint, a rival in work_precision; headers only
 endif()

@@ -12,6 +12,7 @@ void add_run(CLI::App& app, int& code);
 void add_check(CLI::App& app, int& code);
 void add_law(CLI::App& app, int& code);
 void add_capture(CLI::App& app, int& code);
+void add_fit(CLI::App& app, int& code);
 void add_demo(CLI::App& app, int& code);
 void add_sweep(CLI::App& app, int& code);
 void add_report(CLI::App& app, int& code);

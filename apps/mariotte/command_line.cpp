@@ -14,6 +14,7 @@ constexpr const char* examples = R"(Examples:
   mariotte sweep map.toml --out results          many scenes, by its [[sweep]] tables
   mariotte law cradle.toml                       the same impact by the multiple-impact law
   mariotte capture microsphere.toml              how slow a microbody may be to get off again
+  mariotte fit microsphere.toml measured.csv     its damping from measured restitution
   mariotte run --help                            all about one command
 
 Exit codes: 0 ok, 1 check failed, 2 usage, 3 scene error, 4 solver failure, 5 a limit was reached,
@@ -33,6 +34,7 @@ int command_line(int argc, char** argv) noexcept {
   add_law(app, code);
   add_sweep(app, code);
   add_capture(app, code);
+  add_fit(app, code);
   add_report(app, code);
   add_demo(app, code);
   add_reproduce(app);

@@ -1,10 +1,12 @@
-// Any bytes as a scene: they are read, or rejected with a place and a reason, and nothing else happens.
+// Any bytes as a scene, and as a table of measurements: they are read, or rejected with a place and a reason,
+// and nothing else happens.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <string>
 
 #include "mariotte/study/design_reader.hpp"
+#include "mariotte/study/measurements.hpp"
 
 namespace {
 
@@ -41,9 +43,17 @@ void read_with_override(const std::string& text) try {
   if (!what.starts_with("--set ")) expect_readable(what);
 }
 
+void read_table(const std::string& text) try {
+  study::parse_measurements(text, "fuzz");
+} catch (const scene::SceneError& error) {
+  expect_readable(error.what());
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  read_with_override(std::string(reinterpret_cast<const char*>(data), size));
+  const std::string text(reinterpret_cast<const char*>(data), size);
+  read_with_override(text);
+  read_table(text);
   return 0;
 }

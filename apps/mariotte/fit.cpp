@@ -1,0 +1,102 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "command.hpp"
+#include "command_line/exit_code.hpp"
+#include "command_line/terminal.hpp"
+#include "fit_folder.hpp"
+#include "mariotte/scene/document.hpp"
+#include "scene_choice.hpp"
+
+namespace mariotte::command {
+namespace {
+
+struct Options {
+  SceneChoice scene;
+  std::string data;
+  std::vector<std::string> free = {"surface.zeta_hertz", "surface.zeta_adhesion"};
+  double confidence = 0.95;
+  std::string out;
+  bool json = false;
+  bool force = false;
+};
+
+/// Where restitution falls to zero the fit has no slope to go by.
+void warn_of_captured(const study::Fit& fit, const study::Measurements& measurements) {
+  Index count = 0;
+  for (std::size_t row = 0; row < fit.predicted.size(); ++row)
+    count += fit.predicted[row].captured && measurements.rows[row].restitution > 0;
+  if (count > 0)
+    warning(fmt::format("{} of {} measured rebounds are predicted to be captures", count,
+                        measurements.rows.size()));
+}
+
+int finish(const Options& options, const scene::Scene& scene, study::RestitutionModel& model,
+           const study::Fit& fit) {
+  const report::FitReport report{
+      .fit = fit, .measurements = model.measurements(), .title = scene.title, .scene_sha256 = scene.sha256};
+  if (!options.scene.quiet) warn_of_captured(fit, model.measurements());
+  if (!options.out.empty()) {
+    const auto shortfall = write_fit_folder(options.out, report, study::fit_curves(model, fit));
+    if (!shortfall.empty() && !options.scene.quiet) warning("no figures: " + shortfall);
+  }
+  print(options.json ? report::text(report::json(report)) : report::table(report));
+  return ExitCode::ok;
+}
+
+int fit(const Options& options) try {
+  const auto scene = read(options.scene);
+  study::RestitutionModel model(scene::open(options.scene.path, options.scene.set), options.free,
+                                study::read_measurements(options.data));
+  if (!options.out.empty()) prepare_fit_folder(options.out, options.force);
+  return finish(options, scene, model, study::fit(model, options.free, options.confidence));
+} catch (const study::FitError& problem) {
+  error(problem.what());
+  return ExitCode::check_failed;
+}
+
+constexpr const char* examples = R"(Examples:
+  mariotte fit sphere.toml measured.csv
+  mariotte fit sphere.toml measured.csv --free surface.zeta_hertz,surface.work_of_adhesion
+  mariotte fit rod.toml measured.csv --free surface.friction --json
+
+The first line of DATA names its columns: speed, diameter or any key of the scene, restitution (of the tip)
+or restitution.centre, and deviation if it is known. A unit may follow, as in "diameter [um]". Values of the
+scene are where the search starts; what it finds stays positive.
+With --out DIR: fit.json, points.csv, curves.csv, plot.gp and, by gnuplot, fit and residuals as png and svg.
+Measurements that do not determine the values: exit code 1.
+)";
+
+void add_options(CLI::App& command, Options& options) {
+  command.add_option("SCENE", options.scene.path, "Scene file (TOML) of a body, with all that is known")
+      ->required();
+  command.add_option("DATA", options.data, "Measured restitution (CSV)")->required();
+  add_overrides(command, options.scene);
+  command.add_option("--free", options.free, "Keys whose values are to be found, between commas")
+      ->type_name("KEYS")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->capture_default_str();
+  command.add_option("--confidence", options.confidence, "Of the intervals")
+      ->check(CLI::Range(0.01, 0.9999))
+      ->capture_default_str();
+  add_run_options(command, options.scene);
+  command.add_option("--out", options.out, "Write result files and figures into this folder")
+      ->type_name("DIR");
+  command.add_flag("--json", options.json, "One JSON object on stdout instead of the table");
+  command.add_flag("--force", options.force, "Overwrite files of an earlier fit");
+}
+
+}  // namespace
+
+void add_fit(CLI::App& app, int& code) {
+  auto* command = app.add_subcommand("fit", "Find values of a microbody's scene from measured restitution");
+  auto options = std::make_shared<Options>();
+  add_options(*command, *options);
+  command->footer(examples);
+  command->callback([options, &code] { code = fit(*options); });
+}
+
+}  // namespace mariotte::command

@@ -1,0 +1,45 @@
+#include "fit_folder.hpp"
+
+#include <fmt/format.h>
+
+#include "mariotte/report/files.hpp"
+#include "mariotte/report/gnuplot.hpp"
+
+namespace mariotte::command {
+namespace {
+
+/// What is there only if there are figures.
+std::vector<std::string> figure_files() {
+  auto names = report::fit_figures();
+  names.insert(names.end(), {"curves.csv", "plot.gp"});
+  return names;
+}
+
+std::vector<std::string> file_names() {
+  std::vector<std::string> names = {"fit.json", "points.csv"};
+  for (const auto& name : figure_files()) names.push_back(name);
+  return names;
+}
+
+}  // namespace
+
+void prepare_fit_folder(const std::filesystem::path& folder, bool force) {
+  report::prepare_folder(folder, file_names(), force);
+  report::remove_unfinished(folder, file_names());
+  report::remove_unfinished(folder, {"figures"});
+}
+
+std::string write_fit_folder(const std::filesystem::path& folder, const report::FitReport& report,
+                             const std::optional<study::FitCurves>& curves) {
+  report::write_file(folder / "fit.json", report::text(report::json(report)));
+  report::write_file(folder / "points.csv", report::points_csv(report, curves));
+  report::remove_files(folder, figure_files());
+  if (!curves) return "no column of numbers parts the measurements into few curves";
+  report::write_file(folder / "curves.csv", report::curves_csv(*curves, report.measurements));
+  report::write_file(folder / "plot.gp", report::fit_script(report, *curves));
+  const auto problem = report::draw(folder, report::fit_figures());
+  if (problem.empty()) return "";
+  return fmt::format("{}; data and script are in {}", problem, (folder / "plot.gp").string());
+}
+
+}  // namespace mariotte::command

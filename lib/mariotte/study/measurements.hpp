@@ -1,0 +1,53 @@
+// Measured restitution of microbodies, as the user wrote it into a table.
+//
+//     speed [m/s], diameter [um], restitution, deviation
+//     5,           4.9,           0.866,       0.01
+//
+// A column is named by a key of the scene, which the rows then set, or by one of the words below. A unit
+// may follow in the header, or stand in the cells.
+//
+//     speed                            incidence.normal_speed
+//     diameter                         twice body.radius
+//     restitution, restitution.tip     e_n, measured
+//     restitution.centre               e_nm, measured
+//     deviation                        standard deviation of what was measured; optional
+//     ending, reason                   left out: the table may come from a sweep
+#pragma once
+#include <string>
+#include <vector>
+
+#include "mariotte/core/types.hpp"
+#include "mariotte/scene/node.hpp"
+
+namespace mariotte::study {
+
+enum class MeasuredAt { tip, centre };
+
+/// A column whose values are put into the scene.
+struct Setting {
+  std::string name;  ///< as the header says
+  std::string key;
+};
+
+/// One row: what it puts into the scene, and what was measured there.
+struct Measurement {
+  scene::Place place;
+  std::vector<std::string> written;  ///< a text per setting, with its unit
+  std::vector<scene::Node> values;   ///< the same, as the scene reads it
+  double restitution = 0;
+  double deviation = 1;  ///< > 0; only its ratios count
+};
+
+struct Measurements {
+  std::string file;
+  std::vector<Setting> settings;  ///< at least one
+  MeasuredAt at = MeasuredAt::tip;
+  bool weighted = false;  ///< deviations are given
+  std::vector<Measurement> rows;
+};
+
+/// Reads a table. Throws scene::SceneError, or scene::FileError if there is none.
+Measurements read_measurements(const std::string& path);
+Measurements parse_measurements(const std::string& text, const std::string& name);
+
+}  // namespace mariotte::study

@@ -1,0 +1,106 @@
+#define BOOST_TEST_MODULE command_fit
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "session.hpp"
+
+using support::has;
+using support::Session;
+using Json = nlohmann::json;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Fits : Session {
+  Fits() {
+    fs::copy(MARIOTTE_SCENES "/sphere_fit.toml", folder / "spheres.toml");
+    fs::copy(MARIOTTE_SCENES "/sphere_fit.csv", folder / "measured.csv");
+  }
+};
+
+}  // namespace
+
+BOOST_FIXTURE_TEST_CASE(fit_prints_values_with_their_errors, Fits) {
+  const auto fit = mariotte("fit spheres.toml measured.csv");
+  BOOST_TEST(fit.code == 0);
+  BOOST_TEST(fit.err == "");
+  for (const char* part : {"30 measurements of measured.csv", "surface.zeta_hertz", "standard error",
+                           "95 % interval", "Correlation", "Residuals", "28 degrees of freedom"})
+    BOOST_TEST(has(fit.out, part), part);
+}
+
+BOOST_FIXTURE_TEST_CASE(the_example_gives_its_truth_back_within_the_intervals, Fits) {
+  const auto fit = Json::parse(mariotte("fit spheres.toml measured.csv --json").out);
+  const double truth[] = {1.5, 0.5};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto& one = fit["estimates"][i];
+    BOOST_TEST(one["interval"][0].get<double>() < truth[i]);
+    BOOST_TEST(one["interval"][1].get<double>() > truth[i]);
+    BOOST_TEST(one["start"] == 1.0);
+  }
+}
+
+BOOST_FIXTURE_TEST_CASE(a_wider_confidence_makes_wider_intervals, Fits) {
+  const auto width = [&](const std::string& confidence) {
+    const auto fit =
+        Json::parse(mariotte("fit spheres.toml measured.csv --json --confidence " + confidence).out);
+    const auto& interval = fit["estimates"][0]["interval"];
+    return interval[1].get<double>() - interval[0].get<double>();
+  };
+  BOOST_TEST(width("0.99") > 1.2 * width("0.95"));
+}
+
+BOOST_FIXTURE_TEST_CASE(what_a_sweep_wrote_can_be_fitted, Fits) {
+  fs::copy(MARIOTTE_SCENES "/microsphere.toml", folder);
+  const auto text = support::content(folder / "microsphere.toml");
+  write("sweep.toml", text + "[[sweep]]\nkey = \"incidence.normal_speed\"\nfrom = 3\nto = 20\ncount = 12\n");
+  BOOST_TEST(mariotte("sweep sweep.toml --out swept --column restitution.tip --no-figures").code == 0);
+  const auto fit = Json::parse(
+      mariotte("fit spheres.toml swept/sweep.csv --json --free surface.zeta_hertz "
+               "--free surface.zeta_adhesion,surface.work_of_adhesion --set surface.work_of_adhesion=0.3")
+          .out);
+  const double truth[] = {1.5, 0.5, 0.38};
+  for (std::size_t i = 0; i < 3; ++i)
+    BOOST_TEST(std::abs(fit["estimates"][i]["value"].get<double>() / truth[i] - 1) < 1e-6);
+}
+
+BOOST_FIXTURE_TEST_CASE(out_holds_the_fit_its_points_and_its_curves, Fits) {
+  BOOST_TEST(mariotte("fit spheres.toml measured.csv --out results").code == 0);
+  for (const char* name : {"fit.json", "points.csv", "curves.csv", "plot.gp"})
+    BOOST_TEST(fs::file_size(folder / "results" / name) > 0, name);
+  const auto printed = mariotte("fit spheres.toml measured.csv --json").out;
+  BOOST_TEST(support::content(folder / "results/fit.json") == printed);
+
+  const auto again = mariotte("fit spheres.toml measured.csv --out results");
+  BOOST_TEST(again.code == 6);
+  BOOST_TEST(has(again.err, "fit.json"));
+  BOOST_TEST(mariotte("fit spheres.toml measured.csv --out results --force").code == 0);
+}
+
+BOOST_FIXTURE_TEST_CASE(captured_where_separation_was_measured_is_a_warning, Fits) {
+  write("slow.csv", support::content(folder / "measured.csv") + "4.9,0.5,0.6,10\n");
+  const auto fit = mariotte("fit spheres.toml slow.csv");
+  BOOST_TEST(fit.code == 0);
+  BOOST_TEST(has(fit.err, "1 of 31 measured rebounds are predicted to be captures"), fit.err);
+  BOOST_TEST(mariotte("fit spheres.toml slow.csv --quiet").err == "");
+}
+
+BOOST_FIXTURE_TEST_CASE(what_cannot_be_determined_fails_and_writes_nothing, Fits) {
+  const auto fit =
+      mariotte("fit spheres.toml measured.csv --set surface.friction=0.2 --free surface.friction --out r");
+  BOOST_TEST(fit.code == 1);
+  BOOST_TEST(has(fit.err, "do not determine surface.friction"));
+  BOOST_TEST(!fs::exists(folder / "r/fit.json"));
+}
+
+BOOST_FIXTURE_TEST_CASE(bad_data_are_refused_by_file_line_and_column, Fits) {
+  write("bad.csv", "speed,restitution\n5,0.8\n6,high\n");
+  const auto bad = mariotte("fit spheres.toml bad.csv");
+  BOOST_TEST(bad.code == 3);
+  BOOST_TEST(has(bad.err, "bad.csv:3:3: "), bad.err);
+  write("few.csv", "speed,restitution\n5,0.8\n6,0.8\n");
+  BOOST_TEST(mariotte("fit spheres.toml few.csv").code == 3);
+  BOOST_TEST(mariotte("fit spheres.toml missing.csv").code == 6);
+  BOOST_TEST(mariotte("fit three.toml measured.csv").code == 3);
+  BOOST_TEST(mariotte("fit spheres.toml").code == 2);
+}
