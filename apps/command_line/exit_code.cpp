@@ -11,9 +11,13 @@
 namespace mariotte::command {
 namespace {
 
-int fail(const char* message, ExitCode code) {
-  error(message);
+int fail(const char* message, Fault fault, ExitCode code) {
+  error(message, fault);
   return code;
+}
+
+int fail(const Error& problem, ExitCode code) {
+  return fail(problem.what(), problem.fault, code);
 }
 
 }  // namespace
@@ -32,27 +36,33 @@ ExitCode exit_code(hybrid::Ending ending) {
   return ExitCode::solver_failed;
 }
 
+Fault fault_of(hybrid::Ending ending) {
+  return exit_code(ending) == ExitCode::limit ? fault::limit : fault::stopped;
+}
+
 int guarded(const std::function<int()>& action) noexcept {
   try {
     return action();
   } catch (const UsageError& problem) {
-    return fail(problem.what(), ExitCode::usage);
+    return fail(problem, ExitCode::usage);
   } catch (const scene::SceneError& problem) {
-    return fail(problem.what(), ExitCode::bad_scene);
+    return fail(problem, ExitCode::bad_scene);
   } catch (const InvalidParameter& problem) {
-    return fail(problem.what(), ExitCode::bad_scene);
+    return fail(problem, ExitCode::bad_scene);
   } catch (const scene::FileError& problem) {
-    return fail(problem.what(), ExitCode::bad_file);
+    return fail(problem, ExitCode::bad_file);
   } catch (const study::JournalError& problem) {
-    return fail(problem.what(), ExitCode::bad_file);
+    return fail(problem, ExitCode::bad_file);
   } catch (const report::FileError& problem) {
-    return fail(problem.what(), ExitCode::bad_file);
+    return fail(problem, ExitCode::bad_file);
   } catch (const std::system_error& problem) {
-    return fail(problem.what(), ExitCode::bad_file);
+    return fail(problem.what(), fault::unwritable, ExitCode::bad_file);
   } catch (const std::bad_alloc&) {
-    return fail("out of memory", ExitCode::solver_failed);
+    return fail("out of memory", fault::stopped, ExitCode::solver_failed);
+  } catch (const Error& problem) {
+    return fail(problem, ExitCode::solver_failed);
   } catch (const std::exception& problem) {
-    return fail(problem.what(), ExitCode::solver_failed);
+    return fail(problem.what(), fault::stopped, ExitCode::solver_failed);
   }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 #include <functional>
 
+#include "command_line/fault.hpp"
 #include "mariotte/core/error.hpp"
 #include "mariotte/hybrid/ending.hpp"
 
@@ -20,11 +21,12 @@ enum ExitCode : int {
 
 /// A command line that makes no sense.
 struct UsageError : Error {
-  using Error::Error;
+  explicit UsageError(const std::string& what, Fault kind = fault::bad_argument) : Error(what, kind) {}
 };
 
-/// The exit code of a run that ended this way.
+/// The exit code of a run that ended this way, and what was wrong with it unless the code is ok.
 ExitCode exit_code(hybrid::Ending ending);
+Fault fault_of(hybrid::Ending ending);
 
 /// Do `action` and return its exit code; an exception becomes a message on stderr and its own exit code.
 int guarded(const std::function<int()>& action) noexcept;

@@ -32,6 +32,11 @@ std::string unknown_word(const CLI::App& app) {
   return "";
 }
 
+Fault fault_of(const CLI::ParseError& problem) {
+  if (dynamic_cast<const CLI::ExtrasError*>(&problem)) return fault::unknown_argument;
+  return dynamic_cast<const CLI::RequiredError*>(&problem) ? fault::missing_argument : fault::bad_argument;
+}
+
 /// False if all that was asked for is printed.
 bool parse(CLI::App& app, int argc, char** argv) {
   try {
@@ -43,7 +48,8 @@ bool parse(CLI::App& app, int argc, char** argv) {
     print(std::string(version.what()) + "\n");
   } catch (const CLI::ParseError& problem) {
     const auto misspelt = unknown_word(app);
-    throw UsageError((misspelt.empty() ? problem.what() : misspelt) + " (see --help)");
+    if (!misspelt.empty()) throw UsageError(misspelt + " (see --help)", fault::unknown_argument);
+    throw UsageError(std::string(problem.what()) + " (see --help)", fault_of(problem));
   }
   return false;
 }

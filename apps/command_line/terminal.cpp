@@ -30,8 +30,9 @@ void print(std::string_view text) {
   throw report::FileError(std::string("cannot write to standard output: ") + std::strerror(errno));
 }
 
-void error(std::string_view message) noexcept {
-  say("error: ", message);
+void error(std::string_view message, Fault fault) noexcept {
+  std::fprintf(stderr, "%s: error: %.*s [%.*s]\n", speaker.c_str(), static_cast<int>(message.size()),
+               message.data(), static_cast<int>(fault.code.size()), fault.code.data());
 }
 
 void warning(std::string_view message) noexcept {

@@ -3,6 +3,8 @@
 #include <string>
 #include <string_view>
 
+#include "mariotte/core/fault.hpp"
+
 namespace mariotte::command {
 
 /// The name before every message on stderr.
@@ -11,8 +13,8 @@ void speak_as(std::string program);
 /// Write to stdout. Throws report::FileError unless every byte was taken.
 void print(std::string_view text);
 
-/// "<program>: error: …", "<program>: warning: …" and "<program>: …" on stderr.
-void error(std::string_view message) noexcept;
+/// "<program>: error: … [S012]", "<program>: warning: …" and "<program>: …" on stderr.
+void error(std::string_view message, Fault fault) noexcept;
 void warning(std::string_view message) noexcept;
 void note(std::string_view message) noexcept;
 

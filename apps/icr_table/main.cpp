@@ -156,7 +156,7 @@ std::string table(const CommandLine& line) {
 int act(CommandLine& line) {
   std::erase_if(line.ranges, [](const auto& range) { return range.second.empty(); });
   if (!line.out.empty() && !line.force && std::filesystem::exists(line.out))
-    throw report::FileError(line.out + " exists (--force overwrites it)");
+    throw report::FileError(line.out + " exists (--force overwrites it)", fault::exists);
   try {
     const auto text = table(line);
     line.out.empty() ? command::print(text) : report::write_file(line.out, text);

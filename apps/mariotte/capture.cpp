@@ -46,11 +46,12 @@ report::Json json(const impact::CaptureVelocity& found, const scene::Scene& scen
 
 int capture(const Capture& options) {
   const auto scene = read(options.scene);
-  if (!scene.body) throw scene::SceneError(options.scene.path + ": only a [body] can be captured");
+  if (!scene.body)
+    throw scene::SceneError(options.scene.path + ": only a [body] can be captured", fault::no_model);
   const auto found = impact::capture_velocity([&](double speed) { return at_speed(options, speed); },
                                               -scene.body->velocity.e1, options.tolerance, scene.run);
   if (!found) {
-    error("no capture velocity within a factor of a million of the scene's speed");
+    error("no capture velocity within a factor of a million of the scene's speed", fault::no_capture);
     return ExitCode::check_failed;
   }
   print(options.json ? report::text(json(*found, scene)) : table(*found, scene));

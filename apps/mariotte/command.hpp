@@ -16,6 +16,7 @@ void add_fit(CLI::App& app, int& code);
 void add_demo(CLI::App& app, int& code);
 void add_sweep(CLI::App& app, int& code);
 void add_report(CLI::App& app, int& code);
+void add_explain(CLI::App& app, int& code);
 void add_version(CLI::App& app, int& code);
 
 /// Prints all the others as a man page or as completions.

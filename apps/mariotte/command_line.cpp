@@ -15,6 +15,7 @@ constexpr const char* examples = R"(Examples:
   mariotte law cradle.toml                       the same impact by the multiple-impact law
   mariotte capture microsphere.toml              how slow a microbody may be to get off again
   mariotte fit microsphere.toml measured.csv     its damping from measured restitution
+  mariotte explain S010                          what an error means, by the code of its message
   mariotte run --help                            all about one command
 
 Exit codes: 0 ok, 1 check failed, 2 usage, 3 scene error, 4 solver failure, 5 a limit was reached,
@@ -39,6 +40,7 @@ int command_line(int argc, char** argv) noexcept {
   add_demo(app, code);
   add_reproduce(app);
   add_study(app);
+  add_explain(app, code);
   add_version(app, code);
   add_help_pages(app);
   return run_program(app, argc, argv, [&] { return code; });

@@ -20,7 +20,7 @@ int apply(const LawChoice& choice) {
   print(choice.json ? report::text(report::json(report)) : report::table(report));
   const auto why = reason(report.outcome);
   if (why.empty()) return ExitCode::ok;
-  error(why);
+  error(why, fault::inadmissible);
   return ExitCode::check_failed;
 }
 
@@ -28,11 +28,11 @@ int law(const LawChoice& choice) {
   try {
     return apply(choice);
   } catch (const impact::OutsideTable& problem) {
-    error(problem.what());
+    error(problem.what(), fault::outside_table);
     return ExitCode::check_failed;
   } catch (const InvalidParameter& problem) {
-    if (!choice.scene.path.empty()) throw;
-    throw UsageError(problem.what());
+    if (!choice.scene.path.empty()) throw InvalidParameter(problem.what(), fault::law_parameters);
+    throw UsageError(problem.what(), fault::law_parameters);
   }
 }
 

@@ -52,7 +52,7 @@ impact::IcrTable read_table(const std::string& path) {
   try {
     return impact::parse_icr_table(scene::read_text(path));
   } catch (const InvalidParameter& problem) {
-    throw scene::SceneError(path + ": " + problem.what());
+    throw scene::SceneError(path + ": " + problem.what(), fault::no_icr_table);
   }
 }
 
@@ -67,8 +67,9 @@ std::vector<double> place(const impact::IcrTable& table, const Texts& at) {
   std::vector<double> values;
   for (const auto& axis : table.axis) {
     if (!given.contains(axis.name) && axis.values.size() > 1)
-      throw UsageError("give --at " + axis.name + "=VALUE: the table has " +
-                       std::to_string(axis.values.size()));
+      throw UsageError(
+          "give --at " + axis.name + "=VALUE: the table has " + std::to_string(axis.values.size()),
+          fault::law_incomplete);
     values.push_back(given.contains(axis.name) ? given[axis.name] : axis.values[0]);
     given.erase(axis.name);
   }
@@ -91,7 +92,8 @@ void complete_by_simulation(LawProblem& problem, scene::Law& law, const Model& m
                             const hybrid::Options& run) {
   const auto impact = impact::simulate(model, run);
   problem.simulation_ended = impact.ending;
-  if (const auto why = report::reason(impact.ending, impact.message, run); !why.empty()) error(why);
+  if (const auto why = report::reason(impact.ending, impact.message, run); !why.empty())
+    error(why, fault_of(impact.ending));
   const auto found = impact::parameters_of(impact, law.frame);
   if (law.direction.empty()) law.direction = found.direction;
   if (!law.energy_ratio) law.energy_ratio = found.energy_ratio;
@@ -149,10 +151,10 @@ LawProblem law_problem(const LawChoice& choice) {
   if (!choice.table.empty()) take_from_table(problem, law, choice);
   const bool own = !law.mass.empty();
   if (!own && scene.chain.mass.empty() && !scene.network)
-    throw UsageError("give a scene, or --mass and --velocity");
+    throw UsageError("give a scene, or --mass and --velocity", fault::law_incomplete);
   if (!own && (law.direction.empty() || !law.energy_ratio)) complete_by_simulation(problem, law, scene);
-  if (law.direction.empty()) throw UsageError("give --icr, --direction or --table");
-  if (!law.energy_ratio) throw UsageError("give --energy-ratio");
+  if (law.direction.empty()) throw UsageError("give --icr, --direction or --table", fault::law_incomplete);
+  if (!law.energy_ratio) throw UsageError("give --energy-ratio", fault::law_incomplete);
   problem.report.before = before_impact(law, scene);
   if (scene.network && !own) name_velocities(problem.report, *scene.network);
   problem.report.parameters.direction = law.direction;

@@ -83,7 +83,8 @@ void Ranks::collect() {
 #else
 
 Ranks::Ranks() : done_(1) {
-  if (launched_by_mpi()) throw UsageError("this program was built without MPI and cannot run under mpirun");
+  if (launched_by_mpi())
+    throw UsageError("this program was built without MPI and cannot run under mpirun", fault::not_installed);
 }
 Ranks::~Ranks() = default;
 void Ranks::end_all(int code) const {

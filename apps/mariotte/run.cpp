@@ -70,7 +70,8 @@ int finish(const Run& options, const Impact& impact, const scene::Scene& scene, 
     if (options.verbose) note("wrote " + options.out);
   }
   print(options.json ? report::text(result) : report::table(impact, scene));
-  if (const auto why = report::reason(impact.ending, impact.message, scene.run); !why.empty()) error(why);
+  if (const auto why = report::reason(impact.ending, impact.message, scene.run); !why.empty())
+    error(why, fault_of(impact.ending));
   return exit_code(impact.ending);
 }
 

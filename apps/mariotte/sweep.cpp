@@ -52,7 +52,7 @@ study::SweepPlan read(const Options& options, const Ranks& ranks) try {
     for (const auto& one : plan.warnings) warning(one);
   return plan;
 } catch (const study::ColumnError& problem) {
-  throw UsageError(problem.what());
+  throw UsageError(problem.what(), problem.fault);
 }
 
 /// What must be the same for a journal to be gone on with.

@@ -74,7 +74,8 @@ std::unique_ptr<RunningTrace> start_trace(const TraceChoice& choice, std::size_t
       .contacts = places(choice.contacts.empty() ? all(balls - 1) : choice.contacts, balls - 1)};
   const double every = interval(choice.every);
   if (!force && std::filesystem::exists(std::filesystem::symlink_status(choice.file)))
-    throw report::FileError("cannot write " + choice.file + ": it exists already (--force overwrites)");
+    throw report::FileError("cannot write " + choice.file + ": it exists already (--force overwrites)",
+                            fault::exists);
   auto file = report::new_trace_file(choice.file, sampling.balls, sampling.contacts);
   sampling.take = [to = file.get(), every](const impact::Sample& sample) {
     to->add(sample);

@@ -58,7 +58,8 @@ void tell(const Point& point) {
 
 int act(CommandLine& line) {
   if (!line.csv.empty() && !line.force && std::filesystem::exists(line.csv))
-    throw report::FileError("cannot write " + line.csv + ": it exists already (--force overwrites)");
+    throw report::FileError("cannot write " + line.csv + ": it exists already (--force overwrites)",
+                            fault::exists);
   if (line.quick) line.settings.longest = 1e4, line.settings.patience = 1;
   auto points = study_own(line.settings, tell);
   command::print(table(points));

@@ -71,7 +71,8 @@ std::vector<Row> measure_all(const std::vector<std::string>& problems, const Opt
 /// Throws report::FileError for a file that exists, unless `force`.
 void refuse_to_overwrite(const std::string& file, bool force) {
   if (!file.empty() && !force && std::filesystem::exists(file))
-    throw report::FileError("cannot write " + file + ": it exists already (--force overwrites)");
+    throw report::FileError("cannot write " + file + ": it exists already (--force overwrites)",
+                            fault::exists);
 }
 
 void draw(const Options& options, const std::vector<Row>& rows) {

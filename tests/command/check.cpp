@@ -72,7 +72,7 @@ BOOST_FIXTURE_TEST_CASE(a_misspelt_word_is_told_what_it_is_like, Session) {
 
 BOOST_FIXTURE_TEST_CASE(man_page_and_completions_name_every_command_and_option, Session) {
   const auto page = mariotte("man"), completion = mariotte("completion");
-  for (const std::string command : {"run", "check", "sweep", "report", "law", "demo"}) {
+  for (const std::string command : {"run", "check", "sweep", "report", "law", "explain", "demo"}) {
     BOOST_TEST(has(page.out, ".SS \"mariotte " + command + "\""));
     BOOST_TEST(has(completion.out, "    " + command + ") words='"));
   }
@@ -88,7 +88,7 @@ BOOST_FIXTURE_TEST_CASE(man_page_and_completions_name_every_command_and_option, 
 }
 
 BOOST_FIXTURE_TEST_CASE(every_command_explains_itself_with_an_example, Session) {
-  for (const char* command : {"", "run", "check", "sweep", "report", "law", "demo", "version"}) {
+  for (const char* command : {"", "run", "check", "sweep", "report", "law", "explain", "demo", "version"}) {
     const auto help = mariotte(std::string(command) + " --help");
     BOOST_TEST(help.code == 0);
     BOOST_TEST(has(help.out, "Example"));

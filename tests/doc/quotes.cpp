@@ -5,7 +5,8 @@
 //   <!-- run -->                   the next block of sh is run and must succeed
 //   ```console                     `$ COMMAND` and what it prints
 //   <!-- magnitudes: COMMAND -->   the next table is what COMMAND prints, errors within a factor of 10
-//   ```toml                        a scene, if it has a line `[chain]`, `[network]` or `[body]`
+//   ```toml                        a scene, if it has a line `[chain]`, `[network]` or `[body]`; one after
+//                                  <!-- refused --> must not be accepted, as command_explain checks
 //
 // Commands run in a folder that looks like the source folder; those of one document share it.
 #define BOOST_TEST_MODULE quotations
@@ -102,7 +103,8 @@ void check_output(const Workshop& workshop, const Lines& quoted, const std::stri
 
 bool is_scene(const Block& block) {
   const auto lines = [&](const char* line) { return std::count(block.text.begin(), block.text.end(), line); };
-  return block.language == "toml" && lines("[chain]") + lines("[network]") + lines("[body]") == 1;
+  return block.language == "toml" && block.comment != "refused" &&
+         lines("[chain]") + lines("[network]") + lines("[body]") == 1;
 }
 
 }  // namespace

@@ -3,16 +3,21 @@
 #include <stdexcept>
 #include <string>
 
+#include "mariotte/core/fault.hpp"
+
 namespace mariotte {
 
 /// Base of every exception this library throws; what() is a complete sentence for the user.
 struct Error : std::runtime_error {
-  using std::runtime_error::runtime_error;
+  explicit Error(const std::string& what, Fault kind = fault::stopped)
+      : std::runtime_error(what), fault(kind) {}
+
+  Fault fault;
 };
 
 /// A parameter outside its domain (mass ≤ 0, exponent < 1, lengths that do not match …).
 struct InvalidParameter : Error {
-  using Error::Error;
+  explicit InvalidParameter(const std::string& what, Fault kind = fault::impossible) : Error(what, kind) {}
 };
 
 }  // namespace mariotte

@@ -9,10 +9,6 @@
 namespace mariotte {
 namespace {
 
-[[noreturn]] void reject(const std::string& message) {
-  throw QuantityError(message);
-}
-
 std::string quoted(std::string_view text) {
   return "'" + std::string(text) + "'";
 }
@@ -33,10 +29,12 @@ double take_number(std::string_view& text) {
     text = {};
   } else {
     if (text.empty() || std::string_view("0123456789.").find(text.front()) == std::string_view::npos)
-      reject("expected a number with a unit, got " + quoted(whole));
+      throw QuantityError("expected a number with a unit, got " + quoted(whole), fault::no_quantity);
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error == std::errc::result_out_of_range) reject("number out of range in " + quoted(whole));
-    if (error != std::errc()) reject("expected a number with a unit, got " + quoted(whole));
+    if (error == std::errc::result_out_of_range)
+      throw QuantityError("number out of range in " + quoted(whole), fault::out_of_range);
+    if (error != std::errc())
+      throw QuantityError("expected a number with a unit, got " + quoted(whole), fault::no_quantity);
     text.remove_prefix(static_cast<std::size_t>(end - text.data()));
   }
   return negative ? -value : value;
@@ -51,14 +49,16 @@ Quantity parse_quantity(std::string_view text) {
   if (rest.empty()) return {number, {}, {}};
   const auto unit = parse_unit(rest);
   const double value = number * unit.up / unit.down;
-  if (!std::isfinite(value)) reject("number out of range in " + quoted(text));
+  if (!std::isfinite(value))
+    throw QuantityError("number out of range in " + quoted(text), fault::out_of_range);
   return {value, unit.dimension, std::string(rest)};
 }
 
 double parse_quantity(std::string_view text, const Dimension& expected) {
   const auto quantity = parse_quantity(text);
   if (!quantity.unit.empty() && !same(quantity.dimension, expected))
-    throw QuantityError("expected " + describe(expected) + ", got " + quoted(quantity.unit));
+    throw QuantityError("expected " + describe(expected) + ", got " + quoted(quantity.unit),
+                        fault::wrong_dimension);
   return quantity.value;
 }
 

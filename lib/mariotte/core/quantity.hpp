@@ -12,7 +12,7 @@ namespace mariotte {
 
 /// Text that is not a quantity, or one of the wrong dimension.
 struct QuantityError : Error {
-  using Error::Error;
+  QuantityError(const std::string& what, Fault kind) : Error(what, kind) {}
 };
 
 /// A value in SI. Without a unit in the text it fits every dimension.

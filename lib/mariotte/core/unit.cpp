@@ -75,10 +75,6 @@ std::optional<UnitFactor> find_unit(std::string_view word) {
   return {};
 }
 
-[[noreturn]] void reject(const std::string& message) {
-  throw QuantityError(message);
-}
-
 std::string quoted(std::string_view text) {
   return "'" + std::string(text) + "'";
 }
@@ -103,7 +99,8 @@ class UnitParser {
       const bool divide = take("/");
       if (!divide && !take("*")) take("·");
       if (!divide && divided)
-        reject("ambiguous unit " + quoted(text_) + ": put what '/' divides by in parentheses");
+        throw QuantityError("ambiguous unit " + quoted(text_) + ": put what '/' divides by in parentheses",
+                            fault::unknown_unit);
       divided = divide;
       result = times(result, factor(), divide ? -1 : 1);
     }
@@ -132,7 +129,8 @@ class UnitParser {
     const auto word = rest_.substr(0, size);
     if (word.empty()) bad();
     const auto unit = find_unit(word);
-    if (!unit) reject("unknown unit " + quoted(word) + suggestion(word, common));
+    if (!unit)
+      throw QuantityError("unknown unit " + quoted(word) + suggestion(word, common), fault::unknown_unit);
     rest_.remove_prefix(size);
     return *unit;
   }
@@ -174,7 +172,9 @@ class UnitParser {
     }
   }
 
-  [[noreturn]] void bad() const { reject("cannot read the unit " + quoted(text_)); }
+  [[noreturn]] void bad() const {
+    throw QuantityError("cannot read the unit " + quoted(text_), fault::unknown_unit);
+  }
 
   std::string_view text_;
   std::string_view rest_;

@@ -118,7 +118,8 @@ std::optional<Kind> parse_kind(std::string_view text) {
     if (name(kind) == text) return kind;
     known += ", " + std::string(name(kind));
   }
-  throw InvalidParameter("unknown flow '" + std::string(text) + "' (one of: " + known + ")");
+  throw InvalidParameter("unknown flow '" + std::string(text) + "' (one of: " + known + ")",
+                         fault::unknown_word);
 }
 
 Choice Flows::choose(const Problem& problem, std::optional<Kind> requested, bool stiff) {

@@ -12,8 +12,9 @@
 namespace mariotte::report {
 namespace {
 
-[[noreturn]] void fail(const std::filesystem::path& path, const std::string& reason) {
-  throw FileError("cannot write " + path.string() + ": " + reason);
+[[noreturn]] void fail(const std::filesystem::path& path, const std::string& reason,
+                       Fault kind = fault::unwritable) {
+  throw FileError("cannot write " + path.string() + ": " + reason, kind);
 }
 
 bool write_all(int file, std::string_view text) {
@@ -79,7 +80,7 @@ void prepare_folder(const std::filesystem::path& folder, const std::vector<std::
   if (::access(folder.c_str(), W_OK | X_OK) != 0) fail(folder, std::strerror(errno));
   for (const auto& name : names)
     if (!overwrite && std::filesystem::exists(std::filesystem::symlink_status(folder / name)))
-      fail(folder / name, "it exists already (--force overwrites)");
+      fail(folder / name, "it exists already (--force overwrites)", fault::exists);
 }
 
 void remove_unfinished(const std::filesystem::path& folder, const std::vector<std::string>& names) {

@@ -6,12 +6,13 @@
 #include <vector>
 
 #include "mariotte/core/error.hpp"
+#include "mariotte/scene/fault.hpp"
 
 namespace mariotte::report {
 
 /// A file that could not be written; what() names it and says why.
 struct FileError : Error {
-  using Error::Error;
+  explicit FileError(const std::string& what, Fault kind = fault::unwritable) : Error(what, kind) {}
 };
 
 /// Write `text` under a temporary name beside `path`, flush it to the disk and rename it to `path`, replacing

@@ -51,17 +51,20 @@ void read_columns(Source& source, const Field& chain, const Layout& layout, std:
 /// The ball a [[chain.ball]] table is about, from 0.
 Index numbered(const Source& source, const Field& table, const Layout& layout, std::vector<bool>& seen) {
   const auto field = find(table, "number");
-  if (!field) reject(source, table, "'number' is missing (which ball is this about, counted from 1)");
+  if (!field)
+    reject(source, table, fault::missing, "'number' is missing (which ball is this about, counted from 1)");
   const Index i = whole(source, *field, 1, layout.balls()) - 1;
   if ((layout.left && i == 0) || (layout.right && i == layout.balls() - 1))
-    reject(source, *field, "ball " + std::to_string(i + 1) + " is a wall; only 'wall_material' describes it");
-  if (seen[i]) reject(source, *field, "ball " + std::to_string(i + 1) + " was given before");
+    reject(source, *field, fault::misplaced,
+           "ball " + std::to_string(i + 1) + " is a wall; only 'wall_material' describes it");
+  if (seen[i])
+    reject(source, *field, fault::contradiction, "ball " + std::to_string(i + 1) + " was given before");
   seen[i] = true;
   return i;
 }
 
 void read_overrides(Source& source, const Field& list, const Layout& layout, std::vector<Ball>& balls) {
-  if (!list.node->array()) reject(source, list, "write [[chain.ball]], with two brackets");
+  if (!list.node->array()) reject(source, list, fault::wrong_type, "write [[chain.ball]], with two brackets");
   std::vector<bool> seen(balls.size());
   for (Index i = 0; i < static_cast<Index>(list.node->array()->size()); ++i) {
     const auto table = element(list, i);
@@ -75,7 +78,8 @@ void read_overrides(Source& source, const Field& list, const Layout& layout, std
 /// Walls are of wall_material, else of the chain's one material; else, if empty, of their neighbour's.
 std::optional<Material> common_wall_material(Source& source, const Field& chain, const Layout& layout) {
   if (const auto own = find(chain, "wall_material")) {
-    if (!layout.left && !layout.right) reject(source, *own, "there is no wall ('wall' makes one)");
+    if (!layout.left && !layout.right)
+      reject(source, *own, fault::misplaced, "there is no wall ('wall' makes one)");
     return read_material(source, *own);
   }
   const auto common = find(chain, "material");
@@ -104,11 +108,12 @@ void read_properties(Source& source, const Field& table, Ball& ball) {
 double solid_sphere(const Source& source, const Field& table, const Ball& ball, Index i) {
   const auto name = "ball " + std::to_string(i + 1);
   if (!ball.radius || !ball.material || !ball.material->density)
-    reject(source, table, name + " needs a mass, or a radius and a material with a density");
+    reject(source, table, fault::no_mass, name + " needs a mass, or a radius and a material with a density");
   const double radius = *ball.radius;
   const double mass = 4.0 / 3.0 * std::numbers::pi * *ball.material->density * radius * radius * radius;
   if (!(mass > 0) || !std::isfinite(mass))
-    reject(source, table, name + " has no finite positive mass by its radius and density; give its mass");
+    reject(source, table, fault::no_mass,
+           name + " has no finite positive mass by its radius and density; give its mass");
   return mass;
 }
 

@@ -23,13 +23,14 @@ constexpr Index most_impacts = 1'000'000;
 
 Field table(const Source& source, const Field& root, const char* key) {
   const auto field = find(root, key);
-  if (!field) reject(source, root.place(), "the scene has a [body] but no [" + std::string(key) + "]");
+  if (!field)
+    reject(source, root.place(), fault::no_model, "the scene has a [body] but no [" + std::string(key) + "]");
   return *field;
 }
 
 double positive(const Source& source, const Field& table, const char* key, const Dimension& dimension) {
   const auto field = find(table, key);
-  if (!field) reject(source, table, "'" + std::string(key) + "' is missing");
+  if (!field) reject(source, table, fault::missing, "'" + std::string(key) + "' is missing");
   return number(source, *field, dimension, Domain::positive);
 }
 
@@ -45,17 +46,18 @@ double read_damping(const Source& source, const Field& surface, const std::strin
                     const contact::Surface& material, const std::optional<double>& density,
                     Formula&& formula) {
   const auto own = find(surface, "damping_" + name), zeta = find(surface, "zeta_" + name);
-  if (own && zeta) reject(source, *zeta, "'damping_" + name + "' is given, too; give one of them");
+  if (own && zeta)
+    reject(source, *zeta, fault::contradiction, "'damping_" + name + "' is given, too; give one of them");
   const auto factor = find(surface, name + "_prefactor");
   if (factor) prefactor = number(source, *factor, dimension::none, Domain::positive);
-  if (factor && !zeta) reject(source, *factor, "has no effect without 'zeta_" + name + "'");
+  if (factor && !zeta) reject(source, *factor, fault::misplaced, "has no effect without 'zeta_" + name + "'");
   if (own) return number(source, *own, damping_dimension, Domain::not_negative);
   if (!zeta) return 0;
   const double value = number(source, *zeta, dimension::none, Domain::not_negative);
   if (value == 0) return 0;
   if (!(material.adhesion > 0))
-    reject(source, *zeta, "needs a work of adhesion (give 'damping_" + name + "' instead)");
-  if (!density) reject(source, *zeta, "needs 'body.density'");
+    reject(source, *zeta, fault::missing, "needs a work of adhesion (give 'damping_" + name + "' instead)");
+  if (!density) reject(source, *zeta, fault::missing, "needs 'body.density'");
   return formula(value, *density, prefactor);
 }
 
@@ -90,9 +92,10 @@ void read_surface(const Source& source, const Field& surface, const Shape& shape
 
 double read_speed(const Source& source, const Field& incidence) {
   const auto field = find(incidence, "normal_speed");
-  if (!field) reject(source, incidence, "'normal_speed' is missing");
+  if (!field) reject(source, incidence, fault::missing, "'normal_speed' is missing");
   const double speed = number(source, *field, dimension::velocity, Domain::finite);
-  if (!(speed > 0)) reject(source, *field, "must be positive: the body has to approach the plane");
+  if (!(speed > 0))
+    reject(source, *field, fault::wrong_start, "must be positive: the body has to approach the plane");
   return speed;
 }
 
@@ -100,7 +103,7 @@ void read_incidence(const Source& source, const Field& incidence, model::Microbo
   body.velocity = {-read_speed(source, incidence), 0, 0};
   if (const auto field = find(incidence, "tangential_velocity")) {
     if (!field->node->array() || field->node->array()->size() != 2)
-      reject(source, *field, "expected an array of two values, along e2 and e3");
+      reject(source, *field, fault::wrong_length, "expected an array of two values, along e2 and e3");
     body.velocity.e2 = number(source, element(*field, 0), dimension::velocity, Domain::finite);
     body.velocity.e3 = number(source, element(*field, 1), dimension::velocity, Domain::finite);
   }
@@ -118,7 +121,8 @@ void read_run_of_body(const Source& source, const std::optional<Field>& run, mod
   const auto captured = find(*run, "after_capture");
   if (!captured || choice(source, *captured, "word", after) == 0) return;
   if (!find(*run, "max_time"))
-    reject(source, *captured, "a captured body moves for ever; 'continue' needs 'run.max_time'");
+    reject(source, *captured, fault::missing,
+           "a captured body moves for ever; 'continue' needs 'run.max_time'");
   body.after_capture = model::AfterCapture::go_on;
 }
 
@@ -126,10 +130,10 @@ void read_run_of_body(const Source& source, const std::optional<Field>& run, mod
 void expect_first_tip_first(const Source& source, const Field& incidence, const model::Microbody& body) {
   const auto blame = [&](const char* key) { return find(incidence, key).value_or(incidence); };
   if (const auto tip = model::tip_below_plane(body))
-    reject(source, blame("angles"),
+    reject(source, blame("angles"), fault::wrong_start,
            "tip " + std::to_string(*tip + 1) + " would start below the plane: these angles put it first");
   if (!(model::tip_velocity(body, 0) < 0))
-    reject(source, blame("spin"),
+    reject(source, blame("spin"), fault::wrong_start,
            "the spin lifts tip 1 off the plane" +
                std::string(body.body.tips.size() > 1 ? "; the other tip would be first" : ""));
 }

@@ -16,7 +16,7 @@ constexpr std::array<std::string_view, 16> keys{
 
 double read_gravity(const Source& source, const Field& chain, const std::optional<Field>& of_run) {
   const auto own = find(chain, "gravity");
-  if (own && of_run) reject(source, *of_run, "gravity is given by 'chain.gravity' too");
+  if (own && of_run) reject(source, *of_run, fault::contradiction, "gravity is given by 'chain.gravity' too");
   const auto field = own ? own : of_run;
   return field ? number(source, *field, dimension::acceleration, Domain::finite) : 0;
 }
@@ -25,7 +25,7 @@ void expect_motion(const Source& source, const Field& chain, const model::Chain&
   const auto wall = [](double mass) { return std::isinf(mass); };
   for (std::size_t i = 1; i < model.mass.size(); ++i)
     if (wall(model.mass[i - 1]) && wall(model.mass[i]))
-      reject(source, find(chain, "mass").value_or(chain),
+      reject(source, find(chain, "mass").value_or(chain), fault::impossible,
              "balls " + std::to_string(i) + " and " + std::to_string(i + 1) +
                  " are both walls (of infinite mass); a contact needs a ball");
 }

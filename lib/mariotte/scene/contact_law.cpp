@@ -14,9 +14,9 @@ double read_exponent(const Source& source, const LawTables& tables, Index contac
   const auto field = tables.find_for(contact, "exponent");
   if (!field) return own;
   const double exponent = number(source, *field, dimension::none, Domain::finite);
-  if (exponent < 1) reject(source, *field, "must be at least 1");
+  if (exponent < 1) reject(source, *field, fault::out_of_range, "must be at least 1");
   if (law != viscoelastic && exponent != own)
-    reject(source, *field,
+    reject(source, *field, fault::misplaced,
            "law '" + std::string(laws[law]) + "' has its own exponent (viscoelastic has any)");
   return exponent;
 }
@@ -24,11 +24,13 @@ double read_exponent(const Source& source, const LawTables& tables, Index contac
 double read_damping(const Source& source, const LawTables& tables, Index contact, const Field& law_field,
                     std::size_t law, double exponent) {
   const auto field = tables.find_for(contact, "damping");
-  if (!field && law == viscoelastic) reject(source, law_field, "law 'viscoelastic' needs a damping");
+  if (!field && law == viscoelastic)
+    reject(source, law_field, fault::missing, "law 'viscoelastic' needs a damping");
   if (!field) return 0;
   const double damping = number(source, *field, dimension::damping(exponent), Domain::not_negative);
   if (law != viscoelastic && damping != 0)
-    reject(source, *field, "law '" + std::string(laws[law]) + "' has no damping (viscoelastic has)");
+    reject(source, *field, fault::misplaced,
+           "law '" + std::string(laws[law]) + "' has no damping (viscoelastic has)");
   return damping;
 }
 
@@ -41,10 +43,12 @@ double material_stiffness(const Source& source, const Field& law_field, Index co
   };
   const auto elastic_a = elastic_of(a), elastic_b = elastic_of(b);
   if (!elastic_a || !elastic_b || !a->radius || !b->radius)
-    reject(source, law_field, name + " needs a stiffness, or radius, young and poisson of both its balls");
+    reject(source, law_field, fault::no_stiffness,
+           name + " needs a stiffness, or radius, young and poisson of both its balls");
   const double stiffness = contact::hertz_stiffness(*elastic_a, *a->radius, *elastic_b, *b->radius);
   if (!(stiffness > 0) || !std::isfinite(stiffness))
-    reject(source, law_field, name + " has no finite stiffness: two rigid bodies, or two planes");
+    reject(source, law_field, fault::no_stiffness,
+           name + " has no finite stiffness: two rigid bodies, or two planes");
   return stiffness;
 }
 
@@ -53,7 +57,7 @@ double read_stiffness(const Source& source, const LawTables& tables, Index conta
   if (const auto field = tables.find_for(contact, "stiffness"))
     return number(source, *field, dimension::stiffness(exponent), Domain::positive);
   if (exponent != 1.5)
-    reject(source, law_field,
+    reject(source, law_field, fault::no_stiffness,
            "contact " + std::to_string(contact + 1) +
                " needs a stiffness (materials give it for the exponent 1.5 only)");
   return material_stiffness(source, law_field, contact, pair);
@@ -63,7 +67,9 @@ double read_stiffness(const Source& source, const LawTables& tables, Index conta
 
 contact::Law read_law(const Source& source, const LawTables& tables, Index contact, const BallPair& pair) {
   const auto field = tables.find_for(contact, "law");
-  if (!field) reject(source, tables.place_of(contact), "'law' is missing (linear, hertz or viscoelastic)");
+  if (!field)
+    reject(source, tables.place_of(contact), fault::missing,
+           "'law' is missing (linear, hertz or viscoelastic)");
   const auto law = choice(source, *field, "law", laws);
   const double exponent = read_exponent(source, tables, contact, law);
   const double damping = read_damping(source, tables, contact, *field, law, exponent);

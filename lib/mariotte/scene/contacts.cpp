@@ -10,7 +10,8 @@ std::vector<Field> read_tables(const Source& source, const Field& chain, const L
   std::vector<Field> tables;
   const auto list = find(chain, "contact");
   if (!list) return tables;
-  if (!list->node->array()) reject(source, *list, "write [[chain.contact]], with two brackets");
+  if (!list->node->array())
+    reject(source, *list, fault::wrong_type, "write [[chain.contact]], with two brackets");
   const auto count = static_cast<Index>(list->node->array()->size());
   if (count != 1) expect_per_contact(source, *list, layout);
   for (Index j = 0; j < count; ++j) expect_keys(source, tables.emplace_back(element(*list, j)), law_keys);
@@ -19,7 +20,8 @@ std::vector<Field> read_tables(const Source& source, const Field& chain, const L
 
 double read_gap(const Source& source, const Field& field, bool precompressed) {
   const double gap = number(source, field, dimension::length, Domain::finite);
-  if (gap < 0 && !precompressed) reject(source, field, "must not be negative, unless precompressed = true");
+  if (gap < 0 && !precompressed)
+    reject(source, field, fault::overlap, "must not be negative, unless precompressed = true");
   return gap;
 }
 

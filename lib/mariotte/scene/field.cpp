@@ -19,7 +19,7 @@ std::string named(const Source& source, const Field& field, const std::string& m
 }
 
 [[noreturn]] void wrong_type(const Source& source, const Field& field, const std::string& wanted) {
-  reject(source, field, "expected " + wanted + ", got " + kind(*field.node));
+  reject(source, field, fault::wrong_type, "expected " + wanted + ", got " + kind(*field.node));
 }
 
 void tell(Watch& watch, const Node* node, const Dimension& dimension) {
@@ -35,7 +35,7 @@ double value_of(const Source& source, const Field& field, const Dimension& dimen
   if (const auto* quantity = std::get_if<std::string>(&field.node->value)) try {
       return parse_quantity(*quantity, dimension);
     } catch (const QuantityError& error) {
-      reject(source, field, error.what());
+      reject(source, field, error.fault, error.what());
     }
   wrong_type(source, field, describe(dimension));
 }
@@ -52,8 +52,8 @@ const char* objection(double value, Domain domain) {
 
 }  // namespace
 
-void reject(const Source& source, const Field& field, const std::string& message) {
-  reject(source, field.place(), named(source, field, message));
+void reject(const Source& source, const Field& field, Fault fault, const std::string& message) {
+  reject(source, field.place(), fault, named(source, field, message));
 }
 
 void warn(Source& source, const Field& field, const std::string& message) {
@@ -75,12 +75,14 @@ void expect_keys(const Source& source, const Field& table, std::span<const std::
   if (!table.node->table()) wrong_type(source, table, "a table");
   for (const auto& [key, place, value] : *table.node->table())
     if (std::find(known.begin(), known.end(), key) == known.end())
-      reject(source, place, "unknown key '" + joined(table.path, key) + "'" + suggestion(key, known));
+      reject(source, place, fault::unknown_key,
+             "unknown key '" + joined(table.path, key) + "'" + suggestion(key, known));
 }
 
 double number(const Source& source, const Field& field, const Dimension& dimension, Domain domain) {
   const double value = value_of(source, field, dimension);
-  if (const char* const complaint = objection(value, domain)) reject(source, field, complaint);
+  if (const char* const complaint = objection(value, domain))
+    reject(source, field, fault::out_of_range, complaint);
   return value;
 }
 
@@ -95,21 +97,23 @@ std::vector<double> numbers(const Source& source, const Field& array, const Dime
 
 void expect_length(const Source& source, const Field& array, std::size_t length, std::size_t wanted) {
   if (length != wanted)
-    reject(source, array, "needs " + std::to_string(wanted) + " values, has " + std::to_string(length));
+    reject(source, array, fault::wrong_length,
+           "needs " + std::to_string(wanted) + " values, has " + std::to_string(length));
 }
 
 Index whole(const Source& source, const Field& field, Index least, Index most) {
   const double value = value_of(source, field, dimension::none);
-  if (value != std::floor(value)) reject(source, field, "must be a whole number");
+  if (value != std::floor(value)) reject(source, field, fault::out_of_range, "must be a whole number");
   // The limits are far below 2^53, so nothing is lost in a double.
   if (!(value >= static_cast<double>(least) && value <= static_cast<double>(most)))
-    reject(source, field, "must be between " + std::to_string(least) + " and " + std::to_string(most));
+    reject(source, field, fault::out_of_range,
+           "must be between " + std::to_string(least) + " and " + std::to_string(most));
   return static_cast<Index>(value);
 }
 
 Vector3 read_vector(const Source& source, const Field& field, const Dimension& dimension) {
   if (!field.node->array() || field.node->array()->size() != 3)
-    reject(source, field, "expected an array of three values");
+    reject(source, field, fault::wrong_length, "expected an array of three values");
   const auto at = [&](Index i) { return number(source, element(field, i), dimension, Domain::finite); };
   return {at(0), at(1), at(2)};
 }
@@ -131,7 +135,8 @@ std::size_t choice(const Source& source, const Field& field, const char* noun,
   const auto word = text(source, field);
   const auto found = std::find(known.begin(), known.end(), word);
   if (found == known.end())
-    reject(source, field, "unknown " + std::string(noun) + " '" + word + "'" + suggestion(word, known));
+    reject(source, field, fault::unknown_word,
+           "unknown " + std::string(noun) + " '" + word + "'" + suggestion(word, known));
   return static_cast<std::size_t>(found - known.begin());
 }
 

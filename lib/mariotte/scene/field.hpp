@@ -31,7 +31,7 @@ enum class Domain {
   not_negative,  ///< and finite
 };
 
-[[noreturn]] void reject(const Source& source, const Field& field, const std::string& message);
+[[noreturn]] void reject(const Source& source, const Field& field, Fault fault, const std::string& message);
 void warn(Source& source, const Field& field, const std::string& message);
 
 /// The value of a key, if the table has it. `table` must be one.

@@ -29,7 +29,9 @@ class Path {
     return index_follows() ? index() : name();
   }
 
-  [[noreturn]] void fail(const std::string& message) const { reject(source_, place_, message); }
+  [[noreturn]] void fail(const std::string& message) const {
+    reject(source_, place_, fault::leads_nowhere, message);
+  }
 
  private:
   Step name() {

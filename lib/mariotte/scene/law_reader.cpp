@@ -11,7 +11,8 @@ constexpr std::array<std::string_view, 2> frames{"given", "mass-centre"};
 
 std::vector<double> read_direction(const Source& source, const Field& law) {
   const auto icr = find(law, "icr"), direction = find(law, "direction");
-  if (icr && direction) reject(source, *direction, "'law.icr' gives the direction, too");
+  if (icr && direction)
+    reject(source, *direction, fault::contradiction, "'law.icr' gives the direction, too");
   if (direction) return numbers(source, *direction, dimension::none, Domain::finite);
   if (icr) return impact::direction_of_ratios(numbers(source, *icr, dimension::none, Domain::finite));
   return {};
@@ -24,7 +25,7 @@ Law read_law(const Source& source, const Field& table) {
   Law law;
   const auto mass = find(table, "mass"), velocity = find(table, "velocity");
   if (mass.has_value() != velocity.has_value())
-    reject(source, table, "'mass' and 'velocity' belong together");
+    reject(source, table, fault::missing, "'mass' and 'velocity' belong together");
   if (mass) {
     law.mass = numbers(source, *mass, dimension::mass, Domain::positive_or_infinite);
     law.velocity = numbers(source, *velocity, dimension::velocity, Domain::finite);

@@ -32,12 +32,12 @@ Index count_balls(const Source& source, const Field& chain, Index walls) {
   for (const auto key : per_ball)
     if (const auto array = find_array(chain, key)) return size(*array);
   if (const auto contacts = infer_contacts(chain)) return *contacts + 1 - walls;
-  reject(source, chain, "how many balls? Give 'balls', or an array with one value per ball");
+  reject(source, chain, fault::missing, "how many balls? Give 'balls', or an array with one value per ball");
 }
 
 void expect_size(const Source& source, const Field& array, Index wanted, const std::string& things) {
   if (size(array) != wanted)
-    reject(source, array,
+    reject(source, array, fault::wrong_length,
            "needs one value per " + things + " (" + std::to_string(wanted) + "), got " +
                std::to_string(size(array)));
 }
@@ -53,7 +53,8 @@ Layout read_layout(const Source& source, const Field& chain) {
   }
   layout.listed = count_balls(source, chain, layout.left + layout.right);
   if (layout.listed < 1 || layout.balls() < 2 || layout.listed > most_balls)
-    reject(source, chain, "a chain has from two balls (or a ball and a wall) to ten million");
+    reject(source, chain, fault::out_of_range,
+           "a chain has from two balls (or a ball and a wall) to ten million");
   return layout;
 }
 

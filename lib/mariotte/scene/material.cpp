@@ -20,7 +20,8 @@ void warn_of_slips(Source& source, const Field& field, const Material& material)
 
 double read_poisson(const Source& source, const Field& field) {
   const double poisson = number(source, field, dimension::none, Domain::finite);
-  if (!(poisson > -1 && poisson <= 0.5)) reject(source, field, "must be above -1 and at most 0.5");
+  if (!(poisson > -1 && poisson <= 0.5))
+    reject(source, field, fault::out_of_range, "must be above -1 and at most 0.5");
   return poisson;
 }
 

@@ -24,16 +24,19 @@ struct PlacedBalls {
 
 std::vector<double> read_coordinates(const Source& source, const Field& field, const Dimension& dimension) {
   auto values = numbers(source, field, dimension, Domain::finite);
-  if (values.size() != 2 && values.size() != 3) reject(source, field, "expected two values, or three");
+  if (values.size() != 2 && values.size() != 3)
+    reject(source, field, fault::wrong_length, "expected two values, or three");
   return values;
 }
 
 model::Ball place(const Source& source, const Field& table, const Ball& body, Index i) {
   const auto position = find(table, "position"), velocity = find(table, "velocity");
-  if (!position) reject(source, table, "'position' is missing");
-  if (!body.radius) reject(source, table, "ball " + std::to_string(i + 1) + " needs a radius");
+  if (!position) reject(source, table, fault::missing, "'position' is missing");
+  if (!body.radius)
+    reject(source, table, fault::missing, "ball " + std::to_string(i + 1) + " needs a radius");
   if (!std::isfinite(*body.radius))
-    reject(source, table, "ball " + std::to_string(i + 1) + " must have a finite radius");
+    reject(source, table, fault::out_of_range,
+           "ball " + std::to_string(i + 1) + " must have a finite radius");
   model::Ball ball{.position = read_coordinates(source, *position, dimension::length),
                    .velocity = {},
                    .mass = body.mass ? *body.mass : solid_sphere(source, table, body, i),
@@ -48,7 +51,8 @@ model::Ball place(const Source& source, const Field& table, const Ball& body, In
 
 PlacedBalls read_placed(Source& source, const Field& network) {
   const auto list = *find(network, "ball");
-  if (!list.node->array()) reject(source, list, "write [[network.ball]], with two brackets");
+  if (!list.node->array())
+    reject(source, list, fault::wrong_type, "write [[network.ball]], with two brackets");
   Ball common;
   read_properties(source, network, common);
   PlacedBalls balls;
@@ -84,7 +88,7 @@ model::BallContact contact_of(const Source& source, const PlacedBalls& balls, In
     if (std::abs(contact.gap) <= touching) contact.gap = 0;
     return contact.gap > reach ? model::BallContact{{}, contact.gap} : contact;
   } catch (const InvalidParameter& error) {
-    reject(source, balls.table[j], error.what());
+    reject(source, balls.table[j], error.fault, error.what());
   }
 }
 
@@ -94,7 +98,7 @@ ResolvedNetwork read_ball_network(Source& source, const Field& network, bool pre
   expect_keys(source, network, keys);
   for (const auto key : law_keys)
     if (const auto field = find(network, key); field && field->node->array())
-      reject(source, *field, "must be one value for all contacts of balls");
+      reject(source, *field, fault::misplaced, "must be one value for all contacts of balls");
   const auto balls = read_placed(source, network);
   const double touching = read_distance(source, network, "touching", 0);
   const double reach = read_distance(source, network, "reach", 0.01 * smallest_radius(balls.ball));
@@ -109,7 +113,7 @@ ResolvedNetwork read_ball_network(Source& source, const Field& network, bool pre
       if (direction.empty()) continue;
       if (gap < 0 && !precompressed)
         reject(
-            source, balls.table[j],
+            source, balls.table[j], fault::overlap,
             "balls " + std::to_string(i + 1) + " and " + std::to_string(j + 1) +
                 " overlap ('touching' is the distance taken as none; precompressed = true allows overlaps)");
       model.law.push_back(read_law(source, tables, std::ssize(model.law), {&balls.body[i], &balls.body[j]}));
@@ -118,7 +122,7 @@ ResolvedNetwork read_ball_network(Source& source, const Field& network, bool pre
     }
   }
   if (model.law.empty())
-    reject(source, network,
+    reject(source, network, fault::impossible,
            "no two balls are within 'reach' of each other, by default a hundredth of the smallest radius");
   return resolved;
 }

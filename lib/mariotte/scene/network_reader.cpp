@@ -36,7 +36,7 @@ model::MassMatrix read_mass(const Source& source, const Field& mass, std::size_t
 
 ContactDirection read_direction(const Source& source, const Field& contact, std::size_t freedoms) {
   const auto field = find(contact, "direction");
-  if (!field) reject(source, contact, "'direction' is missing (one value per velocity)");
+  if (!field) reject(source, contact, fault::missing, "'direction' is missing (one value per velocity)");
   const auto all = numbers(source, *field, dimension::none, Domain::finite);
   expect_length(source, *field, all.size(), freedoms);
   ContactDirection direction;
@@ -49,14 +49,16 @@ double read_gap(const Source& source, const LawTables& tables, Index contact, bo
   const auto field = tables.find_for(contact, "gap");
   if (!field) return 0;
   const double gap = number(source, *field, dimension::length, Domain::finite);
-  if (gap < 0 && !precompressed) reject(source, *field, "must not be negative, unless precompressed = true");
+  if (gap < 0 && !precompressed)
+    reject(source, *field, fault::overlap, "must not be negative, unless precompressed = true");
   return gap;
 }
 
 LawTables read_tables(const Source& source, const Field& network) {
   LawTables tables{network, {}};
   const auto list = find(network, "contact");
-  if (!list->node->array()) reject(source, *list, "write [[network.contact]], with two brackets");
+  if (!list->node->array())
+    reject(source, *list, fault::wrong_type, "write [[network.contact]], with two brackets");
   for (Index j = 0; j < std::ssize(*list->node->array()); ++j)
     expect_keys(source, tables.contacts.emplace_back(element(*list, j)), contact_keys);
   for (const auto* key : {"gap", "law", "stiffness", "damping", "exponent"})
@@ -69,7 +71,7 @@ model::Network read_freedoms(const Source& source, const Field& network, bool pr
   expect_keys(source, network, keys);
   const auto mass = find(network, "mass"), velocity = find(network, "velocity");
   if (!mass || !velocity)
-    reject(source, network, "'mass' and 'velocity' are needed beside [[network.contact]]");
+    reject(source, network, fault::missing, "'mass' and 'velocity' are needed beside [[network.contact]]");
   model::Network model;
   model.precompressed = precompressed;
   model.velocity = numbers(source, *velocity, dimension::none, Domain::finite);
@@ -96,7 +98,8 @@ ResolvedNetwork read_network(Source& source, const Field& network) {
   if (!network.node->table()) expect_keys(source, network, keys);  // says that it is no table
   const bool balls = find(network, "ball").has_value(), contacts = find(network, "contact").has_value();
   if (balls == contacts)
-    reject(source, network, "give either [[network.ball]], or 'mass', 'velocity' and [[network.contact]]");
+    reject(source, network, fault::contradiction,
+           "give either [[network.ball]], or 'mass', 'velocity' and [[network.contact]]");
   bool precompressed = false;
   if (const auto field = find(network, "precompressed")) precompressed = boolean(source, *field);
   auto resolved = balls ? read_ball_network(source, network, precompressed)

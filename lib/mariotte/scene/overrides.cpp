@@ -29,7 +29,7 @@ void apply(const std::string& override, Source& source, Node& root) {
   const auto equals = override.find('=');
   const auto key = trimmed(std::string_view(override).substr(0, equals));
   const Place place = add_origin(source, "--set " + std::string(key));
-  if (equals == std::string::npos) reject(source, place, "expected KEY=VALUE");
+  if (equals == std::string::npos) reject(source, place, fault::leads_nowhere, "expected KEY=VALUE");
 
   const auto value = std::string_view(override).substr(equals + 1);
   locate(source, root, key, place) = parse_value(trimmed(value), place);

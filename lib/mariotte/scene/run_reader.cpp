@@ -11,7 +11,7 @@ constexpr Index no_limit = 1'000'000'000'000'000;  // still a whole number in a 
 
 double read_accuracy(Source& source, const Field& field) {
   const double accuracy = number(source, field, dimension::none, Domain::finite);
-  if (!(accuracy > 0 && accuracy < 1)) reject(source, field, "must be between 0 and 1");
+  if (!(accuracy > 0 && accuracy < 1)) reject(source, field, fault::out_of_range, "must be between 0 and 1");
   if (accuracy < 1e-14) warn(source, field, "finer than double precision can give");
   if (accuracy > 1e-2) warn(source, field, "so coarse that the result says little");
   return accuracy;
@@ -19,7 +19,7 @@ double read_accuracy(Source& source, const Field& field) {
 
 std::string read_flow(const Source& source, const Field& field) {
   auto flow = text(source, field);
-  if (flow.empty()) reject(source, field, "must not be empty ('auto' chooses)");
+  if (flow.empty()) reject(source, field, fault::unknown_word, "must not be empty ('auto' chooses)");
   return flow;
 }
 

@@ -33,17 +33,18 @@ bool is_body_scene(const Source& source, const Field& root, Purpose purpose) {
   if (const auto body = find(root, "body")) {
     for (const auto* key : {"chain", "network", "law"})
       if (const auto field = find(root, key))
-        reject(source, *field, "a scene has a [body] or a [" + std::string(key) + "], not both");
+        reject(source, *field, fault::contradiction,
+               "a scene has a [body] or a [" + std::string(key) + "], not both");
     if (purpose == Purpose::law)
-      reject(source, *body, "the multiple-impact law needs a [chain] or [network]");
+      reject(source, *body, fault::no_model, "the multiple-impact law needs a [chain] or [network]");
     return true;
   }
   for (const auto* key : {"surface", "incidence"})
     if (const auto field = find(root, key))
-      reject(source, *field, "is for scenes of a [body]; there is none");
+      reject(source, *field, fault::misplaced, "is for scenes of a [body]; there is none");
   const auto network = find(root, "network");
   if (network && find(root, "chain"))
-    reject(source, *network, "a scene has a [chain] or a [network], not both");
+    reject(source, *network, fault::contradiction, "a scene has a [chain] or a [network], not both");
   return false;
 }
 
@@ -51,7 +52,7 @@ bool is_body_scene(const Source& source, const Field& root, Purpose purpose) {
 bool has_chain(const Source& source, const Field& root, const std::optional<Law>& law, Purpose purpose) {
   if (find(root, "chain")) return true;
   if (purpose == Purpose::simulation || !law || law->mass.empty())
-    reject(source, root.place(), "the scene has no [chain], [network] or [body]");
+    reject(source, root.place(), fault::no_model, "the scene has no [chain], [network] or [body]");
   return false;
 }
 
@@ -61,7 +62,7 @@ void expect_valid(const Source& source, const Field& table, const Model& model) 
   try {
     model::validate(model);
   } catch (const InvalidParameter& error) {
-    reject(source, table, error.what());
+    reject(source, table, error.fault, error.what());
   }
 }
 
@@ -83,7 +84,7 @@ void resolve_chain(Source& source, const Field& root, const std::optional<Field>
 void resolve_network(Source& source, const Field& root, const std::optional<Field>& run, Scene& scene) {
   const auto network = *find(root, "network");
   const auto gravity = run ? find(*run, "gravity") : std::nullopt;
-  if (gravity) reject(source, *gravity, "does not act on networks");
+  if (gravity) reject(source, *gravity, fault::misplaced, "does not act on networks");
   auto resolved = read_network(source, network);
   expect_valid(source, network, resolved.network);
   scene.network = std::move(resolved.network);

@@ -9,18 +9,19 @@
 #include "mariotte/model/chain.hpp"
 #include "mariotte/model/microbody.hpp"
 #include "mariotte/model/network.hpp"
+#include "mariotte/scene/fault.hpp"
 #include "mariotte/scene/law_reader.hpp"
 
 namespace mariotte::scene {
 
 /// A scene that was rejected; what() reads "file:line:column: message".
 struct SceneError : Error {
-  using Error::Error;
+  SceneError(const std::string& what, Fault kind) : Error(what, kind) {}
 };
 
 /// A file that could not be read; what() names it.
 struct FileError : Error {
-  using Error::Error;
+  explicit FileError(const std::string& what) : Error(what, fault::unreadable) {}
 };
 
 /// Of a chain, a network or a body: `network` and `body` are empty of others, and `chain` has no balls.

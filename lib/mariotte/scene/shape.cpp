@@ -15,7 +15,7 @@ constexpr Dimension inertia_dimension{.kg = 1, .m = 2};
 
 Field required(const Source& source, const Field& table, std::string_view key) {
   const auto field = find(table, key);
-  if (!field) reject(source, table, "'" + std::string(key) + "' is missing");
+  if (!field) reject(source, table, fault::missing, "'" + std::string(key) + "' is missing");
   return *field;
 }
 
@@ -34,7 +34,7 @@ void expect_none(const Source& source, const Field& body, std::string_view shape
                  std::initializer_list<const char*> foreign) {
   for (const auto* key : foreign)
     if (const auto field = find(body, key))
-      reject(source, *field, "does not go with shape '" + std::string(shape) + "'");
+      reject(source, *field, fault::misplaced, "does not go with shape '" + std::string(shape) + "'");
 }
 
 model::Tip read_tip(Source& source, const Field& table, const std::optional<double>& common) {
@@ -44,7 +44,7 @@ model::Tip read_tip(Source& source, const Field& table, const std::optional<doub
   if (const auto own = find(table, "radius"))
     tip.radius = read_radius(source, *own);
   else if (!common)
-    reject(source, table, "'radius' is missing");
+    reject(source, table, fault::missing, "'radius' is missing");
   return tip;
 }
 
@@ -57,16 +57,16 @@ Shape read_custom(Source& source, const Field& body) {
   std::optional<double> radius;
   if (const auto field = find(body, "radius")) radius = read_radius(source, *field);
   const auto tips = required(source, body, "tips");
-  if (!tips.node->array()) reject(source, tips, "expected an array of tables");
+  if (!tips.node->array()) reject(source, tips, fault::wrong_type, "expected an array of tables");
   const auto count = static_cast<Index>(tips.node->array()->size());
-  if (count < 1 || count > 2) reject(source, tips, "a body has one or two tips");
+  if (count < 1 || count > 2) reject(source, tips, fault::wrong_length, "a body has one or two tips");
   for (Index i = 0; i < count; ++i) shape.body.tips.push_back(read_tip(source, element(tips, i), radius));
   if (const auto density = find(body, "density"))
     shape.density = positive(source, *density, dimension::density);
   try {
     model::validate(shape.body);
   } catch (const InvalidParameter& error) {
-    reject(source, inertia, error.what());
+    reject(source, inertia, error.fault, error.what());
   }
   return shape;
 }

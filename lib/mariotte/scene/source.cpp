@@ -36,8 +36,8 @@ Place add_origin(Source& source, std::string origin) {
   return {.origin = static_cast<int>(source.origins.size()) - 1};
 }
 
-void reject(const Source& source, const Place& place, const std::string& message) {
-  throw SceneError(where(source, place) + ": " + presentable(message));
+void reject(const Source& source, const Place& place, Fault fault, const std::string& message) {
+  throw SceneError(where(source, place) + ": " + presentable(message), fault);
 }
 
 void warn(Source& source, const Place& place, const std::string& message) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mariotte/core/dimension.hpp"
+#include "mariotte/scene/fault.hpp"
 #include "mariotte/scene/node.hpp"
 
 namespace mariotte::scene {
@@ -32,7 +33,7 @@ std::string where(const Source& source, const Place& place);
 Place add_origin(Source& source, std::string origin);
 
 /// Throws SceneError "where: message", shortened and on one line whatever the scene contains.
-[[noreturn]] void reject(const Source& source, const Place& place, const std::string& message);
+[[noreturn]] void reject(const Source& source, const Place& place, Fault fault, const std::string& message);
 
 /// Adds "where: message" to the warnings; after the first twenty only once more, to say so.
 void warn(Source& source, const Place& place, const std::string& message);

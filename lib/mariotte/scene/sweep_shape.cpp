@@ -16,30 +16,33 @@ void expect_value(const Source& source, const Field& field) {
   const auto& value = field.node->value;
   if (!std::holds_alternative<double>(value) && !std::holds_alternative<std::int64_t>(value) &&
       !std::holds_alternative<std::string>(value) && !std::holds_alternative<bool>(value))
-    reject(source, field, std::string("expected a number or a string, got ") + kind(*field.node));
+    reject(source, field, fault::wrong_type,
+           std::string("expected a number or a string, got ") + kind(*field.node));
 }
 
 void expect_values(const Source& source, const Field& values) {
   if (!values.node->array() || values.node->array()->empty())
-    reject(source, values, "expected an array of at least one value");
+    reject(source, values, fault::wrong_type, "expected an array of at least one value");
   for (Index i = 0; i < static_cast<Index>(values.node->array()->size()); ++i)
     expect_value(source, element(values, i));
 }
 
 void expect_random(const Source& source, const Field& sweep, const Field& seed) {
   whole(source, seed, 0, largest_seed);
-  if (const auto step = find(sweep, "step")) reject(source, *step, "does not go with 'random'");
+  if (const auto step = find(sweep, "step"))
+    reject(source, *step, fault::misplaced, "does not go with 'random'");
 }
 
 void expect_range(const Source& source, const Field& sweep) {
   for (const auto* key : {"from", "to"}) {
     const auto field = find(sweep, key);
-    if (!field) reject(source, sweep, "'" + std::string(key) + "' is missing (or give 'values')");
+    if (!field)
+      reject(source, sweep, fault::missing, "'" + std::string(key) + "' is missing (or give 'values')");
     expect_value(source, *field);
   }
   const auto count = find(sweep, "count");
   const auto step = find(sweep, "step");
-  if (bool(count) == bool(step)) reject(source, sweep, "give either 'count' or 'step'");
+  if (bool(count) == bool(step)) reject(source, sweep, fault::contradiction, "give either 'count' or 'step'");
   if (count) whole(source, *count, 1, most_points);
   if (step) expect_value(source, *step);
   if (const auto seed = find(sweep, "random")) expect_random(source, sweep, *seed);
@@ -48,7 +51,7 @@ void expect_range(const Source& source, const Field& sweep) {
 void expect_sweep(const Source& source, const Field& sweep) {
   expect_keys(source, sweep, keys);
   const auto key = find(sweep, "key");
-  if (!key) reject(source, sweep, "'key' is missing (which value is swept)");
+  if (!key) reject(source, sweep, fault::missing, "'key' is missing (which value is swept)");
   text(source, *key);
   if (const auto scale = find(sweep, "scale")) choice(source, *scale, "scale", scales);
   if (const auto zip = find(sweep, "zip")) boolean(source, *zip);
@@ -56,20 +59,21 @@ void expect_sweep(const Source& source, const Field& sweep) {
   if (!values) return expect_range(source, sweep);
   expect_values(source, *values);
   for (const auto* other : {"from", "to", "count", "step", "random"})
-    if (const auto field = find(sweep, other)) reject(source, *field, "does not go with 'values'");
+    if (const auto field = find(sweep, other))
+      reject(source, *field, fault::misplaced, "does not go with 'values'");
 }
 
 }  // namespace
 
 void expect_sweeps(const Source& source, const Field& list) {
-  if (!list.node->array()) reject(source, list, "write [[sweep]], with two brackets");
+  if (!list.node->array()) reject(source, list, fault::wrong_type, "write [[sweep]], with two brackets");
   for (Index i = 0; i < static_cast<Index>(list.node->array()->size()); ++i)
     expect_sweep(source, element(list, i));
 }
 
 void expect_columns(const Source& source, const Field& columns) {
   if (!columns.node->array() || columns.node->array()->empty())
-    reject(source, columns, "expected an array of at least one result key");
+    reject(source, columns, fault::wrong_type, "expected an array of at least one result key");
   for (Index i = 0; i < static_cast<Index>(columns.node->array()->size()); ++i)
     text(source, element(columns, i));
 }

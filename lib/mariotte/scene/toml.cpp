@@ -67,7 +67,8 @@ Node parse_toml(const Source& source, std::string_view text) {
   try {
     return convert(toml::parse(text));
   } catch (const toml::parse_error& error) {
-    reject(source, place_of(error.source()), "not valid TOML: " + std::string(error.description()));
+    reject(source, place_of(error.source()), fault::not_toml,
+           "not valid TOML: " + std::string(error.description()));
   }
 }
 

@@ -58,8 +58,8 @@ class Guard {
   void advance() {
     if (rest_.starts_with("\r\n")) rest_.remove_prefix(1);
     const auto [code, size] = decode(rest_);
-    if (size == 0) reject(source_, place_, "not valid UTF-8");
-    if (is_control(code)) reject(source_, place_, "control characters are not allowed");
+    if (size == 0) reject(source_, place_, fault::not_toml, "not valid UTF-8");
+    if (is_control(code)) reject(source_, place_, fault::not_toml, "control characters are not allowed");
     last_ = rest_.front();
     rest_.remove_prefix(size);
     place_ = code == '\n' ? Place{place_.line + 1, 1} : Place{place_.line, place_.column + 1};
@@ -83,14 +83,14 @@ class Guard {
     while (!rest_.empty() && is_blank(rest_.front())) advance();
     if (rest_.empty()) return;
     if (static_cast<unsigned char>(rest_.front()) >= 0x80)
-      reject(source_, place_, "only ASCII characters may follow a backslash");
+      reject(source_, place_, fault::not_toml, "only ASCII characters may follow a backslash");
     if (!continued) advance();
   }
 
   /// toml++ reads a number on into a string or bracket that touches it, and a scene needs no such thing.
   void expect_start(const char* what) {
     if (!is_blank(last_) && std::string_view("=,[{").find(last_) == std::string_view::npos)
-      reject(source_, place_, std::string("unexpected ") + what);
+      reject(source_, place_, fault::not_toml, std::string("unexpected ") + what);
   }
 
   void skip_string(char quote) {
@@ -101,7 +101,8 @@ class Guard {
     const std::string_view closing = multiline ? three : std::string_view(three).substr(0, 1);
     advance(closing.size());
     while (!rest_.starts_with(closing)) {
-      if (rest_.empty() || (!multiline && at_line_end())) reject(source_, start, "the string does not end");
+      if (rest_.empty() || (!multiline && at_line_end()))
+        reject(source_, start, fault::not_toml, "the string does not end");
       if (quote == '"' && rest_.front() == '\\')
         skip_escape();
       else
@@ -120,15 +121,16 @@ class Guard {
     const auto before = rest_;
     advance();
     if (!letter && std::string_view(" \t\r\n_-+.,:=[]{}").find(c) == std::string_view::npos)
-      reject(source_, here,
+      reject(source_, here, fault::not_toml,
              "unexpected '" + std::string(before.substr(0, before.size() - rest_.size())) + "'");
-    if (c == '=' && (valued_ || open_.ends_with('['))) reject(source_, here, "unexpected '='");
+    if (c == '=' && (valued_ || open_.ends_with('[')))
+      reject(source_, here, fault::not_toml, "unexpected '='");
     if (c == '[' || c == '{') open_ += c;
-    if (open_.size() > deepest) reject(source_, here, "nested too deeply");
+    if (open_.size() > deepest) reject(source_, here, fault::too_deep, "nested too deeply");
     if ((c == ']' || c == '}') && !open_.empty()) open_.pop_back();
     if (std::string_view("=,[]{}\r\n").find(c) != std::string_view::npos) dots_ = 0;
     if (std::string_view("=,[{\r\n").find(c) != std::string_view::npos) valued_ = c == '=';
-    if (c == '.' && ++dots_ >= deepest) reject(source_, here, "too many dots in one key");
+    if (c == '.' && ++dots_ >= deepest) reject(source_, here, fault::too_deep, "too many dots in one key");
   }
 
   const Source& source_;

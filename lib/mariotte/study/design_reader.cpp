@@ -7,6 +7,7 @@
 #include "mariotte/scene/field.hpp"
 #include "mariotte/scene/key_path.hpp"
 #include "mariotte/scene/sweep_shape.hpp"
+#include "mariotte/study/fault.hpp"
 
 namespace mariotte::study {
 namespace {
@@ -22,7 +23,9 @@ using Meaning = std::vector<std::optional<Dimension>>;
 
 std::vector<Field> tables(const Document& document) {
   const auto list = find(Field{&document.tree, ""}, "sweep");
-  if (!list) reject(document.source, scene::Place{}, "the scene has no [[sweep]] that says what to vary");
+  if (!list)
+    reject(document.source, scene::Place{}, fault::no_sweep,
+           "the scene has no [[sweep]] that says what to vary");
   expect_sweeps(document.source, *list);
   std::vector<Field> all;
   for (Index i = 0; i < static_cast<Index>(list->node->array()->size()); ++i)
@@ -34,9 +37,9 @@ std::vector<Field> tables(const Document& document) {
 void expect_key(const Source& source, const Field& field, const Design& design) {
   const auto key = text(source, field);
   for (const auto* own : {"sweep", "columns"})
-    if (key.starts_with(own)) reject(source, field, "'" + key + "' cannot be varied");
+    if (key.starts_with(own)) reject(source, field, fault::sweep_key, "'" + key + "' cannot be varied");
   for (const auto& other : design.parameters)
-    if (other.key == key) reject(source, field, "'" + key + "' is varied twice");
+    if (other.key == key) reject(source, field, fault::sweep_key, "'" + key + "' is varied twice");
 }
 
 Design read_keys(Document& document) {
@@ -61,13 +64,13 @@ std::vector<Node> raw_values(const std::vector<Field>& tables, bool last) {
   return raw;
 }
 
-/// Empty if the scene is accepted, else why not.
-std::string rejection(const Document& document, scene::Watch* watch = nullptr) {
+/// Nothing if the scene is accepted, else why not.
+std::optional<scene::SceneError> rejection(const Document& document, scene::Watch* watch = nullptr) {
   try {
     resolve(document, scene::Purpose::simulation, watch);
-    return "";
+    return {};
   } catch (const scene::SceneError& error) {
-    return error.what();
+    return error;
   }
 }
 
@@ -79,7 +82,7 @@ Meaning add(Meaning meaning, const Meaning& more) {
 
 struct Trial {
   Meaning meaning;
-  std::string rejection;
+  std::optional<scene::SceneError> rejection;
 };
 
 /// What the reader makes of the first or last values of all parameters, as they are written.
@@ -96,10 +99,10 @@ Trial attempt(Document document, const Design& design, bool last) {
 /// Refuses what cannot be right: a unit that means two things, or a scene that is wrong at both ends.
 Meaning read_meaning(const Document& document, const Design& design) {
   const auto first = attempt(document, design, false), last = attempt(document, design, true);
-  if (!first.rejection.empty() && !last.rejection.empty()) throw scene::SceneError(first.rejection);
+  if (first.rejection && last.rejection) throw scene::SceneError(*first.rejection);
   for (std::size_t i = 0; i < design.parameters.size(); ++i)
     if (first.meaning[i] && last.meaning[i] && !same(*first.meaning[i], *last.meaning[i]))
-      reject(document.source, design.parameters[i].place,
+      reject(document.source, design.parameters[i].place, fault::sweep_key,
              "the unit of '" + design.parameters[i].key + "' depends on another key that is varied");
   return add(first.meaning, last.meaning);
 }
@@ -112,9 +115,10 @@ double end(const Source& source, const Field& table, const char* name, const Dim
 Index steps(const Source& source, const Field& field, const Range& range, const Dimension& dimension) {
   const double step = number(source, field, dimension, Domain::finite);
   const double count = (range.to - range.from) / step;
-  if (range.logarithmic) reject(source, field, "does not go with scale = \"log\" (give 'count')");
-  if (!(count >= 0)) reject(source, field, "does not lead from 'from' to 'to'");
-  if (!(count < scene::most_points)) reject(source, field, "makes too many values");
+  if (range.logarithmic)
+    reject(source, field, fault::sweep_values, "does not go with scale = \"log\" (give 'count')");
+  if (!(count >= 0)) reject(source, field, fault::sweep_values, "does not lead from 'from' to 'to'");
+  if (!(count < scene::most_points)) reject(source, field, fault::sweep_values, "makes too many values");
   return static_cast<Index>(std::floor(count * (1 + 8 * epsilon))) + 1;
 }
 
@@ -123,7 +127,8 @@ Index read_range(const Source& source, const Field& table, const Dimension& dime
   range.to = end(source, table, "to", dimension);
   if (const auto scale = find(table, "scale")) range.logarithmic = text(source, *scale) == "log";
   if (range.logarithmic && !(range.from * range.to > 0))
-    reject(source, *find(table, "from"), "a scale that is \"log\" needs ends of the same sign, and not 0");
+    reject(source, *find(table, "from"), fault::sweep_values,
+           "a scale that is \"log\" needs ends of the same sign, and not 0");
   if (const auto seed = find(table, "random"))
     range.seed = static_cast<std::uint64_t>(number(source, *seed, dimension::none, Domain::finite));
   if (const auto field = find(table, "count")) return whole(source, *field, 1, scene::most_points);
@@ -147,7 +152,9 @@ Index read_list(const Source& source, const Field& list, const std::optional<Dim
 Index read_values(const Source& source, const Field& table, const std::optional<Dimension>& dimension,
                   Parameter& parameter) {
   if (const auto list = find(table, "values")) return read_list(source, *list, dimension, parameter.list);
-  if (!dimension) reject(source, *find(table, "from"), "'" + parameter.key + "' is no number; give 'values'");
+  if (!dimension)
+    reject(source, *find(table, "from"), fault::sweep_key,
+           "'" + parameter.key + "' is no number; give 'values'");
   return read_range(source, table, *dimension, parameter.range.emplace());
 }
 
@@ -161,9 +168,10 @@ void place_on_axis(const Source& source, const Field& table, Index count, Design
   if (!is_zipped(source, table)) {
     design.axes.push_back({.count = count});
   } else {
-    if (design.axes.empty()) reject(source, *find(table, "zip"), "there is no table before to go along with");
+    if (design.axes.empty())
+      reject(source, *find(table, "zip"), fault::sweep_values, "there is no table before to go along with");
     if (design.axes.back().count != count)
-      reject(source, table,
+      reject(source, table, fault::sweep_values,
              "has " + std::to_string(count) + " values, the table it goes along with " +
                  std::to_string(design.axes.back().count));
   }
@@ -175,7 +183,7 @@ void set_strides(const Source& source, const scene::Place& place, Design& design
   for (auto axis = design.axes.rbegin(); axis != design.axes.rend(); ++axis) {
     axis->stride = stride;
     if (stride > scene::most_points * 1000 / axis->count)
-      reject(source, place, "the grid has too many points");
+      reject(source, place, fault::sweep_values, "the grid has too many points");
     stride *= axis->count;
   }
 }
@@ -210,15 +218,15 @@ void expect_possible(const Document& document, const Design& design) {
   Document trial = document;
   for (std::size_t i = 0; i < all.size(); ++i)
     for (const auto& extreme : extremes(design.parameters[i], all[i])) {
-      std::string why;
+      std::optional<scene::SceneError> why;
       const auto refused = [&](Index point) {
         auto company = values(design, point);
         company[i] = extreme;
         assign(trial, design, company);
         why = rejection(trial);
-        return why.starts_with(where(document.source, extreme.place) + ": ");
+        return why && std::string_view(why->what()).starts_with(where(document.source, extreme.place) + ": ");
       };
-      if (refused(0) && refused(design.points() - 1)) throw scene::SceneError(why);
+      if (refused(0) && refused(design.points() - 1)) throw scene::SceneError(*why);
     }
 }
 

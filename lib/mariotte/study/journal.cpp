@@ -12,8 +12,9 @@ std::filesystem::path path_of(const std::filesystem::path& folder, Index rank) {
   return folder / (rank == 0 ? "journal.jsonl" : fmt::format("journal.{}.jsonl", rank));
 }
 
-[[noreturn]] void fail(const std::filesystem::path& path, const std::string& reason) {
-  throw JournalError(path.string() + ": " + reason);
+[[noreturn]] void fail(const std::filesystem::path& path, const std::string& reason,
+                       Fault kind = fault::unreadable) {
+  throw JournalError(path.string() + ": " + reason, kind);
 }
 
 /// Rows are lines.
@@ -39,7 +40,7 @@ void remove_journals(const std::filesystem::path& folder) {
     const LockedFile file(path);
     std::error_code problem;
     std::filesystem::remove(path, problem);
-    if (problem) fail(path, problem.message());
+    if (problem) fail(path, problem.message(), fault::unwritable);
   }
 }
 
@@ -73,7 +74,8 @@ std::size_t Journal::scan(const std::filesystem::path& path) {
   const auto heading = heading_line(identity_, points_);
   const auto expect = [&](bool own) {
     if (!own)
-      fail(path, "belongs to another sweep: the scene, its overrides, columns or the program have changed");
+      fail(path, "belongs to another sweep: the scene, its overrides, columns or the program have changed",
+           fault::foreign_journal);
   };
   while (std::getline(stream, line) && !stream.eof()) {
     if (offset == 0) expect(line + "\n" == heading);

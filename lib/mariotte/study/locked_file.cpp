@@ -37,7 +37,8 @@ void LockedFile::lock(std::chrono::milliseconds patience) const {
   constexpr auto pause = std::chrono::milliseconds(50);
   for (; ::flock(file_, LOCK_EX | LOCK_NB) != 0; patience -= pause) {
     if (errno != EWOULDBLOCK) fail(path_, "cannot lock", errno);
-    if (patience <= patience.zero()) throw JournalError(path_.string() + ": another sweep is writing it");
+    if (patience <= patience.zero())
+      throw JournalError(path_.string() + ": another sweep is writing it", fault::journal_in_use);
     std::this_thread::sleep_for(pause);
   }
 }

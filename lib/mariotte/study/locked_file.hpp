@@ -5,12 +5,13 @@
 #include <string_view>
 
 #include "mariotte/core/error.hpp"
+#include "mariotte/study/fault.hpp"
 
 namespace mariotte::study {
 
 /// A journal that cannot be read or written, is in use, or belongs to another sweep; what() says which.
 struct JournalError : Error {
-  using Error::Error;
+  explicit JournalError(const std::string& what, Fault kind = fault::unwritable) : Error(what, kind) {}
 };
 
 class LockedFile {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mariotte/core/error.hpp"
+#include "mariotte/study/fault.hpp"
 
 namespace mariotte::study {
 
@@ -14,7 +15,7 @@ using Json = nlohmann::ordered_json;
 
 /// A key that no result has; what() names it and the nearest known one.
 struct ColumnError : Error {
-  using Error::Error;
+  explicit ColumnError(const std::string& what) : Error(what, fault::unknown_column) {}
 };
 
 /// A key, ready to be looked up.

@@ -35,7 +35,7 @@ std::vector<std::string> own_columns(const scene::Document& document, const Json
     try {
       expand_columns({keys.back()}, result);
     } catch (const ColumnError& error) {
-      reject(document.source, field, error.what());
+      reject(document.source, field, error.fault, error.what());
     }
   }
   return keys;
