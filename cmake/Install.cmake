@@ -3,9 +3,10 @@ include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/mariotte)
 
 install(TARGETS mariotte EXPORT mariotteTargets)
+list(JOIN MARIOTTE_PRIVATE_HEADERS "|" private_headers)
 foreach(module IN LISTS MARIOTTE_LIBRARY_MODULES)
   install(DIRECTORY lib/mariotte/${module} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/mariotte
-          FILES_MATCHING PATTERN "*.hpp" REGEX "/(sundials|linear_solver|taylor_series)[^/]*\\.hpp$" EXCLUDE)
+          FILES_MATCHING PATTERN "*.hpp" REGEX "/(${private_headers})[^/]*\\.hpp$" EXCLUDE)
 endforeach()
 if(MARIOTTE_APPS)
   install(TARGETS mariotte_command icr_table scaling_study stiffness_study work_precision)

@@ -12,6 +12,7 @@
 
 namespace mariotte::contact {
 
+/// One tip's law of force: Hertz stiffness, adhesion, and a damping of each.
 struct BrachDunn {
   double stiffness = 0;         ///< √r K [N/m^{3/2}]
   double adhesion = 0;          ///< 2π f₀ √r [N/m^{1/2}]
@@ -42,10 +43,11 @@ inline double stored_energy(const BrachDunn& law, double indentation) {
   return indentation * root * (0.4 * law.stiffness * indentation - 2.0 / 3.0 * law.adhesion);
 }
 
-/// Powers of the two dampings, never positive [W].
+/// Power of Hertz damping, never positive [W].
 inline double hertz_damping_power(const BrachDunn& law, double indentation, double velocity) {
   return -law.stiffness * law.damping_hertz * indentation * std::sqrt(indentation) * velocity * velocity;
 }
+/// Power of adhesion damping, never positive [W].
 inline double adhesion_damping_power(const BrachDunn& law, double indentation, double velocity) {
   return -law.adhesion * law.damping_adhesion * std::sqrt(indentation) * velocity * velocity;
 }

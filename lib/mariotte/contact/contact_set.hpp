@@ -16,8 +16,10 @@
 
 namespace mariotte::contact {
 
+/// How a contact stands; the table at the top says what leads from one to the next.
 enum class ContactMode : unsigned char { open, hovering, touching, closed, slack };
 
+/// True of a contact that follows its law.
 inline bool carries_force(ContactMode mode) {
   return mode == ContactMode::touching || mode == ContactMode::closed;
 }

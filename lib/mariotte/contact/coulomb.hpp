@@ -5,10 +5,12 @@
 
 namespace mariotte::contact {
 
+/// Dry friction with one coefficient for slip and stick.
 struct Coulomb {
   double coefficient = 0;  ///< μ ≥ 0
 };
 
+/// Largest friction at a normal force, μ |F_n| [N].
 inline double limit(const Coulomb& law, double normal_force) {
   return law.coefficient * std::abs(normal_force);
 }

@@ -7,13 +7,16 @@
 
 namespace mariotte::contact {
 
+/// Two elastic spheres, f = k δ^{3/2}.
 struct Hertz {
   double stiffness;  ///< k [N/m^{3/2}]
 };
 
+/// n of f = k δⁿ.
 inline double exponent(const Hertz&) {
   return 1.5;
 }
+/// No damper.
 inline double damping(const Hertz&) {
   return 0;
 }

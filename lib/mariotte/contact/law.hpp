@@ -8,6 +8,7 @@
 
 namespace mariotte::contact {
 
+/// The law of one contact.
 using Law = std::variant<Linear, Hertz, Viscoelastic>;
 
 /// The law's field before it is cut off at f = 0: what a closed contact follows until a guard says it has let
@@ -23,15 +24,19 @@ Force force(const AnyLaw& law, double indentation, double rate) {
   return smooth.value > 0 ? smooth : Force{.value = 0, .by_indentation = 0, .by_rate = 0};
 }
 
+/// Elastic energy at an indentation [J].
 inline double stored_energy(const Law& law, double indentation) {
   return std::visit([&](const auto& one) { return stored_energy(one, indentation); }, law);
 }
+/// k [N/m^n].
 inline double stiffness(const Law& law) {
   return std::visit([](const auto& one) { return one.stiffness; }, law);
 }
+/// c [N s/m^n]; 0 without a damper.
 inline double damping(const Law& law) {
   return std::visit([](const auto& one) { return damping(one); }, law);
 }
+/// n of f = k δⁿ.
 inline double exponent(const Law& law) {
   return std::visit([](const auto& one) { return exponent(one); }, law);
 }

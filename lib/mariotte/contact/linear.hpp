@@ -4,13 +4,16 @@
 
 namespace mariotte::contact {
 
+/// A spring that cannot pull, f = k δ.
 struct Linear {
   double stiffness;  ///< k [N/m]
 };
 
+/// n of f = k δⁿ.
 inline double exponent(const Linear&) {
   return 1;
 }
+/// No damper.
 inline double damping(const Linear&) {
   return 0;
 }

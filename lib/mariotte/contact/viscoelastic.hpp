@@ -10,15 +10,18 @@
 
 namespace mariotte::contact {
 
+/// A spring and a damper of one exponent, f = k δⁿ + c δⁿ⁻¹ δ̇.
 struct Viscoelastic {
   double stiffness;       ///< k [N/m^n]
   double damping = 0;     ///< c ≥ 0 [N s/m^n]
   double exponent = 1.5;  ///< n ≥ 1
 };
 
+/// n of f = k δⁿ + c δⁿ⁻¹ δ̇.
 inline double exponent(const Viscoelastic& law) {
   return law.exponent;
 }
+/// c [N s/m^n].
 inline double damping(const Viscoelastic& law) {
   return law.damping;
 }

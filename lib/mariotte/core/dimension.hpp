@@ -11,6 +11,7 @@ struct Dimension {
   double s = 0;
 };
 
+/// True if the exponents agree, up to rounding of fractions.
 bool same(const Dimension& a, const Dimension& b);
 
 namespace dimension {

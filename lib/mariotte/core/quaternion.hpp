@@ -4,20 +4,25 @@
 
 namespace mariotte {
 
+/// w + x i + y j + z k; a rotation if its size is 1.
 struct Quaternion {
   double w = 1, x = 0, y = 0, z = 0;
 };
 
+/// The rotation q, then p.
 inline Quaternion operator*(const Quaternion& p, const Quaternion& q) {
   return {p.w * q.w - p.x * q.x - p.y * q.y - p.z * q.z, p.w * q.x + p.x * q.w + p.y * q.z - p.z * q.y,
           p.w * q.y - p.x * q.z + p.y * q.w + p.z * q.x, p.w * q.z + p.x * q.y - p.y * q.x + p.z * q.w};
 }
+/// Every component times s.
 inline Quaternion operator*(double s, const Quaternion& q) {
   return {s * q.w, s * q.x, s * q.y, s * q.z};
 }
+/// The inverse rotation.
 inline Quaternion conjugate(const Quaternion& q) {
   return {q.w, -q.x, -q.y, -q.z};
 }
+/// The same direction at size 1.
 inline Quaternion normalized(const Quaternion& q) {
   const double size = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
   return {q.w / size, q.x / size, q.y / size, q.z / size};
@@ -45,6 +50,7 @@ struct EulerAngles {
   double alpha = 0, beta = 0, gamma = 0;
 };
 
+/// The attitude that the angles describe.
 inline Quaternion from_euler(const EulerAngles& angles) {
   return rotation({1, 0, 0}, angles.alpha) * rotation({0, 1, 0}, angles.beta) *
          rotation({0, 0, 1}, angles.gamma);

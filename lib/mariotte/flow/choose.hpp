@@ -9,6 +9,7 @@
 
 namespace mariotte::flow {
 
+/// The flows there are.
 enum class Kind {
   ballistic,
   pair,
@@ -31,6 +32,7 @@ std::string_view name(Kind kind);
 /// Throws InvalidParameter for any other name ("ballistic" follows no contact and is among those).
 std::optional<Kind> parse_kind(std::string_view name);
 
+/// A flow for the present phase, and its kind.
 struct Choice {
   Kind kind;
   Flow& flow;

@@ -4,6 +4,7 @@
 
 namespace mariotte::flow {
 
+/// Numbers from `low` to `high`.
 struct Range {
   double low = 0;
   double high = 0;

@@ -26,6 +26,7 @@ class Watcher {
   virtual void watch(const Step& step) = 0;
 };
 
+/// Why a flow stopped.
 enum class Outcome {
   guard,  ///< guards fired, or the problem ended its mode itself
   limit,  ///< the time limit came first
@@ -43,12 +44,14 @@ struct Arrival {
   std::string message;
 };
 
+/// What a flow is asked for.
 struct Request {
   double limit = infinity;     ///< longest duration
   double accuracy = 1e-10;     ///< wanted error at the end of the run, relative to the magnitudes
   Watcher* watcher = nullptr;  ///< may be null
 };
 
+/// A method that follows a smooth field.
 class Flow {
  public:
   virtual ~Flow() = default;

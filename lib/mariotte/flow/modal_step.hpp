@@ -7,6 +7,7 @@
 
 namespace mariotte::flow {
 
+/// The state between two instants of natural modes.
 class ModalStep final : public Step {
  public:
   /// One of each per mode.

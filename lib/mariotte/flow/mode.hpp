@@ -33,6 +33,7 @@ Weight motion_from(const Mode& mode, double value, double rate);
 
 /// Weights of the time derivative, and of the integral that is a pure mode, too.
 Weight derivative(const Mode& mode, const Weight& weight);
+/// Weights of an integral of the motion.
 Weight integral(const Mode& mode, const Weight& weight);
 
 /// The two functions at a time, and what they have changed since 0, without cancellation.
@@ -40,6 +41,7 @@ struct Swing {
   Weight value;
   Weight change;
 };
+/// Of a mode at a time since its start.
 Swing swing(const Mode& mode, double time);
 Weight values(const Mode& mode, double time);  ///< of the functions alone
 
@@ -51,14 +53,17 @@ struct Progress {
   std::array<std::complex<double>, 2> even, odd;  ///< coefficients of the two
   std::complex<double> first, second;             ///< their values at the time
 };
+/// Of a mode at a time since its start.
 Progress progress(const Mode& mode, double time);
 
 /// ∫₀ᵗ of the products of one mode's functions with another's, both having come to that time.
 struct Overlap {
   double even_even, even_odd, odd_even, odd_odd;
 };
+/// Of two modes that have come to the same time.
 Overlap overlap(const Progress& left, const Progress& right, double time);
 
+/// Sum of the products.
 inline double dot(const Weight& a, const Weight& b) {
   return a.even * b.even + a.odd * b.odd;
 }

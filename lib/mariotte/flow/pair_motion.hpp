@@ -85,8 +85,10 @@ class DampedMotion {
   double duration_;
 };
 
+/// A pair by whichever closed form it has.
 using PairMotion = std::variant<HertzMotion, LinearMotion, DampedMotion>;
 
+/// The closed form of this law.
 PairMotion make_pair_motion(const PairLaw& law, const Indentation& start);
 
 }  // namespace mariotte::flow

@@ -10,6 +10,7 @@ namespace mariotte::flow {
 /// A phase of bodies on a line, each with a contact to the next, under constant outside accelerations: where
 /// its quantities stand in the state.
 struct SerialPhase {
+  /// One of the bodies in the row.
   struct Body {
     Index velocity;
     double inverse_mass;

@@ -43,6 +43,7 @@ struct Values {
   double time;  ///< since the start of the series
 };
 
+/// What is evaluated of a contact, and of the clock.
 enum class Quantity { indentation, rate, load, clock, time };
 
 /// Series of all lanes in a clock σ. Plain: t = σ. Of a lane c: dt = √δ_c dσ, in which onset (δ_c = 0,
@@ -64,8 +65,9 @@ class Expansion {
 /// For lane_sizes[size] lanes, with the widest vectors that this machine has.
 std::unique_ptr<Expansion> make_expansion(std::size_t size);
 
-// One per instruction set.
+/// For processors with AVX2 and FMA.
 std::unique_ptr<Expansion> make_avx2_expansion(std::size_t size);
+/// For any processor.
 std::unique_ptr<Expansion> make_baseline_expansion(std::size_t size);
 
 }  // namespace mariotte::flow::taylor

@@ -8,6 +8,7 @@
 
 namespace mariotte::flow::taylor {
 
+/// What makes a step accurate enough.
 struct Precision {
   double tolerance = 0;  ///< of one step
   int order = 0;
@@ -23,6 +24,7 @@ struct Fall {
   double place = infinity;
 };
 
+/// Takes one step after the other until a guard fires.
 class Stepper {
  public:
   /// Start at x, the whole state at `time`. False if that needs more lanes than there are.

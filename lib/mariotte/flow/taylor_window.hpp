@@ -6,6 +6,7 @@
 
 namespace mariotte::flow::taylor {
 
+/// The contacts that are expanded, one lane each, and the motion of all others.
 struct Window {
   const SerialPhase* phase = nullptr;
   State x;           ///< the whole state at `since`; what is outside is as it was then

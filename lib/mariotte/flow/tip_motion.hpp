@@ -10,19 +10,25 @@ namespace mariotte::flow {
 
 /// Largest coefficient of order k among the quantities whose error matters, in units of velocity.
 double coefficient(const NormalSeries& series, const TipPhase& phase, int k);
+/// The same of a motion in a plane.
 double coefficient(const PlanarSeries& series, const TipPhase& phase, int k);
+/// The same of a motion in space.
 double coefficient(const SpatialSeries& series, const TipPhase& phase, int k);
 
 /// Coefficients of order 0 from the state.
 void load(NormalSeries& series, const TipPhase& phase, ConstState x);
+/// The same of a motion in a plane.
 void load(PlanarSeries& series, const TipPhase& phase, ConstState x);
+/// The same of a motion in space.
 void load(SpatialSeries& series, const TipPhase& phase, ConstState x);
 
 /// The state at τ, given that at τ = 0.
 void store(const NormalSeries& series, const TipPhase& phase, double tau, int order, ConstState start,
            State x);
+/// The same of a motion in a plane.
 void store(const PlanarSeries& series, const TipPhase& phase, double tau, int order, ConstState start,
            State x);
+/// The same of a motion in space.
 void store(const SpatialSeries& series, const TipPhase& phase, double tau, int order, ConstState start,
            State x);
 
@@ -30,8 +36,10 @@ void store(const SpatialSeries& series, const TipPhase& phase, double tau, int o
 /// row falls through zero. `size` is what rounding of the row is relative to.
 template <class Visit>
 void each_guard(const NormalSeries& series, const TipPhase& phase, int order, Visit&& visit);
+/// The same of a motion in a plane.
 template <class Visit>
 void each_guard(const PlanarSeries& series, const TipPhase& phase, int order, Visit&& visit);
+/// The same of a motion in space.
 template <class Visit>
 void each_guard(const SpatialSeries& series, const TipPhase& phase, int order, Visit&& visit);
 

@@ -14,6 +14,7 @@
 namespace mariotte::flow {
 
 inline constexpr int most_order = 24;
+/// Coefficients of one quantity, by order.
 using Row = std::array<double, most_order + 2>;
 
 /// The first n of Σ a_j b_{−j}; four sums at once do not wait for each other.
@@ -36,6 +37,7 @@ template <class Order>
 double product(const Row& a, const Row& b, Order k) {
   return convolution(a.data(), b.data() + k, k + 1);
 }
+/// Coefficient k of the square of a row.
 template <class Order>
 double square(const Row& a, Order k) {
   const double twice = 2 * convolution(a.data(), a.data() + k, (k + 1) / 2);

@@ -3,6 +3,7 @@
 
 namespace mariotte::hybrid {
 
+/// Why a run stopped.
 enum class Ending {
   separated,    ///< no contact carries force and no two bodies can meet again
   captured,     ///< a tip has turned back in the well of adhesion

@@ -10,6 +10,7 @@ namespace mariotte::hybrid {
 /// Whether a long system is divided into parts with clocks of their own.
 enum class Islands { automatic, never, always };
 
+/// Accuracy, limits, and how to get there.
 struct Options {
   double accuracy = 1e-10;  ///< wanted error of the final velocities relative to the largest incident speed
   double max_time = infinity;  ///< stop at this time [s]

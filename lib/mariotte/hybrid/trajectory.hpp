@@ -56,6 +56,7 @@ void record(Trajectory<Change>& run, double time, std::vector<Change>& changes) 
   changes.clear();
 }
 
+/// Adds a phase to what a flow has done.
 inline void count(FlowCount& use, const flow::Arrival& arrival) {
   ++use.phases;
   use.steps += arrival.steps;

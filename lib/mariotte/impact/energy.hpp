@@ -22,6 +22,7 @@ std::vector<ContactEnergy> contact_energies(const model::DimensionlessChain& cha
 EnergyLedger energy_ledger(const model::DimensionlessChain& chain, const model::ChainLayout& layout,
                            const std::vector<ContactEnergy>& contacts, const std::vector<double>& p,
                            const Stretch& stretch);
+/// Momentum of the balls over the stretch, in the chain's own units.
 MomentumLedger momentum_ledger(const model::DimensionlessChain& chain, const model::ChainLayout& layout,
                                const Stretch& stretch);
 

@@ -8,7 +8,9 @@
 
 namespace mariotte::impact {
 
+/// What a run over contacts leaves.
 using ContactRun = hybrid::Trajectory<model::ContactChange>;
+/// Changes of contacts with their times.
 using ContactChanges = std::vector<hybrid::Timed<model::ContactChange>>;
 
 /// Changes of one instant become one event; those that leave every force as it is become none. `unit` is that

@@ -64,6 +64,7 @@ struct BoundedOutcome {
   double velocity_error =
       0;  ///< the most by which any velocity moves when the parameters move by their errors
 };
+/// Apply the law. Throws InvalidParameter.
 BoundedOutcome multiple_impact(const Configuration& configuration, const TableAnswer& answer);
 
 /// The table as text: two comment lines, a header "name:spacing,…,e,share_1,…", one line per point.

@@ -8,6 +8,7 @@
 
 namespace mariotte::impact {
 
+/// Whether an outcome makes sense, or why not.
 enum class LawStatus {
   admissible,
   tensile_impulse,       ///< a contact would pull
@@ -17,6 +18,7 @@ enum class LawStatus {
   unfinished             ///< a limit of collisions or steps was reached; what was computed until then
 };
 
+/// Impulses and velocities, and what is known of them.
 struct LawOutcome {
   LawStatus status = LawStatus::no_impact;
   std::optional<Index> contact = {};              ///< the first that pulls or goes on closing, from 0

@@ -16,6 +16,7 @@ struct LinearTriplet {
 /// The contact that opens first [Acary 2003, Prop. 4.1].
 enum class FirstToOpen { contact_1, contact_2, both };
 
+/// What the three balls do.
 struct LinearTripletImpact {
   std::array<double, 3> velocity;  ///< [m/s]
   std::array<double, 2> impulse;   ///< [N s]

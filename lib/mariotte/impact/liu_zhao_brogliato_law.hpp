@@ -4,6 +4,7 @@
 
 namespace mariotte::impact {
 
+/// Parameters of the law.
 struct DistributionLaw {
   std::vector<double> restitution;  ///< energetic e_j, 0 < e_j ≤ 1, one per contact
   std::vector<double> stiffness;    ///< k_j > 0, one per contact; only ratios matter

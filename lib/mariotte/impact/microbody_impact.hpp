@@ -64,6 +64,7 @@ struct BodyTrace {
   std::vector<std::vector<Vector3>> friction, slip;    ///< a value per tip [N], [m/s]
 };
 
+/// All that a run of a body leaves, in SI.
 struct MicrobodyImpact {
   hybrid::Ending ending = hybrid::Ending::separated;
   std::string message;  ///< why, for endings other than separated and captured; else empty

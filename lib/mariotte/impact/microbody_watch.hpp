@@ -22,6 +22,7 @@ struct TipPeaks {
   double push = 0, pull = 0, depth = 0;
 };
 
+/// Sees every step of a body's run and keeps what the result needs.
 class MicrobodyWatch final : public hybrid::PhaseWatcher {
  public:
   MicrobodyWatch(const model::MicrobodySystem& system, bool trace) : system_(system), tracing_(trace) {}

@@ -19,6 +19,7 @@ enum class EnergyFrame {
   mass_centre  ///< relative_energy: the part that impulses can change; e does not change with the frame
 };
 
+/// What the law needs beside the configuration.
 struct LawParameters {
   std::vector<double> direction;  ///< r, one value per contact; its length does not matter
   double energy_ratio = 1;        ///< e = T⁺/T⁻ ≥ 0

@@ -27,6 +27,7 @@ double estimate_accuracy(const model::Network& network, const hybrid::Options& o
 inline const char* moving(const model::Network& network) {
   return network.dimension > 0 ? "coordinate" : "freedom";
 }
+/// Unit of such a velocity; empty if it is not known.
 inline const char* velocity_unit(const model::Network& network) {
   return network.dimension > 0 ? "m/s" : "";
 }

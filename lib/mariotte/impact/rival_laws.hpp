@@ -7,12 +7,14 @@
 
 namespace mariotte::impact {
 
+/// What the laws need beside the configuration.
 struct RivalParameters {
   double restitution = 1;              ///< e of every contact, 0 ≤ e ≤ 1
   std::vector<double> stiffness = {};  ///< of the distribution law, one per contact; empty for equal ones
   double exponent = 1.5;               ///< of the distribution law
 };
 
+/// A law by name, and what it answers.
 struct NamedOutcome {
   std::string name;
   LawOutcome outcome;

@@ -24,7 +24,7 @@ struct ChainLayout {
   Index contacts() const { return static_cast<Index>(gap.size()); }
 };
 
-// These fill what they are given and reuse its memory.
+/// Fills what it is given and reuses its memory.
 void make_layout(const DimensionlessChain& chain, ChainLayout& layout);
 
 /// State at the start; the work of a contact that starts indented is its stored energy.

@@ -32,6 +32,7 @@ flow::Role role(contact::ContactMode mode);
 struct Watched {
   flow::Crossing gap, load;
 };
+/// Of a contact in this mode.
 Watched watched(contact::ContactMode mode, bool damped);
 
 /// Force of a contact in a mode and its slopes; zero unless it carries force.

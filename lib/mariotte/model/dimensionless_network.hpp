@@ -7,6 +7,7 @@
 
 namespace mariotte::model {
 
+/// A network in units in which its numbers are of order one.
 struct DimensionlessNetwork {
   Scale scale;
   Index freedoms = 0;

@@ -19,6 +19,7 @@ class StretchLog : public flow::Watcher {
   virtual void begin(const ChainSystem& slice, Index first, Instant start) = 0;
   virtual void keep() = 0;
 };
+/// Makes the log of one stretch.
 using LogMaker = std::function<std::unique_ptr<StretchLog>()>;
 
 /// Balls first … last. The first and the last fly freely, whatever the others do, unless the chain ends

@@ -9,6 +9,7 @@ namespace mariotte::model {
 /// M of n freedoms: its diagonal (n values, ∞ for a wall) or all n², by rows.
 using MassMatrix = std::vector<double>;
 
+/// True if only the diagonal is given.
 inline bool is_diagonal(const MassMatrix& mass, Index freedoms) {
   return std::ssize(mass) == freedoms;
 }

@@ -9,12 +9,14 @@
 
 namespace mariotte::model {
 
+/// Where in the state of a body what is found.
 struct MicrobodyLayout {
   flow::BodyPlaces place;
   Index size = 0;
   Index tips = 1;
 };
 
+/// Of a body with so many tips, with or without the integrals of a ledger.
 MicrobodyLayout microbody_layout(std::size_t tips, bool ledger);
 
 /// State at the start.

@@ -24,12 +24,14 @@
 
 namespace mariotte::model {
 
+/// How a tip touches the plane; the table at the top says what leads from one to the next.
 enum class TipContact : unsigned char { clear, sliding, sticking };
 
 /// How the slip of a sliding tip starts: it goes on; from u = 0; from u = 0 with u̇ = 0, at the edge of the
 /// cone.
 enum class SlipStart : unsigned char { moving, turning, breaking };
 
+/// All that is discrete about one tip.
 struct TipMode {
   TipContact contact = TipContact::clear;
   double force_sign = 1;  ///< of F_n, −1 while adhesion prevails
@@ -38,6 +40,7 @@ struct TipMode {
   Vector3 direction = {};  ///< of the slip when sliding began or went on; unit vector in the plane
 };
 
+/// All that is discrete about a body.
 struct MicrobodyMode {
   std::array<TipMode, 2> tip;
   Index impacts = 0;      ///< contacts that have ended
@@ -48,6 +51,7 @@ struct MicrobodyMode {
 /// What can happen to a tip at an event.
 enum class TipEvent : unsigned char { open, close, stick, slip, force_positive, force_negative, capture };
 
+/// What has happened to which tip.
 struct MicrobodyChange {
   Index tip;
   TipEvent event;

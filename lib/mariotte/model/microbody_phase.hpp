@@ -11,6 +11,7 @@ namespace mariotte::model {
 enum class TipGuard : unsigned char { gap, force, slip, cone, turn_back };
 inline constexpr Index guards_per_tip = 5;
 
+/// Place of a tip's guard among those of the phase.
 inline Index guard_index(Index tip, TipGuard guard) {
   return guards_per_tip * tip + static_cast<Index>(guard);
 }

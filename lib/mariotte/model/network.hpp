@@ -47,12 +47,14 @@ struct BallContact {
   ContactDirection direction;
   double gap;
 };
+/// Of two of the balls, wherever they are. Throws InvalidParameter if they are at one place.
 BallContact ball_contact(const std::vector<Ball>& balls, Index i, Index j);
 
 /// The two balls that a contact of a network of balls joins, from 0; empty for other networks.
 struct BallPair {
   Index left, right;
 };
+/// Of one contact.
 std::optional<BallPair> balls_of(const Network& network, Index contact);
 
 /// Freedoms of the balls without contacts. Throws InvalidParameter.

@@ -21,6 +21,7 @@ struct NetworkLayout {
   Index impulse(Index j) const { return freedoms + contacts + j; }
 };
 
+/// Of a network's state.
 NetworkLayout make_layout(const DimensionlessNetwork& network);
 
 /// State at the start; the work of a contact that starts indented is its stored energy.
