@@ -4,6 +4,7 @@
 
 namespace mariotte::flow {
 
+/// What a contact does in a phase.
 enum class Role : signed char {
   open,      ///< carries no force; closes where its gap is −level
   closed,    ///< carries force
