@@ -53,7 +53,7 @@ int fit(const Options& options) try {
   if (!options.out.empty()) prepare_fit_folder(options.out, options.force);
   return finish(options, scene, model, study::fit(model, options.free, options.confidence));
 } catch (const study::FitError& problem) {
-  error(problem.what());
+  error(problem.what(), problem.fault);
   return ExitCode::check_failed;
 }
 

@@ -44,13 +44,15 @@ class Line {
     do {
       rest_.remove_prefix(1);
       const auto end = rest_.find('"');
-      if (end == std::string_view::npos) reject(source_, cell.place, "the quote has no end on its line");
+      if (end == std::string_view::npos)
+        reject(source_, cell.place, fault::no_table, "the quote has no end on its line");
       cell.text += rest_.substr(0, end);
       rest_.remove_prefix(end + 1);
       if (rest_.starts_with('"')) cell.text += '"';
     } while (rest_.starts_with('"'));
     skip_blanks();
-    if (!rest_.empty() && rest_.front() != ',') reject(source_, place(), "expected a comma after the quote");
+    if (!rest_.empty() && rest_.front() != ',')
+      reject(source_, place(), fault::no_table, "expected a comma after the quote");
     return cell;
   }
 
@@ -70,7 +72,7 @@ void add(const Source& source, std::vector<Cell> cells, CsvTable& table) {
     return;
   }
   if (cells.size() != table.header.size())
-    reject(source, cells.front().place,
+    reject(source, cells.front().place, fault::no_table,
            "the row has " + std::to_string(cells.size()) + " cells, the header " +
                std::to_string(table.header.size()));
   table.rows.push_back(std::move(cells));
@@ -87,7 +89,7 @@ CsvTable parse_csv(const Source& source, const std::string& text) {
     rest.remove_prefix(std::min(line.size() + 1, rest.size()));
     if (!says_nothing(line)) add(source, Line(source, line, number).cells(), table);
   }
-  if (table.header.empty()) reject(source, Place{}, "the table is empty");
+  if (table.header.empty()) reject(source, Place{}, fault::no_table, "the table is empty");
   return table;
 }
 

@@ -13,6 +13,8 @@ inline constexpr Fault unknown_key{"S010"}, missing{"S011"}, no_model{"S012"}, w
 inline constexpr Fault wrong_length{"S024"};
 // What it describes.
 inline constexpr Fault overlap{"S030"}, no_mass{"S031"}, no_stiffness{"S032"}, wrong_start{"S033"};
+// Tables of measurements.
+inline constexpr Fault no_table{"M001"};
 // Files.
 inline constexpr Fault unreadable{"F001"}, exists{"F002"}, unwritable{"F003"};
 

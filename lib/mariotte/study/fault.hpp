@@ -1,4 +1,4 @@
-// What can be wrong with a sweep.
+// What can be wrong with a sweep or a fit.
 #pragma once
 #include "mariotte/scene/fault.hpp"
 
@@ -6,5 +6,6 @@ namespace mariotte::fault {
 
 inline constexpr Fault no_sweep{"W001"}, sweep_key{"W002"}, sweep_values{"W003"}, unknown_column{"W004"};
 inline constexpr Fault foreign_journal{"W005"}, journal_in_use{"W006"};
+inline constexpr Fault wrong_columns{"M002"}, too_few_rows{"M003"}, undetermined{"M004"}, no_minimum{"M005"};
 
 }  // namespace mariotte::fault

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mariotte/study/fault.hpp"
 #include "mariotte/study/fit_problem.hpp"
 #include "mariotte/study/least_squares.hpp"
 #include "mariotte/study/uncertainty.hpp"
@@ -22,14 +23,16 @@ void expect_enough(const Measurements& measurements, std::size_t values) {
   if (rows <= values)
     throw scene::SceneError(
         fmt::format("{}: {} measurements cannot give {} values and their errors; at least {} are needed",
-                    measurements.file, rows, values, values + 1));
+                    measurements.file, rows, values, values + 1),
+        fault::too_few_rows);
 }
 
 /// A place where nothing separates has no slope that could lead out of it.
 void expect_separation(const FitProblem& problem, const Values& x) {
   const auto all = problem.predicted(x);
   if (std::all_of(all.begin(), all.end(), [](const Rebound& one) { return one.captured; }))
-    throw FitError("every body is predicted to be captured where the search starts; start from less damping");
+    throw FitError("every body is predicted to be captured where the search starts; start from less damping",
+                   fault::no_minimum);
 }
 
 /// Smallest value / start that is not taken for zero, where nothing depends on it any more.
@@ -54,7 +57,8 @@ void expect_determined(const Values& columns, const RestitutionModel& model,
     names += fmt::format("{}{} (here {:.4g})", count++ > 0 ? ", " : "", free[j], values[j]);
     vanishes = values[j] < nothing * model.start()[j];
   }
-  throw FitError("the measurements do not determine " + names + why_undetermined(count, vanishes));
+  throw FitError("the measurements do not determine " + names + why_undetermined(count, vanishes),
+                 fault::undetermined);
 }
 
 void estimate(const RestitutionModel& model, const std::vector<std::string>& free, const Values& values,
@@ -104,7 +108,7 @@ Fit fit(RestitutionModel& model, const std::vector<std::string>& free, double co
   Values columns(problem.count() * free.size());
   problem.slopes(found.x, columns);
   expect_determined(columns, model, free, values);
-  if (!found.converged) throw FitError(found.message);
+  if (!found.converged) throw FitError(found.message, fault::no_minimum);
   Fit fit{.predicted = problem.predicted(found.x),
           .degrees_of_freedom = static_cast<Index>(problem.count() - free.size()),
           .confidence = confidence};

@@ -11,7 +11,7 @@ namespace mariotte::study {
 
 /// The search found no minimum, or one that is not the only one; what() names the keys.
 struct FitError : Error {
-  using Error::Error;
+  FitError(const std::string& what, Fault kind) : Error(what, kind) {}
 };
 
 /// One value that was found.

@@ -9,6 +9,7 @@
 #include "mariotte/core/quantity.hpp"
 #include "mariotte/scene/csv_table.hpp"
 #include "mariotte/scene/text_file.hpp"
+#include "mariotte/study/fault.hpp"
 
 namespace mariotte::study {
 namespace {
@@ -51,7 +52,7 @@ bool is_key(const std::string& name) {
 }
 
 void place_once(const Source& source, const Cell& cell, const Column& column, std::optional<Column>& place) {
-  if (place) reject(source, cell.place, "'" + place->name + "' is given, too");
+  if (place) reject(source, cell.place, fault::wrong_columns, "'" + place->name + "' is given, too");
   place = column;
 }
 
@@ -66,7 +67,7 @@ Columns read_header(const Source& source, const std::vector<Cell>& header) {
     else if (is_key(column.name))
       columns.settings.push_back(column);
     else if (column.name != "ending" && column.name != "reason")
-      reject(source, header[i].place,
+      reject(source, header[i].place, fault::wrong_columns,
              "'" + column.name + "' is no column of measurements and no key of a body's scene" +
                  suggestion(column.name, words));
   }
@@ -74,17 +75,20 @@ Columns read_header(const Source& source, const std::vector<Cell>& header) {
 }
 
 void expect_complete(const Source& source, const std::vector<Cell>& header, const Columns& columns) {
-  if (!columns.restitution) reject(source, header.front().place, "the column 'restitution' is missing");
+  if (!columns.restitution)
+    reject(source, header.front().place, fault::wrong_columns, "the column 'restitution' is missing");
   const auto& name = columns.restitution->name;
   if (std::find(words.begin(), words.end(), name) == words.end())
-    reject(source, header[columns.restitution->number].place,
+    reject(source, header[columns.restitution->number].place, fault::wrong_columns,
            "unknown column '" + name + "'" + suggestion(name, words));
   if (columns.settings.empty())
-    reject(source, header.front().place, "no column says what differs between the rows, as 'speed' does");
+    reject(source, header.front().place, fault::wrong_columns,
+           "no column says what differs between the rows, as 'speed' does");
   for (auto one = columns.settings.begin(); one != columns.settings.end(); ++one)
     if (std::any_of(columns.settings.begin(), one,
                     [&](const auto& other) { return key_of(other.name) == key_of(one->name); }))
-      reject(source, header[one->number].place, "'" + key_of(one->name) + "' is set by another column, too");
+      reject(source, header[one->number].place, fault::wrong_columns,
+             "'" + key_of(one->name) + "' is set by another column, too");
 }
 
 std::string with_unit(const Cell& cell, const Column& column) {
@@ -94,16 +98,17 @@ std::string with_unit(const Cell& cell, const Column& column) {
 double number(const Source& source, const Cell& cell, const std::string& text, const Dimension& dimension) {
   try {
     const double value = parse_quantity(text, dimension);
-    if (!std::isfinite(value)) reject(source, cell.place, "must be finite");
+    if (!std::isfinite(value)) reject(source, cell.place, fault::out_of_range, "must be finite");
     return value;
   } catch (const QuantityError& error) {
-    reject(source, cell.place, error.what());
+    reject(source, cell.place, error.fault, error.what());
   }
 }
 
 scene::Node value(const Source& source, const Cell& cell, const Column& column) {
   const auto text = with_unit(cell, column);
-  if (text.empty()) reject(source, cell.place, "the value of '" + column.name + "' is missing");
+  if (text.empty())
+    reject(source, cell.place, fault::missing, "the value of '" + column.name + "' is missing");
   if (column.name != "diameter") return {.value = text, .place = cell.place};
   return {.value = 0.5 * number(source, cell, text, dimension::length), .place = cell.place};
 }
@@ -121,7 +126,8 @@ Measurement read_row(const Source& source, const std::vector<Cell>& cells, const
   row.restitution = plain(*columns.restitution);
   if (!columns.deviation) return row;
   row.deviation = plain(*columns.deviation);
-  if (!(row.deviation > 0)) reject(source, cells[columns.deviation->number].place, "must be positive");
+  if (!(row.deviation > 0))
+    reject(source, cells[columns.deviation->number].place, fault::out_of_range, "must be positive");
   return row;
 }
 

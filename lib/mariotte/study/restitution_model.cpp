@@ -23,7 +23,7 @@ std::string place_of(const std::string& file, const Place& place) {
 /// A key that the scene does not give: as a number it is unknown, or there is no value to start from.
 [[noreturn]] void reject_missing(const scene::Document& document, const Place& place) {
   resolve(document);
-  reject(document.source, place, "the scene gives no value to start from (--set one)");
+  reject(document.source, place, fault::missing, "the scene gives no value to start from (--set one)");
 }
 
 }  // namespace
@@ -32,7 +32,8 @@ RestitutionModel::RestitutionModel(scene::Document document, const std::vector<s
                                    Measurements measurements)
     : document_(std::move(document)), measurements_(std::move(measurements)) {
   const auto scene = resolve(document_);
-  if (!scene.body) throw scene::SceneError(document_.source.name + ": only a [body] can be fitted");
+  if (!scene.body)
+    throw scene::SceneError(document_.source.name + ": only a [body] can be fitted", fault::no_model);
   accuracy_ = scene.run.accuracy;
   find_start(free);
   cell_ = add_origin(document_.source, measurements_.file);
@@ -43,9 +44,10 @@ void RestitutionModel::find_start(const std::vector<std::string>& free) {
   for (const auto& key : free) {
     const auto place = add_origin(document_.source, "--free " + key);
     for (const auto& setting : measurements_.settings)
-      if (setting.key == key) reject(document_.source, place, "the measurements set it");
+      if (setting.key == key)
+        reject(document_.source, place, fault::contradiction, "the measurements set it");
     if (std::find(free_.begin(), free_.end(), key) != free_.end())
-      reject(document_.source, place, "is named twice");
+      reject(document_.source, place, fault::contradiction, "is named twice");
     free_.push_back(key);
     free_places_.push_back(place);
     expect_start(free_.size() - 1);
@@ -61,7 +63,8 @@ void RestitutionModel::expect_start(std::size_t index) {
   }
   scene::Watch watch{.readings = {{.node = &node}}};
   resolve(document_, scene::Purpose::simulation, &watch);
-  if (!watch.readings[0].dimension) reject(document_.source, place, "is no number of the scene");
+  if (!watch.readings[0].dimension)
+    reject(document_.source, place, fault::wrong_type, "is no number of the scene");
   node.place = place;
   start_.push_back(
       number(document_.source, {&node, free_[index]}, *watch.readings[0].dimension, scene::Domain::positive));
@@ -88,7 +91,7 @@ void RestitutionModel::resolve_row(Measurement& row) {
   } catch (const scene::SceneError& error) {
     const auto& row_place = document_.source.origins.back();
     if (std::string_view(error.what()).starts_with(row_place)) throw;
-    throw scene::SceneError(row_place + ": " + error.what());
+    throw scene::SceneError(row_place + ": " + error.what(), error.fault);
   }
   for (std::size_t i = 0; i < row.values.size(); ++i) {
     const auto& [node, dimension] = watch.readings[i];
@@ -102,7 +105,7 @@ void RestitutionModel::resolve_row(Measurement& row) {
 Rebound RestitutionModel::of_row(std::size_t row, std::span<const double> values) try {
   return at(measurements_.rows[row].values, values);
 } catch (const Error& error) {
-  throw Error(place_of(measurements_.file, measurements_.rows[row].place) + ": " + error.what());
+  throw Error(place_of(measurements_.file, measurements_.rows[row].place) + ": " + error.what(), error.fault);
 }
 
 Rebound RestitutionModel::at(const std::vector<Node>& settings, std::span<const double> values) {
