@@ -98,7 +98,7 @@ ResolvedNetwork read_network(Source& source, const Field& network) {
   if (!network.node->table()) expect_keys(source, network, keys);  // says that it is no table
   const bool balls = find(network, "ball").has_value(), contacts = find(network, "contact").has_value();
   if (balls == contacts)
-    reject(source, network, fault::contradiction,
+    reject(source, network, balls ? fault::contradiction : fault::missing,
            "give either [[network.ball]], or 'mass', 'velocity' and [[network.contact]]");
   bool precompressed = false;
   if (const auto field = find(network, "precompressed")) precompressed = boolean(source, *field);

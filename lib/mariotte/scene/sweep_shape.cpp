@@ -42,7 +42,8 @@ void expect_range(const Source& source, const Field& sweep) {
   }
   const auto count = find(sweep, "count");
   const auto step = find(sweep, "step");
-  if (bool(count) == bool(step)) reject(source, sweep, fault::contradiction, "give either 'count' or 'step'");
+  if (bool(count) == bool(step))
+    reject(source, sweep, count ? fault::contradiction : fault::missing, "give either 'count' or 'step'");
   if (count) whole(source, *count, 1, most_points);
   if (step) expect_value(source, *step);
   if (const auto seed = find(sweep, "random")) expect_random(source, sweep, *seed);
