@@ -5,7 +5,11 @@
 namespace mariotte::scene {
 namespace {
 
+#ifdef FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION  // a fuzzer has better to do than to read a million balls
+constexpr Index most_balls = 1000;
+#else
 constexpr Index most_balls = 10'000'000;
+#endif
 constexpr std::array<std::string_view, 3> sides{"left", "right", "both"};
 constexpr std::array<std::string_view, 4> per_ball{"mass", "radius", "material", "velocity"};
 constexpr std::array<std::string_view, 5> per_contact{"gap", "law", "stiffness", "damping", "exponent"};
