@@ -60,8 +60,29 @@ BOOST_AUTO_TEST_CASE(a_dip_that_stays_positive_has_no_root) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(what_is_said_to_fall_never_rises) {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> any(-1, 1);
+  int said = 0;
+  for (int i = 0; i < 2000; ++i) {
+    Numbers c = {0, -1};
+    while (c.size() < 9) c.push_back(any(random));
+    const double end = 0.7;
+    if (!falls(c, end)) continue;
+    ++said;
+    for (double x = 0; x < end; x += 0.01) BOOST_TEST(horner(c, x + 0.01) < horner(c, x));
+  }
+  BOOST_TEST(said > 200);
+  BOOST_TEST(!falls(Numbers{0, -1, 1}, 0.7));
+  BOOST_TEST(falls(Numbers{0, -1, 1}, 0.4));
+}
+
 BOOST_AUTO_TEST_CASE(a_root_at_the_start_does_not_count) {
   const auto rises_and_falls = times({0, 1}, with_roots({0.7}));
   BOOST_TEST(std::abs(*first_fall(rises_and_falls, 1) - 0.7) < 1e-14);
   BOOST_TEST(!first_fall(rises_and_falls, 0.5).has_value());
+  auto rounded = rises_and_falls;
+  rounded[0] = -1e-17;
+  BOOST_TEST(std::abs(*first_fall(rounded, 1) - 0.7) < 1e-14);
+  BOOST_TEST(!first_fall(rounded, 0.5).has_value());
 }

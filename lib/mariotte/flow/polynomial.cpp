@@ -61,23 +61,31 @@ Bernstein halve(Bernstein& left, std::size_t n) {
 template <class Factor>
 double lower_bound(std::span<const double> c, double end, Factor&& factor) {
   const auto term = [&](std::size_t k) { return k < c.size() ? factor(k) * c[k] : 0; };
-  double loss = 0;
-  for (std::size_t k = c.size(); k-- > 4;) loss = loss * end + std::max(0.0, -term(k));
-  const double a = term(0), b = end * term(1), d = end * end * term(2), e = end * end * end * term(3);
+  const double square = end * end;
+  double even = 0, odd = 0;  // of what is lost, apart so that neither sum waits for the other
+  for (std::size_t k = (c.size() + 1) / 2 * 2; k > 4; k -= 2) {
+    odd = odd * square + std::max(0.0, -term(k - 1));
+    even = even * square + std::max(0.0, -term(k - 2));
+  }
+  const double loss = even + end * odd;
+  const double a = term(0), b = end * term(1), d = square * term(2), e = square * end * term(3);
   const double inner = std::min(a + b / 3, a + (2 * b + d) / 3);
-  return std::min({a, inner, a + b + d + e}) - end * end * end * end * loss;
+  return std::min({a, inner, a + b + d + e}) - square * square * loss;
 }
 double lower_bound(std::span<const double> c, double end) {
   return lower_bound(c, end, [](std::size_t) { return 1.0; });
 }
 
-/// The derivative is provably negative on [0, end].
-bool falls(std::span<const double> c, double end) {
-  const auto slope = c.subspan(1);
-  return lower_bound(slope, end, [](std::size_t k) { return -static_cast<double>(k + 1); }) > 0;
+/// The second derivative is provably negative on [0, end]: what starts positive has one root at most.
+bool bends_down(std::span<const double> c, double end) {
+  if (c.size() < 3) return false;
+  const auto curvature = c.subspan(2);
+  return lower_bound(curvature, end, [](std::size_t k) { return -static_cast<double>((k + 1) * (k + 2)); }) >
+         0;
 }
 
-/// Newton's method for the root of a polynomial that falls from low to high, kept between them.
+/// Newton's method for the root of a polynomial that falls through zero once from low to high, kept between
+/// them.
 std::optional<double> only_root(std::span<const double> c, double low, double high) {
   const double first = horner(c, low), last = horner(c, high);
   if (last > 0) return std::nullopt;
@@ -123,11 +131,16 @@ double horner(std::span<const double> c, double x) {
   return sum;
 }
 
+bool falls(std::span<const double> c, double end) {
+  const auto slope = c.subspan(1);
+  return lower_bound(slope, end, [](std::size_t k) { return -static_cast<double>(k + 1); }) > 0;
+}
+
 std::optional<double> first_fall(std::span<const double> c, double end) {
   while (c.size() > 1 && c[0] == 0) c = c.subspan(1);  // a root at 0 is divided out
   if (c.size() < 2) return std::nullopt;
   if (lower_bound(c, end) > 0) return std::nullopt;
-  if (falls(c, end)) return only_root(c, 0, end);
+  if (falls(c, end) || (c[0] > 0 && bends_down(c, end))) return only_root(c, 0, end);
   const Search search{c, c.size() - 1};
   return search.first(from_powers(c, end), 0, end, 0);
 }

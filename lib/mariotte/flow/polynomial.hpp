@@ -8,6 +8,9 @@ namespace mariotte::flow {
 /// Σ c[k] xᵏ.
 double horner(std::span<const double> c, double x);
 
+/// Whether Σ c[k] xᵏ is proven to fall all the way over [0, end].
+bool falls(std::span<const double> c, double end);
+
 /// First x in (0, end] at which Σ c[k] xᵏ falls to zero, for a polynomial that is positive right of 0. A root
 /// at 0 itself does not count. Proven by subdivision of the Bernstein form; at most 32 coefficients.
 std::optional<double> first_fall(std::span<const double> c, double end);

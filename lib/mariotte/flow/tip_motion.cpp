@@ -86,7 +86,7 @@ void load(PlanarSeries& series, const TipPhase& phase, ConstState x) {
   series.tangential[0] = dot(v, phase.tangent);
   series.spin[0] = dot(h, phase.axis) / phase.body.transverse;
   series.cosine[0] = 1;
-  series.sine[0] = series.angle[0] = series.position[0] = 0;
+  series.sine[0] = series.position[0] = 0;
   series.rise_start = axis.e1;
   series.run_start = dot(axis, phase.tangent);
   if (!starts_from_rest(phase)) return;
@@ -97,18 +97,18 @@ void load(PlanarSeries& series, const TipPhase& phase, ConstState x) {
 
 void load(SpatialSeries& series, const TipPhase& phase, ConstState x) {
   load_contact(series, phase, x);
-  const auto q = attitude_at(phase, x);
-  const Vector3 axis = rotate(q, {1, 0, 0});
-  const double axes[3] = {axis.e1, axis.e2, axis.e3}, parts[4] = {q.w, q.x, q.y, q.z};
+  const Vector3 axis = rotate(attitude_at(phase, x), {1, 0, 0});
+  const double axes[3] = {axis.e1, axis.e2, axis.e3};
   for (int i = 0; i < 3; ++i) {
     series.velocity[i][0] = x[phase.place.velocity + i];
     series.momentum[i][0] = x[phase.place.momentum + i];
     series.axis[i][0] = axes[i];
   }
-  for (int i = 0; i < 4; ++i) series.attitude[i][0] = parts[i];
+  const Vector3 h = vector_at(x, phase.place.momentum);
+  series.along[0] = dot(h, axis);
+  series.roll[0] = 0;
   for (auto& row : series.position) row[0] = 0;
   if (!starts_from_rest(phase)) return;
-  const Vector3 h = vector_at(x, phase.place.momentum);
   const double inverse = 1 / phase.body.transverse;
   const Vector3 spin = inverse * h + (1 / phase.body.axial - inverse) * dot(h, axis) * axis;
   const Vector3 stuck =
@@ -135,7 +135,8 @@ void store(const PlanarSeries& series, const TipPhase& phase, double tau, int or
     x[phase.place.position] += at(series.position) * phase.tangent.e2;
     x[phase.place.position + 1] += at(series.position) * phase.tangent.e3;
   }
-  store_attitude(phase, rotation(phase.axis, at(series.angle)) * attitude_at(phase, start), x);
+  const double angle = std::atan2(at(series.sine), at(series.cosine));
+  store_attitude(phase, rotation(phase.axis, angle) * attitude_at(phase, start), x);
 }
 
 void store(const SpatialSeries& series, const TipPhase& phase, double tau, int order, ConstState start,
@@ -148,8 +149,10 @@ void store(const SpatialSeries& series, const TipPhase& phase, double tau, int o
   }
   if (phase.place.work >= 0)
     for (int i = 0; i < 2; ++i) x[phase.place.position + i] += at(series.position[i]);
-  const auto& q = series.attitude;
-  store_attitude(phase, {at(q[0]), at(q[1]), at(q[2]), at(q[3])}, x);
+  const Vector3 before{series.axis[0][0], series.axis[1][0], series.axis[2][0]};
+  const Vector3 axis{at(series.axis[0]), at(series.axis[1]), at(series.axis[2])}, turn = cross(before, axis);
+  const auto tilt = normalized({1 + dot(before, axis), turn.e1, turn.e2, turn.e3});
+  store_attitude(phase, tilt * rotation(before, at(series.roll)) * attitude_at(phase, start), x);
 }
 
 }  // namespace mariotte::flow

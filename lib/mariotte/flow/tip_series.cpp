@@ -26,8 +26,10 @@ void TipRows::contact(const TipPhase& phase, Order k) {
   const double one = k == 0 ? 1 : 0;
   area[k] = square(s, k);
   rate[k] = is_damped(phase) ? product(area, w, k) : 0;
-  pressure[k] = phase.stiffness * (area[k] - phase.damping_hertz * rate[k]) -
-                phase.adhesion * (one + phase.damping_adhesion * w[k]);
+  // in an order that waits least for w, then for P w
+  pressure[k] = ((phase.stiffness * area[k] - phase.adhesion * one) -
+                 (phase.adhesion * phase.damping_adhesion) * w[k]) -
+                (phase.stiffness * phase.damping_hertz) * rate[k];
   force[k] = 2 * product(area, pressure, k);
 }
 
@@ -43,12 +45,30 @@ void TipRows::advance(const TipPhase& phase, Order k) {
 }
 
 void NormalSeries::expand(const TipPhase& phase, int order) {
+  const double inverse_mass = 1 / phase.body.mass;
   each_order(order, [&](auto k) {
     contact(phase, k);
     if (k == order) return;
     advance(phase, k);
-    w[k + 1] = (force[k] / phase.body.mass - 2 * phase.body.gravity * s[k]) / (k + 1);
+    const double share = 1.0 / (k + 1);
+    w[k + 1] = (inverse_mass * share) * force[k] - (2 * phase.body.gravity * share) * s[k];
   });
+}
+
+template <class Order>
+void PlanarSeries::turn(const TipPhase& phase, Order k) {
+  const double arm = phase.body.arm[phase.tip];
+  rise[k] = rise_start * cosine[k] + run_start * sine[k];
+  across[k] = arm * (run_start * cosine[k] - rise_start * sine[k]);
+  spin_cosine[k] = product(spin, cosine, k);
+  spin_sine[k] = product(spin, sine, k);
+  w[k] = normal[k] + arm * (run_start * spin_cosine[k] - rise_start * spin_sine[k]);
+  contact(phase, k);
+  const double radius = phase.body.radius[phase.tip];
+  lever[k] = arm * rise[k] + (phase.indented ? area[k] : 0) - (k == 0 ? radius : 0);
+  slip[k] = tangential[k] - arm * (rise_start * spin_cosine[k] + run_start * spin_sine[k]) +
+            radius * spin[k] - (phase.indented ? product(spin, area, k) : 0);
+  if (k == 0) slip[0] = tangential[0] - spin[0] * lever[0];  // a slip at rest is zero to the last bit
 }
 
 template <class Order>
@@ -61,34 +81,37 @@ void PlanarSeries::stick(const TipPhase& phase, Order k) {
   friction[k] = known / inertia[0];
 }
 
+/// Friction and d₂ f − ℓ₁ y.
+template <class Order>
+double PlanarSeries::torque(const TipPhase& phase, Order k) {
+  if (phase.sticking) {
+    moment[k] = product(across, force, k);
+    stick(phase, k);
+    return moment[k] - product(lever, friction, k);
+  }
+  const double sliding = -phase.friction * phase.force_sign * phase.direction;
+  friction[k] = sliding * force[k];
+  grip_lever[k] = across[k] - sliding * lever[k];
+  return product(grip_lever, force, k);
+}
+
 template <class Order>
 void PlanarSeries::step(const TipPhase& phase, int order, Order k) {
   const auto& body = phase.body;
-  const double arm = body.arm[phase.tip];
-  const double sliding = -phase.friction * phase.force_sign * phase.direction;
-  rise[k] = rise_start * cosine[k] + run_start * sine[k];
-  across[k] = arm * (run_start * cosine[k] - rise_start * sine[k]);
-  w[k] = normal[k] + product(spin, across, k);
-  contact(phase, k);
-  lever[k] = arm * rise[k] + (phase.indented ? area[k] : 0) - (k == 0 ? body.radius[phase.tip] : 0);
-  slip[k] = tangential[k] - product(spin, lever, k);
-  turn[k] = 2 * product(s, spin, k);
-  moment[k] = product(across, force, k);
-  if (phase.sticking) {
-    lever_rate[k] = product(turn, across, k) - (phase.indented ? 2 * product(s, w, k) : 0);
-    stick(phase, k);
-  } else {
-    friction[k] = sliding * force[k];
-  }
+  turn(phase, k);
+  const double cosine_rate = -2 * product(s, spin_sine, k), sine_rate = 2 * product(s, spin_cosine, k);
+  lever_rate[k] = body.arm[phase.tip] * (rise_start * cosine_rate + run_start * sine_rate) -
+                  (phase.indented ? 2 * product(s, w, k) : 0);
+  const double moment_sum = torque(phase, k);
   if (k == order) return;
   const double share = 1.0 / (k + 1);
   advance(phase, k);
-  normal[k + 1] = (force[k] / body.mass - 2 * body.gravity * s[k]) * share;
-  tangential[k + 1] = friction[k] / body.mass * share;
-  spin[k + 1] = (moment[k] - product(lever, friction, k)) / body.transverse * share;
-  cosine[k + 1] = -product(turn, sine, k) * share;
-  sine[k + 1] = product(turn, cosine, k) * share;
-  angle[k + 1] = turn[k] * share;
+  const double by_mass = share / body.mass, by_inertia = share / body.transverse;
+  normal[k + 1] = by_mass * force[k] - (2 * body.gravity * share) * s[k];
+  tangential[k + 1] = by_mass * friction[k];
+  spin[k + 1] = by_inertia * moment_sum;
+  cosine[k + 1] = cosine_rate * share;
+  sine[k + 1] = sine_rate * share;
   if (phase.place.work < 0) return;
   position[k + 1] = 2 * product(s, tangential, k) * share;
   if (!phase.sticking) work[2][k + 1] = -product(friction, slip, k) * share;
@@ -101,23 +124,23 @@ void PlanarSeries::expand(const TipPhase& phase, int order) {
 template <class Order>
 void SpatialSeries::kinematics(const TipPhase& phase, Order k) {
   const auto& body = phase.body;
-  const double twist = 1 / body.axial - 1 / body.transverse, arm = body.arm[phase.tip];
-  along[k] =
-      product(momentum[0], axis[0], k) + product(momentum[1], axis[1], k) + product(momentum[2], axis[2], k);
-  for (int i = 0; i < 3; ++i) {
-    spin[i][k] = momentum[i][k] / body.transverse + twist * product(along, axis[i], k);
-    lever[i][k] = arm * axis[i][k];
-  }
-  w[k] = velocity[0][k] + product(spin[1], lever[2], k) - product(spin[2], lever[1], k);
-  contact(phase, k);
-  lever[0][k] += (phase.indented ? area[k] : 0) - (k == 0 ? body.radius[phase.tip] : 0);
-  slip[0][k] = velocity[1][k] + product(spin[2], lever[0], k) - product(spin[0], lever[2], k);
-  slip[1][k] = velocity[2][k] + product(spin[0], lever[1], k) - product(spin[1], lever[0], k);
-  for (int i = 0; i < 3; ++i) swing_[i][k] = 2 * product(s, momentum[i], k) / body.transverse;
+  const double inverse = 1 / body.transverse, twist = 1 / body.axial - inverse;
+  const double arm = body.arm[phase.tip], radius = body.radius[phase.tip];
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3, l = (i + 2) % 3;
-    axis_rate[i][k] = product(swing_[j], axis[l], k) - product(swing_[l], axis[j], k);
+    spin[i][k] = inverse * momentum[i][k] + twist * product(along, axis[i], k);
+    swing[i][k] = inverse * (product(momentum[j], axis[l], k) - product(momentum[l], axis[j], k));
+    lever[i][k] = arm * axis[i][k];
+    axis_rate[i][k] = 2 * product(s, swing[i], k);
   }
+  w[k] = velocity[0][k] + arm * swing[0][k];
+  contact(phase, k);
+  lever[0][k] += (phase.indented ? area[k] : 0) - (k == 0 ? radius : 0);
+  slip[0][k] = velocity[1][k] + arm * swing[1][k] - radius * spin[2][k];
+  slip[1][k] = velocity[2][k] + arm * swing[2][k] + radius * spin[1][k];
+  if (!phase.indented) return;
+  slip[0][k] += product(area, spin[2], k);
+  slip[1][k] -= product(area, spin[1], k);
 }
 
 template <class Order>
@@ -135,10 +158,8 @@ void SpatialSeries::slide(const TipPhase& phase, Order k) {
     for (int j = 1; j <= k; ++j) sum += (k - 0.5 * j) * slip_square[j] * slip_inverse[k - j];
     slip_inverse[k] = -sum / (k * slip_square[0]);
   }
-  for (int i = 0; i < 2; ++i) {
-    direction[i][k] = product(slip[i], slip_inverse, k);
-    friction[i][k] = -phase.friction * phase.force_sign * product(force, direction[i], k);
-  }
+  grip[k] = product(force, slip_inverse, k);
+  for (int i = 0; i < 2; ++i) friction[i][k] = -phase.friction * phase.force_sign * product(grip, slip[i], k);
 }
 
 template <class Order>
@@ -216,26 +237,37 @@ void SpatialSeries::slide_from_rest(const TipPhase& phase, Order k) {
 }
 
 template <class Order>
+void SpatialSeries::roll_on(const TipPhase& phase, Order k) {
+  const double inverse = 1 / phase.body.transverse, twist = 1 / phase.body.axial - inverse;
+  double known = along[k];
+  alignment[k] = k == 0 ? 1 : 0;
+  for (int i = 0; i < 3; ++i) {
+    known += axis[i][0] * momentum[i][k];
+    alignment[k] += axis[i][0] * axis[i][k];
+  }
+  for (int j = 1; j <= k; ++j) known -= alignment[j] * leaning[k - j];
+  leaning[k] = known / alignment[0];
+  roll_rate[k] = twist * along[k] + inverse * leaning[k];
+  roll[k + 1] = 2 * product(s, roll_rate, k) / (k + 1);
+}
+
+template <class Order>
 void SpatialSeries::move(const TipPhase& phase, Order k) {
   const auto& body = phase.body;
   const double share = 1.0 / (k + 1);
   advance(phase, k);
   const auto& [y2, y3] = friction;
-  velocity[0][k + 1] = (force[k] / body.mass - 2 * body.gravity * s[k]) * share;
-  velocity[1][k + 1] = y2[k] / body.mass * share;
-  velocity[2][k + 1] = y3[k] / body.mass * share;
-  momentum[0][k + 1] = (product(lever[1], y3, k) - product(lever[2], y2, k)) * share;
+  const double by_mass = share / body.mass;
+  velocity[0][k + 1] = by_mass * force[k] - (2 * body.gravity * share) * s[k];
+  velocity[1][k + 1] = by_mass * y2[k];
+  velocity[2][k + 1] = by_mass * y3[k];
+  drill[k] = product(axis[1], y3, k) - product(axis[2], y2, k);
+  momentum[0][k + 1] = body.arm[phase.tip] * drill[k] * share;
   momentum[1][k + 1] = (product(lever[2], force, k) - product(lever[0], y3, k)) * share;
   momentum[2][k + 1] = (product(lever[0], y2, k) - product(lever[1], force, k)) * share;
   for (int i = 0; i < 3; ++i) axis[i][k + 1] = axis_rate[i][k] * share;
-  for (int i = 0; i < 3; ++i) turn_[i][k] = 2 * product(s, spin[i], k);
-  const auto& z = turn_;
-  const auto& q = attitude;
-  const auto p = [&](const Row& a, const Row& b) { return product(a, b, k); };
-  attitude[0][k + 1] = -0.5 * (p(z[0], q[1]) + p(z[1], q[2]) + p(z[2], q[3])) * share;
-  attitude[1][k + 1] = 0.5 * (p(z[0], q[0]) + p(z[1], q[3]) - p(z[2], q[2])) * share;
-  attitude[2][k + 1] = 0.5 * (p(z[1], q[0]) + p(z[2], q[1]) - p(z[0], q[3])) * share;
-  attitude[3][k + 1] = 0.5 * (p(z[2], q[0]) + p(z[0], q[2]) - p(z[1], q[1])) * share;
+  along[k + 1] = (body.radius[phase.tip] * drill[k] - (phase.indented ? product(area, drill, k) : 0)) * share;
+  roll_on(phase, k);
   if (phase.place.work < 0) return;
   for (int i = 0; i < 2; ++i) position[i][k + 1] = 2 * product(s, velocity[i + 1], k) * share;
   if (!phase.sticking)

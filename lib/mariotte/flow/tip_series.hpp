@@ -32,16 +32,22 @@ using Row = std::array<double, most_order + 2>;
   return (one + two) + (three + four);
 }
 
-/// Σ a_j b_{k−j}. An order that the compiler knows (`Order` is an integral_constant) leaves no loop.
+/// Σ a_j b_{k−j}. An order that the compiler knows (`Order` is an integral_constant) leaves no loop. The
+/// newest coefficients come last, that of `b` last of all: the rest is summed while they are still on their
+/// way.
 template <class Order>
 double product(const Row& a, const Row& b, Order k) {
-  return convolution(a.data(), b.data() + k, k + 1);
+  if (k == 0) return a[0] * b[0];
+  const double known = convolution(a.data() + 1, b.data() + k - 1, k - 1);
+  return (known + a[k] * b[0]) + a[0] * b[k];
 }
 /// Coefficient k of the square of a row.
 template <class Order>
 double square(const Row& a, Order k) {
-  const double twice = 2 * convolution(a.data(), a.data() + k, (k + 1) / 2);
-  return k % 2 == 0 ? twice + a[k / 2] * a[k / 2] : twice;
+  if (k == 0) return a[0] * a[0];
+  const double known = convolution(a.data() + 1, a.data() + k - 1, (k - 1) / 2);
+  const double middle = k % 2 == 0 ? a[k / 2] * a[k / 2] : 0;
+  return (2 * known + middle) + 2 * a[0] * a[k];
 }
 
 /// The normal contact: what all motions share.
@@ -67,20 +73,27 @@ struct NormalSeries : TipRows {
 };
 
 /// Motion in the plane of e1 and the tangent, ω about the axis, tip at d = D (a₁, a₂):
-///     z = 2 s ω, θ' = z, cos' = −z sin, sin' = z cos, (a₁, a₂) turned by −θ, ℓ₁ = d₁ − r (+ P)
+///     cos' = −2 s (ω sin), sin' = 2 s (ω cos), (a₁, a₂) turned by −θ, ℓ₁ = d₁ − r (+ P)
 ///     w = v₁ + ω d₂,  u = v₂ − ω ℓ₁,  v₁' = f/m − 2 s g,  v₂' = y/m,  I ω' = d₂ f − ℓ₁ y
-///     sliding: y = −μ σ_F σ_u f      sticking: (I/m + ℓ₁²) y = ℓ₁ d₂ f + I ω ℓ₁'
+///     sliding: y = c f, c = −μ σ_F σ_u      sticking: (I/m + ℓ₁²) y = ℓ₁ d₂ f + I ω ℓ₁'
+/// ω d₂ and ω ℓ₁ are sums of ω cos and ω sin.
 struct PlanarSeries : TipRows {
-  Row normal, tangential, spin, cosine, sine, turn;  ///< v₁, v₂, ω, cos θ, sin θ, z
-  Row angle, position;                               ///< θ and ∫ v₂ dt
-  Row rise, across, lever;                           ///< a₁, d₂, ℓ₁
-  Row moment, friction, slip;                        ///< d₂ f, y, u
-  Row inertia, load, lever_rate;                     ///< I/m + ℓ₁², its right-hand side, ℓ₁'
-  double rise_start, run_start;                      ///< a₁ and a₂ at τ = 0
+  Row normal, tangential, spin, cosine, sine;  ///< v₁, v₂, ω, cos θ, sin θ
+  Row spin_cosine, spin_sine;                  ///< ω cos θ, ω sin θ
+  Row position;                                ///< ∫ v₂ dt
+  Row rise, across, lever;                     ///< a₁, d₂, ℓ₁
+  Row moment, friction, slip;                  ///< d₂ f, y, u
+  Row grip_lever;                              ///< d₂ − c ℓ₁
+  Row inertia, load, lever_rate;               ///< I/m + ℓ₁², its right-hand side, ℓ₁'
+  double rise_start, run_start;                ///< a₁ and a₂ at τ = 0
 
   void expand(const TipPhase& phase, int order);
 
  private:
+  template <class Order>
+  void turn(const TipPhase& phase, Order k);
+  template <class Order>
+  double torque(const TipPhase& phase, Order k);
   template <class Order>
   void step(const TipPhase& phase, int order, Order k);
   template <class Order>
@@ -89,8 +102,11 @@ struct PlanarSeries : TipRows {
 
 /// Motion in space of a symmetric body with unit axis a, angular momentum H and ℓ = D a − r e1 (+ P e1):
 ///     ω = H/I + κ p a,  p = H·a,  κ = 1/I_a − 1/I
-///     a' = 2 s H × a / I,  H' = ℓ × (f, y),  v' = (f, y)/m − 2 s g e1,  q' = ½ (2 s ω) q
-///     w = v₁ + ω₂ ℓ₃ − ω₃ ℓ₂,  u = (v + ω × ℓ) in the plane
+///     a' = 2 s b with b = H × a / I = ω × a,  H' = ℓ × (f, y),  v' = (f, y)/m − 2 s g e1
+///     p' = (r − P or r) (a₂ y₃ − a₃ y₂), for nothing but the lever r of friction turns the body about its
+///     axis w = v₁ + D b₁,  u = (v + D b − (r − P or r) ω × e1) in the plane attitude: the least turn from
+///     a(0) to a after a turn by ψ about a(0),
+///       ψ' = 2 s (κ p + (p + H·a(0)) / (I (1 + a·a(0))))
 ///     sliding: y = −μ σ_F f u/|u|, with |u|⁻¹ as a power of |u|²
 ///     u' = A y + N,  N = [κ p a' × ℓ + ω × ℓ'] − ℓ₁ f ℓ/I in the plane,
 ///       A = (1/m + ℓ²/I) 1 − ℓ ℓᵀ/I + κ r² a⊥ a⊥ᵀ,  a⊥ = (a₃, −a₂)
@@ -100,10 +116,12 @@ struct PlanarSeries : TipRows {
 struct SpatialSeries : TipRows {
   using Rows = std::array<Row, 3>;
   Rows velocity, momentum, axis, spin, lever, axis_rate;
-  Row along;  ///< p
-  std::array<Row, 4> attitude;
+  Rows swing;              ///< b
+  Row along, drill;        ///< p, a₂ y₃ − a₃ y₂
+  Row alignment, leaning;  ///< 1 + a·a(0), (p + H·a(0)) over it
+  Row roll_rate, roll;     ///< dψ/dt, ψ
   std::array<Row, 2> position, slip, direction, friction;
-  Row slip_square, slip_inverse;                           ///< |u|², 1/|u|
+  Row slip_square, slip_inverse, grip;                     ///< |u|², 1/|u|, f/|u|
   Row mobility_22, mobility_23, mobility_33, lever_force;  ///< A and ℓ₁ f
   std::array<Row, 2> free;                                 ///< N
   Row speed;                                               ///< ρ of a slip from rest
@@ -123,8 +141,10 @@ struct SpatialSeries : TipRows {
   template <class Order>
   void slide_from_rest(const TipPhase& phase, Order k);
   template <class Order>
+  void roll_on(const TipPhase& phase, Order k);
+  template <class Order>
   void move(const TipPhase& phase, Order k);
-  Rows swing_, twist_, turn_;  ///< 2 s H/I, κ p a', 2 s ω
+  Rows twist_;  ///< κ p a'
 };
 
 }  // namespace mariotte::flow

@@ -77,7 +77,8 @@ std::optional<double> fall(Row row, int order, double end, double rounding) {
 }
 
 /// Where w, negative or rising at the start, has been positive and falls through zero again. Where it may
-/// do so after rising within the step, the step is cut at the rise and the next one decides.
+/// do so after rising within the step, for it does not only rise, the step is cut at the rise and the next
+/// one decides.
 End turn_back(const Row& w, int order, double tau, double rounding, Index guard) {
   if (w[0] > rounding || (w[0] >= -rounding && w[1] > 0)) {
     const auto back = fall(w, order, tau, rounding);
@@ -85,6 +86,7 @@ End turn_back(const Row& w, int order, double tau, double rounding, Index guard)
   }
   Row mirrored;
   for (int k = 0; k <= order; ++k) mirrored[k] = -w[k];
+  if (falls(terms(mirrored, order), tau)) return {tau};
   const auto rise = first_fall(terms(mirrored, order), tau);
   return rise && *rise > 0 && *rise < tau ? End{*rise} : End{tau};
 }
