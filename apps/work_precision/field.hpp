@@ -1,37 +1,33 @@
-// The right-hand side that every rival gets: a chain of N balls of unit mass, written for speed. The number
+// The right-hand side that every rival gets of a chain: N balls of unit mass, written for speed. The number
 // of balls and the law are known to the compiler, so that everything is inlined and nothing is allocated.
 #pragma once
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
 
 #include "mariotte/core/error.hpp"
-#include "method.hpp"
+#include "rival.hpp"
 
 namespace mariotte::work_precision {
-
-/// How far past the last separation a rival that knows no ending integrates.
-inline constexpr double overtime = 1.01;
-/// Longest step of a rival that adapts it: in free flight it would leap over a late contact. The shortest
-/// contacts that begin late last five times as long.
-inline constexpr double longest_step = 0.5;
 
 /// Forces before they are cut off where they would pull; `depth` may be negative.
 struct LinearForce {
   static constexpr bool damped = false;
+  static constexpr double depth_power = -0.5;
   static double at(double stiffness, double /*damping*/, double depth, double /*rate*/) {
     return stiffness * depth;
   }
 };
 struct HertzForce {
   static constexpr bool damped = false;
+  static constexpr double depth_power = -0.4;
   static double at(double stiffness, double /*damping*/, double depth, double /*rate*/) {
     return stiffness * depth * std::sqrt(std::max(0.0, depth));
   }
 };
 struct ViscoelasticForce {
   static constexpr bool damped = true;
+  static constexpr double depth_power = -0.4;
   static double at(double stiffness, double damping, double depth, double rate) {
     return std::sqrt(std::max(0.0, depth)) * (stiffness * depth + damping * rate);
   }
@@ -44,22 +40,32 @@ struct Field {
   static constexpr std::size_t contacts = N - 1;
   static constexpr std::size_t size = contacts + N;
   static constexpr bool damped = Force::damped;
+  static constexpr double overtime = 1.01;
   using State = std::array<double, size>;
 
   std::array<double, contacts> stiffness{};
   double damping = 0;
 
   Field() = default;
-  explicit Field(const model::Chain& chain) {
-    for (std::size_t j = 0; j < contacts; ++j) stiffness[j] = contact::stiffness(chain.law[j]);
-    damping = contact::damping(chain.law[0]);
+  Field(const Case& one, const Setting&) {
+    for (std::size_t j = 0; j < contacts; ++j) stiffness[j] = contact::stiffness(one.chain.law[j]);
+    damping = contact::damping(one.chain.law[0]);
   }
-  static void start(const model::Chain& chain, double* x) {
-    std::copy(chain.gap.begin(), chain.gap.end(), x);
-    std::copy(chain.velocity.begin(), chain.velocity.end(), x + contacts);
+  static void start(const Case& one, double* x) {
+    std::copy(one.chain.gap.begin(), one.chain.gap.end(), x);
+    std::copy(one.chain.velocity.begin(), one.chain.velocity.end(), x + contacts);
   }
   static void finish(const double* x, Answer& answer) {
     std::copy(x + contacts, x + size, answer.velocity.begin());
+  }
+  /// Size of a gap during an impact at unit speed of unit masses.
+  double depth(std::size_t contact) const { return std::pow(stiffness[contact], Force::depth_power); }
+  /// Of each component: what its absolute tolerance is relative to.
+  State magnitudes() const {
+    State magnitude;
+    magnitude.fill(1);
+    for (std::size_t j = 0; j < contacts; ++j) magnitude[j] = depth(j);
+    return magnitude;
   }
 
   /// Force of contact j, not cut off.
@@ -85,9 +91,10 @@ struct Field {
   static double pushing(std::size_t, double force) { return std::max(0.0, force); }
 };
 
-/// `make.operator()<Field>()` for the field of a problem.
+/// `make.operator()<Field>()` for the field of a problem; empty if it is no chain.
 template <class Make>
-Solve with_field(const Problem& problem, const Make& make) {
+Solve with_chain_field(const Problem& problem, const Make& make) {
+  if (problem.has_body()) return {};
   const auto& chain = problem.cases.front().chain;
   const bool linear = std::holds_alternative<contact::Linear>(chain.law[0]);
   const bool hertz = std::holds_alternative<contact::Hertz>(chain.law[0]);
@@ -98,19 +105,10 @@ Solve with_field(const Problem& problem, const Make& make) {
   return make.template operator()<Field<3, ViscoelasticForce>>();
 }
 
-/// A rival as a Solve: `Rival` is a template over the field, made from the setting, with solve(case, answer).
+/// A rival of chains as a Solve.
 template <template <class> class Rival>
-Solve rival(const Problem& problem, double setting) {
-  return with_field(problem, [&]<class F>() -> Solve {
-    auto solver = std::make_shared<Rival<F>>(setting);
-    auto answer = std::make_shared<Answer>();
-    answer->velocity.resize(F::balls);
-    return [solver, answer](const Case& one) -> const Answer& {
-      answer->rhs = answer->steps = answer->events = 0;
-      solver->solve(one, *answer);
-      return *answer;
-    };
-  });
+Solve chain_rival(const Problem& problem, double setting) {
+  return with_chain_field(problem, [&]<class F>() { return solve_by<Rival<F>>(Setting{setting}, F::balls); });
 }
 
 }  // namespace mariotte::work_precision

@@ -96,7 +96,9 @@ constexpr const char* examples = R"(Examples:
   work_precision --quick
   work_precision --problem P1 --problem P3 --method auto --method odeint-rkf78 --csv points.csv
 
-A problem named without what follows its dash means all of them: P3 is P3-1, P3-1e4 and P3-1e8.
+A problem named without what follows its dash means all of them: P3 is P3-1, P3-1e4 and P3-1e8, and B is all
+microbodies. Rivals with friction come in three kinds: -sgn, -smoothed over a slip of the tolerance or step times
+the incident speed, and -smoothed-1e-3 over a thousandth of it.
 
 Exit codes: 0 ok, 2 usage, 4 failure, 6 file error.
 )";
@@ -118,7 +120,7 @@ void add_options(CLI::App& app, Options& options) {
 
 int main(int argc, char** argv) {
   using namespace mariotte;
-  CLI::App app("Run time against error of mariotte and of its rivals, on impacts that are known exactly.",
+  CLI::App app("Run time against error of mariotte and of its rivals, on impacts with known ends.",
                "work_precision");
   work_precision::Options options;
   work_precision::add_options(app, options);

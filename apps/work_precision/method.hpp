@@ -10,7 +10,7 @@ namespace mariotte::work_precision {
 
 /// What one solve left behind.
 struct Answer {
-  std::vector<double> velocity;  ///< final velocities, one per ball
+  std::vector<double> velocity;  ///< final velocities, as in the case
   Index rhs = 0;                 ///< evaluations of the right-hand side
   Index steps = 0;
   Index events = 0;            ///< instants located, at which a contact opens or closes
@@ -33,6 +33,8 @@ struct Method {
 
 /// Ours first, then the rivals.
 std::vector<Method> methods();
+
+void append(std::vector<Method>& list, std::vector<Method> more);
 
 std::vector<Method> own_methods();
 std::vector<Method> cvode_rivals();

@@ -6,28 +6,48 @@
 #include "mariotte/flow/choose.hpp"
 #include "mariotte/impact/chain_impact.hpp"
 #include "mariotte/impact/chain_solver.hpp"
+#include "mariotte/impact/microbody_impact.hpp"
+#include "mariotte/impact/microbody_solver.hpp"
 #include "method.hpp"
 
 namespace mariotte::work_precision {
 namespace {
 
-/// One solver for all cases, as a sweep would have it.
-void solve(impact::ChainSolver& solver, const model::Chain& chain, const hybrid::Options& options,
-           Answer& answer) {
-  const auto& impact = solver.solve(chain, options);
+template <class Impact>
+void count(const Impact& impact, Answer& answer) {
   if (impact.ending != hybrid::Ending::separated) throw Error(impact.message);
-  answer.velocity = impact.velocity;
   answer.events = impact.events;
   answer.rhs = impact.rhs;
   answer.steps = impact.steps;
-  answer.periods = impact.periods;
 }
+
+/// One solver for all cases, as a sweep would have it.
+struct Solvers {
+  impact::ChainSolver chains;
+  impact::MicrobodySolver bodies;
+
+  void solve(const model::Chain& chain, const hybrid::Options& options, Answer& answer) {
+    const auto& impact = chains.solve(chain, options);
+    count(impact, answer);
+    answer.velocity = impact.velocity;
+    answer.periods = impact.periods;
+  }
+  void solve(const Body& body, const hybrid::Options& options, Answer& answer) {
+    const auto& impact = bodies.solve(body.stated, options);
+    count(impact, answer);
+    const double unit = 1 / (body.scaled.speed * body.scaled.scale.velocity);
+    const Vector3 v = unit * impact.velocity, w = (unit * reach(body.stated.body)) * impact.spin;
+    answer.velocity = {v.e1, v.e2, v.e3, w.e1, w.e2, w.e3};
+  }
+};
 
 /// A flow that does not admit a phase is replaced in silence; closed forms of free flight and of single
 /// contacts stand beside any flow.
 bool admits(const Case& first, const hybrid::Options& options) {
   bool found = false;
-  for (const auto& use : impact::simulate(first.chain, options).flows) {
+  const auto flows = first.body ? impact::simulate(first.body->stated, options).flows
+                                : impact::simulate(first.chain, options).flows;
+  for (const auto& use : flows) {
     if (use.name != options.flow && use.name != "ballistic" && use.name != "pair") return false;
     found = found || use.name == options.flow;
   }
@@ -36,9 +56,12 @@ bool admits(const Case& first, const hybrid::Options& options) {
 
 Solve prepare(const Problem& problem, const hybrid::Options& options) {
   if (options.flow != "auto" && !admits(problem.cases.front(), options)) return {};
-  return [options, solver = std::make_shared<impact::ChainSolver>(),
+  return [options, solvers = std::make_shared<Solvers>(),
           answer = std::make_shared<Answer>()](const Case& one) -> const Answer& {
-    solve(*solver, one.chain, options, *answer);
+    if (one.body)
+      solvers->solve(*one.body, options, *answer);
+    else
+      solvers->solve(one.chain, options, *answer);
     return *answer;
   };
 }

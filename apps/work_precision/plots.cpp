@@ -77,7 +77,7 @@ std::vector<std::string> problems(const std::vector<Row>& rows) {
 
 std::string script(const std::vector<Row>& rows) {
   std::string text = report::script_head;
-  text += "set logscale xy\n";
+  text += "set logscale xy\nset key font ',11' spacing 0.9\n";
   text +=
       "set format '10^{%T}'\nset xlabel 'largest error of the final velocities'\nset xrange [*:*] reverse\n";
   text += "set ylabel 'CPU time per impact [s]'\n";

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "body_table.hpp"
 #include "mariotte/core/error.hpp"
 #include "reference.hpp"
 #include "reference_tables.hpp"
@@ -27,13 +28,6 @@ contact::Law law(const Fields& row, double stiffness) {
   return contact::Viscoelastic{.stiffness = stiffness, .damping = damping, .exponent = 1.5};
 }
 
-std::vector<long double> numbers(const Fields& row, std::size_t from) {
-  std::vector<long double> values;
-  std::transform(row.begin() + static_cast<std::ptrdiff_t>(from), row.end(), std::back_inserter(values),
-                 number);
-  return values;
-}
-
 /// Equal balls touching; the first moves at unit speed, the last at `last`.
 model::Chain touching(std::vector<contact::Law> laws, double last) {
   const std::size_t balls = laws.size() + 1;
@@ -52,8 +46,7 @@ Case impact(const Fields& row) {
   laws.back() = law(row, static_cast<double>(number(row[impacts::ratio])));
   return {.chain = touching(std::move(laws), static_cast<double>(number(row[impacts::start]))),
           .velocity = std::move(velocity),
-          .end = static_cast<double>(number(row[impacts::end])),
-          .periods = {}};
+          .end = static_cast<double>(number(row[impacts::end]))};
 }
 
 Case map_point(const Fields& row) {
@@ -78,6 +71,7 @@ Problem whole_map(std::size_t stride) {
 std::vector<std::string> problem_names() {
   std::vector<std::string> names;
   for (const auto& row : rows(impacts_csv)) names.push_back(row[impacts::name]);
+  for (const auto& row : rows(bodies_csv)) names.push_back(name_of_body(row));
   names.emplace_back(map_name);
   return names;
 }
@@ -86,6 +80,8 @@ Problem problem(const std::string& name, std::size_t stride) {
   if (name == map_name) return whole_map(stride);
   for (const auto& row : rows(impacts_csv))
     if (row[impacts::name] == name) return {.name = name, .cases = {impact(row)}};
+  for (const auto& row : rows(bodies_csv))
+    if (name_of_body(row) == name) return {.name = name, .cases = {body_impact(row)}};
   throw InvalidParameter("unknown problem '" + name + "'");
 }
 

@@ -1,32 +1,53 @@
-// The problems: chains with final velocities known to more digits than a double holds.
+// The problems: impacts with known final velocities, of chains to more digits than a double holds, of bodies
+// to the last digits of one.
 //
 //   P1        three equal Hertz balls touching, v = (1, 0, 0)
 //   P2-κ      the same with stiffness ratio κ = k2/k1 and v = (1, 0, −1/2)
 //   P3-κ      three equal balls on linear springs touching, stiffness ratio κ, v = (1, 0, 0)
 //   P4        21 equal Hertz balls touching, the first strikes
 //   V-c       P1 with viscoelastic contacts of exponent 3/2 and damping c
+//   B-sphere  a microsphere, 4.9 µm, strikes a plane at 5 m/s along the normal
+//   B-rod-μ   a rod of length ratio 10, tilted by 42°, at 5 m/s, with friction μ: it slides all the time or
+//             sticks in between
+//   B-space   a rod of length ratio 4 that moves and spins in all directions, with friction 0.15
 //   map       64 × 64 Hertz triplets: κ = 0.1 … 10 evenly in the logarithm, v3 = −1 … 0
 //
-// Unless said otherwise k = m = v1 = 1.
+// Unless said otherwise k = m = v1 = 1; bodies have the adhesion and damping of [Cheng 2002, Table 1].
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "mariotte/model/chain.hpp"
+#include "mariotte/model/dimensionless_microbody.hpp"
 
 namespace mariotte::work_precision {
 
+/// A body as its user states it, and as rivals get it: in units of order one.
+struct Body {
+  model::Microbody stated;
+  model::DimensionlessMicrobody scaled;
+};
+
+/// What an error of the spin is multiplied by to be one of a velocity, in the units of the body.
+double reach(const model::RigidBody& body);
+
 /// One impact and what is known of it.
 struct Case {
-  model::Chain chain;
-  std::vector<long double> velocity;  ///< final velocities
-  double end;                         ///< time of the last separation
-  std::vector<Index> periods;         ///< how often each contact closes; empty if not compared
+  model::Chain chain = {};  ///< empty if there is a body
+  std::optional<Body> body = {};
+  /// Final velocities; of a body velocity and reach × spin, both relative to the incident speed.
+  std::vector<long double> velocity;
+  double end;                       ///< time of the last separation, of a body in its scaled units
+  std::vector<Index> periods = {};  ///< how often each contact closes; empty if not compared
 };
 
 struct Problem {
   std::string name;
   std::vector<Case> cases;  ///< one, or the points of a map
+
+  bool has_body() const { return cases.front().body.has_value(); }
+  bool has_friction() const { return has_body() && cases.front().body->scaled.friction.coefficient > 0; }
 };
 
 /// Names of all problems, in the order in which they are run.

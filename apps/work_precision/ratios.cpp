@@ -9,7 +9,7 @@
 namespace mariotte::work_precision {
 namespace {
 
-constexpr double targets[] = {1e-6, 1e-10, 1e-12, 1e-14};
+constexpr double targets[] = {1e-6, 1e-8, 1e-10, 1e-12, 1e-14};
 constexpr double none = std::numeric_limits<double>::infinity();
 
 /// The least run time among those rows that reach the error; `none` if there is no such row.
@@ -37,7 +37,7 @@ std::string line(const std::vector<Row>& rows, const std::string& problem, doubl
     return cheapest(rows, problem, target, [&](const Row& row) { return row.family == family; });
   };
   const double ours = cheapest(rows, problem, target, [](const Row& row) { return row.method == "auto"; });
-  std::string text = fmt::format("{:<8} {:>7g} {:>10}", problem, target, time(ours));
+  std::string text = fmt::format("{:<10} {:>7g} {:>10}", problem, target, time(ours));
   for (const auto family : {Family::sundials, Family::odeint, Family::fixed_step})
     text += fmt::format(" {:>10} {:>8}", time(of(family)), ratio(of(family), ours));
   return text + "\n";
@@ -56,7 +56,7 @@ std::string ratios(const std::vector<Row>& rows) {
   std::string text =
       "Cheapest CPU time per impact that reaches an error, and its ratio to that of auto\n(a ratio above 1: "
       "auto is that much faster)\n\n";
-  text += fmt::format("{:<8} {:>7} {:>10} {:>10} {:>8} {:>10} {:>8} {:>10} {:>8}\n", "problem", "error",
+  text += fmt::format("{:<10} {:>7} {:>10} {:>10} {:>8} {:>10} {:>8} {:>10} {:>8}\n", "problem", "error",
                       "auto", "SUNDIALS", "ratio", "odeint", "ratio", "fixed step", "ratio");
   for (const auto& problem : problems(rows))
     for (const double target : targets) text += line(rows, problem, target);

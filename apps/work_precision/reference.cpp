@@ -1,6 +1,8 @@
 #include "reference.hpp"
 
+#include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <sstream>
 
 namespace mariotte::work_precision {
@@ -29,6 +31,13 @@ std::vector<Fields> rows(std::string_view csv) {
 
 long double number(const std::string& field) {
   return std::strtold(field.c_str(), nullptr);
+}
+
+std::vector<long double> numbers(const Fields& row, std::size_t from) {
+  std::vector<long double> values;
+  std::transform(row.begin() + static_cast<std::ptrdiff_t>(from), row.end(), std::back_inserter(values),
+                 number);
+  return values;
 }
 
 }  // namespace mariotte::work_precision

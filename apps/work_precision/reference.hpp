@@ -14,4 +14,7 @@ std::vector<Fields> rows(std::string_view csv);
 /// A decimal string to more digits than a double holds.
 long double number(const std::string& field);
 
+/// Those of a row from one field on.
+std::vector<long double> numbers(const Fields& row, std::size_t from);
+
 }  // namespace mariotte::work_precision

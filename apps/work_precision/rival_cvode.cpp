@@ -1,116 +1,28 @@
-// Rivals on SUNDIALS as a user writes them: CVODE with the forces cut off at zero, integrated to a fixed time
-// just past the last separation; and CVODE with roots, re-initialised whenever a contact opens or closes.
-// Memory is taken once and used for every impact.
-#include <cvode/cvode.h>
-#include <nvector/nvector_serial.h>
-#include <sunlinsol/sunlinsol_dense.h>
-#include <sunmatrix/sunmatrix_dense.h>
-#include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
-
+// Rivals on SUNDIALS as a user writes them. Chains: CVODE with the forces cut off at zero, integrated to a
+// fixed time just past the last separation; and CVODE with roots, re-initialised whenever a contact opens or
+// closes. Bodies: CVODE with a root at separation.
+#include "body_field.hpp"
+#include "cvode_memory.hpp"
 #include "field.hpp"
 
 namespace mariotte::work_precision {
 namespace {
 
-constexpr long most_steps = 10'000'000;
 constexpr Index most_restarts = 10'000;
-
-void check(int code, const char* what) {
-  if (code < 0) throw Error(std::string("CVODE: ") + what + " failed with code " + std::to_string(code));
-}
-
-struct Free {
-  void operator()(_SUNContext* c) const { SUNContext_Free(&c); }
-  void operator()(_generic_N_Vector* v) const { N_VDestroy(v); }
-  void operator()(_generic_SUNMatrix* m) const { SUNMatDestroy(m); }
-  void operator()(_generic_SUNLinearSolver* s) const { SUNLinSolFree(s); }
-  void operator()(_generic_SUNNonlinearSolver* s) const { SUNNonlinSolFree(s); }
-  void operator()(void* memory) const { CVodeFree(&memory); }
-};
-template <class T>
-using Owned = std::unique_ptr<T, Free>;
-
-/// Size of a gap during an impact at unit speed of unit masses: what its absolute tolerance is relative to.
-template <class F>
-double depth_scale(const F& field, std::size_t contact) {
-  constexpr bool linear = std::is_same_v<F, Field<F::balls, LinearForce>>;
-  return std::pow(field.stiffness[contact], linear ? -0.5 : -0.4);
-}
-
-/// What both methods share: memory, tolerances and the field that CVODE's callbacks read.
-template <class F>
-class Memory {
- public:
-  explicit Memory(double tolerance) : tolerance_(tolerance) {
-    SUNContext raw = nullptr;
-    check(SUNContext_Create(nullptr, &raw), "context");
-    context.reset(raw);
-    state.reset(N_VNew_Serial(F::size, raw));
-    allowed_.reset(N_VNew_Serial(F::size, raw));
-    N_VConst(0, state.get());
-  }
-  void create(int method, CVRhsFn derivative, void* self) {
-    cvode.reset(CVodeCreate(method, context.get()));
-    check(CVodeSetErrHandlerFn(
-              cvode.get(), [](int, const char*, const char*, char*, void*) {}, nullptr),
-          "error handler");
-    check(CVodeInit(cvode.get(), derivative, 0, state.get()), "start");
-    check(CVodeSetUserData(cvode.get(), self), "user data");
-    check(CVodeSetMaxNumSteps(cvode.get(), most_steps), "step limit");
-    check(CVodeSetMaxStep(cvode.get(), longest_step), "longest step");
-    if (method == CV_ADAMS) {
-      fixed_point_.reset(SUNNonlinSol_FixedPoint(state.get(), 0, context.get()));
-      check(CVodeSetNonlinearSolver(cvode.get(), fixed_point_.get()), "fixed-point iteration");
-    } else {
-      matrix_.reset(SUNDenseMatrix(F::size, F::size, context.get()));
-      linear_.reset(SUNLinSol_Dense(state.get(), matrix_.get(), context.get()));
-      check(CVodeSetLinearSolver(cvode.get(), linear_.get(), matrix_.get()), "linear solver");
-    }
-  }
-  void start(const Case& one) {
-    F::start(one.chain, data());
-    double* allowed = N_VGetArrayPointer(allowed_.get());
-    const F field(one.chain);
-    for (std::size_t j = 0; j < F::contacts; ++j) allowed[j] = tolerance_ * depth_scale(field, j);
-    std::fill(allowed + F::contacts, allowed + F::size, tolerance_);
-    check(CVodeReInit(cvode.get(), 0, state.get()), "restart");
-    check(CVodeSVtolerances(cvode.get(), tolerance_, allowed_.get()), "tolerances");
-  }
-  double* data() const { return N_VGetArrayPointer(state.get()); }
-  /// Work since the last restart.
-  void count(Answer& answer) const {
-    long steps = 0, rhs = 0, dense = 0;
-    check(CVodeGetNumSteps(cvode.get(), &steps), "count of steps");
-    check(CVodeGetNumRhsEvals(cvode.get(), &rhs), "count of evaluations");
-    if (linear_) check(CVodeGetNumLinRhsEvals(cvode.get(), &dense), "count of evaluations");
-    answer.steps += steps;
-    answer.rhs += rhs + dense;
-  }
-
-  Owned<_SUNContext> context;
-  Owned<_generic_N_Vector> state;
-  Owned<void> cvode;
-
- private:
-  double tolerance_;
-  Owned<_generic_N_Vector> allowed_;
-  Owned<_generic_SUNNonlinearSolver> fixed_point_;
-  Owned<_generic_SUNMatrix> matrix_;
-  Owned<_generic_SUNLinearSolver> linear_;
-};
+constexpr long most_body_steps = 1'000'000;  // friction that chatters takes any number
 
 /// No events: one call to a fixed time.
 template <class F>
 class WithoutEvents {
  public:
-  WithoutEvents(int method, double tolerance) : memory_(tolerance) {
+  WithoutEvents(int method, const Setting& setting) : memory_(setting.value) {
     memory_.create(method, derivative, this);
   }
   void solve(const Case& one, Answer& answer) {
-    field_ = F(one.chain);
-    memory_.start(one);
+    field_ = F(one, {});
+    memory_.start(field_, one);
     double time = 0;
-    check(CVode(memory_.cvode.get(), overtime * one.end, memory_.state.get(), &time, CV_NORMAL), "a step");
+    check(CVode(memory_.cvode.get(), F::overtime * one.end, memory_.state.get(), &time, CV_NORMAL), "a step");
     memory_.count(answer);
     F::finish(memory_.data(), answer);
   }
@@ -120,17 +32,17 @@ class WithoutEvents {
     static_cast<WithoutEvents*>(self)->field_(NV_DATA_S(x), NV_DATA_S(dx));
     return 0;
   }
-  Memory<F> memory_;
+  CvodeMemory<F> memory_;
   F field_;
 };
 
 template <class F>
 struct Adams : WithoutEvents<F> {
-  explicit Adams(double tolerance) : WithoutEvents<F>(CV_ADAMS, tolerance) {}
+  explicit Adams(const Setting& setting) : WithoutEvents<F>(CV_ADAMS, setting) {}
 };
 template <class F>
 struct Bdf : WithoutEvents<F> {
-  explicit Bdf(double tolerance) : WithoutEvents<F>(CV_BDF, tolerance) {}
+  explicit Bdf(const Setting& setting) : WithoutEvents<F>(CV_BDF, setting) {}
 };
 
 /// A root per gap and, with damping, one per load k δ + c δ̇; between roots each contact has its smooth force
@@ -138,18 +50,18 @@ struct Bdf : WithoutEvents<F> {
 template <class F>
 class AdamsWithRoots {
  public:
-  explicit AdamsWithRoots(double tolerance) : memory_(tolerance), hair_(1e-3 * tolerance) {
+  explicit AdamsWithRoots(const Setting& setting) : memory_(setting.value), hair_(1e-3 * setting.value) {
     memory_.create(CV_ADAMS, derivative, this);
     check(CVodeRootInit(memory_.cvode.get(), roots, guards), "roots");
     check(CVodeSetNoInactiveRootWarn(memory_.cvode.get()), "quiet roots");
   }
   void solve(const Case& one, Answer& answer) {
-    field_ = F(one.chain);
+    field_ = F(one, {});
     closed_.fill(false);
     apart_ = one;
-    for (std::size_t j = 0; j < F::contacts; ++j) apart_.chain.gap[j] += hair_ * depth_scale(field_, j);
-    memory_.start(apart_);
-    const double end = overtime * one.end;
+    for (std::size_t j = 0; j < F::contacts; ++j) apart_.chain.gap[j] += hair_ * field_.depth(j);
+    memory_.start(field_, apart_);
+    const double end = F::overtime * one.end;
     for (double time = 0; time < end;) {
       const int code = CVode(memory_.cvode.get(), end, memory_.state.get(), &time, CV_NORMAL);
       check(code, "a step");
@@ -192,25 +104,77 @@ class AdamsWithRoots {
     return 0;
   }
 
-  Memory<F> memory_;
+  CvodeMemory<F> memory_;
   F field_;
   double hair_;  // relative to the depth scale
   Case apart_;
   std::array<bool, F::contacts> closed_{};
 };
 
+/// A root at separation ends the run; no other event is looked for.
+template <class F>
+class ToSeparation {
+ public:
+  ToSeparation(int method, const Setting& setting) : setting_(setting), memory_(setting.value) {
+    memory_.create(method, derivative, this);
+    check(CVodeSetMaxNumSteps(memory_.cvode.get(), most_body_steps), "step limit");
+    check(CVodeRootInit(memory_.cvode.get(), 1, gap), "root");
+    int rising = 1;
+    check(CVodeSetRootDirection(memory_.cvode.get(), &rising), "direction");
+    check(CVodeSetNoInactiveRootWarn(memory_.cvode.get()), "quiet root");
+  }
+  void solve(const Case& one, Answer& answer) {
+    field_ = F(one, setting_);
+    memory_.start(field_, one);
+    double time = 0;
+    const int code = CVode(memory_.cvode.get(), 2 * one.end, memory_.state.get(), &time, CV_NORMAL);
+    check(code, "a step");
+    if (code != CV_ROOT_RETURN) throw Error("CVODE: no separation");
+    answer.events = 1;
+    memory_.count(answer);
+    field_.finish(memory_.data(), answer);
+  }
+
+ private:
+  static int derivative(realtype, N_Vector x, N_Vector dx, void* self) {
+    static_cast<ToSeparation*>(self)->field_(NV_DATA_S(x), NV_DATA_S(dx));
+    return 0;
+  }
+  static int gap(realtype, N_Vector x, realtype* value, void*) {
+    *value = NV_Ith_S(x, 0);
+    return 0;
+  }
+
+  Setting setting_;
+  CvodeMemory<F> memory_;
+  F field_;
+};
+
+template <class F>
+struct AdamsToSeparation : ToSeparation<F> {
+  explicit AdamsToSeparation(const Setting& setting) : ToSeparation<F>(CV_ADAMS, setting) {}
+};
+template <class F>
+struct BdfToSeparation : ToSeparation<F> {
+  explicit BdfToSeparation(const Setting& setting) : ToSeparation<F>(CV_BDF, setting) {}
+};
+
 /// Undamped contacts are not stiff, and BDF never pays for them.
 Solve bdf_if_damped(const Problem& problem, double tolerance) {
-  const bool damped = contact::damping(problem.cases.front().chain.law[0]) > 0;
-  return damped ? rival<Bdf>(problem, tolerance) : Solve();
+  const bool damped = !problem.has_body() && contact::damping(problem.cases.front().chain.law[0]) > 0;
+  return damped ? chain_rival<Bdf>(problem, tolerance) : Solve();
 }
 
 }  // namespace
 
 std::vector<Method> cvode_rivals() {
-  return {{.name = "sundials-adams", .family = Family::sundials, .prepare = rival<Adams>},
-          {.name = "sundials-adams-roots", .family = Family::sundials, .prepare = rival<AdamsWithRoots>},
-          {.name = "sundials-bdf", .family = Family::sundials, .prepare = bdf_if_damped}};
+  std::vector<Method> list = {
+      {.name = "sundials-adams", .family = Family::sundials, .prepare = chain_rival<Adams>},
+      {.name = "sundials-bdf", .family = Family::sundials, .prepare = bdf_if_damped}};
+  append(list,
+         rivals<AdamsToSeparation>("sundials-adams-roots", Family::sundials, chain_rival<AdamsWithRoots>));
+  append(list, rivals<BdfToSeparation>("sundials-bdf-roots", Family::sundials));
+  return list;
 }
 
 }  // namespace mariotte::work_precision

@@ -1,4 +1,5 @@
 // Rivals with a fixed step: the Runge–Kutta–Gill method of order 4 and velocity Verlet.
+#include "body_field.hpp"
 #include "field.hpp"
 
 namespace mariotte::work_precision {
@@ -26,21 +27,21 @@ void gill_step(const F& field, double h, typename F::State& x, typename F::State
 template <class F>
 class Gill {
  public:
-  explicit Gill(double rate) : rate_(rate) {}
+  explicit Gill(const Setting& setting) : setting_(setting) {}
   void solve(const Case& one, Answer& answer) {
-    const F field(one.chain);
+    const F field(one, setting_);
     typename F::State x, q{}, slope;
-    F::start(one.chain, x.data());
-    const double time = overtime * one.end;
-    answer.steps = static_cast<Index>(std::ceil(rate_ * time));
+    field.start(one, x.data());
+    const double time = F::overtime * one.end;
+    answer.steps = static_cast<Index>(std::ceil(setting_.value * time));
     const double h = time / static_cast<double>(answer.steps);
     for (Index i = 0; i < answer.steps; ++i) gill_step(field, h, x, q, slope);
     answer.rhs = 4 * answer.steps;
-    F::finish(x.data(), answer);
+    field.finish(x.data(), answer);
   }
 
  private:
-  double rate_;  // steps per unit of time
+  Setting setting_;
 };
 
 /// Kick, drift, kick; forces that depend on velocities see those predicted by the old acceleration, which
@@ -48,12 +49,12 @@ class Gill {
 template <class F>
 class Verlet {
  public:
-  explicit Verlet(double rate) : rate_(rate) {}
+  explicit Verlet(const Setting& setting) : rate_(setting.value) {}
   void solve(const Case& one, Answer& answer) {
-    const F field(one.chain);
+    const F field(one, {});
     typename F::State x;
-    F::start(one.chain, x.data());
-    const double time = overtime * one.end;
+    F::start(one, x.data());
+    const double time = F::overtime * one.end;
     answer.steps = static_cast<Index>(std::ceil(rate_ * time));
     const double h = time / static_cast<double>(answer.steps);
     double *gap = x.data(), *velocity = gap + F::contacts;
@@ -79,8 +80,9 @@ class Verlet {
 }  // namespace
 
 std::vector<Method> fixed_step_rivals() {
-  return {{.name = "rk-gill", .family = Family::fixed_step, .prepare = rival<Gill>},
-          {.name = "verlet", .family = Family::fixed_step, .prepare = rival<Verlet>}};
+  auto list = rivals<Gill>("rk-gill", Family::fixed_step, chain_rival<Gill>);
+  list.push_back({.name = "verlet", .family = Family::fixed_step, .prepare = chain_rival<Verlet>});
+  return list;
 }
 
 }  // namespace mariotte::work_precision

@@ -1,9 +1,12 @@
-// Rivals from Boost.odeint: the Runge–Kutta–Fehlberg pair of orders 7 and 8 with step control, and
-// Bulirsch–Stoer extrapolation. Neither locates events; forces are cut off at zero.
+// Rivals from Boost.odeint: the Runge–Kutta pairs of Dormand and Prince (orders 4 and 5) and of Fehlberg (7
+// and 8) with step control, and Bulirsch–Stoer extrapolation. None locates events; forces are cut off at
+// zero.
 #include <boost/numeric/odeint/stepper/bulirsch_stoer.hpp>
 #include <boost/numeric/odeint/stepper/generation.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 
+#include "body_field.hpp"
 #include "field.hpp"
 
 namespace mariotte::work_precision {
@@ -16,22 +19,22 @@ constexpr Index most_steps = 2'000'000;
 
 /// What integrate_adaptive does, with a count of the steps.
 template <class F, class Stepper>
-void integrate(Stepper& stepper, const Case& one, Answer& answer) {
-  const F field(one.chain);
+void integrate(Stepper& stepper, const Case& one, const Setting& setting, Answer& answer) {
+  const F field(one, setting);
   typename F::State x;
-  F::start(one.chain, x.data());
+  field.start(one, x.data());
   const auto derivative = [&](const typename F::State& at, typename F::State& dx, double) {
     ++answer.rhs;
     field(at.data(), dx.data());
   };
-  const double end = overtime * one.end;
+  const double end = F::overtime * one.end;
   double time = 0, step = first_step;
   for (Index tries = 0; end - time > epsilon * end; ++tries) {
     if (tries == most_steps || step < epsilon * time) throw Error("the step has shrunk to nothing");
     step = std::min(step, end - time);
     answer.steps += stepper.try_step(derivative, x, time, step) == odeint::success;
   }
-  F::finish(x.data(), answer);
+  field.finish(x.data(), answer);
 }
 
 /// Steppers are copied into their controllers with work arrays and all; those of a static one are zeros.
@@ -41,38 +44,55 @@ const Stepper& blank() {
   return stepper;
 }
 
-template <class F>
-class Fehlberg {
+template <class F, class Stepper>
+class Controlled {
  public:
-  explicit Fehlberg(double tolerance)
-      : stepper_(odeint::default_error_checker<double, odeint::array_algebra, odeint::default_operations>(
-                     tolerance, tolerance),
+  explicit Controlled(const Setting& setting)
+      : setting_(setting),
+        stepper_(odeint::default_error_checker<double, odeint::array_algebra, odeint::default_operations>(
+                     setting.value, setting.value),
                  odeint::default_step_adjuster<double, double>(longest_step), blank<Stepper>()) {}
-  void solve(const Case& one, Answer& answer) { integrate<F>(stepper_, one, answer); }
+  void solve(const Case& one, Answer& answer) {
+    if constexpr (requires { stepper_.reset(); }) stepper_.reset();  // forget the last slope
+    integrate<F>(stepper_, one, setting_, answer);
+  }
 
  private:
-  using Stepper = odeint::runge_kutta_fehlberg78<typename F::State>;
+  Setting setting_;
   odeint::controlled_runge_kutta<Stepper> stepper_;
+};
+
+template <class F>
+struct Fehlberg : Controlled<F, odeint::runge_kutta_fehlberg78<typename F::State>> {
+  using Controlled<F, odeint::runge_kutta_fehlberg78<typename F::State>>::Controlled;
+};
+template <class F>
+struct DormandPrince : Controlled<F, odeint::runge_kutta_dopri5<typename F::State>> {
+  using Controlled<F, odeint::runge_kutta_dopri5<typename F::State>>::Controlled;
 };
 
 template <class F>
 class BulirschStoer {
  public:
-  explicit BulirschStoer(double tolerance) : stepper_(tolerance, tolerance, 1, 1, longest_step) {}
+  explicit BulirschStoer(const Setting& setting)
+      : setting_(setting), stepper_(setting.value, setting.value, 1, 1, longest_step) {}
   void solve(const Case& one, Answer& answer) {
     stepper_.reset();
-    integrate<F>(stepper_, one, answer);
+    integrate<F>(stepper_, one, setting_, answer);
   }
 
  private:
+  Setting setting_;
   odeint::bulirsch_stoer<typename F::State> stepper_;
 };
 
 }  // namespace
 
 std::vector<Method> odeint_rivals() {
-  return {{.name = "odeint-rkf78", .family = Family::odeint, .prepare = rival<Fehlberg>},
-          {.name = "odeint-bulirsch-stoer", .family = Family::odeint, .prepare = rival<BulirschStoer>}};
+  auto list = rivals<Fehlberg>("odeint-rkf78", Family::odeint, chain_rival<Fehlberg>);
+  append(list, rivals<DormandPrince>("odeint-dopri5", Family::odeint));
+  append(list, rivals<BulirschStoer>("odeint-bulirsch-stoer", Family::odeint, chain_rival<BulirschStoer>));
+  return list;
 }
 
 }  // namespace mariotte::work_precision

@@ -86,7 +86,8 @@ BOOST_AUTO_TEST_CASE(slip_and_stick_happen_when_they_should) {
 }
 
 // One of these sticks and breaks loose twice. CVODE and the series agree to 1e-9 there, see tests/flow, and
-// its reference times are off theirs by 3e-8; how its methods start a slip from rest is suspected, not proven.
+// its reference times are off theirs by 3e-8; how its methods start a slip from rest is suspected, not
+// proven.
 BOOST_AUTO_TEST_CASE(bodies_that_move_in_all_directions) {
   check("spatial.json", /*timing=*/5e-8);
 }

@@ -3,6 +3,7 @@
 
 #include "reference.hpp"
 #include "support/reference.hpp"
+#include "support/reference_bodies.hpp"
 
 using namespace mariotte;
 using namespace mariotte::work_precision;
@@ -20,12 +21,6 @@ long double sum(const std::vector<long double>& values, int power) {
   long double total = 0;
   for (const auto value : values) total += power == 1 ? value : value * value;
   return total;
-}
-
-std::vector<long double> numbers(const Fields& row, std::size_t from) {
-  std::vector<long double> values;
-  for (std::size_t i = from; i < row.size(); ++i) values.push_back(number(row[i]));
-  return values;
 }
 
 void check_conservation(const std::vector<long double>& before, const std::vector<long double>& after) {
@@ -72,4 +67,29 @@ BOOST_AUTO_TEST_CASE(impacts_are_those_of_the_reference_chains) {
   for (const auto& c : test::cases("viscoelastic.json"))
     if (c.contains("final") && c.at("exponent") == 1.5 && c.at("damping") == 0.1)
       BOOST_TEST(test::difference(named("V-0.1"), c.at("final")) <= epsilon);
+}
+
+// name, shape, radius, length ratio, two dampings, friction, angles, velocity, spin, end, final velocity and
+// spin
+BOOST_AUTO_TEST_CASE(bodies_are_those_of_the_reference_cases) {
+  const auto same = [](const Fields& row, const nlohmann::json& c) {
+    test::Numbers stated = {c.at("radius"), c.value("length_ratio", 0.0), c.at("damping_hertz"),
+                            c.at("damping_adhesion"), c.at("friction")};
+    for (const char* part : {"angles", "velocity", "spin"})
+      for (const double x : c.value(part, test::Numbers(3, 0.0))) stated.push_back(x);
+    const auto end = c.value("final", test::Numbers(14, 0.0));
+    stated.insert(stated.end(), {end[0], end[4], end[5], end[6], end[11], end[12], end[13]});
+    const auto found = numbers(row, 2);
+    return row[1] == c.at("shape") && c.value("lever", "") == "" &&
+           std::equal(found.begin(), found.end(), stated.begin(), stated.end(),
+                      [](long double a, double b) { return static_cast<double>(a) == b; });
+  };
+  const auto bodies = table("bodies.csv");
+  BOOST_TEST(bodies.size() == 4);
+  for (const auto& row : bodies) {
+    bool found = false;
+    for (const char* file : {"sphere_normal.json", "rod_events.json", "spatial.json"})
+      for (const auto& c : test::body_cases(file)) found = found || same(row, c);
+    BOOST_TEST(found, row[0]);
+  }
 }
