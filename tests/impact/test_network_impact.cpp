@@ -5,6 +5,7 @@
 #include "mariotte/core/error.hpp"
 #include "mariotte/impact/multiple_impact_law.hpp"
 #include "mariotte/impact/network_impact.hpp"
+#include "mariotte/impact/network_ledger.hpp"
 #include "support/networks.hpp"
 #include "support/random_chains.hpp"
 #include "support/random_configurations.hpp"
@@ -16,12 +17,6 @@ using test::difference;
 using test::Numbers;
 
 namespace {
-
-Numbers impulses(const NetworkImpact& impact) {
-  Numbers p;
-  for (const auto& contact : impact.contacts) p.push_back(contact.impulse);
-  return p;
-}
 
 void check_ledgers(const NetworkImpact& impact, double allowed) {
   BOOST_TEST((impact.ending == hybrid::Ending::separated), impact.message);
@@ -66,7 +61,7 @@ BOOST_AUTO_TEST_CASE(chains_written_as_networks_agree_with_the_chain_model) {
     BOOST_TEST_CONTEXT("chain " << i) {
       BOOST_TEST((as_network.ending == hybrid::Ending::separated), as_network.message);
       BOOST_TEST(difference(as_network.velocity, as_chain.velocity) < 1e-12);
-      BOOST_TEST(difference(impulses(as_network), test::impulses(as_chain)) < 1e-11);
+      BOOST_TEST(difference(impulses_of(as_network), test::impulses(as_chain)) < 1e-11);
       for (std::size_t j = 0; j < chain.law.size(); ++j)
         BOOST_TEST(as_network.contacts[j].periods.size() == as_chain.contacts[j].periods.size());
     }
@@ -205,7 +200,7 @@ BOOST_AUTO_TEST_CASE(other_coordinates_give_the_same_impact) {
   for (Index i = 0; i < n; ++i)
     for (Index j = 0; j <= i; ++j) back[i] += t(i, j) * b.velocity[j];
   BOOST_TEST(difference(a.velocity, back) < 1e-9);
-  BOOST_TEST(difference(impulses(a), impulses(b)) < 1e-9);
+  BOOST_TEST(difference(impulses_of(a), impulses_of(b)) < 1e-9);
 }
 
 BOOST_AUTO_TEST_CASE(random_networks_keep_energy_and_momentum) {
@@ -235,7 +230,7 @@ BOOST_AUTO_TEST_CASE(simulated_networks_come_back_through_the_law) {
   const auto network = test::rack(4, 0);
   const auto run = simulate(network);
   const auto before = configuration_of(network);
-  auto parameters = parameters_of(before, impulses(run), run.velocity);
+  auto parameters = parameters_of(before, impulses_of(run), run.velocity);
   parameters.slow = 1e-9;
   const auto outcome = multiple_impact(before, parameters);
   BOOST_TEST((outcome.status == LawStatus::admissible), reason(outcome));

@@ -1,37 +1,16 @@
 #define BOOST_TEST_MODULE report_files
-#include <stdlib.h>
 #include <unistd.h>
 
 #include <boost/test/unit_test.hpp>
 #include <fstream>
-#include <iterator>
 
 #include "mariotte/report/files.hpp"
+#include "support/folder.hpp"
 
 namespace report = mariotte::report;
 namespace fs = std::filesystem;
-
-namespace {
-
-// A folder of its own, gone after the test.
-struct Folder {
-  fs::path path;
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "mariotte-XXXXXX").string();
-    path = ::mkdtemp(name.data());
-  }
-  ~Folder() { fs::remove_all(path); }
-  std::ptrdiff_t entries() const {
-    return std::distance(fs::directory_iterator(path), fs::directory_iterator());
-  }
-};
-
-std::string content(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-}  // namespace
+using mariotte::test::content;
+using mariotte::test::Folder;
 
 BOOST_FIXTURE_TEST_CASE(a_written_file_holds_the_text_and_leaves_nothing_beside_it, Folder) {
   const std::string text(3000000, 'x');

@@ -1,16 +1,14 @@
 #define BOOST_TEST_MODULE report_trace_file
 #include <signal.h>
-#include <stdlib.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
-#include <fstream>
-#include <iterator>
 
 #include "mariotte/report/files.hpp"
 #include "mariotte/report/trace_file.hpp"
+#include "support/folder.hpp"
 #ifdef MARIOTTE_HDF5
 #include <H5Cpp.h>
 #endif
@@ -18,6 +16,8 @@
 namespace report = mariotte::report;
 namespace fs = std::filesystem;
 using mariotte::Index;
+using mariotte::test::content;
+using mariotte::test::Folder;
 
 namespace {
 
@@ -30,14 +30,7 @@ mariotte::impact::Sample sample(int i) {
       .time = t, .velocity = {t, t + 0.1, t + 0.2}, .gap = {t + 0.3, t + 0.4}, .force = {t + 0.5, t + 0.6}};
 }
 
-struct Folder {
-  fs::path path;
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "mariotte-XXXXXX").string();
-    path = ::mkdtemp(name.data());
-  }
-  ~Folder() { fs::remove_all(path); }
-
+struct Killed : Folder {
   /// Rows into a file, in a process that is killed before it has committed it; what it leaves.
   fs::path killed(const std::string& name, int rows) const {
     const pid_t child = ::fork();
@@ -52,14 +45,9 @@ struct Folder {
   }
 };
 
-std::string content(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 }  // namespace
 
-BOOST_FIXTURE_TEST_CASE(rows_of_csv_are_there_as_soon_as_they_are_added, Folder) {
+BOOST_FIXTURE_TEST_CASE(rows_of_csv_are_there_as_soon_as_they_are_added, Killed) {
   const auto text = content(killed("wave.csv", 1000));
   BOOST_TEST(
       text.starts_with("time [s],v1 [m/s],v5 [m/s],v10 [m/s],gap3 [m],gap8 [m],force3 [N],force8 [N]\n0,"));
@@ -104,7 +92,7 @@ BOOST_FIXTURE_TEST_CASE(hdf5_holds_the_tables_their_units_and_what_columns_are, 
   const auto trace = report::new_trace_file(path / "wave.h5", balls, contacts);
   for (int i = 0; i < static_cast<int>(rows); ++i) trace->add(sample(i));
   trace->commit();
-  BOOST_TEST(std::distance(fs::directory_iterator(path), fs::directory_iterator()) == 1);
+  BOOST_TEST(entries() == 1);
 
   const H5::H5File file((path / "wave.h5").string(), H5F_ACC_RDONLY);
   BOOST_TEST(numbers(file, "ball", {3}) == (std::vector<double>{1, 5, 10}), boost::test_tools::per_element());
@@ -124,7 +112,7 @@ BOOST_FIXTURE_TEST_CASE(hdf5_holds_the_tables_their_units_and_what_columns_are, 
   BOOST_TEST(unit(file, "force") == "N");
 }
 
-BOOST_FIXTURE_TEST_CASE(a_killed_run_leaves_hdf5_that_can_be_read, Folder) {
+BOOST_FIXTURE_TEST_CASE(a_killed_run_leaves_hdf5_that_can_be_read, Killed) {
   const H5::H5File file(killed("wave.h5", 100000).string(),
                         H5F_ACC_RDONLY);  // 262144 values are flushed at once
   const hsize_t rows = 262144 / 3 + 1;

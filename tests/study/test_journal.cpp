@@ -1,13 +1,11 @@
 #define BOOST_TEST_MODULE study_journal
-#include <stdlib.h>
-
 #include <boost/test/unit_test.hpp>
 #include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "mariotte/study/crc32.hpp"
 #include "mariotte/study/journal.hpp"
+#include "support/folder.hpp"
 
 using namespace mariotte;
 using study::Journal;
@@ -16,19 +14,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Folder {
-  fs::path path;
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "mariotte-XXXXXX").string();
-    path = ::mkdtemp(name.data());
-  }
-  ~Folder() { fs::remove_all(path); }
+struct Folder : test::Folder {
   fs::path file() const { return path / "journal.jsonl"; }
-
-  std::string content() const {
-    std::ifstream stream(file(), std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-  }
+  std::string content() const { return test::content(file()); }
   void replace(const std::string& text) const { std::ofstream(file(), std::ios::binary) << text; }
 };
 
