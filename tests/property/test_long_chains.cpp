@@ -1,8 +1,7 @@
 #define BOOST_TEST_MODULE long chains
 #include <boost/test/unit_test.hpp>
-#include <random>
 
-#include "support/reference.hpp"
+#include "support/long_chains.hpp"
 
 using namespace mariotte;
 using namespace mariotte::test;
@@ -24,18 +23,6 @@ void check_ends(const Numbers& velocity, double allowed) {
   BOOST_TEST(std::abs(velocity[1] - second_velocity) < allowed);
   BOOST_TEST(std::abs(velocity[n - 2] - last_but_one_velocity) < allowed);
   BOOST_TEST(std::abs(velocity[n - 1] - last_velocity) < allowed);
-}
-
-/// Masses over two decades, gaps on half of the contacts, struck from the left.
-model::Chain random_long_chain(std::size_t balls) {
-  std::mt19937_64 random(7);
-  const auto uniform = [&](double low, double high) {
-    return std::uniform_real_distribution(low, high)(random);
-  };
-  auto chain = equal_chain(balls);
-  for (double& m : chain.mass) m = std::pow(10.0, uniform(-1, 1));
-  for (double& gap : chain.gap) gap = uniform(0, 1) < 0.5 ? 0 : uniform(0, 2);
-  return chain;
 }
 
 }  // namespace
