@@ -1,18 +1,11 @@
 #include "progress_line.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
-
-#include <cstdio>
-
-#include "command_line/terminal.hpp"
 
 namespace mariotte::command {
 namespace {
 
 constexpr int bar_width = 30;
-constexpr auto bar_interval = std::chrono::milliseconds(200);
-constexpr auto line_interval = std::chrono::seconds(10);
 
 std::string clock_text(double seconds) {
   const auto whole = static_cast<long long>(seconds + 0.5);
@@ -37,22 +30,9 @@ std::string progress_text(Index done, Index points, double seconds, int width) {
   return text;
 }
 
-ProgressLine::ProgressLine(Index points, bool quiet)
-    : points_(points), quiet_(quiet), terminal_(::isatty(STDERR_FILENO) == 1) {}
-
-ProgressLine::~ProgressLine() {
-  if (drawn_) std::fputs("\r\033[K", stderr);
-}
-
 void ProgressLine::show(Index done) {
-  const auto now = Clock::now();
-  if (quiet_ || (terminal_ ? now - shown_ < bar_interval : now - shown_ < line_interval)) return;
-  shown_ = now;
-  const double seconds = std::chrono::duration<double>(now - start_).count();
-  if (!terminal_) return note(progress_text(done, points_, seconds, 0));
-  drawn_ = true;
-  std::fprintf(stderr, "\r\033[K%s", progress_text(done, points_, seconds, bar_width).c_str());
-  std::fflush(stderr);
+  if (quiet_ || !line_.is_due()) return;
+  line_.show(progress_text(done, points_, line_.seconds(), line_.on_terminal() ? bar_width : 0));
 }
 
 }  // namespace mariotte::command

@@ -1,9 +1,9 @@
 // How far a sweep is, for who waits: a bar on a terminal, else a line every ten seconds.
 #pragma once
-#include <chrono>
 #include <string>
 
 #include "mariotte/core/types.hpp"
+#include "status_line.hpp"
 
 namespace mariotte::command {
 
@@ -13,21 +13,13 @@ std::string progress_text(Index done, Index points, double seconds, int bar_widt
 class ProgressLine {
  public:
   /// `points` are still to do. A quiet one says nothing.
-  ProgressLine(Index points, bool quiet);
-  ~ProgressLine();  ///< wipes the bar
-  ProgressLine(const ProgressLine&) = delete;
-  ProgressLine& operator=(const ProgressLine&) = delete;
-
+  ProgressLine(Index points, bool quiet) : points_(points), quiet_(quiet) {}
   void show(Index done);
 
  private:
-  using Clock = std::chrono::steady_clock;
   Index points_;
   bool quiet_;
-  bool terminal_;
-  bool drawn_ = false;
-  Clock::time_point start_ = Clock::now();
-  Clock::time_point shown_ = start_;
+  StatusLine line_;
 };
 
 }  // namespace mariotte::command
