@@ -12,7 +12,7 @@ using namespace mariotte::test;
 BOOST_AUTO_TEST_CASE(a_random_chain_of_ten_thousand_comes_to_its_end) {
   const auto chain = random_long_chain(10000);
   impact::ChainSolver solver;
-  const auto& impact = solver.solve(chain, {.accuracy = 1e-8, .max_events = 1'000'000'000});
+  const auto& impact = solver.solve(chain, {.accuracy = 1e-10, .max_events = 1'000'000'000});
   BOOST_TEST((impact.ending == hybrid::Ending::separated), impact.message);
 
   double momentum = 0, energy = 0;
