@@ -7,7 +7,8 @@
 #include "command_line/terminal.hpp"
 #include "mariotte/impact/capture_velocity.hpp"
 #include "mariotte/report/json.hpp"
-#include "mariotte/report/number.hpp"
+#include "mariotte/scene/document.hpp"
+#include "mariotte/scene/key_path.hpp"
 #include "scene_choice.hpp"
 
 namespace mariotte::command {
@@ -22,10 +23,9 @@ struct Capture {
 constexpr const char* speed_key = "incidence.normal_speed";
 
 /// The scene's body at another speed; ζ's are read again, since the damping they stand for depends on it.
-model::Microbody at_speed(const Capture& options, double speed) {
-  auto set = options.scene.set;
-  set.push_back(fmt::format("{}={}", speed_key, report::exact(speed)));
-  return *scene::read(options.scene.path, set).body;
+model::Microbody at_speed(scene::Document& document, double speed) {
+  locate(document.source, document.tree, speed_key, {}).value = speed;
+  return *resolve(document).body;
 }
 
 std::string table(const impact::CaptureVelocity& found, const scene::Scene& scene) {
@@ -48,7 +48,8 @@ int capture(const Capture& options) {
   const auto scene = read(options.scene);
   if (!scene.body)
     throw scene::SceneError(options.scene.path + ": only a [body] can be captured", fault::no_model);
-  const auto found = impact::capture_velocity([&](double speed) { return at_speed(options, speed); },
+  auto document = scene::open(options.scene.path, options.scene.set);
+  const auto found = impact::capture_velocity([&](double speed) { return at_speed(document, speed); },
                                               -scene.body->velocity.e1, options.tolerance, scene.run);
   if (!found) {
     error("no capture velocity within a factor of a million of the scene's speed", fault::no_capture);
