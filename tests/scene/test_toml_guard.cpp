@@ -44,6 +44,8 @@ BOOST_AUTO_TEST_CASE(what_trips_the_parser_is_rejected_where_it_stands) {
   BOOST_TEST(verdict("a = 22e30A8['\u00b7'") == "f:1:12: unexpected bracket");
   BOOST_TEST(verdict("a = 0=='\u00b7'") == "f:1:6: unexpected '='");
   BOOST_TEST(verdict("a = [1t='\u00b7'") == "f:1:8: unexpected '='");
+  BOOST_TEST(verdict("a = [1979-06-68 1,\"=[\u00b7\"]") ==
+             "f:1:17: unexpected digit after a number and a blank");
   BOOST_TEST(verdict("a = 1{'\u00b7'") == "f:1:6: unexpected bracket");
   BOOST_TEST(verdict("a = \"\"\"\\\n \u00b5\"\"\"") == "f:2:2: only ASCII characters may follow a backslash");
 }

@@ -34,6 +34,10 @@ bool is_control(char32_t code) {
   return (code < 0x20 && code != '\t' && code != '\n') || code == 0x7f;
 }
 
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
 bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\n' || c == '\r';
 }
@@ -60,6 +64,7 @@ class Guard {
     const auto [code, size] = decode(rest_);
     if (size == 0) reject(source_, place_, fault::not_toml, "not valid UTF-8");
     if (is_control(code)) reject(source_, place_, fault::not_toml, "control characters are not allowed");
+    last_but_one_ = last_;
     last_ = rest_.front();
     rest_.remove_prefix(size);
     place_ = code == '\n' ? Place{place_.line + 1, 1} : Place{place_.line, place_.column + 1};
@@ -113,11 +118,18 @@ class Guard {
     for (int extra = 0; multiline && extra < 2 && rest_.starts_with(quote); ++extra) advance();
   }
 
+  /// toml++ may read on past the end of a date with a blank and an hour of one digit; a scene has no dates.
+  bool goes_on_after_blank() const {
+    return is_digit(last_but_one_) && last_ == ' ' && is_digit(rest_.front());
+  }
+
   void plain() {
     const char c = rest_.front();
     const Place here = place_;
+    if (goes_on_after_blank())
+      reject(source_, here, fault::not_toml, "unexpected digit after a number and a blank");
     if (c == '[' || c == '{') expect_start("bracket");
-    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || is_digit(c);
     const auto before = rest_;
     advance();
     if (!letter && std::string_view(" \t\r\n_-+.,:=[]{}").find(c) == std::string_view::npos)
@@ -135,7 +147,7 @@ class Guard {
 
   const Source& source_;
   std::string_view rest_;
-  char last_ = '\n';  ///< byte before the rest
+  char last_but_one_ = '\n', last_ = '\n';  ///< bytes before the rest
   Place place_;
   std::string open_;  ///< brackets, the innermost last
   std::size_t dots_ = 0;
