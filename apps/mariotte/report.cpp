@@ -4,7 +4,6 @@
 #include "command_line/exit_code.hpp"
 #include "command_line/terminal.hpp"
 #include "mariotte/report/files.hpp"
-#include "mariotte/scene/text_file.hpp"
 #include "report_page.hpp"
 
 namespace mariotte::command {
@@ -14,14 +13,6 @@ struct Report {
   std::string folder;
   bool force = false;
 };
-
-/// Of a folder that `run --out` has filled.
-report::Json read_result(const std::filesystem::path& folder) {
-  const auto path = folder / "result.json";
-  auto result = report::Json::parse(scene::read_text(path.string()), nullptr, false);
-  if (!result.is_object()) throw scene::FileError(path.string() + ": holds no result");
-  return result;
-}
 
 int report(const Report& options) {
   const auto result = read_result(options.folder);
@@ -34,17 +25,19 @@ int report(const Report& options) {
 constexpr const char* examples = R"(Examples:
   mariotte run cradle.toml --out results && mariotte report results
   mariotte run cradle.toml --out results --report
+  mariotte sweep map.toml --out map && mariotte report map
 
-Writes report.html: outcome and checks, figures, tables, provenance, the command that repeats the run, and what
-to cite, all in one file.
+Writes report.html: outcome and checks, figures, tables, provenance, the command that repeats it, and what to
+cite, all in one file.
 )";
 
 }  // namespace
 
 void add_report(CLI::App& app, int& code) {
-  auto* command = app.add_subcommand("report", "Make one page of the files of a run");
+  auto* command = app.add_subcommand("report", "Make one page of the files of a run or a sweep");
   auto options = std::make_shared<Report>();
-  command->add_option("DIR", options->folder, "Folder that `run --out` has filled")->required();
+  command->add_option("DIR", options->folder, "Folder that `run --out` or `sweep --out` has filled")
+      ->required();
   command->add_flag("--force", options->force, "Overwrite an earlier page");
   command->footer(examples);
   command->callback([options, &code] { code = report(*options); });

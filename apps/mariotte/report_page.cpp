@@ -1,13 +1,21 @@
 #include "report_page.hpp"
 
 #include <algorithm>
+#include <fstream>
 
 #include "mariotte/report/files.hpp"
 #include "mariotte/report/html.hpp"
+#include "mariotte/report/sweep_json.hpp"
 #include "mariotte/scene/text_file.hpp"
 
 namespace mariotte::command {
 namespace {
+
+report::Json read_object(const std::filesystem::path& path) {
+  auto object = report::Json::parse(scene::read_text(path.string()), nullptr, false);
+  if (!object.is_object()) throw scene::FileError(path.string() + ": holds no result");
+  return object;
+}
 
 std::vector<report::Picture> pictures(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> paths;
@@ -20,6 +28,15 @@ std::vector<report::Picture> pictures(const std::filesystem::path& folder) {
 }
 
 }  // namespace
+
+report::Json read_result(const std::filesystem::path& folder) {
+  if (!std::filesystem::exists(folder / "sweep.json")) return read_object(folder / "result.json");
+  auto result = read_object(folder / "sweep.json");
+  std::ifstream csv(folder / "sweep.csv");
+  if (!csv) throw scene::FileError((folder / "sweep.csv").string() + ": cannot be read");
+  result.update(report::summary(csv));
+  return result;
+}
 
 void write_report_page(const std::filesystem::path& folder, const report::Json& result) {
   report::write_file(folder / report_page, report::html(result, pictures(folder)));

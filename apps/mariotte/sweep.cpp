@@ -17,10 +17,12 @@
 #include "mariotte/report/json.hpp"
 #include "mariotte/report/provenance.hpp"
 #include "mariotte/report/sweep_csv.hpp"
+#include "mariotte/report/sweep_json.hpp"
 #include "mariotte/scene/sha256.hpp"
 #include "mariotte/study/sweep_reader.hpp"
 #include "progress_line.hpp"
 #include "ranks.hpp"
+#include "report_page.hpp"
 #include "scene_choice.hpp"
 #include "sweep_folder.hpp"
 
@@ -34,6 +36,8 @@ struct Options {
   std::vector<std::string> columns;
   std::string out;
   int threads = 0;
+  bool hdf5 = false;
+  bool report = false;
   bool no_figures = false;
   bool force = false;
   bool verbose = false;
@@ -112,11 +116,21 @@ int interrupted(const Options& options, const study::SweepPlan& plan, const stud
   return 128 + (interruption() != 0 ? interruption() : SIGTERM);  // or another rank was told to stop
 }
 
+/// The sweep as a whole, and what it takes to repeat it.
+report::Json description(const Options& options, const study::SweepPlan& plan,
+                         const study::Journal& journal) {
+  auto what = report::json(plan, journal.failed());
+  what["provenance"]["scene"] = options.scene.path;
+  what["provenance"]["overrides"] = options.scene.set;
+  return what;
+}
+
 int finish(const Options& options, const study::SweepPlan& plan, study::Journal& journal) {
-  write_sweep(options.out, plan, journal);
+  write_sweep(options.out, plan, description(options, plan, journal), journal, options.hdf5);
   if (!options.no_figures)
     if (const auto shortfall = draw_sweep(options.out, plan); !shortfall.empty() && !options.scene.quiet)
       warning(shortfall);
+  if (options.report) write_report_page(options.out, read_result(options.out));
   const Index points = plan.design.points(), failed = journal.failed();
   print(fmt::format("{} points, {} without a result: {}\n", points, failed,
                     (std::filesystem::path(options.out) / "sweep.csv").string()));
@@ -139,6 +153,7 @@ int sweep(const Options& options, Ranks& ranks) {
   open(ranks, [&] {
     plan = read(options, ranks);
     if (ranks.first()) prepare_sweep_folder(options.out, options.force);
+    if (ranks.first() && options.hdf5) check_hdf5(options.out, plan);
     journal.emplace(options.out, identity(plan), plan.design.points(), ranks.rank(), patience);
   });
   if (ranks.first() && !options.scene.quiet) tell_resumed(plan, *journal);
@@ -170,8 +185,9 @@ constexpr const char* examples = R"(Examples:
   mariotte sweep map.toml --out results --threads 1 --set run.accuracy=1e-6 -v
 
 The scene says by [[sweep]] tables what is varied. Stopped or killed, the same command goes on where it was.
-With --out DIR: sweep.csv, one row per point, journal.jsonl, and by gnuplot figures as png and svg with
-their data and script, plot.csv and plot.gp.
+With --out DIR: sweep.csv, one row per point, sweep.json, what was varied, journal.jsonl, and by gnuplot
+figures as png and svg with their data and script, plot.csv and plot.gp. With --hdf5 also sweep.h5, the columns
+as datasets, and with --report also report.html, all but the rows in one page.
 )";
 
 void add_options(CLI::App& command, Options& options) {
@@ -186,6 +202,8 @@ void add_options(CLI::App& command, Options& options) {
   command.add_option("--threads", options.threads, "How many points at once (default: one per core allowed)")
       ->check(CLI::Range(1, 4096));
   add_run_options(command, options.scene);
+  command.add_flag("--hdf5", options.hdf5, "Write the rows as HDF5, too");
+  command.add_flag("--report", options.report, "Make one page of the result files");
   command.add_flag("--no-figures", options.no_figures, "Write the data, draw nothing");
   command.add_flag("--force", options.force, "Start anew, whatever the folder holds of an earlier sweep");
   command.add_flag("-v,--verbose", options.verbose, "Tell what a point costs")->excludes("--quiet");

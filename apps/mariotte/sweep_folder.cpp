@@ -2,15 +2,22 @@
 
 #include <fmt/format.h>
 
+#include <memory>
+
 #include "mariotte/report/files.hpp"
 #include "mariotte/report/gnuplot.hpp"
 #include "mariotte/report/sweep_csv.hpp"
+#include "mariotte/report/sweep_file.hpp"
+#include "mariotte/report/sweep_json.hpp"
 #include "mariotte/report/sweep_plot.hpp"
+#include "report_page.hpp"
 
 namespace mariotte::command {
 namespace {
 
-const std::vector<std::string> names = {"sweep.csv", "plot.csv", "plot.gp"};
+constexpr const char* hdf5_name = "sweep.h5";
+const std::vector<std::string> names = {"sweep.csv", "sweep.json", hdf5_name,
+                                        "plot.csv",  "plot.gp",    report_page};
 
 /// Figures of another sweep must not be taken for those of this one.
 void remove_figures(const std::filesystem::path& folder) {
@@ -36,9 +43,16 @@ void prepare_sweep_folder(const std::filesystem::path& folder, bool force) {
   }
 }
 
-void write_sweep(const std::filesystem::path& folder, const study::SweepPlan& plan, study::Journal& journal) {
+void check_hdf5(const std::filesystem::path& folder, const study::SweepPlan& plan) {
+  report::new_hdf5_sweep(folder / hdf5_name, plan.design, plan.columns);
+}
+
+void write_sweep(const std::filesystem::path& folder, const study::SweepPlan& plan, const report::Json& what,
+                 study::Journal& journal, bool hdf5) {
   report::remove_unfinished(folder, names);
   report::remove_unfinished(folder, {"figures"});  // this process alone writes here: it holds the journal
+  std::unique_ptr<report::SweepFile> table;
+  if (hdf5) table = report::new_hdf5_sweep(folder / hdf5_name, plan.design, plan.columns);
   report::NewFile csv(folder / "sweep.csv"), drawn(folder / "plot.csv");
   csv.append(report::sweep_header(plan.design, plan.columns));
   drawn.append("# where a point stands in the figures, then its row of sweep.csv\n");
@@ -47,8 +61,11 @@ void write_sweep(const std::filesystem::path& folder, const study::SweepPlan& pl
     std::string text;
     report::append_drawn(plan.design, first, rows, text);
     drawn.append(text);
+    if (table) table->add(rows);
   });
   drawn.commit();
+  if (table) table->commit();
+  report::write_file(folder / "sweep.json", report::text(what));
   csv.commit();
 }
 

@@ -54,6 +54,19 @@ BOOST_FIXTURE_TEST_CASE(a_row_is_what_run_says_of_that_point, Session) {
   BOOST_TEST(cells[6] == "separated");
 }
 
+BOOST_FIXTURE_TEST_CASE(rows_are_written_as_hdf5_if_asked_for, Session) {
+  write("few.toml", few);
+  const auto sweep = mariotte("sweep few.toml --out out --column 'icr[0]' --hdf5");
+  if (has(sweep.err, "built without HDF5")) {
+    BOOST_TEST(sweep.code == 6);
+    return;
+  }
+  BOOST_TEST(sweep.code == 0);
+  BOOST_TEST(content(folder / "out/sweep.h5").starts_with("\x89HDF"));
+  BOOST_TEST(mariotte("sweep few.toml --out out --force").code == 0);
+  BOOST_TEST(!fs::exists(folder / "out/sweep.h5"));
+}
+
 BOOST_FIXTURE_TEST_CASE(a_body_is_swept_like_a_chain, Session) {
   const std::string body = R"([body]
 shape = "sphere"
@@ -96,7 +109,7 @@ BOOST_FIXTURE_TEST_CASE(a_sweep_is_drawn_unless_it_shall_not, Session) {
       BOOST_TEST(fs::file_size(folder / "out" / (std::string("sweep.") + name)) > 1000);
   const auto again = mariotte("sweep few.toml --out out --column 'icr[0]' --force --no-figures");
   BOOST_TEST(again.code == 0);
-  BOOST_TEST(entries("out") == 3);  // sweep.csv, plot.csv, the journal
+  BOOST_TEST(entries("out") == 4);  // sweep.csv, sweep.json, plot.csv, the journal
   const auto missing =
       shell("mkdir -p bin; ln -sf \"$mariotte\" bin/m; PATH=bin m sweep few.toml --out bare");
   BOOST_TEST(missing.code == 0);

@@ -77,6 +77,8 @@ BOOST_AUTO_TEST_CASE(a_star_stands_for_all_indices) {
                  (std::vector<std::string>{"final.velocity[0]", "final.velocity[1]", "final.velocity[2]",
                                            "energy.final", "icr[0]"}),
              boost::test_tools::per_element());
+  BOOST_TEST((study::expand_columns({"energy.final", "icr[*]", "energy.final", "icr[0]"}, result) ==
+              study::expand_columns({"energy.final", "icr[*]"}, result)));
   BOOST_TEST(study::expand_columns({"contacts[*].peak_force"}, result).back() == "contacts[1].peak_force");
 }
 

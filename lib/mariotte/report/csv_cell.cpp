@@ -15,6 +15,24 @@ std::string cell(std::string text) {
   return quoted + "\"";
 }
 
+void split(std::string_view line, std::vector<std::string>& cells) {
+  std::size_t count = 0, at = 0;
+  do {
+    if (cells.size() == count) cells.emplace_back();
+    auto& text = cells[count++];
+    text.clear();
+    bool quoted = false;
+    for (; at < line.size() && (quoted || line[at] != ','); ++at) {
+      if (line[at] != '"') text += line[at];
+      if (line[at] == '"' && quoted && line.substr(at + 1).starts_with('"'))
+        text += line[++at];
+      else if (line[at] == '"')
+        quoted = !quoted;
+    }
+  } while (at++ < line.size());
+  cells.resize(count);
+}
+
 void append_value(const scene::Node& node, std::string& text) {
   if (const auto* real = std::get_if<double>(&node.value))
     append_exact(*real, text);

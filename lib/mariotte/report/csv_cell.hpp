@@ -1,6 +1,8 @@
 // Cells of a CSV: RFC 4180, on one line whatever they hold.
 #pragma once
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "mariotte/scene/node.hpp"
 
@@ -8,6 +10,9 @@ namespace mariotte::report {
 
 /// Text, quoted where it has to be.
 std::string cell(std::string text);
+
+/// The cells of a line, back from what `cell` made of them, into `cells`, whose memory is reused.
+void split(std::string_view line, std::vector<std::string>& cells);
 
 /// Appends a value of a scene: 17 significant digits, or text; nothing for what is neither.
 void append_value(const scene::Node& node, std::string& text);

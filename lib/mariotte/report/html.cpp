@@ -29,7 +29,7 @@ pre { background: var(--soft); overflow-x: auto; padding: .75rem; }
 )";
 
 /// Parts of a result in the order of their interest; what is not among them comes after them.
-constexpr std::array<std::array<const char*, 2>, 13> sections{{{"warnings", "Warnings"},
+constexpr std::array<std::array<const char*, 2>, 17> sections{{{"warnings", "Warnings"},
                                                                {"final", "Final state"},
                                                                {"restitution", "Restitution"},
                                                                {"impacts", "Impacts"},
@@ -41,8 +41,13 @@ constexpr std::array<std::array<const char*, 2>, 13> sections{{{"warnings", "War
                                                                {"momentum", "Momentum [N s]"},
                                                                {"flows", "Flows"},
                                                                {"skipped", "Not needed"},
-                                                               {"accuracy", "Accuracy"}}};
-const std::set<std::string> elsewhere = {"ending", "title", "model", "message", "provenance"};
+                                                               {"accuracy", "Accuracy"},
+                                                               {"varied", "What is varied"},
+                                                               {"columns", "Columns"},
+                                                               {"endings", "Endings"},
+                                                               {"reasons", "Why points have no numbers"}}};
+const std::set<std::string> elsewhere = {"ending",     "title",  "model", "message",
+                                         "provenance", "points", "failed"};
 
 constexpr const char* citations = R"(@software{mariotte,
   title   = {mariotte: a solver for stiff, event-driven impacts},
@@ -78,7 +83,10 @@ std::string residual(const Json& ledger) {
 }
 
 std::string checks(const Json& result) {
-  std::string cards = card("ending", result.value("ending", "unknown"));
+  std::string cards;
+  for (const auto* count : {"points", "failed"})
+    if (result.contains(count)) cards += card(count, inline_text(result[count]));
+  if (result.contains("ending")) cards += card("ending", inline_text(result["ending"]));
   if (result.contains("final") && result["final"].contains("time"))
     cards += card("final time [s]", inline_text(result["final"]["time"]));
   if (result.contains("accuracy")) {
@@ -138,9 +146,13 @@ std::string shell_quoted(const std::string& text) {
 std::string repeating_command(const Json& result) {
   const auto provenance = result.value("provenance", Json::object());
   if (!provenance.contains("scene")) return "";
-  std::string command = "mariotte run " + shell_quoted(inline_text(provenance["scene"]));
+  const auto scene = shell_quoted(inline_text(provenance["scene"]));
+  const bool is_sweep = provenance.contains("columns");
+  auto command = is_sweep ? "mariotte sweep " + scene + " --out again" : "mariotte run " + scene;
   for (const auto& override : provenance.value("overrides", Json::array()))
     command += " --set " + shell_quoted(inline_text(override));
+  for (const auto& column : provenance.value("columns", Json::array()))
+    command += " --column " + shell_quoted(inline_text(column));
   return command;
 }
 

@@ -17,7 +17,7 @@ struct Picture {
 /// tables, the middle of a long one left out; at the end the command that repeats the run, and what to cite.
 std::string html(const Json& result, const std::vector<Picture>& pictures);
 
-/// The command that repeats a run, from its result; empty if the result does not know its scene.
+/// The command that repeats a run or a sweep, from its result; empty if the result does not know its scene.
 std::string repeating_command(const Json& result);
 
 }  // namespace mariotte::report

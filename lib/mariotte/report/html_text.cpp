@@ -112,9 +112,11 @@ std::string inline_text(const Json& value) {
   if (value.is_number_float()) return fmt::format("{:.8g}", value.get<double>());
   if (!value.is_array()) return value.dump(-1, ' ', false, Json::error_handler_t::replace);
   std::string text;
-  for (const auto& one : value)
+  for (std::size_t i = 0; i < std::min(value.size(), most_inline); ++i) {
+    const auto& one = value[i];
     text += (text.empty() ? "" : ", ") + (one.is_array() ? "[" + inline_text(one) + "]" : inline_text(one));
-  return text;
+  }
+  return value.size() > most_inline ? fmt::format("{}, … ({} in all)", text, value.size()) : text;
 }
 
 std::string table(const Json& value) {

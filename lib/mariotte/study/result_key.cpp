@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <limits>
+#include <set>
 
 #include "mariotte/core/nearest.hpp"
 
@@ -103,6 +104,8 @@ double number(const Json& result, const ResultKey& key) {
 std::vector<std::string> expand_columns(const std::vector<std::string>& keys, const Json& example) {
   std::vector<std::string> expanded;
   for (const auto& key : keys.empty() ? default_keys(example) : keys) expand(key, example, expanded);
+  std::set<std::string> known;
+  std::erase_if(expanded, [&](const auto& key) { return !known.insert(key).second; });
   return expanded;
 }
 

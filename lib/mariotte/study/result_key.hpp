@@ -29,9 +29,9 @@ ResultKey result_key(const std::string& key);
 /// What the key leads to; nan if this result has nothing there, or nothing that is a number.
 double number(const Json& result, const ResultKey& key);
 
-/// The keys with `[*]` written out for a result like this one: "icr[*]" as "icr[0]", "icr[1]", …; without any
-/// keys, those that say most about it. Throws ColumnError for a key that leads to no number in it, unless
-/// only an index is beyond the end of its array.
+/// The keys with `[*]` written out for a result like this one, each once: "icr[*]" as "icr[0]", "icr[1]", …;
+/// without any keys, those that say most about it. Throws ColumnError for a key that leads to no number in
+/// it, unless only an index is beyond the end of its array.
 std::vector<std::string> expand_columns(const std::vector<std::string>& keys, const Json& example);
 
 }  // namespace mariotte::study

@@ -1,0 +1,52 @@
+#include "mariotte/report/hdf5/rows.hpp"
+
+#include <algorithm>
+
+#include "mariotte/report/files.hpp"
+
+namespace mariotte::report::hdf5 {
+namespace {
+
+constexpr hsize_t values_per_chunk = 8192;  // 64 KiB of numbers
+
+}  // namespace
+
+Rows::Rows(const H5::H5File& file, const std::string& name, const H5::DataType& type, const Extent& row)
+    : extent_{0} {
+  for (const hsize_t columns : row) extent_.push_back(columns), width_ *= columns;
+  Extent most = extent_, chunk = extent_;
+  most[0] = H5S_UNLIMITED;
+  chunk[0] = std::max<hsize_t>(1, values_per_chunk / width_);
+  const int rank = static_cast<int>(extent_.size());
+  H5::DSetCreatPropList layout;
+  layout.setChunk(rank, chunk.data());
+  if (type.getClass() == H5T_STRING && H5Zfilter_avail(H5Z_FILTER_DEFLATE)) layout.setDeflate(1);
+  dataset_ = file.createDataSet(name, type, H5::DataSpace(rank, extent_.data(), most.data()), layout);
+}
+
+void Rows::append(const void* values, hsize_t rows, const H5::DataType& type) {
+  if (rows == 0) return;
+  Extent start(extent_.size(), 0), count = extent_;
+  start[0] = extent_[0];
+  count[0] = rows;
+  extent_[0] += rows;
+  dataset_.extend(extent_.data());
+  auto there = dataset_.getSpace();
+  there.selectHyperslab(H5S_SELECT_SET, count.data(), start.data());
+  dataset_.write(values, type, H5::DataSpace(static_cast<int>(count.size()), count.data()), there);
+}
+
+void Rows::name_unit(const std::string& unit) const {
+  const H5::StrType text(H5::PredType::C_S1, unit.size() + 1);
+  dataset_.createAttribute("unit", text, H5::DataSpace()).write(text, unit);
+}
+
+void guarded(const std::filesystem::path& path, const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const H5::Exception& problem) {
+    throw FileError("cannot write " + path.string() + ": HDF5: " + problem.getDetailMsg());
+  }
+}
+
+}  // namespace mariotte::report::hdf5

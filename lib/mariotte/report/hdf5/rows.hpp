@@ -1,0 +1,36 @@
+// Datasets of an HDF5 file whose rows grow at the end.
+#pragma once
+#include <H5Cpp.h>
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace mariotte::report::hdf5 {
+
+using Extent = std::vector<hsize_t>;
+
+class Rows {
+ public:
+  /// A dataset without rows; each will have the shape `row`, none for a single value.
+  Rows(const H5::H5File& file, const std::string& name, const H5::DataType& type, const Extent& row = {});
+
+  /// Values of a row.
+  hsize_t width() const { return width_; }
+
+  /// `values` are those of so many rows, one row after the other.
+  void append(const void* values, hsize_t rows, const H5::DataType& type);
+
+  void name_unit(const std::string& unit) const;
+
+ private:
+  Extent extent_;
+  hsize_t width_ = 1;
+  H5::DataSet dataset_;
+};
+
+/// What HDF5 complains of in `action` is thrown as FileError of the file.
+void guarded(const std::filesystem::path& path, const std::function<void()>& action);
+
+}  // namespace mariotte::report::hdf5

@@ -1,0 +1,165 @@
+#include <unistd.h>
+
+#include <charconv>
+#include <limits>
+
+#include "mariotte/report/csv_cell.hpp"
+#include "mariotte/report/files.hpp"
+#include "mariotte/report/hdf5/rows.hpp"
+#include "mariotte/report/sweep_file.hpp"
+
+namespace mariotte::report {
+namespace {
+
+constexpr Index most_pending = 65536;  // rows
+
+double number(const std::string& cell) {
+  double value = std::numeric_limits<double>::quiet_NaN();
+  std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  return value;
+}
+
+H5::StrType utf8_text() {
+  H5::StrType type(H5::PredType::C_S1, H5T_VARIABLE);
+  type.setCset(H5T_CSET_UTF8);
+  return type;
+}
+
+/// Cells that wait to be written.
+class Column {
+ public:
+  virtual ~Column() = default;
+  virtual void add(const std::string& cell) = 0;
+  virtual void write() = 0;
+};
+
+class NumberColumn final : public Column {
+ public:
+  NumberColumn(const H5::H5File& file, const std::string& name)
+      : rows_(file, name, H5::PredType::IEEE_F64LE) {}
+  void add(const std::string& cell) override { pending_.push_back(number(cell)); }
+  void write() override {
+    rows_.append(pending_.data(), pending_.size(), H5::PredType::NATIVE_DOUBLE);
+    pending_.clear();
+  }
+
+ private:
+  hdf5::Rows rows_;
+  std::vector<double> pending_;
+};
+
+/// Text of any length; that of an empty cell takes no place.
+class TextColumn final : public Column {
+ public:
+  TextColumn(const H5::H5File& file, const std::string& name)
+      : type_(utf8_text()), rows_(file, name, type_) {}
+  void add(const std::string& cell) override { pending_.push_back(cell); }
+  void write() override {
+    std::vector<const char*> starts;
+    for (const auto& one : pending_) starts.push_back(one.empty() ? nullptr : one.c_str());
+    rows_.append(starts.data(), starts.size(), type_);
+    pending_.clear();
+  }
+
+ private:
+  H5::StrType type_;
+  hdf5::Rows rows_;
+  std::vector<std::string> pending_;
+};
+
+/// One of few words.
+class WordColumn final : public Column {
+ public:
+  WordColumn(const H5::H5File& file, const std::string& name)
+      : type_(H5::PredType::C_S1, longest_word), rows_(file, name, type_) {}
+  void add(const std::string& cell) override {
+    if (cell.size() > longest_word) throw FileError("\"" + cell + "\" is too long for a word of HDF5");
+    pending_ += cell;
+    pending_.resize(++count_ * longest_word);
+  }
+  void write() override {
+    rows_.append(pending_.data(), count_, type_);
+    pending_.clear();
+    count_ = 0;
+  }
+
+ private:
+  static constexpr std::size_t longest_word = 24;
+  H5::StrType type_;
+  hdf5::Rows rows_;
+  std::string pending_;
+  std::size_t count_ = 0;
+};
+
+/// How many points lie along each axis.
+void write_shape(const H5::H5File& file, const study::Design& design) {
+  std::vector<std::int64_t> counts;
+  for (const auto& axis : design.axes) counts.push_back(axis.count);
+  const hsize_t axes = counts.size();
+  file.createAttribute("shape", H5::PredType::STD_I64LE, H5::DataSpace(1, &axes))
+      .write(H5::PredType::NATIVE_INT64, counts.data());
+}
+
+class Hdf5Sweep final : public SweepFile {
+ public:
+  Hdf5Sweep(std::filesystem::path path, const study::Design& design, const std::vector<std::string>& columns)
+      : path_(std::move(path)), temporary_(temporary_name(path_)) {
+    H5::Exception::dontPrint();
+    hdf5::guarded(path_, [&] {
+      file_ = H5::H5File(temporary_.string(), H5F_ACC_TRUNC);
+      write_shape(file_, design);
+      for (const auto& parameter : design.parameters) add_column(parameter.key, is_numeric(parameter));
+      for (const auto& column : columns) add_column(column, true);
+      columns_.push_back(std::make_unique<WordColumn>(file_, "ending"));
+      add_column("reason", false);
+    });
+  }
+  ~Hdf5Sweep() override {
+    ::unlink(temporary_.c_str());  // gone already if it was renamed
+  }
+
+  void add(std::string_view rows) override {
+    for (; !rows.empty(); rows.remove_prefix(rows.find('\n') + 1)) {
+      split(rows.substr(0, rows.find('\n')), cells_);
+      for (std::size_t i = 0; i < columns_.size(); ++i) columns_[i]->add(cells_.at(i));
+      ++pending_;
+    }
+    if (pending_ >= most_pending) hdf5::guarded(path_, [&] { write(); });
+  }
+
+  void commit() override {
+    hdf5::guarded(path_, [&] {
+      write();
+      columns_.clear();
+      file_.close();
+    });
+    put_in_place(temporary_, path_);
+  }
+
+ private:
+  void add_column(const std::string& name, bool is_numeric) {
+    if (is_numeric)
+      columns_.push_back(std::make_unique<NumberColumn>(file_, name));
+    else
+      columns_.push_back(std::make_unique<TextColumn>(file_, name));
+  }
+  void write() {
+    for (auto& column : columns_) column->write();
+    pending_ = 0;
+  }
+
+  std::filesystem::path path_, temporary_;
+  H5::H5File file_;
+  std::vector<std::unique_ptr<Column>> columns_;
+  Index pending_ = 0;
+  std::vector<std::string> cells_;
+};
+
+}  // namespace
+
+std::unique_ptr<SweepFile> new_hdf5_sweep(const std::filesystem::path& path, const study::Design& design,
+                                          const std::vector<std::string>& columns) {
+  return std::make_unique<Hdf5Sweep>(path, design, columns);
+}
+
+}  // namespace mariotte::report

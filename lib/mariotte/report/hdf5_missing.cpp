@@ -1,0 +1,25 @@
+// What stands for report/hdf5 in a program that is built without HDF5.
+#include "mariotte/report/files.hpp"
+#include "mariotte/report/sweep_file.hpp"
+#include "mariotte/report/trace_file.hpp"
+
+namespace mariotte::report {
+namespace {
+
+[[noreturn]] void refuse(const std::filesystem::path& path) {
+  throw FileError("cannot write " + path.string() + ": built without HDF5; CSV is written without it");
+}
+
+}  // namespace
+
+std::unique_ptr<TraceFile> new_hdf5_trace(const std::filesystem::path& path, const std::vector<Index>&,
+                                          const std::vector<Index>&) {
+  refuse(path);
+}
+
+std::unique_ptr<SweepFile> new_hdf5_sweep(const std::filesystem::path& path, const study::Design&,
+                                          const std::vector<std::string>&) {
+  refuse(path);
+}
+
+}  // namespace mariotte::report
