@@ -22,4 +22,13 @@ inline double gap_rate(const ContactDirection& contact, ConstState velocity) {
   return rate;
 }
 
+/// Σ of the products of coefficients of the same freedom; with a column of M⁻¹ Gᵀ, an entry of G M⁻¹ Gᵀ.
+inline double dot(const ContactDirection& contact, const ContactDirection& other) {
+  double sum = 0;
+  for (const auto& [freedom, coefficient] : contact)
+    for (const auto& term : other)
+      if (freedom == term.freedom) sum += coefficient * term.coefficient;
+  return sum;
+}
+
 }  // namespace mariotte

@@ -3,18 +3,6 @@
 #include <cmath>
 
 namespace mariotte::flow {
-namespace {
-
-/// G M⁻¹ Gᵀ of two contacts: how much a force of the one opens the other.
-double coupling(const ContactDirection& direction, const ContactDirection& push) {
-  double sum = 0;
-  for (const auto& term : direction)
-    for (const auto& moved : push)
-      if (term.freedom == moved.freedom) sum += term.coefficient * moved.coefficient;
-  return sum;
-}
-
-}  // namespace
 
 bool LinkedVibration::find(const LinkedPhase& phase) {
   phase_ = &phase;
@@ -69,7 +57,7 @@ void LinkedVibration::push(Index j, double impulse, State x) const {
 
 void LinkedVibration::add_pushes(Index open) {
   for (const Index closed : members_)
-    add_push(open, closed, -coupling(phase_->direction[open], phase_->push[closed]));
+    add_push(open, closed, -dot(phase_->direction[open], phase_->push[closed]));
 }
 
 }  // namespace mariotte::flow

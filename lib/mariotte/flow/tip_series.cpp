@@ -100,8 +100,9 @@ void PlanarSeries::step(const TipPhase& phase, int order, Order k) {
   const auto& body = phase.body;
   turn(phase, k);
   const double cosine_rate = -2 * product(s, spin_sine, k), sine_rate = 2 * product(s, spin_cosine, k);
-  lever_rate[k] = body.arm[phase.tip] * (rise_start * cosine_rate + run_start * sine_rate) -
-                  (phase.indented ? 2 * product(s, w, k) : 0);
+  if (phase.sticking)
+    lever_rate[k] = body.arm[phase.tip] * (rise_start * cosine_rate + run_start * sine_rate) -
+                    (phase.indented ? 2 * product(s, w, k) : 0);
   const double moment_sum = torque(phase, k);
   if (k == order) return;
   const double share = 1.0 / (k + 1);

@@ -103,10 +103,10 @@ struct PlanarSeries : TipRows {
 /// Motion in space of a symmetric body with unit axis a, angular momentum H and ℓ = D a − r e1 (+ P e1):
 ///     ω = H/I + κ p a,  p = H·a,  κ = 1/I_a − 1/I
 ///     a' = 2 s b with b = H × a / I = ω × a,  H' = ℓ × (f, y),  v' = (f, y)/m − 2 s g e1
-///     p' = (r − P or r) (a₂ y₃ − a₃ y₂), for nothing but the lever r of friction turns the body about its
-///     axis w = v₁ + D b₁,  u = (v + D b − (r − P or r) ω × e1) in the plane attitude: the least turn from
-///     a(0) to a after a turn by ψ about a(0),
-///       ψ' = 2 s (κ p + (p + H·a(0)) / (I (1 + a·a(0))))
+///     p' = R (a₂ y₃ − a₃ y₂), R = r (− P): only the lever R of friction turns the body about its axis
+///     w = v₁ + D b₁,  u = (v + D b − R ω × e1) in the plane
+///     ψ' = 2 s (κ p + (p + H·a(0)) / (I (1 + a·a(0))))
+///       The attitude is the least turn from a(0) to a after a turn by ψ about a(0).
 ///     sliding: y = −μ σ_F f u/|u|, with |u|⁻¹ as a power of |u|²
 ///     u' = A y + N,  N = [κ p a' × ℓ + ω × ℓ'] − ℓ₁ f ℓ/I in the plane,
 ///       A = (1/m + ℓ²/I) 1 − ℓ ℓᵀ/I + κ r² a⊥ a⊥ᵀ,  a⊥ = (a₃, −a₂)

@@ -11,15 +11,6 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-/// 1/(G M⁻¹ Gᵀ)_jj.
-double reduced_mass(const ContactDirection& direction, const ContactDirection& push) {
-  double sum = 0;
-  for (const auto& [freedom, coefficient] : direction)
-    for (const auto& [moved, change] : push)
-      if (freedom == moved) sum += coefficient * change;
-  return 1 / sum;
-}
-
 double reference_speed(const Network& network, const Numbers& mass) {
   double squared = 0;
   for (const auto& direction : network.direction) {
@@ -67,7 +58,7 @@ DimensionlessNetwork make_dimensionless(const Network& network, double accuracy)
   d.push = push_directions(network.mass, network.direction, d.freedoms);
   d.half_push = half_pushes(network.mass, network.direction, d.freedoms);
   Numbers mass;
-  for (std::size_t j = 0; j < d.push.size(); ++j) mass.push_back(reduced_mass(d.direction[j], d.push[j]));
+  for (std::size_t j = 0; j < d.push.size(); ++j) mass.push_back(1 / dot(d.direction[j], d.push[j]));
   const double speed = reference_speed(network, mass);
   const auto quickest = quickest_contact(network, mass, speed);
   d.scale.mass = power_of_two_below(2 * mass[quickest]);
