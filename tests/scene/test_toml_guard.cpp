@@ -32,7 +32,8 @@ BOOST_AUTO_TEST_CASE(all_that_a_scene_needs_passes) {
         "a = 'C:\\'\nb = 1", "a = \"say \\\"hi\\\" # no comment\"", "a = \"\"\nb = ''",
         "a = \"\"\"\nx\n\"\"\"\"\"", "a = '''it's'''", "[[chain.ball]]\nx = [{ a = [1, 2.5e-3] }]",
         "a = { b = 1, c = 2 }\nd = [\n  { e = 1 },\n  { e = 2, f = '=' },\n]\ng = 3",
-        "a = 1979-05-27T07:32:00Z", "a = \"\"\"x \\\n   y\"\"\"", "a.b . c = +1_000"})
+        "a = [1,-2\n,3 ,\t4#\n]", "a = { b = true }\n[c.d]\ne = [[1], []]\n1979-05-9- = 1",
+        "a = \"\"\"x \\\n   y\"\"\"", "a.b . c = +1_000"})
     BOOST_TEST(verdict(text) == "passed", text);
 }
 
@@ -40,14 +41,25 @@ BOOST_AUTO_TEST_CASE(what_trips_the_parser_is_rejected_where_it_stands) {
   BOOST_TEST(verdict("[(") == "f:1:2: unexpected '('");
   BOOST_TEST(verdict("\xef\xb9\xbf") == "f:1:1: unexpected '\ufe7f'");
   BOOST_TEST(verdict("a = 1\n\u00b5 = 2") == "f:2:1: unexpected '\u00b5'");
-  BOOST_TEST(verdict("a = 1'\u00b5'") == "f:1:6: unexpected quote");
-  BOOST_TEST(verdict("a = 22e30A8['\u00b7'") == "f:1:12: unexpected bracket");
-  BOOST_TEST(verdict("a = 0=='\u00b7'") == "f:1:6: unexpected '='");
-  BOOST_TEST(verdict("a = [1t='\u00b7'") == "f:1:8: unexpected '='");
-  BOOST_TEST(verdict("a = [1979-06-68 1,\"=[\u00b7\"]") ==
-             "f:1:17: unexpected digit after a number and a blank");
-  BOOST_TEST(verdict("a = 1{'\u00b7'") == "f:1:6: unexpected bracket");
+  BOOST_TEST(verdict("a = ['\u00b5'{'\u00b7'") == "f:1:9: unexpected bracket");
+  BOOST_TEST(verdict("a = ['\u00b5''\u00b7'") == "f:1:9: unexpected quote");
+  BOOST_TEST(verdict("a = '0'='\u00b7'") == "f:1:8: unexpected '='");
   BOOST_TEST(verdict("a = \"\"\"\\\n \u00b5\"\"\"") == "f:2:2: only ASCII characters may follow a backslash");
+}
+
+BOOST_AUTO_TEST_CASE(values_without_quotes_are_whole) {
+  for (const auto* text :
+       {"a = 1'\u00b5'", "a = 1{'\u00b7'", "a = 0=='\u00b7'", "a = 1 2", "a = [1 2]", "a = 1 b = 2"})
+    BOOST_TEST(verdict(text).ends_with("a number with a unit stands between quotes"), text);
+  BOOST_TEST(verdict("a = [1,2  [").starts_with("f:1:11:"));
+  for (const auto* word :
+       {"1979-05-27", "1979-06-68", "1979-05-9-", "07:32:00", "hertz", "22e30A8", "1t", "2..", "-"})
+    for (const auto* rest : {"", " 1#21", "['\u00b7'", "\n", "='\u00b7'"})
+      for (const auto* start : {"a = ", "a = [0, ", "a = {b ="})
+        BOOST_TEST(verdict(std::string(start) + word + rest) ==
+                       "f:1:" + std::to_string(std::string(start).size() + 1) + ": \"" + word +
+                           "\" is no number, and text stands between quotes",
+                   start << word << rest);
 }
 
 BOOST_AUTO_TEST_CASE(columns_count_characters_not_bytes) {

@@ -18,8 +18,7 @@ Entry* find(Table& table, std::string_view key) {
 
 const char* kind(const Node& node) {
   // In the order of the variant.
-  constexpr std::array names{"a boolean", "a number", "a number", "a string",
-                             "a date",    "an array", "a table"};
+  constexpr std::array names{"a boolean", "a number", "a number", "a string", "an array", "a table"};
   return names[node.value.index()];
 }
 

@@ -20,11 +20,10 @@ struct Entry;
 
 using Array = std::vector<Node>;
 using Table = std::vector<Entry>;  ///< in the order of the file
-struct Date {};                    ///< TOML has dates and times; no key of a scene wants one
 
 /// One TOML value.
 struct Node {
-  std::variant<bool, std::int64_t, double, std::string, Date, Array, Table> value;
+  std::variant<bool, std::int64_t, double, std::string, Array, Table> value;
   Place place;
 
   const Array* array() const { return std::get_if<Array>(&value); }

@@ -1,6 +1,7 @@
 #include "mariotte/scene/toml.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "mariotte/scene/toml_guard.hpp"
 
@@ -56,7 +57,7 @@ Node convert(const toml::node& node) {
     case toml::node_type::table:
       return {convert_table(*node.as_table()), place};
     default:
-      return {Date{}, place};
+      throw std::logic_error("a date has passed the guard");
   }
 }
 

@@ -1,12 +1,17 @@
 #include "mariotte/scene/toml_guard.hpp"
 
-#include <cstdint>
 #include <string>
+
+#include "mariotte/scene/toml_value.hpp"
 
 namespace mariotte::scene {
 namespace {
 
 constexpr std::size_t deepest = 16;
+constexpr std::string_view blanks = " \t\r\n";
+constexpr char header = '(';
+constexpr std::string_view word_characters =
+    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_+-.:";
 
 struct Character {
   char32_t code;
@@ -34,12 +39,8 @@ bool is_control(char32_t code) {
   return (code < 0x20 && code != '\t' && code != '\n') || code == 0x7f;
 }
 
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-
-bool is_blank(char c) {
-  return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+bool is_in(char c, std::string_view set) {
+  return set.find(c) != std::string_view::npos;
 }
 
 class Guard {
@@ -53,6 +54,8 @@ class Guard {
         skip_comment();
       else if (rest_.front() == '"' || rest_.front() == '\'')
         skip_string(rest_.front());
+      else if (expects_value() && is_in(rest_.front(), word_characters))
+        skip_value();
       else
         plain();
     }
@@ -64,7 +67,6 @@ class Guard {
     const auto [code, size] = decode(rest_);
     if (size == 0) reject(source_, place_, fault::not_toml, "not valid UTF-8");
     if (is_control(code)) reject(source_, place_, fault::not_toml, "control characters are not allowed");
-    last_but_one_ = last_;
     last_ = rest_.front();
     rest_.remove_prefix(size);
     place_ = code == '\n' ? Place{place_.line + 1, 1} : Place{place_.line, place_.column + 1};
@@ -84,8 +86,8 @@ class Guard {
   /// ASCII, or toml++ loses its way in its table of blanks.
   void skip_escape() {
     advance();
-    const bool continued = !rest_.empty() && is_blank(rest_.front());
-    while (!rest_.empty() && is_blank(rest_.front())) advance();
+    const bool continued = !rest_.empty() && is_in(rest_.front(), blanks);
+    while (!rest_.empty() && is_in(rest_.front(), blanks)) advance();
     if (rest_.empty()) return;
     if (static_cast<unsigned char>(rest_.front()) >= 0x80)
       reject(source_, place_, fault::not_toml, "only ASCII characters may follow a backslash");
@@ -94,7 +96,7 @@ class Guard {
 
   /// toml++ reads a number on into a string or bracket that touches it, and a scene needs no such thing.
   void expect_start(const char* what) {
-    if (!is_blank(last_) && std::string_view("=,[{").find(last_) == std::string_view::npos)
+    if (!is_in(last_, " \t\r\n=,[{"))
       reject(source_, place_, fault::not_toml, std::string("unexpected ") + what);
   }
 
@@ -118,38 +120,43 @@ class Guard {
     for (int extra = 0; multiline && extra < 2 && rest_.starts_with(quote); ++extra) advance();
   }
 
-  /// toml++ may read on past the end of a date with a blank and an hour of one digit; a scene has no dates.
-  bool goes_on_after_blank() const {
-    return is_digit(last_but_one_) && last_ == ' ' && is_digit(rest_.front());
+  bool expects_value() const { return valued_ || open_.ends_with('['); }
+
+  void skip_value() {
+    const auto word = rest_.substr(0, rest_.find_first_not_of(word_characters));
+    if (!is_plain_value(word))
+      reject(source_, place_, fault::not_toml,
+             "\"" + std::string(word) + "\" is no number, and text stands between quotes");
+    advance(word.size());
+    while (!rest_.empty() && is_in(rest_.front(), " \t")) advance();
+    if (!at_line_end() && !is_in(rest_.front(), ",]}#"))
+      reject(source_, place_, fault::not_toml,
+             "expected a comma or the end of the line; a number with a unit stands between quotes");
   }
 
   void plain() {
     const char c = rest_.front();
     const Place here = place_;
-    if (goes_on_after_blank())
-      reject(source_, here, fault::not_toml, "unexpected digit after a number and a blank");
     if (c == '[' || c == '{') expect_start("bracket");
-    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || is_digit(c);
     const auto before = rest_;
     advance();
-    if (!letter && std::string_view(" \t\r\n_-+.,:=[]{}").find(c) == std::string_view::npos)
+    if (!is_in(c, word_characters) && !is_in(c, " \t\r\n,=[]{}"))
       reject(source_, here, fault::not_toml,
              "unexpected '" + std::string(before.substr(0, before.size() - rest_.size())) + "'");
-    if (c == '=' && (valued_ || open_.ends_with('[')))
-      reject(source_, here, fault::not_toml, "unexpected '='");
-    if (c == '[' || c == '{') open_ += c;
+    if (c == '=' && expects_value()) reject(source_, here, fault::not_toml, "unexpected '='");
+    if (c == '[' || c == '{') open_ += c == '[' && !expects_value() ? header : c;
     if (open_.size() > deepest) reject(source_, here, fault::too_deep, "nested too deeply");
     if ((c == ']' || c == '}') && !open_.empty()) open_.pop_back();
-    if (std::string_view("=,[]{}\r\n").find(c) != std::string_view::npos) dots_ = 0;
-    if (std::string_view("=,[{\r\n").find(c) != std::string_view::npos) valued_ = c == '=';
+    if (is_in(c, "=,[]{}\r\n")) dots_ = 0;
+    if (is_in(c, "=,[{\r\n")) valued_ = c == '=';
     if (c == '.' && ++dots_ >= deepest) reject(source_, here, fault::too_deep, "too many dots in one key");
   }
 
   const Source& source_;
   std::string_view rest_;
-  char last_but_one_ = '\n', last_ = '\n';  ///< bytes before the rest
+  char last_ = '\n';  ///< byte before the rest
   Place place_;
-  std::string open_;  ///< brackets, the innermost last
+  std::string open_;  ///< brackets, the innermost last; `header` for those around the name of a table
   std::size_t dots_ = 0;
   bool valued_ = false;  ///< an = came, and nothing after it that another key could follow
 };

@@ -12,7 +12,9 @@ namespace mariotte::scene {
 /// Throws SceneError with line and column unless the text is UTF-8 without control characters; made of ASCII
 /// letters, digits, blanks and _ - + . , : = # [ ] { } ' " outside strings and comments; with strings that
 /// end and have only ASCII right after a backslash; with strings and brackets that start after a blank or one
-/// of = , [ {; with one = per key; with brackets at most 16 deep and keys of at most 16 parts.
+/// of = , [ {; with one = per key; with values without quotes that are numbers, true or false, each up to a
+/// comma, a closing bracket or the end of the line; with brackets at most 16 deep and keys of at most 16
+/// parts.
 void guard_toml(const Source& source, std::string_view text);
 
 }  // namespace mariotte::scene
