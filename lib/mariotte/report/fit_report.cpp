@@ -87,17 +87,12 @@ Json json_of(const Estimate& one) {
           {"interval", {one.lower, one.upper}}};
 }
 
-Json json_of(const scene::Node& node) {
-  if (const auto* number = std::get_if<double>(&node.value)) return *number;
-  return std::get<std::string>(node.value);  // cells are texts unless they were read as numbers
-}
-
 Json json_of_row(const FitReport& report, std::size_t row) {
   const auto& one = report.measurements.rows[row];
   const auto& predicted = report.fit.predicted[row];
   Json settings = Json::object();
   for (std::size_t i = 0; i < one.values.size(); ++i)
-    settings[report.measurements.settings[i].key] = json_of(one.values[i]);
+    settings[report.measurements.settings[i].key] = json_of_value(one.values[i]);
   return {{"line", one.place.line},
           {"settings", settings},
           {"measured", one.restitution},

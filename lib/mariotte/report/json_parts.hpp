@@ -22,6 +22,9 @@ Json list(const Values& values, const Write& write) {
 /// Positions from 0 as numbers from 1.
 Json from_one(const std::vector<Index>& positions);
 
+/// A value of a scene; null for an array or a table.
+Json json_of_value(const scene::Node& node);
+
 Json flow(const impact::FlowUse& use);
 Json skipped(const std::vector<impact::Skipped>& skipped);
 Json options(const hybrid::Options& run);

@@ -12,20 +12,12 @@
 namespace mariotte::report {
 namespace {
 
-Json json(const scene::Node& node) {
-  if (const auto* real = std::get_if<double>(&node.value)) return *real;
-  if (const auto* integer = std::get_if<std::int64_t>(&node.value)) return *integer;
-  if (const auto* truth = std::get_if<bool>(&node.value)) return *truth;
-  if (const auto* words = std::get_if<std::string>(&node.value)) return *words;
-  return nullptr;
-}
-
 Json varied(const study::Design& design, const study::Parameter& parameter) {
   Json one = {{"key", parameter.key},
               {"axis", parameter.axis},
               {"count", design.axes[static_cast<std::size_t>(parameter.axis)].count}};
   if (!parameter.range) {
-    one["values"] = list(parameter.list, [](const auto& node) { return json(node); });
+    one["values"] = list(parameter.list, json_of_value);
     return one;
   }
   one.update({{"from", parameter.range->from},
