@@ -7,7 +7,6 @@
 #include "command_line/terminal.hpp"
 #include "mariotte/impact/capture_velocity.hpp"
 #include "mariotte/report/json.hpp"
-#include "mariotte/scene/document.hpp"
 #include "mariotte/scene/key_path.hpp"
 #include "scene_choice.hpp"
 
@@ -25,7 +24,7 @@ constexpr const char* speed_key = "incidence.normal_speed";
 /// The scene's body at another speed; ζ's are read again, since the damping they stand for depends on it.
 model::Microbody at_speed(scene::Document& document, double speed) {
   locate(document.source, document.tree, speed_key, {}).value = speed;
-  return *resolve(document).body;
+  return *scene::resolve(document).body;
 }
 
 std::string table(const impact::CaptureVelocity& found, const scene::Scene& scene) {
@@ -45,10 +44,10 @@ report::Json json(const impact::CaptureVelocity& found, const scene::Scene& scen
 }
 
 int capture(const Capture& options) {
-  const auto scene = read(options.scene);
+  auto document = open(options.scene);
+  const auto scene = resolve(options.scene, document);
   if (!scene.body)
     throw scene::SceneError(options.scene.path + ": only a [body] can be captured", fault::no_model);
-  auto document = scene::open(options.scene.path, options.scene.set);
   const auto found = impact::capture_velocity([&](double speed) { return at_speed(document, speed); },
                                               -scene.body->velocity.e1, options.tolerance, scene.run);
   if (!found) {

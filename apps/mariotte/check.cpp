@@ -19,8 +19,7 @@ struct Check {
 };
 
 /// What its [[sweep]] tables would do, if the scene has any. Throws SceneError if they make no sense.
-std::string check_sweep(const SceneChoice& choice) {
-  auto document = scene::open(choice.path, choice.set);
+std::string check_sweep(scene::Document document) {
   if (!find(*document.tree.table(), "sweep")) return "";
   const auto design = study::read_design(document);
   return fmt::format("\nSweep\n  {} points, varying {}\n", design.points(),
@@ -28,8 +27,9 @@ std::string check_sweep(const SceneChoice& choice) {
 }
 
 int check(const Check& options) {
-  const auto scene = read(options.scene);
-  const auto sweep = check_sweep(options.scene);
+  const auto document = open(options.scene);
+  const auto scene = resolve(options.scene, document);
+  const auto sweep = check_sweep(document);
   print(options.json ? report::text(report::json(scene)) : report::table(scene) + sweep);
   return ExitCode::ok;
 }

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 #include "command.hpp"
 #include "command_line/exit_code.hpp"
 #include "command_line/terminal.hpp"
 #include "fit_folder.hpp"
-#include "mariotte/scene/document.hpp"
 #include "scene_choice.hpp"
 
 namespace mariotte::command {
@@ -47,9 +47,9 @@ int finish(const Options& options, const scene::Scene& scene, study::Restitution
 }
 
 int fit(const Options& options) try {
-  const auto scene = read(options.scene);
-  study::RestitutionModel model(scene::open(options.scene.path, options.scene.set), options.free,
-                                study::read_measurements(options.data));
+  auto document = open(options.scene);
+  const auto scene = resolve(options.scene, document);
+  study::RestitutionModel model(std::move(document), options.free, study::read_measurements(options.data));
   if (!options.out.empty()) prepare_fit_folder(options.out, options.force);
   return finish(options, scene, model, study::fit(model, options.free, options.confidence));
 } catch (const study::FitError& problem) {

@@ -32,11 +32,19 @@ void add_run_options(CLI::App& command, SceneChoice& choice) {
       ->check(is_flow, "");
 }
 
-scene::Scene read(const SceneChoice& choice, scene::Purpose purpose) {
-  auto scene = scene::read(choice.path, choice.set, purpose);
+scene::Document open(const SceneChoice& choice) {
+  return scene::open(choice.path, choice.set);
+}
+
+scene::Scene resolve(const SceneChoice& choice, const scene::Document& document, scene::Purpose purpose) {
+  auto scene = scene::resolve(document, purpose);
   if (!choice.quiet)
     for (const auto& one : scene.warnings) warning(one);
   return scene;
+}
+
+scene::Scene read(const SceneChoice& choice, scene::Purpose purpose) {
+  return resolve(choice, open(choice), purpose);
 }
 
 }  // namespace mariotte::command

@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "mariotte/scene/scene.hpp"
+#include "mariotte/scene/document.hpp"
 
 namespace mariotte::command {
 
@@ -22,7 +22,14 @@ void add_overrides(CLI::App& command, SceneChoice& choice);
 /// Declare --accuracy and --flow, which stand for a --set of their key.
 void add_run_options(CLI::App& command, SceneChoice& choice);
 
-/// Read the scene and, unless quiet, print its warnings. Throws scene::FileError or scene::SceneError.
+/// Parse the scene. Throws scene::FileError or scene::SceneError.
+scene::Document open(const SceneChoice& choice);
+
+/// What it describes; its warnings are printed unless quiet. Throws scene::SceneError.
+scene::Scene resolve(const SceneChoice& choice, const scene::Document& document,
+                     scene::Purpose purpose = scene::Purpose::simulation);
+
+/// Both at once.
 scene::Scene read(const SceneChoice& choice, scene::Purpose purpose = scene::Purpose::simulation);
 
 }  // namespace mariotte::command

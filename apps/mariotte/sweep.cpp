@@ -50,8 +50,7 @@ study::Json simulate(const scene::Scene& scene) {
 }
 
 study::SweepPlan read(const Options& options, const Ranks& ranks) try {
-  auto plan =
-      study::read_sweep(scene::open(options.scene.path, options.scene.set), simulate, options.columns);
+  auto plan = study::read_sweep(open(options.scene), simulate, options.columns);
   if (!options.scene.quiet && ranks.first())
     for (const auto& one : plan.warnings) warning(one);
   return plan;
