@@ -1,18 +1,15 @@
 #include "mariotte/study/sweep.hpp"
 
 #include <fmt/format.h>
-#include <sched.h>
 
-#include <algorithm>
 #include <chrono>
 #include <csignal>
-#include <ctime>
 #include <memory>
-#include <thread>
 
 #include "command.hpp"
 #include "command_line/exit_code.hpp"
 #include "command_line/terminal.hpp"
+#include "cores.hpp"
 #include "interruption.hpp"
 #include "mariotte/report/json.hpp"
 #include "mariotte/report/provenance.hpp"
@@ -22,9 +19,9 @@
 #include "mariotte/study/sweep_reader.hpp"
 #include "progress_line.hpp"
 #include "ranks.hpp"
-#include "report_page.hpp"
 #include "scene_choice.hpp"
 #include "sweep_folder.hpp"
+#include "sweep_notes.hpp"
 
 namespace mariotte::command {
 namespace {
@@ -34,11 +31,8 @@ constexpr auto patience = std::chrono::seconds(3);  // for what a killed mpirun 
 struct Options {
   SceneChoice scene;
   std::vector<std::string> columns;
-  std::string out;
-  int threads = 0;
-  bool hdf5 = false;
-  bool report = false;
-  bool no_figures = false;
+  SweepFiles files;
+  int threads = cores();
   bool force = false;
   bool verbose = false;
 };
@@ -64,17 +58,6 @@ std::string identity(const study::SweepPlan& plan) {
                        report::provenance().version);
 }
 
-/// As many as this process may use at once: what mpirun or a batch system bound it to.
-int cores() {
-  cpu_set_t allowed;
-  if (::sched_getaffinity(0, sizeof allowed, &allowed) == 0) return CPU_COUNT(&allowed);
-  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-}
-
-int threads(const Options& options) {
-  return options.threads > 0 ? options.threads : cores();
-}
-
 study::Progress compute(const Options& options, const study::SweepPlan& plan, study::Journal& journal,
                         Ranks& ranks) {
   const auto missing = journal.missing();
@@ -86,33 +69,10 @@ study::Progress compute(const Options& options, const study::SweepPlan& plan, st
       .make_evaluate = [&] { return study::make_evaluate(plan.columns, simulate); },
       .append_rows = [&](const auto& batch, auto& text) { report::append_rows(plan.design, batch, text); }};
   const study::Dealer dealer(missing, {.rank = ranks.rank(), .ranks = ranks.count()});
-  return run(sweep, dealer, threads(options), journal, [&](const auto& progress) {
+  return run(sweep, dealer, options.threads, journal, [&](const auto& progress) {
     line.show(ranks.tell(progress.done));
     return interruption() == 0;
   });
-}
-
-/// What a point costs in processor time, and what of it is not the simulation.
-void tell_cost(const study::Progress& progress, int threads, double taken) {
-  if (progress.done == 0) return;
-  const double each = 1e6 / static_cast<double>(progress.done);
-  const double all = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-  note(fmt::format(
-      "{} points in {:.3g} s on {} threads; processor time of a point {:.3g} µs: simulation {:.3g}, "
-      "rows and journal {:.3g}, the rest {:.3g}",
-      progress.done, taken, threads, each * all, each * progress.evaluating, each * progress.writing,
-      each * (all - progress.evaluating - progress.writing)));
-}
-
-void tell_resumed(const study::SweepPlan& plan, const study::Journal& journal) {
-  const Index points = plan.design.points(), left = total(journal.missing());
-  if (left < points) note(fmt::format("{} of {} points were done before", points - left, points));
-}
-
-int interrupted(const Options& options, const study::SweepPlan& plan, const study::Journal& journal) {
-  note(fmt::format("interrupted; {} of {} points are kept in {}, and the same command goes on from there",
-                   plan.design.points() - total(journal.missing()), plan.design.points(), options.out));
-  return 128 + (interruption() != 0 ? interruption() : SIGTERM);  // or another rank was told to stop
 }
 
 /// The sweep as a whole, and what it takes to repeat it.
@@ -125,14 +85,11 @@ report::Json description(const Options& options, const study::SweepPlan& plan,
 }
 
 int finish(const Options& options, const study::SweepPlan& plan, study::Journal& journal) {
-  write_sweep(options.out, plan, description(options, plan, journal), journal, options.hdf5);
-  if (!options.no_figures)
-    if (const auto shortfall = draw_sweep(options.out, plan); !shortfall.empty() && !options.scene.quiet)
-      warning(shortfall);
-  if (options.report) write_report_page(options.out, read_result(options.out));
+  const auto shortfall = write(options.files, plan, description(options, plan, journal), journal);
+  if (!shortfall.empty() && !options.scene.quiet) warning(shortfall);
   const Index points = plan.design.points(), failed = journal.failed();
   print(fmt::format("{} points, {} without a result: {}\n", points, failed,
-                    (std::filesystem::path(options.out) / "sweep.csv").string()));
+                    (options.files.folder / "sweep.csv").string()));
   return failed < points ? ExitCode::ok : ExitCode::solver_failed;
 }
 
@@ -151,19 +108,21 @@ int sweep(const Options& options, Ranks& ranks) {
   std::optional<study::Journal> journal;
   open(ranks, [&] {
     plan = read(options, ranks);
-    if (ranks.first()) prepare_sweep_folder(options.out, options.force);
-    if (ranks.first() && options.hdf5) check_hdf5(options.out, plan);
-    journal.emplace(options.out, identity(plan), plan.design.points(), ranks.rank(), patience);
+    if (ranks.first()) prepare(options.files, plan, options.force);
+    journal.emplace(options.files.folder, identity(plan), plan.design.points(), ranks.rank(), patience);
   });
   if (ranks.first() && !options.scene.quiet) tell_resumed(plan, *journal);
   const auto progress = compute(options, plan, *journal, ranks);
   ranks.meet();
   if (!ranks.first()) return ExitCode::ok;
   journal->reload();
-  if (!journal->missing().empty()) return interrupted(options, plan, *journal);
+  if (!journal->missing().empty()) {
+    tell_interrupted(options.files.folder, plan, *journal);
+    return 128 + (interruption() != 0 ? interruption() : SIGTERM);  // or another rank was told to stop
+  }
   const int code = finish(options, plan, *journal);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  if (options.verbose) tell_cost(progress, threads(options), taken.count());
+  if (options.verbose) tell_cost(progress, options.threads, taken);
   return code;
 }
 
@@ -191,7 +150,7 @@ as datasets, and with --report also report.html, all but the rows in one page.
 
 void add_options(CLI::App& command, Options& options) {
   add_scene_choice(command, options.scene);
-  command.add_option("--out", options.out, "Folder for the result and the journal")
+  command.add_option("--out", options.files.folder, "Folder for the result and the journal")
       ->type_name("DIR")
       ->required();
   command
@@ -201,9 +160,9 @@ void add_options(CLI::App& command, Options& options) {
   command.add_option("--threads", options.threads, "How many points at once (default: one per core allowed)")
       ->check(CLI::Range(1, 4096));
   add_run_options(command, options.scene);
-  command.add_flag("--hdf5", options.hdf5, "Write the rows as HDF5, too");
-  command.add_flag("--report", options.report, "Make one page of the result files");
-  command.add_flag("--no-figures", options.no_figures, "Write the data, draw nothing");
+  command.add_flag("--hdf5", options.files.hdf5, "Write the rows as HDF5, too");
+  command.add_flag("--report", options.files.report, "Make one page of the result files");
+  command.add_flag("--no-figures", options.files.no_figures, "Write the data, draw nothing");
   command.add_flag("--force", options.force, "Start anew, whatever the folder holds of an earlier sweep");
   command.add_flag("-v,--verbose", options.verbose, "Tell what a point costs")->excludes("--quiet");
 }

@@ -30,30 +30,12 @@ void remove_figures(const std::filesystem::path& folder) {
   report::remove_files(folder, figures);
 }
 
-}  // namespace
-
-void prepare_sweep_folder(const std::filesystem::path& folder, bool force) {
-  report::prepare_folder(folder, {}, force);
-  if (force) {
-    study::remove_journals(folder);
-    report::remove_files(folder, names);
-    remove_figures(folder);
-  } else if (study::journals(folder).empty()) {
-    report::prepare_folder(folder, names, false);
-  }
-}
-
-void check_hdf5(const std::filesystem::path& folder, const study::SweepPlan& plan) {
-  report::new_hdf5_sweep(folder / hdf5_name, plan.design, plan.columns);
-}
-
-void write_sweep(const std::filesystem::path& folder, const study::SweepPlan& plan, const report::Json& what,
-                 study::Journal& journal, bool hdf5) {
-  report::remove_unfinished(folder, names);
-  report::remove_unfinished(folder, {"figures"});  // this process alone writes here: it holds the journal
+/// All but figures and page; sweep.csv, without which there is no result, comes last.
+void write_tables(const SweepFiles& files, const study::SweepPlan& plan, const report::Json& what,
+                  study::Journal& journal) {
+  report::NewFile csv(files.folder / "sweep.csv"), drawn(files.folder / "plot.csv");
   std::unique_ptr<report::SweepFile> table;
-  if (hdf5) table = report::new_hdf5_sweep(folder / hdf5_name, plan.design, plan.columns);
-  report::NewFile csv(folder / "sweep.csv"), drawn(folder / "plot.csv");
+  if (files.hdf5) table = report::new_hdf5_sweep(files.folder / hdf5_name, plan.design, plan.columns);
   csv.append(report::sweep_header(plan.design, plan.columns));
   drawn.append("# where a point stands in the figures, then its row of sweep.csv\n");
   journal.read([&](Index first, std::string_view rows) {
@@ -65,17 +47,43 @@ void write_sweep(const std::filesystem::path& folder, const study::SweepPlan& pl
   });
   drawn.commit();
   if (table) table->commit();
-  report::write_file(folder / "sweep.json", report::text(what));
+  report::write_file(files.folder / "sweep.json", report::text(what));
   csv.commit();
 }
 
-std::string draw_sweep(const std::filesystem::path& folder, const study::SweepPlan& plan) {
+std::string draw(const std::filesystem::path& folder, const study::SweepPlan& plan) {
   const auto plot = report::sweep_plot(plan.design, plan.columns, plan.title);
   if (plot.figures.empty()) return "no figures: " + plot.shortfall;
   report::write_file(folder / "plot.gp", plot.script);
   if (const auto problem = report::draw(folder, plot.figures); !problem.empty())
     return fmt::format("no figures: {}; data and script are in {}", problem, (folder / "plot.gp").string());
   return plot.shortfall.empty() ? "" : "figures: " + plot.shortfall;
+}
+
+}  // namespace
+
+void prepare(const SweepFiles& files, const study::SweepPlan& plan, bool force) {
+  const auto& folder = files.folder;
+  report::prepare_folder(folder, {}, force);
+  if (force) {
+    study::remove_journals(folder);
+    report::remove_files(folder, names);
+    remove_figures(folder);
+  } else if (study::journals(folder).empty()) {
+    report::prepare_folder(folder, names, false);
+  }
+  if (files.hdf5) report::new_hdf5_sweep(folder / hdf5_name, plan.design, plan.columns);
+}
+
+std::string write(const SweepFiles& files, const study::SweepPlan& plan, const report::Json& what,
+                  study::Journal& journal) {
+  report::remove_unfinished(files.folder, names);
+  report::remove_unfinished(files.folder,
+                            {"figures"});  // this process alone writes here: it holds the journal
+  write_tables(files, plan, what, journal);
+  const auto shortfall = files.no_figures ? std::string() : draw(files.folder, plan);
+  if (files.report) write_report_page(files.folder, read_result(files.folder));
+  return shortfall;
 }
 
 }  // namespace mariotte::command
