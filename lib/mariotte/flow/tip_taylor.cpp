@@ -52,6 +52,9 @@ class SeriesStep final : public Step {
   void at(double time, State x) const override {
     store(series_, phase_, clock_inverse(series_.time, time - start, tau, order_), order_, before, x);
   }
+  void inside(double place, State x) const override {
+    store(series_, phase_, place * tau, order_, before, x);
+  }
   double tau = 0;  ///< at the end
 
  private:

@@ -1,34 +1,24 @@
 #include "mariotte/impact/microbody_watch.hpp"
 
 #include <algorithm>
-#include <cmath>
+
+#include "mariotte/core/bracket.hpp"
 
 namespace mariotte::impact {
 namespace {
 
 constexpr std::size_t most_samples = 20000;
 
-/// Largest value of a function with one maximum, by golden section; it is flat there, so a loose place is
-/// enough for a tight value.
+/// Largest value between two places of a function with at most one maximum there: where its slope falls
+/// through zero, or at an end. It is flat there, so a loose place is enough for a tight value.
 template <class Function>
 double highest(Function&& f, double low, double high) {
-  const double golden = 0.5 * (3 - std::sqrt(5.0));
-  double left = low + golden * (high - low), right = high - golden * (high - low);
-  double at_left = f(left), at_right = f(right);
-  for (int i = 0; i < 30; ++i) {
-    if (at_left < at_right) {
-      low = left;
-      left = right;
-      at_left = at_right;
-      at_right = f(right = high - golden * (high - low));
-    } else {
-      high = right;
-      right = left;
-      at_right = at_left;
-      at_left = f(left = low + golden * (high - low));
-    }
-  }
-  return std::max(at_left, at_right);
+  constexpr double loose = 1e-6;
+  const auto slope = [&](double place) { return f(place + loose) - f(place - loose); };
+  const double left = low + loose, right = high - loose;
+  const double rise = slope(left), fall = slope(right);
+  if (!(rise > 0 && fall < 0)) return std::max(f(low), f(high));
+  return f(locate_sign_change(slope, left, rise, right, fall, loose));
 }
 
 }  // namespace
@@ -61,10 +51,10 @@ TipPeaks MicrobodyWatch::now(ConstState x, Index i) const {
 }
 
 void MicrobodyWatch::search(const flow::Step& step, Index i) {
-  constexpr int pieces = 8;
+  constexpr int pieces = 4;
   std::array<TipPeaks, pieces + 1> samples;
   const auto at = [&](double share) {
-    step.at(step.start + (step.end - step.start) * share, inside_);
+    step.inside(share, inside_);
     return now(inside_, i);
   };
   for (int k = 0; k <= pieces; ++k) samples[k] = at(static_cast<double>(k) / pieces);

@@ -6,10 +6,12 @@
 #include <limits>
 #include <vector>
 
+#include "mariotte/impact/restitution.hpp"
+
 namespace mariotte::study {
 namespace {
 
-using Brief = BriefResult;
+using Brief = BriefChain;
 
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
@@ -54,32 +56,81 @@ double periods(const Brief& brief, std::size_t j) {
   return j < brief.impact.periods.size() ? static_cast<double>(brief.impact.periods[j]) : undefined;
 }
 
+double time_of_body(const BriefBody& brief, std::size_t) {
+  return brief.impact.time;
+}
+
+double component(const Vector3& v, std::size_t i) {
+  return i == 0 ? v.e1 : i == 1 ? v.e2 : i == 2 ? v.e3 : undefined;
+}
+
+double velocity_of_body(const BriefBody& brief, std::size_t i) {
+  return component(brief.impact.velocity, i);
+}
+
+double spin(const BriefBody& brief, std::size_t i) {
+  return component(brief.impact.spin, i);
+}
+
+/// As in the whole result, both are 0 unless the tip has separated.
+impact::Restitution restitution(const BriefBody& brief) {
+  if (brief.impact.ending != hybrid::Ending::separated) return {};
+  return impact::restitution(tip_velocity(brief.body, 0), brief.impact.tip_velocity, brief.body.velocity.e1,
+                             brief.impact.velocity.e1);
+}
+
+double restitution_of_tip(const BriefBody& brief, std::size_t) {
+  return restitution(brief).tip;
+}
+
+double restitution_of_centre(const BriefBody& brief, std::size_t) {
+  return restitution(brief).centre;
+}
+
+template <class Result>
 struct Known {
   std::string_view before, after;  ///< of the index; `after` is empty if there is none
-  double (*read)(const Brief&, std::size_t);
+  double (*read)(const Result&, std::size_t);
 };
 
-constexpr std::array<Known, 8> known{{{"final.time", "", time},
-                                      {"final.velocity[", "]", velocity},
-                                      {"contacts[", "].impulse", impulse},
-                                      {"contacts[", "].periods.count", periods},
-                                      {"icr[", "]", icr},
-                                      {"impulse_direction[", "]", direction},
-                                      {"energy.final", "", energy},
-                                      {"energy.ratio_lab", "", energy_ratio}}};
+constexpr std::array<Known<BriefChain>, 8> of_chain{{{"final.time", "", time},
+                                                     {"final.velocity[", "]", velocity},
+                                                     {"contacts[", "].impulse", impulse},
+                                                     {"contacts[", "].periods.count", periods},
+                                                     {"icr[", "]", icr},
+                                                     {"impulse_direction[", "]", direction},
+                                                     {"energy.final", "", energy},
+                                                     {"energy.ratio_lab", "", energy_ratio}}};
 
-}  // namespace
+constexpr std::array<Known<BriefBody>, 5> of_body{{{"final.time", "", time_of_body},
+                                                   {"final.velocity[", "]", velocity_of_body},
+                                                   {"final.spin[", "]", spin},
+                                                   {"restitution.tip", "", restitution_of_tip},
+                                                   {"restitution.centre", "", restitution_of_centre}}};
 
-std::optional<BriefQuantity> brief_quantity(std::string_view key) {
+template <class Result, std::size_t n>
+std::optional<BriefQuantity<Result>> look_up(const std::array<Known<Result>, n>& known,
+                                             std::string_view key) {
   for (const auto& [before, after, read] : known) {
-    if (after.empty() && key == before) return BriefQuantity{read};
+    if (after.empty() && key == before) return BriefQuantity<Result>{read};
     if (after.empty() || !key.starts_with(before)) continue;
     std::size_t index = 0;
     const char* const end = key.data() + key.size();
     const auto [stop, error] = std::from_chars(key.data() + before.size(), end, index);
-    if (error == std::errc() && std::string_view(stop, end) == after) return BriefQuantity{read, index};
+    if (error == std::errc() && std::string_view(stop, end) == after)
+      return BriefQuantity<Result>{read, index};
   }
   return {};
+}
+
+}  // namespace
+
+std::optional<BriefQuantity<BriefChain>> brief_quantity_of_chain(std::string_view key) {
+  return look_up(of_chain, key);
+}
+
+std::optional<BriefQuantity<BriefBody>> brief_quantity_of_body(std::string_view key) {
+  return look_up(of_body, key);
 }
 
 }  // namespace mariotte::study

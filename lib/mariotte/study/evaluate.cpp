@@ -13,27 +13,42 @@ Verdict verdict(const std::string& ending, const std::string& message) {
   return made;
 }
 
+/// Columns read from the brief result of one kind of scene, with the solver that makes it.
+template <class Result, class Solver>
+struct Brief {
+  std::vector<BriefQuantity<Result>> columns;  ///< of those that the brief result has
+  std::shared_ptr<Solver> solver = std::make_shared<Solver>();
+
+  void add(const std::optional<BriefQuantity<Result>>& quantity) {
+    if (quantity) columns.push_back(*quantity);
+  }
+  template <class Model>
+  Verdict evaluate(const Model& model, const hybrid::Options& run, std::span<double> out) {
+    const Result result{model, solver->solve(model, run)};
+    for (std::size_t k = 0; k < out.size(); ++k) out[k] = columns[k].read(result, columns[k].index);
+    return verdict(name(result.impact.ending), result.impact.message);
+  }
+};
+
 class Evaluator {
  public:
   Evaluator(const std::vector<std::string>& columns, const Simulate& simulate) : simulate_(simulate) {
     for (const auto& column : columns) {
       keys_.push_back(result_key(column));
-      if (const auto quantity = brief_quantity(column)) brief_.push_back(*quantity);
+      chain_.add(brief_quantity_of_chain(column));
+      body_.add(brief_quantity_of_body(column));
     }
   }
 
   Verdict operator()(const scene::Scene& scene, std::span<double> out) {
-    const bool is_chain = !scene.chain.mass.empty();
-    return is_chain && brief_.size() == keys_.size() ? brief(scene, out) : whole(scene, out);
+    if (!scene.chain.mass.empty() && chain_.columns.size() == keys_.size())
+      return chain_.evaluate(scene.chain, scene.run, out);
+    if (scene.body && scene.body->impacts == 1 && body_.columns.size() == keys_.size())
+      return body_.evaluate(*scene.body, scene.run, out);
+    return whole(scene, out);
   }
 
  private:
-  Verdict brief(const scene::Scene& scene, std::span<double> out) {
-    const BriefResult result{scene.chain, solver_->solve(scene.chain, scene.run)};
-    for (std::size_t k = 0; k < out.size(); ++k) out[k] = brief_[k].read(result, brief_[k].index);
-    return verdict(name(result.impact.ending), result.impact.message);
-  }
-
   Verdict whole(const scene::Scene& scene, std::span<double> out) const {
     const Json result = simulate_(scene);
     for (std::size_t k = 0; k < out.size(); ++k) out[k] = number(result, keys_[k]);
@@ -41,9 +56,9 @@ class Evaluator {
   }
 
   std::vector<ResultKey> keys_;
-  std::vector<BriefQuantity> brief_;  ///< of those columns that have one
+  Brief<BriefChain, impact::ChainSolver> chain_;
+  Brief<BriefBody, impact::MicrobodySolver> body_;
   Simulate simulate_;
-  std::shared_ptr<impact::ChainSolver> solver_ = std::make_shared<impact::ChainSolver>();
 };
 
 }  // namespace

@@ -25,8 +25,8 @@ using Simulate = std::function<Json(const scene::Scene&)>;
 /// Fills in one number per column, nan where the result has none. Not to be shared between threads.
 using Evaluate = std::function<Verdict(const scene::Scene&, std::span<double>)>;
 
-/// Looks the columns up in the result of `simulate`; a chain whose columns its quickest run has is solved
-/// without it, with the same memory again and again.
+/// Looks the columns up in the result of `simulate`; a chain, or a body with one impact, whose columns its
+/// quickest run has is solved without it, with the same memory again and again.
 Evaluate make_evaluate(const std::vector<std::string>& columns, const Simulate& simulate);
 
 }  // namespace mariotte::study
