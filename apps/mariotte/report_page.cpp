@@ -30,7 +30,10 @@ std::vector<report::Picture> pictures(const std::filesystem::path& folder) {
 }  // namespace
 
 report::Json read_result(const std::filesystem::path& folder) {
-  if (!std::filesystem::exists(folder / "sweep.json")) return read_object(folder / "result.json");
+  const auto has = [&](const char* name) { return std::filesystem::exists(folder / name); };
+  if (!has("sweep.json") && !has("result.json"))
+    throw scene::FileError(folder.string() + ": no run or sweep has left its result here");
+  if (!has("sweep.json")) return read_object(folder / "result.json");
   auto result = read_object(folder / "sweep.json");
   std::ifstream csv(folder / "sweep.csv");
   if (!csv) throw scene::FileError((folder / "sweep.csv").string() + ": cannot be read");
