@@ -25,9 +25,10 @@ count = )" +
          std::to_string(columns) + "\n";
 }
 
-/// Puts a command on so many ranks.
+/// Puts a command on so many ranks. OpenMPI does not give back all it takes, which is no leak of ours.
 inline std::string mpirun(int ranks) {
-  return "env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun --oversubscribe -n " +
+  return "env ASAN_OPTIONS=detect_leaks=0 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun "
+         "--oversubscribe -n " +
          std::to_string(ranks) + " ";
 }
 
