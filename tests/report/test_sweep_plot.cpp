@@ -44,13 +44,15 @@ std::vector<std::string> lines(const std::string& text) {
   return all;
 }
 
-/// What gnuplot makes of a sweep with one row per point.
-std::string drawn(const Design& design, const std::vector<std::string>& columns, const std::string& cells) {
+/// What gnuplot makes of a sweep with one row per point; the cells of every other point may differ.
+std::string drawn(const Design& design, const std::vector<std::string>& columns, const std::string& cells,
+                  std::string others = "") {
+  if (others.empty()) others = cells;
   std::string folder = (fs::temp_directory_path() / "mariotte-XXXXXX").string();
   ::mkdtemp(folder.data());
   std::string rows, data;
   for (Index point = 0; point < design.points(); ++point)
-    rows += std::string(design.parameters.size(), ',') + cells + "\n";
+    rows += std::string(design.parameters.size(), ',') + (point % 2 == 0 ? cells : others) + "\n";
   report::append_drawn(design, 0, rows, data);
   const auto plot = report::sweep_plot(design, columns, "It's a title");
   report::write_file(fs::path(folder) / "plot.csv", data);
@@ -110,9 +112,13 @@ BOOST_AUTO_TEST_CASE(a_large_map_is_thinned_out_evenly) {
 }
 
 BOOST_AUTO_TEST_CASE(gnuplot_draws_every_kind_of_sweep) {
-  for (const auto& design : {curve(10), map(4, 3), cloud(30)}) {
+  for (const auto& design : {curve(10), map(4, 3), map(2, 9), cloud(30)}) {
     BOOST_TEST(drawn(design, {"x[0]", "x[1]", "y"}, "1,2,3,separated,") == "");
     BOOST_TEST(drawn(design, {"x[0]", "x[1]", "y"}, "1,,,separated,") == "");
+    for (const auto* others : {",2,,separated,", ",,,rejected,\"no, not this\""}) {
+      BOOST_TEST(drawn(design, {"x[0]", "x[1]", "y"}, "1,,3,separated,", others) == "");
+      BOOST_TEST(drawn(design, {"x[0]", "x[1]", "y"}, others, "1,,3,separated,") == "");
+    }
   }
   Design listed = curve(2);
   listed.parameters[0].range.reset();

@@ -99,8 +99,10 @@ std::string surface(const study::Design& design, const Figure& figure) {
   const auto column = place(design, figure.columns[0]);
   const auto* style = is_map(design) ? "image" : "points pt 7 ps 0.5 lc palette";
   return "unset key\nunset grid\nset autoscale fix\n" + range_settings({column}, "cb") +
-         on_both_terminals(file_name(figure.key),
-                           unless_empty(fmt::format("plot 'plot.csv' using 1:2:{} with {}", column, style)));
+         on_both_terminals(
+             file_name(figure.key),
+             unless_empty(fmt::format("plot 'plot.csv' using 1:2:(valid({}) ? column({}) : NaN) with {}",
+                                      column, column, style)));
 }
 
 std::string axes(const study::Design& design) {
