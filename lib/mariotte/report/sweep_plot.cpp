@@ -11,7 +11,8 @@ namespace mariotte::report {
 namespace {
 
 constexpr std::size_t most_figures = 12;
-constexpr Index few_points = 40;  // that marks do not hide the curve
+constexpr Index few_points = 40;    // that marks do not hide the curve
+constexpr Index few_pixels = 2500;  // that are drawn one by one; browsers blur the edges of an image
 
 using Names = std::vector<std::string>;
 
@@ -97,7 +98,9 @@ std::string curves(const study::Design& design, const Names& columns, const Figu
 
 std::string surface(const study::Design& design, const Figure& figure) {
   const auto column = place(design, figure.columns[0]);
-  const auto* style = is_map(design) ? "image" : "points pt 7 ps 0.5 lc palette";
+  const auto* style = !is_map(design)                 ? "points pt 7 ps 0.5 lc palette"
+                      : design.points() <= few_pixels ? "image pixels"
+                                                      : "image";
   return "unset key\nunset grid\nset autoscale fix\n" + range_settings({column}, "cb") +
          on_both_terminals(
              file_name(figure.key),
