@@ -72,14 +72,15 @@ void prepare(const SweepFiles& files, const study::SweepPlan& plan, bool force) 
   } else if (study::journals(folder).empty()) {
     report::prepare_folder(folder, names, false);
   }
+  // What cannot be written is better refused before the sweep than after it.
   if (files.hdf5) report::new_hdf5_sweep(folder / hdf5_name, plan.design, plan.columns);
 }
 
 std::string write(const SweepFiles& files, const study::SweepPlan& plan, const report::Json& what,
                   study::Journal& journal) {
+  // This process alone writes here: it holds the journal.
   report::remove_unfinished(files.folder, names);
-  report::remove_unfinished(files.folder,
-                            {"figures"});  // this process alone writes here: it holds the journal
+  report::remove_unfinished(files.folder, {"figures"});
   write_tables(files, plan, what, journal);
   const auto shortfall = files.no_figures ? std::string() : draw(files.folder, plan);
   if (files.report) write_report_page(files.folder, read_result(files.folder));

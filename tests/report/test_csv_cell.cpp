@@ -1,5 +1,6 @@
 #define BOOST_TEST_MODULE report_csv_cell
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 #include <random>
 
 #include "mariotte/report/csv_cell.hpp"
@@ -24,6 +25,13 @@ BOOST_AUTO_TEST_CASE(cells_lie_between_commas) {
   BOOST_TEST(cells_of("one") == Cells{"one"}, same);
   BOOST_TEST(cells_of("") == Cells{""}, same);
   BOOST_TEST(cells_of(R"("a, ""b""",c)") == (Cells{"a, \"b\"", "c"}), same);
+}
+
+BOOST_AUTO_TEST_CASE(a_cell_is_a_number_as_a_whole_or_not_at_all) {
+  BOOST_TEST(report::number("-0.5e-3") == -0.5e-3);
+  BOOST_TEST(std::isinf(report::number("inf")));
+  for (const auto* text : {"", "2x", " 2", "two", "1e999"})
+    BOOST_TEST(std::isnan(report::number(text)), text);
 }
 
 BOOST_AUTO_TEST_CASE(what_is_written_is_read_back) {

@@ -17,7 +17,7 @@ class Step {
   ConstState after;   ///< state at end
   /// State at start ≤ time ≤ end.
   virtual void at(double time, State x) const = 0;
-  /// State at a share of the step, from 0 to 1, in whatever clock the step has: quicker where that is not time.
+  /// State at a share of the step, from 0 to 1 in whatever clock it has: quicker where that is not time.
   virtual void inside(double share, State x) const { at(start + share * (end - start), x); }
 };
 

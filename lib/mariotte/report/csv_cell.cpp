@@ -1,6 +1,8 @@
 #include "mariotte/report/csv_cell.hpp"
 
 #include <algorithm>
+#include <charconv>
+#include <limits>
 
 #include "mariotte/report/number.hpp"
 
@@ -31,6 +33,13 @@ void split(std::string_view line, std::vector<std::string>& cells) {
     }
   } while (at++ < line.size());
   cells.resize(count);
+}
+
+double number(std::string_view cell) {
+  double value = 0;
+  const auto [stop, problem] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  const bool is_number = problem == std::errc() && stop == cell.data() + cell.size();
+  return is_number ? value : std::numeric_limits<double>::quiet_NaN();
 }
 
 void append_value(const scene::Node& node, std::string& text) {

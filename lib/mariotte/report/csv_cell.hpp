@@ -14,6 +14,9 @@ std::string cell(std::string text);
 /// The cells of a line, back from what `cell` made of them, into `cells`, whose memory is reused.
 void split(std::string_view line, std::vector<std::string>& cells);
 
+/// The number that a cell is; nan if it is none.
+double number(std::string_view cell);
+
 /// Appends a value of a scene: 17 significant digits, or text; nothing for what is neither.
 void append_value(const scene::Node& node, std::string& text);
 

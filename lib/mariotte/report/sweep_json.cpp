@@ -1,7 +1,7 @@
 #include "mariotte/report/sweep_json.hpp"
 
 #include <algorithm>
-#include <charconv>
+#include <cmath>
 #include <map>
 #include <string>
 #include <utility>
@@ -34,9 +34,8 @@ struct Numbers {
   double least = 0, greatest = 0;
 
   void add(const std::string& cell) {
-    double value = 0;
-    const auto* end = cell.data() + cell.size();
-    if (cell.empty() || std::from_chars(cell.data(), end, value).ptr != end) return;
+    const double value = number(cell);
+    if (std::isnan(value)) return;
     least = count == 0 ? value : std::min(least, value);
     greatest = count == 0 ? value : std::max(greatest, value);
     ++count;

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "mariotte/report/files.hpp"
-
 namespace mariotte::report::hdf5 {
 namespace {
 
@@ -39,14 +37,6 @@ void Rows::append(const void* values, hsize_t rows, const H5::DataType& type) {
 void Rows::name_unit(const std::string& unit) const {
   const H5::StrType text(H5::PredType::C_S1, unit.size() + 1);
   dataset_.createAttribute("unit", text, H5::DataSpace()).write(text, unit);
-}
-
-void guarded(const std::filesystem::path& path, const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const H5::Exception& problem) {
-    throw FileError("cannot write " + path.string() + ": HDF5: " + problem.getDetailMsg());
-  }
 }
 
 }  // namespace mariotte::report::hdf5

@@ -2,8 +2,6 @@
 #pragma once
 #include <H5Cpp.h>
 
-#include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -29,8 +27,5 @@ class Rows {
   hsize_t width_ = 1;
   H5::DataSet dataset_;
 };
-
-/// What HDF5 complains of in `action` is thrown as FileError of the file.
-void guarded(const std::filesystem::path& path, const std::function<void()>& action);
 
 }  // namespace mariotte::report::hdf5

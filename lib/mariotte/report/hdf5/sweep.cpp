@@ -1,10 +1,6 @@
-#include <unistd.h>
-
-#include <charconv>
-#include <limits>
-
 #include "mariotte/report/csv_cell.hpp"
 #include "mariotte/report/files.hpp"
+#include "mariotte/report/hdf5/new_file.hpp"
 #include "mariotte/report/hdf5/rows.hpp"
 #include "mariotte/report/sweep_file.hpp"
 
@@ -12,12 +8,6 @@ namespace mariotte::report {
 namespace {
 
 constexpr Index most_pending = 65536;  // rows
-
-double number(const std::string& cell) {
-  double value = std::numeric_limits<double>::quiet_NaN();
-  std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  return value;
-}
 
 H5::StrType utf8_text() {
   H5::StrType type(H5::PredType::C_S1, H5T_VARIABLE);
@@ -102,20 +92,16 @@ void write_shape(const H5::H5File& file, const study::Design& design) {
 
 class Hdf5Sweep final : public SweepFile {
  public:
-  Hdf5Sweep(std::filesystem::path path, const study::Design& design, const std::vector<std::string>& columns)
-      : path_(std::move(path)), temporary_(temporary_name(path_)) {
-    H5::Exception::dontPrint();
-    hdf5::guarded(path_, [&] {
-      file_ = H5::H5File(temporary_.string(), H5F_ACC_TRUNC);
-      write_shape(file_, design);
+  Hdf5Sweep(const std::filesystem::path& path, const study::Design& design,
+            const std::vector<std::string>& columns)
+      : target_(path) {
+    target_.guarded([&] {
+      write_shape(target_.file(), design);
       for (const auto& parameter : design.parameters) add_column(parameter.key, is_numeric(parameter));
       for (const auto& column : columns) add_column(column, true);
-      columns_.push_back(std::make_unique<WordColumn>(file_, "ending"));
+      columns_.push_back(std::make_unique<WordColumn>(target_.file(), "ending"));
       add_column("reason", false);
     });
-  }
-  ~Hdf5Sweep() override {
-    ::unlink(temporary_.c_str());  // gone already if it was renamed
   }
 
   void add(std::string_view rows) override {
@@ -124,32 +110,28 @@ class Hdf5Sweep final : public SweepFile {
       for (std::size_t i = 0; i < columns_.size(); ++i) columns_[i]->add(cells_.at(i));
       ++pending_;
     }
-    if (pending_ >= most_pending) hdf5::guarded(path_, [&] { write(); });
+    if (pending_ >= most_pending) target_.guarded([&] { write(); });
   }
 
   void commit() override {
-    hdf5::guarded(path_, [&] {
-      write();
-      columns_.clear();
-      file_.close();
-    });
-    put_in_place(temporary_, path_);
+    target_.guarded([&] { write(); });
+    columns_.clear();
+    target_.commit();
   }
 
  private:
   void add_column(const std::string& name, bool is_numeric) {
     if (is_numeric)
-      columns_.push_back(std::make_unique<NumberColumn>(file_, name));
+      columns_.push_back(std::make_unique<NumberColumn>(target_.file(), name));
     else
-      columns_.push_back(std::make_unique<TextColumn>(file_, name));
+      columns_.push_back(std::make_unique<TextColumn>(target_.file(), name));
   }
   void write() {
     for (auto& column : columns_) column->write();
     pending_ = 0;
   }
 
-  std::filesystem::path path_, temporary_;
-  H5::H5File file_;
+  hdf5::NewFile target_;
   std::vector<std::unique_ptr<Column>> columns_;
   Index pending_ = 0;
   std::vector<std::string> cells_;

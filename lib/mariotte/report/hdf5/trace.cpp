@@ -1,9 +1,7 @@
-#include <unistd.h>
-
 #include <algorithm>
 #include <chrono>
 
-#include "mariotte/report/files.hpp"
+#include "mariotte/report/hdf5/new_file.hpp"
 #include "mariotte/report/hdf5/rows.hpp"
 #include "mariotte/report/trace_file.hpp"
 
@@ -46,22 +44,19 @@ void write_numbers(const H5::H5File& file, const char* name, const std::vector<I
 
 class Hdf5Trace final : public TraceFile {
  public:
-  Hdf5Trace(std::filesystem::path path, const std::vector<Index>& balls, const std::vector<Index>& contacts)
-      : path_(std::move(path)), temporary_(temporary_name(path_)) {
-    H5::Exception::dontPrint();
-    hdf5::guarded(path_, [&] {
-      file_ = H5::H5File(temporary_.string(), H5F_ACC_TRUNC);
-      write_numbers(file_, "ball", balls);
-      write_numbers(file_, "contact", contacts);
-      tables_ = {{file_, "time", "s", {}},
-                 {file_, "velocity", "m/s", {balls.size()}},
-                 {file_, "gap", "m", {contacts.size()}},
-                 {file_, "force", "N", {contacts.size()}}};
+  Hdf5Trace(const std::filesystem::path& path, const std::vector<Index>& balls,
+            const std::vector<Index>& contacts)
+      : target_(path) {
+    target_.guarded([&] {
+      const auto& file = target_.file();
+      write_numbers(file, "ball", balls);
+      write_numbers(file, "contact", contacts);
+      tables_ = {{file, "time", "s", {}},
+                 {file, "velocity", "m/s", {balls.size()}},
+                 {file, "gap", "m", {contacts.size()}},
+                 {file, "force", "N", {contacts.size()}}};
       flush();
     });
-  }
-  ~Hdf5Trace() override {
-    ::unlink(temporary_.c_str());  // gone already if it was renamed
   }
 
   void add(const impact::Sample& sample) override {
@@ -71,27 +66,23 @@ class Hdf5Trace final : public TraceFile {
     tables_[3].add(sample.force);
     const auto is_full = [](const Table& table) { return table.pending() >= most_pending; };
     if (Clock::now() - flushed_ > between_flushes || std::any_of(tables_.begin(), tables_.end(), is_full))
-      hdf5::guarded(path_, [&] { flush(); });
+      target_.guarded([&] { flush(); });
   }
 
   void commit() override {
-    hdf5::guarded(path_, [&] {
-      flush();
-      tables_.clear();
-      file_.close();
-    });
-    put_in_place(temporary_, path_);
+    target_.guarded([&] { flush(); });
+    tables_.clear();
+    target_.commit();
   }
 
  private:
   void flush() {
     for (auto& table : tables_) table.write();
-    file_.flush(H5F_SCOPE_GLOBAL);
+    target_.file().flush(H5F_SCOPE_GLOBAL);
     flushed_ = Clock::now();
   }
 
-  std::filesystem::path path_, temporary_;
-  H5::H5File file_;
+  hdf5::NewFile target_;
   std::vector<Table> tables_;
   Clock::time_point flushed_;
 };

@@ -1,0 +1,29 @@
+// An HDF5 file that is either complete or not there.
+#pragma once
+#include <H5Cpp.h>
+
+#include <filesystem>
+#include <functional>
+
+namespace mariotte::report::hdf5 {
+
+/// Grows under a temporary name until `commit`; without it nothing is left behind. All throw FileError.
+class NewFile {
+ public:
+  explicit NewFile(std::filesystem::path path);
+  ~NewFile();
+  NewFile(const NewFile&) = delete;
+  NewFile& operator=(const NewFile&) = delete;
+
+  H5::H5File& file() { return file_; }
+  /// What HDF5 complains of in `action` is thrown as FileError that names the file.
+  void guarded(const std::function<void()>& action) const;
+  /// Once no dataset of it is open any more.
+  void commit();
+
+ private:
+  std::filesystem::path path_, temporary_;
+  H5::H5File file_;
+};
+
+}  // namespace mariotte::report::hdf5
