@@ -30,6 +30,7 @@ ExitCode exit_code(hybrid::Ending ending) {
     case hybrid::Ending::time_limit:
     case hybrid::Ending::event_limit:
       return ExitCode::limit;
+    case hybrid::Ending::unsure:
     case hybrid::Ending::failed:
       return ExitCode::solver_failed;
   }

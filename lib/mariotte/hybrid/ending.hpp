@@ -9,10 +9,11 @@ enum class Ending {
   captured,     ///< a tip has turned back in the well of adhesion
   time_limit,   ///< Options::max_time was reached
   event_limit,  ///< Options::max_events was reached
+  unsure,       ///< it came to an end, but a balance does not close; what was computed is kept
   failed        ///< a flow could not go on; what was computed until then is kept
 };
 
-/// "separated", "captured", "time_limit", "event_limit", "failed".
+/// "separated", "captured", "time_limit", "event_limit", "unsure", "failed".
 constexpr const char* name(Ending ending) {
   switch (ending) {
     case Ending::separated:
@@ -23,6 +24,8 @@ constexpr const char* name(Ending ending) {
       return "time_limit";
     case Ending::event_limit:
       return "event_limit";
+    case Ending::unsure:
+      return "unsure";
     case Ending::failed:
       return "failed";
   }

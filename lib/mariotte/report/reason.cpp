@@ -15,6 +15,8 @@ std::string reason(hybrid::Ending ending, const std::string& message, const hybr
       return fmt::format("max_time = {:g} s was reached before the end", options.max_time);
     case Ending::event_limit:
       return fmt::format("max_events = {} was reached before the end", options.max_events);
+    case Ending::unsure:
+      return "the balances of the run do not close";
     case Ending::failed:
       return "the solver could not go on";
   }

@@ -64,7 +64,7 @@ class Evaluator {
 }  // namespace
 
 bool Verdict::has_numbers() const {
-  return ending != "failed" && ending != "rejected";
+  return ending != "failed" && ending != "unsure" && ending != "rejected";
 }
 
 Evaluate make_evaluate(const std::vector<std::string>& columns, const Simulate& simulate) {
