@@ -1,0 +1,21 @@
+// The gate: a run that came to an end is believed only if its balances close.
+#pragma once
+#include <span>
+#include <string>
+
+#include "mariotte/hybrid/ending.hpp"
+
+namespace mariotte::impact {
+
+/// One thing that must hold at the end of a run: |size| ≤ allowed. A size that is not a number never holds.
+struct Balance {
+  const char* name;  ///< "energy balance", "friction loss below zero", …
+  double size;       ///< by how much it does not close, in the unit of `allowed`
+  double allowed;    ///< what the accuracy explains
+};
+
+/// Turn `ending` into `unsure` if one of the balances does not hold; `message` then names the worst, its size
+/// and what to try. Endings `failed` and `unsure` stay as they are. Allocates nothing if all hold.
+void pass_gate(std::span<const Balance> balances, hybrid::Ending& ending, std::string& message);
+
+}  // namespace mariotte::impact
