@@ -23,11 +23,11 @@ double wake_depth(const PhaseContact& c, double speed) {
   return 0.5 * c.shallow / (1 + strain);
 }
 
-/// A contact that the window must hold.
+/// A contact that the window must hold: what stays outside flies freely and is watched only where it is open.
 bool is_active(const SerialPhase& phase, ConstState x, Index j) {
   const auto& c = phase.contact[j];
-  if (c.role == Role::touching) return -x[c.gap] > wake_depth(c, phase.speed);
-  return c.role != Role::open;
+  if (c.role != Role::touching) return c.role != Role::open;
+  return -x[c.gap] > wake_depth(c, phase.speed) || rate(phase, x, j) > 0 || drive(phase, j) != 0;
 }
 
 /// First time after 0 at which an open gap that flies freely falls to −level.
