@@ -43,8 +43,8 @@ struct Values {
   double time;  ///< since the start of the series
 };
 
-/// What is evaluated of a contact, and of the clock.
-enum class Quantity { indentation, rate, load, clock, time };
+/// What is evaluated of a contact, δ, δ̇, k δ + c δ̇ and δᵖ, and of the clock.
+enum class Quantity { indentation, rate, load, root, clock, time };
 
 /// Series of all lanes in a clock σ. Plain: t = σ. Of a lane c: dt = √δ_c dσ, in which onset (δ_c = 0,
 /// δ̇_c > 0) and separation of c are ordinary points; for windows without general exponents.

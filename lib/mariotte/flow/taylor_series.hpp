@@ -182,6 +182,9 @@ class Series final : public Expansion {
         case Quantity::load:
           c[k] = at(stiffness_, lane) * at(indentation_[k], lane) + at(damping_, lane) * at(rate_[k], lane);
           break;
+        case Quantity::root:
+          c[k] = k < order_ ? at(root_[k], lane) : 0;
+          break;
         case Quantity::clock:
           c[k] = clock_ == plain ? k == 0 : stretch_[k];
           break;

@@ -195,12 +195,26 @@ void Stepper::search(const Piece& piece, Quantity quantity, int lane, double sid
   if (place && *place < fall.place) fall = {guard, lane, *place};
 }
 
-Fall Stepper::first_fall(const Piece& piece) {
+/// End the piece where the root of an indentation passes zero. A contact that comes to δ = 0 and turns there
+/// goes on as √δ = |t|, and its series as t: beyond, the contact would pull.
+void Stepper::end_at_turn(Piece& piece, int lane) {
+  const auto& l = window.lanes;
+  if (lane == piece.clock || !(l.push[lane] > 0) || !window.is_sharp(lane)) return;
+  Coefficients c;
+  const auto place = flow::first_fall(piece.coefficients(Quantity::root, lane, c), piece.end);
+  if (!place || !(*place < piece.end)) return;
+  piece.is_cut = false;
+  shorten(piece, *place);
+}
+
+Fall Stepper::first_fall(Piece& piece) {
   Fall fall;
   if (!piece.series) return fall;  // a start is chosen so short that none fires
   const auto& l = window.lanes;
   if (std::any_of(values_.margin, values_.margin + l.count, [](double margin) { return margin < 0; }))
     piece.series->sharpen(piece.end, values_);
+  for (int j = 0; j < l.count; ++j)
+    if (l.side[j] > 0 && values_.margin[j] < 0) end_at_turn(piece, j);
   for (int j = 0; j < l.count; ++j) {
     const auto& c = window.contact(j);
     if (l.side[j] != 0 && values_.margin[j] < 0)

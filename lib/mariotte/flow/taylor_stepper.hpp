@@ -35,8 +35,9 @@ class Stepper {
   /// The longest piece within the tolerance that wakes no contact too late and ends after `time` at the
   /// latest. `first` allows the series of contacts that start undeformed.
   Piece next(bool first, double time);
-  /// The first guard that fires within the piece; proven.
-  Fall first_fall(const Piece& piece);
+  /// The first guard that fires within the piece; proven. Shortens a piece that passes a contact's turning
+  /// point at δ = 0.
+  Fall first_fall(Piece& piece);
   /// What the piece says at its end, or at an earlier place that becomes its end.
   const Values& values() const { return values_; }
   void shorten(Piece& piece, double place);
@@ -56,6 +57,7 @@ class Stepper {
   int choose_clock() const;
   Piece series_piece();
   void land(Piece& piece);
+  void end_at_turn(Piece& piece, int lane);
   double reach(const Expansion& series, bool fresh) const;
   Expansion& expansion();
   void wake_gently(Piece& piece);
