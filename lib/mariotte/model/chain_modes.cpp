@@ -5,6 +5,11 @@ namespace mariotte::model {
 using contact::ContactMode;
 using contact::ContactSet;
 
+bool comes_together(const DimensionlessChain& chain, Index j, double approach) {
+  const bool pulled = chain.gravity[j + 1] > chain.gravity[j];
+  return approach > (pulled ? -chain.slow : chain.slow);
+}
+
 ContactMode after(const ChainState& state, Index j, ContactMode before, bool load_fired) {
   return mode_after(before, load_fired, state.gap(j), state.approach(j), state.chain.slow);
 }

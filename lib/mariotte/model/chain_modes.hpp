@@ -17,6 +17,10 @@ struct ChainState {
   double approach(Index j) const { return x[layout.velocity[j]] - x[layout.velocity[j + 1]]; }
 };
 
+/// The balls of contact j approach or, where gravity pulls them together, do not part: they rest on each other
+/// or will meet again before they have parted.
+bool comes_together(const DimensionlessChain& chain, Index j, double approach);
+
 /// The mode of contact j after its gap, or its load, has fired.
 contact::ContactMode after(const ChainState& state, Index j, contact::ContactMode before, bool load_fired);
 

@@ -49,7 +49,7 @@ void ChainSystem::transition(Mode& mode, const std::vector<Index>& fired, ConstS
 bool ChainSystem::is_over(const Mode& mode, ConstState x, bool impacted) const {
   if (chain_.falls_back && (stay_ || !impacted)) return false;
   for (Index j = 0; j < layout_.contacts(); ++j)
-    if (mode[j] == ContactMode::closed || state(x).approach(j) > chain_.slow) return false;
+    if (mode[j] == ContactMode::closed || comes_together(chain_, j, state(x).approach(j))) return false;
   return true;
 }
 

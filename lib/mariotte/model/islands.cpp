@@ -55,7 +55,7 @@ bool Islands::is_beyond_limit(const Appointment& next) const {
 /// approaches.
 bool Islands::is_over() {
   if (!chain_.falls_back || stay_ || run_.events == 0 || islands_.size() > unused_.size()) return false;
-  const auto approaches = [&](Index j) { return balls_.approach(j, now_) > chain_.slow; };
+  const auto approaches = [&](Index j) { return comes_together(chain_, j, balls_.approach(j, now_)); };
   if (std::any_of(walls_.begin(), walls_.end(), approaches)) return false;
   const auto returns = [&](Index j) { return queue_.has_meeting(j); };
   return queue_.meetings() == std::count_if(walls_.begin(), walls_.end(), returns);
