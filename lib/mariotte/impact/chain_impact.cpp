@@ -5,12 +5,13 @@
 #include <numeric>
 #include <utility>
 
+#include "mariotte/impact/chain_gate.hpp"
 #include "mariotte/impact/chain_solver.hpp"
 #include "mariotte/impact/course.hpp"
-#include "mariotte/impact/energy.hpp"
 #include "mariotte/impact/event_list.hpp"
 #include "mariotte/impact/flow_use.hpp"
 #include "mariotte/impact/impulses.hpp"
+#include "mariotte/impact/promise.hpp"
 #include "mariotte/impact/sampler.hpp"
 #include "mariotte/impact/trace.hpp"
 
@@ -75,12 +76,15 @@ ChainImpact describe(const DimensionlessChain& chain, const ChainLayout& layout,
   std::vector<Index> periods;
   impulses(chain, layout, stretch, p);
   count_periods(run.changes, layout.contacts(), periods);
-  clear_untouched(periods, p);
-  const auto energies = contact_energies(chain, layout, course.mode, stretch);
+  std::vector<ContactEnergy> energies;
+  contact_energies(chain, layout, course.mode, stretch, energies);
 
   ChainImpact impact;
   impact.ending = run.ending;
   impact.message = run.message;
+  pass_gate({chain, layout, course.mode, stretch, p, periods, energies}, accuracy, impact.ending,
+            impact.message);
+  clear_untouched(periods, p);
   impact.time = run.time * scale.time;
   for (const Index at : layout.velocity) impact.velocity.push_back(run.state[at] * scale.velocity);
   for (const Index at : layout.gap) impact.gap.push_back(run.state[at] * scale.length);
@@ -88,8 +92,8 @@ ChainImpact describe(const DimensionlessChain& chain, const ChainLayout& layout,
   impact.icr = correlation_ratios(p);
   impact.impulse_direction = direction(p);
   impact.events = event_list(run.changes, scale.time);
-  impact.energy = energy_ledger(chain, layout, energies, p, stretch);
-  impact.momentum = momentum_ledger(chain, layout, stretch);
+  impact.energy = in_units(energy_balance(chain, layout, energies, p, stretch), scale);
+  impact.momentum = in_units(momentum_balance(chain, layout, stretch), scale);
   impact.flows = flow_uses(run.flows);
   return impact;
 }
@@ -137,6 +141,14 @@ ChainImpact simulate_islands(const model::Chain& chain, const hybrid::Options& o
   return impact;
 }
 
+ChainImpact simulate_once(const model::Chain& chain, const hybrid::Options& options,
+                          const Watching& watching) {
+  const auto balls = chain.mass.size();
+  return divides(options, balls) || !watching.samplings.empty()
+             ? simulate_islands(chain, options, watching)
+             : simulate_whole(chain, tightened(options, balls), watching.trace);
+}
+
 }  // namespace
 
 ChainImpact simulate(const model::Chain& chain, const hybrid::Options& options, bool trace) {
@@ -146,10 +158,16 @@ ChainImpact simulate(const model::Chain& chain, const hybrid::Options& options, 
 ChainImpact simulate(const model::Chain& chain, const hybrid::Options& options, const Watching& watching) {
   model::validate(chain);
   hybrid::validate(options);
-  const auto balls = chain.mass.size();
-  auto impact = divides(options, balls) || !watching.samplings.empty()
-                    ? simulate_islands(chain, options, watching)
-                    : simulate_whole(chain, tightened(options, balls), watching.trace);
+  auto impact = simulate_once(chain, options, watching);
+  const auto again = [&](double accuracy) {
+    auto tighter = options;
+    tighter.accuracy = accuracy;
+    return simulate_once(chain, tighter, watching);
+  };
+  if (watching.samplings.empty())  // what was sampled cannot be taken back
+    keep_promise(
+        options.accuracy, reference_speed(chain), impact, again,
+        [](const ChainImpact& one) -> const auto& { return one.velocity; });
   impact.requested_accuracy = options.accuracy;
   return impact;
 }
@@ -160,12 +178,7 @@ double estimate_accuracy(const model::Chain& chain, const hybrid::Options& optio
   tighter.accuracy = std::max(1e-2 * options.accuracy, 16 * epsilon);
   ChainSolver solver;
   const auto& reference = solver.solve(chain, tighter);
-  double error = 0, speed = 0;
-  for (std::size_t i = 0; i < chain.velocity.size(); ++i) {
-    error = std::max(error, std::abs(result.velocity[i] - reference.velocity[i]));
-    speed = std::max(speed, std::abs(chain.velocity[i]));
-  }
-  return speed > 0 ? error / speed : error;
+  return difference(result.velocity, reference.velocity, reference_speed(chain));
 }
 
 }  // namespace mariotte::impact

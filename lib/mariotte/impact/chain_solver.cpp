@@ -1,10 +1,14 @@
 #include "mariotte/impact/chain_solver.hpp"
 
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "mariotte/hybrid/simulate.hpp"
+#include "mariotte/impact/chain_gate.hpp"
 #include "mariotte/impact/course.hpp"
 #include "mariotte/impact/impulses.hpp"
+#include "mariotte/impact/promise.hpp"
 
 namespace mariotte::impact {
 
@@ -17,16 +21,22 @@ struct ChainSolver::Memory {
   DimensionlessChain divided;
   ChainLayout divided_layout;
   std::vector<double> start;
-  BriefImpact impact;
+  std::vector<ContactEnergy> energies;
+  BriefImpact impact, looser;
 
-  void report(const DimensionlessChain& chain, const ChainLayout& layout, const model::Islands::Run& run) {
+  void report(const DimensionlessChain& chain, const ChainLayout& layout, const model::Islands::Run& run,
+              const contact::ContactSet& mode, double accuracy) {
+    const Stretch stretch{.before = start, .after = run.state, .time = run.time};
     impact.ending = run.ending;
     impact.message = run.message;
     impact.time = run.time * chain.scale.time;
     impact.velocity.clear();
     for (const Index at : layout.velocity) impact.velocity.push_back(run.state[at] * chain.scale.velocity);
-    impulses(chain, layout, {.before = start, .after = run.state, .time = run.time}, impact.impulse);
+    impulses(chain, layout, stretch, impact.impulse);
     count_periods(run.changes, layout.contacts(), impact.periods);
+    contact_energies(chain, layout, mode, stretch, energies);
+    pass_gate({chain, layout, mode, stretch, impact.impulse, impact.periods, energies}, accuracy,
+              impact.ending, impact.message);
     clear_untouched(impact.periods, impact.impulse);
     for (double& p : impact.impulse) p *= chain.scale.momentum();
     impact.events = run.events;
@@ -40,8 +50,9 @@ struct ChainSolver::Memory {
   void solve_whole(const model::Chain& chain, const hybrid::Options& options, bool stay) {
     system.reset(chain, options.accuracy, stay);
     initial_state(system.chain(), system.layout(), start);
-    report(system.chain(), system.layout(),
-           hybrid::simulate(system, start, hybrid::scaled(options, system.chain().scale), workspace));
+    const auto& run =
+        hybrid::simulate(system, start, hybrid::scaled(options, system.chain().scale), workspace);
+    report(system.chain(), system.layout(), run, workspace.mode, options.accuracy);
     impact.widest = system.layout().contacts();
   }
 
@@ -53,8 +64,33 @@ struct ChainSolver::Memory {
     initial_state(divided, divided_layout, start);
     model::Islands islands(divided, divided_layout, start, hybrid::scaled(inner, divided.scale), stay, {});
     islands.run();
-    report(divided, divided_layout, islands.result());
+    report(divided, divided_layout, islands.result(), islands.mode(), options.accuracy);
     impact.widest = islands.count().widest;
+  }
+
+  void solve(const model::Chain& chain, const hybrid::Options& options) {
+    const bool stay = std::isfinite(options.max_time);
+    const auto balls = chain.mass.size();
+    divides(options, balls) ? solve_islands(chain, options, stay)
+                            : solve_whole(chain, tightened(options, balls), stay);
+  }
+
+  void keep_promise(const model::Chain& chain, hybrid::Options options) {
+    const Index periods = std::accumulate(impact.periods.begin(), impact.periods.end(), Index{0});
+    impact.estimated_accuracy.reset();
+    if (!closes_again(periods, std::ssize(impact.periods))) return;
+    const double speed = reference_speed(chain);
+    const auto estimate =
+        impact::keep_promise(options.accuracy, [&](double accuracy) -> std::optional<double> {
+          looser = impact;
+          options.accuracy = accuracy;
+          solve(chain, options);
+          if (impact.ending != hybrid::Ending::failed)
+            return difference(impact.velocity, looser.velocity, speed);
+          std::swap(impact, looser);
+          return std::nullopt;
+        });
+    impact.estimated_accuracy = estimate;
   }
 };
 
@@ -65,9 +101,8 @@ const BriefImpact& ChainSolver::solve(const model::Chain& chain, const hybrid::O
   auto& m = *memory_;
   model::validate(chain);
   hybrid::validate(options);
-  const bool stay = std::isfinite(options.max_time);
-  divides(options, chain.mass.size()) ? m.solve_islands(chain, options, stay)
-                                      : m.solve_whole(chain, tightened(options, chain.mass.size()), stay);
+  m.solve(chain, options);
+  m.keep_promise(chain, options);
   return m.impact;
 }
 

@@ -1,6 +1,7 @@
 // Many chains with the same memory: velocities, impulses and counts, and nothing that costs extra.
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,8 @@ struct BriefImpact {
   Index events = 0;              ///< instants at which contacts closed or opened
   Index steps = 0;
   Index rhs = 0;     ///< evaluations of the right-hand side, or of its series
+  /// Difference to a looser run, relative to the largest incident speed; where contacts close again and again
+  std::optional<double> estimated_accuracy;
   Index widest = 0;  ///< contacts of the largest island; all of them if the chain was one system
 };
 

@@ -94,9 +94,10 @@ void add_ratios(EnergyLedger& ledger, const DimensionlessChain& chain, const Cha
 
 }  // namespace
 
-std::vector<ContactEnergy> contact_energies(const DimensionlessChain& chain, const ChainLayout& layout,
-                                            const contact::ContactSet& mode, const Stretch& stretch) {
-  std::vector<ContactEnergy> energies(layout.contacts());
+void contact_energies(const DimensionlessChain& chain, const ChainLayout& layout,
+                      const contact::ContactSet& mode, const Stretch& stretch,
+                      std::vector<ContactEnergy>& energies) {
+  energies.assign(layout.contacts(), {});
   for (Index j = 0; j < layout.contacts(); ++j) {
     auto& energy = energies[j];
     const double gap = stretch.after[layout.gap[j]];
@@ -105,12 +106,11 @@ std::vector<ContactEnergy> contact_energies(const DimensionlessChain& chain, con
     if (layout.work[j] != ChainLayout::absent)
       energy.dissipated = stretch.after[layout.work[j]] - energy.stored;
   }
-  return energies;
 }
 
-EnergyLedger energy_ledger(const DimensionlessChain& chain, const ChainLayout& layout,
-                           const std::vector<ContactEnergy>& contacts, const std::vector<double>& p,
-                           const Stretch& stretch) {
+EnergyLedger energy_balance(const DimensionlessChain& chain, const ChainLayout& layout,
+                            const std::vector<ContactEnergy>& contacts, const std::vector<double>& p,
+                            const Stretch& stretch) {
   EnergyLedger ledger;
   ledger.initial = kinetic(chain, layout, stretch.before) + stored_at_start(chain, layout, stretch.before);
   ledger.final = kinetic(chain, layout, stretch.after);
@@ -120,15 +120,12 @@ EnergyLedger energy_ledger(const DimensionlessChain& chain, const ChainLayout& l
     ledger.dissipated += energy.dissipated;
   }
   ledger.residual = ledger.final + ledger.stored + ledger.dissipated - ledger.initial - ledger.work;
-  for (double* entry :
-       {&ledger.initial, &ledger.final, &ledger.stored, &ledger.dissipated, &ledger.work, &ledger.residual})
-    *entry *= chain.scale.energy();
   add_ratios(ledger, chain, layout, stretch);
   return ledger;
 }
 
-MomentumLedger momentum_ledger(const DimensionlessChain& chain, const ChainLayout& layout,
-                               const Stretch& stretch) {
+MomentumLedger momentum_balance(const DimensionlessChain& chain, const ChainLayout& layout,
+                                const Stretch& stretch) {
   MomentumLedger ledger;
   ledger.initial = momentum(chain, layout, stretch.before);
   ledger.final = momentum(chain, layout, stretch.after);
@@ -139,7 +136,18 @@ MomentumLedger momentum_ledger(const DimensionlessChain& chain, const ChainLayou
     if (i > 0) given -= stretch.after[layout.impulse[i - 1]];
   }
   ledger.residual = ledger.final - ledger.initial - given;
-  for (double* entry : {&ledger.initial, &ledger.final, &ledger.residual}) *entry *= chain.scale.momentum();
+  return ledger;
+}
+
+EnergyLedger in_units(EnergyLedger ledger, const Scale& scale) {
+  for (double* entry :
+       {&ledger.initial, &ledger.final, &ledger.stored, &ledger.dissipated, &ledger.work, &ledger.residual})
+    *entry *= scale.energy();
+  return ledger;
+}
+
+MomentumLedger in_units(MomentumLedger ledger, const Scale& scale) {
+  for (double* entry : {&ledger.initial, &ledger.final, &ledger.residual}) *entry *= scale.momentum();
   return ledger;
 }
 

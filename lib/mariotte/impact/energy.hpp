@@ -13,17 +13,21 @@ struct ContactEnergy {
       0;  ///< work put in less what is stored; what a slack contact still holds counts as lost
 };
 
-/// `mode` is the contact set at the end of the stretch.
-std::vector<ContactEnergy> contact_energies(const model::DimensionlessChain& chain,
-                                            const model::ChainLayout& layout, const contact::ContactSet& mode,
-                                            const Stretch& stretch);
+/// `mode` is the contact set at the end of the stretch. Fills `energies`, whose memory is reused.
+void contact_energies(const model::DimensionlessChain& chain, const model::ChainLayout& layout,
+                      const contact::ContactSet& mode, const Stretch& stretch,
+                      std::vector<ContactEnergy>& energies);
 
-/// Both ledgers in the chain's own units; `p` are the dimensionless impulses.
-EnergyLedger energy_ledger(const model::DimensionlessChain& chain, const model::ChainLayout& layout,
-                           const std::vector<ContactEnergy>& contacts, const std::vector<double>& p,
-                           const Stretch& stretch);
-/// Momentum of the balls over the stretch, in the chain's own units.
-MomentumLedger momentum_ledger(const model::DimensionlessChain& chain, const model::ChainLayout& layout,
-                               const Stretch& stretch);
+/// Both ledgers, dimensionless; `p` are the dimensionless impulses.
+EnergyLedger energy_balance(const model::DimensionlessChain& chain, const model::ChainLayout& layout,
+                            const std::vector<ContactEnergy>& contacts, const std::vector<double>& p,
+                            const Stretch& stretch);
+/// Momentum of the balls over the stretch.
+MomentumLedger momentum_balance(const model::DimensionlessChain& chain, const model::ChainLayout& layout,
+                                const Stretch& stretch);
+
+/// A dimensionless ledger in the units of the scale.
+EnergyLedger in_units(EnergyLedger ledger, const Scale& scale);
+MomentumLedger in_units(MomentumLedger ledger, const Scale& scale);
 
 }  // namespace mariotte::impact

@@ -7,6 +7,13 @@
 
 namespace mariotte::impact {
 
+/// How many times the accuracy a balance may be off: velocities may be wrong by the accuracy, and the errors
+/// of many bodies add up. A contact that is missed costs far more.
+inline constexpr double balance_allowance = 100;
+/// A contact that approaches so slowly that it cannot be told from rest is left alone to a few times the
+/// depth it can reach.
+inline constexpr double unheard_depths = 10;
+
 /// One thing that must hold at the end of a run: |size| ≤ allowed. A size that is not a number never holds.
 struct Balance {
   const char* name;  ///< "energy balance", "friction loss below zero", …

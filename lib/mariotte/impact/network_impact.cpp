@@ -5,9 +5,12 @@
 
 #include "mariotte/hybrid/simulate.hpp"
 #include "mariotte/impact/event_list.hpp"
+#include "mariotte/impact/gate.hpp"
 #include "mariotte/impact/impulses.hpp"
+#include "mariotte/impact/network_gate.hpp"
 #include "mariotte/impact/network_ledger.hpp"
 #include "mariotte/impact/observers.hpp"
+#include "mariotte/impact/promise.hpp"
 #include "mariotte/model/network_system.hpp"
 
 namespace mariotte::impact {
@@ -64,15 +67,27 @@ Trace named(Trace trace, const model::Network& network) {
   return trace;
 }
 
-}  // namespace
-
-Configuration configuration_of(const model::Network& network) {
-  return {.mass = network.mass, .contact = network.direction, .velocity = network.velocity};
+double largest(const std::vector<double>& values) {
+  double most = 0;
+  for (const double value : values) most = std::max(most, std::abs(value));
+  return most;
 }
 
-NetworkImpact simulate(const model::Network& network, const hybrid::Options& options, bool trace) {
-  model::validate(network);
-  hybrid::validate(options);
+/// The contacts without force, and how deep each may be without being heard.
+void pass_gate(const NetworkSystem& system, const contact::ContactSet& mode, NetworkImpact& impact) {
+  const auto& d = system.network();
+  std::vector<Index> open;
+  std::vector<double> depth;
+  for (Index j = 0; j < std::ssize(mode); ++j) {
+    using contact::ContactMode;
+    if (mode[j] != ContactMode::closed && mode[j] != ContactMode::slack) open.push_back(j);
+    const double length = balance_allowance * impact.requested_accuracy * d.length[j];
+    depth.push_back((unheard_depths * d.shallow[j] + length) * d.scale.length);
+  }
+  pass_gate(open, depth, impact);
+}
+
+NetworkImpact simulate_once(const model::Network& network, const hybrid::Options& options, bool trace) {
   NetworkSystem system(network, options.accuracy);
   const auto& scale = system.network().scale;
   const auto& at = system.layout();
@@ -101,6 +116,29 @@ NetworkImpact simulate(const model::Network& network, const hybrid::Options& opt
   impact.skipped = skipped(system, run, trace);
   impact.requested_accuracy = options.accuracy;
   if (trace) impact.trace = named(observers.recorder.take(run.time, run.state), network);
+  pass_gate(system, workspace.mode, impact);
+  return impact;
+}
+
+}  // namespace
+
+Configuration configuration_of(const model::Network& network) {
+  return {.mass = network.mass, .contact = network.direction, .velocity = network.velocity};
+}
+
+NetworkImpact simulate(const model::Network& network, const hybrid::Options& options, bool trace) {
+  model::validate(network);
+  hybrid::validate(options);
+  auto impact = simulate_once(network, options, trace);
+  const auto before = configuration_of(network);
+  const auto again = [&](double accuracy) {
+    auto tighter = options;
+    tighter.accuracy = accuracy;
+    return simulate_once(network, tighter, trace);
+  };
+  keep_promise(options.accuracy, largest(gap_rates(before, network.velocity)), impact, again,
+               [&](const NetworkImpact& one) { return gap_rates(before, one.velocity); });
+  impact.requested_accuracy = options.accuracy;
   return impact;
 }
 
@@ -110,13 +148,8 @@ double estimate_accuracy(const model::Network& network, const hybrid::Options& o
   tighter.accuracy = std::max(1e-2 * options.accuracy, 16 * epsilon);
   const auto before = configuration_of(network);
   const auto reference = gap_rates(before, simulate(network, tighter).velocity);
-  const auto rates = gap_rates(before, result.velocity), start = gap_rates(before, network.velocity);
-  double error = 0, speed = 0;
-  for (std::size_t j = 0; j < rates.size(); ++j) {
-    error = std::max(error, std::abs(rates[j] - reference[j]));
-    speed = std::max(speed, std::abs(start[j]));
-  }
-  return speed > 0 ? error / speed : error;
+  return difference(gap_rates(before, result.velocity), reference,
+                    largest(gap_rates(before, network.velocity)));
 }
 
 }  // namespace mariotte::impact

@@ -13,8 +13,8 @@ double reduced_mass(double a, double b) {
   return std::isinf(b) ? a : a / (1 + a / b);
 }
 
-/// Speed that the bodies can reach relative to each other: what they start with, and what gravity and stored
-/// energy can add.
+}  // namespace
+
 double reference_speed(const Chain& chain) {
   const auto [slowest, fastest] = std::minmax_element(chain.velocity.begin(), chain.velocity.end());
   const double spread = std::min(*fastest - *slowest, std::max(std::abs(*slowest), std::abs(*fastest)));
@@ -35,6 +35,8 @@ double reference_speed(const Chain& chain) {
   }
   return std::sqrt(2 * std::abs(chain.gravity) * indentation);
 }
+
+namespace {
 
 /// Remembers its last answer: contacts of a chain are mostly alike.
 class NaturalLength {

@@ -26,6 +26,10 @@ struct DimensionlessChain {
   bool falls_back = false;      ///< gravity pulls some ball back to a wall
 };
 
+/// Speed that the balls of a validated chain can reach relative to each other: what they start with, and what
+/// gravity and stored energy can add. The accuracy of velocities is relative to it.
+double reference_speed(const Chain& chain);
+
 /// Convert a validated chain into `d`, whose memory is reused. `accuracy` decides what is slow: a tenth
 /// of what may be wrong anyway.
 void make_dimensionless(const Chain& chain, double accuracy, DimensionlessChain& d);

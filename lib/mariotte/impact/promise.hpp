@@ -1,0 +1,80 @@
+// The promise of an accuracy: how far errors grow on the way to the end depends on the scene, and where
+// contacts close again and again it can be far. Such a scene is run again, tighter, until two runs agree.
+//
+//   a ← the accuracy asked for; run
+//   unless contacts have closed again and again: done          a single wave pays nothing
+//   repeat
+//     a ← tighter, as the last difference says; run again
+//     difference of the velocities ≤ accuracy asked for?  → the tighter run, with the difference as estimate
+//     a cannot get tighter?                               → the same, and the estimate says so
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "mariotte/core/types.hpp"
+#include "mariotte/hybrid/ending.hpp"
+
+namespace mariotte::impact {
+
+/// True if the contacts of a run have closed so often that what one contact does wrong is magnified by the
+/// next: more than twice each on average. After very many periods rounding alone decides the end, and each
+/// run takes minutes.
+inline bool closes_again(Index periods, Index contacts) {
+  constexpr Index most = 100'000;
+  return periods > 2 * contacts && periods <= most;
+}
+
+/// Accuracy of the next run, if the runs at twice looser accuracies differ by `difference`; empty if double
+/// precision has no more to give.
+inline std::optional<double> next_accuracy(double wanted, double now, std::optional<double> difference) {
+  constexpr double share = 1.0 / 32, floor = 16 * epsilon;
+  const double excess = difference ? std::clamp(wanted / *difference, 1e-6, 1.0) : 1;
+  const double next = std::max(floor, share * excess * now);
+  return next <= 0.5 * now ? std::optional(next) : std::nullopt;
+}
+
+/// Largest difference of velocities, relative to `speed` unless that is 0.
+inline double difference(std::span<const double> a, std::span<const double> b, double speed) {
+  double most = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, std::abs(a[i] - b[i]));
+  return speed > 0 ? most / speed : most;
+}
+
+/// Run tighter until two runs agree within `wanted`: `run(accuracy)` runs and returns by how much its
+/// velocities differ from those of the run before, or nothing if it failed. Returns the last difference;
+/// empty if no tighter run succeeded.
+template <class Run>
+std::optional<double> keep_promise(double wanted, Run&& run) {
+  std::optional<double> last;
+  auto accuracy = next_accuracy(wanted, wanted, last);
+  while (accuracy) {
+    const std::optional<double> apart = run(*accuracy);
+    if (!apart) break;
+    last = apart;
+    if (*last <= wanted) break;
+    accuracy = next_accuracy(wanted, *accuracy, last);
+  }
+  return last;
+}
+
+/// The same for whole results: `again(accuracy)` makes a tighter one, which takes the place of `impact`
+/// unless it failed; `velocities(impact)` are compared, relative to `speed`.
+template <class Impact, class Again, class Velocities>
+void keep_promise(double wanted, double speed, Impact& impact, Again&& again, Velocities&& velocities) {
+  Index periods = 0;
+  for (const auto& contact : impact.contacts) periods += std::ssize(contact.periods);
+  if (!closes_again(periods, std::ssize(impact.contacts))) return;
+  const auto estimate = keep_promise(wanted, [&](double accuracy) -> std::optional<double> {
+    auto tighter = again(accuracy);
+    if (tighter.ending == hybrid::Ending::failed) return std::nullopt;
+    const double apart = difference(velocities(impact), velocities(tighter), speed);
+    impact = std::move(tighter);
+    return apart;
+  });
+  impact.estimated_accuracy = estimate;
+}
+
+}  // namespace mariotte::impact
