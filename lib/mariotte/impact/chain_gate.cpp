@@ -53,7 +53,7 @@ double energy_gain(const ChainOutcome& o) {
 double unheard_indentation(const ChainOutcome& o, double accuracy) {
   double worst = 0;
   for (Index j = 0; j < o.layout.contacts(); ++j) {
-    if (o.mode[j] == ContactMode::closed || o.mode[j] == ContactMode::slack) continue;
+    if (o.mode[j] != ContactMode::open && o.mode[j] != ContactMode::hovering) continue;
     const double allowed =
         unheard_depths * o.chain.shallow[j] + balance_allowance * accuracy * o.chain.length[j];
     const double depth = -o.stretch.after[o.layout.gap[j]] / allowed;

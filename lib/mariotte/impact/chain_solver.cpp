@@ -23,6 +23,7 @@ struct ChainSolver::Memory {
   std::vector<double> start;
   std::vector<ContactEnergy> energies;
   BriefImpact impact, looser;
+  Passage passage;
 
   void report(const DimensionlessChain& chain, const ChainLayout& layout, const model::Islands::Run& run,
               const contact::ContactSet& mode, double accuracy) {
@@ -41,9 +42,13 @@ struct ChainSolver::Memory {
     for (double& p : impact.impulse) p *= chain.scale.momentum();
     impact.events = run.events;
     impact.steps = impact.rhs = 0;
-    for (const auto& flow : run.flows) {
+    passage = {.contacts = layout.contacts(),
+               .periods = std::accumulate(impact.periods.begin(), impact.periods.end(), Index{0})};
+    for (const auto kind : flow::kinds) {
+      const auto& flow = run.flows[static_cast<std::size_t>(kind)];
       impact.steps += flow.steps;
       impact.rhs += flow.rhs;
+      count_steps(passage, flow::name(kind), flow.steps);
     }
   }
 
@@ -76,9 +81,8 @@ struct ChainSolver::Memory {
   }
 
   void keep_promise(const model::Chain& chain, hybrid::Options options) {
-    const Index periods = std::accumulate(impact.periods.begin(), impact.periods.end(), Index{0});
     impact.estimated_accuracy.reset();
-    if (!closes_again(periods, std::ssize(impact.periods))) return;
+    if (!may_have_erred(passage)) return;
     const double speed = reference_speed(chain);
     const auto estimate =
         impact::keep_promise(options.accuracy, [&](double accuracy) -> std::optional<double> {

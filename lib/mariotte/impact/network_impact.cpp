@@ -80,7 +80,7 @@ void pass_gate(const NetworkSystem& system, const contact::ContactSet& mode, Net
   std::vector<double> depth;
   for (Index j = 0; j < std::ssize(mode); ++j) {
     using contact::ContactMode;
-    if (mode[j] != ContactMode::closed && mode[j] != ContactMode::slack) open.push_back(j);
+    if (mode[j] == ContactMode::open || mode[j] == ContactMode::hovering) open.push_back(j);
     const double length = balance_allowance * impact.requested_accuracy * d.length[j];
     depth.push_back((unheard_depths * d.shallow[j] + length) * d.scale.length);
   }

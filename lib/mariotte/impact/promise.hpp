@@ -1,8 +1,9 @@
 // The promise of an accuracy: how far errors grow on the way to the end depends on the scene, and where
-// contacts close again and again it can be far. Such a scene is run again, tighter, until two runs agree.
+// contacts close again and again, or push for long, it can be far. Such a scene is run again, tighter, until
+// two runs agree.
 //
 //   a ← the accuracy asked for; run
-//   unless contacts have closed again and again: done          a single wave pays nothing
+//   unless contacts have closed again and again, or pushed for long: done     a single wave pays nothing
 //   repeat
 //     a ← tighter, as the last difference says; run again
 //     difference of the velocities ≤ accuracy asked for?  → the tighter run, with the difference as estimate
@@ -12,6 +13,7 @@
 #include <cmath>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <utility>
 
 #include "mariotte/core/types.hpp"
@@ -19,12 +21,25 @@
 
 namespace mariotte::impact {
 
-/// True if the contacts of a run have closed so often that what one contact does wrong is magnified by the
-/// next: more than twice each on average. After very many periods rounding alone decides the end, and each
-/// run takes minutes.
-inline bool closes_again(Index periods, Index contacts) {
+/// What a run has gone through.
+struct Passage {
+  Index contacts = 0;
+  Index periods = 0;  ///< of contact, of all contacts together
+  Index steps = 0;    ///< of series and closed forms; CVODE's are shorter and count a thirtieth
+};
+
+/// Adds the steps of a flow.
+inline void count_steps(Passage& passage, std::string_view flow, Index steps) {
+  passage.steps += flow.starts_with("cvode") ? steps / 30 : steps;
+}
+
+/// True if errors may have grown: contacts have closed more than twice each on average, so that what one does
+/// wrong is magnified by the next, or the errors of many steps have added up. After very many periods
+/// rounding alone decides the end, and each run takes minutes.
+inline bool may_have_erred(const Passage& passage) {
   constexpr Index most = 100'000;
-  return periods > 2 * contacts && periods <= most;
+  return (passage.periods > 2 * passage.contacts || passage.steps > 60 + 10 * passage.contacts) &&
+         passage.periods <= most;
 }
 
 /// Accuracy of the next run, if the runs at twice looser accuracies differ by `difference`; empty if double
@@ -64,9 +79,10 @@ std::optional<double> keep_promise(double wanted, Run&& run) {
 /// unless it failed; `velocities(impact)` are compared, relative to `speed`.
 template <class Impact, class Again, class Velocities>
 void keep_promise(double wanted, double speed, Impact& impact, Again&& again, Velocities&& velocities) {
-  Index periods = 0;
-  for (const auto& contact : impact.contacts) periods += std::ssize(contact.periods);
-  if (!closes_again(periods, std::ssize(impact.contacts))) return;
+  Passage passage{.contacts = std::ssize(impact.contacts)};
+  for (const auto& contact : impact.contacts) passage.periods += std::ssize(contact.periods);
+  for (const auto& flow : impact.flows) count_steps(passage, flow.name, flow.steps);
+  if (!may_have_erred(passage)) return;
   const auto estimate = keep_promise(wanted, [&](double accuracy) -> std::optional<double> {
     auto tighter = again(accuracy);
     if (tighter.ending == hybrid::Ending::failed) return std::nullopt;
