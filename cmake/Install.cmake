@@ -9,7 +9,7 @@ foreach(module IN LISTS MARIOTTE_LIBRARY_MODULES)
           FILES_MATCHING PATTERN "*.hpp" REGEX "/(${private_headers})[^/]*\\.hpp$" EXCLUDE)
 endforeach()
 if(MARIOTTE_APPS)
-  install(TARGETS mariotte_command icr_table scaling_study stiffness_study work_precision)
+  install(TARGETS mariotte_command icr_table scaling_study stiffness_study stress_study work_precision)
 endif()
 
 configure_package_config_file(cmake/mariotteConfig.cmake.in mariotteConfig.cmake INSTALL_DESTINATION ${package_dir})

@@ -1,0 +1,147 @@
+#include "examine.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "rivals.hpp"
+
+namespace mariotte::stress_study {
+namespace {
+
+/// What the naive simulator is good to, and the steps it may take: many on a share of the scenes only.
+constexpr const char* naive_name = "naive simulator";
+constexpr double naive_accuracy = 1e-7;
+constexpr test::Effort quick{.tolerance = 1e-10, .share = 0.3, .most_steps = 4000},
+    patient{.tolerance = 1e-10, .share = 0.3, .most_steps = 200000},
+    careful{.tolerance = 1e-12, .share = 0.1, .most_steps = 2000000};
+constexpr std::uint64_t share_with_many_steps = 50, share_with_general_flow = 10;
+
+/// Perturbations to measure amplification by; those of one size are measured once.
+class Perturbations {
+ public:
+  Perturbations(const Scene& scene, std::string general, const Announce& announce)
+      : scene_(scene), general_(std::move(general)), announce_(announce) {}
+
+  /// The smaller of what the automatic choice and, if there is one, the general flow say: a result that is
+  /// wrong by itself must not excuse itself.
+  Sensitivity operator()(double size) {
+    if (const auto known = known_.find(size); known != known_.end()) return known->second;
+    auto least = measured({"auto", tight}, size);
+    if (!general_.empty()) {
+      const auto other = measured({general_, 1e-11}, size);
+      least.amplification = std::min(least.amplification, other.amplification);
+      least.counts_change |= other.counts_change;
+    }
+    return known_[size] = least;
+  }
+
+ private:
+  Sensitivity measured(const Method& method, double size) {
+    constexpr std::uint64_t directions = 6;
+    const auto plain = timed(scene_, method);
+    Sensitivity result;
+    if (!has_ended(plain)) return {.amplification = infinity};
+    for (std::uint64_t direction = 0; direction < directions; ++direction) {
+      const auto other = timed(perturbed(scene_, size, direction), method);
+      if (!has_ended(other)) continue;
+      result.amplification = std::max(result.amplification, distance(plain, other) / size);
+      result.counts_change |= other.periods != plain.periods;
+    }
+    return result;
+  }
+  Found timed(const Scene& scene, const Method& method) {
+    announce_(name(method) + ", perturbed");
+    return run(scene, method);
+  }
+
+  const Scene& scene_;
+  std::string general_;
+  const Announce& announce_;
+  std::map<double, Sensitivity> known_;
+};
+
+class Examination {
+ public:
+  Examination(const Scene& scene, std::uint64_t number, const Announce& announce)
+      : scene_(scene), number_(number), announce_(announce) {}
+
+  Verdict verdict() {
+    for (const double accuracy : accuracies)
+      add({.flow = "auto", .accuracy = accuracy, .ledgers = accuracy == accuracies.back()}, accuracy);
+    best_ = trial({.flow = "auto", .accuracy = tight}, tight);
+    add_other_flow();
+    add_naive();
+    Perturbations perturbations(scene_, general_.empty() ? "" : general_.front(), announce_);
+    const auto judgement = judge(best_, trials_, std::ref(perturbations));
+    return described(judgement);
+  }
+
+ private:
+  Trial trial(const Method& method, double accuracy) {
+    announce_(name(method));
+    return {.name = name(method), .accuracy = accuracy, .found = run(scene_, method)};
+  }
+  void add(const Method& method, double accuracy) {
+    trials_.push_back(trial(method, accuracy));
+    trials_.back().counts = accuracy == accuracies.back();
+  }
+
+  void add_other_flow() {
+    general_ = general_flows(scene_, best_.found.time);
+    auto flows = special_flows(scene_.model);
+    const bool general = number_ % share_with_general_flow == 0 && !general_.empty();
+    if (general) flows = general_;
+    add({.flow = flows[number_ / share_with_general_flow % flows.size()]}, accuracies.back());
+  }
+
+  void add_naive() {
+    if (!has_ended(best_.found)) return;
+    announce_(naive_name);
+    const double end = best_.found.time;
+    const auto found = run_naively(scene_, end, number_ % share_with_many_steps == 0 ? patient : quick);
+    if (!found) return;
+    Trial trial{.name = naive_name, .accuracy = naive_accuracy, .found = *found};
+    if (distance(*found, best_.found) > tolerated * naive_accuracy) {
+      const auto again = run_naively(scene_, end, careful);  // its own error tells what it may be off by
+      if (!again) return;
+      trial.accuracy = std::max(naive_accuracy, distance(*found, *again));
+      trial.found = *again;
+    }
+    trials_.push_back(std::move(trial));
+  }
+
+  Verdict described(const Judgement& judgement) const {
+    Verdict verdict{.scene = number_,
+                    .worst = judgement.worst,
+                    .seconds = trials_[accuracies.size() - 1].found.seconds,
+                    .naive = trials_.back().name == naive_name,
+                    .counts_differ = judgement.counts_differ,
+                    .failures = judgement.failures,
+                    .limits = judgement.limits,
+                    .refusals = judgement.refusals,
+                    .findings = judgement.findings};
+    for (std::size_t i = 0; i < accuracies.size(); ++i) {
+      const bool known = has_ended(best_.found) && has_ended(trials_[i].found);
+      verdict.error[i] = known ? distance(best_.found, trials_[i].found) / accuracies[i] : -1;
+    }
+    return verdict;
+  }
+
+  const Scene& scene_;
+  std::uint64_t number_;
+  const Announce& announce_;
+  std::vector<Trial> trials_;
+  Trial best_;
+  std::vector<std::string> general_;
+};
+
+}  // namespace
+
+Verdict examine(const std::vector<Family>& list, std::uint64_t seed, std::uint64_t number,
+                const Announce& announce) {
+  announce("drawing");
+  const auto scene = scene_of(list, seed, number);
+  return Examination(scene, number, announce).verdict();
+}
+
+}  // namespace mariotte::stress_study

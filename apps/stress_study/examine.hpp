@@ -1,0 +1,33 @@
+// All runs of one scene, and what they come to.
+#pragma once
+#include <array>
+#include <functional>
+
+#include "family.hpp"
+#include "judge.hpp"
+
+namespace mariotte::stress_study {
+
+/// Accuracies that `auto` is asked for, and the one that it is measured against.
+inline constexpr std::array accuracies = {1e-6, 1e-8, 1e-10};
+inline constexpr double tight = 1e-12;
+
+/// What a table needs of one scene.
+struct Verdict {
+  std::uint64_t scene = 0;
+  std::array<double, accuracies.size()> error{};  ///< of `auto` over its accuracy; < 0 if not known
+  double worst = 0;                               ///< of all runs, likewise
+  double seconds = 0;                             ///< of `auto` at the last accuracy
+  bool naive = false;                             ///< the naive simulator could follow it
+  bool counts_differ = false;
+  int failures = 0, limits = 0, refusals = 0, killed = 0;
+  std::vector<std::string> findings = {};
+};
+
+/// Told what is about to be run.
+using Announce = std::function<void(const std::string&)>;
+
+Verdict examine(const std::vector<Family>& list, std::uint64_t seed, std::uint64_t number,
+                const Announce& announce);
+
+}  // namespace mariotte::stress_study

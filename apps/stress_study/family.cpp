@@ -1,0 +1,25 @@
+#include "family.hpp"
+
+#include <algorithm>
+
+namespace mariotte::stress_study {
+
+std::vector<Family> families(const std::vector<std::string>& kinds) {
+  std::vector<Family> list;
+  const auto add = [&](const char* kind, auto&& make) {
+    if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) return;
+    const auto more = make();
+    list.insert(list.end(), more.begin(), more.end());
+  };
+  add("chains", chain_families);
+  add("networks", network_families);
+  add("bodies", body_families);
+  return list;
+}
+
+Scene scene_of(const std::vector<Family>& list, std::uint64_t seed, std::uint64_t number) {
+  Dice dice(seed, number);
+  return list[number % list.size()].draw(dice);
+}
+
+}  // namespace mariotte::stress_study

@@ -1,0 +1,27 @@
+// Kinds of random scenes: a name, and how one is drawn.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "dice.hpp"
+#include "scene.hpp"
+
+namespace mariotte::stress_study {
+
+/// One kind of scene.
+struct Family {
+  std::string name;
+  Scene (*draw)(Dice&);
+};
+
+std::vector<Family> chain_families();
+std::vector<Family> network_families();
+std::vector<Family> body_families();
+
+/// All families of the kinds "chains", "networks", "bodies".
+std::vector<Family> families(const std::vector<std::string>& kinds);
+
+/// Scene number `number` of a seed; families take turns.
+Scene scene_of(const std::vector<Family>& list, std::uint64_t seed, std::uint64_t number);
+
+}  // namespace mariotte::stress_study

@@ -1,0 +1,86 @@
+#include "judge.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace mariotte::stress_study {
+namespace {
+
+using hybrid::Ending;
+
+/// One is captured, and the other flies off.
+bool ends_otherwise(const Found& one, const Found& other) {
+  return (one.ending == Ending::captured) != (other.ending == Ending::captured);
+}
+
+double deviation(const Trial& trial, const Trial& best) {
+  return ends_otherwise(trial.found, best.found) ? 1 : distance(trial.found, best.found);
+}
+
+/// Failures and limits; true if the run can be compared.
+bool take_ending(const Trial& trial, Judgement& judgement) {
+  const auto& found = trial.found;
+  if (has_ended(found)) return true;
+  if (found.refused) {
+    ++judgement.refusals;
+  } else if (found.ending == Ending::event_limit) {
+    ++judgement.limits;
+    judgement.findings.push_back(fmt::format("{}: {} events are not enough", trial.name, most_events));
+  } else if (!trial.expected) {
+    ++judgement.failures;
+    judgement.findings.push_back(
+        fmt::format("{}: {}: {}", trial.name, hybrid::name(found.ending), found.message));
+  }
+  return false;
+}
+
+void take_deviation(const Trial& trial, const Trial& best, const Measure& measure, Judgement& judgement) {
+  const double error = deviation(trial, best);
+  judgement.worst = std::max(judgement.worst, error / trial.accuracy);
+  if (error <= tolerated * trial.accuracy) return;
+  const double amplification = std::max(1.0, measure(trial.accuracy).amplification);
+  if (error <= tolerated * trial.accuracy * amplification) return;
+  judgement.findings.push_back(
+      fmt::format("{} and {} differ by {:.3g}, {:.2g} times what may be; perturbations grow {:.2g} times",
+                  trial.name, best.name, error, error / trial.accuracy, amplification));
+}
+
+void take_balance(const Trial& trial, Judgement& judgement) {
+  const double imbalance = trial.found.imbalance;
+  if (imbalance <= tolerated * trial.accuracy) return;
+  judgement.findings.push_back(
+      fmt::format("{}: a balance does not close: {:.3g} of the energy", trial.name, imbalance));
+}
+
+void take_counts(const Trial& trial, const Trial& best, const Measure& measure, Judgement& judgement) {
+  if (!trial.counts || trial.found.periods == best.found.periods) return;
+  judgement.counts_differ = true;
+  if (measure(trial.accuracy).counts_change || measure(tolerated * trial.accuracy).counts_change) return;
+  judgement.findings.push_back(fmt::format("contact periods: {} of {}, {} of {}",
+                                           fmt::join(trial.found.periods, " "), trial.name,
+                                           fmt::join(best.found.periods, " "), best.name));
+}
+
+}  // namespace
+
+bool has_ended(const Found& found) {
+  return !found.refused && (found.ending == Ending::separated || found.ending == Ending::captured ||
+                            found.ending == Ending::time_limit);
+}
+
+Judgement judge(const Trial& best, const std::vector<Trial>& trials, const Measure& measure) {
+  Judgement judgement;
+  const bool comparable = take_ending(best, judgement);
+  if (comparable) take_balance(best, judgement);
+  for (const auto& trial : trials) {
+    if (!take_ending(trial, judgement)) continue;
+    take_balance(trial, judgement);
+    if (!comparable) continue;
+    take_deviation(trial, best, measure, judgement);
+    take_counts(trial, best, measure, judgement);
+  }
+  return judgement;
+}
+
+}  // namespace mariotte::stress_study

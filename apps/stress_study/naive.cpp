@@ -1,0 +1,41 @@
+#include "run.hpp"
+#include "support/naive_chain.hpp"
+
+namespace mariotte::stress_study {
+namespace {
+
+Found found_in(const model::Chain& chain, const test::NaiveRun& run, double end) {
+  Found found{.ending = hybrid::Ending::time_limit, .time = end, .value = run.velocity};
+  for (std::size_t i = 0; i < found.value.size(); ++i)
+    if (std::isfinite(chain.mass[i])) found.value[i] += chain.gravity * end;
+  return found;
+}
+
+Found found_in(const model::Network& network, const test::NaiveRun& run, double end) {
+  Found found{.ending = hybrid::Ending::time_limit, .time = end};
+  for (const auto& direction : network.direction) found.value.push_back(gap_rate(direction, run.velocity));
+  return found;
+}
+
+template <class Contacts>
+std::optional<Found> follow(const Contacts& model, const test::NaiveSettings& settings) {
+  const auto run = test::run_naive(test::naive_contacts(model), settings);
+  if (!run.complete) return {};
+  auto found = found_in(model, run, settings.end);
+  for (double& value : found.value) value /= settings.speed;
+  return found;
+}
+
+std::optional<Found> follow(const Body&, const test::NaiveSettings&) {
+  return {};
+}
+
+}  // namespace
+
+std::optional<Found> run_naively(const Scene& scene, double end, const test::Effort& effort) {
+  const test::NaiveSettings settings{
+      .end = end, .speed = reference_speed(scene.model), .effort = effort};
+  return std::visit([&](const auto& model) { return follow(model, settings); }, scene.model);
+}
+
+}  // namespace mariotte::stress_study

@@ -1,0 +1,84 @@
+#include "dice.hpp"
+#include "run.hpp"
+
+namespace mariotte::stress_study {
+namespace {
+
+/// Numbers between −size and size.
+class Noise {
+ public:
+  Noise(double size, std::uint64_t direction) : size_(size), dice_(0x70657274, direction) {}
+  double operator()() { return size_ * dice_.uniform(-1, 1); }
+  void scale(double& value) { value *= 1 + (*this)(); }
+
+ private:
+  double size_;
+  Dice dice_;
+};
+
+void disturb(contact::Linear& law, Noise& noise) {
+  noise.scale(law.stiffness);
+}
+void disturb(contact::Hertz& law, Noise& noise) {
+  noise.scale(law.stiffness);
+}
+void disturb(contact::Viscoelastic& law, Noise& noise) {
+  noise.scale(law.stiffness);
+  noise.scale(law.damping);
+}
+
+/// Depth at a speed, as a length to compare gaps with.
+double depth(const contact::Law& law, double inverse_mass, double speed) {
+  if (!(inverse_mass > 0)) return 0;
+  const double n = contact::exponent(law);
+  return std::pow((n + 1) * speed * (speed / contact::stiffness(law)) / (2 * inverse_mass), 1 / (n + 1));
+}
+
+void disturb_contact(contact::Law& law, double& gap, double inverse_mass, double speed, Noise& noise) {
+  const double moved = gap + noise() * (std::abs(gap) + depth(law, inverse_mass, speed));
+  gap = gap < 0 ? moved : std::max(0.0, moved);
+  std::visit([&](auto& one) { disturb(one, noise); }, law);
+}
+
+void disturb(model::Chain& chain, double speed, Noise& noise) {
+  for (double& mass : chain.mass) noise.scale(mass);
+  for (std::size_t i = 0; i < chain.velocity.size(); ++i)
+    if (std::isfinite(chain.mass[i]) || chain.velocity[i] != 0) chain.velocity[i] += speed * noise();
+  for (std::size_t j = 0; j < chain.law.size(); ++j)
+    disturb_contact(chain.law[j], chain.gap[j], 1 / chain.mass[j] + 1 / chain.mass[j + 1], speed, noise);
+  noise.scale(chain.gravity);
+}
+
+void disturb(model::Network& network, double, Noise& noise) {
+  const double speed = reference_speed(network);
+  const auto push = model::push_directions(network.mass, network.direction, std::ssize(network.velocity));
+  for (double& v : network.velocity) noise.scale(v);
+  for (std::size_t j = 0; j < network.law.size(); ++j)
+    disturb_contact(network.law[j], network.gap[j], dot(network.direction[j], push[j]), speed, noise);
+}
+
+void disturb(Body& scene, double speed, Noise& noise) {
+  auto& body = scene.body;
+  for (double* v : {&body.velocity.e1, &body.velocity.e2, &body.velocity.e3}) noise.scale(*v);
+  for (double* w : {&body.spin.e1, &body.spin.e2, &body.spin.e3}) noise.scale(*w);
+  for (double* part : {&body.attitude.w, &body.attitude.x, &body.attitude.y, &body.attitude.z})
+    noise.scale(*part);
+  body.attitude = normalized(body.attitude);
+  for (auto& law : body.law)
+    for (double* number : {&law.stiffness, &law.adhesion, &law.damping_hertz, &law.damping_adhesion})
+      noise.scale(*number);
+  noise.scale(body.friction.coefficient);
+  (void)speed;
+}
+
+}  // namespace
+
+Scene perturbed(const Scene& scene, double size, std::uint64_t direction) {
+  auto other = scene;
+  Noise noise(size, direction);
+  const double speed = reference_speed(scene.model);
+  std::visit([&](auto& model) { disturb(model, speed, noise); }, other.model);
+  return other;
+}
+
+}  // namespace mariotte::stress_study

@@ -1,0 +1,76 @@
+#include "rivals.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mariotte::stress_study {
+namespace {
+
+struct Contact {
+  contact::Law law;
+  double mobility;
+};
+
+std::vector<Contact> contacts_of(const model::Chain& chain) {
+  std::vector<Contact> list;
+  for (std::size_t j = 0; j < chain.law.size(); ++j)
+    list.push_back({chain.law[j], 1 / chain.mass[j] + 1 / chain.mass[j + 1]});
+  return list;
+}
+std::vector<Contact> contacts_of(const model::Network& network) {
+  const auto push = model::push_directions(network.mass, network.direction, std::ssize(network.velocity));
+  std::vector<Contact> list;
+  for (std::size_t j = 0; j < network.law.size(); ++j)
+    list.push_back({network.law[j], dot(network.direction[j], push[j])});
+  return list;
+}
+std::vector<Contact> contacts_of(const Body&) {
+  return {};
+}
+
+std::vector<Contact> contacts_of(const Model& model) {
+  return std::visit([](const auto& one) { return contacts_of(one); }, model);
+}
+
+/// Natural time of a contact, L/v.
+double natural_time(const Contact& one, double speed) {
+  const double n = contact::exponent(one.law);
+  return std::pow(speed * (speed / contact::stiffness(one.law)) / one.mobility, 1 / (n + 1)) / speed;
+}
+
+/// Beyond this, Adams needs more steps than patience allows; BDF takes over where damping is strong.
+constexpr double longest = 3e3, stiff = 5;
+
+}  // namespace
+
+double damping_ratio(const Model& model) {
+  const double speed = reference_speed(model);
+  double most = 0;
+  for (const auto& one : contacts_of(model))
+    if (one.mobility > 0)
+      most = std::max(most, contact::damping(one.law) / contact::stiffness(one.law) / natural_time(one, speed));
+  return most;
+}
+
+double stiffness(const Scene& scene, double end) {
+  const double speed = reference_speed(scene.model);
+  double most = 1;
+  for (const auto& one : contacts_of(scene.model))
+    if (one.mobility > 0) most = std::max(most, end / natural_time(one, speed));
+  return most;
+}
+
+std::vector<std::string> general_flows(const Scene& scene, double end) {
+  if (std::holds_alternative<Body>(scene.model)) return {"cvode-adams", "cvode-bdf-dense"};
+  if (damping_ratio(scene.model) > stiff) return {"cvode-bdf-klu", "cvode-bdf-dense"};
+  if (stiffness(scene, end) > longest) return {};
+  return {"cvode-adams", "cvode-bdf-klu"};
+}
+
+std::vector<std::string> special_flows(const Model& model) {
+  if (std::holds_alternative<model::Chain>(model)) return {"taylor", "modal", "pair"};
+  if (std::holds_alternative<model::Network>(model)) return {"modal"};
+  return {"taylor"};
+}
+
+}  // namespace mariotte::stress_study

@@ -1,0 +1,143 @@
+#include "run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mariotte/core/error.hpp"
+#include "mariotte/impact/chain_solver.hpp"
+#include "mariotte/impact/microbody_impact.hpp"
+#include "mariotte/impact/microbody_solver.hpp"
+#include "mariotte/impact/network_impact.hpp"
+#include "work_precision/timing.hpp"
+
+namespace mariotte::stress_study {
+namespace {
+
+/// Velocities less what gravity has given to the balls since the start, which does not depend on when a run
+/// ended.
+std::vector<double> without_gravity(const model::Chain& chain, const std::vector<double>& velocity,
+                                    double time) {
+  auto values = velocity;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (std::isfinite(chain.mass[i])) values[i] += chain.gravity * time;
+  return values;
+}
+
+/// Σ m of what can move.
+double moving_mass(const model::Chain& chain) {
+  double sum = 0;
+  for (const double mass : chain.mass)
+    if (std::isfinite(mass)) sum += mass;
+  return sum;
+}
+
+double imbalance(const impact::ContactImpact& impact, double energy) {
+  double worst = std::abs(impact.energy.residual);
+  for (const auto& contact : impact.contacts) worst = std::max(worst, -contact.dissipated);
+  return worst / energy;
+}
+
+void add_periods(const impact::ContactImpact& impact, Found& found) {
+  for (const auto& contact : impact.contacts) found.periods.push_back(std::ssize(contact.periods));
+}
+
+template <class Impact>
+void add_ending(const Impact& impact, Found& found) {
+  found.ending = impact.ending;
+  found.message = impact.message;
+}
+
+void run(const model::Chain& chain, const hybrid::Options& options, bool ledgers, double speed, Found& found) {
+  static impact::ChainSolver solver;
+  if (!ledgers) {
+    const auto& impact = solver.solve(chain, options);
+    add_ending(impact, found);
+    found.time = impact.time;
+    found.value = without_gravity(chain, impact.velocity, impact.time);
+    found.periods = impact.periods;
+    return;
+  }
+  const auto impact = impact::simulate(chain, options);
+  add_ending(impact, found);
+  found.time = impact.time;
+  found.value = without_gravity(chain, impact.velocity, impact.time);
+  add_periods(impact, found);
+  double fastest = speed;
+  for (const double v : impact.velocity) fastest = std::max(fastest, std::abs(v));
+  found.imbalance = imbalance(impact, moving_mass(chain) * speed * fastest);
+}
+
+void run(const model::Network& network, const hybrid::Options& options, bool, double speed, Found& found) {
+  const auto impact = impact::simulate(network, options);
+  add_ending(impact, found);
+  found.time = impact.time;
+  for (const auto& direction : network.direction) found.value.push_back(gap_rate(direction, impact.velocity));
+  add_periods(impact, found);
+  const double energy = impact.energy.initial + std::abs(impact.energy.work);
+  found.imbalance = std::max(energy > 0 ? imbalance(impact, energy) : 0.0, impact.momentum_residual);
+  (void)speed;
+}
+
+void add_motion(const Body& scene, const Vector3& velocity, const Vector3& spin, Found& found) {
+  const auto& tip = scene.body.body.tips[0];
+  const double reach = norm(tip.centre) + tip.radius;
+  found.value = {velocity.e1 + scene.body.gravity * found.time, velocity.e2,   velocity.e3, reach * spin.e1,
+                 reach * spin.e2,                               reach * spin.e3};
+}
+
+void run(const Body& scene, const hybrid::Options& options, bool ledgers, double, Found& found) {
+  static impact::MicrobodySolver solver;
+  if (!ledgers) {
+    const auto& impact = solver.solve(scene.body, options);
+    add_ending(impact, found);
+    found.time = impact.time;
+    add_motion(scene, impact.velocity, impact.spin, found);
+    return;
+  }
+  const auto impact = impact::simulate(scene.body, options);
+  add_ending(impact, found);
+  found.time = impact.final.time;
+  add_motion(scene, impact.final.velocity, impact.final.spin, found);
+  const auto& energy = impact.energy;
+  const double losses = std::min({energy.hertz_damping, energy.adhesion_damping, energy.friction});
+  found.imbalance = std::max(std::abs(energy.residual), -losses) / energy.initial;
+}
+
+}  // namespace
+
+std::string name(const Method& method) {
+  return fmt::format("{} at {:.0e}", method.flow, method.accuracy);
+}
+
+Found run(const Scene& scene, const Method& method) {
+  Found found;
+  const double start = work_precision::cpu_seconds(), speed = reference_speed(scene.model);
+  const hybrid::Options options{.accuracy = method.accuracy,
+                                .max_time = scene.max_time,
+                                .max_events = most_events,
+                                .flow = method.flow};
+  try {
+    std::visit([&](const auto& model) { run(model, options, method.ledgers, speed, found); }, scene.model);
+  } catch (const InvalidParameter& problem) {
+    found = {.message = problem.what(), .refused = true};
+  } catch (const std::exception& problem) {
+    found = {.message = std::string("exception: ") + problem.what()};
+  }
+  for (double& value : found.value) value /= speed;
+  found.seconds = work_precision::cpu_seconds() - start;
+  return found;
+}
+
+double distance(const Found& one, const Found& other) {
+  if (one.value.size() != other.value.size() || one.value.empty()) return infinity;
+  double most = 0;
+  for (std::size_t i = 0; i < one.value.size(); ++i) {
+    const double difference = std::abs(one.value[i] - other.value[i]);
+    most = difference <= most ? most : difference;  // what is not a number stays
+  }
+  return std::isnan(most) ? infinity : most;
+}
+
+}  // namespace mariotte::stress_study

@@ -1,0 +1,78 @@
+#include <fmt/format.h>
+
+#include <sstream>
+
+#include "mariotte/report/number.hpp"
+#include "scene.hpp"
+
+namespace mariotte::stress_study {
+namespace {
+
+using report::exact;
+
+std::string array(const std::vector<double>& values) {
+  std::string all;
+  for (const double value : values) all += (all.empty() ? "" : ", ") + exact(value);
+  return "[" + all + "]";
+}
+
+std::string keys(const contact::Linear& law) {
+  return "law = \"linear\"\nstiffness = " + exact(law.stiffness) + "\n";
+}
+std::string keys(const contact::Hertz& law) {
+  return "law = \"hertz\"\nstiffness = " + exact(law.stiffness) + "\n";
+}
+std::string keys(const contact::Viscoelastic& law) {
+  return fmt::format("law = \"viscoelastic\"\nstiffness = {}\ndamping = {}\nexponent = {}\n",
+                     exact(law.stiffness), exact(law.damping), exact(law.exponent));
+}
+
+std::string start(const std::vector<double>& gap, const std::vector<double>& velocity, bool precompressed) {
+  return fmt::format("velocity = {}\n{}{}", array(velocity), "gap = " + array(gap) + "\n",
+                     precompressed ? "precompressed = true\n" : "");
+}
+
+std::string tables(const model::Chain& chain) {
+  auto text = fmt::format("[chain]\nmass = {}\n{}", array(chain.mass),
+                          start(chain.gap, chain.velocity, chain.precompressed));
+  if (chain.gravity != 0) text += "gravity = " + exact(chain.gravity) + "\n";
+  for (const auto& law : chain.law)
+    text += "[[chain.contact]]\n" + std::visit([](const auto& one) { return keys(one); }, law);
+  return text;
+}
+
+std::string mass_of(const model::Network& network) {
+  const auto n = network.velocity.size();
+  if (network.mass.size() == n) return array(network.mass);
+  std::string rows;
+  for (std::size_t i = 0; i < n; ++i)
+    rows += (i ? ", " : "") + array({network.mass.begin() + static_cast<Index>(n * i),
+                                     network.mass.begin() + static_cast<Index>(n * (i + 1))});
+  return "[" + rows + "]";
+}
+
+std::string tables(const model::Network& network) {
+  auto text = fmt::format("[network]\nmass = {}\n{}", mass_of(network),
+                          start(network.gap, network.velocity, network.precompressed));
+  for (std::size_t j = 0; j < network.law.size(); ++j) {
+    std::vector<double> row(network.velocity.size());
+    for (const auto& [i, coefficient] : network.direction[j]) row[static_cast<std::size_t>(i)] = coefficient;
+    text += "[[network.contact]]\ndirection = " + array(row) + "\n" +
+            std::visit([](const auto& one) { return keys(one); }, network.law[j]);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string text(const Scene& scene, double accuracy, const std::string& notes) {
+  std::string all, line;
+  for (std::istringstream lines(notes); std::getline(lines, line);) all += "# " + line + "\n";
+  if (const auto* body = std::get_if<Body>(&scene.model)) return all + body->text;
+  all += "[run]\naccuracy = " + exact(accuracy) + "\n";
+  if (scene.max_time < infinity) all += "max_time = " + exact(scene.max_time) + "\n";
+  if (const auto* chain = std::get_if<model::Chain>(&scene.model)) return all + tables(*chain);
+  return all + tables(std::get<model::Network>(scene.model));
+}
+
+}  // namespace mariotte::stress_study

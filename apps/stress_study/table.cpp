@@ -1,0 +1,92 @@
+#include "table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "mariotte/report/columns.hpp"
+
+namespace mariotte::stress_study {
+namespace {
+
+std::string share(std::uint64_t part, std::uint64_t whole) {
+  if (whole == 0) return "–";
+  return fmt::format("{:.2f}", 100 * static_cast<double>(part) / static_cast<double>(whole));
+}
+
+report::Row row(const Tally& t, const std::string& slow, const std::string& worst) {
+  return {t.family,
+          std::to_string(t.scenes),
+          share(t.within[0], t.runs),
+          share(t.within[1], t.runs),
+          share(t.within[2], t.runs),
+          share(t.naive, t.scenes),
+          std::to_string(t.counts_differ),
+          std::to_string(t.refusals),
+          std::to_string(t.failures),
+          std::to_string(t.killed),
+          slow,
+          fmt::format("{:.1e}", t.worst),
+          worst,
+          std::to_string(t.unexplained)};
+}
+
+Tally sum(const std::vector<Tally>& tallies) {
+  Tally all{.family = "all"};
+  for (const auto& t : tallies) {
+    all.scenes += t.scenes, all.naive += t.naive, all.counts_differ += t.counts_differ;
+    all.failures += t.failures, all.killed += t.killed, all.refusals += t.refusals;
+    all.unexplained += t.unexplained, all.runs += t.runs;
+    for (int i = 0; i < 3; ++i) all.within[i] += t.within[i];
+    if (t.worst > all.worst) all.worst = t.worst, all.worst_scene = t.worst_scene;
+  }
+  return all;
+}
+
+}  // namespace
+
+void add(const Verdict& verdict, Tally& tally) {
+  ++tally.scenes;
+  tally.naive += verdict.naive;
+  tally.counts_differ += verdict.counts_differ;
+  tally.failures += verdict.failures > 0;
+  tally.killed += verdict.killed > 0 || verdict.limits > 0;
+  tally.refusals += verdict.refusals > 0;
+  tally.unexplained += !verdict.findings.empty();
+  for (const double error : verdict.error) {
+    if (error < 0) continue;
+    ++tally.runs;
+    for (int i = 0; i < 3; ++i) tally.within[i] += error <= std::pow(10, i);
+  }
+  if (verdict.worst > tally.worst ||
+      (verdict.worst == tally.worst && verdict.scene < tally.worst_scene)) {
+    tally.worst = verdict.worst;
+    tally.worst_scene = verdict.scene;
+  }
+  if (verdict.seconds > 0) tally.seconds.push_back(static_cast<float>(verdict.seconds));
+}
+
+std::uint64_t slow(const Tally& tally) {
+  if (tally.seconds.empty()) return 0;
+  auto seconds = tally.seconds;
+  const auto middle = seconds.begin() + std::ssize(seconds) / 2;
+  std::nth_element(seconds.begin(), middle, seconds.end());
+  const float most = 100 * *middle;
+  return static_cast<std::uint64_t>(
+      std::count_if(seconds.begin(), seconds.end(), [&](float one) { return one > most; }));
+}
+
+std::string table(const std::vector<Tally>& tallies) {
+  const report::Row header = {"family", "scenes",  "≤ 1× [%]", "≤ 10×",    "≤ 100×", "naive [%]", "counts",
+                              "refused", "failed", "no end",   "slow",    "worst",  "scene",     "unexplained"};
+  std::uint64_t all_slow = 0;
+  for (const auto& t : tallies) all_slow += slow(t);
+  const auto whole = sum(tallies);
+  return report::columns(header, std::ssize(tallies) + 1, [&](Index i) {
+    const bool last = i == std::ssize(tallies);
+    const auto& t = last ? whole : tallies[static_cast<std::size_t>(i)];
+    return row(t, std::to_string(last ? all_slow : slow(t)), std::to_string(t.worst_scene));
+  });
+}
+
+}  // namespace mariotte::stress_study

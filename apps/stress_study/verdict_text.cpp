@@ -1,0 +1,41 @@
+#include "verdict_text.hpp"
+
+#include <limits>
+#include <nlohmann/json.hpp>
+
+namespace mariotte::stress_study {
+namespace {
+
+/// JSON has no infinity.
+double finite(double value) {
+  return std::min(value, std::numeric_limits<double>::max());
+}
+
+}  // namespace
+
+std::string packed(const Verdict& v) {
+  return nlohmann::json{v.scene,  {v.error[0], v.error[1], v.error[2]},
+                        v.seconds, v.naive,
+                        v.counts_differ, v.failures,
+                        v.limits, v.refusals,
+                        v.killed, v.findings,
+                        finite(v.worst)}
+      .dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+}
+
+Verdict unpacked(const std::string& text) {
+  const auto j = nlohmann::json::parse(text);
+  return {.scene = j[0],
+          .error = {j[1][0], j[1][1], j[1][2]},
+          .worst = j[10],
+          .seconds = j[2],
+          .naive = j[3],
+          .counts_differ = j[4],
+          .failures = j[5],
+          .limits = j[6],
+          .refusals = j[7],
+          .killed = j[8],
+          .findings = j[9]};
+}
+
+}  // namespace mariotte::stress_study
