@@ -22,30 +22,39 @@ class Perturbations {
   Perturbations(const Scene& scene, std::string general, const Announce& announce)
       : scene_(scene), general_(std::move(general)), announce_(announce) {}
 
-  /// The smaller of what the automatic choice and, if there is one, the general flow say: a result that is
+  /// The smaller of what the automatic choice and, where it is quick, the general flow say: a result that is
   /// wrong by itself must not excuse itself.
   Sensitivity operator()(double size) {
     if (const auto known = known_.find(size); known != known_.end()) return known->second;
     auto least = measured({"auto", tight}, size);
-    if (!general_.empty()) {
-      const auto other = measured({general_, 1e-11}, size);
-      least.amplification = std::min(least.amplification, other.amplification);
-      least.counts_change |= other.counts_change;
-    }
+    if (!general_.empty() && (least.amplification > 1 || least.counts_change))
+      if (const Method method{general_, 1e-11}; plain(method).work < most_work) {
+        const auto other = measured(method, size);
+        least.amplification = std::min(least.amplification, other.amplification);
+        least.counts_change |= other.counts_change;
+      }
     return known_[size] = least;
   }
 
  private:
+  static constexpr Index most_work = 20000;
+  static constexpr std::uint64_t directions = 6;
+
+  /// The run of the scene as it is.
+  const Found& plain(const Method& method) {
+    auto [place, is_new] = plain_.try_emplace(method.flow);
+    if (is_new) place->second = timed(scene_, method);
+    return place->second;
+  }
   Sensitivity measured(const Method& method, double size) {
-    constexpr std::uint64_t directions = 6;
-    const auto plain = timed(scene_, method);
+    const auto& before = plain(method);
+    if (!has_ended(before)) return {.amplification = infinity};
     Sensitivity result;
-    if (!has_ended(plain)) return {.amplification = infinity};
     for (std::uint64_t direction = 0; direction < directions; ++direction) {
-      const auto other = timed(perturbed(scene_, size, direction), method);
-      if (!has_ended(other)) continue;
-      result.amplification = std::max(result.amplification, distance(plain, other) / size);
-      result.counts_change |= other.periods != plain.periods;
+      const auto after = timed(perturbed(scene_, size, direction), method);
+      if (!has_ended(after)) continue;
+      result.amplification = std::max(result.amplification, distance(before, after) / size);
+      result.counts_change |= after.periods != before.periods;
     }
     return result;
   }
@@ -58,6 +67,7 @@ class Perturbations {
   std::string general_;
   const Announce& announce_;
   std::map<double, Sensitivity> known_;
+  std::map<std::string, Found> plain_;
 };
 
 class Examination {

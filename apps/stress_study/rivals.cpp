@@ -38,8 +38,9 @@ double natural_time(const Contact& one, double speed) {
   return std::pow(speed * (speed / contact::stiffness(one.law)) / one.mobility, 1 / (n + 1)) / speed;
 }
 
-/// Beyond this, Adams needs more steps than patience allows; BDF takes over where damping is strong.
-constexpr double longest = 3e3, stiff = 5;
+/// In natural times: beyond this, general flows need more steps than patience allows. Where damping is strong,
+/// BDF takes over from Adams.
+constexpr double longest = 300, stiff = 5;
 
 }  // namespace
 
@@ -62,8 +63,8 @@ double stiffness(const Scene& scene, double end) {
 
 std::vector<std::string> general_flows(const Scene& scene, double end) {
   if (std::holds_alternative<Body>(scene.model)) return {"cvode-adams", "cvode-bdf-dense"};
-  if (damping_ratio(scene.model) > stiff) return {"cvode-bdf-klu", "cvode-bdf-dense"};
   if (stiffness(scene, end) > longest) return {};
+  if (damping_ratio(scene.model) > stiff) return {"cvode-bdf-klu", "cvode-bdf-dense"};
   return {"cvode-adams", "cvode-bdf-klu"};
 }
 

@@ -47,6 +47,10 @@ template <class Impact>
 void add_ending(const Impact& impact, Found& found) {
   found.ending = impact.ending;
   found.message = impact.message;
+  if constexpr (requires { impact.rhs; })
+    found.work = impact.rhs;
+  else
+    for (const auto& flow : impact.flows) found.work += flow.rhs;
 }
 
 void run(const model::Chain& chain, const hybrid::Options& options, bool ledgers, double speed, Found& found) {
