@@ -17,8 +17,8 @@ const std::map<std::string, std::string> programs = {{"icr-table", "icr_table"},
 }  // namespace
 
 void add_study(CLI::App& app) {
-  auto* command =
-      app.add_subcommand("study", "Programs of their own: icr-table, scaling, stiffness, stress, work-precision");
+  auto* command = app.add_subcommand(
+      "study", "Programs of their own: icr-table, scaling, stiffness, stress, work-precision");
   command->footer(
       "Examples:\n  mariotte study icr-table --kappa 0.1:10:41:log --out kappa.csv\n  mariotte study "
       "stiffness --quick\n  mariotte study scaling --help\n  mariotte study work-precision --help\n");

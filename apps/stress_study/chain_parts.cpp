@@ -14,7 +14,9 @@ double reduced(double a, double b) {
 struct Units {
   double mass, length, time;
 
-  double stiffness(double value, double n) const { return value * mass / time / time * std::pow(length, 1 - n); }
+  double stiffness(double value, double n) const {
+    return value * mass / time / time * std::pow(length, 1 - n);
+  }
   void change(contact::Linear& law) const { law.stiffness = stiffness(law.stiffness, 1); }
   void change(contact::Hertz& law) const { law.stiffness = stiffness(law.stiffness, 1.5); }
   void change(contact::Viscoelastic& law) const {
@@ -42,9 +44,9 @@ model::Chain draw_row(Dice& dice, int balls, Laws laws, double mass_decades, dou
   model::Chain chain;
   for (int i = 0; i < balls; ++i) chain.mass.push_back(dice.decades(mass_decades));
   for (int j = 0; j + 1 < balls; ++j)
-    chain.law.push_back(draw_law(dice, laws, dice.decades(stiffness_decades),
-                                 reduced(chain.mass[static_cast<std::size_t>(j)],
-                                         chain.mass[static_cast<std::size_t>(j) + 1])));
+    chain.law.push_back(draw_law(
+        dice, laws, dice.decades(stiffness_decades),
+        reduced(chain.mass[static_cast<std::size_t>(j)], chain.mass[static_cast<std::size_t>(j) + 1])));
   chain.velocity.assign(chain.mass.size(), 0.0);
   chain.gap.assign(chain.law.size(), 0.0);
   return chain;
@@ -77,8 +79,8 @@ double natural_time(const model::Chain& chain) {
 }
 
 Scene in_some_units(Dice& dice, model::Chain chain, double max_time) {
-  const Units units = dice.chance(0.6) ? Units{1, 1, 1}
-                                       : Units{dice.decades(12), dice.decades(12), dice.decades(12)};
+  const Units units =
+      dice.chance(0.6) ? Units{1, 1, 1} : Units{dice.decades(12), dice.decades(12), dice.decades(12)};
   change(units, chain);
   return {.model = std::move(chain), .max_time = max_time * units.time};
 }

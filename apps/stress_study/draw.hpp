@@ -24,8 +24,8 @@ inline double damping_ratio(Dice& dice) {
 
 /// c = 2 ζ √(k m*) for n = 1, and what has the same effect at unit speed for others.
 inline contact::Law damped(double stiffness, double ratio, double exponent, double mass) {
-  const double c = 2 * ratio * std::pow(stiffness, exponent / (exponent + 1)) *
-                   std::pow(mass, 1 / (exponent + 1));
+  const double c =
+      2 * ratio * std::pow(stiffness, exponent / (exponent + 1)) * std::pow(mass, 1 / (exponent + 1));
   return contact::Viscoelastic{stiffness, c, exponent};
 }
 

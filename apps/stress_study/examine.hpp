@@ -27,7 +27,11 @@ struct Verdict {
 /// Told what is about to be run.
 using Announce = std::function<void(const std::string&)>;
 
+/// What is announced of runs of perturbed scenes ends with this.
+inline constexpr const char* perturbed_mark = ", perturbed";
+
+/// `spare` leaves out the general flow where amplification is measured.
 Verdict examine(const std::vector<Family>& list, std::uint64_t seed, std::uint64_t number,
-                const Announce& announce);
+                const Announce& announce, bool spare = false);
 
 }  // namespace mariotte::stress_study

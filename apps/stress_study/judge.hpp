@@ -28,11 +28,11 @@ using Measure = std::function<Sensitivity(double size)>;
 
 /// What is wrong with a scene.
 struct Judgement {
-  double worst = 0;            ///< deviation over what the run may have
-  bool counts_differ = false;  ///< of contact periods, whatever explains it
-  int failures = 0;            ///< runs that failed, or were unsure
-  int limits = 0;              ///< runs that were given up after too many events
-  int refusals = 0;            ///< runs refused by name
+  double worst = 0;                        ///< deviation over what the run may have
+  bool counts_differ = false;              ///< of contact periods, whatever explains it
+  int failures = 0;                        ///< runs that failed, or were unsure
+  int limits = 0;                          ///< runs that were given up after too many events
+  int refusals = 0;                        ///< runs refused by name
   std::vector<std::string> findings = {};  ///< what nothing explains, a sentence each
 };
 

@@ -79,7 +79,9 @@ class Study {
           [&](const Verdict& verdict) { take(verdict); });
     }
     for (const auto& tally : tallies_)
-      if (tally.worst > 1) write(tally.worst_scene, fmt::format("the worst of its family: {:.1e} times what was asked", tally.worst));
+      if (tally.worst > 1)
+        write(tally.worst_scene,
+              fmt::format("the worst of its family: {:.1e} times what was asked", tally.worst));
     command::print(table(tallies_));
     return unexplained_ == 0 ? command::ExitCode::ok : command::ExitCode::check_failed;
   }
@@ -113,7 +115,8 @@ class Study {
     const auto scene = scene_of(campaign_.families, line_.seed, number);
     auto name = campaign_.families[number % tallies_.size()].name;
     std::replace(name.begin(), name.end(), ' ', '_');
-    const auto path = std::filesystem::path(line_.folder) / fmt::format("{}_{}_{}.toml", name, line_.seed, number);
+    const auto path =
+        std::filesystem::path(line_.folder) / fmt::format("{}_{}_{}.toml", name, line_.seed, number);
     report::write_file(path, text(scene, accuracies.back(), what));
   }
 

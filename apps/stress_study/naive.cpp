@@ -1,4 +1,5 @@
 #include "run.hpp"
+#include "support/naive_body.hpp"
 #include "support/naive_chain.hpp"
 
 namespace mariotte::stress_study {
@@ -26,15 +27,24 @@ std::optional<Found> follow(const Contacts& model, const test::NaiveSettings& se
   return found;
 }
 
-std::optional<Found> follow(const Body&, const test::NaiveSettings&) {
-  return {};
+std::optional<Found> follow(const Body& scene, const test::NaiveSettings& settings) {
+  const auto& body = scene.body;
+  const test::NaiveBody field(body, settings.speed, settings.effort);
+  auto y = field.start();
+  Index steps = 0;
+  if (!test::follow_naively(field, y, settings.end, settings.effort, steps)) return {};
+  const Vector3 v = field.velocity(y),
+                w = (norm(body.body.tips[0].centre) + body.body.tips[0].radius) * field.spin(y);
+  Found found{.ending = hybrid::Ending::time_limit, .time = settings.end};
+  found.value = {v.e1 + body.gravity * settings.end, v.e2, v.e3, w.e1, w.e2, w.e3};
+  for (double& value : found.value) value /= settings.speed;
+  return found;
 }
 
 }  // namespace
 
 std::optional<Found> run_naively(const Scene& scene, double end, const test::Effort& effort) {
-  const test::NaiveSettings settings{
-      .end = end, .speed = reference_speed(scene.model), .effort = effort};
+  const test::NaiveSettings settings{.end = end, .speed = reference_speed(scene.model), .effort = effort};
   return std::visit([&](const auto& model) { return follow(model, settings); }, scene.model);
 }
 

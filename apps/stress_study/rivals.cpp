@@ -38,8 +38,8 @@ double natural_time(const Contact& one, double speed) {
   return std::pow(speed * (speed / contact::stiffness(one.law)) / one.mobility, 1 / (n + 1)) / speed;
 }
 
-/// In natural times: beyond this, general flows need more steps than patience allows. Where damping is strong,
-/// BDF takes over from Adams.
+/// In natural times: beyond this, general flows need more steps than patience allows. Where damping is
+/// strong, BDF takes over from Adams.
 constexpr double longest = 300, stiff = 5;
 
 }  // namespace
@@ -49,7 +49,8 @@ double damping_ratio(const Model& model) {
   double most = 0;
   for (const auto& one : contacts_of(model))
     if (one.mobility > 0)
-      most = std::max(most, contact::damping(one.law) / contact::stiffness(one.law) / natural_time(one, speed));
+      most =
+          std::max(most, contact::damping(one.law) / contact::stiffness(one.law) / natural_time(one, speed));
   return most;
 }
 

@@ -53,7 +53,8 @@ void add_ending(const Impact& impact, Found& found) {
     for (const auto& flow : impact.flows) found.work += flow.rhs;
 }
 
-void run(const model::Chain& chain, const hybrid::Options& options, bool ledgers, double speed, Found& found) {
+void run(const model::Chain& chain, const hybrid::Options& options, bool ledgers, double speed,
+         Found& found) {
   static impact::ChainSolver solver;
   if (!ledgers) {
     const auto& impact = solver.solve(chain, options);
@@ -87,8 +88,12 @@ void run(const model::Network& network, const hybrid::Options& options, bool, do
 void add_motion(const Body& scene, const Vector3& velocity, const Vector3& spin, Found& found) {
   const auto& tip = scene.body.body.tips[0];
   const double reach = norm(tip.centre) + tip.radius;
-  found.value = {velocity.e1 + scene.body.gravity * found.time, velocity.e2,   velocity.e3, reach * spin.e1,
-                 reach * spin.e2,                               reach * spin.e3};
+  found.value = {velocity.e1 + scene.body.gravity * found.time,
+                 velocity.e2,
+                 velocity.e3,
+                 reach * spin.e1,
+                 reach * spin.e2,
+                 reach * spin.e3};
 }
 
 void run(const Body& scene, const hybrid::Options& options, bool ledgers, double, Found& found) {

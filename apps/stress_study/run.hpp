@@ -6,7 +6,7 @@
 
 #include "mariotte/hybrid/ending.hpp"
 #include "scene.hpp"
-#include "support/naive_contacts.hpp"
+#include "support/naive_steps.hpp"
 
 namespace mariotte::stress_study {
 
@@ -23,14 +23,15 @@ std::string name(const Method& method);
 /// What a run found.
 struct Found {
   hybrid::Ending ending = hybrid::Ending::failed;
-  std::string message = {};         ///< why, of endings that are not expected
-  double time = 0;             ///< of the ending [s]
-  std::vector<double> value = {};   ///< velocities, or what else errors are promised of, over the reference speed
+  std::string message = {};  ///< why, of endings that are not expected
+  double time = 0;           ///< of the ending [s]
+  std::vector<double> value =
+      {};  ///< velocities, or what else errors are promised of, over the reference speed
   std::vector<Index> periods = {};  ///< per contact
-  double imbalance = 0;        ///< worst of the ledgers, relative to the energy at the reference speed
-  bool refused = false;        ///< by name, before it began
-  Index work = 0;              ///< evaluations of the right-hand side, or of its series
-  double seconds = 0;          ///< CPU time
+  double imbalance = 0;             ///< worst of the ledgers, relative to the energy at the reference speed
+  bool refused = false;             ///< by name, before it began
+  Index work = 0;                   ///< evaluations of the right-hand side, or of its series
+  double seconds = 0;               ///< CPU time
 };
 
 /// Changes of the set of contacts after which a run is given up.

@@ -58,8 +58,7 @@ void add(const Verdict& verdict, Tally& tally) {
     ++tally.runs;
     for (int i = 0; i < 3; ++i) tally.within[i] += error <= std::pow(10, i);
   }
-  if (verdict.worst > tally.worst ||
-      (verdict.worst == tally.worst && verdict.scene < tally.worst_scene)) {
+  if (verdict.worst > tally.worst || (verdict.worst == tally.worst && verdict.scene < tally.worst_scene)) {
     tally.worst = verdict.worst;
     tally.worst_scene = verdict.scene;
   }
@@ -77,8 +76,8 @@ std::uint64_t slow(const Tally& tally) {
 }
 
 std::string table(const std::vector<Tally>& tallies) {
-  const report::Row header = {"family", "scenes",  "≤ 1× [%]", "≤ 10×",    "≤ 100×", "naive [%]", "counts",
-                              "refused", "failed", "no end",   "slow",    "worst",  "scene",     "unexplained"};
+  const report::Row header = {"family",  "scenes", "≤ 1× [%]", "≤ 10×", "≤ 100×", "naive [%]", "counts",
+                              "refused", "failed", "no end",   "slow",  "worst",  "scene",     "unexplained"};
   std::uint64_t all_slow = 0;
   for (const auto& t : tallies) all_slow += slow(t);
   const auto whole = sum(tallies);

@@ -11,11 +11,11 @@ namespace mariotte::stress_study {
 struct Tally {
   std::string family;
   std::uint64_t scenes = 0, naive = 0, counts_differ = 0, failures = 0, killed = 0, refusals = 0;
-  std::uint64_t unexplained = 0;            ///< scenes with findings
-  std::uint64_t runs = 0, within[3] = {};   ///< runs of `auto` that can be judged; within 1, 10, 100 ×
-  double worst = 0;                         ///< deviation over what was asked
+  std::uint64_t unexplained = 0;           ///< scenes with findings
+  std::uint64_t runs = 0, within[3] = {};  ///< runs of `auto` that can be judged; within 1, 10, 100 ×
+  double worst = 0;                        ///< deviation over what was asked
   std::uint64_t worst_scene = 0;
-  std::vector<float> seconds = {};             ///< of `auto`, per scene
+  std::vector<float> seconds = {};  ///< of `auto`, per scene
 };
 
 void add(const Verdict& verdict, Tally& tally);

@@ -14,11 +14,11 @@ double finite(double value) {
 }  // namespace
 
 std::string packed(const Verdict& v) {
-  return nlohmann::json{v.scene,  {v.error[0], v.error[1], v.error[2]},
-                        v.seconds, v.naive,
+  return nlohmann::json{v.scene,         {v.error[0], v.error[1], v.error[2]},
+                        v.seconds,       v.naive,
                         v.counts_differ, v.failures,
-                        v.limits, v.refusals,
-                        v.killed, v.findings,
+                        v.limits,        v.refusals,
+                        v.killed,        v.findings,
                         finite(v.worst)}
       .dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
 }

@@ -16,8 +16,7 @@ inline NaiveContacts naive_contacts(const model::Chain& chain) {
                          .gap = chain.gap,
                          .velocity = chain.velocity,
                          .acceleration = {}};
-  for (const double mass : chain.mass)
-    contacts.acceleration.push_back(std::isinf(mass) ? 0 : -chain.gravity);
+  for (const double mass : chain.mass) contacts.acceleration.push_back(std::isinf(mass) ? 0 : -chain.gravity);
   for (std::size_t j = 0; j < chain.law.size(); ++j) {
     const auto left = static_cast<Index>(j);
     contacts.direction.push_back({{left, -1}, {left + 1, 1}});

@@ -1,13 +1,12 @@
-// A simulator that knows nothing of modes, phases, events or flows: gaps and velocities of any contacts, forces
-// cut off at zero, an embedded Runge–Kutta pair over everything from start to end. Good to about 1e-7.
+// A simulator that knows nothing of modes, phases, events or flows: gaps and velocities of any contacts,
+// forces cut off at zero, from start to end. Good to about 1e-7.
 #pragma once
-#include <boost/numeric/odeint/stepper/generation.hpp>
-#include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <cmath>
 #include <vector>
 
 #include "mariotte/contact/law.hpp"
 #include "mariotte/core/contact_direction.hpp"
+#include "support/naive_steps.hpp"
 
 namespace mariotte::test {
 
@@ -18,13 +17,6 @@ struct NaiveContacts {
   std::vector<contact::Law> law;
   std::vector<double> gap, velocity;
   std::vector<double> acceleration;  ///< by outside forces, per velocity
-};
-
-/// How well, and how long to try.
-struct Effort {
-  double tolerance = 1e-10;  ///< of a step, relative to natural depths and the speed
-  double share = 0.3;        ///< longest step near a contact, in its natural time
-  Index most_steps = 200000;
 };
 
 /// What is asked for.
@@ -123,23 +115,11 @@ class NaiveField {
 
 /// From the start to `settings.end`.
 inline NaiveRun run_naive(const NaiveContacts& contacts, const NaiveSettings& settings) {
-  namespace odeint = boost::numeric::odeint;
-  using Pair = odeint::runge_kutta_dopri5<NaiveField::State>;
-  using Checker = odeint::default_error_checker<double, odeint::range_algebra, odeint::default_operations>;
-  odeint::controlled_runge_kutta<Pair, Checker> stepper(
-      Checker(settings.effort.tolerance, settings.effort.tolerance, 0.0, 1.0));
   const NaiveField field(contacts, settings);
   auto y = field.start();
   NaiveRun run;
-  double time = 0, step = field.longest_step(y);
-  while (settings.end - time > 1e-15 * settings.end) {
-    if (++run.steps > settings.effort.most_steps || !(step > 1e-16 * time)) return run;
-    step = std::min({step, field.longest_step(y), settings.end - time});
-    stepper.try_step(std::cref(field), y, time, step);
-  }
+  run.complete = follow_naively(field, y, settings.end, settings.effort, run.steps);
   field.finish(y, run.velocity);
-  run.complete = true;
-  for (const double v : run.velocity) run.complete &= std::isfinite(v);
   return run;
 }
 
