@@ -122,16 +122,23 @@ std::optional<Kind> parse_kind(std::string_view text) {
                          fault::unknown_word);
 }
 
-Choice Flows::choose(const Problem& problem, std::optional<Kind> requested, bool stiff) {
+Choice Flows::choose(const Problem& problem, std::optional<Kind> requested) {
   const auto take = [&](Kind kind) -> Choice { return {kind, get(kind, problem)}; };
   if (problem.is_ballistic()) return take(Kind::ballistic);
   const bool any = requested && std::find(special.begin(), special.end(), *requested) == special.end();
   if (any) return take(*requested);
-  if (stiff) return take(Kind::cvode_bdf_klu);
   for (const auto kind : special)
     if (requested ? requested == kind : pays(kind, problem))
       if (auto choice = take(kind); choice.flow.admits(problem)) return choice;
   return take(problem.damping_ratio() < stiff_for_adams ? Kind::cvode_adams : Kind::cvode_bdf_klu);
+}
+
+std::optional<Choice> Flows::instead_of(Kind kind, bool stiff, const Problem& problem,
+                                        std::optional<Kind> requested) {
+  if (kind == Kind::ballistic || (requested && !stiff)) return std::nullopt;
+  if (kind == Kind::cvode_adams) return std::nullopt;
+  const auto next = kind == Kind::cvode_bdf_klu ? Kind::cvode_adams : Kind::cvode_bdf_klu;
+  return Choice{next, get(next, problem)};
 }
 
 Flow& Flows::get(Kind kind, const Problem& problem) {

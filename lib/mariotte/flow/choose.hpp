@@ -44,8 +44,11 @@ class Flows {
   /// Free flight is followed in closed form whatever was asked; contact phases by the flow asked for if they
   /// admit it or, left to itself, by the cheapest that does: the closed form of a pair, natural modes where
   /// they cost less than series, series unless damping makes the phase too stiff for them, then CVODE.
-  /// `stiff`: one of these has found the phase too stiff for it; then BDF.
-  Choice choose(const Problem& problem, std::optional<Kind> requested, bool stiff = false);
+  Choice choose(const Problem& problem, std::optional<Kind> requested);
+  /// What follows the rest of a phase that `kind` has given up, if that was its own choice: BDF what was too
+  /// stiff for it, and else another general flow. Empty if none is left.
+  std::optional<Choice> instead_of(Kind kind, bool stiff, const Problem& problem,
+                                   std::optional<Kind> requested);
   Flow& get(Kind kind, const Problem& problem);
 
  private:

@@ -147,16 +147,17 @@ DampedMotion::DampedMotion(const PairLaw& law, const Indentation& start)
       duration_(find_duration()) {}
 
 /// First zero of δ̈ = e^{−bt} (A cos φ + B sin φ), φ = √|ω²−b²| t, A < 0, with hyperbolic functions beyond
-/// critical damping; or of p r₁² e^{r₁t} + q r₂² e^{r₂t}.
+/// critical damping; or of p r₁² e^{r₁t} + q r₂² e^{r₂t}, where q r₂² is δ̈ − p r₁² at the start. A contact
+/// whose load has vanished but for rounding lets go at once.
 double DampedMotion::find_duration() const {
-  const double a = -(square_ * start_.value + 2 * decay_ * start_.rate);
+  const double a = std::min(0.0, -(square_ * start_.value + 2 * decay_ * start_.rate));
   const double jerk = -(square_ * start_.rate + 2 * decay_ * a);
   const double b = (jerk + decay_ * a) / split_;
   if (form_ == Form::oscillating) return std::atan2(-a, b) / split_;
   if (form_ == Form::creeping) return std::atanh(-a / b) / split_;
   const double fast = -(decay_ + split_), slow = square_ / fast;
-  const double p = start_.rate - fast * start_.value, q = slow * start_.value - start_.rate;
-  return std::log(-q / p * (fast / slow) * (fast / slow)) / (slow - fast);
+  const double p = (start_.rate - fast * start_.value) / (slow - fast);
+  return std::log1p(-a / (p * slow * slow)) / (slow - fast);
 }
 
 Indentation DampedMotion::at(double time) const {

@@ -51,12 +51,17 @@ std::optional<double> search(const Wave& wave, const std::vector<Mode>& modes, d
 /// What is higher by less than that, relative, is not higher.
 constexpr double level = 1e-13;
 
+/// Intervals after which a search is content with the highest point it knows: of an undamped wave that swings
+/// for long, very many maxima are equally high.
+constexpr int most_intervals = 20000;
+
 /// Branch and bound for the highest point.
 struct Climb {
   const Wave& wave;
   const std::vector<Mode>& modes;
   double height;                 ///< of the highest point known
   std::optional<Summit> summit;  ///< where that is, unless at an end
+  int intervals = 0;             ///< searched so far
 
   void offer(double value, double time, double reach) {
     if (!(value > height)) return;
@@ -65,7 +70,7 @@ struct Climb {
   }
   /// The more promising half first: its height may spare the other.
   void search(double from, double to, const Enclosure& enclosure, double bound, int depth) {
-    if (bound <= height + level * std::abs(height)) return;
+    if (bound <= height + level * std::abs(height) || ++intervals > most_intervals) return;
     const auto rate = enclosure.rate();
     if (rate.low >= 0 || rate.high <= 0) return;  // no maximum inside; the ends belong to neighbours
     if (enclosure.bend().high < 0) return climb(from, to);
@@ -120,7 +125,10 @@ std::optional<double> first_fall(const Wave& wave, const std::vector<Mode>& mode
 }
 
 std::optional<Summit> highest(const Wave& wave, const std::vector<Mode>& modes, double from, double to) {
-  Climb climb{wave, modes, std::max(wave.at(modes, from), wave.at(modes, to)), std::nullopt};
+  Climb climb{.wave = wave,
+              .modes = modes,
+              .height = std::max(wave.at(modes, from), wave.at(modes, to)),
+              .summit = std::nullopt};
   const Enclosure enclosure(wave, modes, from, to);
   climb.search(from, to, enclosure, enclosure.value().high, 0);
   return climb.summit;

@@ -37,7 +37,8 @@ struct Summit {
 };
 
 /// The largest maximum inside (from, to), to rounding in the value; empty if an end is as high. Branch and
-/// bound: intervals that cannot hold anything higher than what is known are left alone.
+/// bound: intervals that cannot hold anything higher than what is known are left alone. Of very many maxima
+/// that are nearly equal it may be another.
 std::optional<Summit> highest(const Wave& wave, const std::vector<Mode>& modes, double from, double to);
 
 }  // namespace mariotte::flow

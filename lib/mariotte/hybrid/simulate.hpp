@@ -6,13 +6,15 @@
 //     if events ≥ max_events           → event_limit
 //     flow ← the cheapest that mode admits
 //     follow it from t⁺ until a guard crosses, or max_time
-//     if the phase is too stiff for it → the same mode again, by another
+//     if the phase is too stiff for it → from there on by another
+//     if the flow could not go on      → from t⁺ by another, as long as there is one
+//                                      → failed         state and events until then are kept
 //     if the time limit came first     → time_limit
 //     if no guard can ever cross       → separated
-//     if the flow could not go on      → failed         state and events until then are kept
 //     t ← t + duration                                  a compensated sum of local clocks
 //     mode ← transition(mode, fired, x)                 the whole set that fired at t⁻
 #pragma once
+#include <optional>
 #include <utility>
 
 #include "mariotte/core/compensated.hpp"
@@ -35,8 +37,36 @@ struct Workspace {
   typename System::Mode mode;
   std::vector<typename System::Change> changes;
   std::vector<Index> fired;
+  std::vector<double> before;  ///< the state at the beginning of the phase
   Trajectory<typename System::Change> run;
 };
+
+/// Follow the present phase to its end, by one flow or, where that gives up, by those that may take over.
+template <HybridSystem System>
+flow::Arrival follow_phase(System& system, const Options& options, std::optional<flow::Kind> requested,
+                           Workspace<System>& workspace, CompensatedSum& time, PhaseWatcher* watcher) {
+  auto& [flows, mode, changes, fired, before, run] = workspace;
+  auto& x = run.state;
+  auto& problem = system.problem(mode);
+  std::optional<flow::Choice> choice = flows.choose(problem, requested);
+  for (;;) {
+    if (watcher) watcher->begin_phase(time.value(), x);
+    fired.clear();
+    before.assign(x.begin(), x.end());
+    const flow::Request request{
+        .limit = options.max_time - time.value(), .accuracy = options.accuracy, .watcher = watcher};
+    auto arrival = choice->flow.follow(problem, x, request, fired);
+    count(run.flows[static_cast<std::size_t>(choice->kind)], arrival);
+    const bool stiff = arrival.outcome == flow::Outcome::stiff;
+    const bool failed = arrival.outcome == flow::Outcome::failed;
+    if (!failed) time += arrival.duration;
+    if (!stiff && !failed) return arrival;
+    if (failed) x.assign(before.begin(), before.end());
+    const auto next = flows.instead_of(choice->kind, stiff, problem, requested);
+    if (!next) return arrival;
+    choice.emplace(*next);
+  }
+}
 
 /// Run a system from state x until an ending; the result stays in the workspace. Options are in the system's
 /// scales; `watcher` may be null.
@@ -45,7 +75,7 @@ const Trajectory<typename System::Change>& simulate(System& system, ConstState x
                                                     Workspace<System>& workspace,
                                                     PhaseWatcher* watcher = nullptr) {
   const auto requested = flow::parse_kind(options.flow);
-  auto& [flows, mode, changes, fired, run] = workspace;
+  auto& [flows, mode, changes, fired, before, run] = workspace;
   clear(run);
   changes.clear();
   auto& x = run.state;
@@ -59,7 +89,7 @@ const Trajectory<typename System::Change>& simulate(System& system, ConstState x
   };
 
   system.mode_at(x, mode, changes);
-  for (bool stiff = false;;) {
+  for (;;) {
     record(run, time.value(), changes);
     if (system.is_over(mode, x, run.events > 0)) {
       system.finish(mode, changes);
@@ -68,17 +98,7 @@ const Trajectory<typename System::Change>& simulate(System& system, ConstState x
     }
     if (run.events >= options.max_events) return end(Ending::event_limit);
 
-    auto& problem = system.problem(mode);
-    auto [kind, flow] = flows.choose(problem, requested, stiff);
-    if (watcher) watcher->begin_phase(time.value(), x);
-    fired.clear();
-    auto arrival = flow.follow(
-        problem, x,
-        {.limit = options.max_time - time.value(), .accuracy = options.accuracy, .watcher = watcher}, fired);
-    count(run.flows[static_cast<std::size_t>(kind)], arrival);
-    time += arrival.duration;
-    stiff = arrival.outcome == flow::Outcome::stiff;
-    if (stiff) continue;
+    auto arrival = follow_phase(system, options, requested, workspace, time, watcher);
     if (arrival.outcome == flow::Outcome::limit) return end(Ending::time_limit);
     if (arrival.outcome == flow::Outcome::never) return end(Ending::separated);
     if (arrival.outcome == flow::Outcome::failed) return end(Ending::failed, std::move(arrival.message));

@@ -123,16 +123,23 @@ void Islands::end(Ending ending) {
 }
 
 void Islands::follow(Island& island, double limit) {
-  island.x = island.start;
   island.mode = island.held;
-  island.fired.clear();
   auto& problem = island.system.problem(island.mode);
-  auto [kind, flow] = flows_.choose(problem, requested_, island.arrival.outcome == Outcome::stiff);
-  if (island.log) island.log->begin(island.system, island.first, island.clock);
-  island.arrival =
-      flow.follow(problem, island.x,
-                  {.limit = limit, .accuracy = options_.accuracy, .watcher = island.log.get()}, island.fired);
-  hybrid::count(run_.flows[static_cast<std::size_t>(kind)], island.arrival);
+  const bool stiff = island.arrival.outcome == Outcome::stiff;
+  auto choice = stiff ? flows_.instead_of(flow::Kind::taylor, true, problem, requested_)
+                      : std::optional(flows_.choose(problem, requested_));
+  while (choice) {
+    island.x = island.start;
+    island.fired.clear();
+    if (island.log) island.log->begin(island.system, island.first, island.clock);
+    const flow::Request request{.limit = limit, .accuracy = options_.accuracy, .watcher = island.log.get()};
+    island.arrival = choice->flow.follow(problem, island.x, request, island.fired);
+    hybrid::count(run_.flows[static_cast<std::size_t>(choice->kind)], island.arrival);
+    if (island.arrival.outcome != Outcome::failed) return;
+    const auto next = flows_.instead_of(choice->kind, false, problem, requested_);
+    choice.reset();
+    if (next) choice.emplace(*next);
+  }
 }
 
 /// What was uncertain is certain now.
