@@ -122,6 +122,7 @@ class Examination {
       trial.accuracy = std::max(naive_accuracy, distance(*found, *again));
       trial.found = *again;
     }
+    trial.found.ending = best_.found.ending;  // it knows of none
     trials_.push_back(std::move(trial));
   }
 

@@ -67,8 +67,9 @@ void allow_seconds(double seconds) {
   ::setitimer(ITIMER_VIRTUAL, &timer, nullptr);
 }
 
-[[noreturn]] void work(const Campaign& campaign, int orders, int results, Note& note) {
+[[noreturn]] void work(const Campaign& campaign, int orders, int results, Note& note) noexcept {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  for (const int signal : {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV, SIGVTALRM}) ::signal(signal, SIG_DFL);
   const auto announce = [&](const std::string& what) {
     std::strncpy(note.text, what.c_str(), sizeof note.text - 1);
     allow_seconds(campaign.patience);
