@@ -116,7 +116,7 @@ Scene frictionless(Dice& dice) {
 Scene secondary_impacts(Dice& dice) {
   auto k = dice.chance(0.6) ? planar_keys(dice) : spatial_keys(dice);
   k.impacts = dice.whole(2, 4);
-  if (dice.chance(0.5)) k.gravity = 9.81;
+  if (dice.chance(0.1)) k.gravity = 9.81;
   return scene_of(k);
 }
 

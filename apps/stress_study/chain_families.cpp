@@ -22,8 +22,9 @@ Scene struck_row(Dice& dice) {
 }
 
 Scene long_row(Dice& dice) {
-  auto chain = draw_row(dice, dice.whole(10, 60), dice.chance(0.5) ? Laws::hertz : any_laws(dice),
-                        dice.pick({0, 0, 0.3}), dice.pick({0, 0, 0.5}));
+  auto chain =
+      draw_row(dice, static_cast<int>(dice.between(10, 61)), dice.chance(0.5) ? Laws::hertz : any_laws(dice),
+               dice.pick({0, 0, 0.3}), dice.pick({0, 0, 0.5}));
   chain.velocity.front() = 1;
   if (dice.chance(0.3)) chain.velocity.back() = -dice.uniform(0, 1);
   if (dice.chance(0.3)) draw_gaps(dice, chain, 0.3, 0.3);

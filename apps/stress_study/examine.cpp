@@ -4,6 +4,7 @@
 #include <map>
 
 #include "rivals.hpp"
+#include "work_precision/timing.hpp"
 
 namespace mariotte::stress_study {
 namespace {
@@ -37,7 +38,7 @@ class Perturbations {
   }
 
  private:
-  static constexpr Index most_work = 20000;
+  static constexpr Index most_work = 5000;
   static constexpr std::uint64_t many_directions = 6, few_directions = 2;
 
   /// The run of the scene as it is.
@@ -90,7 +91,9 @@ class Examination {
  private:
   Trial trial(const Method& method, double accuracy) {
     announce_(name(method));
-    return {.name = name(method), .accuracy = accuracy, .found = run(scene_, method)};
+    auto found = run(scene_, method);
+    const bool has_time = most_contacts(scene_, found.time) > most_events;
+    return {.name = name(method), .accuracy = accuracy, .found = std::move(found), .many_events = has_time};
   }
   void add(const Method& method, double accuracy) {
     trials_.push_back(trial(method, accuracy));
@@ -159,8 +162,11 @@ class Examination {
 Verdict examine(const std::vector<Family>& list, std::uint64_t seed, std::uint64_t number,
                 const Announce& announce, bool spare) {
   announce("drawing");
+  const double start = work_precision::cpu_seconds();
   const auto scene = scene_of(list, seed, number);
-  return Examination(scene, number, announce, spare).verdict();
+  auto verdict = Examination(scene, number, announce, spare).verdict();
+  verdict.cost = work_precision::cpu_seconds() - start;
+  return verdict;
 }
 
 }  // namespace mariotte::stress_study

@@ -18,6 +18,7 @@ struct Verdict {
   std::array<double, accuracies.size()> error{};  ///< of `auto` over its accuracy; < 0 if not known
   double worst = 0;                               ///< of all runs, likewise
   double seconds = 0;                             ///< of `auto` at the last accuracy
+  double cost = 0;                                ///< CPU time of all runs
   bool naive = false;                             ///< the naive simulator could follow it
   bool counts_differ = false;
   int failures = 0, limits = 0, refusals = 0, killed = 0;

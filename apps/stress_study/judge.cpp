@@ -26,8 +26,10 @@ bool take_ending(const Trial& trial, Judgement& judgement) {
     ++judgement.refusals;
   } else if (found.ending == Ending::event_limit) {
     ++judgement.limits;
-    judgement.findings.push_back(fmt::format("{}: {} events are not enough", trial.name, most_events));
-  } else if (!trial.expected) {
+    if (!trial.many_events)
+      judgement.findings.push_back(
+          fmt::format("{}: {} events in less time than so many contacts need", trial.name, most_events));
+  } else {
     ++judgement.failures;
     judgement.findings.push_back(
         fmt::format("{}: {}: {}", trial.name, hybrid::name(found.ending), found.message));

@@ -13,8 +13,8 @@ struct Trial {
   std::string name = {};
   double accuracy = 0;
   Found found = {};
-  bool counts = false;    ///< its contact periods are compared, too
-  bool expected = false;  ///< may fail: the method was asked for beyond what it is made for
+  bool counts = false;       ///< its contact periods are compared, too
+  bool many_events = false;  ///< so many that a limit of events is no fault
 };
 
 /// How results follow inputs.

@@ -89,7 +89,7 @@ Scene corner(Dice& dice) {
                          .radius = 0.5});
   const auto laws = any_laws(dice);
   auto network = model::ball_network(balls, 0.1, [&](Index, Index) { return draw_law(dice, laws, 1, 0.5); });
-  return {.model = std::move(network), .max_time = dice.uniform(5, 40)};
+  return {.model = std::move(network), .max_time = dice.uniform(2, 10)};
 }
 
 Scene rocking_block(Dice& dice) {

@@ -62,6 +62,14 @@ double stiffness(const Scene& scene, double end) {
   return most;
 }
 
+double most_contacts(const Scene& scene, double time) {
+  const double speed = reference_speed(scene.model);
+  double sum = 0;
+  for (const auto& one : contacts_of(scene.model))
+    if (one.mobility > 0) sum += time / natural_time(one, speed);
+  return sum;
+}
+
 std::vector<std::string> general_flows(const Scene& scene, double end) {
   if (std::holds_alternative<Body>(scene.model)) return {"cvode-adams", "cvode-bdf-dense"};
   if (stiffness(scene, end) > longest) return {};

@@ -13,6 +13,9 @@ double damping_ratio(const Model& model);
 /// Longest run over the shortest natural time of a contact; 1 for bodies.
 double stiffness(const Scene& scene, double end);
 
+/// Contact periods that time allows; none for bodies, which have few.
+double most_contacts(const Scene& scene, double time);
+
 /// Flows that follow any phase of the scene and share nothing with the automatic choice; empty if all of them
 /// would take too long. The first is the one that fits best.
 std::vector<std::string> general_flows(const Scene& scene, double end);

@@ -35,7 +35,7 @@ struct Found {
 };
 
 /// Changes of the set of contacts after which a run is given up.
-inline constexpr Index most_events = 20000;
+inline constexpr Index most_events = 5000;
 
 /// Run it. What the library throws is a result, too.
 Found run(const Scene& scene, const Method& method);

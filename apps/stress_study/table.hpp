@@ -13,6 +13,7 @@ struct Tally {
   std::uint64_t scenes = 0, naive = 0, counts_differ = 0, failures = 0, killed = 0, refusals = 0;
   std::uint64_t unexplained = 0;           ///< scenes with findings
   std::uint64_t runs = 0, within[3] = {};  ///< runs of `auto` that can be judged; within 1, 10, 100 ×
+  double cost = 0;                         ///< CPU time [s]
   double worst = 0;                        ///< deviation over what was asked
   std::uint64_t worst_scene = 0;
   std::vector<float> seconds = {};  ///< of `auto`, per scene

@@ -14,12 +14,12 @@ double finite(double value) {
 }  // namespace
 
 std::string packed(const Verdict& v) {
-  return nlohmann::json{v.scene,         {v.error[0], v.error[1], v.error[2]},
+  return nlohmann::json{v.scene,         {finite(v.error[0]), finite(v.error[1]), finite(v.error[2])},
                         v.seconds,       v.naive,
                         v.counts_differ, v.failures,
                         v.limits,        v.refusals,
                         v.killed,        v.findings,
-                        finite(v.worst)}
+                        finite(v.worst), v.cost}
       .dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
 }
 
@@ -29,6 +29,7 @@ Verdict unpacked(const std::string& text) {
           .error = {j[1][0], j[1][1], j[1][2]},
           .worst = j[10],
           .seconds = j[2],
+          .cost = j[11],
           .naive = j[3],
           .counts_differ = j[4],
           .failures = j[5],

@@ -78,6 +78,10 @@ BOOST_AUTO_TEST_CASE(failures_and_limits_are_found_and_refusals_counted) {
   }
   wrong.found.ending = hybrid::Ending::event_limit;
   BOOST_TEST(judged(wrong).limits == 1);
+  BOOST_TEST(judged(wrong).findings.size() == 1u);
+  wrong.many_events = true;
+  BOOST_TEST(judged(wrong).limits == 1);
+  BOOST_TEST(judged(wrong).findings.empty());
   wrong.found.refused = true;
   BOOST_TEST(judged(wrong).refusals == 1);
   BOOST_TEST(judged(wrong).findings.empty());

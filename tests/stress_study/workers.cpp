@@ -79,4 +79,6 @@ BOOST_AUTO_TEST_CASE(verdicts_survive_the_way_between_processes) {
   BOOST_TEST(again.naive);
   BOOST_TEST(again.failures == 2);
   BOOST_TEST(again.findings == verdict.findings);
+  const Verdict hopeless{.error = {mariotte::infinity, 1, 1}};
+  BOOST_TEST(unpacked(packed(hopeless)).error[0] > 1e300);
 }
