@@ -41,7 +41,8 @@ void take_deviation(const Trial& trial, const Trial& best, const Measure& measur
   const double error = deviation(trial, best);
   judgement.worst = std::max(judgement.worst, error / trial.accuracy);
   if (error <= tolerated * trial.accuracy) return;
-  const double amplification = std::max(1.0, measure(trial.accuracy).amplification);
+  const bool is_number = error < infinity;  // nothing explains what is not
+  const double amplification = is_number ? std::max(1.0, measure(trial.accuracy).amplification) : 1;
   if (error <= tolerated * trial.accuracy * amplification) return;
   judgement.findings.push_back(
       fmt::format("{} and {} differ by {:.3g}, {:.2g} times what may be; perturbations grow {:.2g} times",
