@@ -135,8 +135,7 @@ Choice Flows::choose(const Problem& problem, std::optional<Kind> requested) {
 
 std::optional<Choice> Flows::instead_of(Kind kind, bool stiff, const Problem& problem,
                                         std::optional<Kind> requested) {
-  if (kind == Kind::ballistic || (requested && !stiff)) return std::nullopt;
-  if (kind == Kind::cvode_adams) return std::nullopt;
+  if (kind == Kind::ballistic || kind == Kind::cvode_adams || (requested && !stiff)) return std::nullopt;
   const auto next = kind == Kind::cvode_bdf_klu ? Kind::cvode_adams : Kind::cvode_bdf_klu;
   return Choice{next, get(next, problem)};
 }

@@ -27,6 +27,9 @@ double local_tolerance(CvodeMethod method, double accuracy) {
 /// often.
 constexpr Index step_limit = 10'000'000;
 constexpr Index stall_limit = 100;
+/// Attempts at one step. Each is up to ten times shorter: where a force begins like a small power of the
+/// indentation, the first must be very short.
+constexpr int most_rejections = 40;
 
 ConstState view(N_Vector v) {
   return {N_VGetArrayPointer(v), static_cast<std::size_t>(N_VGetLength_Serial(v))};
@@ -72,6 +75,7 @@ struct Cvode::Memory {
     check(CVodeWFtolerances(cvode.get(), weights), "the weights");
     check(CVodeSetMaxNumSteps(cvode.get(), step_limit), "the step limit");
     check(CVodeRootInit(cvode.get(), static_cast<int>(like.guard_count()), guards), "the guards");
+    check(CVodeSetMaxErrTestFails(cvode.get(), most_rejections), "the number of rejections");
     check(CVodeSetNoInactiveRootWarn(cvode.get()), "quiet roots");
     attach_solver(like);
   }

@@ -43,6 +43,16 @@ double wrong_impulse(const ChainOutcome& o) {
   return worst;
 }
 
+/// Fastest approach of two neighbours.
+double approach(const ChainOutcome& o) {
+  double worst = 0;
+  for (Index j = 0; j < o.layout.contacts(); ++j) {
+    const auto& v = o.layout.velocity;
+    worst = std::max(worst, o.stretch.after[v[j]] - o.stretch.after[v[j + 1]]);
+  }
+  return worst;
+}
+
 double energy_gain(const ChainOutcome& o) {
   double worst = 0;
   for (const auto& energy : o.energies) worst = std::max(worst, -energy.dissipated);
@@ -70,7 +80,9 @@ void pass_gate(const ChainOutcome& o, double accuracy, hybrid::Ending& ending, s
   const double allowed = share * (energy + largest_wall_speed(o) * momentum);
   const auto balance = energy_balance(o.chain, o.layout, o.energies, o.impulses, o.stretch);
   const auto momenta = momentum_balance(o.chain, o.layout, o.stretch);
+  const bool parts = ending == hybrid::Ending::separated && !o.chain.falls_back;
   const Balance balances[] = {
+      {"an approach at the end", parts ? approach(o) : 0, balance_allowance * o.chain.slow},
       {"the energy balance", balance.residual, allowed + share * std::abs(balance.work)},
       {"the momentum balance", momenta.residual, share * momentum},
       {"an impulse that pulls, or of a contact that never closed", wrong_impulse(o), share * momentum},

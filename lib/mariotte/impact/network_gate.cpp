@@ -7,8 +7,8 @@
 
 namespace mariotte::impact {
 
-void pass_gate(const std::vector<Index>& open, const std::vector<double>& unheard_depth,
-               NetworkImpact& impact) {
+void pass_gate(const Configuration& before, double largest_rate, const std::vector<Index>& open,
+               const std::vector<double>& unheard_depth, NetworkImpact& impact) {
   const double share = balance_allowance * std::max(impact.requested_accuracy, 16 * epsilon);
   const auto& energy = impact.energy;
   const double reached =
@@ -23,7 +23,11 @@ void pass_gate(const std::vector<Index>& open, const std::vector<double>& unhear
     const double excess = -impact.gap[j] / unheard_depth[j];
     depth = excess <= depth ? depth : excess;  // a gap that is not a number counts
   }
+  double approach = 0;
+  if (impact.ending == hybrid::Ending::separated)
+    for (const double rate : gap_rates(before, impact.velocity)) approach = std::max(approach, -rate);
   const Balance balances[] = {
+      {"an approach at the end", approach, share * largest_rate},
       {"the energy balance", energy.residual, share * reached},
       {"the momentum balance", impact.momentum_residual, share},
       {"an impulse that pulls", pull, share * strongest},

@@ -74,7 +74,8 @@ double largest(const std::vector<double>& values) {
 }
 
 /// The contacts without force, and how deep each may be without being heard.
-void pass_gate(const NetworkSystem& system, const contact::ContactSet& mode, NetworkImpact& impact) {
+void pass_gate(const NetworkSystem& system, const model::Network& network, const contact::ContactSet& mode,
+               NetworkImpact& impact) {
   const auto& d = system.network();
   std::vector<Index> open;
   std::vector<double> depth;
@@ -84,7 +85,8 @@ void pass_gate(const NetworkSystem& system, const contact::ContactSet& mode, Net
     const double length = balance_allowance * impact.requested_accuracy * d.length[j];
     depth.push_back((unheard_depths * d.shallow[j] + length) * d.scale.length);
   }
-  pass_gate(open, depth, impact);
+  const auto before = configuration_of(network);
+  pass_gate(before, d.speed * d.scale.velocity, open, depth, impact);
 }
 
 NetworkImpact simulate_once(const model::Network& network, const hybrid::Options& options, bool trace) {
@@ -116,7 +118,7 @@ NetworkImpact simulate_once(const model::Network& network, const hybrid::Options
   impact.skipped = skipped(system, run, trace);
   impact.requested_accuracy = options.accuracy;
   if (trace) impact.trace = named(observers.recorder.take(run.time, run.state), network);
-  pass_gate(system, workspace.mode, impact);
+  pass_gate(system, network, workspace.mode, impact);
   return impact;
 }
 

@@ -14,6 +14,19 @@ ContactMode after(const ChainState& state, Index j, ContactMode before, bool loa
   return mode_after(before, load_fired, state.gap(j), state.approach(j), state.chain.slow);
 }
 
+bool is_loaded_again(const ChainState& state, const ContactSet& mode, Index j) {
+  const auto& chain = state.chain;
+  const double rate = state.approach(j);
+  if (!(load(chain.law[j], -state.gap(j), rate) > 0)) return false;
+  const auto force = [&](Index i) {
+    if (i < 0 || i == state.layout.contacts()) return 0.0;
+    return force_in(mode[i], chain.law[i], -state.gap(i), state.approach(i)).value;
+  };
+  const double bend = chain.inverse_mass[j] * force(j - 1) - chain.gravity[j] +
+                      chain.inverse_mass[j + 1] * force(j + 1) + chain.gravity[j + 1];
+  return load(chain.law[j], rate, bend) > 0;
+}
+
 bool rests(const ChainState& state, ContactMode mode, Index j) {
   return mode == ContactMode::open && state.gap(j) == 0 && state.approach(j) == 0;
 }

@@ -17,12 +17,16 @@ struct ChainState {
   double approach(Index j) const { return x[layout.velocity[j]] - x[layout.velocity[j + 1]]; }
 };
 
-/// The balls of contact j approach or, where gravity pulls them together, do not part: they rest on each other
-/// or will meet again before they have parted.
+/// The balls of contact j approach or, where gravity pulls them together, do not part: they rest on each
+/// other or will meet again before they have parted.
 bool comes_together(const DimensionlessChain& chain, Index j, double approach);
 
 /// The mode of contact j after its gap, or its load, has fired.
 contact::ContactMode after(const ChainState& state, Index j, contact::ContactMode before, bool load_fired);
+
+/// The load of slack contact j is positive and its neighbours' forces let it grow: it pushes again. Where a
+/// load has vanished but for rounding, its guard may stand beyond zero already, and would never fire.
+bool is_loaded_again(const ChainState& state, const contact::ContactSet& mode, Index j);
 
 /// Touching neighbours at rest are pressed in the same instant as contact `from`, δ ~ t^{7/2} [theory page,
 /// "Touching at rest"].

@@ -35,6 +35,9 @@ void ChainSystem::transition(Mode& mode, const std::vector<Index>& fired, ConstS
     change(mode, j, after(state(x), j, mode[j], guard != j), changes);
     if (mode[j] == ContactMode::closed) press_row(state(x), mode, j, changes);
   }
+  for (Index j = 0; j < layout_.contacts(); ++j)
+    if (mode[j] == ContactMode::slack && is_loaded_again(state(x), mode, j))
+      change(mode, j, ContactMode::closed, changes);
   const auto has_fired = [&](Index j) {
     return std::any_of(fired.begin(), fired.end(), [&](Index guard) { return guards_.contact[guard] == j; });
   };
