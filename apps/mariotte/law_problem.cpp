@@ -162,6 +162,7 @@ LawProblem law_problem(const LawChoice& choice) {
   problem.report.parameters.frame = law.frame;
   const auto& laws = scene.network ? scene.network->law : scene.chain.law;
   problem.rivals = rival_parameters(choice, own ? std::vector<contact::Law>{} : laws);
+  problem.rivals.direction = law.direction;
   problem.report.restitution = problem.rivals.restitution;
   return problem;
 }

@@ -106,7 +106,7 @@ BOOST_FIXTURE_TEST_CASE(rivals_answer_beside_the_law, Session) {
   const auto answer = Json::parse(run.out);
   std::map<std::string, Json> rivals;
   for (const auto& rival : answer["rivals"]) rivals[rival["name"]] = rival;
-  BOOST_TEST(rivals.size() == 6);
+  BOOST_TEST(rivals.size() == 7);
   BOOST_TEST(answer["restitution"] == 1);
   BOOST_TEST(difference(rivals["newton"]["velocity"], {-1.0 / 3, 2.0 / 3, 2.0 / 3}) < 1e-14);
   BOOST_TEST(difference(rivals["by-event"]["velocity"], {0, 0, 1}) < 1e-14);

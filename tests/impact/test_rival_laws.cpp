@@ -5,10 +5,12 @@
 #include <random>
 
 #include "mariotte/core/error.hpp"
+#include "mariotte/impact/ceanga_hurmuzlu_law.hpp"
 #include "mariotte/impact/chain_solver.hpp"
 #include "mariotte/impact/complementarity.hpp"
 #include "mariotte/impact/liu_zhao_brogliato_law.hpp"
 #include "mariotte/impact/moreau_law.hpp"
+#include "mariotte/impact/multiple_impact_law.hpp"
 #include "mariotte/impact/newton_law.hpp"
 #include "mariotte/impact/poisson_law.hpp"
 #include "mariotte/impact/sequential_law.hpp"
@@ -210,6 +212,28 @@ BOOST_AUTO_TEST_CASE(elastic_distribution_law_is_the_compliant_chain) {
   }
 }
 
+// It is not where a gap opens between two periods of a contact: the law loads such a contact again at once.
+BOOST_AUTO_TEST_CASE(elastic_distribution_law_is_the_chain_only_if_no_contact_closes_twice) {
+  std::mt19937_64 random(16);
+  int once = 0, off = 0;
+  for (int i = 0; i < 60; ++i) {
+    const auto c = random_row(random, Motion::approach);
+    const model::Chain chain{.mass = c.mass,
+                             .law = std::vector<contact::Law>(c.contact.size(), contact::Hertz{1}),
+                             .gap = all(c, 0),
+                             .velocity = c.velocity};
+    const auto impact = impact::simulate(chain);
+    const bool again = std::any_of(impact.contacts.begin(), impact.contacts.end(),
+                                   [](const auto& contact) { return contact.periods.size() > 1; });
+    const double error = difference(distributed(c, 1).velocity, impact.velocity);
+    if (!again) BOOST_TEST(error < 1e-7);
+    once += !again;
+    off += error > 0.01;
+  }
+  BOOST_TEST(once > 10);
+  BOOST_TEST(off > 5);
+}
+
 BOOST_AUTO_TEST_CASE(distribution_law_loses_what_each_contact_does_not_give_back) {
   const auto pair = chain_configuration({1, 2}, {1, 0});
   for (const double e : {0.1, 0.5, 0.9}) {
@@ -226,6 +250,102 @@ BOOST_AUTO_TEST_CASE(distribution_law_is_of_high_order) {
   const double gain = std::log(difference(coarse.velocity, exact) / difference(fine.velocity, exact));
   const double work = std::log(static_cast<double>(fine.steps) / static_cast<double>(coarse.steps));
   BOOST_TEST(gain / work > 3.5);  // 5, less what the onsets take, where the force has no fifth derivative
+}
+
+namespace {
+
+LawOutcome correlated(const Configuration& c, const Numbers& e, const Numbers& direction) {
+  return ceanga_hurmuzlu(c, {.restitution = e, .direction = direction});
+}
+
+Numbers random_numbers(std::mt19937_64& random, std::size_t count, double least) {
+  std::uniform_real_distribution<double> value(least, 1);
+  Numbers list;
+  for (std::size_t i = 0; i < count; ++i) list.push_back(value(random));
+  return list;
+}
+
+/// Energy that the law says is lost, Σ (1 − e_j²) times what contact j takes up, by the trapezoidal rule
+/// along the impulses, on which gap rates are linear.
+double loss_along(const Configuration& c, const Numbers& e, const Numbers& p) {
+  constexpr int parts = 20000;
+  const auto before = gap_rates(c, c.velocity), change = gap_rates(c, velocity_change(c, p));
+  double loss = 0;
+  for (std::size_t j = 0; j < p.size(); ++j)
+    for (int k = 0; k < parts; ++k) {
+      const auto taken = [&](int at) { return std::max(0.0, -p[j] * (before[j] + change[j] * at / parts)); };
+      loss += (1 - e[j] * e[j]) * 0.5 * (taken(k) + taken(k + 1)) / parts;
+    }
+  return loss;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(correlation_law_of_two_bodies_is_restitution) {
+  for (const double e : {0.0, 0.3, 1.0}) {
+    const auto outcome = correlated(chain_configuration({1, 2}, {1, -0.5}), {e}, {1});
+    BOOST_TEST(outcome.velocity[1] - outcome.velocity[0] == 1.5 * e, to_rounding);
+    BOOST_TEST((outcome.status == LawStatus::admissible));
+  }
+}
+
+// Equal balls, v = (1, 0, 0), p = (α s, s): w = (−1 + (2α−1) s, (2−α) s), and for 1 < α < 2 contact 1 turns
+// at 1/(2α−1) and contact 2 opens throughout, so the end is the larger root of a quadratic.
+BOOST_AUTO_TEST_CASE(correlation_law_of_the_triplet_is_the_root_of_a_quadratic) {
+  for (const double icr : {1.05, 1.4, 1.9})
+    for (const double e : {0.95, 0.98, 1.0}) {
+      const double bend = 2 * icr - 1, other = 2 - icr, turn = 1 / bend;
+      // e² α turn/2 = α bend (s − turn)²/2 + other s²/2
+      const double a = icr * bend + other, b = -2 * icr, k = icr * turn * (1 - e * e);
+      const double s = (-b + std::sqrt(b * b - 4 * a * k)) / (2 * a);
+      const auto outcome = correlated(struck_row(3), {e, 0.1}, {icr, 1});
+      BOOST_TEST(difference(outcome.velocity, {1 - icr * s, (icr - 1) * s, s}) < 1e-13);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(elastic_correlation_law_is_the_multiple_impact_law_and_so_the_chain) {
+  std::mt19937_64 random(21);
+  for (int i = 0; i < 200; ++i) {
+    const auto c = random_row(random, Motion::approach);
+    const auto r = random_numbers(random, c.contact.size(), 0);
+    const auto law = multiple_impact(c, {.direction = r, .energy_ratio = 1});
+    BOOST_TEST(difference(correlated(c, all(c, 1), r).velocity, law.velocity) < 1e-11);
+  }
+  for (const auto& c : test::cases("equal_chains.json")) {
+    const auto row = struck_row(c.at("n"));
+    const auto final = c.at("final").get<Numbers>();
+    Numbers p = {1 - final[0]};
+    for (std::size_t i = 1; i + 1 < final.size(); ++i) p.push_back(p.back() - final[i]);
+    BOOST_TEST(difference(correlated(row, all(row, 1), p).velocity, final) < 1e-9);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(correlation_law_loses_what_each_contact_does_not_give_back) {
+  std::mt19937_64 random(22);
+  for (int i = 0; i < 100; ++i) {
+    const auto c = random_row(random, i % 2 ? Motion::approach : Motion::any);
+    const auto e = random_numbers(random, c.contact.size(), 0), r = random_numbers(random, e.size(), 0);
+    const auto outcome = correlated(c, e, r);
+    const double before = kinetic_energy(c, c.velocity), after = kinetic_energy(c, outcome.velocity);
+    BOOST_TEST(std::abs(before - after - loss_along(c, e, outcome.impulse)) < 1e-7 * before);
+    BOOST_TEST(std::abs(momentum(c, outcome.velocity) - momentum(c, c.velocity)) < 1e-11);
+    for (std::size_t j = 1; j < r.size(); ++j)
+      BOOST_TEST(std::abs(outcome.impulse[j] * r[0] - outcome.impulse[0] * r[j]) < 1e-12);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(correlation_law_says_what_is_not_admissible) {
+  const auto row = struck_row(3);
+  BOOST_TEST((correlated(row, {0.2, 0.2}, {1.2, 1}).status == LawStatus::penetrating_velocity));
+  BOOST_TEST((correlated(row, {1, 1}, {1, -1}).status == LawStatus::tensile_impulse));
+  for (const Numbers& r : {Numbers{0, 1}, Numbers{0, 0}}) {
+    const auto outcome = correlated(row, {1, 1}, r);
+    BOOST_TEST((outcome.status == LawStatus::no_impact));
+    BOOST_TEST(outcome.velocity == row.velocity, boost::test_tools::per_element());
+  }
+  BOOST_CHECK_THROW(correlated(row, {1, 1.1}, {1, 1}), InvalidParameter);
+  BOOST_CHECK_THROW(correlated(row, {1, 1}, {1}), InvalidParameter);
+  BOOST_CHECK_THROW(correlated(row, {1, 1}, {1, infinity}), InvalidParameter);
 }
 
 BOOST_AUTO_TEST_CASE(parameters_without_sense_are_refused) {

@@ -23,8 +23,9 @@ struct DistributionLaw {
 /// dp = k δ^η dτ and dδ = −w dτ, which is the same curve without the singularity of its start; every change
 /// between loading, unloading and open ends a step. Changes are seen by signs at the ends of steps.
 /// Conserves momentum; loses 1 − e_j² of the energy that contact j takes up, so none for e = 1. Exists for
-/// every e_j > 0. For e = 1 it is the compliant chain itself, up to gaps that open between two periods of a
-/// contact: here such a contact is loaded again at once.
+/// every e_j > 0. For e = 1 it is the compliant chain itself as long as no contact closes twice, as in a
+/// struck row of equal balls. Where a gap opens between two periods of a contact it is not: here such a
+/// contact is loaded again at once.
 LawOutcome liu_zhao_brogliato(const Configuration& configuration, const DistributionLaw& law);
 
 }  // namespace mariotte::impact

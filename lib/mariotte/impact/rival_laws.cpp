@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "mariotte/impact/ceanga_hurmuzlu_law.hpp"
 #include "mariotte/impact/liu_zhao_brogliato_law.hpp"
 #include "mariotte/impact/moreau_law.hpp"
 #include "mariotte/impact/newton_law.hpp"
@@ -9,6 +10,16 @@
 #include "mariotte/impact/sequential_law.hpp"
 
 namespace mariotte::impact {
+namespace {
+
+LawOutcome distributed(const Configuration& c, const std::vector<double>& e,
+                       const RivalParameters& parameters) {
+  DistributionLaw law{.restitution = e, .stiffness = parameters.stiffness, .exponent = parameters.exponent};
+  if (law.stiffness.empty()) law.stiffness.assign(e.size(), 1.0);
+  return liu_zhao_brogliato(c, law);
+}
+
+}  // namespace
 
 std::vector<NamedOutcome> rival_outcomes(const Configuration& c, const RivalParameters& parameters) {
   const std::vector<double> e(c.contact.size(), parameters.restitution);
@@ -17,10 +28,10 @@ std::vector<NamedOutcome> rival_outcomes(const Configuration& c, const RivalPara
                                         {"moreau", moreau(c, parameters.restitution)},
                                         {"left-to-right", left_to_right(c, {.restitution = e})},
                                         {"by-event", by_event(c, {.restitution = e})}};
-  if (!(parameters.restitution > 0)) return outcomes;
-  DistributionLaw law{.restitution = e, .stiffness = parameters.stiffness, .exponent = parameters.exponent};
-  if (law.stiffness.empty()) law.stiffness.assign(e.size(), 1.0);
-  outcomes.push_back({"liu-zhao-brogliato", liu_zhao_brogliato(c, law)});
+  if (parameters.restitution > 0) outcomes.push_back({"liu-zhao-brogliato", distributed(c, e, parameters)});
+  if (!parameters.direction.empty())
+    outcomes.push_back(
+        {"ceanga-hurmuzlu", ceanga_hurmuzlu(c, {.restitution = e, .direction = parameters.direction})});
   return outcomes;
 }
 

@@ -12,6 +12,8 @@ struct RivalParameters {
   double restitution = 1;              ///< e of every contact, 0 ≤ e ≤ 1
   std::vector<double> stiffness = {};  ///< of the distribution law, one per contact; empty for equal ones
   double exponent = 1.5;               ///< of the distribution law
+  std::vector<double> direction =
+      {};  ///< impulses up to their size, for Ceanga & Hurmuzlu's law; may be empty
 };
 
 /// A law by name, and what it answers.
@@ -20,7 +22,8 @@ struct NamedOutcome {
   LawOutcome outcome;
 };
 
-/// "newton", "poisson", "moreau", "left-to-right", "by-event" and, for e > 0, "liu-zhao-brogliato".
+/// "newton", "poisson", "moreau", "left-to-right", "by-event", for e > 0 "liu-zhao-brogliato", and with a
+/// direction "ceanga-hurmuzlu".
 std::vector<NamedOutcome> rival_outcomes(const Configuration& configuration,
                                          const RivalParameters& parameters);
 
