@@ -69,3 +69,19 @@ BOOST_FIXTURE_TEST_CASE(a_file_size_limit_gives_code_6_and_leaves_no_partial_fil
   for (const auto& entry : fs::directory_iterator(folder / "results"))
     BOOST_TEST(!entry.path().filename().string().starts_with("."));
 }
+
+// The header fits, the rows do not: HDF5 meets the limit while it writes, and again when it closes the file.
+BOOST_FIXTURE_TEST_CASE(a_file_size_limit_under_an_hdf5_trace_gives_code_6, Session) {
+  write("row.toml",
+        "[chain]\nmass = 1\nlaw = 'hertz'\nstiffness = 1\nballs = 30\n[[chain.ball]]\nnumber = 1\nvelocity = "
+        "1\n");
+  for (const int blocks : {1, 4, 20, 100}) {
+    const auto run = shell("ulimit -f " + std::to_string(blocks) +
+                           "; \"$mariotte\" run row.toml -q --trace wave.h5 --every 0.001 --force");
+    BOOST_TEST(run.code == 6, "exit code " << run.code << " at " << blocks << " blocks");
+    if (has(run.err, "built without HDF5")) return;
+    BOOST_TEST(run.err == "mariotte: error: cannot write wave.h5: File too large [F003]\n");
+    BOOST_TEST(run.out == "");
+    BOOST_TEST(entries() == 2);
+  }
+}

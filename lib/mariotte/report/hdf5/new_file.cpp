@@ -2,25 +2,36 @@
 
 #include <unistd.h>
 
+#include <cstring>
+
 #include "mariotte/report/files.hpp"
+#include "mariotte/report/hdf5/file_driver.hpp"
 
 namespace mariotte::report::hdf5 {
 
 NewFile::NewFile(std::filesystem::path path) : path_(std::move(path)), temporary_(temporary_name(path_)) {
   H5::Exception::dontPrint();
-  guarded([&] { file_ = H5::H5File(temporary_.string(), H5F_ACC_TRUNC); });
+  guarded([&] {
+    file_ =
+        H5::H5File(temporary_.string(), H5F_ACC_TRUNC, H5::FileCreatPropList::DEFAULT, remembering(problem_));
+  });
 }
 
 NewFile::~NewFile() {
   ::unlink(temporary_.c_str());  // gone already if it was renamed
 }
 
+void NewFile::fail(const std::string& reason) const {
+  throw FileError("cannot write " + path_.string() + ": " + reason);
+}
+
 void NewFile::guarded(const std::function<void()>& action) const {
   try {
     action();
   } catch (const H5::Exception& problem) {
-    throw FileError("cannot write " + path_.string() + ": HDF5: " + problem.getDetailMsg());
+    fail(problem_ != 0 ? std::strerror(problem_) : "HDF5: " + problem.getDetailMsg());
   }
+  if (problem_ != 0) fail(std::strerror(problem_));
 }
 
 void NewFile::commit() {

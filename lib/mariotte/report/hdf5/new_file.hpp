@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <string>
 
 namespace mariotte::report::hdf5 {
 
@@ -16,13 +17,17 @@ class NewFile {
   NewFile& operator=(const NewFile&) = delete;
 
   H5::H5File& file() { return file_; }
-  /// What HDF5 complains of in `action` is thrown as FileError that names the file.
+  /// What HDF5 complains of in `action`, or the disk up to its end, is thrown as FileError that names the
+  /// file.
   void guarded(const std::function<void()>& action) const;
   /// Once no dataset of it is open any more.
   void commit();
 
  private:
+  [[noreturn]] void fail(const std::string& reason) const;
+
   std::filesystem::path path_, temporary_;
+  int problem_ = 0;  ///< of the disk, an errno
   H5::H5File file_;
 };
 
