@@ -11,8 +11,10 @@
 namespace mariotte::command {
 namespace {
 
+constexpr std::size_t most_bytes = -1;  // results of long chains have no limit
+
 report::Json read_object(const std::filesystem::path& path) {
-  auto object = report::Json::parse(scene::read_text(path.string()), nullptr, false);
+  auto object = report::Json::parse(scene::read_text(path.string(), most_bytes), nullptr, false);
   if (!object.is_object()) throw scene::FileError(path.string() + ": holds no result");
   return object;
 }

@@ -72,7 +72,7 @@ std::string numbers(const std::vector<Index>& positions) {
 
 std::string heading(const std::string& title) {
   std::string text = title + "\n";
-  for (std::size_t i = 0; i < width(title); ++i) text += "═";
+  for (std::size_t left = width(title); left > 0; --left) text += "═";
   return text + "\n";
 }
 

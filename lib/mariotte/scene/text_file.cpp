@@ -2,20 +2,25 @@
 
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
 #include "mariotte/scene/scene.hpp"
 
 namespace mariotte::scene {
 
-std::string read_text(const std::string& path) {
+std::string read_text(const std::string& path, std::size_t longest) {
   std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  // An empty file sets failbit on the copy, so only what was opened and what broke are asked.
-  if (!file.is_open() || file.bad() || text.bad() || std::filesystem::is_directory(path))
+  std::string text;
+  std::string part(1 << 20, '\0');
+  do {
+    file.read(part.data(), static_cast<std::streamsize>(part.size()));
+    text.append(part, 0, static_cast<std::size_t>(file.gcount()));
+    if (text.size() > longest)
+      throw FileError(path + ": is longer than " + std::to_string(longest >> 20) + " MiB");
+  } while (file);
+  // The end of the file sets failbit, so only what was opened and what broke are asked.
+  if (!file.is_open() || file.bad() || std::filesystem::is_directory(path))
     throw FileError(path + ": cannot be read");
-  return std::move(text).str();
+  return text;
 }
 
 }  // namespace mariotte::scene
