@@ -15,6 +15,7 @@
 #include "mariotte/report/provenance.hpp"
 #include "mariotte/report/sweep_csv.hpp"
 #include "mariotte/report/sweep_json.hpp"
+#include "mariotte/report/sweep_rows.hpp"
 #include "mariotte/scene/sha256.hpp"
 #include "mariotte/study/sweep_reader.hpp"
 #include "progress_line.hpp"
@@ -109,7 +110,11 @@ int sweep(const Options& options, Ranks& ranks) {
   open(ranks, [&] {
     plan = read(options, ranks);
     if (ranks.first()) prepare(options.files, plan, options.force);
-    journal.emplace(options.files.folder, identity(plan), plan.design.points(), ranks.rank(), patience);
+    const auto is_of_this = [&plan](const study::Rows& rows) {
+      return report::are_rows_of(plan.design, plan.columns.size(), rows);
+    };
+    journal.emplace(options.files.folder, identity(plan), plan.design.points(), ranks.rank(), patience,
+                    is_of_this);
   });
   if (ranks.first() && !options.scene.quiet) tell_resumed(plan, *journal);
   const auto progress = compute(options, plan, *journal, ranks);

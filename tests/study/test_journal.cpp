@@ -1,6 +1,7 @@
 #define BOOST_TEST_MODULE study_journal
 #include <boost/test/unit_test.hpp>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "mariotte/study/crc32.hpp"
@@ -100,6 +101,27 @@ BOOST_FIXTURE_TEST_CASE(a_line_altered_in_the_middle_is_computed_again, Folder) 
   Journal journal(path, "x", 4);
   BOOST_TEST(journal.missing().size() == 1);
   BOOST_TEST(journal.missing()[0].first == 2);
+}
+
+BOOST_FIXTURE_TEST_CASE(rows_that_are_not_believed_are_computed_again, Folder) {
+  {
+    Journal journal(path, "x", 4);
+    fill(journal);
+  }
+  const auto no_three = [](const study::Rows& rows) { return rows.text.find("three") == std::string::npos; };
+  const Journal journal(path, "x", 4, 0, {}, no_three);
+  BOOST_TEST_REQUIRE(journal.missing().size() == 1);
+  BOOST_TEST((journal.missing()[0].first == 2 && journal.missing()[0].count == 2));
+  BOOST_TEST(journal.failed() == 0);
+}
+
+BOOST_FIXTURE_TEST_CASE(rows_of_points_that_do_not_exist_do_not_count, Folder) {
+  constexpr Index huge = std::numeric_limits<Index>::max();
+  replace(study::heading_line("x", 4) + study::rows_line({.first = huge, .count = huge, .text = "0\n"}) +
+          study::rows_line({.first = 1, .count = -1, .text = "0\n"}) +
+          study::rows_line({.first = 3, .count = 2, .text = "0\n1\n"}));
+  const Journal journal(path, "x", 4);
+  BOOST_TEST(total(journal.missing()) == 4);
 }
 
 BOOST_FIXTURE_TEST_CASE(another_sweep_is_refused_and_its_journal_untouched, Folder) {

@@ -24,13 +24,17 @@ std::string sweep_header(const study::Design& design, const std::vector<std::str
   return text + "ending,reason\n";
 }
 
+void append_parameters(const study::Design& design, Index point, std::string& text) {
+  for (std::size_t i = 0; i < design.parameters.size(); ++i) {
+    append_parameter(design, i, point, text);
+    text += ',';
+  }
+}
+
 void append_rows(const study::Design& design, const study::Batch& batch, std::string& text) {
   const std::size_t rows = batch.verdicts.size(), columns = rows ? batch.numbers.size() / rows : 0;
   for (std::size_t row = 0; row < rows; ++row) {
-    for (std::size_t i = 0; i < design.parameters.size(); ++i) {
-      append_parameter(design, i, batch.first + static_cast<Index>(row), text);
-      text += ',';
-    }
+    append_parameters(design, batch.first + static_cast<Index>(row), text);
     for (std::size_t i = 0; i < columns; ++i) {
       const double number = batch.numbers[row * columns + i];
       if (!std::isnan(number)) append_exact(number, text);

@@ -45,10 +45,11 @@ void remove_journals(const std::filesystem::path& folder) {
 }
 
 Journal::Journal(std::filesystem::path folder, std::string identity, Index points, Index rank,
-                 std::chrono::milliseconds patience)
+                 std::chrono::milliseconds patience, Believes believes)
     : folder_(std::move(folder)),
       identity_(std::move(identity)),
       points_(points),
+      believes_(std::move(believes)),
       file_(path_of(folder_, rank), patience) {
   reload();
 }
@@ -65,6 +66,11 @@ void Journal::reload() {
   }
 }
 
+bool Journal::counts(const Rows& rows) const {
+  return rows.first >= 0 && rows.count >= 0 && rows.count <= points_ - rows.first &&
+         (!believes_ || believes_(rows));
+}
+
 /// Size of the file up to its last whole line.
 std::size_t Journal::scan(const std::filesystem::path& path) {
   std::ifstream stream(path, std::ios::binary);
@@ -79,7 +85,7 @@ std::size_t Journal::scan(const std::filesystem::path& path) {
   };
   while (std::getline(stream, line) && !stream.eof()) {
     if (offset == 0) expect(line + "\n" == heading);
-    if (const auto rows = read_rows(line); rows && rows->first >= 0 && rows->first + rows->count <= points_)
+    if (const auto rows = read_rows(line); rows && counts(*rows))
       entries_.push_back({file, offset, line.size(), {rows->first, rows->count}, rows->failed});
     offset += line.size() + 1;
   }

@@ -1,7 +1,8 @@
 // What a sweep has finished, on disk: killed at any moment, it goes on where it was.
 //
 // Every process appends to a file of its own: journal.jsonl, journal.1.jsonl, … A line counts when it is
-// there to its end and its checksum is right; what a kill has torn is computed again.
+// there to its end, its checksum is right and its rows can be those of its points; what a kill has torn is
+// computed again.
 #pragma once
 #include <chrono>
 #include <filesystem>
@@ -18,11 +19,14 @@ namespace mariotte::study {
 
 class Journal {
  public:
+  /// Whether rows can be those of their points; what cannot is computed again.
+  using Believes = std::function<bool(const Rows&)>;
+
   /// Opens the journal of `rank` in a folder, makes it if it is not there, and locks it; then reads those of
   /// all ranks. `identity` is what makes two sweeps the same. A process whose mpirun was killed lives on for
   /// a moment: `patience` is how long to wait until it lets go. Throws JournalError.
   Journal(std::filesystem::path folder, std::string identity, Index points, Index rank = 0,
-          std::chrono::milliseconds patience = {});
+          std::chrono::milliseconds patience = {}, Believes believes = {});
 
   /// Points without a result.
   std::vector<Stretch> missing() const;
@@ -50,10 +54,12 @@ class Journal {
     Index failed;
   };
   std::size_t scan(const std::filesystem::path& path);
+  bool counts(const Rows& rows) const;
 
   std::filesystem::path folder_;
   std::string identity_;
   Index points_;
+  Believes believes_;
   LockedFile file_;
   std::mutex writing_;
   std::vector<std::filesystem::path> paths_;
