@@ -24,9 +24,9 @@ inline double power_of_two_below(double value) {
 }
 
 /// q^{1/(n+1)}, homogeneous to the last bit for n = 1 and 3/2: multiplying q by 4^m or 32^m multiplies the
-/// result by exactly 2^m or 4^m.
+/// result by exactly 2^m or 4^m. 0 and ∞ are their own roots.
 inline double natural_root(double q, double exponent) {
-  if (exponent == 1) return std::sqrt(q);
+  if (!(q > 0) || std::isinf(q) || exponent == 1) return std::sqrt(q);
   if (exponent != 1.5) return std::pow(q, 1 / (exponent + 1));
   const int fives = static_cast<int>(std::floor(std::ilogb(q) / 5.0));
   return std::ldexp(std::pow(std::ldexp(q, -5 * fives), 0.4), 2 * fives);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mariotte/model/representable.hpp"
+
 namespace mariotte::model {
 
 using Motion = flow::TipPhase::Motion;
@@ -117,6 +119,7 @@ DimensionlessMicrobody dimensionless(const Microbody& body) {
   d.speed = incident_speed(body) / scale.velocity;
   d.time = scale.velocity / natural_speed(body);
   d.symmetric = is_symmetric(body.body);
+  expect_representable(body, d);
   find_motion(d);
   return d;
 }

@@ -33,7 +33,7 @@ struct DimensionlessMicrobody {
 };
 
 /// Converts a validated body. A motion that starts along the normal, or in a plane, to rounding stays so, and
-/// is made so exactly.
+/// is made so exactly. Throws Unrepresentable.
 DimensionlessMicrobody dimensionless(const Microbody& body);
 
 }  // namespace mariotte::model

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "mariotte/model/representable.hpp"
 #include "mariotte/model/scaled_law.hpp"
 
 namespace mariotte::model {
@@ -81,6 +82,7 @@ DimensionlessNetwork make_dimensionless(const Network& network, double accuracy)
     const double share = d.slow / d.speed;
     d.shallow.push_back(d.length[j] * natural_root(share * share, contact::exponent(d.law[j])));
   }
+  expect_representable(network, d);
   find_near(d);
   return d;
 }

@@ -26,7 +26,8 @@ struct DimensionlessNetwork {
   Index contacts() const { return std::ssize(law); }
 };
 
-/// Of a validated network. `accuracy` decides what is slow: a tenth of what may be wrong anyway.
+/// Of a validated network. `accuracy` decides what is slow: a tenth of what may be wrong anyway. Throws
+/// Unrepresentable.
 DimensionlessNetwork make_dimensionless(const Network& network, double accuracy);
 
 }  // namespace mariotte::model

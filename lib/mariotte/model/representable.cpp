@@ -1,0 +1,211 @@
+#include "mariotte/model/representable.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace mariotte::model {
+namespace {
+
+// Written so that nan is never fine.
+bool fits(double size) {
+  return size >= smallest_size && size <= largest_size;
+}
+bool is_bounded(double value) {
+  return std::abs(value) <= largest_size;
+}
+
+/// The stated number that is farthest from 1.
+class Culprit {
+ public:
+  void consider(std::string_view key, double value) {
+    if (value == 0 || std::isinf(value)) return;
+    const double distance = std::abs(std::log(std::abs(value)));
+    if (distance <= distance_) return;
+    distance_ = distance;
+    key_ = key;
+    value_ = value;
+  }
+  void consider(const contact::Law& law) {
+    consider("stiffness", contact::stiffness(law));
+    consider("damping", contact::damping(law));
+  }
+  [[noreturn]] void refuse() const {
+    std::array<char, 256> text{};
+    std::snprintf(
+        text.data(), text.size(),
+        "cannot be computed with in double precision: %s %.3g, with the other numbers, makes an energy, "
+        "a force, a length or a time leave %.0e … %.0e (SI)",
+        std::string(key_).c_str(), value_, smallest_size, largest_size);
+    throw Unrepresentable(text.data(), key_);
+  }
+
+ private:
+  double distance_ = 0, value_ = 0;
+  std::string_view key_ = "velocity";
+};
+
+bool fits(const Scale& scale) {
+  const double squared = scale.velocity * scale.velocity;
+  const std::array units{scale.mass,       squared,        scale.length,  scale.time,
+                         scale.momentum(), scale.energy(), scale.force(), scale.velocity / scale.time};
+  return std::all_of(units.begin(), units.end(), [](double unit) { return fits(unit); });
+}
+
+/// Laws, gaps and natural sizes of the contacts of a scaled chain or network.
+template <class Scaled>
+bool contacts_fit(const Scaled& d) {
+  for (std::size_t j = 0; j < d.law.size(); ++j)
+    if (!fits(contact::stiffness(d.law[j])) || !is_bounded(contact::damping(d.law[j])) ||
+        !is_bounded(d.gap[j]) || !fits(d.reduced_mass[j]) || !fits(d.length[j]) || !fits(d.time[j]) ||
+        !is_bounded(d.gap[j] / d.speed * d.scale.time))
+      return false;
+  return true;
+}
+
+/// Something sets contacts in motion, but its square is lost to underflow. `spread` is the largest relative
+/// speed at the start.
+template <class Scaled>
+bool loses_motion(const Scaled& d, double spread) {
+  if (spread * spread >= smallest_size) return false;
+  bool moves = spread > 0;
+  for (std::size_t j = 0; j < d.law.size(); ++j) {
+    if (!(d.gap[j] < 0)) continue;
+    if (contact::stored_energy(d.law[j], -d.gap[j]) >= smallest_size) return false;
+    moves = true;
+  }
+  return moves;
+}
+
+bool fits(const DimensionlessChain& d, const Chain& chain) {
+  if (!fits(d.scale) || !fits(d.speed) || !contacts_fit(d)) return false;
+  const double longest = *std::max_element(d.time.begin(), d.time.end());
+  double energy = 0;
+  for (std::size_t i = 0; i < d.mass.size(); ++i) {
+    const bool is_wall = std::isinf(chain.mass[i]);
+    if (!is_bounded(d.velocity[i]) || !is_bounded(d.gravity[i])) return false;
+    if (is_wall ? !std::isinf(d.mass[i]) : !fits(d.mass[i])) return false;
+    const double fall = d.gravity[i] * longest;  // speed gained while a contact lasts
+    if (!is_wall) energy += d.mass[i] * (d.velocity[i] * d.velocity[i] + d.speed * d.speed + fall * fall);
+  }
+  if (!is_bounded(energy) || !is_bounded(energy * d.scale.energy())) return false;
+  const auto [slowest, fastest] = std::minmax_element(d.velocity.begin(), d.velocity.end());
+  return chain.gravity != 0 || !loses_motion(d, *fastest - *slowest);
+}
+
+/// Of the mass matrix at these velocities, whatever their units.
+double twice_kinetic_energy(const Network& network) {
+  const auto& v = network.velocity;
+  const std::size_t n = v.size();
+  double sum = 0;
+  if (is_diagonal(network.mass, std::ssize(v))) {
+    for (std::size_t i = 0; i < n; ++i)
+      if (!std::isinf(network.mass[i])) sum += network.mass[i] * v[i] * v[i];
+    return sum;
+  }
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t k = 0; k < n; ++k) sum += std::abs(v[i] * network.mass[i * n + k] * v[k]);
+  return sum;
+}
+
+bool fits(const DimensionlessNetwork& d, const Network& network) {
+  if (!fits(d.scale) || !fits(d.speed) || !contacts_fit(d)) return false;
+  double spread = 0;
+  for (const auto& direction : d.direction)
+    spread = std::max(spread, std::abs(gap_rate(direction, d.velocity)));
+  for (const auto& push : d.push)
+    for (const auto& term : push)
+      if (!is_bounded(term.coefficient)) return false;
+  for (const double v : d.velocity)
+    if (!is_bounded(v)) return false;
+  return is_bounded(twice_kinetic_energy(network)) && !loses_motion(d, spread);
+}
+
+bool fits(const Vector3& v) {
+  return fits(v.e1) && fits(v.e2) && fits(v.e3);
+}
+bool is_bounded(const Vector3& v) {
+  return is_bounded(v.e1) && is_bounded(v.e2) && is_bounded(v.e3);
+}
+
+bool fits(const DimensionlessMicrobody& d) {
+  const auto& inertia = d.body.inertia;
+  const double least = std::min({inertia.e1, inertia.e2, inertia.e3}), momentum = norm(d.momentum);
+  if (!fits(d.scale) || !fits(d.body.mass) || !fits(inertia) || !is_bounded(d.velocity) ||
+      !is_bounded(momentum * momentum / least) || !is_bounded(d.gravity) || !fits(d.speed))
+    return false;
+  for (std::size_t i = 0; i < d.tips(); ++i) {
+    const auto& tip = d.body.tips[i];
+    const auto& law = d.law[i];
+    if (!fits(tip.radius) || !is_bounded(tip.centre) || !is_bounded(d.gap[i]) || !fits(law.stiffness) ||
+        !is_bounded(law.adhesion) || !is_bounded(law.damping_hertz) || !is_bounded(law.damping_adhesion))
+      return false;
+  }
+  return true;
+}
+
+Culprit culprit(const Chain& chain) {
+  Culprit culprit;
+  for (const double v : chain.velocity) culprit.consider("velocity", v);
+  for (const double mass : chain.mass) culprit.consider("mass", mass);
+  for (const double gap : chain.gap) culprit.consider("gap", gap);
+  for (const auto& law : chain.law) culprit.consider(law);
+  culprit.consider("gravity", chain.gravity);
+  return culprit;
+}
+
+Culprit culprit(const Network& network) {
+  Culprit culprit;
+  for (const double v : network.velocity) culprit.consider("velocity", v);
+  for (const double mass : network.mass) culprit.consider("mass", mass);
+  for (const double gap : network.gap) culprit.consider("gap", gap);
+  for (const auto& law : network.law) culprit.consider(law);
+  return culprit;
+}
+
+Culprit culprit(const Microbody& body) {
+  Culprit culprit;
+  culprit.consider("normal_speed", body.velocity.e1);
+  culprit.consider("tangential_velocity", norm(tangential(body.velocity)));
+  culprit.consider("spin", norm(body.spin));
+  for (const auto& tip : body.body.tips) culprit.consider("radius", tip.radius);
+  for (const auto& law : body.law) {
+    culprit.consider("stiffness", law.stiffness);
+    culprit.consider("work_of_adhesion", law.adhesion);
+    culprit.consider("damping_hertz", law.damping_hertz);
+    culprit.consider("damping_adhesion", law.damping_adhesion);
+  }
+  culprit.consider("mass", body.body.mass);
+  culprit.consider("gravity", body.gravity);
+  return culprit;
+}
+
+}  // namespace
+
+void expect_representable(const Chain& chain, const DimensionlessChain& scaled) {
+  if (!fits(scaled, chain)) culprit(chain).refuse();
+}
+
+void expect_representable(const Network& network, const DimensionlessNetwork& scaled) {
+  if (!fits(scaled, network)) culprit(network).refuse();
+}
+
+void expect_representable(const Microbody& body, const DimensionlessMicrobody& scaled) {
+  if (!fits(scaled)) culprit(body).refuse();
+}
+
+void expect_representable(const Chain& chain) {
+  DimensionlessChain scaled;
+  make_dimensionless(chain, /*accuracy=*/1e-10, scaled);
+}
+
+void expect_representable(const Network& network) {
+  make_dimensionless(network, /*accuracy=*/1e-10);
+}
+
+void expect_representable(const Microbody& body) {
+  dimensionless(body);
+}
+
+}  // namespace mariotte::model

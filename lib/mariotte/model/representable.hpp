@@ -1,0 +1,40 @@
+// Whether double precision can carry a scene: masses, speeds, times, forces and energies from the start to
+// the end.
+#pragma once
+#include <string_view>
+
+#include "mariotte/core/error.hpp"
+#include "mariotte/model/dimensionless_chain.hpp"
+#include "mariotte/model/dimensionless_microbody.hpp"
+#include "mariotte/model/dimensionless_network.hpp"
+#include "mariotte/model/fault.hpp"
+
+namespace mariotte::model {
+
+/// Sizes beyond these are not computed with; doubles end at 2.2e-308 and 1.8e308, and a run needs room for
+/// sums, squares and the digits of small differences.
+inline constexpr double smallest_size = 1e-290, largest_size = 1e290;
+
+/// Numbers too large or too small for a run in double precision. `key` is what scenes call the quantity that
+/// is farthest from 1, and that is most likely the reason: "velocity", "mass", "stiffness" …
+struct Unrepresentable : InvalidParameter {
+  Unrepresentable(const std::string& what, std::string_view of)
+      : InvalidParameter(what, fault::unrepresentable), key(of) {}
+
+  std::string_view key;
+};
+
+/// Throw Unrepresentable unless every size of the scaled model, and its units as numbers of the scene's
+/// units, lie between smallest_size and largest_size: masses, lengths and times of contacts, stiffnesses; the
+/// units of speed squared, force, momentum and energy; and unless speeds, gaps, damping, gravity, flight
+/// times and energies lie below largest_size. A drive of the motion that is too small to square is no rest.
+void expect_representable(const Chain& chain, const DimensionlessChain& scaled);
+void expect_representable(const Network& network, const DimensionlessNetwork& scaled);
+void expect_representable(const Microbody& body, const DimensionlessMicrobody& scaled);
+
+/// The same of a validated model that has not been scaled yet.
+void expect_representable(const Chain& chain);
+void expect_representable(const Network& network);
+void expect_representable(const Microbody& body);
+
+}  // namespace mariotte::model
