@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mariotte/model/representable.hpp"
 #include "mariotte/model/scaled_law.hpp"
 
 namespace mariotte::model {
@@ -120,6 +121,7 @@ void make_dimensionless(const Chain& chain, double accuracy, DimensionlessChain&
     d.shallow.push_back(d.length[j] * slow_length);
     d.time.push_back(d.length[j] / d.speed);
   }
+  expect_representable(chain, d);
 }
 
 void fade_later(DimensionlessChain& d, double accuracy) {

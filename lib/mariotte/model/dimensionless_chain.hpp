@@ -31,7 +31,7 @@ struct DimensionlessChain {
 double reference_speed(const Chain& chain);
 
 /// Convert a validated chain into `d`, whose memory is reused. `accuracy` decides what is slow: a tenth
-/// of what may be wrong anyway.
+/// of what may be wrong anyway. Throws Unrepresentable.
 void make_dimensionless(const Chain& chain, double accuracy, DimensionlessChain& d);
 
 /// Let contacts fade as flows of a better accuracy can tell, so that what they leave behind is not an
