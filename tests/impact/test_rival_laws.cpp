@@ -348,6 +348,26 @@ BOOST_AUTO_TEST_CASE(correlation_law_says_what_is_not_admissible) {
   BOOST_CHECK_THROW(correlated(row, {1, 1}, {1, infinity}), InvalidParameter);
 }
 
+BOOST_AUTO_TEST_CASE(every_law_is_homogeneous_in_speed_and_mass_or_refuses) {
+  const auto at = [](double mass, double speed) {
+    return chain_configuration({mass, 0.5 * mass, mass}, {speed, 0, -0.25 * speed});
+  };
+  for (const auto& law : laws) {
+    const auto expected = law.apply(at(1, 1), 0.8).velocity;
+    int found = 0;
+    for (int mass = -300; mass <= 300; mass += 60)
+      for (int speed = -300; speed <= 300; speed += 60) try {
+          auto velocity = law.apply(at(std::pow(10, mass), std::pow(10, speed)), 0.8).velocity;
+          for (double& v : velocity) v /= std::pow(10, speed);
+          BOOST_TEST(difference(velocity, expected) < 1e-8);
+          ++found;
+        } catch (const InvalidParameter& refusal) {
+          BOOST_TEST(std::string(refusal.what()).find("double precision") != std::string::npos);
+        }
+    BOOST_TEST(found > 20);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(parameters_without_sense_are_refused) {
   const auto c = struck_row(3);
   for (const double e : {-0.1, 1.1, std::nan("")})

@@ -1,9 +1,11 @@
 #include "mariotte/impact/configuration.hpp"
 
 #include <Eigen/SparseQR>
+#include <algorithm>
 #include <cmath>
 
 #include "mariotte/core/error.hpp"
+#include "mariotte/model/representable.hpp"
 
 namespace mariotte::impact {
 namespace {
@@ -46,6 +48,20 @@ void expect(bool holds, const char* rule) {
   if (!holds) throw InvalidParameter(rule);
 }
 
+/// Whether every mass at the largest speed has an energy that laws can compute with; rest has none.
+bool energies_fit(const Configuration& c) {
+  double speed = 0;
+  for (const double v : c.velocity) speed = std::max(speed, std::abs(v));
+  if (speed == 0) return true;
+  const auto fits = [](double size) { return size >= model::smallest_size && size <= model::largest_size; };
+  const Index stride = is_diagonal(c) ? 1 : freedoms(c) + 1;
+  for (Index i = 0; i < std::ssize(c.mass); i += stride)
+    if (!std::isinf(c.mass[i]) &&
+        (!fits(c.mass[i]) || !fits(speed * speed) || !fits(c.mass[i] * speed * speed)))
+      return false;
+  return true;
+}
+
 }  // namespace
 
 Configuration chain_configuration(Numbers mass, Numbers velocity) {
@@ -59,6 +75,7 @@ void validate(const Configuration& c) {
   expect(contacts(c) > 0, "an impact needs at least one contact");
   for (const double v : c.velocity) expect(std::isfinite(v), "every velocity must be finite");
   model::validate(c.mass, c.contact, freedoms(c));
+  expect(energies_fit(c), "energies of this impact, m v², are too large or too small for double precision");
 }
 
 Numbers gap_rates(const Configuration& c, const Numbers& velocity) {

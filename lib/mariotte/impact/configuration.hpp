@@ -18,7 +18,8 @@ struct Configuration {
 /// Balls on a line from left to right, n masses (∞ for a wall) and velocities; contact j joins j and j+1.
 Configuration chain_configuration(std::vector<double> mass, std::vector<double> velocity);
 
-/// Throws InvalidParameter unless sizes match, velocities and coefficients are finite and M is positive.
+/// Throws InvalidParameter unless sizes match, velocities and coefficients are finite, M is positive, and no
+/// energy m v² at the largest speed leaves the sizes that are computed with (model/representable.hpp).
 void validate(const Configuration& configuration);
 
 /// G v of any velocities, m values; negative where a gap closes.
