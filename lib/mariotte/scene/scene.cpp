@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "mariotte/model/representable.hpp"
 #include "mariotte/scene/body_reader.hpp"
 #include "mariotte/scene/chain_reader.hpp"
 #include "mariotte/scene/document.hpp"
@@ -56,11 +57,25 @@ bool has_chain(const Source& source, const Field& root, const std::optional<Law>
   return false;
 }
 
-/// Whatever the reader let through, the model has the last word on what can be simulated.
+/// The value of a key in the first of the tables that has it; else the first table.
+Field where_said(std::string_view key, const Field& root, std::initializer_list<const char*> tables) {
+  for (const auto* name : tables)
+    if (const auto table = find(root, name); table && table->node->table())
+      if (const auto field = find(*table, key)) return *field;
+  return *find(root, *tables.begin());
+}
+
+/// Whatever the reader let through, the model has the last word on what can be simulated. It is in the first
+/// of the tables, and the others tell more of it.
 template <class Model>
-void expect_valid(const Source& source, const Field& table, const Model& model) {
+void expect_valid(const Source& source, const Field& root, std::initializer_list<const char*> tables,
+                  const Model& model) {
+  const auto table = *find(root, *tables.begin());
   try {
     model::validate(model);
+    model::expect_representable(model);
+  } catch (const model::Unrepresentable& error) {
+    reject(source, where_said(error.key, root, tables), error.fault, error.what());
   } catch (const InvalidParameter& error) {
     reject(source, table, error.fault, error.what());
   }
@@ -77,7 +92,7 @@ void resolve_chain(Source& source, const Field& root, const std::optional<Field>
   auto resolved = read_chain(source, chain, run ? find(*run, "gravity") : std::nullopt);
   scene.chain = std::move(resolved.chain);
   scene.radius = std::move(resolved.radius);
-  expect_valid(source, chain, scene.chain);
+  expect_valid(source, root, {"chain", "run"}, scene.chain);
   allow_for_length(run, scene);
 }
 
@@ -86,16 +101,25 @@ void resolve_network(Source& source, const Field& root, const std::optional<Fiel
   const auto gravity = run ? find(*run, "gravity") : std::nullopt;
   if (gravity) reject(source, *gravity, fault::misplaced, "does not act on networks");
   auto resolved = read_network(source, network);
-  expect_valid(source, network, resolved.network);
+  expect_valid(source, root, {"network"}, resolved.network);
   scene.network = std::move(resolved.network);
   scene.radius = std::move(resolved.radius);
+}
+
+/// It heads tables, figures and pages, in one line.
+std::string read_title(const Source& source, const Field& title) {
+  constexpr std::size_t longest = 1000;
+  auto words = text(source, title);
+  if (words.size() > longest)
+    reject(source, title, fault::out_of_range, "has more than " + std::to_string(longest) + " bytes");
+  return words;
 }
 
 Scene read_scene(Source& source, const Field& root, Purpose purpose) {
   expect_keys(source, root, keys);
   const bool of_body = is_body_scene(source, root, purpose);
   Scene scene;
-  if (const auto title = find(root, "title")) scene.title = text(source, *title);
+  if (const auto title = find(root, "title")) scene.title = read_title(source, *title);
   const auto run = find(root, "run");
   if (run) scene.run = read_run(source, *run, of_body);
   if (const auto sweeps = find(root, "sweep")) expect_sweeps(source, *sweeps);
@@ -103,7 +127,7 @@ Scene read_scene(Source& source, const Field& root, Purpose purpose) {
   if (const auto law = find(root, "law")) scene.law = read_law(source, *law);
   if (of_body) {
     scene.body = read_microbody(source, root, run);
-    expect_valid(source, *find(root, "body"), *scene.body);
+    expect_valid(source, root, {"body", "surface", "incidence", "run"}, *scene.body);
   } else if (find(root, "network")) {
     resolve_network(source, root, run, scene);
   } else if (has_chain(source, root, scene.law, purpose)) {
