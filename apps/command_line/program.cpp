@@ -37,6 +37,17 @@ Fault fault_of(const CLI::ParseError& problem) {
   return dynamic_cast<const CLI::RequiredError*>(&problem) ? fault::missing_argument : fault::bad_argument;
 }
 
+std::string is_not_empty(const std::string& text) {
+  return text.empty() ? "an empty value names nothing" : "";
+}
+
+/// A shell variable that is not set makes `--out ""`, which is not the same as no --out.
+void refuse_empty_values(CLI::App& app) {
+  for (auto* option : app.get_options())
+    if (option->get_items_expected_max() > 0) option->check(is_not_empty, "");
+  for (auto* command : app.get_subcommands([](CLI::App*) { return true; })) refuse_empty_values(*command);
+}
+
 /// False if all that was asked for is printed.
 bool parse(CLI::App& app, int argc, char** argv) {
   try {
@@ -62,6 +73,7 @@ int run_program(CLI::App& app, int argc, char** argv, const std::function<int()>
   std::signal(SIGXFSZ, SIG_IGN);
   return guarded([&] {
     speak_as(app.get_name());
+    refuse_empty_values(app);
     return parse(app, argc, argv) ? action() : ExitCode::ok;
   });
 }
