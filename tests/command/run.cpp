@@ -178,3 +178,61 @@ BOOST_FIXTURE_TEST_CASE(demo_needs_no_file, Session) {
   BOOST_TEST(has(demo.out, "separated at"));
   BOOST_TEST(has(demo.out, "5 balls"));
 }
+
+BOOST_FIXTURE_TEST_CASE(an_empty_value_is_not_no_value, Session) {
+  for (const char* arguments :
+       {"run three.toml --out ''", "run three.toml --out=", "run three.toml --trace ''",
+        "run three.toml --trace w.csv --every ''", "run three.toml --flow ''", "run ''",
+        "sweep three.toml --out ''", "law three.toml --energy-ratio ''", "report ''"}) {
+    const auto run = mariotte(arguments);
+    BOOST_TEST(run.code == 2, arguments << " gives " << run.code);
+    BOOST_TEST(run.out == "");
+    BOOST_TEST(entries() == 1);
+  }
+  BOOST_TEST(has(mariotte("run three.toml --out ''").err, "--out: an empty value names nothing"));
+  BOOST_TEST(mariotte("run three.toml --set title=''").code != 2);
+}
+
+BOOST_FIXTURE_TEST_CASE(a_scene_without_an_end_is_refused_at_a_limit, Session) {
+  if (!fs::exists("/dev/zero")) return;
+  const auto run = mariotte("run /dev/zero");
+  BOOST_TEST(run.code == 6);
+  BOOST_TEST(has(run.err, "/dev/zero: is longer than 256 MiB [F001]"));
+}
+
+BOOST_FIXTURE_TEST_CASE(a_title_has_a_limit, Session) {
+  const auto titled = [](std::size_t size) {
+    return "title = '" + std::string(size, 'x') + "'\n" + std::string(support::three_balls).substr(22);
+  };
+  write("long.toml", titled(1000));
+  BOOST_TEST(mariotte("run long.toml").code == 0);
+  write("longer.toml", titled(10'000'000));
+  const auto longer = mariotte("run longer.toml");
+  BOOST_TEST(longer.code == 3);
+  BOOST_TEST(longer.err == "mariotte: error: longer.toml:1:9: title: has more than 1000 bytes [S023]\n");
+}
+
+// Results of undamped chains do not depend on how fast they are: they are found, or the scene is refused.
+BOOST_FIXTURE_TEST_CASE(no_speed_makes_nulls_with_code_0, Session) {
+  const auto reference = Json::parse(mariotte("run three.toml --json").out)["final"]["velocity"];
+  int refused = 0;
+  for (int decade = -300; decade <= 300; decade += 30) {
+    const auto speed = "1e" + std::to_string(decade);
+    const auto run = mariotte("run three.toml --json --set chain.velocity[0]=" + speed);
+    if (run.code == 3) {
+      BOOST_TEST(has(run.err, "--set chain.velocity[0]: "), run.err);
+      BOOST_TEST(has(run.err, "[S035]"));
+      ++refused;
+      continue;
+    }
+    BOOST_TEST(run.code == 0);
+    const auto result = Json::parse(run.out);
+    for (std::size_t i = 0; i < 3; ++i)
+      BOOST_TEST(std::abs(result["final"]["velocity"][i].get<double>() / std::stod(speed) -
+                          reference[i].get<double>()) < 1e-9);
+    for (const char* entry : {"initial", "final", "residual"})
+      BOOST_TEST(result["energy"][entry].is_number());
+  }
+  BOOST_TEST(refused >= 10);
+  BOOST_TEST(refused <= 12);
+}

@@ -1,7 +1,9 @@
 #define BOOST_TEST_MODULE command_sweep
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <sstream>
 
+#include "mariotte/study/crc32.hpp"
 #include "sweep_session.hpp"
 
 using support::content;
@@ -191,6 +193,50 @@ BOOST_FIXTURE_TEST_CASE(points_that_fail_are_rows_with_their_reason, Session) {
   const auto none = mariotte("sweep some.toml --out none --set run.flow=nonsense");
   BOOST_TEST(none.code == 3);
   BOOST_TEST(!fs::exists(folder / "none"));
+}
+
+BOOST_FIXTURE_TEST_CASE(points_beyond_double_precision_have_no_result, Session) {
+  write("fast.toml", std::string(support::three_balls) +
+                         "[[sweep]]\nkey = 'chain.velocity[0]'\nvalues = [1, 1e160, 1e-170, 1e100, 1e308]\n");
+  const auto sweep = mariotte("sweep fast.toml --out out --column final.velocity[2]");
+  BOOST_TEST(sweep.code == 0);
+  BOOST_TEST(sweep.out.starts_with("5 points, 3 without a result"));
+  const auto rows = lines(content(folder / "out/sweep.csv"));
+  for (const int row : {2, 3, 5}) BOOST_TEST(has(rows[row], ",,rejected,"), rows[row]);
+  for (const int row : {2, 3, 5}) BOOST_TEST(has(rows[row], "double precision"), rows[row]);
+}
+
+// A right checksum does not make a row right.
+BOOST_FIXTURE_TEST_CASE(a_journal_line_of_other_rows_is_computed_again, Session) {
+  write("few.toml", few);
+  const std::string sweep = "sweep few.toml --out out --column final.velocity[2] --no-figures";
+  BOOST_TEST(mariotte(sweep).code == 0);
+  const auto csv = content(folder / "out/sweep.csv"),
+             heading = lines(content(folder / "out/journal.jsonl"))[0];
+  std::string rows = csv.substr(csv.find('\n') + 1);
+  const auto forged = [&](const std::string& text) {
+    auto escaped = text;
+    for (std::size_t at = 0; (at = escaped.find('\n', at)) != std::string::npos; at += 2)
+      escaped.replace(at, 1, "\\n");
+    const auto body = "\"first\":0,\"count\":6,\"failed\":0,\"rows\":\"" + escaped + "\"}";
+    char sum[16];
+    std::snprintf(sum, sizeof sum, "%08x", mariotte::study::crc32(body));
+    return heading + "\n{\"crc32\":\"" + sum + "\"," + body + "\n";
+  };
+  const auto number =
+      lines(rows)[0].substr(0, lines(rows)[0].rfind(",separated")).substr(lines(rows)[0].find(',', 5) + 1);
+  const auto with = [&](const std::string& cell) {
+    return std::string(rows).replace(rows.find(number), number.size(), cell);
+  };
+  for (const auto& text :
+       {rows, with("nonsense"), with("nan"), with("1,2"), with("1").substr(1), rows + rows}) {
+    fs::remove(folder / "out/sweep.csv");
+    write("out/journal.jsonl", forged(text));
+    const auto again = mariotte(sweep);
+    BOOST_TEST(again.code == 0);
+    BOOST_TEST(has(again.err, "points were done before") == (text == rows), text);
+    BOOST_TEST(content(folder / "out/sweep.csv") == csv);
+  }
 }
 
 BOOST_FIXTURE_TEST_CASE(errors_have_their_codes_and_leave_nothing, Session) {
