@@ -1,6 +1,9 @@
 #define BOOST_TEST_MODULE scales
 #include <boost/test/unit_test.hpp>
+#include <random>
 
+#include "mariotte/impact/network_impact.hpp"
+#include "mariotte/impact/sequential_law.hpp"
 #include "support/reference.hpp"
 
 using namespace mariotte;
@@ -95,4 +98,39 @@ BOOST_AUTO_TEST_CASE(damped_ratios_depend_on_one_group_only) {
   BOOST_TEST(std::abs(ratio(1e6, 0.2, 1, 1) - 1.076864028916665) < close);
   BOOST_TEST(std::abs(ratio(1e6, 0.2e6, 1, 1) - 1.997291892549682) < close);
   BOOST_TEST(std::abs(ratio(100, 20, 1, 1) - 1.660016222598941) < close);
+}
+
+// With so many balls they are free each for itself.
+BOOST_AUTO_TEST_CASE(flights_of_any_length_end_in_the_collisions_of_pairs_in_long_chains_too) {
+  std::mt19937_64 random(6);
+  std::uniform_real_distribution<double> unit(0.1, 1);
+  for (int decade = 4; decade <= 100; decade += 6) {
+    auto chain = equal_chain(60);
+    for (double& mass : chain.mass) mass = unit(random);
+    for (double& gap : chain.gap) gap = unit(random) * std::pow(10, decade);
+    const auto pairs = impact::by_event(impact::chain_configuration(chain.mass, chain.velocity),
+                                        {.restitution = Numbers(59, 1.0)}, chain.gap);
+    BOOST_TEST_CONTEXT("gaps of 1e" << decade)
+    BOOST_TEST(difference(impact::simulate(chain).velocity, pairs.velocity) < 1e-7);
+  }
+}
+
+// Far apart the balls collide in pairs, one pair after the other, as instantaneous collisions say. A flight's
+// rounding error is that of its height, here up to 10¹⁰⁰ times an indentation.
+BOOST_AUTO_TEST_CASE(flights_of_any_length_end_in_the_collisions_of_pairs) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> unit(0.1, 1);
+  for (const auto* law : laws)
+    for (int decade = 4; decade <= 100; ++decade) {
+      auto chain = equal_masses({undamped(law, unit(random)), undamped(law, unit(random))},
+                                {unit(random), 0, -unit(random)});
+      for (double& mass : chain.mass) mass = unit(random);
+      for (double& gap : chain.gap) gap = unit(random) * std::pow(10, decade);
+      const auto pairs = impact::by_event(impact::chain_configuration(chain.mass, chain.velocity),
+                                          {.restitution = {1, 1}}, chain.gap);
+      BOOST_TEST_CONTEXT(law << " contacts, gaps of 1e" << decade) {
+        BOOST_TEST(difference(impact::simulate(chain).velocity, pairs.velocity) < 1e-9);
+        BOOST_TEST(difference(impact::simulate(model::as_network(chain)).velocity, pairs.velocity) < 1e-9);
+      }
+    }
 }

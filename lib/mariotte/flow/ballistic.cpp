@@ -59,6 +59,26 @@ double Ballistic::next_crossing(const Problem& problem, ConstState x, Index& gua
   return first;
 }
 
+/// A long flight ends with the rounding error of its whole height, which may be deeper than any contact. What
+/// is left of the way has a rounding error of its own, 2⁻⁵³ of the last, until contacts cannot feel it.
+/// Returns its time, of either sign.
+double Ballistic::land(const Problem& problem, State x, Index guard, double flight) {
+  const double unfelt = 1e-8 * problem.time_scale();  // the energy of such an indentation is its square
+  if (epsilon * flight <= unfelt) return 0;
+  constexpr int most = 20;  // of 2⁻⁵³ are all that doubles hold
+  double sum = 0;
+  for (int i = 0; i < most; ++i) {
+    problem.derivative(x, rate_);
+    problem.guards(x, value_);
+    problem.guard_rates(x, rate_, value_rate_);
+    const double time = -value_[guard] / value_rate_[guard];
+    if (!(std::abs(time) > unfelt) || !std::isfinite(time)) break;
+    for (std::size_t k = 0; k < x.size(); ++k) x[k] += time * rate_[k];
+    sum += time;
+  }
+  return sum;
+}
+
 Arrival Ballistic::follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) {
   start_.assign(x.begin(), x.end());
   rate_.resize(x.size());
@@ -68,7 +88,7 @@ Arrival Ballistic::follow(Problem& problem, State x, const Request& request, std
   if (!std::isfinite(first) && !std::isfinite(request.limit))
     return {.outcome = Outcome::never, .message = {}};
   const bool arrives = first <= request.limit;
-  const double duration = arrives ? first : request.limit;
+  double duration = arrives ? first : request.limit;
 
   Parabola step(rate_, bend_);
   step.before = start_;
@@ -77,6 +97,7 @@ Arrival Ballistic::follow(Problem& problem, State x, const Request& request, std
   step.end = duration;
   step.after = x;
   if (request.watcher) request.watcher->watch(step);
+  if (arrives) duration += land(problem, x, guard, duration);
   if (arrives) {
     fired.push_back(guard);
     simultaneous_.collect(problem, x, simultaneity_window(problem, request.accuracy), fired);

@@ -19,6 +19,7 @@ class Ballistic final : public Flow {
 
  private:
   double next_crossing(const Problem& problem, ConstState x, Index& guard);
+  double land(const Problem& problem, State x, Index guard, double flight);
 
   Simultaneous simultaneous_;
   std::vector<double> start_, rate_, bend_, value_, value_rate_, value_bend_;
