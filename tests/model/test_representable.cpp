@@ -179,8 +179,8 @@ BOOST_AUTO_TEST_CASE(the_likeliest_reason_is_named) {
     try {
       impact::simulate(chain);
     } catch (const model::Unrepresentable& refusal) {
-      BOOST_TEST(std::string(refusal.what()).find(refusal.key) != std::string::npos);
-      return std::string(refusal.key);
+      BOOST_TEST(std::string(refusal.what()).find(refusal.reason.key) != std::string::npos);
+      return std::string(refusal.reason.key);
     }
     return std::string("nothing");
   };

@@ -19,17 +19,21 @@ bool is_bounded(double value) {
 /// The stated number that is farthest from 1.
 class Culprit {
  public:
-  void consider(std::string_view key, double value) {
+  void consider(std::string_view key, double value, Index place = -1) {
     if (value == 0 || std::isinf(value)) return;
     const double distance = std::abs(std::log(std::abs(value)));
     if (distance <= distance_) return;
     distance_ = distance;
-    key_ = key;
-    value_ = value;
+    number_ = {key, place, value};
   }
-  void consider(const contact::Law& law) {
-    consider("stiffness", contact::stiffness(law));
-    consider("damping", contact::damping(law));
+  void consider(std::string_view key, const std::vector<double>& values) {
+    for (Index i = 0; i < std::ssize(values); ++i) consider(key, values[i], i);
+  }
+  void consider(const std::vector<contact::Law>& laws) {
+    for (const auto& law : laws) {
+      consider("stiffness", contact::stiffness(law));
+      consider("damping", contact::damping(law));
+    }
   }
   [[noreturn]] void refuse() const {
     std::array<char, 256> text{};
@@ -37,13 +41,13 @@ class Culprit {
         text.data(), text.size(),
         "cannot be computed with in double precision: %s %.3g, with the other numbers, makes an energy, "
         "a force, a length or a time leave %.0e … %.0e (SI)",
-        std::string(key_).c_str(), value_, smallest_size, largest_size);
-    throw Unrepresentable(text.data(), key_);
+        std::string(number_.key).c_str(), number_.value, smallest_size, largest_size);
+    throw Unrepresentable(text.data(), number_);
   }
 
  private:
-  double distance_ = 0, value_ = 0;
-  std::string_view key_ = "velocity";
+  double distance_ = 0;
+  StatedNumber number_;
 };
 
 bool fits(const Scale& scale) {
@@ -147,10 +151,10 @@ bool fits(const DimensionlessMicrobody& d) {
 
 Culprit culprit(const Chain& chain) {
   Culprit culprit;
-  for (const double v : chain.velocity) culprit.consider("velocity", v);
-  for (const double mass : chain.mass) culprit.consider("mass", mass);
-  for (const double gap : chain.gap) culprit.consider("gap", gap);
-  for (const auto& law : chain.law) culprit.consider(law);
+  culprit.consider("velocity", chain.velocity);
+  culprit.consider("mass", chain.mass);
+  culprit.consider("gap", chain.gap);
+  culprit.consider(chain.law);
   culprit.consider("gravity", chain.gravity);
   return culprit;
 }
@@ -160,7 +164,7 @@ Culprit culprit(const Network& network) {
   for (const double v : network.velocity) culprit.consider("velocity", v);
   for (const double mass : network.mass) culprit.consider("mass", mass);
   for (const double gap : network.gap) culprit.consider("gap", gap);
-  for (const auto& law : network.law) culprit.consider(law);
+  culprit.consider(network.law);
   return culprit;
 }
 

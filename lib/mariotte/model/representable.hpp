@@ -15,13 +15,20 @@ namespace mariotte::model {
 /// sums, squares and the digits of small differences.
 inline constexpr double smallest_size = 1e-290, largest_size = 1e290;
 
-/// Numbers too large or too small for a run in double precision. `key` is what scenes call the quantity that
-/// is farthest from 1, and that is most likely the reason: "velocity", "mass", "stiffness" …
-struct Unrepresentable : InvalidParameter {
-  Unrepresentable(const std::string& what, std::string_view of)
-      : InvalidParameter(what, fault::unrepresentable), key(of) {}
+/// A stated number, as scenes call it: "velocity", "mass", "stiffness" …
+struct StatedNumber {
+  std::string_view key = "velocity";
+  Index place = -1;  ///< among the balls or contacts of a chain, from 0; −1 elsewhere
+  double value = 0;
+};
 
-  std::string_view key;
+/// Numbers too large or too small for a run in double precision. `reason` is the one that is farthest from 1,
+/// and so the likeliest.
+struct Unrepresentable : InvalidParameter {
+  Unrepresentable(const std::string& what, const StatedNumber& number)
+      : InvalidParameter(what, fault::unrepresentable), reason(number) {}
+
+  StatedNumber reason;
 };
 
 /// Throw Unrepresentable unless every size of the scaled model, and its units as numbers of the scene's

@@ -57,11 +57,17 @@ bool has_chain(const Source& source, const Field& root, const std::optional<Law>
   return false;
 }
 
-/// The value of a key in the first of the tables that has it; else the first table.
-Field where_said(std::string_view key, const Field& root, std::initializer_list<const char*> tables) {
-  for (const auto* name : tables)
-    if (const auto table = find(root, name); table && table->node->table())
-      if (const auto field = find(*table, key)) return *field;
+/// Where the first of the tables that has its key says a number; else the first table.
+Field where_said(const model::StatedNumber& number, const Field& root,
+                 std::initializer_list<const char*> tables) {
+  for (const auto* name : tables) {
+    const auto table = find(root, name);
+    const auto field = table && table->node->table() ? find(*table, number.key) : std::nullopt;
+    if (!field) continue;
+    const auto* list = field->node->array();
+    return list && number.place >= 0 && number.place < std::ssize(*list) ? element(*field, number.place)
+                                                                         : *field;
+  }
   return *find(root, *tables.begin());
 }
 
@@ -75,7 +81,7 @@ void expect_valid(const Source& source, const Field& root, std::initializer_list
     model::validate(model);
     model::expect_representable(model);
   } catch (const model::Unrepresentable& error) {
-    reject(source, where_said(error.key, root, tables), error.fault, error.what());
+    reject(source, where_said(error.reason, root, tables), error.fault, error.what());
   } catch (const InvalidParameter& error) {
     reject(source, table, error.fault, error.what());
   }
