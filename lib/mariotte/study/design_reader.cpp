@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include "mariotte/model/fault.hpp"
 #include "mariotte/scene/field.hpp"
 #include "mariotte/scene/key_path.hpp"
 #include "mariotte/scene/sweep_shape.hpp"
@@ -212,7 +213,8 @@ std::vector<Node> extremes(const Parameter& parameter, const Field& table) {
 }
 
 /// Rejects a value that is wrong in itself: refused at its own place, whether it stands among the first
-/// values of the others or among their last. What is wrong in some company only is for the rows to tell.
+/// values of the others or among their last. What is wrong in some company only is for the rows to tell, and
+/// so is what double precision cannot carry, which follows from all numbers together.
 void expect_possible(const Document& document, const Design& design) {
   const auto all = tables(document);
   Document trial = document;
@@ -224,7 +226,8 @@ void expect_possible(const Document& document, const Design& design) {
         company[i] = extreme;
         assign(trial, design, company);
         why = rejection(trial);
-        return why && std::string_view(why->what()).starts_with(where(document.source, extreme.place) + ": ");
+        return why && why->fault.code != fault::unrepresentable.code &&
+               std::string_view(why->what()).starts_with(where(document.source, extreme.place) + ": ");
       };
       if (refused(0) && refused(design.points() - 1)) throw scene::SceneError(*why);
     }
