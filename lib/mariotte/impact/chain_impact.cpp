@@ -158,6 +158,7 @@ ChainImpact simulate(const model::Chain& chain, const hybrid::Options& options, 
 ChainImpact simulate(const model::Chain& chain, const hybrid::Options& options, const Watching& watching) {
   model::validate(chain);
   hybrid::validate(options);
+  model::expect_end(chain, options.max_time);
   auto impact = simulate_once(chain, options, watching);
   const auto again = [&](double accuracy) {
     auto tighter = options;

@@ -105,6 +105,7 @@ const BriefImpact& ChainSolver::solve(const model::Chain& chain, const hybrid::O
   auto& m = *memory_;
   model::validate(chain);
   hybrid::validate(options);
+  model::expect_end(chain, options.max_time);
   m.solve(chain, options);
   m.keep_promise(chain, options);
   return m.impact;

@@ -1,5 +1,6 @@
 #include "mariotte/model/chain.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -42,6 +43,17 @@ void validate(const Chain& chain) {
   for (std::size_t i = 0; i < balls; ++i) validate_ball(chain, i);
   for (std::size_t j = 0; j + 1 < balls; ++j)
     validate_contact(j, chain.law[j], chain.gap[j], chain.precompressed, "chain");
+}
+
+void expect_end(const Chain& chain, double max_time) {
+  if (std::isfinite(max_time)) return;
+  double fastest = -infinity;  // of the walls so far
+  for (std::size_t i = 0; i < chain.mass.size(); ++i) {
+    if (!std::isinf(chain.mass[i])) continue;
+    if (chain.velocity[i] < fastest)
+      throw InvalidParameter("the walls approach each other without end: give max_time");
+    fastest = std::max(fastest, chain.velocity[i]);
+  }
 }
 
 double kinetic_energy(const Chain& chain, const std::vector<double>& velocity) {

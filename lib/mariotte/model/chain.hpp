@@ -23,6 +23,10 @@ struct Chain {
 /// exponent ≥ 1, gaps ≥ 0 unless precompressed.
 void validate(const Chain& chain);
 
+/// Throws InvalidParameter if a wall is driven towards another, which squeezes what is between them for ever,
+/// and no `max_time` [s] ends that.
+void expect_end(const Chain& chain, double max_time);
+
 /// ½ Σ m v² of the balls of finite mass at any velocities [J].
 double kinetic_energy(const Chain& chain, const std::vector<double>& velocity);
 

@@ -68,6 +68,23 @@ bool contacts_fit(const Scaled& d) {
   return true;
 }
 
+/// Throw unless the contacts can be told from rigid ones without rebound.
+template <class Scaled>
+void expect_resolved_damping(const Scaled& d, const std::vector<contact::Law>& laws) {
+  for (std::size_t j = 0; j < d.law.size(); ++j) {
+    const double width = std::pow(d.length[j], contact::exponent(d.law[j]) - 1);
+    const double ratio = contact::damping(d.law[j]) * width * d.time[j] / d.reduced_mass[j];
+    if (ratio <= largest_damping_ratio) continue;
+    std::array<char, 256> text{};
+    std::snprintf(
+        text.data(), text.size(),
+        "cannot be computed with in double precision: contact %d is damped %.1e times as strongly as "
+        "c = √(k m*), and %.0e is the most; it stops its balls without rebound",
+        static_cast<int>(j + 1), ratio, largest_damping_ratio);
+    throw Unrepresentable(text.data(), {"damping", static_cast<Index>(j), contact::damping(laws[j])});
+  }
+}
+
 /// Something sets contacts in motion, but its square is lost to underflow. `spread` is the largest relative
 /// speed at the start.
 template <class Scaled>
@@ -189,10 +206,12 @@ Culprit culprit(const Microbody& body) {
 
 void expect_representable(const Chain& chain, const DimensionlessChain& scaled) {
   if (!fits(scaled, chain)) culprit(chain).refuse();
+  expect_resolved_damping(scaled, chain.law);
 }
 
 void expect_representable(const Network& network, const DimensionlessNetwork& scaled) {
   if (!fits(scaled, network)) culprit(network).refuse();
+  expect_resolved_damping(scaled, network.law);
 }
 
 void expect_representable(const Microbody& body, const DimensionlessMicrobody& scaled) {
