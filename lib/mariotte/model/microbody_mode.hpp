@@ -38,6 +38,7 @@ struct TipMode {
   SlipStart start = SlipStart::moving;
   bool at_touch = false;   ///< of a slip from rest: it began when the tip touched, where all forces are zero
   Vector3 direction = {};  ///< of the slip when sliding began or went on; unit vector in the plane
+  double rest = 0;         ///< slip along `direction` that counts as rest where a slip from rest began
 };
 
 /// All that is discrete about a body.

@@ -157,7 +157,7 @@ double MicrobodyPhase::guard(ConstState x, const TipForces& forces, Index i) con
                                     ? contact::pressure(law, -x[layout_.place.gap[tip]], here.velocity)
                                     : 1 - law.damping_hertz * here.velocity);
     case TipGuard::slip:
-      return dot(here.slip, mode.direction) + slip_margin(mode);
+      return dot(here.slip, mode.direction) - mode.rest + slip_margin(mode);
     case TipGuard::cone:
       return mechanics_.holding(forces.normal[tip]) - norm(forces.friction[tip]);
     case TipGuard::turn_back:
@@ -238,6 +238,7 @@ flow::Accepted MicrobodyPhase::accept(ConstState x) {
     const bool spatial = body_.motion == TipPhase::Motion::spatial;
     if (spatial && tip.contact == TipContact::sliding && norm(slip) > 4 * mechanics_.slip_noise) {
       tip.direction = (1 / norm(slip)) * slip;
+      tip.rest = 0;
       result = flow::Accepted::rewatched;
     }
     if (waiting_[back] && here.velocity > 0) {

@@ -26,6 +26,13 @@ Vector3 MicrobodySystem::needed_friction(Mode mode, Index i, ConstState x) const
   return mechanics().forces(x, mode).friction[i];
 }
 
+/// The last slip has ended a little behind zero, within the noise. What comes next is measured from there:
+/// its end is seen wherever it began.
+void MicrobodySystem::start_from_rest(TipMode& tip, Index i, const Vector3& direction, ConstState x) const {
+  tip.direction = direction;
+  tip.rest = dot(mechanics().tip(x, i).slip, direction);
+}
+
 /// A tip at rest on the plane either holds or starts to slip along the acceleration that it is free to take.
 void MicrobodySystem::choose_friction(Mode& mode, Index i, ConstState x, double noise,
                                       std::vector<Change>& changes) const {
@@ -41,8 +48,10 @@ void MicrobodySystem::choose_friction(Mode& mode, Index i, ConstState x, double 
   }
   tip.contact = TipContact::sliding;
   tip.start = SlipStart::turning;
-  tip.direction =
-      body_.motion == TipPhase::Motion::spatial ? mechanics().slip_from_rest(x, mode, i) : unit(-1 * needed);
+  start_from_rest(
+      tip, i,
+      body_.motion == TipPhase::Motion::spatial ? mechanics().slip_from_rest(x, mode, i) : unit(-1 * needed),
+      x);
   changes.push_back({i, TipEvent::slip});
 }
 
@@ -56,7 +65,8 @@ void MicrobodySystem::close(Mode& mode, Index i, ConstState x, std::vector<Chang
   if (body_.friction.coefficient == 0) return;
   const Vector3 v = vector_at(x, layout_.place.velocity);
   const double rounding = 16 * epsilon * (norm(v) + norm(mechanics().spin(x)) * norm(here.lever));
-  if (norm(here.slip) > rounding) {
+  const bool spatial = body_.motion == TipPhase::Motion::spatial;
+  if (norm(here.slip) > (spatial ? std::max(rounding, mechanics().slip_noise) : rounding)) {
     tip.direction = unit(here.slip);
     return;
   }
@@ -83,7 +93,7 @@ void MicrobodySystem::flip_force(Mode& mode, Index i, std::vector<Change>& chang
 /// At the edge of the cone friction goes on as it was, and the slip against it.
 void MicrobodySystem::release(Mode& mode, Index i, ConstState x, std::vector<Change>& changes) const {
   auto& tip = mode.tip[i];
-  tip.direction = unit(-1 * needed_friction(mode, i, x));
+  start_from_rest(tip, i, unit(-1 * needed_friction(mode, i, x)), x);
   tip.contact = TipContact::sliding;
   tip.start = SlipStart::breaking;
   tip.at_touch = false;
@@ -97,7 +107,9 @@ void MicrobodySystem::go_on(TipMode& tip, Index i, ConstState x) const {
     tip.direction = unit(slip);
   const double least = body_.motion == TipPhase::Motion::spatial ? mechanics().slip_noise : 0;
   tip.at_touch = false;
-  tip.start = dot(slip, tip.direction) > least ? SlipStart::moving : SlipStart::turning;
+  const bool moves = dot(slip, tip.direction) > least;
+  tip.start = moves ? SlipStart::moving : SlipStart::turning;
+  if (moves) tip.rest = 0;
 }
 
 /// Two tips at different heights of a turning body cannot both rest: while they stick by the least friction
@@ -109,6 +121,7 @@ void MicrobodySystem::creep(Mode& mode, Index i, ConstState x, std::vector<Chang
   tip.contact = TipContact::sliding;
   tip.start = SlipStart::moving;
   tip.direction = unit(slip);
+  tip.rest = 0;
   changes.push_back({i, TipEvent::slip});
 }
 

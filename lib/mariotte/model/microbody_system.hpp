@@ -37,6 +37,7 @@ class MicrobodySystem {
  private:
   void close(Mode& mode, Index tip, ConstState x, std::vector<Change>& changes) const;
   void choose_friction(Mode& mode, Index tip, ConstState x, double noise, std::vector<Change>& changes) const;
+  void start_from_rest(TipMode& tip, Index i, const Vector3& direction, ConstState x) const;
   bool force_has_turned(const TipMode& tip, Index i, ConstState x) const;
   void go_on(TipMode& tip, Index i, ConstState x) const;
   void creep(Mode& mode, Index tip, ConstState x, std::vector<Change>& changes) const;
