@@ -26,6 +26,12 @@ inline double pressure(const BrachDunn& law, double indentation, double velocity
          law.adhesion * (1 + law.damping_adhesion * velocity);
 }
 
+/// The same without the signs of its terms: what errors of the pressure at such a speed are relative to.
+inline double pressure_size(const BrachDunn& law, double indentation, double speed) {
+  return law.stiffness * indentation * (1 + law.damping_hertz * speed) +
+         law.adhesion * (1 + law.damping_adhesion * speed);
+}
+
 /// Force, positive away from the plane, with its slopes by δ and δ̇ = −ṅ; zero for δ ≤ 0.
 inline Force normal_force(const BrachDunn& law, double indentation, double velocity) {
   if (!(indentation > 0)) return {.value = 0, .by_indentation = 0, .by_rate = 0};

@@ -45,16 +45,28 @@ void each_guard(const SpatialSeries& series, const TipPhase& phase, int order, V
 
 namespace detail {
 
+/// The pressure without the signs of its terms, at the incident speed: what its errors are relative to.
+inline double pressure_size(const TipRows& rows, const TipPhase& phase) {
+  const double spring = phase.adhesion > 0 ? phase.stiffness * rows.area[0] : 1;
+  return spring * (1 + phase.damping_hertz * phase.speed) +
+         phase.adhesion * (1 + phase.damping_adhesion * phase.speed);
+}
+
+/// Coefficient k of the pressure, positive while the force has its sign; without adhesion of 1 − c_H ṅ.
+inline double signed_pressure(const TipRows& rows, const TipPhase& phase, int k) {
+  return phase.force_sign *
+         (phase.adhesion > 0 ? rows.pressure[k] : (k == 0) - phase.damping_hertz * rows.w[k]);
+}
+
 /// Separation is where s falls; the force changes sign with Q, without adhesion with 1 − c_H ṅ.
 template <class Visit>
 void contact_guards(const TipRows& rows, const TipPhase& phase, int order, Visit&& visit) {
   visit(phase.separation, rows.s, 0.0);
   if (phase.force < 0) return;
-  Row signed_force;
-  for (int k = 0; k <= order; ++k)
-    signed_force[k] = phase.force_sign *
-                      (phase.adhesion > 0 ? rows.pressure[k] : (k == 0) - phase.damping_hertz * rows.w[k]);
-  visit(phase.force, signed_force, phase.adhesion > 0 ? phase.adhesion + rows.area[0] : 1.0);
+  Row force;
+  for (int k = 0; k <= order; ++k) force[k] = signed_pressure(rows, phase, k);
+  force[0] += phase.force_doubt * pressure_size(rows, phase);
+  visit(phase.force, force, 0.0);
 }
 
 /// Sticking that needs no friction cannot break: a sphere's, an upright rod's.

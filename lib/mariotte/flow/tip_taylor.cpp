@@ -12,7 +12,8 @@ namespace {
 
 /// Share of the accuracy that the last terms of a step may spend: an impact takes about ten steps.
 constexpr double share = 0.1;
-/// A slip that friction holds down to a small, turning rest is stiff: |u| bounds the steps.
+/// A slip that friction holds down to a small, turning rest is stiff: |u| bounds the steps. So is a tip that
+/// creeps in its well by strong damping. What needs more steps, or has no finite series, is left to BDF.
 constexpr Index step_limit = 5000, stall_limit = 200;
 
 /// Order that costs least at an accuracy; measured on the reference bodies.
@@ -94,6 +95,18 @@ End turn_back(const Row& w, int order, double tau, double rounding, Index guard)
   return rise && *rise > 0 && *rise < tau ? End{*rise} : End{tau};
 }
 
+/// A force that starts within its error has no sign yet: it creeps, or has just changed sign. It may go as
+/// far beyond zero again until it has left.
+void doubt_force(TipPhase& phase, const TipRows& rows, double error, bool first) {
+  const double force = detail::signed_pressure(rows, phase, 0) / detail::pressure_size(rows, phase);
+  const bool doubted = first || phase.force_doubt > 0;
+  phase.force_doubt = doubted && force <= error ? 2 * error : 0;
+}
+
+bool is_finite(ConstState x) {
+  return std::all_of(x.begin(), x.end(), [](double value) { return std::isfinite(value); });
+}
+
 /// A guard that has just fired is zero up to the accuracy of the step that led there.
 template <class Series>
 End end_of_step(const Series& series, const TipPhase& phase, int order, double tau, double rounding) {
@@ -131,16 +144,23 @@ struct TipTaylor::Memory {
   std::vector<double> before;
 
   template <class Series>
-  Arrival follow(Series& series, TipPhase phase, State x, const Request& request, std::vector<Index>& fired) {
+  Arrival follow(Series& series, Problem& problem, State x, const Request& request,
+                 std::vector<Index>& fired) {
+    TipPhase phase = *problem.tip();
     const int order = order_for(request.accuracy);
     SeriesStep<Series> step(series, phase, order);
     Index stalled = 0;
-    for (Index count = 1; count <= step_limit && stalled < stall_limit; ++count) {
+    Index count = 1;
+    for (; count <= step_limit && stalled < stall_limit; ++count) {
       before.assign(x.begin(), x.end());
       load(series, phase, x);
+      const bool creeps = std::abs(series.w[0]) <= phase.creep;
+      if (creeps && problem.accept(x) == Accepted::ended)
+        return arrive(Outcome::guard, step.end, count, order);
       series.expand(phase, order);
       const double reach = step_length(series, phase, request.accuracy, order);
-      if (!std::isfinite(reach)) return fail("the series is not finite", step.end, count);
+      if (!std::isfinite(reach)) return arrive(Outcome::stiff, step.end, count, order);
+      doubt_force(phase, series, request.accuracy, count == 1);
       End end = end_of_step(series, phase, order, reach, count == 1 ? request.accuracy : 0);
       double duration = horner(terms(series.time, order), end.tau);
       const bool limited = step.end + duration >= request.limit;
@@ -149,6 +169,10 @@ struct TipTaylor::Memory {
         end = {clock_inverse(series.time, duration, end.tau, order)};
       }
       store(series, phase, end.tau, order, before, x);
+      if (!is_finite(x) || !std::isfinite(duration)) {
+        std::copy(before.begin(), before.end(), x.begin());
+        return arrive(Outcome::stiff, step.end, count, order);
+      }
       if (end.guard == phase.separation) x[phase.place.gap[phase.tip]] = 0;
       step.start = step.end;
       step.end = limited ? request.limit : step.start + duration;
@@ -164,15 +188,11 @@ struct TipTaylor::Memory {
       phase.slip = TipPhase::Slip::moving;
       stalled += step.end - step.start <= 2 * epsilon * step.end;
     }
-    if (stalled == stall_limit) return fail("the step has shrunk to nothing", step.end, step_limit);
-    return arrive(Outcome::stiff, step.end, step_limit, order);
+    return arrive(Outcome::stiff, step.end, count - 1, order);
   }
 
   static Arrival arrive(Outcome outcome, double time, Index steps, int order) {
     return {outcome, time, steps, steps * order, {}};
-  }
-  static Arrival fail(const char* reason, double time, Index steps) {
-    return {Outcome::failed, time, steps, 0, std::string(reason) + " at local time " + std::to_string(time)};
   }
 };
 
@@ -184,11 +204,11 @@ bool TipTaylor::admits(const Problem& problem) {
 }
 
 Arrival TipTaylor::follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) {
-  const auto& phase = *problem.tip();
-  const auto by = [&](auto& series) { return memory_->follow(series, phase, x, request, fired); };
-  auto arrival = phase.motion == TipPhase::Motion::normal   ? by(memory_->normal)
-                 : phase.motion == TipPhase::Motion::planar ? by(memory_->planar)
-                                                            : by(memory_->spatial);
+  const auto motion = problem.tip()->motion;
+  const auto by = [&](auto& series) { return memory_->follow(series, problem, x, request, fired); };
+  auto arrival = motion == TipPhase::Motion::normal   ? by(memory_->normal)
+                 : motion == TipPhase::Motion::planar ? by(memory_->planar)
+                                                      : by(memory_->spatial);
   if (arrival.outcome == Outcome::stiff)
     problem.accept(x);  // the next flow starts from where the slip is now
   return arrival;

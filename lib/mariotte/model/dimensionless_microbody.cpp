@@ -124,4 +124,10 @@ DimensionlessMicrobody dimensionless(const Microbody& body) {
   return d;
 }
 
+double reachable_accuracy(const DimensionlessMicrobody& body, double asked) {
+  constexpr double coarsest = 0.1;
+  const double in_the_well = 1 / (body.time * body.speed);
+  return std::max(asked, std::min(64 * epsilon * in_the_well, coarsest));
+}
+
 }  // namespace mariotte::model

@@ -36,4 +36,8 @@ struct DimensionlessMicrobody {
 /// is made so exactly. Throws Unrepresentable.
 DimensionlessMicrobody dimensionless(const Microbody& body);
 
+/// The accuracy asked for, but no finer than rounding: a slow body is made much faster by the well of
+/// adhesion, and errors of that speed are no smaller.
+double reachable_accuracy(const DimensionlessMicrobody& body, double asked);
+
 }  // namespace mariotte::model

@@ -170,6 +170,24 @@ void Mechanics::derivative(ConstState x, const MicrobodyMode& mode, State dx) co
   if (place.work >= 0) put(dx, place.work, lost);
 }
 
+double Mechanics::stored(ConstState x) const {
+  double sum = 0;
+  for (Index i = 0; i < layout.tips; ++i)
+    sum += contact::stored_energy(body.law[static_cast<std::size_t>(i)], tip(x, i).indentation);
+  return sum;
+}
+
+double Mechanics::lifting_energy(ConstState x) const {
+  const auto& first = body.body.tips[0];
+  const double reach = norm(first.centre) + first.radius;
+  const double rest = stored(x) + 2 * body.body.mass * std::abs(body.gravity) * reach;
+  if (!body.symmetric) return rest + kinetic(x);
+  const double rise = x[layout.place.velocity];
+  if (first.centre == Vector3{}) return rest + 0.5 * body.body.mass * rise * rise;
+  const double own = dot(spin(x), rotate(quaternion_at(x, layout.place.attitude), {1, 0, 0}));
+  return rest + kinetic(x) - 0.5 * body.body.inertia.e1 * own * own;
+}
+
 double Mechanics::kinetic(ConstState x) const {
   const Vector3 v = vector_at(x, layout.place.velocity);
   return 0.5 * (body.body.mass * dot(v, v) + dot(spin(x), vector_at(x, layout.place.momentum)));

@@ -43,8 +43,14 @@ struct Mechanics {
   /// Slip acceleration of tip i under these forces.
   Vector3 slip_acceleration(ConstState x, const TipForces& forces, Index i) const;
   void derivative(ConstState x, const MicrobodyMode& mode, State dx) const;
+  /// Energy that could lift tips out of the wells of adhesion: below 0 none comes free. Kinetic, stored, and
+  /// the most that gravity can add; without a turn about the body's own axis and, of a sphere, motion in the
+  /// plane.
+  double lifting_energy(ConstState x) const;
   /// Kinetic energy, relative to space.
   double kinetic(ConstState x) const;
+  /// Energy stored in the contacts, negative in the wells.
+  double stored(ConstState x) const;
 
  private:
   Vector3 turned(ConstState x, const Vector3& moment) const;  ///< R I⁻¹ Rᵀ M

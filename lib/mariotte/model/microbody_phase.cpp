@@ -26,7 +26,7 @@ flow::SymmetricBody symmetric_part(const DimensionlessMicrobody& body) {
 
 /// Slip below this is none: a hundredth of what may be wrong anyway.
 double noise_of_slip(const DimensionlessMicrobody& body, double accuracy) {
-  return std::max(0.01 * accuracy, 64 * epsilon) * body.speed;
+  return std::max(0.01 * accuracy * body.speed, 64 * epsilon * std::max(body.speed, 1 / body.time));
 }
 
 /// Rounding of the friction that sticking needs, which comes from forces and accelerations of natural size.
@@ -40,6 +40,7 @@ MicrobodyPhase::MicrobodyPhase(const DimensionlessMicrobody& body, const Microbo
                                double accuracy, WatchedSigns watched)
     : body_(body),
       layout_(layout),
+      accuracy_(accuracy),
       mechanics_{body, layout, noise_of_slip(body, accuracy), noise_of_force(body)},
       watched_(watched),
       magnitudes_(model::magnitudes(body, layout)),
@@ -53,6 +54,7 @@ MicrobodyPhase::MicrobodyPhase(const DimensionlessMicrobody& body, const Microbo
   tip_.friction = body.friction.coefficient;
   tip_.indented = body.lever == Lever::indented;
   tip_.speed = body.speed;
+  tip_.creep = accuracy * std::max(body.speed, 1 / body.time);
   tip_.slip_noise = mechanics_.slip_noise;
   tip_.force_noise = mechanics_.force_noise;
   tip_.force_scale = body.body.mass * body.speed / body.time;
@@ -81,6 +83,7 @@ void MicrobodyPhase::bind(const MicrobodyMode& mode) {
   closed_ = 0;
   std::fill(crossings_.begin(), crossings_.end(), Crossing::none);
   std::fill(waiting_.begin(), waiting_.end(), false);
+  doubtful_.fill(true);
   for (Index i = 0; i < layout_.tips; ++i) watch(i);
   // Symmetric bodies need it not: their flight is known to its end.
   if (closed_ == 0 && !body_.symmetric && body_.gravity <= 0) crossings_.back() = Crossing::rising;
@@ -133,6 +136,25 @@ double MicrobodyPhase::slip_margin(const TipMode& mode) const {
   return body_.motion == TipPhase::Motion::spatial ? -mechanics_.slip_noise : 0;
 }
 
+/// Positive while the force has its sign; without adhesion of 1 − C_H ṅ.
+double MicrobodyPhase::signed_pressure(const TipMotion& tip, Index i) const {
+  const auto& law = body_.law[static_cast<std::size_t>(i)];
+  return mode_.tip[i].force_sign * (law.adhesion > 0 ? contact::pressure(law, tip.indentation, tip.velocity)
+                                                     : 1 - law.damping_hertz * tip.velocity);
+}
+
+double MicrobodyPhase::pressure_error(const TipMotion& tip, Index i) const {
+  const auto& law = body_.law[static_cast<std::size_t>(i)];
+  return accuracy_ * (law.adhesion > 0 ? contact::pressure_size(law, tip.indentation, body_.speed)
+                                       : 1 + law.damping_hertz * body_.speed);
+}
+
+bool MicrobodyPhase::has_settled(ConstState x) const {
+  for (Index i = 0; i < layout_.tips; ++i)
+    if (x[layout_.place.gap[i]] < 0 && std::abs(mechanics_.tip(x, i).velocity) > tip_.creep) return false;
+  return mechanics_.lifting_energy(x) < 0;
+}
+
 /// Height of the mass centre over the reach of its tips.
 double MicrobodyPhase::clearance(ConstState x) const {
   const auto& first = body_.body.tips[0];
@@ -148,14 +170,11 @@ double MicrobodyPhase::guard(ConstState x, const TipForces& forces, Index i) con
   if (tip == layout_.tips) return clearance(x);
   const auto& mode = mode_.tip[tip];
   const auto here = mechanics_.tip(x, tip);
-  const auto& law = body_.law[static_cast<std::size_t>(tip)];
   switch (static_cast<TipGuard>(i % guards_per_tip)) {
     case TipGuard::gap:
       return x[layout_.place.gap[tip]];
     case TipGuard::force:
-      return mode.force_sign * (law.adhesion > 0
-                                    ? contact::pressure(law, -x[layout_.place.gap[tip]], here.velocity)
-                                    : 1 - law.damping_hertz * here.velocity);
+      return signed_pressure(here, tip) + (doubtful_[tip] ? 2 * pressure_error(here, tip) : 0);
     case TipGuard::slip:
       return dot(here.slip, mode.direction) - mode.rest + slip_margin(mode);
     case TipGuard::cone:
@@ -196,7 +215,7 @@ void MicrobodyPhase::jacobian(ConstState x, State values) const {
   std::vector<double> moved(x.begin(), x.end()), ahead(n), behind(n);
   // Friction turns about within a slip as small as the noise.
   double share = 1e-6;
-  for (Index i = 0; i < layout_.tips && damping_ratio() > 0; ++i)
+  for (Index i = 0; i < layout_.tips && closed_ > 0 && slip_turns(); ++i)
     share = std::min(share,
                      0.1 * std::hypot(norm(mechanics_.tip(x, i).slip), mechanics_.slip_noise) / body_.speed);
   for (std::size_t column = 0; column < n; ++column) {
@@ -211,14 +230,26 @@ void MicrobodyPhase::jacobian(ConstState x, State values) const {
   }
 }
 
-/// Slip from rest in space turns into its direction almost at once: the only stiff mode of a body.
-double MicrobodyPhase::damping_ratio() const {
-  const bool stiff =
-      closed_ > 0 && body_.motion == TipPhase::Motion::spatial && body_.friction.coefficient > 0;
+/// Slip from rest in space turns into its direction almost at once.
+bool MicrobodyPhase::slip_turns() const {
   const auto starts = [](const TipMode& tip) {
     return tip.contact == TipContact::sliding && tip.start != SlipStart::moving;
   };
-  return stiff && std::any_of(mode_.tip.begin(), mode_.tip.end(), starts) ? infinity : 0;
+  return body_.motion == TipPhase::Motion::spatial && body_.friction.coefficient > 0 &&
+         std::any_of(mode_.tip.begin(), mode_.tip.end(), starts);
+}
+
+/// A slip that turns has no other bound; the damping of a contact is taken at its natural depth, 1.
+double MicrobodyPhase::damping_ratio() const {
+  if (closed_ == 0) return 0;
+  if (slip_turns()) return infinity;
+  double damping = 0;
+  for (Index i = 0; i < layout_.tips; ++i) {
+    const auto& law = body_.law[static_cast<std::size_t>(i)];
+    if (mode_.tip[i].contact != TipContact::clear)
+      damping = std::max(damping, law.stiffness * law.damping_hertz + law.adhesion * law.damping_adhesion);
+  }
+  return damping * body_.time / body_.body.mass;
 }
 
 void MicrobodyPhase::second_derivative(ConstState, State ddx) const {
@@ -245,13 +276,18 @@ flow::Accepted MicrobodyPhase::accept(ConstState x) {
       waiting_[back] = false;
       result = flow::Accepted::rewatched;
     }
+    if (doubtful_[i] && signed_pressure(here, i) > pressure_error(here, i)) {
+      doubtful_[i] = false;
+      result = flow::Accepted::rewatched;
+    }
     const double limit = mechanics_.holding(forces.normal[i]);
     if (waiting_[cone] && norm(forces.friction[i]) < (1 - 1e-9) * limit) {
       waiting_[cone] = false;
       result = flow::Accepted::rewatched;
     }
   }
-  return result;
+  const bool stops = body_.after_capture == AfterCapture::stop;
+  return stops && has_settled(x) ? flow::Accepted::ended : result;
 }
 
 }  // namespace mariotte::model

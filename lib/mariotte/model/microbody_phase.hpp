@@ -36,6 +36,9 @@ class MicrobodyPhase final : public flow::Problem {
   void bind(const MicrobodyMode& mode);
   const MicrobodyMode& mode() const { return mode_; }
   const Mechanics& mechanics() const { return mechanics_; }
+  /// Energy is below the barrier of adhesion, and no tip moves in its well by more than the accuracy allows,
+  /// relative to the speed that the well gives.
+  bool has_settled(ConstState x) const;
 
   Index size() const override { return layout_.size; }
   void derivative(ConstState x, State dx) const override { mechanics_.derivative(x, mode_, dx); }
@@ -57,6 +60,9 @@ class MicrobodyPhase final : public flow::Problem {
 
  private:
   double slip_margin(const TipMode& mode) const;
+  bool slip_turns() const;
+  double signed_pressure(const TipMotion& tip, Index i) const;
+  double pressure_error(const TipMotion& tip, Index i) const;
   double guard(ConstState x, const TipForces& forces, Index i) const;
   double clearance(ConstState x) const;
   void watch(Index tip);
@@ -65,6 +71,7 @@ class MicrobodyPhase final : public flow::Problem {
 
   const DimensionlessMicrobody& body_;
   const MicrobodyLayout& layout_;
+  double accuracy_;
   Mechanics mechanics_;
   WatchedSigns watched_;
   MicrobodyMode mode_;
@@ -73,7 +80,8 @@ class MicrobodyPhase final : public flow::Problem {
   double time_scale_ = 1;
   std::vector<double> magnitudes_;
   std::vector<flow::Crossing> crossings_;
-  std::vector<bool> waiting_;  ///< starts at zero and is watched once it has left it
+  std::vector<bool> waiting_;          ///< starts at zero and is watched once it has left it
+  std::array<bool, 2> doubtful_ = {};  ///< force of a tip that has not left zero by more than its error
   flow::TipPhase tip_;
   flow::FreePhase free_;
 };

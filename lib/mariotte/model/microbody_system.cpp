@@ -19,7 +19,8 @@ Vector3 unit(const Vector3& v) {
 MicrobodySystem::MicrobodySystem(const Microbody& body, double accuracy, bool ledger, WatchedSigns watched)
     : body_(dimensionless(body)),
       layout_(microbody_layout(body_.tips(), ledger)),
-      phase_(body_, layout_, accuracy, watched) {}
+      accuracy_(reachable_accuracy(body_, accuracy)),
+      phase_(body_, layout_, accuracy_, watched) {}
 
 Vector3 MicrobodySystem::needed_friction(Mode mode, Index i, ConstState x) const {
   mode.tip[i].contact = TipContact::sticking;
@@ -182,11 +183,21 @@ void MicrobodySystem::transition(Mode& mode, const std::vector<Index>& fired, Co
   }
 }
 
-bool MicrobodySystem::is_over(const Mode& mode, ConstState, bool) const {
-  if (mode.escaped || (mode.captured && body_.after_capture == AfterCapture::stop)) return true;
+bool MicrobodySystem::is_over(const Mode& mode, ConstState x, bool) const {
+  if (mode.escaped) return true;
   for (Index i = 0; i < layout_.tips; ++i)
-    if (mode.tip[i].contact != TipContact::clear) return false;
+    if (mode.tip[i].contact != TipContact::clear)
+      return body_.after_capture == AfterCapture::stop && (mode.captured || phase_.has_settled(x));
   return mode.impacts >= body_.impacts;
+}
+
+/// A body that is over while a tip touches is captured, though it may never have turned back.
+void MicrobodySystem::finish(Mode& mode, std::vector<Change>& changes) const {
+  for (Index i = 0; i < layout_.tips && !mode.captured; ++i) {
+    if (mode.tip[i].contact == TipContact::clear) continue;
+    mode.captured = true;
+    changes.push_back({i, TipEvent::capture});
+  }
 }
 
 hybrid::Ending MicrobodySystem::ending(const Mode& mode) const {

@@ -19,6 +19,8 @@ class MicrobodySystem {
   MicrobodySystem& operator=(const MicrobodySystem&) = delete;
 
   const DimensionlessMicrobody& body() const { return body_; }
+  /// The one asked for, or what rounding leaves of it.
+  double accuracy() const { return accuracy_; }
   const MicrobodyLayout& layout() const { return layout_; }
   const Mechanics& mechanics() const { return phase_.mechanics(); }
 
@@ -29,7 +31,7 @@ class MicrobodySystem {
   /// Captured, or clear after the last impact that was asked for.
   bool is_over(const Mode& mode, ConstState x, bool impacted) const;
   hybrid::Ending ending(const Mode& mode) const;
-  void finish(Mode&, std::vector<Change>&) const {}
+  void finish(Mode& mode, std::vector<Change>& changes) const;
   MicrobodyPhase& problem(const Mode& mode);
   /// The mode that `problem` was asked for last.
   const Mode& mode() const { return phase_.mode(); }
@@ -48,6 +50,7 @@ class MicrobodySystem {
 
   DimensionlessMicrobody body_;
   MicrobodyLayout layout_;
+  double accuracy_;
   MicrobodyPhase phase_;
 };
 
