@@ -3,6 +3,8 @@
 #include <boost/test/unit_test.hpp>
 
 #include "mariotte/core/error.hpp"
+#include "mariotte/hybrid/simulate.hpp"
+#include "mariotte/impact/microbody_gate.hpp"
 #include "mariotte/impact/microbody_solver.hpp"
 #include "support/reference_bodies.hpp"
 
@@ -83,6 +85,58 @@ BOOST_AUTO_TEST_CASE(a_captured_sphere_comes_to_rest_in_the_well) {
   BOOST_TEST(std::abs(depth / stopped.rest->indentation - 1) < 1e-6);
   BOOST_TEST(norm(rested.final.velocity) < 1e-6 * 0.5);
   BOOST_TEST(lost_share(rested) < 1e-8);
+}
+
+// Adhesion holds and damps these so strongly that they creep to their rest: the sign of the force is
+// rounding.
+BOOST_AUTO_TEST_CASE(an_overdamped_tip_is_captured_without_turning_back) {
+  impact::MicrobodySolver solver;
+  for (const double radius : {5e-9, 7e-9, 10e-9})
+    for (const double speed : {300.0, 100.0}) {
+      auto body = sphere_at(speed, 0, 0);
+      body.body = model::sphere(radius, density);
+      body.law = {contact::brach_dunn(table_1, radius,
+                                      contact::hertz_damping(1.5, table_1, radius, density, speed),
+                                      contact::adhesion_damping(0.5, table_1, radius, density, speed))};
+      body.friction = {0.15};
+      const auto impact = impact::simulate(body, {.max_events = 20});
+      BOOST_TEST((impact.ending == hybrid::Ending::captured), hybrid::name(impact.ending));
+      const double depth = radius - impact.final.position.e1;
+      BOOST_TEST(std::abs(depth / contact::rest_indentation(body.law[0]) - 1) < 1e-6);
+      BOOST_TEST((solver.solve(body, {.max_events = 20}).ending == hybrid::Ending::captured));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_run_that_ends_within_its_first_contact_has_no_restitution) {
+  BOOST_TEST(!has_restitution(impact::simulate(sphere_at(5, 0.007, 0.009), {.max_time = 1e-8})));
+  BOOST_TEST(has_restitution(impact::simulate(sphere_at(5, 0.007, 0.009))));
+  BOOST_TEST(has_restitution(impact::simulate(sphere_at(0.5, 0.05, 0.05))));
+}
+
+// What a run would leave if its flow were wrong, made by hand from what it left.
+BOOST_AUTO_TEST_CASE(a_state_that_does_not_balance_is_not_believed) {
+  model::MicrobodySystem system(lopsided(), 1e-9, /*ledger=*/true);
+  const auto start = initial_state(system.body(), system.layout());
+  hybrid::Workspace<model::MicrobodySystem> workspace;
+  const auto run = hybrid::simulate(system, start, {.accuracy = 1e-9}, workspace);
+  const auto verdict = [&](Index component, double change) {
+    auto spoilt = run.state;
+    spoilt[component] += change;
+    auto ending = run.ending;
+    std::string message;
+    pass_gate(impact::balances(system, start, spoilt, workspace.mode), ending, message);
+    BOOST_TEST((ending == hybrid::Ending::unsure) == !message.empty());
+    return message;
+  };
+  const auto& place = system.layout().place;
+  BOOST_TEST(verdict(place.velocity, 0) == "");
+  BOOST_TEST(verdict(place.velocity, 1e-3).find("energy") != std::string::npos);
+  BOOST_TEST(verdict(place.velocity, NAN).find("final state") != std::string::npos);
+  BOOST_TEST(verdict(place.work, 1e-3).find("energy balance") != std::string::npos);
+  BOOST_TEST(verdict(place.gap[0], -1e3).find("off by") != std::string::npos);
+  const double friction = run.state[place.work + 2];
+  BOOST_TEST(verdict(place.work + 2, -friction - 1e-3).find("off by") != std::string::npos);
+  BOOST_TEST(verdict(place.attitude, 1e-3).find("off by") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(a_body_without_symmetry_is_followed_in_contact_and_flight) {

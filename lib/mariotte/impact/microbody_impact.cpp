@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mariotte/hybrid/simulate.hpp"
+#include "mariotte/impact/microbody_gate.hpp"
 #include "mariotte/impact/microbody_watch.hpp"
 
 namespace mariotte::impact {
@@ -95,13 +96,6 @@ std::vector<TipImpact> impacts(const MicrobodySystem& system, const Run& run, co
   return list;
 }
 
-double stored(const MicrobodySystem& system, ConstState x) {
-  double sum = 0;
-  for (Index i = 0; i < system.layout().tips; ++i)
-    sum += contact::stored_energy(system.body().law[i], system.mechanics().tip(x, i).indentation);
-  return sum;
-}
-
 /// Height of the mass centre, dimensionless.
 double height(const MicrobodySystem& system, ConstState x) {
   return body_state(system, 0, x).position.e1 / system.body().scale.length;
@@ -112,7 +106,7 @@ MicrobodyLedger ledger(const MicrobodySystem& system, ConstState before, ConstSt
   const Index work = system.layout().place.work;
   MicrobodyLedger energy{.initial = system.mechanics().kinetic(before),
                          .final = system.mechanics().kinetic(after),
-                         .stored = stored(system, after),
+                         .stored = system.mechanics().stored(after),
                          .hertz_damping = after[work],
                          .adhesion_damping = after[work + 1],
                          .friction = after[work + 2]};
@@ -152,6 +146,10 @@ std::vector<Skipped> skipped(const MicrobodySystem& system, const model::Microbo
 
 }  // namespace
 
+bool has_restitution(const MicrobodyImpact& impact) {
+  return impact.rest || (!impact.impacts.empty() && impact.impacts[0].end);
+}
+
 MicrobodyImpact simulate(const model::Microbody& body, const hybrid::Options& options, bool trace) {
   model::validate(body);
   hybrid::validate(options);
@@ -160,7 +158,9 @@ MicrobodyImpact simulate(const model::Microbody& body, const hybrid::Options& op
   MicrobodyWatch watch(system, trace);
   hybrid::Workspace<MicrobodySystem> workspace;
   const auto& scale = system.body().scale;
-  const Run& run = hybrid::simulate(system, start, hybrid::scaled(options, scale), workspace, &watch);
+  auto run_options = hybrid::scaled(options, scale);
+  run_options.accuracy = system.accuracy();
+  const Run& run = hybrid::simulate(system, start, run_options, workspace, &watch);
 
   MicrobodyImpact impact;
   impact.ending = run.ending;
@@ -185,6 +185,7 @@ MicrobodyImpact simulate(const model::Microbody& body, const hybrid::Options& op
   impact.skipped = skipped(system, body, run, trace);
   impact.requested_accuracy = options.accuracy;
   impact.trace = watch.take_trace();
+  pass_gate(balances(system, start, run.state, workspace.mode), impact.ending, impact.message);
   return impact;
 }
 

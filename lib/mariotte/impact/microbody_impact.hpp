@@ -83,6 +83,9 @@ struct MicrobodyImpact {
   BodyTrace trace;
 };
 
+/// Whether the first contact has come to an end, by rebound or capture: without it there is no restitution.
+bool has_restitution(const MicrobodyImpact& impact);
+
 /// Simulate a microbody until it is captured, has had its impacts or flies off for good, or a limit. Throws
 /// InvalidParameter for a body, accuracy or flow name that makes no sense.
 MicrobodyImpact simulate(const model::Microbody& body, const hybrid::Options& options = {},

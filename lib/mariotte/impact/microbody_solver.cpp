@@ -1,6 +1,7 @@
 #include "mariotte/impact/microbody_solver.hpp"
 
 #include "mariotte/hybrid/simulate.hpp"
+#include "mariotte/impact/microbody_gate.hpp"
 #include "mariotte/model/microbody_system.hpp"
 
 namespace mariotte::impact {
@@ -51,8 +52,12 @@ const BriefMicrobodyImpact& MicrobodySolver::solve(const model::Microbody& body,
   hybrid::validate(options);
   MicrobodySystem system(body, options.accuracy, /*ledger=*/false, {.force_signs = false});
   const auto start = initial_state(system.body(), system.layout());
-  const auto run_options = hybrid::scaled(options, system.body().scale);
-  memory_->report(system, hybrid::simulate(system, start, run_options, memory_->workspace));
+  auto run_options = hybrid::scaled(options, system.body().scale);
+  run_options.accuracy = system.accuracy();
+  const auto& run = hybrid::simulate(system, start, run_options, memory_->workspace);
+  memory_->report(system, run);
+  pass_gate(balances(system, start, run.state, memory_->workspace.mode), memory_->impact.ending,
+            memory_->impact.message);
   return memory_->impact;
 }
 
