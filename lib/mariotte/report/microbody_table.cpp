@@ -93,7 +93,9 @@ std::string impacts(const impact::MicrobodyImpact& impact, const Display& time) 
                                  std::ssize(impact.impacts), row);
 }
 
-std::string restitution(const impact::Restitution& e) {
+std::string restitution(const impact::MicrobodyImpact& impact) {
+  if (!impact::has_restitution(impact)) return "";
+  const auto& e = impact.restitution;
   return "\nRestitution\n" + line("tip", fmt::format("{:.10f}", e.tip)) +
          line("mass centre", fmt::format("{:.10f}", e.centre));
 }
@@ -116,9 +118,8 @@ std::string energy(const impact::MicrobodyLedger& e) {
 std::string table(const impact::MicrobodyImpact& impact, const scene::Scene& scene) {
   const auto time = display_for(std::vector{impact.final.time}, "s");
   return heading(scene.title.empty() ? "Microbody on a plane" : scene.title) + summary(impact, scene, time) +
-         events(impact, time) + motion(impact, *scene.body) + restitution(impact.restitution) +
-         impacts(impact, time) + energy(impact.energy) + flows_table(impact.flows) +
-         skipped_table(impact.skipped);
+         events(impact, time) + motion(impact, *scene.body) + restitution(impact) + impacts(impact, time) +
+         energy(impact.energy) + flows_table(impact.flows) + skipped_table(impact.skipped);
 }
 
 std::string table_of_body(const scene::Scene& scene) {
