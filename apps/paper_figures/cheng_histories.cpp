@@ -142,6 +142,26 @@ bool reverses(const impact::MicrobodyImpact& impact) {
   return false;
 }
 
+/// Largest slip [m/s] strictly between the events that begin and end sticking.
+double slip_while_sticking(const History& history) {
+  const auto& [tilt, impact, time] = history;
+  double most = 0;
+  for (std::size_t k = 0; k + 1 < impact.events.size(); ++k) {
+    if (impact.events[k].stick.empty()) continue;
+    for (std::size_t row = 0; row < impact.trace.state.size(); ++row)
+      if (impact.trace.state[row].time > impact.events[k].time &&
+          impact.trace.state[row].time < impact.events[k + 1].time)
+        most = std::max(most, std::abs(impact.trace.slip[row][0].e3));
+  }
+  return most;
+}
+
+Claim rolling(const std::vector<History>& all) {
+  double most = 0;
+  for (const auto& one : all) most = std::max(most, slip_while_sticking(one));
+  return {"v_t = ω × r while the tip sticks", yes_if(most < 1e-9), fmt::format("within {:.0e} m/s", most)};
+}
+
 Claim reversal() {
   double first = 90;
   for (double tilt = 89; tilt >= 1 && reverses(simulate({.tilt = tilt})); --tilt) first = tilt;
@@ -191,7 +211,7 @@ Reproduction centre_velocities(double friction) {
 Reproduction tip_normal_velocities() {
   const auto all = histories(0.7);
   auto result = made(all, 0.7, picture(all, tip_normal), "velocity [m/s]", "tip, normal");
-  result.claims = {tip_rebound(all), no_slip()};
+  result.claims = {tip_rebound(all), no_slip(), rolling(all)};
   return result;
 }
 
