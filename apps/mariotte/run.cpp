@@ -49,6 +49,17 @@ auto simulate(const Run& options, const Model& model, const scene::Scene& scene,
   return impact;
 }
 
+/// Says where the promise of an accuracy could not be kept.
+template <class Impact>
+void warn_of_error(const Run& options, const Impact& impact) {
+  if (options.scene.quiet || !impact.estimated_accuracy) return;
+  if (*impact.estimated_accuracy > impact.requested_accuracy)
+    warning(
+        fmt::format("velocities may be wrong by {:.1e} of the largest speed, where {:g} was asked: "
+                    "contacts close so often that errors grow",
+                    *impact.estimated_accuracy, impact.requested_accuracy));
+}
+
 /// The result, and what it takes to repeat the run.
 template <class Impact>
 report::Json json(const Run& options, const Impact& impact, const scene::Scene& scene) {
@@ -70,6 +81,7 @@ int finish(const Run& options, const Impact& impact, const scene::Scene& scene, 
     if (options.verbose) note("wrote " + options.out);
   }
   print(options.json ? report::text(result) : report::table(impact, scene));
+  warn_of_error(options, impact);
   if (const auto why = report::reason(impact.ending, impact.message, scene.run); !why.empty())
     error(why, fault_of(impact.ending));
   return exit_code(impact.ending);

@@ -81,7 +81,8 @@ class Examination {
     for (const double accuracy : accuracies)
       add({.flow = "auto", .accuracy = accuracy, .ledgers = accuracy == accuracies.back()}, accuracy);
     best_ = trial({.flow = "auto", .accuracy = tight}, tight);
-    add_other_flow();
+    general_ = general_flows(scene_, best_.found.time);
+    if (!spare_) add_other_flow();
     add_naive();
     Perturbations perturbations(scene_, spare_ || general_.empty() ? "" : general_.front(), announce_);
     const auto judgement = judge(best_, trials_, std::ref(perturbations));
@@ -101,11 +102,11 @@ class Examination {
   }
 
   void add_other_flow() {
-    general_ = general_flows(scene_, best_.found.time);
     auto flows = special_flows(scene_.model);
     const bool general = number_ % share_with_general_flow == 0 && !general_.empty();
     if (general) flows = general_;
     add({.flow = flows[number_ / share_with_general_flow % flows.size()]}, accuracies.back());
+    trials_.back().rival = true;
   }
 
   void add_naive() {
@@ -138,6 +139,7 @@ class Examination {
                     .failures = judgement.failures,
                     .limits = judgement.limits,
                     .refusals = judgement.refusals,
+                    .rivals = judgement.rivals + spare_,
                     .findings = judgement.findings};
     for (std::size_t i = 0; i < accuracies.size(); ++i) {
       const bool known = has_ended(best_.found) && has_ended(trials_[i].found);

@@ -21,7 +21,7 @@ struct Verdict {
   double cost = 0;                                ///< CPU time of all runs
   bool naive = false;                             ///< the naive simulator could follow it
   bool counts_differ = false;
-  int failures = 0, limits = 0, refusals = 0, killed = 0;
+  int failures = 0, limits = 0, refusals = 0, killed = 0, rivals = 0;
   std::vector<std::string> findings = {};
 };
 
@@ -31,7 +31,7 @@ using Announce = std::function<void(const std::string&)>;
 /// What is announced of runs of perturbed scenes ends with this.
 inline constexpr const char* perturbed_mark = ", perturbed";
 
-/// `spare` leaves out the general flow where amplification is measured.
+/// `spare` leaves out the flow asked for by name, and the general one where amplification is measured.
 Verdict examine(const std::vector<Family>& list, std::uint64_t seed, std::uint64_t number,
                 const Announce& announce, bool spare = false);
 

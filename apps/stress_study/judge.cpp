@@ -24,6 +24,8 @@ bool take_ending(const Trial& trial, Judgement& judgement) {
   if (has_ended(found)) return true;
   if (found.refused) {
     ++judgement.refusals;
+  } else if (trial.rival) {
+    ++judgement.rivals;
   } else if (found.ending == Ending::event_limit) {
     ++judgement.limits;
     if (!trial.many_events)

@@ -15,6 +15,7 @@ struct Trial {
   Found found = {};
   bool counts = false;       ///< its contact periods are compared, too
   bool many_events = false;  ///< so many that a limit of events is no fault
+  bool rival = false;        ///< by a flow that was asked for by name, and may not be made for the scene
 };
 
 /// How results follow inputs.
@@ -33,6 +34,7 @@ struct Judgement {
   int failures = 0;                        ///< runs that failed, or were unsure
   int limits = 0;                          ///< runs that were given up after too many events
   int refusals = 0;                        ///< runs refused by name
+  int rivals = 0;                          ///< runs of rivals that came to no end
   std::vector<std::string> findings = {};  ///< what nothing explains, a sentence each
 };
 

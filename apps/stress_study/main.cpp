@@ -33,7 +33,8 @@ Each scene is run by the automatic choice of flows at 1e-6, 1e-8, 1e-10 and 1e-1
 naive simulator without events. A deviation above 10 times the accuracy counts unless small perturbations of
 the scene, run by two flows, change the results as much. Columns: share of runs of `auto` whose error is
 within 1, 10, 100 times what was asked; scenes that the naive simulator could follow; scenes in which numbers
-of contact periods differ; runs refused by name, failed, without an end, and slower than 100 times the median;
+of contact periods differ; runs refused by name, failed, without an end; runs of a flow asked for by name that
+came to no end, which is no fault; runs slower than 100 times the median;
 CPU time a scene costs; the worst deviation over what was asked, and in which scene; scenes with anything unexplained.
 
 Examples:

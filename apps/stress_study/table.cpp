@@ -25,6 +25,7 @@ report::Row row(const Tally& t, const std::string& slow, const std::string& wors
           std::to_string(t.refusals),
           std::to_string(t.failures),
           std::to_string(t.killed),
+          std::to_string(t.rivals),
           slow,
           fmt::format("{:.1f}", 1e3 * t.cost / std::max(1.0, static_cast<double>(t.scenes))),
           fmt::format("{:.1e}", t.worst),
@@ -36,7 +37,7 @@ Tally sum(const std::vector<Tally>& tallies) {
   Tally all{.family = "all"};
   for (const auto& t : tallies) {
     all.scenes += t.scenes, all.naive += t.naive, all.counts_differ += t.counts_differ;
-    all.failures += t.failures, all.killed += t.killed, all.refusals += t.refusals;
+    all.failures += t.failures, all.killed += t.killed, all.refusals += t.refusals, all.rivals += t.rivals;
     all.unexplained += t.unexplained, all.runs += t.runs, all.cost += t.cost;
     for (int i = 0; i < 3; ++i) all.within[i] += t.within[i];
     if (t.worst > all.worst) all.worst = t.worst, all.worst_scene = t.worst_scene;
@@ -53,6 +54,7 @@ void add(const Verdict& verdict, Tally& tally) {
   tally.failures += verdict.failures > 0;
   tally.killed += verdict.killed > 0 || verdict.limits > 0;
   tally.refusals += verdict.refusals > 0;
+  tally.rivals += verdict.rivals > 0;
   tally.unexplained += !verdict.findings.empty();
   tally.cost += verdict.cost;
   for (const double error : verdict.error) {
@@ -78,9 +80,9 @@ std::uint64_t slow(const Tally& tally) {
 }
 
 std::string table(const std::vector<Tally>& tallies) {
-  const report::Row header = {"family",    "scenes",   "≤ 1× [%]", "≤ 10×",  "≤ 100×",
-                              "naive [%]", "counts",   "refused",  "failed", "no end",
-                              "slow",      "CPU [ms]", "worst",    "scene",  "unexplained"};
+  const report::Row header = {"family",   "scenes",  "≤ 1× [%]", "≤ 10×",      "≤ 100×", "naive [%]",
+                              "counts",   "refused", "failed",   "no end",     "rivals", "slow",
+                              "CPU [ms]", "worst",   "scene",    "unexplained"};
   std::uint64_t all_slow = 0;
   for (const auto& t : tallies) all_slow += slow(t);
   const auto whole = sum(tallies);

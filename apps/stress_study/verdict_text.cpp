@@ -19,7 +19,8 @@ std::string packed(const Verdict& v) {
                         v.counts_differ, v.failures,
                         v.limits,        v.refusals,
                         v.killed,        v.findings,
-                        finite(v.worst), v.cost}
+                        finite(v.worst), v.cost,
+                        v.rivals}
       .dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
 }
 
@@ -36,6 +37,7 @@ Verdict unpacked(const std::string& text) {
           .limits = j[6],
           .refusals = j[7],
           .killed = j[8],
+          .rivals = j[12],
           .findings = j[9]};
 }
 

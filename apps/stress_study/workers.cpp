@@ -145,7 +145,8 @@ class Worker {
     const bool late = signal == SIGVTALRM;
     const Order order = *order_;
     start();
-    if (late && order.spare == 0 && std::string_view(note_->text).ends_with(perturbed_mark)) {
+    const std::string_view run = note_->text;
+    if (late && order.spare == 0 && (run.ends_with(perturbed_mark) || !run.starts_with("auto"))) {
       take_order({order.scene, 1});
       return {};
     }

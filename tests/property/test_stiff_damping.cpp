@@ -50,3 +50,67 @@ BOOST_AUTO_TEST_CASE(creeping_contacts_make_no_ghost_events_and_come_to_an_end) 
   }
   BOOST_TEST(most_steps < 50'000);
 }
+
+// A load that has vanished but for rounding when its contact becomes slack may stand above zero already.
+BOOST_AUTO_TEST_CASE(a_slack_contact_pushes_again_though_its_load_never_crosses_zero) {
+  const auto law = [](double damping, double exponent) -> contact::Law {
+    return contact::Viscoelastic{.stiffness = 1, .damping = damping, .exponent = exponent};
+  };
+  const double c = 170416.57844109138;
+  const model::Chain chain{.mass = {1.0738029564724281, 1.3563863675731072, 1.0303502892178085,
+                                    1.1098930480392786, 0.93088922732940782},
+                           .law = {law(c, 2.6110034181761002), law(c, 1.2225513484005912), law(c, 2),
+                                   law(43375.952006798463, 1.5936054153381563)},
+                           .gap = {0, 0, 0, 0.95960795681985478},
+                           .velocity = {-0.017303536692897525, 0.92968049354896998, 0.53347408962003251,
+                                        0.36750739284562739, -0.51590601840248596}};
+  const std::vector<double> expected = {-0.0173035366929, 0.3926157361126, 0.3926157363933, 0.3926157551822,
+                                        0.3926157893939};
+  impact::ChainSolver solver;
+  for (const char* flow : {"auto", "pair", "cvode-bdf-klu"})
+    for (const double accuracy : {1e-8, 1e-10}) {
+      const auto& impact = solver.solve(chain, {.accuracy = accuracy, .flow = flow});
+      BOOST_TEST((impact.ending == hybrid::Ending::separated), impact.message);
+      BOOST_TEST(test::difference(impact.velocity, expected) < 1e-8);
+    }
+}
+
+// The closed form of a pair starts with a load that rounding has made negative.
+BOOST_AUTO_TEST_CASE(a_load_that_has_vanished_but_for_rounding_lets_go) {
+  const auto law = [](double damping) -> contact::Law {
+    return contact::Viscoelastic{.stiffness = 1, .damping = damping, .exponent = 1};
+  };
+  const double c = 242590.50532552626;
+  const model::Chain chain{
+      .mass = {infinity, 1, 1, 1, 1, 1, 1},
+      .law = {law(c), law(c), law(0), law(0), law(19.848551714223479), law(1.0278364182577986)},
+      .gap = {0, 0.59122601523115459, 0, 0, 0, 0.10462388190869765},
+      .velocity = {-0.1143960121276224, -0.90667599512389252, -0.10111748384791364, 0.48582769072459131,
+                   0.67121107609516595, 0.019312801264995905, -0.74371879335273672}};
+  const auto impact = impact::ChainSolver().solve(chain, {.accuracy = 1e-10});
+  BOOST_TEST((impact.ending == hybrid::Ending::separated), impact.message);
+  BOOST_TEST(test::difference(
+                 impact.velocity,
+                 impact::ChainSolver().solve(chain, {.accuracy = 1e-10, .flow = "cvode-bdf-klu"}).velocity) <
+             1e-9);
+}
+
+BOOST_AUTO_TEST_CASE(damping_beyond_double_precision_is_refused) {
+  for (const double damping : {1e14, 1e50, 1e100, 1e280})
+    for (const double exponent : {1.0, 1.5}) {
+      const contact::Law law =
+          contact::Viscoelastic{.stiffness = 1, .damping = damping, .exponent = exponent};
+      const model::Chain chain{.mass = {1, 1, 1}, .law = {law, law}, .gap = {0, 0}, .velocity = {1, 0, 0}};
+      BOOST_CHECK_THROW(impact::ChainSolver().solve(chain), InvalidParameter);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(the_strongest_damping_that_is_computed_stops_balls_together) {
+  for (const double damping : {1e6, 1e8, 1e10, 5e11}) {
+    const contact::Law law = contact::Viscoelastic{.stiffness = 1, .damping = damping, .exponent = 1};
+    const model::Chain chain{.mass = {1, 1, 1}, .law = {law, law}, .gap = {0, 0}, .velocity = {1, 0, 0}};
+    const auto impact = impact::ChainSolver().solve(chain);
+    BOOST_TEST((impact.ending == hybrid::Ending::separated), impact.message);
+    BOOST_TEST(test::difference(impact.velocity, {1.0 / 3, 1.0 / 3, 1.0 / 3}) < 1e-9);
+  }
+}

@@ -92,8 +92,9 @@ struct ChainImpact : ContactImpact {
 /// thousand rows). Throws InvalidParameter for a chain, accuracy or flow name that makes no sense.
 ChainImpact simulate(const model::Chain& chain, const hybrid::Options& options = {}, bool trace = false);
 
-/// Error of `result.velocity` relative to the largest incident speed, from a second run at a tighter
-/// accuracy.
+/// Error of `result.velocity` relative to the largest incident speed: the larger of the differences to a run
+/// at a tighter accuracy and, unless the chain is divided into islands, to one by a flow that shares no
+/// formula with it: CVODE, whose own errors begin at about 1e-12 and are not counted.
 double estimate_accuracy(const model::Chain& chain, const hybrid::Options& options,
                          const ChainImpact& result);
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mariotte/model/scaled_law.hpp"
+
 namespace mariotte::model {
 
 using contact::ContactMode;
@@ -180,10 +182,7 @@ double ChainPhase::damping_ratio() const {
   double largest = 0;
   for (Index j = 0; j < layout_.contacts(); ++j) {
     if (layout_.work[j] == ChainLayout::absent || !contact::carries_force((*mode_)[j])) continue;
-    // c δ^{n−1}/(m*/T) at the natural indentation
-    const double width = std::pow(chain_.length[j], contact::exponent(chain_.law[j]) - 1);
-    largest =
-        std::max(largest, contact::damping(chain_.law[j]) * width * chain_.time[j] / chain_.reduced_mass[j]);
+    largest = std::max(largest, model::damping_ratio(chain_, static_cast<std::size_t>(j)));
   }
   return largest;
 }

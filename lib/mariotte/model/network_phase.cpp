@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mariotte/model/network_links.hpp"
+#include "mariotte/model/scaled_law.hpp"
 
 namespace mariotte::model {
 
@@ -120,9 +121,7 @@ double NetworkPhase::damping_ratio() const {
   double largest = 0;
   for (Index j = 0; j < layout_.contacts; ++j) {
     if (!contact::carries_force((*mode_)[j])) continue;
-    const auto& law = network_.law[j];
-    const double width = std::pow(network_.length[j], contact::exponent(law) - 1);
-    largest = std::max(largest, contact::damping(law) * width * network_.time[j] / network_.reduced_mass[j]);
+    largest = std::max(largest, model::damping_ratio(network_, static_cast<std::size_t>(j)));
   }
   return largest;
 }

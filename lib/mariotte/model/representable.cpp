@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "mariotte/model/scaled_law.hpp"
+
 namespace mariotte::model {
 namespace {
 
@@ -72,8 +74,7 @@ bool contacts_fit(const Scaled& d) {
 template <class Scaled>
 void expect_resolved_damping(const Scaled& d, const std::vector<contact::Law>& laws) {
   for (std::size_t j = 0; j < d.law.size(); ++j) {
-    const double width = std::pow(d.length[j], contact::exponent(d.law[j]) - 1);
-    const double ratio = contact::damping(d.law[j]) * width * d.time[j] / d.reduced_mass[j];
+    const double ratio = damping_ratio(d, j);
     if (ratio <= largest_damping_ratio) continue;
     std::array<char, 256> text{};
     std::snprintf(

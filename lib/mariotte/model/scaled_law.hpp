@@ -1,5 +1,7 @@
 // What making a chain or a network dimensionless has in common.
 #pragma once
+#include <cmath>
+
 #include "mariotte/contact/law.hpp"
 #include "mariotte/core/scale.hpp"
 #include "mariotte/core/types.hpp"
@@ -16,5 +18,14 @@ double natural_length(const contact::Law& law, double mass, double speed);
 /// Approach that counts as none, relative to the largest: a tenth of the accuracy, but what double precision
 /// can tell.
 double slow_share(double accuracy);
+
+/// Damping ratio c δⁿ⁻¹ T/m* of contact j at its natural indentation δ: what makes it stiff. `scaled` is a
+/// dimensionless chain or network.
+template <class Scaled>
+double damping_ratio(const Scaled& scaled, std::size_t j) {
+  const auto& law = scaled.law[j];
+  const double width = std::pow(scaled.length[j], contact::exponent(law) - 1);
+  return contact::damping(law) * width * scaled.time[j] / scaled.reduced_mass[j];
+}
 
 }  // namespace mariotte::model
