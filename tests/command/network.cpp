@@ -90,7 +90,7 @@ BOOST_FIXTURE_TEST_CASE(the_law_gives_simulated_velocities_of_networks_back, Net
     const auto &after = answer["final"]["velocity"], &simulated = answer["simulated"]["velocity"];
     for (std::size_t i = 0; i < after.size(); ++i)
       BOOST_TEST(std::abs(after[i].get<double>() - simulated[i].get<double>()) < 1e-9);
-    BOOST_TEST(answer["rivals"].size() == 6U);
+    BOOST_TEST(answer["rivals"].size() == 7U);
   }
   BOOST_TEST(has(mariotte("law block.toml --rivals").out, "liu-zhao-brogliato"));
 }

@@ -51,8 +51,8 @@ Passed run(const model::Chain& chain, double end, Index component = 0, double pu
   impact::count_periods(run.changes, system.layout().contacts(), periods);
   contact_energies(system.chain(), system.layout(), workspace.mode, stretch, energies);
   Passed result{run.ending, run.message};
-  pass_gate({system.chain(), system.layout(), workspace.mode, stretch, p, periods, energies}, 1e-10,
-            result.ending, result.message);
+  impact::pass_gate({system.chain(), system.layout(), workspace.mode, stretch, p, periods, energies}, 1e-10,
+                    result.ending, result.message);
   return result;
 }
 

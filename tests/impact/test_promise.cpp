@@ -5,6 +5,7 @@
 #include "mariotte/impact/chain_impact.hpp"
 #include "mariotte/impact/chain_solver.hpp"
 #include "mariotte/impact/promise.hpp"
+#include "mariotte/model/dimensionless_chain.hpp"
 
 using namespace mariotte;
 
@@ -57,7 +58,7 @@ BOOST_AUTO_TEST_CASE(a_single_wave_is_run_once) {
                      .gap = std::vector<double>(20),
                      .velocity = std::vector<double>(21)};
   chain.velocity[0] = 1;
-  BOOST_TEST(!simulate(chain).estimated_accuracy);
+  BOOST_TEST(!impact::simulate(chain).estimated_accuracy);
   BOOST_TEST(!impact::ChainSolver().solve(chain).estimated_accuracy);
 }
 
@@ -65,9 +66,9 @@ BOOST_AUTO_TEST_CASE(contacts_that_close_again_and_again_keep_the_accuracy) {
   int checked = 0;
   for (unsigned seed = 0; seed < 60; ++seed) {
     const auto chain = rattling(seed);
-    const auto truth = simulate(chain, {.accuracy = 1e-14});
+    const auto truth = impact::simulate(chain, {.accuracy = 1e-14});
     for (const double accuracy : {1e-7, 1e-10}) {
-      const auto impact = simulate(chain, {.accuracy = accuracy});
+      const auto impact = impact::simulate(chain, {.accuracy = accuracy});
       if (!impact.estimated_accuracy || *impact.estimated_accuracy > accuracy) continue;
       ++checked;
       const double error = impact::difference(impact.velocity, truth.velocity, model::reference_speed(chain));

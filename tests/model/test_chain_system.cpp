@@ -157,7 +157,14 @@ BOOST_AUTO_TEST_CASE(an_approaching_pair_is_not_over_and_a_parting_one_is) {
 BOOST_AUTO_TEST_CASE(gravity_above_a_wall_is_not_over_before_the_first_impact) {
   Fixture f{{.mass = {infinity, 1}, .law = {hertz}, .gap = {1}, .velocity = {0, 0}, .gravity = 9.81}};
   BOOST_TEST(!f.system.is_over({ContactMode::open}, f.x, false));
+  f.set(0, 1, -0.1);
   BOOST_TEST(f.system.is_over({ContactMode::open}, f.x, true));
+}
+
+BOOST_AUTO_TEST_CASE(a_ball_that_rests_on_a_wall_has_not_parted_from_it) {
+  Fixture f{{.mass = {infinity, 1}, .law = {hertz}, .gap = {0}, .velocity = {0, 0}, .gravity = 9.81}};
+  for (const auto mode : {ContactMode::touching, ContactMode::open, ContactMode::hovering})
+    BOOST_TEST(!f.system.is_over({mode}, f.x, true));
 }
 
 BOOST_AUTO_TEST_CASE(the_jacobian_agrees_with_differences) {

@@ -3,8 +3,10 @@
 #include <boost/test/unit_test.hpp>
 #include <random>
 
+#include "mariotte/core/error.hpp"
 #include "mariotte/impact/chain_impact.hpp"
 #include "mariotte/impact/chain_solver.hpp"
+#include "mariotte/impact/promise.hpp"
 #include "support/naive_chain.hpp"
 
 using namespace mariotte;
@@ -26,7 +28,7 @@ model::Chain resting(std::size_t balls, const contact::Law& law, double gravity 
 
 std::vector<double> velocities(const model::Chain& chain, double end, double accuracy,
                                const char* flow = "auto") {
-  const auto impact = simulate(chain, {.accuracy = accuracy, .max_time = end, .flow = flow});
+  const auto impact = impact::simulate(chain, {.accuracy = accuracy, .max_time = end, .flow = flow});
   BOOST_TEST((impact.ending == Ending::time_limit), impact.message);
   return impact.velocity;
 }
@@ -114,7 +116,7 @@ BOOST_AUTO_TEST_CASE(a_ball_at_rest_stays_in_contact_for_many_returns) {
 BOOST_AUTO_TEST_CASE(what_has_not_begun_is_not_over) {
   auto chain = resting(2, contact::Hertz{1e9}, 9.81);
   chain.gap = {0, 0.01};
-  const auto impact = simulate(chain);
+  const auto impact = impact::simulate(chain);
   BOOST_TEST((impact.ending == Ending::separated));
   BOOST_TEST(impact.time > std::sqrt(2 * 0.01 / 9.81));
   BOOST_TEST(impact.velocity[2] > 0.4);
@@ -123,7 +125,7 @@ BOOST_AUTO_TEST_CASE(what_has_not_begun_is_not_over) {
 BOOST_AUTO_TEST_CASE(walls_that_approach_each_other_need_a_limit) {
   const model::Chain chain{
       .mass = {infinity, 1, infinity}, .law = {hertz, hertz}, .gap = {0.5, 0.5}, .velocity = {1, 0, -1}};
-  BOOST_CHECK_THROW(simulate(chain), InvalidParameter);
+  BOOST_CHECK_THROW(impact::simulate(chain), InvalidParameter);
   BOOST_CHECK_THROW(impact::ChainSolver().solve(chain), InvalidParameter);
-  BOOST_TEST((simulate(chain, {.max_time = 0.75}).ending == Ending::time_limit));
+  BOOST_TEST((impact::simulate(chain, {.max_time = 0.75}).ending == Ending::time_limit));
 }

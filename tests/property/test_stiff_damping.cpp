@@ -2,6 +2,7 @@
 #include <boost/test/unit_test.hpp>
 #include <random>
 
+#include "mariotte/core/error.hpp"
 #include "mariotte/impact/chain_solver.hpp"
 #include "support/reference.hpp"
 

@@ -21,7 +21,7 @@ struct BriefImpact {
   std::vector<Index> periods;    ///< n−1 counts of stretches in which a contact carried force
   Index events = 0;              ///< instants at which contacts closed or opened
   Index steps = 0;
-  Index rhs = 0;     ///< evaluations of the right-hand side, or of its series
+  Index rhs = 0;  ///< evaluations of the right-hand side, or of its series
   /// Difference to a looser run, relative to the largest incident speed; where contacts close again and again
   std::optional<double> estimated_accuracy;
   Index widest = 0;  ///< contacts of the largest island; all of them if the chain was one system

@@ -92,6 +92,7 @@ Json json(const impact::MicrobodyImpact& impact, const scene::Scene& scene) {
   if (const auto why = reason(impact.ending, impact.message, scene.run); !why.empty())
     result["message"] = why;
   result["final"] = state(impact.final);
+  result["restitution"] = {{"tip", nullptr}, {"centre", nullptr}};
   if (impact::has_restitution(impact))
     result["restitution"] = {{"tip", impact.restitution.tip}, {"centre", impact.restitution.centre}};
   result["impacts"] = list(impact.impacts, tip_impact);

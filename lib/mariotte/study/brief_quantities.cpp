@@ -72,9 +72,11 @@ double spin(const BriefBody& brief, std::size_t i) {
   return component(brief.impact.spin, i);
 }
 
-/// As in the whole result, both are 0 unless the tip has separated.
+/// As in the whole result, both are 0 of a captured body, and not known before the tip has separated.
 impact::Restitution restitution(const BriefBody& brief) {
-  if (brief.impact.ending != hybrid::Ending::separated) return {};
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  if (brief.impact.ending == hybrid::Ending::captured) return {};
+  if (brief.impact.ending != hybrid::Ending::separated) return {.tip = unknown, .centre = unknown};
   return impact::restitution(tip_velocity(brief.body, 0), brief.impact.tip_velocity, brief.body.velocity.e1,
                              brief.impact.velocity.e1);
 }
