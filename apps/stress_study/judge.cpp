@@ -40,7 +40,7 @@ bool take_ending(const Trial& trial, Judgement& judgement) {
 }
 
 void take_deviation(const Trial& trial, const Trial& best, const Measure& measure, Judgement& judgement) {
-  const double error = deviation(trial, best);
+  const double error = std::max(0.0, deviation(trial, best) - best.found.rounding);
   judgement.worst = std::max(judgement.worst, error / trial.accuracy);
   if (error <= tolerated * trial.accuracy) return;
   const bool is_number = error < infinity;  // nothing explains what is not
@@ -52,7 +52,7 @@ void take_deviation(const Trial& trial, const Trial& best, const Measure& measur
 }
 
 void take_balance(const Trial& trial, Judgement& judgement) {
-  const double imbalance = trial.found.imbalance;
+  const double imbalance = trial.found.imbalance - trial.found.rounding;
   if (imbalance <= tolerated * trial.accuracy) return;
   judgement.findings.push_back(
       fmt::format("{}: a balance does not close: {:.3g} of the energy", trial.name, imbalance));

@@ -134,7 +134,10 @@ Found run(const Scene& scene, const Method& method) {
   } catch (const std::exception& problem) {
     found = {.message = std::string("exception: ") + problem.what()};
   }
-  for (double& value : found.value) value /= speed;
+  for (double& value : found.value) {
+    value /= speed;
+    found.rounding = std::max(found.rounding, 8 * epsilon * std::abs(value));
+  }
   found.seconds = work_precision::cpu_seconds() - start;
   return found;
 }

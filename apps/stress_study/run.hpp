@@ -29,6 +29,7 @@ struct Found {
       {};  ///< velocities, or what else errors are promised of, over the reference speed
   std::vector<Index> periods = {};  ///< per contact
   double imbalance = 0;             ///< worst of the ledgers, relative to the energy at the reference speed
+  double rounding = 0;              ///< of velocities in the frame of the scene, over the reference speed
   bool refused = false;             ///< by name, before it began
   Index work = 0;                   ///< evaluations of the right-hand side, or of its series
   double seconds = 0;               ///< CPU time

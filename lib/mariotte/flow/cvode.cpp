@@ -23,6 +23,9 @@ double local_tolerance(CvodeMethod method, double accuracy) {
   return std::max(factor * accuracy, 4 * epsilon);
 }
 
+/// Accuracy beyond which creeping contacts are not resolved: CVODE's errors begin there.
+constexpr double finest = 1e-12;
+
 /// A phase that needs more steps than this is not going anywhere; nor is one whose clock stands still so
 /// often.
 constexpr Index step_limit = 10'000'000;
@@ -127,7 +130,7 @@ struct Cvode::Memory {
 
   void restart(Problem& next, State x, const Request& request) {
     problem = &next;
-    tolerance = local_tolerance(method, request.accuracy);
+    tolerance = local_tolerance(method, resolving_accuracy(next, request.accuracy, finest));
     complaint.clear();
     std::copy(x.begin(), x.end(), writable(state.get()).begin());
     check(CVodeReInit(cvode.get(), 0, state.get()), "a restart");

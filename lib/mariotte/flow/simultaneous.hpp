@@ -1,5 +1,6 @@
 // A set of guards that cross at one instant is one event.
 #pragma once
+#include <algorithm>
 #include <vector>
 
 #include "mariotte/flow/problem.hpp"
@@ -17,6 +18,14 @@ class Simultaneous {
  private:
   std::vector<double> slope_, ahead_, now_, soon_;
 };
+
+/// The accuracy, or what it takes to tell the sign of the load of a contact that creeps: the load is ratio⁻²
+/// of the natural force, and rates must be known to it over the damping ratio. Not below `finest`.
+inline double resolving_accuracy(const Problem& problem, double accuracy, double finest) {
+  const double ratio = problem.damping_ratio();
+  if (!(ratio > 1) || !(ratio < infinity)) return accuracy;
+  return std::min(accuracy, std::max(finest, 1 / (ratio * ratio * ratio)));
+}
 
 /// Events closer than this fraction of accuracy × time scale cannot be told apart.
 inline double simultaneity_window(const Problem& problem, double accuracy) {

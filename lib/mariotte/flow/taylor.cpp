@@ -19,13 +19,6 @@ constexpr Index step_limit = 10'000'000;
 /// must not outrun its fastest decay.
 constexpr Index creeping = 5000;
 
-/// Load of a contact that creeps, in units of its natural force and speed: to tell its sign rates must be
-/// known to it over the damping ratio.
-double creeping_load(const Problem& problem) {
-  const double ratio = problem.damping_ratio();
-  return ratio > 1 ? 1 / (ratio * ratio * ratio) : infinity;
-}
-
 bool is_finite(const Window& w) {
   return std::all_of(w.velocity, w.velocity + w.lanes.count + 1, [](double v) { return std::isfinite(v); });
 }
@@ -92,7 +85,7 @@ Arrival Taylor::follow(Problem& problem, State x, const Request& request, std::v
   auto& m = *memory_;
   auto& stepper = m.stepper;
   const auto& w = stepper.window;
-  const auto precision = taylor::precision(std::min(request.accuracy, creeping_load(problem)));
+  const auto precision = taylor::precision(resolving_accuracy(problem, request.accuracy, 0));
   Arrival arrival{.outcome = Outcome::guard, .message = {}};
   const auto stop = [&](Outcome outcome, std::string message = {}) {
     write(w, x);

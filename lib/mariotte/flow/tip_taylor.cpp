@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mariotte/flow/polynomial.hpp"
+#include "mariotte/flow/simultaneous.hpp"
 #include "mariotte/flow/tip_motion.hpp"
 
 namespace mariotte::flow {
@@ -147,7 +148,8 @@ struct TipTaylor::Memory {
   Arrival follow(Series& series, Problem& problem, State x, const Request& request,
                  std::vector<Index>& fired) {
     TipPhase phase = *problem.tip();
-    const int order = order_for(request.accuracy);
+    const double accuracy = resolving_accuracy(problem, request.accuracy, 64 * epsilon);
+    const int order = order_for(accuracy);
     SeriesStep<Series> step(series, phase, order);
     Index stalled = 0;
     Index count = 1;
@@ -158,10 +160,10 @@ struct TipTaylor::Memory {
       if (creeps && problem.accept(x) == Accepted::ended)
         return arrive(Outcome::guard, step.end, count, order);
       series.expand(phase, order);
-      const double reach = step_length(series, phase, request.accuracy, order);
+      const double reach = step_length(series, phase, accuracy, order);
       if (!std::isfinite(reach)) return arrive(Outcome::stiff, step.end, count, order);
-      doubt_force(phase, series, request.accuracy, count == 1);
-      End end = end_of_step(series, phase, order, reach, count == 1 ? request.accuracy : 0);
+      doubt_force(phase, series, accuracy, count == 1);
+      End end = end_of_step(series, phase, order, reach, count == 1 ? accuracy : 0);
       double duration = horner(terms(series.time, order), end.tau);
       const bool limited = step.end + duration >= request.limit;
       if (limited) {

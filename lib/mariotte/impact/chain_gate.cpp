@@ -9,7 +9,7 @@ using contact::ContactMode;
 
 namespace {
 
-/// Momenta and energies that velocity errors of 1 × reference speed could be of.
+/// Momenta and energies that velocity errors of 1 × reference speed could be of, and what gravity gives.
 struct Reach {
   double momentum = 0, energy = 0;
 };
@@ -21,7 +21,7 @@ Reach reach(const ChainOutcome& o) {
     const Index at = o.layout.velocity[i];
     const double fastest =
         o.chain.speed + std::max(std::abs(o.stretch.before[at]), std::abs(o.stretch.after[at]));
-    sum.momentum += o.chain.mass[i] * fastest;
+    sum.momentum += o.chain.mass[i] * (fastest + std::abs(o.chain.gravity[i]) * o.stretch.time);
     sum.energy += o.chain.mass[i] * fastest * fastest;
   }
   return sum;

@@ -48,7 +48,7 @@ struct ChainSolver::Memory {
       const auto& flow = run.flows[static_cast<std::size_t>(kind)];
       impact.steps += flow.steps;
       impact.rhs += flow.rhs;
-      count_steps(passage, flow::name(kind), flow.steps);
+      count_steps(passage, kind >= flow::Kind::cvode_adams, flow.steps);
     }
   }
 

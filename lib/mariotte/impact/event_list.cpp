@@ -37,11 +37,12 @@ void add_periods(std::vector<ContactHistory>& contacts, const ContactChanges& ch
   }
 }
 
-ContactChanges beyond_noise(const ContactChanges& changes) {
+ContactChanges beyond_noise(const ContactChanges& changes, const std::vector<bool>& felt) {
   ContactChanges kept;
   for (const auto& one : changes) {
     const auto same = [&](const auto& other) { return other.change.contact == one.change.contact; };
-    if (one.change.before == contact::ContactMode::touching)
+    const bool is_felt = felt[static_cast<std::size_t>(one.change.contact)];
+    if (one.change.before == contact::ContactMode::touching && !is_felt)
       kept.erase(std::find_if(kept.rbegin(), kept.rend(), same).base() - 1);
     else
       kept.push_back(one);

@@ -20,8 +20,10 @@ std::vector<Event> event_list(const ContactChanges& changes, double unit);
 /// Appends the periods of each contact.
 void add_periods(std::vector<ContactHistory>& contacts, const ContactChanges& changes, double unit);
 
-/// Without contacts that touched at rest and were let go before they left the noise: these never closed.
-ContactChanges beyond_noise(const ContactChanges& changes);
+/// Without contacts that touched at rest and were let go before they left the noise: these never closed,
+/// unless they are among those that were `felt`. A strong damper gives an impulse within the noise of
+/// indentations.
+ContactChanges beyond_noise(const ContactChanges& changes, const std::vector<bool>& felt);
 
 /// What the flows of a run made unnecessary.
 std::vector<Skipped> skipped_by_flows(const ContactRun& run);

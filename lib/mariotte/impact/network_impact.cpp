@@ -35,9 +35,18 @@ ContactHistory history(const NetworkSystem& system, contact::ContactMode mode, I
   return contact;
 }
 
+/// By contact: its impulse is more than the accuracy leaves open.
+std::vector<bool> felt(const NetworkSystem& system, const ContactRun& run, double accuracy) {
+  const auto& d = system.network();
+  std::vector<bool> list;
+  for (Index j = 0; j < d.contacts(); ++j)
+    list.push_back(std::abs(run.state[system.layout().impulse(j)]) > accuracy * d.reduced_mass[j] * d.speed);
+  return list;
+}
+
 std::vector<ContactHistory> histories(const NetworkSystem& system, const contact::ContactSet& mode,
-                                      const ContactRun& run, const std::vector<Peak>& peaks,
-                                      double accuracy) {
+                                      const ContactRun& run, const ContactChanges& changes,
+                                      const std::vector<Peak>& peaks, double accuracy) {
   const auto& scale = system.network().scale;
   std::vector<ContactHistory> contacts;
   for (Index j = 0; j < std::ssize(mode); ++j) {
@@ -45,7 +54,7 @@ std::vector<ContactHistory> histories(const NetworkSystem& system, const contact
     contacts[j].peak_force = peaks[j].force * scale.force();
     contacts[j].peak_indentation = peaks[j].indentation * scale.length;
   }
-  add_periods(contacts, beyond_noise(run.changes), scale.time);
+  add_periods(contacts, changes, scale.time);
   for (auto& contact : contacts)
     if (contact.periods.empty()) contact.impulse = 0;
   return contacts;
@@ -106,11 +115,13 @@ NetworkImpact simulate_once(const model::Network& network, const hybrid::Options
   impact.time = run.time * scale.time;
   for (Index i = 0; i < at.freedoms; ++i) impact.velocity.push_back(run.state[i] * scale.velocity);
   for (Index j = 0; j < at.contacts; ++j) impact.gap.push_back(run.state[at.gap(j)] * scale.length);
-  impact.contacts = histories(system, workspace.mode, run, observers.peaks.peaks(), options.accuracy);
+  const auto changes = beyond_noise(run.changes, felt(system, run, options.accuracy));
+  impact.contacts =
+      histories(system, workspace.mode, run, changes, observers.peaks.peaks(), options.accuracy);
   const auto p = impulses_of(impact);
   impact.icr = correlation_ratios(p);
   impact.impulse_direction = direction(p);
-  impact.events = event_list(beyond_noise(run.changes), scale.time);
+  impact.events = event_list(changes, scale.time);
   const auto before = configuration_of(network);
   impact.energy = energy_ledger(network, before, impact);
   impact.momentum_residual = momentum_residual(before, impact);

@@ -13,7 +13,6 @@
 #include <cmath>
 #include <optional>
 #include <span>
-#include <string_view>
 #include <utility>
 
 #include "mariotte/core/types.hpp"
@@ -29,8 +28,8 @@ struct Passage {
 };
 
 /// Adds the steps of a flow.
-inline void count_steps(Passage& passage, std::string_view flow, Index steps) {
-  passage.steps += flow.starts_with("cvode") ? steps / 30 : steps;
+inline void count_steps(Passage& passage, bool by_cvode, Index steps) {
+  passage.steps += by_cvode ? steps / 30 : steps;
 }
 
 /// True if errors may have grown: contacts have closed more than twice each on average, so that what one does
@@ -81,7 +80,7 @@ template <class Impact, class Again, class Velocities>
 void keep_promise(double wanted, double speed, Impact& impact, Again&& again, Velocities&& velocities) {
   Passage passage{.contacts = std::ssize(impact.contacts)};
   for (const auto& contact : impact.contacts) passage.periods += std::ssize(contact.periods);
-  for (const auto& flow : impact.flows) count_steps(passage, flow.name, flow.steps);
+  for (const auto& flow : impact.flows) count_steps(passage, flow.name.starts_with("cvode"), flow.steps);
   if (!may_have_erred(passage)) return;
   const auto estimate = keep_promise(wanted, [&](double accuracy) -> std::optional<double> {
     auto tighter = again(accuracy);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mariotte/flow/simultaneous.hpp"
+
 namespace mariotte::model {
 
 using flow::Crossing;
@@ -145,8 +147,9 @@ double MicrobodyPhase::signed_pressure(const TipMotion& tip, Index i) const {
 
 double MicrobodyPhase::pressure_error(const TipMotion& tip, Index i) const {
   const auto& law = body_.law[static_cast<std::size_t>(i)];
-  return accuracy_ * (law.adhesion > 0 ? contact::pressure_size(law, tip.indentation, body_.speed)
-                                       : 1 + law.damping_hertz * body_.speed);
+  return flow::resolving_accuracy(*this, accuracy_, 64 * epsilon) *
+         (law.adhesion > 0 ? contact::pressure_size(law, tip.indentation, body_.speed)
+                           : 1 + law.damping_hertz * body_.speed);
 }
 
 bool MicrobodyPhase::has_settled(ConstState x) const {

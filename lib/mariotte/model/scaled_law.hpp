@@ -24,6 +24,7 @@ double slow_share(double accuracy);
 template <class Scaled>
 double damping_ratio(const Scaled& scaled, std::size_t j) {
   const auto& law = scaled.law[j];
+  if (contact::damping(law) == 0) return 0;
   const double width = std::pow(scaled.length[j], contact::exponent(law) - 1);
   return contact::damping(law) * width * scaled.time[j] / scaled.reduced_mass[j];
 }
