@@ -9,7 +9,7 @@ namespace mariotte::impact {
 
 void pass_gate(const Configuration& before, double largest_rate, const std::vector<Index>& open,
                const std::vector<double>& unheard_depth, NetworkImpact& impact) {
-  const double share = balance_allowance * std::max(impact.requested_accuracy, 16 * epsilon);
+  const double share = balance_allowance * std::max(impact.requested_accuracy, 64 * epsilon);
   const auto& energy = impact.energy;
   const double reached =
       energy.initial + energy.final + energy.stored + std::abs(energy.work) + std::abs(energy.dissipated);

@@ -152,10 +152,19 @@ double MicrobodyPhase::pressure_error(const TipMotion& tip, Index i) const {
                            : 1 + law.damping_hertz * body_.speed);
 }
 
+/// No tip moves, nor will it within a tenth of the natural time: where a tip turns it rests for an instant
+/// only. Strong damping makes large forces of small errors of a speed.
 bool MicrobodyPhase::has_settled(ConstState x) const {
-  for (Index i = 0; i < layout_.tips; ++i)
-    if (x[layout_.place.gap[i]] < 0 && std::abs(mechanics_.tip(x, i).velocity) > tip_.creep) return false;
-  return mechanics_.lifting_energy(x) < 0;
+  const auto is_fast = [&](ConstState at, double most) {
+    for (Index i = 0; i < layout_.tips; ++i)
+      if (x[layout_.place.gap[i]] < 0 && std::abs(mechanics_.tip(at, i).velocity) > most) return true;
+    return false;
+  };
+  if (is_fast(x, tip_.creep) || !(mechanics_.lifting_energy(x) < 0)) return false;
+  std::vector<double> ahead(x.begin(), x.end()), rate(x.size());
+  derivative(x, rate);
+  for (std::size_t k = 0; k < ahead.size(); ++k) ahead[k] += 0.1 * body_.time * rate[k];
+  return !is_fast(ahead, (2 + damping_ratio()) * tip_.creep);
 }
 
 /// Height of the mass centre over the reach of its tips.
