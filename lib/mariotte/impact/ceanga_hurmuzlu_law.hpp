@@ -14,7 +14,8 @@ struct CorrelationLaw {
 /// All impulses grow together, p = r s, from s = 0, with gap rates w(s) = w⁻ + s G M⁻¹ Gᵀ r
 /// [Ceanga & Hurmuzlu 2001]. A contact takes up energy while its gap closes and gives energy back while it
 /// opens. e_j² of what contact j takes up can be given back, at any contact, because the ratios tie the
-/// contacts together. The impact ends when nothing is left:
+/// contacts together. This is a reconstruction from how later papers describe the law [Acary 2003]. The
+/// impact ends when nothing is left:
 ///
 ///   Σ_j r_j ∫₀ˢ (e_j² max(0, −w_j) − max(0, w_j)) ds = 0,  at the first s > 0 at which this sum falls to 0
 ///
