@@ -52,6 +52,22 @@ BOOST_AUTO_TEST_CASE(a_run_that_fails_leaves_the_one_before) {
   BOOST_TEST(!impact::keep_promise(1e-8, [](double) { return std::optional<double>(); }));
 }
 
+BOOST_AUTO_TEST_CASE(what_is_not_a_number_never_agrees) {
+  const std::vector<double> right = {1, 2}, wrong = {std::numeric_limits<double>::quiet_NaN(), 2};
+  BOOST_TEST(impact::difference(right, wrong, 1) == infinity);
+  BOOST_TEST(impact::difference(wrong, right, 0) == infinity);
+  BOOST_TEST(impact::difference(right, {{1, 2.5}}, 2) == 0.25);
+}
+
+BOOST_AUTO_TEST_CASE(a_run_that_balances_is_not_replaced_by_one_that_does_not) {
+  using hybrid::Ending;
+  BOOST_TEST(impact::may_replace(Ending::separated, Ending::separated));
+  BOOST_TEST(impact::may_replace(Ending::unsure, Ending::separated));
+  BOOST_TEST(impact::may_replace(Ending::unsure, Ending::unsure));
+  BOOST_TEST(!impact::may_replace(Ending::separated, Ending::unsure));
+  BOOST_TEST(!impact::may_replace(Ending::separated, Ending::failed));
+}
+
 BOOST_AUTO_TEST_CASE(a_single_wave_is_run_once) {
   model::Chain chain{.mass = std::vector<double>(21, 1.0),
                      .law = std::vector<contact::Law>(20, contact::Hertz{1}),

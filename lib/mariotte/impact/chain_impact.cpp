@@ -197,7 +197,8 @@ double estimate_accuracy(const model::Chain& chain, const hybrid::Options& optio
   tighter.flow = another_flow(chain, options);
   tighter.accuracy = std::max(tighter.accuracy, cvode_floor);
   const auto& other = solver.solve(chain, tighter);
-  if (other.ending != result.ending) return from_tighter;
+  using hybrid::Ending;
+  if (other.ending == Ending::failed || other.ending == Ending::event_limit) return from_tighter;
   const double from_other = difference(result.velocity, other.velocity, speed);
   return from_other > 10 * cvode_floor ? std::max(from_tighter, from_other) : from_tighter;
 }

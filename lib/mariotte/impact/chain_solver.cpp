@@ -89,7 +89,7 @@ struct ChainSolver::Memory {
           looser = impact;
           options.accuracy = accuracy;
           solve(chain, options);
-          if (impact.ending != hybrid::Ending::failed)
+          if (may_replace(looser.ending, impact.ending))
             return difference(impact.velocity, looser.velocity, speed);
           std::swap(impact, looser);
           return std::nullopt;

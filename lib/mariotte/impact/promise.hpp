@@ -41,8 +41,8 @@ inline bool may_have_erred(const Passage& passage) {
          passage.periods <= most;
 }
 
-/// Accuracy of the next run, if the runs at twice looser accuracies differ by `difference`; empty if double
-/// precision has no more to give.
+/// Accuracy of the next run after one at `now`, which differs from the one before by `difference`; empty if
+/// double precision has no more to give.
 inline std::optional<double> next_accuracy(double wanted, double now, std::optional<double> difference) {
   constexpr double share = 1.0 / 32, floor = 16 * epsilon;
   const double excess = difference ? std::clamp(wanted / *difference, 1e-6, 1.0) : 1;
@@ -50,16 +50,26 @@ inline std::optional<double> next_accuracy(double wanted, double now, std::optio
   return next <= 0.5 * now ? std::optional(next) : std::nullopt;
 }
 
-/// Largest difference of velocities, relative to `speed` unless that is 0.
+/// Largest difference of velocities, relative to `speed` unless that is 0; infinite if one is not a number.
 inline double difference(std::span<const double> a, std::span<const double> b, double speed) {
   double most = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, std::abs(a[i] - b[i]));
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double apart = std::abs(a[i] - b[i]);
+    most = apart <= most ? most : apart;
+    if (std::isnan(most)) return infinity;
+  }
   return speed > 0 ? most / speed : most;
 }
 
+/// A tighter run takes the place of a looser one unless it failed, or balances worse.
+inline bool may_replace(hybrid::Ending looser, hybrid::Ending tighter) {
+  using hybrid::Ending;
+  return tighter != Ending::failed && (tighter != Ending::unsure || looser == Ending::unsure);
+}
+
 /// Run tighter until two runs agree within `wanted`: `run(accuracy)` runs and returns by how much its
-/// velocities differ from those of the run before, or nothing if it failed. Returns the last difference;
-/// empty if no tighter run succeeded.
+/// velocities differ from those of the run before, or nothing if it may not replace it. Returns the last
+/// difference; empty if no tighter run succeeded.
 template <class Run>
 std::optional<double> keep_promise(double wanted, Run&& run) {
   std::optional<double> last;
@@ -75,7 +85,7 @@ std::optional<double> keep_promise(double wanted, Run&& run) {
 }
 
 /// The same for whole results: `again(accuracy)` makes a tighter one, which takes the place of `impact`
-/// unless it failed; `velocities(impact)` are compared, relative to `speed`.
+/// if it may; `velocities(impact)` are compared, relative to `speed`.
 template <class Impact, class Again, class Velocities>
 void keep_promise(double wanted, double speed, Impact& impact, Again&& again, Velocities&& velocities) {
   Passage passage{.contacts = std::ssize(impact.contacts)};
@@ -84,7 +94,7 @@ void keep_promise(double wanted, double speed, Impact& impact, Again&& again, Ve
   if (!may_have_erred(passage)) return;
   const auto estimate = keep_promise(wanted, [&](double accuracy) -> std::optional<double> {
     auto tighter = again(accuracy);
-    if (tighter.ending == hybrid::Ending::failed) return std::nullopt;
+    if (!may_replace(impact.ending, tighter.ending)) return std::nullopt;
     const double apart = difference(velocities(impact), velocities(tighter), speed);
     impact = std::move(tighter);
     return apart;
