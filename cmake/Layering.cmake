@@ -21,16 +21,16 @@ macro(confine header place)
   list(APPEND confined_places "${place}")
 endmacro()
 set(rivals "apps/(work_precision|scaling_study)/")  # what users write without this library, to compare with
-set(sundials_border "flow/((cvode|linear_solver)[^/]*\\.cpp|(sundials|linear_solver)[^/]*\\.hpp)")
+set(sundials_border "flow/cvode/([^/]*\\.cpp|(sundials|linear_solver)[^/]*\\.hpp)")
 confine("(cvodes?|arkode|ida|kinsol|nvector|sun[a-z]*)/"    "(${sundials_border}|${rivals})")  # SUNDIALS
 confine("(suitesparse/|klu|btf|amd|colamd|SuiteSparse)"     "${sundials_border}")  # SuiteSparse
-confine("mariotte/flow/(sundials|linear_solver)"            "${sundials_border}")  # private: not installed
+confine("mariotte/flow/cvode/(sundials|linear_solver)"      "${sundials_border}")  # private: not installed
 confine("(unsupported/)?Eigen/"                             "(flow|model|impact|study)/.*\\.cpp")
 confine("toml"                                              "scene/")
 confine("(nlohmann|fmt)/"                                   "(scene|study|report|apps)/")
 confine("mpi\\.h"                                            "apps/mariotte/ranks\\.cpp")
 confine("CLI/"                                              "apps/")
-confine("boost/"                                            "(study/uncertainty\\.cpp|tests/|${rivals})")
+confine("boost/"                                            "(study/fit/uncertainty\\.cpp|tests/|${rivals})")
 
 # Why `file` of `module` may not include `header`, or nothing.
 function(objection module file header quoted result)

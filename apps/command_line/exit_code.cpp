@@ -4,9 +4,9 @@
 #include <system_error>
 
 #include "command_line/terminal.hpp"
-#include "mariotte/report/files.hpp"
+#include "mariotte/report/page/files.hpp"
 #include "mariotte/scene/scene.hpp"
-#include "mariotte/study/journal.hpp"
+#include "mariotte/study/journal/journal.hpp"
 
 namespace mariotte::command {
 namespace {

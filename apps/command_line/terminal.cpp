@@ -5,7 +5,7 @@
 #include <cstring>
 #include <utility>
 
-#include "mariotte/report/files.hpp"
+#include "mariotte/report/page/files.hpp"
 
 namespace mariotte::command {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "mariotte/impact/chain_solver.hpp"
+#include "mariotte/impact/chain/chain_solver.hpp"
 
 namespace mariotte::icr_table {
 namespace {

@@ -2,8 +2,8 @@
 #pragma once
 #include <string>
 
-#include "mariotte/impact/icr_table.hpp"
-#include "mariotte/model/chain.hpp"
+#include "mariotte/impact/laws/icr_table.hpp"
+#include "mariotte/model/chain/chain.hpp"
 
 namespace mariotte::icr_table {
 

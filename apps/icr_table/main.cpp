@@ -10,7 +10,7 @@
 #include "command_line/program.hpp"
 #include "command_line/terminal.hpp"
 #include "family.hpp"
-#include "mariotte/report/files.hpp"
+#include "mariotte/report/page/files.hpp"
 
 namespace mariotte::icr_table {
 namespace {

@@ -5,8 +5,8 @@
 #include "command.hpp"
 #include "command_line/exit_code.hpp"
 #include "command_line/terminal.hpp"
-#include "mariotte/impact/capture_velocity.hpp"
-#include "mariotte/report/json.hpp"
+#include "mariotte/impact/microbody/capture_velocity.hpp"
+#include "mariotte/report/json/json.hpp"
 #include "mariotte/scene/key_path.hpp"
 #include "scene_choice.hpp"
 

@@ -5,9 +5,9 @@
 #include "command.hpp"
 #include "command_line/exit_code.hpp"
 #include "command_line/terminal.hpp"
-#include "mariotte/report/json.hpp"
-#include "mariotte/report/table.hpp"
-#include "mariotte/study/design_reader.hpp"
+#include "mariotte/report/json/json.hpp"
+#include "mariotte/report/table/table.hpp"
+#include "mariotte/study/sweep/design_reader.hpp"
 #include "scene_choice.hpp"
 
 namespace mariotte::command {

@@ -1,7 +1,7 @@
 #include "command.hpp"
 #include "command_line/exit_code.hpp"
 #include "command_line/program.hpp"
-#include "mariotte/report/provenance.hpp"
+#include "mariotte/report/page/provenance.hpp"
 
 namespace mariotte::command {
 namespace {

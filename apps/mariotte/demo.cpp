@@ -2,7 +2,7 @@
 #include "command_line/exit_code.hpp"
 #include "command_line/terminal.hpp"
 #include "demo_scene.hpp"
-#include "mariotte/report/table.hpp"
+#include "mariotte/report/table/table.hpp"
 
 namespace mariotte::command {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "mariotte/report/files.hpp"
-#include "mariotte/report/gnuplot.hpp"
+#include "mariotte/report/figure/gnuplot.hpp"
+#include "mariotte/report/page/files.hpp"
 
 namespace mariotte::command {
 namespace {

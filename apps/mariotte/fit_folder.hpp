@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "mariotte/report/fit_plot.hpp"
+#include "mariotte/report/figure/fit_plot.hpp"
 
 namespace mariotte::command {
 

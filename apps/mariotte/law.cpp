@@ -4,7 +4,7 @@
 #include "command_line/exit_code.hpp"
 #include "command_line/terminal.hpp"
 #include "law_problem.hpp"
-#include "mariotte/report/law_report.hpp"
+#include "mariotte/report/table/law_report.hpp"
 
 namespace mariotte::command {
 namespace {

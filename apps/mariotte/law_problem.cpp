@@ -5,7 +5,7 @@
 #include "command_line/exit_code.hpp"
 #include "command_line/terminal.hpp"
 #include "mariotte/core/quantity.hpp"
-#include "mariotte/impact/network_impact.hpp"
+#include "mariotte/impact/network/network_impact.hpp"
 #include "mariotte/report/reason.hpp"
 #include "mariotte/scene/text_file.hpp"
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "mariotte/hybrid/ending.hpp"
-#include "mariotte/impact/icr_table.hpp"
-#include "mariotte/report/law_report.hpp"
+#include "mariotte/impact/laws/icr_table.hpp"
+#include "mariotte/report/table/law_report.hpp"
 #include "scene_choice.hpp"
 
 namespace mariotte::command {

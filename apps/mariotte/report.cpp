@@ -3,7 +3,7 @@
 #include "command.hpp"
 #include "command_line/exit_code.hpp"
 #include "command_line/terminal.hpp"
-#include "mariotte/report/files.hpp"
+#include "mariotte/report/page/files.hpp"
 #include "report_page.hpp"
 
 namespace mariotte::command {

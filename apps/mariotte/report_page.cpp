@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <fstream>
 
-#include "mariotte/report/files.hpp"
-#include "mariotte/report/html.hpp"
-#include "mariotte/report/sweep_json.hpp"
+#include "mariotte/report/json/sweep_json.hpp"
+#include "mariotte/report/page/files.hpp"
+#include "mariotte/report/page/html.hpp"
 #include "mariotte/scene/text_file.hpp"
 
 namespace mariotte::command {

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <map>
 
-#include "mariotte/report/csv.hpp"
-#include "mariotte/report/energy_plot.hpp"
-#include "mariotte/report/files.hpp"
-#include "mariotte/report/gnuplot.hpp"
-#include "mariotte/report/plot.hpp"
+#include "mariotte/report/csv/csv.hpp"
+#include "mariotte/report/figure/energy_plot.hpp"
+#include "mariotte/report/figure/gnuplot.hpp"
+#include "mariotte/report/figure/plot.hpp"
+#include "mariotte/report/page/files.hpp"
 #include "report_page.hpp"
 
 namespace mariotte::command {

@@ -3,10 +3,10 @@
 #include <filesystem>
 #include <string>
 
-#include "mariotte/impact/chain_impact.hpp"
-#include "mariotte/impact/microbody_impact.hpp"
-#include "mariotte/report/json.hpp"
-#include "mariotte/report/spacetime.hpp"
+#include "mariotte/impact/chain/chain_impact.hpp"
+#include "mariotte/impact/microbody/microbody_impact.hpp"
+#include "mariotte/report/figure/spacetime.hpp"
+#include "mariotte/report/json/json.hpp"
 #include "mariotte/scene/scene.hpp"
 
 namespace mariotte::command {

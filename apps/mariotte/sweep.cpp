@@ -1,4 +1,4 @@
-#include "mariotte/study/sweep.hpp"
+#include "mariotte/study/sweep/sweep.hpp"
 
 #include <fmt/format.h>
 
@@ -11,13 +11,13 @@
 #include "command_line/terminal.hpp"
 #include "cores.hpp"
 #include "interruption.hpp"
-#include "mariotte/report/json.hpp"
-#include "mariotte/report/provenance.hpp"
-#include "mariotte/report/sweep_csv.hpp"
-#include "mariotte/report/sweep_json.hpp"
-#include "mariotte/report/sweep_rows.hpp"
+#include "mariotte/report/csv/sweep_csv.hpp"
+#include "mariotte/report/csv/sweep_rows.hpp"
+#include "mariotte/report/json/json.hpp"
+#include "mariotte/report/json/sweep_json.hpp"
+#include "mariotte/report/page/provenance.hpp"
 #include "mariotte/scene/sha256.hpp"
-#include "mariotte/study/sweep_reader.hpp"
+#include "mariotte/study/sweep/sweep_reader.hpp"
 #include "progress_line.hpp"
 #include "ranks.hpp"
 #include "scene_choice.hpp"

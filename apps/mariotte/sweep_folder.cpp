@@ -4,12 +4,12 @@
 
 #include <memory>
 
-#include "mariotte/report/files.hpp"
-#include "mariotte/report/gnuplot.hpp"
-#include "mariotte/report/sweep_csv.hpp"
+#include "mariotte/report/csv/sweep_csv.hpp"
+#include "mariotte/report/figure/gnuplot.hpp"
+#include "mariotte/report/figure/sweep_plot.hpp"
+#include "mariotte/report/json/sweep_json.hpp"
+#include "mariotte/report/page/files.hpp"
 #include "mariotte/report/sweep_file.hpp"
-#include "mariotte/report/sweep_json.hpp"
-#include "mariotte/report/sweep_plot.hpp"
 #include "report_page.hpp"
 
 namespace mariotte::command {

@@ -3,9 +3,9 @@
 #include <filesystem>
 #include <string>
 
-#include "mariotte/report/json.hpp"
-#include "mariotte/study/journal.hpp"
-#include "mariotte/study/sweep_reader.hpp"
+#include "mariotte/report/json/json.hpp"
+#include "mariotte/study/journal/journal.hpp"
+#include "mariotte/study/sweep/sweep_reader.hpp"
 
 namespace mariotte::command {
 

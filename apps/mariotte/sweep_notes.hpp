@@ -3,9 +3,9 @@
 #include <chrono>
 #include <filesystem>
 
-#include "mariotte/study/journal.hpp"
-#include "mariotte/study/sweep.hpp"
-#include "mariotte/study/sweep_reader.hpp"
+#include "mariotte/study/journal/journal.hpp"
+#include "mariotte/study/sweep/sweep.hpp"
+#include "mariotte/study/sweep/sweep_reader.hpp"
 
 namespace mariotte::command {
 

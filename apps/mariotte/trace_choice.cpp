@@ -7,7 +7,7 @@
 
 #include "command_line/exit_code.hpp"
 #include "mariotte/core/quantity.hpp"
-#include "mariotte/report/files.hpp"
+#include "mariotte/report/page/files.hpp"
 
 namespace mariotte::command {
 namespace {

@@ -3,7 +3,7 @@
 #include "command.hpp"
 #include "command_line/exit_code.hpp"
 #include "command_line/terminal.hpp"
-#include "mariotte/report/provenance.hpp"
+#include "mariotte/report/page/provenance.hpp"
 
 namespace mariotte::command {
 

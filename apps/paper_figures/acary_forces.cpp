@@ -5,8 +5,8 @@
 
 #include "acary.hpp"
 #include "chain_reference.hpp"
-#include "mariotte/impact/chain_impact.hpp"
-#include "mariotte/report/phases.hpp"
+#include "mariotte/impact/chain/chain_impact.hpp"
+#include "mariotte/report/table/phases.hpp"
 
 namespace mariotte::paper_figures {
 namespace {

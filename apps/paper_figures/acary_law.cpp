@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "acary.hpp"
-#include "mariotte/impact/multiple_impact_law.hpp"
+#include "mariotte/impact/laws/multiple_impact_law.hpp"
 #include "triplet.hpp"
 
 namespace mariotte::paper_figures {

@@ -6,7 +6,7 @@
 
 #include "acary.hpp"
 #include "chain_reference.hpp"
-#include "mariotte/impact/chain_impact.hpp"
+#include "mariotte/impact/chain/chain_impact.hpp"
 
 namespace mariotte::paper_figures {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "body_reference.hpp"
 #include "cheng.hpp"
-#include "mariotte/impact/capture_velocity.hpp"
+#include "mariotte/impact/microbody/capture_velocity.hpp"
 #include "strike.hpp"
 
 namespace mariotte::paper_figures {

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mariotte/report/columns.hpp"
-#include "mariotte/report/files.hpp"
-#include "mariotte/report/gnuplot.hpp"
+#include "mariotte/report/csv/columns.hpp"
+#include "mariotte/report/figure/gnuplot.hpp"
 #include "mariotte/report/number.hpp"
+#include "mariotte/report/page/files.hpp"
 #include "picture.hpp"
 
 namespace mariotte::paper_figures {

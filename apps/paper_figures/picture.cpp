@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "mariotte/report/gnuplot.hpp"
+#include "mariotte/report/figure/gnuplot.hpp"
 
 namespace mariotte::paper_figures {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 #include <string>
 
-#include "mariotte/impact/microbody_impact.hpp"
+#include "mariotte/impact/microbody/microbody_impact.hpp"
 
 namespace mariotte::paper_figures {
 

@@ -2,7 +2,7 @@
 #pragma once
 #include <string_view>
 
-#include "mariotte/model/chain.hpp"
+#include "mariotte/model/chain/chain.hpp"
 
 namespace mariotte::paper_figures {
 

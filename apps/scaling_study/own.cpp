@@ -1,5 +1,5 @@
 #include "mariotte/core/error.hpp"
-#include "mariotte/impact/chain_solver.hpp"
+#include "mariotte/impact/chain/chain_solver.hpp"
 #include "method.hpp"
 #include "row.hpp"
 #include "work_precision/timing.hpp"

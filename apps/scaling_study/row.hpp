@@ -3,7 +3,7 @@
 #pragma once
 #include <vector>
 
-#include "mariotte/model/chain.hpp"
+#include "mariotte/model/chain/chain.hpp"
 
 namespace mariotte::scaling_study {
 

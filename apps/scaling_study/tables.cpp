@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "mariotte/report/columns.hpp"
+#include "mariotte/report/csv/columns.hpp"
 #include "mariotte/report/number.hpp"
 #include "study.hpp"
 

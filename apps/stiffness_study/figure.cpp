@@ -6,8 +6,8 @@
 #include <cctype>
 #include <limits>
 
-#include "mariotte/report/files.hpp"
-#include "mariotte/report/gnuplot.hpp"
+#include "mariotte/report/figure/gnuplot.hpp"
+#include "mariotte/report/page/files.hpp"
 #include "statement.hpp"
 
 namespace mariotte::stiffness_study {

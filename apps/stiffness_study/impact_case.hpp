@@ -2,8 +2,8 @@
 #pragma once
 #include <string>
 
-#include "mariotte/model/chain.hpp"
-#include "mariotte/model/network.hpp"
+#include "mariotte/model/chain/chain.hpp"
+#include "mariotte/model/network/network.hpp"
 
 namespace mariotte::stiffness_study {
 

@@ -8,7 +8,7 @@
 #include "command_line/exit_code.hpp"
 #include "command_line/program.hpp"
 #include "command_line/terminal.hpp"
-#include "mariotte/report/files.hpp"
+#include "mariotte/report/page/files.hpp"
 #include "output.hpp"
 
 namespace mariotte::stiffness_study {

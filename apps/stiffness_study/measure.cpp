@@ -6,10 +6,10 @@
 #include <exception>
 
 #include "mariotte/flow/choose.hpp"
-#include "mariotte/impact/chain_impact.hpp"
-#include "mariotte/impact/chain_solver.hpp"
+#include "mariotte/impact/chain/chain_impact.hpp"
+#include "mariotte/impact/chain/chain_solver.hpp"
 #include "mariotte/impact/impulses.hpp"
-#include "mariotte/impact/network_impact.hpp"
+#include "mariotte/impact/network/network_impact.hpp"
 
 namespace mariotte::stiffness_study {
 namespace {

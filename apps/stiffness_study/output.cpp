@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "mariotte/report/columns.hpp"
+#include "mariotte/report/csv/columns.hpp"
 #include "mariotte/report/number.hpp"
 
 namespace mariotte::stiffness_study {

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "guard.hpp"
-#include "mariotte/impact/linear_triplet.hpp"
+#include "mariotte/impact/laws/linear_triplet.hpp"
 #include "stored_numbers.hpp"
 
 namespace mariotte::stiffness_study {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <random>
 
-#include "mariotte/impact/chain_solver.hpp"
+#include "mariotte/impact/chain/chain_solver.hpp"
 #include "mariotte/impact/impulses.hpp"
-#include "mariotte/impact/multiple_impact_law.hpp"
+#include "mariotte/impact/laws/multiple_impact_law.hpp"
 #include "study.hpp"
 
 namespace mariotte::stiffness_study {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <initializer_list>
 
-#include "mariotte/study/random.hpp"
+#include "mariotte/study/sweep/random.hpp"
 
 namespace mariotte::stress_study {
 

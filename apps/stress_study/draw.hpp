@@ -1,7 +1,7 @@
 // Parts of random scenes: masses, laws, gaps, units.
 #pragma once
 #include "dice.hpp"
-#include "mariotte/model/chain.hpp"
+#include "mariotte/model/chain/chain.hpp"
 
 namespace mariotte::stress_study {
 

@@ -6,10 +6,10 @@
 #include <cmath>
 
 #include "mariotte/core/error.hpp"
-#include "mariotte/impact/chain_solver.hpp"
-#include "mariotte/impact/microbody_impact.hpp"
-#include "mariotte/impact/microbody_solver.hpp"
-#include "mariotte/impact/network_impact.hpp"
+#include "mariotte/impact/chain/chain_solver.hpp"
+#include "mariotte/impact/microbody/microbody_impact.hpp"
+#include "mariotte/impact/microbody/microbody_solver.hpp"
+#include "mariotte/impact/network/network_impact.hpp"
 #include "work_precision/timing.hpp"
 
 namespace mariotte::stress_study {

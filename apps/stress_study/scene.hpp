@@ -4,9 +4,9 @@
 #include <variant>
 
 #include "mariotte/core/types.hpp"
-#include "mariotte/model/chain.hpp"
-#include "mariotte/model/microbody.hpp"
-#include "mariotte/model/network.hpp"
+#include "mariotte/model/chain/chain.hpp"
+#include "mariotte/model/microbody/microbody.hpp"
+#include "mariotte/model/network/network.hpp"
 
 namespace mariotte::stress_study {
 

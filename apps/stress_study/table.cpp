@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "mariotte/report/columns.hpp"
+#include "mariotte/report/csv/columns.hpp"
 
 namespace mariotte::stress_study {
 namespace {

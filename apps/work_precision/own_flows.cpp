@@ -4,10 +4,10 @@
 
 #include "mariotte/core/error.hpp"
 #include "mariotte/flow/choose.hpp"
-#include "mariotte/impact/chain_impact.hpp"
-#include "mariotte/impact/chain_solver.hpp"
-#include "mariotte/impact/microbody_impact.hpp"
-#include "mariotte/impact/microbody_solver.hpp"
+#include "mariotte/impact/chain/chain_impact.hpp"
+#include "mariotte/impact/chain/chain_solver.hpp"
+#include "mariotte/impact/microbody/microbody_impact.hpp"
+#include "mariotte/impact/microbody/microbody_solver.hpp"
 #include "method.hpp"
 
 namespace mariotte::work_precision {

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "mariotte/report/files.hpp"
-#include "mariotte/report/gnuplot.hpp"
+#include "mariotte/report/figure/gnuplot.hpp"
+#include "mariotte/report/page/files.hpp"
 
 namespace mariotte::work_precision {
 namespace {

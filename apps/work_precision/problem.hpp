@@ -18,8 +18,8 @@
 #include <string>
 #include <vector>
 
-#include "mariotte/model/chain.hpp"
-#include "mariotte/model/dimensionless_microbody.hpp"
+#include "mariotte/model/chain/chain.hpp"
+#include "mariotte/model/microbody/dimensionless_microbody.hpp"
 
 namespace mariotte::work_precision {
 

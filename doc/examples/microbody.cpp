@@ -3,8 +3,8 @@
 #include <cstdio>
 #include <numbers>
 
-#include "mariotte/impact/capture_velocity.hpp"
-#include "mariotte/impact/microbody_impact.hpp"
+#include "mariotte/impact/microbody/capture_velocity.hpp"
+#include "mariotte/impact/microbody/microbody_impact.hpp"
 
 namespace {
 

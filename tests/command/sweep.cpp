@@ -3,7 +3,7 @@
 #include <boost/test/unit_test.hpp>
 #include <sstream>
 
-#include "mariotte/study/crc32.hpp"
+#include "mariotte/study/journal/crc32.hpp"
 #include "sweep_session.hpp"
 
 using support::content;

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <functional>
 
-#include "mariotte/impact/microbody_solver.hpp"
+#include "mariotte/impact/microbody/microbody_solver.hpp"
 #include "support/reference.hpp"
 #include "support/reference_bodies.hpp"
 

@@ -6,8 +6,8 @@
 #include <functional>
 #include <numbers>
 
-#include "mariotte/impact/microbody_impact.hpp"
-#include "mariotte/impact/microbody_solver.hpp"
+#include "mariotte/impact/microbody/microbody_impact.hpp"
+#include "mariotte/impact/microbody/microbody_solver.hpp"
 
 using namespace mariotte;
 

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <cstdio>
 
-#include "mariotte/impact/chain_impact.hpp"
-#include "mariotte/impact/chain_solver.hpp"
-#include "mariotte/impact/liu_zhao_brogliato_law.hpp"
-#include "mariotte/impact/multiple_impact_law.hpp"
-#include "mariotte/impact/rival_laws.hpp"
+#include "mariotte/impact/chain/chain_impact.hpp"
+#include "mariotte/impact/chain/chain_solver.hpp"
+#include "mariotte/impact/laws/liu_zhao_brogliato_law.hpp"
+#include "mariotte/impact/laws/multiple_impact_law.hpp"
+#include "mariotte/impact/laws/rival_laws.hpp"
 
 using namespace mariotte;
 using impact::LawOutcome;

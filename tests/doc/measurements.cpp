@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "mariotte/impact/microbody_impact.hpp"
+#include "mariotte/impact/microbody/microbody_impact.hpp"
 #include "support/noise.hpp"
 
 using namespace mariotte;

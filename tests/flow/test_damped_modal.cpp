@@ -4,7 +4,7 @@
 #include <random>
 
 #include "mariotte/hybrid/simulate.hpp"
-#include "mariotte/model/chain_system.hpp"
+#include "mariotte/model/chain/chain_system.hpp"
 #include "support/linear_chains.hpp"
 #include "support/reference.hpp"
 

@@ -4,8 +4,8 @@
 #include <new>
 #include <random>
 
-#include "mariotte/flow/modal.hpp"
-#include "mariotte/model/chain_system.hpp"
+#include "mariotte/flow/modal/modal.hpp"
+#include "mariotte/model/chain/chain_system.hpp"
 #include "support/linear_chains.hpp"
 #include "support/reference.hpp"
 

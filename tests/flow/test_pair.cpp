@@ -2,7 +2,7 @@
 #include <boost/test/unit_test.hpp>
 #include <random>
 
-#include "mariotte/flow/pair_motion.hpp"
+#include "mariotte/flow/pair/pair_motion.hpp"
 #include "support/random_chains.hpp"
 #include "support/reference.hpp"
 

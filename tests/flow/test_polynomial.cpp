@@ -4,7 +4,7 @@
 #include <random>
 #include <vector>
 
-#include "mariotte/flow/polynomial.hpp"
+#include "mariotte/flow/roots/polynomial.hpp"
 
 using namespace mariotte::flow;
 using Numbers = std::vector<double>;

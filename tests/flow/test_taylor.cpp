@@ -3,9 +3,9 @@
 #include <cmath>
 #include <random>
 
-#include "mariotte/flow/taylor_lanes.hpp"
-#include "mariotte/flow/taylor_start.hpp"
-#include "mariotte/impact/chain_impact.hpp"
+#include "mariotte/flow/taylor/taylor_lanes.hpp"
+#include "mariotte/flow/taylor/taylor_start.hpp"
+#include "mariotte/impact/chain/chain_impact.hpp"
 #include "support/reference.hpp"
 
 using namespace mariotte;

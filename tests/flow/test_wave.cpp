@@ -2,7 +2,7 @@
 #include <boost/test/unit_test.hpp>
 #include <random>
 
-#include "mariotte/flow/enclosure.hpp"
+#include "mariotte/flow/roots/enclosure.hpp"
 
 using namespace mariotte;
 using flow::Mode;

@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <string>
 
-#include "mariotte/study/design_reader.hpp"
-#include "mariotte/study/measurements.hpp"
+#include "mariotte/study/fit/measurements.hpp"
+#include "mariotte/study/sweep/design_reader.hpp"
 
 namespace {
 

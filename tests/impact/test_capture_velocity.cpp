@@ -2,7 +2,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "mariotte/core/error.hpp"
-#include "mariotte/impact/capture_velocity.hpp"
+#include "mariotte/impact/microbody/capture_velocity.hpp"
 #include "support/reference_bodies.hpp"
 
 using namespace mariotte;

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <new>
 
-#include "mariotte/impact/chain_solver.hpp"
+#include "mariotte/impact/chain/chain_solver.hpp"
 #include "support/reference.hpp"
 
 using namespace mariotte;

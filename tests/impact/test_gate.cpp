@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "mariotte/hybrid/simulate.hpp"
-#include "mariotte/impact/chain_gate.hpp"
+#include "mariotte/impact/chain/chain_gate.hpp"
 
 using namespace mariotte;
 using contact::ContactMode;

@@ -3,8 +3,8 @@
 #include <numeric>
 #include <random>
 
-#include "mariotte/impact/chain_solver.hpp"
-#include "mariotte/impact/icr_table.hpp"
+#include "mariotte/impact/chain/chain_solver.hpp"
+#include "mariotte/impact/laws/icr_table.hpp"
 #include "support/reference.hpp"
 
 using namespace mariotte;

@@ -2,8 +2,8 @@
 #include <boost/test/unit_test.hpp>
 
 #include "mariotte/core/error.hpp"
-#include "mariotte/impact/chain_solver.hpp"
-#include "mariotte/impact/linear_triplet.hpp"
+#include "mariotte/impact/chain/chain_solver.hpp"
+#include "mariotte/impact/laws/linear_triplet.hpp"
 #include "support/reference.hpp"
 
 using namespace mariotte;

@@ -4,8 +4,8 @@
 
 #include "mariotte/core/error.hpp"
 #include "mariotte/hybrid/simulate.hpp"
-#include "mariotte/impact/microbody_gate.hpp"
-#include "mariotte/impact/microbody_solver.hpp"
+#include "mariotte/impact/microbody/microbody_gate.hpp"
+#include "mariotte/impact/microbody/microbody_solver.hpp"
 #include "support/reference_bodies.hpp"
 
 using namespace mariotte;

@@ -4,9 +4,9 @@
 #include <random>
 
 #include "mariotte/core/error.hpp"
-#include "mariotte/impact/chain_solver.hpp"
+#include "mariotte/impact/chain/chain_solver.hpp"
 #include "mariotte/impact/impulses.hpp"
-#include "mariotte/impact/multiple_impact_law.hpp"
+#include "mariotte/impact/laws/multiple_impact_law.hpp"
 #include "support/random_chains.hpp"
 #include "support/random_configurations.hpp"
 #include "support/reference.hpp"

@@ -3,9 +3,9 @@
 #include <random>
 
 #include "mariotte/core/error.hpp"
-#include "mariotte/impact/multiple_impact_law.hpp"
-#include "mariotte/impact/network_impact.hpp"
-#include "mariotte/impact/network_ledger.hpp"
+#include "mariotte/impact/laws/multiple_impact_law.hpp"
+#include "mariotte/impact/network/network_impact.hpp"
+#include "mariotte/impact/network/network_ledger.hpp"
 #include "support/networks.hpp"
 #include "support/random_chains.hpp"
 #include "support/random_networks.hpp"

@@ -1,8 +1,8 @@
 #define BOOST_TEST_MODULE network modes
 #include <boost/test/unit_test.hpp>
 
-#include "mariotte/impact/network_impact.hpp"
-#include "mariotte/impact/network_ledger.hpp"
+#include "mariotte/impact/network/network_impact.hpp"
+#include "mariotte/impact/network/network_ledger.hpp"
 #include "support/networks.hpp"
 #include "support/random_networks.hpp"
 #include "support/reference.hpp"

@@ -1,7 +1,7 @@
 #define BOOST_TEST_MODULE packing of five hundred contacts
 #include <boost/test/unit_test.hpp>
 
-#include "mariotte/impact/network_impact.hpp"
+#include "mariotte/impact/network/network_impact.hpp"
 #include "support/networks.hpp"
 
 using namespace mariotte;

@@ -2,10 +2,10 @@
 #include <boost/test/unit_test.hpp>
 #include <random>
 
-#include "mariotte/impact/chain_impact.hpp"
-#include "mariotte/impact/chain_solver.hpp"
+#include "mariotte/impact/chain/chain_impact.hpp"
+#include "mariotte/impact/chain/chain_solver.hpp"
 #include "mariotte/impact/promise.hpp"
-#include "mariotte/model/dimensionless_chain.hpp"
+#include "mariotte/model/chain/dimensionless_chain.hpp"
 
 using namespace mariotte;
 

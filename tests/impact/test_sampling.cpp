@@ -3,7 +3,7 @@
 #include <numeric>
 
 #include "mariotte/core/error.hpp"
-#include "mariotte/impact/sampling.hpp"
+#include "mariotte/impact/watch/sampling.hpp"
 #include "support/island_scenes.hpp"
 #include "support/reference.hpp"
 

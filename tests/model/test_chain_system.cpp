@@ -2,7 +2,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "mariotte/hybrid/system.hpp"
-#include "mariotte/model/chain_system.hpp"
+#include "mariotte/model/chain/chain_system.hpp"
 #include "support/reference.hpp"
 
 using namespace mariotte;

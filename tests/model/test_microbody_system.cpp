@@ -2,7 +2,7 @@
 #define BOOST_TEST_MODULE model_microbody_system
 #include <boost/test/unit_test.hpp>
 
-#include "mariotte/model/microbody_system.hpp"
+#include "mariotte/model/microbody/microbody_system.hpp"
 #include "support/reference_bodies.hpp"
 
 using namespace mariotte;

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <vector>
 
-#include "mariotte/impact/chain_solver.hpp"
-#include "mariotte/impact/microbody_impact.hpp"
-#include "mariotte/impact/microbody_solver.hpp"
-#include "mariotte/impact/network_impact.hpp"
+#include "mariotte/impact/chain/chain_solver.hpp"
+#include "mariotte/impact/microbody/microbody_impact.hpp"
+#include "mariotte/impact/microbody/microbody_solver.hpp"
+#include "mariotte/impact/network/network_impact.hpp"
 #include "mariotte/model/representable.hpp"
 #include "support/reference.hpp"
 

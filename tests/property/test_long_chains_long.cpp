@@ -2,7 +2,7 @@
 #include <boost/test/unit_test.hpp>
 #include <numeric>
 
-#include "mariotte/impact/chain_solver.hpp"
+#include "mariotte/impact/chain/chain_solver.hpp"
 #include "support/long_chains.hpp"
 
 using namespace mariotte;

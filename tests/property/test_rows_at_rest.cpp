@@ -4,8 +4,8 @@
 #include <random>
 
 #include "mariotte/core/error.hpp"
-#include "mariotte/impact/chain_impact.hpp"
-#include "mariotte/impact/chain_solver.hpp"
+#include "mariotte/impact/chain/chain_impact.hpp"
+#include "mariotte/impact/chain/chain_solver.hpp"
 #include "mariotte/impact/promise.hpp"
 #include "support/naive_chain.hpp"
 

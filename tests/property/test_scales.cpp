@@ -2,8 +2,8 @@
 #include <boost/test/unit_test.hpp>
 #include <random>
 
-#include "mariotte/impact/network_impact.hpp"
-#include "mariotte/impact/sequential_law.hpp"
+#include "mariotte/impact/laws/sequential_law.hpp"
+#include "mariotte/impact/network/network_impact.hpp"
 #include "support/reference.hpp"
 
 using namespace mariotte;

@@ -1,7 +1,7 @@
 #define BOOST_TEST_MODULE report_csv
 #include <boost/test/unit_test.hpp>
 
-#include "mariotte/report/csv.hpp"
+#include "mariotte/report/csv/csv.hpp"
 #include "report/three_balls.hpp"
 
 using namespace mariotte;

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "mariotte/report/csv_cell.hpp"
+#include "mariotte/report/csv/csv_cell.hpp"
 
 using namespace mariotte;
 using Cells = std::vector<std::string>;

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 
-#include "mariotte/report/energy_plot.hpp"
+#include "mariotte/report/figure/energy_plot.hpp"
 
 using namespace mariotte;
 

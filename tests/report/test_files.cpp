@@ -4,7 +4,7 @@
 #include <boost/test/unit_test.hpp>
 #include <fstream>
 
-#include "mariotte/report/files.hpp"
+#include "mariotte/report/page/files.hpp"
 #include "support/folder.hpp"
 
 namespace report = mariotte::report;

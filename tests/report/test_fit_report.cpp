@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <sstream>
 
-#include "mariotte/report/files.hpp"
-#include "mariotte/report/fit_plot.hpp"
-#include "mariotte/report/gnuplot.hpp"
+#include "mariotte/report/figure/fit_plot.hpp"
+#include "mariotte/report/figure/gnuplot.hpp"
+#include "mariotte/report/page/files.hpp"
 #include "support/measured_bodies.hpp"
 
 using namespace mariotte;

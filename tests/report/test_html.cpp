@@ -1,8 +1,8 @@
 #define BOOST_TEST_MODULE report_html
 #include <boost/test/unit_test.hpp>
 
-#include "mariotte/report/html.hpp"
-#include "mariotte/report/html_text.hpp"
+#include "mariotte/report/page/html.hpp"
+#include "mariotte/report/page/html_text.hpp"
 
 using namespace mariotte;
 using report::Json;

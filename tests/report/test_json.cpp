@@ -1,7 +1,7 @@
 #define BOOST_TEST_MODULE report_json
 #include <boost/test/unit_test.hpp>
 
-#include "mariotte/report/json.hpp"
+#include "mariotte/report/json/json.hpp"
 #include "report/three_balls.hpp"
 
 using namespace mariotte;

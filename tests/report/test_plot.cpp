@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 
-#include "mariotte/report/plot.hpp"
+#include "mariotte/report/figure/plot.hpp"
 
 using namespace mariotte;
 

@@ -3,7 +3,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "mariotte/report/spacetime.hpp"
+#include "mariotte/report/figure/spacetime.hpp"
 
 using namespace mariotte;
 

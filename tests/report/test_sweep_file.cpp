@@ -3,7 +3,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "mariotte/report/files.hpp"
+#include "mariotte/report/page/files.hpp"
 #include "mariotte/report/sweep_file.hpp"
 #include "support/folder.hpp"
 #ifdef MARIOTTE_HDF5

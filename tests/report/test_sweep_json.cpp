@@ -2,7 +2,7 @@
 #include <boost/test/unit_test.hpp>
 #include <sstream>
 
-#include "mariotte/report/sweep_json.hpp"
+#include "mariotte/report/json/sweep_json.hpp"
 
 using namespace mariotte;
 using report::Json;

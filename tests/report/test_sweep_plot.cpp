@@ -6,10 +6,10 @@
 #include <cmath>
 #include <sstream>
 
-#include "mariotte/report/files.hpp"
-#include "mariotte/report/gnuplot.hpp"
-#include "mariotte/report/sweep_axes.hpp"
-#include "mariotte/report/sweep_plot.hpp"
+#include "mariotte/report/figure/gnuplot.hpp"
+#include "mariotte/report/figure/sweep_axes.hpp"
+#include "mariotte/report/figure/sweep_plot.hpp"
+#include "mariotte/report/page/files.hpp"
 
 using namespace mariotte;
 using study::Design;

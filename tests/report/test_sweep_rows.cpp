@@ -2,8 +2,8 @@
 #include <boost/test/unit_test.hpp>
 #include <limits>
 
-#include "mariotte/report/sweep_csv.hpp"
-#include "mariotte/report/sweep_rows.hpp"
+#include "mariotte/report/csv/sweep_csv.hpp"
+#include "mariotte/report/csv/sweep_rows.hpp"
 
 using namespace mariotte;
 

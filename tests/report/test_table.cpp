@@ -2,8 +2,8 @@
 #include <boost/test/unit_test.hpp>
 #include <sstream>
 
-#include "mariotte/report/columns.hpp"
-#include "mariotte/report/table.hpp"
+#include "mariotte/report/csv/columns.hpp"
+#include "mariotte/report/table/table.hpp"
 #include "report/three_balls.hpp"
 
 using namespace mariotte;

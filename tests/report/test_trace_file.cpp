@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 
-#include "mariotte/report/files.hpp"
+#include "mariotte/report/page/files.hpp"
 #include "mariotte/report/trace_file.hpp"
 #include "support/folder.hpp"
 #ifdef MARIOTTE_HDF5

@@ -2,7 +2,7 @@
 #pragma once
 #include <limits>
 
-#include "mariotte/impact/chain_impact.hpp"
+#include "mariotte/impact/chain/chain_impact.hpp"
 #include "mariotte/scene/scene.hpp"
 
 namespace support {

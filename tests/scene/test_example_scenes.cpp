@@ -3,7 +3,7 @@
 #include <boost/test/unit_test.hpp>
 #include <numeric>
 
-#include "mariotte/impact/chain_impact.hpp"
+#include "mariotte/impact/chain/chain_impact.hpp"
 #include "mariotte/scene/scene.hpp"
 #include "support/reference.hpp"
 

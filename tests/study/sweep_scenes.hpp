@@ -2,7 +2,7 @@
 #pragma once
 #include <string>
 
-#include "mariotte/report/json.hpp"
+#include "mariotte/report/json/json.hpp"
 
 namespace mariotte::test {
 

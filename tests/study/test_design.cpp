@@ -3,8 +3,8 @@
 #include <cmath>
 #include <set>
 
-#include "mariotte/study/design_reader.hpp"
-#include "mariotte/study/random.hpp"
+#include "mariotte/study/sweep/design_reader.hpp"
+#include "mariotte/study/sweep/random.hpp"
 #include "study/sweep_scenes.hpp"
 
 using namespace mariotte;

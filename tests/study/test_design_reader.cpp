@@ -1,7 +1,7 @@
 #define BOOST_TEST_MODULE study_design_reader
 #include <boost/test/unit_test.hpp>
 
-#include "mariotte/study/sweep_reader.hpp"
+#include "mariotte/study/sweep/sweep_reader.hpp"
 #include "study/sweep_scenes.hpp"
 
 using namespace mariotte;

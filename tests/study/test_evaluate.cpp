@@ -2,11 +2,11 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "mariotte/report/json.hpp"
+#include "mariotte/report/json/json.hpp"
 #include "mariotte/scene/scene.hpp"
-#include "mariotte/study/batch.hpp"
-#include "mariotte/study/brief_quantities.hpp"
-#include "mariotte/study/sweep_reader.hpp"
+#include "mariotte/study/sweep/batch.hpp"
+#include "mariotte/study/sweep/brief_quantities.hpp"
+#include "mariotte/study/sweep/sweep_reader.hpp"
 #include "study/sweep_scenes.hpp"
 
 using namespace mariotte;

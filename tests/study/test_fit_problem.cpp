@@ -1,7 +1,7 @@
 #define BOOST_TEST_MODULE study_fit_problem
 #include <boost/test/unit_test.hpp>
 
-#include "mariotte/study/fit_problem.hpp"
+#include "mariotte/study/fit/fit_problem.hpp"
 #include "support/measured_bodies.hpp"
 
 using namespace mariotte;

@@ -4,8 +4,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "mariotte/study/crc32.hpp"
-#include "mariotte/study/journal.hpp"
+#include "mariotte/study/journal/crc32.hpp"
+#include "mariotte/study/journal/journal.hpp"
 #include "support/folder.hpp"
 
 using namespace mariotte;

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "mariotte/core/error.hpp"
-#include "mariotte/study/least_squares.hpp"
+#include "mariotte/study/fit/least_squares.hpp"
 
 using namespace mariotte;
 using study::LeastSquares;

@@ -2,7 +2,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "mariotte/scene/scene.hpp"
-#include "mariotte/study/measurements.hpp"
+#include "mariotte/study/fit/measurements.hpp"
 
 using namespace mariotte;
 using study::parse_measurements;

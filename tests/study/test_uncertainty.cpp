@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "mariotte/study/uncertainty.hpp"
+#include "mariotte/study/fit/uncertainty.hpp"
 
 using namespace mariotte::study;
 

@@ -1,9 +1,9 @@
 #define BOOST_TEST_MODULE study_variation
 #include <boost/test/unit_test.hpp>
 
-#include "mariotte/study/numbers.hpp"
-#include "mariotte/study/sweep_reader.hpp"
-#include "mariotte/study/variation.hpp"
+#include "mariotte/study/sweep/numbers.hpp"
+#include "mariotte/study/sweep/sweep_reader.hpp"
+#include "mariotte/study/sweep/variation.hpp"
 #include "study/sweep_scenes.hpp"
 
 using namespace mariotte;

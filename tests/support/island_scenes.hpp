@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "mariotte/model/chain.hpp"
+#include "mariotte/model/chain/chain.hpp"
 
 namespace mariotte::test {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "mariotte/study/fit.hpp"
+#include "mariotte/study/fit/fit.hpp"
 #include "support/noise.hpp"
 
 namespace mariotte::test {

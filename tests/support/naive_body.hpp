@@ -3,7 +3,7 @@
 #pragma once
 #include <array>
 
-#include "mariotte/model/microbody.hpp"
+#include "mariotte/model/microbody/microbody.hpp"
 #include "support/naive_steps.hpp"
 
 namespace mariotte::test {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "mariotte/model/network.hpp"
+#include "mariotte/model/network/network.hpp"
 #include "support/naive_contacts.hpp"
 
 namespace mariotte::test {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "mariotte/model/network.hpp"
+#include "mariotte/model/network/network.hpp"
 
 namespace mariotte::test {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <numbers>
 
-#include "mariotte/study/random.hpp"
+#include "mariotte/study/sweep/random.hpp"
 
 namespace mariotte::test {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "mariotte/impact/configuration.hpp"
+#include "mariotte/impact/laws/configuration.hpp"
 
 namespace mariotte::test {
 

@@ -2,7 +2,7 @@
 #pragma once
 #include <random>
 
-#include "mariotte/model/network.hpp"
+#include "mariotte/model/network/network.hpp"
 #include "support/random_configurations.hpp"
 
 namespace mariotte::test {

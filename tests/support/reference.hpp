@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "mariotte/impact/chain_impact.hpp"
+#include "mariotte/impact/chain/chain_impact.hpp"
 
 namespace mariotte::test {
 

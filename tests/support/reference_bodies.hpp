@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "mariotte/impact/microbody_impact.hpp"
+#include "mariotte/impact/microbody/microbody_impact.hpp"
 
 namespace mariotte::test {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "mariotte/model/chain.hpp"
+#include "mariotte/model/chain/chain.hpp"
 
 namespace mariotte::test {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "mariotte/flow/flow.hpp"
-#include "mariotte/flow/simultaneous.hpp"
+#include "mariotte/flow/roots/simultaneous.hpp"
 
 namespace mariotte::flow {
 

@@ -6,12 +6,12 @@
 
 #include "mariotte/core/error.hpp"
 #include "mariotte/flow/ballistic.hpp"
-#include "mariotte/flow/cvode.hpp"
+#include "mariotte/flow/cvode/cvode.hpp"
 #include "mariotte/flow/flight.hpp"
-#include "mariotte/flow/modal.hpp"
-#include "mariotte/flow/pair.hpp"
-#include "mariotte/flow/taylor.hpp"
-#include "mariotte/flow/tip_taylor.hpp"
+#include "mariotte/flow/modal/modal.hpp"
+#include "mariotte/flow/pair/pair.hpp"
+#include "mariotte/flow/taylor/taylor.hpp"
+#include "mariotte/flow/taylor/tip_taylor.hpp"
 
 namespace mariotte::flow {
 namespace {

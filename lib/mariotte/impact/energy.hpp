@@ -1,7 +1,7 @@
 // Ledgers: energy and momentum that must balance in every run.
 #pragma once
 #include "mariotte/contact/contact_set.hpp"
-#include "mariotte/impact/chain_impact.hpp"
+#include "mariotte/impact/chain/chain_impact.hpp"
 #include "mariotte/impact/impulses.hpp"
 
 namespace mariotte::impact {

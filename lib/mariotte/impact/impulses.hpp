@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "mariotte/hybrid/trajectory.hpp"
-#include "mariotte/model/chain_system.hpp"
+#include "mariotte/model/chain/chain_system.hpp"
 
 namespace mariotte::impact {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "mariotte/model/scaled_law.hpp"
+#include "mariotte/model/contacts/scaled_law.hpp"
 
 namespace mariotte::model {
 namespace {

@@ -4,10 +4,10 @@
 #include <string_view>
 
 #include "mariotte/core/error.hpp"
-#include "mariotte/model/dimensionless_chain.hpp"
-#include "mariotte/model/dimensionless_microbody.hpp"
-#include "mariotte/model/dimensionless_network.hpp"
+#include "mariotte/model/chain/dimensionless_chain.hpp"
 #include "mariotte/model/fault.hpp"
+#include "mariotte/model/microbody/dimensionless_microbody.hpp"
+#include "mariotte/model/network/dimensionless_network.hpp"
 
 namespace mariotte::model {
 

@@ -1,5 +1,5 @@
 // What stands for report/hdf5 in a program that is built without HDF5.
-#include "mariotte/report/files.hpp"
+#include "mariotte/report/page/files.hpp"
 #include "mariotte/report/sweep_file.hpp"
 #include "mariotte/report/trace_file.hpp"
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "mariotte/study/design.hpp"
+#include "mariotte/study/sweep/design.hpp"
 
 namespace mariotte::report {
 

@@ -1,7 +1,7 @@
 #include "mariotte/report/trace_file.hpp"
 
-#include "mariotte/report/csv.hpp"
-#include "mariotte/report/files.hpp"
+#include "mariotte/report/csv/csv.hpp"
+#include "mariotte/report/page/files.hpp"
 
 namespace mariotte::report {
 namespace {

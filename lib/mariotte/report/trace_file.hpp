@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "mariotte/impact/sampling.hpp"
+#include "mariotte/impact/watch/sampling.hpp"
 
 namespace mariotte::report {
 

@@ -1,6 +1,6 @@
 // `[body]`, `[surface]` and `[incidence]`: a microbody that strikes a plane, resolved to SI.
 #pragma once
-#include "mariotte/model/microbody.hpp"
+#include "mariotte/model/microbody/microbody.hpp"
 #include "mariotte/scene/field.hpp"
 
 namespace mariotte::scene {

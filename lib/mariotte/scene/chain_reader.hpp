@@ -1,6 +1,6 @@
 // `[chain]`: a chain of balls, resolved to SI.
 #pragma once
-#include "mariotte/model/chain.hpp"
+#include "mariotte/model/chain/chain.hpp"
 #include "mariotte/scene/field.hpp"
 
 namespace mariotte::scene {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "mariotte/impact/multiple_impact_law.hpp"
+#include "mariotte/impact/laws/multiple_impact_law.hpp"
 #include "mariotte/scene/field.hpp"
 
 namespace mariotte::scene {

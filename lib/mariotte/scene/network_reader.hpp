@@ -1,6 +1,6 @@
 // `[network]`: a contact network, resolved to SI.
 #pragma once
-#include "mariotte/model/network.hpp"
+#include "mariotte/model/network/network.hpp"
 #include "mariotte/scene/field.hpp"
 
 namespace mariotte::scene {

@@ -6,9 +6,9 @@
 
 #include "mariotte/core/error.hpp"
 #include "mariotte/hybrid/options.hpp"
-#include "mariotte/model/chain.hpp"
-#include "mariotte/model/microbody.hpp"
-#include "mariotte/model/network.hpp"
+#include "mariotte/model/chain/chain.hpp"
+#include "mariotte/model/microbody/microbody.hpp"
+#include "mariotte/model/network/network.hpp"
 #include "mariotte/scene/fault.hpp"
 #include "mariotte/scene/law_reader.hpp"
 

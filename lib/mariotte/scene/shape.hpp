@@ -1,6 +1,6 @@
 // `[body]`: shape, size and mass.
 #pragma once
-#include "mariotte/model/rigid_body.hpp"
+#include "mariotte/model/microbody/rigid_body.hpp"
 #include "mariotte/scene/field.hpp"
 
 namespace mariotte::scene {

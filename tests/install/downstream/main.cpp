@@ -2,7 +2,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "mariotte/impact/chain_impact.hpp"
+#include "mariotte/impact/chain/chain_impact.hpp"
 
 int main() {
   using mariotte::contact::Hertz;

@@ -4,8 +4,8 @@
 
 #include <cstring>
 
-#include "mariotte/report/files.hpp"
 #include "mariotte/report/hdf5/file_driver.hpp"
+#include "mariotte/report/page/files.hpp"
 
 namespace mariotte::report::hdf5 {
 

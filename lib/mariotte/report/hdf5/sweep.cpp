@@ -1,7 +1,7 @@
-#include "mariotte/report/csv_cell.hpp"
-#include "mariotte/report/files.hpp"
+#include "mariotte/report/csv/csv_cell.hpp"
 #include "mariotte/report/hdf5/new_file.hpp"
 #include "mariotte/report/hdf5/rows.hpp"
+#include "mariotte/report/page/files.hpp"
 #include "mariotte/report/sweep_file.hpp"
 
 namespace mariotte::report {

@@ -1,0 +1,267 @@
+#include "mariotte/flow/cvode/cvode.hpp"
+
+#include <sundials/sundials_version.h>
+#include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+
+#include "mariotte/core/error.hpp"
+#include "mariotte/flow/cvode/linear_solver.hpp"
+#include "mariotte/flow/roots/certificate.hpp"
+#include "mariotte/flow/roots/simultaneous.hpp"
+
+namespace mariotte::flow {
+namespace {
+
+/// Local tolerance for a wanted global error. Measured on the reference chains (tests/flow, convergence):
+/// Adams turns a local tolerance into an error 10 to 300 times as large, BDF 100 to 1000 times.
+double local_tolerance(CvodeMethod method, double accuracy) {
+  const double factor = method == CvodeMethod::adams ? 3e-4 : 1e-4;
+  return std::max(factor * accuracy, 4 * epsilon);
+}
+
+/// Accuracy beyond which creeping contacts are not resolved: CVODE's errors begin there.
+constexpr double finest = 1e-12;
+
+/// A phase that needs more steps than this is not going anywhere; nor is one whose clock stands still so
+/// often.
+constexpr Index step_limit = 10'000'000;
+constexpr Index stall_limit = 100;
+/// Attempts at one step. Each is up to ten times shorter: where a force begins like a small power of the
+/// indentation, the first must be very short.
+constexpr int most_rejections = 40;
+
+ConstState view(N_Vector v) {
+  return {N_VGetArrayPointer(v), static_cast<std::size_t>(N_VGetLength_Serial(v))};
+}
+State writable(N_Vector v) {
+  return {N_VGetArrayPointer(v), static_cast<std::size_t>(N_VGetLength_Serial(v))};
+}
+bool all_finite(ConstState values) {
+  return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+}
+void check(int code, const char* what) {
+  if (code < 0) throw Error(std::string("SUNDIALS refused ") + what);
+}
+
+}  // namespace
+
+struct Cvode::Memory {
+  CvodeMethod method;
+  sundials::Context context;
+  sundials::Vector state, dense;
+  sundials::NonlinearSolver fixed_point;
+  std::optional<NewtonMatrix> newton;
+  sundials::Cvode cvode;
+  Problem* problem = nullptr;
+  double tolerance = 0;
+  std::string complaint;  ///< SUNDIALS' last message
+  std::vector<double> before;
+  std::vector<int> roots;
+  Certificate certificate;
+  Simultaneous simultaneous;
+
+  Memory(CvodeMethod chosen, const Problem& like) : method(chosen), roots(like.guard_count()) {
+    SUNContext raw = nullptr;
+    check(SUNContext_Create(nullptr, &raw), "a context");
+    context.reset(raw);
+    state.reset(N_VNew_Serial(like.size(), raw));
+    dense.reset(N_VNew_Serial(like.size(), raw));
+    N_VConst(0, state.get());
+    cvode.reset(CVodeCreate(method == CvodeMethod::adams ? CV_ADAMS : CV_BDF, raw));
+    check(CVodeInit(cvode.get(), derivative, 0, state.get()), "the problem");
+    check(CVodeSetUserData(cvode.get(), this), "user data");
+    check(CVodeSetErrHandlerFn(cvode.get(), listen, this), "an error handler");
+    check(CVodeWFtolerances(cvode.get(), weights), "the weights");
+    check(CVodeSetMaxNumSteps(cvode.get(), step_limit), "the step limit");
+    check(CVodeRootInit(cvode.get(), static_cast<int>(like.guard_count()), guards), "the guards");
+    check(CVodeSetMaxErrTestFails(cvode.get(), most_rejections), "the number of rejections");
+    check(CVodeSetNoInactiveRootWarn(cvode.get()), "quiet roots");
+    attach_solver(like);
+  }
+
+  void attach_solver(const Problem& like) {
+    if (method == CvodeMethod::adams) {
+      fixed_point.reset(SUNNonlinSol_FixedPoint(state.get(), 0, context.get()));
+      check(CVodeSetNonlinearSolver(cvode.get(), fixed_point.get()), "fixed-point iteration");
+      return;
+    }
+    const auto kind = method == CvodeMethod::bdf_dense  ? MatrixKind::dense
+                      : method == CvodeMethod::bdf_band ? MatrixKind::band
+                                                        : MatrixKind::sparse;
+    newton.emplace(kind, like, state.get(), context.get());
+    check(CVodeSetLinearSolver(cvode.get(), newton->solver(), newton->matrix()), "the linear solver");
+    check(CVodeSetJacFn(cvode.get(), jacobian), "the Jacobian");
+  }
+
+  // Callbacks: a value that is not finite must never pass for a result.
+  static int derivative(realtype, N_Vector x, N_Vector dx, void* self) {
+    static_cast<Memory*>(self)->problem->derivative(view(x), writable(dx));
+    return all_finite(view(dx)) ? 0 : 1;
+  }
+  static int guards(realtype, N_Vector x, realtype* values, void* self) {
+    const auto& problem = *static_cast<Memory*>(self)->problem;
+    const State out(values, problem.guard_count());
+    problem.guards(view(x), out);
+    return all_finite(out) ? 0 : -1;
+  }
+  static int jacobian(realtype, N_Vector x, N_Vector, SUNMatrix j, void* self, N_Vector, N_Vector, N_Vector) {
+    auto& memory = *static_cast<Memory*>(self);
+    return memory.newton->fill(*memory.problem, view(x), j) ? 0 : 1;
+  }
+  /// CVODE bounds the root mean square of error × weight; the factor √n makes that a bound on the largest.
+  /// The term with epsilon keeps the demand above rounding.
+  static int weights(N_Vector x, N_Vector weight, void* self) {
+    const auto& memory = *static_cast<Memory*>(self);
+    const auto magnitudes = memory.problem->magnitudes();
+    const auto values = view(x);
+    const auto out = writable(weight);
+    const double share = memory.tolerance / std::sqrt(static_cast<double>(out.size()));
+    for (std::size_t i = 0; i < out.size(); ++i)
+      out[i] = 1 / (share * magnitudes[i] + 8 * epsilon * std::abs(values[i]));
+    return 0;
+  }
+  static void listen(int, const char*, const char*, char* message, void* self) {
+    static_cast<Memory*>(self)->complaint = message;
+  }
+
+  void restart(Problem& next, State x, const Request& request) {
+    problem = &next;
+    tolerance = local_tolerance(method, resolving_accuracy(next, request.accuracy, finest));
+    complaint.clear();
+    std::copy(x.begin(), x.end(), writable(state.get()).begin());
+    check(CVodeReInit(cvode.get(), 0, state.get()), "a restart");
+    // At an onset the force starts from zero and fools the automatic first step.
+    check(CVodeSetInitStep(cvode.get(), 0.1 * std::sqrt(tolerance) * next.time_scale()), "the first step");
+    const auto crossings = next.crossings();
+    std::transform(crossings.begin(), crossings.end(), roots.begin(),
+                   [](Crossing c) { return static_cast<int>(c); });
+    check(CVodeSetRootDirection(cvode.get(), roots.data()), "the directions of the guards");
+    before.assign(x.begin(), x.end());
+    certificate.begin(next, x);
+  }
+  void append_roots(std::vector<Index>& fired) {
+    check(CVodeGetRootInfo(cvode.get(), roots.data()), "root information");
+    for (std::size_t i = 0; i < roots.size(); ++i)
+      if (roots[i] != 0) fired.push_back(static_cast<Index>(i));
+  }
+
+  /// "velocity 3, gap 2": the components with the largest share of the local error.
+  std::string worst_components() const {
+    sundials::Vector error(N_VClone(state.get())), weight(N_VClone(state.get()));
+    CVodeGetEstLocalErrors(cvode.get(), error.get());
+    CVodeGetErrWeights(cvode.get(), weight.get());
+    const auto e = view(error.get()), w = view(weight.get());
+    std::vector<Index> order(e.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<Index>(i);
+    const auto count = std::min<std::size_t>(3, order.size());
+    std::partial_sort(order.begin(), order.begin() + count, order.end(),
+                      [&](Index a, Index b) { return std::abs(e[a] * w[a]) > std::abs(e[b] * w[b]); });
+    std::string names;
+    for (std::size_t i = 0; i < count; ++i) names += (i ? ", " : "") + problem->component(order[i]);
+    return names;
+  }
+
+  Arrival finish(Outcome outcome, double time, State x, std::string message = {}) {
+    const auto values = view(state.get());
+    std::copy(values.begin(), values.end(), x.begin());
+    long steps = 0, rhs = 0;
+    CVodeGetNumSteps(cvode.get(), &steps);
+    CVodeGetNumRhsEvals(cvode.get(), &rhs);
+    return {outcome, time, steps, rhs, std::move(message)};
+  }
+  Arrival fail(const std::string& reason, double time, State x) {
+    std::string message = reason + " at local time " + std::to_string(time) + " after ";
+    auto arrival = finish(Outcome::failed, time, x);
+    message += std::to_string(arrival.steps) + " steps (worst components: " + worst_components() + ")";
+    if (!complaint.empty()) message += "; SUNDIALS: " + complaint;
+    arrival.message = std::move(message);
+    return arrival;
+  }
+  Arrival fail(int code, double time, State x) {
+    char* raw = CVodeGetReturnFlagName(code);
+    const std::string flag = raw;
+    std::free(raw);
+    return fail(flag, time, x);
+  }
+  void move_to(double time) { CVodeGetDky(cvode.get(), time, 0, state.get()); }
+};
+
+namespace {
+
+/// CVODE's own interpolating polynomial over its last step.
+class Interpolant final : public Step {
+ public:
+  Interpolant(void* cvode, N_Vector buffer) : cvode_(cvode), buffer_(buffer) {}
+  void at(double time, State x) const override {
+    CVodeGetDky(cvode_, time, 0, buffer_);
+    const auto values = view(buffer_);
+    std::copy(values.begin(), values.end(), x.begin());
+  }
+
+ private:
+  void* cvode_;
+  N_Vector buffer_;
+};
+
+}  // namespace
+
+Cvode::Cvode(CvodeMethod method, const Problem& like) : memory_(std::make_unique<Memory>(method, like)) {}
+Cvode::~Cvode() = default;
+
+bool Cvode::fits(const Problem& problem) const {
+  const auto& m = *memory_;
+  return problem.size() == N_VGetLength_Serial(m.state.get()) &&
+         problem.guard_count() == static_cast<Index>(m.roots.size()) &&
+         (!m.newton || m.newton->fits(problem));
+}
+
+Arrival Cvode::follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) {
+  auto& m = *memory_;
+  m.restart(problem, x, request);
+  Interpolant step(m.cvode.get(), m.dense.get());
+  Index stalled = 0;
+  for (Index count = 0; count < step_limit && stalled < stall_limit; ++count) {
+    step.start = step.end;
+    const int code =
+        CVode(m.cvode.get(), step.start + problem.time_scale(), m.state.get(), &step.end, CV_ONE_STEP);
+    if (code < 0) return m.fail(code, step.start, x);
+    auto outcome = code == CV_ROOT_RETURN ? std::optional(Outcome::guard) : std::nullopt;
+    if (step.end >= request.limit) {
+      m.move_to(step.end = request.limit);
+      outcome = Outcome::limit;
+    }
+    step.before = m.before;
+    step.after = view(m.state.get());
+    if (const auto hidden = m.certificate.examine(problem, step)) {
+      m.move_to(step.end = hidden->time);
+      fired.push_back(hidden->guard);
+      outcome = Outcome::guard;
+    } else if (outcome == Outcome::guard) {
+      m.append_roots(fired);
+    }
+    if (request.watcher) request.watcher->watch(step);
+    if (outcome == Outcome::guard)
+      m.simultaneous.collect(problem, step.after, simultaneity_window(problem, request.accuracy), fired);
+    const auto accepted = problem.accept(step.after);
+    if (accepted == Accepted::rewatched) m.certificate.begin(problem, step.after);
+    if (accepted == Accepted::ended && !outcome) outcome = Outcome::guard;
+    if (outcome) return m.finish(*outcome, step.end, x);
+    m.before.assign(step.after.begin(), step.after.end());
+    stalled += step.end - step.start <= 2 * epsilon * step.end;
+  }
+  return m.fail(
+      stalled == stall_limit ? "the step has shrunk to nothing" : "no guard fired within the step limit",
+      step.end, x);
+}
+
+std::string sundials_version() {
+  char version[32] = "";
+  SUNDIALSGetVersion(version, sizeof version);
+  return version;
+}
+
+}  // namespace mariotte::flow

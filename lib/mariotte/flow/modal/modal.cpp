@@ -1,0 +1,206 @@
+#include "mariotte/flow/modal/modal.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mariotte/flow/modal/linked_vibration.hpp"
+#include "mariotte/flow/modal/modal_step.hpp"
+#include "mariotte/flow/modal/row_vibration.hpp"
+#include "mariotte/flow/roots/simultaneous.hpp"
+
+namespace mariotte::flow {
+namespace {
+
+/// Half-periods of the slowest mode until a phase without end is given up.
+constexpr double patience = 1e6;
+
+/// Instead of a guard: a contact touched at rest is pulled apart, and the mode is over. Not in rows, where
+/// what presses one contact presses the next.
+constexpr Index parts = -1;
+
+/// A wave that is positive until its guard fires.
+struct Watched {
+  Index guard;
+  Index contact;
+  Wave wave;
+};
+
+/// All forces are those of linear contacts.
+bool is_linear(const std::vector<PhaseContact>& contacts) {
+  const auto is_straight = [](const auto& c) { return c.role == Role::open || c.exponent == 1; };
+  return std::all_of(contacts.begin(), contacts.end(), is_straight);
+}
+
+}  // namespace
+
+struct Modal::Memory {
+  RowVibration row;
+  LinkedVibration linked;
+  Vibration* vibration = nullptr;  ///< one of these
+  std::vector<Watched> watched;
+  Index guards = 0;  ///< as many of the watched are in use
+  std::vector<double> start, before, after, bounds;
+  std::vector<double> watched_from;  ///< by contact: touched at rest, it is watched once out of the noise
+  Wave scratch;
+  ModalStep::Workspace workspace;
+  Simultaneous simultaneous;
+
+  bool take(const SerialPhase& phase) {
+    vibration = &row;
+    return is_linear(phase.contact) && !has_acceleration(phase) && !presses_beyond(phase) && row.find(phase);
+  }
+  bool take(const LinkedPhase& phase) {
+    vibration = &linked;
+    return is_linear(phase.contact) && linked.find(phase);
+  }
+
+  const PhaseContact& contact(Index j) const { return vibration->contacts()[j]; }
+  Index contacts() const { return std::ssize(vibration->contacts()); }
+
+  void begin(ConstState x) {
+    vibration->start(x);
+    start.assign(x.begin(), x.end());
+    after.resize(start.size());
+    workspace.swing.resize(vibration->modes().size());
+    workspace.progress.resize(vibration->modes().size());
+    guards = 0;
+    watched_from.assign(contacts(), 0.0);
+    for (Index j = 0; j < contacts(); ++j) watch_contact(j);
+  }
+
+  void watch_contact(Index j) {
+    const auto& c = contact(j);
+    const auto& motion = vibration->of(j);
+    if (c.role == Role::open)
+      watch(c.guard, j, motion.depth, -1, c.level);
+    else if (c.role == Role::slack)
+      watch(c.guard, j, motion.depth, 1, 0), watch(c.load_guard, j, motion.force, -1, 0);
+    else if (c.load_guard >= 0)
+      watch(c.load_guard, j, motion.force, 1, 0);
+    else
+      watch(c.guard, j, motion.depth, 1, 0);
+    if (c.role == Role::touching && vibration == &linked) watch(parts, j, motion.depth, 1, 1.01 * c.loaded());
+  }
+  /// sign · wave + level.
+  void watch(Index guard, Index contact, const Wave& wave, double sign, double level) {
+    if (guards == static_cast<Index>(watched.size())) watched.emplace_back();
+    auto& w = watched[guards++];
+    w.guard = guard;
+    w.contact = contact;
+    set(w.wave, wave, sign, level);
+  }
+  static void set(Wave& to, const Wave& wave, double sign, double level) {
+    to.constant = sign * wave.constant + level;
+    to.slope = sign * wave.slope;
+    to.weight = wave.weight;
+    if (sign < 0)
+      for (auto& weight : to.weight) weight = {-weight.even, -weight.odd};
+  }
+
+  /// Where the indentation of a contact touched at rest leaves the noise, if it does before `limit`: early,
+  /// as a rule, so that the search begins with short stretches.
+  double leaves_noise(Index contact, double limit) {
+    set(scratch, vibration->of(contact).depth, -1, 1.01 * this->contact(contact).loaded());
+    std::optional<double> time;
+    for (double from = 0, to = 1e-3 / vibration->fastest(); !time && from < limit; from = to, to *= 4)
+      time = first_fall(scratch, vibration->modes(), from, std::min(to, limit));
+    return time.value_or(infinity);
+  }
+
+  /// First fall of any watched wave before `limit`. The horizon begins with a half-period of the slowest mode
+  /// and doubles.
+  std::optional<double> first_event(double limit, Index& guard) {
+    std::optional<double> first;
+    const double half_period = 3.2 / vibration->slowest();
+    const double last = std::min(limit, patience * half_period);
+    for (double from = 0, to = half_period; !first && from < last; from = to, to *= 2) {
+      to = std::min(to, last);
+      for (Index j = 0; j < contacts(); ++j)
+        if (contact(j).role == Role::touching && watched_from[j] >= from)
+          watched_from[j] = leaves_noise(j, to);
+      for (Index i = 0; i < guards; ++i) {
+        const double end = first.value_or(to);
+        const double begin =
+            watched[i].guard == parts ? from : std::max(from, watched_from[watched[i].contact]);
+        if (begin >= end) continue;
+        const auto time = first_fall(watched[i].wave, vibration->modes(), begin, end);
+        if (!time || (first && *time >= *first)) continue;
+        first = time;
+        guard = watched[i].guard;
+      }
+    }
+    return first;
+  }
+
+  /// Tell the problem of each indentation that has left the noise on the way.
+  void accept_loads(Problem& problem, const ModalStep& step, double duration) {
+    for (Index j = 0; j < contacts(); ++j) {
+      if (contact(j).role != Role::touching || watched_from[j] >= duration) continue;
+      step.at(watched_from[j], after);
+      problem.accept(after);
+    }
+  }
+
+  /// Pieces that put the largest indentation and force of each contact where a watcher looks.
+  void show(ModalStep& step, double duration, Watcher& watcher) {
+    bounds.clear();
+    for (Index j = 0; j < contacts(); ++j) {
+      if (!contact(j).pushes()) continue;
+      add_summit(vibration->of(j).depth, duration);
+      if (contact(j).load_guard >= 0) add_summit(vibration->of(j).force, duration);
+    }
+    bounds.push_back(duration);
+    std::sort(bounds.begin(), bounds.end());
+    before = start;
+    for (const double end : bounds) {
+      if (!(end > step.end) && end < duration) continue;
+      step.start = step.end;
+      step.end = end;
+      step.at(end, after);
+      step.before = before;
+      step.after = after;
+      watcher.watch(step);
+      before.swap(after);
+    }
+  }
+  /// The slope changes sign within a piece of its own.
+  void add_summit(const Wave& wave, double duration) {
+    const auto summit = highest(wave, vibration->modes(), 0, duration);
+    if (!summit) return;
+    bounds.push_back(summit->time - summit->reach);
+    bounds.push_back(summit->time + summit->reach);
+  }
+};
+
+Modal::Modal() : memory_(std::make_unique<Memory>()) {}
+Modal::~Modal() = default;
+
+bool Modal::admits(const Problem& problem) {
+  if (const auto* row = problem.serial()) return memory_->take(*row);
+  const auto* linked = problem.linked();
+  return linked && memory_->take(*linked);
+}
+
+Arrival Modal::follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) {
+  auto& m = *memory_;
+  m.begin(x);
+  Index guard = parts;
+  const auto event = m.first_event(request.limit, guard);
+  if (!event && !std::isfinite(request.limit))
+    return {.outcome = Outcome::failed,
+            .message = "no guard fired within a million half-periods of the slowest mode"};
+  const double duration = event.value_or(request.limit);
+
+  ModalStep step(*m.vibration, m.start, m.workspace);
+  if (request.watcher) m.show(step, duration, *request.watcher);
+  m.accept_loads(problem, step, duration);
+  step.at(duration, x);
+  if (event) {
+    if (guard != parts) fired.push_back(guard);
+    m.simultaneous.collect(problem, x, simultaneity_window(problem, request.accuracy), fired);
+  }
+  return {
+      .outcome = event ? Outcome::guard : Outcome::limit, .duration = duration, .steps = 1, .message = {}};
+}
+
+}  // namespace mariotte::flow

@@ -1,0 +1,24 @@
+// One closed contact, everything else in free flight: closed form, nothing is integrated.
+#pragma once
+#include <vector>
+
+#include "mariotte/flow/flow.hpp"
+#include "mariotte/flow/pair/pair_phase.hpp"
+#include "mariotte/flow/roots/simultaneous.hpp"
+
+namespace mariotte::flow {
+
+/// Velocities follow from momentum, time from quadrature in closed form. Other gaps are concave in time while
+/// the contact pushes, so the sign at the end of the contact proves whether one of them closes before.
+class Pair final : public Flow {
+ public:
+  bool admits(const Problem& problem) override;
+  Arrival follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) override;
+
+ private:
+  std::optional<PairPhase> phase_;
+  std::vector<double> start_, rate_, value_, value_rate_;
+  Simultaneous simultaneous_;
+};
+
+}  // namespace mariotte::flow

@@ -1,0 +1,189 @@
+#include "mariotte/flow/pair/pair_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "mariotte/core/bracket.hpp"
+#include "mariotte/core/types.hpp"
+#include "mariotte/flow/pair/hypergeometric.hpp"
+
+namespace mariotte::flow {
+namespace {
+
+/// T(y) = y ₂F₁(1/2, 3/5; 3/2; y²), and T(1) − T(y) = (5/4) z^{2/5} ₂F₁(2/5, 1/2; 7/5; z) with z = 1 − y².
+constexpr HalfHypergeometric from_middle(0.5, 0.6, 1.5), from_end(0.4, 0.5, 1.4);
+constexpr double middle = std::numbers::sqrt2 / 2;  ///< y² = z = 1/2: where the two forms meet
+
+double fifth_power_root(double z) {  // z^{2/5}
+  return std::pow(z, 0.4);
+}
+
+double value_of(const ConcaveGap& gap, double time, double deepened) {
+  return gap.value + gap.rate * time + gap.share * deepened;
+}
+
+/// Falling root of a gap in time, for motions known as functions of time. The gap rises at first if it
+/// started from zero; its only falling root lies behind its maximum.
+template <class Motion>
+double fall_in_time(const Motion& motion, const ConcaveGap& gap, double duration) {
+  if (gap.share == 0) return -gap.value / gap.rate;
+  const double start = motion.at(0).value;
+  const auto rate = [&](double time) { return gap.rate + gap.share * motion.at(time).rate; };
+  const auto value = [&](double time) { return value_of(gap, time, motion.at(time).value - start); };
+  const double first = rate(0), last = rate(duration);
+  const double top =
+      first > 0 && last < 0 ? locate_sign_change(rate, 0, first, duration, last, 1e-3 * duration) : 0;
+  const double highest = value(top), lowest = value(duration);
+  if (!(highest > 0)) return top;
+  return locate_sign_change(value, top, highest, duration, lowest, epsilon * duration);
+}
+
+}  // namespace
+
+const double HertzMotion::full_ = middle * from_middle(0.5) + 1.25 * fifth_power_root(0.5) * from_end(0.5);
+
+HertzMotion::HertzMotion(const PairLaw& law, const Indentation& start)
+    : start_depth_(std::max(0.0, start.value)) {
+  const double spring = law.stiffness / law.reduced_mass;
+  const double stored = 0.8 * spring * start_depth_ * start_depth_ * std::sqrt(start_depth_);
+  const double energy = start.rate * start.rate + stored;
+  speed_ = std::sqrt(energy);
+  depth_ = fifth_power_root(energy / (0.8 * spring));
+  tau_ = speed_ / (spring * depth_ * std::sqrt(depth_));
+  y_start_ = -start.rate / speed_;
+  start_time_ = time({y_start_, stored / energy, start_depth_ / depth_});
+}
+
+HertzMotion::Place HertzMotion::from_y(double y) const {
+  const double z = (1 - y) * (1 + y);
+  return {y, z, fifth_power_root(z)};
+}
+
+HertzMotion::Place HertzMotion::from_ratio(double ratio) const {
+  const double z = ratio * ratio * std::sqrt(ratio);
+  return {std::sqrt(1 - z), z, ratio};
+}
+
+double HertzMotion::time(const Place& place) const {
+  const double square = place.y * place.y;
+  if (square <= 0.5) return place.y * from_middle(square);
+  const double rest = full_ - 1.25 * place.ratio * from_end(place.z);
+  return place.y > 0 ? rest : -rest;
+}
+
+Indentation HertzMotion::at(double elapsed) const {
+  const double wanted = start_time_ + elapsed / tau_;
+  const double early = time(from_y(middle));
+  const auto found = [&](const Place& place) { return Indentation{depth_ * place.ratio, -speed_ * place.y}; };
+  if (wanted >= full_) return {0, -speed_};
+  if (wanted > early) {  // in δ/δ_m, smooth up to the opening
+    const auto late = [&](double ratio) { return time(from_ratio(ratio)) - wanted; };
+    const double half = fifth_power_root(0.5);
+    return found(from_ratio(locate_sign_change(late, 0, full_ - wanted, half, early - wanted, epsilon)));
+  }
+  if (wanted < -early) {  // the same mirrored
+    const auto late = [&](double ratio) { return time(from_ratio(ratio)) + wanted; };
+    const double half = fifth_power_root(0.5);
+    auto place = from_ratio(locate_sign_change(late, 0, full_ + wanted, half, early + wanted, epsilon));
+    place.y = -place.y;
+    return found(place);
+  }
+  const auto late = [&](double y) { return time(from_y(y)) - wanted; };
+  return found(from_y(locate_sign_change(late, -middle, -early - wanted, middle, early - wanted, epsilon)));
+}
+
+double HertzMotion::value(const ConcaveGap& gap, const Place& place) const {
+  return value_of(gap, tau_ * (time(place) - start_time_), depth_ * place.ratio - start_depth_);
+}
+
+/// Behind its maximum, where δ̇ = −rate/share, in whichever of the two charts holds the root.
+double HertzMotion::fall(const ConcaveGap& gap) const {
+  if (gap.share == 0) return -gap.value / gap.rate;
+  const double top = std::clamp(gap.rate / (gap.share * speed_), y_start_, 1.0);
+  const auto by_y = [&](double y) { return value(gap, from_y(y)); };
+  const auto by_ratio = [&](double ratio) { return value(gap, from_ratio(ratio)); };
+  const auto elapsed = [&](const Place& place) { return tau_ * (time(place) - start_time_); };
+  if (const double at_middle = by_y(middle); top < middle && at_middle <= 0) {
+    const double highest = by_y(top);
+    if (!(highest > 0)) return elapsed(from_y(top));
+    return elapsed(from_y(locate_sign_change(by_y, top, highest, middle, at_middle, epsilon)));
+  }
+  const double from = from_y(std::max(top, middle)).ratio;
+  const double highest = by_ratio(from), lowest = by_ratio(0);
+  if (!(highest > 0)) return elapsed(from_ratio(from));
+  if (lowest >= 0) return duration();
+  return elapsed(from_ratio(locate_sign_change(by_ratio, 0, lowest, from, highest, epsilon)));
+}
+
+LinearMotion::LinearMotion(const PairLaw& law, const Indentation& start)
+    : frequency_(std::sqrt(law.stiffness / law.reduced_mass)),
+      angle_(std::atan2(-start.rate, frequency_ * std::max(0.0, start.value))),
+      speed_(std::hypot(start.rate, frequency_ * start.value)) {}
+
+double LinearMotion::duration() const {
+  return (std::numbers::pi / 2 - angle_) / frequency_;
+}
+double LinearMotion::turn() const {
+  return std::max(0.0, -angle_ / frequency_);
+}
+Indentation LinearMotion::at(double time) const {
+  const double angle = angle_ + frequency_ * time;
+  return {speed_ / frequency_ * std::cos(angle), -speed_ * std::sin(angle)};
+}
+double LinearMotion::fall(const ConcaveGap& gap) const {
+  return fall_in_time(*this, gap, duration());
+}
+
+DampedMotion::DampedMotion(const PairLaw& law, const Indentation& start)
+    : start_(start),
+      decay_(0.5 * law.damping / law.reduced_mass),
+      square_(law.stiffness / law.reduced_mass),
+      // Equal roots are moved apart by a rounding error, which the motion does not notice.
+      split_(std::sqrt(std::max(std::abs(square_ - decay_ * decay_), epsilon * epsilon * square_))),
+      form_(square_ >= decay_ * decay_ ? Form::oscillating
+            : 2 * split_ <= decay_     ? Form::creeping
+                                       : Form::stiff),
+      duration_(find_duration()) {}
+
+/// First zero of δ̈ = e^{−bt} (A cos φ + B sin φ), φ = √|ω²−b²| t, A < 0, with hyperbolic functions beyond
+/// critical damping; or of p r₁² e^{r₁t} + q r₂² e^{r₂t}, where q r₂² is δ̈ − p r₁² at the start. A contact
+/// whose load has vanished but for rounding lets go at once.
+double DampedMotion::find_duration() const {
+  const double a = std::min(0.0, -(square_ * start_.value + 2 * decay_ * start_.rate));
+  const double jerk = -(square_ * start_.rate + 2 * decay_ * a);
+  const double b = (jerk + decay_ * a) / split_;
+  if (form_ == Form::oscillating) return std::atan2(-a, b) / split_;
+  if (form_ == Form::creeping) return std::atanh(-a / b) / split_;
+  const double fast = -(decay_ + split_), slow = square_ / fast;
+  const double p = (start_.rate - fast * start_.value) / (slow - fast);
+  return std::log1p(-a / (p * slow * slow)) / (slow - fast);
+}
+
+Indentation DampedMotion::at(double time) const {
+  if (form_ == Form::stiff) {
+    const double fast = -(decay_ + split_), slow = square_ / fast;
+    const double p = (start_.rate - fast * start_.value) / (slow - fast);
+    const double q = (slow * start_.value - start_.rate) / (slow - fast);
+    const double x = p * std::exp(slow * time), y = q * std::exp(fast * time);
+    return {x + y, slow * x + fast * y};
+  }
+  const bool round = form_ == Form::oscillating;
+  const double angle = split_ * time, fade = std::exp(-decay_ * time);
+  const double even = round ? std::cos(angle) : std::cosh(angle);
+  const double odd = (round ? std::sin(angle) : std::sinh(angle)) / split_;
+  return {fade * (start_.value * even + (start_.rate + decay_ * start_.value) * odd),
+          fade * (start_.rate * even - (square_ * start_.value + decay_ * start_.rate) * odd)};
+}
+
+double DampedMotion::fall(const ConcaveGap& gap) const {
+  return fall_in_time(*this, gap, duration_);
+}
+
+PairMotion make_pair_motion(const PairLaw& law, const Indentation& start) {
+  if (law.damping > 0) return DampedMotion(law, start);
+  if (law.exponent == 1) return LinearMotion(law, start);
+  return HertzMotion(law, start);
+}
+
+}  // namespace mariotte::flow

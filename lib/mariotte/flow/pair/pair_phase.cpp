@@ -1,0 +1,45 @@
+#include "mariotte/flow/pair/pair_phase.hpp"
+
+namespace mariotte::flow {
+namespace {
+
+/// The one contact that is not open, if it is closed; else −1.
+Index only_closed(const SerialPhase& phase) {
+  Index found = -1;
+  for (std::size_t j = 0; j < phase.contact.size(); ++j) {
+    const auto role = phase.contact[j].role;
+    if (role == Role::open) continue;
+    if (role != Role::closed || found >= 0) return -1;
+    found = static_cast<Index>(j);
+  }
+  return found;
+}
+
+}  // namespace
+
+std::optional<PairPhase> find_pair(const SerialPhase& phase) {
+  const Index j = only_closed(phase);
+  if (j < 0) return std::nullopt;
+  const auto& c = phase.contact[j];
+  const bool closed_form = c.exponent == 1 || (c.exponent == 1.5 && c.damping == 0);
+  if (!closed_form || has_acceleration(phase)) return std::nullopt;
+  const auto &left = phase.body[j], &right = phase.body[j + 1];
+  const auto* before = j > 0 ? &phase.contact[j - 1] : nullptr;
+  const auto* after = j + 1 < std::ssize(phase.contact) ? &phase.contact[j + 1] : nullptr;
+  const double mass = 1 / (left.inverse_mass + right.inverse_mass);
+  return PairPhase{.law = {c.stiffness, c.damping, c.exponent, mass},
+                   .left_share = mass * left.inverse_mass,
+                   .right_share = mass * right.inverse_mass,
+                   .left = left.velocity,
+                   .right = right.velocity,
+                   .gap = c.gap,
+                   .work = c.work,
+                   .impulse = c.impulse,
+                   .guard = c.damping > 0 ? c.load_guard : c.guard,
+                   .left_gap = before ? before->gap : -1,
+                   .right_gap = after ? after->gap : -1,
+                   .left_guard = before ? before->guard : -1,
+                   .right_guard = after ? after->guard : -1};
+}
+
+}  // namespace mariotte::flow

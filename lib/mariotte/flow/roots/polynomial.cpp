@@ -1,0 +1,148 @@
+#include "mariotte/flow/roots/polynomial.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+#include "mariotte/core/types.hpp"
+
+namespace mariotte::flow {
+namespace {
+
+constexpr std::size_t most_coefficients = 32;
+constexpr int deepest = 50;  ///< halvings until an interval is shorter than rounding
+using Bernstein = std::array<double, most_coefficients>;
+
+/// C(j,k)/C(n,k) at [k][j]: what the power k adds to the Bernstein coefficient j.
+using Shares = std::array<Bernstein, most_coefficients>;
+
+Shares make_shares(std::size_t n) {
+  Shares share{};
+  for (std::size_t j = 0; j <= n; ++j) share[0][j] = 1;
+  for (std::size_t k = 0; k < n; ++k)
+    for (std::size_t j = k + 1; j <= n; ++j)
+      share[k + 1][j] = share[k][j] * static_cast<double>(j - k) / static_cast<double>(n - k);
+  return share;
+}
+
+const Shares& shares(std::size_t n) {
+  static const auto all = [] {
+    std::array<Shares, most_coefficients> table;
+    for (std::size_t degree = 0; degree < table.size(); ++degree) table[degree] = make_shares(degree);
+    return table;
+  }();
+  return all[n];
+}
+
+/// Bernstein coefficients on [0, end] from powers, b_j = Σ_{k≤j} C(j,k)/C(n,k) a_k endᵏ.
+Bernstein from_powers(std::span<const double> c, double end) {
+  const auto& share = shares(c.size() - 1);
+  Bernstein b{};
+  double power = 1;
+  for (std::size_t k = 0; k < c.size(); ++k, power *= end) {
+    const double term = c[k] * power;
+    for (std::size_t j = 0; j < c.size(); ++j) b[j] += share[k][j] * term;
+  }
+  return b;
+}
+
+/// De Casteljau at the middle: `left` becomes the left half and the right half is returned.
+Bernstein halve(Bernstein& left, std::size_t n) {
+  Bernstein right{};
+  for (std::size_t i = 0; i <= n; ++i) {
+    right[n - i] = left[n];
+    for (std::size_t j = n; j > i; --j) left[j] = 0.5 * (left[j] + left[j - 1]);
+  }
+  return right;
+}
+
+/// Of Σ factor(k) c[k] xᵏ on [0, end]: the Bernstein form of four terms less what the others can take away.
+template <class Factor>
+double lower_bound(std::span<const double> c, double end, Factor&& factor) {
+  const auto term = [&](std::size_t k) { return k < c.size() ? factor(k) * c[k] : 0; };
+  const double square = end * end;
+  double even = 0, odd = 0;  // of what is lost, apart so that neither sum waits for the other
+  for (std::size_t k = (c.size() + 1) / 2 * 2; k > 4; k -= 2) {
+    odd = odd * square + std::max(0.0, -term(k - 1));
+    even = even * square + std::max(0.0, -term(k - 2));
+  }
+  const double loss = even + end * odd;
+  const double a = term(0), b = end * term(1), d = square * term(2), e = square * end * term(3);
+  const double inner = std::min(a + b / 3, a + (2 * b + d) / 3);
+  return std::min({a, inner, a + b + d + e}) - square * square * loss;
+}
+double lower_bound(std::span<const double> c, double end) {
+  return lower_bound(c, end, [](std::size_t) { return 1.0; });
+}
+
+/// The second derivative is provably negative on [0, end]: what starts positive has one root at most.
+bool bends_down(std::span<const double> c, double end) {
+  if (c.size() < 3) return false;
+  const auto curvature = c.subspan(2);
+  return lower_bound(curvature, end, [](std::size_t k) { return -static_cast<double>((k + 1) * (k + 2)); }) >
+         0;
+}
+
+/// Newton's method for the root of a polynomial that falls through zero once from low to high, kept between
+/// them.
+std::optional<double> only_root(std::span<const double> c, double low, double high) {
+  const double first = horner(c, low), last = horner(c, high);
+  if (last > 0) return std::nullopt;
+  if (!(first > 0)) return low;
+  double x = low + (high - low) * first / (first - last);
+  for (int i = 0; i < 60; ++i) {
+    double value = 0, slope = 0;
+    for (std::size_t k = c.size(); k-- > 0;) {
+      slope = slope * x + value;
+      value = value * x + c[k];
+    }
+    (value > 0 ? low : high) = x;
+    double next = x - value / slope;
+    if (!(next >= low && next <= high)) next = 0.5 * (low + high);
+    if (std::abs(next - x) <= 2 * epsilon * next) return next;
+    x = next;
+  }
+  return x;
+}
+
+struct Search {
+  std::span<const double> c;
+  std::size_t n;
+
+  /// The polynomial is positive right of `from`.
+  std::optional<double> first(Bernstein b, double from, double to, int depth) const {
+    const auto last = b.begin() + static_cast<Index>(n) + 1;
+    if (std::all_of(b.begin() + 1, last, [](double value) { return value > 0; })) return std::nullopt;
+    if (std::is_sorted(b.begin(), last, std::greater<>()) || depth == deepest) return only_root(c, from, to);
+    const auto right = halve(b, n);
+    const double middle = 0.5 * (from + to);
+    if (const auto early = first(b, from, middle, depth + 1)) return early;
+    if (right[0] <= 0) return middle;
+    return first(right, middle, to, depth + 1);
+  }
+};
+
+}  // namespace
+
+double horner(std::span<const double> c, double x) {
+  double sum = 0;
+  for (std::size_t k = c.size(); k-- > 0;) sum = sum * x + c[k];
+  return sum;
+}
+
+bool falls(std::span<const double> c, double end) {
+  const auto slope = c.subspan(1);
+  return lower_bound(slope, end, [](std::size_t k) { return -static_cast<double>(k + 1); }) > 0;
+}
+
+std::optional<double> first_fall(std::span<const double> c, double end) {
+  while (c.size() > 1 && c[0] == 0) c = c.subspan(1);  // a root at 0 is divided out
+  if (c.size() < 2) return std::nullopt;
+  if (lower_bound(c, end) > 0) return std::nullopt;
+  if (falls(c, end) || (c[0] > 0 && bends_down(c, end))) return only_root(c, 0, end);
+  const Search search{c, c.size() - 1};
+  return search.first(from_powers(c, end), 0, end, 0);
+}
+
+}  // namespace mariotte::flow

@@ -1,0 +1,131 @@
+#include "mariotte/flow/taylor/taylor.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mariotte/flow/roots/simultaneous.hpp"
+#include "mariotte/flow/taylor/taylor_stepper.hpp"
+
+namespace mariotte::flow {
+
+using taylor::Piece;
+using taylor::PieceStep;
+using taylor::Window;
+
+namespace {
+
+constexpr Index step_limit = 10'000'000;
+/// Steps of a damped phase that cost about what BDF takes for all of it: a contact creeps, and explicit steps
+/// must not outrun its fastest decay.
+constexpr Index creeping = 5000;
+
+bool is_finite(const Window& w) {
+  return std::all_of(w.velocity, w.velocity + w.lanes.count + 1, [](double v) { return std::isfinite(v); });
+}
+
+/// A contact may have left the noise, or sunk into it: the problem is to say.
+bool concerns_problem(const Window& w) {
+  for (int j = 0; j < w.lanes.count; ++j) {
+    const auto& contact = w.contact(j);
+    const double depth = w.lanes.indentation[j];
+    const double rate = std::abs(w.lanes.rate[j]);
+    if (contact.role == Role::closed && depth < contact.shallow && rate <= w.phase->faint) return true;
+    if (contact.role == Role::touching && depth > contact.loaded()) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+struct Taylor::Memory {
+  taylor::Stepper stepper;
+  Simultaneous simultaneous;
+  std::vector<double> before, after;
+
+  void show(const Piece& piece, Watcher& watcher) {
+    const auto& window = stepper.window;
+    before.resize(window.x.size());
+    after.resize(window.x.size());
+    write(window, before);
+    write(window, stepper.values(), after);
+    PieceStep step(window, piece, stepper.values().time);
+    step.start = window.time;
+    step.end = window.time + stepper.values().time;
+    step.before = before;
+    step.after = after;
+    watcher.watch(step);
+  }
+
+  Accepted accept(Problem& problem) {
+    auto& window = stepper.window;
+    if (!concerns_problem(window)) return Accepted::unchanged;
+    after.resize(window.x.size());
+    write(window, after);
+    const auto accepted = problem.accept(after);
+    if (accepted != Accepted::rewatched) return accepted;
+    for (int j = 0; j < window.lanes.count; ++j) watch(window, j);
+    return accepted;
+  }
+};
+
+Taylor::Taylor() : memory_(std::make_unique<Memory>()) {}
+Taylor::~Taylor() = default;
+
+bool Taylor::admits(const Problem& problem) {
+  const auto* phase = problem.serial();
+  if (!phase) return false;
+  const auto& contacts = phase->contact;
+  const auto idle = [](const PhaseContact& c) { return c.role == Role::open; };
+  const auto first = std::find_if_not(contacts.begin(), contacts.end(), idle);
+  const auto last = std::find_if_not(contacts.rbegin(), contacts.rend(), idle).base();
+  return last - first + 2 <= taylor::lane_limit;
+}
+
+Arrival Taylor::follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) {
+  auto& m = *memory_;
+  auto& stepper = m.stepper;
+  const auto& w = stepper.window;
+  const auto precision = taylor::precision(resolving_accuracy(problem, request.accuracy, 0));
+  Arrival arrival{.outcome = Outcome::guard, .message = {}};
+  const auto stop = [&](Outcome outcome, std::string message = {}) {
+    write(w, x);
+    arrival.outcome = outcome;
+    arrival.duration = w.time;
+    arrival.message = std::move(message);
+    return arrival;
+  };
+  stepper.last_time = 0.1 * problem.time_scale();
+  if (!stepper.begin(*problem.serial(), x, 0, precision))
+    return {.outcome = Outcome::failed, .message = "more contacts than the series has lanes"};
+  while (arrival.steps < step_limit) {
+    auto piece = stepper.next(arrival.steps == 0, std::min(request.limit, w.outside_time) - w.time);
+    const auto fall = stepper.first_fall(piece);
+    const bool ends = fall.guard >= 0 || piece.is_cut;  // perhaps at once: a contact at zero that parts
+    if (!(piece.end > 0) && !ends) return stop(Outcome::failed, "the series does not converge");
+    if (fall.guard >= 0) stepper.shorten(piece, fall.place);
+    ++arrival.steps;
+    ++arrival.rhs;
+    if (request.watcher) m.show(piece, *request.watcher);
+    stepper.advance(piece, fall);
+    if (!is_finite(w)) return stop(Outcome::failed, "a velocity is not finite");
+
+    const bool cut = fall.guard < 0 && piece.is_cut;
+    if (cut && request.limit <= w.outside_time) return stop(Outcome::limit);
+    if (fall.guard >= 0 || cut) {
+      fired.push_back(cut ? w.phase->contact[w.outside].guard : fall.guard);
+      stop(Outcome::guard);
+      if (cut) x[w.phase->contact[w.outside].gap] = 0 - w.phase->contact[w.outside].level;
+      m.simultaneous.collect(problem, x, simultaneity_window(problem, request.accuracy), fired);
+      return arrival;
+    }
+    if (m.accept(problem) == Accepted::ended) return stop(Outcome::guard);
+    if (w.lanes.damped && arrival.steps >= creeping) return stop(Outcome::stiff);
+    if (stepper.has_outgrown()) {
+      write(w, x);
+      if (!stepper.begin(*problem.serial(), x, w.time, precision)) return stop(Outcome::guard);
+    }
+  }
+  return stop(Outcome::failed, "no guard fired within the step limit");
+}
+
+}  // namespace mariotte::flow

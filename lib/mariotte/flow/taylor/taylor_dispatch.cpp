@@ -1,0 +1,12 @@
+#include "mariotte/flow/taylor/taylor_lanes.hpp"
+
+namespace mariotte::flow::taylor {
+
+std::unique_ptr<Expansion> make_expansion(std::size_t size) {
+#ifdef MARIOTTE_AVX2
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return make_avx2_expansion(size);
+#endif
+  return make_baseline_expansion(size);
+}
+
+}  // namespace mariotte::flow::taylor

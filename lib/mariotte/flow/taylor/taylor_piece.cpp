@@ -1,0 +1,27 @@
+#include "mariotte/flow/taylor/taylor_piece.hpp"
+
+#include "mariotte/core/bracket.hpp"
+#include "mariotte/flow/roots/polynomial.hpp"
+
+namespace mariotte::flow::taylor {
+
+std::span<const double> Piece::coefficients(Quantity quantity, int lane, Coefficients& c) const {
+  series->coefficients(quantity, lane, c.data());
+  return {c.data(), static_cast<std::size_t>(order) + 1};
+}
+
+double Piece::place(double time, double end_time) const {
+  if (!series || clock == Expansion::plain) return time;
+  Coefficients c;
+  const auto t = coefficients(Quantity::time, clock, c);
+  return locate_sign_change([&](double at) { return horner(t, at) - time; }, 0, -time, end, end_time - time,
+                            epsilon * end);
+}
+
+void PieceStep::at(double time, State x) const {
+  Values values;
+  piece_.evaluate(piece_.place(time - start, duration_), values);
+  write(window_, values, x);
+}
+
+}  // namespace mariotte::flow::taylor

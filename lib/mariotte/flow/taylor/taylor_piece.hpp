@@ -1,0 +1,46 @@
+// One series of the Taylor flow and how far it is followed.
+#pragma once
+#include <array>
+#include <span>
+
+#include "mariotte/flow/flow.hpp"
+#include "mariotte/flow/taylor/taylor_start.hpp"
+#include "mariotte/flow/taylor/taylor_window.hpp"
+
+namespace mariotte::flow::taylor {
+
+/// Of one quantity, by order.
+using Coefficients = std::array<double, order_limit + 1>;
+
+/// A series and how far it is followed.
+struct Piece {
+  Expansion* series = nullptr;   ///< null for the start series
+  const Start* start = nullptr;  ///< null for the others
+  int order = 0;
+  int clock = Expansion::plain;
+  double end = 0;       ///< last place of the clock
+  bool lands = false;   ///< ends where the contact of the clock lets go
+  bool is_cut = false;  ///< ends at the time to which it was to go at most
+
+  void evaluate(double place, Values& values) const {
+    series ? series->evaluate(place, values) : start->evaluate(place, values);
+  }
+  std::span<const double> coefficients(Quantity quantity, int lane, Coefficients& c) const;
+  /// The place reached at `time`, if `end` is reached at end_time ≥ time.
+  double place(double time, double end_time) const;
+};
+
+/// A piece as a step for those who watch: its polynomials are the dense output.
+class PieceStep final : public Step {
+ public:
+  PieceStep(const Window& window, const Piece& piece, double duration)
+      : window_(window), piece_(piece), duration_(duration) {}
+  void at(double time, State x) const override;
+
+ private:
+  const Window& window_;
+  const Piece& piece_;
+  double duration_;
+};
+
+}  // namespace mariotte::flow::taylor

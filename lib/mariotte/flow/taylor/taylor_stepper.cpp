@@ -1,0 +1,251 @@
+#include "mariotte/flow/taylor/taylor_stepper.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mariotte/flow/roots/polynomial.hpp"
+#include "mariotte/flow/roots/rough_root.hpp"
+
+namespace mariotte::flow::taylor {
+
+namespace {
+
+/// Share of the accuracy that one step may spend: errors add up along a chain, and behind its wave they must
+/// not look like approaches.
+constexpr double local_share = 0.03;
+/// A contact that would let go within this share of a step is landed in its own clock. Earlier is dearer:
+/// near its end a contact is so weak that it hardly bounds the step, among many less than among few, and
+/// least in a longer row, where one lets go after the other. Measured by work_precision and scaling_study.
+double landing_share(const Window& window) {
+  if (window.phase->goes_on) return 0.15;
+  return window.lanes.count > 8 ? 0.2 : 0.5;
+}
+/// A contact may sink this far past the depth at which it wakes before it is heard.
+constexpr double late = 5;
+
+/// Share of the radius of convergence that a step may use.
+constexpr double safe_radius = 0.7;
+constexpr double tiny = 1e-300;  ///< keeps quotients of vanishing coefficients finite
+
+}  // namespace
+
+/// Higher orders pay for themselves at tighter tolerances; measured by work_precision.
+Precision precision(double accuracy) {
+  Precision p{.tolerance = std::max(local_share * accuracy, 0.25 * epsilon), .order = order_limit};
+  for (const auto& [above, order] : {std::pair{1e-5, 10}, {1e-7, 12}, {1e-9, 14}, {1e-11, 16}, {1e-13, 18}}) {
+    if (!(accuracy > above)) continue;
+    p.order = order;
+    break;
+  }
+  return p;
+}
+
+bool Stepper::begin(const SerialPhase& phase, State x, double time, const Precision& precision) {
+  precision_ = precision;
+  return place(window, phase, x, time);
+}
+
+Expansion& Stepper::expansion() {
+  const auto fits = std::lower_bound(lane_sizes.begin(), lane_sizes.end(), window.lanes.count);
+  const auto size = static_cast<std::size_t>(fits - lane_sizes.begin());
+  auto& chosen = expansions_[size];
+  if (!chosen) chosen = make_expansion(size);
+  return *chosen;
+}
+
+void Stepper::shorten(Piece& piece, double place) {
+  piece.lands = piece.lands && place == piece.end;
+  piece.end = place;
+  piece.evaluate(place, values_);
+}
+
+bool Stepper::is_struck(int lane) const {
+  return window.contact(lane).role == Role::closed && window.lanes.indentation[lane] == 0 &&
+         window.lanes.rate[lane] > 0;
+}
+
+/// The start series serves if all contacts that carry force are undamped Hertz contacts which start
+/// undeformed.
+bool Stepper::starts(Parts& part) const {
+  const auto& l = window.lanes;
+  if (l.damped || l.general) return false;
+  int struck = 0, pressed = 0;
+  for (int j = 0; j < l.count; ++j) {
+    part[j] = Start::Part::passive;
+    if (l.drive[j] != 0) return false;
+    if (window.contact(j).role == Role::open) continue;
+    if (l.indentation[j] != 0 || !window.is_sharp(j)) return false;
+    if (!is_struck(j)) continue;
+    part[j] = Start::Part::struck;
+    ++struck;
+  }
+  const auto is = [&](int j) { return j >= 0 && j < l.count && part[j] == Start::Part::struck; };
+  for (int j = 0; j < l.count; ++j) {
+    if (window.contact(j).role != Role::touching || l.rate[j] != 0 || !(is(j - 1) || is(j + 1))) continue;
+    part[j] = Start::Part::pressed;
+    ++pressed;
+  }
+  return struck > 1 || (struck == 1 && pressed > 0);
+}
+
+std::optional<Piece> Stepper::start_piece() {
+  Parts part;
+  if (!starts(part)) return std::nullopt;
+  auto& l = window.lanes;
+  for (int j = 0; j < l.count; ++j) l.push[j] = part[j] != Start::Part::passive;
+  Piece piece{.start = &start_, .order = precision_.order};
+  double end = 0.9 * start_.expand(l, part.data(), precision_.order, precision_.tolerance);
+  for (int tries = 0; tries < 60; ++tries, end *= 0.5) {
+    shorten(piece, end);
+    if (std::all_of(values_.margin, values_.margin + l.count, [](double margin) { return margin >= 0; }))
+      return piece;
+  }
+  return std::nullopt;
+}
+
+/// The lane whose onset or separation limits a series in time.
+int Stepper::choose_clock() const {
+  const auto& l = window.lanes;
+  int clock = Expansion::plain;
+  if (l.general) return clock;
+  double soonest = landing_share(window) * last_time;
+  for (int j = 0; j < l.count; ++j) {
+    if (!window.is_sharp(j) || window.contact(j).role != Role::closed) continue;
+    if (is_struck(j)) return j;
+    if (!(l.rate[j] < 0) || !(l.indentation[j] < -soonest * l.rate[j])) continue;
+    soonest = -l.indentation[j] / l.rate[j];
+    clock = j;
+  }
+  return clock;
+}
+
+/// Where the last coefficients come to the tolerance, but no further than a safe share of the radius of
+/// convergence: beyond, a weak singularity, a contact about to let go, hides behind small coefficients.
+double Stepper::reach(const Expansion& series, bool fresh) const {
+  const int order = precision_.order, group = fresh ? 5 : 2;  // right after an onset four of five vanish
+  double end = infinity, last = tiny, before = tiny, size[10];
+  series.sizes(order - 2 * group + 1, size);
+  for (int i = 0; i < group; ++i) {
+    const double highest = std::max(size[group + i], tiny);
+    end = std::min(end, rough_root(precision_.tolerance / highest, order - group + 1 + i));
+    last = std::max(last, highest);
+    before = std::max(before, size[i]);
+  }
+  return std::min(end, safe_radius * rough_root(before / last, group));
+}
+
+Piece Stepper::series_piece() {
+  auto& l = window.lanes;
+  Piece piece{.series = &expansion(), .order = precision_.order, .clock = choose_clock()};
+  for (int j = 0; j < l.count; ++j)
+    l.push[j] = window.pushes(j) && (j == piece.clock || l.indentation[j] > window.wake[j]);
+  piece.series->expand(l, piece.order, piece.clock);
+  const double end = reach(*piece.series, piece.clock != Expansion::plain && l.indentation[piece.clock] == 0);
+  piece.end = end;
+  if (piece.clock != Expansion::plain) land(piece);
+  shorten(piece, piece.end);
+  return piece;
+}
+
+/// End a piece in a contact's own clock where that contact lets go: behind, time would run backwards. There
+/// δ is zero, which the landing tells better than δ itself.
+void Stepper::land(Piece& piece) {
+  auto& l = window.lanes;
+  l.side[piece.clock] = 0;
+  Coefficients c;
+  const auto place = flow::first_fall(piece.coefficients(Quantity::clock, piece.clock, c), piece.end);
+  piece.lands = place.has_value();
+  piece.end = place.value_or(piece.end);
+}
+
+/// End the piece where a contact whose force is left out has reached the depth at which it wakes. Depths grow
+/// with some power of time.
+void Stepper::wake_gently(Piece& piece) {
+  const auto& l = window.lanes;
+  for (int j = 0; j < l.count; ++j) {
+    if (!window.pushes(j) || l.push[j] > 0) continue;
+    const double depth = std::max(l.indentation[j], 0.0), goal = 0.6 * late * window.wake[j];
+    for (int tries = 0; tries < 60 && values_.indentation[j] > late * window.wake[j]; ++tries) {
+      const double secant = depth > 0 ? (goal - depth) / (values_.indentation[j] - depth) : 0;
+      const double power = rough_root(goal / values_.indentation[j], 4);
+      shorten(piece, piece.end * std::clamp(std::max(secant, power), 0.1, 0.98));
+    }
+  }
+}
+
+Piece Stepper::next(bool first, double time) {
+  auto start = first ? start_piece() : std::nullopt;
+  Piece piece = start ? *start : series_piece();
+  wake_gently(piece);
+  piece.is_cut = !(values_.time < time);
+  if (piece.is_cut) {
+    shorten(piece, piece.place(time, values_.time));
+    values_.time = time;
+  }
+  return piece;
+}
+
+void Stepper::search(const Piece& piece, Quantity quantity, int lane, double side, double level, Index guard,
+                     Fall& fall) const {
+  Coefficients c;
+  const auto used = piece.coefficients(quantity, lane, c);
+  for (double& coefficient : c) coefficient *= side;
+  c[0] += level;
+  const auto place = flow::first_fall(used, std::min(piece.end, fall.place));
+  if (place && *place < fall.place) fall = {guard, lane, *place};
+}
+
+/// End the piece where the root of an indentation passes zero. A contact that comes to δ = 0 and turns there
+/// goes on as √δ = |t|, and its series as t: beyond, the contact would pull.
+void Stepper::end_at_turn(Piece& piece, int lane) {
+  const auto& l = window.lanes;
+  if (lane == piece.clock || !(l.push[lane] > 0) || !window.is_sharp(lane)) return;
+  Coefficients c;
+  const auto place = flow::first_fall(piece.coefficients(Quantity::root, lane, c), piece.end);
+  if (!place || !(*place < piece.end)) return;
+  piece.is_cut = false;
+  shorten(piece, *place);
+}
+
+Fall Stepper::first_fall(Piece& piece) {
+  Fall fall;
+  if (!piece.series) return fall;  // a start is chosen so short that none fires
+  const auto& l = window.lanes;
+  if (std::any_of(values_.margin, values_.margin + l.count, [](double margin) { return margin < 0; }))
+    piece.series->sharpen(piece.end, values_);
+  for (int j = 0; j < l.count; ++j)
+    if (l.side[j] > 0 && values_.margin[j] < 0) end_at_turn(piece, j);
+  for (int j = 0; j < l.count; ++j) {
+    const auto& c = window.contact(j);
+    if (l.side[j] != 0 && values_.margin[j] < 0)
+      search(piece, Quantity::indentation, j, l.side[j], l.level[j], c.guard, fall);
+    if (l.load_side[j] != 0 && values_.load_margin[j] < 0)
+      search(piece, Quantity::load, j, l.load_side[j], 0, c.load_guard, fall);
+  }
+  if (piece.lands && fall.guard < 0) {  // a damped contact that comes down to δ = 0 has lost its load, too
+    const auto& c = window.contact(piece.clock);
+    fall = {c.load_guard < 0 ? c.guard : c.load_guard, piece.clock, piece.end};
+  }
+  return fall;
+}
+
+void Stepper::advance(const Piece& piece, const Fall& fall) {
+  auto& l = window.lanes;
+  last_time = values_.time;
+  taylor::advance(window, values_);
+  if (piece.clock != Expansion::plain) watch(window, piece.clock);
+  if (fall.guard < 0) return;
+  if (piece.lands && fall.lane == piece.clock) l.indentation[fall.lane] = 0;
+  if (fall.guard == window.contact(fall.lane).guard)
+    l.indentation[fall.lane] = l.side[fall.lane] < 0 ? l.level[fall.lane] : 0;
+}
+
+bool Stepper::has_outgrown() const {
+  const int last = window.lanes.count - 1;
+  const auto awake = [&](int j) { return window.pushes(j) && window.lanes.indentation[j] > window.wake[j]; };
+  const bool at_left_end = window.first == 0,
+             at_right_end = window.first + last + 1 == static_cast<Index>(window.phase->contact.size());
+  return (!at_left_end && awake(0)) || (!at_right_end && awake(last));
+}
+
+}  // namespace mariotte::flow::taylor

@@ -1,0 +1,73 @@
+// One step of the Taylor flow: which series, how far, and whether a guard fires within it.
+#pragma once
+#include <array>
+#include <memory>
+#include <optional>
+
+#include "mariotte/flow/taylor/taylor_piece.hpp"
+
+namespace mariotte::flow::taylor {
+
+/// What makes a step accurate enough.
+struct Precision {
+  double tolerance = 0;  ///< of one step
+  int order = 0;
+};
+
+/// For a wanted error at the end of the run.
+Precision precision(double accuracy);
+
+/// The guard that ends a step.
+struct Fall {
+  Index guard = -1;  ///< −1: none
+  int lane = -1;
+  double place = infinity;
+};
+
+/// Takes one step after the other until a guard fires.
+class Stepper {
+ public:
+  /// Start at x, the whole state at `time`. False if that needs more lanes than there are.
+  bool begin(const SerialPhase& phase, State x, double time, const Precision& precision);
+  /// Length of the step before, or a guess.
+  double last_time = 0;
+
+  /// The longest piece within the tolerance that wakes no contact too late and ends after `time` at the
+  /// latest. `first` allows the series of contacts that start undeformed.
+  Piece next(bool first, double time);
+  /// The first guard that fires within the piece; proven. Shortens a piece that passes a contact's turning
+  /// point at δ = 0.
+  Fall first_fall(Piece& piece);
+  /// What the piece says at its end, or at an earlier place that becomes its end.
+  const Values& values() const { return values_; }
+  void shorten(Piece& piece, double place);
+  /// Move the window to the end of the piece; what has fired stands exactly at its level.
+  void advance(const Piece& piece, const Fall& fall);
+
+  /// A contact at the edge is about to push on a body outside.
+  bool has_outgrown() const;
+
+  Window window;
+
+ private:
+  using Parts = std::array<Start::Part, lane_limit>;
+  bool is_struck(int lane) const;
+  bool starts(Parts& part) const;
+  std::optional<Piece> start_piece();
+  int choose_clock() const;
+  Piece series_piece();
+  void land(Piece& piece);
+  void end_at_turn(Piece& piece, int lane);
+  double reach(const Expansion& series, bool fresh) const;
+  Expansion& expansion();
+  void wake_gently(Piece& piece);
+  void search(const Piece& piece, Quantity quantity, int lane, double side, double level, Index guard,
+              Fall& fall) const;
+
+  Precision precision_;
+  Values values_;
+  Start start_;
+  std::array<std::unique_ptr<Expansion>, lane_sizes.size()> expansions_;
+};
+
+}  // namespace mariotte::flow::taylor

@@ -1,0 +1,96 @@
+#include "mariotte/impact/chain/chain_gate.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mariotte::impact {
+
+using contact::ContactMode;
+
+namespace {
+
+/// Momenta and energies that velocity errors of 1 × reference speed could be of, and what gravity gives.
+struct Reach {
+  double momentum = 0, energy = 0;
+};
+
+Reach reach(const ChainOutcome& o) {
+  Reach sum;
+  for (Index i = 0; i < o.layout.balls(); ++i) {
+    if (o.chain.inverse_mass[i] == 0) continue;
+    const Index at = o.layout.velocity[i];
+    const double fastest =
+        o.chain.speed + std::max(std::abs(o.stretch.before[at]), std::abs(o.stretch.after[at]));
+    sum.momentum += o.chain.mass[i] * (fastest + std::abs(o.chain.gravity[i]) * o.stretch.time);
+    sum.energy += o.chain.mass[i] * fastest * fastest;
+  }
+  return sum;
+}
+
+double largest_wall_speed(const ChainOutcome& o) {
+  double speed = 0;
+  for (Index i = 0; i < o.layout.balls(); ++i)
+    if (o.chain.inverse_mass[i] == 0)
+      speed = std::max(speed, std::abs(o.stretch.before[o.layout.velocity[i]]));
+  return speed;
+}
+
+/// Largest impulse of a contact that pulled, or never closed.
+double wrong_impulse(const ChainOutcome& o) {
+  double worst = 0;
+  for (std::size_t j = 0; j < o.impulses.size(); ++j)
+    worst = std::max(worst, o.periods[j] > 0 ? -o.impulses[j] : std::abs(o.impulses[j]));
+  return worst;
+}
+
+/// Fastest approach of two neighbours.
+double approach(const ChainOutcome& o) {
+  double worst = 0;
+  for (Index j = 0; j < o.layout.contacts(); ++j) {
+    const auto& v = o.layout.velocity;
+    worst = std::max(worst, o.stretch.after[v[j]] - o.stretch.after[v[j + 1]]);
+  }
+  return worst;
+}
+
+double energy_gain(const ChainOutcome& o) {
+  double worst = 0;
+  for (const auto& energy : o.energies) worst = std::max(worst, -energy.dissipated);
+  return worst;
+}
+
+/// Largest indentation without force, in units of what is not heard.
+double unheard_indentation(const ChainOutcome& o, double accuracy) {
+  double worst = 0;
+  for (Index j = 0; j < o.layout.contacts(); ++j) {
+    if (o.mode[j] != ContactMode::open && o.mode[j] != ContactMode::hovering) continue;
+    const double allowed =
+        unheard_depths * o.chain.shallow[j] + balance_allowance * accuracy * o.chain.length[j];
+    const double depth = -o.stretch.after[o.layout.gap[j]] / allowed;
+    worst = depth <= worst ? worst : depth;  // a gap that is not a number counts
+  }
+  return worst;
+}
+
+}  // namespace
+
+void pass_gate(const ChainOutcome& o, double accuracy, hybrid::Ending& ending, std::string& message) {
+  const double share = balance_allowance * std::max(accuracy, 16 * epsilon);
+  const auto [momentum, energy] = reach(o);
+  const double allowed = share * (energy + largest_wall_speed(o) * momentum);
+  const auto balance = energy_balance(o.chain, o.layout, o.energies, o.impulses, o.stretch);
+  const auto momenta = momentum_balance(o.chain, o.layout, o.stretch);
+  const bool parts = ending == hybrid::Ending::separated && !o.chain.falls_back;
+  const Balance balances[] = {
+      {"an approach at the end", parts ? approach(o) : 0, balance_allowance * o.chain.slow},
+      {"the energy balance", balance.residual, allowed + share * std::abs(balance.work)},
+      {"the momentum balance", momenta.residual, share * momentum},
+      {"an impulse that pulls, or of a contact that never closed", wrong_impulse(o), share * momentum},
+      {"the energy that a contact has gained", energy_gain(o), allowed},
+      {"an indentation without force, relative to what cannot be told from rest,",
+       unheard_indentation(o, accuracy), 1},
+  };
+  pass_gate(balances, ending, message);
+}
+
+}  // namespace mariotte::impact

@@ -1,0 +1,206 @@
+#include "mariotte/impact/chain/chain_impact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "mariotte/impact/chain/chain_gate.hpp"
+#include "mariotte/impact/chain/chain_solver.hpp"
+#include "mariotte/impact/flow_use.hpp"
+#include "mariotte/impact/impulses.hpp"
+#include "mariotte/impact/promise.hpp"
+#include "mariotte/impact/watch/course.hpp"
+#include "mariotte/impact/watch/event_list.hpp"
+#include "mariotte/impact/watch/sampler.hpp"
+#include "mariotte/impact/watch/trace.hpp"
+#include "mariotte/model/contacts/scaled_law.hpp"
+
+namespace mariotte::impact {
+
+using model::ChainLayout;
+using model::DimensionlessChain;
+using Run = model::Islands::Run;
+
+namespace {
+
+/// What islands did not have to do.
+void skip_at_rest(const model::IslandCount& islands, Index contacts, std::vector<Skipped>& list) {
+  list.push_back({"balls at rest or in free flight",
+                  "at most " + std::to_string(islands.widest) + " of " + std::to_string(contacts) +
+                      " contacts were integrated together, in " + std::to_string(islands.formed) +
+                      " islands, up to " + std::to_string(islands.at_once) + " at one time"});
+}
+
+std::vector<Skipped> skipped(const ChainLayout& layout, const Course& course, bool trace) {
+  const auto none = [](const std::vector<Index>& places) {
+    return std::all_of(places.begin(), places.end(), [](Index p) { return p == ChainLayout::absent; });
+  };
+  std::vector<Skipped> list;
+  if (course.islands) skip_at_rest(*course.islands, layout.contacts(), list);
+  const auto by_flows = skipped_by_flows(course.run);
+  list.insert(list.end(), by_flows.begin(), by_flows.end());
+  if (none(layout.work)) list.push_back({"dissipation", "no contact is damped"});
+  if (none(layout.impulse))
+    list.push_back({"impulse integrals", "momentum gives every impulse of a chain without walls"});
+  if (!trace) list.push_back({"trace", "not asked for"});
+  return list;
+}
+
+std::vector<ContactHistory> histories(const DimensionlessChain& chain, const Course& course,
+                                      const std::vector<double>& p,
+                                      const std::vector<ContactEnergy>& energies, double accuracy) {
+  const auto& scale = chain.scale;
+  const double speed = chain.speed;
+  const auto& peaks = course.peaks;
+  std::vector<ContactHistory> contacts(p.size());
+  for (std::size_t j = 0; j < contacts.size(); ++j)
+    contacts[j] = {
+        .impulse = p[j] * scale.momentum(),
+        .peak_force = peaks[j].force * scale.force(),
+        .peak_indentation = peaks[j].indentation * scale.length,
+        .stored = energies[j].stored * scale.energy(),
+        .dissipated = loss_above(accuracy * chain.reduced_mass[j] * speed * speed, energies[j].dissipated) *
+                      scale.energy(),
+        .periods = {}};
+  add_periods(contacts, course.run.changes, scale.time);
+  return contacts;
+}
+
+/// Everything asked for, in the chain's units.
+ChainImpact describe(const DimensionlessChain& chain, const ChainLayout& layout, ConstState start,
+                     const Course& course, double accuracy) {
+  const Run& run = course.run;
+  const auto& scale = chain.scale;
+  const Stretch stretch{.before = start, .after = run.state, .time = run.time};
+  std::vector<double> p;
+  std::vector<Index> periods;
+  impulses(chain, layout, stretch, p);
+  count_periods(run.changes, layout.contacts(), periods);
+  std::vector<ContactEnergy> energies;
+  contact_energies(chain, layout, course.mode, stretch, energies);
+
+  ChainImpact impact;
+  impact.ending = run.ending;
+  impact.message = run.message;
+  pass_gate({chain, layout, course.mode, stretch, p, periods, energies}, accuracy, impact.ending,
+            impact.message);
+  clear_untouched(periods, p);
+  impact.time = run.time * scale.time;
+  for (const Index at : layout.velocity) impact.velocity.push_back(run.state[at] * scale.velocity);
+  for (const Index at : layout.gap) impact.gap.push_back(run.state[at] * scale.length);
+  impact.contacts = histories(chain, course, p, energies, accuracy);
+  impact.icr = correlation_ratios(p);
+  impact.impulse_direction = direction(p);
+  impact.events = event_list(run.changes, scale.time);
+  impact.energy = in_units(energy_balance(chain, layout, energies, p, stretch), scale);
+  impact.momentum = in_units(momentum_balance(chain, layout, stretch), scale);
+  impact.flows = flow_uses(run.flows);
+  return impact;
+}
+
+ChainImpact simulate_whole(const model::Chain& chain, const hybrid::Options& options, bool trace) {
+  model::ChainSystem system;
+  system.reset(chain, options.accuracy, /*stay=*/std::isfinite(options.max_time));
+  std::vector<double> start;
+  initial_state(system.chain(), system.layout(), start);
+  auto course = follow_whole(system, start, hybrid::scaled(options, system.chain().scale), trace);
+  auto impact = describe(system.chain(), system.layout(), start, course, options.accuracy);
+  impact.skipped = skipped(system.layout(), course, trace);
+  impact.trace = std::move(course.trace);
+  return impact;
+}
+
+/// All balls and contacts of a chain, kept by `trace`.
+Sampling whole_trace(SampledTrace& trace, std::size_t balls) {
+  Sampling sampling{.balls = std::vector<Index>(balls),
+                    .contacts = std::vector<Index>(balls - 1),
+                    .take = [&trace](const Sample& sample) { return trace.take(sample); }};
+  std::iota(sampling.balls.begin(), sampling.balls.end(), 0);
+  std::iota(sampling.contacts.begin(), sampling.contacts.end(), 0);
+  return sampling;
+}
+
+ChainImpact simulate_islands(const model::Chain& chain, const hybrid::Options& options, Watching watching) {
+  DimensionlessChain scaled;
+  ChainLayout layout;
+  std::vector<double> start;
+  make_dimensionless(chain, options.accuracy, scaled);
+  const auto inner = tightened(options, chain.mass.size());
+  fade_later(scaled, inner.accuracy);
+  make_layout(scaled, layout);
+  initial_state(scaled, layout, start);
+  SampledTrace trace;
+  if (watching.trace) watching.samplings.push_back(whole_trace(trace, chain.mass.size()));
+  Sampler sampler(scaled, watching);
+  const bool looks_on = !watching.samplings.empty() || watching.progress;
+  const auto course = follow_islands(scaled, layout, start, hybrid::scaled(inner, scaled.scale),
+                                     /*stay=*/std::isfinite(options.max_time), looks_on ? &sampler : nullptr);
+  auto impact = describe(scaled, layout, start, course, options.accuracy);
+  impact.skipped = skipped(layout, course, watching.trace);
+  impact.trace = trace.take();
+  return impact;
+}
+
+ChainImpact simulate_once(const model::Chain& chain, const hybrid::Options& options,
+                          const Watching& watching) {
+  const auto balls = chain.mass.size();
+  return divides(options, balls) || !watching.samplings.empty()
+             ? simulate_islands(chain, options, watching)
+             : simulate_whole(chain, tightened(options, balls), watching.trace);
+}
+
+/// A flow that shares no formula with what `options` lets run: CVODE, or the choice itself beside CVODE.
+std::string another_flow(const model::Chain& chain, const hybrid::Options& options) {
+  if (options.flow.starts_with("cvode")) return "auto";
+  constexpr double stiff = 5;  // as flow::choose has it
+  DimensionlessChain scaled;
+  make_dimensionless(chain, options.accuracy, scaled);
+  for (std::size_t j = 0; j < scaled.law.size(); ++j)
+    if (damping_ratio(scaled, j) > stiff) return "cvode-bdf-klu";
+  return "cvode-adams";
+}
+
+}  // namespace
+
+ChainImpact simulate(const model::Chain& chain, const hybrid::Options& options, bool trace) {
+  return simulate(chain, options, Watching{.trace = trace});
+}
+
+ChainImpact simulate(const model::Chain& chain, const hybrid::Options& options, const Watching& watching) {
+  model::validate(chain);
+  hybrid::validate(options);
+  model::expect_end(chain, options.max_time);
+  auto impact = simulate_once(chain, options, watching);
+  const auto again = [&](double accuracy) {
+    auto tighter = options;
+    tighter.accuracy = accuracy;
+    return simulate_once(chain, tighter, watching);
+  };
+  if (watching.samplings.empty())  // what was sampled cannot be taken back
+    keep_promise(
+        options.accuracy, reference_speed(chain), impact, again,
+        [](const ChainImpact& one) -> const auto& { return one.velocity; });
+  impact.requested_accuracy = options.accuracy;
+  return impact;
+}
+
+double estimate_accuracy(const model::Chain& chain, const hybrid::Options& options,
+                         const ChainImpact& result) {
+  constexpr double cvode_floor = 1e-12;
+  const double speed = reference_speed(chain);
+  ChainSolver solver;
+  auto tighter = options;
+  tighter.accuracy = std::max(1e-2 * options.accuracy, 16 * epsilon);
+  const double from_tighter = difference(result.velocity, solver.solve(chain, tighter).velocity, speed);
+  if (divides(options, chain.mass.size())) return from_tighter;
+  tighter.flow = another_flow(chain, options);
+  tighter.accuracy = std::max(tighter.accuracy, cvode_floor);
+  const auto& other = solver.solve(chain, tighter);
+  using hybrid::Ending;
+  if (other.ending == Ending::failed || other.ending == Ending::event_limit) return from_tighter;
+  const double from_other = difference(result.velocity, other.velocity, speed);
+  return from_other > 10 * cvode_floor ? std::max(from_tighter, from_other) : from_tighter;
+}
+
+}  // namespace mariotte::impact

@@ -1,0 +1,101 @@
+// The impact of a chain, from start to separation: the quantities a researcher asks for, in the chain's
+// units.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mariotte/hybrid/ending.hpp"
+#include "mariotte/hybrid/options.hpp"
+#include "mariotte/impact/flow_use.hpp"
+#include "mariotte/model/chain/chain.hpp"
+
+namespace mariotte::impact {
+
+/// A stretch of time in which one contact carries force [s]; `end` is empty if it still does at the end.
+struct Period {
+  double start;
+  std::optional<double> end;
+};
+
+/// What one contact did.
+struct ContactHistory {
+  double impulse = 0;           ///< p = ∫ f dt [N s]
+  double peak_force = 0;        ///< [N]
+  double peak_indentation = 0;  ///< [m]
+  double stored = 0;            ///< elastic energy left at the end [J]
+  double dissipated = 0;        ///< energy lost, ≥ 0 [J]
+  std::vector<Period> periods;  ///< in order of time
+};
+
+/// One instant at which the set of force-carrying contacts changes; contacts count from 0.
+struct Event {
+  double time;  ///< [s]
+  std::vector<Index> open;
+  std::vector<Index> close;
+};
+
+/// final + stored + dissipated − initial − work = residual [J].
+struct EnergyLedger {
+  double initial = 0;               ///< kinetic plus stored energy at the start
+  double final = 0;                 ///< kinetic energy at the end
+  double stored = 0;                ///< elastic energy at the end
+  double dissipated = 0;            ///< Σ over contacts
+  double work = 0;                  ///< done on the balls by gravity and moving walls
+  double residual = 0;              ///< error of the ledger
+  std::optional<double> ratio_lab;  ///< kinetic energy ratio T⁺/T⁻ in the given frame; empty if T⁻ = 0
+  std::optional<double> ratio_centre;  ///< the same relative to the mass centre; empty with walls, too
+};
+
+/// Momentum of the balls of finite mass [N s].
+struct MomentumLedger {
+  double initial = 0;
+  double final = 0;
+  double residual = 0;  ///< final − initial − impulses of walls and gravity
+};
+
+/// Samples of a run, one row per time; filled only on request.
+struct Trace {
+  std::vector<double> time;                   ///< [s]
+  std::vector<std::vector<double>> velocity;  ///< rows of n values
+  std::vector<std::vector<double>> gap;       ///< rows of m values [m]
+  std::vector<std::vector<double>> force;     ///< rows of m values [N]
+  std::string moving = "ball";                ///< what has a velocity
+  std::string velocity_unit = "m/s";          ///< empty where units differ
+};
+
+/// What every model made of contacts has to tell: n velocities, m contacts.
+struct ContactImpact {
+  hybrid::Ending ending = hybrid::Ending::separated;
+  std::string message;           ///< why, for endings other than separated; else empty
+  double time = 0;               ///< of the ending [s]
+  std::vector<double> velocity;  ///< n values [m/s]
+  std::vector<double> gap;       ///< m values [m]
+  std::vector<ContactHistory> contacts;
+  std::vector<std::optional<double>> icr;  ///< α_j = p_j/p_{j+1}, m−1 values; empty where p_{j+1} = 0
+  std::vector<double> impulse_direction;   ///< r = p/|p|, m values; zeros if no impulse was exchanged
+  std::vector<Event> events;               ///< in order of time
+  EnergyLedger energy;
+  std::vector<FlowUse> flows;
+  std::vector<Skipped> skipped;
+  double requested_accuracy = 0;
+  std::optional<double> estimated_accuracy;  ///< only from estimate_accuracy
+  Trace trace;
+};
+
+/// Of n balls and m = n−1 contacts.
+struct ChainImpact : ContactImpact {
+  MomentumLedger momentum;
+};
+
+/// Simulate a chain until it separates for good, or a limit. With `trace`, samples are kept (at most a few
+/// thousand rows). Throws InvalidParameter for a chain, accuracy or flow name that makes no sense.
+ChainImpact simulate(const model::Chain& chain, const hybrid::Options& options = {}, bool trace = false);
+
+/// Error of `result.velocity` relative to the largest incident speed: the larger of the differences to a run
+/// at a tighter accuracy and, unless the chain is divided into islands, to one by a flow that shares no
+/// formula with it: CVODE, whose own errors begin at about 1e-12 and are not counted.
+double estimate_accuracy(const model::Chain& chain, const hybrid::Options& options,
+                         const ChainImpact& result);
+
+}  // namespace mariotte::impact

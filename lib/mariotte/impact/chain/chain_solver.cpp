@@ -1,0 +1,114 @@
+#include "mariotte/impact/chain/chain_solver.hpp"
+
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "mariotte/hybrid/simulate.hpp"
+#include "mariotte/impact/chain/chain_gate.hpp"
+#include "mariotte/impact/impulses.hpp"
+#include "mariotte/impact/promise.hpp"
+#include "mariotte/impact/watch/course.hpp"
+
+namespace mariotte::impact {
+
+using model::ChainLayout;
+using model::DimensionlessChain;
+
+struct ChainSolver::Memory {
+  model::ChainSystem system;
+  hybrid::Workspace<model::ChainSystem> workspace;
+  DimensionlessChain divided;
+  ChainLayout divided_layout;
+  std::vector<double> start;
+  std::vector<ContactEnergy> energies;
+  BriefImpact impact, looser;
+  Passage passage;
+
+  void report(const DimensionlessChain& chain, const ChainLayout& layout, const model::Islands::Run& run,
+              const contact::ContactSet& mode, double accuracy) {
+    const Stretch stretch{.before = start, .after = run.state, .time = run.time};
+    impact.ending = run.ending;
+    impact.message = run.message;
+    impact.time = run.time * chain.scale.time;
+    impact.velocity.clear();
+    for (const Index at : layout.velocity) impact.velocity.push_back(run.state[at] * chain.scale.velocity);
+    impulses(chain, layout, stretch, impact.impulse);
+    count_periods(run.changes, layout.contacts(), impact.periods);
+    contact_energies(chain, layout, mode, stretch, energies);
+    pass_gate({chain, layout, mode, stretch, impact.impulse, impact.periods, energies}, accuracy,
+              impact.ending, impact.message);
+    clear_untouched(impact.periods, impact.impulse);
+    for (double& p : impact.impulse) p *= chain.scale.momentum();
+    impact.events = run.events;
+    impact.steps = impact.rhs = 0;
+    passage = {.contacts = layout.contacts(),
+               .periods = std::accumulate(impact.periods.begin(), impact.periods.end(), Index{0})};
+    for (const auto kind : flow::kinds) {
+      const auto& flow = run.flows[static_cast<std::size_t>(kind)];
+      impact.steps += flow.steps;
+      impact.rhs += flow.rhs;
+      count_steps(passage, kind >= flow::Kind::cvode_adams, flow.steps);
+    }
+  }
+
+  void solve_whole(const model::Chain& chain, const hybrid::Options& options, bool stay) {
+    system.reset(chain, options.accuracy, stay);
+    initial_state(system.chain(), system.layout(), start);
+    const auto& run =
+        hybrid::simulate(system, start, hybrid::scaled(options, system.chain().scale), workspace);
+    report(system.chain(), system.layout(), run, workspace.mode, options.accuracy);
+    impact.widest = system.layout().contacts();
+  }
+
+  void solve_islands(const model::Chain& chain, const hybrid::Options& options, bool stay) {
+    make_dimensionless(chain, options.accuracy, divided);
+    const auto inner = tightened(options, chain.mass.size());
+    fade_later(divided, inner.accuracy);
+    make_layout(divided, divided_layout);
+    initial_state(divided, divided_layout, start);
+    model::Islands islands(divided, divided_layout, start, hybrid::scaled(inner, divided.scale), stay, {});
+    islands.run();
+    report(divided, divided_layout, islands.result(), islands.mode(), options.accuracy);
+    impact.widest = islands.count().widest;
+  }
+
+  void solve(const model::Chain& chain, const hybrid::Options& options) {
+    const bool stay = std::isfinite(options.max_time);
+    const auto balls = chain.mass.size();
+    divides(options, balls) ? solve_islands(chain, options, stay)
+                            : solve_whole(chain, tightened(options, balls), stay);
+  }
+
+  void keep_promise(const model::Chain& chain, hybrid::Options options) {
+    impact.estimated_accuracy.reset();
+    if (!may_have_erred(passage)) return;
+    const double speed = reference_speed(chain);
+    const auto estimate =
+        impact::keep_promise(options.accuracy, [&](double accuracy) -> std::optional<double> {
+          looser = impact;
+          options.accuracy = accuracy;
+          solve(chain, options);
+          if (may_replace(looser.ending, impact.ending))
+            return difference(impact.velocity, looser.velocity, speed);
+          std::swap(impact, looser);
+          return std::nullopt;
+        });
+    impact.estimated_accuracy = estimate;
+  }
+};
+
+ChainSolver::ChainSolver() : memory_(std::make_unique<Memory>()) {}
+ChainSolver::~ChainSolver() = default;
+
+const BriefImpact& ChainSolver::solve(const model::Chain& chain, const hybrid::Options& options) {
+  auto& m = *memory_;
+  model::validate(chain);
+  hybrid::validate(options);
+  model::expect_end(chain, options.max_time);
+  m.solve(chain, options);
+  m.keep_promise(chain, options);
+  return m.impact;
+}
+
+}  // namespace mariotte::impact

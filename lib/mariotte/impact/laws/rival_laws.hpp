@@ -1,0 +1,34 @@
+// The usual impact laws side by side, for comparison with the multiple-impact law.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "mariotte/impact/laws/law_outcome.hpp"
+
+namespace mariotte::impact {
+
+/// What the laws need beside the configuration.
+struct RivalParameters {
+  double restitution = 1;              ///< e of every contact, 0 ≤ e ≤ 1
+  std::vector<double> stiffness = {};  ///< of the distribution law, one per contact; empty for equal ones
+  double exponent = 1.5;               ///< of the distribution law
+  std::vector<double> direction =
+      {};  ///< impulses up to their size, for Ceanga & Hurmuzlu's law; may be empty
+};
+
+/// A law by name, and what it answers.
+struct NamedOutcome {
+  std::string name;
+  LawOutcome outcome;
+};
+
+/// "newton", "poisson", "moreau", "left-to-right", "by-event", for e > 0 "liu-zhao-brogliato", and with a
+/// direction "ceanga-hurmuzlu".
+std::vector<NamedOutcome> rival_outcomes(const Configuration& configuration,
+                                         const RivalParameters& parameters);
+
+/// How far the kinetic energy is spread over the freedoms of a diagonal mass matrix: 1 − Σ s² with the
+/// shares s, 0 if one has all, 1 − 1/n if n share it evenly.
+double energy_dispersion(const Configuration& configuration, const std::vector<double>& velocity);
+
+}  // namespace mariotte::impact

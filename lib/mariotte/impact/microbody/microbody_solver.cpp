@@ -1,0 +1,64 @@
+#include "mariotte/impact/microbody/microbody_solver.hpp"
+
+#include "mariotte/hybrid/simulate.hpp"
+#include "mariotte/impact/microbody/microbody_gate.hpp"
+#include "mariotte/model/microbody/microbody_system.hpp"
+
+namespace mariotte::impact {
+
+using model::MicrobodySystem;
+
+namespace {
+
+/// Contacts that have ended, as the automaton has said.
+Index count_openings(const std::vector<hybrid::Timed<model::MicrobodyChange>>& changes) {
+  Index count = 0;
+  for (const auto& one : changes) count += one.change.event == model::TipEvent::open;
+  return count;
+}
+
+}  // namespace
+
+struct MicrobodySolver::Memory {
+  hybrid::Workspace<MicrobodySystem> workspace;
+  BriefMicrobodyImpact impact;
+
+  void report(const MicrobodySystem& system, const hybrid::Trajectory<model::MicrobodyChange>& run) {
+    const auto& scale = system.body().scale;
+    const auto& place = system.layout().place;
+    const ConstState x = run.state;
+    impact = {.ending = run.ending,
+              .message = run.message,
+              .time = run.time * scale.time,
+              .attitude = quaternion_at(x, place.attitude),
+              .velocity = scale.velocity * vector_at(x, place.velocity),
+              .spin = (1 / scale.time) * system.mechanics().spin(x),
+              .tip_velocity = scale.velocity * system.mechanics().tip(x, 0).velocity,
+              .impacts = count_openings(run.changes),
+              .events = run.events};
+    for (const auto& flow : run.flows) {
+      impact.steps += flow.steps;
+      impact.rhs += flow.rhs;
+    }
+  }
+};
+
+MicrobodySolver::MicrobodySolver() : memory_(std::make_unique<Memory>()) {}
+MicrobodySolver::~MicrobodySolver() = default;
+
+const BriefMicrobodyImpact& MicrobodySolver::solve(const model::Microbody& body,
+                                                   const hybrid::Options& options) {
+  model::validate(body);
+  hybrid::validate(options);
+  MicrobodySystem system(body, options.accuracy, /*ledger=*/false, {.force_signs = false});
+  const auto start = initial_state(system.body(), system.layout());
+  auto run_options = hybrid::scaled(options, system.body().scale);
+  run_options.accuracy = system.accuracy();
+  const auto& run = hybrid::simulate(system, start, run_options, memory_->workspace);
+  memory_->report(system, run);
+  pass_gate(balances(system, start, run.state, memory_->workspace.mode), memory_->impact.ending,
+            memory_->impact.message);
+  return memory_->impact;
+}
+
+}  // namespace mariotte::impact

@@ -1,0 +1,108 @@
+#include "mariotte/impact/microbody/microbody_watch.hpp"
+
+#include <algorithm>
+
+#include "mariotte/core/bracket.hpp"
+
+namespace mariotte::impact {
+namespace {
+
+constexpr std::size_t most_samples = 20000;
+
+/// Largest value between two places of a function with at most one maximum there: where its slope falls
+/// through zero, or at an end. It is flat there, so a loose place is enough for a tight value.
+template <class Function>
+double highest(Function&& f, double low, double high) {
+  constexpr double loose = 1e-6;
+  const auto slope = [&](double place) { return f(place + loose) - f(place - loose); };
+  const double left = low + loose, right = high - loose;
+  const double rise = slope(left), fall = slope(right);
+  if (!(rise > 0 && fall < 0)) return std::max(f(low), f(high));
+  return f(locate_sign_change(slope, left, rise, right, fall, loose));
+}
+
+}  // namespace
+
+BodyState body_state(const model::MicrobodySystem& system, double time, ConstState x) {
+  const auto& scale = system.body().scale;
+  const auto& place = system.layout().place;
+  const auto q = quaternion_at(x, place.attitude);
+  const auto& first = system.body().body.tips[0];
+  const double height = x[place.gap[0]] + first.radius - rotate(q, first.centre).e1;
+  return {.time = time * scale.time,
+          .position = scale.length * Vector3{height, x[place.position], x[place.position + 1]},
+          .attitude = q,
+          .velocity = scale.velocity * vector_at(x, place.velocity),
+          .spin = (1 / scale.time) * system.mechanics().spin(x)};
+}
+
+void MicrobodyWatch::begin_phase(double time, ConstState x) {
+  start_ = time;
+  milestones_.push_back({time, {x.begin(), x.end()}});
+  peaks_.emplace_back(system_.layout().tips);
+  shared_friction_ = shared_friction_ || system_.mechanics().forces(x, system_.mode()).redundant;
+  if (tracing_) sample(time, x);  // friction jumps at events: one sample before, one after
+}
+
+TipPeaks MicrobodyWatch::now(ConstState x, Index i) const {
+  const auto tip = system_.mechanics().tip(x, i);
+  const double force = system_.mechanics().normal_force(tip, i);
+  return {.push = force, .pull = -force, .depth = tip.indentation};
+}
+
+void MicrobodyWatch::search(const flow::Step& step, Index i) {
+  constexpr int pieces = 4;
+  std::array<TipPeaks, pieces + 1> samples;
+  const auto at = [&](double share) {
+    step.inside(share, inside_);
+    return now(inside_, i);
+  };
+  for (int k = 0; k <= pieces; ++k) samples[k] = at(static_cast<double>(k) / pieces);
+  for (double TipPeaks::*quantity : {&TipPeaks::push, &TipPeaks::pull, &TipPeaks::depth}) {
+    const auto best = std::max_element(samples.begin(), samples.end(), [&](const auto& a, const auto& b) {
+      return a.*quantity < b.*quantity;
+    });
+    auto& peak = peaks_.back()[i].*quantity;
+    peak = std::max(peak, (*best).*quantity);
+    if ((*best).*quantity <= 0.5 * peak) continue;
+    const auto k = static_cast<double>(best - samples.begin());
+    peak = std::max(peak, highest([&](double share) { return at(share).*quantity; },
+                                  std::max(0.0, k - 1) / pieces, std::min<double>(pieces, k + 1) / pieces));
+  }
+}
+
+void MicrobodyWatch::watch(const flow::Step& step) {
+  inside_.resize(step.before.size());
+  for (Index i = 0; i < system_.layout().tips; ++i) {
+    const Index gap = system_.layout().place.gap[i];
+    if (step.before[gap] < 0 || step.after[gap] < 0) search(step, i);
+  }
+  if (!tracing_) return;
+  constexpr int samples = 16;
+  for (int k = 1; k < samples; ++k) {
+    const double time = step.start + (step.end - step.start) * k / samples;
+    step.at(time, inside_);
+    sample(start_ + time, inside_);
+  }
+  sample(start_ + step.end, step.after);
+}
+
+void MicrobodyWatch::sample(double time, ConstState x) {
+  if (trace_.state.size() >= most_samples) return;
+  const auto& mechanics = system_.mechanics();
+  const auto& scale = system_.body().scale;
+  trace_.state.push_back(body_state(system_, time, x));
+  auto& gap = trace_.gap.emplace_back();
+  auto& normal = trace_.normal_force.emplace_back();
+  auto& friction = trace_.friction.emplace_back();
+  auto& slip = trace_.slip.emplace_back();
+  const auto forces = mechanics.forces(x, system_.mode());
+  for (Index i = 0; i < system_.layout().tips; ++i) {
+    gap.push_back(x[system_.layout().place.gap[i]] * scale.length);
+    normal.push_back(forces.normal[i] * scale.force());
+    friction.push_back(scale.force() * forces.friction[i]);
+    slip.push_back(scale.velocity * mechanics.tip(x, i).slip);
+  }
+}
+
+}  // namespace mariotte::impact

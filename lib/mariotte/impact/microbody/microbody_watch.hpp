@@ -1,0 +1,54 @@
+// What is looked at while a microbody moves: states at events, peaks and samples.
+#pragma once
+#include <vector>
+
+#include "mariotte/hybrid/simulate.hpp"
+#include "mariotte/impact/microbody/microbody_impact.hpp"
+#include "mariotte/model/microbody/microbody_system.hpp"
+
+namespace mariotte::impact {
+
+/// Dimensionless state → SI. `height` and spin follow from it.
+BodyState body_state(const model::MicrobodySystem& system, double time, ConstState x);
+
+/// The state at the beginning of each phase, which is that at the event before it.
+struct Milestone {
+  double time;
+  std::vector<double> state;
+};
+
+/// Largest push, pull and indentation of each tip since its last touch, dimensionless.
+struct TipPeaks {
+  double push = 0, pull = 0, depth = 0;
+};
+
+/// Sees every step of a body's run and keeps what the result needs.
+class MicrobodyWatch final : public hybrid::PhaseWatcher {
+ public:
+  MicrobodyWatch(const model::MicrobodySystem& system, bool trace) : system_(system), tracing_(trace) {}
+  void begin_phase(double time, ConstState x) override;
+  void watch(const flow::Step& step) override;
+
+  const std::vector<Milestone>& milestones() const { return milestones_; }
+  /// Per phase and tip, in the order of the milestones.
+  const std::vector<std::vector<TipPeaks>>& peaks() const { return peaks_; }
+  /// Two tips stuck at once in a way that leaves the division of friction between them open.
+  bool shared_friction() const { return shared_friction_; }
+  BodyTrace take_trace() { return std::move(trace_); }
+
+ private:
+  TipPeaks now(ConstState x, Index tip) const;
+  void search(const flow::Step& step, Index tip);
+  void sample(double time, ConstState x);
+
+  const model::MicrobodySystem& system_;
+  bool tracing_;
+  bool shared_friction_ = false;
+  double start_ = 0;
+  std::vector<Milestone> milestones_;
+  std::vector<std::vector<TipPeaks>> peaks_;
+  BodyTrace trace_;
+  std::vector<double> inside_;
+};
+
+}  // namespace mariotte::impact

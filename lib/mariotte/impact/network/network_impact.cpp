@@ -1,0 +1,168 @@
+#include "mariotte/impact/network/network_impact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mariotte/hybrid/simulate.hpp"
+#include "mariotte/impact/gate.hpp"
+#include "mariotte/impact/impulses.hpp"
+#include "mariotte/impact/network/network_gate.hpp"
+#include "mariotte/impact/network/network_ledger.hpp"
+#include "mariotte/impact/promise.hpp"
+#include "mariotte/impact/watch/event_list.hpp"
+#include "mariotte/impact/watch/observers.hpp"
+#include "mariotte/model/network/network_system.hpp"
+
+namespace mariotte::impact {
+
+using model::NetworkSystem;
+
+namespace {
+
+/// Impulse and energies of contact j.
+ContactHistory history(const NetworkSystem& system, contact::ContactMode mode, Index j, const ContactRun& run,
+                       double accuracy) {
+  const auto& d = system.network();
+  const auto& at = system.layout();
+  ContactHistory contact;
+  contact.impulse = run.state[at.impulse(j)] * d.scale.momentum();
+  const double gap = run.state[at.gap(j)];
+  const double stored = contact::carries_force(mode) && gap < 0 ? contact::stored_energy(d.law[j], -gap) : 0;
+  contact.stored = stored * d.scale.energy();
+  if (at.work[j] == model::NetworkLayout::absent) return contact;
+  const double noise = accuracy * d.reduced_mass[j] * d.speed * d.speed;
+  contact.dissipated = loss_above(noise, run.state[at.work[j]] - stored) * d.scale.energy();
+  return contact;
+}
+
+/// By contact: its impulse is more than the accuracy leaves open.
+std::vector<bool> felt(const NetworkSystem& system, const ContactRun& run, double accuracy) {
+  const auto& d = system.network();
+  std::vector<bool> list;
+  for (Index j = 0; j < d.contacts(); ++j)
+    list.push_back(std::abs(run.state[system.layout().impulse(j)]) > accuracy * d.reduced_mass[j] * d.speed);
+  return list;
+}
+
+std::vector<ContactHistory> histories(const NetworkSystem& system, const contact::ContactSet& mode,
+                                      const ContactRun& run, const ContactChanges& changes,
+                                      const std::vector<Peak>& peaks, double accuracy) {
+  const auto& scale = system.network().scale;
+  std::vector<ContactHistory> contacts;
+  for (Index j = 0; j < std::ssize(mode); ++j) {
+    contacts.push_back(history(system, mode[j], j, run, accuracy));
+    contacts[j].peak_force = peaks[j].force * scale.force();
+    contacts[j].peak_indentation = peaks[j].indentation * scale.length;
+  }
+  add_periods(contacts, changes, scale.time);
+  for (auto& contact : contacts)
+    if (contact.periods.empty()) contact.impulse = 0;
+  return contacts;
+}
+
+std::vector<Skipped> skipped(const NetworkSystem& system, const ContactRun& run, bool trace) {
+  auto list = skipped_by_flows(run);
+  const auto& work = system.layout().work;
+  if (std::all_of(work.begin(), work.end(), [](Index p) { return p == model::NetworkLayout::absent; }))
+    list.push_back({"dissipation", "no contact is damped"});
+  list.push_back({"turning of contact directions", "they are those of the start throughout"});
+  if (!trace) list.push_back({"trace", "not asked for"});
+  return list;
+}
+
+Trace named(Trace trace, const model::Network& network) {
+  trace.moving = moving(network);
+  trace.velocity_unit = velocity_unit(network);
+  return trace;
+}
+
+double largest(const std::vector<double>& values) {
+  double most = 0;
+  for (const double value : values) most = std::max(most, std::abs(value));
+  return most;
+}
+
+/// The contacts without force, and how deep each may be without being heard.
+void pass_gate(const NetworkSystem& system, const model::Network& network, const contact::ContactSet& mode,
+               NetworkImpact& impact) {
+  const auto& d = system.network();
+  std::vector<Index> open;
+  std::vector<double> depth;
+  for (Index j = 0; j < std::ssize(mode); ++j) {
+    using contact::ContactMode;
+    if (mode[j] == ContactMode::open || mode[j] == ContactMode::hovering) open.push_back(j);
+    const double length = balance_allowance * impact.requested_accuracy * d.length[j];
+    depth.push_back((unheard_depths * d.shallow[j] + length) * d.scale.length);
+  }
+  const auto before = configuration_of(network);
+  pass_gate(before, d.speed * d.scale.velocity, open, depth, impact);
+}
+
+NetworkImpact simulate_once(const model::Network& network, const hybrid::Options& options, bool trace) {
+  NetworkSystem system(network, options.accuracy);
+  const auto& scale = system.network().scale;
+  const auto& at = system.layout();
+  const auto start = initial_state(system.network(), at);
+  Observers observers(system.phase(), scale, trace);
+  hybrid::Workspace<NetworkSystem> workspace;
+  const ContactRun& run =
+      hybrid::simulate(system, start, hybrid::scaled(options, scale), workspace, &observers);
+  system.problem(workspace.mode);  // forces at the ending are those of the last mode
+
+  NetworkImpact impact;
+  impact.ending = run.ending;
+  impact.message = run.message;
+  impact.time = run.time * scale.time;
+  for (Index i = 0; i < at.freedoms; ++i) impact.velocity.push_back(run.state[i] * scale.velocity);
+  for (Index j = 0; j < at.contacts; ++j) impact.gap.push_back(run.state[at.gap(j)] * scale.length);
+  const auto changes = beyond_noise(run.changes, felt(system, run, options.accuracy));
+  impact.contacts =
+      histories(system, workspace.mode, run, changes, observers.peaks.peaks(), options.accuracy);
+  const auto p = impulses_of(impact);
+  impact.icr = correlation_ratios(p);
+  impact.impulse_direction = direction(p);
+  impact.events = event_list(changes, scale.time);
+  const auto before = configuration_of(network);
+  impact.energy = energy_ledger(network, before, impact);
+  impact.momentum_residual = momentum_residual(before, impact);
+  impact.flows = flow_uses(run.flows);
+  impact.skipped = skipped(system, run, trace);
+  impact.requested_accuracy = options.accuracy;
+  if (trace) impact.trace = named(observers.recorder.take(run.time, run.state), network);
+  pass_gate(system, network, workspace.mode, impact);
+  return impact;
+}
+
+}  // namespace
+
+Configuration configuration_of(const model::Network& network) {
+  return {.mass = network.mass, .contact = network.direction, .velocity = network.velocity};
+}
+
+NetworkImpact simulate(const model::Network& network, const hybrid::Options& options, bool trace) {
+  model::validate(network);
+  hybrid::validate(options);
+  auto impact = simulate_once(network, options, trace);
+  const auto before = configuration_of(network);
+  const auto again = [&](double accuracy) {
+    auto tighter = options;
+    tighter.accuracy = accuracy;
+    return simulate_once(network, tighter, trace);
+  };
+  keep_promise(options.accuracy, largest(gap_rates(before, network.velocity)), impact, again,
+               [&](const NetworkImpact& one) { return gap_rates(before, one.velocity); });
+  impact.requested_accuracy = options.accuracy;
+  return impact;
+}
+
+double estimate_accuracy(const model::Network& network, const hybrid::Options& options,
+                         const NetworkImpact& result) {
+  auto tighter = options;
+  tighter.accuracy = std::max(1e-2 * options.accuracy, 16 * epsilon);
+  const auto before = configuration_of(network);
+  const auto reference = gap_rates(before, simulate(network, tighter).velocity);
+  return difference(gap_rates(before, result.velocity), reference,
+                    largest(gap_rates(before, network.velocity)));
+}
+
+}  // namespace mariotte::impact

@@ -1,0 +1,38 @@
+// The impact of a contact network, in the network's units.
+#pragma once
+#include "mariotte/impact/chain/chain_impact.hpp"
+#include "mariotte/impact/laws/configuration.hpp"
+#include "mariotte/model/network/network.hpp"
+
+namespace mariotte::impact {
+
+/// Ratios are those of contacts that follow each other in the network, which need not be neighbours; the
+/// direction of the impulses says all.
+struct NetworkImpact : ContactImpact {
+  double momentum_residual = 0;  ///< of v⁺ − v⁻ = M⁻¹Gᵀp, relative, in the norm of the kinetic energy
+};
+
+/// Simulate a network until it separates for good, or a limit. With `trace`, samples are kept (at most a few
+/// thousand rows). Throws InvalidParameter for a network, accuracy or flow name that makes no sense.
+NetworkImpact simulate(const model::Network& network, const hybrid::Options& options = {},
+                       bool trace = false);
+
+/// Error of the gap rates that follow from `result.velocity`, relative to the largest one before, from a
+/// second run at a tighter accuracy.
+double estimate_accuracy(const model::Network& network, const hybrid::Options& options,
+                         const NetworkImpact& result);
+
+/// What a velocity of the network is of, and its unit: a coordinate of a ball [m/s], or any freedom, whose
+/// unit is not known.
+inline const char* moving(const model::Network& network) {
+  return network.dimension > 0 ? "coordinate" : "freedom";
+}
+/// Unit of such a velocity; empty if it is not known.
+inline const char* velocity_unit(const model::Network& network) {
+  return network.dimension > 0 ? "m/s" : "";
+}
+
+/// The network at its start, as impact laws see it.
+Configuration configuration_of(const model::Network& network);
+
+}  // namespace mariotte::impact

@@ -1,0 +1,56 @@
+#include "mariotte/impact/network/network_ledger.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mariotte::impact {
+namespace {
+
+double wall_work(const Configuration& before, const std::vector<double>& given) {
+  if (before.mass.size() != given.size()) return 0;  // a full mass matrix has no walls
+  double work = 0;
+  for (std::size_t i = 0; i < given.size(); ++i)
+    if (std::isinf(before.mass[i])) work -= before.velocity[i] * given[i];
+  return work;
+}
+
+}  // namespace
+
+std::vector<double> impulses_of(const ContactImpact& impact) {
+  std::vector<double> p;
+  for (const auto& contact : impact.contacts) p.push_back(contact.impulse);
+  return p;
+}
+
+EnergyLedger energy_ledger(const model::Network& network, const Configuration& before,
+                           const ContactImpact& impact) {
+  EnergyLedger ledger;
+  ledger.initial = kinetic_energy(before, before.velocity);
+  ledger.final = kinetic_energy(before, impact.velocity);
+  for (std::size_t j = 0; j < network.law.size(); ++j)
+    if (network.gap[j] < 0) ledger.initial += contact::stored_energy(network.law[j], -network.gap[j]);
+  for (const auto& contact : impact.contacts) {
+    ledger.stored += contact.stored;
+    ledger.dissipated += contact.dissipated;
+  }
+  ledger.work = wall_work(before, generalised_impulse(before, impulses_of(impact)));
+  ledger.residual = ledger.final + ledger.stored + ledger.dissipated - ledger.initial - ledger.work;
+  const auto ratio = [&](auto energy) -> std::optional<double> {
+    const double start = energy(before, before.velocity);
+    return start > 0 ? std::optional(energy(before, impact.velocity) / start) : std::nullopt;
+  };
+  ledger.ratio_lab = ratio(kinetic_energy);
+  ledger.ratio_centre = ratio(relative_energy);
+  return ledger;
+}
+
+double momentum_residual(const Configuration& before, const ContactImpact& impact) {
+  auto unexplained = velocity_change(before, impulses_of(impact));
+  for (std::size_t i = 0; i < unexplained.size(); ++i)
+    unexplained[i] = impact.velocity[i] - before.velocity[i] - unexplained[i];
+  const double energy =
+      std::max(kinetic_energy(before, before.velocity), kinetic_energy(before, impact.velocity));
+  return energy > 0 ? std::sqrt(kinetic_energy(before, unexplained) / energy) : 0;
+}
+
+}  // namespace mariotte::impact

@@ -1,0 +1,69 @@
+#include "mariotte/impact/watch/event_list.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "mariotte/impact/impulses.hpp"
+
+namespace mariotte::impact {
+namespace {
+
+bool ends_force(const model::ContactChange& change) {
+  return contact::carries_force(change.before) && !contact::carries_force(change.after);
+}
+
+}  // namespace
+
+std::vector<Event> event_list(const ContactChanges& changes, double unit) {
+  std::vector<Event> list;
+  for (const auto& [time, change] : changes) {
+    if (!starts_force(change) && !ends_force(change)) continue;
+    if (list.empty() || list.back().time != time * unit)
+      list.push_back({.time = time * unit, .open = {}, .close = {}});
+    (starts_force(change) ? list.back().close : list.back().open).push_back(change.contact);
+  }
+  for (auto& event : list) {
+    std::sort(event.open.begin(), event.open.end());
+    std::sort(event.close.begin(), event.close.end());
+  }
+  return list;
+}
+
+void add_periods(std::vector<ContactHistory>& contacts, const ContactChanges& changes, double unit) {
+  for (const auto& [time, change] : changes) {
+    auto& periods = contacts[change.contact].periods;
+    if (starts_force(change)) periods.push_back({.start = time * unit, .end = std::nullopt});
+    if (ends_force(change)) periods.back().end = time * unit;
+  }
+}
+
+ContactChanges beyond_noise(const ContactChanges& changes, const std::vector<bool>& felt) {
+  ContactChanges kept;
+  for (const auto& one : changes) {
+    const auto same = [&](const auto& other) { return other.change.contact == one.change.contact; };
+    const bool is_felt = felt[static_cast<std::size_t>(one.change.contact)];
+    if (one.change.before == contact::ContactMode::touching && !is_felt)
+      kept.erase(std::find_if(kept.rbegin(), kept.rend(), same).base() - 1);
+    else
+      kept.push_back(one);
+  }
+  return kept;
+}
+
+std::vector<Skipped> skipped_by_flows(const ContactRun& run) {
+  const auto used = [&](flow::Kind kind) { return run.flows[static_cast<std::size_t>(kind)].phases; };
+  std::vector<Skipped> list;
+  if (const Index flights = used(flow::Kind::ballistic))
+    list.push_back({"free flight", std::to_string(flights) + " phases in closed form, not integrated"});
+  if (const Index pairs = used(flow::Kind::pair))
+    list.push_back({"single contacts", std::to_string(pairs) + " phases in closed form, not integrated"});
+  if (const Index modal = used(flow::Kind::modal))
+    list.push_back({"linear contacts", std::to_string(modal) + " phases by natural modes, not integrated"});
+  if (used(flow::Kind::cvode_bdf_dense) + used(flow::Kind::cvode_bdf_band) +
+          used(flow::Kind::cvode_bdf_klu) ==
+      0)
+    list.push_back({"Newton iteration", "no phase was followed implicitly"});
+  return list;
+}
+
+}  // namespace mariotte::impact

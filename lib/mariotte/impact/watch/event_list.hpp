@@ -1,0 +1,36 @@
+// What a run's changes of contact modes mean: events, periods, what was not needed. Same for every model.
+#pragma once
+#include <vector>
+
+#include "mariotte/hybrid/trajectory.hpp"
+#include "mariotte/impact/chain/chain_impact.hpp"
+#include "mariotte/model/contacts/contact_automaton.hpp"
+
+namespace mariotte::impact {
+
+/// What a run over contacts leaves.
+using ContactRun = hybrid::Trajectory<model::ContactChange>;
+/// Changes of contacts with their times.
+using ContactChanges = std::vector<hybrid::Timed<model::ContactChange>>;
+
+/// Changes of one instant become one event; those that leave every force as it is become none. `unit` is that
+/// of time.
+std::vector<Event> event_list(const ContactChanges& changes, double unit);
+
+/// Appends the periods of each contact.
+void add_periods(std::vector<ContactHistory>& contacts, const ContactChanges& changes, double unit);
+
+/// Without contacts that touched at rest and were let go before they left the noise: these never closed,
+/// unless they are among those that were `felt`. A strong damper gives an impulse within the noise of
+/// indentations.
+ContactChanges beyond_noise(const ContactChanges& changes, const std::vector<bool>& felt);
+
+/// What the flows of a run made unnecessary.
+std::vector<Skipped> skipped_by_flows(const ContactRun& run);
+
+/// A loss is a difference of two integrals; below the accuracy asked for its sign means nothing.
+inline double loss_above(double noise, double loss) {
+  return loss < 0 && loss > -noise ? 0 : loss;
+}
+
+}  // namespace mariotte::impact

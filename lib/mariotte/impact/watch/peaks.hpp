@@ -1,0 +1,43 @@
+// Largest force and indentation of every contact, found inside the steps of whatever flow runs.
+#pragma once
+#include <vector>
+
+#include "mariotte/hybrid/simulate.hpp"
+#include "mariotte/model/contacts/contact_phase.hpp"
+
+namespace mariotte::impact {
+
+/// Dimensionless peaks of one contact.
+struct Peak {
+  double force = 0;
+  double indentation = 0;
+};
+
+/// Looks at each step for a maximum of δ or f: a slope that falls through zero. The maximum itself is flat,
+/// so a loose time is enough for a tight value.
+class PeakWatcher {
+ public:
+  /// From now on look at the steps of this phase, all peaks forgotten; it must outlive the watching.
+  void begin(const model::ContactPhase& phase);
+  void watch(const flow::Step& step);
+  const std::vector<Peak>& peaks() const { return peaks_; }
+
+ private:
+  struct Slopes {
+    double indentation;  ///< δ̇
+    double force;        ///< ḟ
+  };
+  /// `dx` is the derivative at x, needed only where a contact is damped.
+  Slopes slopes(ConstState x, ConstState dx, Index j) const;
+  void differentiate(ConstState x, State dx) const;
+  void take(ConstState x, Index j);
+  void search(const flow::Step& step, Index j, double Slopes::*slope, const Slopes& before,
+              const Slopes& after);
+
+  const model::ContactPhase* phase_ = nullptr;
+  std::vector<Peak> peaks_;
+  bool damped_ = false;  ///< any contact
+  std::vector<double> inside_, rate_, rate_before_, rate_after_;
+};
+
+}  // namespace mariotte::impact

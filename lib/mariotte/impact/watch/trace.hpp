@@ -1,0 +1,53 @@
+// Samples of a run for pictures: one row per step, thinned so that memory stays bounded.
+#pragma once
+#include "mariotte/core/compensated.hpp"
+#include "mariotte/core/scale.hpp"
+#include "mariotte/hybrid/simulate.hpp"
+#include "mariotte/impact/watch/sampling.hpp"
+#include "mariotte/model/contacts/contact_phase.hpp"
+
+namespace mariotte::impact {
+
+/// Keeps every `stride`-th point of those offered, the ends of steps and, where a step is long against the
+/// contact time, points within; the stride doubles, and every other row is dropped, whenever `capacity` rows
+/// are full.
+class TraceRecorder {
+ public:
+  static constexpr std::size_t capacity = 4096;
+
+  TraceRecorder(const model::ContactPhase& phase, const Scale& scale) : phase_(phase), scale_(scale) {}
+
+  /// `start` is the absolute dimensionless time at which the step's phase began.
+  void watch(double start, const flow::Step& step);
+  /// The samples, with the state at the ending as the last.
+  Trace take(double time, ConstState x);
+
+ private:
+  void offer(double time, ConstState x);
+  void keep(double time, ConstState x);
+  void thin();
+
+  const model::ContactPhase& phase_;
+  const Scale& scale_;
+  Trace trace_;
+  Index stride_ = 1;
+  Index offered_ = 0;
+};
+
+/// The trace of a chain of islands: samples at one interval for about as long as a wave takes to cross the
+/// chain four times, the interval doubling whenever `capacity` rows are full; later ones at twice the time of
+/// the one before.
+class SampledTrace {
+ public:
+  static constexpr std::size_t capacity = 4096;
+
+  /// Keep a sample; how long until the next.
+  double take(const Sample& sample);
+  Trace take() { return std::move(trace_); }
+
+ private:
+  Trace trace_;
+  double interval_ = 0;
+};
+
+}  // namespace mariotte::impact

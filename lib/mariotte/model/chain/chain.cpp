@@ -1,0 +1,66 @@
+#include "mariotte/model/chain/chain.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "mariotte/core/error.hpp"
+
+namespace mariotte::model {
+namespace {
+
+[[noreturn]] void reject(const std::string& thing, std::size_t index, const std::string& rule) {
+  throw InvalidParameter(thing + " " + std::to_string(index + 1) + ": " + rule);
+}
+
+void validate_ball(const Chain& chain, std::size_t i) {
+  if (!(chain.mass[i] > 0)) reject("ball", i, "mass must be positive");
+  if (!std::isfinite(chain.velocity[i])) reject("ball", i, "velocity must be finite");
+}
+
+}  // namespace
+
+void validate_contact(std::size_t j, const contact::Law& law, double gap, bool precompressed,
+                      const char* whole) {
+  const auto positive = [](double value) { return value > 0 && std::isfinite(value); };
+  if (!positive(contact::stiffness(law))) reject("contact", j, "stiffness must be positive and finite");
+  if (!(contact::damping(law) >= 0) || !std::isfinite(contact::damping(law)))
+    reject("contact", j, "damping must be finite and not negative");
+  if (!(contact::exponent(law) >= 1) || !std::isfinite(contact::exponent(law)))
+    reject("contact", j, "exponent must be finite and at least 1");
+  if (!std::isfinite(gap)) reject("contact", j, "gap must be finite");
+  if (gap < 0 && !precompressed)
+    reject("contact", j, std::string("gap is negative but the ") + whole + " is not precompressed");
+}
+
+void validate(const Chain& chain) {
+  const auto balls = chain.mass.size();
+  if (balls < 2) throw InvalidParameter("a chain needs at least two balls");
+  if (chain.velocity.size() != balls) throw InvalidParameter("a chain needs one velocity per ball");
+  if (chain.law.size() != balls - 1 || chain.gap.size() != balls - 1)
+    throw InvalidParameter("a chain of n balls needs n-1 contact laws and n-1 gaps");
+  if (!std::isfinite(chain.gravity)) throw InvalidParameter("gravity must be finite");
+  for (std::size_t i = 0; i < balls; ++i) validate_ball(chain, i);
+  for (std::size_t j = 0; j + 1 < balls; ++j)
+    validate_contact(j, chain.law[j], chain.gap[j], chain.precompressed, "chain");
+}
+
+void expect_end(const Chain& chain, double max_time) {
+  if (std::isfinite(max_time)) return;
+  double fastest = -infinity;  // of the walls so far
+  for (std::size_t i = 0; i < chain.mass.size(); ++i) {
+    if (!std::isinf(chain.mass[i])) continue;
+    if (chain.velocity[i] < fastest)
+      throw InvalidParameter("the walls approach each other without end: give max_time");
+    fastest = std::max(fastest, chain.velocity[i]);
+  }
+}
+
+double kinetic_energy(const Chain& chain, const std::vector<double>& velocity) {
+  double twice = 0;
+  for (std::size_t i = 0; i < velocity.size(); ++i)
+    if (std::isfinite(chain.mass[i])) twice += chain.mass[i] * velocity[i] * velocity[i];
+  return twice / 2;
+}
+
+}  // namespace mariotte::model

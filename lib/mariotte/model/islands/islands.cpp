@@ -1,0 +1,209 @@
+#include "mariotte/model/islands/islands.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace mariotte::model {
+
+using contact::ContactMode;
+using flow::Outcome;
+using hybrid::Ending;
+
+Islands::Islands(const DimensionlessChain& chain, const ChainLayout& layout, ConstState start,
+                 const hybrid::Options& options, bool stay, LogMaker make_log)
+    : chain_(chain),
+      options_(options),
+      requested_(flow::parse_kind(options.flow)),
+      stay_(stay),
+      margin_of_rows_(margin_of_rows(chain)),
+      make_log_(std::move(make_log)),
+      balls_(chain, layout, start),
+      owner_(layout.balls(), -1),
+      queue_(layout.contacts()),
+      snapshot_(balls_, owner_, islands_, options) {
+  for (Index j = 0; j < layout.contacts(); ++j)
+    if (layout.impulse[j] != ChainLayout::absent) walls_.push_back(j);
+  contact_set_at(balls_.state(), balls_.modes(), changes_);
+}
+
+void Islands::run(Onlooker* onlooker) {
+  onlooker_ = onlooker;
+  from_ = 0;
+  to_ = balls_.contacts() - 1;
+  cut();
+  for (record(); run_.message.empty(); record()) {
+    const auto* next = queue_.next();
+    if (!next || is_over()) return end(Ending::separated);
+    if (run_.events >= options_.max_events) return end(Ending::event_limit);
+    if (onlooker_) show(std::min(next->time.value, options_.max_time));
+    if (is_beyond_limit(*next)) {
+      now_ = {options_.max_time};
+      return end(Ending::time_limit);
+    }
+    keep(queue_.pop());
+  }
+  end(Ending::failed);
+}
+
+bool Islands::is_beyond_limit(const Appointment& next) const {
+  const bool arrives = next.kind == Appointment::Kind::arrival;
+  return next.time.value > options_.max_time ||
+         (arrives && islands_[next.of]->arrival.outcome == Outcome::limit);
+}
+
+/// Where gravity leads back to a wall: the end of the first impact, when all contacts are open and nothing
+/// approaches.
+bool Islands::is_over() {
+  if (!chain_.falls_back || stay_ || run_.events == 0 || islands_.size() > unused_.size()) return false;
+  const auto approaches = [&](Index j) { return comes_together(chain_, j, balls_.approach(j, now_)); };
+  if (std::any_of(walls_.begin(), walls_.end(), approaches)) return false;
+  const auto returns = [&](Index j) { return queue_.has_meeting(j); };
+  return queue_.meetings() == std::count_if(walls_.begin(), walls_.end(), returns);
+}
+
+void Islands::keep(const Appointment& appointment) {
+  if (appointment.kind == Appointment::Kind::meeting) {
+    now_ = appointment.time;
+    return meet(appointment.of);
+  }
+  now_ = islands_[appointment.of]->arrives();
+  arrive(appointment.of);
+}
+
+void Islands::arrive(Index id) {
+  auto& island = *islands_[id];
+  commit(island);
+  if (is_well_cut(island)) {
+    follow(island, options_.max_time - now_.value);
+    return queue_.arrive(id, island.arrives());
+  }
+  from_ = balls_.contacts();
+  to_ = -1;
+  absorb(id);
+  cut();
+}
+
+void Islands::meet(Index j) {
+  from_ = to_ = j;
+  absorb_owners(j);
+  balls_.move_contact(j, now_);
+  balls_.move_ball(j, now_);
+  balls_.move_ball(j + 1, now_);
+  balls_.touch(j);
+  auto& mode = balls_.modes();
+  if (mode[j] != ContactMode::touching) change(mode, j, after(balls_.state(), j, mode[j], false), changes_);
+  cut();
+}
+
+void Islands::record() {
+  hybrid::record(run_, now_.value, changes_);
+}
+
+void Islands::show(double until) {
+  for (double time = onlooker_->next_look(); time < until; time = onlooker_->next_look()) {
+    snapshot_.move_to({time});
+    onlooker_->look(snapshot_);
+  }
+  onlooker_->passed(now_.value, run_.events);
+}
+
+void Islands::end(Ending ending) {
+  if (onlooker_) {
+    snapshot_.move_to(now_);
+    onlooker_->look_last(snapshot_);
+  }
+  for (std::size_t id = 0; id < islands_.size(); ++id)
+    if (std::find(unused_.begin(), unused_.end(), static_cast<Index>(id)) == unused_.end())
+      dissolve(static_cast<Index>(id));
+  if (ending == Ending::separated) open_touching(balls_.modes(), changes_);
+  record();
+  run_.ending = ending;
+  run_.time = now_.value;
+  run_.state = balls_.take(now_);
+}
+
+void Islands::follow(Island& island, double limit) {
+  island.mode = island.held;
+  auto& problem = island.system.problem(island.mode);
+  const bool stiff = island.arrival.outcome == Outcome::stiff;
+  auto choice = stiff ? flows_.instead_of(flow::Kind::taylor, true, problem, requested_)
+                      : std::optional(flows_.choose(problem, requested_));
+  while (choice) {
+    island.x = island.start;
+    island.fired.clear();
+    if (island.log) island.log->begin(island.system, island.first, island.clock);
+    const flow::Request request{.limit = limit, .accuracy = options_.accuracy, .watcher = island.log.get()};
+    island.arrival = choice->flow.follow(problem, island.x, request, island.fired);
+    hybrid::count(run_.flows[static_cast<std::size_t>(choice->kind)], island.arrival);
+    if (island.arrival.outcome != Outcome::failed) return;
+    const auto next = flows_.instead_of(choice->kind, false, problem, requested_);
+    choice.reset();
+    if (next) choice.emplace(*next);
+  }
+}
+
+/// What was uncertain is certain now.
+void Islands::commit(Island& island) {
+  const auto known = changes_.size();
+  island.system.transition(island.mode, island.fired, island.x, changes_);
+  for (auto change = changes_.begin() + known; change != changes_.end(); ++change)
+    change->contact += island.first;
+  island.clock = island.arrives();
+  island.start.swap(island.x);
+  island.held.swap(island.mode);
+  if (island.log) island.log->keep();
+  if (island.arrival.outcome == Outcome::failed) run_.message = island.arrival.message;
+  if (island.arrival.outcome == Outcome::never) run_.message = "an island waits for a guard that never fires";
+}
+
+/// Bring an island to the present, and free its balls.
+void Islands::dissolve(Index id) {
+  auto& island = *islands_[id];
+  if (island.clock < now_ && island.arrives() > now_) {
+    follow(island, now_ - island.clock);
+    ++count_.redone;
+  }
+  while (island.clock < now_) {
+    commit(island);
+    if (island.arrival.outcome == Outcome::limit) island.clock = now_;
+    if (island.arrival.outcome != Outcome::guard) break;
+    if (island.clock < now_) follow(island, now_ - island.clock);
+  }
+  for (const Index j : {island.first - 1, island.last})
+    if (j >= 0 && j < balls_.contacts()) balls_.move_contact(j, now_);
+  std::copy(island.start.begin(), island.start.end(), balls_.slice(island.first, island.last).begin());
+  std::copy(island.held.begin(), island.held.end(), balls_.modes().begin() + island.first);
+  balls_.stamp(island.first, island.last, now_);
+  std::fill(owner_.begin() + island.first, owner_.begin() + island.last + 1, -1);
+  queue_.cancel_arrival(id);
+  unused_.push_back(id);
+}
+
+void Islands::form(Index first, Index last) {
+  if (unused_.empty()) {
+    unused_.push_back(std::ssize(islands_));
+    islands_.push_back(std::make_unique<Island>());
+    if (make_log_) islands_.back()->log = make_log_();
+  }
+  const Index id = unused_.back();
+  unused_.pop_back();
+  for (Index j = first; j < last; ++j) balls_.move_contact(j, now_), queue_.cancel_meeting(j);
+  for (Index i = first; i <= last; ++i) balls_.move_ball(i, now_);
+  std::fill(owner_.begin() + first, owner_.begin() + last + 1, static_cast<int>(id));
+
+  auto& island = *islands_[id];
+  island.first = first;
+  island.last = last;
+  island.clock = now_;
+  island.system.reset(chain_, first, last, margin_of_rows_);
+  const auto state = balls_.slice(first, last);
+  island.start.assign(state.begin(), state.end());
+  island.held.assign(balls_.modes().begin() + first, balls_.modes().begin() + last);
+  follow(island, options_.max_time - now_.value);
+  queue_.arrive(id, island.arrives());
+  ++count_.formed;
+  count_.widest = std::max(count_.widest, last - first);
+  count_.at_once = std::max(count_.at_once, std::ssize(islands_) - std::ssize(unused_));
+}
+
+}  // namespace mariotte::model

@@ -1,0 +1,59 @@
+// Kinematics, contact forces and the equations of motion of a microbody: m v̇ = Σ F − m g e1, Ḣ = Σ ℓ × F.
+#pragma once
+#include "mariotte/model/microbody/microbody_layout.hpp"
+#include "mariotte/model/microbody/microbody_mode.hpp"
+
+namespace mariotte::model {
+
+/// One tip at one instant.
+struct TipMotion {
+  double indentation;  ///< δ = max(0, −n)
+  double velocity;     ///< ṅ
+  Vector3 lever;       ///< ℓ from the mass centre to where friction acts
+  Vector3 slip;        ///< u, tangential velocity there
+};
+
+/// Contact forces on the body.
+struct TipForces {
+  std::array<double, 2> normal = {0, 0};
+  std::array<Vector3, 2> friction;
+  bool redundant = false;  ///< two tips stick and share friction in a way that only least norm decides
+};
+
+/// A body in its surroundings: what all functions below need.
+struct Mechanics {
+  const DimensionlessMicrobody& body;
+  const MicrobodyLayout& layout;
+  double slip_noise = 0;   ///< spatial slip is regularised by it where its direction is undefined
+  double force_noise = 0;  ///< sticking that needs less friction needs none
+
+  /// Angular velocity R I⁻¹ Rᵀ H, space axes.
+  Vector3 spin(ConstState x) const;
+  TipMotion tip(ConstState x, Index i) const;
+  double normal_force(const TipMotion& tip, Index i) const;
+  /// Largest friction that the tip can hold, rounding included.
+  double holding(double normal_force) const {
+    return contact::limit(body.friction, normal_force) + force_noise;
+  }
+  /// Forces of a mode; a sticking tip gets the friction that keeps its slip constant.
+  TipForces forces(ConstState x, const MicrobodyMode& mode) const;
+  /// Direction in which tip i starts to slip from rest, if its friction cannot hold it: the one along which
+  /// u̇ = b − μ |F_n| A û itself points, so that it stays.
+  Vector3 slip_from_rest(ConstState x, const MicrobodyMode& mode, Index i) const;
+  /// Slip acceleration of tip i under these forces.
+  Vector3 slip_acceleration(ConstState x, const TipForces& forces, Index i) const;
+  void derivative(ConstState x, const MicrobodyMode& mode, State dx) const;
+  /// Energy that could lift tips out of the wells of adhesion: below 0 none comes free. Kinetic, stored, and
+  /// the most that gravity can add; without a turn about the body's own axis and, of a sphere, motion in the
+  /// plane.
+  double lifting_energy(ConstState x) const;
+  /// Kinetic energy, relative to space.
+  double kinetic(ConstState x) const;
+  /// Energy stored in the contacts, negative in the wells.
+  double stored(ConstState x) const;
+
+ private:
+  Vector3 turned(ConstState x, const Vector3& moment) const;  ///< R I⁻¹ Rᵀ M
+};
+
+}  // namespace mariotte::model

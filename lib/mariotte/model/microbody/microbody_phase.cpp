@@ -1,0 +1,305 @@
+#include "mariotte/model/microbody/microbody_phase.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mariotte/flow/roots/simultaneous.hpp"
+
+namespace mariotte::model {
+
+using flow::Crossing;
+using flow::TipPhase;
+
+namespace {
+
+flow::SymmetricBody symmetric_part(const DimensionlessMicrobody& body) {
+  flow::SymmetricBody part{.mass = body.body.mass,
+                           .axial = body.body.inertia.e1,
+                           .transverse = body.body.inertia.e2,
+                           .arm = {},
+                           .radius = {},
+                           .gravity = body.gravity};
+  for (std::size_t i = 0; i < body.tips(); ++i) {
+    part.arm[i] = body.body.tips[i].centre.e1;
+    part.radius[i] = body.body.tips[i].radius;
+  }
+  return part;
+}
+
+/// Slip below this is none: a hundredth of what may be wrong anyway.
+double noise_of_slip(const DimensionlessMicrobody& body, double accuracy) {
+  return std::max(0.01 * accuracy * body.speed, 64 * epsilon * std::max(body.speed, 1 / body.time));
+}
+
+/// Rounding of the friction that sticking needs, which comes from forces and accelerations of natural size.
+double noise_of_force(const DimensionlessMicrobody& body) {
+  return 64 * epsilon * body.body.mass * body.speed / body.time;
+}
+
+}  // namespace
+
+MicrobodyPhase::MicrobodyPhase(const DimensionlessMicrobody& body, const MicrobodyLayout& layout,
+                               double accuracy, WatchedSigns watched)
+    : body_(body),
+      layout_(layout),
+      accuracy_(accuracy),
+      mechanics_{body, layout, noise_of_slip(body, accuracy), noise_of_force(body)},
+      watched_(watched),
+      magnitudes_(model::magnitudes(body, layout)),
+      crossings_(escape_guard(layout.tips) + 1, Crossing::none),
+      waiting_(crossings_.size()) {
+  tip_.place = free_.place = layout.place;
+  tip_.body = free_.body = symmetric_part(body);
+  tip_.motion = body.motion;
+  tip_.tangent = body.tangent;
+  tip_.axis = body.axis;
+  tip_.friction = body.friction.coefficient;
+  tip_.indented = body.lever == Lever::indented;
+  tip_.speed = body.speed;
+  tip_.creep = accuracy * std::max(body.speed, 1 / body.time);
+  tip_.slip_noise = mechanics_.slip_noise;
+  tip_.force_noise = mechanics_.force_noise;
+  tip_.force_scale = body.body.mass * body.speed / body.time;
+  for (Index i = 0; i < layout.tips; ++i) free_.guard[i] = guard_index(i, TipGuard::gap);
+}
+
+void MicrobodyPhase::watch(Index i) {
+  const auto& tip = mode_.tip[i];
+  const auto& law = body_.law[static_cast<std::size_t>(i)];
+  if (tip.contact == TipContact::clear) {
+    crossing(i, TipGuard::gap) = Crossing::falling;
+    return;
+  }
+  ++closed_;
+  const bool frictional = body_.friction.coefficient > 0 && body_.motion != TipPhase::Motion::normal;
+  crossing(i, TipGuard::gap) = Crossing::rising;
+  if ((frictional || watched_.force_signs) && (law.adhesion > 0 || law.damping_hertz > 0))
+    crossing(i, TipGuard::force) = Crossing::falling;
+  if (frictional && tip.contact == TipContact::sliding) crossing(i, TipGuard::slip) = Crossing::falling;
+  if (frictional && tip.contact == TipContact::sticking) crossing(i, TipGuard::cone) = Crossing::falling;
+  if (!mode_.captured) crossing(i, TipGuard::turn_back) = Crossing::falling;
+}
+
+void MicrobodyPhase::bind(const MicrobodyMode& mode) {
+  mode_ = mode;
+  closed_ = 0;
+  std::fill(crossings_.begin(), crossings_.end(), Crossing::none);
+  std::fill(waiting_.begin(), waiting_.end(), false);
+  doubtful_.fill(true);
+  for (Index i = 0; i < layout_.tips; ++i) watch(i);
+  // Symmetric bodies need it not: their flight is known to its end.
+  if (closed_ == 0 && !body_.symmetric && body_.gravity <= 0) crossings_.back() = Crossing::rising;
+  // The cone of a tip that touches only just is a point, and a tip has to come up before it can turn back.
+  for (Index i = 0; i < layout_.tips; ++i) {
+    waiting_[guard_index(i, TipGuard::cone)] = mode_.tip[i].contact == TipContact::sticking;
+    waiting_[guard_index(i, TipGuard::turn_back)] = true;
+  }
+  time_scale_ = body_.time;
+  bind_series();
+}
+
+void MicrobodyPhase::bind_series() {
+  const Index i = mode_.tip[0].contact == TipContact::clear ? 1 : 0;
+  series_ = closed_ == 1 && body_.symmetric;
+  if (!series_) return;
+  const auto& tip = mode_.tip[i];
+  const auto& law = body_.law[static_cast<std::size_t>(i)];
+  const bool spatial = body_.motion == TipPhase::Motion::spatial,
+             sticks = tip.contact == TipContact::sticking;
+  const bool frictional = body_.friction.coefficient > 0;
+  // In space the series know no lever that sinks with a tip at rest, nor a slip from rest that begins with
+  // the touch, where friction starts from zero as well.
+  const bool from_rest = !sticks && tip.start != SlipStart::moving;
+  if (spatial && frictional && (sticks || from_rest) && (tip_.indented || tip.at_touch)) series_ = false;
+  tip_.tip = i;
+  tip_.stiffness = law.stiffness;
+  tip_.adhesion = law.adhesion;
+  tip_.damping_hertz = law.damping_hertz;
+  tip_.damping_adhesion = law.damping_adhesion;
+  tip_.force_sign = tip.force_sign;
+  tip_.sticking = sticks;
+  tip_.slip = static_cast<TipPhase::Slip>(tip.start);
+  tip_.from_rest = tip.direction;
+  tip_.direction = dot(tip.direction, body_.tangent) < 0 ? -1 : 1;
+  const auto watched = [&](TipGuard guard) {
+    return crossing(i, guard) == Crossing::none ? Index{-1} : guard_index(i, guard);
+  };
+  tip_.separation = watched(TipGuard::gap);
+  tip_.force = watched(TipGuard::force);
+  tip_.stop = watched(TipGuard::slip);
+  tip_.cone = watched(TipGuard::cone);
+  tip_.turn_back = watched(TipGuard::turn_back);
+  tip_.other_tip = layout_.tips > 1 ? guard_index(1 - i, TipGuard::gap) : -1;
+}
+
+/// A slip from rest starts at a rounding error of either sign; in space one that has sunk into noise is over.
+double MicrobodyPhase::slip_margin(const TipMode& mode) const {
+  if (mode.start != SlipStart::moving) return mechanics_.slip_noise;
+  return body_.motion == TipPhase::Motion::spatial ? -mechanics_.slip_noise : 0;
+}
+
+/// Positive while the force has its sign; without adhesion of 1 − C_H ṅ.
+double MicrobodyPhase::signed_pressure(const TipMotion& tip, Index i) const {
+  const auto& law = body_.law[static_cast<std::size_t>(i)];
+  return mode_.tip[i].force_sign * (law.adhesion > 0 ? contact::pressure(law, tip.indentation, tip.velocity)
+                                                     : 1 - law.damping_hertz * tip.velocity);
+}
+
+double MicrobodyPhase::pressure_error(const TipMotion& tip, Index i) const {
+  const auto& law = body_.law[static_cast<std::size_t>(i)];
+  return flow::resolving_accuracy(*this, accuracy_, 64 * epsilon) *
+         (law.adhesion > 0 ? contact::pressure_size(law, tip.indentation, body_.speed)
+                           : 1 + law.damping_hertz * body_.speed);
+}
+
+/// No tip moves, nor will it within a tenth of the natural time: where a tip turns it rests for an instant
+/// only. Strong damping makes large forces of small errors of a speed.
+bool MicrobodyPhase::has_settled(ConstState x) const {
+  const auto is_fast = [&](ConstState at, double most) {
+    for (Index i = 0; i < layout_.tips; ++i)
+      if (x[layout_.place.gap[i]] < 0 && std::abs(mechanics_.tip(at, i).velocity) > most) return true;
+    return false;
+  };
+  if (is_fast(x, tip_.creep) || !(mechanics_.lifting_energy(x) < 0)) return false;
+  std::vector<double> ahead(x.begin(), x.end()), rate(x.size());
+  derivative(x, rate);
+  for (std::size_t k = 0; k < ahead.size(); ++k) ahead[k] += 0.1 * body_.time * rate[k];
+  return !is_fast(ahead, (2 + damping_ratio()) * tip_.creep);
+}
+
+/// Height of the mass centre over the reach of its tips.
+double MicrobodyPhase::clearance(ConstState x) const {
+  const auto& first = body_.body.tips[0];
+  double reach = 0;
+  for (const auto& tip : body_.body.tips) reach = std::max(reach, norm(tip.centre) + tip.radius);
+  const Vector3 d = rotate(quaternion_at(x, layout_.place.attitude), first.centre);
+  return x[layout_.place.gap[0]] + first.radius - d.e1 - reach;
+}
+
+double MicrobodyPhase::guard(ConstState x, const TipForces& forces, Index i) const {
+  if (crossings_[i] == Crossing::none || waiting_[i]) return 1;
+  const Index tip = i / guards_per_tip;
+  if (tip == layout_.tips) return clearance(x);
+  const auto& mode = mode_.tip[tip];
+  const auto here = mechanics_.tip(x, tip);
+  switch (static_cast<TipGuard>(i % guards_per_tip)) {
+    case TipGuard::gap:
+      return x[layout_.place.gap[tip]];
+    case TipGuard::force:
+      return signed_pressure(here, tip) + (doubtful_[tip] ? 2 * pressure_error(here, tip) : 0);
+    case TipGuard::slip:
+      return dot(here.slip, mode.direction) - mode.rest + slip_margin(mode);
+    case TipGuard::cone:
+      return mechanics_.holding(forces.normal[tip]) - norm(forces.friction[tip]);
+    case TipGuard::turn_back:
+      return here.velocity;
+  }
+  return 1;
+}
+
+void MicrobodyPhase::guards(ConstState x, State values) const {
+  const auto forces = mechanics_.forces(x, mode_);
+  for (Index i = 0; i < guard_count(); ++i) values[i] = guard(x, forces, i);
+}
+
+/// By differences along the trajectory; only the certificate and simultaneity need them, to some digits.
+void MicrobodyPhase::guard_rates(ConstState x, ConstState dx, State rates) const {
+  const double step = 1e-6 * time_scale_;
+  std::vector<double> ahead(x.size()), behind(x.size()), before(rates.size());
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    ahead[k] = x[k] + step * dx[k];
+    behind[k] = x[k] - step * dx[k];
+  }
+  guards(ahead, rates);
+  guards(behind, before);
+  for (std::size_t i = 0; i < rates.size(); ++i) rates[i] = (rates[i] - before[i]) / (2 * step);
+}
+
+std::vector<flow::Entry> MicrobodyPhase::pattern() const {
+  std::vector<flow::Entry> entries;
+  for (Index row = 0; row < size(); ++row)
+    for (Index column = 0; column < size(); ++column) entries.push_back({row, column});
+  return entries;
+}
+
+void MicrobodyPhase::jacobian(ConstState x, State values) const {
+  const auto n = static_cast<std::size_t>(size());
+  std::vector<double> moved(x.begin(), x.end()), ahead(n), behind(n);
+  // Friction turns about within a slip as small as the noise.
+  double share = 1e-6;
+  for (Index i = 0; i < layout_.tips && closed_ > 0 && slip_turns(); ++i)
+    share = std::min(share,
+                     0.1 * std::hypot(norm(mechanics_.tip(x, i).slip), mechanics_.slip_noise) / body_.speed);
+  for (std::size_t column = 0; column < n; ++column) {
+    const double step = share * magnitudes_[column];
+    moved[column] = x[column] + step;
+    derivative(moved, ahead);
+    moved[column] = x[column] - step;
+    derivative(moved, behind);
+    moved[column] = x[column];
+    for (std::size_t row = 0; row < n; ++row)
+      values[static_cast<Index>(row * n + column)] = (ahead[row] - behind[row]) / (2 * step);
+  }
+}
+
+/// Slip from rest in space turns into its direction almost at once.
+bool MicrobodyPhase::slip_turns() const {
+  const auto starts = [](const TipMode& tip) {
+    return tip.contact == TipContact::sliding && tip.start != SlipStart::moving;
+  };
+  return body_.motion == TipPhase::Motion::spatial && body_.friction.coefficient > 0 &&
+         std::any_of(mode_.tip.begin(), mode_.tip.end(), starts);
+}
+
+/// A slip that turns has no other bound; the damping of a contact is taken at its natural depth, 1.
+double MicrobodyPhase::damping_ratio() const {
+  if (closed_ == 0) return 0;
+  if (slip_turns()) return infinity;
+  double damping = 0;
+  for (Index i = 0; i < layout_.tips; ++i) {
+    const auto& law = body_.law[static_cast<std::size_t>(i)];
+    if (mode_.tip[i].contact != TipContact::clear)
+      damping = std::max(damping, law.stiffness * law.damping_hertz + law.adhesion * law.damping_adhesion);
+  }
+  return damping * body_.time / body_.body.mass;
+}
+
+void MicrobodyPhase::second_derivative(ConstState, State ddx) const {
+  std::fill(ddx.begin(), ddx.end(), 0.0);
+}
+
+flow::Accepted MicrobodyPhase::accept(ConstState x) {
+  if (closed_ == 0) return flow::Accepted::unchanged;
+  auto result = flow::Accepted::unchanged;
+  const auto forces = mechanics_.forces(x, mode_);
+  for (Index i = 0; i < layout_.tips; ++i) {
+    auto& tip = mode_.tip[i];
+    if (tip.contact == TipContact::clear) continue;
+    const auto here = mechanics_.tip(x, i);
+    const Vector3 slip = here.slip;
+    const Index cone = guard_index(i, TipGuard::cone), back = guard_index(i, TipGuard::turn_back);
+    const bool spatial = body_.motion == TipPhase::Motion::spatial;
+    if (spatial && tip.contact == TipContact::sliding && norm(slip) > 4 * mechanics_.slip_noise) {
+      tip.direction = (1 / norm(slip)) * slip;
+      tip.rest = 0;
+      result = flow::Accepted::rewatched;
+    }
+    if (waiting_[back] && here.velocity > 0) {
+      waiting_[back] = false;
+      result = flow::Accepted::rewatched;
+    }
+    if (doubtful_[i] && signed_pressure(here, i) > pressure_error(here, i)) {
+      doubtful_[i] = false;
+      result = flow::Accepted::rewatched;
+    }
+    const double limit = mechanics_.holding(forces.normal[i]);
+    if (waiting_[cone] && norm(forces.friction[i]) < (1 - 1e-9) * limit) {
+      waiting_[cone] = false;
+      result = flow::Accepted::rewatched;
+    }
+  }
+  const bool stops = body_.after_capture == AfterCapture::stop;
+  return stops && has_settled(x) ? flow::Accepted::ended : result;
+}
+
+}  // namespace mariotte::model

@@ -1,0 +1,89 @@
+// The smooth field of a microbody while its mode stays as it is, and the guards that end it.
+#pragma once
+#include <vector>
+
+#include "mariotte/flow/problem.hpp"
+#include "mariotte/model/microbody/microbody_mechanics.hpp"
+
+namespace mariotte::model {
+
+/// Guards of tip i are 5 i + one of these.
+enum class TipGuard : unsigned char { gap, force, slip, cone, turn_back };
+inline constexpr Index guards_per_tip = 5;
+
+/// Place of a tip's guard among those of the phase.
+inline Index guard_index(Index tip, TipGuard guard) {
+  return guards_per_tip * tip + static_cast<Index>(guard);
+}
+
+/// Behind those of all tips: the mass centre rises so high that no tip can reach the plane.
+inline Index escape_guard(Index tips) {
+  return guards_per_tip * tips;
+}
+
+/// What a run watches beside what it must.
+struct WatchedSigns {
+  bool force_signs =
+      true;  ///< F_n = 0 even where nothing changes there: without friction, or sticking freely
+};
+
+/// A microbody bound to a mode; `bind` moves it on to the next.
+class MicrobodyPhase final : public flow::Problem {
+ public:
+  MicrobodyPhase(const DimensionlessMicrobody& body, const MicrobodyLayout& layout, double accuracy,
+                 WatchedSigns watched);
+
+  void bind(const MicrobodyMode& mode);
+  const MicrobodyMode& mode() const { return mode_; }
+  const Mechanics& mechanics() const { return mechanics_; }
+  /// Energy is below the barrier of adhesion, and no tip moves in its well by more than the accuracy allows,
+  /// relative to the speed that the well gives.
+  bool has_settled(ConstState x) const;
+
+  Index size() const override { return layout_.size; }
+  void derivative(ConstState x, State dx) const override { mechanics_.derivative(x, mode_, dx); }
+  Index guard_count() const override { return escape_guard(layout_.tips) + 1; }
+  void guards(ConstState x, State values) const override;
+  void guard_rates(ConstState x, ConstState dx, State rates) const override;
+  std::span<const flow::Crossing> crossings() const override { return crossings_; }
+  std::span<const double> magnitudes() const override { return magnitudes_; }
+  double time_scale() const override { return time_scale_; }
+  std::vector<flow::Entry> pattern() const override;
+  void jacobian(ConstState x, State values) const override;
+  double damping_ratio() const override;
+  bool is_ballistic() const override { return closed_ == 0 && body_.symmetric; }
+  void second_derivative(ConstState x, State ddx) const override;
+  const flow::TipPhase* tip() const override { return series_ ? &tip_ : nullptr; }
+  const flow::FreePhase* free_body() const override { return is_ballistic() ? &free_ : nullptr; }
+  flow::Accepted accept(ConstState x) override;
+  std::string component(Index index) const override { return component_name(layout_, index); }
+
+ private:
+  double slip_margin(const TipMode& mode) const;
+  bool slip_turns() const;
+  double signed_pressure(const TipMotion& tip, Index i) const;
+  double pressure_error(const TipMotion& tip, Index i) const;
+  double guard(ConstState x, const TipForces& forces, Index i) const;
+  double clearance(ConstState x) const;
+  void watch(Index tip);
+  void bind_series();
+  flow::Crossing& crossing(Index tip, TipGuard guard) { return crossings_[guard_index(tip, guard)]; }
+
+  const DimensionlessMicrobody& body_;
+  const MicrobodyLayout& layout_;
+  double accuracy_;
+  Mechanics mechanics_;
+  WatchedSigns watched_;
+  MicrobodyMode mode_;
+  Index closed_ = 0;
+  bool series_ = false;
+  double time_scale_ = 1;
+  std::vector<double> magnitudes_;
+  std::vector<flow::Crossing> crossings_;
+  std::vector<bool> waiting_;          ///< starts at zero and is watched once it has left it
+  std::array<bool, 2> doubtful_ = {};  ///< force of a tip that has not left zero by more than its error
+  flow::TipPhase tip_;
+  flow::FreePhase free_;
+};
+
+}  // namespace mariotte::model

@@ -1,0 +1,213 @@
+#include "mariotte/model/microbody/microbody_system.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mariotte::model {
+
+using flow::TipPhase;
+
+namespace {
+
+Vector3 unit(const Vector3& v) {
+  const double size = norm(v);
+  return size > 0 ? (1 / size) * v : Vector3{};
+}
+
+}  // namespace
+
+MicrobodySystem::MicrobodySystem(const Microbody& body, double accuracy, bool ledger, WatchedSigns watched)
+    : body_(dimensionless(body)),
+      layout_(microbody_layout(body_.tips(), ledger)),
+      accuracy_(reachable_accuracy(body_, accuracy)),
+      phase_(body_, layout_, accuracy_, watched) {}
+
+Vector3 MicrobodySystem::needed_friction(Mode mode, Index i, ConstState x) const {
+  mode.tip[i].contact = TipContact::sticking;
+  return mechanics().forces(x, mode).friction[i];
+}
+
+/// The last slip has ended a little behind zero, within the noise. What comes next is measured from there:
+/// its end is seen wherever it began.
+void MicrobodySystem::start_from_rest(TipMode& tip, Index i, const Vector3& direction, ConstState x) const {
+  tip.direction = direction;
+  tip.rest = dot(mechanics().tip(x, i).slip, direction);
+}
+
+/// A tip at rest on the plane either holds or starts to slip along the acceleration that it is free to take.
+void MicrobodySystem::choose_friction(Mode& mode, Index i, ConstState x, double noise,
+                                      std::vector<Change>& changes) const {
+  auto& tip = mode.tip[i];
+  const double normal = mechanics().normal_force(mechanics().tip(x, i), i);
+  const Vector3 needed = needed_friction(mode, i, x);
+  tip.start = SlipStart::moving;
+  tip.at_touch = false;
+  if (norm(needed) <= contact::limit(body_.friction, normal) + noise) {
+    tip.contact = TipContact::sticking;
+    changes.push_back({i, TipEvent::stick});
+    return;
+  }
+  tip.contact = TipContact::sliding;
+  tip.start = SlipStart::turning;
+  start_from_rest(
+      tip, i,
+      body_.motion == TipPhase::Motion::spatial ? mechanics().slip_from_rest(x, mode, i) : unit(-1 * needed),
+      x);
+  changes.push_back({i, TipEvent::slip});
+}
+
+void MicrobodySystem::close(Mode& mode, Index i, ConstState x, std::vector<Change>& changes) const {
+  auto& tip = mode.tip[i];
+  const auto& law = body_.law[static_cast<std::size_t>(i)];
+  const auto here = mechanics().tip(x, i);
+  tip = {.contact = TipContact::sliding};
+  tip.force_sign = law.adhesion > 0 && 1 + law.damping_adhesion * here.velocity > 0 ? -1 : 1;
+  changes.push_back({i, TipEvent::close});
+  if (body_.friction.coefficient == 0) return;
+  const Vector3 v = vector_at(x, layout_.place.velocity);
+  const double rounding = 16 * epsilon * (norm(v) + norm(mechanics().spin(x)) * norm(here.lever));
+  const bool spatial = body_.motion == TipPhase::Motion::spatial;
+  if (norm(here.slip) > (spatial ? std::max(rounding, mechanics().slip_noise) : rounding)) {
+    tip.direction = unit(here.slip);
+    return;
+  }
+  // All forces are zero yet, but not their ratio: ask of the state as it will be, barely indented.
+  std::vector<double> soon(x.begin(), x.end());
+  soon[layout_.place.gap[i]] = -epsilon * epsilon;
+  choose_friction(mode, i, soon, 0, changes);
+  tip.at_touch = tip.contact == TipContact::sliding;
+}
+
+bool MicrobodySystem::force_has_turned(const TipMode& tip, Index i, ConstState x) const {
+  const auto here = mechanics().tip(x, i);
+  return tip.force_sign *
+             contact::pressure(body_.law[static_cast<std::size_t>(i)], here.indentation, here.velocity) <
+         0;
+}
+
+void MicrobodySystem::flip_force(Mode& mode, Index i, std::vector<Change>& changes) const {
+  auto& tip = mode.tip[i];
+  tip.force_sign = -tip.force_sign;
+  changes.push_back({i, tip.force_sign > 0 ? TipEvent::force_positive : TipEvent::force_negative});
+}
+
+/// At the edge of the cone friction goes on as it was, and the slip against it.
+void MicrobodySystem::release(Mode& mode, Index i, ConstState x, std::vector<Change>& changes) const {
+  auto& tip = mode.tip[i];
+  start_from_rest(tip, i, unit(-1 * needed_friction(mode, i, x)), x);
+  tip.contact = TipContact::sliding;
+  tip.start = SlipStart::breaking;
+  tip.at_touch = false;
+  changes.push_back({i, TipEvent::slip});
+}
+
+/// A slip that an event of another kind has interrupted goes on, or starts over if it has hardly begun.
+void MicrobodySystem::go_on(TipMode& tip, Index i, ConstState x) const {
+  const Vector3 slip = mechanics().tip(x, i).slip;
+  if (body_.motion == TipPhase::Motion::spatial && norm(slip) > mechanics().slip_noise)
+    tip.direction = unit(slip);
+  const double least = body_.motion == TipPhase::Motion::spatial ? mechanics().slip_noise : 0;
+  tip.at_touch = false;
+  const bool moves = dot(slip, tip.direction) > least;
+  tip.start = moves ? SlipStart::moving : SlipStart::turning;
+  if (moves) tip.rest = 0;
+}
+
+/// Two tips at different heights of a turning body cannot both rest: while they stick by the least friction
+/// one may have begun to move, and slides.
+void MicrobodySystem::creep(Mode& mode, Index i, ConstState x, std::vector<Change>& changes) const {
+  const Vector3 slip = mechanics().tip(x, i).slip;
+  if (layout_.tips == 1 || norm(slip) <= 100 * mechanics().slip_noise) return;
+  auto& tip = mode.tip[i];
+  tip.contact = TipContact::sliding;
+  tip.start = SlipStart::moving;
+  tip.direction = unit(slip);
+  tip.rest = 0;
+  changes.push_back({i, TipEvent::slip});
+}
+
+void MicrobodySystem::mode_at(ConstState x, Mode& mode, std::vector<Change>& changes) const {
+  mode = {};
+  for (Index i = 0; i < layout_.tips; ++i)
+    if (x[layout_.place.gap[i]] <= 0 && mechanics().tip(x, i).velocity < 0) close(mode, i, x, changes);
+}
+
+void MicrobodySystem::transition(Mode& mode, const std::vector<Index>& fired, ConstState x,
+                                 std::vector<Change>& changes) const {
+  if (body_.friction.coefficient > 0)
+    for (Index i = 0; i < layout_.tips; ++i) {
+      if (mode.tip[i].contact == TipContact::sliding) go_on(mode.tip[i], i, x);
+      if (mode.tip[i].contact == TipContact::sticking) creep(mode, i, x, changes);
+    }
+  // The cone closes so near to F_n = 0 that a flow may find both at once and name one.
+  for (Index i = 0; i < layout_.tips; ++i)
+    if (mode.tip[i].contact != TipContact::clear && force_has_turned(mode.tip[i], i, x) &&
+        std::find(fired.begin(), fired.end(), guard_index(i, TipGuard::force)) == fired.end())
+      flip_force(mode, i, changes);
+  for (const Index guard : fired) {
+    const Index i = guard / guards_per_tip;
+    if (i == layout_.tips) {
+      mode.escaped = true;
+      continue;
+    }
+    auto& tip = mode.tip[i];
+    switch (static_cast<TipGuard>(guard % guards_per_tip)) {
+      case TipGuard::gap:
+        if (tip.contact == TipContact::clear) {
+          close(mode, i, x, changes);
+          break;
+        }
+        tip = {};
+        ++mode.impacts;
+        changes.push_back({i, TipEvent::open});
+        break;
+      case TipGuard::force:
+        flip_force(mode, i, changes);
+        break;
+      case TipGuard::slip:
+        // In space a slip that is quick to turn may have passed a right angle within one step. What is below
+        // a third of the accuracy counts as rest.
+        if (body_.motion == TipPhase::Motion::spatial &&
+            norm(mechanics().tip(x, i).slip) > 30 * mechanics().slip_noise)
+          break;
+        choose_friction(mode, i, x, mechanics().force_noise, changes);
+        break;
+      case TipGuard::cone:
+        release(mode, i, x, changes);
+        break;
+      case TipGuard::turn_back:
+        mode.captured = true;
+        changes.push_back({i, TipEvent::capture});
+        break;
+    }
+  }
+}
+
+bool MicrobodySystem::is_over(const Mode& mode, ConstState x, bool) const {
+  if (mode.escaped) return true;
+  for (Index i = 0; i < layout_.tips; ++i)
+    if (mode.tip[i].contact != TipContact::clear)
+      return body_.after_capture == AfterCapture::stop && (mode.captured || phase_.has_settled(x));
+  return mode.impacts >= body_.impacts;
+}
+
+/// A body that is over while a tip touches is captured, though it may never have turned back.
+void MicrobodySystem::finish(Mode& mode, std::vector<Change>& changes) const {
+  for (Index i = 0; i < layout_.tips && !mode.captured; ++i) {
+    if (mode.tip[i].contact == TipContact::clear) continue;
+    mode.captured = true;
+    changes.push_back({i, TipEvent::capture});
+  }
+}
+
+hybrid::Ending MicrobodySystem::ending(const Mode& mode) const {
+  const bool stays = mode.captured && body_.after_capture == AfterCapture::stop;
+  return stays ? hybrid::Ending::captured : hybrid::Ending::separated;
+}
+
+MicrobodyPhase& MicrobodySystem::problem(const Mode& mode) {
+  phase_.bind(mode);
+  return phase_;
+}
+
+}  // namespace mariotte::model

@@ -1,0 +1,77 @@
+// A contact network: any number of degrees of freedom, and contacts whose gap rates are linear in their
+// velocities.
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "mariotte/contact/law.hpp"
+#include "mariotte/model/chain/chain.hpp"
+#include "mariotte/model/network/mass_matrix.hpp"
+
+namespace mariotte::model {
+
+/// n freedoms with a constant mass matrix M, m contacts with directions G, M v̇ = Gᵀ f, ġ = G v. Directions do
+/// not turn during the impact [theory page, "Networks"].
+struct Network {
+  MassMatrix mass;                          ///< M
+  std::vector<ContactDirection> direction;  ///< G, m rows
+  std::vector<contact::Law> law;            ///< m values
+  std::vector<double> gap;                  ///< start gaps, m values [m]; < 0 only if `precompressed`
+  std::vector<double> velocity;             ///< start velocities, n values
+  bool precompressed = false;
+  Index dimension = 0;  ///< of balls, whose coordinates are the freedoms in turn; 0 for any other freedoms
+};
+
+/// Throws InvalidParameter, naming the contact (from 1), unless the network is one that can be simulated.
+void validate(const Network& network);
+
+/// A chain written as a network. Throws InvalidParameter if gravity acts on it.
+Network as_network(const Chain& chain);
+
+/// A ball that can move in a plane or in space.
+struct Ball {
+  std::vector<double> position;  ///< of the centre, 2 or 3 values [m]
+  std::vector<double> velocity;  ///< as many [m/s]
+  double mass;                   ///< [kg]; ∞ for one that does not move
+  double radius;                 ///< [m]
+};
+
+/// Frictionless balls of which those within `reach` of each other can touch; freedoms are the coordinates of
+/// ball 1, of ball 2, … `law(i, j)` is that of balls i and j. Gaps below rounding of the positions are zero.
+/// Throws InvalidParameter.
+template <class LawOfPair>
+Network ball_network(const std::vector<Ball>& balls, double reach, LawOfPair&& law);
+
+/// Direction and gap of the contact of two balls i and j.
+struct BallContact {
+  ContactDirection direction;
+  double gap;
+};
+/// Of two of the balls, wherever they are. Throws InvalidParameter if they are at one place.
+BallContact ball_contact(const std::vector<Ball>& balls, Index i, Index j);
+
+/// The two balls that a contact of a network of balls joins, from 0; empty for other networks.
+struct BallPair {
+  Index left, right;
+};
+/// Of one contact.
+std::optional<BallPair> balls_of(const Network& network, Index contact);
+
+/// Freedoms of the balls without contacts. Throws InvalidParameter.
+Network free_balls(const std::vector<Ball>& balls);
+
+template <class LawOfPair>
+Network ball_network(const std::vector<Ball>& balls, double reach, LawOfPair&& law) {
+  auto network = free_balls(balls);
+  for (Index i = 0; i < std::ssize(balls); ++i)
+    for (Index j = i + 1; j < std::ssize(balls); ++j) {
+      auto [direction, gap] = ball_contact(balls, i, j);
+      if (direction.empty() || gap > reach) continue;
+      network.direction.push_back(std::move(direction));
+      network.gap.push_back(gap);
+      network.law.push_back(law(i, j));
+    }
+  return network;
+}
+
+}  // namespace mariotte::model

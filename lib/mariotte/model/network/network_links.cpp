@@ -1,0 +1,91 @@
+#include "mariotte/model/network/network_links.hpp"
+
+#include <cmath>
+#include <optional>
+
+namespace mariotte::model {
+namespace {
+
+/// The freedoms that a contact of a row joins.
+struct Ends {
+  Index left, right;
+};
+
+std::optional<Ends> ends_of(const DimensionlessNetwork& network, Index j) {
+  const auto& terms = network.direction[j];
+  if (terms.size() != 2) return std::nullopt;
+  const Index left = terms[0].coefficient < 0 ? 0 : 1;
+  if (terms[left].coefficient != -1 || terms[1 - left].coefficient != 1) return std::nullopt;
+  const Ends ends{terms[left].freedom, terms[1 - left].freedom};
+  for (const auto& term : network.push[j])
+    if (term.freedom != ends.left && term.freedom != ends.right) return std::nullopt;
+  return ends;
+}
+
+double inverse_mass(const ContactDirection& push, Index freedom) {
+  for (const auto& term : push)
+    if (term.freedom == freedom) return std::abs(term.coefficient);
+  return 0;
+}
+
+flow::PhaseContact contact_of(const DimensionlessNetwork& network, const NetworkLayout& layout, Index j) {
+  return {.gap = layout.gap(j),
+          .work = layout.work[j],
+          .impulse = layout.impulse(j),
+          .guard = j,
+          .load_guard = layout.load_guard[j],
+          .stiffness = contact::stiffness(network.law[j]),
+          .damping = contact::damping(network.law[j]),
+          .exponent = contact::exponent(network.law[j]),
+          .length = network.length[j],
+          .shallow = network.shallow[j]};
+}
+
+}  // namespace
+
+std::vector<Index> places_in_row(const DimensionlessNetwork& network) {
+  const Index m = network.contacts();
+  std::vector<Index> starts(network.freedoms, -1), ending(network.freedoms, -1);  // contacts, by freedom
+  std::vector<Ends> ends;
+  for (Index j = 0; j < m; ++j) {
+    const auto found = ends_of(network, j);
+    if (!found || starts[found->left] >= 0 || ending[found->right] >= 0) return {};
+    starts[found->left] = ending[found->right] = j;
+    ends.push_back(*found);
+  }
+  Index first = 0;
+  while (first < m && ending[ends[first].left] >= 0) ++first;
+  if (first == m) return {};  // a ring
+  std::vector<Index> place(m, -1);
+  Index count = 0;
+  for (Index j = first; j >= 0; j = starts[ends[j].right]) place[j] = count++;
+  return count == m ? place : std::vector<Index>{};
+}
+
+flow::SerialPhase make_serial(const DimensionlessNetwork& network, const NetworkLayout& layout,
+                              const std::vector<Index>& places) {
+  flow::SerialPhase phase;
+  phase.speed = network.speed;
+  phase.faint = network.slow;
+  phase.body.resize(places.size() + 1);
+  phase.contact.resize(places.size());
+  for (Index j = 0; j < std::ssize(places); ++j) {
+    const auto [left, right] = *ends_of(network, j);
+    phase.body[places[j]] = {left, inverse_mass(network.push[j], left), 0};
+    phase.body[places[j] + 1] = {right, inverse_mass(network.push[j], right), 0};
+    phase.contact[places[j]] = contact_of(network, layout, j);
+  }
+  return phase;
+}
+
+flow::LinkedPhase make_linked(const DimensionlessNetwork& network, const NetworkLayout& layout) {
+  flow::LinkedPhase phase{.contact = {},
+                          .freedoms = network.freedoms,
+                          .direction = network.direction,
+                          .push = network.push,
+                          .half_push = network.half_push};
+  for (Index j = 0; j < network.contacts(); ++j) phase.contact.push_back(contact_of(network, layout, j));
+  return phase;
+}
+
+}  // namespace mariotte::model

@@ -1,0 +1,67 @@
+#include "mariotte/report/csv/csv.hpp"
+
+#include <fmt/format.h>
+
+#include <numeric>
+
+#include "mariotte/report/number.hpp"
+
+namespace mariotte::report {
+namespace {
+
+std::string from_one(const std::vector<Index>& positions) {
+  std::vector<Index> counted;
+  for (const Index position : positions) counted.push_back(position + 1);
+  return fmt::format("{}", fmt::join(counted, " "));
+}
+
+std::string names(const std::string& quantity, const std::vector<Index>& places, const std::string& unit) {
+  std::string text;
+  for (const Index place : places) text += fmt::format(",{}{} [{}]", quantity, place + 1, unit);
+  return text;
+}
+
+std::vector<Index> all(std::size_t count) {
+  std::vector<Index> places(count);
+  std::iota(places.begin(), places.end(), 0);
+  return places;
+}
+
+void append(std::string& text, const std::vector<double>& values) {
+  for (const double value : values) text.append(",").append(exact(value));
+}
+
+}  // namespace
+
+std::string events_csv(const impact::ContactImpact& impact) {
+  std::string text = "time [s],open,close\n";
+  for (const auto& event : impact.events)
+    text += fmt::format("{},{},{}\n", exact(event.time), from_one(event.open), from_one(event.close));
+  return text;
+}
+
+std::string trace_header(const std::vector<Index>& balls, const std::vector<Index>& contacts,
+                         const std::string& velocity_unit) {
+  return "time [s]" + names("v", balls, velocity_unit.empty() ? "SI" : velocity_unit) +
+         names("gap", contacts, "m") + names("force", contacts, "N") + "\n";
+}
+
+std::string trace_row(double time, const std::vector<double>& velocity, const std::vector<double>& gap,
+                      const std::vector<double>& force) {
+  std::string text = exact(time);
+  append(text, velocity);
+  append(text, gap);
+  append(text, force);
+  return text + "\n";
+}
+
+std::string trace_csv(const impact::ContactImpact& impact) {
+  const auto& trace = impact.trace;
+  std::string text =
+      trace_header(all(impact.velocity.size()), all(impact.contacts.size()), trace.velocity_unit);
+  for (std::size_t row = 0; row < trace.time.size(); ++row)
+    text += trace_row(trace.time[row], trace.velocity[row], trace.gap[row], trace.force[row]);
+  return text;
+}
+
+}  // namespace mariotte::report

@@ -1,0 +1,62 @@
+#include "mariotte/report/csv/sweep_rows.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "mariotte/report/csv/csv_cell.hpp"
+#include "mariotte/report/csv/sweep_csv.hpp"
+#include "mariotte/study/sweep/evaluate.hpp"
+
+namespace mariotte::report {
+namespace {
+
+bool is_ending(const std::string& word) {
+  constexpr std::array<std::string_view, 7> known = {"separated", "captured", "time_limit", "event_limit",
+                                                     "unsure",    "failed",   "rejected"};
+  return std::find(known.begin(), known.end(), word) != known.end();
+}
+
+/// Of the lines of one batch.
+class Reader {
+ public:
+  Reader(const study::Design& design, std::size_t columns) : design_(design), columns_(columns) {}
+
+  bool is_row(std::string_view line, Index point) {
+    expected_.clear();
+    append_parameters(design_, point, expected_);
+    if (!line.starts_with(expected_)) return false;
+    split(line.substr(expected_.size()), cells_);
+    if (cells_.size() != columns_ + 2 || !is_ending(cells_[columns_])) return false;
+    const bool has_numbers = study::Verdict{.ending = cells_[columns_]}.has_numbers();
+    failed_ += !has_numbers;
+    const auto fits = [&](const std::string& cell) {
+      return cell.empty() || (has_numbers && !std::isnan(number(cell)));
+    };
+    return std::all_of(cells_.begin(), cells_.begin() + static_cast<std::ptrdiff_t>(columns_), fits) &&
+           cells_.back().empty() == has_numbers;
+  }
+  Index failed() const { return failed_; }
+
+ private:
+  const study::Design& design_;
+  std::size_t columns_;
+  std::string expected_;
+  std::vector<std::string> cells_;
+  Index failed_ = 0;
+};
+
+}  // namespace
+
+bool are_rows_of(const study::Design& design, std::size_t columns, const study::Rows& rows) {
+  Reader reader(design, columns);
+  std::string_view rest = rows.text;
+  for (Index k = 0; k < rows.count; ++k) {
+    const auto end = rest.find('\n');
+    if (end == std::string_view::npos || !reader.is_row(rest.substr(0, end), rows.first + k)) return false;
+    rest.remove_prefix(end + 1);
+  }
+  return rest.empty() && reader.failed() == rows.failed;
+}
+
+}  // namespace mariotte::report

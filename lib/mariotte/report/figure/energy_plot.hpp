@@ -1,0 +1,28 @@
+// Where the energy of an impact is at every instant, as a figure.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "mariotte/impact/chain/chain_impact.hpp"
+#include "mariotte/model/chain/chain.hpp"
+
+namespace mariotte::report {
+
+/// Along the samples of a trace [s, J].
+struct EnergyCourse {
+  std::vector<double> time;
+  std::vector<double> kinetic;  ///< of the balls of finite mass
+  std::vector<double> stored;   ///< in the contacts that carry force
+  std::vector<double> lost;     ///< what is missing; empty with gravity, whose work the samples do not show
+};
+
+EnergyCourse energy_course(const impact::Trace& trace, const model::Chain& chain);
+
+/// `energy.csv`: time, kinetic, stored and lost energy.
+std::string energy_csv(const EnergyCourse& course);
+
+/// gnuplot commands that make `energy`.png and .svg from it, to follow those of `plot_script`, whose time
+/// axis they share.
+std::string energy_script(const EnergyCourse& course, const std::string& title);
+
+}  // namespace mariotte::report

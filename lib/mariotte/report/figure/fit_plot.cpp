@@ -1,0 +1,115 @@
+#include "mariotte/report/figure/fit_plot.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mariotte/report/csv/csv_cell.hpp"
+#include "mariotte/report/figure/gnuplot.hpp"
+
+namespace mariotte::report {
+namespace {
+
+constexpr const char* fit_figure = "fit";
+constexpr const char* residuals_figure = "residuals";
+
+std::string axis_name(const std::string& key) {
+  return key == "incidence.normal_speed" ? "incident normal speed [m/s]" : key + " [SI]";
+}
+
+/// Between the ends of the curves, with tics at 1, 2, 3, 5 and 7 of every decade.
+std::string logarithmic_axis(const study::FitCurves& curves) {
+  double least = INFINITY, most = 0;
+  for (const auto& curve : curves.curves)
+    for (const double at : curve.abscissa) {
+      least = std::min(least, at);
+      most = std::max(most, at);
+    }
+  std::string tics;
+  for (double decade = std::pow(10, std::floor(std::log10(least))); decade <= most; decade *= 10)
+    for (const double digit : {1, 2, 3, 5, 7})
+      tics += fmt::format("{}'{:.3g}' {:.3g}", tics.empty() ? "" : ", ", digit * decade, digit * decade);
+  return fmt::format("set logscale x\nset xrange [{:.4g}:{:.4g}]\nset xtics ({})\n", least, most, tics);
+}
+
+/// `column` of the rows of one curve in points.csv, whose curve stands in the last column, `last`.
+std::string of_curve(std::size_t curve, std::size_t last, std::size_t column) {
+  return fmt::format("(${}=={} ? ${} : NaN)", last, curve + 1, column);
+}
+
+/// Columns of points.csv, from 1.
+struct Places {
+  explicit Places(const study::Measurements& measurements) : settings(measurements.settings.size()) {}
+
+  std::size_t settings;
+  std::size_t abscissa(const study::FitCurves& curves) const { return curves.setting + 2; }
+  std::size_t measured() const { return settings + 2; }
+  std::size_t deviation() const { return settings + 3; }
+  std::size_t residual() const { return settings + 5; }
+  std::size_t curve() const { return settings + 7; }
+};
+
+/// The points of one curve, with error bars if there are deviations.
+std::string points(const FitReport& report, const study::FitCurves& curves, std::size_t k, std::size_t height,
+                   const std::string& title) {
+  const Places places(report.measurements);
+  const auto bars = report.measurements.weighted ? fmt::format(":(${})", places.deviation()) : std::string();
+  return fmt::format("'points.csv' every ::1 using {}:{}{} with {} lt {} pt 7 ps 0.7 {}",
+                     places.abscissa(curves), of_curve(k, places.curve(), height), bars,
+                     bars.empty() ? "points" : "yerrorbars", k + 1, title);
+}
+
+std::string title_of(const study::FitCurve& curve) {
+  return fmt::format("title {} noenhanced", quoted(curve.name.empty() ? "fit" : curve.name));
+}
+
+std::string restitution_plot(const FitReport& report, const study::FitCurves& curves) {
+  std::vector<std::string> draw;
+  for (std::size_t k = 0; k < curves.curves.size(); ++k) {
+    draw.push_back(fmt::format("'curves.csv' every ::1 using 2:($1=={} ? $3 : NaN) with lines lt {} lw 2 {}",
+                               k + 1, k + 1, title_of(curves.curves[k])));
+    draw.push_back(points(report, curves, k, Places(report.measurements).measured(), "notitle"));
+  }
+  return fmt::format("plot {}\n", fmt::join(draw, ", \\\n  "));
+}
+
+std::string residual_plot(const FitReport& report, const study::FitCurves& curves) {
+  std::vector<std::string> draw = {"0 with lines lc rgb '#555555' notitle"};
+  for (std::size_t k = 0; k < curves.curves.size(); ++k)
+    draw.push_back(
+        points(report, curves, k, Places(report.measurements).residual(), title_of(curves.curves[k])));
+  return fmt::format("plot {}\n", fmt::join(draw, ", \\\n  "));
+}
+
+}  // namespace
+
+std::string curves_csv(const study::FitCurves& curves, const study::Measurements& measurements) {
+  std::string text = "curve," + cell(measurements.settings[curves.setting].key) + ",restitution\n";
+  for (std::size_t k = 0; k < curves.curves.size(); ++k)
+    for (std::size_t i = 0; i < curves.curves[k].abscissa.size(); ++i)
+      text += fmt::format("{},{},{}\n", k + 1, exact(curves.curves[k].abscissa[i]),
+                          exact(curves.curves[k].restitution[i]));
+  return text;
+}
+
+std::string fit_script(const FitReport& report, const study::FitCurves& curves) {
+  const auto key = report.measurements.settings[curves.setting].key;
+  const auto head = report.title.empty() ? std::string("Fit") : report.title;
+  return script_head +
+         fmt::format("set xlabel {} noenhanced\n{}", quoted(axis_name(key)),
+                     curves.logarithmic ? logarithmic_axis(curves) : "") +
+         fmt::format("\nset title {} noenhanced\nset ylabel 'restitution'\n", quoted(head)) +
+         on_both_terminals(fit_figure, restitution_plot(report, curves)) +
+         fmt::format("\nset title {} noenhanced\nset ylabel 'measured − predicted'\n",
+                     quoted(head + ": residuals")) +
+         on_both_terminals(residuals_figure, residual_plot(report, curves));
+}
+
+std::vector<std::string> fit_figures() {
+  auto files = files_of_figure(fit_figure);
+  for (const auto& file : files_of_figure(residuals_figure)) files.push_back(file);
+  return files;
+}
+
+}  // namespace mariotte::report

@@ -1,0 +1,20 @@
+// Figures of a fit by gnuplot: measurements with the fitted curves, and what is left between the two.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "mariotte/report/table/fit_report.hpp"
+#include "mariotte/study/fit/fit_curves.hpp"
+
+namespace mariotte::report {
+
+/// `curve`, the setting along which it goes [SI], `restitution`; curves count from 1.
+std::string curves_csv(const study::FitCurves& curves, const study::Measurements& measurements);
+
+/// plot.gp, which reads points.csv and curves.csv in its folder.
+std::string fit_script(const FitReport& report, const study::FitCurves& curves);
+
+/// The figures that it makes.
+std::vector<std::string> fit_figures();
+
+}  // namespace mariotte::report

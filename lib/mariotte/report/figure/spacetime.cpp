@@ -1,0 +1,73 @@
+#include "mariotte/report/figure/spacetime.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mariotte/report/figure/gnuplot.hpp"
+#include "mariotte/report/number.hpp"
+
+namespace mariotte::report {
+namespace {
+
+constexpr std::size_t most_columns = 500, most_rows_of_image = 1000;
+
+}  // namespace
+
+Spacetime::Spacetime(std::size_t balls) : balls_(balls), stride_((balls + most_columns - 1) / most_columns) {}
+
+impact::Sampling Spacetime::sampling() {
+  impact::Sampling sampling{
+      .balls = {}, .contacts = {}, .take = [this](const impact::Sample& sample) { return take(sample); }};
+  for (std::size_t i = 0; i < balls_; i += stride_) sampling.balls.push_back(static_cast<Index>(i));
+  return sampling;
+}
+
+double Spacetime::take(const impact::Sample& sample) {
+  if (interval_ == 0) interval_ = sample.natural_time / 4;
+  const double due = static_cast<double>(rows_.size()) * interval_;  // only the ending comes before
+  if (sample.time > 4 * sample.crossing_time || sample.time < due - 0.5 * interval_) return infinity;
+  if (rows_.size() == most_rows_of_image) {
+    for (std::size_t i = 1; 2 * i < rows_.size(); ++i) rows_[i] = std::move(rows_[2 * i]);
+    rows_.resize(rows_.size() / 2);
+    interval_ *= 2;
+  }
+  rows_.push_back(sample.velocity);
+  return interval_;
+}
+
+std::string Spacetime::data() const {
+  std::string text;
+  for (const auto& row : rows_) {
+    for (std::size_t i = 0; i < row.size(); ++i) text += fmt::format("{}{:.6g}", i > 0 ? "," : "", row[i]);
+    text += "\n";
+  }
+  return text;
+}
+
+std::string Spacetime::script(const std::string& title) const {
+  std::vector<double> speeds;
+  for (const auto& row : rows_)
+    for (const double v : row) speeds.push_back(std::abs(v));
+  const double end = interval_ * static_cast<double>(rows_.size());
+  const auto time = display_for(std::vector{end}, "s");
+  const double fastest = *std::max_element(speeds.begin(), speeds.end());
+  const auto speed = display_for(std::vector{fastest}, "m/s");
+  std::string text =
+      fmt::format("\nreset\nset encoding utf8\nset datafile separator comma\nset title {} noenhanced\n",
+                  quoted(title.empty() ? "velocities" : title + ": velocities"));
+  text += fmt::format("set xlabel 'ball'\nset ylabel 'time [{}]'\nset cblabel 'velocity [{}]'\n", time.unit,
+                      speed.unit);
+  text += fmt::format("set xrange [0.5:{}]\nset yrange [0:{:.8g}]\nset tics out nomirror\n",
+                      static_cast<double>(balls_) + 0.5, time.factor * end);
+  text += "set palette defined (-1 '#0a3f7a', -0.3 '#79b0de', 0 '#ffffff', 0.3 '#f0a868', 1 '#8c2d04')\n";
+  text += fmt::format("set cbrange [{0:.6g}:{1:.6g}]\n", -speed.factor * fastest, speed.factor * fastest);
+  return text +
+         on_both_terminals("spacetime",
+                           fmt::format("plot 'spacetime.csv' matrix using (1+{}*$1):({:.10g}*$2):({:g}*$3) "
+                                       "with image notitle\n",
+                                       stride_, time.factor * interval_, speed.factor));
+}
+
+}  // namespace mariotte::report

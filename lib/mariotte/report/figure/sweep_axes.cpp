@@ -1,0 +1,101 @@
+#include "mariotte/report/figure/sweep_axes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mariotte/report/figure/gnuplot.hpp"
+
+namespace mariotte::report {
+namespace {
+
+using study::Design;
+using study::Parameter;
+
+constexpr Index most_on_a_curve = 5000;
+constexpr Index most_along_a_map = 200;  // 40 000 pixels of a figure of some hundred thousand
+constexpr Index most_names = 12;
+
+bool is_random(const Parameter& one) {
+  return one.range && one.range->seed;
+}
+
+bool is_logarithmic(const Parameter& one) {
+  return one.range && one.range->logarithmic && one.range->from > 0;
+}
+
+/// Decades of a range, and what is between if there are few; what is beyond its ends would widen the margin.
+std::string decades(const study::Range& range) {
+  const double least = std::log10(std::min(range.from, range.to)) - 1e-9;
+  const double most = std::log10(std::max(range.from, range.to)) + 1e-9;
+  const int count = static_cast<int>(most - least);
+  std::string tics;
+  for (int power = static_cast<int>(std::floor(least)); power <= most; power += 1 + count / 8)
+    for (const int factor : {1, 2, 5}) {
+      const double at = power + std::log10(factor);
+      if ((factor > 1 && count > 2) || at < least || at > most) continue;
+      tics += fmt::format("{}'{:g}' {:.9g}", tics.empty() ? "" : ", ", factor * std::pow(10.0, power), at);
+    }
+  return tics;
+}
+
+std::string name(const scene::Node& value, std::size_t position) {
+  if (const auto* number = std::get_if<double>(&value.value)) return fmt::format("{:g}", *number);
+  if (const auto* text = std::get_if<std::string>(&value.value)) return *text;
+  if (const auto* truth = std::get_if<bool>(&value.value)) return *truth ? "true" : "false";
+  return std::to_string(position);
+}
+
+std::string names(const std::vector<scene::Node>& values) {
+  std::string tics;
+  const std::size_t step = (values.size() + most_names - 1) / most_names;
+  for (std::size_t k = 0; k < values.size(); k += step)
+    tics += fmt::format("{}{} {}", k > 0 ? ", " : "", quoted(name(values[k], k)), k);
+  return tics;
+}
+
+}  // namespace
+
+std::vector<std::size_t> drawn_parameters(const Design& design) {
+  std::vector<std::size_t> first;
+  for (std::size_t axis = 0; axis < design.axes.size(); ++axis)
+    first.push_back(static_cast<std::size_t>(
+        std::find_if(design.parameters.begin(), design.parameters.end(),
+                     [&](const Parameter& one) { return one.axis == static_cast<Index>(axis); }) -
+        design.parameters.begin()));
+  const bool cloud = first.size() == 1 && is_random(design.parameters[0]) && design.parameters.size() > 1 &&
+                     is_random(design.parameters[1]);
+  if (cloud) return {0, 1};
+  return first.size() <= 2 ? first : std::vector<std::size_t>{};
+}
+
+bool is_map(const Design& design) {
+  const auto drawn = drawn_parameters(design);
+  return drawn.size() == 2 && !is_random(design.parameters[drawn[0]]) &&
+         !is_random(design.parameters[drawn[1]]);
+}
+
+bool is_drawn(const Design& design, Index point) {
+  const Index most = design.axes.size() == 1 ? most_on_a_curve : most_along_a_map;
+  return std::all_of(design.axes.begin(), design.axes.end(), [&](const study::Axis& axis) {
+    return position(axis, point) % ((axis.count + most - 1) / most) == 0;
+  });
+}
+
+double coordinate(const Design& design, std::size_t parameter, Index point) {
+  const auto& one = design.parameters[parameter];
+  if (!one.range)
+    return static_cast<double>(position(design.axes[static_cast<std::size_t>(one.axis)], point));
+  const double value = number(design, parameter, point);
+  return is_logarithmic(one) ? std::log10(value) : value;
+}
+
+std::string axis_settings(const Design& design, std::size_t parameter, char axis) {
+  const auto& one = design.parameters[parameter];
+  const auto tics = is_logarithmic(one) ? decades(*one.range) : one.range ? "" : names(one.list);
+  return fmt::format("set {0}label {1} noenhanced\nset {0}tics nomirror out {2}\n", axis, quoted(one.key),
+                     tics.empty() ? "autofreq" : "(" + tics + ")");
+}
+
+}  // namespace mariotte::report

@@ -1,0 +1,150 @@
+#include "mariotte/report/figure/sweep_plot.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "mariotte/report/figure/gnuplot.hpp"
+#include "mariotte/report/figure/sweep_axes.hpp"
+
+namespace mariotte::report {
+namespace {
+
+constexpr std::size_t most_figures = 12;
+constexpr Index few_points = 40;    // that marks do not hide the curve
+constexpr Index few_pixels = 2500;  // that are drawn one by one; browsers blur the edges of an image
+
+using Names = std::vector<std::string>;
+
+/// One picture, and the columns it shows.
+struct Figure {
+  std::string key;
+  std::vector<std::size_t> columns;
+};
+
+std::string without_indices(std::string key) {
+  for (auto open = key.find('['); open != std::string::npos; open = key.find('['))
+    key.erase(open, key.find(']', open) + 1 - open);
+  return key;
+}
+
+/// Curves of one quantity share a figure, maps cannot.
+std::vector<Figure> figures_of(const Names& columns, bool shared) {
+  std::vector<Figure> figures;
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    const auto key = shared ? without_indices(columns[k]) : columns[k];
+    auto found =
+        std::find_if(figures.begin(), figures.end(), [&](const auto& one) { return one.key == key; });
+    if (found == figures.end()) found = figures.insert(found, {.key = key, .columns = {}});
+    found->columns.push_back(k);
+  }
+  return figures;
+}
+
+std::string file_name(std::string key) {
+  std::replace(key.begin(), key.end(), '[', '_');
+  std::erase(key, ']');
+  return "sweep." + key;
+}
+
+/// Position in plot.csv, from 1: the coordinates, the parameters, the columns.
+std::size_t place(const study::Design& design, std::size_t column) {
+  return drawn_parameters(design).size() + design.parameters.size() + column + 1;
+}
+
+/// Takes the range of what is shown. Differences that are rounding are not magnified, and a figure without
+/// any number says so.
+std::string range_settings(const std::vector<std::size_t>& places, const char* axis) {
+  return fmt::format(R"(low = 1e300; high = -1e300
+do for [c in '{}'] {{
+  undefine S_*
+  stats 'plot.csv' using (column(int(c))) name 'S' nooutput
+  if (exists('S_records')) {{ low = S_min < low ? S_min : low; high = S_max > high ? S_max : high }}
+}}
+size = abs(low) > abs(high) ? abs(low) : abs(high)
+margin = high - low > 1e-9 * size ? 0 : size > 0 ? 0.001 * size : 1
+if (margin > 0) {{ set {}range [low-margin:high+margin] }} else {{ set autoscale {} }}
+unset label
+if (low > high) {{ set label 'no numbers' at graph 0.5, 0.5 center }}
+)",
+                     fmt::join(places, " "), axis, axis);
+}
+
+std::string unless_empty(const std::string& plot) {
+  return fmt::format("if (low > high) {{ plot [0:1] [0:1] 2 notitle }} else {{\n{}\n}}\n", plot);
+}
+
+std::string curves(const study::Design& design, const Names& columns, const Figure& figure) {
+  const auto& one = design.parameters[drawn_parameters(design)[0]];
+  const bool random = one.range && one.range->seed;
+  const auto* style = random                          ? "points pt 7 ps 0.4"
+                      : design.points() <= few_points ? "linespoints lw 2 pt 7 ps 0.6"
+                                                      : "lines lw 2";
+  const double last = static_cast<double>(std::max<std::size_t>(1, figure.columns.size() - 1));
+  std::vector<std::string> draw;
+  std::vector<std::size_t> places;
+  for (const auto column : figure.columns) {
+    places.push_back(place(design, column));
+    draw.push_back(fmt::format("'plot.csv' using 1:{} with {} lc palette frac {:.3g} title {} noenhanced",
+                               places.back(), style, 0.1 + 0.8 * static_cast<double>(draw.size()) / last,
+                               quoted(columns[column])));
+  }
+  const auto* key = draw.size() > 1 ? "set key\n" : "unset key\n";
+  return fmt::format("set ylabel {} noenhanced\n{}unset colorbox\n", quoted(figure.key), key) +
+         range_settings(places, "y") +
+         on_both_terminals(file_name(figure.key),
+                           unless_empty(fmt::format("plot {}", fmt::join(draw, ", \\\n  "))));
+}
+
+std::string surface(const study::Design& design, const Figure& figure) {
+  const auto column = place(design, figure.columns[0]);
+  const auto* style = !is_map(design)                 ? "points pt 7 ps 0.5 lc palette"
+                      : design.points() <= few_pixels ? "image pixels"
+                                                      : "image";
+  return "unset key\nunset grid\nset autoscale fix\n" + range_settings({column}, "cb") +
+         on_both_terminals(
+             file_name(figure.key),
+             unless_empty(fmt::format("plot 'plot.csv' using 1:2:(valid({}) ? column({}) : NaN) with {}",
+                                      column, column, style)));
+}
+
+std::string axes(const study::Design& design) {
+  const auto drawn = drawn_parameters(design);
+  auto text = axis_settings(design, drawn[0], 'x');
+  return drawn.size() > 1 ? text + axis_settings(design, drawn[1], 'y') : text;
+}
+
+}  // namespace
+
+SweepPlot sweep_plot(const study::Design& design, const Names& columns, const std::string& title) {
+  const auto drawn = drawn_parameters(design);
+  if (drawn.empty()) return {{}, "", "a sweep along three axes or more is not drawn"};
+  auto figures = figures_of(columns, drawn.size() == 1);
+  SweepPlot plot;
+  if (figures.size() > most_figures) {
+    plot.shortfall = fmt::format("only the first {} are drawn", most_figures);
+    figures.resize(most_figures);
+  }
+  plot.script = script_head + axes(design);
+  for (const auto& figure : figures) {
+    plot.script += fmt::format("\nset title {} noenhanced\n",
+                               quoted(title.empty() ? figure.key : title + ": " + figure.key));
+    plot.script += drawn.size() == 1 ? curves(design, columns, figure) : surface(design, figure);
+    const auto files = files_of_figure(file_name(figure.key));
+    plot.figures.insert(plot.figures.end(), files.begin(), files.end());
+  }
+  return plot;
+}
+
+void append_drawn(const study::Design& design, Index first, std::string_view rows, std::string& text) {
+  const auto drawn = drawn_parameters(design);
+  for (Index point = first; !rows.empty(); ++point) {
+    const auto row = rows.substr(0, rows.find('\n') + 1);
+    rows.remove_prefix(row.size());
+    if (!is_drawn(design, point)) continue;
+    for (const auto parameter : drawn) text += fmt::format("{:.9g},", coordinate(design, parameter, point));
+    text += row;
+  }
+}
+
+}  // namespace mariotte::report

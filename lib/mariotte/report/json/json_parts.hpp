@@ -1,0 +1,38 @@
+// Parts that every JSON result is made of.
+#pragma once
+#include <optional>
+#include <string>
+
+#include "mariotte/impact/flow_use.hpp"
+#include "mariotte/report/json/json.hpp"
+
+namespace mariotte::report {
+
+inline Json nullable(const std::optional<double>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+template <class Values, class Write>
+Json list(const Values& values, const Write& write) {
+  Json array = Json::array();
+  for (const auto& value : values) array.push_back(write(value));
+  return array;
+}
+
+/// Positions from 0 as numbers from 1.
+Json from_one(const std::vector<Index>& positions);
+
+/// A value of a scene; null for an array or a table.
+Json json_of_value(const scene::Node& node);
+
+Json flow(const impact::FlowUse& use);
+Json skipped(const std::vector<impact::Skipped>& skipped);
+Json options(const hybrid::Options& run);
+
+/// What computed the result, and of which scene; null where there was none.
+Json provenance_json(const std::string& scene_sha256);
+
+/// The scene of a body as it was understood.
+Json json_of_body(const scene::Scene& scene);
+
+}  // namespace mariotte::report

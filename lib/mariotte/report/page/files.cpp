@@ -1,0 +1,103 @@
+#include "mariotte/report/page/files.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <utility>
+
+namespace mariotte::report {
+namespace {
+
+[[noreturn]] void fail(const std::filesystem::path& path, const std::string& reason,
+                       Fault kind = fault::unwritable) {
+  throw FileError("cannot write " + path.string() + ": " + reason, kind);
+}
+
+bool write_all(int file, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t written = ::write(file, text.data(), text.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return false;
+    text.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+}  // namespace
+
+std::filesystem::path temporary_name(const std::filesystem::path& path) {
+  return path.parent_path() / fmt::format(".{}.{}.tmp", path.filename().string(), ::getpid());
+}
+
+void put_in_place(const std::filesystem::path& temporary, const std::filesystem::path& path) {
+  const int file = ::open(temporary.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool flushed = file >= 0 && ::fsync(file) == 0;
+  const int problem = errno;
+  if (file >= 0) ::close(file);
+  if (!flushed) fail(path, std::strerror(problem));
+  if (std::rename(temporary.c_str(), path.c_str()) != 0) fail(path, std::strerror(errno));
+}
+
+NewFile::NewFile(std::filesystem::path path) : path_(std::move(path)), temporary_(temporary_name(path_)) {
+  ::unlink(temporary_.c_str());
+  file_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (file_ < 0) fail(errno);
+}
+
+NewFile::~NewFile() {
+  if (file_ >= 0) ::close(file_);
+  ::unlink(temporary_.c_str());  // gone already if it was renamed
+}
+
+void NewFile::append(std::string_view text) {
+  if (!write_all(file_, text)) fail(errno);
+}
+
+void NewFile::commit() {
+  if (::close(std::exchange(file_, -1)) != 0) fail(errno);
+  put_in_place(temporary_, path_);
+}
+
+void NewFile::fail(int problem) const {
+  report::fail(path_, std::strerror(problem));
+}
+
+void write_file(const std::filesystem::path& path, const std::string& text) {
+  NewFile file(path);
+  file.append(text);
+  file.commit();
+}
+
+void prepare_folder(const std::filesystem::path& folder, const std::vector<std::string>& names,
+                    bool overwrite) {
+  std::error_code problem;
+  std::filesystem::create_directories(folder, problem);
+  if (problem) fail(folder, problem.message());
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) fail(folder, std::strerror(errno));
+  for (const auto& name : names)
+    if (!overwrite && std::filesystem::exists(std::filesystem::symlink_status(folder / name)))
+      fail(folder / name, "it exists already (--force overwrites)", fault::exists);
+}
+
+void remove_unfinished(const std::filesystem::path& folder, const std::vector<std::string>& names) {
+  std::error_code problem;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, problem))
+    for (const auto& name : names)
+      if (const auto file = entry.path().filename().string();
+          file.starts_with("." + name + ".") && file.ends_with(".tmp"))
+        std::filesystem::remove_all(entry.path(), problem);
+}
+
+void remove_files(const std::filesystem::path& folder, const std::vector<std::string>& names) {
+  std::error_code problem;
+  for (const auto& name : names) {
+    std::filesystem::remove(folder / name, problem);
+    if (problem) fail(folder / name, problem.message());
+  }
+}
+
+}  // namespace mariotte::report

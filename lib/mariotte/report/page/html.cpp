@@ -1,0 +1,173 @@
+#include "mariotte/report/page/html.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "mariotte/report/page/html_text.hpp"
+
+namespace mariotte::report {
+namespace {
+
+constexpr const char* style = R"(
+:root { color-scheme: light dark; --line: #8884; --soft: #8882; }
+body { font: 16px/1.5 system-ui, sans-serif; margin: 0 auto; max-width: 62rem; padding: 1rem; }
+h1 { font-size: 1.6rem; margin: .5rem 0; }
+h2 { font-size: 1.2rem; border-bottom: 1px solid var(--line); margin: 2rem 0 .5rem; }
+h3 { font-size: 1rem; margin: 1rem 0 .25rem; }
+.wide { overflow-x: auto; }
+table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
+th, td { border-bottom: 1px solid var(--soft); padding: .15rem .75rem .15rem 0; text-align: left; }
+td.n { text-align: right; white-space: nowrap; }
+img { background: white; height: auto; max-width: 100%; }
+pre { background: var(--soft); overflow-x: auto; padding: .75rem; }
+.checks { display: grid; gap: .5rem; grid-template-columns: repeat(auto-fit, minmax(11rem, 1fr)); }
+.checks div { background: var(--soft); padding: .5rem .75rem; }
+.checks b { display: block; font-size: 1.15rem; overflow-wrap: anywhere; }
+)";
+
+/// Parts of a result in the order of their interest; what is not among them comes after them.
+constexpr std::array<std::array<const char*, 2>, 17> sections{{{"warnings", "Warnings"},
+                                                               {"final", "Final state"},
+                                                               {"restitution", "Restitution"},
+                                                               {"impacts", "Impacts"},
+                                                               {"contacts", "Contacts"},
+                                                               {"icr", "Impulse correlation ratios"},
+                                                               {"impulse_direction", "Impulse direction"},
+                                                               {"events", "Events"},
+                                                               {"energy", "Energy [J]"},
+                                                               {"momentum", "Momentum [N s]"},
+                                                               {"flows", "Flows"},
+                                                               {"skipped", "Not needed"},
+                                                               {"accuracy", "Accuracy"},
+                                                               {"varied", "What is varied"},
+                                                               {"columns", "Columns"},
+                                                               {"endings", "Endings"},
+                                                               {"reasons", "Why points have no numbers"}}};
+const std::set<std::string> elsewhere = {"ending",     "title",  "model", "message",
+                                         "provenance", "points", "failed"};
+
+constexpr const char* citations = R"(@software{mariotte,
+  title   = {mariotte: a solver for stiff, event-driven impacts},
+  version = {@version},
+  note    = {scene @scene}
+}
+@inproceedings{acary2003,
+  author    = {Acary, Vincent and Brogliato, Bernard},
+  title     = {Toward a multiple impact law: the 3-ball chain example},
+  booktitle = {Second MIT Conference on Computational Fluid and Solid Mechanics},
+  year      = {2003}
+}
+@article{cheng2002,
+  author  = {Cheng, W. and Brach, R. M. and Dunn, P. F.},
+  title   = {Shape Effects on Microbody Impacts against a Flat Surface},
+  journal = {Aerosol Science and Technology},
+  year    = {2002}
+}
+)";
+
+std::string section(const std::string& title, const std::string& content) {
+  return "<h2>" + escaped(title) + "</h2>\n" + content;
+}
+
+std::string card(const char* name, const std::string& value) {
+  return fmt::format("<div>{}<b>{}</b></div>\n", name, escaped(value));
+}
+
+/// A residual, as a share of what was there before where that is not zero.
+std::string residual(const Json& ledger) {
+  const double scale = std::abs(ledger.value("initial", 0.0)), rest = std::abs(ledger.value("residual", 0.0));
+  return scale > 0 ? fmt::format("{:.1e} of it", rest / scale) : fmt::format("{:.1e}", rest);
+}
+
+std::string checks(const Json& result) {
+  std::string cards;
+  for (const auto* count : {"points", "failed"})
+    if (result.contains(count)) cards += card(count, inline_text(result[count]));
+  if (result.contains("ending")) cards += card("ending", inline_text(result["ending"]));
+  if (result.contains("final") && result["final"].contains("time"))
+    cards += card("final time [s]", inline_text(result["final"]["time"]));
+  if (result.contains("accuracy")) {
+    cards += card("accuracy asked for", inline_text(result["accuracy"].value("requested", Json())));
+    cards += card("accuracy estimated", inline_text(result["accuracy"].value("estimated", Json())));
+  }
+  for (const auto* ledger : {"energy", "momentum"})
+    if (result.contains(ledger) && result[ledger].is_object() && result[ledger].contains("residual"))
+      cards += card(fmt::format("{} unaccounted for", ledger).c_str(), residual(result[ledger]));
+  return "<div class=\"checks\">\n" + cards + "</div>\n";
+}
+
+std::string figures(const std::vector<Picture>& pictures) {
+  std::string text;
+  for (const auto& [name, svg] : pictures)
+    text += fmt::format("<p><img alt=\"{}\" src=\"data:image/svg+xml;base64,{}\"></p>\n", escaped(name),
+                        base64(svg));
+  return text.empty() ? "" : section("Figures", text);
+}
+
+std::string tables(const Json& result) {
+  std::string text;
+  std::set<std::string> done = elsewhere;
+  for (const auto& [key, title] : sections)
+    if (done.insert(key); result.contains(key) && !result[key].empty())
+      text += section(title, table(result[key]));
+  for (const auto& [key, value] : result.items())
+    if (!done.contains(key)) text += section(key, table(value));
+  return text;
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  return text.replace(text.find(what), what.size(), by);
+}
+
+std::string origin(const Json& result) {
+  const auto provenance = result.value("provenance", Json::object());
+  std::string text = section("Provenance", table(provenance));
+  if (const auto command = repeating_command(result); !command.empty())
+    text += section("Again", "<pre>" + escaped(command) + "</pre>\n");
+  const auto version = inline_text(provenance.value("version", Json("unknown")));
+  const auto scene = inline_text(provenance.value("scene_sha256", Json()));
+  return text +
+         section("To cite", "<pre>" +
+                                escaped(replaced(replaced(citations, "@version", version), "@scene", scene)) +
+                                "</pre>\n");
+}
+
+std::string shell_quoted(const std::string& text) {
+  std::string out = "'";
+  for (const char c : text) out += c == '\'' ? "'\\''" : std::string(1, c);
+  return out + "'";
+}
+
+}  // namespace
+
+std::string repeating_command(const Json& result) {
+  const auto provenance = result.value("provenance", Json::object());
+  if (!provenance.contains("scene")) return "";
+  const auto scene = shell_quoted(inline_text(provenance["scene"]));
+  const bool is_sweep = provenance.contains("columns");
+  auto command = is_sweep ? "mariotte sweep " + scene + " --out again" : "mariotte run " + scene;
+  for (const auto& override : provenance.value("overrides", Json::array()))
+    command += " --set " + shell_quoted(inline_text(override));
+  for (const auto& column : provenance.value("columns", Json::array()))
+    command += " --column " + shell_quoted(inline_text(column));
+  return command;
+}
+
+std::string html(const Json& result, const std::vector<Picture>& pictures) {
+  const auto title = result.value("title", "");
+  const auto name = escaped(title.empty() ? "Impact" : title);
+  std::string page =
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<link rel=\"icon\" href=\"data:,\">\n";
+  page +=
+      fmt::format("<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<h1>{}</h1>\n", name, style, name);
+  page += "<p>All numbers are in SI units.</p>\n" + checks(result);
+  if (result.contains("message")) page += "<p>" + escaped(inline_text(result["message"])) + "</p>\n";
+  return page + figures(pictures) + tables(result) + origin(result) + "</body>\n</html>\n";
+}
+
+}  // namespace mariotte::report

@@ -1,0 +1,105 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mariotte/report/csv/columns.hpp"
+#include "mariotte/report/law_name.hpp"
+#include "mariotte/report/table/network_table.hpp"
+#include "mariotte/report/table/table.hpp"
+
+namespace mariotte::report {
+namespace {
+
+std::string number(double value) {
+  return fmt::format("{:.10g}", value);
+}
+
+std::string heading(const scene::Scene& scene) {
+  const Index walls = std::count_if(scene.chain.mass.begin(), scene.chain.mass.end(),
+                                    [](double mass) { return std::isinf(mass); });
+  std::string text = scene.title.empty() ? "Chain" : scene.title;
+  text += fmt::format("\n{} balls", scene.chain.mass.size() - static_cast<std::size_t>(walls));
+  if (walls > 0) text += fmt::format(" and {} wall{}", walls, walls > 1 ? "s" : "");
+  if (scene.chain.gravity != 0) text += fmt::format(", gravity {} m/s²", number(scene.chain.gravity));
+  if (scene.chain.precompressed) text += ", precompressed";
+  return text + "\n";
+}
+
+std::string balls(const scene::Scene& scene) {
+  const auto row = [&](Index i) -> Row {
+    const auto k = static_cast<std::size_t>(i);
+    const double mass = scene.chain.mass[k];
+    Row cells = {fmt::format("{}", i + 1), std::isinf(mass) ? "wall" : number(mass),
+                 number(scene.chain.velocity[k])};
+    if (!scene.radius.empty())
+      cells.push_back(std::isinf(scene.radius[k]) ? "plane" : number(scene.radius[k]));
+    return cells;
+  };
+  Row header = {"ball", "mass [kg]", "velocity [m/s]"};
+  if (!scene.radius.empty()) header.push_back("radius [m]");
+  return columns(header, std::ssize(scene.chain.mass), row);
+}
+
+std::string contacts(const std::vector<contact::Law>& laws, const std::vector<double>& gaps,
+                     const std::vector<std::string>& names) {
+  const auto row = [&](Index j) -> Row {
+    const auto& law = laws[static_cast<std::size_t>(j)];
+    const auto name = names.empty() ? fmt::format("{}", j + 1)
+                                    : fmt::format("{} ({})", j + 1, names[static_cast<std::size_t>(j)]);
+    return {name,
+            law_name(law),
+            number(contact::stiffness(law)),
+            number(contact::damping(law)),
+            number(contact::exponent(law)),
+            number(gaps[static_cast<std::size_t>(j)])};
+  };
+  return columns({names.empty() ? "contact" : "contact (balls)", "law", "stiffness k [N/mⁿ]",
+                  "damping c [N s/mⁿ]", "exponent n", "gap [m]"},
+                 std::ssize(laws), row);
+}
+
+/// One line per freedom: of balls their coordinates in turn.
+std::string freedoms(const scene::Scene& scene) {
+  const auto& network = *scene.network;
+  const bool diagonal = model::is_diagonal(network.mass, std::ssize(network.velocity));
+  const auto row = [&](Index i) -> Row {
+    const auto k = static_cast<std::size_t>(i);
+    Row cells = {fmt::format("{}", i + 1),
+                 number(network.mass[diagonal ? k : k * (network.velocity.size() + 1)]),
+                 number(network.velocity[k])};
+    if (network.dimension > 0) {
+      const auto ball = k / static_cast<std::size_t>(network.dimension);
+      cells.insert(cells.begin() + 1, fmt::format("{}", ball + 1));
+      cells.push_back(number(scene.radius[ball]));
+    }
+    return cells;
+  };
+  Row header = {"freedom", diagonal ? "mass" : "mass (diagonal)", "velocity"};
+  if (network.dimension > 0) header = {"freedom", "ball", "mass [kg]", "velocity [m/s]", "radius [m]"};
+  return columns(header, std::ssize(network.velocity), row);
+}
+
+std::string network(const scene::Scene& scene) {
+  const auto& network = *scene.network;
+  return (scene.title.empty() ? "Contact network" : scene.title) + "\n" + size_of(network) +
+         (network.precompressed ? ", precompressed\n\n" : "\n\n") + freedoms(scene) + "\n" +
+         contacts(network.law, network.gap, contact_names(network));
+}
+
+std::string limits(const hybrid::Options& run) {
+  const std::string time = std::isfinite(run.max_time) ? number(run.max_time) + " s" : "none";
+  return fmt::format("\naccuracy {:.3g} · flow {} · time limit {} · event limit {}\n", run.accuracy, run.flow,
+                     time, run.max_events);
+}
+
+}  // namespace
+
+std::string table(const scene::Scene& scene) {
+  if (scene.body) return table_of_body(scene);
+  if (scene.network) return network(scene) + limits(scene.run);
+  return heading(scene) + "\n" + balls(scene) + "\n" + contacts(scene.chain.law, scene.chain.gap, {}) +
+         limits(scene.run);
+}
+
+}  // namespace mariotte::report

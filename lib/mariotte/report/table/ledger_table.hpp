@@ -1,0 +1,23 @@
+// The lower half of the table of a run: what was conserved, how it was computed and what was not needed.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "mariotte/impact/chain/chain_impact.hpp"
+#include "mariotte/impact/network/network_impact.hpp"
+
+namespace mariotte::report {
+
+/// The ledger in J; its residual also relative to the energy put in.
+std::string energy_table(const impact::EnergyLedger& ledger);
+
+/// The ledger in N s; its residual also relative to Σ m |v| of the balls of finite mass at the start.
+std::string momentum_table(const impact::MomentumLedger& ledger, const model::Chain& chain);
+
+/// Of a network, whose momenta differ in kind, only how well the impulses explain the velocities.
+std::string momentum_table(const impact::NetworkImpact& impact);
+
+std::string flows_table(const std::vector<impact::FlowUse>& flows);
+std::string skipped_table(const std::vector<impact::Skipped>& skipped);
+
+}  // namespace mariotte::report

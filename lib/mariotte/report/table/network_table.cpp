@@ -1,0 +1,70 @@
+#include "mariotte/report/table/network_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "mariotte/report/csv/columns.hpp"
+#include "mariotte/report/number.hpp"
+
+namespace mariotte::report {
+namespace {
+
+constexpr std::array axis = {"x", "y", "z"};
+
+std::string ball_motion(const model::Network& network, const std::vector<double>& after) {
+  auto all = network.velocity;
+  all.insert(all.end(), after.begin(), after.end());
+  const auto velocity = display_for(all, "m/s");
+  Row header = {"ball"};
+  for (const char* when : {"before", "after"})
+    for (Index k = 0; k < network.dimension; ++k)
+      header.push_back(fmt::format("{} {} [{}]", axis[k], when, velocity.unit));
+  const auto row = [&](Index i) {
+    Row cells = {fmt::format("{}", i + 1)};
+    for (const auto* values : {&network.velocity, &after})
+      for (Index k = 0; k < network.dimension; ++k)
+        cells.push_back(shown(velocity, (*values)[i * network.dimension + k]));
+    return cells;
+  };
+  return "\nVelocities\n" + columns(header, std::ssize(after) / network.dimension, row);
+}
+
+}  // namespace
+
+std::string size_of(const model::Network& network) {
+  const std::size_t contacts = network.law.size(), freedoms = network.velocity.size();
+  const auto things = network.dimension == 0 ? fmt::format("{} freedoms", freedoms)
+                                             : fmt::format("{} balls in {}", freedoms / network.dimension,
+                                                           network.dimension == 2 ? "the plane" : "space");
+  return fmt::format("{}, {} contact{}", things, contacts, contacts == 1 ? "" : "s");
+}
+
+std::string motion_table(const model::Network& network, const std::vector<double>& after) {
+  if (network.dimension > 0) return ball_motion(network, after);
+  auto all = network.velocity;
+  all.insert(all.end(), after.begin(), after.end());
+  const auto velocity = display_for(all, "");
+  const auto row = [&](Index i) -> Row {
+    return {fmt::format("{}", i + 1), shown(velocity, network.velocity[i]), shown(velocity, after[i])};
+  };
+  return "\nVelocities\n" + columns({"freedom", "before [SI]", "after [SI]"}, std::ssize(after), row);
+}
+
+std::vector<std::string> contact_names(const model::Network& network) {
+  std::vector<std::string> names;
+  for (Index j = 0; j < std::ssize(network.law); ++j)
+    if (const auto pair = balls_of(network, j))
+      names.push_back(fmt::format("{}–{}", pair->left + 1, pair->right + 1));
+  return names;
+}
+
+std::string direction_table(const impact::ContactImpact& impact) {
+  const auto& r = impact.impulse_direction;
+  if (std::all_of(r.begin(), r.end(), [](double one) { return one == 0; })) return "";
+  const auto row = [&](Index j) -> Row { return {fmt::format("{}", j + 1), fmt::format("{:.10f}", r[j])}; };
+  return "\nImpulse direction\n" + columns({"contact", "r"}, std::ssize(r), row);
+}
+
+}  // namespace mariotte::report

@@ -1,0 +1,137 @@
+#include "mariotte/report/table/table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mariotte/report/csv/columns.hpp"
+#include "mariotte/report/number.hpp"
+#include "mariotte/report/reason.hpp"
+#include "mariotte/report/table/ledger_table.hpp"
+#include "mariotte/report/table/network_table.hpp"
+
+namespace mariotte::report {
+namespace {
+
+template <class Values, class Get>
+Display display_of(const Values& values, const Get& get, const std::string& unit) {
+  std::vector<double> numbers;
+  for (const auto& value : values) numbers.push_back(get(value));
+  return display_for(numbers, unit);
+}
+
+Display time_display(const impact::ContactImpact& impact) {
+  return display_for(std::vector{impact.time}, "s");
+}
+
+std::string summary(const impact::ContactImpact& impact, const std::string& size,
+                    const hybrid::Options& options, const Display& time) {
+  std::string text = fmt::format("{} at {} {} · {} · accuracy {:.3g} requested", hybrid::name(impact.ending),
+                                 shown(time, impact.time), time.unit, size, impact.requested_accuracy);
+  if (impact.estimated_accuracy) text += fmt::format(", {:.1e} estimated", *impact.estimated_accuracy);
+  if (const auto why = reason(impact.ending, impact.message, options); !why.empty()) text += "\n" + why;
+  return text + "\n";
+}
+
+std::string events(const impact::ContactImpact& impact, const Display& time) {
+  if (impact.events.empty()) return "\nEvents: none\n";
+  const auto row = [&](Index i) -> Row {
+    const auto& event = impact.events[static_cast<std::size_t>(i)];
+    return {shown(time, event.time), numbers(event.close), numbers(event.open)};
+  };
+  return "\nEvents\n" + columns({"time [" + time.unit + "]", "contacts close", "contacts open"},
+                                std::ssize(impact.events), row);
+}
+
+std::string balls(const impact::ChainImpact& impact, const model::Chain& chain) {
+  auto all = chain.velocity;
+  all.insert(all.end(), impact.velocity.begin(), impact.velocity.end());
+  const auto velocity = display_for(all, "m/s");
+  const auto row = [&](Index i) -> Row {
+    const auto k = static_cast<std::size_t>(i);
+    return {fmt::format("{}", i + 1), shown(velocity, chain.velocity[k]),
+            shown(velocity, impact.velocity[k])};
+  };
+  return "\nBalls\n" +
+         columns({"ball", "velocity before [" + velocity.unit + "]", "after [" + velocity.unit + "]"},
+                 std::ssize(impact.velocity), row);
+}
+
+std::string periods(const impact::ContactHistory& contact, const Display& time, std::size_t most) {
+  std::string text;
+  const std::size_t count = contact.periods.size();
+  for (std::size_t i = 0; i < std::min(count, most); ++i) {
+    const auto& period = contact.periods[i];
+    text += fmt::format("{}{:.5g}–{}", i > 0 ? ", " : "", time.factor * period.start,
+                        period.end ? fmt::format("{:.5g}", time.factor * *period.end) : "");
+  }
+  if (count > most) text += fmt::format(" +{}", count - most);
+  return count == 0 ? "never" : text;
+}
+
+/// `name` tells what each contact joins, where that is not clear.
+std::string contacts(const impact::ContactImpact& impact, const Display& time,
+                     const std::vector<std::string>& name) {
+  using History = impact::ContactHistory;
+  const auto& all = impact.contacts;
+  auto impulse = display_of(
+      all, [](const History& c) { return c.impulse; }, "N s");
+  auto force = display_of(
+      all, [](const History& c) { return c.peak_force; }, "N");
+  auto depth = display_of(
+      all, [](const History& c) { return c.peak_indentation; }, "m");
+  auto loss = display_of(
+      all, [](const History& c) { return c.dissipated; }, "J");
+  for (auto* display : {&force, &depth, &loss}) display->decimals = std::max(0, display->decimals - 2);
+  const auto row = [&](Index j) -> Row {
+    const auto& contact = all[static_cast<std::size_t>(j)];
+    Row cells = {fmt::format("{}", j + 1),         shown(impulse, contact.impulse),
+                 shown(force, contact.peak_force), shown(depth, contact.peak_indentation),
+                 shown(loss, contact.dissipated),  periods(contact, time, name.empty() ? 2 : 1)};
+    if (!name.empty()) cells.insert(cells.begin() + 1, name[static_cast<std::size_t>(j)]);
+    return cells;
+  };
+  Row header = {"contact",
+                "impulse [" + impulse.unit + "]",
+                "peak force [" + force.unit + "]",
+                "indentation [" + depth.unit + "]",
+                "lost [" + loss.unit + "]",
+                "closed [" + time.unit + "]"};
+  if (!name.empty()) header.insert(header.begin() + 1, "balls");
+  return "\nContacts\n" + columns(header, std::ssize(all), row);
+}
+
+std::string ratios(const impact::ContactImpact& impact) {
+  if (impact.icr.empty()) return "";
+  const auto row = [&](Index j) -> Row {
+    const auto& ratio = impact.icr[static_cast<std::size_t>(j)];
+    return {fmt::format("{}/{}", j + 1, j + 2), ratio ? fmt::format("{:.10f}", *ratio) : "undefined"};
+  };
+  return "\nImpulse correlation ratios\n" + columns({"contacts", "α"}, std::ssize(impact.icr), row);
+}
+
+std::string head(const impact::ContactImpact& impact, const scene::Scene& scene, const char* otherwise,
+                 const std::string& size) {
+  return heading(scene.title.empty() ? otherwise : scene.title) +
+         summary(impact, size, scene.run, time_display(impact)) + events(impact, time_display(impact));
+}
+
+}  // namespace
+
+std::string table(const impact::ChainImpact& impact, const scene::Scene& scene) {
+  return head(impact, scene, "Chain of balls", fmt::format("{} balls", impact.velocity.size())) +
+         balls(impact, scene.chain) + contacts(impact, time_display(impact), {}) + ratios(impact) +
+         energy_table(impact.energy) + momentum_table(impact.momentum, scene.chain) +
+         flows_table(impact.flows) + skipped_table(impact.skipped);
+}
+
+std::string table(const impact::NetworkImpact& impact, const scene::Scene& scene) {
+  const auto& network = *scene.network;
+  return head(impact, scene, "Contact network", size_of(network)) + motion_table(network, impact.velocity) +
+         contacts(impact, time_display(impact), contact_names(network)) + direction_table(impact) +
+         energy_table(impact.energy) + momentum_table(impact) + flows_table(impact.flows) +
+         skipped_table(impact.skipped);
+}
+
+}  // namespace mariotte::report

@@ -1,0 +1,27 @@
+// Results and scenes for people: aligned text with units, at most 100 columns wide, long lists left out in
+// the middle. Balls and contacts count from 1.
+#pragma once
+#include <string>
+
+#include "mariotte/impact/chain/chain_impact.hpp"
+#include "mariotte/impact/microbody/microbody_impact.hpp"
+#include "mariotte/impact/network/network_impact.hpp"
+#include "mariotte/scene/scene.hpp"
+
+namespace mariotte::report {
+
+/// Events, balls, contacts, ratios, ledgers, flows and what was skipped.
+std::string table(const impact::ChainImpact& impact, const scene::Scene& scene);
+
+/// Events, motion before and after, restitution, impacts, ledger, flows and what was skipped; tips count
+/// from 1.
+std::string table(const impact::MicrobodyImpact& impact, const scene::Scene& scene);
+
+/// As of a chain, with the direction of all impulses instead of ratios.
+std::string table(const impact::NetworkImpact& impact, const scene::Scene& scene);
+
+/// The scene as it was understood, in SI units without prefixes.
+std::string table(const scene::Scene& scene);
+std::string table_of_body(const scene::Scene& scene);
+
+}  // namespace mariotte::report

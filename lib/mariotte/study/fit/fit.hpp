@@ -1,0 +1,42 @@
+// Values of scene keys that make simulated restitution fit measurements best, and how well these know them.
+//
+// Minimises Σ ((measured − predicted) / deviation)² over the logarithms of the values, so that they stay
+// positive. Deviations count by their ratios: the scatter about the fit says how large they are, also where
+// none are given. A body that is predicted to be captured counts with e = 0, and with no slope.
+#pragma once
+#include "mariotte/core/error.hpp"
+#include "mariotte/study/fit/restitution_model.hpp"
+
+namespace mariotte::study {
+
+/// The search found no minimum, or one that is not the only one; what() names the keys.
+struct FitError : Error {
+  FitError(const std::string& what, Fault kind) : Error(what, kind) {}
+};
+
+/// One value that was found.
+struct Estimate {
+  std::string key;
+  double start = 0, value = 0;  ///< [SI]
+  double standard_error = 0;
+  double lower = 0, upper = 0;  ///< ends of the confidence interval, by Student's t
+};
+
+struct Fit {
+  std::vector<Estimate> estimates = {};
+  std::vector<std::vector<double>> correlation = {};  ///< of the logarithms of the values
+  std::vector<Rebound> predicted = {};                ///< one per measurement
+  double rms = 0;                                     ///< root mean square of measured − predicted
+  double chi_square = 0;                              ///< Σ ((measured − predicted) / deviation)²
+  Index degrees_of_freedom = 0;
+  double confidence = 0;
+  Index runs = 0;  ///< impacts simulated
+
+  std::vector<double> values() const;
+};
+
+/// Looks around the start by factors of four for the best place to search from. Throws FitError, and
+/// scene::SceneError if there are too few measurements, and Error if a measurement cannot be simulated.
+Fit fit(RestitutionModel& model, const std::vector<std::string>& free, double confidence = 0.95);
+
+}  // namespace mariotte::study

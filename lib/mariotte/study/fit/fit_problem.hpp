@@ -1,0 +1,43 @@
+// A fit as a problem of least squares in x = 1 + ln(value / start), one component per free key: of order one,
+// and whatever x is, the value is positive.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "mariotte/study/fit/restitution_model.hpp"
+
+namespace mariotte::study {
+
+class FitProblem {
+ public:
+  /// `model` must outlive this.
+  explicit FitProblem(RestitutionModel& model);
+
+  std::size_t count() const { return model_.measurements().rows.size(); }
+
+  /// Of the free keys [SI].
+  std::vector<double> values(std::span<const double> x) const;
+
+  /// One per measurement. Throws Error if one cannot be simulated.
+  std::vector<Rebound> predicted(std::span<const double> x) const;
+
+  /// (measured − predicted) / deviation. Throws Error also where a value is a million times off the start.
+  void residuals(std::span<const double> x, std::span<double> r) const;
+
+  /// ∂r/∂x by central differences, a column per free key. Where one side is captured restitution falls to 0
+  /// like a root, and the other side alone is asked; what is captured itself has no slope.
+  void slopes(std::span<const double> x, std::span<double> columns) const;
+
+  /// The best of the start and its neighbours, each value times 1/4, 1 or 4; with more than five keys the
+  /// start alone.
+  std::vector<double> best_start() const;
+
+ private:
+  double slope(const Rebound& less, const Rebound& here, const Rebound& more) const;
+  double sum_of_squares(std::span<const double> x) const;
+
+  RestitutionModel& model_;
+  double step_;  ///< balances the error of the differences against that of the simulations
+};
+
+}  // namespace mariotte::study

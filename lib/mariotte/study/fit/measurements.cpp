@@ -1,0 +1,157 @@
+#include "mariotte/study/fit/measurements.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "mariotte/core/nearest.hpp"
+#include "mariotte/core/quantity.hpp"
+#include "mariotte/scene/csv_table.hpp"
+#include "mariotte/scene/text_file.hpp"
+#include "mariotte/study/fault.hpp"
+
+namespace mariotte::study {
+namespace {
+
+using scene::Cell;
+using scene::Source;
+
+constexpr std::array<std::string_view, 8> words{
+    "speed",     "diameter", "restitution", "restitution.tip", "restitution.centre",
+    "deviation", "ending",   "reason"};
+constexpr std::array<std::string_view, 4> tables{"body.", "surface.", "incidence.", "run."};
+
+/// A column of the header, "name [unit]".
+struct Column {
+  std::string name, unit;
+  std::size_t number;  ///< from 0
+};
+
+/// Which columns are what.
+struct Columns {
+  std::vector<Column> settings;
+  std::optional<Column> restitution, deviation;
+};
+
+Column split(const Cell& cell, std::size_t number) {
+  const auto bracket = cell.text.rfind(" [");
+  if (bracket == std::string::npos || !cell.text.ends_with(']')) return {cell.text, "", number};
+  const auto end = cell.text.find_last_not_of(' ', bracket) + 1;
+  return {cell.text.substr(0, end), cell.text.substr(bracket + 2, cell.text.size() - bracket - 3), number};
+}
+
+std::string key_of(const std::string& name) {
+  if (name == "speed") return "incidence.normal_speed";
+  return name == "diameter" ? "body.radius" : name;
+}
+
+bool is_key(const std::string& name) {
+  return name == "speed" || name == "diameter" ||
+         std::any_of(tables.begin(), tables.end(), [&](auto table) { return name.starts_with(table); });
+}
+
+void place_once(const Source& source, const Cell& cell, const Column& column, std::optional<Column>& place) {
+  if (place) reject(source, cell.place, fault::wrong_columns, "'" + place->name + "' is given, too");
+  place = column;
+}
+
+Columns read_header(const Source& source, const std::vector<Cell>& header) {
+  Columns columns;
+  for (std::size_t i = 0; i < header.size(); ++i) {
+    const auto column = split(header[i], i);
+    if (column.name.starts_with("restitution"))
+      place_once(source, header[i], column, columns.restitution);
+    else if (column.name == "deviation")
+      place_once(source, header[i], column, columns.deviation);
+    else if (is_key(column.name))
+      columns.settings.push_back(column);
+    else if (column.name != "ending" && column.name != "reason")
+      reject(source, header[i].place, fault::wrong_columns,
+             "'" + column.name + "' is no column of measurements and no key of a body's scene" +
+                 suggestion(column.name, words));
+  }
+  return columns;
+}
+
+void expect_complete(const Source& source, const std::vector<Cell>& header, const Columns& columns) {
+  if (!columns.restitution)
+    reject(source, header.front().place, fault::wrong_columns, "the column 'restitution' is missing");
+  const auto& name = columns.restitution->name;
+  if (std::find(words.begin(), words.end(), name) == words.end())
+    reject(source, header[columns.restitution->number].place, fault::wrong_columns,
+           "unknown column '" + name + "'" + suggestion(name, words));
+  if (columns.settings.empty())
+    reject(source, header.front().place, fault::wrong_columns,
+           "no column says what differs between the rows, as 'speed' does");
+  for (auto one = columns.settings.begin(); one != columns.settings.end(); ++one)
+    if (std::any_of(columns.settings.begin(), one,
+                    [&](const auto& other) { return key_of(other.name) == key_of(one->name); }))
+      reject(source, header[one->number].place, fault::wrong_columns,
+             "'" + key_of(one->name) + "' is set by another column, too");
+}
+
+std::string with_unit(const Cell& cell, const Column& column) {
+  return column.unit.empty() ? cell.text : cell.text + " " + column.unit;
+}
+
+double number(const Source& source, const Cell& cell, const std::string& text, const Dimension& dimension) {
+  try {
+    const double value = parse_quantity(text, dimension);
+    if (!std::isfinite(value)) reject(source, cell.place, fault::out_of_range, "must be finite");
+    return value;
+  } catch (const QuantityError& error) {
+    reject(source, cell.place, error.fault, error.what());
+  }
+}
+
+scene::Node value(const Source& source, const Cell& cell, const Column& column) {
+  const auto text = with_unit(cell, column);
+  if (text.empty())
+    reject(source, cell.place, fault::missing, "the value of '" + column.name + "' is missing");
+  if (column.name != "diameter") return {.value = text, .place = cell.place};
+  return {.value = 0.5 * number(source, cell, text, dimension::length), .place = cell.place};
+}
+
+Measurement read_row(const Source& source, const std::vector<Cell>& cells, const Columns& columns) {
+  const auto plain = [&](const Column& column) {
+    const auto& cell = cells[column.number];
+    return number(source, cell, with_unit(cell, column), dimension::none);
+  };
+  Measurement row{.place = cells.front().place, .written = {}, .values = {}};
+  for (const auto& column : columns.settings) {
+    row.written.push_back(with_unit(cells[column.number], column));
+    row.values.push_back(value(source, cells[column.number], column));
+  }
+  row.restitution = plain(*columns.restitution);
+  if (!columns.deviation) return row;
+  row.deviation = plain(*columns.deviation);
+  if (!(row.deviation > 0))
+    reject(source, cells[columns.deviation->number].place, fault::out_of_range, "must be positive");
+  return row;
+}
+
+}  // namespace
+
+Measurements parse_measurements(const std::string& text, const std::string& name) {
+  const Source source{.name = name, .origins = {}};
+  const auto table = scene::parse_csv(source, text);
+  const auto columns = read_header(source, table.header);
+  expect_complete(source, table.header, columns);
+  Measurements measurements{
+      .file = name,
+      .settings = {},
+      .at = columns.restitution->name == "restitution.centre" ? MeasuredAt::centre : MeasuredAt::tip,
+      .weighted = columns.deviation.has_value(),
+      .rows = {}};
+  for (const auto& column : columns.settings)
+    measurements.settings.push_back({.name = column.name, .key = key_of(column.name)});
+  for (const auto& cells : table.rows) measurements.rows.push_back(read_row(source, cells, columns));
+  return measurements;
+}
+
+Measurements read_measurements(const std::string& path) {
+  return parse_measurements(scene::read_text(path), path);
+}
+
+}  // namespace mariotte::study

@@ -1,0 +1,129 @@
+#include "mariotte/study/fit/restitution_model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "mariotte/impact/laws/restitution.hpp"
+#include "mariotte/scene/field.hpp"
+#include "mariotte/scene/key_path.hpp"
+
+namespace mariotte::study {
+namespace {
+
+using scene::Node;
+using scene::Place;
+
+constexpr std::size_t most_letters = 12;  // of a number that a table can show as it was written
+
+std::string place_of(const std::string& file, const Place& place) {
+  return where({.name = file, .origins = {}}, place);
+}
+
+/// A key that the scene does not give: as a number it is unknown, or there is no value to start from.
+[[noreturn]] void reject_missing(const scene::Document& document, const Place& place) {
+  resolve(document);
+  reject(document.source, place, fault::missing, "the scene gives no value to start from (--set one)");
+}
+
+}  // namespace
+
+RestitutionModel::RestitutionModel(scene::Document document, const std::vector<std::string>& free,
+                                   Measurements measurements)
+    : document_(std::move(document)), measurements_(std::move(measurements)) {
+  const auto scene = resolve(document_);
+  if (!scene.body)
+    throw scene::SceneError(document_.source.name + ": only a [body] can be fitted", fault::no_model);
+  accuracy_ = scene.run.accuracy;
+  find_start(free);
+  cell_ = add_origin(document_.source, measurements_.file);
+  for (auto& row : measurements_.rows) resolve_row(row);
+}
+
+void RestitutionModel::find_start(const std::vector<std::string>& free) {
+  for (const auto& key : free) {
+    const auto place = add_origin(document_.source, "--free " + key);
+    for (const auto& setting : measurements_.settings)
+      if (setting.key == key)
+        reject(document_.source, place, fault::contradiction, "the measurements set it");
+    if (std::find(free_.begin(), free_.end(), key) != free_.end())
+      reject(document_.source, place, fault::contradiction, "is named twice");
+    free_.push_back(key);
+    free_places_.push_back(place);
+    expect_start(free_.size() - 1);
+  }
+}
+
+void RestitutionModel::expect_start(std::size_t index) {
+  const auto& place = free_places_[index];
+  Node& node = locate(document_.source, document_.tree, free_[index], place);
+  if (node.place.origin == place.origin) {
+    node.value = 1.0;
+    reject_missing(document_, place);
+  }
+  scene::Watch watch{.readings = {{.node = &node}}};
+  resolve(document_, scene::Purpose::simulation, &watch);
+  if (!watch.readings[0].dimension)
+    reject(document_.source, place, fault::wrong_type, "is no number of the scene");
+  node.place = place;
+  start_.push_back(
+      number(document_.source, {&node, free_[index]}, *watch.readings[0].dimension, scene::Domain::positive));
+  node.value = start_.back();
+}
+
+void RestitutionModel::set(const std::vector<Node>& settings) {
+  for (std::size_t i = 0; i < settings.size(); ++i) {
+    Node& node = locate(document_.source, document_.tree, measurements_.settings[i].key, cell_);
+    node = settings[i];
+    node.place = cell_;
+  }
+}
+
+/// Texts that the scene reads as numbers become numbers.
+void RestitutionModel::resolve_row(Measurement& row) {
+  document_.source.origins.back() = place_of(measurements_.file, row.place);
+  set(row.values);
+  scene::Watch watch;
+  for (const auto& [name, key] : measurements_.settings)
+    watch.readings.push_back({.node = &locate(document_.source, document_.tree, key, cell_)});
+  try {
+    resolve(document_, scene::Purpose::simulation, &watch);
+  } catch (const scene::SceneError& error) {
+    const auto& row_place = document_.source.origins.back();
+    if (std::string_view(error.what()).starts_with(row_place)) throw;
+    throw scene::SceneError(row_place + ": " + error.what(), error.fault);
+  }
+  for (std::size_t i = 0; i < row.values.size(); ++i) {
+    const auto& [node, dimension] = watch.readings[i];
+    if (!dimension) continue;
+    const double value = number(document_.source, {node, ""}, *dimension, scene::Domain::any);
+    row.values[i].value = value;
+    if (row.written[i].size() > most_letters) row.written[i] = fmt::format("{:.6g}", value);
+  }
+}
+
+Rebound RestitutionModel::of_row(std::size_t row, std::span<const double> values) try {
+  return at(measurements_.rows[row].values, values);
+} catch (const Error& error) {
+  throw Error(place_of(measurements_.file, measurements_.rows[row].place) + ": " + error.what(), error.fault);
+}
+
+Rebound RestitutionModel::at(const std::vector<Node>& settings, std::span<const double> values) {
+  set(settings);
+  for (std::size_t i = 0; i < free_.size(); ++i)
+    locate(document_.source, document_.tree, free_[i], free_places_[i]).value = values[i];
+  auto scene = resolve(document_);
+  auto& body = *scene.body;
+  body.impacts = 1;
+  body.after_capture = model::AfterCapture::stop;
+  const auto& end = solver_.solve(body, scene.run);
+  ++runs_;
+  if (end.ending == hybrid::Ending::captured) return {.restitution = 0, .captured = true};
+  if (end.ending != hybrid::Ending::separated)
+    throw Error(std::string("the run ended with ") + hybrid::name(end.ending) + ": " + end.message);
+  const auto e =
+      impact::restitution(tip_velocity(body, 0), end.tip_velocity, body.velocity.e1, end.velocity.e1);
+  return {.restitution = measurements_.at == MeasuredAt::tip ? e.tip : e.centre, .captured = false};
+}
+
+}  // namespace mariotte::study

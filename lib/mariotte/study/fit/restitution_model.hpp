@@ -1,0 +1,55 @@
+// The restitution that a scene of a body predicts, for the settings of each measurement and any values of the
+// keys that are to be found.
+#pragma once
+#include <span>
+#include <string>
+#include <vector>
+
+#include "mariotte/impact/microbody/microbody_solver.hpp"
+#include "mariotte/scene/document.hpp"
+#include "mariotte/study/fit/measurements.hpp"
+
+namespace mariotte::study {
+
+/// Of the first impact of a body; 0 if it is captured.
+struct Rebound {
+  double restitution = 0;
+  bool captured = false;
+};
+
+/// Not to be shared between threads.
+class RestitutionModel {
+ public:
+  /// `free` names keys whose values the scene gives to start from, all positive. Resolves every row; throws
+  /// scene::SceneError for the first that is no scene of a body, at its place in the table.
+  RestitutionModel(scene::Document document, const std::vector<std::string>& free, Measurements measurements);
+
+  const Measurements& measurements() const { return measurements_; }  ///< numbers in SI
+  const std::vector<double>& start() const { return start_; }         ///< of the free keys [SI]
+  double accuracy() const { return accuracy_; }                       ///< of the simulations
+  Index runs() const { return runs_; }                                ///< impacts simulated so far
+
+  /// What row `row` would measure with these values of the free keys. Throws Error that names the row.
+  Rebound of_row(std::size_t row, std::span<const double> values);
+
+  /// The same for other settings, one value per key of the measurements.
+  Rebound at(const std::vector<scene::Node>& settings, std::span<const double> values);
+
+ private:
+  void find_start(const std::vector<std::string>& free);
+  void expect_start(std::size_t index);
+  void resolve_row(Measurement& row);
+  void set(const std::vector<scene::Node>& settings);
+
+  scene::Document document_;
+  Measurements measurements_;
+  std::vector<std::string> free_;
+  std::vector<scene::Place> free_places_;
+  scene::Place cell_;  ///< where the settings come from, for messages
+  std::vector<double> start_;
+  double accuracy_ = 0;
+  Index runs_ = 0;
+  impact::MicrobodySolver solver_;
+};
+
+}  // namespace mariotte::study

@@ -1,0 +1,32 @@
+// What a sweep asks of one scene: the numbers of its result that stand in the columns.
+#pragma once
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "mariotte/scene/scene.hpp"
+#include "mariotte/study/sweep/result_key.hpp"
+
+namespace mariotte::study {
+
+/// How one point ended.
+struct Verdict {
+  std::string ending = "separated";  ///< as in a result; "rejected" for a scene that makes no sense
+  std::string reason = {};           ///< why there are no numbers, if there are none
+
+  /// Whether the numbers mean something: the run ended by itself, or at a limit that the scene sets.
+  bool has_numbers() const;
+};
+
+/// The result of a scene of any kind, as JSON.
+using Simulate = std::function<Json(const scene::Scene&)>;
+
+/// Fills in one number per column, nan where the result has none. Not to be shared between threads.
+using Evaluate = std::function<Verdict(const scene::Scene&, std::span<double>)>;
+
+/// Looks the columns up in the result of `simulate`; a chain, or a body with one impact, whose columns its
+/// quickest run has is solved without it, with the same memory again and again.
+Evaluate make_evaluate(const std::vector<std::string>& columns, const Simulate& simulate);
+
+}  // namespace mariotte::study

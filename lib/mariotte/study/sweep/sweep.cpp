@@ -1,0 +1,153 @@
+#include "mariotte/study/sweep/sweep.hpp"
+
+#include <time.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <thread>
+
+namespace mariotte::study {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double chunk_time = 0.01;  ///< [s] of work: many times the cost of a line, little to lose to a kill
+constexpr Index largest_chunk = 4096;
+constexpr Index growth = 8;  ///< from one chunk to the next, while points turn out cheap
+constexpr auto watch_interval = std::chrono::milliseconds(100);
+constexpr auto flush_interval = std::chrono::milliseconds(500);
+
+/// Processor time of the calling thread [s]: what a point costs, however busy the machine is.
+double processor_time() {
+  timespec time{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+/// What the workers share.
+struct Crew {
+  explicit Crew(Dealer all) : dealer(std::move(all)) {}
+
+  std::mutex mutex;
+  std::condition_variable finished;
+  Dealer dealer;
+  Progress progress;
+  int working = 0;
+  std::exception_ptr problem;
+  std::atomic<bool> stop = false;
+};
+
+class Worker {
+ public:
+  Worker(const Sweep& sweep, const std::optional<Slots>& slots, Journal& journal, Crew& crew)
+      : sweep_(sweep),
+        variation_(sweep.document, sweep.design, slots),
+        evaluate_(sweep.make_evaluate()),
+        journal_(journal),
+        crew_(crew) {}
+
+  void work() {
+    Index size = 1;
+    for (Stretch chunk; !crew_.stop && (chunk = take(size)).count > 0;) {
+      const auto start = Clock::now();
+      const double taken = processor_time();
+      evaluate(variation_, evaluate_, sweep_.columns, chunk.first, chunk.count, batch_);
+      const double evaluated = processor_time();
+      rows_ = {.first = chunk.first, .count = chunk.count, .failed = batch_.failed(), .text = cleared()};
+      sweep_.append_rows(batch_, rows_.text);
+      journal_.append(rows_);
+      report(evaluated - taken, processor_time() - evaluated);
+      size = next_size(chunk.count, std::chrono::duration<double>(Clock::now() - start).count());
+    }
+  }
+
+ private:
+  /// The last rows' memory, empty again.
+  std::string cleared() {
+    rows_.text.clear();
+    return std::move(rows_.text);
+  }
+
+  Stretch take(Index size) {
+    const std::lock_guard lock(crew_.mutex);
+    return crew_.dealer.take(size);
+  }
+
+  void report(double evaluating, double writing) {
+    const std::lock_guard lock(crew_.mutex);
+    crew_.progress.done += batch_.count();
+    crew_.progress.evaluating += evaluating;
+    crew_.progress.writing += writing;
+  }
+
+  static Index next_size(Index size, double taken) {
+    const double wanted = chunk_time * static_cast<double>(size) / std::max(taken, 1e-9);
+    return std::clamp<Index>(static_cast<Index>(std::min(wanted, 1e9)), 1,
+                             std::min(growth * size, largest_chunk));
+  }
+
+  const Sweep& sweep_;
+  Variation variation_;
+  Evaluate evaluate_;
+  Journal& journal_;
+  Crew& crew_;
+  Batch batch_;
+  Rows rows_;
+};
+
+void work(const Sweep& sweep, const std::optional<Slots>& slots, Journal& journal, Crew& crew) {
+  std::exception_ptr problem;
+  try {
+    Worker(sweep, slots, journal, crew).work();
+  } catch (...) {
+    problem = std::current_exception();
+    crew.stop = true;
+  }
+  const std::lock_guard lock(crew.mutex);
+  if (problem && !crew.problem) crew.problem = problem;
+  --crew.working;
+  crew.finished.notify_all();
+}
+
+/// Until all workers are gone: watches, and flushes the journal.
+void supervise(Crew& crew, Journal& journal, const std::function<bool(const Progress&)>& watch) {
+  auto flushed = Clock::now();
+  std::unique_lock lock(crew.mutex);
+  while (!crew.finished.wait_for(lock, watch_interval, [&] { return crew.working == 0; })) {
+    const auto progress = crew.progress;
+    lock.unlock();
+    if (!watch(progress)) crew.stop = true;
+    if (Clock::now() - flushed >= flush_interval) {
+      journal.flush();
+      flushed = Clock::now();
+    }
+    lock.lock();
+  }
+}
+
+}  // namespace
+
+Progress run(const Sweep& sweep, Dealer dealer, int threads, Journal& journal,
+             const std::function<bool(const Progress&)>& watch) {
+  const auto slots = find_slots(sweep.document, sweep.design);
+  Crew crew(std::move(dealer));
+  crew.working = threads;
+  std::vector<std::jthread> workers;
+  for (int i = 0; i < threads; ++i) workers.emplace_back([&] { work(sweep, slots, journal, crew); });
+  try {
+    supervise(crew, journal, watch);
+  } catch (...) {
+    crew.stop = true;
+    throw;  // the threads are joined on the way
+  }
+  workers.clear();
+  if (crew.problem) std::rethrow_exception(crew.problem);
+  journal.flush();
+  watch(crew.progress);
+  return crew.progress;
+}
+
+}  // namespace mariotte::study
