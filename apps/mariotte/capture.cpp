@@ -24,7 +24,7 @@ constexpr const char* speed_key = "incidence.normal_speed";
 /// The scene's body at another speed; ζ's are read again, since the damping they stand for depends on it.
 model::Microbody at_speed(scene::Document& document, double speed) {
   locate(document.source, document.tree, speed_key, {}).value = speed;
-  return *scene::resolve(document).body;
+  return std::get<model::Microbody>(scene::resolve(document).model);
 }
 
 std::string table(const impact::CaptureVelocity& found, const scene::Scene& scene) {
@@ -46,10 +46,9 @@ report::Json json(const impact::CaptureVelocity& found, const scene::Scene& scen
 int capture(const Capture& options) {
   auto document = open(options.scene);
   const auto scene = resolve(options.scene, document);
-  if (!scene.body)
-    throw scene::SceneError(options.scene.path + ": only a [body] can be captured", fault::no_model);
+  const auto& body = scene::body_of(scene, options.scene.path, "captured");
   const auto found = impact::capture_velocity([&](double speed) { return at_speed(document, speed); },
-                                              -scene.body->velocity.e1, options.tolerance, scene.run);
+                                              -body.velocity.e1, options.tolerance, scene.run);
   if (!found) {
     error("no capture velocity within a factor of a million of the scene's speed", fault::no_capture);
     return ExitCode::check_failed;

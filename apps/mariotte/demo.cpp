@@ -9,7 +9,7 @@ namespace {
 
 int demo() {
   const auto scene = scene::parse(demo_scene, "demo");
-  const auto impact = impact::simulate(scene.chain, scene.run);
+  const auto impact = impact::simulate(std::get<model::Chain>(scene.model), scene.run);
   print(report::table(impact, scene));
   return exit_code(impact.ending);
 }

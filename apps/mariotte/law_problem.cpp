@@ -101,38 +101,45 @@ void complete_by_simulation(LawProblem& problem, scene::Law& law, const Model& m
   problem.report.simulated = impact.velocity;
 }
 
-/// The model's own contacts for the rival that needs them; equal Hertz ones where there is no single
-/// exponent.
-impact::RivalParameters rival_parameters(const LawChoice& choice, const std::vector<contact::Law>& laws) {
-  impact::RivalParameters parameters;
-  if (!choice.restitution.empty())
-    parameters.restitution = number("restitution", choice.restitution, dimension::none);
-  if (laws.empty()) return parameters;
+/// Stiffnesses and exponent for the rival that needs them, if there is a single exponent.
+void add_contacts(impact::RivalParameters& parameters, const std::vector<contact::Law>& laws) {
+  if (laws.empty()) return;
   const double exponent = contact::exponent(laws.front());
   for (const auto& law : laws)
-    if (contact::exponent(law) != exponent) return parameters;
+    if (contact::exponent(law) != exponent) return;
   parameters.exponent = exponent;
   for (const auto& law : laws) parameters.stiffness.push_back(contact::stiffness(law));
-  return parameters;
 }
 
-void complete_by_simulation(LawProblem& problem, scene::Law& law, const scene::Scene& scene) {
-  if (scene.network)
-    complete_by_simulation(problem, law, *scene.network, scene.run);
-  else
-    complete_by_simulation(problem, law, scene.chain, scene.run);
+/// Everything that the scene's model says: what collides, its contacts and, where the law is not complete,
+/// its simulation.
+template <class Model>
+void take_from_contacts(LawProblem& problem, scene::Law& law, const Model& model,
+                        const hybrid::Options& run) {
+  if (law.direction.empty() || !law.energy_ratio) complete_by_simulation(problem, law, model, run);
+  add_contacts(problem.rivals, model.law);
 }
 
-void name_velocities(report::LawReport& report, const model::Network& network) {
-  report.moving = impact::moving(network);
-  report.velocity_unit = impact::velocity_unit(network);
+void take_from(LawProblem& problem, scene::Law& law, const model::Chain& chain, const hybrid::Options& run) {
+  take_from_contacts(problem, law, chain, run);
+  problem.report.before = impact::chain_configuration(chain.mass, chain.velocity);
 }
 
-/// What collides: the law's own row of balls, or the model of the scene.
-impact::Configuration before_impact(const scene::Law& law, const scene::Scene& scene) {
-  if (!law.mass.empty()) return impact::chain_configuration(law.mass, law.velocity);
-  if (scene.network) return impact::configuration_of(*scene.network);
-  return impact::chain_configuration(scene.chain.mass, scene.chain.velocity);
+void take_from(LawProblem& problem, scene::Law& law, const model::Network& network,
+               const hybrid::Options& run) {
+  take_from_contacts(problem, law, network, run);
+  problem.report.before = impact::configuration_of(network);
+  problem.report.moving = impact::moving(network);
+  problem.report.velocity_unit = impact::velocity_unit(network);
+}
+
+/// The reader refuses bodies for this purpose.
+void take_from(LawProblem&, scene::Law&, const model::Microbody&, const hybrid::Options&) {
+  throw UsageError("the multiple-impact law needs a [chain] or [network]", fault::law_incomplete);
+}
+
+void take_from(LawProblem&, scene::Law&, const scene::LawAlone&, const hybrid::Options&) {
+  throw UsageError("give a scene, or --mass and --velocity", fault::law_incomplete);
 }
 
 scene::Scene read_scene(const SceneChoice& choice) {
@@ -149,19 +156,16 @@ LawProblem law_problem(const LawChoice& choice) {
   problem.report.title = scene.title;
   problem.report.scene_sha256 = scene.sha256;
   if (!choice.table.empty()) take_from_table(problem, law, choice);
+  if (!choice.restitution.empty())
+    problem.rivals.restitution = number("restitution", choice.restitution, dimension::none);
   const bool own = !law.mass.empty();
-  if (!own && scene.chain.mass.empty() && !scene.network)
-    throw UsageError("give a scene, or --mass and --velocity", fault::law_incomplete);
-  if (!own && (law.direction.empty() || !law.energy_ratio)) complete_by_simulation(problem, law, scene);
+  if (!own) std::visit([&](const auto& model) { take_from(problem, law, model, scene.run); }, scene.model);
   if (law.direction.empty()) throw UsageError("give --icr, --direction or --table", fault::law_incomplete);
   if (!law.energy_ratio) throw UsageError("give --energy-ratio", fault::law_incomplete);
-  problem.report.before = before_impact(law, scene);
-  if (scene.network && !own) name_velocities(problem.report, *scene.network);
+  if (own) problem.report.before = impact::chain_configuration(law.mass, law.velocity);
   problem.report.parameters.direction = law.direction;
   problem.report.parameters.energy_ratio = *law.energy_ratio;
   problem.report.parameters.frame = law.frame;
-  const auto& laws = scene.network ? scene.network->law : scene.chain.law;
-  problem.rivals = rival_parameters(choice, own ? std::vector<contact::Law>{} : laws);
   problem.rivals.direction = law.direction;
   problem.report.restitution = problem.rivals.restitution;
   return problem;

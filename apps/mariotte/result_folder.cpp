@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "mariotte/core/overload.hpp"
 #include "mariotte/report/csv/csv.hpp"
 #include "mariotte/report/figure/energy_plot.hpp"
 #include "mariotte/report/figure/gnuplot.hpp"
@@ -42,15 +43,14 @@ bool is_image(const report::Spacetime* waves) {
   return waves && waves->is_image();
 }
 
-// Of chains.
-void add_energy(Texts& texts, const impact::ContactImpact& impact, const scene::Scene& scene) {
-  if (scene.network) return;
-  const auto course = report::energy_course(impact.trace, scene.chain);
+void add_energy(Texts& texts, const impact::ChainImpact& impact, const scene::Scene& scene) {
+  const auto course = report::energy_course(impact.trace, std::get<model::Chain>(scene.model));
   texts["energy.csv"] = report::energy_csv(course);
   texts["plot.gp"] += report::energy_script(course, scene.title);
 }
 
-// What a trace of a body shows does not say what its contacts store.
+// Their samples are not turned into energies.
+void add_energy(Texts&, const impact::NetworkImpact&, const scene::Scene&) {}
 void add_energy(Texts&, const impact::MicrobodyImpact&, const scene::Scene&) {}
 
 template <class Impact>
@@ -99,8 +99,12 @@ std::string write(const std::filesystem::path& folder, const report::Json& json,
 }  // namespace
 
 bool can_trace(const scene::Scene& scene) {
-  if (!scene.network) return scene.chain.mass.size() <= most_balls_traced;
-  return std::max(scene.network->law.size(), scene.network->velocity.size()) <= most_balls_traced;
+  const auto size = Overload{
+      [](const model::Chain& chain) { return chain.mass.size(); },
+      [](const model::Network& network) { return std::max(network.law.size(), network.velocity.size()); },
+      [](const model::Microbody& body) { return body.law.size(); },
+      [](const scene::LawAlone& nothing) -> std::size_t { scene::refuse(nothing); }};
+  return std::visit(size, scene.model) <= most_balls_traced;
 }
 
 void prepare_result_folder(const std::filesystem::path& folder, bool force) {
@@ -111,9 +115,14 @@ void prepare_result_folder(const std::filesystem::path& folder, bool force) {
 }
 
 std::string write_result_folder(const std::filesystem::path& folder, const report::Json& json,
-                                const impact::ContactImpact& impact, const scene::Scene& scene,
+                                const impact::ChainImpact& impact, const scene::Scene& scene,
                                 const report::Spacetime* waves) {
   return write(folder, json, impact, scene, waves);
+}
+
+std::string write_result_folder(const std::filesystem::path& folder, const report::Json& json,
+                                const impact::NetworkImpact& impact, const scene::Scene& scene) {
+  return write(folder, json, impact, scene, nullptr);
 }
 
 std::string write_result_folder(const std::filesystem::path& folder, const report::Json& json,

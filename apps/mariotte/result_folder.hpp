@@ -5,6 +5,7 @@
 
 #include "mariotte/impact/chain/chain_impact.hpp"
 #include "mariotte/impact/microbody/microbody_impact.hpp"
+#include "mariotte/impact/network/network_impact.hpp"
 #include "mariotte/report/figure/spacetime.hpp"
 #include "mariotte/report/json/json.hpp"
 #include "mariotte/scene/scene.hpp"
@@ -20,8 +21,10 @@ void prepare_result_folder(const std::filesystem::path& folder, bool force);
 /// Write the result files, replacing those of an earlier run. Returns an empty text, or why there are no
 /// figures; `waves` may be null. Throws report::FileError.
 std::string write_result_folder(const std::filesystem::path& folder, const report::Json& json,
-                                const impact::ContactImpact& impact, const scene::Scene& scene,
-                                const report::Spacetime* waves = nullptr);
+                                const impact::ChainImpact& impact, const scene::Scene& scene,
+                                const report::Spacetime* waves);
+std::string write_result_folder(const std::filesystem::path& folder, const report::Json& json,
+                                const impact::NetworkImpact& impact, const scene::Scene& scene);
 std::string write_result_folder(const std::filesystem::path& folder, const report::Json& json,
                                 const impact::MicrobodyImpact& impact, const scene::Scene& scene);
 

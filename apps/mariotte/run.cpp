@@ -32,10 +32,14 @@ struct Run {
   bool verbose = false;
 };
 
-std::string size_of(const scene::Scene& scene) {
-  if (scene.body) return "a body";
-  if (scene.network) return report::size_of(*scene.network);
-  return fmt::format("{} balls", scene.chain.mass.size());
+std::string size_of(const model::Chain& chain) {
+  return fmt::format("{} balls", chain.mass.size());
+}
+std::string size_of(const model::Network& network) {
+  return report::size_of(network);
+}
+std::string size_of(const model::Microbody&) {
+  return "a body";
 }
 
 /// Calls `follow` for the impact, and says what it took.
@@ -44,7 +48,7 @@ auto simulate(const Run& options, const Model& model, const scene::Scene& scene,
   const auto start = std::chrono::steady_clock::now();
   auto impact = follow();
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  if (options.verbose) note(fmt::format("simulated {} in {:.3g} s", size_of(scene), taken.count()));
+  if (options.verbose) note(fmt::format("simulated {} in {:.3g} s", size_of(model), taken.count()));
   if (options.estimate) impact.estimated_accuracy = impact::estimate_accuracy(model, scene.run, impact);
   return impact;
 }
@@ -87,8 +91,8 @@ int finish(const Run& options, const Impact& impact, const scene::Scene& scene, 
   return exit_code(impact.ending);
 }
 
-int run_chain(const Run& options, const scene::Scene& scene) {
-  const auto balls = scene.chain.mass.size();
+int run(const Run& options, const model::Chain& chain, const scene::Scene& scene) {
+  const auto balls = chain.mass.size();
   const auto trace = start_trace(options.trace, balls, options.force);
   std::optional<report::Spacetime> waves;
   if (!options.out.empty() && balls >= least_balls_of_image) waves.emplace(balls);
@@ -97,36 +101,38 @@ int run_chain(const Run& options, const scene::Scene& scene) {
   if (trace) watching.samplings.push_back(trace->sampling);
   if (waves) watching.samplings.push_back(waves->sampling());
   if (!options.scene.quiet) watching.progress = std::ref(progress);
-  const auto impact = simulate(options, scene.chain, scene,
-                               [&] { return impact::simulate(scene.chain, scene.run, watching); });
+  const auto impact =
+      simulate(options, chain, scene, [&] { return impact::simulate(chain, scene.run, watching); });
   if (trace) trace->file->commit();
   const report::Spacetime* const image = waves ? &*waves : nullptr;
   return finish(options, impact, scene, image);
 }
 
-int run_body(const Run& options, const scene::Scene& scene) {
+int run(const Run& options, const model::Microbody& body, const scene::Scene& scene) {
   if (!options.trace.file.empty())
     throw UsageError("--trace samples chains; --out writes the trace of a body");
-  const auto impact = simulate(options, *scene.body, scene, [&] {
-    return impact::simulate(*scene.body, scene.run, !options.out.empty());
-  });
+  const auto impact =
+      simulate(options, body, scene, [&] { return impact::simulate(body, scene.run, !options.out.empty()); });
   return finish(options, impact, scene);
 }
 
-int run_network(const Run& options, const scene::Scene& scene) {
+int run(const Run& options, const model::Network& network, const scene::Scene& scene) {
   if (!options.trace.file.empty())
     throw UsageError("--trace samples chains; --out writes the trace of a network");
   const bool trace = !options.out.empty() && can_trace(scene);
-  const auto impact = simulate(options, *scene.network, scene,
-                               [&] { return impact::simulate(*scene.network, scene.run, trace); });
+  const auto impact =
+      simulate(options, network, scene, [&] { return impact::simulate(network, scene.run, trace); });
   return finish(options, impact, scene);
+}
+
+int run(const Run&, const scene::LawAlone& nothing, const scene::Scene&) {
+  scene::refuse(nothing);
 }
 
 int run(const Run& options) {
   const auto scene = read(options.scene);
   if (!options.out.empty()) prepare_result_folder(options.out, options.force);
-  if (scene.body) return run_body(options, scene);
-  return scene.network ? run_network(options, scene) : run_chain(options, scene);
+  return std::visit([&](const auto& model) { return run(options, model, scene); }, scene.model);
 }
 
 constexpr const char* examples = R"(Examples:

@@ -17,6 +17,7 @@
 #include "mariotte/report/json/sweep_json.hpp"
 #include "mariotte/report/page/provenance.hpp"
 #include "mariotte/scene/sha256.hpp"
+#include "mariotte/scene/simulate.hpp"
 #include "mariotte/study/sweep/sweep_reader.hpp"
 #include "progress_line.hpp"
 #include "ranks.hpp"
@@ -39,9 +40,7 @@ struct Options {
 };
 
 study::Json simulate(const scene::Scene& scene) {
-  if (scene.body) return report::json(impact::simulate(*scene.body, scene.run), scene);
-  if (scene.network) return report::json(impact::simulate(*scene.network, scene.run), scene);
-  return report::json(impact::simulate(scene.chain, scene.run), scene);
+  return std::visit([&](const auto& impact) { return report::json(impact, scene); }, scene::simulate(scene));
 }
 
 study::SweepPlan read(const Options& options, const Ranks& ranks) try {

@@ -44,7 +44,7 @@ Scene scene_of(Keys keys) {
     if (plain) keys.angles = {}, keys.spin = {};
     const auto words = text(keys);
     try {
-      return {.model = Body{*scene::parse(words, "stress").body, words}};
+      return {.model = Body{std::get<model::Microbody>(scene::parse(words, "stress").model), words}};
     } catch (const scene::SceneError&) {
       if (plain) throw;
     }

@@ -24,10 +24,10 @@ bool has(const std::string& text, const std::string& part) {
 std::pair<impact::ChainImpact, scene::Scene> long_chain(std::size_t balls) {
   impact::ChainImpact impact;
   scene::Scene scene;
-  scene.chain.mass.assign(balls, 1e-3);
-  scene.chain.velocity.assign(balls, 0);
-  scene.chain.gap.assign(balls - 1, 0);
-  scene.chain.law.assign(balls - 1, contact::Hertz{1e9});
+  scene.model = model::Chain{.mass = std::vector(balls, 1e-3),
+                             .law = std::vector<contact::Law>(balls - 1, contact::Hertz{1e9}),
+                             .gap = std::vector(balls - 1, 0.0),
+                             .velocity = std::vector(balls, 0.0)};
   impact.time = 1.2345678e-3;
   impact.velocity.assign(balls, -1.2345678);
   impact.gap.assign(balls - 1, 0);

@@ -10,10 +10,11 @@ namespace support {
 inline mariotte::scene::Scene three_balls() {
   mariotte::scene::Scene scene;
   scene.title = "Three balls";
-  scene.chain.mass = {1, 1, mariotte::infinity};
-  scene.chain.velocity = {1, 0, 0};
-  scene.chain.gap = {0, 0};
-  scene.chain.law = {mariotte::contact::Hertz{1}, mariotte::contact::Viscoelastic{4, 0.1, 1.5}};
+  scene.model = mariotte::model::Chain{
+      .mass = {1, 1, mariotte::infinity},
+      .law = {mariotte::contact::Hertz{1}, mariotte::contact::Viscoelastic{4, 0.1, 1.5}},
+      .gap = {0, 0},
+      .velocity = {1, 0, 0}};
   scene.radius = {0.01, 0.02, mariotte::infinity};
   scene.sha256 = "0123";
   return scene;

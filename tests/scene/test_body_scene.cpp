@@ -28,7 +28,7 @@ angles = [0, "42 deg", 0]
 )";
 
 model::Microbody parse(const std::string& text) {
-  return *scene::parse(text, "scene").body;
+  return std::get<model::Microbody>(scene::parse(text, "scene").model);
 }
 
 bool close(double a, double b) {

@@ -12,7 +12,7 @@ using namespace mariotte;
 using Numbers = std::vector<double>;
 
 model::Network parse(const std::string& text, const scene::Overrides& overrides = {}) {
-  return *scene::parse(text, "f", overrides).network;
+  return std::get<model::Network>(scene::parse(text, "f", overrides).model);
 }
 
 const std::string block = R"(
@@ -84,7 +84,7 @@ BOOST_AUTO_TEST_CASE(keys_of_the_network_may_be_one_per_contact) {
 
 BOOST_AUTO_TEST_CASE(balls_that_touch_are_joined_along_their_line_of_centres) {
   const auto scene = scene::parse(triangle, "f");
-  const auto& network = *scene.network;
+  const auto& network = std::get<model::Network>(scene.model);
   BOOST_TEST(network.dimension == 2);
   BOOST_TEST(scene.radius == Numbers(3, 0.01));
   BOOST_TEST(network.gap == Numbers(3, 0.0));

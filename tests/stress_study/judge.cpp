@@ -117,17 +117,18 @@ BOOST_AUTO_TEST_CASE(a_scene_file_repeats_its_scene_to_the_last_digit) {
     const auto again = scene::parse(text(scene, 1e-10, "two\nlines"), "scene");
     BOOST_TEST_CONTEXT(list[number % list.size()].name << ", scene " << number) {
       if (const auto* chain = std::get_if<model::Chain>(&scene.model)) {
-        BOOST_TEST(again.chain.mass == chain->mass);
-        BOOST_TEST(again.chain.velocity == chain->velocity);
-        BOOST_TEST(again.chain.gap == chain->gap);
-        BOOST_TEST(again.chain.gravity == chain->gravity);
+        BOOST_TEST(std::get<model::Chain>(again.model).mass == chain->mass);
+        BOOST_TEST(std::get<model::Chain>(again.model).velocity == chain->velocity);
+        BOOST_TEST(std::get<model::Chain>(again.model).gap == chain->gap);
+        BOOST_TEST(std::get<model::Chain>(again.model).gravity == chain->gravity);
         for (std::size_t j = 0; j < chain->law.size(); ++j)
-          BOOST_TEST(contact::stiffness(again.chain.law[j]) == contact::stiffness(chain->law[j]));
+          BOOST_TEST(contact::stiffness(std::get<model::Chain>(again.model).law[j]) ==
+                     contact::stiffness(chain->law[j]));
       }
       if (const auto* network = std::get_if<model::Network>(&scene.model)) {
-        BOOST_TEST(again.network->mass == network->mass);
-        BOOST_TEST(again.network->velocity == network->velocity);
-        BOOST_TEST(again.network->gap == network->gap);
+        BOOST_TEST(std::get<model::Network>(again.model).mass == network->mass);
+        BOOST_TEST(std::get<model::Network>(again.model).velocity == network->velocity);
+        BOOST_TEST(std::get<model::Network>(again.model).gap == network->gap);
       }
     }
   }

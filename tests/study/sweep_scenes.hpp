@@ -26,7 +26,7 @@ velocity = ["1 m/s", 0, 0]
 )";
 
 inline report::Json simulate(const scene::Scene& scene) {
-  return report::json(impact::simulate(scene.chain, scene.run), scene);
+  return report::json(impact::simulate(std::get<model::Chain>(scene.model), scene.run), scene);
 }
 
 }  // namespace mariotte::test

@@ -60,8 +60,9 @@ BOOST_AUTO_TEST_CASE(quick_and_whole_results_of_a_body_give_the_same_columns) {
   for (const auto& overrides : std::vector<std::vector<std::string>>{
            {}, {"incidence.angles[1]=80 deg"}, {"incidence.normal_speed=1 mm/s"}, {"run.max_time=1 ns"}}) {
     auto scene = rod(overrides);
-    scene.body->impacts = 1;
-    const auto result = report::json(impact::simulate(*scene.body, scene.run), scene);
+    auto& body = std::get<model::Microbody>(scene.model);
+    body.impacts = 1;
+    const auto result = report::json(impact::simulate(body, scene.run), scene);
     std::vector<double> quick(keys.size());
     const auto verdict = study::make_evaluate(keys, refuse)(scene, quick);
     BOOST_TEST(verdict.ending == result["ending"].get<std::string>());
@@ -77,7 +78,7 @@ BOOST_AUTO_TEST_CASE(quick_and_whole_results_of_a_body_give_the_same_columns) {
 
 BOOST_AUTO_TEST_CASE(columns_are_the_numbers_of_the_result) {
   const auto scene = three();
-  const auto whole = impact::simulate(scene.chain, scene.run);
+  const auto whole = impact::simulate(std::get<model::Chain>(scene.model), scene.run);
   const auto numbers = evaluated({"final.velocity[2]", "icr[0]", "contacts[1].peak_force", "energy.residual",
                                   "events.count", "accuracy.estimated"},
                                  scene);
@@ -90,7 +91,7 @@ BOOST_AUTO_TEST_CASE(columns_are_the_numbers_of_the_result) {
 }
 
 BOOST_AUTO_TEST_CASE(a_scene_of_another_kind_needs_only_its_result) {
-  const scene::Scene body;  // no chain: as a body's scene has none
+  const scene::Scene body{.title = "", .model = model::Microbody{}};
   const auto simulate = [](const scene::Scene&) {
     return study::Json::parse(R"({"ending": "captured", "restitution": {"tip": 0.5, "centre": null},
                                   "impacts": [{"tip": 1, "peak_force": 2}]})");

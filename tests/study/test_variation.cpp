@@ -77,5 +77,5 @@ values = [0, -0.1]
   study::Variation variation(one.document, one.design, study::find_slots(one.document, one.design));
   BOOST_CHECK_NO_THROW(variation.at(0));
   BOOST_CHECK_THROW(variation.at(1), scene::SceneError);
-  BOOST_TEST(variation.at(3).chain.gap[0] == -0.1);
+  BOOST_TEST(std::get<model::Chain>(variation.at(3).model).gap[0] == -0.1);
 }

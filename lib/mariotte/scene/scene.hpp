@@ -2,6 +2,7 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "mariotte/core/error.hpp"
@@ -24,12 +25,16 @@ struct FileError : Error {
   explicit FileError(const std::string& what) : Error(what, fault::unreadable) {}
 };
 
-/// Of a chain, a network or a body: `network` and `body` are empty of others, and `chain` has no balls.
+/// Instead of a model, in a scene with [law] alone: the law has masses and velocities of its own.
+struct LawAlone {};
+
+/// What a scene is of.
+using Model = std::variant<LawAlone, model::Chain, model::Network, model::Microbody>;
+
+/// A model, and what is to be done with it.
 struct Scene {
   std::string title;
-  model::Chain chain;  ///< without balls if [law] stands alone
-  std::optional<model::Network> network;
-  std::optional<model::Microbody> body;
+  Model model;
   std::optional<Law> law;      ///< of scenes with [law]
   std::vector<double> radius;  ///< n values [m], infinite for planes; empty unless every ball has one
   hybrid::Options run;
@@ -43,6 +48,12 @@ using Overrides = std::vector<std::string>;
 /// What a scene is read for: a model to simulate, or the multiple-impact law, for which the masses and
 /// velocities of [law] are enough.
 enum class Purpose { simulation, law };
+
+/// Where a model is needed: throws SceneError, since there is none.
+[[noreturn]] void refuse(const LawAlone& nothing);
+
+/// The scene's body. Throws SceneError, with `file` and "only a [body] can be" before `what`, if it has none.
+const model::Microbody& body_of(const Scene& scene, const std::string& file, const char* what);
 
 /// Read a scene from a file. Throws FileError or SceneError.
 Scene read(const std::string& path, const Overrides& overrides = {}, Purpose purpose = Purpose::simulation);

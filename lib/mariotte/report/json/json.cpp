@@ -1,5 +1,6 @@
 #include "mariotte/report/json/json.hpp"
 
+#include "mariotte/core/overload.hpp"
 #include "mariotte/report/json/json_parts.hpp"
 #include "mariotte/report/law_name.hpp"
 #include "mariotte/report/reason.hpp"
@@ -95,6 +96,15 @@ Json result(const impact::ContactImpact& impact, const scene::Scene& scene, cons
   return result;
 }
 
+Json described(const scene::Scene& scene, const char* model, const Json& numbers) {
+  Json result = {{"title", scene.title}, {"model", model}, {model, numbers}};
+  if (!scene.radius.empty()) result[model]["radius"] = scene.radius;
+  result["run"] = options(scene.run);
+  if (!scene.warnings.empty()) result["warnings"] = scene.warnings;
+  result["provenance"] = provenance_json(scene.sha256);
+  return result;
+}
+
 }  // namespace
 
 Json json(const impact::ChainImpact& impact, const scene::Scene& scene) {
@@ -106,15 +116,12 @@ Json json(const impact::NetworkImpact& impact, const scene::Scene& scene) {
 }
 
 Json json(const scene::Scene& scene) {
-  if (scene.body) return json_of_body(scene);
-  const char* const model = scene.network ? "network" : "chain";
-  Json result = {{"title", scene.title}, {"model", model}};
-  result[model] = scene.network ? network(*scene.network) : chain(scene.chain);
-  if (!scene.radius.empty()) result[model]["radius"] = scene.radius;
-  result["run"] = options(scene.run);
-  if (!scene.warnings.empty()) result["warnings"] = scene.warnings;
-  result["provenance"] = provenance_json(scene.sha256);
-  return result;
+  return std::visit(
+      Overload{[&](const model::Chain& one) { return described(scene, "chain", chain(one)); },
+               [&](const model::Network& one) { return described(scene, "network", network(one)); },
+               [&](const model::Microbody& one) { return json_of_body(one, scene); },
+               [](const scene::LawAlone& nothing) -> Json { scene::refuse(nothing); }},
+      scene.model);
 }
 
 }  // namespace mariotte::report

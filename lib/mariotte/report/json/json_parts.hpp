@@ -33,6 +33,6 @@ Json options(const hybrid::Options& run);
 Json provenance_json(const std::string& scene_sha256);
 
 /// The scene of a body as it was understood.
-Json json_of_body(const scene::Scene& scene);
+Json json_of_body(const model::Microbody& body, const scene::Scene& scene);
 
 }  // namespace mariotte::report

@@ -110,8 +110,7 @@ Json json(const impact::MicrobodyImpact& impact, const scene::Scene& scene) {
   return result;
 }
 
-Json json_of_body(const scene::Scene& scene) {
-  const auto& body = *scene.body;
+Json json_of_body(const model::Microbody& body, const scene::Scene& scene) {
   Json result = {{"title", scene.title}, {"model", "microbody"}};
   result["body"] = {
       {"mass", body.body.mass}, {"inertia", vector(body.body.inertia)}, {"tips", list(body.body.tips, tip)}};

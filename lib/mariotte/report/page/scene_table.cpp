@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mariotte/core/overload.hpp"
 #include "mariotte/report/csv/columns.hpp"
 #include "mariotte/report/law_name.hpp"
 #include "mariotte/report/table/network_table.hpp"
@@ -15,30 +16,30 @@ std::string number(double value) {
   return fmt::format("{:.10g}", value);
 }
 
-std::string heading(const scene::Scene& scene) {
-  const Index walls = std::count_if(scene.chain.mass.begin(), scene.chain.mass.end(),
-                                    [](double mass) { return std::isinf(mass); });
+std::string heading(const model::Chain& chain, const scene::Scene& scene) {
+  const Index walls =
+      std::count_if(chain.mass.begin(), chain.mass.end(), [](double mass) { return std::isinf(mass); });
   std::string text = scene.title.empty() ? "Chain" : scene.title;
-  text += fmt::format("\n{} balls", scene.chain.mass.size() - static_cast<std::size_t>(walls));
+  text += fmt::format("\n{} balls", chain.mass.size() - static_cast<std::size_t>(walls));
   if (walls > 0) text += fmt::format(" and {} wall{}", walls, walls > 1 ? "s" : "");
-  if (scene.chain.gravity != 0) text += fmt::format(", gravity {} m/s²", number(scene.chain.gravity));
-  if (scene.chain.precompressed) text += ", precompressed";
+  if (chain.gravity != 0) text += fmt::format(", gravity {} m/s²", number(chain.gravity));
+  if (chain.precompressed) text += ", precompressed";
   return text + "\n";
 }
 
-std::string balls(const scene::Scene& scene) {
+std::string balls(const model::Chain& chain, const scene::Scene& scene) {
   const auto row = [&](Index i) -> Row {
     const auto k = static_cast<std::size_t>(i);
-    const double mass = scene.chain.mass[k];
+    const double mass = chain.mass[k];
     Row cells = {fmt::format("{}", i + 1), std::isinf(mass) ? "wall" : number(mass),
-                 number(scene.chain.velocity[k])};
+                 number(chain.velocity[k])};
     if (!scene.radius.empty())
       cells.push_back(std::isinf(scene.radius[k]) ? "plane" : number(scene.radius[k]));
     return cells;
   };
   Row header = {"ball", "mass [kg]", "velocity [m/s]"};
   if (!scene.radius.empty()) header.push_back("radius [m]");
-  return columns(header, std::ssize(scene.chain.mass), row);
+  return columns(header, std::ssize(chain.mass), row);
 }
 
 std::string contacts(const std::vector<contact::Law>& laws, const std::vector<double>& gaps,
@@ -60,8 +61,7 @@ std::string contacts(const std::vector<contact::Law>& laws, const std::vector<do
 }
 
 /// One line per freedom: of balls their coordinates in turn.
-std::string freedoms(const scene::Scene& scene) {
-  const auto& network = *scene.network;
+std::string freedoms(const model::Network& network, const scene::Scene& scene) {
   const bool diagonal = model::is_diagonal(network.mass, std::ssize(network.velocity));
   const auto row = [&](Index i) -> Row {
     const auto k = static_cast<std::size_t>(i);
@@ -80,26 +80,31 @@ std::string freedoms(const scene::Scene& scene) {
   return columns(header, std::ssize(network.velocity), row);
 }
 
-std::string network(const scene::Scene& scene) {
-  const auto& network = *scene.network;
-  return (scene.title.empty() ? "Contact network" : scene.title) + "\n" + size_of(network) +
-         (network.precompressed ? ", precompressed\n\n" : "\n\n") + freedoms(scene) + "\n" +
-         contacts(network.law, network.gap, contact_names(network));
-}
-
 std::string limits(const hybrid::Options& run) {
   const std::string time = std::isfinite(run.max_time) ? number(run.max_time) + " s" : "none";
   return fmt::format("\naccuracy {:.3g} · flow {} · time limit {} · event limit {}\n", run.accuracy, run.flow,
                      time, run.max_events);
 }
 
+std::string table(const model::Chain& chain, const scene::Scene& scene) {
+  return heading(chain, scene) + "\n" + balls(chain, scene) + "\n" + contacts(chain.law, chain.gap, {}) +
+         limits(scene.run);
+}
+
+std::string table(const model::Network& network, const scene::Scene& scene) {
+  return (scene.title.empty() ? "Contact network" : scene.title) + "\n" + size_of(network) +
+         (network.precompressed ? ", precompressed\n\n" : "\n\n") + freedoms(network, scene) + "\n" +
+         contacts(network.law, network.gap, contact_names(network)) + limits(scene.run);
+}
+
 }  // namespace
 
 std::string table(const scene::Scene& scene) {
-  if (scene.body) return table_of_body(scene);
-  if (scene.network) return network(scene) + limits(scene.run);
-  return heading(scene) + "\n" + balls(scene) + "\n" + contacts(scene.chain.law, scene.chain.gap, {}) +
-         limits(scene.run);
+  return std::visit(Overload{[&](const model::Chain& chain) { return table(chain, scene); },
+                             [&](const model::Network& network) { return table(network, scene); },
+                             [&](const model::Microbody& body) { return table_of_body(body, scene); },
+                             [](const scene::LawAlone& nothing) -> std::string { scene::refuse(nothing); }},
+                    scene.model);
 }
 
 }  // namespace mariotte::report

@@ -118,12 +118,12 @@ std::string energy(const impact::MicrobodyLedger& e) {
 std::string table(const impact::MicrobodyImpact& impact, const scene::Scene& scene) {
   const auto time = display_for(std::vector{impact.final.time}, "s");
   return heading(scene.title.empty() ? "Microbody on a plane" : scene.title) + summary(impact, scene, time) +
-         events(impact, time) + motion(impact, *scene.body) + restitution(impact) + impacts(impact, time) +
-         energy(impact.energy) + flows_table(impact.flows) + skipped_table(impact.skipped);
+         events(impact, time) + motion(impact, std::get<model::Microbody>(scene.model)) +
+         restitution(impact) + impacts(impact, time) + energy(impact.energy) + flows_table(impact.flows) +
+         skipped_table(impact.skipped);
 }
 
-std::string table_of_body(const scene::Scene& scene) {
-  const auto& body = *scene.body;
+std::string table_of_body(const model::Microbody& body, const scene::Scene& scene) {
   const auto angles = to_euler(body.attitude);
   const auto three = [](const Vector3& v) {
     return fmt::format("{:.10g}, {:.10g}, {:.10g}", v.e1, v.e2, v.e3);

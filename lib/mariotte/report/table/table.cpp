@@ -120,14 +120,15 @@ std::string head(const impact::ContactImpact& impact, const scene::Scene& scene,
 }  // namespace
 
 std::string table(const impact::ChainImpact& impact, const scene::Scene& scene) {
+  const auto& chain = std::get<model::Chain>(scene.model);
   return head(impact, scene, "Chain of balls", fmt::format("{} balls", impact.velocity.size())) +
-         balls(impact, scene.chain) + contacts(impact, time_display(impact), {}) + ratios(impact) +
-         energy_table(impact.energy) + momentum_table(impact.momentum, scene.chain) +
-         flows_table(impact.flows) + skipped_table(impact.skipped);
+         balls(impact, chain) + contacts(impact, time_display(impact), {}) + ratios(impact) +
+         energy_table(impact.energy) + momentum_table(impact.momentum, chain) + flows_table(impact.flows) +
+         skipped_table(impact.skipped);
 }
 
 std::string table(const impact::NetworkImpact& impact, const scene::Scene& scene) {
-  const auto& network = *scene.network;
+  const auto& network = std::get<model::Network>(scene.model);
   return head(impact, scene, "Contact network", size_of(network)) + motion_table(network, impact.velocity) +
          contacts(impact, time_display(impact), contact_names(network)) + direction_table(impact) +
          energy_table(impact.energy) + momentum_table(impact) + flows_table(impact.flows) +

@@ -22,6 +22,6 @@ std::string table(const impact::NetworkImpact& impact, const scene::Scene& scene
 
 /// The scene as it was understood, in SI units without prefixes.
 std::string table(const scene::Scene& scene);
-std::string table_of_body(const scene::Scene& scene);
+std::string table_of_body(const model::Microbody& body, const scene::Scene& scene);
 
 }  // namespace mariotte::report

@@ -32,8 +32,7 @@ RestitutionModel::RestitutionModel(scene::Document document, const std::vector<s
                                    Measurements measurements)
     : document_(std::move(document)), measurements_(std::move(measurements)) {
   const auto scene = resolve(document_);
-  if (!scene.body)
-    throw scene::SceneError(document_.source.name + ": only a [body] can be fitted", fault::no_model);
+  body_of(scene, document_.source.name, "fitted");
   accuracy_ = scene.run.accuracy;
   find_start(free);
   cell_ = add_origin(document_.source, measurements_.file);
@@ -113,7 +112,7 @@ Rebound RestitutionModel::at(const std::vector<Node>& settings, std::span<const 
   for (std::size_t i = 0; i < free_.size(); ++i)
     locate(document_.source, document_.tree, free_[i], free_places_[i]).value = values[i];
   auto scene = resolve(document_);
-  auto& body = *scene.body;
+  auto& body = std::get<model::Microbody>(scene.model);
   body.impacts = 1;
   body.after_capture = model::AfterCapture::stop;
   const auto& end = solver_.solve(body, scene.run);

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "mariotte/core/overload.hpp"
 #include "mariotte/study/sweep/brief_quantities.hpp"
 
 namespace mariotte::study {
@@ -41,14 +42,22 @@ class Evaluator {
   }
 
   Verdict operator()(const scene::Scene& scene, std::span<double> out) {
-    if (!scene.chain.mass.empty() && chain_.columns.size() == keys_.size())
-      return chain_.evaluate(scene.chain, scene.run, out);
-    if (scene.body && scene.body->impacts == 1 && body_.columns.size() == keys_.size())
-      return body_.evaluate(*scene.body, scene.run, out);
-    return whole(scene, out);
+    return std::visit(
+        Overload{[&](const model::Chain& chain) {
+                   return has_all(chain_) ? chain_.evaluate(chain, scene.run, out) : whole(scene, out);
+                 },
+                 [&](const model::Network&) { return whole(scene, out); },
+                 [&](const model::Microbody& body) {
+                   return body.impacts == 1 && has_all(body_) ? body_.evaluate(body, scene.run, out)
+                                                              : whole(scene, out);
+                 },
+                 [&](const scene::LawAlone&) { return whole(scene, out); }},
+        scene.model);
   }
 
  private:
+  bool has_all(const auto& brief) const { return brief.columns.size() == keys_.size(); }
+
   Verdict whole(const scene::Scene& scene, std::span<double> out) const {
     const Json result = simulate_(scene);
     for (std::size_t k = 0; k < out.size(); ++k) out[k] = number(result, keys_[k]);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "mariotte/core/overload.hpp"
+
 namespace mariotte::study {
 namespace {
 
@@ -19,25 +21,44 @@ void add(contact::Viscoelastic& law, std::vector<double*>& all) {
   all.insert(all.end(), {&law.stiffness, &law.damping, &law.exponent});
 }
 
-}  // namespace
-
-std::vector<double*> numbers(scene::Scene& scene) {
+std::vector<double*> numbers(model::Chain& chain, scene::Scene& scene) {
   std::vector<double*> all;
-  auto& chain = scene.chain;
-  if (chain.mass.empty()) return all;
   for (auto* values : {&chain.mass, &chain.velocity, &chain.gap, &scene.radius}) add(*values, all);
   for (auto& law : chain.law) std::visit([&](auto& one) { add(one, all); }, law);
   all.insert(all.end(), {&chain.gravity, &scene.run.accuracy, &scene.run.max_time});
   return all;
 }
 
-bool same_form(const scene::Scene& a, const scene::Scene& b) {
+bool same_form(const model::Chain& a, const model::Chain& b) {
   const auto same_law = [](const contact::Law& x, const contact::Law& y) { return x.index() == y.index(); };
-  return a.chain.mass.size() == b.chain.mass.size() && a.radius.size() == b.radius.size() &&
-         std::equal(a.chain.law.begin(), a.chain.law.end(), b.chain.law.begin(), b.chain.law.end(),
-                    same_law) &&
-         a.chain.precompressed == b.chain.precompressed && a.run.max_events == b.run.max_events &&
-         a.run.flow == b.run.flow && a.title == b.title;
+  return a.mass.size() == b.mass.size() && a.precompressed == b.precompressed &&
+         std::equal(a.law.begin(), a.law.end(), b.law.begin(), b.law.end(), same_law);
+}
+
+bool same_form(const scene::Model& a, const scene::Model& b) {
+  return std::visit(
+      Overload{[&](const model::Chain& chain) {
+                 const auto* other = std::get_if<model::Chain>(&b);
+                 return other && same_form(chain, *other);
+               },
+               [](const model::Network&) { return false; }, [](const model::Microbody&) { return false; },
+               [](const scene::LawAlone&) { return false; }},
+      a);
+}
+
+}  // namespace
+
+std::vector<double*> numbers(scene::Scene& scene) {
+  using List = std::vector<double*>;
+  return std::visit(Overload{[&](model::Chain& chain) { return numbers(chain, scene); },
+                             [](model::Network&) { return List(); }, [](model::Microbody&) { return List(); },
+                             [](scene::LawAlone&) { return List(); }},
+                    scene.model);
+}
+
+bool same_form(const scene::Scene& a, const scene::Scene& b) {
+  return same_form(a.model, b.model) && a.radius.size() == b.radius.size() &&
+         a.run.max_events == b.run.max_events && a.run.flow == b.run.flow && a.title == b.title;
 }
 
 }  // namespace mariotte::study

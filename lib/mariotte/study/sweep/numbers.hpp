@@ -10,7 +10,7 @@ namespace mariotte::study {
 /// alone; none for other kinds of scenes. They hold while the scene is not assigned to.
 std::vector<double*> numbers(scene::Scene& scene);
 
-/// Whether two scenes differ in such numbers only.
+/// Whether two scenes of a chain differ in such numbers only; false of other kinds.
 bool same_form(const scene::Scene& a, const scene::Scene& b);
 
 }  // namespace mariotte::study

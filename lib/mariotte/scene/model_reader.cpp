@@ -1,0 +1,97 @@
+#include "mariotte/scene/model_reader.hpp"
+
+#include "mariotte/model/representable.hpp"
+#include "mariotte/scene/body_reader.hpp"
+#include "mariotte/scene/chain_reader.hpp"
+#include "mariotte/scene/network_reader.hpp"
+
+namespace mariotte::scene {
+namespace {
+
+using Resolved = std::pair<Model, std::vector<double>>;
+
+/// Where the first of the tables that has its key says a number; else the first table.
+Field where_said(const model::StatedNumber& number, const Field& root,
+                 std::initializer_list<const char*> tables) {
+  for (const auto* name : tables) {
+    const auto table = find(root, name);
+    const auto field = table && table->node->table() ? find(*table, number.key) : std::nullopt;
+    if (!field) continue;
+    const auto* list = field->node->array();
+    return list && number.place >= 0 && number.place < std::ssize(*list) ? element(*field, number.place)
+                                                                         : *field;
+  }
+  return *find(root, *tables.begin());
+}
+
+/// Whatever the reader let through, the model has the last word on what can be simulated. It is in the first
+/// of the tables, and the others tell more of it.
+template <class Model>
+void expect_valid(const Source& source, const Field& root, std::initializer_list<const char*> tables,
+                  const Model& model) {
+  const auto table = *find(root, *tables.begin());
+  try {
+    model::validate(model);
+    model::expect_representable(model);
+  } catch (const model::Unrepresentable& error) {
+    reject(source, where_said(error.reason, root, tables), error.fault, error.what());
+  } catch (const InvalidParameter& error) {
+    reject(source, table, error.fault, error.what());
+  }
+}
+
+std::optional<Field> gravity(const Field& root) {
+  const auto run = find(root, "run");
+  return run ? find(*run, "gravity") : std::nullopt;
+}
+
+Resolved resolve_chain(Source& source, const Field& root, const Field& chain) {
+  auto resolved = read_chain(source, chain, gravity(root));
+  expect_valid(source, root, {"chain", "run"}, resolved.chain);
+  return {std::move(resolved.chain), std::move(resolved.radius)};
+}
+
+Resolved resolve_network(Source& source, const Field& root, const Field& network) {
+  if (const auto field = gravity(root)) reject(source, *field, fault::misplaced, "does not act on networks");
+  auto resolved = read_network(source, network);
+  expect_valid(source, root, {"network"}, resolved.network);
+  return {std::move(resolved.network), std::move(resolved.radius)};
+}
+
+Resolved resolve_body(Source& source, const Field& root) {
+  auto body = read_microbody(source, root, find(root, "run"));
+  expect_valid(source, root, {"body", "surface", "incidence", "run"}, body);
+  return {std::move(body), {}};
+}
+
+void expect_body_alone(const Source& source, const Field& root, const Field& body, Purpose purpose) {
+  for (const auto* key : {"chain", "network", "law"})
+    if (const auto field = find(root, key))
+      reject(source, *field, fault::contradiction,
+             "a scene has a [body] or a [" + std::string(key) + "], not both");
+  if (purpose == Purpose::law)
+    reject(source, body, fault::no_model, "the multiple-impact law needs a [chain] or [network]");
+}
+
+}  // namespace
+
+void expect_one_model(const Source& source, const Field& root, Purpose purpose) {
+  if (const auto body = find(root, "body")) return expect_body_alone(source, root, *body, purpose);
+  for (const auto* key : {"surface", "incidence"})
+    if (const auto field = find(root, key))
+      reject(source, *field, fault::misplaced, "is for scenes of a [body]; there is none");
+  const auto network = find(root, "network");
+  if (network && find(root, "chain"))
+    reject(source, *network, fault::contradiction, "a scene has a [chain] or a [network], not both");
+}
+
+Resolved read_model(Source& source, const Field& root, const std::optional<Law>& law, Purpose purpose) {
+  if (find(root, "body")) return resolve_body(source, root);
+  if (const auto network = find(root, "network")) return resolve_network(source, root, *network);
+  if (const auto chain = find(root, "chain")) return resolve_chain(source, root, *chain);
+  if (purpose == Purpose::simulation || !law || law->mass.empty())
+    reject(source, root.place(), fault::no_model, no_model);
+  return {LawAlone{}, {}};
+}
+
+}  // namespace mariotte::scene

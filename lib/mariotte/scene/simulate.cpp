@@ -1,0 +1,16 @@
+#include "mariotte/scene/simulate.hpp"
+
+#include "mariotte/core/overload.hpp"
+
+namespace mariotte::scene {
+
+Impact simulate(const Scene& scene, bool trace) {
+  const auto result = [&](const auto& model) -> Impact { return impact::simulate(model, scene.run, trace); };
+  return std::visit(Overload{[&](const model::Chain& chain) { return result(chain); },
+                             [&](const model::Network& network) { return result(network); },
+                             [&](const model::Microbody& body) { return result(body); },
+                             [](const LawAlone& nothing) -> Impact { refuse(nothing); }},
+                    scene.model);
+}
+
+}  // namespace mariotte::scene
