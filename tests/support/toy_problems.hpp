@@ -1,5 +1,6 @@
 // Small problems with known answers, that any flow must follow.
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -47,11 +48,15 @@ class Toy : public flow::Problem {
       up[j] = down[j] = x[j];
     }
   }
-  double damping_ratio() const override { return 0; }
-  bool is_ballistic() const override { return false; }
-  void second_derivative(ConstState, State) const override {}
-  flow::Accepted accept(ConstState) override { return flow::Accepted::unchanged; }
+  double damping_ratio() const override { return damping; }
+  bool is_ballistic() const override { return ballistic; }
+  void second_derivative(ConstState, State ddx) const override { std::fill(ddx.begin(), ddx.end(), 0.0); }
+  flow::Accepted accept(ConstState x) override { return accepted ? accepted(x) : flow::Accepted::unchanged; }
   std::string component(Index index) const override { return "x" + std::to_string(index); }
+
+  double damping = 0;                                  ///< the damping ratio it claims to have
+  bool ballistic = false;                              ///< set where the field is constant
+  std::function<flow::Accepted(ConstState)> accepted;  ///< what an accepted step has done; nothing if empty
 
  private:
   Index size_;
@@ -63,16 +68,34 @@ class Toy : public flow::Problem {
   std::vector<flow::Entry> pattern_;
 };
 
-/// x'' = −x from (x, v) = (sin φ, cos φ): x = sin(t + φ). Guards are x − level, one per level.
+/// Guards x − level, one per level.
+inline Toy::Field levels_of(std::vector<double> levels) {
+  return [levels](ConstState x, State g) {
+    for (std::size_t i = 0; i < levels.size(); ++i) g[i] = x[0] - levels[i];
+  };
+}
+
+/// x'' = −x from (x, v) = (sin φ, cos φ): x = sin(t + φ). Guards as `levels_of`.
 inline Toy oscillator(std::vector<double> levels, std::vector<flow::Crossing> crossing) {
   const auto field = [](ConstState x, State dx) {
     dx[0] = x[1];
     dx[1] = -x[0];
   };
-  const auto guard = [levels](ConstState x, State g) {
-    for (std::size_t i = 0; i < levels.size(); ++i) g[i] = x[0] - levels[i];
-  };
-  return Toy(2, field, static_cast<Index>(levels.size()), guard, crossing);
+  return Toy(2, field, static_cast<Index>(levels.size()), levels_of(levels), crossing);
 }
+
+/// x' = rate with the guards of `levels_of`; followed in closed form, without rounding where numbers are
+/// short.
+struct Ramp : Toy {
+  Ramp(double rate, std::vector<double> levels, std::vector<flow::Crossing> crossing)
+      : Toy(
+            1, [rate](ConstState, State dx) { dx[0] = rate; }, static_cast<Index>(levels.size()),
+            levels_of(levels), crossing) {
+    ballistic = true;
+  }
+  void guard_rates(ConstState, ConstState dx, State rates) const override {
+    std::fill(rates.begin(), rates.end(), dx[0]);
+  }
+};
 
 }  // namespace mariotte::test
