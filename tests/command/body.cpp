@@ -28,7 +28,7 @@ BOOST_FIXTURE_TEST_CASE(run_shows_what_the_tips_do, Bodies) {
   BOOST_TEST(run.code == 0);
   BOOST_TEST(run.err == "");
   for (const char* part : {"separated at", "2 impacts", "tip 1 touches", "is pushed", "slips", "separates",
-                           "Restitution", "lost to friction", "in closed form"})
+                           "Restitution", "by friction", "in closed form"})
     BOOST_TEST(has(run.out, part), part);
 }
 

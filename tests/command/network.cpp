@@ -50,7 +50,7 @@ BOOST_FIXTURE_TEST_CASE(tables_name_balls_or_freedoms, Networks) {
   BOOST_TEST(has(balls, "1–2"));
   const auto freedoms = mariotte("run block.toml").out;
   BOOST_TEST(freedoms.starts_with("Block\n"));
-  BOOST_TEST(has(freedoms, "2 freedoms, 2 contacts"));
+  BOOST_TEST(has(freedoms, "2 degrees of freedom, 2 contacts"));
   BOOST_TEST(has(freedoms, "Impulse direction"));
 }
 

@@ -60,9 +60,9 @@ std::vector<Balance> balances(const MicrobodySystem& system, ConstState start, C
   if (work < 0) return list;
   const double lost = (end[work] + end[work + 1] + end[work + 2]) * joule;
   list.push_back({"the energy balance [J]", gained + lost, allowed});
-  const char* losses[] = {"the loss by Hertz damping, which is below 0 [J],",
-                          "the loss by adhesion damping, which is below 0 [J],",
-                          "the loss by friction, which is below 0 [J],"};
+  const char* losses[] = {"the energy dissipated by Hertz damping, which is below 0 [J],",
+                          "the energy dissipated by adhesion damping, which is below 0 [J],",
+                          "the energy dissipated by friction, which is below 0 [J],"};
   for (Index i = 0; i < 3; ++i) list.push_back({losses[i], std::min(end[work + i] * joule, 0.0), allowed});
   return list;
 }

@@ -32,7 +32,7 @@ EnergyCourse energy_course(const impact::Trace& trace, const model::Chain& chain
 }
 
 std::string energy_csv(const EnergyCourse& course) {
-  std::string text = "time [s],kinetic [J],stored [J],lost [J]\n";
+  std::string text = "time [s],kinetic [J],stored [J],dissipated [J]\n";
   for (std::size_t k = 0; k < course.time.size(); ++k) {
     for (const double value : {course.time[k], course.kinetic[k], course.stored[k]})
       (text += exact(value)) += ',';
@@ -44,7 +44,7 @@ std::string energy_csv(const EnergyCourse& course) {
 std::string energy_script(const EnergyCourse& course, const std::string& title) {
   const auto display = display_for(course.kinetic, "J");
   std::string draw = "plot ";
-  constexpr std::array names = {"kinetic", "stored", "lost"};
+  constexpr std::array names = {"kinetic", "stored", "dissipated"};
   for (std::size_t k = 0; k < (course.lost.empty() ? 2u : 3u); ++k)
     draw += fmt::format(
         "{}'energy.csv' skip 1 using (time_factor*$1):({:g}*${}) with lines lw 2 lt {} title '{}'",

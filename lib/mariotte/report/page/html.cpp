@@ -95,7 +95,7 @@ std::string checks(const Json& result) {
   }
   for (const auto* ledger : {"energy", "momentum"})
     if (result.contains(ledger) && result[ledger].is_object() && result[ledger].contains("residual"))
-      cards += card(fmt::format("{} unaccounted for", ledger).c_str(), residual(result[ledger]));
+      cards += card(fmt::format("{} balance residual", ledger).c_str(), residual(result[ledger]));
   return "<div class=\"checks\">\n" + cards + "</div>\n";
 }
 

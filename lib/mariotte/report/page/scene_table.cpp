@@ -75,8 +75,9 @@ std::string freedoms(const model::Network& network, const scene::Scene& scene) {
     }
     return cells;
   };
-  Row header = {"freedom", diagonal ? "mass" : "mass (diagonal)", "velocity"};
-  if (network.dimension > 0) header = {"freedom", "ball", "mass [kg]", "velocity [m/s]", "radius [m]"};
+  Row header = {"degree of freedom", diagonal ? "mass" : "mass (diagonal)", "velocity"};
+  if (network.dimension > 0)
+    header = {"degree of freedom", "ball", "mass [kg]", "velocity [m/s]", "radius [m]"};
   return columns(header, std::ssize(network.velocity), row);
 }
 

@@ -36,7 +36,7 @@ std::string energy_table(const impact::EnergyLedger& ledger) {
   if (ledger.work != 0) text += line("work done on the balls", shown(display, ledger.work));
   text += line("kinetic after", shown(display, ledger.final));
   if (ledger.stored != 0) text += line("stored in contacts", shown(display, ledger.stored));
-  text += line("lost in contacts", shown(display, ledger.dissipated));
+  text += line("dissipated in contacts", shown(display, ledger.dissipated));
   text += residual(display, ledger.residual, ledger.initial + std::abs(ledger.work));
   text += ratio("T⁺/T⁻, given frame", ledger.ratio_lab);
   text += ratio("T⁺/T⁻, mass centre", ledger.ratio_centre);

@@ -107,9 +107,10 @@ std::string energy(const impact::MicrobodyLedger& e) {
   if (e.work != 0) text += line("work of gravity", shown(display, e.work));
   text += line("kinetic after", shown(display, e.final));
   if (e.stored != 0) text += line("stored in contacts", shown(display, e.stored));
-  text += line("lost to Hertz damping", shown(display, e.hertz_damping));
-  text += line("lost to adhesion damping", shown(display, e.adhesion_damping));
-  text += line("lost to friction", shown(display, e.friction));
+  text += line("dissipated", shown(display, e.dissipated()));
+  text += line("  by Hertz damping", shown(display, e.hertz_damping));
+  text += line("  by adhesion damping", shown(display, e.adhesion_damping));
+  text += line("  by friction", shown(display, e.friction));
   return text + line("residual", fmt::format("{:.2e}", display.factor * e.residual));
 }
 

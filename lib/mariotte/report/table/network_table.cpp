@@ -35,7 +35,7 @@ std::string ball_motion(const model::Network& network, const std::vector<double>
 
 std::string size_of(const model::Network& network) {
   const std::size_t contacts = network.law.size(), freedoms = network.velocity.size();
-  const auto things = network.dimension == 0 ? fmt::format("{} freedoms", freedoms)
+  const auto things = network.dimension == 0 ? fmt::format("{} degrees of freedom", freedoms)
                                              : fmt::format("{} balls in {}", freedoms / network.dimension,
                                                            network.dimension == 2 ? "the plane" : "space");
   return fmt::format("{}, {} contact{}", things, contacts, contacts == 1 ? "" : "s");
@@ -49,7 +49,8 @@ std::string motion_table(const model::Network& network, const std::vector<double
   const auto row = [&](Index i) -> Row {
     return {fmt::format("{}", i + 1), shown(velocity, network.velocity[i]), shown(velocity, after[i])};
   };
-  return "\nVelocities\n" + columns({"freedom", "before [SI]", "after [SI]"}, std::ssize(after), row);
+  return "\nVelocities\n" +
+         columns({"degree of freedom", "before [SI]", "after [SI]"}, std::ssize(after), row);
 }
 
 std::vector<std::string> contact_names(const model::Network& network) {
