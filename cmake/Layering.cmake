@@ -29,7 +29,7 @@ confine("(unsupported/)?Eigen/"                             "(flow|model|impact|
 confine("toml"                                              "scene/")
 confine("(nlohmann|fmt)/"                                   "(scene|study|report|apps)/")
 confine("mpi\\.h"                                            "apps/mariotte/ranks\\.cpp")
-confine("CLI/"                                              "apps/")
+confine("CLI/"                                              "apps/command_line/parser\\.cpp")
 confine("boost/"                                            "(study/fit/uncertainty\\.cpp|tests/|${rivals})")
 
 # Why `file` of `module` may not include `header`, or nothing.

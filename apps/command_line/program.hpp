@@ -1,13 +1,11 @@
 // The frame of a program: parse, act, tell the shell.
 #pragma once
-#include <CLI/CLI.hpp>
-#include <functional>
+#include "command_line/declaration.hpp"
 
 namespace mariotte::command {
 
-/// Parses the command line into what `app` was made to fill, then does `action` and returns its exit code;
-/// help and version are printed instead. Anything thrown becomes a message under the name of the app and an
-/// exit code.
-int run_program(CLI::App& app, int argc, char** argv, const std::function<int()>& action) noexcept;
+/// Does what the command line asks of `program` and returns the exit code. Anything thrown becomes a message
+/// under the program's name and an exit code.
+int run_program(const Command& program, int argc, char** argv) noexcept;
 
 }  // namespace mariotte::command

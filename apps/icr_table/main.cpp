@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <map>
 
-#include "command_line/checks.hpp"
 #include "command_line/exit_code.hpp"
 #include "command_line/program.hpp"
 #include "command_line/terminal.hpp"
+#include "command_line/values.hpp"
 #include "family.hpp"
 #include "mariotte/report/page/files.hpp"
 
@@ -39,15 +39,14 @@ const std::vector<Parameter> parameters = {{"kappa", "1", "stiffness ratio k2/k1
                                            {"damping", "0", "damping group of contact 1", &Triplet::damping}};
 
 double number(const std::string& text) {
-  double value = 0;
-  if (!CLI::detail::lexical_cast(text, value) || !std::isfinite(value))
-    throw UsageError("'" + text + "' is no number");
-  return value;
+  const auto value = command::number(text);
+  if (!value || !std::isfinite(*value)) throw UsageError("'" + text + "' is no number");
+  return *value;
 }
 
 /// "X" or "FROM:TO:COUNT" with ":log" for equal ratios.
 impact::TableAxis axis(const std::string& name, const std::string& range) {
-  const auto parts = CLI::detail::split(range, ':');
+  const auto parts = command::split(range, ':');
   if (parts.size() == 1) return {.name = name, .values = {number(range)}};
   const bool log = parts.size() == 4 && parts[3] == "log";
   if (parts.size() != 3 && !log) throw UsageError(name + ": write X, or FROM:TO:COUNT, or FROM:TO:COUNT:log");
@@ -99,7 +98,7 @@ impact::IcrTable triplets(const CommandLine& line) {
 }
 
 impact::IcrTable rows(const CommandLine& line, const std::string& range) {
-  const auto parts = CLI::detail::split(range, ':');
+  const auto parts = command::split(range, ':');
   const double from = number(parts.front()), to = number(parts.back());
   if (parts.size() > 2 || !(from >= 2 && to >= from && to <= 1e5) || from != std::floor(from))
     throw UsageError("balls: write N, or FROM:TO with at least 2 balls");
@@ -118,8 +117,7 @@ impact::IcrTable rows(const CommandLine& line, const std::string& range) {
   return table;
 }
 
-void declare(CLI::App& app, CommandLine& line) {
-  app.footer(R"(
+constexpr const char* notes = R"(
 Each point is simulated; the table holds the shares of the contacts in the impulse (their direction) and the
 energy ratio relative to the mass centre. mariotte law --table FILE applies the law between the points.
 
@@ -130,19 +128,23 @@ Examples:
   icr_table --balls 3:21 --out rows.csv
 
 Exit codes: 0 ok, 2 usage, 4 solver failure, 6 file error.
-)");
-  app.add_option("--law", line.law.name, "linear, hertz or viscoelastic")
-      ->check(CLI::IsMember({"linear", "hertz", "viscoelastic"}))
-      ->capture_default_str();
-  app.add_option("--exponent", line.law.exponent, "n of viscoelastic contacts")
-      ->check(CLI::Range(1.0, 100.0));
+)";
+
+command::OptionList declare(CommandLine& line) {
+  command::OptionList axes;
   for (const auto& p : parameters)
-    app.add_option(std::string("--") + p.name, line.ranges[p.name], p.meaning)->type_name("RANGE");
-  app.add_option("--balls", line.ranges["balls"], "Rows of N equal balls instead of triplets")
-      ->type_name("N[:N]");
-  app.add_option("--accuracy", line.accuracy, "Accuracy of the simulations")->check(command::is_accuracy, "");
-  app.add_option("--out", line.out, "File to write; standard output without")->type_name("FILE");
-  app.add_flag("--force", line.force, "Overwrite the file");
+    axes.push_back({std::string("--") + p.name, &line.ranges[p.name], p.meaning, {.value = "RANGE"}});
+  return command::joined(
+      {{{"--law",
+         &line.law.name,
+         "linear, hertz or viscoelastic",
+         {.check = command::OneOf{{"linear", "hertz", "viscoelastic"}}, .shows_default = true}},
+        {"--exponent", &line.law.exponent, "n of viscoelastic contacts", {.check = command::Range{1, 100}}}},
+       axes,
+       {{"--balls", &line.ranges["balls"], "Rows of N equal balls instead of triplets", {.value = "N[:N]"}},
+        {"--accuracy", &line.accuracy, "Accuracy of the simulations", {.check = command::is_accuracy}},
+        {"--out", &line.out, "File to write; standard output without", {.value = "FILE"}},
+        {"--force", &line.force, "Overwrite the file"}}});
 }
 
 std::string table(const CommandLine& line) {
@@ -171,8 +173,11 @@ int act(CommandLine& line) {
 
 int main(int argc, char** argv) {
   using namespace mariotte;
-  CLI::App app("Impulse correlation ratios and energy ratios on a grid of impacts.", "icr_table");
   icr_table::CommandLine line;
-  icr_table::declare(app, line);
-  return command::run_program(app, argc, argv, [&] { return icr_table::act(line); });
+  return command::run_program({.name = "icr_table",
+                               .about = "Impulse correlation ratios and energy ratios on a grid of impacts.",
+                               .footer = icr_table::notes,
+                               .options = icr_table::declare(line),
+                               .act = [&] { return icr_table::act(line); }},
+                              argc, argv);
 }

@@ -67,17 +67,18 @@ A body that is never captured, as one without damping: exit code 1.
 
 }  // namespace
 
-void add_capture(CLI::App& app, int& code) {
-  auto* command =
-      app.add_subcommand("capture", "Find the speed below which a microbody does not come off again");
+Command capture_command() {
   auto options = std::make_shared<Capture>();
-  add_scene_choice(*command, options->scene);
-  command->add_option("--tolerance", options->tolerance, "Width of the bracket, relative to the speed")
-      ->check(CLI::Range(1e-15, 0.5))
-      ->capture_default_str();
-  command->add_flag("--json", options->json, "One JSON object on stdout");
-  command->footer(examples);
-  command->callback([options, &code] { code = capture(*options); });
+  return {.name = "capture",
+          .about = "Find the speed below which a microbody does not come off again",
+          .footer = examples,
+          .options = joined({scene_options(options->scene),
+                             {{"--tolerance",
+                               &options->tolerance,
+                               "Width of the bracket, relative to the speed",
+                               {.check = Range{1e-15, 0.5}, .shows_default = true}},
+                              {"--json", &options->json, "One JSON object on stdout"}}}),
+          .act = [options] { return capture(*options); }};
 }
 
 }  // namespace mariotte::command

@@ -13,7 +13,7 @@
 namespace mariotte::command {
 namespace {
 
-struct Check {
+struct CheckOptions {
   SceneChoice scene;
   bool json = false;
 };
@@ -26,7 +26,7 @@ std::string check_sweep(scene::Document document) {
                      fmt::join(study::keys(design), ", "));
 }
 
-int check(const Check& options) {
+int check(const CheckOptions& options) {
   const auto document = open(options.scene);
   const auto scene = resolve(options.scene, document);
   const auto sweep = check_sweep(document);
@@ -41,13 +41,14 @@ constexpr const char* examples = R"(Examples:
 
 }  // namespace
 
-void add_check(CLI::App& app, int& code) {
-  auto* command = app.add_subcommand("check", "Validate a scene and show it in SI units; run nothing");
-  auto options = std::make_shared<Check>();
-  add_scene_choice(*command, options->scene);
-  command->add_flag("--json", options->json, "One JSON object on stdout");
-  command->footer(examples);
-  command->callback([options, &code] { code = check(*options); });
+Command check_command() {
+  auto options = std::make_shared<CheckOptions>();
+  return {.name = "check",
+          .about = "Validate a scene and show it in SI units; run nothing",
+          .footer = examples,
+          .options = joined(
+              {scene_options(options->scene), {{"--json", &options->json, "One JSON object on stdout"}}}),
+          .act = [options] { return check(*options); }};
 }
 
 }  // namespace mariotte::command

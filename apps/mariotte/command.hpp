@@ -1,29 +1,29 @@
-// The mariotte command: one function per subcommand adds it to the command line.
+// The mariotte command: one function per subcommand declares it.
 #pragma once
-#include <CLI/CLI.hpp>
+#include "command_line/declaration.hpp"
 
 namespace mariotte::command {
 
 /// Parse the command line, do what it says and return the exit code. Never throws.
 int command_line(int argc, char** argv) noexcept;
 
-/// Each declares its options and, when chosen, runs and leaves its exit code in `code`.
-void add_run(CLI::App& app, int& code);
-void add_check(CLI::App& app, int& code);
-void add_law(CLI::App& app, int& code);
-void add_capture(CLI::App& app, int& code);
-void add_fit(CLI::App& app, int& code);
-void add_demo(CLI::App& app, int& code);
-void add_sweep(CLI::App& app, int& code);
-void add_report(CLI::App& app, int& code);
-void add_explain(CLI::App& app, int& code);
-void add_version(CLI::App& app, int& code);
-
-/// Prints all the others as a man page or as completions.
-void add_help_pages(CLI::App& app);
+Command run_command();
+Command check_command();
+Command law_command();
+Command capture_command();
+Command fit_command();
+Command demo_command();
+Command sweep_command();
+Command report_command();
+Command explain_command();
+Command version_command();
 
 /// These run another program instead.
-void add_reproduce(CLI::App& app);
-void add_study(CLI::App& app);
+Command reproduce_command();
+Command study_command();
+
+/// These print all the others, which must outlive them, as a man page or as completions.
+Command man_command(const Command& program);
+Command completion_command(const Command& program);
 
 }  // namespace mariotte::command

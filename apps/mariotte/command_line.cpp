@@ -1,5 +1,4 @@
 #include "command.hpp"
-#include "command_line/exit_code.hpp"
 #include "command_line/program.hpp"
 #include "mariotte/report/page/provenance.hpp"
 
@@ -25,25 +24,18 @@ Exit codes: 0 ok, 1 check failed, 2 usage, 3 scene error, 4 solver failure, 5 a 
 }  // namespace
 
 int command_line(int argc, char** argv) noexcept {
-  CLI::App app("Stiff, event-driven impacts: balls in a chain, microbodies on a plane.", "mariotte");
-  app.footer(examples);
-  app.set_version_flag("--version", "mariotte " + report::provenance().version);
-  app.require_subcommand(1);
-  int code = ExitCode::ok;
-  add_run(app, code);
-  add_check(app, code);
-  add_law(app, code);
-  add_sweep(app, code);
-  add_capture(app, code);
-  add_fit(app, code);
-  add_report(app, code);
-  add_demo(app, code);
-  add_reproduce(app);
-  add_study(app);
-  add_explain(app, code);
-  add_version(app, code);
-  add_help_pages(app);
-  return run_program(app, argc, argv, [&] { return code; });
+  Command program{.name = "mariotte",
+                  .about = "Stiff, event-driven impacts: balls in a chain, microbodies on a plane.",
+                  .footer = examples,
+                  .version = "mariotte " + report::provenance().version};
+  program.commands = {run_command(),        check_command(),
+                      law_command(),        sweep_command(),
+                      capture_command(),    fit_command(),
+                      report_command(),     demo_command(),
+                      reproduce_command(),  study_command(),
+                      explain_command(),    version_command(),
+                      man_command(program), completion_command(program)};
+  return run_program(program, argc, argv);
 }
 
 }  // namespace mariotte::command

@@ -5,27 +5,25 @@
 namespace mariotte::command {
 namespace {
 
-const auto any = [](const CLI::App*) { return true; };
-
-std::string words(const CLI::App& app) {
+std::string words(const HelpPage& page) {
   std::string text;
-  for (const auto* one : app.get_subcommands(any)) text += one->get_name() + " ";
-  for (const auto* one : app.get_options())
-    for (const auto& name : one->get_lnames()) text += "--" + name + " ";
+  for (const auto& one : page.commands) text += one.name + " ";
+  for (const auto& one : page.options)
+    for (const auto& name : one.long_names) text += "--" + name + " ";
   return text;
 }
 
-std::string cases(const CLI::App& app) {
+std::string cases(const HelpPage& program) {
   std::string text;
-  for (const auto* one : app.get_subcommands(any))
-    text += fmt::format("    {}) words='{}' ;;\n", one->get_name(), words(*one));
+  for (const auto& one : program.commands)
+    text += fmt::format("    {}) words='{}' ;;\n", one.name, words(one));
   return text;
 }
 
 }  // namespace
 
 // A word that is no option is a file, where the command takes one.
-std::string bash_completion(const CLI::App& app) {
+std::string bash_completion(const HelpPage& program) {
   return fmt::format(R"(_mariotte() {{
   local words='{}' word="${{COMP_WORDS[COMP_CWORD]}}"
   if [ "$COMP_CWORD" -gt 1 ]; then case "${{COMP_WORDS[1]}}" in
@@ -38,7 +36,7 @@ std::string bash_completion(const CLI::App& app) {
 }}
 complete -o filenames -F _mariotte mariotte
 )",
-                     words(app), cases(app));
+                     words(program), cases(program));
 }
 
 }  // namespace mariotte::command

@@ -16,10 +16,11 @@ int demo() {
 
 }  // namespace
 
-void add_demo(CLI::App& app, int& code) {
-  auto* command = app.add_subcommand("demo", "Newton's cradle of five steel balls, built in");
-  command->footer("Example:\n  mariotte demo\n");
-  command->callback([&code] { code = demo(); });
+Command demo_command() {
+  return {.name = "demo",
+          .about = "Newton's cradle of five steel balls, built in",
+          .footer = "Example:\n  mariotte demo\n",
+          .act = demo};
 }
 
 }  // namespace mariotte::command

@@ -44,16 +44,18 @@ The code stands at the end of every message of an error.
 
 }  // namespace
 
-void add_explain(CLI::App& app, int& code) {
-  auto* command = app.add_subcommand("explain", "Explain an error by its code");
+Command explain_command() {
   auto asked = std::make_shared<std::string>();
-  command->add_option("CODE", *asked, "Code at the end of a message, such as S010 (default: list all)");
-  command->footer(examples);
-  command->callback([asked, &code] {
-    const auto entries = error_catalogue();
-    print(asked->empty() ? list(entries) : page(entries, *asked));
-    code = ExitCode::ok;
-  });
+  return {
+      .name = "explain",
+      .about = "Explain an error by its code",
+      .footer = examples,
+      .options = {{"CODE", asked.get(), "Code at the end of a message, such as S010 (default: list all)"}},
+      .act = [asked] {
+        const auto entries = error_catalogue();
+        print(asked->empty() ? list(entries) : page(entries, *asked));
+        return ExitCode::ok;
+      }};
 }
 
 }  // namespace mariotte::command

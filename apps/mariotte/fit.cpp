@@ -69,34 +69,37 @@ With --out DIR: fit.json, points.csv, curves.csv, plot.gp and, by gnuplot, fit a
 Measurements that do not determine the values: exit code 1.
 )";
 
-void add_options(CLI::App& command, Options& options) {
-  command.add_option("SCENE", options.scene.path, "Scene file (TOML) of a body, with all that is known")
-      ->required();
-  command.add_option("DATA", options.data, "Measured restitution (CSV)")->required();
-  add_overrides(command, options.scene);
-  command.add_option("--free", options.free, "Keys whose values are to be found, between commas")
-      ->type_name("KEYS")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->capture_default_str();
-  command.add_option("--confidence", options.confidence, "Of the intervals")
-      ->check(CLI::Range(0.01, 0.9999))
-      ->capture_default_str();
-  add_run_options(command, options.scene);
-  command.add_option("--out", options.out, "Write result files and figures into this folder")
-      ->type_name("DIR");
-  command.add_flag("--json", options.json, "One JSON object on stdout instead of the table");
-  command.add_flag("--force", options.force, "Overwrite files of an earlier fit");
+OptionList declare(Options& options) {
+  return joined(
+      {{{"SCENE",
+         &options.scene.path,
+         "Scene file (TOML) of a body, with all that is known",
+         {.required = true}},
+        {"DATA", &options.data, "Measured restitution (CSV)", {.required = true}}},
+       override_options(options.scene),
+       {{"--free",
+         &options.free,
+         "Keys whose values are to be found, between commas",
+         {.value = "KEYS", .shows_default = true, .takes_one = true, .between_commas = true}},
+        {"--confidence",
+         &options.confidence,
+         "Of the intervals",
+         {.check = Range{0.01, 0.9999}, .shows_default = true}}},
+       run_options(options.scene),
+       {{"--out", &options.out, "Write result files and figures into this folder", {.value = "DIR"}},
+        {"--json", &options.json, "One JSON object on stdout instead of the table"},
+        {"--force", &options.force, "Overwrite files of an earlier fit"}}});
 }
 
 }  // namespace
 
-void add_fit(CLI::App& app, int& code) {
-  auto* command = app.add_subcommand("fit", "Find values of a microbody's scene from measured restitution");
+Command fit_command() {
   auto options = std::make_shared<Options>();
-  add_options(*command, *options);
-  command->footer(examples);
-  command->callback([options, &code] { code = fit(*options); });
+  return {.name = "fit",
+          .about = "Find values of a microbody's scene from measured restitution",
+          .footer = examples,
+          .options = declare(*options),
+          .act = [options] { return fit(*options); }};
 }
 
 }  // namespace mariotte::command

@@ -48,41 +48,54 @@ constexpr const char* examples = R"(Examples:
 An outcome that is not admissible, or no real one, or a place outside the table: exit code 1, with the reason.
 )";
 
-void add_options(CLI::App& command, LawChoice& choice) {
-  command.add_option("SCENE", choice.scene.path,
-                     "Scene with [law], or with a [chain] or [network] to be simulated");
-  add_overrides(command, choice.scene);
-  const auto list = [&](const char* name, std::vector<std::string>& values, const char* what) {
-    return command.add_option(name, values, what)->delimiter(',')->type_name("X,X,…");
-  };
-  auto* mass = list("--mass", choice.mass, "Masses from left to right [kg]; inf is a wall");
-  auto* velocity = list("--velocity", choice.velocity, "Velocities before the impact [m/s]");
-  mass->needs(velocity);
-  velocity->needs(mass);
-  auto* icr = list("--icr", choice.icr, "Impulse correlation ratios p_j/p_{j+1}, one less than contacts");
-  auto* direction = list("--direction", choice.direction, "Impulses up to their size, one per contact");
-  direction->excludes(icr);
-  auto* e = command.add_option("--energy-ratio", choice.energy_ratio, "e = T+/T-, kinetic energies");
-  auto* frame = command.add_option("--frame", choice.frame, "Frame of e: given, or mass-centre");
-  frame->type_name("FRAME");
-  auto* table = command.add_option("--table", choice.table, "Take direction and e from a file of icr_table");
-  table->type_name("FILE")->excludes(icr)->excludes(direction)->excludes(e)->excludes(frame);
-  list("--at", choice.at, "Where in the table")->type_name("NAME=VALUE,…")->needs(table);
-  auto* rivals = command.add_flag("--rivals", choice.rivals, "Show what other impact laws answer, too");
-  command.add_option("--restitution", choice.restitution, "Coefficient of restitution of these; default 1")
-      ->needs(rivals);
-  command.add_flag("--json", choice.json, "One JSON object on stdout instead of the table");
+OptionList declare(LawChoice& choice) {
+  const char* list = "X,X,…";
+  return joined(
+      {{{"SCENE", &choice.scene.path, "Scene with [law], or with a [chain] or [network] to be simulated"}},
+       override_options(choice.scene),
+       {{"--mass",
+         &choice.mass,
+         "Masses from left to right [kg]; inf is a wall",
+         {.value = list, .between_commas = true, .needs = {"--velocity"}}},
+        {"--velocity",
+         &choice.velocity,
+         "Velocities before the impact [m/s]",
+         {.value = list, .between_commas = true, .needs = {"--mass"}}},
+        {"--icr",
+         &choice.icr,
+         "Impulse correlation ratios p_j/p_{j+1}, one less than contacts",
+         {.value = list, .between_commas = true}},
+        {"--direction",
+         &choice.direction,
+         "Impulses up to their size, one per contact",
+         {.value = list, .between_commas = true, .excludes = {"--icr"}}},
+        {"--energy-ratio", &choice.energy_ratio, "e = T+/T-, kinetic energies"},
+        {"--frame", &choice.frame, "Frame of e: given, or mass-centre", {.value = "FRAME"}},
+        {"--table",
+         &choice.table,
+         "Take direction and e from a file of icr_table",
+         {.value = "FILE", .excludes = {"--icr", "--direction", "--energy-ratio", "--frame"}}},
+        {"--at",
+         &choice.at,
+         "Where in the table",
+         {.value = "NAME=VALUE,…", .between_commas = true, .needs = {"--table"}}},
+        {"--rivals", &choice.rivals, "Show what other impact laws answer, too"},
+        {"--restitution",
+         &choice.restitution,
+         "Coefficient of restitution of these; default 1",
+         {.needs = {"--rivals"}}},
+        {"--json", &choice.json, "One JSON object on stdout instead of the table"}}});
 }
 
 }  // namespace
 
-void add_law(CLI::App& app, int& code) {
-  auto* command =
-      app.add_subcommand("law", "Apply the multiple-impact law: velocities from ratios and energy");
+Command law_command() {
   auto choice = std::make_shared<LawChoice>();
-  add_options(*command, *choice);
-  command->footer(examples);
-  command->callback([choice, &code] { code = law(*choice); });
+  return {.name = "law",
+          .about = "Apply the multiple-impact law: velocities from ratios and energy",
+          .footer = examples,
+          .options = declare(*choice),
+          .act = [choice] { return law(*choice); }};
 }
 
 }  // namespace mariotte::command

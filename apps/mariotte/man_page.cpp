@@ -21,34 +21,32 @@ std::string roff(const std::string& text) {
   return out;
 }
 
-std::string option(const CLI::Option& one) {
-  const auto value =
-      one.get_items_expected_max() > 0 && !one.get_positional() ? " " + one.get_type_name() : "";
-  return fmt::format(".TP\n\\fB{}\\fR\\fI{}\\fR\n{}\n", roff(one.get_name(false, true)), roff(value),
-                     roff(one.get_description()));
+std::string option(const HelpPage::Option& one) {
+  const auto value = one.value.empty() ? "" : " " + one.value;
+  return fmt::format(".TP\n\\fB{}\\fR\\fI{}\\fR\n{}\n", roff(one.names), roff(value), roff(one.about));
 }
 
-std::string options(const CLI::App& app) {
+std::string options(const HelpPage& page) {
   std::string text;
-  for (const auto* one : app.get_options()) text += option(*one);
+  for (const auto& one : page.options) text += option(one);
   return text;
 }
 
-std::string command(const CLI::App& one) {
-  return fmt::format(".SS \"mariotte {}\"\n{}.\n{}.PP\n.nf\n{}\n.fi\n", roff(one.get_name()),
-                     roff(one.get_description()), options(one), roff(one.get_footer()));
+std::string command(const HelpPage& one) {
+  return fmt::format(".SS \"mariotte {}\"\n{}.\n{}.PP\n.nf\n{}\n.fi\n", roff(one.name), roff(one.about),
+                     options(one), roff(one.footer));
 }
 
 }  // namespace
 
-std::string man_page(const CLI::App& app, const std::string& version) {
+std::string man_page(const HelpPage& program, const std::string& version) {
   auto text = fmt::format(".TH MARIOTTE 1 \"\" \"mariotte {}\" \"User Commands\"\n", version);
   text += ".SH NAME\nmariotte \\- follows stiff impacts from contact to contact\n";
   text += ".SH SYNOPSIS\n\\fBmariotte\\fR \\fICOMMAND\\fR [\\fIOPTION\\fR]...\n";
-  text += fmt::format(".SH DESCRIPTION\n{}\n.SH OPTIONS\n{}.SH COMMANDS\n", roff(app.get_description()),
-                      options(app));
-  for (const auto* one : app.get_subcommands([](const CLI::App*) { return true; })) text += command(*one);
-  return text + fmt::format(".SH EXAMPLES AND EXIT STATUS\n.nf\n{}\n.fi\n", roff(app.get_footer()));
+  text += fmt::format(".SH DESCRIPTION\n{}\n.SH OPTIONS\n{}.SH COMMANDS\n", roff(program.about),
+                      options(program));
+  for (const auto& one : program.commands) text += command(one);
+  return text + fmt::format(".SH EXAMPLES AND EXIT STATUS\n.nf\n{}\n.fi\n", roff(program.footer));
 }
 
 }  // namespace mariotte::command

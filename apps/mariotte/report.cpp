@@ -33,14 +33,17 @@ cite, all in one file.
 
 }  // namespace
 
-void add_report(CLI::App& app, int& code) {
-  auto* command = app.add_subcommand("report", "Make one page of the files of a run or a sweep");
+Command report_command() {
   auto options = std::make_shared<Report>();
-  command->add_option("DIR", options->folder, "Folder that `run --out` or `sweep --out` has filled")
-      ->required();
-  command->add_flag("--force", options->force, "Overwrite an earlier page");
-  command->footer(examples);
-  command->callback([options, &code] { code = report(*options); });
+  return {.name = "report",
+          .about = "Make one page of the files of a run or a sweep",
+          .footer = examples,
+          .options = {{"DIR",
+                       &options->folder,
+                       "Folder that `run --out` or `sweep --out` has filled",
+                       {.required = true}},
+                      {"--force", &options->force, "Overwrite an earlier page"}},
+          .act = [options] { return report(*options); }};
 }
 
 }  // namespace mariotte::command

@@ -3,11 +3,10 @@
 
 namespace mariotte::command {
 
-void add_reproduce(CLI::App& app) {
-  auto* command = app.add_subcommand("reproduce", "Figures of the papers, computed again and checked");
-  command->prefix_command();
-  command->set_help_flag();
-  command->callback([command] { become("paper_figures", command->remaining()); });
+Command reproduce_command() {
+  return {.name = "reproduce",
+          .about = "Figures of the papers, computed again and checked",
+          .pass_on = [](const Words& rest) -> int { become("paper_figures", rest); }};
 }
 
 }  // namespace mariotte::command

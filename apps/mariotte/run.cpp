@@ -147,27 +147,28 @@ velocities and energy as png and svg; of 48 balls and more also spacetime.csv an
 1000 no trace.csv and no curves. With --report also report.html, all of it in one page.
 )";
 
-void add_options(CLI::App& command, Run& options) {
-  add_scene_choice(command, options.scene);
-  add_trace_choice(command, options.trace);
-  add_run_options(command, options.scene);
-  command.add_option("--out", options.out, "Write result files and figures into this folder")
-      ->type_name("DIR");
-  command.add_flag("--json", options.json, "One JSON object on stdout instead of the table");
-  command.add_flag("--report", options.report, "Make one page of the result files")->needs("--out");
-  command.add_flag("--force", options.force, "Overwrite files of an earlier run");
-  command.add_flag("--estimate", options.estimate, "Estimate the error by a second, tighter run");
-  command.add_flag("-v,--verbose", options.verbose, "Tell what is being done")->excludes("--quiet");
+OptionList declare(Run& options) {
+  return joined(
+      {scene_options(options.scene),
+       trace_options(options.trace),
+       run_options(options.scene),
+       {{"--out", &options.out, "Write result files and figures into this folder", {.value = "DIR"}},
+        {"--json", &options.json, "One JSON object on stdout instead of the table"},
+        {"--report", &options.report, "Make one page of the result files", {.needs = {"--out"}}},
+        {"--force", &options.force, "Overwrite files of an earlier run"},
+        {"--estimate", &options.estimate, "Estimate the error by a second, tighter run"},
+        {"-v,--verbose", &options.verbose, "Tell what is being done", {.excludes = {"--quiet"}}}}});
 }
 
 }  // namespace
 
-void add_run(CLI::App& app, int& code) {
-  auto* command = app.add_subcommand("run", "Simulate a scene and print what happened");
+Command run_command() {
   auto options = std::make_shared<Run>();
-  add_options(*command, *options);
-  command->footer(examples);
-  command->callback([options, &code] { code = run(*options); });
+  return {.name = "run",
+          .about = "Simulate a scene and print what happened",
+          .footer = examples,
+          .options = declare(*options),
+          .act = [options] { return run(*options); }};
 }
 
 }  // namespace mariotte::command

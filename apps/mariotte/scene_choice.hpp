@@ -1,8 +1,8 @@
 // The scene a subcommand works on, as the command line names it.
 #pragma once
-#include <CLI/CLI.hpp>
 #include <string>
 
+#include "command_line/declaration.hpp"
 #include "mariotte/scene/document.hpp"
 
 namespace mariotte::command {
@@ -13,14 +13,14 @@ struct SceneChoice {
   bool quiet = false;
 };
 
-/// Declare SCENE, --set and --quiet.
-void add_scene_choice(CLI::App& command, SceneChoice& choice);
+/// SCENE, --set and --quiet.
+OptionList scene_options(SceneChoice& choice);
 
-/// Declare --set and --quiet.
-void add_overrides(CLI::App& command, SceneChoice& choice);
+/// --set and --quiet.
+OptionList override_options(SceneChoice& choice);
 
-/// Declare --accuracy and --flow, which stand for a --set of their key.
-void add_run_options(CLI::App& command, SceneChoice& choice);
+/// --accuracy and --flow, which stand for a --set of their key.
+OptionList run_options(SceneChoice& choice);
 
 /// Parse the scene. Throws scene::FileError or scene::SceneError.
 scene::Document open(const SceneChoice& choice);

@@ -16,19 +16,19 @@ const std::map<std::string, std::string> programs = {{"icr-table", "icr_table"},
 
 }  // namespace
 
-void add_study(CLI::App& app) {
-  auto* command = app.add_subcommand(
-      "study", "Programs of their own: icr-table, scaling, stiffness, stress, work-precision");
-  command->footer(
-      "Examples:\n  mariotte study icr-table --kappa 0.1:10:41:log --out kappa.csv\n  mariotte study "
-      "stiffness --quick\n  mariotte study scaling --help\n  mariotte study work-precision --help\n");
-  command->require_subcommand(1);
-  for (const auto& [study, program] : programs) {
-    auto* one = command->add_subcommand(study, fmt::format("The same as {}", program));
-    one->prefix_command();
-    one->set_help_flag();
-    one->callback([one, name = program] { become(name, one->remaining()); });
-  }
+Command study_command() {
+  Command command{
+      .name = "study",
+      .about = "Programs of their own: icr-table, scaling, stiffness, stress, work-precision",
+      .footer =
+          "Examples:\n  mariotte study icr-table --kappa 0.1:10:41:log --out kappa.csv\n  mariotte study "
+          "stiffness --quick\n  mariotte study scaling --help\n  mariotte study work-precision --help\n"};
+  for (const auto& [study, program] : programs)
+    command.commands.push_back(
+        {.name = study,
+         .about = fmt::format("The same as {}", program),
+         .pass_on = [name = program](const Words& rest) -> int { become(name, rest); }});
+  return command;
 }
 
 }  // namespace mariotte::command

@@ -152,33 +152,37 @@ figures as png and svg with their data and script, plot.csv and plot.gp. With --
 as datasets, and with --report also report.html, all but the rows in one page.
 )";
 
-void add_options(CLI::App& command, Options& options) {
-  add_scene_choice(command, options.scene);
-  command.add_option("--out", options.files.folder, "Folder for the result and the journal")
-      ->type_name("DIR")
-      ->required();
-  command
-      .add_option("--column", options.columns, "Result key of a column, * for all indices; may be repeated")
-      ->type_name("KEY")
-      ->allow_extra_args(false);
-  command.add_option("--threads", options.threads, "How many points at once (default: one per core allowed)")
-      ->check(CLI::Range(1, 4096));
-  add_run_options(command, options.scene);
-  command.add_flag("--hdf5", options.files.hdf5, "Write the rows as HDF5, too");
-  command.add_flag("--report", options.files.report, "Make one page of the result files");
-  command.add_flag("--no-figures", options.files.no_figures, "Write the data, draw nothing");
-  command.add_flag("--force", options.force, "Start anew, whatever the folder holds of an earlier sweep");
-  command.add_flag("-v,--verbose", options.verbose, "Tell what a point costs")->excludes("--quiet");
+OptionList declare(Options& options) {
+  return joined({scene_options(options.scene),
+                 {{"--out",
+                   &options.files.folder,
+                   "Folder for the result and the journal",
+                   {.value = "DIR", .required = true}},
+                  {"--column",
+                   &options.columns,
+                   "Result key of a column, * for all indices; may be repeated",
+                   {.value = "KEY", .takes_one = true}},
+                  {"--threads",
+                   &options.threads,
+                   "How many points at once (default: one per core allowed)",
+                   {.check = Range{1, 4096}}}},
+                 run_options(options.scene),
+                 {{"--hdf5", &options.files.hdf5, "Write the rows as HDF5, too"},
+                  {"--report", &options.files.report, "Make one page of the result files"},
+                  {"--no-figures", &options.files.no_figures, "Write the data, draw nothing"},
+                  {"--force", &options.force, "Start anew, whatever the folder holds of an earlier sweep"},
+                  {"-v,--verbose", &options.verbose, "Tell what a point costs", {.excludes = {"--quiet"}}}}});
 }
 
 }  // namespace
 
-void add_sweep(CLI::App& app, int& code) {
-  auto* command = app.add_subcommand("sweep", "Simulate a scene for all values of its [[sweep]] tables");
+Command sweep_command() {
   auto options = std::make_shared<Options>();
-  add_options(*command, *options);
-  command->footer(examples);
-  command->callback([options, &code] { code = sweep(*options); });
+  return {.name = "sweep",
+          .about = "Simulate a scene for all values of its [[sweep]] tables",
+          .footer = examples,
+          .options = declare(*options),
+          .act = [options] { return sweep(*options); }};
 }
 
 }  // namespace mariotte::command

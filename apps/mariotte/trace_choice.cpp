@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "command_line/exit_code.hpp"
+#include "command_line/values.hpp"
 #include "mariotte/core/quantity.hpp"
 #include "mariotte/report/page/files.hpp"
 
@@ -24,8 +25,8 @@ Index number(const std::string& text, const std::string& list, std::size_t count
 /// "1,5,10:20,100:1000:50", from 1; the places from 0.
 std::vector<Index> places(const std::string& list, std::size_t count) {
   std::vector<Index> found;
-  for (const auto& part : CLI::detail::split(list, ',')) {
-    const auto range = CLI::detail::split(part, ':');
+  for (const auto& part : split(list, ',')) {
+    const auto range = split(part, ':');
     const Index from = number(range.front(), list, count);
     const Index to = range.size() > 1 ? number(range[1], list, count) : from;
     const Index step = range.size() > 2 ? number(range[2], list, count) : 1;
@@ -48,22 +49,23 @@ double interval(const std::string& text) {
 
 }  // namespace
 
-void add_trace_choice(CLI::App& command, TraceChoice& choice) {
-  auto* trace = command
-                    .add_option("--trace", choice.file,
-                                "Write samples into this file as they come: CSV, or HDF5 if it ends in .h5")
-                    ->type_name("FILE");
-  command
-      .add_option("--every", choice.every,
-                  "Time between samples, such as \"1 us\" (default: natural time of the quickest contact)")
-      ->type_name("TIME")
-      ->needs(trace);
-  command.add_option("--balls", choice.balls, "Balls to trace, such as 1,5,10:20,100:1000:50 (default: all)")
-      ->type_name("LIST")
-      ->needs(trace);
-  command.add_option("--contacts", choice.contacts, "Contacts to trace (default: all)")
-      ->type_name("LIST")
-      ->needs(trace);
+OptionList trace_options(TraceChoice& choice) {
+  return {{"--trace",
+           &choice.file,
+           "Write samples into this file as they come: CSV, or HDF5 if it ends in .h5",
+           {.value = "FILE"}},
+          {"--every",
+           &choice.every,
+           "Time between samples, such as \"1 us\" (default: natural time of the quickest contact)",
+           {.value = "TIME", .needs = {"--trace"}}},
+          {"--balls",
+           &choice.balls,
+           "Balls to trace, such as 1,5,10:20,100:1000:50 (default: all)",
+           {.value = "LIST", .needs = {"--trace"}}},
+          {"--contacts",
+           &choice.contacts,
+           "Contacts to trace (default: all)",
+           {.value = "LIST", .needs = {"--trace"}}}};
 }
 
 std::unique_ptr<RunningTrace> start_trace(const TraceChoice& choice, std::size_t balls, bool force) {

@@ -1,9 +1,9 @@
 // `--trace` of `mariotte run`: what is sampled, how often, into which file.
 #pragma once
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 
+#include "command_line/declaration.hpp"
 #include "mariotte/report/trace_file.hpp"
 
 namespace mariotte::command {
@@ -14,8 +14,8 @@ struct TraceChoice {
   std::string balls, contacts;
 };
 
-/// Declare --trace, --every, --balls and --contacts.
-void add_trace_choice(CLI::App& command, TraceChoice& choice);
+/// --trace, --every, --balls and --contacts.
+OptionList trace_options(TraceChoice& choice);
 
 /// A trace on its way to its file; `sampling` feeds the file as long as this lives.
 struct RunningTrace {

@@ -7,15 +7,16 @@
 
 namespace mariotte::command {
 
-void add_version(CLI::App& app, int& code) {
-  auto* command = app.add_subcommand("version", "Version of mariotte and of what it was built with");
-  command->footer("Example:\n  mariotte version\n");
-  command->callback([&code] {
-    const auto program = report::provenance();
-    print(fmt::format("mariotte {}\nSUNDIALS {}\ncompiler {}\nbuild {}\n", program.version, program.sundials,
-                      program.compiler, program.build_type));
-    code = ExitCode::ok;
-  });
+Command version_command() {
+  return {.name = "version",
+          .about = "Version of mariotte and of what it was built with",
+          .footer = "Example:\n  mariotte version\n",
+          .act = [] {
+            const auto program = report::provenance();
+            print(fmt::format("mariotte {}\nSUNDIALS {}\ncompiler {}\nbuild {}\n", program.version,
+                              program.sundials, program.compiler, program.build_type));
+            return ExitCode::ok;
+          }};
 }
 
 }  // namespace mariotte::command

@@ -44,13 +44,13 @@ Exit codes: 0 ok, 1 a check failed, 2 usage, 4 solver failure, 6 file error.
 )";
 }
 
-void declare(CLI::App& app, CommandLine& line) {
-  app.footer(notes());
-  app.add_option("figure", line.names, "Figures to make, or all")->required()->check(is_figure, "");
-  app.add_option("--out", line.out, "Folder that receives a folder per figure")
-      ->type_name("DIR")
-      ->capture_default_str();
-  app.add_flag("--force", line.force, "Overwrite figures of an earlier run");
+command::OptionList declare(CommandLine& line) {
+  return {{"figure", &line.names, "Figures to make, or all", {.check = is_figure, .required = true}},
+          {"--out",
+           &line.out,
+           "Folder that receives a folder per figure",
+           {.value = "DIR", .shows_default = true}},
+          {"--force", &line.force, "Overwrite figures of an earlier run"}};
 }
 
 std::vector<Figure> wanted(const std::vector<std::string>& names) {
@@ -86,8 +86,12 @@ int act(const CommandLine& line) {
 
 int main(int argc, char** argv) {
   using namespace mariotte;
-  CLI::App app("The figures of the papers, computed again, with their numbers checked.", "paper_figures");
   paper_figures::CommandLine line;
-  paper_figures::declare(app, line);
-  return command::run_program(app, argc, argv, [&] { return paper_figures::act(line); });
+  return command::run_program(
+      {.name = "paper_figures",
+       .about = "The figures of the papers, computed again, with their numbers checked.",
+       .footer = paper_figures::notes(),
+       .options = paper_figures::declare(line),
+       .act = [&] { return paper_figures::act(line); }},
+      argc, argv);
 }

@@ -4,10 +4,10 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "command_line/checks.hpp"
 #include "command_line/exit_code.hpp"
 #include "command_line/program.hpp"
 #include "command_line/terminal.hpp"
+#include "command_line/values.hpp"
 #include "mariotte/report/page/files.hpp"
 #include "study.hpp"
 
@@ -35,21 +35,22 @@ Examples:
 Exit codes: 0 ok, 2 usage, 4 failure, 6 file error.
 )";
 
-void declare(CLI::App& app, CommandLine& line) {
-  app.footer(notes);
-  app.add_option("--accuracy", line.settings.accuracies,
-                 "Wanted error of the final velocities / incident speed; may be repeated")
-      ->check(command::is_accuracy, "")
-      ->capture_default_str();
-  app.add_option("--longest", line.settings.longest, "Balls of the longest row")
-      ->check(CLI::Range(100., 1e7))
-      ->capture_default_str();
-  app.add_option("--patience", line.settings.patience, "Longest time of a rival's run [s]; 0 for none")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  app.add_option("--csv", line.csv, "Write every point into this file")->type_name("FILE");
-  app.add_flag("--quick", line.quick, "Up to 10000 balls, rivals up to a second");
-  app.add_flag("--force", line.force, "Overwrite the file");
+command::OptionList declare(CommandLine& line) {
+  return {{"--accuracy",
+           &line.settings.accuracies,
+           "Wanted error of the final velocities / incident speed; may be repeated",
+           {.check = command::is_accuracy, .shows_default = true}},
+          {"--longest",
+           &line.settings.longest,
+           "Balls of the longest row",
+           {.check = command::Range{100, 1e7}, .shows_default = true}},
+          {"--patience",
+           &line.settings.patience,
+           "Longest time of a rival's run [s]; 0 for none",
+           {.check = command::NotNegative{}, .shows_default = true}},
+          {"--csv", &line.csv, "Write every point into this file", {.value = "FILE"}},
+          {"--quick", &line.quick, "Up to 10000 balls, rivals up to a second"},
+          {"--force", &line.force, "Overwrite the file"}};
 }
 
 void tell(const Point& point) {
@@ -80,9 +81,12 @@ int act(CommandLine& line) {
 
 int main(int argc, char** argv) {
   using namespace mariotte;
-  CLI::App app("Time, memory and error of a wave through a row of balls against its length.",
-               "scaling_study");
   scaling_study::CommandLine line;
-  scaling_study::declare(app, line);
-  return command::run_program(app, argc, argv, [&] { return scaling_study::act(line); });
+  return command::run_program(
+      {.name = "scaling_study",
+       .about = "Time, memory and error of a wave through a row of balls against its length.",
+       .footer = scaling_study::notes,
+       .options = scaling_study::declare(line),
+       .act = [&] { return scaling_study::act(line); }},
+      argc, argv);
 }

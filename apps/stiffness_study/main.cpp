@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <string>
 
-#include "command_line/checks.hpp"
 #include "command_line/exit_code.hpp"
 #include "command_line/program.hpp"
 #include "command_line/terminal.hpp"
+#include "command_line/values.hpp"
 #include "mariotte/report/page/files.hpp"
 #include "output.hpp"
 
@@ -45,22 +45,20 @@ Examples:
 Exit codes: 0 ok, 1 a theorem failed, 2 usage, 4 solver failure, 6 file error.
 )";
 
-void declare(CLI::App& app, CommandLine& line) {
-  app.footer(notes);
-  app.add_option("--study", line.studies,
-                 "stiffness, ratio, damping, scaling, conclusions, crossover or network; may be repeated "
-                 "(default: all but the last two)")
-      ->allow_extra_args(false)
-      ->check(is_study, "");
-  app.add_option("--flow", line.settings.flow, "Only this flow")->check(command::is_flow, "");
-  app.add_option("--accuracy", line.settings.accuracy,
-                 "Wanted error of the final velocities / incident speed")
-      ->check(command::is_accuracy, "")
-      ->capture_default_str();
-  app.add_option("--csv", line.csv, "Write every run into this file")->type_name("FILE");
-  app.add_option("--plots", line.plots, "Write figures, their data and script into this folder")
-      ->type_name("DIR");
-  app.add_flag("--quick", line.settings.quick, "Few values, rough times: seconds instead of minutes");
+command::OptionList declare(CommandLine& line) {
+  return {{"--study",
+           &line.studies,
+           "stiffness, ratio, damping, scaling, conclusions, crossover or network; may be repeated "
+           "(default: all but the last two)",
+           {.check = is_study, .takes_one = true}},
+          {"--flow", &line.settings.flow, "Only this flow", {.check = command::is_flow}},
+          {"--accuracy",
+           &line.settings.accuracy,
+           "Wanted error of the final velocities / incident speed",
+           {.check = command::is_accuracy, .shows_default = true}},
+          {"--csv", &line.csv, "Write every run into this file", {.value = "FILE"}},
+          {"--plots", &line.plots, "Write figures, their data and script into this folder", {.value = "DIR"}},
+          {"--quick", &line.settings.quick, "Few values, rough times: seconds instead of minutes"}};
 }
 
 bool wanted(const CommandLine& line, const Study& study) {
@@ -100,9 +98,12 @@ int act(const CommandLine& line) {
 
 int main(int argc, char** argv) {
   using namespace mariotte;
-  CLI::App app("How cost and results of impacts depend on stiffness, stiffness ratio and damping.",
-               "stiffness_study");
   stiffness_study::CommandLine line;
-  stiffness_study::declare(app, line);
-  return command::run_program(app, argc, argv, [&] { return stiffness_study::act(line); });
+  return command::run_program(
+      {.name = "stiffness_study",
+       .about = "How cost and results of impacts depend on stiffness, stiffness ratio and damping.",
+       .footer = stiffness_study::notes,
+       .options = stiffness_study::declare(line),
+       .act = [&] { return stiffness_study::act(line); }},
+      argc, argv);
 }

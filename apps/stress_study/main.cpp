@@ -45,22 +45,25 @@ Examples:
 Exit codes: 0 ok, 1 something is unexplained, 2 usage, 4 failure, 6 file error.
 )";
 
-void declare(CLI::App& app, CommandLine& line) {
-  app.footer(notes);
-  app.add_option("--seconds", line.seconds, "Stop after this time")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  app.add_option("--scenes", line.scenes, "Stop after so many scenes")->capture_default_str();
-  app.add_option("--seed", line.seed, "Which scenes: those of one seed are always the same")
-      ->capture_default_str();
-  app.add_option("--only", line.only, "Number of the one scene to examine");
-  app.add_option("--kinds", line.kinds, "Some of chains, networks, bodies")
-      ->delimiter(',')
-      ->check(CLI::IsMember({"chains", "networks", "bodies"}));
-  app.add_option("--threads", line.workers, "Scenes examined at once")->check(CLI::Range(1, 256));
-  app.add_option("--out", line.folder, "Write the worst and all unexplained scenes into this folder")
-      ->type_name("DIR");
-  app.add_flag("-v,--verbose", line.verbose, "Say everything that is unexplained as soon as it is found");
+command::OptionList declare(CommandLine& line) {
+  return {
+      {"--seconds",
+       &line.seconds,
+       "Stop after this time",
+       {.check = command::Positive{}, .shows_default = true}},
+      {"--scenes", &line.scenes, "Stop after so many scenes", {.shows_default = true}},
+      {"--seed", &line.seed, "Which scenes: those of one seed are always the same", {.shows_default = true}},
+      {"--only", &line.only, "Number of the one scene to examine"},
+      {"--kinds",
+       &line.kinds,
+       "Some of chains, networks, bodies",
+       {.check = command::OneOf{{"chains", "networks", "bodies"}}, .between_commas = true}},
+      {"--threads", &line.workers, "Scenes examined at once", {.check = command::Range{1, 256}}},
+      {"--out",
+       &line.folder,
+       "Write the worst and all unexplained scenes into this folder",
+       {.value = "DIR"}},
+      {"-v,--verbose", &line.verbose, "Say everything that is unexplained as soon as it is found"}};
 }
 
 /// Scene files of one campaign.
@@ -140,8 +143,12 @@ class Study {
 
 int main(int argc, char** argv) {
   using namespace mariotte;
-  CLI::App app("Random scenes of every kind, each followed in several ways that must agree.", "stress_study");
   stress_study::CommandLine line;
-  stress_study::declare(app, line);
-  return command::run_program(app, argc, argv, [&] { return stress_study::Study(line).run(); });
+  return command::run_program(
+      {.name = "stress_study",
+       .about = "Random scenes of every kind, each followed in several ways that must agree.",
+       .footer = stress_study::notes,
+       .options = stress_study::declare(line),
+       .act = [&] { return stress_study::Study(line).run(); }},
+      argc, argv);
 }

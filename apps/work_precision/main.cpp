@@ -103,16 +103,16 @@ the incident speed, and -smoothed-1e-3 over a thousandth of it.
 Exit codes: 0 ok, 2 usage, 4 failure, 6 file error.
 )";
 
-void add_options(CLI::App& app, Options& options) {
-  app.add_option("--problem", options.problems, "Only this problem; may be repeated")->type_name("NAME");
-  app.add_option("--method", options.methods, "Only this method; may be repeated")->type_name("NAME");
-  app.add_flag("--quick", options.quick, "Coarse ladders and short timings: all within a minute");
-  app.add_option("--csv", options.csv, "Write every point of the diagrams to this file")->type_name("FILE");
-  app.add_option("--plots", options.plots,
-                 "Draw run time against error, a figure per problem, in this folder")
-      ->type_name("DIR");
-  app.add_flag("--force", options.force, "Overwrite files of an earlier run");
-  app.footer(examples);
+command::OptionList declare(Options& options) {
+  return {{"--problem", &options.problems, "Only this problem; may be repeated", {.value = "NAME"}},
+          {"--method", &options.methods, "Only this method; may be repeated", {.value = "NAME"}},
+          {"--quick", &options.quick, "Coarse ladders and short timings: all within a minute"},
+          {"--csv", &options.csv, "Write every point of the diagrams to this file", {.value = "FILE"}},
+          {"--plots",
+           &options.plots,
+           "Draw run time against error, a figure per problem, in this folder",
+           {.value = "DIR"}},
+          {"--force", &options.force, "Overwrite files of an earlier run"}};
 }
 
 }  // namespace
@@ -120,9 +120,12 @@ void add_options(CLI::App& app, Options& options) {
 
 int main(int argc, char** argv) {
   using namespace mariotte;
-  CLI::App app("Run time against error of mariotte and of its rivals, on impacts with known ends.",
-               "work_precision");
   work_precision::Options options;
-  work_precision::add_options(app, options);
-  return command::run_program(app, argc, argv, [&] { return work_precision::run(options); });
+  return command::run_program(
+      {.name = "work_precision",
+       .about = "Run time against error of mariotte and of its rivals, on impacts with known ends.",
+       .footer = work_precision::examples,
+       .options = work_precision::declare(options),
+       .act = [&] { return work_precision::run(options); }},
+      argc, argv);
 }

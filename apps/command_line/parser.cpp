@@ -1,0 +1,164 @@
+#include "command_line/parser.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include "command_line/exit_code.hpp"
+#include "command_line/terminal.hpp"
+#include "mariotte/core/nearest.hpp"
+
+namespace mariotte::command {
+namespace {
+
+CLI::Option* add(CLI::App& app, const Option& option) {
+  return std::visit(
+      [&](auto target) {
+        using Type = decltype(target);
+        if constexpr (std::is_same_v<Type, bool*>)
+          return app.add_flag(option.name, *target, option.about);
+        else if constexpr (std::is_pointer_v<Type>)
+          return app.add_option(option.name, *target, option.about);
+        else
+          return app.add_option_function<std::string>(option.name, target, option.about);
+      },
+      option.target);
+}
+
+struct AddCheck {
+  CLI::Option& made;
+  const Target& target;
+
+  void operator()(std::monostate) const {}
+  void operator()(const Range& range) const {
+    if (std::holds_alternative<int*>(target))
+      made.check(CLI::Range(static_cast<int>(range.least), static_cast<int>(range.most)));
+    else
+      made.check(CLI::Range(range.least, range.most));
+  }
+  void operator()(const OneOf& one) const { made.check(CLI::IsMember(one.words)); }
+  void operator()(NotNegative) const { made.check(CLI::NonNegativeNumber); }
+  void operator()(Positive) const { made.check(CLI::PositiveNumber); }
+  void operator()(const std::function<std::string(const std::string&)>& wrong) const {
+    made.check(wrong, "");
+  }
+};
+
+std::string is_not_empty(const std::string& text) {
+  return text.empty() ? "an empty value names nothing" : "";
+}
+
+CLI::Option* declare(CLI::App& app, const Option& option) {
+  auto& made = *add(app, option);
+  const auto& usage = option.usage;
+  if (!usage.value.empty()) made.type_name(usage.value);
+  if (usage.takes_one) made.allow_extra_args(false);
+  if (usage.between_commas) made.delimiter(',');
+  if (usage.shows_default) made.capture_default_str();
+  made.required(usage.required);
+  std::visit(AddCheck{made, option.target}, usage.check);
+  // A shell variable that is not set makes `--out ""`, which is not the same as no --out.
+  if (made.get_items_expected_max() > 0) made.check(is_not_empty, "");
+  return &made;
+}
+
+void declare(CLI::App& app, const Command& command) {
+  if (!command.footer.empty()) app.footer(command.footer);
+  if (!command.version.empty()) app.set_version_flag("--version", command.version);
+  if (!command.commands.empty()) app.require_subcommand(1);
+  if (command.pass_on) app.prefix_command()->set_help_flag();
+  std::vector<CLI::Option*> made;
+  for (const auto& option : command.options) made.push_back(declare(app, option));
+  for (std::size_t i = 0; i < made.size(); ++i) {
+    for (const auto& other : command.options[i].usage.needs) made[i]->needs(app.get_option(other));
+    for (const auto& other : command.options[i].usage.excludes) made[i]->excludes(app.get_option(other));
+  }
+  for (const auto& one : command.commands) declare(*app.add_subcommand(one.name, one.about), one);
+}
+
+const auto any = [](const CLI::App*) { return true; };
+
+/// What the command line got to before it failed.
+const CLI::App& innermost(const CLI::App& app) {
+  const auto parsed = app.get_subcommands();
+  return parsed.empty() ? app : innermost(*parsed.back());
+}
+
+/// The first word that means nothing, and what it is like; empty if there is none.
+std::string unknown_word(const CLI::App& app) {
+  const auto& at = innermost(app);
+  Words known;
+  for (const auto* command : at.get_subcommands(any)) known.push_back(command->get_name());
+  for (const auto* option : at.get_options())
+    for (const auto& name : option->get_lnames()) known.push_back("--" + name);
+  const std::vector<std::string_view> names(known.begin(), known.end());
+  for (const auto& word : at.remaining()) {
+    const std::string kind = word.starts_with("-") ? "option" : "command";
+    if (const auto similar = suggestion(word, names); !similar.empty())
+      return "unknown " + kind + " '" + word + "'" + similar;
+  }
+  return "";
+}
+
+Fault fault_of(const CLI::ParseError& problem) {
+  if (dynamic_cast<const CLI::ExtrasError*>(&problem)) return fault::unknown_argument;
+  return dynamic_cast<const CLI::RequiredError*>(&problem) ? fault::missing_argument : fault::bad_argument;
+}
+
+std::function<int()> printed(const std::string& text) {
+  return [text] {
+    print(text);
+    return ExitCode::ok;
+  };
+}
+
+std::function<int()> chosen(const Command& command, const CLI::App& app) {
+  for (const auto& one : command.commands)
+    if (app.got_subcommand(one.name)) return chosen(one, *app.get_subcommand(one.name));
+  if (!command.pass_on) return command.act;
+  return [rest = app.remaining(), pass_on = command.pass_on] { return pass_on(rest); };
+}
+
+HelpPage::Option described(const CLI::Option& option) {
+  const bool has_name = option.get_items_expected_max() > 0 && !option.get_positional();
+  return {.names = option.get_name(false, true),
+          .long_names = option.get_lnames(),
+          .value = has_name ? option.get_type_name() : "",
+          .about = option.get_description()};
+}
+
+HelpPage described(const CLI::App& app) {
+  HelpPage page{.name = app.get_name(),
+                .about = app.get_description(),
+                .footer = app.get_footer(),
+                .options = {},
+                .commands = {}};
+  for (const auto* option : app.get_options()) page.options.push_back(described(*option));
+  for (const auto* one : app.get_subcommands(any)) page.commands.push_back(described(*one));
+  return page;
+}
+
+}  // namespace
+
+std::function<int()> parse(const Command& program, int argc, const char* const* argv) {
+  CLI::App app(program.about, program.name);
+  declare(app, program);
+  try {
+    app.parse(argc, argv);
+    return chosen(program, app);
+  } catch (const CLI::CallForHelp&) {
+    return printed(app.help());
+  } catch (const CLI::CallForVersion& version) {
+    return printed(std::string(version.what()) + "\n");
+  } catch (const CLI::ParseError& problem) {
+    const auto misspelt = unknown_word(app);
+    if (!misspelt.empty()) throw UsageError(misspelt + " (see --help)", fault::unknown_argument);
+    throw UsageError(std::string(problem.what()) + " (see --help)", fault_of(problem));
+  }
+}
+
+HelpPage help_page(const Command& command) {
+  CLI::App app(command.about, command.name);
+  declare(app, command);
+  return described(app);
+}
+
+}  // namespace mariotte::command

@@ -1,0 +1,40 @@
+#include "command_line/values.hpp"
+
+#include <cstdlib>
+#include <sstream>
+
+#include "mariotte/core/error.hpp"
+#include "mariotte/flow/choose.hpp"
+
+namespace mariotte::command {
+
+std::optional<double> number(const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if (text.empty() || end != text.c_str() + text.size()) return std::nullopt;
+  return value;
+}
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  if (text.empty()) return {""};
+  std::vector<std::string> parts;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
+  return parts;
+}
+
+std::string is_accuracy(const std::string& text) {
+  const auto value = number(text);
+  return value && *value > 0 && *value < 1 ? "" : "must be a number between 0 and 1, not " + text;
+}
+
+std::string is_flow(const std::string& text) {
+  try {
+    flow::parse_kind(text);
+    return "";
+  } catch (const InvalidParameter& problem) {
+    return problem.what();
+  }
+}
+
+}  // namespace mariotte::command

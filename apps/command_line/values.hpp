@@ -1,0 +1,18 @@
+// Values of options: how they are read, and checks of them that say what is wrong, or nothing.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mariotte::command {
+
+/// The number that the whole text is, "inf" and "nan" included; nothing if it is none.
+std::optional<double> number(const std::string& text);
+
+/// What stands between the separators; the empty text has one part, and none follows a last separator.
+std::vector<std::string> split(const std::string& text, char separator);
+
+std::string is_accuracy(const std::string& text);
+std::string is_flow(const std::string& text);
+
+}  // namespace mariotte::command
