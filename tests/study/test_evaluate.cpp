@@ -91,7 +91,8 @@ BOOST_AUTO_TEST_CASE(columns_are_the_numbers_of_the_result) {
 }
 
 BOOST_AUTO_TEST_CASE(a_scene_of_another_kind_needs_only_its_result) {
-  const scene::Scene body{.title = "", .model = model::Microbody{}};
+  scene::Scene body;
+  body.model = model::Microbody{};
   const auto simulate = [](const scene::Scene&) {
     return study::Json::parse(R"({"ending": "captured", "restitution": {"tip": 0.5, "centre": null},
                                   "impacts": [{"tip": 1, "peak_force": 2}]})");
