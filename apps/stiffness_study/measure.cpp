@@ -27,7 +27,7 @@ hybrid::Options options(const ImpactCase& one, const Request& request) {
   return {.accuracy = request.accuracy,
           .max_time = request.longest * natural_time(one),
           .max_events = most_events,
-          .flow = request.flow};
+          .flow = flow::parse_kind(request.flow)};
 }
 
 std::vector<std::string> contact_flows(const impact::ContactImpact& impact) {

@@ -127,7 +127,8 @@ Statement modes_decide(Index count) {
   Random random(3);
   impact::ChainSolver solver;
   const auto solve = [&](const model::Chain& chain, const char* flow) {
-    return impact::direction(solver.solve(chain, {.accuracy = tight, .flow = flow}).impulse);
+    return impact::direction(
+        solver.solve(chain, {.accuracy = tight, .flow = flow::parse_kind(flow)}).impulse);
   };
   double by_powers = 0, by_any = 0, apart = 0;
   Index calm = 0;

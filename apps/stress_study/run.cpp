@@ -126,7 +126,7 @@ Found run(const Scene& scene, const Method& method) {
   const hybrid::Options options{.accuracy = method.accuracy,
                                 .max_time = scene.max_time,
                                 .max_events = most_events,
-                                .flow = method.flow};
+                                .flow = flow::parse_kind(method.flow)};
   try {
     std::visit([&](const auto& model) { run(model, options, method.ledgers, speed, found); }, scene.model);
   } catch (const InvalidParameter& problem) {

@@ -45,17 +45,18 @@ struct Solvers {
 /// contacts stand beside any flow.
 bool admits(const Case& first, const hybrid::Options& options) {
   bool found = false;
+  const auto asked = flow::name(options.flow);
   const auto flows = first.body ? impact::simulate(first.body->stated, options).flows
                                 : impact::simulate(first.chain, options).flows;
   for (const auto& use : flows) {
-    if (use.name != options.flow && use.name != "ballistic" && use.name != "pair") return false;
-    found = found || use.name == options.flow;
+    if (use.name != asked && use.name != "ballistic" && use.name != "pair") return false;
+    found = found || use.name == asked;
   }
   return found;
 }
 
 Solve prepare(const Problem& problem, const hybrid::Options& options) {
-  if (options.flow != "auto" && !admits(problem.cases.front(), options)) return {};
+  if (options.flow && !admits(problem.cases.front(), options)) return {};
   return [options, solvers = std::make_shared<Solvers>(),
           answer = std::make_shared<Answer>()](const Case& one) -> const Answer& {
     if (one.body)
@@ -71,7 +72,7 @@ Method method(std::string_view flow) {
   return {.name = name,
           .family = name.starts_with("cvode") ? Family::sundials : Family::own,
           .prepare = [name](const Problem& problem, double accuracy) {
-            return prepare(problem, {.accuracy = accuracy, .flow = name});
+            return prepare(problem, {.accuracy = accuracy, .flow = flow::parse_kind(name)});
           }};
 }
 

@@ -19,7 +19,8 @@ struct Point {
 
 Point measure(const std::string& flow, double accuracy) {
   static const Numbers exact = {-7.095235365143687e-02, 7.640303907120699e-02, 9.945493145802298e-01};
-  const auto impact = impact::simulate(equal_chain(3), {.accuracy = accuracy, .flow = flow});
+  const auto impact =
+      impact::simulate(equal_chain(3), {.accuracy = accuracy, .flow = flow::parse_kind(flow)});
   Point point{difference(impact.velocity, exact), 0};
   for (const auto& use : impact.flows) point.rhs += static_cast<double>(use.rhs);
   return point;

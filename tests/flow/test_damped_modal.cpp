@@ -59,8 +59,8 @@ BOOST_AUTO_TEST_CASE(damped_pairs_move_as_in_closed_form) {
   // Through critical damping, which is at √2, and far beyond it.
   for (const double c : {1e-6, 1e-3, 0.1, 1.0, 1.4, std::sqrt(2.0), 1.415, 2.0, 10.0, 1e3, 1e6}) {
     const auto chain = equal_masses({damper(1, c)}, {1, 0});
-    const auto exact = impact::simulate(chain, {.flow = "pair"});
-    const auto modal = impact::simulate(chain, {.flow = "modal"});
+    const auto exact = impact::simulate(chain, {.flow = flow::Kind::pair});
+    const auto modal = impact::simulate(chain, {.flow = flow::Kind::modal});
     BOOST_TEST_CONTEXT("damping " << c) {
       BOOST_TEST(used(modal, "modal"));
       check_same(modal, exact, 1e-13);
@@ -99,7 +99,8 @@ BOOST_AUTO_TEST_CASE(damped_triplets_are_followed_as_cvode_follows_them) {
         BOOST_TEST_CONTEXT("damping " << c[0] << " " << c[1] << " ratio " << ratio << " velocity " << v[1]) {
           BOOST_TEST(!used(modal, "cvode-adams"));
           BOOST_TEST(std::abs(modal.energy.residual) < 1e-13);
-          check_same(modal, impact::simulate(chain, {.accuracy = 1e-11, .flow = "cvode-adams"}), 1e-9);
+          check_same(modal, impact::simulate(chain, {.accuracy = 1e-11, .flow = flow::Kind::cvode_adams}),
+                     1e-9);
         }
       }
 }
@@ -109,7 +110,7 @@ BOOST_AUTO_TEST_CASE(random_dampers_are_followed_as_cvode_follows_them) {
   for (int i = 0; i < 100; ++i) {
     const auto chain = random_dampers(random);
     const hybrid::Options to_end{.max_time = 50},
-        by_cvode{.accuracy = 1e-9, .max_time = 50, .flow = "cvode-adams"};
+        by_cvode{.accuracy = 1e-9, .max_time = 50, .flow = flow::Kind::cvode_adams};
     const auto modal = impact::simulate(chain, to_end);
     const auto cvode = impact::simulate(chain, by_cvode);
     BOOST_TEST_CONTEXT("scene " << i) {
@@ -142,7 +143,8 @@ BOOST_AUTO_TEST_CASE(damping_ratios_up_to_1e6_stay_exact) {
         if (contact::damping(laws[1]) > 0)
           BOOST_TEST(difference(impact.velocity, {1.0 / 3, 1.0 / 3, 1.0 / 3}) < 2 / c);
         if (c <= 1e2)
-          check_same(impact, impact::simulate(chain, {.accuracy = 1e-9, .flow = "cvode-bdf-dense"}), 1e-6);
+          check_same(impact, impact::simulate(chain, {.accuracy = 1e-9, .flow = flow::Kind::cvode_bdf_dense}),
+                     1e-6);
       }
     }
 }
@@ -160,7 +162,7 @@ BOOST_AUTO_TEST_CASE(modes_that_meet_are_left_to_other_flows) {
     BOOST_TEST_CONTEXT("off by " << off) {
       BOOST_TEST(used(impact, "modal") == (off > 1e-5));
       const auto cvode =
-          impact::simulate(chain, {.accuracy = 1e-11, .max_time = 0.05, .flow = "cvode-adams"});
+          impact::simulate(chain, {.accuracy = 1e-11, .max_time = 0.05, .flow = flow::Kind::cvode_adams});
       check_same(impact, cvode, 1e-9);
     }
   }
@@ -175,12 +177,14 @@ BOOST_AUTO_TEST_CASE(contacts_between_walls_have_a_part_that_does_not_vibrate) {
                                .gap = {-0.5, -0.3, -0.5},
                                .velocity = {0, 0.1, -0.1, speed},
                                .precompressed = true};
-      const auto modal = impact::simulate(chain, {.max_time = 2, .flow = "modal"});
+      const auto modal = impact::simulate(chain, {.max_time = 2, .flow = flow::Kind::modal});
       BOOST_TEST_CONTEXT("damping " << c << " speed " << speed) {
         BOOST_TEST(used(modal, "modal"));
         BOOST_TEST(std::abs(modal.energy.residual) < 1e-14);
-        check_same(modal, impact::simulate(chain, {.accuracy = 1e-11, .max_time = 2, .flow = "cvode-adams"}),
-                   1e-9);
+        check_same(
+            modal,
+            impact::simulate(chain, {.accuracy = 1e-11, .max_time = 2, .flow = flow::Kind::cvode_adams}),
+            1e-9);
       }
     }
 }
@@ -204,7 +208,7 @@ BOOST_AUTO_TEST_CASE(a_slack_contact_is_armed_again_when_a_neighbour_pushes) {
     BOOST_TEST_CONTEXT("gap " << gap) {
       BOOST_TEST(!used(modal, "cvode-adams"));
       BOOST_TEST(std::abs(modal.energy.residual) < 1e-14);
-      check_same(modal, impact::simulate(chain, {.accuracy = 1e-11, .flow = "cvode-adams"}), 1e-9);
+      check_same(modal, impact::simulate(chain, {.accuracy = 1e-11, .flow = flow::Kind::cvode_adams}), 1e-9);
     }
   }
   BOOST_TEST(armed > 0);

@@ -111,13 +111,14 @@ BOOST_AUTO_TEST_CASE(random_springs_are_followed_as_cvode_follows_them) {
   for (int i = 0; i < 100; ++i) {
     const auto chain = random_springs(random);
     const auto exact = impact::simulate(chain);
-    const auto cvode = impact::simulate(chain, {.accuracy = 1e-9, .flow = "cvode-adams"});
+    const auto cvode = impact::simulate(chain, {.accuracy = 1e-9, .flow = flow::Kind::cvode_adams});
     BOOST_TEST_CONTEXT("scene " << i) {
       BOOST_TEST(std::abs(exact.energy.residual) < 1e-12 * exact.energy.initial);
       BOOST_TEST(period_counts(exact) == period_counts(cvode), boost::test_tools::per_element());
       if (difference(exact.velocity, cvode.velocity) > 1e-8)
         BOOST_TEST(difference(exact.velocity, cvode.velocity) <=
-                   100 * impact::estimate_accuracy(chain, {.accuracy = 1e-9, .flow = "cvode-adams"}, cvode));
+                   100 * impact::estimate_accuracy(chain, {.accuracy = 1e-9, .flow = flow::Kind::cvode_adams},
+                                                   cvode));
       for (std::size_t j = 0; j < exact.contacts.size(); ++j)
         BOOST_TEST(std::abs(exact.contacts[j].peak_force - cvode.contacts[j].peak_force) <=
                    1e-5 * (1e-3 + cvode.contacts[j].peak_force));

@@ -124,13 +124,13 @@ BOOST_AUTO_TEST_CASE(pairs_in_random_chains_are_followed_as_cvode_follows_them) 
   for (int i = 0; i < 200; ++i) {
     const auto chain = random_chain(random);
     const auto by_pair = impact::simulate(chain, {.accuracy = 1e-9});
-    const auto by_cvode = impact::simulate(chain, {.accuracy = 1e-9, .flow = "cvode-adams"});
+    const auto by_cvode = impact::simulate(chain, {.accuracy = 1e-9, .flow = flow::Kind::cvode_adams});
     BOOST_TEST_CONTEXT("scene " << i) {
       BOOST_TEST(period_counts(by_pair) == period_counts(by_cvode), boost::test_tools::per_element());
       if (difference(by_pair.velocity, by_cvode.velocity) > 2e-9)
         BOOST_TEST(difference(by_pair.velocity, by_cvode.velocity) <=
-                   100 *
-                       impact::estimate_accuracy(chain, {.accuracy = 1e-9, .flow = "cvode-adams"}, by_cvode));
+                   100 * impact::estimate_accuracy(chain, {.accuracy = 1e-9, .flow = flow::Kind::cvode_adams},
+                                                   by_cvode));
       for (std::size_t j = 0; j < by_pair.contacts.size(); ++j) {
         const auto &a = by_pair.contacts[j], &b = by_cvode.contacts[j];
         BOOST_TEST(std::abs(a.peak_force - b.peak_force) <= 1e-5 * (1e-3 + b.peak_force));

@@ -15,7 +15,7 @@ using namespace mariotte::flow::taylor;
 namespace {
 
 impact::ChainImpact by_taylor(const model::Chain& chain, double accuracy) {
-  return impact::simulate(chain, {.accuracy = accuracy, .flow = "taylor"});
+  return impact::simulate(chain, {.accuracy = accuracy, .flow = flow::Kind::taylor});
 }
 
 bool used(const impact::ChainImpact& impact, const std::string& flow) {
@@ -167,7 +167,7 @@ BOOST_AUTO_TEST_CASE(any_exponent_and_any_mixture_agrees_with_cvode) {
       auto chain = equal_masses({first, second, contact::Hertz{0.7}}, {1, 0.1, 0, -0.4});
       chain.gap = {0, 0.2, 0.1};
       const auto series = by_taylor(chain, 1e-9),
-                 cvode = impact::simulate(chain, {.accuracy = 1e-10, .flow = "cvode-adams"});
+                 cvode = impact::simulate(chain, {.accuracy = 1e-10, .flow = flow::Kind::cvode_adams});
       BOOST_TEST(used(series, "taylor"));
       BOOST_TEST(difference(series.velocity, cvode.velocity) < 2e-9);
       BOOST_TEST(period_counts(series) == period_counts(cvode), boost::test_tools::per_element());

@@ -10,7 +10,7 @@ using namespace mariotte::test;
 namespace {
 
 impact::MicrobodyImpact run(const model::Microbody& body, const std::string& flow, double accuracy) {
-  return impact::simulate(body, {.accuracy = accuracy, .flow = flow});
+  return impact::simulate(body, {.accuracy = accuracy, .flow = flow::parse_kind(flow)});
 }
 
 double distance(const model::Microbody& body, const impact::MicrobodyImpact& a,

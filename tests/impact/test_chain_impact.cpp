@@ -150,7 +150,7 @@ BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_rejected) {
   for (const double accuracy : {0.0, -1.0, 1.0, std::nan("")}) rejects(chain, {.accuracy = accuracy});
   rejects(chain, {.max_time = 0});
   rejects(chain, {.max_events = 0});
-  rejects(chain, {.flow = "nonsense"});
+  rejects(chain, {.flow = flow::Kind::ballistic});
   auto bad = chain;
   bad.mass[1] = std::nan("");
   rejects(bad);

@@ -45,7 +45,7 @@ namespace {
 /// Allocations of a second round over chains that a first round has seen.
 long allocations_when_repeated(const std::vector<model::Chain>& chains, const std::string& flow = "auto") {
   impact::ChainSolver solver;
-  const hybrid::Options options{.accuracy = 1e-8, .flow = flow};
+  const hybrid::Options options{.accuracy = 1e-8, .flow = flow::parse_kind(flow)};
   for (const auto& chain : chains) solver.solve(chain, options);
   const long before = allocations;
   for (const auto& chain : chains) solver.solve(chain, options);

@@ -51,7 +51,7 @@ BOOST_AUTO_TEST_CASE(closed_form_agrees_with_natural_modes_over_fourteen_decades
   for (int i = 0; i <= values; ++i) {
     const impact::LinearTriplet triplet{.ratio = std::pow(10, -4 + 14.0 * i / values)};
     const auto closed = impact::linear_triplet(triplet);
-    const auto& run = solver.solve(chain(triplet), {.accuracy = 1e-14, .flow = "modal"});
+    const auto& run = solver.solve(chain(triplet), {.accuracy = 1e-14, .flow = flow::Kind::modal});
     worst =
         std::max({worst, difference(closed.velocity, run.velocity), difference(closed.impulse, run.impulse)});
   }

@@ -148,7 +148,7 @@ BOOST_AUTO_TEST_CASE(a_body_without_symmetry_is_followed_in_contact_and_flight) 
   BOOST_TEST(impact.energy.friction > 0);
   BOOST_TEST(lost_share(impact) < 1e-8);
   BOOST_TEST(!skips(impact, "integration of free flight"));
-  const auto other = impact::simulate(body, {.accuracy = 1e-9, .flow = "cvode-bdf-dense"});
+  const auto other = impact::simulate(body, {.accuracy = 1e-9, .flow = flow::Kind::cvode_bdf_dense});
   BOOST_TEST(norm(impact.final.velocity - other.final.velocity) < 1e-7 * norm(body.velocity));
   BOOST_TEST(reach(body) * norm(impact.final.spin - other.final.spin) < 1e-7 * norm(body.velocity));
 }

@@ -207,9 +207,9 @@ BOOST_AUTO_TEST_CASE(random_networks_keep_energy_and_momentum) {
 BOOST_AUTO_TEST_CASE(flows_agree_on_networks) {
   std::mt19937_64 random(32);
   const auto network = test::packing(3, 0.5, random);
-  const auto adams = simulate(network, {.accuracy = 1e-10, .flow = "cvode-adams"});
+  const auto adams = simulate(network, {.accuracy = 1e-10, .flow = flow::Kind::cvode_adams});
   for (const char* flow : {"cvode-bdf-dense", "cvode-bdf-klu"}) {
-    const auto other = simulate(network, {.accuracy = 1e-10, .flow = flow});
+    const auto other = simulate(network, {.accuracy = 1e-10, .flow = flow::parse_kind(flow)});
     BOOST_TEST(difference(adams.velocity, other.velocity) < 1e-8);
   }
 }

@@ -23,7 +23,7 @@ bool uses(const NetworkImpact& impact, const std::string& flow) {
 void agrees_with_cvode(const model::Network& network, double allowed, hybrid::Options options = {}) {
   options.accuracy = 1e-12;
   const auto modes = simulate(network, options);
-  options.flow = "cvode-bdf-klu";
+  options.flow = flow::Kind::cvode_bdf_klu;
   const auto cvode = simulate(network, options);
   BOOST_TEST(uses(modes, "modal") == uses(cvode, "cvode-bdf-klu"));  // neither if nothing touches
   BOOST_TEST(!uses(modes, "cvode-adams"));
@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(random_linear_networks_agree_with_cvode) {
       return contact::Viscoelastic{.stiffness = k, .damping = ratio * k, .exponent = 1};
     };
     BOOST_TEST_CONTEXT("network " << i)
-    agrees_with_cvode(test::random_network(random, law), 1e-8, {.flow = "modal"});
+    agrees_with_cvode(test::random_network(random, law), 1e-8, {.flow = flow::Kind::modal});
   }
 }
 

@@ -37,7 +37,7 @@ BOOST_AUTO_TEST_CASE(closed_forms_and_cvode_agree_where_everything_happens_at_on
   for (int i = 0; i < 200; ++i) {
     const auto chain = random_chain(random, Kind::equal_and_touching);
     const auto exact = impact::simulate(chain, {.accuracy = 1e-9});
-    const auto cvode = impact::simulate(chain, {.accuracy = 1e-9, .flow = "cvode-adams"});
+    const auto cvode = impact::simulate(chain, {.accuracy = 1e-9, .flow = flow::Kind::cvode_adams});
     BOOST_TEST_CONTEXT("scene " << i) BOOST_TEST(difference(exact.velocity, cvode.velocity) < 1e-7);
   }
 }

@@ -57,7 +57,7 @@ BOOST_AUTO_TEST_CASE(friction_gives_no_energy_whatever_the_flow) {
     if (model::tip_below_plane(body)) continue;
     for (const auto* flow : {"auto", "cvode-adams", "cvode-bdf-dense"})
       BOOST_TEST_CONTEXT("scene " << i << " by " << flow) {
-        check_passivity(body, {.accuracy = 1e-8, .flow = flow});
+        check_passivity(body, {.accuracy = 1e-8, .flow = flow::parse_kind(flow)});
       }
   }
 }

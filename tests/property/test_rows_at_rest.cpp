@@ -28,7 +28,8 @@ model::Chain resting(std::size_t balls, const contact::Law& law, double gravity 
 
 std::vector<double> velocities(const model::Chain& chain, double end, double accuracy,
                                const char* flow = "auto") {
-  const auto impact = impact::simulate(chain, {.accuracy = accuracy, .max_time = end, .flow = flow});
+  const auto impact =
+      impact::simulate(chain, {.accuracy = accuracy, .max_time = end, .flow = flow::parse_kind(flow)});
   BOOST_TEST((impact.ending == Ending::time_limit), impact.message);
   return impact.velocity;
 }

@@ -41,7 +41,7 @@ BOOST_AUTO_TEST_CASE(creeping_contacts_make_no_ghost_events_and_come_to_an_end) 
   for (int i = 0; i < 80; ++i) {
     const auto chain = random_chain(random);
     const auto own = solver.solve(chain, {.accuracy = 1e-8});
-    const auto exact = solver.solve(chain, {.accuracy = 1e-11, .flow = "cvode-bdf-klu"});
+    const auto exact = solver.solve(chain, {.accuracy = 1e-11, .flow = flow::Kind::cvode_bdf_klu});
     BOOST_TEST_CONTEXT("scene " << i) {
       BOOST_TEST((own.ending == hybrid::Ending::separated));
       BOOST_TEST(test::difference(own.velocity, exact.velocity) < 1e-8);
@@ -70,7 +70,7 @@ BOOST_AUTO_TEST_CASE(a_slack_contact_pushes_again_though_its_load_never_crosses_
   impact::ChainSolver solver;
   for (const char* flow : {"auto", "pair", "cvode-bdf-klu"})
     for (const double accuracy : {1e-8, 1e-10}) {
-      const auto& impact = solver.solve(chain, {.accuracy = accuracy, .flow = flow});
+      const auto& impact = solver.solve(chain, {.accuracy = accuracy, .flow = flow::parse_kind(flow)});
       BOOST_TEST((impact.ending == hybrid::Ending::separated), impact.message);
       BOOST_TEST(test::difference(impact.velocity, expected) < 1e-8);
     }
@@ -90,10 +90,10 @@ BOOST_AUTO_TEST_CASE(a_load_that_has_vanished_but_for_rounding_lets_go) {
                    0.67121107609516595, 0.019312801264995905, -0.74371879335273672}};
   const auto impact = impact::ChainSolver().solve(chain, {.accuracy = 1e-10});
   BOOST_TEST((impact.ending == hybrid::Ending::separated), impact.message);
-  BOOST_TEST(test::difference(
-                 impact.velocity,
-                 impact::ChainSolver().solve(chain, {.accuracy = 1e-10, .flow = "cvode-bdf-klu"}).velocity) <
-             1e-9);
+  BOOST_TEST(test::difference(impact.velocity,
+                              impact::ChainSolver()
+                                  .solve(chain, {.accuracy = 1e-10, .flow = flow::Kind::cvode_bdf_klu})
+                                  .velocity) < 1e-9);
 }
 
 BOOST_AUTO_TEST_CASE(damping_beyond_double_precision_is_refused) {

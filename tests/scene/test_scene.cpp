@@ -71,7 +71,7 @@ BOOST_AUTO_TEST_CASE(what_a_scene_does_not_say_has_a_default) {
   BOOST_TEST(scene.run.accuracy == 1e-10);
   BOOST_TEST(std::isinf(scene.run.max_time));
   BOOST_TEST(scene.run.max_events == 1000000);
-  BOOST_TEST(scene.run.flow == "auto");
+  BOOST_TEST(!scene.run.flow);
   BOOST_TEST(chain(scene).gap[0] == 0);
   BOOST_TEST(chain(scene).gravity == 0);
   BOOST_TEST(!chain(scene).precompressed);
@@ -85,7 +85,7 @@ BOOST_AUTO_TEST_CASE(the_run_table_sets_the_options) {
   BOOST_TEST(scene.run.accuracy == 1e-8);
   BOOST_TEST(scene.run.max_time == 2e-3);
   BOOST_TEST(scene.run.max_events == 1000);
-  BOOST_TEST(scene.run.flow == "taylor");
+  BOOST_TEST((scene.run.flow == flow::Kind::taylor));
 }
 
 BOOST_AUTO_TEST_CASE(gravity_may_stand_in_the_chain_or_in_the_run) {

@@ -49,8 +49,8 @@ inline void run_scene(GrazeCampaign& campaign, std::size_t index, const std::vec
   const auto scene = grazing_scene(index);
   ++(scene.depth > 0 ? campaign.losing : campaign.keeping);
   for (const auto& flow : flows) {
-    const auto impact =
-        impact::simulate(scene.chain, {.accuracy = scene.accuracy, .max_time = scene.until, .flow = flow});
+    const auto impact = impact::simulate(
+        scene.chain, {.accuracy = scene.accuracy, .max_time = scene.until, .flow = flow::parse_kind(flow)});
     const bool failed = impact.ending == hybrid::Ending::failed;
     campaign.add(flow, index, scene, failed ? std::vector<std::size_t>{} : period_counts(impact),
                  impact.message);

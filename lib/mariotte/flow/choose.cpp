@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "mariotte/core/error.hpp"
 #include "mariotte/flow/ballistic.hpp"
@@ -102,25 +101,6 @@ std::unique_ptr<Flow> make(Kind kind, const Problem& problem) {
 constexpr std::array special = {Kind::pair, Kind::modal, Kind::taylor};
 
 }  // namespace
-
-std::string_view name(Kind kind) {
-  constexpr std::array<std::string_view, kinds.size()> names = {
-      "ballistic",       "pair",           "modal",        "taylor", "cvode-adams",
-      "cvode-bdf-dense", "cvode-bdf-band", "cvode-bdf-klu"};
-  return names[static_cast<std::size_t>(kind)];
-}
-
-std::optional<Kind> parse_kind(std::string_view text) {
-  if (text == "auto") return std::nullopt;
-  std::string known = "auto";
-  for (const auto kind : kinds) {
-    if (kind == Kind::ballistic) continue;
-    if (name(kind) == text) return kind;
-    known += ", " + std::string(name(kind));
-  }
-  throw InvalidParameter("unknown flow '" + std::string(text) + "' (one of: " + known + ")",
-                         fault::unknown_word);
-}
 
 Choice Flows::choose(const Problem& problem, std::optional<Kind> requested) {
   const auto take = [&](Kind kind) -> Choice { return {kind, get(kind, problem)}; };

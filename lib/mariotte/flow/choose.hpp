@@ -3,34 +3,11 @@
 #include <array>
 #include <memory>
 #include <optional>
-#include <string_view>
 
 #include "mariotte/flow/flow.hpp"
+#include "mariotte/flow/kind.hpp"
 
 namespace mariotte::flow {
-
-/// The flows there are.
-enum class Kind {
-  ballistic,
-  pair,
-  modal,
-  taylor,
-  cvode_adams,
-  cvode_bdf_dense,
-  cvode_bdf_band,
-  cvode_bdf_klu
-};
-inline constexpr std::array kinds = {Kind::ballistic,      Kind::pair,         Kind::modal,
-                                     Kind::taylor,         Kind::cvode_adams,  Kind::cvode_bdf_dense,
-                                     Kind::cvode_bdf_band, Kind::cvode_bdf_klu};
-
-/// "ballistic", "pair", "modal", "taylor", "cvode-adams", "cvode-bdf-dense", "cvode-bdf-band",
-/// "cvode-bdf-klu".
-std::string_view name(Kind kind);
-
-/// The flow a user may ask for by name for the contact phases; empty for "auto".
-/// Throws InvalidParameter for any other name ("ballistic" follows no contact and is among those).
-std::optional<Kind> parse_kind(std::string_view name);
 
 /// A flow for the present phase, and its kind.
 struct Choice {

@@ -9,6 +9,8 @@ void validate(const Options& options) {
     throw InvalidParameter("accuracy must lie between 0 and 1");
   if (!(options.max_time > 0)) throw InvalidParameter("max_time must be positive");
   if (options.max_events < 1) throw InvalidParameter("max_events must be at least 1");
+  if (options.flow == flow::Kind::ballistic)
+    throw InvalidParameter("the flow 'ballistic' follows no contact", fault::unknown_word);
 }
 
 }  // namespace mariotte::hybrid

@@ -18,11 +18,18 @@
 #include <utility>
 
 #include "mariotte/core/compensated.hpp"
+#include "mariotte/core/scale.hpp"
 #include "mariotte/hybrid/options.hpp"
 #include "mariotte/hybrid/system.hpp"
 #include "mariotte/hybrid/trajectory.hpp"
 
 namespace mariotte::hybrid {
+
+/// Times divided by those of a scale.
+inline Options scaled(Options options, const Scale& scale) {
+  options.max_time /= scale.time;
+  return options;
+}
 
 /// Told when a phase begins, so that a watcher of steps knows its place on the absolute clock.
 class PhaseWatcher : public flow::Watcher {
@@ -43,12 +50,12 @@ struct Workspace {
 
 /// Follow the present phase to its end, by one flow or, where that gives up, by those that may take over.
 template <HybridSystem System>
-flow::Arrival follow_phase(System& system, const Options& options, std::optional<flow::Kind> requested,
-                           Workspace<System>& workspace, CompensatedSum& time, PhaseWatcher* watcher) {
+flow::Arrival follow_phase(System& system, const Options& options, Workspace<System>& workspace,
+                           CompensatedSum& time, PhaseWatcher* watcher) {
   auto& [flows, mode, changes, fired, before, run] = workspace;
   auto& x = run.state;
   auto& problem = system.problem(mode);
-  std::optional<flow::Choice> choice = flows.choose(problem, requested);
+  std::optional<flow::Choice> choice = flows.choose(problem, options.flow);
   for (;;) {
     if (watcher) watcher->begin_phase(time.value(), x);
     fired.clear();
@@ -62,7 +69,7 @@ flow::Arrival follow_phase(System& system, const Options& options, std::optional
     if (!failed) time += arrival.duration;
     if (!stiff && !failed) return arrival;
     if (failed) x.assign(before.begin(), before.end());
-    const auto next = flows.instead_of(choice->kind, stiff, problem, requested);
+    const auto next = flows.instead_of(choice->kind, stiff, problem, options.flow);
     if (!next) return arrival;
     choice.emplace(*next);
   }
@@ -74,7 +81,6 @@ template <HybridSystem System>
 const Trajectory<typename System::Change>& simulate(System& system, ConstState x0, const Options& options,
                                                     Workspace<System>& workspace,
                                                     PhaseWatcher* watcher = nullptr) {
-  const auto requested = flow::parse_kind(options.flow);
   auto& [flows, mode, changes, fired, before, run] = workspace;
   clear(run);
   changes.clear();
@@ -98,7 +104,7 @@ const Trajectory<typename System::Change>& simulate(System& system, ConstState x
     }
     if (run.events >= options.max_events) return end(Ending::event_limit);
 
-    auto arrival = follow_phase(system, options, requested, workspace, time, watcher);
+    auto arrival = follow_phase(system, options, workspace, time, watcher);
     if (arrival.outcome == flow::Outcome::limit) return end(Ending::time_limit);
     if (arrival.outcome == flow::Outcome::never) return end(Ending::separated);
     if (arrival.outcome == flow::Outcome::failed) return end(Ending::failed, std::move(arrival.message));

@@ -17,10 +17,10 @@ double read_accuracy(Source& source, const Field& field) {
   return accuracy;
 }
 
-std::string read_flow(const Source& source, const Field& field) {
-  auto flow = text(source, field);
-  if (flow.empty()) reject(source, field, fault::unknown_word, "must not be empty ('auto' chooses)");
-  return flow;
+std::optional<flow::Kind> read_flow(const Source& source, const Field& field) try {
+  return flow::parse_kind(text(source, field));
+} catch (const InvalidParameter& problem) {
+  reject(source, field, problem.fault, problem.what());
 }
 
 }  // namespace

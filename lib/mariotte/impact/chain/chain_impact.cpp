@@ -151,14 +151,14 @@ ChainImpact simulate_once(const model::Chain& chain, const hybrid::Options& opti
 }
 
 /// A flow that shares no formula with what `options` lets run: CVODE, or the choice itself beside CVODE.
-std::string another_flow(const model::Chain& chain, const hybrid::Options& options) {
-  if (options.flow.starts_with("cvode")) return "auto";
+std::optional<flow::Kind> another_flow(const model::Chain& chain, const hybrid::Options& options) {
+  if (options.flow && is_cvode(*options.flow)) return std::nullopt;
   constexpr double stiff = 5;  // as flow::choose has it
   DimensionlessChain scaled;
   make_dimensionless(chain, options.accuracy, scaled);
   for (std::size_t j = 0; j < scaled.law.size(); ++j)
-    if (damping_ratio(scaled, j) > stiff) return "cvode-bdf-klu";
-  return "cvode-adams";
+    if (damping_ratio(scaled, j) > stiff) return flow::Kind::cvode_bdf_klu;
+  return flow::Kind::cvode_adams;
 }
 
 }  // namespace

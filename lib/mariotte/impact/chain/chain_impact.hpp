@@ -89,7 +89,7 @@ struct ChainImpact : ContactImpact {
 };
 
 /// Simulate a chain until it separates for good, or a limit. With `trace`, samples are kept (at most a few
-/// thousand rows). Throws InvalidParameter for a chain, accuracy or flow name that makes no sense.
+/// thousand rows). Throws InvalidParameter for a chain, accuracy or flow that makes no sense.
 ChainImpact simulate(const model::Chain& chain, const hybrid::Options& options = {}, bool trace = false);
 
 /// Error of `result.velocity` relative to the largest incident speed: the larger of the differences to a run

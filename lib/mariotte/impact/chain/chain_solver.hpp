@@ -34,7 +34,7 @@ class ChainSolver {
   ChainSolver();
   ~ChainSolver();
   /// As `simulate`, without peaks, ledgers and events; the result holds until the next call. Throws
-  /// InvalidParameter for a chain, accuracy or flow name that makes no sense.
+  /// InvalidParameter for a chain, accuracy or flow that makes no sense.
   const BriefImpact& solve(const model::Chain& chain, const hybrid::Options& options = {});
 
  private:

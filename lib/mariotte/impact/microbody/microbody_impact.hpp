@@ -87,7 +87,7 @@ struct MicrobodyImpact {
 bool has_restitution(const MicrobodyImpact& impact);
 
 /// Simulate a microbody until it is captured, has had its impacts or flies off for good, or a limit. Throws
-/// InvalidParameter for a body, accuracy or flow name that makes no sense.
+/// InvalidParameter for a body, accuracy or flow that makes no sense.
 MicrobodyImpact simulate(const model::Microbody& body, const hybrid::Options& options = {},
                          bool trace = false);
 

@@ -29,7 +29,7 @@ class MicrobodySolver {
   MicrobodySolver();
   ~MicrobodySolver();
   /// As `simulate`, without peaks, ledger and list of events; the result holds until the next call. Throws
-  /// InvalidParameter for a body, accuracy or flow name that makes no sense.
+  /// InvalidParameter for a body, accuracy or flow that makes no sense.
   const BriefMicrobodyImpact& solve(const model::Microbody& body, const hybrid::Options& options = {});
 
  private:

@@ -13,7 +13,7 @@ struct NetworkImpact : ContactImpact {
 };
 
 /// Simulate a network until it separates for good, or a limit. With `trace`, samples are kept (at most a few
-/// thousand rows). Throws InvalidParameter for a network, accuracy or flow name that makes no sense.
+/// thousand rows). Throws InvalidParameter for a network, accuracy or flow that makes no sense.
 NetworkImpact simulate(const model::Network& network, const hybrid::Options& options = {},
                        bool trace = false);
 

@@ -13,7 +13,7 @@ Islands::Islands(const DimensionlessChain& chain, const ChainLayout& layout, Con
                  const hybrid::Options& options, bool stay, LogMaker make_log)
     : chain_(chain),
       options_(options),
-      requested_(flow::parse_kind(options.flow)),
+      requested_(options.flow),
       stay_(stay),
       margin_of_rows_(margin_of_rows(chain)),
       make_log_(std::move(make_log)),

@@ -10,7 +10,7 @@ Snapshot::Snapshot(const FreeBalls& balls, const std::vector<int>& owner,
       owner_(owner),
       islands_(islands),
       accuracy_(options.accuracy),
-      requested_(flow::parse_kind(options.flow)) {}
+      requested_(options.flow) {}
 
 void Snapshot::move_to(Instant t) {
   now_ = t;

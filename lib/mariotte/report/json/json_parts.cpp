@@ -30,7 +30,7 @@ Json options(const hybrid::Options& run) {
   return {{"accuracy", run.accuracy},
           {"max_time", run.max_time},
           {"max_events", run.max_events},
-          {"flow", run.flow}};
+          {"flow", flow::name(run.flow)}};
 }
 
 Json provenance_json(const std::string& scene_sha256) {

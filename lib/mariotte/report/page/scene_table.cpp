@@ -83,8 +83,8 @@ std::string freedoms(const model::Network& network, const scene::Scene& scene) {
 
 std::string limits(const hybrid::Options& run) {
   const std::string time = std::isfinite(run.max_time) ? number(run.max_time) + " s" : "none";
-  return fmt::format("\naccuracy {:.3g} · flow {} · time limit {} · event limit {}\n", run.accuracy, run.flow,
-                     time, run.max_events);
+  return fmt::format("\naccuracy {:.3g} · flow {} · time limit {} · event limit {}\n", run.accuracy,
+                     flow::name(run.flow), time, run.max_events);
 }
 
 std::string table(const model::Chain& chain, const scene::Scene& scene) {

@@ -151,7 +151,7 @@ std::string table_of_body(const model::Microbody& body, const scene::Scene& scen
                       angles.alpha / degree, angles.beta / degree, angles.gamma / degree,
                       body.friction.coefficient, body.gravity);
   return text + fmt::format("impacts {} · accuracy {:.3g} · flow {}\n", body.impacts, scene.run.accuracy,
-                            scene.run.flow);
+                            flow::name(scene.run.flow));
 }
 
 }  // namespace mariotte::report
