@@ -42,11 +42,14 @@ std::string size_of(const model::Microbody&) {
   return "a body";
 }
 
-/// Calls `follow` for the impact, and says what it took.
-template <class Model, class Follow>
-auto simulate(const Run& options, const Model& model, const scene::Scene& scene, Follow&& follow) {
+/// The impact, watched; says what it took.
+template <class Model>
+auto simulate(const Run& options, const Model& model, const scene::Scene& scene,
+              impact::Observers observers) {
+  RunProgress progress(scene.run);
+  if (!options.scene.quiet) observers.progress = std::ref(progress);
   const auto start = std::chrono::steady_clock::now();
-  auto impact = follow();
+  auto impact = impact::simulate(model, scene.run, observers);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   if (options.verbose) note(fmt::format("simulated {} in {:.3g} s", size_of(model), taken.count()));
   if (options.estimate) impact.estimated_accuracy = impact::estimate_accuracy(model, scene.run, impact);
@@ -96,33 +99,30 @@ int run(const Run& options, const model::Chain& chain, const scene::Scene& scene
   const auto trace = start_trace(options.trace, balls, options.force);
   std::optional<report::Spacetime> waves;
   if (!options.out.empty() && balls >= least_balls_of_image) waves.emplace(balls);
-  RunProgress progress(scene.run);
-  impact::Watching watching{.trace = !options.out.empty() && can_trace(scene)};
-  if (trace) watching.samplings.push_back(trace->sampling);
-  if (waves) watching.samplings.push_back(waves->sampling());
-  if (!options.scene.quiet) watching.progress = std::ref(progress);
-  const auto impact =
-      simulate(options, chain, scene, [&] { return impact::simulate(chain, scene.run, watching); });
+  impact::Observers observers{.trace = !options.out.empty() && can_trace(scene)};
+  if (trace) observers.samplings.push_back(trace->sampling);
+  if (waves) observers.samplings.push_back(waves->sampling());
+  const auto impact = simulate(options, chain, scene, observers);
   if (trace) trace->file->commit();
   const report::Spacetime* const image = waves ? &*waves : nullptr;
   return finish(options, impact, scene, image);
 }
 
-int run(const Run& options, const model::Microbody& body, const scene::Scene& scene) {
+/// A model whose samples all come with the result.
+template <class Model>
+int run_whole(const Run& options, const Model& model, const scene::Scene& scene, const char* name) {
   if (!options.trace.file.empty())
-    throw UsageError("--trace samples chains; --out writes the trace of a body");
-  const auto impact =
-      simulate(options, body, scene, [&] { return impact::simulate(body, scene.run, !options.out.empty()); });
-  return finish(options, impact, scene);
+    throw UsageError(fmt::format("--trace samples chains; --out writes the trace of a {}", name));
+  const bool trace = !options.out.empty() && can_trace(scene);
+  return finish(options, simulate(options, model, scene, {.trace = trace}), scene);
+}
+
+int run(const Run& options, const model::Microbody& body, const scene::Scene& scene) {
+  return run_whole(options, body, scene, "body");
 }
 
 int run(const Run& options, const model::Network& network, const scene::Scene& scene) {
-  if (!options.trace.file.empty())
-    throw UsageError("--trace samples chains; --out writes the trace of a network");
-  const bool trace = !options.out.empty() && can_trace(scene);
-  const auto impact =
-      simulate(options, network, scene, [&] { return impact::simulate(network, scene.run, trace); });
-  return finish(options, impact, scene);
+  return run_whole(options, network, scene, "network");
 }
 
 int run(const Run&, const scene::LawAlone& nothing, const scene::Scene&) {

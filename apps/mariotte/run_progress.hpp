@@ -1,7 +1,7 @@
 // What a long run says on stderr meanwhile.
 #pragma once
 #include "mariotte/hybrid/options.hpp"
-#include "mariotte/impact/watch/sampling.hpp"
+#include "mariotte/impact/watch/observers.hpp"
 #include "status_line.hpp"
 
 namespace mariotte::command {

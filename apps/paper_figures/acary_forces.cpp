@@ -70,7 +70,7 @@ Claim claim(const Panel& panel, const impact::ChainImpact& impact) {
 
 Reproduction make(const Panel& panel) {
   const bool linear = panel.triplet.law == "linear";
-  const auto impact = impact::simulate(chain(panel.triplet), {.accuracy = accuracy}, true);
+  const auto impact = impact::simulate(chain(panel.triplet), {.accuracy = accuracy}, {.trace = true});
   const auto& trace = impact.trace;
   Reproduction result;
   result.picture = {.title = fmt::format("{} contacts, κ = {}, v₃ = {}: {}", linear ? "linear" : "Hertz",

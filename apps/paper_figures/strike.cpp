@@ -32,7 +32,7 @@ model::Microbody microbody(const Strike& strike) {
 }
 
 impact::MicrobodyImpact simulate(const Strike& strike, bool trace) {
-  return impact::simulate(microbody(strike), {.accuracy = accuracy}, trace);
+  return impact::simulate(microbody(strike), {.accuracy = accuracy}, {.trace = trace});
 }
 
 }  // namespace mariotte::paper_figures

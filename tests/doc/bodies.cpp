@@ -162,7 +162,7 @@ Count repeated_impacts_capture(Index& most) {
 /// Largest speed of the contact point at the events between which the tip sticks, v_t - omega r otherwise
 /// [m/s].
 double slip_while_sticking(double beta) {
-  const auto impact = impact::simulate(body_of({.beta = beta, .friction = 0.7}), {}, /*trace=*/true);
+  const auto impact = impact::simulate(body_of({.beta = beta, .friction = 0.7}), {}, {.trace = true});
   double most = 0;
   for (std::size_t k = 0; k + 1 < impact.events.size(); ++k) {
     if (impact.events[k].stick.empty()) continue;

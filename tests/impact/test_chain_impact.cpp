@@ -166,7 +166,7 @@ BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_rejected) {
 }
 
 BOOST_AUTO_TEST_CASE(a_trace_begins_at_the_start_and_ends_at_the_end) {
-  const auto impact = impact::simulate(equal_chain(40), {}, /*trace=*/true);
+  const auto impact = impact::simulate(equal_chain(40), {}, {.trace = true});
   const auto& trace = impact.trace;
   BOOST_TEST(trace.time.size() > 500u);
   BOOST_TEST(trace.time.size() <= 4097u);

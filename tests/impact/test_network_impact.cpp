@@ -139,7 +139,7 @@ BOOST_AUTO_TEST_CASE(peaks_are_those_of_the_chain_model) {
   for (int i = 0; i < 20; ++i) {
     const auto chain = plain_chain(random, i);
     const auto as_chain = simulate(chain, {.accuracy = 1e-12});
-    const auto as_network = simulate(model::as_network(chain), {.accuracy = 1e-12}, true);
+    const auto as_network = simulate(model::as_network(chain), {.accuracy = 1e-12}, {.trace = true});
     double force = 0, depth = 0;
     for (const auto& contact : as_chain.contacts) {
       force = std::max(force, contact.peak_force);

@@ -13,7 +13,7 @@ model::Chain balls(contact::Law law) {
 }
 
 report::EnergyCourse course_of(const model::Chain& chain, impact::ChainImpact& impact) {
-  impact = impact::simulate(chain, {}, true);
+  impact = impact::simulate(chain, {}, {.trace = true});
   return report::energy_course(impact.trace, chain);
 }
 

@@ -35,6 +35,8 @@ inline Options scaled(Options options, const Scale& scale) {
 class PhaseWatcher : public flow::Watcher {
  public:
   virtual void begin_phase(double time, ConstState x) = 0;
+  /// So many events have passed. May throw, to give the run up.
+  virtual void passed(double /*time*/, Index /*events*/) {}
 };
 
 /// What a run needs; kept from one run to the next, it allocates nothing after the first of its size.
@@ -97,6 +99,7 @@ const Trajectory<typename System::Change>& simulate(System& system, ConstState x
   system.mode_at(x, mode, changes);
   for (;;) {
     record(run, time.value(), changes);
+    if (watcher) watcher->passed(time.value(), run.events);
     if (system.is_over(mode, x, run.events > 0)) {
       system.finish(mode, changes);
       record(run, time.value(), changes);

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "mariotte/impact/watch/sampling.hpp"
+#include "mariotte/impact/watch/observers.hpp"
 
 namespace mariotte::report {
 

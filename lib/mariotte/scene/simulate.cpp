@@ -4,8 +4,10 @@
 
 namespace mariotte::scene {
 
-Impact simulate(const Scene& scene, bool trace) {
-  const auto result = [&](const auto& model) -> Impact { return impact::simulate(model, scene.run, trace); };
+Impact simulate(const Scene& scene, const impact::Observers& observers) {
+  const auto result = [&](const auto& model) -> Impact {
+    return impact::simulate(model, scene.run, observers);
+  };
   return std::visit(Overload{[&](const model::Chain& chain) { return result(chain); },
                              [&](const model::Network& network) { return result(network); },
                              [&](const model::Microbody& body) { return result(body); },

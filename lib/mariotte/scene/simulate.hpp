@@ -12,9 +12,8 @@ namespace mariotte::scene {
 /// The result of a run: of the model that the scene is of.
 using Impact = std::variant<impact::ChainImpact, impact::NetworkImpact, impact::MicrobodyImpact>;
 
-/// Simulate the scene's model with the options of [run]. With `trace`, samples are kept (at most a few
-/// thousand rows). Throws SceneError for a scene with [law] alone, and InvalidParameter as the model's own
-/// `simulate`.
-Impact simulate(const Scene& scene, bool trace = false);
+/// Simulate the scene's model with the options of [run]. Throws SceneError for a scene with [law] alone, and
+/// InvalidParameter as the model's own `simulate`.
+Impact simulate(const Scene& scene, const impact::Observers& observers = {});
 
 }  // namespace mariotte::scene

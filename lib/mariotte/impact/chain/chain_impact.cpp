@@ -99,14 +99,15 @@ ChainImpact describe(const DimensionlessChain& chain, const ChainLayout& layout,
   return impact;
 }
 
-ChainImpact simulate_whole(const model::Chain& chain, const hybrid::Options& options, bool trace) {
+ChainImpact simulate_whole(const model::Chain& chain, const hybrid::Options& options,
+                           const Observers& observers) {
   model::ChainSystem system;
   system.reset(chain, options.accuracy, /*stay=*/std::isfinite(options.max_time));
   std::vector<double> start;
   initial_state(system.chain(), system.layout(), start);
-  auto course = follow_whole(system, start, hybrid::scaled(options, system.chain().scale), trace);
+  auto course = follow_whole(system, start, hybrid::scaled(options, system.chain().scale), observers);
   auto impact = describe(system.chain(), system.layout(), start, course, options.accuracy);
-  impact.skipped = skipped(system.layout(), course, trace);
+  impact.skipped = skipped(system.layout(), course, observers.trace);
   impact.trace = std::move(course.trace);
   return impact;
 }
@@ -121,7 +122,7 @@ Sampling whole_trace(SampledTrace& trace, std::size_t balls) {
   return sampling;
 }
 
-ChainImpact simulate_islands(const model::Chain& chain, const hybrid::Options& options, Watching watching) {
+ChainImpact simulate_islands(const model::Chain& chain, const hybrid::Options& options, Observers observers) {
   DimensionlessChain scaled;
   ChainLayout layout;
   std::vector<double> start;
@@ -131,23 +132,23 @@ ChainImpact simulate_islands(const model::Chain& chain, const hybrid::Options& o
   make_layout(scaled, layout);
   initial_state(scaled, layout, start);
   SampledTrace trace;
-  if (watching.trace) watching.samplings.push_back(whole_trace(trace, chain.mass.size()));
-  Sampler sampler(scaled, watching);
-  const bool looks_on = !watching.samplings.empty() || watching.progress;
+  if (observers.trace) observers.samplings.push_back(whole_trace(trace, chain.mass.size()));
+  Sampler sampler(scaled, observers);
+  const bool looks_on = !observers.samplings.empty() || observers.progress;
   const auto course = follow_islands(scaled, layout, start, hybrid::scaled(inner, scaled.scale),
                                      /*stay=*/std::isfinite(options.max_time), looks_on ? &sampler : nullptr);
   auto impact = describe(scaled, layout, start, course, options.accuracy);
-  impact.skipped = skipped(layout, course, watching.trace);
+  impact.skipped = skipped(layout, course, observers.trace);
   impact.trace = trace.take();
   return impact;
 }
 
 ChainImpact simulate_once(const model::Chain& chain, const hybrid::Options& options,
-                          const Watching& watching) {
+                          const Observers& observers) {
   const auto balls = chain.mass.size();
-  return divides(options, balls) || !watching.samplings.empty()
-             ? simulate_islands(chain, options, watching)
-             : simulate_whole(chain, tightened(options, balls), watching.trace);
+  return divides(options, balls) || !observers.samplings.empty()
+             ? simulate_islands(chain, options, observers)
+             : simulate_whole(chain, tightened(options, balls), observers);
 }
 
 /// A flow that shares no formula with what `options` lets run: CVODE, or the choice itself beside CVODE.
@@ -163,21 +164,17 @@ std::optional<flow::Kind> another_flow(const model::Chain& chain, const hybrid::
 
 }  // namespace
 
-ChainImpact simulate(const model::Chain& chain, const hybrid::Options& options, bool trace) {
-  return simulate(chain, options, Watching{.trace = trace});
-}
-
-ChainImpact simulate(const model::Chain& chain, const hybrid::Options& options, const Watching& watching) {
+ChainImpact simulate(const model::Chain& chain, const hybrid::Options& options, const Observers& observers) {
   model::validate(chain);
   hybrid::validate(options);
   model::expect_end(chain, options.max_time);
-  auto impact = simulate_once(chain, options, watching);
+  auto impact = simulate_once(chain, options, observers);
   const auto again = [&](double accuracy) {
     auto tighter = options;
     tighter.accuracy = accuracy;
-    return simulate_once(chain, tighter, watching);
+    return simulate_once(chain, tighter, observers);
   };
-  if (watching.samplings.empty())  // what was sampled cannot be taken back
+  if (observers.samplings.empty())  // what was sampled cannot be taken back
     keep_promise(
         options.accuracy, reference_speed(chain), impact, again,
         [](const ChainImpact& one) -> const auto& { return one.velocity; });

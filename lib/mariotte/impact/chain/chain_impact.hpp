@@ -8,6 +8,7 @@
 #include "mariotte/hybrid/ending.hpp"
 #include "mariotte/hybrid/options.hpp"
 #include "mariotte/impact/flow_use.hpp"
+#include "mariotte/impact/watch/observers.hpp"
 #include "mariotte/model/chain/chain.hpp"
 
 namespace mariotte::impact {
@@ -88,9 +89,11 @@ struct ChainImpact : ContactImpact {
   MomentumLedger momentum;
 };
 
-/// Simulate a chain until it separates for good, or a limit. With `trace`, samples are kept (at most a few
-/// thousand rows). Throws InvalidParameter for a chain, accuracy or flow that makes no sense.
-ChainImpact simulate(const model::Chain& chain, const hybrid::Options& options = {}, bool trace = false);
+/// Simulate a chain until it separates for good, or a limit. A chain that is sampled is divided into islands,
+/// whatever its length. Throws InvalidParameter for a chain, accuracy or flow that makes no sense, and for
+/// samplings of balls or contacts that do not exist.
+ChainImpact simulate(const model::Chain& chain, const hybrid::Options& options = {},
+                     const Observers& observers = {});
 
 /// Error of `result.velocity` relative to the largest incident speed: the larger of the differences to a run
 /// at a tighter accuracy and, unless the chain is divided into islands, to one by a flow that shares no

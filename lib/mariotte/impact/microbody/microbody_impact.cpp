@@ -150,12 +150,14 @@ bool has_restitution(const MicrobodyImpact& impact) {
   return impact.rest || (!impact.impacts.empty() && impact.impacts[0].end);
 }
 
-MicrobodyImpact simulate(const model::Microbody& body, const hybrid::Options& options, bool trace) {
+MicrobodyImpact simulate(const model::Microbody& body, const hybrid::Options& options,
+                         const Observers& observers) {
   model::validate(body);
   hybrid::validate(options);
+  expect_no_samplings(observers);
   MicrobodySystem system(body, options.accuracy, /*ledger=*/true);
   const auto start = initial_state(system.body(), system.layout());
-  MicrobodyWatch watch(system, trace);
+  MicrobodyWatch watch(system, observers);
   hybrid::Workspace<MicrobodySystem> workspace;
   const auto& scale = system.body().scale;
   auto run_options = hybrid::scaled(options, scale);
@@ -182,7 +184,7 @@ MicrobodyImpact simulate(const model::Microbody& body, const hybrid::Options& op
   impact.impulse = body.body.mass *
                    (impact.final.velocity - body.velocity + body.gravity * impact.final.time * normal_axis);
   impact.flows = flow_uses(run.flows);
-  impact.skipped = skipped(system, body, run, trace);
+  impact.skipped = skipped(system, body, run, observers.trace);
   impact.requested_accuracy = options.accuracy;
   impact.trace = watch.take_trace();
   pass_gate(balances(system, start, run.state, workspace.mode), impact.ending, impact.message);

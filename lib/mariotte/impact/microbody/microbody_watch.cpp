@@ -41,7 +41,7 @@ void MicrobodyWatch::begin_phase(double time, ConstState x) {
   milestones_.push_back({time, {x.begin(), x.end()}});
   peaks_.emplace_back(system_.layout().tips);
   shared_friction_ = shared_friction_ || system_.mechanics().forces(x, system_.mode()).redundant;
-  if (tracing_) sample(time, x);  // friction jumps at events: one sample before, one after
+  if (observers_.trace) sample(time, x);  // friction jumps at events: one sample before, one after
 }
 
 TipPeaks MicrobodyWatch::now(ConstState x, Index i) const {
@@ -77,7 +77,7 @@ void MicrobodyWatch::watch(const flow::Step& step) {
     const Index gap = system_.layout().place.gap[i];
     if (step.before[gap] < 0 || step.after[gap] < 0) search(step, i);
   }
-  if (!tracing_) return;
+  if (!observers_.trace) return;
   constexpr int samples = 16;
   for (int k = 1; k < samples; ++k) {
     const double time = step.start + (step.end - step.start) * k / samples;

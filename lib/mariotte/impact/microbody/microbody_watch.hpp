@@ -25,9 +25,14 @@ struct TipPeaks {
 /// Sees every step of a body's run and keeps what the result needs.
 class MicrobodyWatch final : public hybrid::PhaseWatcher {
  public:
-  MicrobodyWatch(const model::MicrobodySystem& system, bool trace) : system_(system), tracing_(trace) {}
+  /// Both must outlive this.
+  MicrobodyWatch(const model::MicrobodySystem& system, const Observers& observers)
+      : system_(system), observers_(observers) {}
   void begin_phase(double time, ConstState x) override;
   void watch(const flow::Step& step) override;
+  void passed(double time, Index events) override {
+    tell(observers_, time * system_.body().scale.time, events);
+  }
 
   const std::vector<Milestone>& milestones() const { return milestones_; }
   /// Per phase and tip, in the order of the milestones.
@@ -42,7 +47,7 @@ class MicrobodyWatch final : public hybrid::PhaseWatcher {
   void sample(double time, ConstState x);
 
   const model::MicrobodySystem& system_;
-  bool tracing_;
+  const Observers& observers_;
   bool shared_friction_ = false;
   double start_ = 0;
   std::vector<Milestone> milestones_;

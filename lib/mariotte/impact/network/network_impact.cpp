@@ -9,8 +9,8 @@
 #include "mariotte/impact/network/network_gate.hpp"
 #include "mariotte/impact/network/network_ledger.hpp"
 #include "mariotte/impact/promise.hpp"
+#include "mariotte/impact/watch/contact_watch.hpp"
 #include "mariotte/impact/watch/event_list.hpp"
-#include "mariotte/impact/watch/observers.hpp"
 #include "mariotte/model/network/network_system.hpp"
 
 namespace mariotte::impact {
@@ -98,15 +98,15 @@ void pass_gate(const NetworkSystem& system, const model::Network& network, const
   pass_gate(before, d.speed * d.scale.velocity, open, depth, impact);
 }
 
-NetworkImpact simulate_once(const model::Network& network, const hybrid::Options& options, bool trace) {
+NetworkImpact simulate_once(const model::Network& network, const hybrid::Options& options,
+                            const Observers& observers) {
   NetworkSystem system(network, options.accuracy);
   const auto& scale = system.network().scale;
   const auto& at = system.layout();
   const auto start = initial_state(system.network(), at);
-  Observers observers(system.phase(), scale, trace);
+  ContactWatch watch(system.phase(), scale, observers);
   hybrid::Workspace<NetworkSystem> workspace;
-  const ContactRun& run =
-      hybrid::simulate(system, start, hybrid::scaled(options, scale), workspace, &observers);
+  const ContactRun& run = hybrid::simulate(system, start, hybrid::scaled(options, scale), workspace, &watch);
   system.problem(workspace.mode);  // forces at the ending are those of the last mode
 
   NetworkImpact impact;
@@ -116,8 +116,7 @@ NetworkImpact simulate_once(const model::Network& network, const hybrid::Options
   for (Index i = 0; i < at.freedoms; ++i) impact.velocity.push_back(run.state[i] * scale.velocity);
   for (Index j = 0; j < at.contacts; ++j) impact.gap.push_back(run.state[at.gap(j)] * scale.length);
   const auto changes = beyond_noise(run.changes, felt(system, run, options.accuracy));
-  impact.contacts =
-      histories(system, workspace.mode, run, changes, observers.peaks.peaks(), options.accuracy);
+  impact.contacts = histories(system, workspace.mode, run, changes, watch.peaks.peaks(), options.accuracy);
   const auto p = impulses_of(impact);
   impact.icr = correlation_ratios(p);
   impact.impulse_direction = direction(p);
@@ -126,9 +125,9 @@ NetworkImpact simulate_once(const model::Network& network, const hybrid::Options
   impact.energy = energy_ledger(network, before, impact);
   impact.momentum_residual = momentum_residual(before, impact);
   impact.flows = flow_uses(run.flows);
-  impact.skipped = skipped(system, run, trace);
+  impact.skipped = skipped(system, run, observers.trace);
   impact.requested_accuracy = options.accuracy;
-  if (trace) impact.trace = named(observers.recorder.take(run.time, run.state), network);
+  if (observers.trace) impact.trace = named(watch.recorder.take(run.time, run.state), network);
   pass_gate(system, network, workspace.mode, impact);
   return impact;
 }
@@ -139,15 +138,17 @@ Configuration configuration_of(const model::Network& network) {
   return {.mass = network.mass, .contact = network.direction, .velocity = network.velocity};
 }
 
-NetworkImpact simulate(const model::Network& network, const hybrid::Options& options, bool trace) {
+NetworkImpact simulate(const model::Network& network, const hybrid::Options& options,
+                       const Observers& observers) {
   model::validate(network);
   hybrid::validate(options);
-  auto impact = simulate_once(network, options, trace);
+  expect_no_samplings(observers);
+  auto impact = simulate_once(network, options, observers);
   const auto before = configuration_of(network);
   const auto again = [&](double accuracy) {
     auto tighter = options;
     tighter.accuracy = accuracy;
-    return simulate_once(network, tighter, trace);
+    return simulate_once(network, tighter, observers);
   };
   keep_promise(options.accuracy, largest(gap_rates(before, network.velocity)), impact, again,
                [&](const NetworkImpact& one) { return gap_rates(before, one.velocity); });

@@ -12,10 +12,10 @@ struct NetworkImpact : ContactImpact {
   double momentum_residual = 0;  ///< of v⁺ − v⁻ = M⁻¹Gᵀp, relative, in the norm of the kinetic energy
 };
 
-/// Simulate a network until it separates for good, or a limit. With `trace`, samples are kept (at most a few
-/// thousand rows). Throws InvalidParameter for a network, accuracy or flow that makes no sense.
+/// Simulate a network until it separates for good, or a limit. Throws InvalidParameter for a network,
+/// accuracy or flow that makes no sense, and for samplings.
 NetworkImpact simulate(const model::Network& network, const hybrid::Options& options = {},
-                       bool trace = false);
+                       const Observers& observers = {});
 
 /// Error of the gap rates that follow from `result.velocity`, relative to the largest one before, from a
 /// second run at a tighter accuracy.

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "mariotte/hybrid/simulate.hpp"
-#include "mariotte/impact/watch/observers.hpp"
+#include "mariotte/impact/watch/contact_watch.hpp"
 
 namespace mariotte::impact {
 
@@ -50,17 +50,18 @@ bool divides(const hybrid::Options& options, std::size_t balls) {
          (options.islands == hybrid::Islands::automatic && balls >= balls_for_islands);
 }
 
-Course follow_whole(ChainSystem& system, ConstState start, const hybrid::Options& options, bool trace) {
-  Observers observers(system.phase(), system.chain().scale, trace);
+Course follow_whole(ChainSystem& system, ConstState start, const hybrid::Options& options,
+                    const Observers& observers) {
+  ContactWatch watch(system.phase(), system.chain().scale, observers);
   hybrid::Workspace<ChainSystem> workspace;
-  hybrid::simulate(system, start, options, workspace, &observers);
+  hybrid::simulate(system, start, options, workspace, &watch);
   Course course{.run = std::move(workspace.run),
                 .mode = std::move(workspace.mode),
-                .peaks = observers.peaks.peaks(),
+                .peaks = watch.peaks.peaks(),
                 .islands = std::nullopt,
                 .trace = {}};
   system.problem(course.mode);  // forces at the ending are those of the last mode
-  if (trace) course.trace = observers.recorder.take(course.run.time, course.run.state);
+  if (observers.trace) course.trace = watch.recorder.take(course.run.time, course.run.state);
   return course;
 }
 

@@ -28,7 +28,8 @@ hybrid::Options tightened(hybrid::Options options, std::size_t balls);
 bool divides(const hybrid::Options& options, std::size_t balls);
 
 /// The chain as one system. `options` are dimensionless.
-Course follow_whole(model::ChainSystem& system, ConstState start, const hybrid::Options& options, bool trace);
+Course follow_whole(model::ChainSystem& system, ConstState start, const hybrid::Options& options,
+                    const Observers& observers);
 
 /// The chain as islands; `onlooker` may be null.
 Course follow_islands(const model::DimensionlessChain& chain, const model::ChainLayout& layout,

@@ -17,11 +17,16 @@ void check(const std::vector<Index>& places, Index count, const char* what) {
 
 }  // namespace
 
-Sampler::Sampler(const model::DimensionlessChain& chain, const Watching& watching)
-    : chain_(chain), watching_(watching), next_(watching.samplings.size()) {
+void expect_no_samplings(const Observers& observers) {
+  if (!observers.samplings.empty())
+    throw InvalidParameter("only chains can be sampled while they are simulated");
+}
+
+Sampler::Sampler(const model::DimensionlessChain& chain, const Observers& observers)
+    : chain_(chain), observers_(observers), next_(observers.samplings.size()) {
   sample_.natural_time = *std::min_element(chain.time.begin(), chain.time.end()) * chain.scale.time;
   sample_.crossing_time = std::accumulate(chain.time.begin(), chain.time.end(), 0.0) * chain.scale.time;
-  for (const auto& sampling : watching.samplings) {
+  for (const auto& sampling : observers.samplings) {
     check(sampling.balls, std::ssize(chain.mass), "ball");
     check(sampling.contacts, std::ssize(chain.law), "contact");
   }
@@ -43,7 +48,7 @@ void Sampler::look_last(model::Snapshot& run) {
 }
 
 void Sampler::take(model::Snapshot& run, std::size_t which) {
-  const auto& sampling = watching_.samplings[which];
+  const auto& sampling = observers_.samplings[which];
   const auto& scale = chain_.scale;
   sample_.time = run.time() * scale.time;
   sample_.velocity.clear();
@@ -60,7 +65,7 @@ void Sampler::take(model::Snapshot& run, std::size_t which) {
 }
 
 void Sampler::passed(double time, Index events) {
-  if (watching_.progress) watching_.progress({.time = time * chain_.scale.time, .events = events});
+  tell(observers_, time * chain_.scale.time, events);
 }
 
 }  // namespace mariotte::impact

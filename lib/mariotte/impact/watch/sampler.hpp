@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "mariotte/impact/watch/sampling.hpp"
+#include "mariotte/impact/watch/observers.hpp"
 #include "mariotte/model/chain/dimensionless_chain.hpp"
 #include "mariotte/model/islands/snapshot.hpp"
 
@@ -12,7 +12,7 @@ namespace mariotte::impact {
 class Sampler final : public model::Onlooker {
  public:
   /// For a chain and what watches it, which outlive it.
-  Sampler(const model::DimensionlessChain& chain, const Watching& watching);
+  Sampler(const model::DimensionlessChain& chain, const Observers& observers);
   double next_look() const override;
   void look(model::Snapshot& run) override;
   void look_last(model::Snapshot& run) override;
@@ -22,7 +22,7 @@ class Sampler final : public model::Onlooker {
   void take(model::Snapshot& run, std::size_t which);
 
   const model::DimensionlessChain& chain_;
-  const Watching& watching_;
+  const Observers& observers_;
   std::vector<Instant> next_;  ///< of each sampling
   Sample sample_;
 };

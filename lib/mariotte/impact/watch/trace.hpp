@@ -3,7 +3,8 @@
 #include "mariotte/core/compensated.hpp"
 #include "mariotte/core/scale.hpp"
 #include "mariotte/hybrid/simulate.hpp"
-#include "mariotte/impact/watch/sampling.hpp"
+#include "mariotte/impact/chain/chain_impact.hpp"
+#include "mariotte/impact/watch/observers.hpp"
 #include "mariotte/model/contacts/contact_phase.hpp"
 
 namespace mariotte::impact {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "mariotte/impact/watch/sampling.hpp"
+#include "mariotte/impact/watch/observers.hpp"
 
 namespace mariotte::report {
 
