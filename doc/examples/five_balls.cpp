@@ -1,7 +1,7 @@
 // Newton's cradle in units of its own: one ball strikes four that touch at rest.
 #include <cstdio>
 
-#include "mariotte/impact/chain/chain_impact.hpp"
+#include "mariotte/mariotte.hpp"
 
 int main() {
   using mariotte::contact::Hertz;

@@ -3,8 +3,7 @@
 #include <cstdio>
 #include <numbers>
 
-#include "mariotte/impact/microbody/capture_velocity.hpp"
-#include "mariotte/impact/microbody/microbody_impact.hpp"
+#include "mariotte/mariotte.hpp"
 
 namespace {
 

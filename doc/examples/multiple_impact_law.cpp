@@ -1,10 +1,8 @@
 // For authors of rigid-body codes: take impulse ratios from a compliant simulation once, then apply them as
 // an impact law in one step, with other losses, other speeds, and in generalised coordinates.
-#include "mariotte/impact/laws/multiple_impact_law.hpp"
-
 #include <cstdio>
 
-#include "mariotte/impact/chain/chain_impact.hpp"
+#include "mariotte/mariotte.hpp"
 
 namespace {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "mariotte/impact/network/network_impact.hpp"
+#include "mariotte/mariotte.hpp"
 
 namespace {
 

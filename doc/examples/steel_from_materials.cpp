@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <numbers>
 
-#include "mariotte/impact/chain/chain_impact.hpp"
+#include "mariotte/mariotte.hpp"
 
 int main() {
   using namespace mariotte;

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "mariotte/impact/chain/chain_impact.hpp"
+#include "mariotte/mariotte.hpp"
 
 int main() {
   using namespace mariotte;

@@ -1,10 +1,9 @@
 // Which flows a run used and what it did without: the same for every model.
 #pragma once
-#include <array>
 #include <string>
 #include <vector>
 
-#include "mariotte/hybrid/trajectory.hpp"
+#include "mariotte/core/types.hpp"
 
 namespace mariotte::impact {
 
@@ -21,8 +20,5 @@ struct Skipped {
   std::string what;
   std::string why;
 };
-
-/// Flows that followed at least one phase; counts by flow::Kind.
-std::vector<FlowUse> flow_uses(const std::array<hybrid::FlowCount, flow::kinds.size()>& counts);
 
 }  // namespace mariotte::impact

@@ -6,6 +6,7 @@
 
 #include "mariotte/core/overload.hpp"
 #include "mariotte/scene/document.hpp"
+#include "mariotte/scene/law_reader.hpp"
 #include "mariotte/scene/model_reader.hpp"
 #include "mariotte/scene/overrides.hpp"
 #include "mariotte/scene/run_reader.hpp"

@@ -11,7 +11,7 @@
 #include "mariotte/model/microbody/microbody.hpp"
 #include "mariotte/model/network/network.hpp"
 #include "mariotte/scene/fault.hpp"
-#include "mariotte/scene/law_reader.hpp"
+#include "mariotte/scene/law.hpp"
 
 namespace mariotte::scene {
 

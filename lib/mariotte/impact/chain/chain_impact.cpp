@@ -7,7 +7,7 @@
 
 #include "mariotte/impact/chain/chain_gate.hpp"
 #include "mariotte/impact/chain/chain_solver.hpp"
-#include "mariotte/impact/flow_use.hpp"
+#include "mariotte/impact/flow_uses.hpp"
 #include "mariotte/impact/impulses.hpp"
 #include "mariotte/impact/promise.hpp"
 #include "mariotte/impact/watch/course.hpp"

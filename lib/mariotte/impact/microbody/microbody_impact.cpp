@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mariotte/hybrid/simulate.hpp"
+#include "mariotte/impact/flow_uses.hpp"
 #include "mariotte/impact/microbody/microbody_gate.hpp"
 #include "mariotte/impact/microbody/microbody_watch.hpp"
 

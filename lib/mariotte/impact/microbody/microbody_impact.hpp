@@ -16,7 +16,7 @@ struct BodyState {
   double time = 0;   ///< [s]
   Vector3 position;  ///< of the mass centre: height over the plane, then from where it started [m]
   Quaternion attitude;
-  Vector3 velocity;  ///< [m/s]
+  Vector3 velocity;  ///< of the mass centre: away from the plane, then along it [m/s]
   Vector3 spin;      ///< space axes [rad/s]
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mariotte/hybrid/simulate.hpp"
+#include "mariotte/impact/flow_uses.hpp"
 #include "mariotte/impact/gate.hpp"
 #include "mariotte/impact/impulses.hpp"
 #include "mariotte/impact/network/network_gate.hpp"

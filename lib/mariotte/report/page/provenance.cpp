@@ -1,6 +1,7 @@
 #include "mariotte/report/page/provenance.hpp"
 
 #include "mariotte/flow/cvode/cvode.hpp"
+#include "mariotte/version.hpp"
 
 namespace mariotte::report {
 namespace {
@@ -16,7 +17,7 @@ constexpr const char* compiler = "unknown";
 }  // namespace
 
 Provenance provenance() {
-  return {.version = MARIOTTE_VERSION,
+  return {.version = version,
           .sundials = flow::sundials_version(),
           .compiler = compiler,
           .build_type = MARIOTTE_BUILD_TYPE};

@@ -1,4 +1,4 @@
-#include "mariotte/impact/flow_use.hpp"
+#include "mariotte/impact/flow_uses.hpp"
 
 namespace mariotte::impact {
 

@@ -1,0 +1,14 @@
+// From the counts of a run to what its result tells of the flows.
+#pragma once
+#include <array>
+#include <vector>
+
+#include "mariotte/hybrid/trajectory.hpp"
+#include "mariotte/impact/flow_use.hpp"
+
+namespace mariotte::impact {
+
+/// Flows that followed at least one phase; counts by flow::Kind.
+std::vector<FlowUse> flow_uses(const std::array<hybrid::FlowCount, flow::kinds.size()>& counts);
+
+}  // namespace mariotte::impact

@@ -1,0 +1,4 @@
+#pragma once
+#include "mariotte/core/types.hpp"
+#include "mariotte/hybrid/system.hpp"
+#include <vector>
