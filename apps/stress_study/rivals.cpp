@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mariotte/core/overload.hpp"
+
 namespace mariotte::stress_study {
 namespace {
 
@@ -78,9 +80,13 @@ std::vector<std::string> general_flows(const Scene& scene, double end) {
 }
 
 std::vector<std::string> special_flows(const Model& model) {
-  if (std::holds_alternative<model::Chain>(model)) return {"taylor", "modal", "pair"};
-  if (std::holds_alternative<model::Network>(model)) return {"modal"};
-  return {"taylor"};
+  using Names = std::vector<std::string>;
+  return std::visit(Overload{[](const model::Chain&) {
+                               return Names{"taylor", "modal", "pair"};
+                             },
+                             [](const model::Network&) { return Names{"modal"}; },
+                             [](const Body&) { return Names{"taylor"}; }},
+                    model);
 }
 
 }  // namespace mariotte::stress_study

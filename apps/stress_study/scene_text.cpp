@@ -2,6 +2,7 @@
 
 #include <sstream>
 
+#include "mariotte/core/overload.hpp"
 #include "mariotte/report/number.hpp"
 #include "scene.hpp"
 
@@ -68,11 +69,12 @@ std::string tables(const model::Network& network) {
 std::string text(const Scene& scene, double accuracy, const std::string& notes) {
   std::string all, line;
   for (std::istringstream lines(notes); std::getline(lines, line);) all += "# " + line + "\n";
-  if (const auto* body = std::get_if<Body>(&scene.model)) return all + body->text;
-  all += "[run]\naccuracy = " + exact(accuracy) + "\n";
-  if (scene.max_time < infinity) all += "max_time = " + exact(scene.max_time) + "\n";
-  if (const auto* chain = std::get_if<model::Chain>(&scene.model)) return all + tables(*chain);
-  return all + tables(std::get<model::Network>(scene.model));
+  auto run = "[run]\naccuracy = " + exact(accuracy) + "\n";
+  if (scene.max_time < infinity) run += "max_time = " + exact(scene.max_time) + "\n";
+  return all + std::visit(Overload{[&](const model::Chain& chain) { return run + tables(chain); },
+                                   [&](const model::Network& network) { return run + tables(network); },
+                                   [](const Body& body) { return body.text; }},
+                          scene.model);
 }
 
 }  // namespace mariotte::stress_study

@@ -57,7 +57,7 @@ BOOST_AUTO_TEST_CASE(a_chain_at_rest_is_suspicious) {
 }
 
 BOOST_AUTO_TEST_CASE(a_key_without_effect_is_mentioned) {
-  BOOST_TEST(warning("run.impacts=2") == "--set run.impacts: has no effect on a chain");
+  BOOST_TEST(warning("run.impacts=2") == "--set run.impacts: has no effect without a [body]");
 }
 
 BOOST_AUTO_TEST_CASE(a_wall_of_the_same_material_does_not_repeat_a_warning) {

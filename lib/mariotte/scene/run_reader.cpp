@@ -35,7 +35,7 @@ hybrid::Options read_run(Source& source, const Field& run, bool of_body) {
   if (const auto field = find(run, "flow")) options.flow = read_flow(source, *field);
   if (of_body) return options;
   for (const auto* key : {"impacts", "after_capture"})
-    if (const auto field = find(run, key)) warn(source, *field, "has no effect on a chain");
+    if (const auto field = find(run, key)) warn(source, *field, "has no effect without a [body]");
   if (const auto field = find(run, "impacts")) whole(source, *field, 1, no_limit);
   return options;
 }
