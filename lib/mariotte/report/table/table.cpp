@@ -96,7 +96,7 @@ std::string contacts(const impact::ContactImpact& impact, const Display& time,
                 "impulse [" + impulse.unit + "]",
                 "peak force [" + force.unit + "]",
                 "indentation [" + depth.unit + "]",
-                "dissipated [" + loss.unit + "]",
+                "dissip. [" + loss.unit + "]",
                 "closed [" + time.unit + "]"};
   if (!name.empty()) header.insert(header.begin() + 1, "balls");
   return "\nContacts\n" + columns(header, std::ssize(all), row);
