@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "mariotte/core/error.hpp"
+
 namespace mariotte::scene {
 namespace {
 

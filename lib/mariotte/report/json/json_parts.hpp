@@ -5,6 +5,7 @@
 
 #include "mariotte/impact/flow_use.hpp"
 #include "mariotte/report/json/json.hpp"
+#include "mariotte/scene/node.hpp"
 
 namespace mariotte::report {
 
