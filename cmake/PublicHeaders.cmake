@@ -6,15 +6,16 @@ set(MARIOTTE_PUBLIC_HEADERS
   core/fault.hpp
   core/overload.hpp
   core/quaternion.hpp
+  core/scale.hpp
   core/types.hpp
   core/vector3.hpp
   contact/brach_dunn.hpp
   contact/coulomb.hpp
+  contact/custom_law.hpp
   contact/force.hpp
   contact/hertz.hpp
   contact/law.hpp
-  contact/linear.hpp
-  contact/viscoelastic.hpp
+  contact/power_law.hpp
   flow/kind.hpp
   hybrid/ending.hpp
   hybrid/options.hpp

@@ -1,5 +1,6 @@
 #include "law_problem.hpp"
 
+#include <algorithm>
 #include <map>
 
 #include "command_line/exit_code.hpp"
@@ -103,7 +104,8 @@ void complete_by_simulation(LawProblem& problem, scene::Law& law, const Model& m
 
 /// Stiffnesses and exponent for the rival that needs them, if there is a single exponent.
 void add_contacts(impact::RivalParameters& parameters, const std::vector<contact::Law>& laws) {
-  if (laws.empty()) return;
+  const auto is_power_law = [](const contact::Law& law) { return contact::power_law(law) != nullptr; };
+  if (laws.empty() || !std::all_of(laws.begin(), laws.end(), is_power_law)) return;
   const double exponent = contact::exponent(laws.front());
   for (const auto& law : laws)
     if (contact::exponent(law) != exponent) return;

@@ -71,8 +71,9 @@ Scene strongly_damped(Dice& dice) {
   draw_gaps(dice, chain, 0.3, 1);
   const double ratio = dice.between(1, 1e6);
   for (auto& law : chain.law)
-    if (auto* one = std::get_if<contact::Viscoelastic>(&law))
-      law = damped(one->stiffness, ratio * dice.decades(dice.pick({0, 2})), one->exponent, 1);
+    if (contact::dissipates(law))
+      law =
+          damped(contact::stiffness(law), ratio * dice.decades(dice.pick({0, 2})), contact::exponent(law), 1);
   return in_some_units(dice, chain);
 }
 

@@ -17,9 +17,7 @@ struct Units {
   double stiffness(double value, double n) const {
     return value * mass / time / time * std::pow(length, 1 - n);
   }
-  void change(contact::Linear& law) const { law.stiffness = stiffness(law.stiffness, 1); }
-  void change(contact::Hertz& law) const { law.stiffness = stiffness(law.stiffness, 1.5); }
-  void change(contact::Viscoelastic& law) const {
+  void change(contact::PowerLaw& law) const {
     law.stiffness = stiffness(law.stiffness, law.exponent);
     law.damping = time * stiffness(law.damping, law.exponent);
   }
@@ -29,7 +27,7 @@ void change(const Units& units, model::Chain& chain) {
   for (double& m : chain.mass) m *= units.mass;
   for (double& v : chain.velocity) v *= units.length / units.time;
   for (double& g : chain.gap) g *= units.length;
-  for (auto& law : chain.law) std::visit([&](auto& one) { units.change(one); }, law);
+  for (auto& law : chain.law) units.change(std::get<contact::PowerLaw>(law));
   chain.gravity *= units.length / units.time / units.time;
 }
 

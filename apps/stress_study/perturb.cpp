@@ -16,15 +16,9 @@ class Noise {
   Dice dice_;
 };
 
-void disturb(contact::Linear& law, Noise& noise) {
+void disturb(contact::PowerLaw& law, Noise& noise) {
   noise.scale(law.stiffness);
-}
-void disturb(contact::Hertz& law, Noise& noise) {
-  noise.scale(law.stiffness);
-}
-void disturb(contact::Viscoelastic& law, Noise& noise) {
-  noise.scale(law.stiffness);
-  noise.scale(law.damping);
+  if (law.damping > 0) noise.scale(law.damping);
 }
 
 /// Depth at a speed, as a length to compare gaps with.
@@ -37,7 +31,7 @@ double depth(const contact::Law& law, double inverse_mass, double speed) {
 void disturb_contact(contact::Law& law, double& gap, double inverse_mass, double speed, Noise& noise) {
   const double moved = gap + noise() * (std::abs(gap) + depth(law, inverse_mass, speed));
   gap = gap < 0 ? moved : std::max(0.0, moved);
-  std::visit([&](auto& one) { disturb(one, noise); }, law);
+  disturb(std::get<contact::PowerLaw>(law), noise);
 }
 
 void disturb(model::Chain& chain, double speed, Noise& noise) {

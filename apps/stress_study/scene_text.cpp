@@ -17,15 +17,12 @@ std::string array(const std::vector<double>& values) {
   return "[" + all + "]";
 }
 
-std::string keys(const contact::Linear& law) {
-  return "law = \"linear\"\nstiffness = " + exact(law.stiffness) + "\n";
-}
-std::string keys(const contact::Hertz& law) {
-  return "law = \"hertz\"\nstiffness = " + exact(law.stiffness) + "\n";
-}
-std::string keys(const contact::Viscoelastic& law) {
-  return fmt::format("law = \"viscoelastic\"\nstiffness = {}\ndamping = {}\nexponent = {}\n",
-                     exact(law.stiffness), exact(law.damping), exact(law.exponent));
+std::string keys(const contact::Law& any) {
+  const auto& law = std::get<contact::PowerLaw>(any);
+  auto text = fmt::format("law = \"{}\"\nstiffness = {}\n", name(law), exact(law.stiffness));
+  if (law.damping > 0)
+    text += fmt::format("damping = {}\nexponent = {}\n", exact(law.damping), exact(law.exponent));
+  return text;
 }
 
 std::string start(const std::vector<double>& gap, const std::vector<double>& velocity, bool precompressed) {
@@ -37,8 +34,7 @@ std::string tables(const model::Chain& chain) {
   auto text = fmt::format("[chain]\nmass = {}\n{}", array(chain.mass),
                           start(chain.gap, chain.velocity, chain.precompressed));
   if (chain.gravity != 0) text += "gravity = " + exact(chain.gravity) + "\n";
-  for (const auto& law : chain.law)
-    text += "[[chain.contact]]\n" + std::visit([](const auto& one) { return keys(one); }, law);
+  for (const auto& law : chain.law) text += "[[chain.contact]]\n" + keys(law);
   return text;
 }
 
@@ -58,8 +54,7 @@ std::string tables(const model::Network& network) {
   for (std::size_t j = 0; j < network.law.size(); ++j) {
     std::vector<double> row(network.velocity.size());
     for (const auto& [i, coefficient] : network.direction[j]) row[static_cast<std::size_t>(i)] = coefficient;
-    text += "[[network.contact]]\ndirection = " + array(row) + "\n" +
-            std::visit([](const auto& one) { return keys(one); }, network.law[j]);
+    text += "[[network.contact]]\ndirection = " + array(row) + "\n" + keys(network.law[j]);
   }
   return text;
 }

@@ -96,8 +96,8 @@ template <class Make>
 Solve with_chain_field(const Problem& problem, const Make& make) {
   if (problem.has_body()) return {};
   const auto& chain = problem.cases.front().chain;
-  const bool linear = std::holds_alternative<contact::Linear>(chain.law[0]);
-  const bool hertz = std::holds_alternative<contact::Hertz>(chain.law[0]);
+  const bool linear = contact::name(chain.law[0]) == "linear";
+  const bool hertz = contact::name(chain.law[0]) == "hertz";
   if (chain.mass.size() == 21 && hertz) return make.template operator()<Field<21, HertzForce>>();
   if (chain.mass.size() != 3) throw Error("no rival has been compiled for so many balls");
   if (linear) return make.template operator()<Field<3, LinearForce>>();

@@ -59,7 +59,7 @@ BOOST_AUTO_TEST_CASE(five_steel_balls_resolve_to_si) {
   BOOST_TEST(scene.radius == (std::vector<double>(5, 0.01)), boost::test_tools::per_element());
   for (const double mass : chain(scene).mass) BOOST_TEST(close(mass, 7800 * 4e-6 / 3 * pi));
   for (const auto& law : chain(scene).law) {
-    BOOST_TEST(std::holds_alternative<contact::Hertz>(law));
+    BOOST_TEST(contact::name(law) == "hertz");
     BOOST_TEST(close(contact::stiffness(law), steel_stiffness(200)));
   }
   BOOST_TEST(scene.warnings.empty());
@@ -176,12 +176,12 @@ exponent = 2
 law = "linear"
 stiffness = "5 kN/m"
 )");
-  BOOST_TEST(std::get<contact::Hertz>(chain(scene).law[0]).stiffness == 3);
-  const auto& damped = std::get<contact::Viscoelastic>(chain(scene).law[1]);
+  BOOST_TEST(contact::stiffness(chain(scene).law[0]) == 3);
+  const auto& damped = std::get<contact::PowerLaw>(chain(scene).law[1]);
   BOOST_TEST(damped.stiffness == 4);
   BOOST_TEST(damped.damping == 0.1);
   BOOST_TEST(damped.exponent == 2);
-  BOOST_TEST(std::get<contact::Linear>(chain(scene).law[2]).stiffness == 5000);
+  BOOST_TEST(contact::stiffness(chain(scene).law[2]) == 5000);
 }
 
 BOOST_AUTO_TEST_CASE(a_mixture_may_be_written_as_arrays) {
@@ -189,7 +189,7 @@ BOOST_AUTO_TEST_CASE(a_mixture_may_be_written_as_arrays) {
       "[chain]\nvelocity = 1\nmass = 1\nlaw = ['linear', 'viscoelastic']\nstiffness = [1, 2]\n"
       "damping = [0, 0.5]\nexponent = [1, 1.25]");
   BOOST_TEST(chain(scene).mass.size() == 3u);
-  BOOST_TEST(std::get<contact::Viscoelastic>(chain(scene).law[1]).exponent == 1.25);
+  BOOST_TEST(std::get<contact::PowerLaw>(chain(scene).law[1]).exponent == 1.25);
 }
 
 BOOST_AUTO_TEST_CASE(one_contact_table_stands_for_all_and_leans_on_the_chain) {
@@ -202,7 +202,7 @@ BOOST_AUTO_TEST_CASE(one_contact_table_stands_for_all_and_leans_on_the_chain) {
 BOOST_AUTO_TEST_CASE(a_damped_contact_takes_its_stiffness_from_materials) {
   auto text = five_balls + "damping = 100";
   text.replace(text.find("\"hertz\""), 7, "\"viscoelastic\"");
-  const auto law = std::get<contact::Viscoelastic>(chain(parse(text)).law[0]);
+  const auto law = std::get<contact::PowerLaw>(chain(parse(text)).law[0]);
   BOOST_TEST(close(law.stiffness, steel_stiffness(200)));
   BOOST_TEST(law.damping == 100);
   BOOST_TEST(law.exponent == 1.5);

@@ -36,24 +36,14 @@ struct NaiveRun {
 /// max(0, k δⁿ + c δⁿ⁻¹ δ̇).
 inline double naive_force(const contact::Law& law, double depth, double rate) {
   if (!(depth > 0)) return 0;
-  if (const auto* linear = std::get_if<contact::Linear>(&law)) return linear->stiffness * depth;
-  if (const auto* hertz = std::get_if<contact::Hertz>(&law))
-    return hertz->stiffness * depth * std::sqrt(depth);
-  const auto& damped = std::get<contact::Viscoelastic>(law);
-  const double load = damped.stiffness * depth + damped.damping * rate;
-  return load > 0 ? std::pow(depth, damped.exponent - 1) * load : 0;
+  const auto& [k, c, n] = std::get<contact::PowerLaw>(law);
+  const double load = k * depth + c * rate;
+  return load > 0 ? std::pow(depth, n - 1) * load : 0;
 }
 
 /// Depth that the contact alone reaches when struck at a speed: k δⁿ⁺¹/(n+1) = m* v²/2, 1/m* = G M⁻¹ Gᵀ.
 inline double natural_depth(const contact::Law& law, double inverse_mass, double speed) {
-  const auto [k, n] = std::visit(
-      [](const auto& one) {
-        if constexpr (requires { one.exponent; })
-          return std::pair(one.stiffness, one.exponent);
-        else
-          return std::pair(one.stiffness, std::is_same_v<decltype(one), const contact::Hertz&> ? 1.5 : 1.0);
-      },
-      law);
+  const auto& [k, c, n] = std::get<contact::PowerLaw>(law);
   return std::pow((n + 1) * speed * (speed / k) / (2 * inverse_mass), 1 / (n + 1));
 }
 

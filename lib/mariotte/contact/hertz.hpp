@@ -1,36 +1,8 @@
-// Hertz contact f = k δ^{3/2} [Acary 2003, eq. 1 with n = 3/2] and its stiffness from materials.
+// The stiffness of a Hertz contact from materials and radii.
 #pragma once
-#include <algorithm>
 #include <cmath>
 
-#include "mariotte/contact/force.hpp"
-
 namespace mariotte::contact {
-
-/// Two elastic spheres, f = k δ^{3/2}.
-struct Hertz {
-  double stiffness;  ///< k [N/m^{3/2}]
-};
-
-/// n of f = k δⁿ.
-inline double exponent(const Hertz&) {
-  return 1.5;
-}
-/// No damper.
-inline double damping(const Hertz&) {
-  return 0;
-}
-
-/// k δ^{3/2}, with slopes; 0 for δ ≤ 0. The rate does not matter.
-inline Force smooth_force(const Hertz& law, double indentation, double /*rate*/) {
-  const double slope = law.stiffness * std::sqrt(std::max(0.0, indentation));
-  return {.value = slope * indentation, .by_indentation = 1.5 * slope, .by_rate = 0};
-}
-
-/// Elastic energy (2/5) k δ^{5/2} [J].
-inline double stored_energy(const Hertz& law, double indentation) {
-  return 0.4 * law.stiffness * indentation * indentation * std::sqrt(indentation);
-}
 
 /// Isotropic elastic material of one body in contact.
 struct Material {

@@ -1,20 +1,33 @@
 // A contact law chosen at run time: any mixture of laws in one scene.
 #pragma once
+#include <string_view>
 #include <variant>
 
+#include "mariotte/contact/custom_law.hpp"
 #include "mariotte/contact/hertz.hpp"
-#include "mariotte/contact/linear.hpp"
-#include "mariotte/contact/viscoelastic.hpp"
+#include "mariotte/contact/power_law.hpp"
 
 namespace mariotte::contact {
 
-/// The law of one contact.
-using Law = std::variant<Linear, Hertz, Viscoelastic>;
+/// The law of one contact. Flows with closed forms and series are made for power laws; CVODE follows any.
+using Law = std::variant<PowerLaw, SharedLaw>;
+
+/// The power law, or null if it is another one.
+inline const PowerLaw* power_law(const Law& law) {
+  return std::get_if<PowerLaw>(&law);
+}
+
+/// `use` with the law as what it is, a PowerLaw or a CustomLaw.
+template <class Use>
+auto with(const Law& law, Use&& use) {
+  if (const auto* power = power_law(law)) return use(*power);
+  return use(*std::get<SharedLaw>(law));
+}
 
 /// The law's field before it is cut off at f = 0: what a closed contact follows until a guard says it has let
 /// go, so that a step which reaches past that instant meets no kink.
 inline Force smooth_force(const Law& law, double indentation, double rate) {
-  return std::visit([&](const auto& one) { return smooth_force(one, indentation, rate); }, law);
+  return with(law, [&](const auto& one) { return smooth_force(one, indentation, rate); });
 }
 
 /// Force and slopes at indentation δ ≥ 0 [m] and rate δ̇ [m/s]; all zero where the contact would pull.
@@ -24,21 +37,28 @@ Force force(const AnyLaw& law, double indentation, double rate) {
   return smooth.value > 0 ? smooth : Force{.value = 0, .by_indentation = 0, .by_rate = 0};
 }
 
+/// What has the sign of the force, with slopes.
+inline Force load(const Law& law, double indentation, double rate) {
+  return with(law, [&](const auto& one) { return load(one, indentation, rate); });
+}
+
 /// Elastic energy at an indentation [J].
-inline double stored_energy(const Law& law, double indentation) {
-  return std::visit([&](const auto& one) { return stored_energy(one, indentation); }, law);
-}
-/// k [N/m^n].
-inline double stiffness(const Law& law) {
-  return std::visit([](const auto& one) { return one.stiffness; }, law);
-}
-/// c [N s/m^n]; 0 without a damper.
-inline double damping(const Law& law) {
-  return std::visit([](const auto& one) { return damping(one); }, law);
-}
-/// n of f = k δⁿ.
-inline double exponent(const Law& law) {
-  return std::visit([](const auto& one) { return exponent(one); }, law);
-}
+double stored_energy(const Law& law, double indentation);
+/// True if the contact loses energy: it may go slack, and the work put into it is integrated.
+bool dissipates(const Law& law);
+/// Indentation at which the contact carries a force at rest [m].
+double static_indentation(const Law& law, double force);
+
+/// "linear", "hertz", "viscoelastic", or the name that another law gives itself.
+std::string_view name(const Law& law);
+/// The numbers of a law, as scenes call them.
+std::vector<LawParameter> parameters(const Law& law);
+
+/// k [N/m^n] of a power law. Throws InvalidParameter of any other, as the next two do.
+double stiffness(const Law& law);
+/// c [N s/m^n] of a power law; 0 without a damper.
+double damping(const Law& law);
+/// n of a power law.
+double exponent(const Law& law);
 
 }  // namespace mariotte::contact

@@ -83,7 +83,7 @@ std::unique_ptr<Flow> make(Kind kind, const Problem& problem) {
     case Kind::modal:
       return std::make_unique<Modal>();
     case Kind::taylor:
-      if (!problem.serial()) return std::make_unique<TipTaylor>();
+      if (problem.tip()) return std::make_unique<TipTaylor>();
       return std::make_unique<Taylor>();
     case Kind::cvode_adams:
       return std::make_unique<Cvode>(CvodeMethod::adams, problem);

@@ -12,7 +12,8 @@ enum class Role : signed char {
   slack      ///< indented without force
 };
 
-/// f = δ^{n−1} (k δ + c δ̇), and where its quantities stand in the state.
+/// f = δ^{n−1} (k δ + c δ̇), and where its quantities stand in the state. A contact of another law is open,
+/// and has no numbers.
 struct PhaseContact {
   Index gap;
   Index work;        ///< ∫ f δ̇ dt, or −1

@@ -33,8 +33,8 @@ class Culprit {
   }
   void consider(const std::vector<contact::Law>& laws) {
     for (const auto& law : laws) {
-      consider("stiffness", contact::stiffness(law));
-      consider("damping", contact::damping(law));
+      for (const auto& parameter : parameters(law))
+        if (parameter.key != "exponent") consider(parameter.key, parameter.value);
     }
   }
   [[noreturn]] void refuse() const {
@@ -59,13 +59,19 @@ bool fits(const Scale& scale) {
   return std::all_of(units.begin(), units.end(), [](double unit) { return fits(unit); });
 }
 
+/// The numbers of a power law; of any other its force and slopes at a natural indentation.
+bool fits(const contact::Law& law, double length) {
+  if (const auto* power = power_law(law)) return fits(power->stiffness) && is_bounded(power->damping);
+  const auto f = smooth_force(law, length, 0);
+  return fits(f.value) && is_bounded(f.by_indentation) && is_bounded(f.by_rate);
+}
+
 /// Laws, gaps and natural sizes of the contacts of a scaled chain or network.
 template <class Scaled>
 bool contacts_fit(const Scaled& d) {
   for (std::size_t j = 0; j < d.law.size(); ++j)
-    if (!fits(contact::stiffness(d.law[j])) || !is_bounded(contact::damping(d.law[j])) ||
-        !is_bounded(d.gap[j]) || !fits(d.reduced_mass[j]) || !fits(d.length[j]) || !fits(d.time[j]) ||
-        !is_bounded(d.gap[j] / d.speed * d.scale.time))
+    if (!fits(d.law[j], d.length[j]) || !is_bounded(d.gap[j]) || !fits(d.reduced_mass[j]) ||
+        !fits(d.length[j]) || !fits(d.time[j]) || !is_bounded(d.gap[j] / d.speed * d.scale.time))
       return false;
   return true;
 }
@@ -82,7 +88,8 @@ void expect_resolved_damping(const Scaled& d, const std::vector<contact::Law>& l
         "cannot be computed with in double precision: contact %d is damped %.1e times as strongly as "
         "c = √(k m*), and %.0e is the most; it stops its balls without rebound",
         static_cast<int>(j + 1), ratio, largest_damping_ratio);
-    throw Unrepresentable(text.data(), {"damping", static_cast<Index>(j), contact::damping(laws[j])});
+    throw Unrepresentable(
+        text.data(), {"damping", static_cast<Index>(j), power_law(laws[j]) ? contact::damping(laws[j]) : 0});
   }
 }
 

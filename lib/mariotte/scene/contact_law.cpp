@@ -74,9 +74,9 @@ contact::Law read_law(const Source& source, const LawTables& tables, Index conta
   const double exponent = read_exponent(source, tables, contact, law);
   const double damping = read_damping(source, tables, contact, *field, law, exponent);
   const double stiffness = read_stiffness(source, tables, contact, *field, exponent, pair);
-  if (law == linear) return contact::Linear{.stiffness = stiffness};
-  if (law == hertz) return contact::Hertz{.stiffness = stiffness};
-  return contact::Viscoelastic{.stiffness = stiffness, .damping = damping, .exponent = exponent};
+  if (law == linear) return contact::Linear(stiffness);
+  if (law == hertz) return contact::Hertz(stiffness);
+  return contact::PowerLaw{.stiffness = stiffness, .damping = damping, .exponent = exponent};
 }
 
 }  // namespace mariotte::scene

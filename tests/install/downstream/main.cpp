@@ -28,7 +28,7 @@ int main() {
   using contact::Hertz;
   const model::Chain chain{
       .mass = {1, 1, 1},
-      .law = {Hertz{.stiffness = 1}, Hertz{.stiffness = 1}},
+      .law = {Hertz{1}, Hertz{1}},
       .gap = {0, 0},
       .velocity = {1, 0, 0},
   };

@@ -18,16 +18,23 @@ void validate_ball(const Chain& chain, std::size_t i) {
   if (!std::isfinite(chain.velocity[i])) reject("ball", i, "velocity must be finite");
 }
 
+void validate_law(std::size_t j, const contact::PowerLaw& law) {
+  if (!(law.stiffness > 0) || !std::isfinite(law.stiffness))
+    reject("contact", j, "stiffness must be positive and finite");
+  if (!(law.damping >= 0) || !std::isfinite(law.damping))
+    reject("contact", j, "damping must be finite and not negative");
+  if (!(law.exponent >= 1) || !std::isfinite(law.exponent))
+    reject("contact", j, "exponent must be finite and at least 1");
+}
+
 }  // namespace
 
 void validate_contact(std::size_t j, const contact::Law& law, double gap, bool precompressed,
                       const char* whole) {
-  const auto positive = [](double value) { return value > 0 && std::isfinite(value); };
-  if (!positive(contact::stiffness(law))) reject("contact", j, "stiffness must be positive and finite");
-  if (!(contact::damping(law) >= 0) || !std::isfinite(contact::damping(law)))
-    reject("contact", j, "damping must be finite and not negative");
-  if (!(contact::exponent(law) >= 1) || !std::isfinite(contact::exponent(law)))
-    reject("contact", j, "exponent must be finite and at least 1");
+  if (const auto* power = power_law(law))
+    validate_law(j, *power);
+  else if (!std::get<contact::SharedLaw>(law))
+    reject("contact", j, "has no law");
   if (!std::isfinite(gap)) reject("contact", j, "gap must be finite");
   if (gap < 0 && !precompressed)
     reject("contact", j, std::string("gap is negative but the ") + whole + " is not precompressed");

@@ -13,7 +13,7 @@ void make_layout(const DimensionlessChain& chain, ChainLayout& layout) {
     if (i == chain.law.size()) break;
     const bool wall = std::isinf(chain.mass[i]) || std::isinf(chain.mass[i + 1]);
     layout.gap.push_back(layout.size++);
-    layout.work.push_back(contact::damping(chain.law[i]) > 0 ? layout.size++ : ChainLayout::absent);
+    layout.work.push_back(contact::dissipates(chain.law[i]) ? layout.size++ : ChainLayout::absent);
     layout.impulse.push_back(wall ? layout.size++ : ChainLayout::absent);
   }
 }

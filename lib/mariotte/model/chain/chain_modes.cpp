@@ -17,14 +17,15 @@ ContactMode after(const ChainState& state, Index j, ContactMode before, bool loa
 bool is_loaded_again(const ChainState& state, const ContactSet& mode, Index j) {
   const auto& chain = state.chain;
   const double rate = state.approach(j);
-  if (!(load(chain.law[j], -state.gap(j), rate) > 0)) return false;
+  const auto own = load(chain.law[j], -state.gap(j), rate);
+  if (!(own.value > 0)) return false;
   const auto force = [&](Index i) {
     if (i < 0 || i == state.layout.contacts()) return 0.0;
     return force_in(mode[i], chain.law[i], -state.gap(i), state.approach(i)).value;
   };
   const double bend = chain.inverse_mass[j] * force(j - 1) - chain.gravity[j] +
                       chain.inverse_mass[j + 1] * force(j + 1) + chain.gravity[j + 1];
-  return load(chain.law[j], rate, bend) > 0;
+  return own.by_indentation * rate + own.by_rate * bend > 0;
 }
 
 bool rests(const ChainState& state, ContactMode mode, Index j) {
@@ -46,7 +47,7 @@ void contact_set_at(const ChainState& state, ContactSet& mode, std::vector<Conta
     const bool driven = speed == 0 && chain.gravity[j + 1] > chain.gravity[j];
     if (gap > 0) continue;
     if (gap < 0) {
-      const bool pulls = contact::damping(chain.law[j]) > 0 && load(chain.law[j], -gap, speed) <= 0;
+      const bool pulls = contact::dissipates(chain.law[j]) && load(chain.law[j], -gap, speed).value <= 0;
       change(mode, j, pulls ? ContactMode::slack : ContactMode::closed, changes);
     } else if (speed > 0) {
       change(mode, j, ContactMode::closed, changes);

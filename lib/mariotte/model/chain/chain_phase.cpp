@@ -31,17 +31,19 @@ void make_serial(const DimensionlessChain& chain, const ChainLayout& at, const C
   phase.faint = chain.faint * chain.slow;
   for (Index i = 0; i < at.balls(); ++i)
     phase.body.push_back({at.velocity[i], chain.inverse_mass[i], -chain.gravity[i]});
-  for (Index j = 0; j < at.contacts(); ++j)
+  for (Index j = 0; j < at.contacts(); ++j) {
+    const auto law = seen_by_flows(chain.law[j]);
     phase.contact.push_back({.gap = at.gap[j],
                              .work = at.work[j],
                              .impulse = at.impulse[j],
                              .guard = j,
                              .load_guard = guards.load[j],
-                             .stiffness = contact::stiffness(chain.law[j]),
-                             .damping = contact::damping(chain.law[j]),
-                             .exponent = contact::exponent(chain.law[j]),
+                             .stiffness = law.stiffness,
+                             .damping = law.damping,
+                             .exponent = law.exponent,
                              .length = chain.length[j],
                              .shallow = chain.faint_depth * chain.shallow[j]});
+  }
 }
 
 }  // namespace
@@ -66,7 +68,7 @@ bool has_faded(const DimensionlessChain& chain, const ChainLayout& layout, Const
 bool has_loaded(const DimensionlessChain& chain, const ChainLayout& layout, ConstState x, Index j) {
   const double indentation = -x[layout.gap[j]];
   if (!(indentation > 2 * chain.faint_depth * chain.shallow[j])) return false;
-  return load(chain.law[j], indentation, x[layout.velocity[j]] - x[layout.velocity[j + 1]]) > 0;
+  return load(chain.law[j], indentation, x[layout.velocity[j]] - x[layout.velocity[j + 1]]).value > 0;
 }
 
 void ChainPhase::reset() {
@@ -93,10 +95,12 @@ std::vector<flow::Entry> ChainPhase::pattern() const {
 void ChainPhase::bind(contact::ContactSet& mode) {
   mode_ = &mode;
   active_ = 0;
+  any_law_ = false;
   time_scale_ = infinity;
   double any = infinity;
   for (Index j = 0; j < layout_.contacts(); ++j) {
     watch(j);
+    any_law_ |= role(mode[j]) != flow::Role::open && !power_law(chain_.law[j]);
     any = std::min(any, chain_.time[j]);
     if (!contact::carries_force(mode[j])) continue;
     ++active_;
@@ -110,7 +114,7 @@ void ChainPhase::watch(Index j) {
   serial_.contact[j].role = role(mode);
   serial_.contact[j].level = level(j);
   const Index load_guard = guards_.load[j];
-  const auto [gap, load] = watched(mode, load_guard != ChainLayout::absent);
+  const auto [gap, load] = watched(mode, chain_.law[j]);
   crossings_[j] = gap;
   if (load_guard != ChainLayout::absent) crossings_[load_guard] = load;
 }
@@ -133,12 +137,11 @@ void ChainPhase::derivative(ConstState x, State dx) const {
   }
 }
 
-/// Gap, from where it is to be watched, or load: both are linear in x up to a constant, so the rate of a
-/// guard is the guard of the rates.
+/// Gap, from where it is to be watched, or load.
 double ChainPhase::guard(ConstState x, Index i) const {
   const Index j = guards_.contact[i];
   const double gap = x[layout_.gap[j]];
-  return i == j ? gap : load(chain_.law[j], -gap, approach(x, j));
+  return i == j ? gap : load(chain_.law[j], -gap, approach(x, j)).value;
 }
 
 void ChainPhase::guards(ConstState x, State values) const {
@@ -152,8 +155,16 @@ double ChainPhase::level(Index i) const {
   return i < layout_.contacts() && (*mode_)[i] == ContactMode::hovering ? chain_.shallow[i] : 0;
 }
 
-void ChainPhase::guard_rates(ConstState, ConstState dx, State rates) const {
-  for (Index i = 0; i < guard_count(); ++i) rates[i] = crossings_[i] != Crossing::none ? guard(dx, i) : 0;
+double ChainPhase::guard_rate(ConstState x, ConstState dx, Index i) const {
+  const Index j = guards_.contact[i];
+  if (i == j) return dx[layout_.gap[j]];
+  const auto own = load(chain_.law[j], -x[layout_.gap[j]], approach(x, j));
+  return own.by_rate * approach(dx, j) - own.by_indentation * dx[layout_.gap[j]];
+}
+
+void ChainPhase::guard_rates(ConstState x, ConstState dx, State rates) const {
+  for (Index i = 0; i < guard_count(); ++i)
+    rates[i] = crossings_[i] != Crossing::none ? guard_rate(x, dx, i) : 0;
 }
 
 void ChainPhase::jacobian(ConstState x, State values) const {

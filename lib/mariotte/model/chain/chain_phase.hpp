@@ -56,9 +56,9 @@ class ChainPhase final : public ContactPhase {
   std::vector<flow::Entry> pattern() const override;
   void jacobian(ConstState x, State values) const override;
   double damping_ratio() const override;
-  bool is_ballistic() const override { return active_ == 0; }
+  bool is_ballistic() const override { return active_ == 0 && !any_law_; }
   void second_derivative(ConstState x, State ddx) const override;
-  const flow::SerialPhase* serial() const override { return &serial_; }
+  const flow::SerialPhase* serial() const override { return any_law_ ? nullptr : &serial_; }
   flow::Accepted accept(ConstState x) override;
   std::string component(Index index) const override { return component_name(layout_, index); }
 
@@ -75,6 +75,7 @@ class ChainPhase final : public ContactPhase {
 
  private:
   double guard(ConstState x, Index i) const;
+  double guard_rate(ConstState x, ConstState dx, Index i) const;
   double level(Index i) const;
   void watch(Index j);
   bool is_at_edge(Index j) const;
@@ -87,7 +88,8 @@ class ChainPhase final : public ContactPhase {
   flow::SerialPhase serial_;
   SliceEdges edges_;
   contact::ContactSet* mode_ = nullptr;
-  Index active_ = 0;  ///< contacts that carry force
+  Index active_ = 0;      ///< contacts that carry force
+  bool any_law_ = false;  ///< a contact whose law is no power law is not open: only CVODE follows it
   double time_scale_ = 1;
 };
 

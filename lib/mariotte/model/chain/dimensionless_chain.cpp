@@ -31,28 +31,12 @@ double reference_speed(const Chain& chain) {
   double indentation = 0;
   for (std::size_t j = 0; j < chain.law.size(); ++j) {
     const double weight = reduced_mass(chain.mass[j], chain.mass[j + 1]) * std::abs(chain.gravity);
-    indentation = std::max(indentation, std::pow(weight / contact::stiffness(chain.law[j]),
-                                                 1 / contact::exponent(chain.law[j])));
+    indentation = std::max(indentation, contact::static_indentation(chain.law[j], weight));
   }
   return std::sqrt(2 * std::abs(chain.gravity) * indentation);
 }
 
 namespace {
-
-/// Remembers its last answer: contacts of a chain are mostly alike.
-class NaturalLength {
- public:
-  double operator()(const contact::Law& law, double mass, double speed) {
-    const double q = mass * speed * speed / contact::stiffness(law), exponent = contact::exponent(law);
-    if (q != q_ || exponent != exponent_) length_ = natural_root(q, exponent);
-    q_ = q;
-    exponent_ = exponent;
-    return length_;
-  }
-
- private:
-  double q_ = 0, exponent_ = 0, length_ = 0;
-};
 
 /// The contact with the shortest natural time; it alone sets the units, so a mirrored chain has the same.
 std::size_t quickest_contact(const Chain& chain, double speed, NaturalLength& natural_length) {
@@ -108,17 +92,13 @@ void make_dimensionless(const Chain& chain, double accuracy, DimensionlessChain&
     d.velocity.push_back(chain.velocity[i] / d.scale.velocity);
     d.gravity.push_back(std::isinf(chain.mass[i]) ? 0 : chain.gravity * d.scale.time / d.scale.velocity);
   }
-  double exponent = 0, slow_length = 0;  // of the contact before: mostly they are all alike
+  NaturalLength slow_length;
   for (std::size_t j = 0; j < chain.law.size(); ++j) {
     d.law.push_back(scaled(chain.law[j], d.scale, reference));
     d.gap.push_back(chain.gap[j] / d.scale.length);
     d.reduced_mass.push_back(reduced_mass(d.mass[j], d.mass[j + 1]));
     d.length.push_back(natural_length(d.law[j], d.reduced_mass[j], d.speed));
-    if (const double n = contact::exponent(d.law[j]); n != exponent) {
-      exponent = n;
-      slow_length = natural_root((d.slow / d.speed) * (d.slow / d.speed), n);
-    }
-    d.shallow.push_back(d.length[j] * slow_length);
+    d.shallow.push_back(slow_length(d.law[j], d.reduced_mass[j], d.slow));
     d.time.push_back(d.length[j] / d.speed);
   }
   expect_representable(chain, d);

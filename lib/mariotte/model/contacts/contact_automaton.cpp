@@ -50,7 +50,7 @@ flow::Role role(ContactMode mode) {
   return Role::open;
 }
 
-Watched watched(ContactMode mode, bool damped) {
+Watched watched(ContactMode mode, const contact::Law& law) {
   switch (mode) {
     case ContactMode::open:
     case ContactMode::hovering:
@@ -60,7 +60,9 @@ Watched watched(ContactMode mode, bool damped) {
     case ContactMode::touching:
       return {Crossing::none, Crossing::none};
     case ContactMode::closed:
-      if (damped) return {Crossing::none, Crossing::falling};
+      if (!dissipates(law)) break;
+      // The load of a power law falls before the gap opens, or with it; that of another law need not.
+      return {power_law(law) ? Crossing::none : Crossing::rising, Crossing::falling};
   }
   return {Crossing::rising, Crossing::none};
 }
@@ -74,10 +76,6 @@ contact::Force force_in(ContactMode mode, const contact::Law& law, double indent
     default:
       return {0, 0, 0};
   }
-}
-
-double load(const contact::Law& law, double indentation, double rate) {
-  return contact::stiffness(law) * indentation + contact::damping(law) * rate;
 }
 
 }  // namespace mariotte::model

@@ -28,17 +28,14 @@ contact::ContactMode mode_after(contact::ContactMode mode, bool load_fired, doub
 /// What the flows of a row call a mode.
 flow::Role role(contact::ContactMode mode);
 
-/// How the guards of a contact are watched; only damped contacts have a load.
+/// How the guards of a contact are watched; only contacts that dissipate have a load.
 struct Watched {
   flow::Crossing gap, load;
 };
 /// Of a contact in this mode.
-Watched watched(contact::ContactMode mode, bool damped);
+Watched watched(contact::ContactMode mode, const contact::Law& law);
 
 /// Force of a contact in a mode and its slopes; zero unless it carries force.
 contact::Force force_in(contact::ContactMode mode, const contact::Law& law, double indentation, double rate);
-
-/// Load k δ + c δ̇ of a damped contact; its sign is the sign of the force.
-double load(const contact::Law& law, double indentation, double rate);
 
 }  // namespace mariotte::model

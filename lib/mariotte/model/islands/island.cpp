@@ -37,8 +37,11 @@ bool is_active(const ChainState& state, ContactMode mode, Index j) {
 }
 
 Index margin_of_rows(const DimensionlessChain& chain) {
-  const auto is_linear = [](const contact::Law& law) { return contact::exponent(law) == 1; };
-  return std::any_of(chain.law.begin(), chain.law.end(), is_linear) ? 10 : 2;
+  const auto has_no_waking_depth = [](const contact::Law& law) {
+    const auto* power = power_law(law);
+    return !power || power->exponent == 1;
+  };
+  return std::any_of(chain.law.begin(), chain.law.end(), has_no_waking_depth) ? 10 : 2;
 }
 
 bool is_well_cut(const Island& island) {

@@ -25,6 +25,7 @@ double reference_speed(const Network& network, const Numbers& mass) {
 
 std::size_t quickest_contact(const Network& network, const Numbers& mass, double speed) {
   std::vector<double> length;
+  NaturalLength natural_length;
   for (std::size_t j = 0; j < mass.size(); ++j)
     length.push_back(natural_length(network.law[j], mass[j], speed));
   return static_cast<std::size_t>(std::min_element(length.begin(), length.end()) - length.begin());
@@ -61,6 +62,7 @@ DimensionlessNetwork make_dimensionless(const Network& network, double accuracy)
   Numbers mass;
   for (std::size_t j = 0; j < d.push.size(); ++j) mass.push_back(1 / dot(d.direction[j], d.push[j]));
   const double speed = reference_speed(network, mass);
+  NaturalLength natural_length, slow_length;
   const auto quickest = quickest_contact(network, mass, speed);
   d.scale.mass = power_of_two_below(2 * mass[quickest]);
   d.scale.velocity = power_of_two_below(speed);
@@ -79,8 +81,7 @@ DimensionlessNetwork make_dimensionless(const Network& network, double accuracy)
     d.reduced_mass.push_back(mass[j] / d.scale.mass);
     d.length.push_back(natural_length(d.law[j], d.reduced_mass[j], d.speed));
     d.time.push_back(d.length[j] / d.speed);
-    const double share = d.slow / d.speed;
-    d.shallow.push_back(d.length[j] * natural_root(share * share, contact::exponent(d.law[j])));
+    d.shallow.push_back(slow_length(d.law[j], d.reduced_mass[j], d.slow));
   }
   expect_representable(network, d);
   find_near(d);

@@ -12,7 +12,7 @@ NetworkLayout make_layout(const DimensionlessNetwork& network) {
   layout.size = layout.freedoms + 2 * layout.contacts;
   for (Index j = 0; j < layout.contacts; ++j) layout.guard_contact.push_back(j);
   for (Index j = 0; j < layout.contacts; ++j) {
-    const bool damped = contact::damping(network.law[j]) > 0;
+    const bool damped = contact::dissipates(network.law[j]);
     layout.work.push_back(damped ? layout.size++ : NetworkLayout::absent);
     layout.load_guard.push_back(damped ? std::ssize(layout.guard_contact) : NetworkLayout::absent);
     if (damped) layout.guard_contact.push_back(j);

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <optional>
 
+#include "mariotte/model/contacts/scaled_law.hpp"
+
 namespace mariotte::model {
 namespace {
 
@@ -29,14 +31,15 @@ double inverse_mass(const ContactDirection& push, Index freedom) {
 }
 
 flow::PhaseContact contact_of(const DimensionlessNetwork& network, const NetworkLayout& layout, Index j) {
+  const auto law = seen_by_flows(network.law[j]);
   return {.gap = layout.gap(j),
           .work = layout.work[j],
           .impulse = layout.impulse(j),
           .guard = j,
           .load_guard = layout.load_guard[j],
-          .stiffness = contact::stiffness(network.law[j]),
-          .damping = contact::damping(network.law[j]),
-          .exponent = contact::exponent(network.law[j]),
+          .stiffness = law.stiffness,
+          .damping = law.damping,
+          .exponent = law.exponent,
           .length = network.length[j],
           .shallow = network.shallow[j]};
 }

@@ -26,9 +26,11 @@ NetworkPhase::NetworkPhase(const DimensionlessNetwork& network, const NetworkLay
 void NetworkPhase::bind(contact::ContactSet& mode) {
   mode_ = &mode;
   active_ = 0;
+  any_law_ = false;
   double shortest = infinity, any = infinity;
   for (Index j = 0; j < layout_.contacts; ++j) {
     watch(j);
+    any_law_ |= role(mode[j]) != flow::Role::open && !power_law(network_.law[j]);
     any = std::min(any, network_.time[j]);
     if (!contact::carries_force(mode[j])) continue;
     ++active_;
@@ -39,7 +41,7 @@ void NetworkPhase::bind(contact::ContactSet& mode) {
 
 void NetworkPhase::watch(Index j) {
   const Index load_guard = layout_.load_guard[j];
-  const auto [gap, load] = watched((*mode_)[j], load_guard != NetworkLayout::absent);
+  const auto [gap, load] = watched((*mode_)[j], network_.law[j]);
   crossings_[j] = gap;
   if (load_guard != NetworkLayout::absent) crossings_[load_guard] = load;
   auto& contact = row_.empty() ? linked_.contact[j] : serial_.contact[row_[j]];
@@ -64,11 +66,11 @@ void NetworkPhase::derivative(ConstState x, State dx) const {
   }
 }
 
-/// Linear in x up to a constant, so the rate of a guard is the guard of the rates.
+/// Gap, from where it is to be watched, or load.
 double NetworkPhase::guard(ConstState x, Index i) const {
   const Index j = layout_.guard_contact[i];
   const double gap = x[layout_.gap(j)];
-  return i == j ? gap : load(network_.law[j], -gap, approach(x, j));
+  return i == j ? gap : load(network_.law[j], -gap, approach(x, j)).value;
 }
 
 void NetworkPhase::guards(ConstState x, State values) const {
@@ -81,8 +83,16 @@ double NetworkPhase::level(Index i) const {
   return i < layout_.contacts && (*mode_)[i] == ContactMode::hovering ? network_.shallow[i] : 0;
 }
 
-void NetworkPhase::guard_rates(ConstState, ConstState dx, State rates) const {
-  for (Index i = 0; i < guard_count(); ++i) rates[i] = crossings_[i] != Crossing::none ? guard(dx, i) : 0;
+double NetworkPhase::guard_rate(ConstState x, ConstState dx, Index i) const {
+  const Index j = layout_.guard_contact[i];
+  if (i == j) return dx[layout_.gap(j)];
+  const auto own = load(network_.law[j], -x[layout_.gap(j)], approach(x, j));
+  return own.by_rate * approach(dx, j) - own.by_indentation * dx[layout_.gap(j)];
+}
+
+void NetworkPhase::guard_rates(ConstState x, ConstState dx, State rates) const {
+  for (Index i = 0; i < guard_count(); ++i)
+    rates[i] = crossings_[i] != Crossing::none ? guard_rate(x, dx, i) : 0;
 }
 
 std::vector<flow::Entry> NetworkPhase::pattern() const {

@@ -27,10 +27,10 @@ class NetworkPhase final : public ContactPhase {
   std::vector<flow::Entry> pattern() const override;
   void jacobian(ConstState x, State values) const override;
   double damping_ratio() const override;
-  bool is_ballistic() const override { return active_ == 0; }
+  bool is_ballistic() const override { return active_ == 0 && !any_law_; }
   void second_derivative(ConstState x, State ddx) const override;
-  const flow::SerialPhase* serial() const override { return row_.empty() ? nullptr : &serial_; }
-  const flow::LinkedPhase* linked() const override { return row_.empty() ? &linked_ : nullptr; }
+  const flow::SerialPhase* serial() const override { return row_.empty() || any_law_ ? nullptr : &serial_; }
+  const flow::LinkedPhase* linked() const override { return row_.empty() && !any_law_ ? &linked_ : nullptr; }
   flow::Accepted accept(ConstState x) override;
   std::string component(Index index) const override { return component_name(layout_, index); }
 
@@ -50,6 +50,7 @@ class NetworkPhase final : public ContactPhase {
 
  private:
   double guard(ConstState x, Index i) const;
+  double guard_rate(ConstState x, ConstState dx, Index i) const;
   double level(Index i) const;
   void watch(Index j);
   bool has_loaded(ConstState x, Index j) const;
@@ -63,6 +64,7 @@ class NetworkPhase final : public ContactPhase {
   flow::LinkedPhase linked_;  ///< if it is none
   contact::ContactSet* mode_ = nullptr;
   Index active_ = 0;
+  bool any_law_ = false;  ///< a contact whose law is no power law is not open: only CVODE follows it
   double time_scale_ = 1;
 };
 

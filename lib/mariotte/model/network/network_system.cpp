@@ -36,7 +36,7 @@ void NetworkSystem::mode_at(ConstState x, Mode& mode, std::vector<Change>& chang
     const double gap = x[layout_.gap(j)], speed = phase_.approach(x, j);
     if (gap > 0 || (gap == 0 && speed <= 0) || rests(mode, x, j)) continue;
     const bool damped = layout_.work[j] != NetworkLayout::absent;
-    const bool pulls = gap < 0 && damped && load(network_.law[j], -gap, speed) <= 0;
+    const bool pulls = gap < 0 && damped && load(network_.law[j], -gap, speed).value <= 0;
     change(mode, j, pulls ? ContactMode::slack : ContactMode::closed, changes);
   }
   for (Index j = 0; j < layout_.contacts; ++j)

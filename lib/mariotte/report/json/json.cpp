@@ -2,7 +2,6 @@
 
 #include "mariotte/core/overload.hpp"
 #include "mariotte/report/json/json_parts.hpp"
-#include "mariotte/report/law_name.hpp"
 #include "mariotte/report/reason.hpp"
 
 namespace mariotte::report {
@@ -43,10 +42,9 @@ Json momentum(const impact::MomentumLedger& ledger) {
 }
 
 Json law(const contact::Law& law) {
-  return {{"law", law_name(law)},
-          {"stiffness", contact::stiffness(law)},
-          {"damping", contact::damping(law)},
-          {"exponent", contact::exponent(law)}};
+  Json object = {{"law", name(law)}};
+  for (const auto& parameter : parameters(law)) object[std::string(parameter.key)] = parameter.value;
+  return object;
 }
 
 Json chain(const model::Chain& chain) {

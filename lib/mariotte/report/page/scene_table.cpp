@@ -5,7 +5,6 @@
 
 #include "mariotte/core/overload.hpp"
 #include "mariotte/report/csv/columns.hpp"
-#include "mariotte/report/law_name.hpp"
 #include "mariotte/report/table/network_table.hpp"
 #include "mariotte/report/table/table.hpp"
 
@@ -42,17 +41,27 @@ std::string balls(const model::Chain& chain, const scene::Scene& scene) {
   return columns(header, std::ssize(chain.mass), row);
 }
 
+/// The name of a law; one that has no columns of its own adds its numbers.
+std::string law_cell(const contact::Law& law) {
+  std::string text(name(law));
+  if (power_law(law)) return text;
+  for (const auto& parameter : parameters(law))
+    text += fmt::format(" {} {}", parameter.key, number(parameter.value));
+  return text;
+}
+
 std::string contacts(const std::vector<contact::Law>& laws, const std::vector<double>& gaps,
                      const std::vector<std::string>& names) {
   const auto row = [&](Index j) -> Row {
     const auto& law = laws[static_cast<std::size_t>(j)];
+    const auto* power = power_law(law);
     const auto name = names.empty() ? fmt::format("{}", j + 1)
                                     : fmt::format("{} ({})", j + 1, names[static_cast<std::size_t>(j)]);
     return {name,
-            law_name(law),
-            number(contact::stiffness(law)),
-            number(contact::damping(law)),
-            number(contact::exponent(law)),
+            law_cell(law),
+            power ? number(power->stiffness) : "",
+            power ? number(power->damping) : "",
+            power ? number(power->exponent) : "",
             number(gaps[static_cast<std::size_t>(j)])};
   };
   return columns({names.empty() ? "contact" : "contact (balls)", "law", "stiffness k [N/mⁿ]",

@@ -11,20 +11,18 @@ void add(std::vector<double>& values, std::vector<double*>& all) {
   for (double& value : values) all.push_back(&value);
 }
 
-void add(contact::Linear& law, std::vector<double*>& all) {
-  all.push_back(&law.stiffness);
-}
-void add(contact::Hertz& law, std::vector<double*>& all) {
-  all.push_back(&law.stiffness);
-}
-void add(contact::Viscoelastic& law, std::vector<double*>& all) {
-  all.insert(all.end(), {&law.stiffness, &law.damping, &law.exponent});
+bool is_power_law(const contact::Law& law) {
+  return power_law(law);
 }
 
 std::vector<double*> numbers(model::Chain& chain, scene::Scene& scene) {
   std::vector<double*> all;
+  if (!std::all_of(chain.law.begin(), chain.law.end(), is_power_law)) return all;
   for (auto* values : {&chain.mass, &chain.velocity, &chain.gap, &scene.radius}) add(*values, all);
-  for (auto& law : chain.law) std::visit([&](auto& one) { add(one, all); }, law);
+  for (auto& any : chain.law) {
+    auto& law = std::get<contact::PowerLaw>(any);
+    all.insert(all.end(), {&law.stiffness, &law.damping, &law.exponent});
+  }
   all.insert(all.end(), {&chain.gravity, &scene.run.accuracy, &scene.run.max_time});
   return all;
 }

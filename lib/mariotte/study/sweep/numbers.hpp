@@ -7,7 +7,8 @@
 namespace mariotte::study {
 
 /// Pointers to all numbers of a chain's scene that a sweep can set, in an order that depends on its form
-/// alone; none for other kinds of scenes. They hold while the scene is not assigned to.
+/// alone; none for other kinds of scenes, or of
+/// laws. They hold while the scene is not assigned to.
 std::vector<double*> numbers(scene::Scene& scene);
 
 /// Whether two scenes of a chain differ in such numbers only; false of other kinds.

@@ -1,0 +1,90 @@
+#include "mariotte/contact/custom_law.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "mariotte/core/error.hpp"
+
+namespace mariotte::contact {
+namespace {
+
+/// The argument at which a growing function reaches a positive value; halves or doubles until that lies
+/// between, then halves the ratio of the ends down to the rounding of natural sizes.
+template <class Function>
+double where_reached(Function&& function, double value, std::string_view law) {
+  constexpr int decades = 1000;  // binary ones: nearly all that doubles hold
+  double low = 1, high = 1;
+  for (int i = 0; i < decades && function(low) > value; ++i) low /= 2;
+  for (int i = 0; i < decades && function(high) < value; ++i) high *= 2;
+  if (!(function(low) <= value && function(high) >= value))
+    throw InvalidParameter("the law '" + std::string(law) + "' does not grow from zero with the indentation");
+  while (high > low * (1 + 1e-14)) {
+    const double middle = std::sqrt(low) * std::sqrt(high);
+    if (!(middle > low && middle < high)) break;
+    (function(middle) < value ? low : high) = middle;
+  }
+  return high;
+}
+
+Force on_tangent(const Force& f, double indentation) {
+  return {.value = f.value + f.by_indentation * indentation,
+          .by_indentation = f.by_indentation,
+          .by_rate = f.by_rate};
+}
+
+/// f(δ L, δ̇ V) in the unit of force.
+class ScaledLaw final : public CustomLaw {
+ public:
+  ScaledLaw(SharedLaw law, const Scale& scale) : law_(std::move(law)), scale_(scale) {}
+
+  std::string_view name() const override { return law_->name(); }
+  Force force(double indentation, double rate) const override {
+    return scaled(law_->force(indentation * scale_.length, rate * scale_.velocity));
+  }
+  double stored_energy(double indentation) const override {
+    return law_->stored_energy(indentation * scale_.length) / scale_.energy();
+  }
+  bool dissipates() const override { return law_->dissipates(); }
+  Force load(double indentation, double rate) const override {
+    return scaled(law_->load(indentation * scale_.length, rate * scale_.velocity));
+  }
+  double natural_indentation(double energy) const override {
+    return law_->natural_indentation(energy * scale_.energy()) / scale_.length;
+  }
+  std::vector<LawParameter> parameters() const override { return law_->parameters(); }
+
+ private:
+  Force scaled(const Force& f) const {
+    const double unit = scale_.force();
+    return {.value = f.value / unit,
+            .by_indentation = f.by_indentation * (scale_.length / unit),
+            .by_rate = f.by_rate * (scale_.velocity / unit)};
+  }
+
+  SharedLaw law_;
+  Scale scale_;
+};
+
+}  // namespace
+
+double CustomLaw::natural_indentation(double energy) const {
+  return where_reached([this](double depth) { return stored_energy(depth); }, energy, name());
+}
+
+Force smooth_force(const CustomLaw& law, double indentation, double rate) {
+  return indentation >= 0 ? law.force(indentation, rate) : on_tangent(law.force(0, rate), indentation);
+}
+
+Force load(const CustomLaw& law, double indentation, double rate) {
+  return indentation >= 0 ? law.load(indentation, rate) : on_tangent(law.load(0, rate), indentation);
+}
+
+double static_indentation(const CustomLaw& law, double force) {
+  return where_reached([&](double depth) { return law.force(depth, 0).value; }, force, law.name());
+}
+
+SharedLaw in_units(const SharedLaw& law, const Scale& scale) {
+  return std::make_shared<ScaledLaw>(law, scale);
+}
+
+}  // namespace mariotte::contact

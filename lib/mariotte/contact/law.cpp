@@ -1,0 +1,57 @@
+#include "mariotte/contact/law.hpp"
+
+#include <string>
+
+#include "mariotte/core/error.hpp"
+
+namespace mariotte::contact {
+namespace {
+
+bool dissipates(const CustomLaw& law) {
+  return law.dissipates();
+}
+double stored_energy(const CustomLaw& law, double indentation) {
+  return law.stored_energy(indentation);
+}
+
+const PowerLaw& expect_power_law(const Law& law) {
+  if (const auto* power = power_law(law)) return *power;
+  throw InvalidParameter("the law '" + std::string(name(law)) + "' is no power law");
+}
+
+}  // namespace
+
+double stored_energy(const Law& law, double indentation) {
+  return with(law, [&](const auto& one) { return stored_energy(one, indentation); });
+}
+
+bool dissipates(const Law& law) {
+  return with(law, [](const auto& one) { return dissipates(one); });
+}
+
+double static_indentation(const Law& law, double force) {
+  return with(law, [&](const auto& one) { return static_indentation(one, force); });
+}
+
+std::string_view name(const Law& law) {
+  if (const auto* power = power_law(law)) return name(*power);
+  return std::get<SharedLaw>(law)->name();
+}
+
+std::vector<LawParameter> parameters(const Law& law) {
+  if (const auto* power = power_law(law))
+    return {{"stiffness", power->stiffness}, {"damping", power->damping}, {"exponent", power->exponent}};
+  return std::get<SharedLaw>(law)->parameters();
+}
+
+double stiffness(const Law& law) {
+  return expect_power_law(law).stiffness;
+}
+double damping(const Law& law) {
+  return expect_power_law(law).damping;
+}
+double exponent(const Law& law) {
+  return expect_power_law(law).exponent;
+}
+
+}  // namespace mariotte::contact
