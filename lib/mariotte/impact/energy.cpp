@@ -19,7 +19,7 @@ template <class Power>
 double sum_over_balls(const DimensionlessChain& chain, const ChainLayout& layout, ConstState x,
                       Power&& power) {
   double sum = 0;
-  for (Index i = 0; i < layout.balls(); ++i)
+  for (Index i = 0; i < layout.velocities(); ++i)
     if (!is_wall(chain, i)) sum += chain.mass[i] * power(x[layout.velocity[i]]);
   return sum;
 }
@@ -44,8 +44,8 @@ double gravity_work(const DimensionlessChain& chain, const ChainLayout& layout, 
   const double gravity = strength(chain), t = stretch.time;
   if (gravity == 0) return 0;
   Index wall = 0;
-  while (wall < layout.balls() && !is_wall(chain, wall)) ++wall;
-  if (wall == layout.balls()) {
+  while (wall < layout.velocities() && !is_wall(chain, wall)) ++wall;
+  if (wall == layout.velocities()) {
     const double total = mass(chain, layout, stretch.before);
     return -gravity * (momentum(chain, layout, stretch.before) * t - 0.5 * total * gravity * t * t);
   }
@@ -53,7 +53,7 @@ double gravity_work(const DimensionlessChain& chain, const ChainLayout& layout, 
   const double from_wall = displacement;
   const auto widening = [&](Index j) { return stretch.after[layout.gap[j]] - stretch.before[layout.gap[j]]; };
   const auto add = [&](Index i) { sum += is_wall(chain, i) ? 0 : chain.mass[i] * displacement; };
-  for (Index i = wall + 1; i < layout.balls(); ++i) displacement += widening(i - 1), add(i);
+  for (Index i = wall + 1; i < layout.velocities(); ++i) displacement += widening(i - 1), add(i);
   displacement = from_wall;
   for (Index i = wall - 1; i >= 0; --i) displacement -= widening(i), add(i);
   return -gravity * sum;
@@ -62,7 +62,7 @@ double gravity_work(const DimensionlessChain& chain, const ChainLayout& layout, 
 double wall_work(const DimensionlessChain& chain, const ChainLayout& layout, const std::vector<double>& p,
                  const Stretch& stretch) {
   double work = 0;
-  for (Index i = 0; i < layout.balls(); ++i) {
+  for (Index i = 0; i < layout.velocities(); ++i) {
     if (!is_wall(chain, i)) continue;
     const double right = i < layout.contacts() ? p[i] : 0, left = i > 0 ? p[i - 1] : 0;
     work += stretch.before[layout.velocity[i]] * (right - left);
@@ -130,7 +130,7 @@ MomentumLedger momentum_balance(const DimensionlessChain& chain, const ChainLayo
   ledger.initial = momentum(chain, layout, stretch.before);
   ledger.final = momentum(chain, layout, stretch.after);
   double given = -mass(chain, layout, stretch.before) * strength(chain) * stretch.time;
-  for (Index i = 0; i < layout.balls(); ++i) {
+  for (Index i = 0; i < layout.velocities(); ++i) {
     if (!is_wall(chain, i)) continue;
     if (i < layout.contacts()) given += stretch.after[layout.impulse[i]];
     if (i > 0) given -= stretch.after[layout.impulse[i - 1]];

@@ -16,7 +16,7 @@ double lost_momentum(const model::DimensionlessChain& chain, const model::ChainL
 
 void impulses(const model::DimensionlessChain& chain, const model::ChainLayout& layout,
               const Stretch& stretch, std::vector<double>& p) {
-  const Index n = layout.balls();
+  const Index n = layout.velocities();
   p.assign(n - 1, 0.0);
   const auto is_wall = [&](Index i) { return chain.inverse_mass[i] == 0; };
   Index right_end = n - 1;  // the trailing balls up to the last wall are summed from the free right end

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "mariotte/model/contacts/scaled_law.hpp"
 
 namespace mariotte::model {
 namespace {
@@ -80,7 +79,7 @@ bool contacts_fit(const Scaled& d) {
 template <class Scaled>
 void expect_resolved_damping(const Scaled& d, const std::vector<contact::Law>& laws) {
   for (std::size_t j = 0; j < d.law.size(); ++j) {
-    const double ratio = damping_ratio(d, j);
+    const double ratio = damping_ratio(d, static_cast<Index>(j));
     if (ratio <= largest_damping_ratio) continue;
     std::array<char, 256> text{};
     std::snprintf(

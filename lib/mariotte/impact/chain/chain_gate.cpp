@@ -16,7 +16,7 @@ struct Reach {
 
 Reach reach(const ChainOutcome& o) {
   Reach sum;
-  for (Index i = 0; i < o.layout.balls(); ++i) {
+  for (Index i = 0; i < o.layout.velocities(); ++i) {
     if (o.chain.inverse_mass[i] == 0) continue;
     const Index at = o.layout.velocity[i];
     const double fastest =
@@ -29,7 +29,7 @@ Reach reach(const ChainOutcome& o) {
 
 double largest_wall_speed(const ChainOutcome& o) {
   double speed = 0;
-  for (Index i = 0; i < o.layout.balls(); ++i)
+  for (Index i = 0; i < o.layout.velocities(); ++i)
     if (o.chain.inverse_mass[i] == 0)
       speed = std::max(speed, std::abs(o.stretch.before[o.layout.velocity[i]]));
   return speed;

@@ -14,7 +14,7 @@
 #include "mariotte/impact/watch/event_list.hpp"
 #include "mariotte/impact/watch/sampler.hpp"
 #include "mariotte/impact/watch/trace.hpp"
-#include "mariotte/model/contacts/scaled_law.hpp"
+#include "mariotte/model/contacts/scaled_contacts.hpp"
 
 namespace mariotte::impact {
 

@@ -26,11 +26,11 @@ ContactHistory history(const NetworkSystem& system, contact::ContactMode mode, I
   const auto& d = system.network();
   const auto& at = system.layout();
   ContactHistory contact;
-  contact.impulse = run.state[at.impulse(j)] * d.scale.momentum();
-  const double gap = run.state[at.gap(j)];
+  contact.impulse = run.state[at.impulse[j]] * d.scale.momentum();
+  const double gap = run.state[at.gap[j]];
   const double stored = contact::carries_force(mode) && gap < 0 ? contact::stored_energy(d.law[j], -gap) : 0;
   contact.stored = stored * d.scale.energy();
-  if (at.work[j] == model::NetworkLayout::absent) return contact;
+  if (at.work[j] == model::ContactLayout::absent) return contact;
   const double noise = accuracy * d.reduced_mass[j] * d.speed * d.speed;
   contact.dissipated = loss_above(noise, run.state[at.work[j]] - stored) * d.scale.energy();
   return contact;
@@ -41,7 +41,7 @@ std::vector<bool> felt(const NetworkSystem& system, const ContactRun& run, doubl
   const auto& d = system.network();
   std::vector<bool> list;
   for (Index j = 0; j < d.contacts(); ++j)
-    list.push_back(std::abs(run.state[system.layout().impulse(j)]) > accuracy * d.reduced_mass[j] * d.speed);
+    list.push_back(std::abs(run.state[system.layout().impulse[j]]) > accuracy * d.reduced_mass[j] * d.speed);
   return list;
 }
 
@@ -64,7 +64,7 @@ std::vector<ContactHistory> histories(const NetworkSystem& system, const contact
 std::vector<Skipped> skipped(const NetworkSystem& system, const ContactRun& run, bool trace) {
   auto list = skipped_by_flows(run);
   const auto& work = system.layout().work;
-  if (std::all_of(work.begin(), work.end(), [](Index p) { return p == model::NetworkLayout::absent; }))
+  if (std::all_of(work.begin(), work.end(), [](Index p) { return p == model::ContactLayout::absent; }))
     list.push_back({"dissipation", "no contact is damped"});
   list.push_back({"turning of contact directions", "they are those of the start throughout"});
   if (!trace) list.push_back({"trace", "not asked for"});
@@ -104,7 +104,8 @@ NetworkImpact simulate_once(const model::Network& network, const hybrid::Options
   NetworkSystem system(network, options.accuracy);
   const auto& scale = system.network().scale;
   const auto& at = system.layout();
-  const auto start = initial_state(system.network(), at);
+  std::vector<double> start;
+  initial_state(system.network(), at, start);
   ContactWatch watch(system.phase(), scale, observers);
   hybrid::Workspace<NetworkSystem> workspace;
   const ContactRun& run = hybrid::simulate(system, start, hybrid::scaled(options, scale), workspace, &watch);
@@ -114,8 +115,8 @@ NetworkImpact simulate_once(const model::Network& network, const hybrid::Options
   impact.ending = run.ending;
   impact.message = run.message;
   impact.time = run.time * scale.time;
-  for (Index i = 0; i < at.freedoms; ++i) impact.velocity.push_back(run.state[i] * scale.velocity);
-  for (Index j = 0; j < at.contacts; ++j) impact.gap.push_back(run.state[at.gap(j)] * scale.length);
+  for (Index i = 0; i < at.velocities(); ++i) impact.velocity.push_back(run.state[i] * scale.velocity);
+  for (Index j = 0; j < at.contacts(); ++j) impact.gap.push_back(run.state[at.gap[j]] * scale.length);
   const auto changes = beyond_noise(run.changes, felt(system, run, options.accuracy));
   impact.contacts = histories(system, workspace.mode, run, changes, watch.peaks.peaks(), options.accuracy);
   const auto p = impulses_of(impact);

@@ -1,29 +1,17 @@
-// A chain in units of order one, with the natural sizes that tolerances are relative to.
+// A chain in units of order one.
 #pragma once
 #include <vector>
 
-#include "mariotte/core/scale.hpp"
 #include "mariotte/model/chain/chain.hpp"
+#include "mariotte/model/contacts/scaled_contacts.hpp"
 
 namespace mariotte::model {
 
-/// The chain divided by `scale`. Contact j alone, struck at the reference speed, would indent by about
-/// length[j] within about time[j] [Acary 2003, §2.2]: L = (m* v²/k)^{1/(n+1)}, T = L/v with m* the reduced
-/// mass.
-struct DimensionlessChain {
-  Scale scale;
+/// The chain divided by `scale`. The reduced mass between walls is any.
+struct DimensionlessChain : ScaledContacts {
   std::vector<double> mass, inverse_mass;  ///< n values; 1/∞ = 0 for a wall
-  std::vector<contact::Law> law;           ///< n−1 values
-  std::vector<double> gap, velocity;       ///< at the start
   std::vector<double> gravity;             ///< n values; 0 for a wall
-  double speed = 1;                        ///< reference speed: largest that can matter
-  std::vector<double> reduced_mass;        ///< n−1 values; 1 between walls
-  std::vector<double> length, time;        ///< n−1 natural lengths and times
-  double slow = 0;                         ///< approach speed that cannot be told from rest
-  std::vector<double> shallow;  ///< n−1 values: depth that a contact approached so slowly reaches
-  double faint = 1;             ///< speed at which a contact fades, relative to slow
-  double faint_depth = 1;       ///< depth at which it does, relative to shallow
-  bool falls_back = false;      ///< gravity pulls some ball back to a wall
+  bool falls_back = false;                 ///< gravity pulls some ball back to a wall
 };
 
 /// Speed that the balls of a validated chain can reach relative to each other: what they start with, and what

@@ -14,7 +14,7 @@ FreeBalls::FreeBalls(const DimensionlessChain& chain, const ChainLayout& layout,
     : chain_(chain), layout_(layout), x_(start.begin(), start.end()), mode_(layout.contacts()) {
   contact_time_.resize(layout.contacts());
   const auto pulls = [](double gravity) { return gravity != 0; };
-  if (std::any_of(chain.gravity.begin(), chain.gravity.end(), pulls)) ball_time_.resize(layout.balls());
+  if (std::any_of(chain.gravity.begin(), chain.gravity.end(), pulls)) ball_time_.resize(layout.velocities());
 }
 
 double FreeBalls::velocity(Index i, Instant t) const {
@@ -82,7 +82,7 @@ void FreeBalls::stamp(Index first, Index last, Instant t) {
 
 std::vector<double> FreeBalls::take(Instant t) {
   for (Index j = 0; j < contacts(); ++j) x_[layout_.gap[j]] = gap(j, t);
-  for (Index i = 0; i < layout_.balls(); ++i) move_ball(i, t);
+  for (Index i = 0; i < layout_.velocities(); ++i) move_ball(i, t);
   return std::move(x_);
 }
 

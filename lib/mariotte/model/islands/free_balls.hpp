@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "mariotte/core/instant.hpp"
-#include "mariotte/model/chain/chain_modes.hpp"
+#include "mariotte/model/chain/chain_system.hpp"
 
 namespace mariotte::model {
 
@@ -16,7 +16,7 @@ class FreeBalls {
   contact::ContactSet& modes() { return mode_; }
   const contact::ContactSet& modes() const { return mode_; }
   /// Each part as of its own time.
-  ChainState state() const { return {chain_, layout_, x_}; }
+  ChainState state() const { return {{chain_, layout_}, x_}; }
 
   /// Of a free ball, and of the gap between two, at t.
   double velocity(Index i, Instant t) const;

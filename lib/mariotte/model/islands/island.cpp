@@ -21,13 +21,13 @@ Index margin(const contact::ContactSet& mode, Index contact, Index direction, In
 }  // namespace
 
 bool is_active(const ChainState& state, ContactMode mode, Index j) {
-  const auto& chain = state.chain;
-  const bool driven = chain.gravity[j + 1] != chain.gravity[j];
+  const auto& chain = state.model();
+  const bool driven = state.topology.drive(j) != 0;
   switch (mode) {
     case ContactMode::closed:
       return true;
     case ContactMode::touching:
-      return driven || state.gap(j) < -2 * chain.faint_depth * chain.shallow[j] ||
+      return driven || state.gap(j) < -2 * chain.fading_depth(j) ||
              (state.gap(j) <= 0 && state.approach(j) > chain.slow);
     case ContactMode::slack:
       return driven || state.approach(j) > chain.slow;
@@ -45,8 +45,8 @@ Index margin_of_rows(const DimensionlessChain& chain) {
 }
 
 bool is_well_cut(const Island& island) {
-  const ChainState state{island.system.chain(), island.system.layout(), island.start};
-  const auto edges = island.system.phase().edges();
+  const ChainState state{{island.system.chain(), island.system.layout()}, island.start};
+  const auto edges = island.system.phase().flows().edges();
   const Index count = island.contacts(), most = idle + edges.margin;
   const auto room = [&](Index j, Index direction) { return margin(island.held, j, direction, edges.margin); };
   Index last = -1;

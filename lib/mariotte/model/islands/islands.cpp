@@ -18,7 +18,7 @@ Islands::Islands(const DimensionlessChain& chain, const ChainLayout& layout, Con
       margin_of_rows_(margin_of_rows(chain)),
       make_log_(std::move(make_log)),
       balls_(chain, layout, start),
-      owner_(layout.balls(), -1),
+      owner_(layout.velocities(), -1),
       queue_(layout.contacts()),
       snapshot_(balls_, owner_, islands_, options) {
   for (Index j = 0; j < layout.contacts(); ++j)
@@ -55,7 +55,9 @@ bool Islands::is_beyond_limit(const Appointment& next) const {
 /// approaches.
 bool Islands::is_over() {
   if (!chain_.falls_back || stay_ || run_.events == 0 || islands_.size() > unused_.size()) return false;
-  const auto approaches = [&](Index j) { return comes_together(chain_, j, balls_.approach(j, now_)); };
+  const auto approaches = [&](Index j) {
+    return comes_together(balls_.state().topology, j, balls_.approach(j, now_));
+  };
   if (std::any_of(walls_.begin(), walls_.end(), approaches)) return false;
   const auto returns = [&](Index j) { return queue_.has_meeting(j); };
   return queue_.meetings() == std::count_if(walls_.begin(), walls_.end(), returns);

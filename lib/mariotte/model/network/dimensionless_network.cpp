@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
-#include "mariotte/model/contacts/scaled_law.hpp"
 #include "mariotte/model/representable.hpp"
 
 namespace mariotte::model {
@@ -21,14 +19,6 @@ double reference_speed(const Network& network, const Numbers& mass) {
   for (std::size_t j = 0; j < mass.size(); ++j)
     if (network.gap[j] < 0) squared += 2 * contact::stored_energy(network.law[j], -network.gap[j]) / mass[j];
   return squared > 0 ? std::sqrt(squared) : 1;
-}
-
-std::size_t quickest_contact(const Network& network, const Numbers& mass, double speed) {
-  std::vector<double> length;
-  NaturalLength natural_length;
-  for (std::size_t j = 0; j < mass.size(); ++j)
-    length.push_back(natural_length(network.law[j], mass[j], speed));
-  return static_cast<std::size_t>(std::min_element(length.begin(), length.end()) - length.begin());
 }
 
 /// By freedom: the contacts that have a term in it.
@@ -59,30 +49,14 @@ DimensionlessNetwork make_dimensionless(const Network& network, double accuracy)
   d.direction = network.direction;
   d.push = push_directions(network.mass, network.direction, d.freedoms);
   d.half_push = half_pushes(network.mass, network.direction, d.freedoms);
-  Numbers mass;
-  for (std::size_t j = 0; j < d.push.size(); ++j) mass.push_back(1 / dot(d.direction[j], d.push[j]));
-  const double speed = reference_speed(network, mass);
-  NaturalLength natural_length, slow_length;
-  const auto quickest = quickest_contact(network, mass, speed);
-  d.scale.mass = power_of_two_below(2 * mass[quickest]);
-  d.scale.velocity = power_of_two_below(speed);
-  d.scale.length = natural_length(network.law[quickest], d.scale.mass, d.scale.velocity);
-  d.scale.time = d.scale.length / d.scale.velocity;
-  d.speed = speed / d.scale.velocity;
-  d.slow = slow_share(accuracy) * d.speed;
-  for (const double v : network.velocity) d.velocity.push_back(v / d.scale.velocity);
+  for (std::size_t j = 0; j < d.push.size(); ++j)
+    d.reduced_mass.push_back(1 / dot(d.direction[j], d.push[j]));
+  scale_contacts({network.law, network.gap, network.velocity}, reference_speed(network, d.reduced_mass),
+                 accuracy, d);
   for (auto& push : d.push)
     for (auto& term : push) term.coefficient *= d.scale.mass;
   for (auto& half : d.half_push)
     for (auto& term : half) term.coefficient *= std::sqrt(d.scale.mass);
-  for (std::size_t j = 0; j < network.law.size(); ++j) {
-    d.law.push_back(scaled(network.law[j], d.scale, network.law[quickest]));
-    d.gap.push_back(network.gap[j] / d.scale.length);
-    d.reduced_mass.push_back(mass[j] / d.scale.mass);
-    d.length.push_back(natural_length(d.law[j], d.reduced_mass[j], d.speed));
-    d.time.push_back(d.length[j] / d.speed);
-    d.shallow.push_back(slow_length(d.law[j], d.reduced_mass[j], d.slow));
-  }
   expect_representable(network, d);
   find_near(d);
   return d;

@@ -1,9 +1,9 @@
-#include "mariotte/model/network/network_links.hpp"
+#include "mariotte/model/network/network_topology.hpp"
 
 #include <cmath>
 #include <optional>
 
-#include "mariotte/model/contacts/scaled_law.hpp"
+#include "mariotte/model/contacts/phase_contact.hpp"
 
 namespace mariotte::model {
 namespace {
@@ -30,22 +30,8 @@ double inverse_mass(const ContactDirection& push, Index freedom) {
   return 0;
 }
 
-flow::PhaseContact contact_of(const DimensionlessNetwork& network, const NetworkLayout& layout, Index j) {
-  const auto law = seen_by_flows(network.law[j]);
-  return {.gap = layout.gap(j),
-          .work = layout.work[j],
-          .impulse = layout.impulse(j),
-          .guard = j,
-          .load_guard = layout.load_guard[j],
-          .stiffness = law.stiffness,
-          .damping = law.damping,
-          .exponent = law.exponent,
-          .length = network.length[j],
-          .shallow = network.shallow[j]};
-}
-
-}  // namespace
-
+/// By contact, its place from left to right, if the contacts join bodies of one freedom each in a single row:
+/// −1 in the left one, +1 in the right one, and nothing else pushed. Empty otherwise.
 std::vector<Index> places_in_row(const DimensionlessNetwork& network) {
   const Index m = network.contacts();
   std::vector<Index> starts(network.freedoms, -1), ending(network.freedoms, -1);  // contacts, by freedom
@@ -65,8 +51,8 @@ std::vector<Index> places_in_row(const DimensionlessNetwork& network) {
   return count == m ? place : std::vector<Index>{};
 }
 
-flow::SerialPhase make_serial(const DimensionlessNetwork& network, const NetworkLayout& layout,
-                              const std::vector<Index>& places) {
+flow::SerialPhase make_serial(const NetworkTopology& topology, const std::vector<Index>& places) {
+  const auto& [network, at] = topology;
   flow::SerialPhase phase;
   phase.speed = network.speed;
   phase.faint = network.slow;
@@ -76,19 +62,30 @@ flow::SerialPhase make_serial(const DimensionlessNetwork& network, const Network
     const auto [left, right] = *ends_of(network, j);
     phase.body[places[j]] = {left, inverse_mass(network.push[j], left), 0};
     phase.body[places[j] + 1] = {right, inverse_mass(network.push[j], right), 0};
-    phase.contact[places[j]] = contact_of(network, layout, j);
+    phase.contact[places[j]] = phase_contact(network, at, j);
   }
   return phase;
 }
 
-flow::LinkedPhase make_linked(const DimensionlessNetwork& network, const NetworkLayout& layout) {
+flow::LinkedPhase make_linked(const NetworkTopology& topology) {
+  const auto& [network, at] = topology;
   flow::LinkedPhase phase{.contact = {},
                           .freedoms = network.freedoms,
                           .direction = network.direction,
                           .push = network.push,
                           .half_push = network.half_push};
-  for (Index j = 0; j < network.contacts(); ++j) phase.contact.push_back(contact_of(network, layout, j));
+  for (Index j = 0; j < network.contacts(); ++j) phase.contact.push_back(phase_contact(network, at, j));
   return phase;
+}
+
+}  // namespace
+
+void NetworkFlows::reset(const NetworkTopology& network) {
+  row_ = places_in_row(network.model);
+  if (row_.empty())
+    linked_ = make_linked(network);
+  else
+    serial_ = make_serial(network, row_);
 }
 
 }  // namespace mariotte::model

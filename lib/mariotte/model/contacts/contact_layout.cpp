@@ -1,0 +1,44 @@
+#include "mariotte/model/contacts/contact_layout.hpp"
+
+#include <algorithm>
+
+namespace mariotte::model {
+
+void clear(ContactLayout& layout) {
+  layout.size = 0;
+  for (auto* list : {&layout.velocity, &layout.gap, &layout.work, &layout.impulse, &layout.load_guard,
+                     &layout.guard_contact})
+    list->clear();
+}
+
+void number_guards(ContactLayout& layout) {
+  for (Index j = 0; j < layout.contacts(); ++j) layout.guard_contact.push_back(j);
+  for (Index j = 0; j < layout.contacts(); ++j) {
+    const bool has_load = layout.work[j] != ContactLayout::absent;
+    layout.load_guard.push_back(has_load ? std::ssize(layout.guard_contact) : ContactLayout::absent);
+    if (has_load) layout.guard_contact.push_back(j);
+  }
+}
+
+void initial_state(const ScaledContacts& contacts, const ContactLayout& layout, std::vector<double>& x) {
+  x.assign(layout.size, 0.0);
+  for (Index i = 0; i < layout.velocities(); ++i) x[layout.velocity[i]] = contacts.velocity[i];
+  for (Index j = 0; j < layout.contacts(); ++j) {
+    x[layout.gap[j]] = contacts.gap[j];
+    if (layout.work[j] != ContactLayout::absent && contacts.gap[j] < 0)
+      x[layout.work[j]] = contact::stored_energy(contacts.law[j], -contacts.gap[j]);
+  }
+}
+
+std::string component_name(const ContactLayout& layout, Index component) {
+  const auto find = [&](const std::vector<Index>& places, const char* quantity) -> std::string {
+    const auto place = std::find(places.begin(), places.end(), component);
+    return place == places.end() ? "" : quantity + std::to_string(place - places.begin() + 1);
+  };
+  for (const auto& name : {find(layout.velocity, "velocity "), find(layout.gap, "gap "),
+                           find(layout.work, "work "), find(layout.impulse, "impulse ")})
+    if (!name.empty()) return name;
+  return "component " + std::to_string(component);
+}
+
+}  // namespace mariotte::model

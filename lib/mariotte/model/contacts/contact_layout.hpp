@@ -1,0 +1,40 @@
+// Where each quantity of a chain or a network stands in the state vector.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "mariotte/model/contacts/scaled_contacts.hpp"
+
+namespace mariotte::model {
+
+/// Velocities, gaps and two kinds of integrals, of those contacts that need them:
+///   work     W = ∫ f δ̇ dt [energy], where energy is lost: what is given to the contact, stored or lost;
+///   impulse  P = ∫ f dt, where momentum alone does not tell it.
+/// Guards 0 … m−1 are the gaps of the m contacts. Each contact that dissipates has one more, its load, in the
+/// order of the contacts.
+struct ContactLayout {
+  static constexpr Index absent = -1;
+  Index size = 0;
+  std::vector<Index> velocity;       ///< places
+  std::vector<Index> gap;            ///< places, one per contact
+  std::vector<Index> work;           ///< by contact: its place, or absent
+  std::vector<Index> impulse;        ///< by contact: its place, or absent
+  std::vector<Index> load_guard;     ///< by contact: guard of its load, or absent
+  std::vector<Index> guard_contact;  ///< by guard
+
+  Index velocities() const { return std::ssize(velocity); }
+  Index contacts() const { return std::ssize(gap); }
+};
+
+/// Empty every list, and keep its memory.
+void clear(ContactLayout& layout);
+/// Number the guards, once it is known which contacts have a place for their work.
+void number_guards(ContactLayout& layout);
+
+/// State at the start; the work of a contact that starts indented is its stored energy.
+void initial_state(const ScaledContacts& contacts, const ContactLayout& layout, std::vector<double>& x);
+
+/// "velocity 3", "gap 2", … for messages; counted from 1.
+std::string component_name(const ContactLayout& layout, Index component);
+
+}  // namespace mariotte::model

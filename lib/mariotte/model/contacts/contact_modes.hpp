@@ -1,0 +1,123 @@
+// Which contacts of a chain or a network act, and when one loads, fades or parts: the rules beside the
+// guards.
+//
+// A Topology says what a contact moves and what moves it. ChainTopology and NetworkTopology are the two:
+//   model, at                the ScaledContacts and the ContactLayout
+//   approach(x, j)           δ̇ of contact j, −G_j v
+//   drive(j)                 δ̈ by outside forces alone
+//   acceleration(i)          of velocity i by outside forces alone
+//   coupling(j, i)           −∂δ̈_j/∂f_i, G_j M⁻¹ G_iᵀ
+//   rest_speed()             approach that equal velocities leave by rounding
+//   for_each_near(j, use)    the contacts that the push of contact j moves; itself may be among them
+//   for_each_direction(j, use), for_each_push(j, use)
+//                            use(place of a velocity, coefficient) for the terms of G_j and of M⁻¹ G_jᵀ
+#pragma once
+#include "mariotte/model/contacts/contact_automaton.hpp"
+#include "mariotte/model/contacts/contact_layout.hpp"
+
+namespace mariotte::model {
+
+/// A chain or a network at one state.
+template <class Topology>
+struct ContactState {
+  Topology topology;
+  ConstState x;
+
+  const ScaledContacts& model() const { return topology.model; }
+  Index contacts() const { return topology.at.contacts(); }
+  double gap(Index j) const { return x[topology.at.gap[j]]; }
+  double approach(Index j) const { return topology.approach(x, j); }
+  contact::Force load(Index j) const { return contact::load(model().law[j], -gap(j), approach(j)); }
+};
+
+/// The bodies of contact j approach or, where an outside force drives them together, do not part: they rest
+/// on each other or will meet again before they have parted.
+template <class Topology>
+bool comes_together(const Topology& topology, Index j, double approach) {
+  const double slow = topology.model.slow;
+  return approach > (topology.drive(j) > 0 ? -slow : slow);
+}
+
+/// The mode of contact j after its gap, or its load, has fired.
+template <class Topology>
+contact::ContactMode after(const ContactState<Topology>& state, Index j, contact::ContactMode before,
+                           bool load_fired) {
+  return mode_after(before, load_fired, state.gap(j), state.approach(j), state.model().slow);
+}
+
+/// A closed contact so shallow, and moving so slowly, that its end would be an event made of noise: it has
+/// let go.
+template <class Topology>
+bool has_faded(const ContactState<Topology>& state, Index j) {
+  const auto& model = state.model();
+  return -state.gap(j) < model.fading_depth(j) && std::abs(state.approach(j)) <= model.faint * model.slow;
+}
+
+/// A touching contact has left the noise.
+template <class Topology>
+bool has_loaded(const ContactState<Topology>& state, Index j) {
+  return -state.gap(j) > 2 * state.model().fading_depth(j) && state.load(j).value > 0;
+}
+
+/// A contact that touched at rest has been drawn apart instead of pressed.
+template <class Topology>
+bool has_parted(const ContactState<Topology>& state, Index j) {
+  return state.gap(j) > 2 * state.model().fading_depth(j);
+}
+
+/// The load of slack contact j is positive and its neighbours' forces let it grow: it pushes again. Where a
+/// load has vanished but for rounding, its guard may stand beyond zero already, and would never fire.
+template <class Topology>
+bool is_loaded_again(const ContactState<Topology>& state, const contact::ContactSet& mode, Index j) {
+  const auto load = state.load(j);
+  if (!(load.value > 0)) return false;
+  double bend = state.topology.drive(j);
+  state.topology.for_each_near(j, [&](Index i) {
+    const auto f = force_in(mode[i], state.model().law[i], -state.gap(i), state.approach(i));
+    bend -= state.topology.coupling(j, i) * f.value;
+  });
+  return load.by_indentation * state.approach(j) + load.by_rate * bend > 0;
+}
+
+/// Contact j touches at rest.
+template <class Topology>
+bool rests(const ContactState<Topology>& state, contact::ContactMode mode, Index j) {
+  return mode == contact::ContactMode::open && state.gap(j) == 0 &&
+         std::abs(state.approach(j)) <= state.topology.rest_speed();
+}
+
+/// Touching neighbours at rest are pressed in the same instant as contact `from`, and theirs with them,
+/// δ ~ t^{7/2} in a row [theory page, "Touching at rest"].
+template <class Topology>
+void press_near(const ContactState<Topology>& state, contact::ContactSet& mode, Index from,
+                std::vector<ContactChange>& changes) {
+  const auto press = [&](Index j) {
+    if (rests(state, mode[j], j)) change(mode, j, contact::ContactMode::touching, changes);
+  };
+  auto next = changes.size();  // those that are pressed press in turn
+  state.topology.for_each_near(from, press);
+  for (; next < changes.size(); ++next) state.topology.for_each_near(changes[next].contact, press);
+}
+
+/// Contacts that carry force at 0+: indented ones, touching ones that approach or are driven together, and
+/// touching ones at rest that stand near one of these.
+template <class Topology>
+void contact_set_at(const ContactState<Topology>& state, contact::ContactSet& mode,
+                    std::vector<ContactChange>& changes) {
+  using contact::ContactMode;
+  mode.assign(state.contacts(), ContactMode::open);
+  for (Index j = 0; j < state.contacts(); ++j) {
+    const double gap = state.gap(j);
+    const bool slack = gap < 0 && contact::dissipates(state.model().law[j]) && !(state.load(j).value > 0);
+    if (slack)
+      change(mode, j, ContactMode::slack, changes);
+    else if (gap < 0 || (gap == 0 && state.approach(j) > state.topology.rest_speed()))
+      change(mode, j, ContactMode::closed, changes);
+    else if (rests(state, mode[j], j) && state.topology.drive(j) > 0)
+      change(mode, j, ContactMode::touching, changes);
+  }
+  for (Index j = 0; j < state.contacts(); ++j)
+    if (contact::carries_force(mode[j])) press_near(state, mode, j, changes);
+}
+
+}  // namespace mariotte::model

@@ -1,0 +1,25 @@
+// A contact of a model as the flows see it that need more than a field.
+#pragma once
+#include "mariotte/flow/phase_contact.hpp"
+#include "mariotte/model/contacts/contact_layout.hpp"
+
+namespace mariotte::model {
+
+/// Open so far. A law that is no power law is no force at all: these flows follow such a contact while it is
+/// open only.
+inline flow::PhaseContact phase_contact(const ScaledContacts& model, const ContactLayout& at, Index j) {
+  const auto* power = power_law(model.law[j]);
+  const auto law = power ? *power : contact::PowerLaw{.stiffness = 0, .exponent = 1};
+  return {.gap = at.gap[j],
+          .work = at.work[j],
+          .impulse = at.impulse[j],
+          .guard = j,
+          .load_guard = at.load_guard[j],
+          .stiffness = law.stiffness,
+          .damping = law.damping,
+          .exponent = law.exponent,
+          .length = model.length[j],
+          .shallow = model.fading_depth(j)};
+}
+
+}  // namespace mariotte::model

@@ -1,0 +1,90 @@
+#include "mariotte/model/contacts/scaled_contacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mariotte::model {
+namespace {
+
+/// The indentation L of a contact that a mass strikes at a speed: k L^{n+1} = m v² of a power law, and where
+/// any other law stores m v²/2.
+class NaturalLength {
+ public:
+  double operator()(const contact::Law& law, double mass, double speed) {
+    const auto* power = power_law(law);
+    if (!power) return std::get<contact::SharedLaw>(law)->natural_indentation(0.5 * mass * speed * speed);
+    const double q = mass * speed * speed / power->stiffness;
+    if (q != q_ || power->exponent != exponent_) length_ = natural_root(q, power->exponent);
+    q_ = q;
+    exponent_ = power->exponent;
+    return length_;
+  }
+
+ private:
+  double q_ = 0, exponent_ = 0, length_ = 0;  ///< of the last answer: contacts of a model are mostly alike
+};
+
+std::size_t quickest_contact(const std::vector<contact::Law>& law, const std::vector<double>& mass,
+                             double speed, NaturalLength& natural_length) {
+  std::size_t quickest = 0;
+  double shortest = infinity;
+  for (std::size_t j = 0; j < law.size(); ++j) {
+    const double length = natural_length(law[j], mass[j], speed);
+    if (length >= shortest) continue;
+    shortest = length;
+    quickest = j;
+  }
+  return quickest;
+}
+
+/// k L^{n+1}/(M V²) and c L^n/(M V) of a power law. One with the reference's exponent divides by its
+/// stiffness instead of going through L, which makes the reference's own stiffness exactly 1. Any other law
+/// is asked in its own units.
+contact::Law scaled(const contact::Law& law, const Scale& scale, const contact::Law& reference) {
+  const auto *power = power_law(law), *unit = power_law(reference);
+  if (!power) return contact::in_units(std::get<contact::SharedLaw>(law), scale);
+  const double n = power->exponent;
+  const double stiffness = unit && n == unit->exponent
+                               ? power->stiffness / unit->stiffness
+                               : power->stiffness * std::pow(scale.length, n + 1) / scale.energy();
+  const double damping =
+      power->damping == 0 ? 0 : power->damping * std::pow(scale.length, n) / scale.momentum();
+  return contact::PowerLaw{.stiffness = stiffness, .damping = damping, .exponent = n};
+}
+
+}  // namespace
+
+void scale_contacts(const StatedContacts& stated, double speed, double accuracy, ScaledContacts& d) {
+  NaturalLength natural_length, slow_length;
+  const auto quickest = quickest_contact(stated.law, d.reduced_mass, speed, natural_length);
+  d.scale.mass = power_of_two_below(2 * d.reduced_mass[quickest]);
+  d.scale.velocity = power_of_two_below(speed);
+  d.scale.length = natural_length(stated.law[quickest], d.scale.mass, d.scale.velocity);
+  d.scale.time = d.scale.length / d.scale.velocity;
+  d.speed = speed / d.scale.velocity;
+  d.slow = slow_share(accuracy) * d.speed;
+  d.faint = d.faint_depth = 1;
+  for (auto* list : {&d.gap, &d.velocity, &d.length, &d.time, &d.shallow}) list->clear();
+  d.law.clear();
+  for (const double v : stated.velocity) d.velocity.push_back(v / d.scale.velocity);
+  for (std::size_t j = 0; j < stated.law.size(); ++j) {
+    const auto& law = d.law.emplace_back(scaled(stated.law[j], d.scale, stated.law[quickest]));
+    d.gap.push_back(stated.gap[j] / d.scale.length);
+    d.reduced_mass[j] /= d.scale.mass;
+    d.length.push_back(natural_length(law, d.reduced_mass[j], d.speed));
+    d.time.push_back(d.length[j] / d.speed);
+    d.shallow.push_back(slow_length(law, d.reduced_mass[j], d.slow));
+  }
+}
+
+double slow_share(double accuracy) {
+  return std::max(0.1 * accuracy, 8 * epsilon);
+}
+
+double damping_ratio(const ScaledContacts& scaled, Index j) {
+  if (!contact::dissipates(scaled.law[j])) return 0;
+  const double slope = contact::smooth_force(scaled.law[j], scaled.length[j], 0).by_rate;
+  return slope * scaled.time[j] / scaled.reduced_mass[j];
+}
+
+}  // namespace mariotte::model

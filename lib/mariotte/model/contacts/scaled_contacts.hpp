@@ -1,0 +1,51 @@
+// The contacts of a chain or a network in units of order one, with the natural sizes that tolerances are
+// relative to.
+#pragma once
+#include <vector>
+
+#include "mariotte/contact/law.hpp"
+#include "mariotte/core/scale.hpp"
+#include "mariotte/core/types.hpp"
+
+namespace mariotte::model {
+
+/// Contact j alone, struck at the reference speed, would indent by about length[j] within about time[j]
+/// [Acary 2003, §2.2]: L = (m* v²/k)^{1/(n+1)}, T = L/v with m* the reduced mass.
+struct ScaledContacts {
+  Scale scale;
+  std::vector<contact::Law> law;      ///< one per contact, as all that is not said to be of velocities
+  std::vector<double> gap, velocity;  ///< at the start
+  double speed = 1;                   ///< reference speed: largest that can matter
+  std::vector<double> reduced_mass;   ///< 1/(G M⁻¹ Gᵀ)_jj
+  std::vector<double> length, time;   ///< natural ones of each contact alone
+  double slow = 0;                    ///< approach speed that cannot be told from rest
+  std::vector<double> shallow;        ///< depth that a contact approached so slowly reaches
+  double faint = 1;                   ///< speed at which a contact fades, relative to slow
+  double faint_depth = 1;             ///< depth at which it does, relative to shallow
+
+  Index contacts() const { return std::ssize(law); }
+  /// Depth at which a contact that moves slowly fades, and twice of which takes it out of the noise.
+  double fading_depth(Index j) const { return faint_depth * shallow[j]; }
+};
+
+/// Contacts and velocities as a user states them.
+struct StatedContacts {
+  const std::vector<contact::Law>& law;
+  const std::vector<double>& gap;
+  const std::vector<double>& velocity;
+};
+
+/// Convert into `d`, whose memory is reused and whose `reduced_mass` says those in the scene's units. The
+/// contact with the shortest natural time at the reference speed sets the units: it alone, so that a
+/// mirrored chain has the same. `accuracy` decides what is slow: a tenth of what may be wrong anyway.
+void scale_contacts(const StatedContacts& stated, double speed, double accuracy, ScaledContacts& d);
+
+/// Approach that counts as none, relative to the largest: a tenth of the accuracy, but what double precision
+/// can tell.
+double slow_share(double accuracy);
+
+/// Damping ratio (∂f/∂δ̇) T/m* of contact j at its natural indentation, c δⁿ⁻¹ T/m* of a power law: what makes
+/// it stiff.
+double damping_ratio(const ScaledContacts& scaled, Index j);
+
+}  // namespace mariotte::model
