@@ -53,6 +53,23 @@ model::Network beam_on_three_feet(double damping) {
 
 }  // namespace
 
+BOOST_AUTO_TEST_CASE(contacts_that_do_not_move_each_other_have_modes_of_their_own) {
+  // Two pairs and a beam, each with a ratio c/k of its own.
+  const contact::Law hard = contact::Viscoelastic{.stiffness = 3, .damping = 0.2, .exponent = 1};
+  const contact::Law soft = contact::Viscoelastic{.stiffness = 1, .damping = 0.5, .exponent = 1};
+  auto network = beam_on_three_feet(0.1);
+  network.mass.insert(network.mass.end(), {1, 2, 3, 1});
+  network.velocity.insert(network.velocity.end(), {1, 0, 0.7, 0});
+  network.direction.insert(network.direction.end(), {{{2, -1}, {3, 1}}, {{4, -1}, {5, 1}}});
+  network.law.insert(network.law.end(), {hard, soft});
+  network.gap.insert(network.gap.end(), {0, 0.02});
+  agrees_with_cvode(network, 1e-9);
+  const auto whole = simulate(network, {.accuracy = 1e-12});
+  const auto pair = simulate(model::Chain{.mass = {1, 2}, .law = {hard}, .gap = {0}, .velocity = {1, 0}});
+  BOOST_TEST(std::abs(whole.velocity[2] - pair.velocity[0]) < 1e-13);
+  BOOST_TEST(std::abs(whole.contacts[3].dissipated - pair.contacts[0].dissipated) < 1e-13);
+}
+
 BOOST_AUTO_TEST_CASE(lattices_of_linear_contacts_agree_with_cvode) {
   std::mt19937_64 random(41);
   for (const double ratio : {0.0, 0.1, 3.0}) {

@@ -5,12 +5,12 @@
 
 namespace mariotte::flow {
 
-/// All closed contacts are one island. Shapes that move nothing keep their stress: redundant contacts, or
-/// contacts between walls, which may come closer.
+/// An island is a connected component of closed contacts: each moves another of them. Shapes that move
+/// nothing keep their stress: redundant contacts, or contacts between walls, which may come closer.
 class LinkedVibration final : public Vibration {
  public:
-  /// Finds the modes of a phase that must outlive them; false unless the ratio c/k is the same in all closed
-  /// contacts.
+  /// Finds the modes of a phase that must outlive them; false unless the ratio c/k is the same in all
+  /// contacts of an island.
   bool find(const LinkedPhase& phase);
   void push(Index contact, double impulse, State x) const override;
 
@@ -18,10 +18,12 @@ class LinkedVibration final : public Vibration {
   double approach(Index contact, ConstState x) const override;
   void start_island(const Island& island) override;
   void add_pushes(Index open_contact) override;
+  void find_islands();
+  NaturalModes& shapes_of(const Island& island) { return shapes_[&island - islands_.data()]; }
   void take_straight_parts(const Island& island);
 
   const LinkedPhase* phase_ = nullptr;
-  NaturalModes shapes_;
+  std::vector<NaturalModes> shapes_;  ///< by island
 };
 
 }  // namespace mariotte::flow
