@@ -3,34 +3,46 @@
 #include <array>
 #include <cmath>
 
+#include "mariotte/contact/named_laws.hpp"
+
 namespace mariotte::scene {
 namespace {
 
-constexpr std::array<std::string_view, 3> laws{"linear", "hertz", "viscoelastic"};
-enum LawName : std::size_t { linear, hertz, viscoelastic };
+using contact::NamedLaw;
 
-double read_exponent(const Source& source, const LawTables& tables, Index contact, std::size_t law) {
-  const double own = law == linear ? 1 : 1.5;
+constexpr double usual_exponent = 1.5;  ///< Hertz's, unless the law or the scene has another
+
+const NamedLaw& read_name(const Source& source, const Field& field) {
+  static const auto names = [] {
+    std::array<std::string_view, std::size(contact::named_laws)> list;
+    for (std::size_t i = 0; i < list.size(); ++i) list[i] = contact::named_laws[i].name;
+    return list;
+  }();
+  return contact::named_laws[choice(source, field, "law", names)];
+}
+
+double read_exponent(const Source& source, const LawTables& tables, Index contact, const NamedLaw& law) {
+  const double own = law.exponent.value_or(usual_exponent);
   const auto field = tables.find_for(contact, "exponent");
   if (!field) return own;
   const double exponent = number(source, *field, dimension::none, Domain::finite);
   if (exponent < 1) reject(source, *field, fault::out_of_range, "must be at least 1");
-  if (law != viscoelastic && exponent != own)
+  if (law.exponent && exponent != own)
     reject(source, *field, fault::misplaced,
-           "law '" + std::string(laws[law]) + "' has its own exponent (viscoelastic has any)");
+           "law '" + std::string(law.name) + "' has its own exponent (viscoelastic has any)");
   return exponent;
 }
 
 double read_damping(const Source& source, const LawTables& tables, Index contact, const Field& law_field,
-                    std::size_t law, double exponent) {
+                    const NamedLaw& law, double exponent) {
   const auto field = tables.find_for(contact, "damping");
-  if (!field && law == viscoelastic)
-    reject(source, law_field, fault::missing, "law 'viscoelastic' needs a damping");
+  const auto name = "law '" + std::string(law.name) + "'";
+  if (!field && law.damping) reject(source, law_field, fault::missing, name + " needs a damping");
   if (!field) return 0;
-  const double damping = number(source, *field, dimension::damping(exponent), Domain::not_negative);
-  if (law != viscoelastic && damping != 0)
-    reject(source, *field, fault::misplaced,
-           "law '" + std::string(laws[law]) + "' has no damping (viscoelastic has)");
+  const auto unit = law.damping ? law.damping : dimension::damping;
+  const double damping = number(source, *field, unit(exponent), Domain::not_negative);
+  if (!law.damping && damping != 0)
+    reject(source, *field, fault::misplaced, name + " has no damping (viscoelastic has)");
   return damping;
 }
 
@@ -56,7 +68,7 @@ double read_stiffness(const Source& source, const LawTables& tables, Index conta
                       double exponent, const BallPair& pair) {
   if (const auto field = tables.find_for(contact, "stiffness"))
     return number(source, *field, dimension::stiffness(exponent), Domain::positive);
-  if (exponent != 1.5)
+  if (exponent != usual_exponent)
     reject(source, law_field, fault::no_stiffness,
            "contact " + std::to_string(contact + 1) +
                " needs a stiffness (materials give it for the exponent 1.5 only)");
@@ -69,14 +81,11 @@ contact::Law read_law(const Source& source, const LawTables& tables, Index conta
   const auto field = tables.find_for(contact, "law");
   if (!field)
     reject(source, tables.place_of(contact), fault::missing,
-           "'law' is missing (linear, hertz or viscoelastic)");
-  const auto law = choice(source, *field, "law", laws);
+           "'law' is missing (" + contact::names_of_laws() + ")");
+  const auto& law = read_name(source, *field);
   const double exponent = read_exponent(source, tables, contact, law);
   const double damping = read_damping(source, tables, contact, *field, law, exponent);
-  const double stiffness = read_stiffness(source, tables, contact, *field, exponent, pair);
-  if (law == linear) return contact::Linear(stiffness);
-  if (law == hertz) return contact::Hertz(stiffness);
-  return contact::PowerLaw{.stiffness = stiffness, .damping = damping, .exponent = exponent};
+  return law.make(read_stiffness(source, tables, contact, *field, exponent, pair), damping, exponent);
 }
 
 }  // namespace mariotte::scene
