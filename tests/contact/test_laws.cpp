@@ -3,6 +3,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "mariotte/contact/hertz.hpp"
+#include "mariotte/contact/hunt_crossley.hpp"
 #include "mariotte/contact/law.hpp"
 #include "mariotte/core/error.hpp"
 
@@ -43,9 +44,12 @@ class Any final : public CustomLaw {
 };
 
 /// One of each: a new law's entry here covers it.
-const std::vector<Law> laws = {Linear{3.0}, Hertz{3.0},
+const std::vector<Law> laws = {Linear{3.0},
+                               Hertz{3.0},
                                PowerLaw{.stiffness = 3.0, .damping = 0.4, .exponent = 1.7},
-                               std::make_shared<Quadratic>(), std::make_shared<Damped>()};
+                               std::make_shared<HuntCrossley>(3.0, 0.4, 1.7),
+                               std::make_shared<Quadratic>(),
+                               std::make_shared<Damped>()};
 
 const auto every_law = boost::unit_test::data::xrange(laws.size());
 

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "mariotte/contact/hunt_crossley.hpp"
 #include "mariotte/contact/law.hpp"
 #include "mariotte/core/dimension.hpp"
 
@@ -36,6 +37,12 @@ inline constexpr NamedLaw named_laws[] = {
      .make = [](double k, double c, double n) -> Law {
        return PowerLaw{k, c, n};
      }},
+    {.name = "hunt-crossley",
+     .force = "max(0, k δⁿ (1 + a δ̇))",
+     .exponent = {},
+     .damping = [](double) { return Dimension{.m = -1, .s = 1}; },
+     .damping_unit = "s/m",
+     .make = [](double k, double a, double n) -> Law { return std::make_shared<HuntCrossley>(k, a, n); }},
 };
 
 /// "linear, hertz or viscoelastic": all names, for messages.

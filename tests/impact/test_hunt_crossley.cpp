@@ -1,0 +1,83 @@
+// Pairs against the closed form of the restitution, and against numbers computed in extended precision.
+#define BOOST_TEST_MODULE Hunt and Crossley
+#include <boost/test/unit_test.hpp>
+
+#include "mariotte/contact/hunt_crossley.hpp"
+#include "mariotte/core/error.hpp"
+#include "mariotte/impact/chain/chain_impact.hpp"
+
+using namespace mariotte;
+
+namespace {
+
+struct Pair {
+  double left, right;                   ///< masses [kg]
+  double speed;                         ///< approach [m/s]
+  double stiffness, damping, exponent;  ///< k, a, n in SI units
+  double restitution;                   ///< solution of the closed form, by 30 digits of mpmath
+  double time;                          ///< of separation [s], by integration in extended precision
+};
+
+const Pair pairs[] = {{0.031, 0.05, 0.05, 9.5e9, 2, 1.5, 0.93747557994990507, 1.2371434254190418e-4},
+                      {0.031, 0.05, 1, 9.5e9, 2, 1.5, 0.41071968606103943, 7.9281283983567238e-5},
+                      {infinity, 0.02, 0.3, 2e6, 1.667, 1, 0.7483967292819893, 3.1663981453435603e-4},
+                      {infinity, 0.02, 4, 4e12, 3, 2.3, 0.083330884571186262, 2.4009156914508143e-4}};
+
+impact::ChainImpact simulated(const Pair& pair) {
+  const bool wall = std::isinf(pair.left);
+  return impact::simulate(
+      {.mass = {pair.left, pair.right},
+       .law = {std::make_shared<contact::HuntCrossley>(pair.stiffness, pair.damping, pair.exponent)},
+       .gap = {0},
+       .velocity = {wall ? 0 : pair.speed, wall ? -pair.speed : 0}},
+      {.accuracy = 1e-11});
+}
+
+}  // namespace
+
+// Accuracy 1e-11 of the incident speed; e is a ratio of a difference to that speed.
+BOOST_AUTO_TEST_CASE(restitution_and_duration_are_those_of_the_closed_form) {
+  for (const auto& pair : pairs) {
+    const auto impact = simulated(pair);
+    const double e = (impact.velocity[1] - impact.velocity[0]) / pair.speed;
+    BOOST_TEST(std::abs(e - pair.restitution) < 1e-9);
+    BOOST_TEST(std::abs(impact.time / pair.time - 1) < 1e-8);
+    const double mass = 1 / (1 / pair.left + 1 / pair.right);
+    BOOST_TEST(std::abs(impact.energy.dissipated / (0.5 * mass * pair.speed * pair.speed * (1 - e * e)) - 1) <
+               1e-8);
+  }
+}
+
+// Where a v e is near 1 the logarithm magnifies the last digit of e 4·10⁵ times.
+BOOST_AUTO_TEST_CASE(the_restitutions_solve_the_closed_form) {
+  for (const auto& pair : pairs) {
+    const double e = pair.restitution, av = pair.damping * pair.speed;
+    BOOST_TEST(std::abs(av * (1 + e) - std::log((1 + av) / (1 - av * e))) < 1e-10);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_pair_lets_go_where_the_gap_opens) {
+  const auto impact = simulated(pairs[1]);
+  BOOST_TEST(std::abs(impact.gap[0]) < 1e-10 * impact.contacts[0].peak_indentation);
+}
+
+BOOST_AUTO_TEST_CASE(a_contact_drawn_apart_faster_than_its_damping_allows_goes_slack) {
+  // Ball 1 leaves with more than 1/a: all that contact 1 has stored is lost.
+  const auto impact =
+      impact::simulate({.mass = {1, 1, 0.01},
+                        .law = {std::make_shared<contact::HuntCrossley>(1, 5), contact::Hertz{1}},
+                        .gap = {-0.5, -0.5},
+                        .velocity = {-1, 0, 0},
+                        .precompressed = true},
+                       {.accuracy = 1e-10});
+  BOOST_TEST((impact.ending == hybrid::Ending::separated), impact.message);
+  BOOST_TEST(std::abs(impact.contacts[0].dissipated - 0.4 * std::pow(0.5, 2.5)) < 1e-10);
+  BOOST_TEST(std::abs(impact.energy.residual) < 1e-8);
+}
+
+BOOST_AUTO_TEST_CASE(numbers_that_make_no_law_are_refused) {
+  BOOST_CHECK_THROW(contact::HuntCrossley(0, 1), InvalidParameter);
+  BOOST_CHECK_THROW(contact::HuntCrossley(1, -1), InvalidParameter);
+  BOOST_CHECK_THROW(contact::HuntCrossley(1, 1, 0.5), InvalidParameter);
+  BOOST_CHECK_THROW(contact::HuntCrossley(1, infinity), InvalidParameter);
+}

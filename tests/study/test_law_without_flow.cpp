@@ -1,0 +1,65 @@
+// A law that no flow but CVODE follows is swept and reported as any other.
+#define BOOST_TEST_MODULE sweeps and reports of a law that no fast flow admits
+#include <boost/test/unit_test.hpp>
+
+#include "mariotte/contact/named_laws.hpp"
+#include "mariotte/report/json/json.hpp"
+#include "mariotte/report/table/table.hpp"
+#include "mariotte/study/sweep/batch.hpp"
+#include "mariotte/study/sweep/sweep_reader.hpp"
+#include "mariotte/study/sweep/variation.hpp"
+#include "study/sweep_scenes.hpp"
+
+using namespace mariotte;
+
+namespace {
+
+const std::string text = R"([chain]
+mass = [1, 1, 1]
+velocity = [1, 0, 0]
+law = ["hunt-crossley", "hertz"]
+stiffness = 1
+damping = [0.2, 0]
+[[sweep]]
+key = "chain.damping[0]"
+from = 0.2
+to = 0.6
+count = 3
+)";
+
+study::SweepPlan plan() {
+  return study::read_sweep(scene::parse_document(text, "s.toml"), test::simulate);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(every_point_of_a_sweep_has_its_own_damping) {
+  const auto one = plan();
+  const auto slots = study::find_slots(one.document, one.design);
+  BOOST_TEST(!slots.has_value());  // objects show no numbers that could be set
+  study::Variation variation(one.document, one.design, slots);
+  double last = 1;
+  for (Index point = 0; point < 3; ++point) {
+    const auto& scene = variation.at(point);
+    BOOST_TEST(contact::parameters(scene.chain.law[0])[1].value == 0.2 * static_cast<double>(point + 1),
+               boost::test_tools::tolerance(1e-15));
+    std::vector<double> numbers(1);
+    study::make_evaluate({"final.velocity[2]"}, test::simulate)(scene, numbers);
+    BOOST_TEST(std::abs(numbers[0] - test::simulate(scene)["final"]["velocity"][2].get<double>()) < 1e-9);
+    BOOST_TEST(numbers[0] < last);  // more is lost
+    last = numbers[0];
+  }
+}
+
+BOOST_AUTO_TEST_CASE(results_name_the_law_and_its_numbers) {
+  const auto scene = study::Variation(plan().document, plan().design, {}).at(0);
+  const auto contact = report::json(scene)["chain"]["contact"][0];
+  BOOST_TEST(contact["law"] == "hunt-crossley");
+  BOOST_TEST(contact["stiffness"] == 1);
+  BOOST_TEST(contact["damping"] == 0.2);
+  BOOST_TEST(contact["exponent"] == 1.5);
+  BOOST_TEST(report::table(scene).find("hunt-crossley stiffness 1 damping 0.2 exponent 1.5") !=
+             std::string::npos);
+  BOOST_TEST(report::table(impact::simulate(scene.chain, scene.run), scene).find("cvode") !=
+             std::string::npos);
+}
