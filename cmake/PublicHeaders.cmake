@@ -14,6 +14,7 @@ set(MARIOTTE_PUBLIC_HEADERS
   contact/custom_law.hpp
   contact/force.hpp
   contact/hertz.hpp
+  contact/hunt_crossley.hpp
   contact/law.hpp
   contact/power_law.hpp
   flow/kind.hpp

@@ -41,7 +41,8 @@ BOOST_AUTO_TEST_CASE(every_point_of_a_sweep_has_its_own_damping) {
   double last = 1;
   for (Index point = 0; point < 3; ++point) {
     const auto& scene = variation.at(point);
-    BOOST_TEST(contact::parameters(scene.chain.law[0])[1].value == 0.2 * static_cast<double>(point + 1),
+    BOOST_TEST(contact::parameters(std::get<model::Chain>(scene.model).law[0])[1].value ==
+                   0.2 * static_cast<double>(point + 1),
                boost::test_tools::tolerance(1e-15));
     std::vector<double> numbers(1);
     study::make_evaluate({"final.velocity[2]"}, test::simulate)(scene, numbers);
@@ -60,6 +61,7 @@ BOOST_AUTO_TEST_CASE(results_name_the_law_and_its_numbers) {
   BOOST_TEST(contact["exponent"] == 1.5);
   BOOST_TEST(report::table(scene).find("hunt-crossley stiffness 1 damping 0.2 exponent 1.5") !=
              std::string::npos);
-  BOOST_TEST(report::table(impact::simulate(scene.chain, scene.run), scene).find("cvode") !=
-             std::string::npos);
+  BOOST_TEST(
+      report::table(impact::simulate(std::get<model::Chain>(scene.model), scene.run), scene).find("cvode") !=
+      std::string::npos);
 }
