@@ -12,6 +12,7 @@ std::span<const double> Piece::coefficients(Quantity quantity, int lane, Coeffic
 
 double Piece::place(double time, double end_time) const {
   if (!series || clock == Expansion::plain) return time;
+  if (!(time < end_time)) return end;  // the end of a step, less its start, may be longer by rounding
   Coefficients c;
   const auto t = coefficients(Quantity::time, clock, c);
   return locate_sign_change([&](double at) { return horner(t, at) - time; }, 0, -time, end, end_time - time,
