@@ -1,5 +1,6 @@
-// What every flow of smooth fields must do; a new flow is one more entry of `flows`.
-#define BOOST_TEST_MODULE conformance of flows
+// What a flow that follows any smooth field must do, on fields of a line; what every flow must do is asked in
+// test_conformance.cpp.
+#define BOOST_TEST_MODULE flows of any field
 #include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
 #include <numbers>
