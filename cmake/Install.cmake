@@ -23,7 +23,7 @@ if(TARGET mariotte::scene)
   install(EXPORT mariotteSceneTargets NAMESPACE mariotte:: DESTINATION ${package_dir})
 endif()
 if(MARIOTTE_APPS)
-  install(TARGETS mariotte_command icr_table scaling_study stiffness_study stress_study work_precision)
+  install(TARGETS mariotte_command icr_table paper_figures scaling_study stiffness_study stress_study work_precision)
 endif()
 
 configure_package_config_file(cmake/mariotteConfig.cmake.in mariotteConfig.cmake INSTALL_DESTINATION ${package_dir})
