@@ -45,11 +45,18 @@ inline Vec to_the(Vec a, Vec power) {
   for (int i = 0; i < width; ++i) a[i] = __builtin_pow(a[i], power[i]);
   return a;
 }
-/// first, first + 1, …: the lanes that a shift takes from two neighbouring registers.
-inline Mask counting_from(int first) {
-  Mask mask{};
-  for (int i = 0; i < width; ++i) mask[i] = first + i;
-  return mask;
+/// Lanes first, first + 1, … of two registers side by side.
+template <int first>
+inline Vec window(Vec a, Vec b) {
+#ifndef __clang__
+  Mask lanes{};
+  for (int i = 0; i < width; ++i) lanes[i] = first + i;
+  return __builtin_shuffle(a, b, lanes);
+#elif MARIOTTE_VECTOR_BYTES == 16
+  return __builtin_shufflevector(a, b, first, first + 1);
+#else
+  return __builtin_shufflevector(a, b, first, first + 1, first + 2, first + 3);
+#endif
 }
 
 /// N registers of lanes.
@@ -92,15 +99,11 @@ inline Row<N> operator*(double a, const Row<N>& b) {
 /// Lane i takes the value of its left neighbour; the first takes 0.
 template <int N>
 inline Row<N> from_left(const Row<N>& a) {
-  return each<N>([&](int i) {
-    return __builtin_shuffle(i > 0 ? a.part[i - 1] : Vec{}, a.part[i], counting_from(width - 1));
-  });
+  return each<N>([&](int i) { return window<width - 1>(i > 0 ? a.part[i - 1] : Vec{}, a.part[i]); });
 }
 template <int N>
 inline Row<N> from_right(const Row<N>& a) {
-  return each<N>([&](int i) {
-    return __builtin_shuffle(a.part[i], i + 1 < N ? a.part[i + 1] : Vec{}, counting_from(1));
-  });
+  return each<N>([&](int i) { return window<1>(a.part[i], i + 1 < N ? a.part[i + 1] : Vec{}); });
 }
 
 /// 1/k.
@@ -243,8 +246,8 @@ class Series final : public Expansion {
       const auto curved = power_.part[i] * push.part[i] != Vec{};
       const Vec s = lanes.general ? to_the(depth, power_.part[i]) : root(depth);
       root_[0].part[i] = curved ? s : splat(1);
-      half_inverse_.part[i] = curved & (s != Vec{}) ? 0.5 / s : Vec{};
-      inverse_.part[i] = curved & (depth != Vec{}) ? 1 / depth : Vec{};
+      half_inverse_.part[i] = (curved & (s != Vec{})) ? 0.5 / s : Vec{};
+      inverse_.part[i] = (curved & (depth != Vec{})) ? 1 / depth : Vec{};
     }
     if (clock_ != plain) {
       chosen_ = Row<N>{};
