@@ -1,6 +1,9 @@
 # The library itself stands on SUNDIALS, Eigen and SuiteSparse alone; the rest serves the command and the tests.
 find_package(Eigen3 3.3 REQUIRED NO_MODULE)
-find_package(SUNDIALS 6.4 REQUIRED COMPONENTS cvode nvecserial sunlinsolklu)
+find_package(SUNDIALS REQUIRED COMPONENTS cvode nvecserial sunlinsolklu)
+if(SUNDIALS_VERSION VERSION_LESS 6.4)
+  message(FATAL_ERROR "SUNDIALS ${SUNDIALS_VERSION} is too old: 6.4 or newer is needed")
+endif()
 
 if(MARIOTTE_APPS OR MARIOTTE_TESTS)
   find_package(fmt REQUIRED)

@@ -1,6 +1,7 @@
 // CVODE by Adams with fixed-point iteration, as a user writes it.
 #include <cvode/cvode.h>
 #include <nvector/nvector_serial.h>
+#include <sundials/sundials_context.hpp>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
 #include "mariotte/core/error.hpp"
@@ -16,7 +17,7 @@ double tolerance(std::size_t balls) {
   return 1e-9 / std::sqrt(static_cast<double>(balls) / 10);
 }
 
-int derivative(realtype, N_Vector x, N_Vector dx, void* row) {
+int derivative(sunrealtype, N_Vector x, N_Vector dx, void* row) {
   (*static_cast<const WholeRow*>(row))(NV_DATA_S(x), NV_DATA_S(dx));
   return 0;
 }
@@ -25,8 +26,7 @@ int derivative(realtype, N_Vector x, N_Vector dx, void* row) {
 
 Measurement measure_cvode(std::size_t balls) {
   WholeRow row{balls};
-  SUNContext context = nullptr;
-  SUNContext_Create(nullptr, &context);
+  const sundials::Context context;
   const auto x = N_VNew_Serial(static_cast<sunindextype>(row.size()), context);
   row.start(NV_DATA_S(x));
   void* cvode = CVodeCreate(CV_ADAMS, context);

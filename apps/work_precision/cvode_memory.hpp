@@ -22,7 +22,6 @@ inline void check(int code, const char* what) {
 }
 
 struct Free {
-  void operator()(_SUNContext* c) const { SUNContext_Free(&c); }
   void operator()(_generic_N_Vector* v) const { N_VDestroy(v); }
   void operator()(_generic_SUNMatrix* m) const { SUNMatDestroy(m); }
   void operator()(_generic_SUNLinearSolver* s) const { SUNLinSolFree(s); }
@@ -37,28 +36,23 @@ template <class F>
 class CvodeMemory {
  public:
   explicit CvodeMemory(double tolerance) : tolerance_(tolerance) {
-    SUNContext raw = nullptr;
-    check(SUNContext_Create(nullptr, &raw), "context");
-    context.reset(raw);
-    state.reset(N_VNew_Serial(F::size, raw));
-    allowed_.reset(N_VNew_Serial(F::size, raw));
+    state.reset(N_VNew_Serial(F::size, context));
+    allowed_.reset(N_VNew_Serial(F::size, context));
     N_VConst(0, state.get());
   }
   void create(int method, CVRhsFn derivative, void* self) {
-    cvode.reset(CVodeCreate(method, context.get()));
-    check(CVodeSetErrHandlerFn(
-              cvode.get(), [](int, const char*, const char*, char*, void*) {}, nullptr),
-          "error handler");
+    cvode.reset(CVodeCreate(method, context));
+    check(keep_quiet(), "error handler");
     check(CVodeInit(cvode.get(), derivative, 0, state.get()), "start");
     check(CVodeSetUserData(cvode.get(), self), "user data");
     check(CVodeSetMaxNumSteps(cvode.get(), most_cvode_steps), "step limit");
     check(CVodeSetMaxStep(cvode.get(), longest_step), "longest step");
     if (method == CV_ADAMS) {
-      fixed_point_.reset(SUNNonlinSol_FixedPoint(state.get(), 0, context.get()));
+      fixed_point_.reset(SUNNonlinSol_FixedPoint(state.get(), 0, context));
       check(CVodeSetNonlinearSolver(cvode.get(), fixed_point_.get()), "fixed-point iteration");
     } else {
-      matrix_.reset(SUNDenseMatrix(F::size, F::size, context.get()));
-      linear_.reset(SUNLinSol_Dense(state.get(), matrix_.get(), context.get()));
+      matrix_.reset(SUNDenseMatrix(F::size, F::size, context));
+      linear_.reset(SUNLinSol_Dense(state.get(), matrix_.get(), context));
       check(CVodeSetLinearSolver(cvode.get(), linear_.get(), matrix_.get()), "linear solver");
     }
   }
@@ -81,11 +75,20 @@ class CvodeMemory {
     answer.rhs += rhs + dense;
   }
 
-  Owned<_SUNContext> context;
+  sundials::Context context;
   Owned<_generic_N_Vector> state;
   Owned<void> cvode;
 
  private:
+  int keep_quiet() {
+#if SUNDIALS_VERSION_MAJOR < 7
+    return CVodeSetErrHandlerFn(
+        cvode.get(), [](int, const char*, const char*, char*, void*) {}, nullptr);
+#else
+    return SUNContext_ClearErrHandlers(context);
+#endif
+  }
+
   double tolerance_;
   Owned<_generic_N_Vector> allowed_;
   Owned<_generic_SUNNonlinearSolver> fixed_point_;

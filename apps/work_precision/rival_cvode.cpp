@@ -28,7 +28,7 @@ class WithoutEvents {
   }
 
  private:
-  static int derivative(realtype, N_Vector x, N_Vector dx, void* self) {
+  static int derivative(sunrealtype, N_Vector x, N_Vector dx, void* self) {
     static_cast<WithoutEvents*>(self)->field_(NV_DATA_S(x), NV_DATA_S(dx));
     return 0;
   }
@@ -86,13 +86,13 @@ class AdamsWithRoots {
     ++answer.events;
     check(CVodeReInit(memory_.cvode.get(), time, memory_.state.get()), "restart");
   }
-  static int derivative(realtype, N_Vector x, N_Vector dx, void* self) {
+  static int derivative(sunrealtype, N_Vector x, N_Vector dx, void* self) {
     const auto& rival = *static_cast<AdamsWithRoots*>(self);
     rival.field_.derivative(NV_DATA_S(x), NV_DATA_S(dx),
                             [&](std::size_t j, double force) { return rival.closed_[j] ? force : 0.0; });
     return 0;
   }
-  static int guards(realtype, N_Vector x, realtype* values, void* self) {
+  static int guards(sunrealtype, N_Vector x, sunrealtype* values, void* self) {
     const auto& rival = *static_cast<AdamsWithRoots*>(self);
     const double *gap = NV_DATA_S(x), *velocity = gap + F::contacts;
     for (std::size_t j = 0; j < F::contacts; ++j) {
@@ -136,11 +136,11 @@ class ToSeparation {
   }
 
  private:
-  static int derivative(realtype, N_Vector x, N_Vector dx, void* self) {
+  static int derivative(sunrealtype, N_Vector x, N_Vector dx, void* self) {
     static_cast<ToSeparation*>(self)->field_(NV_DATA_S(x), NV_DATA_S(dx));
     return 0;
   }
-  static int gap(realtype, N_Vector x, realtype* value, void*) {
+  static int gap(sunrealtype, N_Vector x, sunrealtype* value, void*) {
     *value = NV_Ith_S(x, 0);
     return 0;
   }

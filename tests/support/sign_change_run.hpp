@@ -25,8 +25,7 @@ class SignChangeRun {
 
   /// Stretches of carrying force per contact until `end`; empty if CVODE gives up.
   std::vector<std::size_t> periods(double accuracy, double end) {
-    SUNContext context;
-    SUNContext_Create(nullptr, &context);
+    const sundials::Context context;
     const auto size = static_cast<sunindextype>(2 * balls_ - 1);
     N_Vector x = N_VNew_Serial(size, context), tolerance = N_VClone(x);
     double *at = N_VGetArrayPointer(x), *absolute = N_VGetArrayPointer(tolerance);
@@ -42,7 +41,11 @@ class SignChangeRun {
     CVodeSetUserData(cvode, this);
     CVodeSVtolerances(cvode, 0.01 * accuracy, tolerance);
     CVodeSetMaxNumSteps(cvode, 1'000'000);
+#if SUNDIALS_VERSION_MAJOR < 7
     CVodeSetErrFile(cvode, nullptr);
+#else
+    SUNContext_ClearErrHandlers(context);
+#endif
     CVodeSetNoInactiveRootWarn(cvode);
     SUNNonlinearSolver iteration = SUNNonlinSol_FixedPoint(x, 0, context);
     CVodeSetNonlinearSolver(cvode, iteration);
@@ -52,7 +55,6 @@ class SignChangeRun {
     SUNNonlinSolFree(iteration);
     N_VDestroy(tolerance);
     N_VDestroy(x);
-    SUNContext_Free(&context);
     return done ? periods_ : std::vector<std::size_t>{};
   }
 
@@ -86,7 +88,7 @@ class SignChangeRun {
     return depth > 0 && load > 0 ? width * load : 0;
   }
 
-  static int derivative(realtype, N_Vector state, N_Vector slope, void* self) {
+  static int derivative(sunrealtype, N_Vector state, N_Vector slope, void* self) {
     const auto& run = *static_cast<SignChangeRun*>(self);
     const double* x = N_VGetArrayPointer(state);
     double *dx = N_VGetArrayPointer(slope), push = 0;
@@ -99,7 +101,7 @@ class SignChangeRun {
     }
     return 0;
   }
-  static int roots(realtype, N_Vector state, realtype* values, void* self) {
+  static int roots(sunrealtype, N_Vector state, sunrealtype* values, void* self) {
     const auto& run = *static_cast<SignChangeRun*>(self);
     const double* x = N_VGetArrayPointer(state);
     for (std::size_t j = 0; j < run.spring_.size(); ++j) {

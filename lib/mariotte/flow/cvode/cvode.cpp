@@ -65,16 +65,13 @@ struct Cvode::Memory {
   Simultaneous simultaneous;
 
   Memory(CvodeMethod chosen, const Problem& like) : method(chosen), roots(like.guard_count()) {
-    SUNContext raw = nullptr;
-    check(SUNContext_Create(nullptr, &raw), "a context");
-    context.reset(raw);
-    state.reset(N_VNew_Serial(like.size(), raw));
-    dense.reset(N_VNew_Serial(like.size(), raw));
+    state.reset(N_VNew_Serial(like.size(), context));
+    dense.reset(N_VNew_Serial(like.size(), context));
     N_VConst(0, state.get());
-    cvode.reset(CVodeCreate(method == CvodeMethod::adams ? CV_ADAMS : CV_BDF, raw));
+    cvode.reset(CVodeCreate(method == CvodeMethod::adams ? CV_ADAMS : CV_BDF, context));
     check(CVodeInit(cvode.get(), derivative, 0, state.get()), "the problem");
     check(CVodeSetUserData(cvode.get(), this), "user data");
-    check(CVodeSetErrHandlerFn(cvode.get(), listen, this), "an error handler");
+    check(sundials::send_messages(context, cvode.get(), complaint), "an error handler");
     check(CVodeWFtolerances(cvode.get(), weights), "the weights");
     check(CVodeSetMaxNumSteps(cvode.get(), step_limit), "the step limit");
     check(CVodeRootInit(cvode.get(), static_cast<int>(like.guard_count()), guards), "the guards");
@@ -85,30 +82,31 @@ struct Cvode::Memory {
 
   void attach_solver(const Problem& like) {
     if (method == CvodeMethod::adams) {
-      fixed_point.reset(SUNNonlinSol_FixedPoint(state.get(), 0, context.get()));
+      fixed_point.reset(SUNNonlinSol_FixedPoint(state.get(), 0, context));
       check(CVodeSetNonlinearSolver(cvode.get(), fixed_point.get()), "fixed-point iteration");
       return;
     }
     const auto kind = method == CvodeMethod::bdf_dense  ? MatrixKind::dense
                       : method == CvodeMethod::bdf_band ? MatrixKind::band
                                                         : MatrixKind::sparse;
-    newton.emplace(kind, like, state.get(), context.get());
+    newton.emplace(kind, like, state.get(), context);
     check(CVodeSetLinearSolver(cvode.get(), newton->solver(), newton->matrix()), "the linear solver");
     check(CVodeSetJacFn(cvode.get(), jacobian), "the Jacobian");
   }
 
   // Callbacks: a value that is not finite must never pass for a result.
-  static int derivative(realtype, N_Vector x, N_Vector dx, void* self) {
+  static int derivative(sunrealtype, N_Vector x, N_Vector dx, void* self) {
     static_cast<Memory*>(self)->problem->derivative(view(x), writable(dx));
     return all_finite(view(dx)) ? 0 : 1;
   }
-  static int guards(realtype, N_Vector x, realtype* values, void* self) {
+  static int guards(sunrealtype, N_Vector x, sunrealtype* values, void* self) {
     const auto& problem = *static_cast<Memory*>(self)->problem;
     const State out(values, problem.guard_count());
     problem.guards(view(x), out);
     return all_finite(out) ? 0 : -1;
   }
-  static int jacobian(realtype, N_Vector x, N_Vector, SUNMatrix j, void* self, N_Vector, N_Vector, N_Vector) {
+  static int jacobian(sunrealtype, N_Vector x, N_Vector, SUNMatrix j, void* self, N_Vector, N_Vector,
+                      N_Vector) {
     auto& memory = *static_cast<Memory*>(self);
     return memory.newton->fill(*memory.problem, view(x), j) ? 0 : 1;
   }
@@ -123,9 +121,6 @@ struct Cvode::Memory {
     for (std::size_t i = 0; i < out.size(); ++i)
       out[i] = 1 / (share * magnitudes[i] + 8 * epsilon * std::abs(values[i]));
     return 0;
-  }
-  static void listen(int, const char*, const char*, char* message, void* self) {
-    static_cast<Memory*>(self)->complaint = message;
   }
 
   void restart(Problem& next, State x, const Request& request) {

@@ -1,4 +1,4 @@
-// Ownership of SUNDIALS objects. Private to flow/cvode and flow/linear_solver.
+// Ownership of SUNDIALS objects, and what differs between its versions 6 and 7. Private to flow/cvode.
 #pragma once
 #include <cvode/cvode.h>
 #include <nvector/nvector_serial.h>
@@ -7,6 +7,8 @@
 #include <sundials/sundials_nonlinearsolver.h>
 
 #include <memory>
+#include <string>
+#include <sundials/sundials_context.hpp>
 
 namespace mariotte::flow::sundials {
 
@@ -15,7 +17,6 @@ struct Free {
   void operator()(_generic_SUNMatrix* m) const { SUNMatDestroy(m); }
   void operator()(_generic_SUNLinearSolver* s) const { SUNLinSolFree(s); }
   void operator()(_generic_SUNNonlinearSolver* s) const { SUNNonlinSolFree(s); }
-  void operator()(_SUNContext* c) const { SUNContext_Free(&c); }
   void operator()(void* memory) const { CVodeFree(&memory); }
 };
 
@@ -23,7 +24,25 @@ using Vector = std::unique_ptr<_generic_N_Vector, Free>;
 using Matrix = std::unique_ptr<_generic_SUNMatrix, Free>;
 using LinearSolver = std::unique_ptr<_generic_SUNLinearSolver, Free>;
 using NonlinearSolver = std::unique_ptr<_generic_SUNNonlinearSolver, Free>;
-using Context = std::unique_ptr<_SUNContext, Free>;
+using Context = ::sundials::Context;
 using Cvode = std::unique_ptr<void, Free>;
+
+/// Messages of `cvode` go to `text`, the last one stays there, and none is printed. Returns SUNDIALS' code.
+#if SUNDIALS_VERSION_MAJOR < 7
+inline int send_messages(SUNContext, void* cvode, std::string& text) {
+  const auto keep = [](int, const char*, const char*, char* message, void* to) {
+    *static_cast<std::string*>(to) = message;
+  };
+  return CVodeSetErrHandlerFn(cvode, keep, &text);
+}
+#else
+inline int send_messages(SUNContext context, void*, std::string& text) {
+  const auto keep = [](int, const char*, const char*, const char* message, SUNErrCode, void* to, SUNContext) {
+    *static_cast<std::string*>(to) = message;
+  };
+  SUNContext_ClearErrHandlers(context);
+  return SUNContext_PushErrHandler(context, keep, &text);
+}
+#endif
 
 }  // namespace mariotte::flow::sundials
