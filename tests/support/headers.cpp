@@ -1,0 +1,1 @@
+int main() {}  // only for what is precompiled with it
