@@ -12,6 +12,8 @@
 //   for_each_direction(j, use), for_each_push(j, use)
 //                            use(place of a velocity, coefficient) for the terms of G_j and of M⁻¹ G_jᵀ
 #pragma once
+#include <cmath>
+
 #include "mariotte/model/contacts/contact_automaton.hpp"
 #include "mariotte/model/contacts/contact_layout.hpp"
 

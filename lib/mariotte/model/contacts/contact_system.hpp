@@ -1,5 +1,7 @@
 // A chain or a network as a hybrid system: which contacts act, and what comes after a guard has fired.
 #pragma once
+#include <algorithm>
+
 #include "mariotte/hybrid/ending.hpp"
 #include "mariotte/model/contacts/topology_phase.hpp"
 

@@ -1,5 +1,7 @@
 #include "mariotte/model/network/network_system.hpp"
 
+#include "mariotte/model/contacts/topology_phase_members.hpp"
+
 namespace mariotte::model {
 
 template class TopologyPhase<NetworkTopology>;

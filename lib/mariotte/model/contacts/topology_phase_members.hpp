@@ -1,0 +1,186 @@
+// The members of TopologyPhase, for the files that instantiate it.
+#pragma once
+#include <algorithm>
+#include <cmath>
+
+#include "mariotte/model/contacts/topology_phase.hpp"
+
+namespace mariotte::model {
+
+template <class Topology>
+void TopologyPhase<Topology>::reset() {
+  crossings_.assign(at().guard_contact.size(), flow::Crossing::none);
+  find_magnitudes();
+  flows_.reset(topology_);
+}
+
+template <class Topology>
+void TopologyPhase<Topology>::find_magnitudes() {
+  const auto& d = topology_.model;
+  auto& size = magnitudes_;
+  size.assign(at().size, 0.0);
+  for (Index j = 0; j < contacts(); ++j) {
+    const double momentum = d.reduced_mass[j] * d.speed;
+    size[at().gap[j]] = d.length[j];
+    if (has_work(j)) size[at().work[j]] = momentum * d.speed;
+    if (has_impulse(j)) size[at().impulse[j]] = momentum;
+    // A heavy body changes its velocity little: what its light neighbour can do to it.
+    topology_.for_each_push(j, [&](Index place, double change) {
+      size[place] = std::max(size[place], std::min(d.speed, 2 * momentum * std::abs(change)));
+    });
+  }
+  for (const Index place : at().velocity)
+    if (size[place] == 0) size[place] = d.speed;
+}
+
+template <class Topology>
+void TopologyPhase<Topology>::bind(contact::ContactSet& mode) {
+  mode_ = &mode;
+  active_ = 0;
+  any_law_ = false;
+  double shortest = infinity, any = infinity;
+  for (Index j = 0; j < contacts(); ++j) {
+    watch(j);
+    const double time = topology_.model.time[j];
+    any = std::min(any, time);
+    any_law_ |= role(mode[j]) != flow::Role::open && !power_law(law(j));
+    if (!contact::carries_force(mode[j])) continue;
+    ++active_;
+    shortest = std::min(shortest, time);
+  }
+  time_scale_ = active_ == 0 ? any : shortest;
+}
+
+template <class Topology>
+void TopologyPhase<Topology>::watch(Index j) {
+  const auto mode = (*mode_)[j];
+  auto& contact = flows_.contact(j);
+  contact.role = role(mode);
+  contact.level = level(j);
+  const auto [gap, load] = watched(mode, law(j));
+  crossings_[j] = gap;
+  if (has_work(j)) crossings_[at().load_guard[j]] = load;
+}
+
+/// A hovering contact closes where its gap is −level.
+template <class Topology>
+double TopologyPhase<Topology>::level(Index j) const {
+  return (*mode_)[j] == contact::ContactMode::hovering ? topology_.model.shallow[j] : 0;
+}
+
+template <class Topology>
+void TopologyPhase<Topology>::derivative(ConstState x, State dx) const {
+  std::fill(dx.begin(), dx.end(), 0.0);
+  for (Index i = 0; i < velocities(); ++i) dx[at().velocity[i]] = topology_.acceleration(i);
+  for (Index j = 0; j < contacts(); ++j) {
+    const double rate = topology_.approach(x, j);
+    dx[at().gap[j]] = -rate;
+    if (!contact::carries_force((*mode_)[j])) continue;
+    const double f = force_in((*mode_)[j], law(j), -x[at().gap[j]], rate).value;
+    if (has_impulse(j)) dx[at().impulse[j]] = f;
+    if (has_work(j)) dx[at().work[j]] = f * rate;
+    topology_.for_each_push(j, [&](Index place, double change) { dx[place] += change * f; });
+  }
+}
+
+template <class Topology>
+void TopologyPhase<Topology>::second_derivative(ConstState, State ddx) const {
+  std::fill(ddx.begin(), ddx.end(), 0.0);
+  for (Index j = 0; j < contacts(); ++j) ddx[at().gap[j]] = -topology_.drive(j);
+}
+
+template <class Topology>
+void TopologyPhase<Topology>::guards(ConstState x, State values) const {
+  // A masked guard stands on the side from which it cannot seem to have crossed when it is watched again.
+  for (Index i = 0; i < guard_count(); ++i) {
+    const Index j = at().guard_contact[i];
+    if (crossings_[i] == flow::Crossing::none)
+      values[i] = i == j ? -1 : 1;
+    else
+      values[i] = i == j ? x[at().gap[j]] + level(j) : load(x, j).value;
+  }
+}
+
+template <class Topology>
+void TopologyPhase<Topology>::guard_rates(ConstState x, ConstState dx, State rates) const {
+  for (Index i = 0; i < guard_count(); ++i) {
+    const Index j = at().guard_contact[i];
+    rates[i] = 0;
+    if (crossings_[i] == flow::Crossing::none) continue;
+    const double widening = dx[at().gap[j]];
+    if (i == j) {
+      rates[i] = widening;
+    } else {
+      const auto own = load(x, j);
+      rates[i] = own.by_rate * topology_.approach(dx, j) - own.by_indentation * widening;
+    }
+  }
+}
+
+template <class Topology>
+std::vector<flow::Entry> TopologyPhase<Topology>::pattern() const {
+  std::vector<flow::Entry> pattern;
+  for (Index j = 0; j < contacts(); ++j) {
+    const Index gap = at().gap[j];
+    const auto velocities_of = [&](Index row) {
+      topology_.for_each_direction(j, [&](Index place, double) { pattern.push_back({row, place}); });
+    };
+    const auto force_on = [&](Index row) {
+      pattern.push_back({row, gap});
+      velocities_of(row);
+    };
+    velocities_of(gap);
+    topology_.for_each_push(j, [&](Index place, double) { force_on(place); });
+    if (has_impulse(j)) force_on(at().impulse[j]);
+    if (has_work(j)) force_on(at().work[j]);
+  }
+  return pattern;
+}
+
+template <class Topology>
+void TopologyPhase<Topology>::jacobian(ConstState x, State values) const {
+  std::size_t entry = 0;
+  for (Index j = 0; j < contacts(); ++j) {
+    const auto f = force(x, j);
+    // ∂(factor · f + extra · δ̇) by the gap and by the velocities, with δ̇ = −G v
+    const auto row = [&](double factor, double extra) {
+      values[entry++] = -factor * f.by_indentation;
+      topology_.for_each_direction(
+          j, [&](Index, double g) { values[entry++] = -(factor * f.by_rate + extra) * g; });
+    };
+    topology_.for_each_direction(j, [&](Index, double g) { values[entry++] = g; });
+    topology_.for_each_push(j, [&](Index, double change) { row(change, 0); });
+    if (has_impulse(j)) row(1, 0);
+    if (has_work(j)) row(topology_.approach(x, j), f.value);
+  }
+}
+
+template <class Topology>
+double TopologyPhase<Topology>::damping_ratio() const {
+  double largest = 0;
+  for (Index j = 0; j < contacts(); ++j)
+    if (has_work(j) && contact::carries_force((*mode_)[j]))
+      largest = std::max(largest, model::damping_ratio(topology_.model, j));
+  return largest;
+}
+
+template <class Topology>
+flow::Accepted TopologyPhase<Topology>::accept(ConstState x) {
+  using contact::ContactMode;
+  auto accepted = flow::Accepted::unchanged;
+  const ContactState<Topology> state{topology_, x};
+  for (Index j = 0; j < contacts(); ++j) {
+    auto& mode = (*mode_)[j];
+    if (mode == ContactMode::closed && has_faded(state, j)) return flow::Accepted::ended;
+    if (mode != ContactMode::touching) continue;
+    if (has_parted(state, j)) return flow::Accepted::ended;
+    if (!has_loaded(state, j)) continue;
+    mode = ContactMode::closed;
+    if (flows_.is_at_edge(j)) return flow::Accepted::ended;
+    watch(j);
+    accepted = flow::Accepted::rewatched;
+  }
+  return accepted;
+}
+
+}  // namespace mariotte::model
