@@ -69,14 +69,15 @@ void end_impact(TipImpact& impact, const MicrobodySystem& system, double time, C
 
 void add_peaks(TipImpact& impact, const MicrobodySystem& system, const MicrobodyWatch& watch) {
   const auto& scale = system.body().scale;
+  TipPeaks peaks;
   for (std::size_t k = 0; k < watch.milestones().size(); ++k) {
     const double time = watch.milestones()[k].time * scale.time;
     if (time < impact.start || (impact.end && time >= *impact.end)) continue;
-    const auto& peak = watch.peaks()[k][impact.tip];
-    impact.peak_force = std::max(impact.peak_force, peak.push * scale.force());
-    impact.peak_pull = std::max(impact.peak_pull, peak.pull * scale.force());
-    impact.peak_indentation = std::max(impact.peak_indentation, peak.depth * scale.length);
+    raise(peaks, watch.peaks()[k][impact.tip], all_tip_peaks);
   }
+  impact.peak_force = peaks.push * scale.force();
+  impact.peak_pull = peaks.pull * scale.force();
+  impact.peak_indentation = peaks.depth * scale.length;
 }
 
 std::vector<TipImpact> impacts(const MicrobodySystem& system, const Run& run, const MicrobodyWatch& watch) {

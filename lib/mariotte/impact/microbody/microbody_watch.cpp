@@ -58,7 +58,7 @@ void MicrobodyWatch::search(const flow::Step& step, Index i) {
     return now(inside_, i);
   };
   for (int k = 0; k <= pieces; ++k) samples[k] = at(static_cast<double>(k) / pieces);
-  for (double TipPeaks::*quantity : {&TipPeaks::push, &TipPeaks::pull, &TipPeaks::depth}) {
+  for (const auto quantity : all_tip_peaks) {
     const auto best = std::max_element(samples.begin(), samples.end(), [&](const auto& a, const auto& b) {
       return a.*quantity < b.*quantity;
     });

@@ -4,6 +4,7 @@
 
 #include "mariotte/hybrid/simulate.hpp"
 #include "mariotte/impact/microbody/microbody_impact.hpp"
+#include "mariotte/impact/watch/peaks.hpp"
 #include "mariotte/model/microbody/microbody_system.hpp"
 
 namespace mariotte::impact {
@@ -21,6 +22,8 @@ struct Milestone {
 struct TipPeaks {
   double push = 0, pull = 0, depth = 0;
 };
+inline constexpr std::array all_tip_peaks = {&TipPeaks::push, &TipPeaks::pull, &TipPeaks::depth};
+static_assert(sizeof(TipPeaks) == all_tip_peaks.size() * sizeof(double), "every peak is in the list");
 
 /// Sees every step of a body's run and keeps what the result needs.
 class MicrobodyWatch final : public hybrid::PhaseWatcher {

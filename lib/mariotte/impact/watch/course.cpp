@@ -23,11 +23,7 @@ class PeakLog final : public model::StretchLog {
   void watch(const flow::Step& step) override { watcher_.watch(step); }
   void keep() override {
     auto kept = all_.begin() + first_;
-    for (const auto& peak : watcher_.peaks()) {
-      kept->force = std::max(kept->force, peak.force);
-      kept->indentation = std::max(kept->indentation, peak.indentation);
-      ++kept;
-    }
+    for (const auto& peak : watcher_.peaks()) raise(*kept++, peak, all_peaks);
   }
 
  private:

@@ -1,7 +1,5 @@
 #include "mariotte/impact/watch/peaks.hpp"
 
-#include <algorithm>
-
 #include "mariotte/core/bracket.hpp"
 
 namespace mariotte::impact {
@@ -26,9 +24,8 @@ PeakWatcher::Slopes PeakWatcher::slopes(ConstState x, ConstState dx, Index j) co
 }
 
 void PeakWatcher::take(ConstState x, Index j) {
-  auto& peak = peaks_[j];
-  peak.force = std::max(peak.force, phase_->force(x, j).value);
-  peak.indentation = std::max(peak.indentation, -phase_->gap(x, j));
+  const Peak now{.force = phase_->force(x, j).value, .indentation = -phase_->gap(x, j)};
+  raise(peaks_[j], now, all_peaks);
 }
 
 void PeakWatcher::search(const flow::Step& step, Index j, double Slopes::*slope, const Slopes& before,

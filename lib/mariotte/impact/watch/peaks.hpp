@@ -1,5 +1,7 @@
 // Largest force and indentation of every contact, found inside the steps of whatever flow runs.
 #pragma once
+#include <algorithm>
+#include <array>
 #include <vector>
 
 #include "mariotte/hybrid/simulate.hpp"
@@ -12,6 +14,16 @@ struct Peak {
   double force = 0;
   double indentation = 0;
 };
+
+/// Every member of a struct of peaks.
+inline constexpr std::array all_peaks = {&Peak::force, &Peak::indentation};
+static_assert(sizeof(Peak) == all_peaks.size() * sizeof(double), "every peak is in the list");
+
+/// Each peak becomes the larger of the two; `members` are those of their struct.
+template <class Peaks, std::size_t n>
+void raise(Peaks& peaks, const Peaks& others, const std::array<double Peaks::*, n>& members) {
+  for (const auto member : members) peaks.*member = std::max(peaks.*member, others.*member);
+}
 
 /// Looks at each step for a maximum of δ or f: a slope that falls through zero. The maximum itself is flat,
 /// so a loose time is enough for a tight value.
