@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mariotte/impact/laws/restitution.hpp"
+
 namespace mariotte::impact {
 
 using model::ChainLayout;
@@ -79,10 +81,9 @@ double stored_at_start(const DimensionlessChain& chain, const ChainLayout& layou
 
 void add_ratios(EnergyLedger& ledger, const DimensionlessChain& chain, const ChainLayout& layout,
                 const Stretch& stretch) {
-  const auto ratio = [&](double frame_before, double frame_after) -> std::optional<double> {
-    const double before = kinetic(chain, layout, stretch.before, frame_before);
-    if (!(before > 0)) return std::nullopt;
-    return kinetic(chain, layout, stretch.after, frame_after) / before;
+  const auto ratio = [&](double frame_before, double frame_after) {
+    return energy_ratio(kinetic(chain, layout, stretch.after, frame_after),
+                        kinetic(chain, layout, stretch.before, frame_before));
   };
   ledger.ratio_lab = ratio(0, 0);
   const bool walls = std::count(chain.inverse_mass.begin(), chain.inverse_mass.end(), 0.0) > 0;

@@ -44,16 +44,25 @@ void clear_untouched(const std::vector<Index>& periods, std::vector<double>& p) 
     if (periods[j] == 0) p[j] = 0;
 }
 
+std::optional<double> correlation_ratio(const std::vector<double>& impulses, std::size_t j) {
+  if (j + 1 >= impulses.size() || impulses[j + 1] == 0) return std::nullopt;
+  return impulses[j] / impulses[j + 1];
+}
+
 std::vector<std::optional<double>> correlation_ratios(const std::vector<double>& impulses) {
   std::vector<std::optional<double>> ratios;
-  for (std::size_t j = 0; j + 1 < impulses.size(); ++j)
-    ratios.push_back(impulses[j + 1] == 0 ? std::nullopt : std::optional(impulses[j] / impulses[j + 1]));
+  for (std::size_t j = 0; j + 1 < impulses.size(); ++j) ratios.push_back(correlation_ratio(impulses, j));
   return ratios;
 }
 
-std::vector<double> direction(const std::vector<double>& impulses) {
+double magnitude(const std::vector<double>& impulses) {
   double length = 0;
   for (const double p : impulses) length = std::hypot(length, p);
+  return length;
+}
+
+std::vector<double> direction(const std::vector<double>& impulses) {
+  const double length = magnitude(impulses);
   auto r = impulses;
   if (length > 0)
     for (double& component : r) component /= length;

@@ -32,9 +32,13 @@ void count_periods(const std::vector<hybrid::Timed<model::ContactChange>>& chang
 /// A contact that never carried force has no impulse, whatever rounding says.
 void clear_untouched(const std::vector<Index>& periods, std::vector<double>& p);
 
-/// α_j = p_j/p_{j+1} [Acary 2003, eq. 5], n−2 values; empty where p_{j+1} = 0.
+/// α_j = p_j/p_{j+1} [Acary 2003, eq. 5]; empty where p_{j+1} = 0, or is not one of the impulses.
+std::optional<double> correlation_ratio(const std::vector<double>& impulses, std::size_t j);
+/// All n−2 of them.
 std::vector<std::optional<double>> correlation_ratios(const std::vector<double>& impulses);
 
+/// |p|, without overflow.
+double magnitude(const std::vector<double>& impulses);
 /// r = p/|p|, defined even where ratios are not; zeros if every impulse is zero.
 std::vector<double> direction(const std::vector<double>& impulses);
 

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "mariotte/core/error.hpp"
+#include "mariotte/impact/laws/restitution.hpp"
 
 namespace mariotte::impact {
 namespace {
@@ -34,13 +35,9 @@ void judge(LawOutcome& outcome, const Configuration& c, double slow) {
     outcome.status = LawStatus::penetrating_velocity;
 }
 
-std::optional<double> ratio(double after, double before) {
-  return before > 0 ? std::optional(after / before) : std::nullopt;
-}
-
 void add_ratios(LawOutcome& outcome, const Configuration& c) {
-  outcome.ratio_lab = ratio(kinetic_energy(c, outcome.velocity), kinetic_energy(c, c.velocity));
-  outcome.ratio_centre = ratio(relative_energy(c, outcome.velocity), relative_energy(c, c.velocity));
+  outcome.ratio_lab = energy_ratio(kinetic_energy(c, outcome.velocity), kinetic_energy(c, c.velocity));
+  outcome.ratio_centre = energy_ratio(relative_energy(c, outcome.velocity), relative_energy(c, c.velocity));
 }
 
 std::string digits(double value) {

@@ -1,5 +1,6 @@
-// Coefficients of restitution of a body that strikes a plane [Cheng 2002].
+// Coefficients of restitution: of velocities, of a body that strikes a plane [Cheng 2002], and of energy.
 #pragma once
+#include <optional>
 
 namespace mariotte::impact {
 
@@ -12,6 +13,11 @@ struct Restitution {
 /// From normal velocities along e1, before and after.
 inline Restitution restitution(double tip_in, double tip_out, double centre_in, double centre_out) {
   return {.tip = -tip_out / tip_in, .centre = -centre_out / centre_in};
+}
+
+/// T⁺/T⁻, kinetic energies after and before an impact; empty where nothing moved before.
+inline std::optional<double> energy_ratio(double after, double before) {
+  return before > 0 ? std::optional(after / before) : std::nullopt;
 }
 
 }  // namespace mariotte::impact

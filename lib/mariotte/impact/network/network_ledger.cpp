@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mariotte/impact/laws/restitution.hpp"
+
 namespace mariotte::impact {
 namespace {
 
@@ -35,9 +37,8 @@ EnergyLedger energy_ledger(const model::Network& network, const Configuration& b
   }
   ledger.work = wall_work(before, generalised_impulse(before, impulses_of(impact)));
   ledger.residual = ledger.final + ledger.stored + ledger.dissipated - ledger.initial - ledger.work;
-  const auto ratio = [&](auto energy) -> std::optional<double> {
-    const double start = energy(before, before.velocity);
-    return start > 0 ? std::optional(energy(before, impact.velocity) / start) : std::nullopt;
+  const auto ratio = [&](auto energy) {
+    return energy_ratio(energy(before, impact.velocity), energy(before, before.velocity));
   };
   ledger.ratio_lab = ratio(kinetic_energy);
   ledger.ratio_centre = ratio(relative_energy);
