@@ -1,0 +1,211 @@
+// The lists of a chain and of a contact network.
+#include "mariotte/impact/impulses.hpp"
+#include "mariotte/impact/laws/restitution.hpp"
+#include "mariotte/impact/quantities/readers.hpp"
+
+namespace mariotte::impact {
+namespace {
+
+using BriefChain = Brief<ChainImpact>;
+
+/// A reader that chains alone have.
+template <class I>
+constexpr auto known(Value (*read)(const BriefChain&, Indices)) {
+  if constexpr (std::is_same_v<I, ChainImpact>)
+    return read;
+  else
+    return nullptr;
+}
+
+double energy_after(const BriefChain& b) {
+  return kinetic_energy(b.chain, b.impact.velocity);
+}
+
+template <class Number>
+Value at(const std::vector<Number>& values, Index i) {
+  return i < std::ssize(values) ? Value(values[i]) : Value();
+}
+
+/// r_j; zero if no impulse was exchanged.
+Value direction(const BriefChain& b, Index j) {
+  const double length = magnitude(b.impact.impulse);
+  return length > 0 && j < std::ssize(b.impact.impulse) ? b.impact.impulse[j] / length
+                                                        : at(b.impact.impulse, j);
+}
+
+/// Coordinates of balls move in m/s; other degrees of freedom have units that only the author knows.
+template <class I>
+constexpr std::string_view velocity_unit = std::is_same_v<I, ChainImpact> ? "m/s" : "SI";
+
+template <class I>
+List<I> motion() {
+  return {
+      {.is = {"final.time", "s", "t", "time at which the run ended"},
+       .read = own<&I::time>,
+       .brief = known<I>([](const BriefChain& b, Indices) -> Value { return b.impact.time; })},
+      {.is = {"final.velocity[]", velocity_unit<I>, "v_i",
+              "velocity at the end, of each ball or degree of freedom"},
+       .read = element<&I::velocity>,
+       .count = size_of<&I::velocity>,
+       .brief = known<I>([](const BriefChain& b, Indices i) { return at(b.impact.velocity, i[0]); })},
+      {.is = {"final.gap[]", "m", "g_j", "gap of each contact at the end, negative in contact"},
+       .read = element<&I::gap>,
+       .count = size_of<&I::gap>},
+  };
+}
+
+template <class I>
+List<I> contacts() {
+  using One = ContactHistory;
+  return {
+      {.is = {"contacts[]", "", "", "one per contact, from left to right"}, .count = size_of<&I::contacts>},
+      {.is = {"contacts[].impulse", "N s", "p_j", "impulse of the contact, the integral of its force"},
+       .read = of_element<&I::contacts, &One::impulse>,
+       .brief = known<I>([](const BriefChain& b, Indices i) { return at(b.impact.impulse, i[0]); })},
+      {.is = {"contacts[].peak_force", "N", "max f_j", "largest force"},
+       .read = of_element<&I::contacts, &One::peak_force>,
+       .needs_peaks = true},
+      {.is = {"contacts[].peak_indentation", "m", "max δ_j", "largest indentation"},
+       .read = of_element<&I::contacts, &One::peak_indentation>,
+       .needs_peaks = true},
+      {.is = {"contacts[].periods[]", "", "", "stretches of time in which it carries force"},
+       .count = size_in<&I::contacts, &One::periods>,
+       .counted_by_run = true,
+       .brief = known<I>([](const BriefChain& b, Indices i) { return at(b.impact.periods, i[0]); })},
+      {.is = {"contacts[].periods[][]", "s", "", "start and end of one; the end is null if it never came"},
+       .read = [](const I& r, Indices at) -> Value {
+         const auto& period = r.contacts[at[0]].periods[at[1]];
+         return at[2] == 0 ? period.start : value(period.end);
+       },
+       .count = fixed<2>},
+      {.is = {"contacts[].stored", "J", "", "elastic energy left at the end"},
+       .read = of_element<&I::contacts, &One::stored>},
+      {.is = {"contacts[].dissipated", "J", "", "energy dissipated in the contact"},
+       .read = of_element<&I::contacts, &One::dissipated>},
+      {.is = {"icr[]", "1", "α_j", "impulse correlation ratio p_j/p_{j+1}; null where p_{j+1} = 0"},
+       .read = element<&I::icr>,
+       .count = size_of<&I::icr>,
+       .brief = known<I>(
+           [](const BriefChain& b, Indices i) { return value(correlation_ratio(b.impact.impulse, i[0])); })},
+      {.is = {"impulse_direction[]", "1", "r_j", "direction of all impulses, p_j/|p|"},
+       .read = element<&I::impulse_direction>,
+       .count = size_of<&I::impulse_direction>,
+       .brief = known<I>([](const BriefChain& b, Indices i) { return direction(b, i[0]); })},
+  };
+}
+
+/// Every model names the same five changes; contacts without friction neither stick, slip nor get captured.
+template <class I>
+List<I> events() {
+  List<I> list = {
+      {.is = {"events[]", "", "", "instants at which contacts start or cease to carry force"},
+       .count = size_of<&I::events>,
+       .counted_by_run = true},
+      {.is = {"events[].time", "s", "t", "when"}, .read = of_element<&I::events, &Event::time>},
+      {.is = {"events[].open[]", "1", "j", "contacts that open, from 1"},
+       .read = numbered<&Event::open>,
+       .count = size_in<&I::events, &Event::open>,
+       .counted_by_run = true},
+      {.is = {"events[].close[]", "1", "j", "contacts that close, from 1"},
+       .read = numbered<&Event::close>,
+       .count = size_in<&I::events, &Event::close>,
+       .counted_by_run = true},
+  };
+  for (const auto* key : {"events[].stick[]", "events[].slip[]", "events[].capture[]"})
+    list.push_back({.is = {key, "1", "j", "always empty: contacts are without friction and adhesion"},
+                    .read = [](const I&, Indices) { return Value(); },
+                    .count = fixed<0>});
+  return list;
+}
+
+template <class I>
+List<I> energies() {
+  using One = EnergyLedger;
+  return {
+      {.is = {"energy.initial", "J", "", "kinetic and elastic energy at the start"},
+       .read = energy<&One::initial>},
+      {.is = {"energy.final", "J", "T⁺", "kinetic energy at the end"},
+       .read = energy<&One::final>,
+       .brief = known<I>([](const BriefChain& b, Indices) -> Value { return energy_after(b); })},
+      {.is = {"energy.stored", "J", "", "elastic energy at the end"}, .read = energy<&One::stored>},
+      {.is = {"energy.dissipated", "J", "", "energy dissipated in all contacts"},
+       .read = energy<&One::dissipated>},
+      {.is = {"energy.work", "J", "", "work of gravity and moving walls on the balls"},
+       .read = energy<&One::work>},
+      {.is = {"energy.residual", "J", "", "final + stored + dissipated − initial − work, the error"},
+       .read = energy<&One::residual>},
+      {.is = {"energy.ratio_lab", "1", "T⁺/T⁻", "kinetic energies, in the given frame"},
+       .read = energy<&One::ratio_lab>,
+       .brief = known<I>([](const BriefChain& b, Indices) {
+         return value(energy_ratio(energy_after(b), kinetic_energy(b.chain, b.chain.velocity)));
+       })},
+      {.is = {"energy.ratio_centre", "1", "T⁺/T⁻", "kinetic energies, relative to the mass centre"},
+       .read = energy<&One::ratio_centre>},
+  };
+}
+
+template <auto member>
+constexpr auto momentum = [](const ChainImpact& r, Indices) -> Value { return r.momentum.*member; };
+
+List<ChainImpact> momenta(const ChainImpact*) {
+  using One = MomentumLedger;
+  return {
+      {.is = {"momentum.initial", "N s", "", "momentum of the balls at the start"},
+       .read = momentum<&One::initial>},
+      {.is = {"momentum.final", "N s", "", "momentum of the balls at the end"},
+       .read = momentum<&One::final>},
+      {.is = {"momentum.residual", "N s", "", "final − initial − impulses of walls and gravity, the error"},
+       .read = momentum<&One::residual>},
+  };
+}
+
+List<NetworkImpact> momenta(const NetworkImpact*) {
+  return {
+      {.is = {"momentum.residual", "1", "", "what the impulses do not explain of the velocities, relative"},
+       .read = own<&NetworkImpact::momentum_residual>}};
+}
+
+template <class I>
+List<I> all() {
+  List<I> list = motion<I>();
+  for (const auto& part :
+       {contacts<I>(), events<I>(), energies<I>(), momenta(static_cast<const I*>(nullptr)), cost_of_run<I>()})
+    append(list, part);
+  return list;
+}
+
+template <class I, class Model>
+I sized(const Model& model) {
+  I impact;
+  const std::size_t contacts = model.law.size();
+  impact.velocity.resize(model.velocity.size());
+  impact.gap.resize(contacts);
+  impact.contacts.resize(contacts);
+  impact.icr.resize(contacts > 0 ? contacts - 1 : 0);
+  impact.impulse_direction.resize(contacts);
+  return impact;
+}
+
+}  // namespace
+
+template <>
+const std::vector<Quantity<ChainImpact>>& quantities() {
+  static const auto list = all<ChainImpact>();
+  return list;
+}
+
+template <>
+const std::vector<Quantity<NetworkImpact>>& quantities() {
+  static const auto list = all<NetworkImpact>();
+  return list;
+}
+
+ChainImpact unfilled(const model::Chain& chain) {
+  return sized<ChainImpact>(chain);
+}
+
+NetworkImpact unfilled(const model::Network& network) {
+  return sized<NetworkImpact>(network);
+}
+
+}  // namespace mariotte::impact
