@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 #include "mariotte/report/figure/gnuplot.hpp"
 #include "mariotte/report/page/files.hpp"
 

@@ -1,4 +1,5 @@
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "command.hpp"
 #include "command_line/exit_code.hpp"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "mariotte/report/json/sweep_json.hpp"
 #include "mariotte/report/page/files.hpp"

@@ -1,5 +1,6 @@
 #define BOOST_TEST_MODULE report_html
 #include <boost/test/unit_test.hpp>
+#include <nlohmann/json.hpp>
 
 #include "mariotte/report/page/html.hpp"
 #include "mariotte/report/page/html_text.hpp"

@@ -1,5 +1,6 @@
 #define BOOST_TEST_MODULE report_json
 #include <boost/test/unit_test.hpp>
+#include <nlohmann/json.hpp>
 
 #include "mariotte/report/json/json.hpp"
 #include "report/three_balls.hpp"

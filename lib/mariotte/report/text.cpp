@@ -1,5 +1,7 @@
 #include "mariotte/report/text.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "mariotte/report/csv/csv.hpp"
 #include "mariotte/report/json/json.hpp"
 #include "mariotte/report/table/table.hpp"

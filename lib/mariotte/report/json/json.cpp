@@ -1,44 +1,62 @@
 #include "mariotte/report/json/json.hpp"
 
 #include "mariotte/core/overload.hpp"
+#include "mariotte/impact/quantities/quantity.hpp"
 #include "mariotte/report/json/json_parts.hpp"
 #include "mariotte/report/reason.hpp"
 
 namespace mariotte::report {
 namespace {
 
-Json period(const impact::Period& period) {
-  return Json::array({period.start, nullable(period.end)});
+using impact::Indices;
+using impact::Quantity;
+
+struct AsJson {
+  Json operator()(std::monostate) const { return nullptr; }
+  Json operator()(impact::Omitted) const { return nullptr; }
+  Json operator()(std::string_view words) const { return std::string(words); }
+  template <class Plain>
+  Json operator()(Plain value) const {
+    return value;
+  }
+};
+
+/// A quantity, and the indices that lead to one of its values.
+template <class Impact>
+struct Place {
+  const Impact& impact;
+  const Quantity<Impact>& quantity;
+  Indices at = {};
+};
+
+/// The elements of an array: its values, or a null each for members that are still to come.
+template <class Impact>
+Json array(Place<Impact>& place, Index& last) {
+  const auto& [impact, quantity, at] = place;
+  const auto count = quantity.count(impact, at);
+  if (!count) return nullptr;
+  Json elements = Json::array();
+  for (last = 0; last < *count; ++last)
+    elements.push_back(quantity.read ? std::visit(AsJson(), quantity.read(impact, at)) : Json(nullptr));
+  return elements;
 }
 
-Json contact_history(const impact::ContactHistory& contact) {
-  return {{"impulse", contact.impulse},
-          {"peak_force", contact.peak_force},
-          {"peak_indentation", contact.peak_indentation},
-          {"periods", list(contact.periods, period)},
-          {"stored", contact.stored},
-          {"dissipated", contact.dissipated}};
-}
-
-// Every model names the same five changes; balls on a line neither stick, slip nor get captured.
-Json event(const impact::Event& event) {
-  return {{"time", event.time},     {"open", from_one(event.open)}, {"close", from_one(event.close)},
-          {"stick", Json::array()}, {"slip", Json::array()},        {"capture", Json::array()}};
-}
-
-Json energy(const impact::EnergyLedger& ledger) {
-  return {{"initial", ledger.initial},
-          {"final", ledger.final},
-          {"stored", ledger.stored},
-          {"dissipated", ledger.dissipated},
-          {"work", ledger.work},
-          {"residual", ledger.residual},
-          {"ratio_lab", nullable(ledger.ratio_lab)},
-          {"ratio_centre", nullable(ledger.ratio_centre)}};
-}
-
-Json momentum(const impact::MomentumLedger& ledger) {
-  return {{"initial", ledger.initial}, {"final", ledger.final}, {"residual", ledger.residual}};
+/// Writes a quantity below `node`; `path` is the part of its key and `open` are the indices that are left.
+/// Arrays around it are there already.
+template <class Impact>
+void put(Json& node, std::string_view path, Place<Impact>& place, std::span<Index> open) {
+  if (path == "[]") {
+    node = array(place, open[0]);
+  } else if (path.starts_with("[]")) {
+    path.remove_prefix(path[2] == '.' ? 3 : 2);
+    for (open[0] = 0; open[0] < std::ssize(node); ++open[0]) put(node[open[0]], path, place, open.subspan(1));
+  } else if (const auto end = path.find_first_of(".["); end != path.npos) {
+    put(node[std::string(path.substr(0, end))], path.substr(path[end] == '.' ? end + 1 : end), place, open);
+  } else {
+    const auto value = place.quantity.read(place.impact, place.at);
+    if (!std::holds_alternative<impact::Omitted>(value))
+      node[std::string(path)] = std::visit(AsJson(), value);
+  }
 }
 
 Json law(const contact::Law& law) {
@@ -73,22 +91,18 @@ Json network(const model::Network& network) {
           {"precompressed", network.precompressed}};
 }
 
-Json result(const impact::ContactImpact& impact, const scene::Scene& scene, const char* model,
-            const Json& momentum) {
+/// The quantities of the result, and the words that `labels` lists.
+template <class Impact>
+Json result(const Impact& impact, const scene::Scene& scene, const char* model) {
   Json result = {{"ending", hybrid::name(impact.ending)}, {"title", scene.title}, {"model", model}};
   if (const auto why = reason(impact.ending, impact.message, scene.run); !why.empty())
     result["message"] = why;
-  result["final"] = {{"time", impact.time}, {"velocity", impact.velocity}, {"gap", impact.gap}};
-  result["contacts"] = list(impact.contacts, contact_history);
-  result["icr"] = list(impact.icr, nullable);
-  result["impulse_direction"] = impact.impulse_direction;
-  result["events"] = list(impact.events, event);
-  result["energy"] = energy(impact.energy);
-  result["momentum"] = momentum;
-  result["accuracy"] = {{"requested", impact.requested_accuracy},
-                        {"estimated", nullable(impact.estimated_accuracy)}};
-  result["flows"] = list(impact.flows, flow);
-  result["skipped"] = skipped(impact.skipped);
+  for (const auto& quantity : impact::quantities<Impact>()) {
+    Place<Impact> place{impact, quantity};
+    put(result, quantity.is.key, place, place.at);
+  }
+  result["skipped"] = Json::object();
+  for (const auto& one : impact.skipped) result["skipped"][one.what] = one.why;
   if (!scene.warnings.empty()) result["warnings"] = scene.warnings;
   result["provenance"] = provenance_json(scene.sha256);
   return result;
@@ -106,11 +120,15 @@ Json described(const scene::Scene& scene, const char* model, const Json& numbers
 }  // namespace
 
 Json json(const impact::ChainImpact& impact, const scene::Scene& scene) {
-  return result(impact, scene, "chain", momentum(impact.momentum));
+  return result(impact, scene, "chain");
 }
 
 Json json(const impact::NetworkImpact& impact, const scene::Scene& scene) {
-  return result(impact, scene, "network", {{"residual", impact.momentum_residual}});
+  return result(impact, scene, "network");
+}
+
+Json json(const impact::MicrobodyImpact& impact, const scene::Scene& scene) {
+  return result(impact, scene, "microbody");
 }
 
 Json json(const scene::Scene& scene) {

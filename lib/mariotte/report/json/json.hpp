@@ -1,7 +1,6 @@
-// Results and scenes as JSON, for scripts. Keys and meaning: doc/interface of the command; SI units
-// throughout.
+// Results and scenes as JSON, for scripts. Keys and their meaning: doc/result_format.md.
 #pragma once
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "mariotte/impact/chain/chain_impact.hpp"
@@ -13,16 +12,10 @@ namespace mariotte::report {
 
 using Json = nlohmann::ordered_json;
 
-/// The result of a run. Arrays count from 0 by position; the contacts named in `events` count from 1.
-/// Undefined ratios, periods that have not ended and an accuracy that was not estimated are null.
+/// The result of a run: every quantity of its list (impact/quantities), and the words of `labels`.
 Json json(const impact::ChainImpact& impact, const scene::Scene& scene);
-
-/// The same of a body: tips count from 1 in `events` and `impacts`; a `force_sign` of 1 says that the force
-/// on tip 1 turns into a push, −1 into a pull.
-Json json(const impact::MicrobodyImpact& impact, const scene::Scene& scene);
-
-/// As of a chain; of the momentum only the residual is told.
 Json json(const impact::NetworkImpact& impact, const scene::Scene& scene);
+Json json(const impact::MicrobodyImpact& impact, const scene::Scene& scene);
 
 /// The scene as it was understood. An infinite mass, radius or limit is null.
 Json json(const scene::Scene& scene);

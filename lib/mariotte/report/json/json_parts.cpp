@@ -4,26 +4,12 @@
 
 namespace mariotte::report {
 
-Json from_one(const std::vector<Index>& positions) {
-  return list(positions, [](Index position) { return position + 1; });
-}
-
 Json json_of_value(const scene::Node& node) {
   if (const auto* real = std::get_if<double>(&node.value)) return *real;
   if (const auto* integer = std::get_if<std::int64_t>(&node.value)) return *integer;
   if (const auto* truth = std::get_if<bool>(&node.value)) return *truth;
   if (const auto* words = std::get_if<std::string>(&node.value)) return *words;
   return nullptr;
-}
-
-Json flow(const impact::FlowUse& use) {
-  return {{"name", use.name}, {"phases", use.phases}, {"steps", use.steps}, {"rhs", use.rhs}};
-}
-
-Json skipped(const std::vector<impact::Skipped>& skipped) {
-  Json object = Json::object();
-  for (const auto& one : skipped) object[one.what] = one.why;
-  return object;
 }
 
 Json options(const hybrid::Options& run) {

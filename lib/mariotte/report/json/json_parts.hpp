@@ -1,9 +1,9 @@
 // Parts that every JSON result is made of.
 #pragma once
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
-#include "mariotte/impact/flow_use.hpp"
 #include "mariotte/report/json/json.hpp"
 #include "mariotte/scene/node.hpp"
 
@@ -20,14 +20,9 @@ Json list(const Values& values, const Write& write) {
   return array;
 }
 
-/// Positions from 0 as numbers from 1.
-Json from_one(const std::vector<Index>& positions);
-
 /// A value of a scene; null for an array or a table.
 Json json_of_value(const scene::Node& node);
 
-Json flow(const impact::FlowUse& use);
-Json skipped(const std::vector<impact::Skipped>& skipped);
 Json options(const hybrid::Options& run);
 
 /// What computed the result, and of which scene; null where there was none.

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "mariotte/report/json/json.hpp"
 #include "mariotte/report/number.hpp"

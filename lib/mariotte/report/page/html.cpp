@@ -1,6 +1,7 @@
 #include "mariotte/report/page/html.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <array>
 #include <cmath>

@@ -1,6 +1,7 @@
 #include "mariotte/report/page/html_text.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 

@@ -1,0 +1,30 @@
+// The words of a result, which stand in its JSON beside the quantities.
+#pragma once
+#include <array>
+#include <string_view>
+
+namespace mariotte::report {
+
+struct Label {
+  std::string_view key;
+  std::string_view meaning;
+};
+
+inline constexpr std::array labels = {
+    Label{"ending",
+          "how the run ended: `separated`, `captured`, `time_limit`, `event_limit`, `unsure` or `failed`"},
+    Label{"title", "title of the scene"},
+    Label{"model", "`chain`, `network` or `microbody`"},
+    Label{"message", "why the run ended so; left out if it ended by itself"},
+    Label{"skipped", "what this scene did not need, and why"},
+    Label{"warnings[]", "suspicious values of the scene; left out if there are none"},
+    Label{"provenance.version", "version of the program"},
+    Label{"provenance.scene_sha256", "checksum of the scene file with its overrides"},
+    Label{"provenance.sundials", "version of SUNDIALS"},
+    Label{"provenance.compiler", "compiler of the program"},
+    Label{"provenance.build_type", "CMake's build type of the program"},
+    Label{"provenance.scene", "scene file, of `mariotte run`"},
+    Label{"provenance.overrides[]", "what `--set` and the like have changed, of `mariotte run`"},
+};
+
+}  // namespace mariotte::report
