@@ -5,15 +5,10 @@
 #include <cmath>
 
 #include "mariotte/report/csv/columns.hpp"
-#include "mariotte/report/number.hpp"
+#include "mariotte/report/table/quantity_table.hpp"
 
 namespace mariotte::report {
 namespace {
-
-std::string residual(const Display& display, double value, double scale) {
-  const std::string note = scale > 0 ? fmt::format("(relative {:.1e})", std::abs(value) / scale) : "";
-  return line("residual", fmt::format("{:.2e}", display.factor * value), note);
-}
 
 std::string ratio(const std::string& name, const std::optional<double>& value) {
   return value ? line(name, fmt::format("{:.10f}", *value)) : "";
@@ -26,30 +21,37 @@ double momentum_scale(const model::Chain& chain) {
   return scale;
 }
 
-}  // namespace
+constexpr BalanceLine energies[] = {{"before", "energy.initial"},
+                                    {"work done on the balls", "energy.work", true},
+                                    {"kinetic after", "energy.final"},
+                                    {"stored in contacts", "energy.stored", true},
+                                    {"dissipated in contacts", "energy.dissipated"}};
+constexpr BalanceLine momenta[] = {{"before", "momentum.initial"}, {"after", "momentum.final"}};
 
-std::string energy_table(const impact::EnergyLedger& ledger) {
-  const auto display =
-      display_for(std::vector{ledger.initial, ledger.final, ledger.stored, ledger.work}, "J");
-  std::string text = fmt::format("\nEnergy [{}]\n", display.unit);
-  text += line("before", shown(display, ledger.initial));
-  if (ledger.work != 0) text += line("work done on the balls", shown(display, ledger.work));
-  text += line("kinetic after", shown(display, ledger.final));
-  if (ledger.stored != 0) text += line("stored in contacts", shown(display, ledger.stored));
-  text += line("dissipated in contacts", shown(display, ledger.dissipated));
-  text += residual(display, ledger.residual, ledger.initial + std::abs(ledger.work));
-  text += ratio("T⁺/T⁻, given frame", ledger.ratio_lab);
-  text += ratio("T⁺/T⁻, mass centre", ledger.ratio_centre);
-  return text;
+template <class Impact>
+std::string energy(const Impact& impact) {
+  const auto& e = impact.energy;
+  return balance_table("Energy", impact, energies, "energy.residual", e.initial + std::abs(e.work)) +
+         ratio("T⁺/T⁻, given frame", e.ratio_lab) + ratio("T⁺/T⁻, mass centre", e.ratio_centre);
 }
 
-std::string momentum_table(const impact::MomentumLedger& ledger, const model::Chain& chain) {
-  const auto display = display_for(std::vector{ledger.initial, ledger.final}, "N s");
-  std::string text = fmt::format("\nMomentum [{}]\n", display.unit);
-  text += line("before", shown(display, ledger.initial));
-  text += line("after", shown(display, ledger.final));
-  text += residual(display, ledger.residual, momentum_scale(chain));
-  return text;
+}  // namespace
+
+std::string residual_line(const Display& display, double residual, double scale) {
+  const std::string note = scale > 0 ? fmt::format("(relative {:.1e})", std::abs(residual) / scale) : "";
+  return line("residual", fmt::format("{:.2e}", display.factor * residual), note);
+}
+
+std::string energy_table(const impact::ChainImpact& impact) {
+  return energy(impact);
+}
+
+std::string energy_table(const impact::NetworkImpact& impact) {
+  return energy(impact);
+}
+
+std::string momentum_table(const impact::ChainImpact& impact, const model::Chain& chain) {
+  return balance_table("Momentum", impact, momenta, "momentum.residual", momentum_scale(chain));
 }
 
 std::string momentum_table(const impact::NetworkImpact& impact) {

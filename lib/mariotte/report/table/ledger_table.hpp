@@ -8,11 +8,12 @@
 
 namespace mariotte::report {
 
-/// The ledger in J; its residual also relative to the energy put in.
-std::string energy_table(const impact::EnergyLedger& ledger);
+/// The energy balance; its residual also relative to the energy put in.
+std::string energy_table(const impact::ChainImpact& impact);
+std::string energy_table(const impact::NetworkImpact& impact);
 
-/// The ledger in N s; its residual also relative to Σ m |v| of the balls of finite mass at the start.
-std::string momentum_table(const impact::MomentumLedger& ledger, const model::Chain& chain);
+/// The momentum balance; its residual also relative to Σ m |v| of the balls of finite mass at the start.
+std::string momentum_table(const impact::ChainImpact& impact, const model::Chain& chain);
 
 /// Of a network, whose momenta differ in kind, only how well the impulses explain the velocities.
 std::string momentum_table(const impact::NetworkImpact& impact);

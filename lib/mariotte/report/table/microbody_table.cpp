@@ -7,6 +7,7 @@
 #include "mariotte/report/number.hpp"
 #include "mariotte/report/reason.hpp"
 #include "mariotte/report/table/ledger_table.hpp"
+#include "mariotte/report/table/quantity_table.hpp"
 #include "mariotte/report/table/table.hpp"
 
 namespace mariotte::report {
@@ -100,19 +101,14 @@ std::string restitution(const impact::MicrobodyImpact& impact) {
          line("mass centre", fmt::format("{:.10f}", e.centre));
 }
 
-std::string energy(const impact::MicrobodyLedger& e) {
-  const auto display = display_for(std::vector{e.initial, e.final, e.stored, e.work}, "J");
-  std::string text = fmt::format("\nEnergy [{}]\n", display.unit);
-  text += line("before", shown(display, e.initial));
-  if (e.work != 0) text += line("work of gravity", shown(display, e.work));
-  text += line("kinetic after", shown(display, e.final));
-  if (e.stored != 0) text += line("stored in contacts", shown(display, e.stored));
-  text += line("dissipated", shown(display, e.dissipated()));
-  text += line("  by Hertz damping", shown(display, e.hertz_damping));
-  text += line("  by adhesion damping", shown(display, e.adhesion_damping));
-  text += line("  by friction", shown(display, e.friction));
-  return text + line("residual", fmt::format("{:.2e}", display.factor * e.residual));
-}
+constexpr BalanceLine energies[] = {{"before", "energy.initial"},
+                                    {"work of gravity", "energy.work", true},
+                                    {"kinetic after", "energy.final"},
+                                    {"stored in contacts", "energy.stored", true},
+                                    {"dissipated", "energy.dissipated"},
+                                    {"  by Hertz damping", "energy.hertz_damping"},
+                                    {"  by adhesion damping", "energy.adhesion_damping"},
+                                    {"  by friction", "energy.friction"}};
 
 }  // namespace
 
@@ -120,7 +116,8 @@ std::string table(const impact::MicrobodyImpact& impact, const scene::Scene& sce
   const auto time = display_for(std::vector{impact.final.time}, "s");
   return heading(scene.title.empty() ? "Microbody on a plane" : scene.title) + summary(impact, scene, time) +
          events(impact, time) + motion(impact, std::get<model::Microbody>(scene.model)) +
-         restitution(impact) + impacts(impact, time) + energy(impact.energy) + flows_table(impact.flows) +
+         restitution(impact) + impacts(impact, time) +
+         balance_table("Energy", impact, energies, "energy.residual") + flows_table(impact.flows) +
          skipped_table(impact.skipped);
 }
 

@@ -10,16 +10,10 @@
 #include "mariotte/report/reason.hpp"
 #include "mariotte/report/table/ledger_table.hpp"
 #include "mariotte/report/table/network_table.hpp"
+#include "mariotte/report/table/quantity_table.hpp"
 
 namespace mariotte::report {
 namespace {
-
-template <class Values, class Get>
-Display display_of(const Values& values, const Get& get, const std::string& unit) {
-  std::vector<double> numbers;
-  for (const auto& value : values) numbers.push_back(get(value));
-  return display_for(numbers, unit);
-}
 
 Display time_display(const impact::ContactImpact& impact) {
   return display_for(std::vector{impact.time}, "s");
@@ -71,35 +65,24 @@ std::string periods(const impact::ContactHistory& contact, const Display& time, 
 }
 
 /// `name` tells what each contact joins, where that is not clear.
-std::string contacts(const impact::ContactImpact& impact, const Display& time,
-                     const std::vector<std::string>& name) {
-  using History = impact::ContactHistory;
-  const auto& all = impact.contacts;
-  auto impulse = display_of(
-      all, [](const History& c) { return c.impulse; }, "N s");
-  auto force = display_of(
-      all, [](const History& c) { return c.peak_force; }, "N");
-  auto depth = display_of(
-      all, [](const History& c) { return c.peak_indentation; }, "m");
-  auto loss = display_of(
-      all, [](const History& c) { return c.dissipated; }, "J");
-  for (auto* display : {&force, &depth, &loss}) display->decimals = std::max(0, display->decimals - 2);
-  const auto row = [&](Index j) -> Row {
-    const auto& contact = all[static_cast<std::size_t>(j)];
-    Row cells = {fmt::format("{}", j + 1),         shown(impulse, contact.impulse),
-                 shown(force, contact.peak_force), shown(depth, contact.peak_indentation),
-                 shown(loss, contact.dissipated),  periods(contact, time, name.empty() ? 2 : 1)};
-    if (!name.empty()) cells.insert(cells.begin() + 1, name[static_cast<std::size_t>(j)]);
+template <class Impact>
+std::string contacts(const Impact& impact, const Display& time, const std::vector<std::string>& name) {
+  const NumberColumn numbers[] = {number_column("impulse", "contacts[].impulse", impact),
+                                  number_column("peak force", "contacts[].peak_force", impact, 2),
+                                  number_column("indentation", "contacts[].peak_indentation", impact, 2),
+                                  number_column("dissip.", "contacts[].dissipated", impact, 2)};
+  const auto row = [&](Index j) {
+    Row cells = {fmt::format("{}", j + 1)};
+    if (!name.empty()) cells.push_back(name[j]);
+    for (const auto& column : numbers) cells.push_back(column.cell(j));
+    cells.push_back(periods(impact.contacts[j], time, name.empty() ? 2 : 1));
     return cells;
   };
-  Row header = {"contact",
-                "impulse [" + impulse.unit + "]",
-                "peak force [" + force.unit + "]",
-                "indentation [" + depth.unit + "]",
-                "dissip. [" + loss.unit + "]",
-                "closed [" + time.unit + "]"};
-  if (!name.empty()) header.insert(header.begin() + 1, "balls");
-  return "\nContacts\n" + columns(header, std::ssize(all), row);
+  Row header = {"contact"};
+  if (!name.empty()) header.push_back("balls");
+  for (const auto& column : numbers) header.push_back(column.head());
+  header.push_back("closed [" + time.unit + "]");
+  return "\nContacts\n" + columns(header, std::ssize(impact.contacts), row);
 }
 
 std::string ratios(const impact::ContactImpact& impact) {
@@ -123,7 +106,7 @@ std::string table(const impact::ChainImpact& impact, const scene::Scene& scene) 
   const auto& chain = std::get<model::Chain>(scene.model);
   return head(impact, scene, "Chain of balls", fmt::format("{} balls", impact.velocity.size())) +
          balls(impact, chain) + contacts(impact, time_display(impact), {}) + ratios(impact) +
-         energy_table(impact.energy) + momentum_table(impact.momentum, chain) + flows_table(impact.flows) +
+         energy_table(impact) + momentum_table(impact, chain) + flows_table(impact.flows) +
          skipped_table(impact.skipped);
 }
 
@@ -131,7 +114,7 @@ std::string table(const impact::NetworkImpact& impact, const scene::Scene& scene
   const auto& network = std::get<model::Network>(scene.model);
   return head(impact, scene, "Contact network", size_of(network)) + motion_table(network, impact.velocity) +
          contacts(impact, time_display(impact), contact_names(network)) + direction_table(impact) +
-         energy_table(impact.energy) + momentum_table(impact) + flows_table(impact.flows) +
+         energy_table(impact) + momentum_table(impact) + flows_table(impact.flows) +
          skipped_table(impact.skipped);
 }
 
