@@ -31,7 +31,8 @@ confine("(suitesparse/|klu|btf|amd|colamd|SuiteSparse)"     "${sundials_border}"
 confine("mariotte/flow/cvode/(sundials|linear_solver)"      "${sundials_border}")  # private: not installed
 confine("(unsupported/)?Eigen/"                             "(flow|model|impact|study)/.*\\.cpp")
 confine("toml"                                              "scene/")
-confine("(nlohmann|fmt)/"                                   "(scene|study|report|apps)/")
+confine("fmt/"                                              "(scene|study|report|apps)/")
+confine("nlohmann/"                                         "(report|apps)/")
 confine("mpi\\.h"                                            "apps/mariotte/ranks\\.cpp")
 confine("CLI/"                                              "apps/command_line/parser\\.cpp")
 confine("boost/"                                            "(study/fit/uncertainty\\.cpp|tests/|${rivals})")

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <csignal>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "command.hpp"
 #include "command_line/exit_code.hpp"
@@ -13,11 +14,10 @@
 #include "interruption.hpp"
 #include "mariotte/report/csv/sweep_csv.hpp"
 #include "mariotte/report/csv/sweep_rows.hpp"
-#include "mariotte/report/json/json.hpp"
 #include "mariotte/report/json/sweep_json.hpp"
 #include "mariotte/report/page/provenance.hpp"
 #include "mariotte/scene/sha256.hpp"
-#include "mariotte/scene/simulate.hpp"
+#include "mariotte/study/sweep/evaluate.hpp"
 #include "mariotte/study/sweep/sweep_reader.hpp"
 #include "progress_line.hpp"
 #include "ranks.hpp"
@@ -39,12 +39,8 @@ struct Options {
   bool verbose = false;
 };
 
-study::Json simulate(const scene::Scene& scene) {
-  return std::visit([&](const auto& impact) { return report::json(impact, scene); }, scene::simulate(scene));
-}
-
 study::SweepPlan read(const Options& options, const Ranks& ranks) try {
-  auto plan = study::read_sweep(open(options.scene), simulate, options.columns);
+  auto plan = study::read_sweep(open(options.scene), options.columns);
   if (!options.scene.quiet && ranks.first())
     for (const auto& one : plan.warnings) warning(one);
   return plan;
@@ -66,7 +62,7 @@ study::Progress compute(const Options& options, const study::SweepPlan& plan, st
       .document = plan.document,
       .design = plan.design,
       .columns = plan.columns.size(),
-      .make_evaluate = [&] { return study::make_evaluate(plan.columns, simulate); },
+      .make_evaluate = [&] { return study::make_evaluate(plan.columns); },
       .append_rows = [&](const auto& batch, auto& text) { report::append_rows(plan.design, batch, text); }};
   const study::Dealer dealer(missing, {.rank = ranks.rank(), .ranks = ranks.count()});
   return run(sweep, dealer, options.threads, journal, [&](const auto& progress) {

@@ -28,7 +28,7 @@ study::Design design() {
 
 BOOST_FIXTURE_TEST_CASE(a_file_that_is_not_committed_leaves_nothing, Folder) {
   try {
-    report::new_hdf5_sweep(path / "sweep.h5", design(), {"icr[0]"})->add("1,soft,2,separated,\n");
+    report::new_hdf5_sweep(path / "sweep.h5", design(), {{"icr[0]"}})->add("1,soft,2,separated,\n");
   } catch (const report::FileError&) {  // built without HDF5
   }
   BOOST_TEST(std::filesystem::is_empty(path));
@@ -68,10 +68,17 @@ std::vector<std::string> words(const H5::H5File& file, const char* name) {
   return values;
 }
 
+std::string attribute(const H5::H5File& file, const char* dataset, const char* name) {
+  const auto found = file.openDataSet(dataset).openAttribute(name);
+  std::string text;
+  found.read(found.getStrType(), text);
+  return text.c_str();
+}
+
 }  // namespace
 
 BOOST_FIXTURE_TEST_CASE(every_column_is_a_dataset_of_its_name, Folder) {
-  const auto table = report::new_hdf5_sweep(path / "sweep.h5", design(), {"icr[0]"});
+  const auto table = report::new_hdf5_sweep(path / "sweep.h5", design(), {{"icr[0]", "1", "α_j", "a ratio"}});
   table->add("1,soft,0.1,separated,\n1,\"hä, rd\",,failed,\"stuck, at 2\"\n");
   table->add("2,soft,inf,max_time,\n");
   table->commit();
@@ -85,6 +92,10 @@ BOOST_FIXTURE_TEST_CASE(every_column_is_a_dataset_of_its_name, Folder) {
   BOOST_TEST(icr[0] == 0.1);
   BOOST_TEST(std::isnan(icr[1]));
   BOOST_TEST(std::isinf(icr[2]));
+  BOOST_TEST(attribute(file, "icr[0]", "unit") == "1");
+  BOOST_TEST(attribute(file, "icr[0]", "symbol") == "α_j");
+  BOOST_TEST(attribute(file, "icr[0]", "meaning") == "a ratio");
+  BOOST_TEST(!file.openDataSet("chain.mass[1]").attrExists("unit"));
   using Texts = std::vector<std::string>;
   BOOST_TEST(texts(file, "law") == (Texts{"soft", "hä, rd", "soft"}), same);
   BOOST_TEST(words(file, "ending") == (Texts{"separated", "failed", "max_time"}), same);
@@ -96,7 +107,7 @@ BOOST_FIXTURE_TEST_CASE(every_column_is_a_dataset_of_its_name, Folder) {
 }
 
 BOOST_FIXTURE_TEST_CASE(more_rows_than_fit_into_memory_at_once_keep_their_order, Folder) {
-  const auto table = report::new_hdf5_sweep(path / "sweep.h5", design(), {"icr[0]"});
+  const auto table = report::new_hdf5_sweep(path / "sweep.h5", design(), {{"icr[0]"}});
   for (int i = 0; i < 150000; ++i)
     table->add(std::to_string(i) + ",word" + std::to_string(i) + ",0.5,separated,\n");
   table->commit();

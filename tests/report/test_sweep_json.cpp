@@ -1,5 +1,6 @@
 #define BOOST_TEST_MODULE report_sweep_json
 #include <boost/test/unit_test.hpp>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "mariotte/report/json/sweep_json.hpp"
@@ -18,7 +19,7 @@ study::SweepPlan plan() {
       {.key = "b", .axis = 0, .list = {soft, two}},
       {.key = "c", .axis = 1, .range = study::Range{.to = 1, .logarithmic = true, .seed = 7}}};
   plan.design.axes = {{.count = 2, .stride = 3}, {.count = 3, .stride = 1}};
-  plan.columns = {"icr[0]"};
+  plan.columns = {{"icr[0]"}};
   return plan;
 }
 

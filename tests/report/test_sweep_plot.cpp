@@ -45,7 +45,7 @@ std::vector<std::string> lines(const std::string& text) {
 }
 
 /// What gnuplot makes of a sweep with one row per point; the cells of every other point may differ.
-std::string drawn(const Design& design, const std::vector<std::string>& columns, const std::string& cells,
+std::string drawn(const Design& design, const std::vector<study::Column>& columns, const std::string& cells,
                   std::string others = "") {
   if (others.empty()) others = cells;
   std::string folder = (fs::temp_directory_path() / "mariotte-XXXXXX").string();
@@ -67,7 +67,7 @@ std::string drawn(const Design& design, const std::vector<std::string>& columns,
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(curves_of_one_quantity_share_a_figure_and_maps_do_not) {
-  const std::vector<std::string> columns = {"final.velocity[0]", "icr[0]", "final.velocity[1]"};
+  const std::vector<study::Column> columns = {{"final.velocity[0]"}, {"icr[0]"}, {"final.velocity[1]"}};
   BOOST_TEST(report::sweep_plot(curve(5), columns, "").figures ==
                  (std::vector<std::string>{"sweep.final.velocity.png", "sweep.final.velocity.svg",
                                            "sweep.icr.png", "sweep.icr.svg"}),
@@ -76,14 +76,22 @@ BOOST_AUTO_TEST_CASE(curves_of_one_quantity_share_a_figure_and_maps_do_not) {
   BOOST_TEST(report::sweep_plot(map(3, 3), columns, "").figures[2] == "sweep.icr_0.png");
 }
 
+BOOST_AUTO_TEST_CASE(axes_say_symbol_and_unit) {
+  const std::vector<study::Column> columns = {{"contacts[0].impulse", "N s", "p_j"}, {"icr[0]", "1", "α_j"}};
+  const auto curves = report::sweep_plot(curve(5), columns, "").script;
+  BOOST_TEST(curves.find("set ylabel 'contacts.impulse  p_j [N s]'") != std::string::npos);
+  const auto maps = report::sweep_plot(map(3, 3), columns, "").script;
+  BOOST_TEST(maps.find("set cblabel 'icr[0]  α_j'") != std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(what_has_no_figure_is_said) {
   auto three = map(2, 2);
   three.parameters.push_back(ranged("c", 2, {.from = 0, .to = 1}));
   three.axes = {{.count = 2, .stride = 4}, {.count = 2, .stride = 2}, {.count = 2, .stride = 1}};
-  const auto none = report::sweep_plot(three, {"icr[0]"}, "");
+  const auto none = report::sweep_plot(three, {{"icr[0]"}}, "");
   BOOST_TEST((none.figures.empty() && !none.shortfall.empty()));
-  std::vector<std::string> many;
-  for (int i = 0; i < 20; ++i) many.push_back("contacts[" + std::to_string(i) + "].impulse");
+  std::vector<study::Column> many;
+  for (int i = 0; i < 20; ++i) many.push_back({"contacts[" + std::to_string(i) + "].impulse"});
   const auto some = report::sweep_plot(map(2, 2), many, "");
   BOOST_TEST((some.figures.size() == 24 && some.shortfall == "only the first 12 are drawn"));
   BOOST_TEST(report::sweep_plot(curve(2), many, "").shortfall == "");
@@ -113,15 +121,15 @@ BOOST_AUTO_TEST_CASE(a_large_map_is_thinned_out_evenly) {
 
 BOOST_AUTO_TEST_CASE(gnuplot_draws_every_kind_of_sweep) {
   for (const auto& design : {curve(10), map(4, 3), map(2, 9), cloud(30)}) {
-    BOOST_TEST(drawn(design, {"x[0]", "x[1]", "y"}, "1,2,3,separated,") == "");
-    BOOST_TEST(drawn(design, {"x[0]", "x[1]", "y"}, "1,,,separated,") == "");
+    BOOST_TEST(drawn(design, {{"x[0]"}, {"x[1]", "N s", "x'_j"}, {"y"}}, "1,2,3,separated,") == "");
+    BOOST_TEST(drawn(design, {{"x[0]"}, {"x[1]", "N s", "x'_j"}, {"y"}}, "1,,,separated,") == "");
     for (const auto* others : {",2,,separated,", ",,,rejected,\"no, not this\""}) {
-      BOOST_TEST(drawn(design, {"x[0]", "x[1]", "y"}, "1,,3,separated,", others) == "");
-      BOOST_TEST(drawn(design, {"x[0]", "x[1]", "y"}, others, "1,,3,separated,") == "");
+      BOOST_TEST(drawn(design, {{"x[0]"}, {"x[1]", "N s", "x'_j"}, {"y"}}, "1,,3,separated,", others) == "");
+      BOOST_TEST(drawn(design, {{"x[0]"}, {"x[1]", "N s", "x'_j"}, {"y"}}, others, "1,,3,separated,") == "");
     }
   }
   Design listed = curve(2);
   listed.parameters[0].range.reset();
   listed.parameters[0].list = {{.value = "it's", .place = {}}, {.value = true, .place = {}}};
-  BOOST_TEST(drawn(listed, {"x"}, "1,separated,") == "");
+  BOOST_TEST(drawn(listed, {{"x"}}, "1,separated,") == "");
 }

@@ -78,10 +78,10 @@ std::vector<double> numbers(const H5::H5File& file, const char* name, std::vecto
   return values;
 }
 
-std::string unit(const H5::H5File& file, const char* name) {
-  const auto attribute = file.openDataSet(name).openAttribute("unit");
+std::string attribute(const H5::H5File& file, const char* dataset, const char* name) {
+  const auto found = file.openDataSet(dataset).openAttribute(name);
   std::string text;
-  attribute.read(attribute.getStrType(), text);
+  found.read(found.getStrType(), text);
   return text;
 }
 
@@ -106,10 +106,11 @@ BOOST_FIXTURE_TEST_CASE(hdf5_holds_the_tables_their_units_and_what_columns_are, 
     BOOST_REQUIRE(std::equal(row.gap.begin(), row.gap.end(), &gap[2 * i]));
     BOOST_REQUIRE(std::equal(row.force.begin(), row.force.end(), &force[2 * i]));
   }
-  BOOST_TEST(unit(file, "time") == "s");
-  BOOST_TEST(unit(file, "velocity") == "m/s");
-  BOOST_TEST(unit(file, "gap") == "m");
-  BOOST_TEST(unit(file, "force") == "N");
+  BOOST_TEST(attribute(file, "time", "unit") == "s");
+  BOOST_TEST(attribute(file, "velocity", "unit") == "m/s");
+  BOOST_TEST(attribute(file, "gap", "unit") == "m");
+  BOOST_TEST(attribute(file, "force", "unit") == "N");
+  BOOST_TEST(attribute(file, "force", "meaning") == "force of the contact");
 }
 
 BOOST_FIXTURE_TEST_CASE(a_killed_run_leaves_hdf5_that_can_be_read, Killed) {

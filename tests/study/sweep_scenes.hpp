@@ -2,8 +2,6 @@
 #pragma once
 #include <string>
 
-#include "mariotte/report/json/json.hpp"
-
 namespace mariotte::test {
 
 inline const std::string three_balls = R"([chain]
@@ -24,9 +22,5 @@ law = "hertz"
 balls = 3
 velocity = ["1 m/s", 0, 0]
 )";
-
-inline report::Json simulate(const scene::Scene& scene) {
-  return report::json(impact::simulate(std::get<model::Chain>(scene.model), scene.run), scene);
-}
 
 }  // namespace mariotte::test

@@ -15,7 +15,7 @@ std::string sweep(const std::string& key, const std::string& from, const std::st
 }
 
 study::SweepPlan plan(const std::string& text) {
-  return study::read_sweep(scene::parse_document(text, "s.toml"), test::simulate);
+  return study::read_sweep(scene::parse_document(text, "s.toml"));
 }
 
 std::vector<double> copied(scene::Scene scene) {

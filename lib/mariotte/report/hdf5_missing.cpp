@@ -18,7 +18,7 @@ std::unique_ptr<TraceFile> new_hdf5_trace(const std::filesystem::path& path, con
 }
 
 std::unique_ptr<SweepFile> new_hdf5_sweep(const std::filesystem::path& path, const study::Design&,
-                                          const std::vector<std::string>&) {
+                                          const std::vector<study::Column>&) {
   refuse(path);
 }
 

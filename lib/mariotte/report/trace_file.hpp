@@ -19,7 +19,8 @@ class TraceFile {
 /// Samples of these balls and contacts (from 0) into `path`: HDF5 if its name ends in .h5 or .hdf5, else the
 /// CSV of `trace_csv`. HDF5 files hold the tables `time` [s] (one value per sample), `velocity` [m/s] (one
 /// row per sample, one column per ball), `gap` [m] and `force` [N] (one column per contact), and the numbers
-/// of the columns, from 1, as `ball` and `contact`. Throws FileError.
+/// of the columns, from 1, as `ball` and `contact`. Tables have attributes `unit` and `meaning`. Throws
+/// FileError.
 std::unique_ptr<TraceFile> new_trace_file(const std::filesystem::path& path, const std::vector<Index>& balls,
                                           const std::vector<Index>& contacts);
 

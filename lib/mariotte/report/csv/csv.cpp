@@ -4,6 +4,7 @@
 
 #include <numeric>
 
+#include "mariotte/impact/quantities/description.hpp"
 #include "mariotte/report/number.hpp"
 
 namespace mariotte::report {
@@ -15,9 +16,9 @@ std::string from_one(const std::vector<Index>& positions) {
   return fmt::format("{}", fmt::join(counted, " "));
 }
 
-std::string names(const std::string& quantity, const std::vector<Index>& places, const std::string& unit) {
+std::string names(std::string_view symbol, const std::vector<Index>& places, std::string_view unit) {
   std::string text;
-  for (const Index place : places) text += fmt::format(",{}{} [{}]", quantity, place + 1, unit);
+  for (const Index place : places) text += fmt::format(",{}{} [{}]", symbol, place + 1, unit);
   return text;
 }
 
@@ -42,8 +43,10 @@ std::string events_csv(const impact::ContactImpact& impact) {
 
 std::string trace_header(const std::vector<Index>& balls, const std::vector<Index>& contacts,
                          const std::string& velocity_unit) {
-  return "time [s]" + names("v", balls, velocity_unit.empty() ? "SI" : velocity_unit) +
-         names("gap", contacts, "m") + names("force", contacts, "N") + "\n";
+  const auto& [time, velocity, gap, force] = impact::sampled;
+  return fmt::format("{} [{}]", time.symbol, time.unit) +
+         names(velocity.symbol, balls, velocity_unit.empty() ? "SI" : velocity_unit) +
+         names(gap.symbol, contacts, gap.unit) + names(force.symbol, contacts, force.unit) + "\n";
 }
 
 std::string trace_row(double time, const std::vector<double>& velocity, const std::vector<double>& gap,

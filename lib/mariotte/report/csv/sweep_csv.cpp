@@ -17,10 +17,10 @@ void append_parameter(const study::Design& design, std::size_t parameter, Index 
 
 }  // namespace
 
-std::string sweep_header(const study::Design& design, const std::vector<std::string>& columns) {
+std::string sweep_header(const study::Design& design, const std::vector<study::Column>& columns) {
   std::string text;
   for (const auto& parameter : design.parameters) text += cell(parameter.key) + ",";
-  for (const auto& column : columns) text += cell(column) + ",";
+  for (const auto& column : columns) text += cell(column.key) + ",";
   return text + "ending,reason\n";
 }
 

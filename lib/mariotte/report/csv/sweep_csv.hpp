@@ -8,7 +8,7 @@
 namespace mariotte::report {
 
 /// The varied keys, the columns, then `ending,reason`.
-std::string sweep_header(const study::Design& design, const std::vector<std::string>& columns);
+std::string sweep_header(const study::Design& design, const std::vector<study::Column>& columns);
 
 /// Appends the first cells of a point's row, what it gives to the varied keys, each with a comma after it.
 void append_parameters(const study::Design& design, Index point, std::string& text);

@@ -14,7 +14,7 @@ constexpr std::size_t most_figures = 12;
 constexpr Index few_points = 40;    // that marks do not hide the curve
 constexpr Index few_pixels = 2500;  // that are drawn one by one; browsers blur the edges of an image
 
-using Names = std::vector<std::string>;
+using Columns = std::vector<study::Column>;
 
 /// One picture, and the columns it shows.
 struct Figure {
@@ -29,10 +29,10 @@ std::string without_indices(std::string key) {
 }
 
 /// Curves of one quantity share a figure, maps cannot.
-std::vector<Figure> figures_of(const Names& columns, bool shared) {
+std::vector<Figure> figures_of(const Columns& columns, bool shared) {
   std::vector<Figure> figures;
   for (std::size_t k = 0; k < columns.size(); ++k) {
-    const auto key = shared ? without_indices(columns[k]) : columns[k];
+    const auto key = shared ? without_indices(columns[k].key) : columns[k].key;
     auto found =
         std::find_if(figures.begin(), figures.end(), [&](const auto& one) { return one.key == key; });
     if (found == figures.end()) found = figures.insert(found, {.key = key, .columns = {}});
@@ -45,6 +45,12 @@ std::string file_name(std::string key) {
   std::replace(key.begin(), key.end(), '[', '_');
   std::erase(key, ']');
   return "sweep." + key;
+}
+
+/// What stands beside the axis of these columns: key, symbol and unit.
+std::string label(const std::string& key, const study::Column& column) {
+  const auto symbol = column.symbol.empty() ? "" : fmt::format("  {}", column.symbol);
+  return key + symbol + (column.unit.empty() || column.unit == "1" ? "" : fmt::format(" [{}]", column.unit));
 }
 
 /// Position in plot.csv, from 1: the coordinates, the parameters, the columns.
@@ -74,7 +80,7 @@ std::string unless_empty(const std::string& plot) {
   return fmt::format("if (low > high) {{ plot [0:1] [0:1] 2 notitle }} else {{\n{}\n}}\n", plot);
 }
 
-std::string curves(const study::Design& design, const Names& columns, const Figure& figure) {
+std::string curves(const study::Design& design, const Columns& columns, const Figure& figure) {
   const auto& one = design.parameters[drawn_parameters(design)[0]];
   const bool random = one.range && one.range->seed;
   const auto* style = random                          ? "points pt 7 ps 0.4"
@@ -87,21 +93,24 @@ std::string curves(const study::Design& design, const Names& columns, const Figu
     places.push_back(place(design, column));
     draw.push_back(fmt::format("'plot.csv' using 1:{} with {} lc palette frac {:.3g} title {} noenhanced",
                                places.back(), style, 0.1 + 0.8 * static_cast<double>(draw.size()) / last,
-                               quoted(columns[column])));
+                               quoted(columns[column].key)));
   }
   const auto* key = draw.size() > 1 ? "set key\n" : "unset key\n";
-  return fmt::format("set ylabel {} noenhanced\n{}unset colorbox\n", quoted(figure.key), key) +
+  return fmt::format("set ylabel {} noenhanced\n{}unset colorbox\n",
+                     quoted(label(figure.key, columns[figure.columns[0]])), key) +
          range_settings(places, "y") +
          on_both_terminals(file_name(figure.key),
                            unless_empty(fmt::format("plot {}", fmt::join(draw, ", \\\n  "))));
 }
 
-std::string surface(const study::Design& design, const Figure& figure) {
+std::string surface(const study::Design& design, const Columns& columns, const Figure& figure) {
   const auto column = place(design, figure.columns[0]);
   const auto* style = !is_map(design)                 ? "points pt 7 ps 0.5 lc palette"
                       : design.points() <= few_pixels ? "image pixels"
                                                       : "image";
-  return "unset key\nunset grid\nset autoscale fix\n" + range_settings({column}, "cb") +
+  return fmt::format("unset key\nunset grid\nset autoscale fix\nset cblabel {} noenhanced\n",
+                     quoted(label(figure.key, columns[figure.columns[0]]))) +
+         range_settings({column}, "cb") +
          on_both_terminals(
              file_name(figure.key),
              unless_empty(fmt::format("plot 'plot.csv' using 1:2:(valid({}) ? column({}) : NaN) with {}",
@@ -116,7 +125,7 @@ std::string axes(const study::Design& design) {
 
 }  // namespace
 
-SweepPlot sweep_plot(const study::Design& design, const Names& columns, const std::string& title) {
+SweepPlot sweep_plot(const study::Design& design, const Columns& columns, const std::string& title) {
   const auto drawn = drawn_parameters(design);
   if (drawn.empty()) return {{}, "", "a sweep along three axes or more is not drawn"};
   auto figures = figures_of(columns, drawn.size() == 1);
@@ -129,7 +138,7 @@ SweepPlot sweep_plot(const study::Design& design, const Names& columns, const st
   for (const auto& figure : figures) {
     plot.script += fmt::format("\nset title {} noenhanced\n",
                                quoted(title.empty() ? figure.key : title + ": " + figure.key));
-    plot.script += drawn.size() == 1 ? curves(design, columns, figure) : surface(design, figure);
+    plot.script += drawn.size() == 1 ? curves(design, columns, figure) : surface(design, columns, figure);
     const auto files = files_of_figure(file_name(figure.key));
     plot.figures.insert(plot.figures.end(), files.begin(), files.end());
   }

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "mariotte/study/sweep/columns.hpp"
 #include "mariotte/study/sweep/design.hpp"
 
 namespace mariotte::report {
@@ -17,7 +18,7 @@ struct SweepPlot {
 
 /// One axis makes a curve per column, those of one quantity in one figure. Two make a map per column; if one
 /// of them is random, or random values of several keys go along one axis, a cloud of points in its colours.
-SweepPlot sweep_plot(const study::Design& design, const std::vector<std::string>& columns,
+SweepPlot sweep_plot(const study::Design& design, const std::vector<study::Column>& columns,
                      const std::string& title);
 
 /// Appends to plot.csv what it shows of the rows from `first` on: where each point stands, and its row.

@@ -34,9 +34,11 @@ void Rows::append(const void* values, hsize_t rows, const H5::DataType& type) {
   dataset_.write(values, type, H5::DataSpace(static_cast<int>(count.size()), count.data()), there);
 }
 
-void Rows::name_unit(const std::string& unit) const {
-  const H5::StrType text(H5::PredType::C_S1, unit.size() + 1);
-  dataset_.createAttribute("unit", text, H5::DataSpace()).write(text, unit);
+void Rows::describe(const std::string& name, const std::string& text) const {
+  if (text.empty()) return;
+  H5::StrType type(H5::PredType::C_S1, text.size() + 1);
+  type.setCset(H5T_CSET_UTF8);
+  dataset_.createAttribute(name, type, H5::DataSpace()).write(type, text);
 }
 
 }  // namespace mariotte::report::hdf5

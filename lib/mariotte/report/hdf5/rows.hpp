@@ -20,7 +20,8 @@ class Rows {
   /// `values` are those of so many rows, one row after the other.
   void append(const void* values, hsize_t rows, const H5::DataType& type);
 
-  void name_unit(const std::string& unit) const;
+  /// An attribute; none is written of an empty text.
+  void describe(const std::string& name, const std::string& text) const;
 
  private:
   Extent extent_;

@@ -25,8 +25,12 @@ class Column {
 
 class NumberColumn final : public Column {
  public:
-  NumberColumn(const H5::H5File& file, const std::string& name)
-      : rows_(file, name, H5::PredType::IEEE_F64LE) {}
+  NumberColumn(const H5::H5File& file, const study::Column& column)
+      : rows_(file, column.key, H5::PredType::IEEE_F64LE) {
+    rows_.describe("unit", std::string(column.unit));
+    rows_.describe("symbol", std::string(column.symbol));
+    rows_.describe("meaning", std::string(column.meaning));
+  }
   void add(const std::string& cell) override { pending_.push_back(number(cell)); }
   void write() override {
     rows_.append(pending_.data(), pending_.size(), H5::PredType::NATIVE_DOUBLE);
@@ -93,14 +97,14 @@ void write_shape(const H5::H5File& file, const study::Design& design) {
 class Hdf5Sweep final : public SweepFile {
  public:
   Hdf5Sweep(const std::filesystem::path& path, const study::Design& design,
-            const std::vector<std::string>& columns)
+            const std::vector<study::Column>& columns)
       : target_(path) {
     target_.guarded([&] {
       write_shape(target_.file(), design);
-      for (const auto& parameter : design.parameters) add_column(parameter.key, is_numeric(parameter));
+      for (const auto& parameter : design.parameters) add_column({parameter.key}, is_numeric(parameter));
       for (const auto& column : columns) add_column(column, true);
       columns_.push_back(std::make_unique<WordColumn>(target_.file(), "ending"));
-      add_column("reason", false);
+      add_column({"reason"}, false);
     });
   }
 
@@ -120,11 +124,11 @@ class Hdf5Sweep final : public SweepFile {
   }
 
  private:
-  void add_column(const std::string& name, bool is_numeric) {
+  void add_column(const study::Column& column, bool is_numeric) {
     if (is_numeric)
-      columns_.push_back(std::make_unique<NumberColumn>(target_.file(), name));
+      columns_.push_back(std::make_unique<NumberColumn>(target_.file(), column));
     else
-      columns_.push_back(std::make_unique<TextColumn>(target_.file(), name));
+      columns_.push_back(std::make_unique<TextColumn>(target_.file(), column.key));
   }
   void write() {
     for (auto& column : columns_) column->write();
@@ -140,7 +144,7 @@ class Hdf5Sweep final : public SweepFile {
 }  // namespace
 
 std::unique_ptr<SweepFile> new_hdf5_sweep(const std::filesystem::path& path, const study::Design& design,
-                                          const std::vector<std::string>& columns) {
+                                          const std::vector<study::Column>& columns) {
   return std::make_unique<Hdf5Sweep>(path, design, columns);
 }
 

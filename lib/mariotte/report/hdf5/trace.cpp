@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "mariotte/impact/quantities/description.hpp"
 #include "mariotte/report/hdf5/new_file.hpp"
 #include "mariotte/report/hdf5/rows.hpp"
 #include "mariotte/report/trace_file.hpp"
@@ -16,9 +17,10 @@ constexpr std::chrono::seconds between_flushes(1);
 /// Rows that wait to be written.
 class Table {
  public:
-  Table(const H5::H5File& file, const char* name, const char* unit, const hdf5::Extent& row)
-      : rows_(file, name, H5::PredType::IEEE_F64LE, row) {
-    rows_.name_unit(unit);
+  Table(const H5::H5File& file, const impact::Description& is, const hdf5::Extent& row)
+      : rows_(file, std::string(is.key), H5::PredType::IEEE_F64LE, row) {
+    rows_.describe("unit", std::string(is.unit));
+    rows_.describe("meaning", std::string(is.meaning));
   }
 
   void add(ConstState row) { pending_.insert(pending_.end(), row.begin(), row.end()); }
@@ -51,10 +53,11 @@ class Hdf5Trace final : public TraceFile {
       const auto& file = target_.file();
       write_numbers(file, "ball", balls);
       write_numbers(file, "contact", contacts);
-      tables_ = {{file, "time", "s", {}},
-                 {file, "velocity", "m/s", {balls.size()}},
-                 {file, "gap", "m", {contacts.size()}},
-                 {file, "force", "N", {contacts.size()}}};
+      const auto& [time, velocity, gap, force] = impact::sampled;
+      tables_ = {{file, time, {}},
+                 {file, velocity, {balls.size()}},
+                 {file, gap, {contacts.size()}},
+                 {file, force, {contacts.size()}}};
       flush();
     });
   }

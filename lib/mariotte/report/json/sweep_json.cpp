@@ -78,7 +78,7 @@ Json json(const study::SweepPlan& plan, Index failed) {
   auto result = Json{{"title", plan.title}, {"points", plan.design.points()}, {"failed", failed}};
   result["varied"] = list(plan.design.parameters, [&](const auto& one) { return varied(plan.design, one); });
   result["provenance"] = provenance_json(plan.document.sha256);
-  result["provenance"]["columns"] = plan.columns;
+  result["provenance"]["columns"] = list(plan.columns, [](const study::Column& one) { return one.key; });
   return result;
 }
 

@@ -1,73 +1,80 @@
 #include "mariotte/study/sweep/evaluate.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <memory>
+#include <tuple>
 
 #include "mariotte/core/overload.hpp"
-#include "mariotte/study/sweep/brief_quantities.hpp"
+#include "mariotte/impact/quantities/quantity_key.hpp"
 
 namespace mariotte::study {
 namespace {
 
-Verdict verdict(const std::string& ending, const std::string& message) {
-  Verdict made{.ending = ending};
-  if (!made.has_numbers()) made.reason = message.empty() ? "the solver could not go on" : message;
+template <class Impact>
+Verdict verdict(const Impact& impact) {
+  Verdict made{.ending = name(impact.ending)};
+  if (!made.has_numbers())
+    made.reason = impact.message.empty() ? "the solver could not go on" : impact.message;
   return made;
 }
 
-/// Columns read from the brief result of one kind of scene, with the solver that makes it.
-template <class Result, class Solver>
-struct Brief {
-  std::vector<BriefQuantity<Result>> columns;  ///< of those that the brief result has
-  std::shared_ptr<Solver> solver = std::make_shared<Solver>();
+/// The columns of scenes of one kind.
+template <class Model>
+class OfModel {
+  using Impact = decltype(impact::unfilled(std::declval<const Model&>()));
+  using Brief = impact::Brief<Impact>;
+  using Entry = std::optional<impact::Entry<Impact>>;
 
-  void add(const std::optional<BriefQuantity<Result>>& quantity) {
-    if (quantity) columns.push_back(*quantity);
+ public:
+  explicit OfModel(const std::vector<Column>& columns) {
+    for (const auto& column : columns) {
+      const auto key = impact::parse_key(column.key);
+      entries_.push_back(key ? impact::find_entry<Impact>(*key) : Entry());
+    }
+    is_brief_ = std::all_of(entries_.begin(), entries_.end(),
+                            [](const Entry& entry) { return entry && is_brief(*entry); });
   }
-  template <class Model>
+
   Verdict evaluate(const Model& model, const hybrid::Options& run, std::span<double> out) {
-    const Result result{model, solver->solve(model, run)};
-    for (std::size_t k = 0; k < out.size(); ++k) out[k] = columns[k].read(result, columns[k].index);
-    return verdict(name(result.impact.ending), result.impact.message);
+    if constexpr (requires { solver_->solve(model, run); })
+      if (is_brief_ && Brief::serves(model)) {
+        const auto& impact = solver_->solve(model, run);
+        fill(Brief{model, impact}, out);
+        return verdict(impact);
+      }
+    const auto impact = impact::simulate(model, run);
+    fill(impact, out);
+    return verdict(impact);
   }
+
+ private:
+  template <class Result>
+  void fill(const Result& result, std::span<double> out) const {
+    std::transform(entries_.begin(), entries_.end(), out.begin(), [&](const Entry& entry) {
+      return entry ? number(*entry, result) : std::numeric_limits<double>::quiet_NaN();
+    });
+  }
+
+  std::vector<Entry> entries_;  ///< empty where this kind of scene has no such number
+  bool is_brief_ = false;       ///< the quickest solver has them all
+  std::shared_ptr<typename Brief::Solver> solver_ = std::make_shared<typename Brief::Solver>();
 };
 
 class Evaluator {
  public:
-  Evaluator(const std::vector<std::string>& columns, const Simulate& simulate) : simulate_(simulate) {
-    for (const auto& column : columns) {
-      keys_.push_back(result_key(column));
-      chain_.add(brief_quantity_of_chain(column));
-      body_.add(brief_quantity_of_body(column));
-    }
-  }
+  explicit Evaluator(const std::vector<Column>& columns) : all_{columns, columns, columns} {}
 
   Verdict operator()(const scene::Scene& scene, std::span<double> out) {
-    return std::visit(
-        Overload{[&](const model::Chain& chain) {
-                   return has_all(chain_) ? chain_.evaluate(chain, scene.run, out) : whole(scene, out);
-                 },
-                 [&](const model::Network&) { return whole(scene, out); },
-                 [&](const model::Microbody& body) {
-                   return body.impacts == 1 && has_all(body_) ? body_.evaluate(body, scene.run, out)
-                                                              : whole(scene, out);
-                 },
-                 [&](const scene::LawAlone&) { return whole(scene, out); }},
-        scene.model);
+    return std::visit(Overload{[&]<class Model>(const Model& model) {
+                                 return std::get<OfModel<Model>>(all_).evaluate(model, scene.run, out);
+                               },
+                               [](const scene::LawAlone& nothing) -> Verdict { scene::refuse(nothing); }},
+                      scene.model);
   }
 
  private:
-  bool has_all(const auto& brief) const { return brief.columns.size() == keys_.size(); }
-
-  Verdict whole(const scene::Scene& scene, std::span<double> out) const {
-    const Json result = simulate_(scene);
-    for (std::size_t k = 0; k < out.size(); ++k) out[k] = number(result, keys_[k]);
-    return verdict(result.at("ending").get<std::string>(), result.value("message", ""));
-  }
-
-  std::vector<ResultKey> keys_;
-  Brief<BriefChain, impact::ChainSolver> chain_;
-  Brief<BriefBody, impact::MicrobodySolver> body_;
-  Simulate simulate_;
+  std::tuple<OfModel<model::Chain>, OfModel<model::Network>, OfModel<model::Microbody>> all_;
 };
 
 }  // namespace
@@ -76,8 +83,8 @@ bool Verdict::has_numbers() const {
   return ending != "failed" && ending != "unsure" && ending != "rejected";
 }
 
-Evaluate make_evaluate(const std::vector<std::string>& columns, const Simulate& simulate) {
-  return Evaluator(columns, simulate);
+Evaluate make_evaluate(const std::vector<Column>& columns) {
+  return Evaluator(columns);
 }
 
 }  // namespace mariotte::study

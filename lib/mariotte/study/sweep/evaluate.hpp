@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "mariotte/scene/scene.hpp"
-#include "mariotte/study/sweep/result_key.hpp"
+#include "mariotte/study/sweep/columns.hpp"
 
 namespace mariotte::study {
 
@@ -19,14 +18,11 @@ struct Verdict {
   bool has_numbers() const;
 };
 
-/// The result of a scene of any kind, as JSON.
-using Simulate = std::function<Json(const scene::Scene&)>;
-
 /// Fills in one number per column, nan where the result has none. Not to be shared between threads.
 using Evaluate = std::function<Verdict(const scene::Scene&, std::span<double>)>;
 
-/// Looks the columns up in the result of `simulate`; a chain, or a body with one impact, whose columns its
-/// quickest run has is solved without it, with the same memory again and again.
-Evaluate make_evaluate(const std::vector<std::string>& columns, const Simulate& simulate);
+/// Simulates scenes of any kind, by the quickest solver of their model if that has all the columns, and with
+/// the same memory again and again.
+Evaluate make_evaluate(const std::vector<Column>& columns);
 
 }  // namespace mariotte::study

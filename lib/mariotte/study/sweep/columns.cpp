@@ -1,0 +1,165 @@
+#include "mariotte/study/sweep/columns.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "mariotte/core/nearest.hpp"
+#include "mariotte/core/overload.hpp"
+#include "mariotte/impact/quantities/quantity_key.hpp"
+
+namespace mariotte::study {
+namespace {
+
+using impact::Entry;
+using impact::Quantity;
+
+constexpr Index most_elements = 16;  // of a longer array the ends stand for all, unless asked
+
+/// What stands between the brackets of a key, one after the other, however wrong.
+std::vector<std::string> indices_in(std::string_view key) {
+  std::vector<std::string> all;
+  for (auto open = key.find('['); open != key.npos; open = key.find('[', open + 1))
+    all.emplace_back(key.substr(open + 1, key.find_first_of("].", open) - open - 1));
+  return all;
+}
+
+/// A pattern with these indices, 0 where they are too few.
+std::string with_indices(std::string_view pattern, const std::vector<std::string>& indices) {
+  std::string key;
+  std::size_t used = 0;
+  for (const char c : pattern) {
+    key += c;
+    if (c == '[') key += used < indices.size() && !indices[used].empty() ? indices[used] : "0", ++used;
+  }
+  return key;
+}
+
+/// The nearest key that leads to a number.
+template <class Impact>
+std::string suggestion(const std::string& key) {
+  const auto indices = indices_in(key);
+  std::vector<std::string> known;
+  for (const auto& one : impact::quantities<Impact>()) {
+    if (!one.is.unit.empty()) known.push_back(with_indices(one.is.key, indices));
+    if (one.count)
+      known.push_back(with_indices(one.is.key.substr(0, one.is.key.size() - 2), indices) + ".count");
+  }
+  const std::vector<std::string_view> names(known.begin(), known.end());
+  return mariotte::suggestion(key, names);
+}
+
+/// Of a key that is a number of some result of this kind. Throws ColumnError.
+template <class Impact>
+Entry<Impact> entry_of(const std::string& key) {
+  const auto parsed = impact::parse_key(key);
+  if (!parsed)
+    throw ColumnError(
+        fmt::format("'{}' needs an index in brackets, from 0, or * for all{}", key, suggestion<Impact>(key)));
+  if (const auto entry = impact::find_entry<Impact>(*parsed)) {
+    if (!entry->counts && entry->quantity->is.unit.empty())
+      throw ColumnError(fmt::format("'{}' is no number", key));
+    return *entry;
+  }
+  if (impact::find_quantity<Impact>(parsed->pattern + "[]"))
+    throw ColumnError(fmt::format("'{}' needs an index in brackets, from 0, or * for all", key));
+  throw ColumnError(fmt::format("no result has '{}'{}", key, suggestion<Impact>(key)));
+}
+
+/// Writes keys out for one model.
+template <class Model>
+class Expansion {
+  using Impact = decltype(impact::unfilled(std::declval<const Model&>()));
+
+ public:
+  Expansion(const Model& model, const hybrid::Options& run)
+      : model_(model), run_(run), result_(impact::unfilled(model)) {}
+
+  std::vector<Column> operator()(const std::vector<std::string>& keys) {
+    for (const auto& key : keys.empty() ? default_keys() : keys) expand(key, entry_of<Impact>(key));
+    return std::move(columns_);
+  }
+
+ private:
+  void expand(const std::string& key, const Entry<Impact>& entry, std::size_t level = 0) {
+    if (!entry.has_index(level)) return add(key, *entry.quantity);
+    if (entry.at[level] != impact::every_index) {
+      expect(key, entry, level);
+      return expand(key, entry, level + 1);
+    }
+    auto each = entry;
+    const Index count = length(entry, level);
+    for (each.at[level] = 0; each.at[level] < count; ++each.at[level])
+      expand(std::string(key).replace(key.find("[*]"), 3, fmt::format("[{}]", each.at[level])), each,
+             level + 1);
+  }
+
+  void add(const std::string& key, const Quantity<Impact>& quantity) {
+    const auto& [pattern, unit, symbol, meaning] = quantity.is;
+    if (!known_.insert(key).second) return;
+    columns_.push_back({key, key.ends_with(".count") ? "1" : unit, symbol, meaning});
+  }
+
+  /// Throws BeyondEnd if the model is too small for the index.
+  void expect(const std::string& key, const Entry<Impact>& entry, std::size_t level) const {
+    const auto& array = *entry.arrays[level];
+    if (array.counted_by_run) return;
+    const Index count = array.count(result_, entry.at).value_or(0);
+    if (entry.at[level] < count) return;
+    const auto name = array.is.key.substr(0, array.is.key.size() - 2);
+    throw BeyondEnd(fmt::format("'{}' does not exist: {}", key,
+                                count == 0 ? fmt::format("this scene has no {}", name)
+                                           : fmt::format("the last is {}[{}]", name, count - 1)));
+  }
+
+  /// Runs the scene if nothing less tells; 0 where an array around it has no such index.
+  Index length(const Entry<Impact>& entry, std::size_t level) {
+    for (std::size_t k = 0; k <= level; ++k) {
+      const auto& array = *entry.arrays[k];
+      if (array.counted_by_run && !is_run_) {
+        result_ = impact::simulate(model_, run_);
+        is_run_ = true;
+      }
+      const Index count = array.count(result_, entry.at).value_or(0);
+      if (k == level) return count;
+      if (entry.at[k] >= count) return 0;
+    }
+    return 0;
+  }
+
+  /// The numbers that say most, of whatever kind the result is.
+  std::vector<std::string> default_keys() const {
+    std::vector<std::string> keys;
+    for (const auto* name : {"final.velocity", "final.spin", "icr"}) {
+      const auto* array = impact::find_quantity<Impact>(std::string(name) + "[]");
+      const Index size = array ? array->count(result_, {}).value_or(0) : 0;
+      if (size > most_elements)
+        keys.insert(keys.end(), {fmt::format("{}[0]", name), fmt::format("{}[{}]", name, size - 1)});
+      else if (size > 0)
+        keys.push_back(fmt::format("{}[*]", name));
+    }
+    for (const auto* name : {"restitution.tip", "restitution.centre", "energy.final"})
+      if (impact::find_quantity<Impact>(name)) keys.emplace_back(name);
+    return keys;
+  }
+
+  const Model& model_;
+  const hybrid::Options& run_;
+  Impact result_;  ///< its lengths alone, until the scene has been run
+  bool is_run_ = false;
+  std::vector<Column> columns_;
+  std::set<std::string> known_;
+};
+
+}  // namespace
+
+std::vector<Column> expand_columns(const std::vector<std::string>& keys, const scene::Scene& scene) {
+  using Columns = std::vector<Column>;
+  return std::visit(Overload{[&](const auto& model) { return Expansion(model, scene.run)(keys); },
+                             [](const scene::LawAlone& nothing) -> Columns { scene::refuse(nothing); }},
+                    scene.model);
+}
+
+}  // namespace mariotte::study

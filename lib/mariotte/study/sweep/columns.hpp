@@ -1,0 +1,36 @@
+// The columns of a sweep: numbers of a result by their keys (impact/quantities/quantity_key.hpp).
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mariotte/core/error.hpp"
+#include "mariotte/scene/scene.hpp"
+#include "mariotte/study/fault.hpp"
+
+namespace mariotte::study {
+
+/// A key that no result has; what() names it and the nearest known one.
+struct ColumnError : Error {
+  explicit ColumnError(const std::string& what) : Error(what, fault::unknown_column) {}
+};
+
+/// A key with an index that this scene has too few balls or contacts for.
+struct BeyondEnd : ColumnError {
+  using ColumnError::ColumnError;
+};
+
+/// One column, and what it is of.
+struct Column {
+  std::string key;                ///< "icr[0]"
+  std::string_view unit = {};     ///< SI; "1" for a pure number
+  std::string_view symbol = {};   ///< may be empty
+  std::string_view meaning = {};  ///< one line
+};
+
+/// The keys with `[*]` written out for a scene like this one, each once: "icr[*]" as "icr[0]", "icr[1]", …;
+/// without any keys, those that say most about it. Nothing is simulated, unless * stands for something that
+/// only a run can count, as events. Throws ColumnError for a key that is no number of such a result.
+std::vector<Column> expand_columns(const std::vector<std::string>& keys, const scene::Scene& scene);
+
+}  // namespace mariotte::study
