@@ -1,0 +1,92 @@
+#include "mariotte/report/page/result_format.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "mariotte/impact/quantities/quantity.hpp"
+#include "mariotte/report/json/labels.hpp"
+
+namespace mariotte::report {
+namespace {
+
+using impact::Cost;
+
+constexpr const char* introduction = R"(# What a result says
+
+<!-- This page is generated: build/tests/doc/doc_result_format > doc/result_format.md -->
+
+`mariotte run --json` prints one object with these keys, and `--out` writes it as `result.json`. Numbers are in
+SI units and have 17 significant digits. A number that is undefined is `null`.
+
+`[]` stands for an index. Indices count from 0; balls, contacts and tips that are named in a value count from 1.
+Each key with a unit is also a [column of a sweep](sweeps.md#columns): `contacts[1].impulse`. A column may have
+`[*]` for all indices. `.count` after an array is its length: `events.count`.
+
+`sweep.csv` has the bare keys as its header, so that scripts find them. `sweep.h5` has `unit`, `symbol` and
+`meaning` as attributes of every column, and figures show symbol and unit.
+
+The last column of a table says what a number costs at each point of a sweep:
+
+| Cost | What has to be done |
+|---|---|
+| brief | the quickest solver has it: no list of events, no peaks, no energy balance |
+| whole | the whole run |
+| peaks | the whole run, which searches every step for the largest value |
+
+## Words
+
+| Key | Meaning |
+|---|---|
+)";
+
+const char* name(Cost cost) {
+  return cost == Cost::brief ? "brief" : cost == Cost::whole ? "whole" : "peaks";
+}
+
+std::string cell(std::string text) {
+  for (auto bar = text.find('|'); bar != text.npos; bar = text.find('|', bar + 2)) text.insert(bar, "\\");
+  return text;
+}
+
+template <class Quantity>
+std::string row(const Quantity& quantity) {
+  const auto& [key, unit, symbol, meaning] = quantity.is;
+  const bool is_number = !unit.empty();
+  return fmt::format("| `{}` | {} | {} | {} | {} |\n", key, cell(std::string(symbol)), is_number ? unit : "–",
+                     cell(std::string(meaning)), is_number || quantity.brief ? name(cost(quantity)) : "");
+}
+
+template <class Quantity, class Choose>
+std::string table(const std::vector<Quantity>& list, const Choose& choose) {
+  std::string text = "| Key | Symbol | Unit | Meaning | Cost |\n|---|---|---|---|---|\n";
+  for (const auto& one : list)
+    if (choose(one)) text += row(one);
+  return text;
+}
+
+/// Whether a list has an entry that is described and costs the same.
+template <class Quantity, class Other>
+bool has_same(const std::vector<Quantity>& list, const Other& other) {
+  return std::any_of(list.begin(), list.end(), [&](const Quantity& one) { return row(one) == row(other); });
+}
+
+}  // namespace
+
+std::string result_format() {
+  const auto all = [](const auto&) { return true; };
+  const auto& chain = impact::quantities<impact::ChainImpact>();
+  std::string text = introduction;
+  for (const auto& [key, meaning] : labels) text += fmt::format("| `{}` | {} |\n", key, meaning);
+  text += "\n## Chains\n\n" + table(chain, all);
+  text +=
+      "\n## Contact networks\n\nAs of a chain, but for these keys; of the momentum only the residual is "
+      "told.\n";
+  text += "Velocities of balls are in m/s, those of other degrees of freedom in the units of the scene.\n\n";
+  text += table(impact::quantities<impact::NetworkImpact>(),
+                [&](const auto& one) { return !has_same(chain, one); });
+  text += "\n## Microbodies\n\nThe axis e1 is normal to the plane, e2 and e3 lie in it.\n\n";
+  return text + table(impact::quantities<impact::MicrobodyImpact>(), all);
+}
+
+}  // namespace mariotte::report
