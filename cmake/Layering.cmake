@@ -24,7 +24,7 @@ macro(confine header place)
   list(APPEND confined_headers "${header}")
   list(APPEND confined_places "${place}")
 endmacro()
-set(rivals "apps/(work_precision|scaling_study)/")  # what users write without this library, to compare with
+set(rivals "apps/(measuring|work_precision|scaling_study)/")  # what users write without this library, to compare with
 set(sundials_border "flow/cvode/([^/]*\\.cpp|(sundials|linear_solver)[^/]*\\.hpp)")
 confine("(cvodes?|arkode|ida|kinsol|nvector|sun[a-z]*)/"    "(${sundials_border}|${rivals})")  # SUNDIALS
 confine("(suitesparse/|klu|btf|amd|colamd|SuiteSparse)"     "${sundials_border}")  # SuiteSparse

@@ -1,13 +1,13 @@
 #include "mariotte/core/error.hpp"
 #include "mariotte/impact/chain/chain_solver.hpp"
+#include "measuring/timing.hpp"
 #include "method.hpp"
 #include "row.hpp"
-#include "work_precision/timing.hpp"
 
 namespace mariotte::scaling_study {
 namespace {
 
-constexpr work_precision::Patience patience{.batch = 0.05, .batches = 5, .longest = 1};
+constexpr measuring::Patience patience{.batch = 0.05, .batches = 5};
 
 }  // namespace
 
@@ -15,12 +15,12 @@ Measurement measure_own(std::size_t balls, double accuracy) {
   const auto chain = row(balls);
   const hybrid::Options options{.accuracy = accuracy, .max_events = 10 * static_cast<Index>(balls)};
   impact::ChainSolver solver;
-  const double start = work_precision::cpu_seconds();
+  const double start = measuring::cpu_seconds();
   const auto& impact = solver.solve(chain, options);
-  const double first = work_precision::cpu_seconds() - start;
+  const double first = measuring::cpu_seconds() - start;
   if (impact.ending != hybrid::Ending::separated) throw Error(impact.message);
   const auto again = [&] { solver.solve(chain, options); };
-  return {.seconds = work_precision::least_seconds(again, first, patience),
+  return {.seconds = measuring::least_seconds(again, first, patience),
           .error = error_of(impact.velocity),
           .steps = impact.steps,
           .widest = impact.widest};

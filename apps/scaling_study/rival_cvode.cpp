@@ -5,9 +5,9 @@
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
 #include "mariotte/core/error.hpp"
+#include "measuring/timing.hpp"
 #include "method.hpp"
 #include "whole_row.hpp"
-#include "work_precision/timing.hpp"
 
 namespace mariotte::scaling_study {
 namespace {
@@ -31,17 +31,17 @@ Measurement measure_cvode(std::size_t balls) {
   row.start(NV_DATA_S(x));
   void* cvode = CVodeCreate(CV_ADAMS, context);
   const auto iteration = SUNNonlinSol_FixedPoint(x, 0, context);
-  const double allowed = tolerance(balls), start = work_precision::cpu_seconds();
+  const double allowed = tolerance(balls), start = measuring::cpu_seconds();
   double time = 0;
   long steps = 0;
   bool fine = CVodeInit(cvode, derivative, 0, x) == CV_SUCCESS;
   fine = fine && CVodeSetUserData(cvode, &row) == CV_SUCCESS;
   fine = fine && CVodeSetMaxNumSteps(cvode, 1'000'000'000) == CV_SUCCESS;
-  fine = fine && CVodeSetMaxStep(cvode, longest_step) == CV_SUCCESS;
+  fine = fine && CVodeSetMaxStep(cvode, measuring::longest_step) == CV_SUCCESS;
   fine = fine && CVodeSetNonlinearSolver(cvode, iteration) == CV_SUCCESS;
   fine = fine && CVodeSStolerances(cvode, allowed, allowed) == CV_SUCCESS;
   fine = fine && CVode(cvode, row.end(), x, &time, CV_NORMAL) == CV_SUCCESS;
-  const double seconds = work_precision::cpu_seconds() - start;
+  const double seconds = measuring::cpu_seconds() - start;
   fine = fine && CVodeGetNumSteps(cvode, &steps) == CV_SUCCESS;
   if (!fine) throw Error("CVODE has failed");  // in a process of its own: the system frees its memory
   return {.seconds = seconds,

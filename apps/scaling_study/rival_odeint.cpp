@@ -2,10 +2,9 @@
 #include <boost/numeric/odeint/stepper/generation.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 
-#include "mariotte/core/error.hpp"
+#include "measuring/timing.hpp"
 #include "method.hpp"
 #include "whole_row.hpp"
-#include "work_precision/timing.hpp"
 
 namespace mariotte::scaling_study {
 
@@ -17,17 +16,11 @@ Measurement measure_odeint(std::size_t balls) {
   State x(row.size());
   row.start(x.data());
   const auto derivative = [&](const State& at, State& dx, double) { row(at.data(), dx.data()); };
-  auto stepper =
-      odeint::make_controlled<odeint::runge_kutta_fehlberg78<State>>(tolerance, tolerance, longest_step);
-  const double end = row.end(), start = work_precision::cpu_seconds();
-  double time = 0, step = 1e-3;
-  Index steps = 0;
-  while (end - time > epsilon * end) {
-    step = std::min(step, end - time);
-    if (step < epsilon * time) throw Error("the step of odeint has shrunk to nothing");
-    steps += stepper.try_step(derivative, x, time, step) == odeint::success;
-  }
-  return {.seconds = work_precision::cpu_seconds() - start,
+  auto stepper = odeint::make_controlled<odeint::runge_kutta_fehlberg78<State>>(tolerance, tolerance,
+                                                                                measuring::longest_step);
+  const double start = measuring::cpu_seconds();
+  const Index steps = measuring::integrate(stepper, derivative, x, row.end());
+  return {.seconds = measuring::cpu_seconds() - start,
           .error = error_of(row.velocity(x.data())),
           .steps = steps,
           .widest = static_cast<Index>(row.contacts())};

@@ -5,27 +5,26 @@
 #include <cmath>
 #include <vector>
 
+#include "measuring/rivals.hpp"
 #include "row.hpp"
 
 namespace mariotte::scaling_study {
 
-/// How far past the last separation rivals integrate, and their longest step: less than a contact lasts.
-inline constexpr double overtime = 1.01, longest_step = 0.5;
-
 /// State: n−1 gaps, then n velocities.
 struct WholeRow {
+  static constexpr bool damped = false;
   std::size_t balls;
 
   std::size_t contacts() const { return balls - 1; }
   std::size_t size() const { return contacts() + balls; }
-  double end() const { return overtime * end_time(balls); }
+  double end() const { return measuring::overtime * end_time(balls); }
   void start(double* x) const {
     std::fill(x, x + size(), 0.0);
     x[contacts()] = 1;
   }
   std::vector<double> velocity(const double* x) const { return {x + contacts(), x + size()}; }
 
-  void accelerations(const double* gap, double* acceleration) const {
+  void accelerations(const double* gap, const double* /*velocity*/, double* acceleration) const {
     double left = 0;
     for (std::size_t j = 0; j < contacts(); ++j) {
       const double depth = std::max(0.0, -gap[j]), force = depth * std::sqrt(depth);
@@ -37,7 +36,7 @@ struct WholeRow {
   void operator()(const double* x, double* dx) const {
     const double* velocity = x + contacts();
     for (std::size_t j = 0; j < contacts(); ++j) dx[j] = velocity[j + 1] - velocity[j];
-    accelerations(x, dx + contacts());
+    accelerations(x, velocity, dx + contacts());
   }
 };
 

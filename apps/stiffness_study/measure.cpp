@@ -1,7 +1,5 @@
 #include "measure.hpp"
 
-#include <time.h>
-
 #include <algorithm>
 #include <exception>
 
@@ -10,18 +8,13 @@
 #include "mariotte/impact/chain/chain_solver.hpp"
 #include "mariotte/impact/impulses.hpp"
 #include "mariotte/impact/network/network_impact.hpp"
+#include "measuring/timing.hpp"
 
 namespace mariotte::stiffness_study {
 namespace {
 
 constexpr Index most_events = 20000;  // a chain of 21 balls has some dozens; more is chatter
 constexpr int batches = 5;
-
-double cpu_time() {
-  timespec now{};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 hybrid::Options options(const ImpactCase& one, const Request& request) {
   return {.accuracy = request.accuracy,
@@ -69,25 +62,13 @@ Run describe(const ImpactCase& one, const impact::ContactImpact& impact, const s
   return run;
 }
 
-template <class Action>
-double timed(const Action& action) {
-  const double start = cpu_time();
-  action();
-  return cpu_time() - start;
-}
-
+/// With memory in place.
 double seconds(impact::ChainSolver& solver, const model::Chain& chain, const hybrid::Options& options,
                double batch) {
   const auto solve = [&] { solver.solve(chain, options); };
-  double least = timed(solve);
-  if (least > 10 * batch) return least;  // long enough to be measured by itself
-  least = timed(solve);
-  const int count = std::max(1, static_cast<int>(batch / std::max(least, 1e-7)));
-  for (int b = 0; b < batches; ++b)
-    least = std::min(least, timed([&] {
-                              for (int i = 0; i < count; ++i) solve();
-                            }) / count);
-  return least;
+  const double first = measuring::timed(solve);
+  if (first > 10 * batch) return first;  // long enough to be measured by itself
+  return measuring::least_seconds(solve, measuring::timed(solve), {batch, batches});
 }
 
 Run describe(const ImpactCase& one, const impact::BriefImpact& impact) {
@@ -113,7 +94,7 @@ Run measure_fully(const ImpactCase& one, const Request& request) {
   const auto balls = chain(one);
   const auto asked = options(one, request);
   impact::ChainImpact impact;
-  const double first = timed([&] { impact = impact::simulate(balls, asked); });
+  const double first = measuring::timed([&] { impact = impact::simulate(balls, asked); });
   auto run = describe(one, impact, request.flow);
   impact::ChainSolver solver;
   run.seconds = run.admitted && request.batch > 0 ? seconds(solver, balls, asked, request.batch) : first;
@@ -124,9 +105,9 @@ Run measure_packing(const ImpactCase& one, const Request& request) {
   const auto disks = packing(one);
   const auto asked = options(one, request);
   impact::NetworkImpact impact;
-  double least = timed([&] { impact = impact::simulate(disks, asked); });
+  double least = measuring::timed([&] { impact = impact::simulate(disks, asked); });
   for (double spent = least; spent < request.batch;) {
-    const double again = timed([&] { impact = impact::simulate(disks, asked); });
+    const double again = measuring::timed([&] { impact = impact::simulate(disks, asked); });
     least = std::min(least, again);
     spent += again;
   }

@@ -5,45 +5,34 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "guard.hpp"
 #include "mariotte/impact/laws/linear_triplet.hpp"
-#include "stored_numbers.hpp"
+#include "measuring/stored_cases.hpp"
 
 namespace mariotte::stiffness_study {
 namespace {
 
 using Json = nlohmann::json;
 using Numbers = std::vector<double>;
-
-const Json& cases(const char* text) {
-  static std::map<const char*, Json> parsed;
-  auto& found = parsed[text];
-  if (found.is_null()) found = Json::parse(text).at("cases");
-  return found;
-}
-
-bool same(double a, double b) {
-  return std::abs(a - b) <= 1e-12 * std::abs(b);
-}
+using measuring::same;
 
 template <class Matches>
-std::optional<Numbers> stored_in(const char* text, const Matches& matches) {
-  for (const auto& one : cases(text))
+std::optional<Numbers> stored_in(const std::string& name, const Matches& matches) {
+  for (const auto& one : measuring::cases(name))
     if (one.contains("final") && matches(one)) return one.at("final").get<Numbers>();
   return std::nullopt;
 }
 
 std::optional<Numbers> stored_numbers(const ImpactCase& unit) {
   if (unit.law == "hertz" && unit.balls == 3)
-    return stored_in(stored::triplets, [&](const Json& one) {
+    return stored_in("chain/triplets", [&](const Json& one) {
       return one["law"] == "hertz" && same(one["kappa"], unit.ratio) && one["velocity"] == Numbers{1, 0, 0};
     });
   if (unit.law == "hertz" && unit.ratio == 1)
-    return stored_in(stored::equal_chains, [&](const Json& one) { return one["n"] == unit.balls; });
+    return stored_in("chain/equal_chains", [&](const Json& one) { return one["n"] == unit.balls; });
   if (unit.law == "viscoelastic" && unit.balls == 3 && unit.ratio == 1)
-    return stored_in(stored::viscoelastic, [&](const Json& one) {
+    return stored_in("chain/viscoelastic", [&](const Json& one) {
       return one["final"].size() == 3 && one["exponent"] == unit.exponent &&
              same(one["damping"], unit.damping);
     });

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "measuring/timing.hpp"
 #include "rivals.hpp"
-#include "work_precision/timing.hpp"
 
 namespace mariotte::stress_study {
 namespace {
@@ -164,10 +164,10 @@ class Examination {
 Verdict examine(const std::vector<Family>& list, std::uint64_t seed, std::uint64_t number,
                 const Announce& announce, bool spare) {
   announce("drawing");
-  const double start = work_precision::cpu_seconds();
+  const double start = measuring::cpu_seconds();
   const auto scene = scene_of(list, seed, number);
   auto verdict = Examination(scene, number, announce, spare).verdict();
-  verdict.cost = work_precision::cpu_seconds() - start;
+  verdict.cost = measuring::cpu_seconds() - start;
   return verdict;
 }
 

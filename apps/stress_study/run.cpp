@@ -10,7 +10,7 @@
 #include "mariotte/impact/microbody/microbody_impact.hpp"
 #include "mariotte/impact/microbody/microbody_solver.hpp"
 #include "mariotte/impact/network/network_impact.hpp"
-#include "work_precision/timing.hpp"
+#include "measuring/timing.hpp"
 
 namespace mariotte::stress_study {
 namespace {
@@ -122,7 +122,7 @@ std::string name(const Method& method) {
 
 Found run(const Scene& scene, const Method& method) {
   Found found;
-  const double start = work_precision::cpu_seconds(), speed = reference_speed(scene.model);
+  const double start = measuring::cpu_seconds(), speed = reference_speed(scene.model);
   const hybrid::Options options{.accuracy = method.accuracy,
                                 .max_time = scene.max_time,
                                 .max_events = most_events,
@@ -138,7 +138,7 @@ Found run(const Scene& scene, const Method& method) {
     value /= speed;
     found.rounding = std::max(found.rounding, 8 * epsilon * std::abs(value));
   }
-  found.seconds = work_precision::cpu_seconds() - start;
+  found.seconds = measuring::cpu_seconds() - start;
   return found;
 }
 

@@ -4,6 +4,11 @@
 #include <numbers>
 
 namespace mariotte::work_precision {
+
+using measuring::Fields;
+using measuring::number;
+using measuring::numbers;
+
 namespace {
 
 enum Column : std::size_t {

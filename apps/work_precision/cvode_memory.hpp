@@ -46,7 +46,7 @@ class CvodeMemory {
     check(CVodeInit(cvode.get(), derivative, 0, state.get()), "start");
     check(CVodeSetUserData(cvode.get(), self), "user data");
     check(CVodeSetMaxNumSteps(cvode.get(), most_cvode_steps), "step limit");
-    check(CVodeSetMaxStep(cvode.get(), longest_step), "longest step");
+    check(CVodeSetMaxStep(cvode.get(), measuring::longest_step), "longest step");
     if (method == CV_ADAMS) {
       fixed_point_.reset(SUNNonlinSol_FixedPoint(state.get(), 0, context));
       check(CVodeSetNonlinearSolver(cvode.get(), fixed_point_.get()), "fixed-point iteration");

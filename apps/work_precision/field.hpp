@@ -40,7 +40,7 @@ struct Field {
   static constexpr std::size_t contacts = N - 1;
   static constexpr std::size_t size = contacts + N;
   static constexpr bool damped = Force::damped;
-  static constexpr double overtime = 1.01;
+  static constexpr double overtime = measuring::overtime;
   using State = std::array<double, size>;
 
   std::array<double, contacts> stiffness{};
@@ -79,6 +79,9 @@ struct Field {
     force[0] = force[N] = 0;
     for (std::size_t j = 0; j < contacts; ++j) force[j + 1] = cut(j, smooth_force(j, gap, velocity));
     for (std::size_t i = 0; i < N; ++i) acceleration[i] = force[i] - force[i + 1];
+  }
+  void accelerations(const double* gap, const double* velocity, double* acceleration) const {
+    accelerations(gap, velocity, acceleration, pushing);
   }
   template <class Cut>
   void derivative(const double* x, double* dx, const Cut& cut) const {

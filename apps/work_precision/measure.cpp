@@ -39,7 +39,7 @@ double error(const Answer& answer, const Case& one) {
 /// The first pass: errors, counts and, by the way, a warm-up. Empty if a map takes too long.
 std::optional<Row> examine(const Problem& problem, const Solve& solve, double longest, double& seconds) {
   Row row{};
-  const double start = cpu_seconds();
+  const double start = measuring::cpu_seconds();
   for (const auto& one : problem.cases) {
     const Answer& answer = solve(one);
     row.errors.push_back(error(answer, one));
@@ -48,14 +48,14 @@ std::optional<Row> examine(const Problem& problem, const Solve& solve, double lo
     row.events += static_cast<double>(answer.events);
     row.told_periods = !answer.periods.empty() && !one.periods.empty();
     row.wrong_periods += row.told_periods && answer.periods != one.periods;
-    seconds = cpu_seconds() - start;
+    seconds = measuring::cpu_seconds() - start;
     if (seconds > longest && &one != &problem.cases.back()) return std::nullopt;
   }
   row.error = *std::max_element(row.errors.begin(), row.errors.end());
   return row;
 }
 
-std::optional<Row> point(const Problem& problem, const Solve& solve, const Patience& patience) {
+std::optional<Row> point(const Problem& problem, const Solve& solve, const measuring::Patience& patience) {
   double first = 0;
   auto row = examine(problem, solve, patience.longest, first);
   if (!row) return row;
@@ -63,7 +63,7 @@ std::optional<Row> point(const Problem& problem, const Solve& solve, const Patie
     for (const auto& one : problem.cases) solve(one);
   };
   const auto cases = static_cast<double>(problem.cases.size());
-  row->seconds = least_seconds(pass, first, patience) / cases;
+  row->seconds = measuring::least_seconds(pass, first, patience) / cases;
   row->rhs /= cases;
   row->steps /= cases;
   row->events /= cases;
@@ -73,7 +73,7 @@ std::optional<Row> point(const Problem& problem, const Solve& solve, const Patie
 /// One rung of the ladder; empty if it is the end of it. A method that gives up has no bound on its error and
 /// may be luckier on the next rung.
 std::optional<Row> rung(const Problem& problem, const Method& method, double setting,
-                        const Patience& patience) {
+                        const measuring::Patience& patience) {
   try {
     const Solve solve = method.prepare(problem, setting);
     if (!solve) return std::nullopt;

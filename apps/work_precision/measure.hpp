@@ -3,18 +3,18 @@
 #include <string>
 #include <vector>
 
+#include "measuring/timing.hpp"
 #include "method.hpp"
-#include "timing.hpp"
 
 namespace mariotte::work_precision {
 
 /// How thorough a run is.
 struct Effort {
-  Patience patience;
-  int decades;             ///< between two tolerances of a ladder
-  int doublings;           ///< of the number of steps between two rungs of a fixed-step ladder
-  std::size_t map_stride;  ///< only every so many-th point of a map along each axis
-  Patience map_patience;   ///< of a pass over a map
+  measuring::Patience patience;
+  int decades;                       ///< between two tolerances of a ladder
+  int doublings;                     ///< of the number of steps between two rungs of a fixed-step ladder
+  std::size_t map_stride;            ///< only every so many-th point of a map along each axis
+  measuring::Patience map_patience;  ///< of a pass over a map
 };
 Effort full_effort();
 Effort quick_effort();

@@ -4,10 +4,16 @@
 
 #include "body_table.hpp"
 #include "mariotte/core/error.hpp"
-#include "reference.hpp"
+#include "measuring/reference_table.hpp"
 #include "reference_tables.hpp"
 
 namespace mariotte::work_precision {
+
+using measuring::Fields;
+using measuring::number;
+using measuring::numbers;
+using measuring::rows;
+
 namespace {
 
 constexpr const char* map_name = "map";

@@ -9,13 +9,10 @@
 #pragma once
 #include <memory>
 
+#include "measuring/rivals.hpp"
 #include "method.hpp"
 
 namespace mariotte::work_precision {
-
-/// Longest step of a rival that adapts it: in free flight it would leap over a late contact. The shortest
-/// contacts that begin late last five times as long.
-inline constexpr double longest_step = 0.5;
 
 /// What a rival is asked for.
 struct Setting {

@@ -44,31 +44,17 @@ class Gill {
   Setting setting_;
 };
 
-/// Kick, drift, kick; forces that depend on velocities see those predicted by the old acceleration, which
-/// keeps order 2.
 template <class F>
 class Verlet {
  public:
   explicit Verlet(const Setting& setting) : rate_(setting.value) {}
   void solve(const Case& one, Answer& answer) {
-    const F field(one, {});
     typename F::State x;
     F::start(one, x.data());
     const double time = F::overtime * one.end;
     answer.steps = static_cast<Index>(std::ceil(rate_ * time));
-    const double h = time / static_cast<double>(answer.steps);
-    double *gap = x.data(), *velocity = gap + F::contacts;
-    std::array<double, F::balls> acceleration, predicted;
-    field.accelerations(gap, velocity, acceleration.data(), F::pushing);
-    for (Index step = 0; step < answer.steps; ++step) {
-      for (std::size_t i = 0; i < F::balls; ++i) {
-        velocity[i] += 0.5 * h * acceleration[i];
-        predicted[i] = velocity[i] + 0.5 * h * acceleration[i];
-      }
-      for (std::size_t j = 0; j < F::contacts; ++j) gap[j] += h * (velocity[j + 1] - velocity[j]);
-      field.accelerations(gap, predicted.data(), acceleration.data(), F::pushing);
-      for (std::size_t i = 0; i < F::balls; ++i) velocity[i] += 0.5 * h * acceleration[i];
-    }
+    measuring::verlet(F(one, {}), time, answer.steps, x.data(), x.data() + F::contacts,
+                      std::array<double, F::balls>());
     answer.rhs = answer.steps + 1;
     F::finish(x.data(), answer);
   }

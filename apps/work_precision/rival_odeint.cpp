@@ -14,10 +14,8 @@ namespace {
 
 namespace odeint = boost::numeric::odeint;
 
-constexpr double first_step = 1e-3;
 constexpr Index most_steps = 2'000'000;
 
-/// What integrate_adaptive does, with a count of the steps.
 template <class F, class Stepper>
 void integrate(Stepper& stepper, const Case& one, const Setting& setting, Answer& answer) {
   const F field(one, setting);
@@ -27,13 +25,7 @@ void integrate(Stepper& stepper, const Case& one, const Setting& setting, Answer
     ++answer.rhs;
     field(at.data(), dx.data());
   };
-  const double end = F::overtime * one.end;
-  double time = 0, step = first_step;
-  for (Index tries = 0; end - time > epsilon * end; ++tries) {
-    if (tries == most_steps || step < epsilon * time) throw Error("the step has shrunk to nothing");
-    step = std::min(step, end - time);
-    answer.steps += stepper.try_step(derivative, x, time, step) == odeint::success;
-  }
+  answer.steps += measuring::integrate(stepper, derivative, x, F::overtime * one.end, most_steps);
   field.finish(x.data(), answer);
 }
 
@@ -51,7 +43,7 @@ class Controlled {
       : setting_(setting),
         stepper_(odeint::default_error_checker<double, odeint::array_algebra, odeint::default_operations>(
                      setting.value, setting.value),
-                 odeint::default_step_adjuster<double, double>(longest_step), blank<Stepper>()) {}
+                 odeint::default_step_adjuster<double, double>(measuring::longest_step), blank<Stepper>()) {}
   void solve(const Case& one, Answer& answer) {
     if constexpr (requires { stepper_.reset(); }) stepper_.reset();  // forget the last slope
     integrate<F>(stepper_, one, setting_, answer);
@@ -75,7 +67,7 @@ template <class F>
 class BulirschStoer {
  public:
   explicit BulirschStoer(const Setting& setting)
-      : setting_(setting), stepper_(setting.value, setting.value, 1, 1, longest_step) {}
+      : setting_(setting), stepper_(setting.value, setting.value, 1, 1, measuring::longest_step) {}
   void solve(const Case& one, Answer& answer) {
     stepper_.reset();
     integrate<F>(stepper_, one, setting_, answer);

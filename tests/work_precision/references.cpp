@@ -1,12 +1,12 @@
 #define BOOST_TEST_MODULE work precision references
 #include <boost/test/unit_test.hpp>
 
-#include "reference.hpp"
+#include "measuring/reference_table.hpp"
 #include "support/reference.hpp"
 #include "support/reference_bodies.hpp"
 
 using namespace mariotte;
-using namespace mariotte::work_precision;
+using namespace mariotte::measuring;
 
 namespace {
 

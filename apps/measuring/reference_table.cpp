@@ -1,11 +1,11 @@
-#include "reference.hpp"
+#include "measuring/reference_table.hpp"
 
 #include <algorithm>
 #include <cstdlib>
 #include <iterator>
 #include <sstream>
 
-namespace mariotte::work_precision {
+namespace mariotte::measuring {
 namespace {
 
 Fields split(const std::string& line) {
@@ -40,4 +40,4 @@ std::vector<long double> numbers(const Fields& row, std::size_t from) {
   return values;
 }
 
-}  // namespace mariotte::work_precision
+}  // namespace mariotte::measuring

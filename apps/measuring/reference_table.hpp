@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace mariotte::work_precision {
+namespace mariotte::measuring {
 
 using Fields = std::vector<std::string>;
 
@@ -17,4 +17,4 @@ long double number(const std::string& field);
 /// Those of a row from one field on.
 std::vector<long double> numbers(const Fields& row, std::size_t from);
 
-}  // namespace mariotte::work_precision
+}  // namespace mariotte::measuring

@@ -2,20 +2,25 @@
 #pragma once
 #include <functional>
 
-namespace mariotte::work_precision {
+#include "mariotte/core/types.hpp"
+
+namespace mariotte::measuring {
 
 /// CPU time this thread has used [s].
 double cpu_seconds();
 
+/// CPU time of one call [s].
+double timed(const std::function<void()>& action);
+
 /// How long to measure.
 struct Patience {
-  double batch;    ///< shortest time of one batch of repetitions [s]
-  int batches;     ///< the least of so many counts
-  double longest;  ///< what takes longer than this is not repeated, and ends its ladder [s]
+  double batch;  ///< shortest time of one batch of repetitions [s]
+  int batches;   ///< the least of so many counts; what takes longer than all of them is not repeated
+  double longest = infinity;  ///< what takes longer than this ends a ladder of settings [s]
 };
 
 /// CPU time of one call [s]: the least over batches. `first` is the time of a call that has already been
 /// made, which warmed things up.
 double least_seconds(const std::function<void()>& action, double first, const Patience& patience);
 
-}  // namespace mariotte::work_precision
+}  // namespace mariotte::measuring
