@@ -14,6 +14,11 @@ class PairStep final : public Step {
     const auto now = std::visit([&](const auto& motion) { return motion.at(time); }, motion_);
     put(time, now, x);
   }
+  ConstState origin() const { return origin_; }
+  /// When the indentation is largest.
+  double turn() const {
+    return std::visit([](const auto& motion) { return motion.turn(); }, motion_);
+  }
   void put(double time, const Indentation& now, State x) const {
     const double approach = origin_[phase_.left] - origin_[phase_.right];
     const double deepened = now.value + origin_[phase_.gap], lost = approach - now.rate;
@@ -44,6 +49,22 @@ class PairStep final : public Step {
   ConstState origin_, rate_;
 };
 
+/// Two steps that meet at the largest indentation put the peak where a watcher looks first.
+void show(PairStep& step, double duration, ConstState end, Watcher& watcher) {
+  std::vector<double> deepest(end.size());
+  step.before = step.origin();
+  if (const double turn = step.turn(); turn > 0 && turn < duration) {
+    step.at(step.end = turn, deepest);
+    step.after = deepest;
+    watcher.watch(step);
+    step.before = deepest;
+    step.start = turn;
+  }
+  step.end = duration;
+  step.after = end;
+  watcher.watch(step);
+}
+
 /// The gap that guard i watches, as the pair moves it.
 ConcaveGap concave_gap(const PairPhase& phase, Index guard, double value, double rate, double approach) {
   const double share = guard == phase.left_guard    ? phase.left_share
@@ -60,8 +81,7 @@ bool Pair::admits(const Problem& problem) {
   return phase_.has_value();
 }
 
-Arrival Pair::follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) {
-  const PairPhase& phase = phase_.value();
+void Pair::begin(const Problem& problem, ConstState x) {
   start_.assign(x.begin(), x.end());
   rate_.resize(x.size());
   value_.resize(problem.guard_count());
@@ -69,49 +89,43 @@ Arrival Pair::follow(Problem& problem, State x, const Request& request, std::vec
   problem.derivative(x, rate_);
   problem.guards(x, value_);
   problem.guard_rates(x, rate_, value_rate_);
+}
 
-  const Indentation begin{-x[phase.gap], x[phase.left] - x[phase.right]};
-  const auto motion = make_pair_motion(phase.law, begin);
-  double duration = std::visit([](const auto& one) { return one.duration(); }, motion);
-  const double turn = std::visit([](const auto& one) { return one.turn(); }, motion);
-  const auto last = std::visit([&](const auto& one) { return one.at(duration); }, motion);
-  const double opening = duration;
-  Index guard = phase.guard;
+/// The contact lets go, unless another gap closes before.
+Pair::End Pair::first_event(const Problem& problem, const PairMotion& motion,
+                            const Indentation& begin) const {
+  const PairPhase& phase = *phase_;
+  const double opening = std::visit([](const auto& one) { return one.duration(); }, motion);
+  const auto last = std::visit([&](const auto& one) { return one.at(opening); }, motion);
+  End end{opening, phase.guard, last};
   for (Index i = 0; i < problem.guard_count(); ++i) {
     if (i == phase.guard || problem.crossings()[i] != Crossing::falling) continue;
     const auto gap = concave_gap(phase, i, value_[i], value_rate_[i], begin.rate);
     // Touching bodies at rest elsewhere keep a gap of exactly zero: that is no crossing.
     if (gap.value + gap.rate * opening + gap.share * (last.value - begin.value) >= 0) continue;
     const double time = std::max(0.0, std::visit([&](const auto& one) { return one.fall(gap); }, motion));
-    if (!(time < duration)) continue;
-    duration = time;
-    guard = i;
+    if (time < end.duration) end = {time, i, last};
   }
-  const bool limited = request.limit < duration;
-  if (limited) duration = request.limit;
+  return end;
+}
+
+Arrival Pair::follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) {
+  const PairPhase& phase = phase_.value();
+  begin(problem, x);
+  const Indentation start{-x[phase.gap], x[phase.left] - x[phase.right]};
+  const auto motion = make_pair_motion(phase.law, start);
+  const auto end = first_event(problem, motion, start);
+  const bool limited = request.limit < end.duration;
+  const double duration = limited ? request.limit : end.duration;
 
   PairStep step(phase, motion, start_, rate_);
-  if (!limited && guard == phase.guard)
-    step.put(duration, last, x);
+  if (!limited && end.guard == phase.guard)
+    step.put(duration, end.opened, x);
   else
     step.at(duration, x);
-  // Two steps that meet at the largest indentation put the peak where a watcher looks first.
-  if (request.watcher) {
-    step.before = start_;
-    std::vector<double> deepest(x.size());
-    if (turn > 0 && turn < duration) {
-      step.at(step.end = turn, deepest);
-      step.after = deepest;
-      request.watcher->watch(step);
-      step.before = deepest;
-      step.start = turn;
-    }
-    step.end = duration;
-    step.after = x;
-    request.watcher->watch(step);
-  }
+  if (request.watcher) show(step, duration, x, *request.watcher);
   if (!limited) {
-    fired.push_back(guard);
+    fired.push_back(end.guard);
     simultaneous_.collect(problem, x, simultaneity_window(problem, request.accuracy), fired);
   }
   return {.outcome = limited ? Outcome::limit : Outcome::guard,

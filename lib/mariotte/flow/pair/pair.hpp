@@ -16,6 +16,15 @@ class Pair final : public Flow {
   Arrival follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) override;
 
  private:
+  /// What ends a phase, unless a limit comes first.
+  struct End {
+    double duration;
+    Index guard;
+    Indentation opened;  ///< of the pair where it lets go
+  };
+  void begin(const Problem& problem, ConstState x);
+  End first_event(const Problem& problem, const PairMotion& motion, const Indentation& begin) const;
+
   std::optional<PairPhase> phase_;
   std::vector<double> start_, rate_, value_, value_rate_;
   Simultaneous simultaneous_;
