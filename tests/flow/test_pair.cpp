@@ -112,7 +112,7 @@ BOOST_AUTO_TEST_CASE(another_gap_closes_exactly_where_its_concave_course_ends) {
 }
 
 BOOST_AUTO_TEST_CASE(a_pair_of_any_law_is_exact) {
-  for (const contact::Law law : {contact::Law(contact::Linear{2}), contact::Law(contact::Hertz{2})}) {
+  for (const auto& law : {contact::Law(contact::Linear{2}), contact::Law(contact::Hertz{2})}) {
     const auto impact = impact::simulate({.mass = {1, 3}, .law = {law}, .gap = {0.1}, .velocity = {1, 0}});
     BOOST_TEST(difference(impact.velocity, {-0.5, 0.5}) < 4e-16);
     BOOST_TEST(impact.flows.back().name == "pair");

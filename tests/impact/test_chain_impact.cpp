@@ -38,7 +38,7 @@ BOOST_AUTO_TEST_CASE(touching_balls_at_rest_make_no_ghost_events) {
 }
 
 BOOST_AUTO_TEST_CASE(two_contacts_that_open_at_one_instant_are_one_event) {
-  for (const contact::Law law : {contact::Law(contact::Linear{1}), hertz}) {
+  for (const auto& law : {contact::Law(contact::Linear{1}), hertz}) {
     const auto impact = impact::simulate(equal_masses({law, law}, {1, 0, -1}));
     BOOST_TEST(impact.events.size() == 2u);
     BOOST_TEST(impact.events.back().open == (std::vector<Index>{0, 1}), boost::test_tools::per_element());

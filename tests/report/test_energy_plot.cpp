@@ -21,7 +21,7 @@ report::EnergyCourse course_of(const model::Chain& chain, impact::ChainImpact& i
 
 BOOST_AUTO_TEST_CASE(elastic_contacts_lose_nothing_at_any_instant) {
   impact::ChainImpact impact;
-  for (const contact::Law law : {contact::Law(contact::Hertz{1}), contact::Law(contact::Linear{1})}) {
+  for (const auto& law : {contact::Law(contact::Hertz{1}), contact::Law(contact::Linear{1})}) {
     const auto course = course_of(balls(law), impact);
     BOOST_TEST(*std::max_element(course.stored.begin(), course.stored.end()) > 0.1);
     for (const double lost : course.lost)
