@@ -23,14 +23,14 @@ bool is_finite(const Window& w) {
   return std::all_of(w.velocity, w.velocity + w.lanes.count + 1, [](double v) { return std::isfinite(v); });
 }
 
-/// A contact may have left the noise, or sunk into it: the problem is to say.
+/// A contact may have left the noise, on either side, or sunk into it: the problem is to say.
 bool concerns_problem(const Window& w) {
   for (int j = 0; j < w.lanes.count; ++j) {
     const auto& contact = w.contact(j);
     const double depth = w.lanes.indentation[j];
     const double rate = std::abs(w.lanes.rate[j]);
     if (contact.role == Role::closed && depth < contact.shallow && rate <= w.phase->faint) return true;
-    if (contact.role == Role::touching && depth > contact.loaded()) return true;
+    if (contact.role == Role::touching && std::abs(depth) > contact.loaded()) return true;
   }
   return false;
 }
