@@ -28,16 +28,15 @@ void verlet(const Field& field, double duration, Index steps, double* gap, doubl
   const double h = duration / static_cast<double>(steps);
   Numbers acceleration = blank, predicted = Field::damped ? blank : Numbers();
   const double* seen = Field::damped ? predicted.data() : velocity;
-  const auto kick = [&](auto* to, double share) {
-    for (std::size_t i = 0; i < balls; ++i) to[i] = velocity[i] + share * h * acceleration[i];
-  };
   field.accelerations(gap, velocity, acceleration.data());
   for (Index step = 0; step < steps; ++step) {
-    kick(velocity, 0.5);
-    if constexpr (Field::damped) kick(predicted.data(), 0.5);
+    for (std::size_t i = 0; i < balls; ++i) {
+      velocity[i] += 0.5 * h * acceleration[i];
+      if constexpr (Field::damped) predicted[i] = velocity[i] + 0.5 * h * acceleration[i];
+    }
     for (std::size_t j = 0; j + 1 < balls; ++j) gap[j] += h * (velocity[j + 1] - velocity[j]);
     field.accelerations(gap, seen, acceleration.data());
-    kick(velocity, 0.5);
+    for (std::size_t i = 0; i < balls; ++i) velocity[i] += 0.5 * h * acceleration[i];
   }
 }
 
