@@ -1,6 +1,7 @@
 #define BOOST_TEST_MODULE flow_flight
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <ctime>
 #include <numbers>
 #include <random>
 
@@ -51,6 +52,19 @@ BOOST_AUTO_TEST_CASE(no_touch_is_missed_and_none_is_made_up) {
     if (touch < seen - end / 20000) BOOST_TEST(std::abs(h.slope(touch)) < 0.05);
   }
   BOOST_TEST(touches > 2000);
+}
+
+// Up for seconds, turning ten million times: nothing is looked at where no touch can be.
+BOOST_AUTO_TEST_CASE(a_long_flight_costs_no_more_than_its_two_ends) {
+  const double rise = 27, gravity = 9.81, swing = 1e-6;
+  const std::clock_t start = std::clock();
+  for (int i = 0; i < 100; ++i) {
+    const TipHeight h{.start = 0, .rate = rise, .gravity = gravity, .swing = swing, .turn = 1e7 + i};
+    const double touch = first_touch(h);
+    BOOST_TEST(std::abs(touch - 2 * rise / gravity) < 2 * swing / rise);
+    BOOST_TEST(std::abs(h.at(touch)) < 1e-6 * swing + 64 * epsilon * touch * rise);
+  }
+  BOOST_TEST(static_cast<double>(std::clock() - start) < CLOCKS_PER_SEC);
 }
 
 BOOST_AUTO_TEST_CASE(a_symmetric_body_keeps_its_angular_momentum_in_flight) {

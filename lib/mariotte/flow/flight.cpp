@@ -10,9 +10,11 @@
 namespace mariotte::flow {
 namespace {
 
-/// Time between which and `last` a height can fall through zero: its envelope is at or below zero there.
+/// Time between which and `last` a height can fall through zero: its envelope is at or below zero there. From
+/// `up` to `down` it flies too high: however often it turns meanwhile, nothing has to be looked at.
 struct Window {
   double first = 0, last = infinity;
+  double up = infinity, down = infinity;
 };
 
 /// Earlier and later zero of c + v t − g t²/2; both infinite if there is none.
@@ -46,7 +48,10 @@ Window search_window(const TipHeight& h) {
       window.last = h.turn > 0 ? window.first + 2 * std::numbers::pi / h.turn : 0;
     if (h.rate > 0 && h.gravity == 0 && !(risen > 0)) window.last = 0;
   }
+  if (const auto [up, down] = parabola_zeros(centre - reach, h.rate, h.gravity); h.gravity > 0 && up > 0)
+    window.up = up, window.down = down * (1 - 16 * epsilon);
   // A zero of an envelope is found to rounding only.
+  window.up *= 1 + 16 * epsilon;
   window.first *= 1 - 16 * epsilon;
   window.last *= 1 + 16 * epsilon;
   return window;
@@ -96,7 +101,7 @@ double first_touch(const TipHeight& h) {
           locate_sign_change([&](double t) { return h.slope(t); }, low, rising, high, risen, epsilon * high);
     if (const double touch = fall_in(h, low, turn); touch < infinity) return touch;
     if (const double touch = fall_in(h, turn, high); touch < infinity) return touch;
-    low = high;
+    low = high >= window.up && high < window.down ? window.down : high;
   }
   return infinity;
 }
