@@ -96,6 +96,14 @@ void add_motion(const Body& scene, const Vector3& velocity, const Vector3& spin,
                  reach * spin.e3};
 }
 
+/// What the body brings, and what the wells of its tips give to it.
+double energy_at_stake(const Body& scene, double initial) {
+  double energy = initial;
+  for (const auto& law : scene.body.law)
+    energy -= contact::stored_energy(law, contact::rest_indentation(law));
+  return energy;
+}
+
 void run(const Body& scene, const hybrid::Options& options, bool ledgers, double, Found& found) {
   static impact::MicrobodySolver solver;
   if (!ledgers) {
@@ -111,7 +119,7 @@ void run(const Body& scene, const hybrid::Options& options, bool ledgers, double
   add_motion(scene, impact.final.velocity, impact.final.spin, found);
   const auto& energy = impact.energy;
   const double losses = std::min({energy.hertz_damping, energy.adhesion_damping, energy.friction});
-  found.imbalance = std::max(std::abs(energy.residual), -losses) / energy.initial;
+  found.imbalance = std::max(std::abs(energy.residual), -losses) / energy_at_stake(scene, energy.initial);
 }
 
 }  // namespace

@@ -37,6 +37,16 @@ void store_other_gap(const TipPhase& phase, double axis, State x) {
              (body.arm[1 - phase.tip] - body.arm[phase.tip]) * axis;
 }
 
+/// Of indentation and speed and, if they are followed, of what damping and friction take, as the speed of the
+/// mass that has it beside the natural speed.
+double contact_coefficient(const TipRows& rows, const TipPhase& phase, int k) {
+  double most = std::max(std::abs(rows.s[k]), std::abs(rows.w[k]));
+  if (phase.place.work < 0) return most;
+  for (const auto& work : rows.work)
+    most = std::max(most, std::abs(work[k]) * phase.speed / phase.force_scale);
+  return most;
+}
+
 /// The contact point rests: what its velocity is off zero by is an error of the steps before, and is taken
 /// off, so that a slip that begins here is known to all its digits.
 bool starts_from_rest(const TipPhase& phase) {
@@ -55,19 +65,19 @@ void store_attitude(const TipPhase& phase, const Quaternion& q, State x) {
 
 }  // namespace
 
-double coefficient(const NormalSeries& series, const TipPhase&, int k) {
-  return std::max(std::abs(series.s[k]), std::abs(series.w[k]));
+double coefficient(const NormalSeries& series, const TipPhase& phase, int k) {
+  return contact_coefficient(series, phase, k);
 }
 
 double coefficient(const PlanarSeries& series, const TipPhase& phase, int k) {
   const double reach = std::abs(phase.body.arm[phase.tip]) + phase.body.radius[phase.tip];
-  return std::max({std::abs(series.s[k]), std::abs(series.w[k]), std::abs(series.tangential[k]),
+  return std::max({contact_coefficient(series, phase, k), std::abs(series.tangential[k]),
                    reach * std::abs(series.spin[k])});
 }
 
 double coefficient(const SpatialSeries& series, const TipPhase& phase, int k) {
   const double reach = std::abs(phase.body.arm[phase.tip]) + phase.body.radius[phase.tip];
-  double most = std::max(std::abs(series.s[k]), std::abs(series.w[k]));
+  double most = contact_coefficient(series, phase, k);
   for (int i = 0; i < 3; ++i)
     most = std::max({most, std::abs(series.velocity[i][k]), reach * std::abs(series.spin[i][k])});
   return most;
