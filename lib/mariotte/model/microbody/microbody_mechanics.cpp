@@ -104,17 +104,16 @@ TipForces Mechanics::forces(ConstState x, const MicrobodyMode& mode) const {
     (k % 2 ? unit.friction[stuck[k / 2]].e3 : unit.friction[stuck[k / 2]].e2) = 1;
     mobility.col(k) = acceleration(unit) - free;
   }
-  Vector needed;
-  if (count == 1) {
-    needed = -mobility.partialPivLu().solve(free);
-  } else {
-    // Two tips on one rigid body: friction along the line between them is shared in any way; least norm.
-    Eigen::CompleteOrthogonalDecomposition<Matrix> decomposition;
-    decomposition.setThreshold(1e-10);
-    decomposition.compute(mobility);
-    result.redundant = decomposition.rank() < size;
-    needed = -decomposition.solve(free);
+  // Two tips of a body that lies flat, to about 1e-5, share friction along the line between them in any
+  // way: the least norm, to as many digits. A turn that such friction would have to stop needs so much of it
+  // that no cone can hold it: the tips then cannot both stick.
+  if (count > 1) {
+    Eigen::FullPivLU<Matrix> division(mobility);
+    division.setThreshold(1e-10);
+    result.redundant = division.rank() < size;
+    mobility.diagonal().array() += 1e-12 * mobility.norm();
   }
+  const Vector needed = -mobility.partialPivLu().solve(free);
   for (Index k = 0; k < count; ++k) result.friction[stuck[k]] = {0, needed[2 * k], needed[2 * k + 1]};
   return result;
 }

@@ -113,17 +113,13 @@ void MicrobodySystem::go_on(TipMode& tip, Index i, ConstState x) const {
   if (moves) tip.rest = 0;
 }
 
-/// Two tips at different heights of a turning body cannot both rest: while they stick by the least friction
-/// one may have begun to move, and slides.
-void MicrobodySystem::creep(Mode& mode, Index i, ConstState x, std::vector<Change>& changes) const {
-  const Vector3 slip = mechanics().tip(x, i).slip;
-  if (layout_.tips == 1 || norm(slip) <= 100 * mechanics().slip_noise) return;
-  auto& tip = mode.tip[i];
-  tip.contact = TipContact::sliding;
-  tip.start = SlipStart::moving;
-  tip.direction = unit(slip);
-  tip.rest = 0;
-  changes.push_back({i, TipEvent::slip});
+/// Friction that changes at one tip is passed on to the other: what stuck may not hold any more.
+void MicrobodySystem::hold_or_release(Mode& mode, ConstState x, std::vector<Change>& changes) const {
+  for (Index i = 0; i < layout_.tips && layout_.tips > 1; ++i) {
+    if (mode.tip[i].contact != TipContact::sticking) continue;
+    const double normal = mechanics().normal_force(mechanics().tip(x, i), i);
+    if (norm(needed_friction(mode, i, x)) > mechanics().holding(normal)) release(mode, i, x, changes);
+  }
 }
 
 void MicrobodySystem::mode_at(ConstState x, Mode& mode, std::vector<Change>& changes) const {
@@ -135,10 +131,8 @@ void MicrobodySystem::mode_at(ConstState x, Mode& mode, std::vector<Change>& cha
 void MicrobodySystem::transition(Mode& mode, const std::vector<Index>& fired, ConstState x,
                                  std::vector<Change>& changes) const {
   if (body_.friction.coefficient > 0)
-    for (Index i = 0; i < layout_.tips; ++i) {
+    for (Index i = 0; i < layout_.tips; ++i)
       if (mode.tip[i].contact == TipContact::sliding) go_on(mode.tip[i], i, x);
-      if (mode.tip[i].contact == TipContact::sticking) creep(mode, i, x, changes);
-    }
   // The cone closes so near to F_n = 0 that a flow may find both at once and name one.
   for (Index i = 0; i < layout_.tips; ++i)
     if (mode.tip[i].contact != TipContact::clear && force_has_turned(mode.tip[i], i, x) &&
@@ -181,6 +175,7 @@ void MicrobodySystem::transition(Mode& mode, const std::vector<Index>& fired, Co
         break;
     }
   }
+  if (body_.friction.coefficient > 0) hold_or_release(mode, x, changes);
 }
 
 bool MicrobodySystem::is_over(const Mode& mode, ConstState x, bool) const {

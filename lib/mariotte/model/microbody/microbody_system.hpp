@@ -42,7 +42,7 @@ class MicrobodySystem {
   void start_from_rest(TipMode& tip, Index i, const Vector3& direction, ConstState x) const;
   bool force_has_turned(const TipMode& tip, Index i, ConstState x) const;
   void go_on(TipMode& tip, Index i, ConstState x) const;
-  void creep(Mode& mode, Index tip, ConstState x, std::vector<Change>& changes) const;
+  void hold_or_release(Mode& mode, ConstState x, std::vector<Change>& changes) const;
   void flip_force(Mode& mode, Index tip, std::vector<Change>& changes) const;
   void release(Mode& mode, Index tip, ConstState x, std::vector<Change>& changes) const;
   /// Friction that would hold this tip, the others being as they are.
