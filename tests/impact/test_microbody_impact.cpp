@@ -149,6 +149,23 @@ void expect_same_at_every_accuracy(const model::Microbody& body) {
 
 }  // namespace
 
+// Their tips creep to their places in the wells while the rest swings on: below and above the barrier.
+BOOST_AUTO_TEST_CASE(a_body_that_swings_about_a_held_tip_is_captured_at_one_instant) {
+  expect_same_at_every_accuracy(slim({.body = model::dumbbell(3.015e-6, 8.4, density),
+                                      .adhesion = 0.223,
+                                      .zeta_hertz = 173,
+                                      .zeta_adhesion = 0.357,
+                                      .friction = 1.394,
+                                      .velocity = {-0.95, 0.3456, -0.1595},
+                                      .angles = {-0.444, 0.0742, -0.4685}}));
+  expect_same_at_every_accuracy(slim({.body = model::rod(8.95e-6, 2.42, density),
+                                      .adhesion = 0.4507,
+                                      .zeta_hertz = 116,
+                                      .zeta_adhesion = 0.216,
+                                      .friction = 0.874,
+                                      .velocity = {-2.22, -1.81, 1.99}}));
+}
+
 // Two tips at different heights of a turning body cannot both stick, however little the heights differ.
 BOOST_AUTO_TEST_CASE(tips_of_nearly_flat_bodies_hold_and_slip_alike_at_every_accuracy) {
   expect_same_at_every_accuracy(slim({.body = model::dumbbell(1.332e-6, 2.65, density),

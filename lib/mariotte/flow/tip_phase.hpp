@@ -49,13 +49,13 @@ struct TipPhase {
   Vector3 from_rest;       ///< of spatial sliding that starts at u = 0: where to
   bool indented = false;   ///< the lever of friction is r − δ instead of r
   double speed = 1;        ///< what errors of velocities are relative to
-  double creep = 0;        ///< a tip that moves no faster along the normal may have come to rest
+  double rest_speed = 0;   ///< a tip that moves no faster along the normal may have come to rest
   double slip_noise = 0;   ///< spatial slip below it is none
   double force_scale = 1;  ///< natural size of forces
   double force_noise = 0;  ///< sticking that needs less friction needs none
   double force_doubt = 0;  ///< relative error within which the sign of F does not change
   /// Guards by place, −1 where not watched.
-  Index separation = -1, force = -1, stop = -1, cone = -1, turn_back = -1, other_tip = -1;
+  Index separation = -1, force = -1, stop = -1, cone = -1, turn_back = -1, other_tip = -1, rest = -1;
 };
 
 /// No tip touches; gravity alone acts.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "mariotte/core/bracket.hpp"
 #include "mariotte/flow/roots/polynomial.hpp"
 #include "mariotte/flow/roots/simultaneous.hpp"
 #include "mariotte/flow/taylor/tip_motion.hpp"
@@ -142,7 +143,29 @@ struct TipTaylor::Memory {
   NormalSeries normal;
   PlanarSeries planar;
   SpatialSeries spatial;
-  std::vector<double> before;
+  std::vector<double> before, guards;
+
+  /// The first place of rest in the step that ends at `end`, or that end; x is the state there. Rest is no
+  /// series: it takes the energy.
+  template <class Series>
+  End rest_or(End end, const Series& series, const TipPhase& phase, int order, const Problem& problem,
+              State x) {
+    store(series, phase, end.tau, order, before, x);
+    if (phase.rest < 0 || !(std::abs(horner(terms(series.w, order), end.tau)) <= phase.rest_speed))
+      return end;
+    guards.resize(problem.guard_count());
+    const auto unrest = [&](double tau) {
+      store(series, phase, tau, order, before, x);
+      problem.guards(x, guards);
+      return guards[phase.rest];
+    };
+    const double last = unrest(end.tau);
+    if (last > 0) return end;
+    const double first = unrest(0);
+    const double tau = first > 0 ? locate_sign_change(unrest, 0, first, end.tau, last, epsilon * end.tau) : 0;
+    store(series, phase, tau, order, before, x);
+    return {tau, phase.rest};
+  }
 
   template <class Series>
   Arrival follow(Series& series, Problem& problem, State x, const Request& request,
@@ -156,21 +179,19 @@ struct TipTaylor::Memory {
     for (; count <= step_limit && stalled < stall_limit; ++count) {
       before.assign(x.begin(), x.end());
       load(series, phase, x);
-      const bool creeps = std::abs(series.w[0]) <= phase.creep;
-      if (creeps && problem.accept(x) == Accepted::ended)
-        return arrive(Outcome::guard, step.end, count, order);
       series.expand(phase, order);
       const double reach = step_length(series, phase, accuracy, order);
       if (!std::isfinite(reach)) return arrive(Outcome::stiff, step.end, count, order);
       doubt_force(phase, series, accuracy, count == 1);
       End end = end_of_step(series, phase, order, reach, count == 1 ? accuracy : 0);
+      end = rest_or(end, series, phase, order, problem, x);
       double duration = horner(terms(series.time, order), end.tau);
       const bool limited = step.end + duration >= request.limit;
       if (limited) {
         duration = request.limit - step.end;
         end = {clock_inverse(series.time, duration, end.tau, order)};
+        store(series, phase, end.tau, order, before, x);
       }
-      store(series, phase, end.tau, order, before, x);
       if (!is_finite(x) || !std::isfinite(duration)) {
         std::copy(before.begin(), before.end(), x.begin());
         return arrive(Outcome::stiff, step.end, count, order);

@@ -36,6 +36,19 @@ double noise_of_force(const DimensionlessMicrobody& body) {
   return 64 * epsilon * body.body.mass * body.speed / body.time;
 }
 
+/// Speed along the normal that counts as rest in a well. A sphere, or a body that moves along the normal
+/// only, comes to rest altogether, so the accuracy decides. A body that swings about a held tip never does:
+/// what is left of the tip's motion follows the swing, a share of the speed that the well gives is rest, and
+/// where the run ends depends on the scene alone.
+double rest_speed(const DimensionlessMicrobody& body, double accuracy) {
+  constexpr double share = 1e-3;
+  const double noise = accuracy / body.time;
+  if (body.motion == TipPhase::Motion::normal || body.body.tips[0].centre == Vector3{}) return noise;
+  const auto& law = body.law[0];
+  const double well = -contact::stored_energy(law, contact::rest_indentation(law));
+  return std::max(noise, share * std::sqrt(2 * well / body.body.mass));
+}
+
 }  // namespace
 
 MicrobodyPhase::MicrobodyPhase(const DimensionlessMicrobody& body, const MicrobodyLayout& layout,
@@ -46,7 +59,7 @@ MicrobodyPhase::MicrobodyPhase(const DimensionlessMicrobody& body, const Microbo
       mechanics_{body, layout, noise_of_slip(body, accuracy), noise_of_force(body)},
       watched_(watched),
       magnitudes_(model::magnitudes(body, layout)),
-      crossings_(escape_guard(layout.tips) + 1, Crossing::none),
+      crossings_(rest_guard(layout.tips) + 1, Crossing::none),
       waiting_(crossings_.size()) {
   tip_.place = free_.place = layout.place;
   tip_.body = free_.body = symmetric_part(body);
@@ -56,7 +69,7 @@ MicrobodyPhase::MicrobodyPhase(const DimensionlessMicrobody& body, const Microbo
   tip_.friction = body.friction.coefficient;
   tip_.indented = body.lever == Lever::indented;
   tip_.speed = body.speed;
-  tip_.creep = accuracy * std::max(body.speed, 1 / body.time);
+  tip_.rest_speed = rest_speed(body, accuracy);
   tip_.slip_noise = mechanics_.slip_noise;
   tip_.force_noise = mechanics_.force_noise;
   tip_.force_scale = body.body.mass * body.speed / body.time;
@@ -88,7 +101,10 @@ void MicrobodyPhase::bind(const MicrobodyMode& mode) {
   doubtful_.fill(true);
   for (Index i = 0; i < layout_.tips; ++i) watch(i);
   // Symmetric bodies need it not: their flight is known to its end.
-  if (closed_ == 0 && !body_.symmetric && body_.gravity <= 0) crossings_.back() = Crossing::rising;
+  if (closed_ == 0 && !body_.symmetric && body_.gravity <= 0)
+    crossings_[escape_guard(layout_.tips)] = Crossing::rising;
+  if (closed_ > 0 && body_.after_capture == AfterCapture::stop && !mode_.captured)
+    crossings_.back() = Crossing::falling;
   // The cone of a tip that touches only just is a point, and a tip has to come up before it can turn back.
   for (Index i = 0; i < layout_.tips; ++i) {
     waiting_[guard_index(i, TipGuard::cone)] = mode_.tip[i].contact == TipContact::sticking;
@@ -129,6 +145,7 @@ void MicrobodyPhase::bind_series() {
   tip_.stop = watched(TipGuard::slip);
   tip_.cone = watched(TipGuard::cone);
   tip_.turn_back = watched(TipGuard::turn_back);
+  tip_.rest = crossings_.back() == Crossing::none ? -1 : rest_guard(layout_.tips);
   tip_.other_tip = layout_.tips > 1 ? guard_index(1 - i, TipGuard::gap) : -1;
 }
 
@@ -152,19 +169,38 @@ double MicrobodyPhase::pressure_error(const TipMotion& tip, Index i) const {
                            : 1 + law.damping_hertz * body_.speed);
 }
 
-/// No tip moves, nor will it within a tenth of the natural time: where a tip turns it rests for an instant
-/// only. Strong damping makes large forces of small errors of a speed.
-bool MicrobodyPhase::has_settled(ConstState x) const {
-  const auto is_fast = [&](ConstState at, double most) {
+/// Where a tip turns it rests for an instant only: it must be slow a tenth of the natural time ahead, too.
+/// Strong damping makes large forces of small errors of a speed.
+double MicrobodyPhase::unrest(ConstState x) const {
+  if (!(mechanics_.stored(x) < 0)) return 1;
+  const auto fastest = [&](ConstState at) {
+    double speed = 0;
     for (Index i = 0; i < layout_.tips; ++i)
-      if (x[layout_.place.gap[i]] < 0 && std::abs(mechanics_.tip(at, i).velocity) > most) return true;
-    return false;
+      if (x[layout_.place.gap[i]] < 0) speed = std::max(speed, std::abs(mechanics_.tip(at, i).velocity));
+    return speed;
   };
-  if (is_fast(x, tip_.creep) || !(mechanics_.lifting_energy(x) < 0)) return false;
+  const double now = fastest(x) / tip_.rest_speed - 1;
+  if (now > 0) return now;
   std::vector<double> ahead(x.begin(), x.end()), rate(x.size());
   derivative(x, rate);
   for (std::size_t k = 0; k < ahead.size(); ++k) ahead[k] += 0.1 * body_.time * rate[k];
-  return !is_fast(ahead, (2 + damping_ratio()) * tip_.creep);
+  const double blurred = damping_ratio() * accuracy_ / body_.time;
+  const double soon = (fastest(ahead) - blurred) / (2 * tip_.rest_speed) - 1;
+  const double natural = body_.body.mass / (body_.time * body_.time);
+  return std::max({now, soon, std::min(mechanics_.lifting_energy(x) / natural, imbalance(x, fastest(x)))});
+}
+
+/// Positive until the static forces on the tips of a swinging body balance to some per cent of the pull of
+/// their wells, on the side of the well where more pull moves a tip out by a little only.
+double MicrobodyPhase::imbalance(ConstState x, double speed) const {
+  if (tip_.rest_speed <= accuracy_ / body_.time) return infinity;
+  double unstable = -1;
+  for (Index i = 0; i < layout_.tips; ++i) {
+    const double pulled_off = contact::rest_indentation(body_.law[static_cast<std::size_t>(i)]) / 3;
+    if (const double gap = x[layout_.place.gap[i]]; gap < 0)
+      unstable = std::max(unstable, 1 + gap / pulled_off);
+  }
+  return std::max(unstable, (1 + damping_ratio()) * speed / (30 * tip_.rest_speed) - 1);
 }
 
 /// Height of the mass centre over the reach of its tips.
@@ -179,7 +215,8 @@ double MicrobodyPhase::clearance(ConstState x) const {
 double MicrobodyPhase::guard(ConstState x, const TipForces& forces, Index i) const {
   if (crossings_[i] == Crossing::none || waiting_[i]) return 1;
   const Index tip = i / guards_per_tip;
-  if (tip == layout_.tips) return clearance(x);
+  if (i == escape_guard(layout_.tips)) return clearance(x);
+  if (i == rest_guard(layout_.tips)) return unrest(x);
   const auto& mode = mode_.tip[tip];
   const auto here = mechanics_.tip(x, tip);
   switch (static_cast<TipGuard>(i % guards_per_tip)) {
@@ -298,8 +335,7 @@ flow::Accepted MicrobodyPhase::accept(ConstState x) {
       result = flow::Accepted::rewatched;
     }
   }
-  const bool stops = body_.after_capture == AfterCapture::stop;
-  return stops && has_settled(x) ? flow::Accepted::ended : result;
+  return result;
 }
 
 }  // namespace mariotte::model

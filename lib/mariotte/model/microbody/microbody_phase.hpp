@@ -20,6 +20,10 @@ inline Index guard_index(Index tip, TipGuard guard) {
 inline Index escape_guard(Index tips) {
   return guards_per_tip * tips;
 }
+/// The last: a body that cannot leave any more has come to rest in the wells of its tips.
+inline Index rest_guard(Index tips) {
+  return guards_per_tip * tips + 1;
+}
 
 /// What a run watches beside what it must.
 struct WatchedSigns {
@@ -36,13 +40,13 @@ class MicrobodyPhase final : public flow::Problem {
   void bind(const MicrobodyMode& mode);
   const MicrobodyMode& mode() const { return mode_; }
   const Mechanics& mechanics() const { return mechanics_; }
-  /// Energy is below the barrier of adhesion, and no tip moves in its well by more than the accuracy allows,
-  /// relative to the speed that the well gives.
-  bool has_settled(ConstState x) const;
+  /// Positive until the energy is below the barrier of adhesion and no tip moves along the normal, nor will
+  /// soon, by more than counts as rest; from then on the body is captured.
+  double unrest(ConstState x) const;
 
   Index size() const override { return layout_.size; }
   void derivative(ConstState x, State dx) const override { mechanics_.derivative(x, mode_, dx); }
-  Index guard_count() const override { return escape_guard(layout_.tips) + 1; }
+  Index guard_count() const override { return rest_guard(layout_.tips) + 1; }
   void guards(ConstState x, State values) const override;
   void guard_rates(ConstState x, ConstState dx, State rates) const override;
   std::span<const flow::Crossing> crossings() const override { return crossings_; }
@@ -65,6 +69,7 @@ class MicrobodyPhase final : public flow::Problem {
   double pressure_error(const TipMotion& tip, Index i) const;
   double guard(ConstState x, const TipForces& forces, Index i) const;
   double clearance(ConstState x) const;
+  double imbalance(ConstState x, double speed) const;
   void watch(Index tip);
   void bind_series();
   flow::Crossing& crossing(Index tip, TipGuard guard) { return crossings_[guard_index(tip, guard)]; }

@@ -139,11 +139,10 @@ void MicrobodySystem::transition(Mode& mode, const std::vector<Index>& fired, Co
         std::find(fired.begin(), fired.end(), guard_index(i, TipGuard::force)) == fired.end())
       flip_force(mode, i, changes);
   for (const Index guard : fired) {
+    if (guard == escape_guard(layout_.tips)) mode.escaped = true;
+    if (guard == rest_guard(layout_.tips)) finish(mode, changes);
     const Index i = guard / guards_per_tip;
-    if (i == layout_.tips) {
-      mode.escaped = true;
-      continue;
-    }
+    if (i == layout_.tips) continue;
     auto& tip = mode.tip[i];
     switch (static_cast<TipGuard>(guard % guards_per_tip)) {
       case TipGuard::gap:
@@ -182,7 +181,7 @@ bool MicrobodySystem::is_over(const Mode& mode, ConstState x, bool) const {
   if (mode.escaped) return true;
   for (Index i = 0; i < layout_.tips; ++i)
     if (mode.tip[i].contact != TipContact::clear)
-      return body_.after_capture == AfterCapture::stop && (mode.captured || phase_.has_settled(x));
+      return body_.after_capture == AfterCapture::stop && (mode.captured || phase_.unrest(x) <= 0);
   return mode.impacts >= body_.impacts;
 }
 
