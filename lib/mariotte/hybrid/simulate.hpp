@@ -83,7 +83,9 @@ template <HybridSystem System>
 const Trajectory<typename System::Change>& simulate(System& system, ConstState x0, const Options& options,
                                                     Workspace<System>& workspace,
                                                     PhaseWatcher* watcher = nullptr) {
-  auto& [flows, mode, changes, fired, before, run] = workspace;
+  auto& mode = workspace.mode;
+  auto& changes = workspace.changes;
+  auto& run = workspace.run;
   clear(run);
   changes.clear();
   auto& x = run.state;
@@ -111,7 +113,7 @@ const Trajectory<typename System::Change>& simulate(System& system, ConstState x
     if (arrival.outcome == flow::Outcome::limit) return end(Ending::time_limit);
     if (arrival.outcome == flow::Outcome::never) return end(Ending::separated);
     if (arrival.outcome == flow::Outcome::failed) return end(Ending::failed, std::move(arrival.message));
-    system.transition(mode, fired, x, changes);
+    system.transition(mode, workspace.fired, x, changes);
   }
 }
 

@@ -89,8 +89,8 @@ std::vector<TipImpact> impacts(const MicrobodySystem& system, const Run& run, co
       start_impact(list.back(), system, x);
     }
     if (change.event != TipEvent::open) continue;
-    const auto open = std::find_if(list.rbegin(), list.rend(), [&](const TipImpact& impact) {
-      return impact.tip == change.tip && !impact.end;
+    const auto open = std::find_if(list.rbegin(), list.rend(), [tip = change.tip](const TipImpact& impact) {
+      return impact.tip == tip && !impact.end;
     });
     end_impact(*open, system, time, x);
   }
