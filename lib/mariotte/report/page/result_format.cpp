@@ -26,7 +26,8 @@ Each key with a unit is also a [column of a sweep](sweeps.md#columns): `contacts
 `sweep.csv` has the bare keys as its header, so that scripts find them. `sweep.h5` has `unit`, `symbol` and
 `meaning` as attributes of every column, and figures show symbol and unit.
 
-The last column of a table says what a number costs at each point of a sweep:
+The last column of a table says what a number costs at each point of a sweep. Where there is no unit, it is the
+cost of `.count`:
 
 | Cost | What has to be done |
 |---|---|
@@ -54,7 +55,7 @@ std::string row(const Quantity& quantity) {
   const auto& [key, unit, symbol, meaning] = quantity.is;
   const bool is_number = !unit.empty();
   return fmt::format("| `{}` | {} | {} | {} | {} |\n", key, cell(std::string(symbol)), is_number ? unit : "–",
-                     cell(std::string(meaning)), is_number || quantity.brief ? name(cost(quantity)) : "");
+                     cell(std::string(meaning)), is_number || quantity.count ? name(cost(quantity)) : "");
 }
 
 template <class Quantity, class Choose>
