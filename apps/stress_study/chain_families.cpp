@@ -223,7 +223,7 @@ Scene falling_freely(Dice& dice) {
 std::vector<Family> chain_families() {
   return {{"plain chain", plain},
           {"struck row", struck_row},
-          {"long row", long_row},
+          {"long row", long_row, 20},
           {"equal balls", equal_and_simultaneous},
           {"mirrored chain", symmetric},
           {"many decades", many_decades},

@@ -25,16 +25,16 @@ class Perturbations {
 
   /// The smaller of what the automatic choice and, where it is quick, the general flow say: a result that is
   /// wrong by itself must not excuse itself.
-  Sensitivity operator()(double size) {
-    if (const auto known = known_.find(size); known != known_.end()) return known->second;
-    auto least = measured({"auto", tight}, size);
-    if (!general_.empty() && (least.amplification > 1 || least.counts_change))
+  Sensitivity operator()(double size, double enough) {
+    if (const auto known = known_.find({size, enough}); known != known_.end()) return known->second;
+    auto least = measured({"auto", tight}, size, enough);
+    if (!general_.empty() && (least.amplification >= enough || enough == infinity))
       if (const Method method{general_, 1e-11}; plain(method).work < most_work) {
-        const auto other = measured(method, size);
+        const auto other = measured(method, size, enough);
         least.amplification = std::min(least.amplification, other.amplification);
         least.counts_change |= other.counts_change;
       }
-    return known_[size] = least;
+    return known_[{size, enough}] = least;
   }
 
  private:
@@ -47,12 +47,12 @@ class Perturbations {
     if (is_new) place->second = timed(scene_, method);
     return place->second;
   }
-  Sensitivity measured(const Method& method, double size) {
+  Sensitivity measured(const Method& method, double size, double enough) {
     const auto& before = plain(method);
     if (!has_ended(before)) return {.amplification = infinity};
     Sensitivity result;
     const auto directions = before.work < most_work ? many_directions : few_directions;
-    for (std::uint64_t direction = 0; direction < directions; ++direction) {
+    for (std::uint64_t direction = 0; direction < directions && result.amplification < enough; ++direction) {
       const auto after = timed(perturbed(scene_, size, direction), method);
       if (!has_ended(after)) continue;
       result.amplification = std::max(result.amplification, distance(before, after) / size);
@@ -68,7 +68,7 @@ class Perturbations {
   const Scene& scene_;
   std::string general_;
   const Announce& announce_;
-  std::map<double, Sensitivity> known_;
+  std::map<std::pair<double, double>, Sensitivity> known_;  ///< by size and what was enough
   std::map<std::string, Found> plain_;
 };
 
@@ -102,9 +102,10 @@ class Examination {
   }
 
   void add_other_flow() {
-    auto flows = special_flows(scene_.model);
+    auto flows = special_flows(scene_, best_.found.time);
     const bool general = number_ % share_with_general_flow == 0 && !general_.empty();
     if (general) flows = general_;
+    if (flows.empty()) return;
     add({.flow = flows[number_ / share_with_general_flow % flows.size()]}, accuracies.back());
     trials_.back().rival = true;
   }

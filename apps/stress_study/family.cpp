@@ -17,9 +17,18 @@ std::vector<Family> families(const std::vector<std::string>& kinds) {
   return list;
 }
 
+std::size_t family_of(const std::vector<Family>& list, std::uint64_t number) {
+  const auto size = list.size();
+  const auto turn = number / size;
+  const auto place = number % size;
+  if (turn % list[place].every == 0) return place;
+  for (std::uint64_t other = place + turn;; ++other)
+    if (list[other % size].every == 1) return other % size;
+}
+
 Scene scene_of(const std::vector<Family>& list, std::uint64_t seed, std::uint64_t number) {
   Dice dice(seed, number);
-  return list[number % list.size()].draw(dice);
+  return list[family_of(list, number)].draw(dice);
 }
 
 }  // namespace mariotte::stress_study

@@ -12,6 +12,7 @@ namespace mariotte::stress_study {
 struct Family {
   std::string name;
   Scene (*draw)(Dice&);
+  std::uint64_t every = 1;  ///< its turns that it takes; the others go to families that take all
 };
 
 std::vector<Family> chain_families();
@@ -21,7 +22,10 @@ std::vector<Family> body_families();
 /// All families of the kinds "chains", "networks", "bodies".
 std::vector<Family> families(const std::vector<std::string>& kinds);
 
-/// Scene number `number` of a seed; families take turns.
+/// Place in the list of the family that scene `number` is drawn from: they take turns.
+std::size_t family_of(const std::vector<Family>& list, std::uint64_t number);
+
+/// Scene number `number` of a seed.
 Scene scene_of(const std::vector<Family>& list, std::uint64_t seed, std::uint64_t number);
 
 }  // namespace mariotte::stress_study

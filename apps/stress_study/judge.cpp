@@ -44,8 +44,9 @@ void take_deviation(const Trial& trial, const Trial& best, const Measure& measur
   judgement.worst = std::max(judgement.worst, error / trial.accuracy);
   if (error <= tolerated * trial.accuracy) return;
   const bool is_number = error < infinity;  // nothing explains what is not
-  const double amplification = is_number ? std::max(1.0, measure(trial.accuracy).amplification) : 1;
-  if (error <= tolerated * trial.accuracy * amplification) return;
+  const double needed = error / (tolerated * trial.accuracy);
+  const double amplification = is_number ? std::max(1.0, measure(trial.accuracy, needed).amplification) : 1;
+  if (needed <= amplification) return;
   judgement.findings.push_back(
       fmt::format("{} and {} differ by {:.3g}, {:.2g} times what may be; perturbations grow {:.2g} times",
                   trial.name, best.name, error, error / trial.accuracy, amplification));
@@ -61,7 +62,8 @@ void take_balance(const Trial& trial, Judgement& judgement) {
 void take_counts(const Trial& trial, const Trial& best, const Measure& measure, Judgement& judgement) {
   if (!trial.counts || trial.found.periods == best.found.periods) return;
   judgement.counts_differ = true;
-  if (measure(trial.accuracy).counts_change || measure(tolerated * trial.accuracy).counts_change) return;
+  for (const double size : {trial.accuracy, tolerated * trial.accuracy})
+    if (measure(size, infinity).counts_change) return;
   judgement.findings.push_back(fmt::format("contact periods: {} of {}, {} of {}",
                                            fmt::join(trial.found.periods, " "), trial.name,
                                            fmt::join(best.found.periods, " "), best.name));

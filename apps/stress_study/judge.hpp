@@ -23,9 +23,9 @@ struct Sensitivity {
   double amplification = 1;    ///< largest change of results over that of inputs
   bool counts_change = false;  ///< so do numbers of contact periods
 };
-/// Measured with perturbations of a size, relative to what is natural. Asked only if something needs to be
-/// explained.
-using Measure = std::function<Sensitivity(double size)>;
+/// Measured with perturbations of a size, relative to what is natural, until the amplification is `enough`.
+/// Asked only if something needs to be explained.
+using Measure = std::function<Sensitivity(double size, double enough)>;
 
 /// What is wrong with a scene.
 struct Judgement {

@@ -20,7 +20,7 @@ namespace {
 struct CommandLine {
   double seconds = 60;
   std::uint64_t seed = 1;
-  std::uint64_t scenes = 1000000;
+  std::uint64_t first = 0, scenes = 1000000;
   std::int64_t only = -1;
   std::string folder;
   int workers = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
@@ -53,6 +53,10 @@ command::OptionList declare(CommandLine& line) {
        {.check = command::Positive{}, .shows_default = true}},
       {"--scenes", &line.scenes, "Stop after so many scenes", {.shows_default = true}},
       {"--seed", &line.seed, "Which scenes: those of one seed are always the same", {.shows_default = true}},
+      {"--first",
+       &line.first,
+       "Number of the first scene, such as where another start has stopped",
+       {.shows_default = true}},
       {"--only", &line.only, "Number of the one scene to examine"},
       {"--kinds",
        &line.kinds,
@@ -72,7 +76,11 @@ constexpr std::size_t most_files = 2000;
 class Study {
  public:
   explicit Study(const CommandLine& line)
-      : line_(line), campaign_{.families = families(line.kinds), .seed = line.seed, .workers = line.workers} {
+      : line_(line),
+        campaign_{.families = families(line.kinds),
+                  .seed = line.seed,
+                  .first = line.first,
+                  .workers = line.workers} {
     for (const auto& family : campaign_.families) tallies_.push_back({.family = family.name});
     if (!line.folder.empty()) std::filesystem::create_directories(line.folder);
   }
@@ -98,13 +106,16 @@ class Study {
   double elapsed() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   }
-  bool more(std::uint64_t scene) const { return scene < line_.scenes && elapsed() < line_.seconds; }
+  bool more(std::uint64_t scene) const {
+    return scene - line_.first < line_.scenes && elapsed() < line_.seconds;
+  }
 
+  std::size_t family(std::uint64_t scene) const { return family_of(campaign_.families, scene); }
   void announce(const std::string& what) const {
     if (line_.verbose) command::note(fmt::format("{:.3f} s: {}", elapsed(), what));
   }
   void take(const Verdict& verdict) {
-    add(verdict, tallies_[verdict.scene % tallies_.size()]);
+    add(verdict, tallies_[family(verdict.scene)]);
     ++done_;
     if (!verdict.findings.empty()) tell(verdict);
     if (elapsed() < next_word_) return;
@@ -114,15 +125,15 @@ class Study {
   void tell(const Verdict& verdict) {
     ++unexplained_;
     const auto found = fmt::format("{}", fmt::join(verdict.findings, "\n"));
-    const auto& family = campaign_.families[verdict.scene % tallies_.size()].name;
-    if (line_.verbose) command::note(fmt::format("scene {} ({}): {}", verdict.scene, family, found));
+    const auto& name = campaign_.families[family(verdict.scene)].name;
+    if (line_.verbose) command::note(fmt::format("scene {} ({}): {}", verdict.scene, name, found));
     write(verdict.scene, found);
   }
   void write(std::uint64_t number, const std::string& what) {
     if (line_.folder.empty() || written_.size() == most_files) return;
     written_.insert(number);
     const auto scene = scene_of(campaign_.families, line_.seed, number);
-    auto name = campaign_.families[number % tallies_.size()].name;
+    auto name = campaign_.families[family(number)].name;
     std::replace(name.begin(), name.end(), ' ', '_');
     const auto path =
         std::filesystem::path(line_.folder) / fmt::format("{}_{}_{}.toml", name, line_.seed, number);

@@ -125,7 +125,7 @@ Scene precompressed(Dice& dice) {
 std::vector<Family> network_families() {
   return {{"any network", any_network},
           {"struck rack", struck_rack},
-          {"corner", corner},
+          {"corner", corner, 10},
           {"rocking block", rocking_block},
           {"chain as network", chain_as_network},
           {"precompressed network", precompressed}};

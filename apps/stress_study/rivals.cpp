@@ -43,6 +43,9 @@ double natural_time(const Contact& one, double speed) {
 /// In natural times: beyond this, general flows need more steps than patience allows. Where damping is
 /// strong, BDF takes over from Adams.
 constexpr double longest = 300, stiff = 5;
+/// Phases that closed forms and modes do not admit go to a general flow: contacts × natural times that it may
+/// take. Explicit series creep where damping is stronger than this.
+constexpr double most_work = 1000, creeping = 100;
 
 }  // namespace
 
@@ -79,14 +82,21 @@ std::vector<std::string> general_flows(const Scene& scene, double end) {
   return {"cvode-adams", "cvode-bdf-klu"};
 }
 
-std::vector<std::string> special_flows(const Model& model) {
+std::vector<std::string> special_flows(const Scene& scene, double end) {
   using Names = std::vector<std::string>;
-  return std::visit(Overload{[](const model::Chain&) {
-                               return Names{"taylor", "modal", "pair"};
+  const auto is_quick = [&] {
+    const auto contacts = static_cast<double>(contacts_of(scene.model).size());
+    return contacts * stiffness(scene, end) < most_work;
+  };
+  return std::visit(Overload{[&](const model::Chain&) {
+                               Names flows;
+                               if (is_quick()) flows = {"modal", "pair"};
+                               if (damping_ratio(scene.model) < creeping) flows.push_back("taylor");
+                               return flows;
                              },
-                             [](const model::Network&) { return Names{"modal"}; },
+                             [&](const model::Network&) { return is_quick() ? Names{"modal"} : Names{}; },
                              [](const Body&) { return Names{"taylor"}; }},
-                    model);
+                    scene.model);
 }
 
 }  // namespace mariotte::stress_study

@@ -20,7 +20,7 @@ double most_contacts(const Scene& scene, double time);
 /// would take too long. The first is the one that fits best.
 std::vector<std::string> general_flows(const Scene& scene, double end);
 
-/// Flows that the scene may be run by beside the general ones.
-std::vector<std::string> special_flows(const Model& model);
+/// Flows that the scene may be run by beside the general ones, if they take no longer than these.
+std::vector<std::string> special_flows(const Scene& scene, double end);
 
 }  // namespace mariotte::stress_study

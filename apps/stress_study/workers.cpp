@@ -171,7 +171,7 @@ class Worker {
 void examine_all(const Campaign& campaign, const std::function<bool(std::uint64_t)>& more,
                  const std::function<void(const Verdict&)>& take) {
   std::vector<std::unique_ptr<Worker>> workers;
-  std::uint64_t next = 0;
+  std::uint64_t next = campaign.first;
   const auto keep_busy = [&](Worker& worker) {
     if (more(next)) worker.take_order({.scene = next++});
   };

@@ -11,11 +11,12 @@ namespace mariotte::stress_study {
 struct Campaign {
   std::vector<Family> families;
   std::uint64_t seed = 1;
+  std::uint64_t first = 0;
   int workers = 1;
   double patience = 5;  ///< CPU time of one run [s]
 };
 
-/// Examine scenes 0, 1, … as long as `more` says so; verdicts come as they are ready. Throws
+/// Examine scenes from the first on as long as `more` says so; verdicts come as they are ready. Throws
 /// std::system_error.
 void examine_all(const Campaign& campaign, const std::function<bool(std::uint64_t scene)>& more,
                  const std::function<void(const Verdict&)>& take);

@@ -23,7 +23,7 @@ Trial trial(const Scene& scene, double accuracy) {
 }
 
 Measure amplified(double amplification, bool counts_change = false) {
-  return [=](double) { return Sensitivity{amplification, counts_change}; };
+  return [=](double, double) { return Sensitivity{amplification, counts_change}; };
 }
 
 Judgement judged(const Trial& one, const Measure& measure = amplified(1)) {
@@ -115,7 +115,7 @@ BOOST_AUTO_TEST_CASE(a_scene_file_repeats_its_scene_to_the_last_digit) {
   for (std::uint64_t number = 0; number < 4 * list.size(); ++number) {
     const auto scene = scene_of(list, 3, number);
     const auto again = scene::parse(text(scene, 1e-10, "two\nlines"), "scene");
-    BOOST_TEST_CONTEXT(list[number % list.size()].name << ", scene " << number) {
+    BOOST_TEST_CONTEXT(list[family_of(list, number)].name << ", scene " << number) {
       if (const auto* chain = std::get_if<model::Chain>(&scene.model)) {
         BOOST_TEST(std::get<model::Chain>(again.model).mass == chain->mass);
         BOOST_TEST(std::get<model::Chain>(again.model).velocity == chain->velocity);
