@@ -65,6 +65,7 @@ class MicrobodyPhase final : public flow::Problem {
  private:
   double slip_margin(const TipMode& mode) const;
   bool slip_turns() const;
+  double normal_damping_ratio() const;
   double signed_pressure(const TipMotion& tip, Index i) const;
   double pressure_error(const TipMotion& tip, Index i) const;
   double guard(ConstState x, const TipForces& forces, Index i) const;
