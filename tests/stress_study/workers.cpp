@@ -36,6 +36,20 @@ std::vector<Family> first_two() {
 
 }  // namespace
 
+BOOST_AUTO_TEST_CASE(a_rare_family_leaves_most_of_its_turns_to_others) {
+  auto list = first_two();
+  list[1].every = 10;
+  std::size_t rare = 0;
+  for (std::uint64_t number = 0; number < 200; ++number) rare += family_of(list, number);
+  BOOST_TEST(rare == 10u);
+}
+
+BOOST_AUTO_TEST_CASE(scenes_go_on_where_another_start_has_stopped) {
+  const auto later = verdicts({.families = first_two(), .seed = 5, .first = 6}, 10);
+  BOOST_TEST(later.size() == 4u);
+  BOOST_TEST(later.contains(6));
+}
+
 BOOST_AUTO_TEST_CASE(verdicts_depend_on_seed_and_number_alone) {
   const auto one = verdicts({.families = first_two(), .seed = 5, .workers = 1}, 40);
   const auto two = verdicts({.families = first_two(), .seed = 5, .workers = 3}, 40);
