@@ -36,17 +36,20 @@ double noise_of_force(const DimensionlessMicrobody& body) {
   return 64 * epsilon * body.body.mass * body.speed / body.time;
 }
 
-/// Speed along the normal that counts as rest in a well. A sphere, or a body that moves along the normal
-/// only, comes to rest altogether, so the accuracy decides. A body that swings about a held tip never does:
-/// what is left of the tip's motion follows the swing, a share of the speed that the well gives is rest, and
-/// where the run ends depends on the scene alone.
+/// A body that may turn about a tip that adhesion holds. A sphere, or one that moves along the normal only,
+/// comes to rest altogether.
+bool can_swing(const DimensionlessMicrobody& body) {
+  return body.motion != TipPhase::Motion::normal && !(body.body.tips[0].centre == Vector3{});
+}
+
+/// Speed along the normal that counts as rest in a well: the accuracy, or, where the tip follows a swing and
+/// so never rests, a share of the speed that the well gives. Where such a run ends depends on the scene
+/// alone.
 double rest_speed(const DimensionlessMicrobody& body, double accuracy) {
   constexpr double share = 1e-3;
-  const double noise = accuracy / body.time;
-  if (body.motion == TipPhase::Motion::normal || body.body.tips[0].centre == Vector3{}) return noise;
   const auto& law = body.law[0];
   const double well = -contact::stored_energy(law, contact::rest_indentation(law));
-  return std::max(noise, share * std::sqrt(2 * well / body.body.mass));
+  return can_swing(body) ? share * std::sqrt(2 * well / body.body.mass) : accuracy / body.time;
 }
 
 }  // namespace
@@ -193,7 +196,7 @@ double MicrobodyPhase::unrest(ConstState x) const {
 /// Positive until the static forces on the tips of a swinging body balance to some per cent of the pull of
 /// their wells, on the side of the well where more pull moves a tip out by a little only.
 double MicrobodyPhase::imbalance(ConstState x, double speed) const {
-  if (tip_.rest_speed <= accuracy_ / body_.time) return infinity;
+  if (!can_swing(body_)) return infinity;
   double unstable = -1;
   for (Index i = 0; i < layout_.tips; ++i) {
     const double pulled_off = contact::rest_indentation(body_.law[static_cast<std::size_t>(i)]) / 3;
