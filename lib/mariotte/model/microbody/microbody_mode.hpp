@@ -10,6 +10,7 @@
 //   sticking  F_n = 0                             sticking; seen only if sticking needs no friction at all
 //   sticking  needed friction reaches μ |F_n|     sliding, against the needed friction
 //   closed    ṅ falls through 0 with δ > 0        captured, once
+//   closed    all closed tips rest in their wells captured
 //   all clear mass centre rises over its reach    escaped; of bodies whose flight has no closed form
 //
 // Needed friction is what keeps u̇ = 0. The cone closes at F_n = 0, so sticking that needs friction breaks
