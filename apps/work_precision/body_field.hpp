@@ -20,15 +20,15 @@ struct TipField {
 
   TipField() = default;
   TipField(const Case& one, const Setting& setting)
-      : law(one.body->scaled.law[0]),
-        mass(one.body->scaled.body.mass),
-        axial(one.body->scaled.body.inertia.e1),
-        transverse(one.body->scaled.body.inertia.e2),
-        arm(one.body->scaled.body.tips[0].centre.e1),
-        radius(one.body->scaled.body.tips[0].radius),
-        friction(one.body->scaled.friction.coefficient),
-        smoothing(setting.smoothing * one.body->scaled.speed),
-        speed(one.body->scaled.speed) {}
+      : law(body_of(one).scaled.law[0]),
+        mass(body_of(one).scaled.body.mass),
+        axial(body_of(one).scaled.body.inertia.e1),
+        transverse(body_of(one).scaled.body.inertia.e2),
+        arm(body_of(one).scaled.body.tips[0].centre.e1),
+        radius(body_of(one).scaled.body.tips[0].radius),
+        friction(body_of(one).scaled.friction.coefficient),
+        smoothing(setting.smoothing * body_of(one).scaled.speed),
+        speed(body_of(one).scaled.speed) {}
 
   double normal_force(double gap, double velocity) const {
     return std::sqrt(std::max(0.0, -gap)) * contact::pressure(law, -gap, velocity);
@@ -52,7 +52,7 @@ struct CentralField : TipField {
 
   void start(const Case& one, double* x) const {
     x[0] = 0;
-    x[1] = one.body->scaled.velocity.e1;
+    x[1] = body_of(one).scaled.velocity.e1;
   }
   void finish(const double* x, Answer& answer) const { put({x[1], 0, 0}, {}, answer); }
   State magnitudes() const { return {1, 1}; }
@@ -69,7 +69,7 @@ struct PlanarField : TipField {
   using TipField::TipField;
 
   void start(const Case& one, double* x) const {
-    const auto& body = one.body->scaled;
+    const auto& body = body_of(one).scaled;
     const Vector3 axis = rotate(body.attitude, {1, 0, 0});
     const double values[] = {0, std::atan2(-axis.e3, axis.e1), body.velocity.e1, body.velocity.e3,
                              body.momentum.e2 / transverse};
@@ -97,7 +97,7 @@ struct SpatialField : TipField {
 
   void start(const Case& one, double* x) const {
     const auto& [q, v, h] =
-        std::tie(one.body->scaled.attitude, one.body->scaled.velocity, one.body->scaled.momentum);
+        std::tie(body_of(one).scaled.attitude, body_of(one).scaled.velocity, body_of(one).scaled.momentum);
     const double values[] = {0, q.w, q.x, q.y, q.z, v.e1, v.e2, v.e3, h.e1, h.e2, h.e3};
     std::copy(values, values + size, x);
   }
@@ -129,7 +129,7 @@ template <template <class> class Rival>
 Solve body_rival(const Problem& problem, const Setting& setting) {
   using Motion = flow::TipPhase::Motion;
   if (!problem.has_body()) return {};
-  const auto motion = problem.cases.front().body->scaled.motion;
+  const auto motion = body_of(problem.cases.front()).scaled.motion;
   if (motion == Motion::normal) return solve_by<Rival<CentralField>>(setting, TipField::velocities);
   if (motion == Motion::planar) return solve_by<Rival<PlanarField>>(setting, TipField::velocities);
   return solve_by<Rival<SpatialField>>(setting, TipField::velocities);

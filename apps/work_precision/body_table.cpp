@@ -71,7 +71,7 @@ Case body_impact(const Fields& row) {
   const long double speed = scaled.speed * scaled.scale.velocity;
   auto after = numbers(row, final);
   for (std::size_t i = 0; i < after.size(); ++i) after[i] *= (i < 3 ? 1 : reach(stated.body)) / speed;
-  return {.body = Body{stated, scaled}, .velocity = after, .end = value(row, end) / scaled.scale.time};
+  return {.model = Body{stated, scaled}, .velocity = after, .end = value(row, end) / scaled.scale.time};
 }
 
 }  // namespace mariotte::work_precision

@@ -48,12 +48,12 @@ struct Field {
 
   Field() = default;
   Field(const Case& one, const Setting&) {
-    for (std::size_t j = 0; j < contacts; ++j) stiffness[j] = contact::stiffness(one.chain.law[j]);
-    damping = contact::damping(one.chain.law[0]);
+    for (std::size_t j = 0; j < contacts; ++j) stiffness[j] = contact::stiffness(chain_of(one).law[j]);
+    damping = contact::damping(chain_of(one).law[0]);
   }
   static void start(const Case& one, double* x) {
-    std::copy(one.chain.gap.begin(), one.chain.gap.end(), x);
-    std::copy(one.chain.velocity.begin(), one.chain.velocity.end(), x + contacts);
+    std::copy(chain_of(one).gap.begin(), chain_of(one).gap.end(), x);
+    std::copy(chain_of(one).velocity.begin(), chain_of(one).velocity.end(), x + contacts);
   }
   static void finish(const double* x, Answer& answer) {
     std::copy(x + contacts, x + size, answer.velocity.begin());
@@ -98,7 +98,7 @@ struct Field {
 template <class Make>
 Solve with_chain_field(const Problem& problem, const Make& make) {
   if (problem.has_body()) return {};
-  const auto& chain = problem.cases.front().chain;
+  const auto& chain = chain_of(problem.cases.front());
   const bool linear = contact::name(chain.law[0]) == "linear";
   const bool hertz = contact::name(chain.law[0]) == "hertz";
   if (chain.mass.size() == 21 && hertz) return make.template operator()<Field<21, HertzForce>>();

@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "mariotte/core/error.hpp"
+#include "mariotte/core/overload.hpp"
 #include "mariotte/flow/choose.hpp"
 #include "mariotte/impact/chain/chain_impact.hpp"
 #include "mariotte/impact/chain/chain_solver.hpp"
@@ -46,8 +47,10 @@ struct Solvers {
 bool admits(const Case& first, const hybrid::Options& options) {
   bool found = false;
   const auto asked = flow::name(options.flow);
-  const auto flows = first.body ? impact::simulate(first.body->stated, options).flows
-                                : impact::simulate(first.chain, options).flows;
+  const auto flows =
+      std::visit(Overload{[&](const model::Chain& chain) { return impact::simulate(chain, options).flows; },
+                          [&](const Body& body) { return impact::simulate(body.stated, options).flows; }},
+                 first.model);
   for (const auto& use : flows) {
     if (use.name != asked && use.name != "ballistic" && use.name != "pair") return false;
     found = found || use.name == asked;
@@ -59,10 +62,7 @@ Solve prepare(const Problem& problem, const hybrid::Options& options) {
   if (options.flow && !admits(problem.cases.front(), options)) return {};
   return [options, solvers = std::make_shared<Solvers>(),
           answer = std::make_shared<Answer>()](const Case& one) -> const Answer& {
-    if (one.body)
-      solvers->solve(*one.body, options, *answer);
-    else
-      solvers->solve(one.chain, options, *answer);
+    std::visit([&](const auto& model) { solvers->solve(model, options, *answer); }, one.model);
     return *answer;
   };
 }

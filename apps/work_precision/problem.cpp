@@ -50,14 +50,14 @@ Case impact(const Fields& row) {
   auto velocity = numbers(row, impacts::final);
   std::vector<contact::Law> laws(velocity.size() - 1, law(row, 1));
   laws.back() = law(row, static_cast<double>(number(row[impacts::ratio])));
-  return {.chain = touching(std::move(laws), static_cast<double>(number(row[impacts::start]))),
+  return {.model = touching(std::move(laws), static_cast<double>(number(row[impacts::start]))),
           .velocity = std::move(velocity),
           .end = static_cast<double>(number(row[impacts::end]))};
 }
 
 Case map_point(const Fields& row) {
   const auto value = [&](std::size_t column) { return static_cast<double>(number(row[column])); };
-  return {.chain = touching({contact::Hertz{1}, contact::Hertz{value(map::ratio)}}, value(map::start)),
+  return {.model = touching({contact::Hertz{1}, contact::Hertz{value(map::ratio)}}, value(map::start)),
           .velocity = numbers(row, map::final),
           .end = value(map::end),
           .periods = {std::stoi(row[map::periods]), std::stoi(row[map::periods + 1])}};

@@ -14,8 +14,8 @@
 //
 // Unless said otherwise k = m = v1 = 1; bodies have the adhesion and damping of [Cheng 2002, Table 1].
 #pragma once
-#include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "mariotte/model/chain/chain.hpp"
@@ -34,20 +34,27 @@ double reach(const model::RigidBody& body);
 
 /// One impact and what is known of it.
 struct Case {
-  model::Chain chain = {};  ///< empty if there is a body
-  std::optional<Body> body = {};
+  std::variant<model::Chain, Body> model;
   /// Final velocities; of a body velocity and reach × spin, both relative to the incident speed.
   std::vector<long double> velocity;
   double end;                       ///< time of the last separation, of a body in its scaled units
   std::vector<Index> periods = {};  ///< how often each contact closes; empty if not compared
 };
 
+/// The one or the other, where it is known which.
+inline const model::Chain& chain_of(const Case& one) {
+  return std::get<model::Chain>(one.model);
+}
+inline const Body& body_of(const Case& one) {
+  return std::get<Body>(one.model);
+}
+
 struct Problem {
   std::string name;
   std::vector<Case> cases;  ///< one, or the points of a map
 
-  bool has_body() const { return cases.front().body.has_value(); }
-  bool has_friction() const { return has_body() && cases.front().body->scaled.friction.coefficient > 0; }
+  bool has_body() const { return std::holds_alternative<Body>(cases.front().model); }
+  bool has_friction() const { return has_body() && body_of(cases.front()).scaled.friction.coefficient > 0; }
 };
 
 /// Names of all problems, in the order in which they are run.

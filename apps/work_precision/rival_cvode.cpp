@@ -59,7 +59,8 @@ class AdamsWithRoots {
     field_ = F(one, {});
     closed_.fill(false);
     apart_ = one;
-    for (std::size_t j = 0; j < F::contacts; ++j) apart_.chain.gap[j] += hair_ * field_.depth(j);
+    auto& gap = std::get<model::Chain>(apart_.model).gap;
+    for (std::size_t j = 0; j < F::contacts; ++j) gap[j] += hair_ * field_.depth(j);
     memory_.start(field_, apart_);
     const double end = F::overtime * one.end;
     for (double time = 0; time < end;) {
@@ -161,7 +162,7 @@ struct BdfToSeparation : ToSeparation<F> {
 
 /// Undamped contacts are not stiff, and BDF never pays for them.
 Solve bdf_if_damped(const Problem& problem, double tolerance) {
-  const bool damped = !problem.has_body() && contact::damping(problem.cases.front().chain.law[0]) > 0;
+  const bool damped = !problem.has_body() && contact::damping(chain_of(problem.cases.front()).law[0]) > 0;
   return damped ? chain_rival<Bdf>(problem, tolerance) : Solve();
 }
 
