@@ -166,6 +166,19 @@ BOOST_AUTO_TEST_CASE(a_body_that_swings_about_a_held_tip_is_captured_at_one_inst
                                       .velocity = {-2.22, -1.81, 1.99}}));
 }
 
+// A tip that turns where its forces balance rests at its turn, which is a small part of a step.
+BOOST_AUTO_TEST_CASE(rest_at_a_turn_is_not_stepped_over) {
+  auto body = slim({.body = model::dumbbell(2.0533968653449297e-06, 1.4339153642017615, density),
+                    .adhesion = 0.37441537681534826,
+                    .zeta_hertz = 83.56790316993559,
+                    .zeta_adhesion = 2.7722640695572469,
+                    .friction = 0,
+                    .velocity = {-0.49132481578508502, -0.19817104218699952, -0.38248995794100843},
+                    .angles = {-0.10315386961883499, 0.12559363189563499, 0.40211073776783257}});
+  body.spin = {44862.51284761179, -24062.184957801946, 59019.698833809431};
+  expect_same_at_every_accuracy(body);
+}
+
 // Where the well is deep and the body slow, its energy is below the barrier when the tip turns, at its
 // deepest.
 BOOST_AUTO_TEST_CASE(a_tip_that_turns_while_its_slip_begins_is_not_at_rest) {

@@ -146,25 +146,29 @@ struct TipTaylor::Memory {
   std::vector<double> before, guards;
 
   /// The first place of rest in the step that ends at `end`, or that end; x is the state there. Rest is no
-  /// series: it takes the energy.
+  /// series, it takes the energy: it is looked for where the tip turns, and at the end.
   template <class Series>
   End rest_or(End end, const Series& series, const TipPhase& phase, int order, const Problem& problem,
               State x) {
-    store(series, phase, end.tau, order, before, x);
-    if (phase.rest < 0 || !(std::abs(horner(terms(series.w, order), end.tau)) <= phase.rest_speed))
-      return end;
-    guards.resize(problem.guard_count());
+    const auto speed = [&](double tau) { return horner(terms(series.w, order), tau); };
     const auto unrest = [&](double tau) {
       store(series, phase, tau, order, before, x);
       problem.guards(x, guards);
       return guards[phase.rest];
     };
-    const double last = unrest(end.tau);
-    if (last > 0) return end;
-    const double first = unrest(0);
-    const double tau = first > 0 ? locate_sign_change(unrest, 0, first, end.tau, last, epsilon * end.tau) : 0;
-    store(series, phase, tau, order, before, x);
-    return {tau, phase.rest};
+    guards.resize(problem.guard_count());
+    const double at_start = series.w[0], at_end = speed(end.tau), rounding = epsilon * end.tau;
+    const bool turns = (at_start > 0) != (at_end > 0);
+    const double turn = turns ? locate_sign_change(speed, 0, at_start, end.tau, at_end, rounding) : end.tau;
+    for (const double tau : {turn, end.tau}) {
+      if (phase.rest < 0 || std::abs(speed(tau)) > phase.rest_speed) continue;
+      const double last = unrest(tau), first = last > 0 ? last : unrest(0);
+      if (last > 0) continue;
+      end = {first > 0 ? locate_sign_change(unrest, 0, first, tau, last, rounding) : 0, phase.rest};
+      break;
+    }
+    store(series, phase, end.tau, order, before, x);
+    return end;
   }
 
   template <class Series>
