@@ -1,8 +1,9 @@
 // CVODE by Adams with fixed-point iteration, as a user writes it.
 #include <cvode/cvode.h>
 #include <nvector/nvector_serial.h>
-#include <sundials/sundials_context.hpp>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
+
+#include <sundials/sundials_context.hpp>
 
 #include "mariotte/core/error.hpp"
 #include "measuring/timing.hpp"

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
-#include <nlohmann/json.hpp>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "mariotte/report/figure/fit_plot.hpp"

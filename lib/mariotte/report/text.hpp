@@ -6,9 +6,9 @@
 
 namespace mariotte::report {
 
-/// One JSON object, as `mariotte run --json` prints it. SI units; `final.velocity` has one value per ball of a
-/// chain, one per degree of freedom of a network, and of a microbody the three components of its mass centre,
-/// the normal one first.
+/// One JSON object, as `mariotte run --json` prints it. SI units; `final.velocity` has one value per ball of
+/// a chain, one per degree of freedom of a network, and of a microbody the three components of its mass
+/// centre, the normal one first.
 std::string json_text(const scene::Impact& impact, const scene::Scene& scene);
 
 /// What `mariotte run` prints: aligned text with units, at most 100 columns wide.

@@ -68,12 +68,12 @@ struct Trace {
 /// What every model made of contacts has to tell: n velocities, m contacts.
 struct ContactImpact {
   hybrid::Ending ending = hybrid::Ending::separated;
-  std::string message;           ///< why, for endings other than separated; else empty
-  double time = 0;               ///< of the ending [s]
+  std::string message;  ///< why, for endings other than separated; else empty
+  double time = 0;      ///< of the ending [s]
   /// After the impact, n values: of the balls of a chain from left to right, positive to the right [m/s]; of
   /// the degrees of freedom of a network, in its order and units.
   std::vector<double> velocity;
-  std::vector<double> gap;       ///< m values [m]
+  std::vector<double> gap;  ///< m values [m]
   std::vector<ContactHistory> contacts;
   std::vector<std::optional<double>> icr;  ///< α_j = p_j/p_{j+1}, m−1 values; empty where p_{j+1} = 0
   std::vector<double> impulse_direction;   ///< r = p/|p|, m values; zeros if no impulse was exchanged

@@ -1,10 +1,10 @@
 #include "mariotte/report/page/html.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <array>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "mariotte/report/page/html_text.hpp"

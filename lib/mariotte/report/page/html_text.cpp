@@ -1,9 +1,9 @@
 #include "mariotte/report/page/html_text.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 namespace mariotte::report {
 namespace {
