@@ -256,7 +256,7 @@ BOOST_AUTO_TEST_CASE(a_flow_that_fails_is_replaced_from_the_start_of_the_phase) 
 }
 
 BOOST_AUTO_TEST_CASE(a_flow_asked_for_by_name_is_not_replaced_when_it_fails) {
-  const auto found = run(single(WithoutJacobian()), {0, 1}, {.flow = "cvode-bdf-klu"});
+  const auto found = run(single(WithoutJacobian()), {0, 1}, {.flow = flow::Kind::cvode_bdf_klu});
   BOOST_TEST((found.ending == Ending::failed));
   BOOST_TEST(!found.message.empty());
   BOOST_TEST(phases(found, flow::Kind::cvode_adams) == 0);
@@ -265,7 +265,7 @@ BOOST_AUTO_TEST_CASE(a_flow_asked_for_by_name_is_not_replaced_when_it_fails) {
 
 BOOST_AUTO_TEST_CASE(a_phase_too_stiff_for_a_flow_is_followed_on_from_where_it_has_come) {
   // δ creeps: but for a start of 1e-4 it is 1 − exp(−t/c), up to 1/c² [quasi-static limit].
-  for (const std::string flow : {"auto", "taylor"}) {
+  for (const auto& flow : {std::optional<flow::Kind>{}, std::optional{flow::Kind::taylor}}) {
     Recorder recorder;
     const auto found = run(single(Dashpot()), {0, 0, 0}, {.max_time = 20, .flow = flow}, &recorder);
     BOOST_TEST((found.ending == Ending::time_limit));
@@ -296,7 +296,7 @@ BOOST_AUTO_TEST_CASE(a_watcher_sees_each_phase_on_the_absolute_clock) {
 BOOST_AUTO_TEST_CASE(a_workspace_remembers_nothing_of_the_run_before) {
   hybrid::Workspace<ToySystem> workspace;
   auto fails = single(WithoutJacobian()), works = single(oscillator({0.5}, {Crossing::rising}));
-  hybrid::simulate(fails, std::vector{0.0, 1.0}, {.flow = "cvode-bdf-klu"}, workspace);
+  hybrid::simulate(fails, std::vector{0.0, 1.0}, {.flow = flow::Kind::cvode_bdf_klu}, workspace);
   const auto& again = hybrid::simulate(works, std::vector{0.0, 1.0}, {}, workspace);
   const auto fresh = run(works, {0, 1});
   BOOST_TEST((again.ending == Ending::separated));
@@ -308,8 +308,7 @@ BOOST_AUTO_TEST_CASE(a_workspace_remembers_nothing_of_the_run_before) {
 }
 
 BOOST_AUTO_TEST_CASE(a_flow_that_does_not_exist_is_refused_by_name) {
-  BOOST_CHECK_EXCEPTION(run(corridor(1), {0}, {.flow = "euler"}), InvalidParameter,
-                        [](const InvalidParameter& refusal) {
-                          return std::string(refusal.what()).find("euler") != std::string::npos;
-                        });
+  BOOST_CHECK_EXCEPTION(flow::parse_kind("euler"), InvalidParameter, [](const InvalidParameter& refusal) {
+    return std::string(refusal.what()).find("euler") != std::string::npos;
+  });
 }

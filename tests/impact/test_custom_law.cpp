@@ -100,7 +100,7 @@ BOOST_AUTO_TEST_CASE(long_chains_of_any_law) {
 BOOST_AUTO_TEST_CASE(one_solver_takes_chains_of_any_law_in_turn) {
   const model::Chain power{.mass = {1, 1, 1}, .law = {hertz, damped}, .gap = {0, 0}, .velocity = {1, 0, 0}};
   impact::ChainSolver solver;
-  for (const auto* flow : {"auto", "taylor"})
+  for (const auto& flow : {std::optional<flow::Kind>{}, std::optional{flow::Kind::taylor}})
     for (const auto& chain : {power, with_custom_laws(power), power}) {
       const auto& impact = solver.solve(chain, {.accuracy = 1e-10, .flow = flow});
       BOOST_TEST(difference(impact.velocity, impact::simulate(power, options).velocity) < allowed);

@@ -13,7 +13,7 @@ using namespace mariotte::test;
 namespace {
 
 impact::ChainImpact run(const std::string& name) {
-  const auto scene = scene::read(std::string(MARIOTTE_SCENES) + "/" + name);
+  const auto scene = scene::read(std::string(MARIOTTE_SCENES "/") + name);
   const auto impact = impact::simulate(std::get<model::Chain>(scene.model), scene.run);
   BOOST_TEST((impact.ending == hybrid::Ending::separated));
   BOOST_TEST(std::abs(impact.energy.residual) < 1e-8 * (impact.energy.initial + impact.energy.work));

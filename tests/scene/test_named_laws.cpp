@@ -25,7 +25,7 @@ std::string row_of_page(const contact::NamedLaw& law) {
 contact::Law read(const contact::NamedLaw& law, const std::string& numbers) {
   const auto text =
       "[chain]\nmass = [1, 1]\nvelocity = [1, 0]\nlaw = '" + std::string(law.name) + "'\n" + numbers;
-  return scene::parse(text, "law").chain.law[0];
+  return std::get<model::Chain>(scene::parse(text, "law").model).law[0];
 }
 
 }  // namespace

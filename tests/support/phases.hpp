@@ -54,7 +54,9 @@ inline Phase phase_of(const model::Chain& chain) {
 
 inline Phase phase_of(const model::Network& network) {
   const auto system = std::make_shared<model::NetworkSystem>(network, phase_accuracy);
-  return first_phase(system, initial_state(system->network(), system->layout()));
+  std::vector<double> x;
+  initial_state(system->network(), system->layout(), x);
+  return first_phase(system, x);
 }
 
 /// With the first tip `height` above the plane, in units of the body.
