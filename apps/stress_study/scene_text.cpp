@@ -20,7 +20,7 @@ std::string array(const std::vector<double>& values) {
 std::string keys(const contact::Law& any) {
   const auto& law = std::get<contact::PowerLaw>(any);
   auto text = fmt::format("law = \"{}\"\nstiffness = {}\n", name(law), exact(law.stiffness));
-  if (law.damping > 0)
+  if (std::string_view(name(law)) == "viscoelastic")
     text += fmt::format("damping = {}\nexponent = {}\n", exact(law.damping), exact(law.exponent));
   return text;
 }
