@@ -46,7 +46,7 @@ std::string size_of(const model::Microbody&) {
 /// The impact, watched; says what it took.
 template <class Model>
 auto simulate(const Run& options, const Model& model, const scene::Scene& scene,
-              impact::Observers observers) {
+              impact::RunObserver observers) {
   RunProgress progress(scene.run);
   if (!options.scene.quiet) observers.progress = std::ref(progress);
   const auto start = std::chrono::steady_clock::now();
@@ -100,7 +100,7 @@ int run(const Run& options, const model::Chain& chain, const scene::Scene& scene
   const auto trace = start_trace(options.trace, balls, options.force);
   std::optional<report::Spacetime> waves;
   if (!options.out.empty() && balls >= least_balls_of_image) waves.emplace(balls);
-  impact::Observers observers{.trace = !options.out.empty() && can_trace(scene)};
+  impact::RunObserver observers{.trace = !options.out.empty() && can_trace(scene)};
   if (trace) observers.samplings.push_back(trace->sampling);
   if (waves) observers.samplings.push_back(waves->sampling());
   const auto impact = simulate(options, chain, scene, observers);

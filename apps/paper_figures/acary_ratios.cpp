@@ -16,7 +16,7 @@ constexpr double agreement = 1e-9;
 constexpr double small = 0.01, big = 0.05;  // radii [m]
 constexpr std::size_t balls = 21;           // of the chains of figure 2(b)
 constexpr std::size_t big_ball = 10;        // counted from 1
-constexpr contact::Material steel = {.young = 210e9, .poisson = 0.3};
+constexpr contact::Elasticity steel = {.young = 210e9, .poisson = 0.3};
 constexpr double density = 7800;
 
 /// Touching steel balls of these radii [m]; the first strikes the others at 1 m/s.

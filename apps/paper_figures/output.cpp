@@ -27,7 +27,7 @@ const char* word(Verdict verdict) {
 }
 
 std::string table(const std::vector<Check>& checks) {
-  const auto row = [&](Index i) -> report::Row {
+  const auto row = [&](Index i) -> report::TableRow {
     const auto& one = checks[static_cast<std::size_t>(i)];
     return {one.what,
             fmt::format("{:.12g}", one.computed),

@@ -14,9 +14,9 @@ double per_ball(const Point& point, double amount) {
 }  // namespace
 
 std::string table(const std::vector<Point>& own) {
-  const report::Row header = {"balls",   "asked for",  "error",  "time [ms]",
-                              "µs/ball", "steps/ball", "widest", "bytes/ball"};
-  return report::columns(header, std::ssize(own), [&](Index i) -> report::Row {
+  const report::TableRow header = {"balls",   "asked for",  "error",  "time [ms]",
+                                   "µs/ball", "steps/ball", "widest", "bytes/ball"};
+  return report::columns(header, std::ssize(own), [&](Index i) -> report::TableRow {
     const auto& point = own[static_cast<std::size_t>(i)];
     const auto& found = point.found;
     return {std::to_string(point.balls),
@@ -31,8 +31,8 @@ std::string table(const std::vector<Point>& own) {
 }
 
 std::string rival_table(const std::vector<Point>& rivals) {
-  const report::Row header = {"method", "balls", "error", "time [ms]", "bytes/ball", "× mariotte"};
-  return report::columns(header, std::ssize(rivals), [&](Index i) -> report::Row {
+  const report::TableRow header = {"method", "balls", "error", "time [ms]", "bytes/ball", "× mariotte"};
+  return report::columns(header, std::ssize(rivals), [&](Index i) -> report::TableRow {
     const auto& point = rivals[static_cast<std::size_t>(i)];
     const auto& found = point.found;
     return {point.method,

@@ -15,7 +15,7 @@ std::string first_icr(const Run& run) {
   return run.icr[0] ? fmt::format("{:.12f}", *run.icr[0]) : "undefined";
 }
 
-report::Row cells(const Row& row) {
+report::TableRow cells(const Row& row) {
   const auto& run = row.run;
   const std::string value = fmt::format("{:g}", row.value);
   if (run.ending == "-" || run.ending == "failed") return {value, run.ending, "-", "-", "-", "-", "-"};

@@ -15,8 +15,8 @@ inline double spread(Dice& dice) {
 /// Which laws a scene is made of.
 enum class Laws { linear, hertz, damped_linear, damped_hertz, damped_any, undamped_mixture, mixture };
 
-/// Damping ratio: none, light, or anything up to 10⁶.
-inline double damping_ratio(Dice& dice) {
+/// Damping group: none, light, or anything up to 10⁶.
+inline double damping_group(Dice& dice) {
   const double kind = dice.uniform(0, 1);
   if (kind < 0.15) return 0;
   return kind < 0.75 ? dice.between(1e-3, 3) : dice.between(1, 1e6);
@@ -37,11 +37,11 @@ inline contact::Law draw_law(Dice& dice, Laws laws, double stiffness, double mas
     case Laws::hertz:
       return contact::Hertz{stiffness};
     case Laws::damped_linear:
-      return damped(stiffness, damping_ratio(dice), 1, mass);
+      return damped(stiffness, damping_group(dice), 1, mass);
     case Laws::damped_hertz:
-      return damped(stiffness, damping_ratio(dice), 1.5, mass);
+      return damped(stiffness, damping_group(dice), 1.5, mass);
     case Laws::damped_any:
-      return damped(stiffness, damping_ratio(dice), dice.chance(0.3) ? dice.whole(1, 3) : dice.uniform(1, 3),
+      return damped(stiffness, damping_group(dice), dice.chance(0.3) ? dice.whole(1, 3) : dice.uniform(1, 3),
                     mass);
     case Laws::undamped_mixture:
       return draw_law(dice, dice.chance(0.5) ? Laws::linear : Laws::hertz, stiffness, mass);

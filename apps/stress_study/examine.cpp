@@ -92,7 +92,7 @@ class Examination {
  private:
   /// Whether the load of a contact that creeps, ζ⁻³ of its natural force, is above such an error: else its
   /// sign, and how often it opens, are chance.
-  bool loads_are_certain(double error) const { return std::pow(damping_ratio_, 3) * error < 1e-2; }
+  bool loads_are_certain(double error) const { return std::pow(damping_group_, 3) * error < 1e-2; }
 
   Trial trial(const Method& method, double accuracy) {
     announce_(name(method));
@@ -163,7 +163,7 @@ class Examination {
   std::vector<Trial> trials_;
   Trial best_;
   std::vector<std::string> general_;
-  double damping_ratio_ = damping_ratio(scene_.model);
+  double damping_group_ = damping_group(scene_.model);
 };
 
 }  // namespace

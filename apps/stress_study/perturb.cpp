@@ -45,10 +45,10 @@ void disturb(model::Chain& chain, double speed, Noise& noise) {
 
 void disturb(model::Network& network, double, Noise& noise) {
   const double speed = reference_speed(network);
-  const auto push = model::push_directions(network.mass, network.direction, std::ssize(network.velocity));
+  const auto response = model::responses(network.mass, network.direction, std::ssize(network.velocity));
   for (double& v : network.velocity) noise.scale(v);
   for (std::size_t j = 0; j < network.law.size(); ++j)
-    disturb_contact(network.law[j], network.gap[j], dot(network.direction[j], push[j]), speed, noise);
+    disturb_contact(network.law[j], network.gap[j], dot(network.direction[j], response[j]), speed, noise);
 }
 
 void disturb(Body& scene, double speed, Noise& noise) {

@@ -40,11 +40,11 @@ double speed_of(const model::Chain& chain) {
 
 /// The largest incident speed of a contact; of start indentations what they give back.
 double speed_of(const model::Network& network) {
-  const auto push = model::push_directions(network.mass, network.direction, std::ssize(network.velocity));
+  const auto response = model::responses(network.mass, network.direction, std::ssize(network.velocity));
   double fastest = 0, squared = 0;
   for (std::size_t j = 0; j < network.law.size(); ++j) {
     fastest = std::max(fastest, std::abs(gap_rate(network.direction[j], network.velocity)));
-    squared += stored(network.law[j], network.gap[j], dot(network.direction[j], push[j]));
+    squared += stored(network.law[j], network.gap[j], dot(network.direction[j], response[j]));
   }
   const double speed = std::sqrt(fastest * fastest + squared);
   return speed > 0 ? speed : 1;

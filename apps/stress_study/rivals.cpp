@@ -20,10 +20,10 @@ std::vector<Contact> contacts_of(const model::Chain& chain) {
   return list;
 }
 std::vector<Contact> contacts_of(const model::Network& network) {
-  const auto push = model::push_directions(network.mass, network.direction, std::ssize(network.velocity));
+  const auto response = model::responses(network.mass, network.direction, std::ssize(network.velocity));
   std::vector<Contact> list;
   for (std::size_t j = 0; j < network.law.size(); ++j)
-    list.push_back({network.law[j], dot(network.direction[j], push[j])});
+    list.push_back({network.law[j], dot(network.direction[j], response[j])});
   return list;
 }
 std::vector<Contact> contacts_of(const Body&) {
@@ -49,7 +49,7 @@ constexpr double most_work = 1000, creeping = 100;
 
 }  // namespace
 
-double damping_ratio(const Model& model) {
+double damping_group(const Model& model) {
   const double speed = reference_speed(model);
   double most = 0;
   for (const auto& one : contacts_of(model))
@@ -78,7 +78,7 @@ double most_contacts(const Scene& scene, double time) {
 std::vector<std::string> general_flows(const Scene& scene, double end) {
   if (std::holds_alternative<Body>(scene.model)) return {"cvode-adams", "cvode-bdf-dense"};
   if (stiffness(scene, end) > longest) return {};
-  if (damping_ratio(scene.model) > stiff) return {"cvode-bdf-klu", "cvode-bdf-dense"};
+  if (damping_group(scene.model) > stiff) return {"cvode-bdf-klu", "cvode-bdf-dense"};
   return {"cvode-adams", "cvode-bdf-klu"};
 }
 
@@ -91,7 +91,7 @@ std::vector<std::string> special_flows(const Scene& scene, double end) {
   return std::visit(Overload{[&](const model::Chain&) {
                                Names flows;
                                if (is_quick()) flows = {"modal", "pair"};
-                               if (damping_ratio(scene.model) < creeping) flows.push_back("taylor");
+                               if (damping_group(scene.model) < creeping) flows.push_back("taylor");
                                return flows;
                              },
                              [&](const model::Network&) { return is_quick() ? Names{"modal"} : Names{}; },

@@ -7,8 +7,8 @@
 
 namespace mariotte::stress_study {
 
-/// Largest damping ratio of the contacts, c over that which has about the effect of √(k m*).
-double damping_ratio(const Model& model);
+/// Largest damping group of the contacts, c over that which has about the effect of √(k m*).
+double damping_group(const Model& model);
 
 /// Longest run over the shortest natural time of a contact; 1 for bodies.
 double stiffness(const Scene& scene, double end);

@@ -14,7 +14,7 @@ std::string share(std::uint64_t part, std::uint64_t whole) {
   return fmt::format("{:.2f}", 100 * static_cast<double>(part) / static_cast<double>(whole));
 }
 
-report::Row row(const Tally& t, const std::string& slow, const std::string& worst) {
+report::TableRow row(const Tally& t, const std::string& slow, const std::string& worst) {
   return {t.family,
           std::to_string(t.scenes),
           share(t.within[0], t.runs),
@@ -80,9 +80,9 @@ std::uint64_t slow(const Tally& tally) {
 }
 
 std::string table(const std::vector<Tally>& tallies) {
-  const report::Row header = {"family",   "scenes",  "≤ 1× [%]", "≤ 10×",      "≤ 100×", "naive [%]",
-                              "counts",   "refused", "failed",   "no end",     "rivals", "slow",
-                              "CPU [ms]", "worst",   "scene",    "unexplained"};
+  const report::TableRow header = {"family",   "scenes",  "≤ 1× [%]", "≤ 10×",      "≤ 100×", "naive [%]",
+                                   "counts",   "refused", "failed",   "no end",     "rivals", "slow",
+                                   "CPU [ms]", "worst",   "scene",    "unexplained"};
   std::uint64_t all_slow = 0;
   for (const auto& t : tallies) all_slow += slow(t);
   const auto whole = sum(tallies);

@@ -7,7 +7,7 @@
 
 int main() {
   using namespace mariotte;
-  const contact::Material steel{.young = 210e9, .poisson = 0.3};
+  const contact::Elasticity steel{.young = 210e9, .poisson = 0.3};
   const double density = 7800;
 
   model::Chain chain{.mass = {}, .law = {}, .gap = {0, 0}, .velocity = {1, 0, 0}};

@@ -167,13 +167,13 @@ BOOST_AUTO_TEST_CASE(viscoelastic_without_damping_is_linear_or_hertz) {
 
 BOOST_AUTO_TEST_CASE(hertz_stiffness_of_two_equal_spheres) {
   // (4/3) · E/(2(1−ν²)) · √(R/2)
-  const Material steel{.young = 210e9, .poisson = 0.3};
+  const Elasticity steel{.young = 210e9, .poisson = 0.3};
   const double expected = 4.0 / 3.0 * 210e9 / (2 * (1 - 0.09)) * std::sqrt(0.005);
   BOOST_TEST(hertz_stiffness(steel, 0.01, steel, 0.01) == expected, boost::test_tools::tolerance(1e-14));
 }
 
 BOOST_AUTO_TEST_CASE(hertz_stiffness_against_a_rigid_plane) {
-  const Material glass{.young = 48e9, .poisson = 0.2}, rigid{.young = HUGE_VAL, .poisson = 0};
+  const Elasticity glass{.young = 48e9, .poisson = 0.2}, rigid{.young = HUGE_VAL, .poisson = 0};
   const double expected = 4.0 / 3.0 * 48e9 / (1 - 0.04) * std::sqrt(0.01);
   BOOST_TEST(hertz_stiffness(glass, 0.01, rigid, HUGE_VAL) == expected, boost::test_tools::tolerance(1e-14));
 }

@@ -26,16 +26,16 @@ struct Result {
 };
 
 Result follow(flow::Kind kind, flow::Problem& problem, std::vector<double> x, double accuracy = 1e-9,
-              double limit = 100, flow::Watcher* watcher = nullptr) {
+              double limit = 100, flow::StepObserver* observer = nullptr) {
   flow::Flows made;
   Result result{{}, x, {}};
   result.arrival =
-      made.get(kind, problem).follow(problem, result.x, {limit, accuracy, watcher}, result.fired);
+      made.get(kind, problem).follow(problem, result.x, {limit, accuracy, observer}, result.fired);
   return result;
 }
 
-struct Recorder : flow::Watcher {
-  void watch(const flow::Step& step) override {
+struct Recorder : flow::StepObserver {
+  void observe(const flow::Step& step) override {
     starts.push_back(step.start);
     ends.push_back(step.end);
     std::vector<double> x(step.before.size());

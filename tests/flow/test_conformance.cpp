@@ -74,11 +74,11 @@ void for_each_flow(const Check& check) {
       if (follows(kind, one)) BOOST_TEST_CONTEXT(one.name << " by " << name(kind)) check(kind, one);
 }
 
-/// What a watcher sees of a phase.
-struct Steps : flow::Watcher {
+/// What a observer sees of a phase.
+struct Steps : flow::StepObserver {
   explicit Steps(const flow::Problem& followed) : problem(followed) {}
 
-  void watch(const flow::Step& step) override {
+  void observe(const flow::Step& step) override {
     joined = joined && step.start == end && step.end >= step.start;
     end = step.end;
     last.assign(step.after.begin(), step.after.end());
@@ -162,7 +162,7 @@ BOOST_AUTO_TEST_CASE(steps_join_and_their_dense_output_follows_the_field) {
     const auto phase = one.make();
     Steps steps(*phase.problem);
     flow::Flows flows;
-    const auto found = follow(flows.get(kind, *phase.problem), phase, {.accuracy = 1e-9, .watcher = &steps});
+    const auto found = follow(flows.get(kind, *phase.problem), phase, {.accuracy = 1e-9, .observer = &steps});
     BOOST_TEST(steps.joined);
     BOOST_TEST(std::abs(steps.end - found.arrival.duration) <= 4 * epsilon * steps.end);
     BOOST_TEST(error(*phase.problem, steps.last, found.x) <= 4 * epsilon);

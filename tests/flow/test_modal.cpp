@@ -128,8 +128,8 @@ BOOST_AUTO_TEST_CASE(random_springs_are_followed_as_cvode_follows_them) {
 
 namespace {
 
-struct CountPieces final : flow::Watcher {
-  void watch(const flow::Step& step) override {
+struct CountPieces final : flow::StepObserver {
+  void observe(const flow::Step& step) override {
     tiles = tiles && step.start == end;
     end = step.end;
     ++pieces;
@@ -146,7 +146,7 @@ struct Followed {
 };
 
 /// The first phase of a chain, followed by a flow that may have memory already.
-Followed follow_first(flow::Flow& flow, const model::Chain& chain, flow::Watcher* watcher = nullptr) {
+Followed follow_first(flow::Flow& flow, const model::Chain& chain, flow::StepObserver* observer = nullptr) {
   model::ChainSystem system;
   system.reset(chain, 1e-10, false);
   std::vector<model::ContactChange> changes;
@@ -159,7 +159,7 @@ Followed follow_first(flow::Flow& flow, const model::Chain& chain, flow::Watcher
   fired.reserve(8);
   const long before = allocations;
   BOOST_REQUIRE(flow.admits(problem));
-  auto arrival = flow.follow(problem, x, {.watcher = watcher}, fired);
+  auto arrival = flow.follow(problem, x, {.observer = observer}, fired);
   return {arrival, allocations - before, x};
 }
 
@@ -172,8 +172,8 @@ BOOST_AUTO_TEST_CASE(nothing_is_allocated_in_the_second_phase_of_a_size) {
         std::vector{damper(1, 0.1), damper(7, 3), contact::Law(contact::Linear{2})}}) {
     const auto chain = equal_masses(laws, {1, 0, 0, 0});
     flow::Modal modal;
-    CountPieces watcher;
-    const auto first = follow_first(modal, chain, &watcher), second = follow_first(modal, chain, &watcher);
+    CountPieces observer;
+    const auto first = follow_first(modal, chain, &observer), second = follow_first(modal, chain, &observer);
     BOOST_TEST(first.allocations > 0);
     BOOST_TEST(second.allocations == 0);
     BOOST_TEST(second.x == first.x, boost::test_tools::per_element());
@@ -184,11 +184,11 @@ BOOST_AUTO_TEST_CASE(a_watcher_sees_few_pieces_that_tile_the_phase) {
   for (const double ratio : {1e-4, 1.0, 1e4, 1e7, 1e10}) {
     const auto chain = equal_masses({contact::Linear{1}, contact::Linear{ratio}}, {1, 0, 0});
     flow::Modal modal;
-    CountPieces watcher;
-    const auto followed = follow_first(modal, chain, &watcher);
-    BOOST_TEST(watcher.pieces <= 5);
-    BOOST_TEST(watcher.tiles);
-    BOOST_TEST(watcher.end == followed.arrival.duration);
+    CountPieces observer;
+    const auto followed = follow_first(modal, chain, &observer);
+    BOOST_TEST(observer.pieces <= 5);
+    BOOST_TEST(observer.tiles);
+    BOOST_TEST(observer.end == followed.arrival.duration);
   }
 }
 

@@ -99,10 +99,10 @@ BOOST_AUTO_TEST_CASE(another_gap_closes_exactly_where_its_concave_course_ends) {
       const flow::ConcaveGap gap{i % 3 ? 0.3 * uniform(random) * total : 0, 2 * uniform(random) - 1.5,
                                  i % 5 ? uniform(random) : 0};
       const auto value = [&](double time) {
-        return gap.value + gap.rate * time + gap.share * at(motion, time).value;
+        return gap.value + gap.rate * time + gap.coupling * at(motion, time).value;
       };
-      if (gap.value + gap.rate * total + gap.share * last > 0 ||
-          (gap.value == 0 && gap.rate + gap.share <= 0))
+      if (gap.value + gap.rate * total + gap.coupling * last > 0 ||
+          (gap.value == 0 && gap.rate + gap.coupling <= 0))
         continue;
       const double time = ask(motion, [&](const auto& one) { return one.fall(gap); });
       BOOST_TEST(std::abs(value(time)) < 1e-13 * total);

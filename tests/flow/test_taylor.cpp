@@ -31,7 +31,7 @@ Lanes random_lanes(int count, std::mt19937& random, bool damped) {
   for (int j = 0; j < count; ++j) {
     lanes.indentation[j] = 0.1 + unit(random);
     lanes.rate[j] = 2 * unit(random) - 1;
-    lanes.push[j] = lanes.weight[j] = lanes.side[j] = lanes.load_side[j] = 1;
+    lanes.active[j] = lanes.weight[j] = lanes.side[j] = lanes.load_side[j] = 1;
     lanes.stiffness[j] = 0.5 + unit(random);
     lanes.damping[j] = damped ? unit(random) : 0;
     lanes.power[j] = unit(random) < 0.7 ? 0.5 : 0;

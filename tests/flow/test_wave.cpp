@@ -5,14 +5,14 @@
 #include "mariotte/flow/roots/enclosure.hpp"
 
 using namespace mariotte;
-using flow::Mode;
+using flow::NaturalMode;
 using flow::Wave;
 using flow::Weight;
-using Form = Mode::Form;
+using Form = NaturalMode::Form;
 
 namespace {
 
-Mode undamped(double frequency) {
+NaturalMode undamped(double frequency) {
   return {Form::oscillating, 0, frequency};
 }
 /// R sin(ω t + φ).
@@ -21,7 +21,7 @@ Weight sine(double radius, double frequency, double phase) {
 }
 
 /// Modes of every form, with rates over 2 decades.
-Mode random_mode(std::mt19937_64& random) {
+NaturalMode random_mode(std::mt19937_64& random) {
   std::uniform_real_distribution<double> uniform(0, 1);
   const double rate = std::pow(10, 2 * uniform(random) - 0.5);
   switch (std::uniform_int_distribution(0, 4)(random)) {
@@ -40,7 +40,7 @@ Mode random_mode(std::mt19937_64& random) {
 
 /// Four modes that start large and a straight line, positive at the start.
 struct RandomWave {
-  std::vector<Mode> modes;
+  std::vector<NaturalMode> modes;
   Wave wave{1, 0, {}};
 
   explicit RandomWave(std::mt19937_64& random) {
@@ -146,7 +146,7 @@ BOOST_AUTO_TEST_CASE(bounds_of_a_wave_hold_over_any_interval) {
 BOOST_AUTO_TEST_CASE(overlaps_are_the_integrals_of_products) {
   std::mt19937_64 random(14);
   for (int i = 0; i < 200; ++i) {
-    const Mode left = random_mode(random), right = i % 5 == 0 ? left : random_mode(random);
+    const NaturalMode left = random_mode(random), right = i % 5 == 0 ? left : random_mode(random);
     for (const double end : {1e-3, 0.1, 3.0}) {
       const auto exact = flow::overlap(flow::progress(left, end), flow::progress(right, end), end);
       flow::Overlap sum{};

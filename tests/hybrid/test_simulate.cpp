@@ -19,9 +19,9 @@ using Run = hybrid::Trajectory<ToySystem::Change>;
 using Changes = std::vector<ToySystem::Change>;
 
 Run run(ToySystem system, std::vector<double> x, const hybrid::Options& options = {},
-        hybrid::PhaseWatcher* watcher = nullptr) {
+        hybrid::PhaseObserver* observer = nullptr) {
   hybrid::Workspace<ToySystem> workspace;
-  return hybrid::simulate(system, x, options, workspace, watcher);
+  return hybrid::simulate(system, x, options, workspace, observer);
 }
 
 template <class... Phases>
@@ -82,7 +82,7 @@ struct Dashpot : Toy {
                     .damping = damping_constant,
                     .exponent = 1,
                     .length = 1,
-                    .shallow = 0,
+                    .noise_depth = 0,
                     .role = flow::Role::closed}};
   }
   static double load(ConstState x) { return -x[2] - damping_constant * x[1]; }
@@ -91,13 +91,13 @@ struct Dashpot : Toy {
 };
 
 /// Where phases begin, and whether their steps follow each other on the absolute clock.
-struct Recorder : hybrid::PhaseWatcher {
+struct Recorder : hybrid::PhaseObserver {
   void begin_phase(double time, ConstState x) override {
     begins.push_back(time);
     states.emplace_back(x.begin(), x.end());
     end = 0;
   }
-  void watch(const flow::Step& step) override {
+  void observe(const flow::Step& step) override {
     joined = joined && step.start == end;
     end = step.end;
   }

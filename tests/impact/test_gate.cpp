@@ -43,15 +43,15 @@ Passed run(const model::Chain& chain, double end, Index component = 0, double pu
   hybrid::simulate(system, start, hybrid::scaled({.max_time = end}, system.chain().scale), workspace);
   auto& run = workspace.run;
   run.state[static_cast<std::size_t>(component)] += push;
-  const impact::Stretch stretch{.before = start, .after = run.state, .time = run.time};
+  const impact::Interval interval{.before = start, .after = run.state, .time = run.time};
   std::vector<double> p;
   std::vector<Index> periods;
   std::vector<impact::ContactEnergy> energies;
-  impulses(system.chain(), system.layout(), stretch, p);
+  impulses(system.chain(), system.layout(), interval, p);
   impact::count_periods(run.changes, system.layout().contacts(), periods);
-  contact_energies(system.chain(), system.layout(), workspace.mode, stretch, energies);
+  contact_energies(system.chain(), system.layout(), workspace.mode, interval, energies);
   Passed result{run.ending, run.message};
-  impact::pass_gate({system.chain(), system.layout(), workspace.mode, stretch, p, periods, energies}, 1e-10,
+  impact::pass_gate({system.chain(), system.layout(), workspace.mode, interval, p, periods, energies}, 1e-10,
                     result.ending, result.message);
   return result;
 }

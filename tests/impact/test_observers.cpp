@@ -37,7 +37,7 @@ struct GivenUp {};
 
 void can_be_given_up(const auto& model) {
   Index told = 0;
-  const impact::Observers observers{.progress = [&](const impact::Progress&) {
+  const impact::RunObserver observers{.progress = [&](const impact::Progress&) {
     if (++told == 2) throw GivenUp();
   }};
   BOOST_CHECK_THROW(impact::simulate(model, {}, observers), GivenUp);
@@ -64,7 +64,7 @@ BOOST_AUTO_TEST_CASE(every_run_can_be_given_up) {
 }
 
 BOOST_AUTO_TEST_CASE(only_chains_can_be_sampled_while_they_are_simulated) {
-  const impact::Observers observers{.samplings = {{.take = [](const impact::Sample&) { return 1.0; }}}};
+  const impact::RunObserver observers{.samplings = {{.take = [](const impact::Sample&) { return 1.0; }}}};
   BOOST_CHECK_THROW(impact::simulate(one_on_two(), {}, observers), InvalidParameter);
   BOOST_CHECK_THROW(impact::simulate(body(), {}, observers), InvalidParameter);
 }

@@ -12,7 +12,7 @@ using namespace mariotte::test;
 
 namespace {
 
-using impact::Observers;
+using impact::RunObserver;
 using impact::Sample;
 using impact::Sampling;
 
@@ -30,7 +30,7 @@ std::vector<Sample> sampled(const model::Chain& chain, const hybrid::Options& op
         samples.push_back(sample);
         return interval;
       }};
-  impact::simulate(chain, options, Observers{.samplings = {sampling}});
+  impact::simulate(chain, options, RunObserver{.samplings = {sampling}});
   return samples;
 }
 
@@ -73,7 +73,7 @@ BOOST_AUTO_TEST_CASE(the_peak_velocity_of_a_solitary_wave) {
                             v.push_back(sample.velocity[0]);
                             return 0.01;
                           }};
-  impact::simulate(equal_chain(600), {.accuracy = 1e-10}, Observers{.samplings = {sampling}});
+  impact::simulate(equal_chain(600), {.accuracy = 1e-10}, RunObserver{.samplings = {sampling}});
   const auto top = std::max_element(v.begin(), v.end());
   const double rise = top[0] - top[-1], fall = top[0] - top[1];
   const double peak = top[0] + (rise - fall) * (rise - fall) / (8 * (rise + fall));
@@ -91,7 +91,7 @@ BOOST_AUTO_TEST_CASE(each_sampling_has_its_own_times_and_the_ending) {
                     }};
   };
   const auto impact =
-      impact::simulate(equal_chain(3), {}, Observers{.samplings = {every(often, 1), every(seldom, 3)}});
+      impact::simulate(equal_chain(3), {}, RunObserver{.samplings = {every(often, 1), every(seldom, 3)}});
   BOOST_TEST(often.size() == 1 + std::ceil(impact.time));
   BOOST_TEST(seldom.size() == 1 + std::ceil(impact.time / 3));
   BOOST_TEST(often.back() == impact.time);
@@ -102,7 +102,7 @@ BOOST_AUTO_TEST_CASE(samplings_without_sense_are_refused) {
   const auto take = [](const Sample&) { return 1.0; };
   const auto chain = equal_chain(3);
   const auto run = [&](const Sampling& sampling) {
-    impact::simulate(chain, {}, Observers{.samplings = {sampling}});
+    impact::simulate(chain, {}, RunObserver{.samplings = {sampling}});
   };
   BOOST_CHECK_THROW(run({.balls = {3}, .contacts = {}, .take = take}), InvalidParameter);
   BOOST_CHECK_THROW(run({.balls = {}, .contacts = {-1}, .take = take}), InvalidParameter);
@@ -113,11 +113,12 @@ BOOST_AUTO_TEST_CASE(samplings_without_sense_are_refused) {
 BOOST_AUTO_TEST_CASE(a_long_chain_tells_how_far_it_is) {
   double time = 0;
   Index events = 0;
-  const auto impact = impact::simulate(equal_chain(60), {}, Observers{.progress = [&](const auto& progress) {
-                                         BOOST_TEST(progress.time >= time);
-                                         time = progress.time;
-                                         events = progress.events;
-                                       }});
+  const auto impact =
+      impact::simulate(equal_chain(60), {}, RunObserver{.progress = [&](const auto& progress) {
+                         BOOST_TEST(progress.time >= time);
+                         time = progress.time;
+                         events = progress.events;
+                       }});
   BOOST_TEST(time > 0.9 * impact.time);
   BOOST_TEST(events > 50);
 }

@@ -31,7 +31,7 @@ void check_peak(const model::Chain& chain, const HertzPeak& expected) {
 
 /// [Chung & Ooi 2011, test 1]: two equal spheres at ±10 m/s.
 void check_spheres(const Sphere& s, const HertzPeak& expected) {
-  const contact::Material material{s.young, s.poisson};
+  const contact::Elasticity material{s.young, s.poisson};
   const double stiffness = contact::hertz_stiffness(material, s.radius, material, s.radius);
   check_peak(
       {.mass = {mass(s), mass(s)}, .law = {contact::Hertz{stiffness}}, .gap = {0}, .velocity = {10, -10}},
@@ -40,7 +40,7 @@ void check_spheres(const Sphere& s, const HertzPeak& expected) {
 
 /// [Chung & Ooi 2011, test 2]: a sphere on a rigid plane at 0.2 m/s.
 void check_plane(const Sphere& s, const HertzPeak& expected) {
-  const contact::Material material{s.young, s.poisson}, rigid{infinity, 0};
+  const contact::Elasticity material{s.young, s.poisson}, rigid{infinity, 0};
   const double stiffness = contact::hertz_stiffness(material, s.radius, rigid, infinity);
   check_peak(
       {.mass = {infinity, mass(s)}, .law = {contact::Hertz{stiffness}}, .gap = {0}, .velocity = {0, -0.2}},

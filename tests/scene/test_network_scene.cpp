@@ -103,7 +103,7 @@ BOOST_AUTO_TEST_CASE(mass_and_stiffness_follow_from_material_unless_given) {
   const auto network = parse(triangle);
   BOOST_TEST(std::abs(network.mass[0] - 0.0326725636) < 1e-10);
   BOOST_TEST(network.mass[5] == 1);
-  const contact::Material steel{.young = 210e9, .poisson = 0.3};
+  const contact::Elasticity steel{.young = 210e9, .poisson = 0.3};
   for (const auto& law : network.law)
     BOOST_TEST(contact::stiffness(law) == contact::hertz_stiffness(steel, 0.01, steel, 0.01));
 }

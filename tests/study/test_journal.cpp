@@ -10,7 +10,7 @@
 
 using namespace mariotte;
 using study::Journal;
-using study::Stretch;
+using study::PointRange;
 namespace fs = std::filesystem;
 
 namespace {
@@ -173,7 +173,7 @@ BOOST_AUTO_TEST_CASE(every_point_is_dealt_once_to_one_rank) {
     std::vector<int> dealt(1000);
     for (Index rank = 0; rank < ranks; ++rank) {
       study::Dealer dealer({{0, 300}, {310, 690}}, {.rank = rank, .ranks = ranks});
-      for (Stretch chunk; (chunk = dealer.take(7)).count > 0;)
+      for (PointRange chunk; (chunk = dealer.take(7)).count > 0;)
         for (Index k = 0; k < chunk.count; ++k) ++dealt[static_cast<std::size_t>(chunk.first + k)];
     }
     for (int i = 0; i < 1000; ++i) BOOST_TEST(dealt[static_cast<std::size_t>(i)] == (i < 300 || i >= 310));

@@ -45,7 +45,7 @@ struct GrazingScene {
 
 enum class Damping { none, usual, strong };
 
-/// n = 3 … 5 balls, masses over 2.4 decades, stiffnesses over 4, damping ratios over 2; one kind of law or a
+/// n = 3 … 5 balls, masses over 2.4 decades, stiffnesses over 4, damping groups over 2; one kind of law or a
 /// mixture; a wall in front of every sixth.
 inline model::Chain random_chain(Counter& random, Damping damping) {
   model::Chain chain;

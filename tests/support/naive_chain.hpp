@@ -11,7 +11,7 @@ namespace mariotte::test {
 /// ġ_j = v_{j+1} − v_j; walls feel neither forces nor gravity.
 inline NaiveContacts naive_contacts(const model::Chain& chain) {
   NaiveContacts contacts{.direction = {},
-                         .push = {},
+                         .response = {},
                          .law = chain.law,
                          .gap = chain.gap,
                          .velocity = chain.velocity,
@@ -20,7 +20,7 @@ inline NaiveContacts naive_contacts(const model::Chain& chain) {
   for (std::size_t j = 0; j < chain.law.size(); ++j) {
     const auto left = static_cast<Index>(j);
     contacts.direction.push_back({{left, -1}, {left + 1, 1}});
-    contacts.push.push_back({{left, -1 / chain.mass[j]}, {left + 1, 1 / chain.mass[j + 1]}});
+    contacts.response.push_back({{left, -1 / chain.mass[j]}, {left + 1, 1 / chain.mass[j + 1]}});
   }
   return contacts;
 }
@@ -47,7 +47,7 @@ inline std::vector<double> naive_solution(std::vector<double> m, std::vector<dou
 inline NaiveContacts naive_contacts(const model::Network& network) {
   const auto n = network.velocity.size();
   NaiveContacts contacts{.direction = network.direction,
-                         .push = {},
+                         .response = {},
                          .law = network.law,
                          .gap = network.gap,
                          .velocity = network.velocity,
@@ -56,7 +56,7 @@ inline NaiveContacts naive_contacts(const model::Network& network) {
     std::vector<double> row(n);
     for (const auto& [i, coefficient] : direction) row[static_cast<std::size_t>(i)] += coefficient;
     const auto column = naive_solution(network.mass, row);
-    auto& push = contacts.push.emplace_back();
+    auto& push = contacts.response.emplace_back();
     for (std::size_t i = 0; i < n; ++i)
       if (column[i] != 0) push.push_back({static_cast<Index>(i), column[i]});
   }

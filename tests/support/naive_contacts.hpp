@@ -13,7 +13,7 @@ namespace mariotte::test {
 /// Contacts of any system, ġ = G v and v̇ = a + M⁻¹Gᵀ f, as plain numbers.
 struct NaiveContacts {
   std::vector<ContactDirection> direction;  ///< rows of G
-  std::vector<ContactDirection> push;       ///< columns of M⁻¹Gᵀ
+  std::vector<ContactDirection> response;   ///< columns of M⁻¹Gᵀ
   std::vector<contact::Law> law;
   std::vector<double> gap, velocity;
   std::vector<double> acceleration;  ///< by outside forces, per velocity
@@ -55,7 +55,7 @@ class NaiveField {
   NaiveField(const NaiveContacts& contacts, const NaiveSettings& settings)
       : contacts_(contacts), settings_(settings) {
     for (std::size_t j = 0; j < contacts.law.size(); ++j) {
-      const double mobility = dot(contacts.direction[j], contacts.push[j]);
+      const double mobility = dot(contacts.direction[j], contacts.response[j]);
       depth_.push_back(mobility > 0 ? natural_depth(contacts.law[j], mobility, settings.speed)
                                     : std::max(settings.speed, std::abs(contacts.gap[j])));
     }
@@ -77,7 +77,7 @@ class NaiveField {
       dy[j] = rate / depth_[j];
       const double force = naive_force(contacts_.law[j], -y[j] * depth_[j], -rate);
       if (force == 0) continue;
-      for (const auto& [i, coefficient] : contacts_.push[j])
+      for (const auto& [i, coefficient] : contacts_.response[j])
         dy[m + static_cast<std::size_t>(i)] += coefficient * force / settings_.speed;
     }
   }

@@ -48,13 +48,13 @@ class Toy : public flow::Problem {
       up[j] = down[j] = x[j];
     }
   }
-  double damping_ratio() const override { return damping; }
+  double damping_group() const override { return damping; }
   bool is_ballistic() const override { return ballistic; }
   void second_derivative(ConstState, State ddx) const override { std::fill(ddx.begin(), ddx.end(), 0.0); }
   flow::Accepted accept(ConstState x) override { return accepted ? accepted(x) : flow::Accepted::unchanged; }
   std::string component(Index index) const override { return "x" + std::to_string(index); }
 
-  double damping = 0;                                  ///< the damping ratio it claims to have
+  double damping = 0;                                  ///< the damping group it claims to have
   bool ballistic = false;                              ///< set where the field is constant
   std::function<flow::Accepted(ConstState)> accepted;  ///< what an accepted step has done; nothing if empty
 

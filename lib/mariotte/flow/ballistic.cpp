@@ -96,7 +96,7 @@ Arrival Ballistic::follow(Problem& problem, State x, const Request& request, std
   step.start = 0;
   step.end = duration;
   step.after = x;
-  if (request.watcher) request.watcher->watch(step);
+  if (request.observer) request.observer->observe(step);
   if (arrives) duration += land(problem, x, guard, duration);
   if (arrives) {
     fired.push_back(guard);

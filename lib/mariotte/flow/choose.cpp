@@ -20,7 +20,7 @@ namespace {
 /// Damping ratios c/√(k m) from which BDF costs less than Adams. Its Newton matrices are sparse: KLU is
 /// hardly dearer than a dense or a band matrix at any size, and mostly cheaper.
 constexpr double stiff_for_adams = 5;
-/// Damping ratio up to which series tell the sign of a creeping contact's load, ratio⁻³ of its natural force:
+/// Damping group up to which series tell the sign of a creeping contact's load, ratio⁻³ of its natural force:
 /// beyond, that is rounding.
 constexpr double stiff_for_taylor = 8e4;
 /// Natural modes of n contacts cost n³, series √κ of the ratio of fastest to slowest rate squared: equal near
@@ -70,7 +70,7 @@ bool pays(Kind kind, const Problem& problem) {
   if (!phase) return false;
   if (kind == Kind::modal) return modes_pay(*phase);
   if (kind != Kind::taylor) return true;
-  return problem.damping_ratio() < stiff_for_taylor;
+  return problem.damping_group() < stiff_for_taylor;
 }
 
 std::unique_ptr<Flow> make(Kind kind, const Problem& problem) {
@@ -110,7 +110,7 @@ Choice Flows::choose(const Problem& problem, std::optional<Kind> requested) {
   for (const auto kind : special)
     if (requested ? requested == kind : pays(kind, problem))
       if (auto choice = take(kind); choice.flow.admits(problem)) return choice;
-  return take(problem.damping_ratio() < stiff_for_adams ? Kind::cvode_adams : Kind::cvode_bdf_klu);
+  return take(problem.damping_group() < stiff_for_adams ? Kind::cvode_adams : Kind::cvode_bdf_klu);
 }
 
 std::optional<Choice> Flows::instead_of(Kind kind, bool stiff, const Problem& problem,

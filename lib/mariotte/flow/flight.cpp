@@ -190,7 +190,7 @@ Arrival Flight::follow(Problem& problem, State x, const Request& request, std::v
     fired.push_back(phase.guard[tip]);
   }
   step.after = x;
-  if (request.watcher) request.watcher->watch(step);
+  if (request.observer) request.observer->observe(step);
   return {
       .outcome = touches ? Outcome::guard : Outcome::limit, .duration = step.end, .steps = 1, .message = {}};
 }

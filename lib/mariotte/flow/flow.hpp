@@ -17,15 +17,15 @@ class Step {
   ConstState after;   ///< state at end
   /// State at start ≤ time ≤ end.
   virtual void at(double time, State x) const = 0;
-  /// State at a share of the step, from 0 to 1 in whatever clock it has: quicker where that is not time.
-  virtual void inside(double share, State x) const { at(start + share * (end - start), x); }
+  /// State at a fraction of the step, from 0 to 1 in whatever clock it has: quicker where that is not time.
+  virtual void inside(double fraction, State x) const { at(start + fraction * (end - start), x); }
 };
 
 /// Sees every step of a flow; peaks, traces and pictures come from here.
-class Watcher {
+class StepObserver {
  public:
-  virtual ~Watcher() = default;
-  virtual void watch(const Step& step) = 0;
+  virtual ~StepObserver() = default;
+  virtual void observe(const Step& step) = 0;
 };
 
 /// Why a flow stopped.
@@ -48,9 +48,9 @@ struct Arrival {
 
 /// What a flow is asked for.
 struct Request {
-  double limit = infinity;     ///< longest duration
-  double accuracy = 1e-10;     ///< wanted error at the end of the run, relative to the magnitudes
-  Watcher* watcher = nullptr;  ///< may be null
+  double limit = infinity;           ///< longest duration
+  double accuracy = 1e-10;           ///< wanted error at the end of the run, relative to the magnitudes
+  StepObserver* observer = nullptr;  ///< may be null
 };
 
 /// A method that follows a smooth field.

@@ -13,9 +13,9 @@ namespace mariotte::flow {
 struct LinkedPhase {
   std::vector<PhaseContact> contact;
   Index freedoms = 0;
-  std::span<const ContactDirection> direction;  ///< rows of G
-  std::span<const ContactDirection> push;       ///< columns of M⁻¹ Gᵀ
-  std::span<const ContactDirection> half_push;  ///< columns of L⁻¹ Gᵀ, M = L Lᵀ
+  std::span<const ContactDirection> direction;      ///< rows of G
+  std::span<const ContactDirection> response;       ///< columns of M⁻¹ Gᵀ
+  std::span<const ContactDirection> half_response;  ///< columns of L⁻¹ Gᵀ, M = L Lᵀ
 };
 
 }  // namespace mariotte::flow

@@ -6,7 +6,7 @@ namespace mariotte::flow {
 namespace {
 
 using Complex = std::complex<double>;
-using Form = Mode::Form;
+using Form = NaturalMode::Form;
 
 /// (e^{−at} − e^{−bt})/(b−a), where both may be equal.
 double between(double a, double b, double time) {
@@ -25,28 +25,28 @@ Complex growth(Complex z, Complex exponential) {
 
 }  // namespace
 
-double Mode::fastest() const {
+double NaturalMode::fastest() const {
   if (form != Form::oscillating) return second;
   return decay == 0 ? second : std::hypot(decay, second);
 }
-double Mode::slowest() const {
+double NaturalMode::slowest() const {
   return form == Form::oscillating ? fastest() : decay;
 }
 
-Mode make_mode(double frequency, double damping) {
+NaturalMode make_natural_mode(double frequency, double damping) {
   const double split = std::sqrt(std::abs((frequency - damping) * (frequency + damping)));
   if (split > 0 && damping < frequency) return {Form::oscillating, damping, split};
   const double fast = damping + split, slow = frequency / fast * frequency;
   return {fast > 3 * slow ? Form::separate : Form::creeping, slow, fast};
 }
 
-Weight motion_from(const Mode& mode, double value, double rate) {
+Weight motion_from(const NaturalMode& mode, double value, double rate) {
   const double a = mode.decay, b = mode.second;
   if (mode.form != Form::separate) return {value, rate + a * value};
   return {(rate + b * value) / (b - a), -(rate + a * value) / (b - a)};
 }
 
-Weight derivative(const Mode& mode, const Weight& w) {
+Weight derivative(const NaturalMode& mode, const Weight& w) {
   const double a = mode.decay, b = mode.second;
   switch (mode.form) {
     case Form::oscillating:
@@ -59,7 +59,7 @@ Weight derivative(const Mode& mode, const Weight& w) {
   return {};
 }
 
-Weight integral(const Mode& mode, const Weight& w) {
+Weight integral(const NaturalMode& mode, const Weight& w) {
   const double a = mode.decay, b = mode.second;
   switch (mode.form) {
     case Form::oscillating: {
@@ -74,7 +74,7 @@ Weight integral(const Mode& mode, const Weight& w) {
   return {};
 }
 
-Weight values(const Mode& mode, double time) {
+Weight values(const NaturalMode& mode, double time) {
   const double a = mode.decay, b = mode.second;
   if (mode.form == Form::separate) return {std::exp(-a * time), std::exp(-b * time)};
   if (mode.form == Form::creeping) return {std::exp(-a * time), between(a, b, time)};
@@ -82,7 +82,7 @@ Weight values(const Mode& mode, double time) {
   return {fade * std::cos(b * time), fade * std::sin(b * time) / b};
 }
 
-Swing swing(const Mode& mode, double time) {
+Swing swing(const NaturalMode& mode, double time) {
   const double a = mode.decay, b = mode.second;
   if (mode.form == Form::oscillating) {
     const double sine = std::sin(b * time), cosine = std::cos(b * time);
@@ -100,7 +100,7 @@ Swing swing(const Mode& mode, double time) {
   return {{std::exp(-a * time), odd}, {even, odd}};
 }
 
-Progress progress(const Mode& mode, double time) {
+Progress progress(const NaturalMode& mode, double time) {
   const double a = mode.decay, b = mode.second;
   if (mode.form == Form::separate)
     return {-a, -b, false, {1, 0}, {0, 1}, std::exp(-a * time), std::exp(-b * time)};

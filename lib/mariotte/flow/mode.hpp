@@ -16,7 +16,7 @@ struct Weight {
 ///   creeping     e^{−at}           (e^{−at} − e^{−bt})/(b−a)     −a, −b close or equal, b ≥ a
 ///   separate     e^{−at}           e^{−bt}                       −a, −b apart
 /// The first two stay well-defined where the roots meet, at critical damping.
-struct Mode {
+struct NaturalMode {
   enum class Form : unsigned char { oscillating, creeping, separate };
   Form form;
   double decay;   ///< a ≥ 0
@@ -27,14 +27,14 @@ struct Mode {
 };
 
 /// The mode of ÿ + 2 damping ẏ + frequency² y = 0.
-Mode make_mode(double frequency, double damping);
+NaturalMode make_natural_mode(double frequency, double damping);
 /// Weights of its motion from y and ẏ at time 0.
-Weight motion_from(const Mode& mode, double value, double rate);
+Weight motion_from(const NaturalMode& mode, double value, double rate);
 
 /// Weights of the time derivative, and of the integral that is a pure mode, too.
-Weight derivative(const Mode& mode, const Weight& weight);
+Weight derivative(const NaturalMode& mode, const Weight& weight);
 /// Weights of an integral of the motion.
-Weight integral(const Mode& mode, const Weight& weight);
+Weight integral(const NaturalMode& mode, const Weight& weight);
 
 /// The two functions at a time, and what they have changed since 0, without cancellation.
 struct Swing {
@@ -42,8 +42,8 @@ struct Swing {
   Weight change;
 };
 /// Of a mode at a time since its start.
-Swing swing(const Mode& mode, double time);
-Weight values(const Mode& mode, double time);  ///< of the functions alone
+Swing swing(const NaturalMode& mode, double time);
+Weight values(const NaturalMode& mode, double time);  ///< of the functions alone
 
 /// A mode on its way: its functions written as e^{λ₁t} and a second one, which is e^{λ₂t}, or the divided
 /// difference of both where the roots are too close for the exponentials to be told apart.
@@ -54,7 +54,7 @@ struct Progress {
   std::complex<double> first, second;             ///< their values at the time
 };
 /// Of a mode at a time since its start.
-Progress progress(const Mode& mode, double time);
+Progress progress(const NaturalMode& mode, double time);
 
 /// ∫₀ᵗ of the products of one mode's functions with another's, both having come to that time.
 struct Overlap {

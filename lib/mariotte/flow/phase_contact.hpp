@@ -21,14 +21,14 @@ struct PhaseContact {
   Index guard;       ///< of the gap
   Index load_guard;  ///< of k δ + c δ̇, or −1
   double stiffness, damping, exponent;
-  double length;   ///< natural indentation
-  double shallow;  ///< indentation that cannot be told from rounding
+  double length;       ///< natural indentation
+  double noise_depth;  ///< indentation that cannot be told from rounding
   double level = 0;
   Role role = Role::open;
 
   bool pushes() const { return role == Role::closed || role == Role::touching; }
   /// Indentation from which a contact touched at rest is watched: out of the noise.
-  double loaded() const { return 2 * shallow; }
+  double loaded() const { return 2 * noise_depth; }
 };
 
 }  // namespace mariotte::flow

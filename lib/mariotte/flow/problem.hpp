@@ -51,8 +51,8 @@ class Problem {
   /// Places of the Jacobian in any mode, and their values in this one, in the same order.
   virtual std::vector<Entry> pattern() const = 0;
   virtual void jacobian(ConstState x, State values) const = 0;
-  /// Largest damping ratio c/√(k m) of the active contacts: what makes a phase stiff.
-  virtual double damping_ratio() const = 0;
+  /// Largest damping group c/√(k m) of the active contacts: what makes a phase stiff.
+  virtual double damping_group() const = 0;
 
   /// True if no force acts but constant accelerations. Unless the mode is a free body, x(t) is then
   /// x + t f(x) + t²/2 f'(x) f(x) exactly, and the guards are linear in x.

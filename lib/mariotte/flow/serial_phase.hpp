@@ -19,15 +19,15 @@ struct SerialPhase {
   /// Contact j joins bodies j and j+1.
   std::vector<Body> body;
   std::vector<PhaseContact> contact;
-  double speed = 1;      ///< natural relative speed
-  double faint = 0;      ///< rate at which a contact that has become shallow fades
-  bool goes_on = false;  ///< the bodies are some of a longer row, which a touching contact may press
+  double speed = 1;       ///< natural relative speed
+  double fade_speed = 0;  ///< rate at which a contact that is less deep than noise_depth fades
+  bool is_slice = false;  ///< the bodies are some of a longer row, which a touching contact may press
 };
 
 /// True if what a touching contact presses may lie beyond the phase.
 inline bool presses_beyond(const SerialPhase& phase) {
   const auto touches = [](const PhaseContact& c) { return c.role == Role::touching; };
-  return phase.goes_on && std::any_of(phase.contact.begin(), phase.contact.end(), touches);
+  return phase.is_slice && std::any_of(phase.contact.begin(), phase.contact.end(), touches);
 }
 
 /// True if a constant acceleration acts on any body.

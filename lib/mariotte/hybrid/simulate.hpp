@@ -31,8 +31,8 @@ inline Options scaled(Options options, const Scale& scale) {
   return options;
 }
 
-/// Told when a phase begins, so that a watcher of steps knows its place on the absolute clock.
-class PhaseWatcher : public flow::Watcher {
+/// Told when a phase begins, so that a observer of steps knows its place on the absolute clock.
+class PhaseObserver : public flow::StepObserver {
  public:
   virtual void begin_phase(double time, ConstState x) = 0;
   /// So many events have passed. May throw, to give the run up.
@@ -53,17 +53,17 @@ struct Workspace {
 /// Follow the present phase to its end, by one flow or, where that gives up, by those that may take over.
 template <HybridSystem System>
 flow::Arrival follow_phase(System& system, const Options& options, Workspace<System>& workspace,
-                           CompensatedSum& time, PhaseWatcher* watcher) {
+                           CompensatedSum& time, PhaseObserver* observer) {
   auto& [flows, mode, changes, fired, before, run] = workspace;
   auto& x = run.state;
   auto& problem = system.problem(mode);
   std::optional<flow::Choice> choice = flows.choose(problem, options.flow);
   for (;;) {
-    if (watcher) watcher->begin_phase(time.value(), x);
+    if (observer) observer->begin_phase(time.value(), x);
     fired.clear();
     before.assign(x.begin(), x.end());
     const flow::Request request{
-        .limit = options.max_time - time.value(), .accuracy = options.accuracy, .watcher = watcher};
+        .limit = options.max_time - time.value(), .accuracy = options.accuracy, .observer = observer};
     auto arrival = choice->flow.follow(problem, x, request, fired);
     count(run.flows[static_cast<std::size_t>(choice->kind)], arrival);
     const bool stiff = arrival.outcome == flow::Outcome::stiff;
@@ -78,11 +78,11 @@ flow::Arrival follow_phase(System& system, const Options& options, Workspace<Sys
 }
 
 /// Run a system from state x until an ending; the result stays in the workspace. Options are in the system's
-/// scales; `watcher` may be null.
+/// scales; `observer` may be null.
 template <HybridSystem System>
 const Trajectory<typename System::Change>& simulate(System& system, ConstState x0, const Options& options,
                                                     Workspace<System>& workspace,
-                                                    PhaseWatcher* watcher = nullptr) {
+                                                    PhaseObserver* observer = nullptr) {
   auto& mode = workspace.mode;
   auto& changes = workspace.changes;
   auto& run = workspace.run;
@@ -101,7 +101,7 @@ const Trajectory<typename System::Change>& simulate(System& system, ConstState x
   system.mode_at(x, mode, changes);
   for (;;) {
     record(run, time.value(), changes);
-    if (watcher) watcher->passed(time.value(), run.events);
+    if (observer) observer->passed(time.value(), run.events);
     if (system.is_over(mode, x, run.events > 0)) {
       system.finish(mode, changes);
       record(run, time.value(), changes);
@@ -109,7 +109,7 @@ const Trajectory<typename System::Change>& simulate(System& system, ConstState x
     }
     if (run.events >= options.max_events) return end(Ending::event_limit);
 
-    auto arrival = follow_phase(system, options, workspace, time, watcher);
+    auto arrival = follow_phase(system, options, workspace, time, observer);
     if (arrival.outcome == flow::Outcome::limit) return end(Ending::time_limit);
     if (arrival.outcome == flow::Outcome::never) return end(Ending::separated);
     if (arrival.outcome == flow::Outcome::failed) return end(Ending::failed, std::move(arrival.message));

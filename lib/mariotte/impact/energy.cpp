@@ -42,18 +42,20 @@ double strength(const DimensionlessChain& chain) {
 }
 
 /// −γ Σ m Δx. A wall tells where the balls are; without one the mass centre falls in closed form.
-double gravity_work(const DimensionlessChain& chain, const ChainLayout& layout, const Stretch& stretch) {
-  const double gravity = strength(chain), t = stretch.time;
+double gravity_work(const DimensionlessChain& chain, const ChainLayout& layout, const Interval& interval) {
+  const double gravity = strength(chain), t = interval.time;
   if (gravity == 0) return 0;
   Index wall = 0;
   while (wall < layout.velocities() && !is_wall(chain, wall)) ++wall;
   if (wall == layout.velocities()) {
-    const double total = mass(chain, layout, stretch.before);
-    return -gravity * (momentum(chain, layout, stretch.before) * t - 0.5 * total * gravity * t * t);
+    const double total = mass(chain, layout, interval.before);
+    return -gravity * (momentum(chain, layout, interval.before) * t - 0.5 * total * gravity * t * t);
   }
-  double displacement = stretch.before[layout.velocity[wall]] * t, sum = 0;
+  double displacement = interval.before[layout.velocity[wall]] * t, sum = 0;
   const double from_wall = displacement;
-  const auto widening = [&](Index j) { return stretch.after[layout.gap[j]] - stretch.before[layout.gap[j]]; };
+  const auto widening = [&](Index j) {
+    return interval.after[layout.gap[j]] - interval.before[layout.gap[j]];
+  };
   const auto add = [&](Index i) { sum += is_wall(chain, i) ? 0 : chain.mass[i] * displacement; };
   for (Index i = wall + 1; i < layout.velocities(); ++i) displacement += widening(i - 1), add(i);
   displacement = from_wall;
@@ -62,12 +64,12 @@ double gravity_work(const DimensionlessChain& chain, const ChainLayout& layout, 
 }
 
 double wall_work(const DimensionlessChain& chain, const ChainLayout& layout, const std::vector<double>& p,
-                 const Stretch& stretch) {
+                 const Interval& interval) {
   double work = 0;
   for (Index i = 0; i < layout.velocities(); ++i) {
     if (!is_wall(chain, i)) continue;
     const double right = i < layout.contacts() ? p[i] : 0, left = i > 0 ? p[i - 1] : 0;
-    work += stretch.before[layout.velocity[i]] * (right - left);
+    work += interval.before[layout.velocity[i]] * (right - left);
   }
   return work;
 }
@@ -80,61 +82,61 @@ double stored_at_start(const DimensionlessChain& chain, const ChainLayout& layou
 }
 
 void add_ratios(EnergyLedger& ledger, const DimensionlessChain& chain, const ChainLayout& layout,
-                const Stretch& stretch) {
+                const Interval& interval) {
   const auto ratio = [&](double frame_before, double frame_after) {
-    return energy_ratio(kinetic(chain, layout, stretch.after, frame_after),
-                        kinetic(chain, layout, stretch.before, frame_before));
+    return energy_ratio(kinetic(chain, layout, interval.after, frame_after),
+                        kinetic(chain, layout, interval.before, frame_before));
   };
   ledger.ratio_lab = ratio(0, 0);
   const bool walls = std::count(chain.inverse_mass.begin(), chain.inverse_mass.end(), 0.0) > 0;
-  const double total = mass(chain, layout, stretch.before);
+  const double total = mass(chain, layout, interval.before);
   if (!walls)
-    ledger.ratio_centre = ratio(momentum(chain, layout, stretch.before) / total,
-                                momentum(chain, layout, stretch.after) / total);
+    ledger.ratio_centre = ratio(momentum(chain, layout, interval.before) / total,
+                                momentum(chain, layout, interval.after) / total);
 }
 
 }  // namespace
 
 void contact_energies(const DimensionlessChain& chain, const ChainLayout& layout,
-                      const contact::ContactSet& mode, const Stretch& stretch,
+                      const contact::ContactSet& mode, const Interval& interval,
                       std::vector<ContactEnergy>& energies) {
   energies.assign(layout.contacts(), {});
   for (Index j = 0; j < layout.contacts(); ++j) {
     auto& energy = energies[j];
-    const double gap = stretch.after[layout.gap[j]];
+    const double gap = interval.after[layout.gap[j]];
     if (contact::carries_force(mode[j]) && gap < 0)
       energy.stored = contact::stored_energy(chain.law[j], -gap);
     if (layout.work[j] != ChainLayout::absent)
-      energy.dissipated = stretch.after[layout.work[j]] - energy.stored;
+      energy.dissipated = interval.after[layout.work[j]] - energy.stored;
   }
 }
 
 EnergyLedger energy_balance(const DimensionlessChain& chain, const ChainLayout& layout,
                             const std::vector<ContactEnergy>& contacts, const std::vector<double>& p,
-                            const Stretch& stretch) {
+                            const Interval& interval) {
   EnergyLedger ledger;
-  ledger.initial = kinetic(chain, layout, stretch.before) + stored_at_start(chain, layout, stretch.before);
-  ledger.final = kinetic(chain, layout, stretch.after);
-  ledger.work = gravity_work(chain, layout, stretch) + wall_work(chain, layout, p, stretch);
+  ledger.initial = kinetic(chain, layout, interval.before) + stored_at_start(chain, layout, interval.before);
+  ledger.final = kinetic(chain, layout, interval.after);
+  ledger.work = gravity_work(chain, layout, interval) + wall_work(chain, layout, p, interval);
   for (const auto& energy : contacts) {
     ledger.stored += energy.stored;
     ledger.dissipated += energy.dissipated;
   }
   ledger.residual = ledger.final + ledger.stored + ledger.dissipated - ledger.initial - ledger.work;
-  add_ratios(ledger, chain, layout, stretch);
+  add_ratios(ledger, chain, layout, interval);
   return ledger;
 }
 
 MomentumLedger momentum_balance(const DimensionlessChain& chain, const ChainLayout& layout,
-                                const Stretch& stretch) {
+                                const Interval& interval) {
   MomentumLedger ledger;
-  ledger.initial = momentum(chain, layout, stretch.before);
-  ledger.final = momentum(chain, layout, stretch.after);
-  double given = -mass(chain, layout, stretch.before) * strength(chain) * stretch.time;
+  ledger.initial = momentum(chain, layout, interval.before);
+  ledger.final = momentum(chain, layout, interval.after);
+  double given = -mass(chain, layout, interval.before) * strength(chain) * interval.time;
   for (Index i = 0; i < layout.velocities(); ++i) {
     if (!is_wall(chain, i)) continue;
-    if (i < layout.contacts()) given += stretch.after[layout.impulse[i]];
-    if (i > 0) given -= stretch.after[layout.impulse[i - 1]];
+    if (i < layout.contacts()) given += interval.after[layout.impulse[i]];
+    if (i > 0) given -= interval.after[layout.impulse[i - 1]];
   }
   ledger.residual = ledger.final - ledger.initial - given;
   return ledger;

@@ -13,18 +13,18 @@ struct ContactEnergy {
       0;  ///< work put in less what is stored; what a slack contact still holds counts as lost
 };
 
-/// `mode` is the contact set at the end of the stretch. Fills `energies`, whose memory is reused.
+/// `mode` is the contact set at the end of the interval. Fills `energies`, whose memory is reused.
 void contact_energies(const model::DimensionlessChain& chain, const model::ChainLayout& layout,
-                      const contact::ContactSet& mode, const Stretch& stretch,
+                      const contact::ContactSet& mode, const Interval& interval,
                       std::vector<ContactEnergy>& energies);
 
 /// Both ledgers, dimensionless; `p` are the dimensionless impulses.
 EnergyLedger energy_balance(const model::DimensionlessChain& chain, const model::ChainLayout& layout,
                             const std::vector<ContactEnergy>& contacts, const std::vector<double>& p,
-                            const Stretch& stretch);
-/// Momentum of the balls over the stretch.
+                            const Interval& interval);
+/// Momentum of the balls over the interval.
 MomentumLedger momentum_balance(const model::DimensionlessChain& chain, const model::ChainLayout& layout,
-                                const Stretch& stretch);
+                                const Interval& interval);
 
 /// A dimensionless ledger in the units of the scale.
 EnergyLedger in_units(EnergyLedger ledger, const Scale& scale);

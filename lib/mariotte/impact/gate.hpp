@@ -12,7 +12,7 @@ namespace mariotte::impact {
 inline constexpr double balance_allowance = 100;
 /// A contact that approaches so slowly that it cannot be told from rest is left alone to a few times the
 /// depth it can reach.
-inline constexpr double unheard_depths = 10;
+inline constexpr double noise_depths = 10;
 
 /// One thing that must hold at the end of a run: |size| ≤ allowed. A size that is not a number never holds.
 struct Balance {

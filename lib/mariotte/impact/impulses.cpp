@@ -7,29 +7,29 @@ namespace {
 
 /// Momentum that ball i has lost to its contacts.
 double lost_momentum(const model::DimensionlessChain& chain, const model::ChainLayout& layout,
-                     const Stretch& stretch, Index i) {
+                     const Interval& interval, Index i) {
   const Index v = layout.velocity[i];
-  return chain.mass[i] * (stretch.before[v] - stretch.after[v] - chain.gravity[i] * stretch.time);
+  return chain.mass[i] * (interval.before[v] - interval.after[v] - chain.gravity[i] * interval.time);
 }
 
 }  // namespace
 
 void impulses(const model::DimensionlessChain& chain, const model::ChainLayout& layout,
-              const Stretch& stretch, std::vector<double>& p) {
+              const Interval& interval, std::vector<double>& p) {
   const Index n = layout.velocities();
   p.assign(n - 1, 0.0);
   const auto is_wall = [&](Index i) { return chain.inverse_mass[i] == 0; };
   Index right_end = n - 1;  // the trailing balls up to the last wall are summed from the free right end
   for (; right_end > 0 && !is_wall(right_end); --right_end) {
     p[right_end - 1] =
-        (right_end == n - 1 ? 0 : p[right_end]) - lost_momentum(chain, layout, stretch, right_end);
+        (right_end == n - 1 ? 0 : p[right_end]) - lost_momentum(chain, layout, interval, right_end);
   }
   if (right_end == 0 && !is_wall(0)) right_end = n;  // no wall: from the left, as the ratios read
   for (Index j = 0; j + 1 < n && j < right_end; ++j) {
     if (is_wall(j))
-      p[j] = stretch.after[layout.impulse[j]] - stretch.before[layout.impulse[j]];
+      p[j] = interval.after[layout.impulse[j]] - interval.before[layout.impulse[j]];
     else
-      p[j] = (j == 0 ? 0 : p[j - 1]) + lost_momentum(chain, layout, stretch, j);
+      p[j] = (j == 0 ? 0 : p[j - 1]) + lost_momentum(chain, layout, interval, j);
   }
 }
 

@@ -8,8 +8,8 @@
 
 namespace mariotte::impact {
 
-/// A stretch of a run: two states and the time between them, dimensionless.
-struct Stretch {
+/// A interval of a run: two states and the time between them, dimensionless.
+struct Interval {
   ConstState before;
   ConstState after;
   double time;
@@ -18,7 +18,7 @@ struct Stretch {
 /// p_j = ∫ f_j dt of all n−1 contacts, from momentum: p_j = p_{j−1} − m_j (Δv_j + γ t), started at a free end
 /// of the chain where p = 0. Only between two walls does it rest on the integral of a wall's force. Fills p.
 void impulses(const model::DimensionlessChain& chain, const model::ChainLayout& layout,
-              const Stretch& stretch, std::vector<double>& p);
+              const Interval& interval, std::vector<double>& p);
 
 /// A contact starts to carry force.
 inline bool starts_force(const model::ContactChange& change) {

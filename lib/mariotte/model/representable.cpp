@@ -78,14 +78,14 @@ bool contacts_fit(const Scaled& d) {
 template <class Scaled>
 void expect_resolved_damping(const Scaled& d, const std::vector<contact::Law>& laws) {
   for (std::size_t j = 0; j < d.law.size(); ++j) {
-    const double ratio = damping_ratio(d, static_cast<Index>(j));
-    if (ratio <= largest_damping_ratio) continue;
+    const double ratio = damping_group(d, static_cast<Index>(j));
+    if (ratio <= largest_damping_group) continue;
     std::array<char, 256> text{};
     std::snprintf(
         text.data(), text.size(),
         "cannot be computed with in double precision: contact %d is damped %.1e times as strongly as "
         "c = √(k m*), and %.0e is the most; it stops its balls without rebound",
-        static_cast<int>(j + 1), ratio, largest_damping_ratio);
+        static_cast<int>(j + 1), ratio, largest_damping_group);
     throw Unrepresentable(
         text.data(), {"damping", static_cast<Index>(j), power_law(laws[j]) ? contact::damping(laws[j]) : 0});
   }
@@ -141,7 +141,7 @@ bool fits(const DimensionlessNetwork& d, const Network& network) {
   double spread = 0;
   for (const auto& direction : d.direction)
     spread = std::max(spread, std::abs(gap_rate(direction, d.velocity)));
-  for (const auto& push : d.push)
+  for (const auto& push : d.response)
     for (const auto& term : push)
       if (!is_bounded(term.coefficient)) return false;
   for (const double v : d.velocity)

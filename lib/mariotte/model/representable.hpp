@@ -15,9 +15,9 @@ namespace mariotte::model {
 /// sums, squares and the digits of small differences.
 inline constexpr double smallest_size = 1e-290, largest_size = 1e290;
 
-/// Damping ratio c/√(k m*) of a contact, at its natural indentation, beyond which nothing is computed: what
+/// Damping group c/√(k m*) of a contact, at its natural indentation, beyond which nothing is computed: what
 /// it still carries when its dampers have stopped it, ratio⁻² of what it began with, is rounding.
-inline constexpr double largest_damping_ratio = 1e12;
+inline constexpr double largest_damping_group = 1e12;
 
 /// A stated number, as scenes call it: "velocity", "mass", "stiffness" …
 struct StatedNumber {
@@ -38,7 +38,7 @@ struct Unrepresentable : InvalidParameter {
 /// Throw Unrepresentable unless every size of the scaled model, and its units as numbers of the scene's
 /// units, lie between smallest_size and largest_size: masses, lengths and times of contacts, stiffnesses; the
 /// units of speed squared, force, momentum and energy; and unless speeds, gaps, damping, gravity, flight
-/// times and energies lie below largest_size, and damping ratios below largest_damping_ratio. A drive of the
+/// times and energies lie below largest_size, and damping groups below largest_damping_group. A drive of the
 /// motion that is too small to square is no rest.
 void expect_representable(const Chain& chain, const DimensionlessChain& scaled);
 void expect_representable(const Network& network, const DimensionlessNetwork& scaled);

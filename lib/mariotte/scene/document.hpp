@@ -18,6 +18,6 @@ Document parse_document(const std::string& text, const std::string& name, const 
 
 /// The scene that a document describes. With `watch`, notes which of its nodes were read as numbers, even if
 /// the scene is rejected. Throws SceneError.
-Scene resolve(const Document& document, Purpose purpose = Purpose::simulation, Watch* watch = nullptr);
+Scene resolve(const Document& document, Purpose purpose = Purpose::simulation, ReadingLog* watch = nullptr);
 
 }  // namespace mariotte::scene

@@ -22,7 +22,7 @@ std::string named(const Source& source, const Field& field, const std::string& m
   reject(source, field, fault::wrong_type, "expected " + wanted + ", got " + kind(*field.node));
 }
 
-void tell(Watch& watch, const Node* node, const Dimension& dimension) {
+void tell(ReadingLog& watch, const Node* node, const Dimension& dimension) {
   for (auto& reading : watch.readings)
     if (reading.node == node) reading.dimension = dimension;
 }

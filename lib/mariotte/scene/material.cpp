@@ -40,9 +40,9 @@ Material read_material(Source& source, const Field& field) {
   return material;
 }
 
-std::optional<contact::Material> elastic(const Material& material) {
+std::optional<contact::Elasticity> elastic(const Material& material) {
   if (!material.young || !material.poisson) return {};
-  return contact::Material{.young = *material.young, .poisson = *material.poisson};
+  return contact::Elasticity{.young = *material.young, .poisson = *material.poisson};
 }
 
 }  // namespace mariotte::scene

@@ -18,6 +18,6 @@ struct Material {
 Material read_material(Source& source, const Field& field);
 
 /// For contact stiffness; empty unless Young's modulus and Poisson's ratio are known.
-std::optional<contact::Material> elastic(const Material& material);
+std::optional<contact::Elasticity> elastic(const Material& material);
 
 }  // namespace mariotte::scene

@@ -86,7 +86,7 @@ Document open(const std::string& path, const Overrides& overrides) {
   return parse_document(read_text(path), path, overrides);
 }
 
-Scene resolve(const Document& document, Purpose purpose, Watch* watch) {
+Scene resolve(const Document& document, Purpose purpose, ReadingLog* watch) {
   Source source = document.source;
   source.watch = watch;
   const Field root{&document.tree, ""};

@@ -4,7 +4,7 @@
 
 namespace mariotte::scene {
 
-Impact simulate(const Scene& scene, const impact::Observers& observers) {
+Impact simulate(const Scene& scene, const impact::RunObserver& observers) {
   const auto result = [&](const auto& model) -> Impact {
     return impact::simulate(model, scene.run, observers);
   };

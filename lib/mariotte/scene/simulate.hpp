@@ -14,6 +14,6 @@ using Impact = std::variant<impact::ChainImpact, impact::NetworkImpact, impact::
 
 /// Simulate the scene's model with the options of [run]. Throws SceneError for a scene with [law] alone, and
 /// InvalidParameter as the model's own `simulate`.
-Impact simulate(const Scene& scene, const impact::Observers& observers = {});
+Impact simulate(const Scene& scene, const impact::RunObserver& observers = {});
 
 }  // namespace mariotte::scene

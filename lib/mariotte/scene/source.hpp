@@ -11,7 +11,7 @@
 namespace mariotte::scene {
 
 /// Nodes somebody wants to know the meaning of.
-struct Watch {
+struct ReadingLog {
   struct Reading {
     const Node* node;
     std::optional<Dimension> dimension = {};  ///< of the number it was read as; empty if it was read as none
@@ -23,7 +23,7 @@ struct Source {
   std::string name;                  ///< the file, as the user wrote it
   std::vector<std::string> origins;  ///< where values come from that are not the file's: "--set KEY"
   std::vector<std::string> warnings = {};
-  Watch* watch = nullptr;  ///< told of every number that is read; may be null
+  ReadingLog* watch = nullptr;  ///< told of every number that is read; may be null
 };
 
 /// "file:line:column", or the origin of what is not the file's, as "--set KEY".

@@ -238,7 +238,7 @@ Arrival Cvode::follow(Problem& problem, State x, const Request& request, std::ve
     } else if (outcome == Outcome::guard) {
       m.append_roots(fired);
     }
-    if (request.watcher) request.watcher->watch(step);
+    if (request.observer) request.observer->observe(step);
     if (outcome == Outcome::guard)
       m.simultaneous.collect(problem, step.after, simultaneity_window(problem, request.accuracy), fired);
     const auto accepted = problem.accept(step.after);

@@ -5,25 +5,25 @@
 
 namespace mariotte::flow {
 
-/// An island is a connected component of closed contacts: each moves another of them. Shapes that move
+/// An group is a connected component of closed contacts: each moves another of them. Shapes that move
 /// nothing keep their stress: redundant contacts, or contacts between walls, which may come closer.
 class LinkedVibration final : public Vibration {
  public:
   /// Finds the modes of a phase that must outlive them; false unless the ratio c/k is the same in all
-  /// contacts of an island.
+  /// contacts of an group.
   bool find(const LinkedPhase& phase);
-  void push(Index contact, double impulse, State x) const override;
+  void add_impulse(Index contact, double impulse, State x) const override;
 
  private:
   double approach(Index contact, ConstState x) const override;
-  void start_island(const Island& island) override;
+  void start_group(const VibrationGroup& group) override;
   void add_pushes(Index open_contact) override;
-  void find_islands();
-  NaturalModes& shapes_of(const Island& island) { return shapes_[&island - islands_.data()]; }
-  void take_straight_parts(const Island& island);
+  void find_groups();
+  NaturalModes& shapes_of(const VibrationGroup& group) { return shapes_[&group - groups_.data()]; }
+  void take_straight_parts(const VibrationGroup& group);
 
   const LinkedPhase* phase_ = nullptr;
-  std::vector<NaturalModes> shapes_;  ///< by island
+  std::vector<NaturalModes> shapes_;  ///< by group
 };
 
 }  // namespace mariotte::flow

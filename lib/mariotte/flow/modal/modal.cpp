@@ -141,8 +141,8 @@ struct Modal::Memory {
     }
   }
 
-  /// Pieces that put the largest indentation and force of each contact where a watcher looks.
-  void show(ModalStep& step, double duration, Watcher& watcher) {
+  /// Pieces that put the largest indentation and force of each contact where a observer looks.
+  void show(ModalStep& step, double duration, StepObserver& observer) {
     bounds.clear();
     for (Index j = 0; j < contacts(); ++j) {
       if (!contact(j).pushes()) continue;
@@ -159,7 +159,7 @@ struct Modal::Memory {
       step.at(end, after);
       step.before = before;
       step.after = after;
-      watcher.watch(step);
+      observer.observe(step);
       before.swap(after);
     }
   }
@@ -192,7 +192,7 @@ Arrival Modal::follow(Problem& problem, State x, const Request& request, std::ve
   const double duration = event.value_or(request.limit);
 
   ModalStep step(*m.vibration, m.start, m.workspace);
-  if (request.watcher) m.show(step, duration, *request.watcher);
+  if (request.observer) m.show(step, duration, *request.observer);
   m.accept_loads(problem, step, duration);
   step.at(duration, x);
   if (event) {

@@ -6,7 +6,7 @@
 
 namespace mariotte::flow {
 
-/// Cost depends neither on stiffness nor on damping ratios; nothing is allocated after the first phase of a
+/// Cost depends neither on stiffness nor on damping groups; nothing is allocated after the first phase of a
 /// size.
 class Modal final : public Flow {
  public:

@@ -23,11 +23,11 @@ void ModalStep::at(double time, State x) const {
     x[c.gap] = 0 - value(motion.depth, time);  // never −0
     if (!c.pushes()) continue;
     const double p = motion.impulse_at(workspace_.swing, time);
-    vibration_.push(j, p, x);
+    vibration_.add_impulse(j, p, x);
     if (c.impulse >= 0) x[c.impulse] += p;
   }
-  for (const auto& island : vibration_.islands())
-    if (island.ratio != 0) add_work(island, time, x);
+  for (const auto& group : vibration_.groups())
+    if (group.ratio != 0) add_work(group, time, x);
 }
 
 double ModalStep::value(const Wave& wave, double time) const {
@@ -36,23 +36,23 @@ double ModalStep::value(const Wave& wave, double time) const {
   return sum;
 }
 
-/// ∫ f δ̇ dt, with f and δ̇ sums over the modes of the island.
-void ModalStep::add_work(const Island& island, double time, State x) const {
-  for (Index i = island.first_mode; i < island.first_mode + island.modes(); ++i) {
+/// ∫ f δ̇ dt, with f and δ̇ sums over the modes of the group.
+void ModalStep::add_work(const VibrationGroup& group, double time, State x) const {
+  for (Index i = group.first_mode; i < group.first_mode + group.modes(); ++i) {
     workspace_.progress[i] = progress(vibration_.modes()[i], time);
-    for (Index k = island.first_mode; k <= i; ++k) add_product(island, i, k, time, x);
+    for (Index k = group.first_mode; k <= i; ++k) add_product(group, i, k, time, x);
   }
-  if (island.straight == 0) return;
-  for (const Index j : vibration_.members(island))
+  if (group.straight == 0) return;
+  for (const Index j : vibration_.members(group))
     if (const Index work = vibration_.contacts()[j].work; work >= 0)
-      x[work] += straight_work(island, vibration_.of(j), time);
+      x[work] += straight_work(group, vibration_.of(j), time);
 }
 
 /// What two modes do together.
-void ModalStep::add_product(const Island& island, Index i, Index k, double time, State x) const {
+void ModalStep::add_product(const VibrationGroup& group, Index i, Index k, double time, State x) const {
   const auto& modes = vibration_.modes();
   const auto product = overlap(workspace_.progress[i], workspace_.progress[k], time);
-  for (const Index j : vibration_.members(island)) {
+  for (const Index j : vibration_.members(group)) {
     if (vibration_.contacts()[j].work < 0) continue;
     const auto &force = vibration_.of(j).force.weight, &depth = vibration_.of(j).depth.weight;
     double& work = x[vibration_.contacts()[j].work];
@@ -63,10 +63,10 @@ void ModalStep::add_product(const Island& island, Index i, Index k, double time,
 
 /// What the straight parts F₀ + F₁ t of the force and v t of the indentation add:
 /// ∫ (F₀ + F₁ t)(v + δ̇) + v f dt, with f and δ of the modes.
-double ModalStep::straight_work(const Island& island, const ContactMotion& motion, double time) const {
+double ModalStep::straight_work(const VibrationGroup& group, const ContactMotion& motion, double time) const {
   const auto &force = motion.force, &depth = motion.depth;
   double work = depth.slope * time * (force.constant + 0.5 * force.slope * time);
-  for (Index i = island.first_mode; i < island.first_mode + island.modes(); ++i) {
+  for (Index i = group.first_mode; i < group.first_mode + group.modes(); ++i) {
     const auto& weight = depth.weight[i];
     const auto& now = workspace_.swing[i];
     const auto sum = integral(vibration_.modes()[i], weight);

@@ -24,9 +24,9 @@ class ModalStep final : public Step {
 
  private:
   double value(const Wave& wave, double time) const;
-  void add_work(const Island& island, double time, State x) const;
-  void add_product(const Island& island, Index left, Index right, double time, State x) const;
-  double straight_work(const Island& island, const ContactMotion& motion, double time) const;
+  void add_work(const VibrationGroup& group, double time, State x) const;
+  void add_product(const VibrationGroup& group, Index left, Index right, double time, State x) const;
+  double straight_work(const VibrationGroup& group, const ContactMotion& motion, double time) const;
 
   const Vibration& vibration_;
   ConstState origin_;

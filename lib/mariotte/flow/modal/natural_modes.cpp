@@ -67,7 +67,7 @@ void find(NaturalModes& modes, const LinkedPhase& phase, std::span<const Index> 
   auto coupling = start(modes, phase.freedoms, std::ssize(closed));
   std::vector<double> alone;
   for (Index j = 0; j < coupling.cols(); ++j) {
-    for (const auto& [freedom, coefficient] : phase.half_push[closed[j]])
+    for (const auto& [freedom, coefficient] : phase.half_response[closed[j]])
       coupling(freedom, j) += std::sqrt(phase.contact[closed[j]].stiffness) * coefficient;
     alone.push_back(coupling.col(j).norm());
   }

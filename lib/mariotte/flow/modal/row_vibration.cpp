@@ -15,84 +15,84 @@ constexpr double worst_condition = 100;
 bool RowVibration::find(const SerialPhase& phase) {
   phase_ = &phase;
   begin(phase.contact);
-  find_islands();
-  natural_.resize(std::max(natural_.size(), islands_.size()));
-  damped_.resize(std::max(damped_.size(), islands_.size()));
-  for (auto& island : islands_) {
-    island.first_mode = std::ssize(modes_);
-    gather_row(island);
-    island.ratio = common_ratio();
-    if (island.ratio < 0) {
-      if (!add_damped_modes(island)) return false;
+  find_groups();
+  natural_.resize(std::max(natural_.size(), groups_.size()));
+  damped_.resize(std::max(damped_.size(), groups_.size()));
+  for (auto& group : groups_) {
+    group.first_mode = std::ssize(modes_);
+    gather_row(group);
+    group.ratio = common_ratio();
+    if (group.ratio < 0) {
+      if (!add_damped_modes(group)) return false;
       continue;
     }
-    auto& shapes = natural_[&island - islands_.data()];
+    auto& shapes = natural_[&group - groups_.data()];
     flow::find(shapes, inverse_mass_, stiffness_);
-    if (island.straight == 1) *std::min_element(shapes.frequency.begin(), shapes.frequency.end()) = 0;
-    add_natural_modes(island, shapes);
+    if (group.straight == 1) *std::min_element(shapes.frequency.begin(), shapes.frequency.end()) = 0;
+    add_natural_modes(group, shapes);
   }
   return true;
 }
 
-void RowVibration::find_islands() {
+void RowVibration::find_groups() {
   const auto& contact = phase_->contact;
   const auto is_wall = [&](Index body) { return phase_->body[body].inverse_mass == 0; };
   for (Index j = 0; j < std::ssize(contact); ++j) {
     if (!contact[j].pushes()) continue;
     if (members_.empty() || members_.back() != j - 1 || is_wall(j))
-      islands_.push_back({std::ssize(members_), 0, 0, 0, 0});
+      groups_.push_back({std::ssize(members_), 0, 0, 0, 0});
     members_.push_back(j);
-    ++islands_.back().count;
+    ++groups_.back().count;
   }
-  for (auto& island : islands_) {
-    const auto row = members(island);
-    island.straight = is_wall(row.front()) && is_wall(row.back() + 1) ? 1 : 0;
+  for (auto& group : groups_) {
+    const auto row = members(group);
+    group.straight = is_wall(row.front()) && is_wall(row.back() + 1) ? 1 : 0;
   }
 }
 
-void RowVibration::gather_row(const Island& island) {
-  gather(island);
-  const Index first = members(island).front();
+void RowVibration::gather_row(const VibrationGroup& group) {
+  gather(group);
+  const Index first = members(group).front();
   inverse_mass_.clear();
-  for (Index i = first; i <= first + island.count; ++i) inverse_mass_.push_back(phase_->body[i].inverse_mass);
+  for (Index i = first; i <= first + group.count; ++i) inverse_mass_.push_back(phase_->body[i].inverse_mass);
 }
 
-bool RowVibration::add_damped_modes(const Island& island) {
-  auto& shapes = damped_[&island - islands_.data()];
+bool RowVibration::add_damped_modes(const VibrationGroup& group) {
+  auto& shapes = damped_[&group - groups_.data()];
   if (!flow::find(shapes, row()) || !(shapes.condition < worst_condition)) return false;
   for (std::size_t i = 0; i < shapes.root.size(); ++i) {
     const auto value = shapes.root[i].value();
     const double decay = std::max(0.0, -value.real());
     if (value.imag() > 0)
-      modes_.push_back({Mode::Form::oscillating, decay, value.imag()});
+      modes_.push_back({NaturalMode::Form::oscillating, decay, value.imag()});
     else
-      modes_.push_back({Mode::Form::separate, decay, -shapes.root[++i].value().real()});
+      modes_.push_back({NaturalMode::Form::separate, decay, -shapes.root[++i].value().real()});
   }
   return true;
 }
 
-void RowVibration::start_island(const Island& island) {
-  gather_row(island);
-  if (island.straight == 1) take_straight_part(island);
-  const Index place = &island - islands_.data();
-  if (island.ratio >= 0)
-    ride_natural_modes(island, natural_[place]);
+void RowVibration::start_group(const VibrationGroup& group) {
+  gather_row(group);
+  if (group.straight == 1) take_straight_part(group);
+  const Index place = &group - groups_.data();
+  if (group.ratio >= 0)
+    ride_natural_modes(group, natural_[place]);
   else
-    ride_damped_modes(island, damped_[place]);
+    ride_damped_modes(group, damped_[place]);
 }
 
 /// Walls that come closer at a steady speed press all contacts between them with one force F₀ + F₁ t.
-void RowVibration::take_straight_part(const Island& island) {
+void RowVibration::take_straight_part(const VibrationGroup& group) {
   double compliance = 0, delay = 0, depth = 0, rate = 0;
-  for (Index j = 0; j < island.count; ++j) {
+  for (Index j = 0; j < group.count; ++j) {
     compliance += 1 / stiffness_[j];
     delay += damping_[j] / stiffness_[j] / stiffness_[j];
     depth += depth_[j];
     rate += rate_[j];
   }
   const double slope = rate / compliance, constant = (depth + slope * delay) / compliance;
-  for (Index j = 0; j < island.count; ++j) {
-    auto& motion = motion_[members_[island.first + j]];
+  for (Index j = 0; j < group.count; ++j) {
+    auto& motion = motion_[members_[group.first + j]];
     motion.force.constant = constant;
     motion.force.slope = slope;
     motion.depth.slope = slope / stiffness_[j];
@@ -103,11 +103,11 @@ void RowVibration::take_straight_part(const Island& island) {
 }
 
 /// The real part of 2 a e^{λt} off the axis, a e^{λt} on it.
-void RowVibration::ride_damped_modes(const Island& island, const DampedModes& shapes) {
+void RowVibration::ride_damped_modes(const VibrationGroup& group, const DampedModes& shapes) {
   const auto damped_row = row();
   const auto amplitude = [&](Index root) { return shapes.amplitude(damped_row, root, depth_, rate_); };
-  const Index count = island.count;
-  Index place = island.first_mode;
+  const Index count = group.count;
+  Index place = group.first_mode;
   for (Index i = 0; i < std::ssize(shapes.root); ++i, ++place) {
     const auto first = amplitude(i);
     const double turn = shapes.root[i].value().imag();
@@ -118,7 +118,7 @@ void RowVibration::ride_damped_modes(const Island& island, const DampedModes& sh
       return {z.real(), (second * shape[count * (i + 1) + j]).real()};
     };
     for (Index j = 0; j < count; ++j) {
-      auto& motion = motion_[members_[island.first + j]];
+      auto& motion = motion_[members_[group.first + j]];
       motion.depth.weight[place] = weight(shapes.depth, j);
       motion.force.weight[place] = weight(shapes.force, j);
     }
@@ -130,7 +130,7 @@ double RowVibration::approach(Index j, ConstState x) const {
   return x[phase_->body[j].velocity] - x[phase_->body[j + 1].velocity];
 }
 
-void RowVibration::push(Index j, double impulse, State x) const {
+void RowVibration::add_impulse(Index j, double impulse, State x) const {
   const auto &left = phase_->body[j], &right = phase_->body[j + 1];
   x[left.velocity] -= impulse * left.inverse_mass;
   x[right.velocity] += impulse * right.inverse_mass;

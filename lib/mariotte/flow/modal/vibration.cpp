@@ -11,8 +11,8 @@ double ContactMotion::impulse_at(const std::vector<Swing>& swing, double time) c
   return sum;
 }
 
-std::span<const Index> Vibration::members(const Island& island) const {
-  return {&members_[island.first], static_cast<std::size_t>(island.count)};
+std::span<const Index> Vibration::members(const VibrationGroup& group) const {
+  return {&members_[group.first], static_cast<std::size_t>(group.count)};
 }
 
 double Vibration::slowest() const {
@@ -29,14 +29,14 @@ double Vibration::fastest() const {
 void Vibration::begin(std::span<const PhaseContact> contacts) {
   contacts_ = contacts;
   modes_.clear();
-  islands_.clear();
+  groups_.clear();
   members_.clear();
 }
 
-void Vibration::gather(const Island& island) {
+void Vibration::gather(const VibrationGroup& group) {
   stiffness_.clear();
   damping_.clear();
-  for (const Index j : members(island)) {
+  for (const Index j : members(group)) {
     stiffness_.push_back(contacts_[j].stiffness);
     damping_.push_back(contacts_[j].damping);
   }
@@ -49,18 +49,18 @@ double Vibration::common_ratio() const {
   return ratio;
 }
 
-void Vibration::add_natural_modes(Island& island, NaturalModes& shapes) {
-  island.straight = 0;
-  for (Index i = island.count - 1; i >= 0; --i) {
+void Vibration::add_natural_modes(VibrationGroup& group, NaturalModes& shapes) {
+  group.straight = 0;
+  for (Index i = group.count - 1; i >= 0; --i) {
     if (shapes.frequency[i] != 0) continue;
-    const Index last = island.count - ++island.straight;
+    const Index last = group.count - ++group.straight;
     std::swap(shapes.frequency[i], shapes.frequency[last]);
-    for (Index j = 0; j < island.count; ++j)
-      std::swap(shapes.shape[island.count * i + j], shapes.shape[island.count * last + j]);
+    for (Index j = 0; j < group.count; ++j)
+      std::swap(shapes.shape[group.count * i + j], shapes.shape[group.count * last + j]);
   }
-  for (Index i = 0; i < island.modes(); ++i) {
+  for (Index i = 0; i < group.modes(); ++i) {
     const double w = shapes.frequency[i];
-    modes_.push_back(make_mode(w, 0.5 * island.ratio * w * w));
+    modes_.push_back(make_natural_mode(w, 0.5 * group.ratio * w * w));
   }
 }
 
@@ -71,17 +71,17 @@ void Vibration::start(ConstState x) {
     motion.force.weight.assign(modes_.size(), {});
     motion.impulse.assign(modes_.size(), {});
   }
-  for (const auto& island : islands_) {
-    gather(island);
+  for (const auto& group : groups_) {
+    gather(group);
     depth_.clear();
     rate_.clear();
-    for (const Index j : members(island)) {
+    for (const Index j : members(group)) {
       depth_.push_back(-x[contacts_[j].gap]);
       rate_.push_back(approach(j, x));
       for (auto* wave : {&motion_[j].depth, &motion_[j].force}) wave->constant = wave->slope = 0;
     }
-    start_island(island);
-    for (const Index j : members(island))
+    start_group(group);
+    for (const Index j : members(group))
       for (std::size_t i = 0; i < modes_.size(); ++i)
         motion_[j].impulse[i] = integral(modes_[i], motion_[j].force.weight[i]);
   }
@@ -90,21 +90,21 @@ void Vibration::start(ConstState x) {
 }
 
 /// δ = Σ U σ/√k and f = −√k Σ U σ̈/ω², free of the cancellation in k δ + c δ̇ where damping is strong.
-void Vibration::ride_natural_modes(const Island& island, const NaturalModes& shapes) {
-  for (Index i = 0; i < island.modes(); ++i) {
+void Vibration::ride_natural_modes(const VibrationGroup& group, const NaturalModes& shapes) {
+  for (Index i = 0; i < group.modes(); ++i) {
     double value = 0, rate = 0;
-    for (Index j = 0; j < island.count; ++j) {
+    for (Index j = 0; j < group.count; ++j) {
       const double shape = std::sqrt(stiffness_[j]) * shapes.at(j, i);
       value += shape * depth_[j];
       rate += shape * rate_[j];
     }
-    const Index place = island.first_mode + i;
+    const Index place = group.first_mode + i;
     const auto& mode = modes_[place];
     const Weight motion = motion_from(mode, value, rate), bend = derivative(mode, derivative(mode, motion));
     const double square = shapes.frequency[i] * shapes.frequency[i];
-    for (Index j = 0; j < island.count; ++j) {
+    for (Index j = 0; j < group.count; ++j) {
       const double root = std::sqrt(stiffness_[j]), shape = shapes.at(j, i);
-      auto& contact = motion_[members_[island.first + j]];
+      auto& contact = motion_[members_[group.first + j]];
       contact.depth.weight[place] = {shape / root * motion.even, shape / root * motion.odd};
       contact.force.weight[place] = {-shape * root * bend.even / square, -shape * root * bend.odd / square};
     }
@@ -134,7 +134,7 @@ void Vibration::add_push(Index open_contact, Index closed_contact, double factor
   const auto& impulse = motion_[closed_contact].impulse;
   for (std::size_t i = 0; i < modes_.size(); ++i) {
     const Weight push = integral(modes_[i], impulse[i]);
-    const Weight now = {1, modes_[i].form == Mode::Form::separate ? 1.0 : 0.0};
+    const Weight now = {1, modes_[i].form == NaturalMode::Form::separate ? 1.0 : 0.0};
     depth.constant -= factor * dot(push, now);
     depth.slope -= factor * dot(impulse[i], now);
     depth.weight[i].even += factor * push.even;

@@ -11,8 +11,8 @@
 namespace mariotte::flow {
 
 /// Closed contacts that shake together.
-struct Island {
-  Index first;     ///< place among the members of all islands
+struct VibrationGroup {
+  Index first;     ///< place among the members of all groups
   Index count;     ///< contacts
   double ratio;    ///< c/k of all contacts, or < 0 if they differ
   Index straight;  ///< as many of its shapes do not vibrate: they move straight in time
@@ -39,12 +39,12 @@ class Vibration {
   /// The motion that starts from x, of the phase whose modes were found last.
   void start(ConstState x);
   /// What an impulse of a contact adds to the velocities.
-  virtual void push(Index contact, double impulse, State x) const = 0;
+  virtual void add_impulse(Index contact, double impulse, State x) const = 0;
 
   std::span<const PhaseContact> contacts() const { return contacts_; }
-  const std::vector<Mode>& modes() const { return modes_; }
-  const std::vector<Island>& islands() const { return islands_; }
-  std::span<const Index> members(const Island& island) const;
+  const std::vector<NaturalMode>& modes() const { return modes_; }
+  const std::vector<VibrationGroup>& groups() const { return groups_; }
+  std::span<const Index> members(const VibrationGroup& group) const;
   const ContactMotion& of(Index contact) const { return motion_[contact]; }
   /// Least and largest |λ|.
   double slowest() const;
@@ -53,24 +53,24 @@ class Vibration {
  protected:
   /// δ̇ of a contact.
   virtual double approach(Index contact, ConstState x) const = 0;
-  virtual void start_island(const Island& island) = 0;
+  virtual void start_group(const VibrationGroup& group) = 0;
   virtual void add_pushes(Index open_contact) = 0;
 
   void begin(std::span<const PhaseContact> contacts);
   /// Stiffness and damping of the members; c/k of all of them, or −1.
-  void gather(const Island& island);
+  void gather(const VibrationGroup& group);
   double common_ratio() const;
   /// Shapes of zero frequency go last, and do not vibrate.
-  void add_natural_modes(Island& island, NaturalModes& shapes);
-  void ride_natural_modes(const Island& island, const NaturalModes& shapes);
+  void add_natural_modes(VibrationGroup& group, NaturalModes& shapes);
+  void ride_natural_modes(const VibrationGroup& group, const NaturalModes& shapes);
   /// Adds factor · ∫∫ f dt dt of a closed contact to the depth of an open one.
   void add_push(Index open_contact, Index closed_contact, double factor);
 
-  std::vector<Mode> modes_;
-  std::vector<Island> islands_;
+  std::vector<NaturalMode> modes_;
+  std::vector<VibrationGroup> groups_;
   std::vector<Index> members_;
   std::vector<ContactMotion> motion_;
-  std::vector<double> stiffness_, damping_, depth_, rate_;  ///< by member of the island at hand
+  std::vector<double> stiffness_, damping_, depth_, rate_;  ///< by member of the group at hand
 
  private:
   void start_open(Index contact, ConstState x);

@@ -32,7 +32,7 @@ double fall_between(Function&& f, double low, double high, double tolerance) {
 }
 
 /// The wave is positive, or rising from zero, at `from`.
-std::optional<double> search(const Wave& wave, const std::vector<Mode>& modes, double from, double to,
+std::optional<double> search(const Wave& wave, const std::vector<NaturalMode>& modes, double from, double to,
                              int depth) {
   const Enclosure enclosure(wave, modes, from, to);
   if (enclosure.value().low > 0) return std::nullopt;
@@ -58,7 +58,7 @@ constexpr int most_intervals = 20000;
 /// Branch and bound for the highest point.
 struct Climb {
   const Wave& wave;
-  const std::vector<Mode>& modes;
+  const std::vector<NaturalMode>& modes;
   double height;                 ///< of the highest point known
   std::optional<Summit> summit;  ///< where that is, unless at an end
   int intervals = 0;             ///< searched so far
@@ -103,13 +103,13 @@ struct Climb {
 
 }  // namespace
 
-double Wave::at(const std::vector<Mode>& modes, double time) const {
+double Wave::at(const std::vector<NaturalMode>& modes, double time) const {
   double sum = constant + slope * time;
   for (std::size_t i = 0; i < modes.size(); ++i)
     if (weight[i].even != 0 || weight[i].odd != 0) sum += dot(weight[i], values(modes[i], time));
   return sum;
 }
-Slope Wave::slope_at(const std::vector<Mode>& modes, double time) const {
+Slope Wave::slope_at(const std::vector<NaturalMode>& modes, double time) const {
   Slope sum{constant + slope * time, slope};
   for (std::size_t i = 0; i < modes.size(); ++i) {
     if (weight[i].even == 0 && weight[i].odd == 0) continue;
@@ -120,11 +120,13 @@ Slope Wave::slope_at(const std::vector<Mode>& modes, double time) const {
   return sum;
 }
 
-std::optional<double> first_fall(const Wave& wave, const std::vector<Mode>& modes, double from, double to) {
+std::optional<double> first_fall(const Wave& wave, const std::vector<NaturalMode>& modes, double from,
+                                 double to) {
   return search(wave, modes, from, to, 0);
 }
 
-std::optional<Summit> highest(const Wave& wave, const std::vector<Mode>& modes, double from, double to) {
+std::optional<Summit> highest(const Wave& wave, const std::vector<NaturalMode>& modes, double from,
+                              double to) {
   Climb climb{.wave = wave,
               .modes = modes,
               .height = std::max(wave.at(modes, from), wave.at(modes, to)),

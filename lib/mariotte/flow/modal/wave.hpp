@@ -20,15 +20,16 @@ struct Wave {
   double slope = 0;
   std::vector<Weight> weight;
 
-  double at(const std::vector<Mode>& modes, double time) const;
-  Slope slope_at(const std::vector<Mode>& modes, double time) const;
+  double at(const std::vector<NaturalMode>& modes, double time) const;
+  Slope slope_at(const std::vector<NaturalMode>& modes, double time) const;
 };
 
 /// First time in (from, to] at which the wave falls through zero; empty if there is none. Intervals are
 /// halved until bounds of value or rate decide them, so that no root is skipped and what oscillates too
 /// little to matter is never resolved: the cost does not grow with the highest frequency. A value of zero at
 /// `from` is no root if the wave rises from it.
-std::optional<double> first_fall(const Wave& wave, const std::vector<Mode>& modes, double from, double to);
+std::optional<double> first_fall(const Wave& wave, const std::vector<NaturalMode>& modes, double from,
+                                 double to);
 
 /// Where a wave is largest, and how far around it is concave.
 struct Summit {
@@ -39,6 +40,7 @@ struct Summit {
 /// The largest maximum inside (from, to), to rounding in the value; empty if an end is as high. Branch and
 /// bound: intervals that cannot hold anything higher than what is known are left alone. Of very many maxima
 /// that are nearly equal it may be another.
-std::optional<Summit> highest(const Wave& wave, const std::vector<Mode>& modes, double from, double to);
+std::optional<Summit> highest(const Wave& wave, const std::vector<NaturalMode>& modes, double from,
+                              double to);
 
 }  // namespace mariotte::flow

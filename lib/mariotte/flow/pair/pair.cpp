@@ -49,20 +49,20 @@ class PairStep final : public Step {
   ConstState origin_, rate_;
 };
 
-/// Two steps that meet at the largest indentation put the peak where a watcher looks first.
-void show(PairStep& step, double duration, ConstState end, Watcher& watcher) {
+/// Two steps that meet at the largest indentation put the peak where a observer looks first.
+void show(PairStep& step, double duration, ConstState end, StepObserver& observer) {
   std::vector<double> deepest(end.size());
   step.before = step.origin();
   if (const double turn = step.turn(); turn > 0 && turn < duration) {
     step.at(step.end = turn, deepest);
     step.after = deepest;
-    watcher.watch(step);
+    observer.observe(step);
     step.before = deepest;
     step.start = turn;
   }
   step.end = duration;
   step.after = end;
-  watcher.watch(step);
+  observer.observe(step);
 }
 
 /// The gap that guard i watches, as the pair moves it.
@@ -102,7 +102,7 @@ Pair::End Pair::first_event(const Problem& problem, const PairMotion& motion,
     if (i == phase.guard || problem.crossings()[i] != Crossing::falling) continue;
     const auto gap = concave_gap(phase, i, value_[i], value_rate_[i], begin.rate);
     // Touching bodies at rest elsewhere keep a gap of exactly zero: that is no crossing.
-    if (gap.value + gap.rate * opening + gap.share * (last.value - begin.value) >= 0) continue;
+    if (gap.value + gap.rate * opening + gap.coupling * (last.value - begin.value) >= 0) continue;
     const double time = std::max(0.0, std::visit([&](const auto& one) { return one.fall(gap); }, motion));
     if (time < end.duration) end = {time, i, last};
   }
@@ -123,7 +123,7 @@ Arrival Pair::follow(Problem& problem, State x, const Request& request, std::vec
     step.put(duration, end.opened, x);
   else
     step.at(duration, x);
-  if (request.watcher) show(step, duration, x, *request.watcher);
+  if (request.observer) show(step, duration, x, *request.observer);
   if (!limited) {
     fired.push_back(end.guard);
     simultaneous_.collect(problem, x, simultaneity_window(problem, request.accuracy), fired);

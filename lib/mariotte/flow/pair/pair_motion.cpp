@@ -20,16 +20,16 @@ double fifth_power_root(double z) {  // z^{2/5}
 }
 
 double value_of(const ConcaveGap& gap, double time, double deepened) {
-  return gap.value + gap.rate * time + gap.share * deepened;
+  return gap.value + gap.rate * time + gap.coupling * deepened;
 }
 
 /// Falling root of a gap in time, for motions known as functions of time. The gap rises at first if it
 /// started from zero; its only falling root lies behind its maximum.
 template <class Motion>
 double fall_in_time(const Motion& motion, const ConcaveGap& gap, double duration) {
-  if (gap.share == 0) return -gap.value / gap.rate;
+  if (gap.coupling == 0) return -gap.value / gap.rate;
   const double start = motion.at(0).value;
-  const auto rate = [&](double time) { return gap.rate + gap.share * motion.at(time).rate; };
+  const auto rate = [&](double time) { return gap.rate + gap.coupling * motion.at(time).rate; };
   const auto value = [&](double time) { return value_of(gap, time, motion.at(time).value - start); };
   const double first = rate(0), last = rate(duration);
   const double top =
@@ -97,10 +97,10 @@ double HertzMotion::value(const ConcaveGap& gap, const Place& place) const {
   return value_of(gap, tau_ * (time(place) - start_time_), depth_ * place.ratio - start_depth_);
 }
 
-/// Behind its maximum, where δ̇ = −rate/share, in whichever of the two charts holds the root.
+/// Behind its maximum, where δ̇ = −rate/coupling, in whichever of the two charts holds the root.
 double HertzMotion::fall(const ConcaveGap& gap) const {
-  if (gap.share == 0) return -gap.value / gap.rate;
-  const double top = std::clamp(gap.rate / (gap.share * speed_), y_start_, 1.0);
+  if (gap.coupling == 0) return -gap.value / gap.rate;
+  const double top = std::clamp(gap.rate / (gap.coupling * speed_), y_start_, 1.0);
   const auto by_y = [&](double y) { return value(gap, from_y(y)); };
   const auto by_ratio = [&](double ratio) { return value(gap, from_ratio(ratio)); };
   const auto elapsed = [&](const Place& place) { return tau_ * (time(place) - start_time_); };

@@ -24,7 +24,7 @@ struct Indentation {
 struct ConcaveGap {
   double value;
   double rate;
-  double share;
+  double coupling;
 };
 
 /// δ̈ = −(k/m*) δ^{3/2}. With y = −δ̇/w∞ and w∞² = δ̇² + (4/5)(k/m*) δ^{5/2}:
@@ -69,7 +69,7 @@ class DampedMotion {
  public:
   DampedMotion(const PairLaw& law, const Indentation& start);
   double duration() const { return duration_; }
-  double turn() const { return duration_; }  ///< not looked for: a step's watcher finds both peaks
+  double turn() const { return duration_; }  ///< not looked for: a step's observer finds both peaks
   Indentation at(double time) const;
   double fall(const ConcaveGap& gap) const;
 

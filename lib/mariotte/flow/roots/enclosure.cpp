@@ -6,7 +6,7 @@
 namespace mariotte::flow {
 namespace {
 
-using Form = Mode::Form;
+using Form = NaturalMode::Form;
 
 /// C(j, k)/C(n, k): from powers of s on [0, 1] to Bernstein coefficients of degree n; rows are powers k.
 template <std::size_t degree>
@@ -37,7 +37,7 @@ Range bounds(const std::array<double, size>& power) {
 }
 
 /// Weights of the same motion with the clock at zero at `time`.
-Weight restarted(const Mode& mode, const Weight& weight, double time) {
+Weight restarted(const NaturalMode& mode, const Weight& weight, double time) {
   const double b = mode.second;
   const auto now = values(mode, time);
   if (mode.form == Form::separate) return {weight.even * now.even, weight.odd * now.odd};
@@ -64,7 +64,7 @@ constexpr auto inverse = [] {
 
 }  // namespace
 
-Enclosure::Enclosure(const Wave& wave, const std::vector<Mode>& modes, double from, double to) {
+Enclosure::Enclosure(const Wave& wave, const std::vector<NaturalMode>& modes, double from, double to) {
   const double length = to - from;
   power_[0] = wave.constant + wave.slope * from;
   power_[1] = wave.slope * length;
@@ -78,7 +78,7 @@ Enclosure::Enclosure(const Wave& wave, const std::vector<Mode>& modes, double fr
   }
 }
 
-void Enclosure::add(const Mode& mode, const Weight& weight, double length) {
+void Enclosure::add(const NaturalMode& mode, const Weight& weight, double length) {
   if (mode.form == Form::separate) {
     for (const auto& [decay, part] :
          {std::pair(mode.decay, weight.even), std::pair(mode.second, weight.odd)}) {
@@ -106,7 +106,7 @@ void Enclosure::add_fading(double decay, double weight, double length) {
 
 /// Both forms whose roots may be close: their even function starts at 1, the odd one at 0. The n-th
 /// derivative of the odd one, a divided difference, is at most n |λ|ⁿ⁻¹ + t |λ|ⁿ; apart, |λ|ⁿ/w.
-void Enclosure::add_slow(const Mode& mode, const Weight& weight, double length) {
+void Enclosure::add_slow(const NaturalMode& mode, const Weight& weight, double length) {
   const bool turning = mode.form == Form::oscillating;
   const double a = mode.decay, b = turning ? a : mode.second, turn = turning ? mode.second * mode.second : 0;
   Weight term = weight;
@@ -124,7 +124,7 @@ void Enclosure::add_slow(const Mode& mode, const Weight& weight, double length) 
 }
 
 /// A fast turning mode by its radius, which each derivative multiplies by |λ|.
-void Enclosure::add_turning(const Mode& mode, const Weight& weight, double from, double length) {
+void Enclosure::add_turning(const NaturalMode& mode, const Weight& weight, double from, double length) {
   const double angle = mode.fastest() * length, odd = weight.odd / mode.second;
   double radius = std::sqrt(weight.even * weight.even + odd * odd);
   if (mode.decay > 0) radius *= std::exp(-mode.decay * from);
@@ -135,7 +135,7 @@ void Enclosure::add_turning(const Mode& mode, const Weight& weight, double from,
   }
 }
 
-void Enclosure::add_fast(const Mode& mode, Weight weight, double length) {
+void Enclosure::add_fast(const NaturalMode& mode, Weight weight, double length) {
   const double fade = std::exp(-mode.decay * length);
   const double rise = mode.form == Form::creeping ? std::min(length, std::exp(-1.0) / mode.decay) : 0;
   for (auto& range : fast_) {  // e^{−as} between its ends; the odd one of creeping from 0 to at most 1/(e a)

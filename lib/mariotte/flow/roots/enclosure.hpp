@@ -16,7 +16,7 @@ struct Range {
 /// at the start of the interval bounds them all along it.
 class Enclosure {
  public:
-  Enclosure(const Wave& wave, const std::vector<Mode>& modes, double from, double to);
+  Enclosure(const Wave& wave, const std::vector<NaturalMode>& modes, double from, double to);
 
   Range value() const { return range<0>(); }
   Range rate() const { return range<1>(); }
@@ -27,11 +27,11 @@ class Enclosure {
   static constexpr double slow_angle = 1.25;  ///< a mode is slow if |λ| length is no more
   using Power = std::array<double, order + 1>;
 
-  void add(const Mode& mode, const Weight& weight, double length);
-  void add_slow(const Mode& mode, const Weight& weight, double length);
+  void add(const NaturalMode& mode, const Weight& weight, double length);
+  void add_slow(const NaturalMode& mode, const Weight& weight, double length);
   void add_fading(double decay, double weight, double length);
-  void add_turning(const Mode& mode, const Weight& weight, double from, double length);
-  void add_fast(const Mode& mode, Weight weight, double length);
+  void add_turning(const NaturalMode& mode, const Weight& weight, double from, double length);
+  void add_fast(const NaturalMode& mode, Weight weight, double length);
   template <int derivative>
   Range range() const;
 

@@ -20,9 +20,9 @@ class Simultaneous {
 };
 
 /// The accuracy, or what it takes to tell the sign of the load of a contact that creeps: the load is ratio⁻²
-/// of the natural force, and rates must be known to it over the damping ratio. Not below `finest`.
+/// of the natural force, and rates must be known to it over the damping group. Not below `finest`.
 inline double resolving_accuracy(const Problem& problem, double accuracy, double finest) {
-  const double ratio = problem.damping_ratio();
+  const double ratio = problem.damping_group();
   if (!(ratio > 1) || !(ratio < infinity)) return accuracy;
   return std::min(accuracy, std::max(finest, 1 / (ratio * ratio * ratio)));
 }

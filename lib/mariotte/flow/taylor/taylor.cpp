@@ -29,7 +29,8 @@ bool concerns_problem(const Window& w) {
     const auto& contact = w.contact(j);
     const double depth = w.lanes.indentation[j];
     const double rate = std::abs(w.lanes.rate[j]);
-    if (contact.role == Role::closed && depth < contact.shallow && rate <= w.phase->faint) return true;
+    if (contact.role == Role::closed && depth < contact.noise_depth && rate <= w.phase->fade_speed)
+      return true;
     if (contact.role == Role::touching && std::abs(depth) > contact.loaded()) return true;
   }
   return false;
@@ -42,7 +43,7 @@ struct Taylor::Memory {
   Simultaneous simultaneous;
   std::vector<double> before, after;
 
-  void show(const Piece& piece, Watcher& watcher) {
+  void show(const Piece& piece, StepObserver& observer) {
     const auto& window = stepper.window;
     before.resize(window.x.size());
     after.resize(window.x.size());
@@ -53,7 +54,7 @@ struct Taylor::Memory {
     step.end = window.time + stepper.values().time;
     step.before = before;
     step.after = after;
-    watcher.watch(step);
+    observer.observe(step);
   }
 
   Accepted accept(Problem& problem) {
@@ -105,7 +106,7 @@ Arrival Taylor::follow(Problem& problem, State x, const Request& request, std::v
     if (fall.guard >= 0) stepper.shorten(piece, fall.place);
     ++arrival.steps;
     ++arrival.rhs;
-    if (request.watcher) m.show(piece, *request.watcher);
+    if (request.observer) m.show(piece, *request.observer);
     stepper.advance(piece, fall);
     if (!is_finite(w)) return stop(Outcome::failed, "a velocity is not finite");
 

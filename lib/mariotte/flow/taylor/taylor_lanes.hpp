@@ -18,7 +18,7 @@ struct Lanes {
   bool general = false;                             ///< some exponent is neither 1 nor 3/2
   alignas(64) double indentation[lane_limit] = {};  ///< δ; negative where open
   alignas(64) double rate[lane_limit] = {};         ///< δ̇
-  alignas(64) double push[lane_limit] = {};         ///< 1 where the contact carries force, else 0
+  alignas(64) double active[lane_limit] = {};       ///< 1 where the contact carries force, else 0
   alignas(64) double stiffness[lane_limit] = {};    ///< k
   alignas(64) double damping[lane_limit] = {};      ///< c
   alignas(64) double power[lane_limit] = {};        ///< p = n − 1 of the force δᵖ (k δ + c δ̇)

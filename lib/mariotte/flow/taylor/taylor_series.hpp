@@ -61,48 +61,48 @@ inline Vec window(Vec a, Vec b) {
 
 /// N registers of lanes.
 template <int N>
-struct Row {
+struct LaneVector {
   Vec part[N];
 };
 
 template <int N, class F>
-MARIOTTE_INLINE inline Row<N> each(F&& f) {
-  Row<N> r;
+MARIOTTE_INLINE inline LaneVector<N> each(F&& f) {
+  LaneVector<N> r;
 #pragma GCC unroll 16
   for (int i = 0; i < N; ++i) r.part[i] = f(i);
   return r;
 }
 template <int N>
-inline Row<N> load(const double* from) {
+inline LaneVector<N> load(const double* from) {
   return each<N>([&](int i) { return *reinterpret_cast<const Vec*>(from + width * i); });
 }
 template <int N>
-inline void store(const Row<N>& r, double* to) {
+inline void store(const LaneVector<N>& r, double* to) {
   for (int i = 0; i < N; ++i) *reinterpret_cast<Vec*>(to + width * i) = r.part[i];
 }
 template <int N>
-inline Row<N> operator+(const Row<N>& a, const Row<N>& b) {
+inline LaneVector<N> operator+(const LaneVector<N>& a, const LaneVector<N>& b) {
   return each<N>([&](int i) { return a.part[i] + b.part[i]; });
 }
 template <int N>
-inline Row<N> operator-(const Row<N>& a, const Row<N>& b) {
+inline LaneVector<N> operator-(const LaneVector<N>& a, const LaneVector<N>& b) {
   return each<N>([&](int i) { return a.part[i] - b.part[i]; });
 }
 template <int N>
-inline Row<N> operator*(const Row<N>& a, const Row<N>& b) {
+inline LaneVector<N> operator*(const LaneVector<N>& a, const LaneVector<N>& b) {
   return each<N>([&](int i) { return a.part[i] * b.part[i]; });
 }
 template <int N>
-inline Row<N> operator*(double a, const Row<N>& b) {
+inline LaneVector<N> operator*(double a, const LaneVector<N>& b) {
   return each<N>([&](int i) { return a * b.part[i]; });
 }
 /// Lane i takes the value of its left neighbour; the first takes 0.
 template <int N>
-inline Row<N> from_left(const Row<N>& a) {
+inline LaneVector<N> from_left(const LaneVector<N>& a) {
   return each<N>([&](int i) { return window<width - 1>(i > 0 ? a.part[i - 1] : Vec{}, a.part[i]); });
 }
 template <int N>
-inline Row<N> from_right(const Row<N>& a) {
+inline LaneVector<N> from_right(const LaneVector<N>& a) {
   return each<N>([&](int i) { return window<1>(a.part[i], i + 1 < N ? a.part[i + 1] : Vec{}); });
 }
 
@@ -213,12 +213,12 @@ class Series final : public Expansion {
     return size;
   }
 
-  static double at(const Row<N>& row, int lane) { return row.part[lane / width][lane % width]; }
-  static Row<N> splat_row(double a) {
+  static double at(const LaneVector<N>& row, int lane) { return row.part[lane / width][lane % width]; }
+  static LaneVector<N> splat_row(double a) {
     return each<N>([&](int) { return splat(a); });
   }
   /// What a term of higher order can take away.
-  static Row<N> loss_of(const Row<N>& a) {
+  static LaneVector<N> loss_of(const LaneVector<N>& a) {
     return each<N>([&](int i) { return largest(-a.part[i], Vec{}); });
   }
   double horner(const double* c, double place) const {
@@ -232,9 +232,9 @@ class Series final : public Expansion {
     damping_ = load<N>(lanes.damping);
     indentation_[0] = load<N>(lanes.indentation);
     rate_[0] = load<N>(lanes.rate);
-    impulse_[0] = work_[0] = Row<N>{};
+    impulse_[0] = work_[0] = LaneVector<N>{};
     drive_ = load<N>(lanes.drive);
-    const auto push = load<N>(lanes.push), left = load<N>(lanes.left), right = load<N>(lanes.right);
+    const auto push = load<N>(lanes.active), left = load<N>(lanes.left), right = load<N>(lanes.right);
     strength_ = damped_ ? push : push * stiffness_;
     from_left_ = left * from_left(strength_);
     from_right_ = right * from_right(strength_);
@@ -250,7 +250,7 @@ class Series final : public Expansion {
       inverse_.part[i] = (curved & (depth != Vec{})) ? 1 / depth : Vec{};
     }
     if (clock_ != plain) {
-      chosen_ = Row<N>{};
+      chosen_ = LaneVector<N>{};
       chosen_.part[clock_ / width][clock_ % width] = 1;
       stretch_[0] = at(root_[0], clock_);
       time_[0] = 0;
@@ -259,14 +259,14 @@ class Series final : public Expansion {
 
   /// s_k of every lane.
   template <Root Kind>
-  MARIOTTE_INLINE Row<N> next_root(int k) const {
+  MARIOTTE_INLINE LaneVector<N> next_root(int k) const {
     if constexpr (Kind == Root::any) {
-      Row<N> sum{};
+      LaneVector<N> sum{};
       for (int j = 1; j <= k; ++j)
         sum = sum + (double(j) * power_ + splat_row(j - k)) * indentation_[j] * root_[k - j];
       return reciprocal.of[k] * (sum * inverse_);
     }
-    Row<N> sum{};
+    LaneVector<N> sum{};
     for (int j = (k - 1) / 2; j >= 1; --j) sum = sum + root_[j] * root_[k - j];
     sum = sum + sum;
     if (k % 2 == 0) sum = sum + root_[k / 2] * root_[k / 2];
@@ -277,9 +277,9 @@ class Series final : public Expansion {
   }
 
   /// Σ a_j b_{k−j}; the newest coefficients, on which the next stage waits, come last.
-  MARIOTTE_INLINE static Row<N> product(const Row<N>* a, const Row<N>* b, int k) {
+  MARIOTTE_INLINE static LaneVector<N> product(const LaneVector<N>* a, const LaneVector<N>* b, int k) {
     if (k == 0) return a[0] * b[0];
-    Row<N> even{}, odd{};
+    LaneVector<N> even{}, odd{};
     for (int j = 1; j + 1 < k; j += 2) {
       even = even + a[j] * b[k - j];
       odd = odd + a[j + 1] * b[k - j - 1];
@@ -287,8 +287,8 @@ class Series final : public Expansion {
     if (k % 2 == 0) even = even + a[k - 1] * b[1];
     return (even + odd) + a[k] * b[0] + a[0] * b[k];
   }
-  MARIOTTE_INLINE static Row<N> stretched(const double* g, const Row<N>* b, int k) {
-    Row<N> sum{};
+  MARIOTTE_INLINE static LaneVector<N> stretched(const double* g, const LaneVector<N>* b, int k) {
+    LaneVector<N> sum{};
     for (int j = 0; j <= k; ++j) sum = sum + g[k - j] * b[j];
     return sum;
   }
@@ -325,7 +325,8 @@ class Series final : public Expansion {
 
   /// Lower bound of side × polynomial on [0, place]: the Bernstein form of its first four terms less what the
   /// others can take away, `loss` place⁴. A polynomial that starts at zero is divided by σ first.
-  static Row<N> bound(const Row<N>* c, const Row<N>& side, const Row<N>& loss, double place) {
+  static LaneVector<N> bound(const LaneVector<N>* c, const LaneVector<N>& side, const LaneVector<N>& loss,
+                             double place) {
     const double square = place * place;
     return each<N>([&](int i) {
       const Vec s = side.part[i], a = s * c[0].part[i], b = s * c[1].part[i], d = place * s * c[2].part[i],
@@ -339,7 +340,7 @@ class Series final : public Expansion {
   }
 
   void evaluate_damped(double place, Values& values) const {
-    Row<N> loads[order_limit + 1];
+    LaneVector<N> loads[order_limit + 1];
     for (int k = 0; k <= order_; ++k) loads[k] = stiffness_ * indentation_[k] + damping_ * rate_[k];
     const auto side = load<N>(lanes_->load_side);
     auto w = work_[order_], loss = loss_of(side * loads[order_]);
@@ -351,13 +352,14 @@ class Series final : public Expansion {
     store(bound(loads, side, loss, place), values.load_margin);
   }
 
-  using Coefficients = Row<N>[order_limit + 1];
+  using Coefficients = LaneVector<N>[order_limit + 1];
   const Lanes* lanes_ = nullptr;
   int order_ = 0, clock_ = plain;
   bool damped_ = false;
-  Row<N> stiffness_, damping_, drive_, power_, half_inverse_, inverse_, chosen_;
-  Row<N> mobility_;                                 ///< 1/m*
-  Row<N> strength_, from_left_, from_right_, own_;  ///< couplings of the forces; without damping k is in them
+  LaneVector<N> stiffness_, damping_, drive_, power_, half_inverse_, inverse_, chosen_;
+  LaneVector<N> mobility_;  ///< 1/m*
+  LaneVector<N> strength_, from_left_, from_right_,
+      own_;  ///< couplings of the forces; without damping k is in them
   Coefficients indentation_, rate_, root_, load_, force_, stretched_, impulse_, work_;
   double stretch_[order_limit + 1], time_[order_limit + 1];  ///< √δ_c, and t
 };

@@ -17,7 +17,7 @@ constexpr double local_share = 0.03;
 /// near its end a contact is so weak that it hardly bounds the step, among many less than among few, and
 /// least in a longer row, where one lets go after the other. Measured by work_precision and scaling_study.
 double landing_share(const Window& window) {
-  if (window.phase->goes_on) return 0.15;
+  if (window.phase->is_slice) return 0.15;
   return window.lanes.count > 8 ? 0.2 : 0.5;
 }
 /// A contact may sink this far past the depth at which it wakes before it is heard.
@@ -92,7 +92,7 @@ std::optional<Piece> Stepper::start_piece() {
   Parts part;
   if (!starts(part)) return std::nullopt;
   auto& l = window.lanes;
-  for (int j = 0; j < l.count; ++j) l.push[j] = part[j] != Start::Part::passive;
+  for (int j = 0; j < l.count; ++j) l.active[j] = part[j] != Start::Part::passive;
   Piece piece{.start = &start_, .order = precision_.order};
   double end = 0.9 * start_.expand(l, part.data(), precision_.order, precision_.tolerance);
   for (int tries = 0; tries < 60; ++tries, end *= 0.5) {
@@ -138,7 +138,7 @@ Piece Stepper::series_piece() {
   auto& l = window.lanes;
   Piece piece{.series = &expansion(), .order = precision_.order, .clock = choose_clock()};
   for (int j = 0; j < l.count; ++j)
-    l.push[j] = window.pushes(j) && (j == piece.clock || l.indentation[j] > window.wake[j]);
+    l.active[j] = window.pushes(j) && (j == piece.clock || l.indentation[j] > window.wake[j]);
   piece.series->expand(l, piece.order, piece.clock);
   const double end = reach(*piece.series, piece.clock != Expansion::plain && l.indentation[piece.clock] == 0);
   piece.end = end;
@@ -163,7 +163,7 @@ void Stepper::land(Piece& piece) {
 void Stepper::wake_gently(Piece& piece) {
   const auto& l = window.lanes;
   for (int j = 0; j < l.count; ++j) {
-    if (!window.pushes(j) || l.push[j] > 0) continue;
+    if (!window.pushes(j) || l.active[j] > 0) continue;
     const double depth = std::max(l.indentation[j], 0.0), goal = 0.6 * late * window.wake[j];
     for (int tries = 0; tries < 60 && values_.indentation[j] > late * window.wake[j]; ++tries) {
       const double secant = depth > 0 ? (goal - depth) / (values_.indentation[j] - depth) : 0;
@@ -199,7 +199,7 @@ void Stepper::search(const Piece& piece, Quantity quantity, int lane, double sid
 /// goes on as √δ = |t|, and its series as t: beyond, the contact would pull.
 void Stepper::end_at_turn(Piece& piece, int lane) {
   const auto& l = window.lanes;
-  if (lane == piece.clock || !(l.push[lane] > 0) || !window.is_sharp(lane)) return;
+  if (lane == piece.clock || !(l.active[lane] > 0) || !window.is_sharp(lane)) return;
   Coefficients c;
   const auto place = flow::first_fall(piece.coefficients(Quantity::root, lane, c), piece.end);
   if (!place || !(*place < piece.end)) return;

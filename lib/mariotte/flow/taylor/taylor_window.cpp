@@ -20,7 +20,7 @@ double drive(const SerialPhase& phase, Index j) {
 double wake_depth(const PhaseContact& c, double speed) {
   if (c.exponent == 1) return -infinity;
   const double strain = c.damping * speed / (c.stiffness * c.length);
-  return 0.5 * c.shallow / (1 + strain);
+  return 0.5 * c.noise_depth / (1 + strain);
 }
 
 /// A contact that the window must hold: what stays outside flies freely and is watched only where it is open.
@@ -116,8 +116,8 @@ void write_outside(const Window& w, double elapsed, State x) {
 }
 
 void clear(Lanes& l, int lane) {
-  for (auto* row : {l.indentation, l.rate, l.push, l.stiffness, l.damping, l.power, l.left, l.right, l.drive,
-                    l.side, l.level, l.load_side, l.weight})
+  for (auto* row : {l.indentation, l.rate, l.active, l.stiffness, l.damping, l.power, l.left, l.right,
+                    l.drive, l.side, l.level, l.load_side, l.weight})
     row[lane] = 0;
 }
 

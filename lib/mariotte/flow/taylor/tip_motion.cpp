@@ -9,7 +9,7 @@
 namespace mariotte::flow {
 namespace {
 
-double value(const Row& row, double tau, int order) {
+double value(const PowerSeries& row, double tau, int order) {
   return horner({row.data(), static_cast<std::size_t>(order) + 1}, tau);
 }
 
@@ -138,7 +138,7 @@ void store(const NormalSeries& series, const TipPhase& phase, double tau, int or
 void store(const PlanarSeries& series, const TipPhase& phase, double tau, int order, ConstState start,
            State x) {
   store_contact(series, phase, tau, order, start, x);
-  const auto at = [&](const Row& row) { return value(row, tau, order); };
+  const auto at = [&](const PowerSeries& row) { return value(row, tau, order); };
   put(x, phase.place.velocity, at(series.normal) * normal_axis + at(series.tangential) * phase.tangent);
   put(x, phase.place.momentum, phase.body.transverse * at(series.spin) * phase.axis);
   if (phase.place.work >= 0) {
@@ -152,7 +152,7 @@ void store(const PlanarSeries& series, const TipPhase& phase, double tau, int or
 void store(const SpatialSeries& series, const TipPhase& phase, double tau, int order, ConstState start,
            State x) {
   store_contact(series, phase, tau, order, start, x);
-  const auto at = [&](const Row& row) { return value(row, tau, order); };
+  const auto at = [&](const PowerSeries& row) { return value(row, tau, order); };
   for (int i = 0; i < 3; ++i) {
     x[phase.place.velocity + i] = at(series.velocity[i]);
     x[phase.place.momentum + i] = at(series.momentum[i]);

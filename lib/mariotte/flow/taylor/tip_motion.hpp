@@ -63,25 +63,26 @@ template <class Visit>
 void contact_guards(const TipRows& rows, const TipPhase& phase, int order, Visit&& visit) {
   visit(phase.separation, rows.s, 0.0);
   if (phase.force < 0) return;
-  Row force;
+  PowerSeries force;
   for (int k = 0; k <= order; ++k) force[k] = signed_pressure(rows, phase, k);
   force[0] += phase.force_doubt * pressure_size(rows, phase);
   visit(phase.force, force, 0.0);
 }
 
 /// Sticking that needs no friction cannot break: a sphere's, an upright rod's.
-inline bool is_zero(const Row& row, int order) {
+inline bool is_zero(const PowerSeries& row, int order) {
   return std::all_of(row.begin(), row.begin() + order + 1, [](double c) { return c == 0; });
 }
 
 /// Gap of the other tip of the body: n − ... along the axis a₁, given by its coefficients.
 template <class Visit>
-void other_guard(const TipRows& rows, const Row& axis, const TipPhase& phase, int order, Visit&& visit) {
+void other_guard(const TipRows& rows, const PowerSeries& axis, const TipPhase& phase, int order,
+                 Visit&& visit) {
   if (phase.other_tip < 0) return;
   const auto& body = phase.body;
   const Index other = 1 - phase.tip;
   const double between = body.arm[other] - body.arm[phase.tip];
-  Row gap;
+  PowerSeries gap;
   for (int k = 0; k <= order; ++k) gap[k] = between * axis[k] - rows.area[k];
   gap[0] += body.radius[phase.tip] - body.radius[other];
   if (gap[0] < 0 && gap[1] > 0) gap[0] = 0;  // it has just opened, up to the accuracy of the steps before
@@ -99,7 +100,7 @@ template <class Visit>
 void each_guard(const PlanarSeries& series, const TipPhase& phase, int order, Visit&& visit) {
   detail::contact_guards(series, phase, order, visit);
   detail::other_guard(series, series.rise, phase, order, visit);
-  Row row;
+  PowerSeries row;
   if (phase.stop >= 0) {
     for (int k = 0; k <= order; ++k) row[k] = phase.direction * series.slip[k];
     if (phase.slip != TipPhase::Slip::moving) row[0] = 0;
@@ -120,7 +121,7 @@ template <class Visit>
 void each_guard(const SpatialSeries& series, const TipPhase& phase, int order, Visit&& visit) {
   detail::contact_guards(series, phase, order, visit);
   detail::other_guard(series, series.axis[0], phase, order, visit);
-  Row row;
+  PowerSeries row;
   if (phase.stop >= 0) {
     const double start = std::hypot(series.slip[0][0], series.slip[1][0]);
     const bool moving = phase.slip == TipPhase::Slip::moving;

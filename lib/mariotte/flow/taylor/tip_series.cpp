@@ -246,9 +246,9 @@ void SpatialSeries::roll_on(const TipPhase& phase, Order k) {
     known += axis[i][0] * momentum[i][k];
     alignment[k] += axis[i][0] * axis[i][k];
   }
-  for (int j = 1; j <= k; ++j) known -= alignment[j] * leaning[k - j];
-  leaning[k] = known / alignment[0];
-  roll_rate[k] = twist * along[k] + inverse * leaning[k];
+  for (int j = 1; j <= k; ++j) known -= alignment[j] * swing_roll[k - j];
+  swing_roll[k] = known / alignment[0];
+  roll_rate[k] = twist * along[k] + inverse * swing_roll[k];
   roll[k + 1] = 2 * product(s, roll_rate, k) / (k + 1);
 }
 
@@ -262,12 +262,14 @@ void SpatialSeries::move(const TipPhase& phase, Order k) {
   velocity[0][k + 1] = by_mass * force[k] - (2 * body.gravity * share) * s[k];
   velocity[1][k + 1] = by_mass * y2[k];
   velocity[2][k + 1] = by_mass * y3[k];
-  drill[k] = product(axis[1], y3, k) - product(axis[2], y2, k);
-  momentum[0][k + 1] = body.arm[phase.tip] * drill[k] * share;
+  axial_torque[k] = product(axis[1], y3, k) - product(axis[2], y2, k);
+  momentum[0][k + 1] = body.arm[phase.tip] * axial_torque[k] * share;
   momentum[1][k + 1] = (product(lever[2], force, k) - product(lever[0], y3, k)) * share;
   momentum[2][k + 1] = (product(lever[0], y2, k) - product(lever[1], force, k)) * share;
   for (int i = 0; i < 3; ++i) axis[i][k + 1] = axis_rate[i][k] * share;
-  along[k + 1] = (body.radius[phase.tip] * drill[k] - (phase.indented ? product(area, drill, k) : 0)) * share;
+  along[k + 1] =
+      (body.radius[phase.tip] * axial_torque[k] - (phase.indented ? product(area, axial_torque, k) : 0)) *
+      share;
   roll_on(phase, k);
   if (phase.place.work < 0) return;
   for (int i = 0; i < 2; ++i) position[i][k + 1] = 2 * product(s, velocity[i + 1], k) * share;

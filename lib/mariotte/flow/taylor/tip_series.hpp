@@ -15,7 +15,7 @@ namespace mariotte::flow {
 
 inline constexpr int most_order = 24;
 /// Coefficients of one quantity, by order.
-using Row = std::array<double, most_order + 2>;
+using PowerSeries = std::array<double, most_order + 2>;
 
 /// The first n of Σ a_j b_{−j}; four sums at once do not wait for each other.
 [[gnu::always_inline]] inline double convolution(const double* a, const double* b, int n) {
@@ -36,14 +36,14 @@ using Row = std::array<double, most_order + 2>;
 /// newest coefficients come last, that of `b` last of all: the rest is summed while they are still on their
 /// way.
 template <class Order>
-double product(const Row& a, const Row& b, Order k) {
+double product(const PowerSeries& a, const PowerSeries& b, Order k) {
   if (k == 0) return a[0] * b[0];
   const double known = convolution(a.data() + 1, b.data() + k - 1, k - 1);
   return (known + a[k] * b[0]) + a[0] * b[k];
 }
 /// Coefficient k of the square of a row.
 template <class Order>
-double square(const Row& a, Order k) {
+double square(const PowerSeries& a, Order k) {
   if (k == 0) return a[0] * a[0];
   const double known = convolution(a.data() + 1, a.data() + k - 1, (k - 1) / 2);
   const double middle = k % 2 == 0 ? a[k / 2] * a[k / 2] : 0;
@@ -52,12 +52,12 @@ double square(const Row& a, Order k) {
 
 /// The normal contact: what all motions share.
 struct TipRows {
-  Row s, w, time;
-  Row area;      ///< P = s²
-  Row pressure;  ///< Q = F / s
-  Row force;     ///< f = 2 s F
-  Row rate;      ///< P w
-  std::array<Row, 3> work;
+  PowerSeries s, w, time;
+  PowerSeries area;      ///< P = s²
+  PowerSeries pressure;  ///< Q = F / s
+  PowerSeries force;     ///< f = 2 s F
+  PowerSeries rate;      ///< P w
+  std::array<PowerSeries, 3> work;
 
   /// P, P w, Q and f at order k, from s and w up to k.
   template <class Order>
@@ -78,14 +78,14 @@ struct NormalSeries : TipRows {
 ///     sliding: y = c f, c = −μ σ_F σ_u      sticking: (I/m + ℓ₁²) y = ℓ₁ d₂ f + I ω ℓ₁'
 /// ω d₂ and ω ℓ₁ are sums of ω cos and ω sin.
 struct PlanarSeries : TipRows {
-  Row normal, tangential, spin, cosine, sine;  ///< v₁, v₂, ω, cos θ, sin θ
-  Row spin_cosine, spin_sine;                  ///< ω cos θ, ω sin θ
-  Row position;                                ///< ∫ v₂ dt
-  Row rise, across, lever;                     ///< a₁, d₂, ℓ₁
-  Row moment, friction, slip;                  ///< d₂ f, y, u
-  Row grip_lever;                              ///< d₂ − c ℓ₁
-  Row inertia, load, lever_rate;               ///< I/m + ℓ₁², its right-hand side, ℓ₁'
-  double rise_start, run_start;                ///< a₁ and a₂ at τ = 0
+  PowerSeries normal, tangential, spin, cosine, sine;  ///< v₁, v₂, ω, cos θ, sin θ
+  PowerSeries spin_cosine, spin_sine;                  ///< ω cos θ, ω sin θ
+  PowerSeries position;                                ///< ∫ v₂ dt
+  PowerSeries rise, across, lever;                     ///< a₁, d₂, ℓ₁
+  PowerSeries moment, friction, slip;                  ///< d₂ f, y, u
+  PowerSeries grip_lever;                              ///< d₂ − c ℓ₁
+  PowerSeries inertia, load, lever_rate;               ///< I/m + ℓ₁², its right-hand side, ℓ₁'
+  double rise_start, run_start;                        ///< a₁ and a₂ at τ = 0
 
   void expand(const TipPhase& phase, int order);
 
@@ -114,18 +114,18 @@ struct PlanarSeries : TipRows {
 ///     sliding from rest: u = ρ û, y = −μ σ_F f û, |û| = 1, where u' = A y + N gives û_k and ρ_{k+1} at order
 ///     k
 struct SpatialSeries : TipRows {
-  using Rows = std::array<Row, 3>;
+  using Rows = std::array<PowerSeries, 3>;
   Rows velocity, momentum, axis, spin, lever, axis_rate;
-  Rows swing;              ///< b
-  Row along, drill;        ///< p, a₂ y₃ − a₃ y₂
-  Row alignment, leaning;  ///< 1 + a·a(0), (p + H·a(0)) over it
-  Row roll_rate, roll;     ///< dψ/dt, ψ
-  std::array<Row, 2> position, slip, direction, friction;
-  Row slip_square, slip_inverse, grip;                     ///< |u|², 1/|u|, f/|u|
-  Row mobility_22, mobility_23, mobility_33, lever_force;  ///< A and ℓ₁ f
-  std::array<Row, 2> free;                                 ///< N
-  Row speed;                                               ///< ρ of a slip from rest
-  Row grip_22, grip_23, grip_33;                           ///< μ σ_F f A
+  Rows swing;                         ///< b
+  PowerSeries along, axial_torque;    ///< p, a₂ y₃ − a₃ y₂
+  PowerSeries alignment, swing_roll;  ///< 1 + a·a(0), (p + H·a(0)) over it
+  PowerSeries roll_rate, roll;        ///< dψ/dt, ψ
+  std::array<PowerSeries, 2> position, slip, direction, friction;
+  PowerSeries slip_square, slip_inverse, grip;                     ///< |u|², 1/|u|, f/|u|
+  PowerSeries mobility_22, mobility_23, mobility_33, lever_force;  ///< A and ℓ₁ f
+  std::array<PowerSeries, 2> free;                                 ///< N
+  PowerSeries speed;                                               ///< ρ of a slip from rest
+  PowerSeries grip_22, grip_23, grip_33;                           ///< μ σ_F f A
 
   void expand(const TipPhase& phase, int order);
 

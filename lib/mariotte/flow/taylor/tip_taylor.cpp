@@ -25,12 +25,12 @@ int order_for(double accuracy) {
   return accuracy > 3e-12 ? 18 : 22;
 }
 
-std::span<const double> terms(const Row& row, int order) {
+std::span<const double> terms(const PowerSeries& row, int order) {
   return {row.data(), static_cast<std::size_t>(order) + 1};
 }
 
 /// τ at which the clock shows t; the clock never goes back.
-double clock_inverse(const Row& time, double t, double end, int order) {
+double clock_inverse(const PowerSeries& time, double t, double end, int order) {
   double low = 0, high = end, tau = end;
   for (int i = 0; i < 100; ++i) {
     double value = 0, slope = 0;
@@ -74,7 +74,7 @@ struct End {
 
 /// First τ at which a guard falls through zero. What is zero to `rounding` at the start does not fire unless
 /// it falls from there; what is below fires at once.
-std::optional<double> fall(Row row, int order, double end, double rounding) {
+std::optional<double> fall(PowerSeries row, int order, double end, double rounding) {
   if (std::abs(row[0]) <= rounding) row[0] = 0;
   int k = 0;
   while (k < order && row[k] == 0) ++k;
@@ -85,12 +85,12 @@ std::optional<double> fall(Row row, int order, double end, double rounding) {
 /// Where w, negative or rising at the start, has been positive and falls through zero again. Where it may
 /// do so after rising within the step, for it does not only rise, the step is cut at the rise and the next
 /// one decides.
-End turn_back(const Row& w, int order, double tau, double rounding, Index guard) {
+End turn_back(const PowerSeries& w, int order, double tau, double rounding, Index guard) {
   if (w[0] > rounding || (w[0] >= -rounding && w[1] > 0)) {
     const auto back = fall(w, order, tau, rounding);
     return back ? End{*back, guard} : End{tau};
   }
-  Row mirrored;
+  PowerSeries mirrored;
   for (int k = 0; k <= order; ++k) mirrored[k] = -w[k];
   if (falls(terms(mirrored, order), tau)) return {tau};
   const auto rise = first_fall(terms(mirrored, order), tau);
@@ -113,7 +113,7 @@ bool is_finite(ConstState x) {
 template <class Series>
 End end_of_step(const Series& series, const TipPhase& phase, int order, double tau, double rounding) {
   End end{tau};
-  each_guard(series, phase, order, [&](Index guard, const Row& row, double size) {
+  each_guard(series, phase, order, [&](Index guard, const PowerSeries& row, double size) {
     const auto fired = fall(row, order, end.tau, rounding * size);
     if (fired && (end.guard < 0 || *fired < end.tau)) end = {*fired, guard};
   });
@@ -206,7 +206,7 @@ struct TipTaylor::Memory {
       step.tau = end.tau;
       step.before = before;
       step.after = x;
-      if (request.watcher) request.watcher->watch(step);
+      if (request.observer) request.observer->observe(step);
       if (limited) return arrive(Outcome::limit, step.end, count, order);
       if (end.guard >= 0) {
         fired.push_back(end.guard);

@@ -20,8 +20,8 @@ Reach reach(const ChainOutcome& o) {
     if (o.chain.inverse_mass[i] == 0) continue;
     const Index at = o.layout.velocity[i];
     const double fastest =
-        o.chain.speed + std::max(std::abs(o.stretch.before[at]), std::abs(o.stretch.after[at]));
-    sum.momentum += o.chain.mass[i] * (fastest + std::abs(o.chain.gravity[i]) * o.stretch.time);
+        o.chain.speed + std::max(std::abs(o.interval.before[at]), std::abs(o.interval.after[at]));
+    sum.momentum += o.chain.mass[i] * (fastest + std::abs(o.chain.gravity[i]) * o.interval.time);
     sum.energy += o.chain.mass[i] * fastest * fastest;
   }
   return sum;
@@ -31,7 +31,7 @@ double largest_wall_speed(const ChainOutcome& o) {
   double speed = 0;
   for (Index i = 0; i < o.layout.velocities(); ++i)
     if (o.chain.inverse_mass[i] == 0)
-      speed = std::max(speed, std::abs(o.stretch.before[o.layout.velocity[i]]));
+      speed = std::max(speed, std::abs(o.interval.before[o.layout.velocity[i]]));
   return speed;
 }
 
@@ -48,7 +48,7 @@ double approach(const ChainOutcome& o) {
   double worst = 0;
   for (Index j = 0; j < o.layout.contacts(); ++j) {
     const auto& v = o.layout.velocity;
-    worst = std::max(worst, o.stretch.after[v[j]] - o.stretch.after[v[j + 1]]);
+    worst = std::max(worst, o.interval.after[v[j]] - o.interval.after[v[j + 1]]);
   }
   return worst;
 }
@@ -60,13 +60,13 @@ double energy_gain(const ChainOutcome& o) {
 }
 
 /// Largest indentation without force, in units of what is not heard.
-double unheard_indentation(const ChainOutcome& o, double accuracy) {
+double noise_indentation(const ChainOutcome& o, double accuracy) {
   double worst = 0;
   for (Index j = 0; j < o.layout.contacts(); ++j) {
     if (o.mode[j] != ContactMode::open && o.mode[j] != ContactMode::hovering) continue;
     const double allowed =
-        unheard_depths * o.chain.shallow[j] + balance_allowance * accuracy * o.chain.length[j];
-    const double depth = -o.stretch.after[o.layout.gap[j]] / allowed;
+        noise_depths * o.chain.noise_depth[j] + balance_allowance * accuracy * o.chain.length[j];
+    const double depth = -o.interval.after[o.layout.gap[j]] / allowed;
     worst = depth <= worst ? worst : depth;  // a gap that is not a number counts
   }
   return worst;
@@ -78,17 +78,17 @@ void pass_gate(const ChainOutcome& o, double accuracy, hybrid::Ending& ending, s
   const double share = balance_allowance * std::max(accuracy, 16 * epsilon);
   const auto [momentum, energy] = reach(o);
   const double allowed = share * (energy + largest_wall_speed(o) * momentum);
-  const auto balance = energy_balance(o.chain, o.layout, o.energies, o.impulses, o.stretch);
-  const auto momenta = momentum_balance(o.chain, o.layout, o.stretch);
+  const auto balance = energy_balance(o.chain, o.layout, o.energies, o.impulses, o.interval);
+  const auto momenta = momentum_balance(o.chain, o.layout, o.interval);
   const bool parts = ending == hybrid::Ending::separated && !o.chain.falls_back;
   const Balance balances[] = {
-      {"an approach at the end", parts ? approach(o) : 0, balance_allowance * o.chain.slow},
+      {"an approach at the end", parts ? approach(o) : 0, balance_allowance * o.chain.noise_speed},
       {"the energy balance", balance.residual, allowed + share * std::abs(balance.work)},
       {"the momentum balance", momenta.residual, share * momentum},
       {"an impulse that pulls, or of a contact that never closed", wrong_impulse(o), share * momentum},
       {"the energy that a contact has gained", energy_gain(o), allowed},
       {"an indentation without force, relative to what cannot be told from rest,",
-       unheard_indentation(o, accuracy), 1},
+       noise_indentation(o, accuracy), 1},
   };
   pass_gate(balances, ending, message);
 }

@@ -10,7 +10,7 @@ struct ChainOutcome {
   const model::DimensionlessChain& chain;
   const model::ChainLayout& layout;
   const contact::ContactSet& mode;             ///< at the end
-  Stretch stretch;                             ///< the whole run
+  Interval interval;                           ///< the whole run
   const std::vector<double>& impulses;         ///< p_j from momentum
   const std::vector<Index>& periods;           ///< how often each contact closed
   const std::vector<ContactEnergy>& energies;  ///< of each contact

@@ -10,7 +10,7 @@
 #include "mariotte/impact/flow_uses.hpp"
 #include "mariotte/impact/impulses.hpp"
 #include "mariotte/impact/promise.hpp"
-#include "mariotte/impact/watch/course.hpp"
+#include "mariotte/impact/watch/chain_run.hpp"
 #include "mariotte/impact/watch/event_list.hpp"
 #include "mariotte/impact/watch/sampler.hpp"
 #include "mariotte/impact/watch/trace.hpp"
@@ -32,13 +32,13 @@ void skip_at_rest(const model::IslandCount& islands, Index contacts, std::vector
                       " islands, up to " + std::to_string(islands.at_once) + " at one time"});
 }
 
-std::vector<Skipped> skipped(const ChainLayout& layout, const Course& course, bool trace) {
+std::vector<Skipped> skipped(const ChainLayout& layout, const ChainRun& chain_run, bool trace) {
   const auto none = [](const std::vector<Index>& places) {
     return std::all_of(places.begin(), places.end(), [](Index p) { return p == ChainLayout::absent; });
   };
   std::vector<Skipped> list;
-  if (course.islands) skip_at_rest(*course.islands, layout.contacts(), list);
-  const auto by_flows = skipped_by_flows(course.run);
+  if (chain_run.islands) skip_at_rest(*chain_run.islands, layout.contacts(), list);
+  const auto by_flows = skipped_by_flows(chain_run.run);
   list.insert(list.end(), by_flows.begin(), by_flows.end());
   if (none(layout.work)) list.push_back({"dissipation", "no contact is damped"});
   if (none(layout.impulse))
@@ -47,12 +47,12 @@ std::vector<Skipped> skipped(const ChainLayout& layout, const Course& course, bo
   return list;
 }
 
-std::vector<ContactHistory> histories(const DimensionlessChain& chain, const Course& course,
+std::vector<ContactHistory> histories(const DimensionlessChain& chain, const ChainRun& chain_run,
                                       const std::vector<double>& p,
                                       const std::vector<ContactEnergy>& energies, double accuracy) {
   const auto& scale = chain.scale;
   const double speed = chain.speed;
-  const auto& peaks = course.peaks;
+  const auto& peaks = chain_run.peaks;
   std::vector<ContactHistory> contacts(p.size());
   for (std::size_t j = 0; j < contacts.size(); ++j)
     contacts[j] = {
@@ -63,52 +63,52 @@ std::vector<ContactHistory> histories(const DimensionlessChain& chain, const Cou
         .dissipated = loss_above(accuracy * chain.reduced_mass[j] * speed * speed, energies[j].dissipated) *
                       scale.energy(),
         .periods = {}};
-  add_periods(contacts, course.run.changes, scale.time);
+  add_periods(contacts, chain_run.run.changes, scale.time);
   return contacts;
 }
 
 /// Everything asked for, in the chain's units.
 ChainImpact describe(const DimensionlessChain& chain, const ChainLayout& layout, ConstState start,
-                     const Course& course, double accuracy) {
-  const Run& run = course.run;
+                     const ChainRun& chain_run, double accuracy) {
+  const Run& run = chain_run.run;
   const auto& scale = chain.scale;
-  const Stretch stretch{.before = start, .after = run.state, .time = run.time};
+  const Interval interval{.before = start, .after = run.state, .time = run.time};
   std::vector<double> p;
   std::vector<Index> periods;
-  impulses(chain, layout, stretch, p);
+  impulses(chain, layout, interval, p);
   count_periods(run.changes, layout.contacts(), periods);
   std::vector<ContactEnergy> energies;
-  contact_energies(chain, layout, course.mode, stretch, energies);
+  contact_energies(chain, layout, chain_run.mode, interval, energies);
 
   ChainImpact impact;
   impact.ending = run.ending;
   impact.message = run.message;
-  pass_gate({chain, layout, course.mode, stretch, p, periods, energies}, accuracy, impact.ending,
+  pass_gate({chain, layout, chain_run.mode, interval, p, periods, energies}, accuracy, impact.ending,
             impact.message);
   clear_untouched(periods, p);
   impact.time = run.time * scale.time;
   for (const Index at : layout.velocity) impact.velocity.push_back(run.state[at] * scale.velocity);
   for (const Index at : layout.gap) impact.gap.push_back(run.state[at] * scale.length);
-  impact.contacts = histories(chain, course, p, energies, accuracy);
+  impact.contacts = histories(chain, chain_run, p, energies, accuracy);
   impact.icr = correlation_ratios(p);
   impact.impulse_direction = direction(p);
   impact.events = event_list(run.changes, scale.time);
-  impact.energy = in_units(energy_balance(chain, layout, energies, p, stretch), scale);
-  impact.momentum = in_units(momentum_balance(chain, layout, stretch), scale);
+  impact.energy = in_units(energy_balance(chain, layout, energies, p, interval), scale);
+  impact.momentum = in_units(momentum_balance(chain, layout, interval), scale);
   impact.flows = flow_uses(run.flows);
   return impact;
 }
 
 ChainImpact simulate_whole(const model::Chain& chain, const hybrid::Options& options,
-                           const Observers& observers) {
+                           const RunObserver& observers) {
   model::ChainSystem system;
   system.reset(chain, options.accuracy, /*stay=*/std::isfinite(options.max_time));
   std::vector<double> start;
   initial_state(system.chain(), system.layout(), start);
-  auto course = follow_whole(system, start, hybrid::scaled(options, system.chain().scale), observers);
-  auto impact = describe(system.chain(), system.layout(), start, course, options.accuracy);
-  impact.skipped = skipped(system.layout(), course, observers.trace);
-  impact.trace = std::move(course.trace);
+  auto chain_run = follow_whole(system, start, hybrid::scaled(options, system.chain().scale), observers);
+  auto impact = describe(system.chain(), system.layout(), start, chain_run, options.accuracy);
+  impact.skipped = skipped(system.layout(), chain_run, observers.trace);
+  impact.trace = std::move(chain_run.trace);
   return impact;
 }
 
@@ -122,7 +122,8 @@ Sampling whole_trace(SampledTrace& trace, std::size_t balls) {
   return sampling;
 }
 
-ChainImpact simulate_islands(const model::Chain& chain, const hybrid::Options& options, Observers observers) {
+ChainImpact simulate_islands(const model::Chain& chain, const hybrid::Options& options,
+                             RunObserver observers) {
   DimensionlessChain scaled;
   ChainLayout layout;
   std::vector<double> start;
@@ -133,18 +134,19 @@ ChainImpact simulate_islands(const model::Chain& chain, const hybrid::Options& o
   initial_state(scaled, layout, start);
   SampledTrace trace;
   if (observers.trace) observers.samplings.push_back(whole_trace(trace, chain.mass.size()));
-  Sampler sampler(scaled, observers);
+  SamplingObserver sampler(scaled, observers);
   const bool looks_on = !observers.samplings.empty() || observers.progress;
-  const auto course = follow_islands(scaled, layout, start, hybrid::scaled(inner, scaled.scale),
-                                     /*stay=*/std::isfinite(options.max_time), looks_on ? &sampler : nullptr);
-  auto impact = describe(scaled, layout, start, course, options.accuracy);
-  impact.skipped = skipped(layout, course, observers.trace);
+  const auto chain_run =
+      follow_islands(scaled, layout, start, hybrid::scaled(inner, scaled.scale),
+                     /*stay=*/std::isfinite(options.max_time), looks_on ? &sampler : nullptr);
+  auto impact = describe(scaled, layout, start, chain_run, options.accuracy);
+  impact.skipped = skipped(layout, chain_run, observers.trace);
   impact.trace = trace.take();
   return impact;
 }
 
 ChainImpact simulate_once(const model::Chain& chain, const hybrid::Options& options,
-                          const Observers& observers) {
+                          const RunObserver& observers) {
   const auto balls = chain.mass.size();
   return divides(options, balls) || !observers.samplings.empty()
              ? simulate_islands(chain, options, observers)
@@ -158,13 +160,14 @@ std::optional<flow::Kind> another_flow(const model::Chain& chain, const hybrid::
   DimensionlessChain scaled;
   make_dimensionless(chain, options.accuracy, scaled);
   for (std::size_t j = 0; j < scaled.law.size(); ++j)
-    if (damping_ratio(scaled, j) > stiff) return flow::Kind::cvode_bdf_klu;
+    if (damping_group(scaled, j) > stiff) return flow::Kind::cvode_bdf_klu;
   return flow::Kind::cvode_adams;
 }
 
 }  // namespace
 
-ChainImpact simulate(const model::Chain& chain, const hybrid::Options& options, const Observers& observers) {
+ChainImpact simulate(const model::Chain& chain, const hybrid::Options& options,
+                     const RunObserver& observers) {
   model::validate(chain);
   hybrid::validate(options);
   model::expect_end(chain, options.max_time);

@@ -13,7 +13,7 @@
 
 namespace mariotte::impact {
 
-/// A stretch of time in which one contact carries force [s]; `end` is empty if it still does at the end.
+/// A interval of time in which one contact carries force [s]; `end` is empty if it still does at the end.
 struct Period {
   double start;
   std::optional<double> end;
@@ -95,7 +95,7 @@ struct ChainImpact : ContactImpact {
 /// whatever its length. Throws InvalidParameter for a chain, accuracy or flow that makes no sense, and for
 /// samplings of balls or contacts that do not exist.
 ChainImpact simulate(const model::Chain& chain, const hybrid::Options& options = {},
-                     const Observers& observers = {});
+                     const RunObserver& observers = {});
 
 /// Error of `result.velocity` relative to the largest incident speed: the larger of the differences to a run
 /// at a tighter accuracy and, unless the chain is divided into islands, to one by a flow that shares no

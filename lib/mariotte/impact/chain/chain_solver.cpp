@@ -8,7 +8,7 @@
 #include "mariotte/impact/chain/chain_gate.hpp"
 #include "mariotte/impact/impulses.hpp"
 #include "mariotte/impact/promise.hpp"
-#include "mariotte/impact/watch/course.hpp"
+#include "mariotte/impact/watch/chain_run.hpp"
 
 namespace mariotte::impact {
 
@@ -27,16 +27,16 @@ struct ChainSolver::Memory {
 
   void report(const DimensionlessChain& chain, const ChainLayout& layout, const model::Islands::Run& run,
               const contact::ContactSet& mode, double accuracy) {
-    const Stretch stretch{.before = start, .after = run.state, .time = run.time};
+    const Interval interval{.before = start, .after = run.state, .time = run.time};
     impact.ending = run.ending;
     impact.message = run.message;
     impact.time = run.time * chain.scale.time;
     impact.velocity.clear();
     for (const Index at : layout.velocity) impact.velocity.push_back(run.state[at] * chain.scale.velocity);
-    impulses(chain, layout, stretch, impact.impulse);
+    impulses(chain, layout, interval, impact.impulse);
     count_periods(run.changes, layout.contacts(), impact.periods);
-    contact_energies(chain, layout, mode, stretch, energies);
-    pass_gate({chain, layout, mode, stretch, impact.impulse, impact.periods, energies}, accuracy,
+    contact_energies(chain, layout, mode, interval, energies);
+    pass_gate({chain, layout, mode, interval, impact.impulse, impact.periods, energies}, accuracy,
               impact.ending, impact.message);
     clear_untouched(impact.periods, impact.impulse);
     for (double& p : impact.impulse) p *= chain.scale.momentum();

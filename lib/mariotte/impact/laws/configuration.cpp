@@ -34,7 +34,7 @@ Eigen::Map<const Matrix> full_mass(const Configuration& c) {
 
 /// L⁻¹ Gᵀ, n × m, with M = L Lᵀ.
 Sparse scaled_directions(const Configuration& c) {
-  const auto columns = model::half_pushes(c.mass, c.contact, freedoms(c));
+  const auto columns = model::half_responses(c.mass, c.contact, freedoms(c));
   std::vector<Eigen::Triplet<double>> places;
   for (Index j = 0; j < contacts(c); ++j)
     for (const auto& [freedom, coefficient] : columns[j])

@@ -46,7 +46,7 @@ std::vector<TipEvents> events(const Run& run, double unit) {
 }
 
 /// The state at an event: the beginning of the phase after it, or the end of the run.
-ConstState state_at(const Run& run, const MicrobodyWatch& watch, double time) {
+ConstState state_at(const Run& run, const MicrobodyObserver& watch, double time) {
   for (const auto& one : watch.milestones())
     if (one.time == time) return one.state;
   return run.state;
@@ -67,7 +67,7 @@ void end_impact(TipImpact& impact, const MicrobodySystem& system, double time, C
   impact.slip_out = scale.velocity * tip.slip;
 }
 
-void add_peaks(TipImpact& impact, const MicrobodySystem& system, const MicrobodyWatch& watch) {
+void add_peaks(TipImpact& impact, const MicrobodySystem& system, const MicrobodyObserver& watch) {
   const auto& scale = system.body().scale;
   TipPeaks peaks;
   for (std::size_t k = 0; k < watch.milestones().size(); ++k) {
@@ -80,7 +80,8 @@ void add_peaks(TipImpact& impact, const MicrobodySystem& system, const Microbody
   impact.peak_indentation = peaks.depth * scale.length;
 }
 
-std::vector<TipImpact> impacts(const MicrobodySystem& system, const Run& run, const MicrobodyWatch& watch) {
+std::vector<TipImpact> impacts(const MicrobodySystem& system, const Run& run,
+                               const MicrobodyObserver& watch) {
   std::vector<TipImpact> list;
   for (const auto& [time, change] : run.changes) {
     const auto x = state_at(run, watch, time);
@@ -153,13 +154,13 @@ bool has_restitution(const MicrobodyImpact& impact) {
 }
 
 MicrobodyImpact simulate(const model::Microbody& body, const hybrid::Options& options,
-                         const Observers& observers) {
+                         const RunObserver& observers) {
   model::validate(body);
   hybrid::validate(options);
   expect_no_samplings(observers);
   MicrobodySystem system(body, options.accuracy, /*ledger=*/true);
   const auto start = initial_state(system.body(), system.layout());
-  MicrobodyWatch watch(system, observers);
+  MicrobodyObserver watch(system, observers);
   hybrid::Workspace<MicrobodySystem> workspace;
   const auto& scale = system.body().scale;
   auto run_options = hybrid::scaled(options, scale);

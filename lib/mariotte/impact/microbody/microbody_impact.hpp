@@ -89,7 +89,7 @@ bool has_restitution(const MicrobodyImpact& impact);
 /// Simulate a microbody until it is captured, has had its impacts or flies off for good, or a limit. Throws
 /// InvalidParameter for a body, accuracy or flow that makes no sense, and for samplings.
 MicrobodyImpact simulate(const model::Microbody& body, const hybrid::Options& options = {},
-                         const Observers& observers = {});
+                         const RunObserver& observers = {});
 
 /// Error of the final velocity, and of spin × reach, relative to the largest incident speed, from a second
 /// run at a tighter accuracy.

@@ -36,7 +36,7 @@ BodyState body_state(const model::MicrobodySystem& system, double time, ConstSta
           .spin = (1 / scale.time) * system.mechanics().spin(x)};
 }
 
-void MicrobodyWatch::begin_phase(double time, ConstState x) {
+void MicrobodyObserver::begin_phase(double time, ConstState x) {
   start_ = time;
   milestones_.push_back({time, {x.begin(), x.end()}});
   peaks_.emplace_back(system_.layout().tips);
@@ -44,13 +44,13 @@ void MicrobodyWatch::begin_phase(double time, ConstState x) {
   if (observers_.trace) sample(time, x);  // friction jumps at events: one sample before, one after
 }
 
-TipPeaks MicrobodyWatch::now(ConstState x, Index i) const {
+TipPeaks MicrobodyObserver::now(ConstState x, Index i) const {
   const auto tip = system_.mechanics().tip(x, i);
   const double force = system_.mechanics().normal_force(tip, i);
   return {.push = force, .pull = -force, .depth = tip.indentation};
 }
 
-void MicrobodyWatch::search(const flow::Step& step, Index i) {
+void MicrobodyObserver::search(const flow::Step& step, Index i) {
   constexpr int pieces = 4;
   std::array<TipPeaks, pieces + 1> samples;
   const auto at = [&](double share) {
@@ -71,7 +71,7 @@ void MicrobodyWatch::search(const flow::Step& step, Index i) {
   }
 }
 
-void MicrobodyWatch::watch(const flow::Step& step) {
+void MicrobodyObserver::observe(const flow::Step& step) {
   inside_.resize(step.before.size());
   for (Index i = 0; i < system_.layout().tips; ++i) {
     const Index gap = system_.layout().place.gap[i];
@@ -87,7 +87,7 @@ void MicrobodyWatch::watch(const flow::Step& step) {
   sample(start_ + step.end, step.after);
 }
 
-void MicrobodyWatch::sample(double time, ConstState x) {
+void MicrobodyObserver::sample(double time, ConstState x) {
   if (trace_.state.size() >= most_samples) return;
   const auto& mechanics = system_.mechanics();
   const auto& scale = system_.body().scale;

@@ -26,13 +26,13 @@ inline constexpr std::array all_tip_peaks = {&TipPeaks::push, &TipPeaks::pull, &
 static_assert(sizeof(TipPeaks) == all_tip_peaks.size() * sizeof(double), "every peak is in the list");
 
 /// Sees every step of a body's run and keeps what the result needs.
-class MicrobodyWatch final : public hybrid::PhaseWatcher {
+class MicrobodyObserver final : public hybrid::PhaseObserver {
  public:
   /// Both must outlive this.
-  MicrobodyWatch(const model::MicrobodySystem& system, const Observers& observers)
+  MicrobodyObserver(const model::MicrobodySystem& system, const RunObserver& observers)
       : system_(system), observers_(observers) {}
   void begin_phase(double time, ConstState x) override;
-  void watch(const flow::Step& step) override;
+  void observe(const flow::Step& step) override;
   void passed(double time, Index events) override {
     tell(observers_, time * system_.body().scale.time, events);
   }
@@ -50,7 +50,7 @@ class MicrobodyWatch final : public hybrid::PhaseWatcher {
   void sample(double time, ConstState x);
 
   const model::MicrobodySystem& system_;
-  const Observers& observers_;
+  const RunObserver& observers_;
   bool shared_friction_ = false;
   double start_ = 0;
   std::vector<Milestone> milestones_;

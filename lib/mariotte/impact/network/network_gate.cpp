@@ -8,7 +8,7 @@
 namespace mariotte::impact {
 
 void pass_gate(const Configuration& before, double largest_rate, const std::vector<Index>& open,
-               const std::vector<double>& unheard_depth, NetworkImpact& impact) {
+               const std::vector<double>& noise_depth, NetworkImpact& impact) {
   const double share = balance_allowance * std::max(impact.requested_accuracy, 64 * epsilon);
   const auto& energy = impact.energy;
   const double reached =
@@ -20,7 +20,7 @@ void pass_gate(const Configuration& before, double largest_rate, const std::vect
     gain = std::max(gain, -contact.dissipated);
   }
   for (const Index j : open) {
-    const double excess = -impact.gap[j] / unheard_depth[j];
+    const double excess = -impact.gap[j] / noise_depth[j];
     depth = excess <= depth ? depth : excess;  // a gap that is not a number counts
   }
   double approach = 0;

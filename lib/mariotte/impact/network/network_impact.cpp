@@ -93,14 +93,14 @@ void pass_gate(const NetworkSystem& system, const model::Network& network, const
     using contact::ContactMode;
     if (mode[j] == ContactMode::open || mode[j] == ContactMode::hovering) open.push_back(j);
     const double length = balance_allowance * impact.requested_accuracy * d.length[j];
-    depth.push_back((unheard_depths * d.shallow[j] + length) * d.scale.length);
+    depth.push_back((noise_depths * d.noise_depth[j] + length) * d.scale.length);
   }
   const auto before = configuration_of(network);
   pass_gate(before, d.speed * d.scale.velocity, open, depth, impact);
 }
 
 NetworkImpact simulate_once(const model::Network& network, const hybrid::Options& options,
-                            const Observers& observers) {
+                            const RunObserver& observers) {
   NetworkSystem system(network, options.accuracy);
   const auto& scale = system.network().scale;
   const auto& at = system.layout();
@@ -141,7 +141,7 @@ Configuration configuration_of(const model::Network& network) {
 }
 
 NetworkImpact simulate(const model::Network& network, const hybrid::Options& options,
-                       const Observers& observers) {
+                       const RunObserver& observers) {
   model::validate(network);
   hybrid::validate(options);
   expect_no_samplings(observers);

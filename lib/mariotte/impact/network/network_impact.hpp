@@ -15,7 +15,7 @@ struct NetworkImpact : ContactImpact {
 /// Simulate a network until it separates for good, or a limit. Throws InvalidParameter for a network,
 /// accuracy or flow that makes no sense, and for samplings.
 NetworkImpact simulate(const model::Network& network, const hybrid::Options& options = {},
-                       const Observers& observers = {});
+                       const RunObserver& observers = {});
 
 /// Error of the gap rates that follow from `result.velocity`, relative to the largest one before, from a
 /// second run at a tighter accuracy.

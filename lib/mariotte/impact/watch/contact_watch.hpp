@@ -7,26 +7,26 @@
 namespace mariotte::impact {
 
 /// Finds peaks and, if asked to, keeps samples and tells how far the run is.
-class ContactWatch final : public hybrid::PhaseWatcher {
+class ContactWatch final : public hybrid::PhaseObserver {
  public:
   /// All three must outlive this.
-  ContactWatch(const model::ContactPhase& phase, const Scale& scale, const Observers& observers)
+  ContactWatch(const model::ContactPhase& phase, const Scale& scale, const RunObserver& observers)
       : recorder(phase, scale), scale_(scale), observers_(observers) {
     peaks.begin(phase);
   }
   void begin_phase(double time, ConstState) override { start_ = time; }
-  void watch(const flow::Step& step) override {
-    peaks.watch(step);
-    if (observers_.trace) recorder.watch(start_, step);
+  void observe(const flow::Step& step) override {
+    peaks.observe(step);
+    if (observers_.trace) recorder.observe(start_, step);
   }
   void passed(double time, Index events) override { tell(observers_, time * scale_.time, events); }
 
-  PeakWatcher peaks;
-  TraceRecorder recorder;
+  PeakObserver peaks;
+  TraceObserver recorder;
 
  private:
   const Scale& scale_;
-  const Observers& observers_;
+  const RunObserver& observers_;
   double start_ = 0;
 };
 

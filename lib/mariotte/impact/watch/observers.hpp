@@ -32,7 +32,7 @@ struct Progress {
 };
 
 /// Who looks on while a model is simulated.
-struct Observers {
+struct RunObserver {
   bool trace = false;                    ///< keep samples in the result, at most a few thousand rows
   std::vector<Sampling> samplings = {};  ///< of chains only
   /// Told after every event; may be empty. What it throws ends the run and reaches the caller, so that a run
@@ -41,11 +41,11 @@ struct Observers {
 };
 
 /// Tells the time [s] and the number of events, if somebody wants to know.
-inline void tell(const Observers& observers, double time, Index events) {
+inline void tell(const RunObserver& observers, double time, Index events) {
   if (observers.progress) observers.progress({.time = time, .events = events});
 }
 
 /// Throws InvalidParameter if there are samplings: only chains can be sampled while they are simulated.
-void expect_no_samplings(const Observers& observers);
+void expect_no_samplings(const RunObserver& observers);
 
 }  // namespace mariotte::impact

@@ -4,7 +4,7 @@
 
 namespace mariotte::impact {
 
-void PeakWatcher::begin(const model::ContactPhase& phase) {
+void PeakObserver::begin(const model::ContactPhase& phase) {
   phase_ = &phase;
   peaks_.assign(phase.contacts(), {});
   damped_ = false;
@@ -12,24 +12,24 @@ void PeakWatcher::begin(const model::ContactPhase& phase) {
   for (auto* workspace : {&inside_, &rate_, &rate_before_, &rate_after_}) workspace->resize(phase.size());
 }
 
-void PeakWatcher::differentiate(ConstState x, State dx) const {
+void PeakObserver::differentiate(ConstState x, State dx) const {
   if (damped_) phase_->derivative(x, dx);
 }
 
-PeakWatcher::Slopes PeakWatcher::slopes(ConstState x, ConstState dx, Index j) const {
+PeakObserver::Slopes PeakObserver::slopes(ConstState x, ConstState dx, Index j) const {
   const auto force = phase_->force(x, j);
   const double speed = phase_->approach(x, j);
   if (!phase_->is_damped(j)) return {speed, force.by_indentation * speed};
   return {speed, force.by_indentation * speed + force.by_rate * phase_->approach(dx, j)};
 }
 
-void PeakWatcher::take(ConstState x, Index j) {
+void PeakObserver::take(ConstState x, Index j) {
   const Peak now{.force = phase_->force(x, j).value, .indentation = -phase_->gap(x, j)};
   raise(peaks_[j], now, all_peaks);
 }
 
-void PeakWatcher::search(const flow::Step& step, Index j, double Slopes::*slope, const Slopes& before,
-                         const Slopes& after) {
+void PeakObserver::search(const flow::Step& step, Index j, double Slopes::*slope, const Slopes& before,
+                          const Slopes& after) {
   if (!(before.*slope > 0 && after.*slope < 0)) return;
   const auto slope_at = [&](double time) {
     step.at(time, inside_);
@@ -42,7 +42,7 @@ void PeakWatcher::search(const flow::Step& step, Index j, double Slopes::*slope,
   take(inside_, j);
 }
 
-void PeakWatcher::watch(const flow::Step& step) {
+void PeakObserver::observe(const flow::Step& step) {
   differentiate(step.before, rate_before_);
   differentiate(step.after, rate_after_);
   for (Index j = 0; j < std::ssize(peaks_); ++j) {

@@ -27,11 +27,11 @@ void raise(Peaks& peaks, const Peaks& others, const std::array<double Peaks::*, 
 
 /// Looks at each step for a maximum of δ or f: a slope that falls through zero. The maximum itself is flat,
 /// so a loose time is enough for a tight value.
-class PeakWatcher {
+class PeakObserver {
  public:
-  /// From now on look at the steps of this phase, all peaks forgotten; it must outlive the watching.
+  /// From now on look at the steps of this phase, all peaks forgotten; it must outlive the observation.
   void begin(const model::ContactPhase& phase);
-  void watch(const flow::Step& step);
+  void observe(const flow::Step& step);
   const std::vector<Peak>& peaks() const { return peaks_; }
 
  private:

@@ -17,12 +17,12 @@ void check(const std::vector<Index>& places, Index count, const char* what) {
 
 }  // namespace
 
-void expect_no_samplings(const Observers& observers) {
+void expect_no_samplings(const RunObserver& observers) {
   if (!observers.samplings.empty())
     throw InvalidParameter("only chains can be sampled while they are simulated");
 }
 
-Sampler::Sampler(const model::DimensionlessChain& chain, const Observers& observers)
+SamplingObserver::SamplingObserver(const model::DimensionlessChain& chain, const RunObserver& observers)
     : chain_(chain), observers_(observers), next_(observers.samplings.size()) {
   sample_.natural_time = *std::min_element(chain.time.begin(), chain.time.end()) * chain.scale.time;
   sample_.crossing_time = std::accumulate(chain.time.begin(), chain.time.end(), 0.0) * chain.scale.time;
@@ -32,22 +32,22 @@ Sampler::Sampler(const model::DimensionlessChain& chain, const Observers& observ
   }
 }
 
-double Sampler::next_look() const {
+double SamplingObserver::next_look() const {
   double next = infinity;
   for (const auto& time : next_) next = std::min(next, time.value);
   return next;
 }
 
-void Sampler::look(model::Snapshot& run) {
+void SamplingObserver::look(model::Snapshot& run) {
   for (std::size_t i = 0; i < next_.size(); ++i)
     if (next_[i].value <= run.time()) take(run, i);
 }
 
-void Sampler::look_last(model::Snapshot& run) {
+void SamplingObserver::look_last(model::Snapshot& run) {
   for (std::size_t i = 0; i < next_.size(); ++i) take(run, i);
 }
 
-void Sampler::take(model::Snapshot& run, std::size_t which) {
+void SamplingObserver::take(model::Snapshot& run, std::size_t which) {
   const auto& sampling = observers_.samplings[which];
   const auto& scale = chain_.scale;
   sample_.time = run.time() * scale.time;
@@ -64,7 +64,7 @@ void Sampler::take(model::Snapshot& run, std::size_t which) {
   next_[which] = next_[which] + wait / scale.time;
 }
 
-void Sampler::passed(double time, Index events) {
+void SamplingObserver::passed(double time, Index events) {
   tell(observers_, time * chain_.scale.time, events);
 }
 

@@ -9,10 +9,10 @@
 namespace mariotte::impact {
 
 /// All samplings of a run, each at its own times.
-class Sampler final : public model::Onlooker {
+class SamplingObserver final : public model::SnapshotObserver {
  public:
   /// For a chain and what watches it, which outlive it.
-  Sampler(const model::DimensionlessChain& chain, const Observers& observers);
+  SamplingObserver(const model::DimensionlessChain& chain, const RunObserver& observers);
   double next_look() const override;
   void look(model::Snapshot& run) override;
   void look_last(model::Snapshot& run) override;
@@ -22,7 +22,7 @@ class Sampler final : public model::Onlooker {
   void take(model::Snapshot& run, std::size_t which);
 
   const model::DimensionlessChain& chain_;
-  const Observers& observers_;
+  const RunObserver& observers_;
   std::vector<Instant> next_;  ///< of each sampling
   Sample sample_;
 };

@@ -21,7 +21,7 @@ void thin(Trace& trace) {
 
 }  // namespace
 
-void TraceRecorder::watch(double start, const flow::Step& step) {
+void TraceObserver::observe(double start, const flow::Step& step) {
   if (trace_.time.empty()) keep(start + step.start, step.before);
   // A closed form crosses a whole contact in one step: a picture needs points between.
   const double duration = step.end - step.start, fine = phase_.time_scale() / 20;
@@ -35,11 +35,11 @@ void TraceRecorder::watch(double start, const flow::Step& step) {
   offer(start + step.end, step.after);
 }
 
-void TraceRecorder::offer(double time, ConstState x) {
+void TraceObserver::offer(double time, ConstState x) {
   if (++offered_ % stride_ == 0) keep(time, x);
 }
 
-void TraceRecorder::keep(double time, ConstState x) {
+void TraceObserver::keep(double time, ConstState x) {
   if (trace_.time.size() == capacity) thin();
   trace_.time.push_back(time * scale_.time);
   auto& velocity = trace_.velocity.emplace_back();
@@ -52,12 +52,12 @@ void TraceRecorder::keep(double time, ConstState x) {
   }
 }
 
-Trace TraceRecorder::take(double time, ConstState x) {
+Trace TraceObserver::take(double time, ConstState x) {
   if (trace_.time.empty() || trace_.time.back() < time * scale_.time) keep(time, x);
   return std::move(trace_);
 }
 
-void TraceRecorder::thin() {
+void TraceObserver::thin() {
   impact::thin(trace_);
   stride_ *= 2;
 }

@@ -12,14 +12,14 @@ namespace mariotte::impact {
 /// Keeps every `stride`-th point of those offered, the ends of steps and, where a step is long against the
 /// contact time, points within; the stride doubles, and every other row is dropped, whenever `capacity` rows
 /// are full.
-class TraceRecorder {
+class TraceObserver {
  public:
   static constexpr std::size_t capacity = 4096;
 
-  TraceRecorder(const model::ContactPhase& phase, const Scale& scale) : phase_(phase), scale_(scale) {}
+  TraceObserver(const model::ContactPhase& phase, const Scale& scale) : phase_(phase), scale_(scale) {}
 
   /// `start` is the absolute dimensionless time at which the step's phase began.
-  void watch(double start, const flow::Step& step);
+  void observe(double start, const flow::Step& step);
   /// The samples, with the state at the ending as the last.
   Trace take(double time, ConstState x);
 

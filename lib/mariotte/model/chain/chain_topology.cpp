@@ -9,7 +9,7 @@ void ChainFlows::reset(const ChainTopology& chain) {
   serial_.body.clear();
   serial_.contact.clear();
   serial_.speed = model.speed;
-  serial_.faint = model.faint * model.slow;
+  serial_.fade_speed = model.fade_speed_ratio * model.noise_speed;
   for (Index i = 0; i < at.velocities(); ++i)
     serial_.body.push_back({at.velocity[i], model.inverse_mass[i], -model.gravity[i]});
   for (Index j = 0; j < at.contacts(); ++j) serial_.contact.push_back(phase_contact(model, at, j));
@@ -17,7 +17,7 @@ void ChainFlows::reset(const ChainTopology& chain) {
 
 void ChainFlows::set_edges(SliceEdges edges) {
   edges_ = edges;
-  serial_.goes_on = edges.left || edges.right;
+  serial_.is_slice = edges.left || edges.right;
 }
 
 bool ChainFlows::is_at_edge(Index j) const {

@@ -61,8 +61,9 @@ void make_dimensionless(const Chain& chain, double accuracy, DimensionlessChain&
 }
 
 void fade_later(DimensionlessChain& d, double accuracy) {
-  d.faint = std::min(1.0, slow_share(accuracy) * d.speed / d.slow);
-  d.faint_depth = std::pow(d.faint, 0.8);  // of Hertz contacts; linear ones fade a little early
+  d.fade_speed_ratio = std::min(1.0, noise_share(accuracy) * d.speed / d.noise_speed);
+  d.fade_depth_ratio =
+      std::pow(d.fade_speed_ratio, 0.8);  // of Hertz contacts; linear ones fade a little early
 }
 
 void copy_slice(const DimensionlessChain& whole, Index first, Index last, DimensionlessChain& slice) {
@@ -70,7 +71,7 @@ void copy_slice(const DimensionlessChain& whole, Index first, Index last, Dimens
   constexpr std::array<std::vector<double> Whole::*, 4> of_balls = {&Whole::mass, &Whole::inverse_mass,
                                                                     &Whole::velocity, &Whole::gravity};
   constexpr std::array<std::vector<double> Whole::*, 5> of_contacts = {
-      &Whole::gap, &Whole::reduced_mass, &Whole::length, &Whole::time, &Whole::shallow};
+      &Whole::gap, &Whole::reduced_mass, &Whole::length, &Whole::time, &Whole::noise_depth};
   const auto copy = [&](const auto& from, auto& to, Index end) {
     to.assign(from.begin() + first, from.begin() + end);
   };
@@ -79,9 +80,9 @@ void copy_slice(const DimensionlessChain& whole, Index first, Index last, Dimens
   copy(whole.law, slice.law, last);
   slice.scale = whole.scale;
   slice.speed = whole.speed;
-  slice.slow = whole.slow;
-  slice.faint = whole.faint;
-  slice.faint_depth = whole.faint_depth;
+  slice.noise_speed = whole.noise_speed;
+  slice.fade_speed_ratio = whole.fade_speed_ratio;
+  slice.fade_depth_ratio = whole.fade_depth_ratio;
   slice.falls_back = whole.falls_back;
 }
 

@@ -18,10 +18,10 @@ void open_touching(contact::ContactSet& mode, std::vector<ContactChange>& change
     if (mode[j] == ContactMode::touching) change(mode, j, ContactMode::open, changes);
 }
 
-ContactMode mode_after(ContactMode mode, bool load_fired, double gap, double approach, double slow) {
+ContactMode mode_after(ContactMode mode, bool load_fired, double gap, double approach, double noise_speed) {
   switch (mode) {
     case ContactMode::open:
-      return approach > slow ? ContactMode::closed : ContactMode::hovering;
+      return approach > noise_speed ? ContactMode::closed : ContactMode::hovering;
     case ContactMode::hovering:
       return ContactMode::closed;
     case ContactMode::slack:

@@ -21,9 +21,9 @@ void change(contact::ContactSet& mode, Index j, contact::ContactMode after,
 void open_touching(contact::ContactSet& mode, std::vector<ContactChange>& changes);
 
 /// The mode after a guard of the contact has fired: that of its load, or of its gap. An approach of at most
-/// `slow` cannot be told from rest.
+/// `noise_speed` cannot be told from rest.
 contact::ContactMode mode_after(contact::ContactMode mode, bool load_fired, double gap, double approach,
-                                double slow);
+                                double noise_speed);
 
 /// What the flows of a row call a mode.
 flow::Role role(contact::ContactMode mode);

@@ -36,7 +36,7 @@ struct ContactState {
 /// on each other or will meet again before they have parted.
 template <class Topology>
 bool comes_together(const Topology& topology, Index j, double approach) {
-  const double slow = topology.model.slow;
+  const double slow = topology.model.noise_speed;
   return approach > (topology.drive(j) > 0 ? -slow : slow);
 }
 
@@ -44,7 +44,7 @@ bool comes_together(const Topology& topology, Index j, double approach) {
 template <class Topology>
 contact::ContactMode after(const ContactState<Topology>& state, Index j, contact::ContactMode before,
                            bool load_fired) {
-  return mode_after(before, load_fired, state.gap(j), state.approach(j), state.model().slow);
+  return mode_after(before, load_fired, state.gap(j), state.approach(j), state.model().noise_speed);
 }
 
 /// A closed contact so shallow, and moving so slowly, that its end would be an event made of noise: it has
@@ -52,7 +52,8 @@ contact::ContactMode after(const ContactState<Topology>& state, Index j, contact
 template <class Topology>
 bool has_faded(const ContactState<Topology>& state, Index j) {
   const auto& model = state.model();
-  return -state.gap(j) < model.fading_depth(j) && std::abs(state.approach(j)) <= model.faint * model.slow;
+  return -state.gap(j) < model.fading_depth(j) &&
+         std::abs(state.approach(j)) <= model.fade_speed_ratio * model.noise_speed;
 }
 
 /// A touching contact has left the noise.

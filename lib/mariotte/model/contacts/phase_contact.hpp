@@ -19,7 +19,7 @@ inline flow::PhaseContact phase_contact(const ScaledContacts& model, const Conta
           .damping = law.damping,
           .exponent = law.exponent,
           .length = model.length[j],
-          .shallow = model.fading_depth(j)};
+          .noise_depth = model.fading_depth(j)};
 }
 
 }  // namespace mariotte::model

@@ -62,9 +62,9 @@ void scale_contacts(const StatedContacts& stated, double speed, double accuracy,
   d.scale.length = natural_length(stated.law[quickest], d.scale.mass, d.scale.velocity);
   d.scale.time = d.scale.length / d.scale.velocity;
   d.speed = speed / d.scale.velocity;
-  d.slow = slow_share(accuracy) * d.speed;
-  d.faint = d.faint_depth = 1;
-  for (auto* list : {&d.gap, &d.velocity, &d.length, &d.time, &d.shallow}) list->clear();
+  d.noise_speed = noise_share(accuracy) * d.speed;
+  d.fade_speed_ratio = d.fade_depth_ratio = 1;
+  for (auto* list : {&d.gap, &d.velocity, &d.length, &d.time, &d.noise_depth}) list->clear();
   d.law.clear();
   for (const double v : stated.velocity) d.velocity.push_back(v / d.scale.velocity);
   for (std::size_t j = 0; j < stated.law.size(); ++j) {
@@ -73,15 +73,15 @@ void scale_contacts(const StatedContacts& stated, double speed, double accuracy,
     d.reduced_mass[j] /= d.scale.mass;
     d.length.push_back(natural_length(law, d.reduced_mass[j], d.speed));
     d.time.push_back(d.length[j] / d.speed);
-    d.shallow.push_back(slow_length(law, d.reduced_mass[j], d.slow));
+    d.noise_depth.push_back(slow_length(law, d.reduced_mass[j], d.noise_speed));
   }
 }
 
-double slow_share(double accuracy) {
+double noise_share(double accuracy) {
   return std::max(0.1 * accuracy, 8 * epsilon);
 }
 
-double damping_ratio(const ScaledContacts& scaled, Index j) {
+double damping_group(const ScaledContacts& scaled, Index j) {
   if (!contact::dissipates(scaled.law[j])) return 0;
   const double slope = contact::smooth_force(scaled.law[j], scaled.length[j], 0).by_rate;
   return slope * scaled.time[j] / scaled.reduced_mass[j];

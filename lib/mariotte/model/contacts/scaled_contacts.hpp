@@ -18,14 +18,14 @@ struct ScaledContacts {
   double speed = 1;                   ///< reference speed: largest that can matter
   std::vector<double> reduced_mass;   ///< 1/(G M⁻¹ Gᵀ)_jj
   std::vector<double> length, time;   ///< natural ones of each contact alone
-  double slow = 0;                    ///< approach speed that cannot be told from rest
-  std::vector<double> shallow;        ///< depth that a contact approached so slowly reaches
-  double faint = 1;                   ///< speed at which a contact fades, relative to slow
-  double faint_depth = 1;             ///< depth at which it does, relative to shallow
+  double noise_speed = 0;             ///< approach speed that cannot be told from rest
+  std::vector<double> noise_depth;    ///< depth that a contact approached so slowly reaches
+  double fade_speed_ratio = 1;        ///< speed at which a contact fades, relative to noise_speed
+  double fade_depth_ratio = 1;        ///< depth at which it does, relative to noise_depth
 
   Index contacts() const { return std::ssize(law); }
   /// Depth at which a contact that moves slowly fades, and twice of which takes it out of the noise.
-  double fading_depth(Index j) const { return faint_depth * shallow[j]; }
+  double fading_depth(Index j) const { return fade_depth_ratio * noise_depth[j]; }
 };
 
 /// Contacts and velocities as a user states them.
@@ -42,10 +42,10 @@ void scale_contacts(const StatedContacts& stated, double speed, double accuracy,
 
 /// Approach that counts as none, relative to the largest: a tenth of the accuracy, but what double precision
 /// can tell.
-double slow_share(double accuracy);
+double noise_share(double accuracy);
 
-/// Damping ratio (∂f/∂δ̇) T/m* of contact j at its natural indentation, c δⁿ⁻¹ T/m* of a power law: what makes
+/// Damping group (∂f/∂δ̇) T/m* of contact j at its natural indentation, c δⁿ⁻¹ T/m* of a power law: what makes
 /// it stiff.
-double damping_ratio(const ScaledContacts& scaled, Index j);
+double damping_group(const ScaledContacts& scaled, Index j);
 
 }  // namespace mariotte::model

@@ -33,7 +33,7 @@ class TopologyPhase final : public ContactPhase {
   double time_scale() const override { return time_scale_; }
   std::vector<flow::Entry> pattern() const override;
   void jacobian(ConstState x, State values) const override;
-  double damping_ratio() const override;
+  double damping_group() const override;
   bool is_ballistic() const override { return active_ == 0 && !any_law_; }
   void second_derivative(ConstState x, State ddx) const override;
   const flow::SerialPhase* serial() const override { return any_law_ ? nullptr : flows_.serial(); }

@@ -65,7 +65,7 @@ void TopologyPhase<Topology>::watch(Index j) {
 /// A hovering contact closes where its gap is −level.
 template <class Topology>
 double TopologyPhase<Topology>::level(Index j) const {
-  return (*mode_)[j] == contact::ContactMode::hovering ? topology_.model.shallow[j] : 0;
+  return (*mode_)[j] == contact::ContactMode::hovering ? topology_.model.noise_depth[j] : 0;
 }
 
 template <class Topology>
@@ -156,11 +156,11 @@ void TopologyPhase<Topology>::jacobian(ConstState x, State values) const {
 }
 
 template <class Topology>
-double TopologyPhase<Topology>::damping_ratio() const {
+double TopologyPhase<Topology>::damping_group() const {
   double largest = 0;
   for (Index j = 0; j < contacts(); ++j)
     if (has_work(j) && contact::carries_force((*mode_)[j]))
-      largest = std::max(largest, model::damping_ratio(topology_.model, j));
+      largest = std::max(largest, model::damping_group(topology_.model, j));
   return largest;
 }
 

@@ -45,14 +45,15 @@ void FreeBalls::move_contact(Index j, Instant t) {
   if (mode == ContactMode::slack && gap >= 0) mode = ContactMode::open;
   const bool idles = mode == ContactMode::open || mode == ContactMode::hovering;
   const double now = approach(j, t);
-  if (!idles || !(gap < 0) || now < 0 || now > chain_.slow) return;
+  if (!idles || !(gap < 0) || now < 0 || now > chain_.noise_speed) return;
   mode = ContactMode::hovering;
-  gap = std::max(gap, -chain_.shallow[j]);
+  gap = std::max(gap, -chain_.noise_depth[j]);
 }
 
 Instant FreeBalls::meeting(Index j, Instant t) const {
   const double speed = approach(j, t), height = gap(j) + level(j);
-  const bool leads_nowhere = mode_[j] == ContactMode::slack || (drive(j) == 0 && !(speed > chain_.slow));
+  const bool leads_nowhere =
+      mode_[j] == ContactMode::slack || (drive(j) == 0 && !(speed > chain_.noise_speed));
   if (leads_nowhere) return {infinity};
   if (height <= 0 && speed > 0) return t;
   return t + flow::first_crossing(flow::Crossing::falling, height, -speed, -drive(j));
@@ -62,7 +63,7 @@ bool FreeBalls::is_due(Index j, Instant t, double accuracy) const {
   const auto mode = mode_[j];
   if (mode != ContactMode::open && mode != ContactMode::hovering) return false;
   const double speed = approach(j, t), window = 0.1 * accuracy * chain_.time[j];
-  const bool counts = speed > (mode == ContactMode::hovering && drive(j) == 0 ? chain_.slow : 0);
+  const bool counts = speed > (mode == ContactMode::hovering && drive(j) == 0 ? chain_.noise_speed : 0);
   return counts && gap(j) + level(j) <= window * speed;
 }
 

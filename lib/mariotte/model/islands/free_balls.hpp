@@ -52,7 +52,9 @@ class FreeBalls {
   std::vector<double> take(Instant t);
 
  private:
-  double level(Index j) const { return mode_[j] == contact::ContactMode::hovering ? chain_.shallow[j] : 0; }
+  double level(Index j) const {
+    return mode_[j] == contact::ContactMode::hovering ? chain_.noise_depth[j] : 0;
+  }
 
   const DimensionlessChain& chain_;
   const ChainLayout& layout_;

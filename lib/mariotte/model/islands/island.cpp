@@ -28,9 +28,9 @@ bool is_active(const ChainState& state, ContactMode mode, Index j) {
       return true;
     case ContactMode::touching:
       return driven || state.gap(j) < -2 * chain.fading_depth(j) ||
-             (state.gap(j) <= 0 && state.approach(j) > chain.slow);
+             (state.gap(j) <= 0 && state.approach(j) > chain.noise_speed);
     case ContactMode::slack:
-      return driven || state.approach(j) > chain.slow;
+      return driven || state.approach(j) > chain.noise_speed;
     default:
       return false;
   }

@@ -12,7 +12,7 @@ namespace mariotte::model {
 
 /// Sees the steps of one island. A stretch is followed before it is known that nothing interferes: what was
 /// seen counts once it is kept.
-class StretchLog : public flow::Watcher {
+class IslandObserver : public flow::StepObserver {
  public:
   /// A stretch of the slice that starts at ball `first` begins at `start`; what was seen and not kept is
   /// void.
@@ -20,7 +20,7 @@ class StretchLog : public flow::Watcher {
   virtual void keep() = 0;
 };
 /// Makes the log of one stretch.
-using LogMaker = std::function<std::unique_ptr<StretchLog>()>;
+using IslandObserverMaker = std::function<std::unique_ptr<IslandObserver>()>;
 
 /// Balls first … last. The first and the last fly freely, whatever the others do, unless the chain ends
 /// there.
@@ -36,7 +36,7 @@ struct Island {
   contact::ContactSet mode;
   std::vector<Index> fired;
   flow::Arrival arrival;
-  std::unique_ptr<StretchLog> log;  ///< null if nobody watches
+  std::unique_ptr<IslandObserver> log;  ///< null if nobody watches
 
   Index contacts() const { return last - first; }
   Instant arrives() const { return clock + arrival.duration; }

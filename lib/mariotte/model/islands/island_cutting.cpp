@@ -85,7 +85,7 @@ Index Islands::spare(Index contact, Index direction) const {
   const Index next = contact + direction;
   if (next < 0 || next >= balls_.contacts()) return 0;
   if (balls_.modes()[next] == ContactMode::touching) return along_row;
-  return balls_.approach(next, now_) > chain_.slow ? ahead : behind;
+  return balls_.approach(next, now_) > chain_.noise_speed ? ahead : behind;
 }
 
 /// The ball that stands `most` balls from `ball` in a direction, or the last on the way there that is free.

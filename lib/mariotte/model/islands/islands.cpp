@@ -10,7 +10,7 @@ using flow::Outcome;
 using hybrid::Ending;
 
 Islands::Islands(const DimensionlessChain& chain, const ChainLayout& layout, ConstState start,
-                 const hybrid::Options& options, bool stay, LogMaker make_log)
+                 const hybrid::Options& options, bool stay, IslandObserverMaker make_log)
     : chain_(chain),
       options_(options),
       requested_(options.flow),
@@ -26,8 +26,8 @@ Islands::Islands(const DimensionlessChain& chain, const ChainLayout& layout, Con
   contact_set_at(balls_.state(), balls_.modes(), changes_);
 }
 
-void Islands::run(Onlooker* onlooker) {
-  onlooker_ = onlooker;
+void Islands::run(SnapshotObserver* observer) {
+  observer_ = observer;
   from_ = 0;
   to_ = balls_.contacts() - 1;
   cut();
@@ -35,7 +35,7 @@ void Islands::run(Onlooker* onlooker) {
     const auto* next = queue_.next();
     if (!next || is_over()) return end(Ending::separated);
     if (run_.events >= options_.max_events) return end(Ending::event_limit);
-    if (onlooker_) show(std::min(next->time.value, options_.max_time));
+    if (observer_) show(std::min(next->time.value, options_.max_time));
     if (is_beyond_limit(*next)) {
       now_ = {options_.max_time};
       return end(Ending::time_limit);
@@ -102,17 +102,17 @@ void Islands::record() {
 }
 
 void Islands::show(double until) {
-  for (double time = onlooker_->next_look(); time < until; time = onlooker_->next_look()) {
+  for (double time = observer_->next_look(); time < until; time = observer_->next_look()) {
     snapshot_.move_to({time});
-    onlooker_->look(snapshot_);
+    observer_->look(snapshot_);
   }
-  onlooker_->passed(now_.value, run_.events);
+  observer_->passed(now_.value, run_.events);
 }
 
 void Islands::end(Ending ending) {
-  if (onlooker_) {
+  if (observer_) {
     snapshot_.move_to(now_);
-    onlooker_->look_last(snapshot_);
+    observer_->look_last(snapshot_);
   }
   for (std::size_t id = 0; id < islands_.size(); ++id)
     if (std::find(unused_.begin(), unused_.end(), static_cast<Index>(id)) == unused_.end())
@@ -134,7 +134,7 @@ void Islands::follow(Island& island, double limit) {
     island.x = island.start;
     island.fired.clear();
     if (island.log) island.log->begin(island.system, island.first, island.clock);
-    const flow::Request request{.limit = limit, .accuracy = options_.accuracy, .watcher = island.log.get()};
+    const flow::Request request{.limit = limit, .accuracy = options_.accuracy, .observer = island.log.get()};
     island.arrival = choice->flow.follow(problem, island.x, request, island.fired);
     hybrid::count(run_.flows[static_cast<std::size_t>(choice->kind)], island.arrival);
     if (island.arrival.outcome != Outcome::failed) return;

@@ -36,10 +36,10 @@ class Islands {
 
   /// Options are dimensionless; `stay` as for ChainSystem; `make_log` may be empty.
   Islands(const DimensionlessChain& chain, const ChainLayout& layout, ConstState start,
-          const hybrid::Options& options, bool stay, LogMaker make_log);
+          const hybrid::Options& options, bool stay, IslandObserverMaker make_log);
 
-  /// To the ending; `onlooker` may be null.
-  void run(Onlooker* onlooker = nullptr);
+  /// To the ending; `observer` may be null.
+  void run(SnapshotObserver* observer = nullptr);
   /// Valid after `run`.
   Run& result() { return run_; }
   const contact::ContactSet& mode() { return balls_.modes(); }
@@ -83,7 +83,7 @@ class Islands {
   std::optional<flow::Kind> requested_;
   bool stay_;
   Index margin_of_rows_;
-  LogMaker make_log_;
+  IslandObserverMaker make_log_;
   Instant now_;
   FreeBalls balls_;
   std::vector<int> owner_;  ///< island of each ball, −1 if it is free
@@ -92,7 +92,7 @@ class Islands {
   IslandQueue queue_;
   flow::Flows flows_;
   Snapshot snapshot_;
-  Onlooker* onlooker_ = nullptr;
+  SnapshotObserver* observer_ = nullptr;
   std::vector<ContactChange> changes_;
   std::vector<Index> walls_;  ///< contacts with a wall
   Index from_ = 0, to_ = -1;  ///< contacts to be cut

@@ -47,9 +47,9 @@ class Snapshot {
 };
 
 /// Looks at a run from outside, at instants of its own choice. All times are dimensionless.
-class Onlooker {
+class SnapshotObserver {
  public:
-  virtual ~Onlooker() = default;
+  virtual ~SnapshotObserver() = default;
   /// When to look next; infinite for never again.
   virtual double next_look() const = 0;
   virtual void look(Snapshot& run) = 0;

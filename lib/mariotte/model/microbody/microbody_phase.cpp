@@ -187,7 +187,7 @@ double MicrobodyPhase::unrest(ConstState x) const {
   std::vector<double> ahead(x.begin(), x.end()), rate(x.size());
   derivative(x, rate);
   for (std::size_t k = 0; k < ahead.size(); ++k) ahead[k] += 0.1 * body_.time * rate[k];
-  const double blurred = normal_damping_ratio() * accuracy_ / body_.time;
+  const double blurred = normal_damping_group() * accuracy_ / body_.time;
   const double soon = (fastest(ahead) - blurred) / (2 * tip_.rest_speed) - 1;
   const double natural = body_.body.mass / (body_.time * body_.time);
   return std::max({now, soon, std::min(mechanics_.lifting_energy(x) / natural, imbalance(x, fastest(x)))});
@@ -203,7 +203,7 @@ double MicrobodyPhase::imbalance(ConstState x, double speed) const {
     if (const double gap = x[layout_.place.gap[i]]; gap < 0)
       unstable = std::max(unstable, 1 + gap / pulled_off);
   }
-  return std::max(unstable, (1 + normal_damping_ratio()) * speed / (30 * tip_.rest_speed) - 1);
+  return std::max(unstable, (1 + normal_damping_group()) * speed / (30 * tip_.rest_speed) - 1);
 }
 
 /// Height of the mass centre over the reach of its tips.
@@ -292,12 +292,12 @@ bool MicrobodyPhase::slip_turns() const {
 }
 
 /// A slip that turns has no other bound.
-double MicrobodyPhase::damping_ratio() const {
-  return closed_ > 0 && slip_turns() ? infinity : normal_damping_ratio();
+double MicrobodyPhase::damping_group() const {
+  return closed_ > 0 && slip_turns() ? infinity : normal_damping_group();
 }
 
 /// The damping of a contact is taken at its natural depth, 1.
-double MicrobodyPhase::normal_damping_ratio() const {
+double MicrobodyPhase::normal_damping_group() const {
   double damping = 0;
   for (Index i = 0; i < layout_.tips; ++i) {
     const auto& law = body_.law[static_cast<std::size_t>(i)];

@@ -54,7 +54,7 @@ class MicrobodyPhase final : public flow::Problem {
   double time_scale() const override { return time_scale_; }
   std::vector<flow::Entry> pattern() const override;
   void jacobian(ConstState x, State values) const override;
-  double damping_ratio() const override;
+  double damping_group() const override;
   bool is_ballistic() const override { return closed_ == 0 && body_.symmetric; }
   void second_derivative(ConstState x, State ddx) const override;
   const flow::TipPhase* tip() const override { return series_ ? &tip_ : nullptr; }
@@ -65,7 +65,7 @@ class MicrobodyPhase final : public flow::Problem {
  private:
   double slip_margin(const TipMode& mode) const;
   bool slip_turns() const;
-  double normal_damping_ratio() const;
+  double normal_damping_group() const;
   double signed_pressure(const TipMotion& tip, Index i) const;
   double pressure_error(const TipMotion& tip, Index i) const;
   double guard(ConstState x, const TipForces& forces, Index i) const;

@@ -31,10 +31,10 @@ std::vector<std::vector<Index>> contacts_of(const std::vector<ContactDirection>&
 
 void find_near(DimensionlessNetwork& d) {
   const auto felt_by = contacts_of(d.direction, d.freedoms);
-  d.near.resize(d.push.size());
-  for (std::size_t j = 0; j < d.push.size(); ++j) {
+  d.near.resize(d.response.size());
+  for (std::size_t j = 0; j < d.response.size(); ++j) {
     auto& near = d.near[j];
-    for (const auto& term : d.push[j])
+    for (const auto& term : d.response[j])
       near.insert(near.end(), felt_by[term.freedom].begin(), felt_by[term.freedom].end());
     std::sort(near.begin(), near.end());
     near.erase(std::unique(near.begin(), near.end()), near.end());
@@ -47,15 +47,15 @@ DimensionlessNetwork make_dimensionless(const Network& network, double accuracy)
   DimensionlessNetwork d;
   d.freedoms = std::ssize(network.velocity);
   d.direction = network.direction;
-  d.push = push_directions(network.mass, network.direction, d.freedoms);
-  d.half_push = half_pushes(network.mass, network.direction, d.freedoms);
-  for (std::size_t j = 0; j < d.push.size(); ++j)
-    d.reduced_mass.push_back(1 / dot(d.direction[j], d.push[j]));
+  d.response = responses(network.mass, network.direction, d.freedoms);
+  d.half_response = half_responses(network.mass, network.direction, d.freedoms);
+  for (std::size_t j = 0; j < d.response.size(); ++j)
+    d.reduced_mass.push_back(1 / dot(d.direction[j], d.response[j]));
   scale_contacts({network.law, network.gap, network.velocity}, reference_speed(network, d.reduced_mass),
                  accuracy, d);
-  for (auto& push : d.push)
+  for (auto& push : d.response)
     for (auto& term : push) term.coefficient *= d.scale.mass;
-  for (auto& half : d.half_push)
+  for (auto& half : d.half_response)
     for (auto& term : half) term.coefficient *= std::sqrt(d.scale.mass);
   expect_representable(network, d);
   find_near(d);

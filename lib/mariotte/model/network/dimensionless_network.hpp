@@ -11,10 +11,10 @@ namespace mariotte::model {
 /// gap rates are what the reference speed is taken from.
 struct DimensionlessNetwork : ScaledContacts {
   Index freedoms = 0;
-  std::vector<ContactDirection> direction;  ///< G
-  std::vector<ContactDirection> push;       ///< columns of M⁻¹ Gᵀ
-  std::vector<ContactDirection> half_push;  ///< columns of L⁻¹ Gᵀ, M = L Lᵀ
-  std::vector<std::vector<Index>> near;     ///< contacts that the push of each one moves
+  std::vector<ContactDirection> direction;      ///< G
+  std::vector<ContactDirection> response;       ///< columns of M⁻¹ Gᵀ
+  std::vector<ContactDirection> half_response;  ///< columns of L⁻¹ Gᵀ, M = L Lᵀ
+  std::vector<std::vector<Index>> near;         ///< contacts that the push of each one moves
 };
 
 /// Of a validated network. `accuracy` decides what is slow: a tenth of what may be wrong anyway. Throws

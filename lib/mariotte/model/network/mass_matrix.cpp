@@ -89,15 +89,15 @@ std::vector<double> solve(const MassMatrix& mass, std::vector<double> y) {
   return {solution.begin(), solution.end()};
 }
 
-std::vector<ContactDirection> push_directions(const MassMatrix& mass,
-                                              const std::vector<ContactDirection>& contact, Index freedoms) {
+std::vector<ContactDirection> responses(const MassMatrix& mass, const std::vector<ContactDirection>& contact,
+                                        Index freedoms) {
   if (is_diagonal(mass, freedoms)) return divided(contact, [&](Index i) { return mass[i]; });
   const Eigen::LLT<Matrix> factor(full(mass, freedoms));
   return solved(contact, freedoms, [&](Vector& column) { factor.solveInPlace(column); });
 }
 
-std::vector<ContactDirection> half_pushes(const MassMatrix& mass,
-                                          const std::vector<ContactDirection>& contact, Index freedoms) {
+std::vector<ContactDirection> half_responses(const MassMatrix& mass,
+                                             const std::vector<ContactDirection>& contact, Index freedoms) {
   if (is_diagonal(mass, freedoms)) return divided(contact, [&](Index i) { return std::sqrt(mass[i]); });
   const Eigen::LLT<Matrix> factor(full(mass, freedoms));
   return solved(contact, freedoms, [&](Vector& column) { factor.matrixL().solveInPlace(column); });

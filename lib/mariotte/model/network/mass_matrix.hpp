@@ -22,11 +22,11 @@ void validate(const MassMatrix& mass, const std::vector<ContactDirection>& conta
 std::vector<double> solve(const MassMatrix& mass, std::vector<double> y);
 
 /// Columns of M⁻¹ Gᵀ: how each contact's impulse changes the velocities. Zeros are left out.
-std::vector<ContactDirection> push_directions(const MassMatrix& mass,
-                                              const std::vector<ContactDirection>& contact, Index freedoms);
+std::vector<ContactDirection> responses(const MassMatrix& mass, const std::vector<ContactDirection>& contact,
+                                        Index freedoms);
 
 /// Columns of L⁻¹ Gᵀ with M = L Lᵀ: half of the way there. Zeros are left out.
-std::vector<ContactDirection> half_pushes(const MassMatrix& mass,
-                                          const std::vector<ContactDirection>& contact, Index freedoms);
+std::vector<ContactDirection> half_responses(const MassMatrix& mass,
+                                             const std::vector<ContactDirection>& contact, Index freedoms);
 
 }  // namespace mariotte::model

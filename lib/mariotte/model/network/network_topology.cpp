@@ -19,7 +19,7 @@ std::optional<Ends> ends_of(const DimensionlessNetwork& network, Index j) {
   const Index left = terms[0].coefficient < 0 ? 0 : 1;
   if (terms[left].coefficient != -1 || terms[1 - left].coefficient != 1) return std::nullopt;
   const Ends ends{terms[left].freedom, terms[1 - left].freedom};
-  for (const auto& term : network.push[j])
+  for (const auto& term : network.response[j])
     if (term.freedom != ends.left && term.freedom != ends.right) return std::nullopt;
   return ends;
 }
@@ -55,13 +55,13 @@ flow::SerialPhase make_serial(const NetworkTopology& topology, const std::vector
   const auto& [network, at] = topology;
   flow::SerialPhase phase;
   phase.speed = network.speed;
-  phase.faint = network.slow;
+  phase.fade_speed = network.noise_speed;
   phase.body.resize(places.size() + 1);
   phase.contact.resize(places.size());
   for (Index j = 0; j < std::ssize(places); ++j) {
     const auto [left, right] = *ends_of(network, j);
-    phase.body[places[j]] = {left, inverse_mass(network.push[j], left), 0};
-    phase.body[places[j] + 1] = {right, inverse_mass(network.push[j], right), 0};
+    phase.body[places[j]] = {left, inverse_mass(network.response[j], left), 0};
+    phase.body[places[j] + 1] = {right, inverse_mass(network.response[j], right), 0};
     phase.contact[places[j]] = phase_contact(network, at, j);
   }
   return phase;
@@ -72,8 +72,8 @@ flow::LinkedPhase make_linked(const NetworkTopology& topology) {
   flow::LinkedPhase phase{.contact = {},
                           .freedoms = network.freedoms,
                           .direction = network.direction,
-                          .push = network.push,
-                          .half_push = network.half_push};
+                          .response = network.response,
+                          .half_response = network.half_response};
   for (Index j = 0; j < network.contacts(); ++j) phase.contact.push_back(phase_contact(network, at, j));
   return phase;
 }

@@ -42,7 +42,7 @@ struct NetworkTopology {
   double approach(ConstState x, Index j) const { return -gap_rate(model.direction[j], x); }
   double drive(Index) const { return 0; }
   double acceleration(Index) const { return 0; }
-  double coupling(Index j, Index i) const { return dot(model.direction[j], model.push[i]); }
+  double coupling(Index j, Index i) const { return dot(model.direction[j], model.response[i]); }
 
   template <class Use>
   void for_each_near(Index j, Use&& use) const {
@@ -54,7 +54,7 @@ struct NetworkTopology {
   }
   template <class Use>
   void for_each_push(Index j, Use&& use) const {
-    for (const auto& [freedom, change] : model.push[j]) use(freedom, change);
+    for (const auto& [freedom, change] : model.response[j]) use(freedom, change);
   }
 };
 

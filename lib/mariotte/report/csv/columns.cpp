@@ -11,7 +11,7 @@ constexpr Index rows_before_gap = 24;
 constexpr Index rows_after_gap = 12;
 constexpr std::size_t runs_shown = 6;
 
-std::string aligned(const Row& row, const std::vector<std::size_t>& widths) {
+std::string aligned(const TableRow& row, const std::vector<std::size_t>& widths) {
   std::string line;
   for (std::size_t i = 0; i < row.size(); ++i)
     line += "  " + std::string(widths[i] - width(row[i]), ' ') + row[i];
@@ -19,7 +19,7 @@ std::string aligned(const Row& row, const std::vector<std::size_t>& widths) {
   return line + "\n";
 }
 
-std::vector<std::size_t> widths_of(const std::vector<Row>& rows) {
+std::vector<std::size_t> widths_of(const std::vector<TableRow>& rows) {
   std::vector<std::size_t> widths(rows.front().size(), 0);
   for (const auto& row : rows)
     for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width(row[i]));
@@ -46,10 +46,10 @@ std::vector<std::string> runs_of(const std::vector<Index>& positions) {
 
 }  // namespace
 
-std::string columns(const Row& header, Index count, const std::function<Row(Index)>& row) {
+std::string columns(const TableRow& header, Index count, const std::function<TableRow(Index)>& row) {
   const bool whole = count <= most_rows;
   const Index head = whole ? count : rows_before_gap;
-  std::vector<Row> rows = {header};
+  std::vector<TableRow> rows = {header};
   for (Index i = 0; i < head; ++i) rows.push_back(row(i));
   for (Index i = whole ? count : count - rows_after_gap; i < count; ++i) rows.push_back(row(i));
 

@@ -8,14 +8,14 @@
 
 namespace mariotte::report {
 
-using Row = std::vector<std::string>;
+using TableRow = std::vector<std::string>;
 
 /// At most this many rows are shown of anything; the middle of a longer list is left out.
 inline constexpr Index most_rows = 40;
 
 /// Lines of right-aligned cells under `header`, for rows 0 … count−1. From more than `most_rows` rows the
 /// middle is replaced by one line that says how many are missing.
-std::string columns(const Row& header, Index count, const std::function<Row(Index)>& row);
+std::string columns(const TableRow& header, Index count, const std::function<TableRow(Index)>& row);
 
 /// Positions (from 0) as numbers from 1, runs joined: {0, 1, 2, 5} is "1–3 6". Left out in the middle if
 /// long.

@@ -27,16 +27,16 @@ std::string heading(const model::Chain& chain, const scene::Scene& scene) {
 }
 
 std::string balls(const model::Chain& chain, const scene::Scene& scene) {
-  const auto row = [&](Index i) -> Row {
+  const auto row = [&](Index i) -> TableRow {
     const auto k = static_cast<std::size_t>(i);
     const double mass = chain.mass[k];
-    Row cells = {fmt::format("{}", i + 1), std::isinf(mass) ? "wall" : number(mass),
-                 number(chain.velocity[k])};
+    TableRow cells = {fmt::format("{}", i + 1), std::isinf(mass) ? "wall" : number(mass),
+                      number(chain.velocity[k])};
     if (!scene.radius.empty())
       cells.push_back(std::isinf(scene.radius[k]) ? "plane" : number(scene.radius[k]));
     return cells;
   };
-  Row header = {"ball", "mass [kg]", "velocity [m/s]"};
+  TableRow header = {"ball", "mass [kg]", "velocity [m/s]"};
   if (!scene.radius.empty()) header.push_back("radius [m]");
   return columns(header, std::ssize(chain.mass), row);
 }
@@ -52,7 +52,7 @@ std::string law_cell(const contact::Law& law) {
 
 std::string contacts(const std::vector<contact::Law>& laws, const std::vector<double>& gaps,
                      const std::vector<std::string>& names) {
-  const auto row = [&](Index j) -> Row {
+  const auto row = [&](Index j) -> TableRow {
     const auto& law = laws[static_cast<std::size_t>(j)];
     const auto* power = power_law(law);
     const auto name = names.empty() ? fmt::format("{}", j + 1)
@@ -72,11 +72,11 @@ std::string contacts(const std::vector<contact::Law>& laws, const std::vector<do
 /// One line per freedom: of balls their coordinates in turn.
 std::string freedoms(const model::Network& network, const scene::Scene& scene) {
   const bool diagonal = model::is_diagonal(network.mass, std::ssize(network.velocity));
-  const auto row = [&](Index i) -> Row {
+  const auto row = [&](Index i) -> TableRow {
     const auto k = static_cast<std::size_t>(i);
-    Row cells = {fmt::format("{}", i + 1),
-                 number(network.mass[diagonal ? k : k * (network.velocity.size() + 1)]),
-                 number(network.velocity[k])};
+    TableRow cells = {fmt::format("{}", i + 1),
+                      number(network.mass[diagonal ? k : k * (network.velocity.size() + 1)]),
+                      number(network.velocity[k])};
     if (network.dimension > 0) {
       const auto ball = k / static_cast<std::size_t>(network.dimension);
       cells.insert(cells.begin() + 1, fmt::format("{}", ball + 1));
@@ -84,7 +84,7 @@ std::string freedoms(const model::Network& network, const scene::Scene& scene) {
     }
     return cells;
   };
-  Row header = {"degree of freedom", diagonal ? "mass" : "mass (diagonal)", "velocity"};
+  TableRow header = {"degree of freedom", diagonal ? "mass" : "mass (diagonal)", "velocity"};
   if (network.dimension > 0)
     header = {"degree of freedom", "ball", "mass [kg]", "velocity [m/s]", "radius [m]"};
   return columns(header, std::ssize(network.velocity), row);

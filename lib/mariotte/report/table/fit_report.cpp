@@ -35,7 +35,7 @@ std::string summary(const FitReport& report) {
 }
 
 std::string values(const study::Fit& fit) {
-  const auto row = [&](Index i) -> Row {
+  const auto row = [&](Index i) -> TableRow {
     const auto& [key, start, value, error, lower, upper] = fit.estimates[static_cast<std::size_t>(i)];
     return {key, fmt::format("{:.6g}", start), fmt::format("{:.8g}", value), fmt::format("{:.2g}", error),
             fmt::format("{:.6g} to {:.6g}", lower, upper)};
@@ -47,10 +47,10 @@ std::string values(const study::Fit& fit) {
 
 std::string correlation(const study::Fit& fit) {
   if (fit.estimates.size() < 2) return "";
-  Row header = {"key"};
+  TableRow header = {"key"};
   for (std::size_t i = 1; i <= fit.estimates.size(); ++i) header.push_back(std::to_string(i));
   const auto row = [&](Index i) {
-    Row cells = {fit.estimates[static_cast<std::size_t>(i)].key};
+    TableRow cells = {fit.estimates[static_cast<std::size_t>(i)].key};
     for (const double one : fit.correlation[static_cast<std::size_t>(i)])
       cells.push_back(fmt::format("{:.3f}", one));
     return cells;
@@ -59,7 +59,7 @@ std::string correlation(const study::Fit& fit) {
 }
 
 std::string residuals(const FitReport& report) {
-  Row header = {"line"};
+  TableRow header = {"line"};
   for (const auto& setting : report.measurements.settings) header.push_back(setting.name);
   for (const auto* name : {"measured", "predicted", "residual"}) header.push_back(name);
   if (report.measurements.weighted) header.push_back("/ deviation");
@@ -67,7 +67,7 @@ std::string residuals(const FitReport& report) {
     const auto number = static_cast<std::size_t>(i);
     const auto& one = report.measurements.rows[number];
     const auto& predicted = report.fit.predicted[number];
-    Row cells = {std::to_string(one.place.line)};
+    TableRow cells = {std::to_string(one.place.line)};
     cells.insert(cells.end(), one.written.begin(), one.written.end());
     cells.push_back(fmt::format("{:.6f}", one.restitution));
     cells.push_back(predicted.captured ? "captured" : fmt::format("{:.6f}", predicted.restitution));

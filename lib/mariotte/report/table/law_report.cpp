@@ -40,11 +40,12 @@ std::string velocities(const LawReport& report) {
   auto all = before;
   all.insert(all.end(), after.begin(), after.end());
   const auto velocity = display_for(all, report.velocity_unit);
-  Row header = {report.moving, "velocity before [" + velocity.unit + "]", "after [" + velocity.unit + "]"};
+  TableRow header = {report.moving, "velocity before [" + velocity.unit + "]",
+                     "after [" + velocity.unit + "]"};
   if (!report.simulated.empty()) header.push_back("simulated [" + velocity.unit + "]");
-  const auto row = [&](Index i) -> Row {
+  const auto row = [&](Index i) -> TableRow {
     const auto k = static_cast<std::size_t>(i);
-    Row cells = {fmt::format("{}", i + 1), shown(velocity, before[k]), shown(velocity, after[k])};
+    TableRow cells = {fmt::format("{}", i + 1), shown(velocity, before[k]), shown(velocity, after[k])};
     if (!report.simulated.empty()) cells.push_back(shown(velocity, report.simulated[k]));
     return cells;
   };
@@ -56,7 +57,7 @@ std::string contacts(const LawReport& report) {
   const auto rates = gap_rates(report.before, report.outcome.velocity);
   const auto impulse = display_for(p, "N s"), rate = display_for(rates, "m/s");
   const auto icr = impact::correlation_ratios(p);
-  const auto row = [&](Index j) -> Row {
+  const auto row = [&](Index j) -> TableRow {
     const auto k = static_cast<std::size_t>(j);
     const bool ratio = k < icr.size() && icr[k];
     return {fmt::format("{}", j + 1), shown(impulse, p[k]), ratio ? fmt::format("{:.10f}", *icr[k]) : "",
@@ -107,7 +108,7 @@ std::string rivals(const LawReport& report) {
         {"simulation",
          {.status = LawStatus::admissible, .velocity = report.simulated, .ratio_lab = p.energy_ratio}});
   }
-  const auto row = [&](Index i) -> Row {
+  const auto row = [&](Index i) -> TableRow {
     const auto& [name, outcome] = laws[static_cast<std::size_t>(i)];
     return {name, impact::name(outcome.status), fmt::format("{:.6f}", outcome.ratio_lab.value_or(1)),
             dispersion(report, outcome),

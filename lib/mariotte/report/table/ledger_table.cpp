@@ -60,7 +60,7 @@ std::string momentum_table(const impact::NetworkImpact& impact) {
 
 std::string flows_table(const std::vector<impact::FlowUse>& flows) {
   if (flows.empty()) return "";
-  const auto row = [&](Index i) -> Row {
+  const auto row = [&](Index i) -> TableRow {
     const auto& use = flows[static_cast<std::size_t>(i)];
     return {use.name, fmt::format("{}", use.phases), fmt::format("{}", use.steps),
             fmt::format("{}", use.rhs)};

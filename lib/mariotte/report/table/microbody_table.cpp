@@ -46,7 +46,7 @@ std::string what(const impact::TipEvents& event) {
 }
 
 std::string events(const impact::MicrobodyImpact& impact, const Display& time) {
-  const auto row = [&](Index i) -> Row {
+  const auto row = [&](Index i) -> TableRow {
     const auto& event = impact.events[static_cast<std::size_t>(i)];
     return {shown(time, event.time), what(event)};
   };
@@ -67,7 +67,7 @@ std::string motion(const impact::MicrobodyImpact& impact, const model::Microbody
   const double tilt_after[] = {end.alpha, end.beta, end.gamma};
   constexpr const char* names[] = {"normal", "along e2", "along e3"};
   constexpr const char* angles[] = {"alpha", "beta", "gamma"};
-  const auto row = [&](Index i) -> Row {
+  const auto row = [&](Index i) -> TableRow {
     if (i >= 6)
       return {fmt::format("{} [deg]", angles[i - 6]), fmt::format("{:.8f}", tilt_before[i - 6] / degree),
               fmt::format("{:.8f}", tilt_after[i - 6] / degree)};
@@ -79,7 +79,7 @@ std::string motion(const impact::MicrobodyImpact& impact, const model::Microbody
 }
 
 std::string impacts(const impact::MicrobodyImpact& impact, const Display& time) {
-  const auto row = [&](Index i) -> Row {
+  const auto row = [&](Index i) -> TableRow {
     const auto& one = impact.impacts[static_cast<std::size_t>(i)];
     return {fmt::format("{}", one.tip + 1),
             shown(time, one.start),
@@ -129,7 +129,7 @@ std::string table_of_body(const model::Microbody& body, const scene::Scene& scen
   std::string text = (scene.title.empty() ? "Microbody" : scene.title) + "\n";
   text += fmt::format("mass {:.10g} kg · moments of inertia {} kg m²\n", body.body.mass,
                       three(body.body.inertia));
-  const auto row = [&](Index i) -> Row {
+  const auto row = [&](Index i) -> TableRow {
     const auto& tip = body.body.tips[static_cast<std::size_t>(i)];
     const auto& law = body.law[static_cast<std::size_t>(i)];
     return {fmt::format("{}", i + 1),

@@ -17,12 +17,12 @@ std::string ball_motion(const model::Network& network, const std::vector<double>
   auto all = network.velocity;
   all.insert(all.end(), after.begin(), after.end());
   const auto velocity = display_for(all, "m/s");
-  Row header = {"ball"};
+  TableRow header = {"ball"};
   for (const char* when : {"before", "after"})
     for (Index k = 0; k < network.dimension; ++k)
       header.push_back(fmt::format("{} {} [{}]", axis[k], when, velocity.unit));
   const auto row = [&](Index i) {
-    Row cells = {fmt::format("{}", i + 1)};
+    TableRow cells = {fmt::format("{}", i + 1)};
     for (const auto* values : {&network.velocity, &after})
       for (Index k = 0; k < network.dimension; ++k)
         cells.push_back(shown(velocity, (*values)[i * network.dimension + k]));
@@ -46,7 +46,7 @@ std::string motion_table(const model::Network& network, const std::vector<double
   auto all = network.velocity;
   all.insert(all.end(), after.begin(), after.end());
   const auto velocity = display_for(all, "");
-  const auto row = [&](Index i) -> Row {
+  const auto row = [&](Index i) -> TableRow {
     return {fmt::format("{}", i + 1), shown(velocity, network.velocity[i]), shown(velocity, after[i])};
   };
   return "\nVelocities\n" +
@@ -64,7 +64,9 @@ std::vector<std::string> contact_names(const model::Network& network) {
 std::string direction_table(const impact::ContactImpact& impact) {
   const auto& r = impact.impulse_direction;
   if (std::all_of(r.begin(), r.end(), [](double one) { return one == 0; })) return "";
-  const auto row = [&](Index j) -> Row { return {fmt::format("{}", j + 1), fmt::format("{:.10f}", r[j])}; };
+  const auto row = [&](Index j) -> TableRow {
+    return {fmt::format("{}", j + 1), fmt::format("{:.10f}", r[j])};
+  };
   return "\nImpulse direction\n" + columns({"contact", "r"}, std::ssize(r), row);
 }
 

@@ -30,7 +30,7 @@ std::string summary(const impact::ContactImpact& impact, const std::string& size
 
 std::string events(const impact::ContactImpact& impact, const Display& time) {
   if (impact.events.empty()) return "\nEvents: none\n";
-  const auto row = [&](Index i) -> Row {
+  const auto row = [&](Index i) -> TableRow {
     const auto& event = impact.events[static_cast<std::size_t>(i)];
     return {shown(time, event.time), numbers(event.close), numbers(event.open)};
   };
@@ -42,7 +42,7 @@ std::string balls(const impact::ChainImpact& impact, const model::Chain& chain) 
   auto all = chain.velocity;
   all.insert(all.end(), impact.velocity.begin(), impact.velocity.end());
   const auto velocity = display_for(all, "m/s");
-  const auto row = [&](Index i) -> Row {
+  const auto row = [&](Index i) -> TableRow {
     const auto k = static_cast<std::size_t>(i);
     return {fmt::format("{}", i + 1), shown(velocity, chain.velocity[k]),
             shown(velocity, impact.velocity[k])};
@@ -72,13 +72,13 @@ std::string contacts(const Impact& impact, const Display& time, const std::vecto
                                   number_column("indentation", "contacts[].peak_indentation", impact, 2),
                                   number_column("dissip.", "contacts[].dissipated", impact, 2)};
   const auto row = [&](Index j) {
-    Row cells = {fmt::format("{}", j + 1)};
+    TableRow cells = {fmt::format("{}", j + 1)};
     if (!name.empty()) cells.push_back(name[j]);
     for (const auto& column : numbers) cells.push_back(column.cell(j));
     cells.push_back(periods(impact.contacts[j], time, name.empty() ? 2 : 1));
     return cells;
   };
-  Row header = {"contact"};
+  TableRow header = {"contact"};
   if (!name.empty()) header.push_back("balls");
   for (const auto& column : numbers) header.push_back(column.head());
   header.push_back("closed [" + time.unit + "]");
@@ -87,7 +87,7 @@ std::string contacts(const Impact& impact, const Display& time, const std::vecto
 
 std::string ratios(const impact::ContactImpact& impact) {
   if (impact.icr.empty()) return "";
-  const auto row = [&](Index j) -> Row {
+  const auto row = [&](Index j) -> TableRow {
     const auto& ratio = impact.icr[static_cast<std::size_t>(j)];
     return {fmt::format("{}/{}", j + 1, j + 2), ratio ? fmt::format("{:.10f}", *ratio) : "undefined"};
   };

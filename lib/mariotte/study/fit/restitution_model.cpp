@@ -60,7 +60,7 @@ void RestitutionModel::expect_start(std::size_t index) {
     node.value = 1.0;
     reject_missing(document_, place);
   }
-  scene::Watch watch{.readings = {{.node = &node}}};
+  scene::ReadingLog watch{.readings = {{.node = &node}}};
   resolve(document_, scene::Purpose::simulation, &watch);
   if (!watch.readings[0].dimension)
     reject(document_.source, place, fault::wrong_type, "is no number of the scene");
@@ -82,7 +82,7 @@ void RestitutionModel::set(const std::vector<Node>& settings) {
 void RestitutionModel::resolve_row(Measurement& row) {
   document_.source.origins.back() = place_of(measurements_.file, row.place);
   set(row.values);
-  scene::Watch watch;
+  scene::ReadingLog watch;
   for (const auto& [name, key] : measurements_.settings)
     watch.readings.push_back({.node = &locate(document_.source, document_.tree, key, cell_)});
   try {

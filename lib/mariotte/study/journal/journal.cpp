@@ -94,8 +94,8 @@ std::size_t Journal::scan(const std::filesystem::path& path) {
   return offset;
 }
 
-std::vector<Stretch> Journal::missing() const {
-  std::vector<Stretch> done;
+std::vector<PointRange> Journal::missing() const {
+  std::vector<PointRange> done;
   for (const auto& entry : entries_) done.push_back(entry.points);
   return study::missing(std::move(done), points_);
 }

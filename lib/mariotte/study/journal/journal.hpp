@@ -29,7 +29,7 @@ class Journal {
           std::chrono::milliseconds patience = {}, Believes believes = {});
 
   /// Points without a result.
-  std::vector<Stretch> missing() const;
+  std::vector<PointRange> missing() const;
 
   /// Points with a result that has no numbers.
   Index failed() const;
@@ -50,7 +50,7 @@ class Journal {
   struct Entry {
     std::size_t file;
     std::size_t offset, size;  ///< of the line, without its line break
-    Stretch points;
+    PointRange points;
     Index failed;
   };
   std::size_t scan(const std::filesystem::path& path);

@@ -66,7 +66,7 @@ std::vector<Node> raw_values(const std::vector<Field>& tables, bool last) {
 }
 
 /// Nothing if the scene is accepted, else why not.
-std::optional<scene::SceneError> rejection(const Document& document, scene::Watch* watch = nullptr) {
+std::optional<scene::SceneError> rejection(const Document& document, scene::ReadingLog* watch = nullptr) {
   try {
     resolve(document, scene::Purpose::simulation, watch);
     return {};
@@ -89,7 +89,7 @@ struct Trial {
 /// What the reader makes of the first or last values of all parameters, as they are written.
 Trial attempt(Document document, const Design& design, bool last) {
   assign(document, design, raw_values(tables(document), last));
-  scene::Watch watch;
+  scene::ReadingLog watch;
   for (const auto& one : design.parameters)
     watch.readings.push_back({.node = &locate(document.source, document.tree, one.key, one.place)});
   Trial trial{.meaning = {}, .rejection = rejection(document, &watch)};

@@ -10,9 +10,10 @@ constexpr Index largest_piece = 4096;
 
 }  // namespace
 
-std::vector<Stretch> missing(std::vector<Stretch> done, Index points) {
-  std::sort(done.begin(), done.end(), [](const Stretch& a, const Stretch& b) { return a.first < b.first; });
-  std::vector<Stretch> rest;
+std::vector<PointRange> missing(std::vector<PointRange> done, Index points) {
+  std::sort(done.begin(), done.end(),
+            [](const PointRange& a, const PointRange& b) { return a.first < b.first; });
+  std::vector<PointRange> rest;
   Index next = 0;
   for (const auto& one : done) {
     if (one.first > next) rest.push_back({next, one.first - next});
@@ -22,28 +23,28 @@ std::vector<Stretch> missing(std::vector<Stretch> done, Index points) {
   return rest;
 }
 
-Index total(const std::vector<Stretch>& stretches) {
+Index total(const std::vector<PointRange>& ranges) {
   Index sum = 0;
-  for (const auto& one : stretches) sum += one.count;
+  for (const auto& one : ranges) sum += one.count;
   return sum;
 }
 
-Dealer::Dealer(std::vector<Stretch> points, Share share) {
+Dealer::Dealer(std::vector<PointRange> points, Part part) {
   const Index piece =
-      share.ranks == 1 ? total(points)
-                       : std::clamp<Index>(total(points) / (share.ranks * pieces_per_rank), 1, largest_piece);
+      part.ranks == 1 ? total(points)
+                      : std::clamp<Index>(total(points) / (part.ranks * pieces_per_rank), 1, largest_piece);
   Index number = 0;
   for (const auto& [first, count] : points)
     for (Index done = 0; done < count; done += piece)
-      if (number++ % share.ranks == share.rank)
+      if (number++ % part.ranks == part.rank)
         pieces_.push_back({first + done, std::min(piece, count - done)});
   std::reverse(pieces_.begin(), pieces_.end());
 }
 
-Stretch Dealer::take(Index most) {
+PointRange Dealer::take(Index most) {
   if (pieces_.empty()) return {};
   auto& piece = pieces_.back();
-  const Stretch taken{piece.first, std::min(most, piece.count)};
+  const PointRange taken{piece.first, std::min(most, piece.count)};
   piece = {piece.first + taken.count, piece.count - taken.count};
   if (piece.count == 0) pieces_.pop_back();
   return taken;

@@ -1,4 +1,4 @@
-// Sets of points as stretches of neighbours.
+// Sets of points as ranges of neighbours.
 #pragma once
 #include <vector>
 
@@ -7,32 +7,32 @@
 namespace mariotte::study {
 
 /// Points first … first + count − 1.
-struct Stretch {
+struct PointRange {
   Index first = 0;
   Index count = 0;
 };
 
 /// What `done` leaves of 0 … points − 1, in order. Overlaps do no harm.
-std::vector<Stretch> missing(std::vector<Stretch> done, Index points);
+std::vector<PointRange> missing(std::vector<PointRange> done, Index points);
 
 /// Number of points in all.
-Index total(const std::vector<Stretch>& stretches);
+Index total(const std::vector<PointRange>& ranges);
 
 /// Deals points out to the workers of one process, in order. Of several processes each gets its share of
 /// small pieces, like cards.
 class Dealer {
  public:
-  struct Share {
+  struct Part {
     Index rank = 0;
     Index ranks = 1;
   };
-  Dealer(std::vector<Stretch> points, Share share);
+  Dealer(std::vector<PointRange> points, Part part);
 
   /// The next at most `most` points; none if all are dealt.
-  Stretch take(Index most);
+  PointRange take(Index most);
 
  private:
-  std::vector<Stretch> pieces_;  ///< of this process, the last to be dealt first
+  std::vector<PointRange> pieces_;  ///< of this process, the last to be dealt first
 };
 
 }  // namespace mariotte::study

@@ -51,7 +51,7 @@ class Worker {
 
   void work() {
     Index size = 1;
-    for (Stretch chunk; !crew_.stop && (chunk = take(size)).count > 0;) {
+    for (PointRange chunk; !crew_.stop && (chunk = take(size)).count > 0;) {
       const auto start = Clock::now();
       const double taken = processor_time();
       evaluate(variation_, evaluate_, sweep_.columns, chunk.first, chunk.count, batch_);
@@ -71,7 +71,7 @@ class Worker {
     return std::move(rows_.text);
   }
 
-  Stretch take(Index size) {
+  PointRange take(Index size) {
     const std::lock_guard lock(crew_.mutex);
     return crew_.dealer.take(size);
   }

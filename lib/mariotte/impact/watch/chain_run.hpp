@@ -9,7 +9,7 @@
 namespace mariotte::impact {
 
 /// All dimensionless but the trace.
-struct Course {
+struct ChainRun {
   model::Islands::Run run;
   contact::ContactSet mode;                   ///< at the end
   std::vector<Peak> peaks;                    ///< of each contact
@@ -28,11 +28,12 @@ hybrid::Options tightened(hybrid::Options options, std::size_t balls);
 bool divides(const hybrid::Options& options, std::size_t balls);
 
 /// The chain as one system. `options` are dimensionless.
-Course follow_whole(model::ChainSystem& system, ConstState start, const hybrid::Options& options,
-                    const Observers& observers);
+ChainRun follow_whole(model::ChainSystem& system, ConstState start, const hybrid::Options& options,
+                      const RunObserver& observers);
 
-/// The chain as islands; `onlooker` may be null.
-Course follow_islands(const model::DimensionlessChain& chain, const model::ChainLayout& layout,
-                      ConstState start, const hybrid::Options& options, bool stay, model::Onlooker* onlooker);
+/// The chain as islands; `observer` may be null.
+ChainRun follow_islands(const model::DimensionlessChain& chain, const model::ChainLayout& layout,
+                        ConstState start, const hybrid::Options& options, bool stay,
+                        model::SnapshotObserver* observer);
 
 }  // namespace mariotte::impact
