@@ -79,7 +79,7 @@ class Examination {
 
   Verdict verdict() {
     for (const double accuracy : accuracies)
-      add({.flow = "auto", .accuracy = accuracy, .ledgers = accuracy == accuracies.back()}, accuracy);
+      add({.flow = "auto", .accuracy = accuracy, .balances = accuracy == accuracies.back()}, accuracy);
     best_ = trial({.flow = "auto", .accuracy = tight}, tight);
     general_ = general_flows(scene_, best_.found.time);
     if (!spare_) add_other_flow();

@@ -53,10 +53,10 @@ void add_ending(const Impact& impact, Found& found) {
     for (const auto& flow : impact.flows) found.work += flow.rhs;
 }
 
-void run(const model::Chain& chain, const hybrid::Options& options, bool ledgers, double speed,
+void run(const model::Chain& chain, const hybrid::Options& options, bool balances, double speed,
          Found& found) {
   static impact::ChainSolver solver;
-  if (!ledgers) {
+  if (!balances) {
     const auto& impact = solver.solve(chain, options);
     add_ending(impact, found);
     found.time = impact.time;
@@ -104,9 +104,9 @@ double energy_at_stake(const Body& scene, double initial) {
   return energy;
 }
 
-void run(const Body& scene, const hybrid::Options& options, bool ledgers, double, Found& found) {
+void run(const Body& scene, const hybrid::Options& options, bool balances, double, Found& found) {
   static impact::MicrobodySolver solver;
-  if (!ledgers) {
+  if (!balances) {
     const auto& impact = solver.solve(scene.body, options);
     add_ending(impact, found);
     found.time = impact.time;
@@ -136,7 +136,7 @@ Found run(const Scene& scene, const Method& method) {
                                 .max_events = most_events,
                                 .flow = flow::parse_kind(method.flow)};
   try {
-    std::visit([&](const auto& model) { run(model, options, method.ledgers, speed, found); }, scene.model);
+    std::visit([&](const auto& model) { run(model, options, method.balances, speed, found); }, scene.model);
   } catch (const InvalidParameter& problem) {
     found = {.message = problem.what(), .refused = true};
   } catch (const std::exception& problem) {

@@ -14,7 +14,7 @@ namespace mariotte::stress_study {
 struct Method {
   std::string flow = "auto";
   double accuracy = 1e-10;
-  bool ledgers = false;  ///< with energies and periods, as `mariotte run` does; else as a sweep does
+  bool balances = false;  ///< with energies and periods, as `mariotte run` does; else as a sweep does
 };
 
 /// "auto at 1e-08".
@@ -28,7 +28,7 @@ struct Found {
   std::vector<double> value =
       {};  ///< velocities, or what else errors are promised of, over the reference speed
   std::vector<Index> periods = {};  ///< per contact
-  double imbalance = 0;             ///< worst of the ledgers, relative to the energy at the reference speed
+  double imbalance = 0;             ///< worst of the balances, relative to the energy at the reference speed
   double rounding = 0;              ///< of velocities in the frame of the scene, over the reference speed
   bool refused = false;             ///< by name, before it began
   Index work = 0;                   ///< evaluations of the right-hand side, or of its series

@@ -15,7 +15,7 @@ contact::Law steel(Index, Index) {
 
 void show(const char* what, const impact::NetworkImpact& impact) {
   const bool closed = std::abs(impact.energy.residual) < 1e-9 * impact.energy.initial;
-  std::printf("%s: %s, energy ledger %s\n", what, hybrid::name(impact.ending), closed ? "closed" : "open");
+  std::printf("%s: %s, energy balance %s\n", what, hybrid::name(impact.ending), closed ? "closed" : "open");
 }
 
 /// Balls of radius 10 mm in the plane; the first moves along x, the others rest.

@@ -22,7 +22,7 @@ namespace hybrid {}
 /// What moves: chains, networks, microbodies; their units, states, modes and phases.
 namespace model {}
 
-/// What is asked for: impacts from start to end with their ledgers, impact laws, tables.
+/// What is asked for: impacts from start to end with their balances, impact laws, tables.
 namespace impact {}
 
 }  // namespace mariotte

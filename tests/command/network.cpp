@@ -48,10 +48,10 @@ BOOST_FIXTURE_TEST_CASE(tables_name_balls_or_freedoms, Networks) {
   const auto balls = mariotte("run oblique.toml").out;
   BOOST_TEST(has(balls, "2 balls in the plane, 1 contact"));
   BOOST_TEST(has(balls, "1–2"));
-  const auto freedoms = mariotte("run block.toml").out;
-  BOOST_TEST(freedoms.starts_with("Block\n"));
-  BOOST_TEST(has(freedoms, "2 degrees of freedom, 2 contacts"));
-  BOOST_TEST(has(freedoms, "Impulse direction"));
+  const auto dofs = mariotte("run block.toml").out;
+  BOOST_TEST(dofs.starts_with("Block\n"));
+  BOOST_TEST(has(dofs, "2 degrees of freedom, 2 contacts"));
+  BOOST_TEST(has(dofs, "Impulse direction"));
 }
 
 BOOST_FIXTURE_TEST_CASE(check_shows_what_was_understood, Networks) {
@@ -66,14 +66,14 @@ BOOST_FIXTURE_TEST_CASE(check_shows_what_was_understood, Networks) {
   BOOST_TEST(has(mariotte("check block.toml").out, "mass (diagonal)"));
 }
 
-BOOST_FIXTURE_TEST_CASE(out_holds_samples_of_every_freedom, Networks) {
+BOOST_FIXTURE_TEST_CASE(out_holds_samples_of_every_degree_of_freedom, Networks) {
   BOOST_TEST(mariotte("run block.toml --out results").code == 0);
   const auto trace = support::content(folder / "results/trace.csv");
   BOOST_TEST(trace.starts_with("time [s],v1 [SI],v2 [SI],gap1 [m],gap2 [m],force1 [N],force2 [N]\n"));
   BOOST_TEST(std::count(trace.begin(), trace.end(), '\n') > 10);
   for (const char* name : {"result.json", "events.csv", "plot.csv", "plot.gp"})
     BOOST_TEST(fs::file_size(folder / "results" / name) > 0, name);
-  BOOST_TEST(has(support::content(folder / "results/plot.gp"), "freedom %d"));
+  BOOST_TEST(has(support::content(folder / "results/plot.gp"), "degree of freedom %d"));
 }
 
 BOOST_FIXTURE_TEST_CASE(accuracy_can_be_estimated, Networks) {

@@ -92,7 +92,7 @@ normal_speed = "5 m/s"
       nlohmann::json::parse(mariotte("run body.toml --json --set 'incidence.normal_speed=3'").out);
   const auto row = lines(content(folder / "out/sweep.csv"))[2];
   BOOST_TEST(row.starts_with("3,"));
-  // The quick run integrates no ledger, so its steps are others; both are right to the accuracy.
+  // The quick run integrates no balance, so its steps are others; both are right to the accuracy.
   BOOST_TEST(std::abs(std::stod(row.substr(2)) - run["restitution"]["tip"].get<double>()) < 1e-10);
   write("wrong.toml", body + sweep + "m'\ncount = 5\n");
   const auto wrong = mariotte("sweep wrong.toml --out wrong");

@@ -223,7 +223,7 @@ BOOST_AUTO_TEST_CASE(a_run_that_ends_within_its_first_contact_has_no_restitution
 
 // What a run would leave if its flow were wrong, made by hand from what it left.
 BOOST_AUTO_TEST_CASE(a_state_that_does_not_balance_is_not_believed) {
-  model::MicrobodySystem system(lopsided(), 1e-9, /*ledger=*/true);
+  model::MicrobodySystem system(lopsided(), 1e-9, /*balance=*/true);
   const auto start = initial_state(system.body(), system.layout());
   hybrid::Workspace<model::MicrobodySystem> workspace;
   const auto run = hybrid::simulate(system, start, {.accuracy = 1e-9}, workspace);

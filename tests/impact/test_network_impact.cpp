@@ -4,8 +4,8 @@
 
 #include "mariotte/core/error.hpp"
 #include "mariotte/impact/laws/multiple_impact_law.hpp"
+#include "mariotte/impact/network/network_balance.hpp"
 #include "mariotte/impact/network/network_impact.hpp"
-#include "mariotte/impact/network/network_ledger.hpp"
 #include "support/networks.hpp"
 #include "support/random_chains.hpp"
 #include "support/random_networks.hpp"
@@ -18,7 +18,7 @@ using test::Numbers;
 
 namespace {
 
-void check_ledgers(const NetworkImpact& impact, double allowed) {
+void check_balances(const NetworkImpact& impact, double allowed) {
   BOOST_TEST((impact.ending == hybrid::Ending::separated), impact.message);
   BOOST_TEST(std::abs(impact.energy.residual) < allowed * impact.energy.initial);
   BOOST_TEST(impact.momentum_residual < allowed);
@@ -71,7 +71,7 @@ BOOST_AUTO_TEST_CASE(order_and_direction_of_a_row_do_not_matter) {
 // By symmetry both impulses are equal, so energy and momentum alone decide: (−1/5, 2√3/5 · 30°) [Bernoulli].
 BOOST_AUTO_TEST_CASE(one_on_two_keeps_its_symmetry_to_the_last_bit) {
   const auto run = simulate(test::one_on_two(), {.accuracy = 1e-12});
-  check_ledgers(run, 1e-11);
+  check_balances(run, 1e-11);
   const auto& v = run.velocity;
   BOOST_TEST(v[1] == 0);
   BOOST_TEST(v[2] == v[4]);
@@ -94,7 +94,7 @@ BOOST_AUTO_TEST_CASE(one_on_three_in_space_follows_from_energy_and_momentum) {
   const auto network = model::ball_network(balls, 0, test::hertz_of_pair);
   BOOST_REQUIRE(network.law.size() == 6U);
   const auto run = simulate(network, {.accuracy = 1e-12});
-  check_ledgers(run, 1e-10);
+  check_balances(run, 1e-10);
   BOOST_TEST(run.velocity[2] == 1.0 / 3, boost::test_tools::tolerance(1e-9));
   for (int j = 0; j < 3; ++j) {
     BOOST_TEST(run.contacts[j].impulse == 2 * cosine / 3, boost::test_tools::tolerance(1e-9));
@@ -120,7 +120,7 @@ BOOST_AUTO_TEST_CASE(a_block_on_two_springs_moves_in_its_two_modes) {
   for (int i = 0; i < 100; ++i) (gap(0.5 * (low + high), 1) < 0 ? low : high) = 0.5 * (low + high);
 
   const auto run = simulate(block, {.accuracy = 1e-13});
-  check_ledgers(run, 1e-11);
+  check_balances(run, 1e-11);
   BOOST_REQUIRE(run.contacts[1].periods.size() >= 1U);
   BOOST_TEST(std::abs(*run.contacts[1].periods[0].end - low) < 1e-10);
 }
@@ -176,7 +176,7 @@ BOOST_AUTO_TEST_CASE(other_coordinates_give_the_same_impact) {
     turned.direction[j].clear();
     for (Index i = 0; i < n; ++i) {
       double coefficient = 0;
-      for (const auto& term : plain.direction[j]) coefficient += term.coefficient * t(term.freedom, i);
+      for (const auto& term : plain.direction[j]) coefficient += term.coefficient * t(term.dof, i);
       turned.direction[j].push_back({i, coefficient});
     }
   }
@@ -197,7 +197,7 @@ BOOST_AUTO_TEST_CASE(random_networks_keep_energy_and_momentum) {
     BOOST_TEST_CONTEXT("network " << i) {
       const auto network = test::random_network(random, mixed_law);
       const auto run = simulate(network);
-      check_ledgers(run, 1e-8);
+      check_balances(run, 1e-8);
       for (const auto& contact : run.contacts) BOOST_TEST(contact.impulse >= 0);
       for (const double rate : gap_rates(configuration_of(network), run.velocity)) BOOST_TEST(rate > -1e-8);
     }
@@ -225,21 +225,21 @@ BOOST_AUTO_TEST_CASE(simulated_networks_come_back_through_the_law) {
   BOOST_TEST(difference(outcome.velocity, run.velocity) < 1e-8);
 }
 
-BOOST_AUTO_TEST_CASE(a_rack_of_fifteen_is_broken_with_closed_ledgers) {
+BOOST_AUTO_TEST_CASE(a_rack_of_fifteen_is_broken_with_closed_balances) {
   for (const double gap : {0.0, 0.05}) {
     const auto network = test::rack(5, gap);
     BOOST_TEST(network.direction.size() > 30);
     const auto run = simulate(network);
-    check_ledgers(run, 1e-8);
+    check_balances(run, 1e-8);
     BOOST_TEST(*run.energy.ratio_lab == 1, boost::test_tools::tolerance(1e-8));
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_packing_of_a_hundred_contacts_comes_to_its_end_with_closed_ledgers) {
+BOOST_AUTO_TEST_CASE(a_packing_of_a_hundred_contacts_comes_to_its_end_with_closed_balances) {
   std::mt19937_64 random(33);
   const auto network = test::packing(8, 0.3, random);
   BOOST_TEST(network.direction.size() > 100);
-  check_ledgers(simulate(network, {.accuracy = 1e-8}), 1e-6);
+  check_balances(simulate(network, {.accuracy = 1e-8}), 1e-6);
 }
 
 BOOST_AUTO_TEST_CASE(networks_without_sense_are_refused) {
@@ -253,7 +253,7 @@ BOOST_AUTO_TEST_CASE(networks_without_sense_are_refused) {
   refused([](auto& n) { n.mass.pop_back(); });
   refused([](auto& n) { n.gap[0] = -1; });
   refused([](auto& n) { n.law.pop_back(); });
-  refused([](auto& n) { n.direction[0][0].freedom = 9; });
+  refused([](auto& n) { n.direction[0][0].dof = 9; });
   refused([](auto& n) { n.direction[0].clear(); });
   refused([](auto& n) { n.velocity[0] = std::nan(""); });
   refused([](auto& n) { n.law[0] = contact::Hertz{-1}; });

@@ -1,8 +1,8 @@
 #define BOOST_TEST_MODULE network modes
 #include <boost/test/unit_test.hpp>
 
+#include "mariotte/impact/network/network_balance.hpp"
 #include "mariotte/impact/network/network_impact.hpp"
-#include "mariotte/impact/network/network_ledger.hpp"
 #include "support/networks.hpp"
 #include "support/random_networks.hpp"
 #include "support/reference.hpp"
@@ -83,7 +83,7 @@ BOOST_AUTO_TEST_CASE(lattices_of_linear_contacts_agree_with_cvode) {
   }
 }
 
-// Up to ten contacts of ten freedoms, coupled all with all, which land one after another and again.
+// Up to ten contacts of ten dofs, coupled all with all, which land one after another and again.
 BOOST_AUTO_TEST_CASE(random_linear_networks_agree_with_cvode) {
   std::mt19937_64 random(43);
   std::uniform_real_distribution<double> decade(-2, 2);
@@ -152,7 +152,7 @@ BOOST_AUTO_TEST_CASE(a_stiffness_ratio_of_1e10_costs_no_digits) {
   BOOST_TEST(std::abs(run.energy.residual) < 1e-12 * run.energy.initial);
 }
 
-BOOST_AUTO_TEST_CASE(a_linear_rack_is_broken_with_closed_ledgers) {
+BOOST_AUTO_TEST_CASE(a_linear_rack_is_broken_with_closed_balances) {
   const auto network = test::with_law(test::rack(5, 0), contact::Linear{1});
   const auto run = simulate(network, {.accuracy = 1e-12});
   BOOST_TEST(uses(run, "modal"));

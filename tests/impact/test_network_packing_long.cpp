@@ -6,7 +6,7 @@
 
 using namespace mariotte;
 
-BOOST_AUTO_TEST_CASE(a_packing_of_five_hundred_contacts_comes_to_its_end_with_closed_ledgers) {
+BOOST_AUTO_TEST_CASE(a_packing_of_five_hundred_contacts_comes_to_its_end_with_closed_balances) {
   for (const double damping : {0.0, 0.3}) {
     std::mt19937_64 random(33);
     const auto network = test::packing(17, damping, random);

@@ -82,7 +82,7 @@ double momentum(const Configuration& c, const Numbers& velocity) {
 BOOST_AUTO_TEST_CASE(complementarity_problems_are_solved_with_redundant_contacts_too) {
   std::mt19937_64 random(3);
   for (int i = 0; i < 500; ++i) {
-    const auto c = test::random_configuration(random);  // half of them with more contacts than freedoms
+    const auto c = test::random_configuration(random);  // half of them with more contacts than dofs
     const auto w = compliance(c), q = gap_rates(c, c.velocity);
     const auto p = solve_complementarity(w, q);
     const std::size_t m = q.size();

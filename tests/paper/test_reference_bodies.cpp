@@ -36,7 +36,7 @@ void check_events(const impact::MicrobodyImpact& impact, const nlohmann::json& c
     BOOST_TEST(std::abs(found[i].time - expected[i].time) < tolerance * impact.final.time);
 }
 
-/// Energy is lost, never made, and the ledger balances.
+/// Energy is lost, never made, and the balance closes.
 void check_energy(const impact::MicrobodyImpact& impact) {
   const auto& e = impact.energy;
   BOOST_TEST(e.hertz_damping >= 0);

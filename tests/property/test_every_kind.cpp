@@ -9,7 +9,7 @@ using namespace mariotte::test;
 
 // Walls, gravity, rows at rest, many events at one instant, any accuracy: a run ends, at a limit if need be,
 // and what it says is finite and balanced.
-BOOST_AUTO_TEST_CASE(every_run_ends_with_closed_ledgers) {
+BOOST_AUTO_TEST_CASE(every_run_ends_with_closed_balances) {
   std::mt19937_64 random(1686);
   std::uniform_real_distribution<double> uniform(0, 1);
   for (int i = 0; i < 300; ++i)

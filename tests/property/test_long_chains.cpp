@@ -99,7 +99,7 @@ BOOST_AUTO_TEST_CASE(the_leading_wave_has_the_momentum_and_the_energy_of_a_solit
   BOOST_TEST(std::abs(1 / per_ball / std::pow(plateau_peak, 1. / 6) - 0.905516) < 6e-7);
 }
 
-BOOST_AUTO_TEST_CASE(a_random_chain_of_ten_thousand_stops_where_it_is_told_with_closed_ledgers) {
+BOOST_AUTO_TEST_CASE(a_random_chain_of_ten_thousand_stops_where_it_is_told_with_closed_balances) {
   const auto chain = random_long_chain(10000);
   const auto impact = impact::simulate(chain, {.accuracy = 1e-8, .max_time = 500});
   BOOST_TEST((impact.ending == hybrid::Ending::time_limit));

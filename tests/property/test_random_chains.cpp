@@ -69,7 +69,7 @@ BOOST_AUTO_TEST_CASE(momentum_is_kept_to_1e_minus_12) {
   });
 }
 
-BOOST_AUTO_TEST_CASE(the_energy_ledger_closes) {
+BOOST_AUTO_TEST_CASE(the_energy_balance_closes) {
   for_each_chain([](const auto&, const auto& impact) {
     BOOST_TEST(std::abs(impact.energy.residual) <= 100 * options.accuracy * impact.energy.initial);
   });

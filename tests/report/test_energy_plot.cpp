@@ -29,7 +29,7 @@ BOOST_AUTO_TEST_CASE(elastic_contacts_lose_nothing_at_any_instant) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(what_is_lost_in_the_end_is_what_the_ledger_says) {
+BOOST_AUTO_TEST_CASE(what_is_lost_in_the_end_is_what_the_balance_says) {
   impact::ChainImpact impact;
   const auto course = course_of(balls(contact::Viscoelastic{1, 0.2, 1.5}), impact);
   BOOST_TEST(impact.energy.dissipated > 0.01);

@@ -67,7 +67,7 @@ BOOST_AUTO_TEST_CASE(freedoms_are_read_as_they_are_written) {
   BOOST_REQUIRE(network.direction.size() == 2U);
   BOOST_TEST(network.direction[0][1].coefficient == -0.1);
   BOOST_REQUIRE(network.direction[1].size() == 1U);  // zeros are no terms
-  BOOST_TEST(network.direction[1][0].freedom == 1);
+  BOOST_TEST(network.direction[1][0].dof == 1);
   BOOST_TEST(contact::damping(network.law[0]) == 3e3);
   BOOST_TEST(contact::stiffness(network.law[1]) == 7);
 }

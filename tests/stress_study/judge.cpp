@@ -18,7 +18,7 @@ const Scene three_balls{.model = model::Chain{.mass = {1, 1, 1},
                                               .velocity = {1, 0, 0}}};
 
 Trial trial(const Scene& scene, double accuracy) {
-  const Method method{.flow = "auto", .accuracy = accuracy, .ledgers = true};
+  const Method method{.flow = "auto", .accuracy = accuracy, .balances = true};
   return {.name = name(method), .accuracy = accuracy, .found = run(scene, method), .counts = true};
 }
 

@@ -12,7 +12,7 @@ inline double gain(const impact::MicrobodyImpact& impact) {
   return (e.final + e.stored - e.work - e.initial) / e.initial;
 }
 
-/// Kinetic energy never grows, no dissipative term gives any back, the ledger balances, and the run ends.
+/// Kinetic energy never grows, no dissipative term gives any back, the balance balances, and the run ends.
 inline void check_passivity(const model::Microbody& body, const hybrid::Options& options) {
   const auto impact = impact::simulate(body, options);
   const auto& e = impact.energy;

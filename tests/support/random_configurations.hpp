@@ -7,7 +7,7 @@
 
 namespace mariotte::test {
 
-/// 2 to 10 contacts of 2 to 10 degrees of freedom; full mass matrix, every direction on every freedom.
+/// 2 to 10 contacts of 2 to 10 degrees of freedom; full mass matrix, every direction on every dof.
 inline impact::Configuration random_configuration(std::mt19937_64& random) {
   std::normal_distribution<double> normal;
   std::uniform_int_distribution<Index> size(2, 10);

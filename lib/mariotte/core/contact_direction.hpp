@@ -8,26 +8,26 @@ namespace mariotte {
 
 /// One coefficient of a contact direction.
 struct Term {
-  Index freedom;
+  Index dof;
   double coefficient;
 };
 
-/// A row of G: the rate of the contact's gap is Σ coefficient · velocity of that freedom.
+/// A row of G: the rate of the contact's gap is Σ coefficient · velocity of that dof.
 using ContactDirection = std::vector<Term>;
 
 /// G v of one contact.
 inline double gap_rate(const ContactDirection& contact, ConstState velocity) {
   double rate = 0;
-  for (const auto& [freedom, coefficient] : contact) rate += coefficient * velocity[freedom];
+  for (const auto& [dof, coefficient] : contact) rate += coefficient * velocity[dof];
   return rate;
 }
 
-/// Σ of the products of coefficients of the same freedom; with a column of M⁻¹ Gᵀ, an entry of G M⁻¹ Gᵀ.
+/// Σ of the products of coefficients of the same dof; with a column of M⁻¹ Gᵀ, an entry of G M⁻¹ Gᵀ.
 inline double dot(const ContactDirection& contact, const ContactDirection& other) {
   double sum = 0;
-  for (const auto& [freedom, coefficient] : contact)
+  for (const auto& [dof, coefficient] : contact)
     for (const auto& term : other)
-      if (freedom == term.freedom) sum += coefficient * term.coefficient;
+      if (dof == term.dof) sum += coefficient * term.coefficient;
   return sum;
 }
 

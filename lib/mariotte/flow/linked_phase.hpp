@@ -1,4 +1,4 @@
-// Contacts that link the freedoms of a system in any way, seen as what they are.
+// Contacts that link the dofs of a system in any way, seen as what they are.
 #pragma once
 #include <span>
 #include <vector>
@@ -8,11 +8,11 @@
 
 namespace mariotte::flow {
 
-/// A phase of n freedoms whose velocities are the first n components of the state, M v̇ = Gᵀ f, ġ = G v. The
+/// A phase of n dofs whose velocities are the first n components of the state, M v̇ = Gᵀ f, ġ = G v. The
 /// spans hold one entry per contact.
 struct LinkedPhase {
   std::vector<PhaseContact> contact;
-  Index freedoms = 0;
+  Index dofs = 0;
   std::span<const ContactDirection> direction;      ///< rows of G
   std::span<const ContactDirection> response;       ///< columns of M⁻¹ Gᵀ
   std::span<const ContactDirection> half_response;  ///< columns of L⁻¹ Gᵀ, M = L Lᵀ

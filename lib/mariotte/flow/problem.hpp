@@ -62,7 +62,7 @@ class Problem {
 
   /// The present mode as a series of bodies, if it is one; follows every change of the mode.
   virtual const SerialPhase* serial() const { return nullptr; }
-  /// The present mode as contacts that link freedoms in any way, if it is that and no series.
+  /// The present mode as contacts that link dofs in any way, if it is that and no series.
   virtual const LinkedPhase* linked() const { return nullptr; }
 
   /// The present mode as one tip of a symmetric body on a plane, or as such a body in free flight.

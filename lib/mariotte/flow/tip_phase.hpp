@@ -15,7 +15,7 @@ struct BodyPlaces {
   Index velocity = -1;                  ///< of the mass centre, 3 values
   Index attitude = -1;                  ///< quaternion w x y z, 4 values
   Index momentum = -1;                  ///< angular momentum, space axes, 3 values
-  Index work = -1;                      ///< lost by Hertz damping, adhesion damping and friction, 3 values
+  Index work = -1;  ///< dissipated by Hertz damping, adhesion damping and friction, 3 values
 };
 
 /// A body with equal moments about all axes normal to its own, with tips on that axis.

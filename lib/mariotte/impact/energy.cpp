@@ -81,18 +81,18 @@ double stored_at_start(const DimensionlessChain& chain, const ChainLayout& layou
   return sum;
 }
 
-void add_ratios(EnergyLedger& ledger, const DimensionlessChain& chain, const ChainLayout& layout,
+void add_ratios(EnergyBalance& balance, const DimensionlessChain& chain, const ChainLayout& layout,
                 const Interval& interval) {
   const auto ratio = [&](double frame_before, double frame_after) {
     return energy_ratio(kinetic(chain, layout, interval.after, frame_after),
                         kinetic(chain, layout, interval.before, frame_before));
   };
-  ledger.ratio_lab = ratio(0, 0);
+  balance.ratio_lab = ratio(0, 0);
   const bool walls = std::count(chain.inverse_mass.begin(), chain.inverse_mass.end(), 0.0) > 0;
   const double total = mass(chain, layout, interval.before);
   if (!walls)
-    ledger.ratio_centre = ratio(momentum(chain, layout, interval.before) / total,
-                                momentum(chain, layout, interval.after) / total);
+    balance.ratio_centre = ratio(momentum(chain, layout, interval.before) / total,
+                                 momentum(chain, layout, interval.after) / total);
 }
 
 }  // namespace
@@ -111,47 +111,47 @@ void contact_energies(const DimensionlessChain& chain, const ChainLayout& layout
   }
 }
 
-EnergyLedger energy_balance(const DimensionlessChain& chain, const ChainLayout& layout,
-                            const std::vector<ContactEnergy>& contacts, const std::vector<double>& p,
-                            const Interval& interval) {
-  EnergyLedger ledger;
-  ledger.initial = kinetic(chain, layout, interval.before) + stored_at_start(chain, layout, interval.before);
-  ledger.final = kinetic(chain, layout, interval.after);
-  ledger.work = gravity_work(chain, layout, interval) + wall_work(chain, layout, p, interval);
+EnergyBalance energy_balance(const DimensionlessChain& chain, const ChainLayout& layout,
+                             const std::vector<ContactEnergy>& contacts, const std::vector<double>& p,
+                             const Interval& interval) {
+  EnergyBalance balance;
+  balance.initial = kinetic(chain, layout, interval.before) + stored_at_start(chain, layout, interval.before);
+  balance.final = kinetic(chain, layout, interval.after);
+  balance.work = gravity_work(chain, layout, interval) + wall_work(chain, layout, p, interval);
   for (const auto& energy : contacts) {
-    ledger.stored += energy.stored;
-    ledger.dissipated += energy.dissipated;
+    balance.stored += energy.stored;
+    balance.dissipated += energy.dissipated;
   }
-  ledger.residual = ledger.final + ledger.stored + ledger.dissipated - ledger.initial - ledger.work;
-  add_ratios(ledger, chain, layout, interval);
-  return ledger;
+  balance.residual = balance.final + balance.stored + balance.dissipated - balance.initial - balance.work;
+  add_ratios(balance, chain, layout, interval);
+  return balance;
 }
 
-MomentumLedger momentum_balance(const DimensionlessChain& chain, const ChainLayout& layout,
-                                const Interval& interval) {
-  MomentumLedger ledger;
-  ledger.initial = momentum(chain, layout, interval.before);
-  ledger.final = momentum(chain, layout, interval.after);
+MomentumBalance momentum_balance(const DimensionlessChain& chain, const ChainLayout& layout,
+                                 const Interval& interval) {
+  MomentumBalance balance;
+  balance.initial = momentum(chain, layout, interval.before);
+  balance.final = momentum(chain, layout, interval.after);
   double given = -mass(chain, layout, interval.before) * strength(chain) * interval.time;
   for (Index i = 0; i < layout.velocities(); ++i) {
     if (!is_wall(chain, i)) continue;
     if (i < layout.contacts()) given += interval.after[layout.impulse[i]];
     if (i > 0) given -= interval.after[layout.impulse[i - 1]];
   }
-  ledger.residual = ledger.final - ledger.initial - given;
-  return ledger;
+  balance.residual = balance.final - balance.initial - given;
+  return balance;
 }
 
-EnergyLedger in_units(EnergyLedger ledger, const Scale& scale) {
-  for (double* entry :
-       {&ledger.initial, &ledger.final, &ledger.stored, &ledger.dissipated, &ledger.work, &ledger.residual})
+EnergyBalance in_units(EnergyBalance balance, const Scale& scale) {
+  for (double* entry : {&balance.initial, &balance.final, &balance.stored, &balance.dissipated, &balance.work,
+                        &balance.residual})
     *entry *= scale.energy();
-  return ledger;
+  return balance;
 }
 
-MomentumLedger in_units(MomentumLedger ledger, const Scale& scale) {
-  for (double* entry : {&ledger.initial, &ledger.final, &ledger.residual}) *entry *= scale.momentum();
-  return ledger;
+MomentumBalance in_units(MomentumBalance balance, const Scale& scale) {
+  for (double* entry : {&balance.initial, &balance.final, &balance.residual}) *entry *= scale.momentum();
+  return balance;
 }
 
 }  // namespace mariotte::impact

@@ -1,4 +1,4 @@
-// Ledgers: energy and momentum that must balance in every run.
+// Balances: energy and momentum that must balance in every run.
 #pragma once
 #include "mariotte/contact/contact_set.hpp"
 #include "mariotte/impact/chain/chain_impact.hpp"
@@ -18,16 +18,16 @@ void contact_energies(const model::DimensionlessChain& chain, const model::Chain
                       const contact::ContactSet& mode, const Interval& interval,
                       std::vector<ContactEnergy>& energies);
 
-/// Both ledgers, dimensionless; `p` are the dimensionless impulses.
-EnergyLedger energy_balance(const model::DimensionlessChain& chain, const model::ChainLayout& layout,
-                            const std::vector<ContactEnergy>& contacts, const std::vector<double>& p,
-                            const Interval& interval);
+/// Both balances, dimensionless; `p` are the dimensionless impulses.
+EnergyBalance energy_balance(const model::DimensionlessChain& chain, const model::ChainLayout& layout,
+                             const std::vector<ContactEnergy>& contacts, const std::vector<double>& p,
+                             const Interval& interval);
 /// Momentum of the balls over the interval.
-MomentumLedger momentum_balance(const model::DimensionlessChain& chain, const model::ChainLayout& layout,
-                                const Interval& interval);
+MomentumBalance momentum_balance(const model::DimensionlessChain& chain, const model::ChainLayout& layout,
+                                 const Interval& interval);
 
-/// A dimensionless ledger in the units of the scale.
-EnergyLedger in_units(EnergyLedger ledger, const Scale& scale);
-MomentumLedger in_units(MomentumLedger ledger, const Scale& scale);
+/// A dimensionless balance in the units of the scale.
+EnergyBalance in_units(EnergyBalance balance, const Scale& scale);
+MomentumBalance in_units(MomentumBalance balance, const Scale& scale);
 
 }  // namespace mariotte::impact

@@ -14,33 +14,33 @@ constexpr std::array<std::string_view, 9> keys{"mass",      "velocity", "contact
 constexpr std::array<std::string_view, 6> contact_keys{"direction", "gap",     "law",
                                                        "stiffness", "damping", "exponent"};
 
-/// The diagonal, or all rows one after the other. Units are those of the freedoms, which only the author
+/// The diagonal, or all rows one after the other. Units are those of the dofs, which only the author
 /// knows.
-model::MassMatrix read_mass(const Source& source, const Field& mass, std::size_t freedoms) {
+model::MassMatrix read_mass(const Source& source, const Field& mass, std::size_t dofs) {
   const auto* const rows = mass.node->array();
   if (!rows || rows->empty() || !rows->front().array()) {
     auto diagonal = numbers(source, mass, dimension::none, Domain::positive_or_infinite);
-    expect_length(source, mass, diagonal.size(), freedoms);
+    expect_length(source, mass, diagonal.size(), dofs);
     return diagonal;
   }
-  expect_length(source, mass, rows->size(), freedoms);
+  expect_length(source, mass, rows->size(), dofs);
   model::MassMatrix all;
-  for (std::size_t i = 0; i < freedoms; ++i) {
+  for (std::size_t i = 0; i < dofs; ++i) {
     const auto field = element(mass, static_cast<Index>(i));
     const auto row = numbers(source, field, dimension::none, Domain::finite);
-    expect_length(source, field, row.size(), freedoms);
+    expect_length(source, field, row.size(), dofs);
     all.insert(all.end(), row.begin(), row.end());
   }
   return all;
 }
 
-ContactDirection read_direction(const Source& source, const Field& contact, std::size_t freedoms) {
+ContactDirection read_direction(const Source& source, const Field& contact, std::size_t dofs) {
   const auto field = find(contact, "direction");
   if (!field) reject(source, contact, fault::missing, "'direction' is missing (one value per velocity)");
   const auto all = numbers(source, *field, dimension::none, Domain::finite);
-  expect_length(source, *field, all.size(), freedoms);
+  expect_length(source, *field, all.size(), dofs);
   ContactDirection direction;
-  for (std::size_t i = 0; i < freedoms; ++i)
+  for (std::size_t i = 0; i < dofs; ++i)
     if (all[i] != 0) direction.push_back({static_cast<Index>(i), all[i]});
   return direction;
 }

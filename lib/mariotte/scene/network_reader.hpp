@@ -10,7 +10,7 @@ struct ResolvedNetwork {
   std::vector<double> radius;  ///< of the balls [m]; empty where the network has none
 };
 
-/// Of balls, given by [[network.ball]], or of freedoms, given by mass, velocity and [[network.contact]].
+/// Of balls, given by [[network.ball]], or of dofs, given by mass, velocity and [[network.contact]].
 /// Throws SceneError; warns of what looks like a slip.
 ResolvedNetwork read_network(Source& source, const Field& network);
 

@@ -75,7 +75,7 @@ double LinkedVibration::approach(Index j, ConstState x) const {
 }
 
 void LinkedVibration::add_impulse(Index j, double impulse, State x) const {
-  for (const auto& [freedom, change] : phase_->response[j]) x[freedom] += change * impulse;
+  for (const auto& [dof, change] : phase_->response[j]) x[dof] += change * impulse;
 }
 
 void LinkedVibration::add_pushes(Index open) {

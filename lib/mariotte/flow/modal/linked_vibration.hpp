@@ -1,4 +1,4 @@
-// The vibration of contacts that link the freedoms of a system in any way.
+// The vibration of contacts that link the dofs of a system in any way.
 #pragma once
 #include "mariotte/flow/linked_phase.hpp"
 #include "mariotte/flow/modal/vibration.hpp"

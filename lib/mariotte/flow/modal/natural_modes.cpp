@@ -64,11 +64,11 @@ void find(NaturalModes& modes, std::span<const double> inverse_mass, std::span<c
 }
 
 void find(NaturalModes& modes, const LinkedPhase& phase, std::span<const Index> closed) {
-  auto coupling = start(modes, phase.freedoms, std::ssize(closed));
+  auto coupling = start(modes, phase.dofs, std::ssize(closed));
   std::vector<double> alone;
   for (Index j = 0; j < coupling.cols(); ++j) {
-    for (const auto& [freedom, coefficient] : phase.half_response[closed[j]])
-      coupling(freedom, j) += std::sqrt(phase.contact[closed[j]].stiffness) * coefficient;
+    for (const auto& [dof, coefficient] : phase.half_response[closed[j]])
+      coupling(dof, j) += std::sqrt(phase.contact[closed[j]].stiffness) * coefficient;
     alone.push_back(coupling.col(j).norm());
   }
   diagonalize(modes, coupling);

@@ -57,6 +57,27 @@ struct Taylor::Memory {
     observer.observe(step);
   }
 
+  /// To the end of the piece, or to the fall in it.
+  void advance(const taylor::Fall& fall, Piece& piece, const Request& request) {
+    if (fall.guard >= 0) stepper.shorten(piece, fall.place);
+    if (request.observer) show(piece, *request.observer);
+    stepper.advance(piece, fall);
+  }
+
+  /// State at the event that ends the phase: `fall`, or the contact outside that the window cannot pass.
+  void finish(const Problem& problem, const taylor::Fall& fall, double accuracy, State x, std::vector<Index>& fired) {
+    const auto& w = stepper.window;
+    write(w, x);
+    if (fall.guard < 0) {
+      const auto& outside = w.phase->contact[w.outside];
+      x[outside.gap] = 0 - outside.level;
+      fired.push_back(outside.guard);
+    } else {
+      fired.push_back(fall.guard);
+    }
+    simultaneous.collect(problem, x, simultaneity_window(problem, accuracy), fired);
+  }
+
   Accepted accept(Problem& problem) {
     auto& window = stepper.window;
     if (!concerns_problem(window)) return Accepted::unchanged;
@@ -87,40 +108,31 @@ Arrival Taylor::follow(Problem& problem, State x, const Request& request, std::v
   auto& stepper = m.stepper;
   const auto& w = stepper.window;
   const auto precision = taylor::precision(resolving_accuracy(problem, request.accuracy, 0));
-  Arrival arrival{.outcome = Outcome::guard, .message = {}};
+  Index steps = 0;
   const auto stop = [&](Outcome outcome, std::string message = {}) {
     write(w, x);
-    arrival.outcome = outcome;
-    arrival.duration = w.time;
-    arrival.message = std::move(message);
-    return arrival;
+    return Arrival{outcome, w.time, steps, steps, std::move(message)};
   };
   stepper.last_time = 0.1 * problem.time_scale();
   if (!stepper.begin(*problem.serial(), x, 0, precision))
     return {.outcome = Outcome::failed, .message = "more contacts than the series has lanes"};
-  while (arrival.steps < step_limit) {
-    auto piece = stepper.next(arrival.steps == 0, std::min(request.limit, w.outside_time) - w.time);
+  while (steps < step_limit) {
+    auto piece = stepper.next(steps == 0, std::min(request.limit, w.outside_time) - w.time);
     const auto fall = stepper.first_fall(piece);
     const bool ends = fall.guard >= 0 || piece.is_cut;  // perhaps at once: a contact at zero that parts
     if (!(piece.end > 0) && !ends) return stop(Outcome::failed, "the series does not converge");
-    if (fall.guard >= 0) stepper.shorten(piece, fall.place);
-    ++arrival.steps;
-    ++arrival.rhs;
-    if (request.observer) m.show(piece, *request.observer);
-    stepper.advance(piece, fall);
+    ++steps;
+    m.advance(fall, piece, request);
     if (!is_finite(w)) return stop(Outcome::failed, "a velocity is not finite");
 
     const bool cut = fall.guard < 0 && piece.is_cut;
     if (cut && request.limit <= w.outside_time) return stop(Outcome::limit);
     if (fall.guard >= 0 || cut) {
-      fired.push_back(cut ? w.phase->contact[w.outside].guard : fall.guard);
-      stop(Outcome::guard);
-      if (cut) x[w.phase->contact[w.outside].gap] = 0 - w.phase->contact[w.outside].level;
-      m.simultaneous.collect(problem, x, simultaneity_window(problem, request.accuracy), fired);
-      return arrival;
+      m.finish(problem, fall, request.accuracy, x, fired);
+      return Arrival{Outcome::guard, w.time, steps, steps, {}};
     }
     if (m.accept(problem) == Accepted::ended) return stop(Outcome::guard);
-    if (w.lanes.damped && arrival.steps >= creeping) return stop(Outcome::stiff);
+    if (w.lanes.damped && steps >= creeping) return stop(Outcome::stiff);
     if (stepper.has_outgrown()) {
       write(w, x);
       if (!stepper.begin(*problem.serial(), x, w.time, precision)) return stop(Outcome::guard);

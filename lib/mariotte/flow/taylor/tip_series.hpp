@@ -2,7 +2,7 @@
 // s = √δ [numerics page, "An adhesive tip"]. A prime is d/dτ. In this clock every field is a polynomial:
 //
 //     s' = −w,   P = s²,   Q = k P − k c_H (P w) − b (1 + c_A w),   f = 2 s F = 2 P Q
-//     t' = 2 s,  lost by damping: 2 k c_H (P w)²  and  2 b c_A (P w) w,  by friction: −y u
+//     t' = 2 s,  dissipated by damping: 2 k c_H (P w)²  and  2 b c_A (P w) w,  by friction: −y u
 //
 // w is the normal velocity of the tip, F the normal force, T friction and y = 2 s T. Each `expand` runs
 // through the orders once; row[k] is the coefficient of τᵏ.

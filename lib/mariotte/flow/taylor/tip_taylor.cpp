@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "mariotte/core/bracket.hpp"
@@ -53,14 +54,21 @@ class SeriesStep final : public Step {
   SeriesStep(const Series& series, const TipPhase& phase, int order)
       : series_(series), phase_(phase), order_(order) {}
   void at(double time, State x) const override {
-    store(series_, phase_, clock_inverse(series_.time, time - start, tau, order_), order_, before, x);
+    store(series_, phase_, clock_inverse(series_.time, time - start, tau_, order_), order_, before, x);
   }
   void inside(double place, State x) const override {
-    store(series_, phase_, place * tau, order_, before, x);
+    store(series_, phase_, place * tau_, order_, before, x);
   }
-  double tau = 0;  ///< at the end
+  /// On to the next step, of this duration and clock.
+  void go_on(double duration, double clock, ConstState from, ConstState to) {
+    start = std::exchange(end, end + duration);
+    tau_ = clock;
+    before = from;
+    after = to;
+  }
 
  private:
+  double tau_ = 0;  ///< at the end
   const Series& series_;
   const TipPhase& phase_;
   int order_;
@@ -197,21 +205,16 @@ struct TipTaylor::Memory {
         store(series, phase, end.tau, order, before, x);
       }
       if (!is_finite(x) || !std::isfinite(duration)) {
-        std::copy(before.begin(), before.end(), x.begin());
+        std::ranges::copy(before, x.begin());
         return arrive(Outcome::stiff, step.end, count, order);
       }
       if (end.guard == phase.separation) x[phase.place.gap[phase.tip]] = 0;
-      step.start = step.end;
-      step.end = limited ? request.limit : step.start + duration;
-      step.tau = end.tau;
-      step.before = before;
-      step.after = x;
+      step.go_on(duration, end.tau, before, x);
+      if (limited) step.end = request.limit;
       if (request.observer) request.observer->observe(step);
-      if (limited) return arrive(Outcome::limit, step.end, count, order);
-      if (end.guard >= 0) {
-        fired.push_back(end.guard);
-        return arrive(Outcome::guard, step.end, count, order);
-      }
+      if (end.guard >= 0) fired.push_back(end.guard);
+      if (limited || end.guard >= 0)
+        return arrive(limited ? Outcome::limit : Outcome::guard, step.end, count, order);
       phase.slip = TipPhase::Slip::moving;
       stalled += step.end - step.start <= 2 * epsilon * step.end;
     }

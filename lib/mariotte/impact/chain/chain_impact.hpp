@@ -37,19 +37,19 @@ struct Event {
 };
 
 /// final + stored + dissipated − initial − work = residual [J].
-struct EnergyLedger {
+struct EnergyBalance {
   double initial = 0;               ///< kinetic plus stored energy at the start
   double final = 0;                 ///< kinetic energy at the end
   double stored = 0;                ///< elastic energy at the end
   double dissipated = 0;            ///< Σ over contacts
   double work = 0;                  ///< done on the balls by gravity and moving walls
-  double residual = 0;              ///< error of the ledger
+  double residual = 0;              ///< error of the balance
   std::optional<double> ratio_lab;  ///< kinetic energy ratio T⁺/T⁻ in the given frame; empty if T⁻ = 0
   std::optional<double> ratio_centre;  ///< the same relative to the mass centre; empty with walls, too
 };
 
 /// Momentum of the balls of finite mass [N s].
-struct MomentumLedger {
+struct MomentumBalance {
   double initial = 0;
   double final = 0;
   double residual = 0;  ///< final − initial − impulses of walls and gravity
@@ -78,7 +78,7 @@ struct ContactImpact {
   std::vector<std::optional<double>> icr;  ///< α_j = p_j/p_{j+1}, m−1 values; empty where p_{j+1} = 0
   std::vector<double> impulse_direction;   ///< r = p/|p|, m values; zeros if no impulse was exchanged
   std::vector<Event> events;               ///< in order of time
-  EnergyLedger energy;
+  EnergyBalance energy;
   std::vector<FlowUse> flows;
   std::vector<Skipped> skipped;
   double requested_accuracy = 0;
@@ -88,7 +88,7 @@ struct ContactImpact {
 
 /// Of n balls and m = n−1 contacts.
 struct ChainImpact : ContactImpact {
-  MomentumLedger momentum;
+  MomentumBalance momentum;
 };
 
 /// Simulate a chain until it separates for good, or a limit. A chain that is sampled is divided into islands,

@@ -33,7 +33,7 @@ class ChainSolver {
  public:
   ChainSolver();
   ~ChainSolver();
-  /// As `simulate`, without peaks, ledgers and events; the result holds until the next call. Throws
+  /// As `simulate`, without peaks, balances and events; the result holds until the next call. Throws
   /// InvalidParameter for a chain, accuracy or flow that makes no sense.
   const BriefImpact& solve(const model::Chain& chain, const hybrid::Options& options = {});
 

@@ -15,31 +15,31 @@ using Vector = Eigen::VectorXd;
 using Matrix = Eigen::MatrixXd;
 using Sparse = Eigen::SparseMatrix<double>;
 
-Index freedoms(const Configuration& c) {
+Index dofs(const Configuration& c) {
   return std::ssize(c.velocity);
 }
 Index contacts(const Configuration& c) {
   return std::ssize(c.contact);
 }
 bool is_diagonal(const Configuration& c) {
-  return model::is_diagonal(c.mass, freedoms(c));
+  return model::is_diagonal(c.mass, dofs(c));
 }
 
 Eigen::Map<const Vector> view(const Numbers& numbers) {
   return {numbers.data(), std::ssize(numbers)};
 }
 Eigen::Map<const Matrix> full_mass(const Configuration& c) {
-  return {c.mass.data(), freedoms(c), freedoms(c)};
+  return {c.mass.data(), dofs(c), dofs(c)};
 }
 
 /// L⁻¹ Gᵀ, n × m, with M = L Lᵀ.
 Sparse scaled_directions(const Configuration& c) {
-  const auto columns = model::half_responses(c.mass, c.contact, freedoms(c));
+  const auto columns = model::half_responses(c.mass, c.contact, dofs(c));
   std::vector<Eigen::Triplet<double>> places;
   for (Index j = 0; j < contacts(c); ++j)
-    for (const auto& [freedom, coefficient] : columns[j])
-      places.emplace_back(static_cast<int>(freedom), static_cast<int>(j), coefficient);
-  Sparse scaled(freedoms(c), contacts(c));
+    for (const auto& [dof, coefficient] : columns[j])
+      places.emplace_back(static_cast<int>(dof), static_cast<int>(j), coefficient);
+  Sparse scaled(dofs(c), contacts(c));
   scaled.setFromTriplets(places.begin(), places.end());
   return scaled;
 }
@@ -54,7 +54,7 @@ bool energies_fit(const Configuration& c) {
   for (const double v : c.velocity) speed = std::max(speed, std::abs(v));
   if (speed == 0) return true;
   const auto fits = [](double size) { return size >= model::smallest_size && size <= model::largest_size; };
-  const Index stride = is_diagonal(c) ? 1 : freedoms(c) + 1;
+  const Index stride = is_diagonal(c) ? 1 : dofs(c) + 1;
   for (Index i = 0; i < std::ssize(c.mass); i += stride)
     if (!std::isinf(c.mass[i]) &&
         (!fits(c.mass[i]) || !fits(speed * speed) || !fits(c.mass[i] * speed * speed)))
@@ -66,15 +66,15 @@ bool energies_fit(const Configuration& c) {
 
 Configuration chain_configuration(Numbers mass, Numbers velocity) {
   Configuration c{.mass = std::move(mass), .contact = {}, .velocity = std::move(velocity)};
-  for (Index j = 0; j + 1 < freedoms(c); ++j) c.contact.push_back({{j, -1}, {j + 1, 1}});
+  for (Index j = 0; j + 1 < dofs(c); ++j) c.contact.push_back({{j, -1}, {j + 1, 1}});
   return c;
 }
 
 void validate(const Configuration& c) {
-  expect(freedoms(c) > 0, "an impact needs at least one velocity");
+  expect(dofs(c) > 0, "an impact needs at least one velocity");
   expect(contacts(c) > 0, "an impact needs at least one contact");
   for (const double v : c.velocity) expect(std::isfinite(v), "every velocity must be finite");
-  model::validate(c.mass, c.contact, freedoms(c));
+  model::validate(c.mass, c.contact, dofs(c));
   expect(energies_fit(c), "energies of this impact, m v², are too large or too small for double precision");
 }
 
@@ -87,7 +87,7 @@ Numbers gap_rates(const Configuration& c, const Numbers& velocity) {
 Numbers generalised_impulse(const Configuration& c, const Numbers& p) {
   Numbers change(c.velocity.size(), 0.0);
   for (Index j = 0; j < contacts(c); ++j)
-    for (const auto& [freedom, coefficient] : c.contact[j]) change[freedom] += coefficient * p[j];
+    for (const auto& [dof, coefficient] : c.contact[j]) change[dof] += coefficient * p[j];
   return change;
 }
 
@@ -104,7 +104,7 @@ Numbers compliance(const Configuration& c) {
 double kinetic_energy(const Configuration& c, const Numbers& velocity) {
   if (!is_diagonal(c)) return 0.5 * view(velocity).dot(full_mass(c) * view(velocity));
   double sum = 0;
-  for (Index i = 0; i < freedoms(c); ++i)
+  for (Index i = 0; i < dofs(c); ++i)
     if (std::isfinite(c.mass[i])) sum += c.mass[i] * velocity[i] * velocity[i];
   return 0.5 * sum;
 }

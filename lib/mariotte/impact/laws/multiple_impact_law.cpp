@@ -26,7 +26,7 @@ double energy_before(const Configuration& c, EnergyFrame frame) {
 }
 
 /// A P² − 2 B P + (1 − e) S = 0.
-struct EnergyBalance {
+struct SizeEquation {
   double a, b, s;
 
   double least_ratio() const { return 1 - b / a * (b / s); }
@@ -54,20 +54,20 @@ void validate(const Configuration& c, const LawParameters& parameters) {
 LawOutcome multiple_impact(const Configuration& c, const LawParameters& parameters) {
   validate(c, parameters);
   const auto r = direction(parameters.direction);
-  const EnergyBalance balance{.a = dot(generalised_impulse(c, r), velocity_change(c, r)),
+  const SizeEquation equation{.a = dot(generalised_impulse(c, r), velocity_change(c, r)),
                               .b = -dot(r, gap_rates(c, c.velocity)),
                               .s = energy_before(c, parameters.frame)};
-  if (!(balance.b > 0 && balance.a > 0)) {
+  if (!(equation.b > 0 && equation.a > 0)) {
     auto outcome = outcome_of(c, Numbers(r.size(), 0.0));
     outcome.status = LawStatus::no_impact;
     return outcome;
   }
-  const auto size = balance.size(parameters.energy_ratio);
-  if (!size) return {.status = LawStatus::complex, .least_energy_ratio = balance.least_ratio()};
+  const auto size = equation.size(parameters.energy_ratio);
+  if (!size) return {.status = LawStatus::complex, .least_energy_ratio = equation.least_ratio()};
   auto p = r;
   for (double& impulse : p) impulse *= *size;
   auto outcome = outcome_of(c, std::move(p), parameters.slow);
-  outcome.least_energy_ratio = balance.least_ratio();
+  outcome.least_energy_ratio = equation.least_ratio();
   return outcome;
 }
 

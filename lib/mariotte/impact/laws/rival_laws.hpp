@@ -27,7 +27,7 @@ struct NamedOutcome {
 std::vector<NamedOutcome> rival_outcomes(const Configuration& configuration,
                                          const RivalParameters& parameters);
 
-/// How far the kinetic energy is spread over the freedoms of a diagonal mass matrix: 1 − Σ s² with the
+/// How far the kinetic energy is spread over the dofs of a diagonal mass matrix: 1 − Σ s² with the
 /// shares s, 0 if one has all, 1 − 1/n if n share it evenly.
 double energy_dispersion(const Configuration& configuration, const std::vector<double>& velocity);
 

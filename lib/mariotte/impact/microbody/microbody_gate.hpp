@@ -13,7 +13,7 @@ inline constexpr double body_slack = 1000;
 
 /// Of the run of a system from `start` to `end`, which ended in `mode`; dimensionless. Numbers are finite,
 /// open tips above the plane, attitude a unit quaternion, and energy has not grown. If the state holds the
-/// ledger: energy is balanced, and no loss is below zero.
+/// balance: energy is balanced, and no loss is below zero.
 std::vector<Balance> balances(const model::MicrobodySystem& system, ConstState start, ConstState end,
                               const model::MicrobodyMode& mode);
 

@@ -104,15 +104,15 @@ double height(const MicrobodySystem& system, ConstState x) {
   return body_state(system, 0, x).position.e1 / system.body().scale.length;
 }
 
-MicrobodyLedger ledger(const MicrobodySystem& system, ConstState before, ConstState after) {
+MicrobodyBalance balance(const MicrobodySystem& system, ConstState before, ConstState after) {
   const auto& body = system.body();
   const Index work = system.layout().place.work;
-  MicrobodyLedger energy{.initial = system.mechanics().kinetic(before),
-                         .final = system.mechanics().kinetic(after),
-                         .stored = system.mechanics().stored(after),
-                         .hertz_damping = after[work],
-                         .adhesion_damping = after[work + 1],
-                         .friction = after[work + 2]};
+  MicrobodyBalance energy{.initial = system.mechanics().kinetic(before),
+                          .final = system.mechanics().kinetic(after),
+                          .stored = system.mechanics().stored(after),
+                          .hertz_damping = after[work],
+                          .adhesion_damping = after[work + 1],
+                          .friction = after[work + 2]};
   if (body.gravity != 0)
     energy.work = body.body.mass * body.gravity * (height(system, before) - height(system, after));
   energy.residual = energy.final + energy.stored + energy.dissipated() - energy.initial - energy.work;
@@ -158,7 +158,7 @@ MicrobodyImpact simulate(const model::Microbody& body, const hybrid::Options& op
   model::validate(body);
   hybrid::validate(options);
   expect_no_samplings(observers);
-  MicrobodySystem system(body, options.accuracy, /*ledger=*/true);
+  MicrobodySystem system(body, options.accuracy, /*balance=*/true);
   const auto start = initial_state(system.body(), system.layout());
   MicrobodyObserver watch(system, observers);
   hybrid::Workspace<MicrobodySystem> workspace;
@@ -183,7 +183,7 @@ MicrobodyImpact simulate(const model::Microbody& body, const hybrid::Options& op
     impact.rest = RestState{tip, contact::rest_indentation(body.law[tip])};
   }
   impact.shared_friction = watch.shared_friction();
-  impact.energy = ledger(system, start, run.state);
+  impact.energy = balance(system, start, run.state);
   impact.impulse = body.body.mass *
                    (impact.final.velocity - body.velocity + body.gravity * impact.final.time * normal_axis);
   impact.flows = flow_uses(run.flows);

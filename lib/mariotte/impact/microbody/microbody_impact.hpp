@@ -41,7 +41,7 @@ struct TipEvents {
 };
 
 /// final + stored + Σ losses − initial − work = residual [J].
-struct MicrobodyLedger {
+struct MicrobodyBalance {
   double initial = 0, final = 0;  ///< kinetic
   double stored = 0;              ///< of contacts that are still closed; negative in the well
   double hertz_damping = 0, adhesion_damping = 0, friction = 0;  ///< losses, ≥ 0
@@ -74,7 +74,7 @@ struct MicrobodyImpact {
   std::vector<TipEvents> events;
   std::optional<RestState> rest;  ///< if captured
   bool shared_friction = false;  ///< two tips stuck at once, and least norm divided the friction between them
-  MicrobodyLedger energy;
+  MicrobodyBalance energy;
   Vector3 impulse;  ///< of the plane on the body [N s]
   std::vector<FlowUse> flows;
   std::vector<Skipped> skipped;

@@ -50,7 +50,7 @@ const BriefMicrobodyImpact& MicrobodySolver::solve(const model::Microbody& body,
                                                    const hybrid::Options& options) {
   model::validate(body);
   hybrid::validate(options);
-  MicrobodySystem system(body, options.accuracy, /*ledger=*/false, {.force_signs = false});
+  MicrobodySystem system(body, options.accuracy, /*balance=*/false, {.force_signs = false});
   const auto start = initial_state(system.body(), system.layout());
   auto run_options = hybrid::scaled(options, system.body().scale);
   run_options.accuracy = system.accuracy();

@@ -28,7 +28,7 @@ class MicrobodySolver {
  public:
   MicrobodySolver();
   ~MicrobodySolver();
-  /// As `simulate`, without peaks, ledger and list of events; the result holds until the next call. Throws
+  /// As `simulate`, without peaks, balance and list of events; the result holds until the next call. Throws
   /// InvalidParameter for a body, accuracy or flow that makes no sense.
   const BriefMicrobodyImpact& solve(const model::Microbody& body, const hybrid::Options& options = {});
 

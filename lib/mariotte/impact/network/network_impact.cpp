@@ -7,8 +7,8 @@
 #include "mariotte/impact/flow_uses.hpp"
 #include "mariotte/impact/gate.hpp"
 #include "mariotte/impact/impulses.hpp"
+#include "mariotte/impact/network/network_balance.hpp"
 #include "mariotte/impact/network/network_gate.hpp"
-#include "mariotte/impact/network/network_ledger.hpp"
 #include "mariotte/impact/promise.hpp"
 #include "mariotte/impact/watch/contact_watch.hpp"
 #include "mariotte/impact/watch/event_list.hpp"
@@ -124,7 +124,7 @@ NetworkImpact simulate_once(const model::Network& network, const hybrid::Options
   impact.impulse_direction = direction(p);
   impact.events = event_list(changes, scale.time);
   const auto before = configuration_of(network);
-  impact.energy = energy_ledger(network, before, impact);
+  impact.energy = energy_balance(network, before, impact);
   impact.momentum_residual = momentum_residual(before, impact);
   impact.flows = flow_uses(run.flows);
   impact.skipped = skipped(system, run, observers.trace);

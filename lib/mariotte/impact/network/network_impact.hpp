@@ -22,10 +22,10 @@ NetworkImpact simulate(const model::Network& network, const hybrid::Options& opt
 double estimate_accuracy(const model::Network& network, const hybrid::Options& options,
                          const NetworkImpact& result);
 
-/// What a velocity of the network is of, and its unit: a coordinate of a ball [m/s], or any freedom, whose
-/// unit is not known.
+/// What a velocity of the network is of, and its unit: a coordinate of a ball [m/s], or any degree of
+/// freedom, whose unit is not known.
 inline const char* moving(const model::Network& network) {
-  return network.dimension > 0 ? "coordinate" : "freedom";
+  return network.dimension > 0 ? "coordinate" : "degree of freedom";
 }
 /// Unit of such a velocity; empty if it is not known.
 inline const char* velocity_unit(const model::Network& network) {

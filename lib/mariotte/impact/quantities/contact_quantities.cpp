@@ -120,7 +120,7 @@ List<I> events() {
 
 template <class I>
 List<I> energies() {
-  using One = EnergyLedger;
+  using One = EnergyBalance;
   return {
       {.is = {"energy.initial", "J", "", "kinetic and elastic energy at the start"},
        .read = energy<&One::initial>},
@@ -148,7 +148,7 @@ template <auto member>
 constexpr auto momentum = [](const ChainImpact& r, Indices) -> Value { return r.momentum.*member; };
 
 List<ChainImpact> momenta(const ChainImpact*) {
-  using One = MomentumLedger;
+  using One = MomentumBalance;
   return {
       {.is = {"momentum.initial", "N s", "", "momentum of the balls at the start"},
        .read = momentum<&One::initial>},

@@ -148,7 +148,7 @@ List<I> events() {
 }
 
 List<I> energies() {
-  using One = MicrobodyLedger;
+  using One = MicrobodyBalance;
   return {
       {.is = {"energy.initial", "J", "T⁻", "kinetic energy at the start"}, .read = energy<&One::initial>},
       {.is = {"energy.final", "J", "T⁺", "kinetic energy at the end"}, .read = energy<&One::final>},

@@ -8,8 +8,8 @@
 namespace mariotte::model {
 
 /// Velocities, gaps and two kinds of integrals, of those contacts that need them:
-///   work     W = ∫ f δ̇ dt [energy], where energy is lost: what is given to the contact, stored or lost;
-///   impulse  P = ∫ f dt, where momentum alone does not tell it.
+///   work     W = ∫ f δ̇ dt [energy], where energy is dissipated: what is given to the contact, stored or
+///   dissipated; impulse  P = ∫ f dt, where momentum alone does not tell it.
 /// Guards 0 … m−1 are the gaps of the m contacts. Each contact that dissipates has one more, its load, in the
 /// order of the contacts.
 struct ContactLayout {

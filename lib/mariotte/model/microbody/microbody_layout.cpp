@@ -5,7 +5,7 @@
 
 namespace mariotte::model {
 
-MicrobodyLayout microbody_layout(std::size_t tips, bool ledger) {
+MicrobodyLayout microbody_layout(std::size_t tips, bool balance) {
   MicrobodyLayout layout{.place = {}, .size = 0, .tips = static_cast<Index>(tips)};
   const auto take = [&](Index& place, Index count) {
     place = layout.size;
@@ -16,7 +16,7 @@ MicrobodyLayout microbody_layout(std::size_t tips, bool ledger) {
   take(layout.place.velocity, 3);
   take(layout.place.attitude, 4);
   take(layout.place.momentum, 3);
-  if (ledger) take(layout.place.work, 3);
+  if (balance) take(layout.place.work, 3);
   return layout;
 }
 

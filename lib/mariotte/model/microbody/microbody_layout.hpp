@@ -1,5 +1,5 @@
 // The state of a microbody: gap of each tip, tangential position, velocity, attitude, angular momentum and,
-// if they are wanted, the energies lost by Hertz damping, adhesion damping and friction.
+// if they are wanted, the energies dissipated by Hertz damping, adhesion damping and friction.
 #pragma once
 #include <string>
 
@@ -16,8 +16,8 @@ struct MicrobodyLayout {
   Index tips = 1;
 };
 
-/// Of a body with so many tips, with or without the integrals of a ledger.
-MicrobodyLayout microbody_layout(std::size_t tips, bool ledger);
+/// Of a body with so many tips, with or without the integrals of a balance.
+MicrobodyLayout microbody_layout(std::size_t tips, bool balance);
 
 /// State at the start.
 std::vector<double> initial_state(const DimensionlessMicrobody& body, const MicrobodyLayout& layout);

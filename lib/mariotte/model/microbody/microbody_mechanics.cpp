@@ -21,6 +21,16 @@ Vector3 slip_direction(const DimensionlessMicrobody& body, const TipMode& mode, 
   return (1 / std::hypot(size, noise)) * slip;
 }
 
+/// Two tips of a body that lies flat, to about 1e-5, share friction along the line between them in any way:
+/// the least norm, to as many digits. A turn that such friction would have to stop needs so much of it that
+/// no cone can hold it: the tips then cannot both stick. True of such a body.
+bool regularise(Matrix& mobility) {
+  Eigen::FullPivLU<Matrix> division(mobility);
+  division.setThreshold(1e-10);
+  mobility.diagonal().array() += 1e-12 * mobility.norm();
+  return division.rank() < mobility.rows();
+}
+
 }  // namespace
 
 Vector3 Mechanics::turned(ConstState x, const Vector3& moment) const {
@@ -71,7 +81,7 @@ Vector3 Mechanics::slip_acceleration(ConstState x, const TipForces& forces, Inde
 TipForces Mechanics::forces(ConstState x, const MicrobodyMode& mode) const {
   TipForces result;
   std::array<Index, 2> stuck{};
-  Index count = 0;
+  std::size_t count = 0;
   for (Index i = 0; i < layout.tips; ++i) {
     const auto& one = mode.tip[i];
     if (one.contact == TipContact::clear) continue;
@@ -84,38 +94,32 @@ TipForces Mechanics::forces(ConstState x, const MicrobodyMode& mode) const {
       result.friction[i] =
           -contact::limit(body.friction, result.normal[i]) * slip_direction(body, one, here.slip, slip_noise);
   }
-  if (count == 0) return result;
+  if (count > 0) hold(x, {stuck.data(), count}, result);
+  return result;
+}
 
-  // u̇ = A T + b is linear in the friction T of the sticking tips; columns by unit forces.
-  const Index size = 2 * count;
-  const auto acceleration = [&](const TipForces& forces) {
+// u̇ = A T + b is linear in the friction T of the sticking tips; columns by unit forces.
+void Mechanics::hold(ConstState x, std::span<const Index> stuck, TipForces& forces) const {
+  const Index size = 2 * std::ssize(stuck);
+  const auto acceleration = [&](const TipForces& trial) {
     Vector u(size);
-    for (Index k = 0; k < count; ++k) {
-      const Vector3 one = slip_acceleration(x, forces, stuck[k]);
-      u[2 * k] = one.e2;
-      u[2 * k + 1] = one.e3;
+    for (Index k = 0; k < size; k += 2) {
+      const Vector3 one = slip_acceleration(x, trial, stuck[k / 2]);
+      u[k] = one.e2;
+      u[k + 1] = one.e3;
     }
     return u;
   };
-  const Vector free = acceleration(result);
+  const Vector free = acceleration(forces);
   Matrix mobility(size, size);
   for (Index k = 0; k < size; ++k) {
-    auto unit = result;
+    auto unit = forces;
     (k % 2 ? unit.friction[stuck[k / 2]].e3 : unit.friction[stuck[k / 2]].e2) = 1;
     mobility.col(k) = acceleration(unit) - free;
   }
-  // Two tips of a body that lies flat, to about 1e-5, share friction along the line between them in any
-  // way: the least norm, to as many digits. A turn that such friction would have to stop needs so much of it
-  // that no cone can hold it: the tips then cannot both stick.
-  if (count > 1) {
-    Eigen::FullPivLU<Matrix> division(mobility);
-    division.setThreshold(1e-10);
-    result.redundant = division.rank() < size;
-    mobility.diagonal().array() += 1e-12 * mobility.norm();
-  }
+  if (std::ssize(stuck) > 1) forces.redundant = regularise(mobility);
   const Vector needed = -mobility.partialPivLu().solve(free);
-  for (Index k = 0; k < count; ++k) result.friction[stuck[k]] = {0, needed[2 * k], needed[2 * k + 1]};
-  return result;
+  for (Index k = 0; k < size; k += 2) forces.friction[stuck[k / 2]] = {0, needed[k], needed[k + 1]};
 }
 
 Vector3 Mechanics::slip_from_rest(ConstState x, const MicrobodyMode& mode, Index i) const {
@@ -147,7 +151,7 @@ Vector3 Mechanics::slip_from_rest(ConstState x, const MicrobodyMode& mode, Index
 void Mechanics::derivative(ConstState x, const MicrobodyMode& mode, State dx) const {
   const auto& place = layout.place;
   const auto forces = this->forces(x, mode);
-  Vector3 force = -body.body.mass * body.gravity * normal_axis, moment, lost;
+  Vector3 force = -body.body.mass * body.gravity * normal_axis, moment, dissipated;
   for (Index i = 0; i < layout.tips; ++i) {
     const auto here = tip(x, i);
     const Vector3 one = forces.normal[i] * normal_axis + forces.friction[i];
@@ -156,9 +160,9 @@ void Mechanics::derivative(ConstState x, const MicrobodyMode& mode, State dx) co
     dx[place.gap[i]] = here.velocity;
     if (mode.tip[i].contact == TipContact::clear) continue;
     const auto& law = body.law[static_cast<std::size_t>(i)];
-    lost = lost - Vector3{contact::hertz_damping_power(law, here.indentation, here.velocity),
-                          contact::adhesion_damping_power(law, here.indentation, here.velocity),
-                          dot(forces.friction[i], here.slip)};
+    dissipated = dissipated - Vector3{contact::hertz_damping_power(law, here.indentation, here.velocity),
+                                      contact::adhesion_damping_power(law, here.indentation, here.velocity),
+                                      dot(forces.friction[i], here.slip)};
   }
   const Vector3 v = vector_at(x, place.velocity);
   dx[place.position] = v.e2;
@@ -166,7 +170,7 @@ void Mechanics::derivative(ConstState x, const MicrobodyMode& mode, State dx) co
   put(dx, place.velocity, (1 / body.body.mass) * force);
   put(dx, place.attitude, quaternion_rate(quaternion_at(x, place.attitude), spin(x)));
   put(dx, place.momentum, moment);
-  if (place.work >= 0) put(dx, place.work, lost);
+  if (place.work >= 0) put(dx, place.work, dissipated);
 }
 
 double Mechanics::stored(ConstState x) const {

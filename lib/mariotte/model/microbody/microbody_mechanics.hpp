@@ -1,5 +1,7 @@
 // Kinematics, contact forces and the equations of motion of a microbody: m v̇ = Σ F − m g e1, Ḣ = Σ ℓ × F.
 #pragma once
+#include <span>
+
 #include "mariotte/model/microbody/microbody_layout.hpp"
 #include "mariotte/model/microbody/microbody_mode.hpp"
 
@@ -54,6 +56,8 @@ struct Mechanics {
 
  private:
   Vector3 turned(ConstState x, const Vector3& moment) const;  ///< R I⁻¹ Rᵀ M
+  /// Gives the tips that stick the friction that keeps their slip constant.
+  void hold(ConstState x, std::span<const Index> stuck, TipForces& forces) const;
 };
 
 }  // namespace mariotte::model

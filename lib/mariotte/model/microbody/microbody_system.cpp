@@ -16,9 +16,9 @@ Vector3 unit(const Vector3& v) {
 
 }  // namespace
 
-MicrobodySystem::MicrobodySystem(const Microbody& body, double accuracy, bool ledger, WatchedSigns watched)
+MicrobodySystem::MicrobodySystem(const Microbody& body, double accuracy, bool balance, WatchedSigns watched)
     : body_(dimensionless(body)),
-      layout_(microbody_layout(body_.tips(), ledger)),
+      layout_(microbody_layout(body_.tips(), balance)),
       accuracy_(reachable_accuracy(body_, accuracy)),
       phase_(body_, layout_, accuracy_, watched) {}
 
@@ -128,53 +128,60 @@ void MicrobodySystem::mode_at(ConstState x, Mode& mode, std::vector<Change>& cha
     if (x[layout_.place.gap[i]] <= 0 && mechanics().tip(x, i).velocity < 0) close(mode, i, x, changes);
 }
 
-void MicrobodySystem::transition(Mode& mode, const std::vector<Index>& fired, ConstState x,
-                                 std::vector<Change>& changes) const {
-  if (body_.friction.coefficient > 0)
-    for (Index i = 0; i < layout_.tips; ++i)
-      if (mode.tip[i].contact == TipContact::sliding) go_on(mode.tip[i], i, x);
-  // The cone closes so near to F_n = 0 that a flow may find both at once and name one.
+/// The cone closes so near to F_n = 0 that a flow may find both at once and name one.
+void MicrobodySystem::flip_unnamed_forces(Mode& mode, const std::vector<Index>& fired, ConstState x,
+                                          std::vector<Change>& changes) const {
   for (Index i = 0; i < layout_.tips; ++i)
     if (mode.tip[i].contact != TipContact::clear && force_has_turned(mode.tip[i], i, x) &&
         std::find(fired.begin(), fired.end(), guard_index(i, TipGuard::force)) == fired.end())
       flip_force(mode, i, changes);
+}
+
+/// In space a slip that is quick to turn may have passed a right angle within one step. What is below a third
+/// of the accuracy counts as rest.
+bool MicrobodySystem::slips_on(Index i, ConstState x) const {
+  return body_.motion == TipPhase::Motion::spatial &&
+         norm(mechanics().tip(x, i).slip) > 30 * mechanics().slip_noise;
+}
+
+void MicrobodySystem::touch_or_open(Mode& mode, Index i, ConstState x, std::vector<Change>& changes) const {
+  if (mode.tip[i].contact == TipContact::clear) return close(mode, i, x, changes);
+  mode.tip[i] = {};
+  ++mode.impacts;
+  changes.push_back({i, TipEvent::open});
+}
+
+void MicrobodySystem::pass(TipGuard guard, Mode& mode, Index i, ConstState x,
+                           std::vector<Change>& changes) const {
+  switch (guard) {
+    case TipGuard::gap:
+      return touch_or_open(mode, i, x, changes);
+    case TipGuard::force:
+      return flip_force(mode, i, changes);
+    case TipGuard::slip:
+      if (!slips_on(i, x)) choose_friction(mode, i, x, mechanics().force_noise, changes);
+      return;
+    case TipGuard::cone:
+      return release(mode, i, x, changes);
+    case TipGuard::turn_back:
+      mode.captured = true;
+      changes.push_back({i, TipEvent::capture});
+  }
+}
+
+void MicrobodySystem::transition(Mode& mode, const std::vector<Index>& fired, ConstState x,
+                                 std::vector<Change>& changes) const {
+  const bool rough = body_.friction.coefficient > 0;
+  for (Index i = 0; rough && i < layout_.tips; ++i)
+    if (mode.tip[i].contact == TipContact::sliding) go_on(mode.tip[i], i, x);
+  flip_unnamed_forces(mode, fired, x, changes);
   for (const Index guard : fired) {
     if (guard == escape_guard(layout_.tips)) mode.escaped = true;
     if (guard == rest_guard(layout_.tips)) finish(mode, changes);
     const Index i = guard / guards_per_tip;
-    if (i == layout_.tips) continue;
-    auto& tip = mode.tip[i];
-    switch (static_cast<TipGuard>(guard % guards_per_tip)) {
-      case TipGuard::gap:
-        if (tip.contact == TipContact::clear) {
-          close(mode, i, x, changes);
-          break;
-        }
-        tip = {};
-        ++mode.impacts;
-        changes.push_back({i, TipEvent::open});
-        break;
-      case TipGuard::force:
-        flip_force(mode, i, changes);
-        break;
-      case TipGuard::slip:
-        // In space a slip that is quick to turn may have passed a right angle within one step. What is below
-        // a third of the accuracy counts as rest.
-        if (body_.motion == TipPhase::Motion::spatial &&
-            norm(mechanics().tip(x, i).slip) > 30 * mechanics().slip_noise)
-          break;
-        choose_friction(mode, i, x, mechanics().force_noise, changes);
-        break;
-      case TipGuard::cone:
-        release(mode, i, x, changes);
-        break;
-      case TipGuard::turn_back:
-        mode.captured = true;
-        changes.push_back({i, TipEvent::capture});
-        break;
-    }
+    if (i < layout_.tips) pass(static_cast<TipGuard>(guard % guards_per_tip), mode, i, x, changes);
   }
-  if (body_.friction.coefficient > 0) hold_or_release(mode, x, changes);
+  if (rough) hold_or_release(mode, x, changes);
 }
 
 bool MicrobodySystem::is_over(const Mode& mode, ConstState x, bool) const {

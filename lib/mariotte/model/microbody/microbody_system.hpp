@@ -13,8 +13,8 @@ class MicrobodySystem {
   using Mode = MicrobodyMode;
   using Change = MicrobodyChange;
 
-  /// With `ledger` the state holds what damping and friction have taken, and positions.
-  MicrobodySystem(const Microbody& body, double accuracy, bool ledger, WatchedSigns watched = {});
+  /// With `balance` the state holds what damping and friction have taken, and positions.
+  MicrobodySystem(const Microbody& body, double accuracy, bool balance, WatchedSigns watched = {});
   MicrobodySystem(const MicrobodySystem&) = delete;
   MicrobodySystem& operator=(const MicrobodySystem&) = delete;
 
@@ -43,6 +43,11 @@ class MicrobodySystem {
   bool force_has_turned(const TipMode& tip, Index i, ConstState x) const;
   void go_on(TipMode& tip, Index i, ConstState x) const;
   void hold_or_release(Mode& mode, ConstState x, std::vector<Change>& changes) const;
+  void pass(TipGuard guard, Mode& mode, Index tip, ConstState x, std::vector<Change>& changes) const;
+  void touch_or_open(Mode& mode, Index tip, ConstState x, std::vector<Change>& changes) const;
+  bool slips_on(Index tip, ConstState x) const;
+  void flip_unnamed_forces(Mode& mode, const std::vector<Index>& fired, ConstState x,
+                           std::vector<Change>& changes) const;
   void flip_force(Mode& mode, Index tip, std::vector<Change>& changes) const;
   void release(Mode& mode, Index tip, ConstState x, std::vector<Change>& changes) const;
   /// Friction that would hold this tip, the others being as they are.

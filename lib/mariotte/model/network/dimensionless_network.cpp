@@ -21,21 +21,21 @@ double reference_speed(const Network& network, const Numbers& mass) {
   return squared > 0 ? std::sqrt(squared) : 1;
 }
 
-/// By freedom: the contacts that have a term in it.
-std::vector<std::vector<Index>> contacts_of(const std::vector<ContactDirection>& terms, Index freedoms) {
-  std::vector<std::vector<Index>> contacts(freedoms);
+/// By dof: the contacts that have a term in it.
+std::vector<std::vector<Index>> contacts_of(const std::vector<ContactDirection>& terms, Index dofs) {
+  std::vector<std::vector<Index>> contacts(dofs);
   for (Index j = 0; j < std::ssize(terms); ++j)
-    for (const auto& term : terms[j]) contacts[term.freedom].push_back(j);
+    for (const auto& term : terms[j]) contacts[term.dof].push_back(j);
   return contacts;
 }
 
 void find_near(DimensionlessNetwork& d) {
-  const auto felt_by = contacts_of(d.direction, d.freedoms);
+  const auto felt_by = contacts_of(d.direction, d.dofs);
   d.near.resize(d.response.size());
   for (std::size_t j = 0; j < d.response.size(); ++j) {
     auto& near = d.near[j];
     for (const auto& term : d.response[j])
-      near.insert(near.end(), felt_by[term.freedom].begin(), felt_by[term.freedom].end());
+      near.insert(near.end(), felt_by[term.dof].begin(), felt_by[term.dof].end());
     std::sort(near.begin(), near.end());
     near.erase(std::unique(near.begin(), near.end()), near.end());
   }
@@ -45,10 +45,10 @@ void find_near(DimensionlessNetwork& d) {
 
 DimensionlessNetwork make_dimensionless(const Network& network, double accuracy) {
   DimensionlessNetwork d;
-  d.freedoms = std::ssize(network.velocity);
+  d.dofs = std::ssize(network.velocity);
   d.direction = network.direction;
-  d.response = responses(network.mass, network.direction, d.freedoms);
-  d.half_response = half_responses(network.mass, network.direction, d.freedoms);
+  d.response = responses(network.mass, network.direction, d.dofs);
+  d.half_response = half_responses(network.mass, network.direction, d.dofs);
   for (std::size_t j = 0; j < d.response.size(); ++j)
     d.reduced_mass.push_back(1 / dot(d.direction[j], d.response[j]));
   scale_contacts({network.law, network.gap, network.velocity}, reference_speed(network, d.reduced_mass),

@@ -10,7 +10,7 @@ namespace mariotte::model {
 /// The network divided by `scale`. Velocities of other kinds than lengths per time have units of their own;
 /// gap rates are what the reference speed is taken from.
 struct DimensionlessNetwork : ScaledContacts {
-  Index freedoms = 0;
+  Index dofs = 0;
   std::vector<ContactDirection> direction;      ///< G
   std::vector<ContactDirection> response;       ///< columns of M⁻¹ Gᵀ
   std::vector<ContactDirection> half_response;  ///< columns of L⁻¹ Gᵀ, M = L Lᵀ

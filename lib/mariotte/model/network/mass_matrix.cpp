@@ -13,50 +13,50 @@ namespace {
 using Vector = Eigen::VectorXd;
 using Matrix = Eigen::MatrixXd;
 
-Eigen::Map<const Matrix> full(const MassMatrix& mass, Index freedoms) {
-  return {mass.data(), freedoms, freedoms};
+Eigen::Map<const Matrix> full(const MassMatrix& mass, Index dofs) {
+  return {mass.data(), dofs, dofs};
 }
 
 void expect(bool holds, const std::string& rule) {
   if (!holds) throw InvalidParameter(rule);
 }
 
-void validate_mass(const MassMatrix& mass, Index freedoms) {
-  if (is_diagonal(mass, freedoms)) {
+void validate_mass(const MassMatrix& mass, Index dofs) {
+  if (is_diagonal(mass, dofs)) {
     for (const double m : mass) expect(m > 0, "every mass must be positive");
     return;
   }
-  expect(std::ssize(mass) == freedoms * freedoms,
+  expect(std::ssize(mass) == dofs * dofs,
          "the mass matrix needs one value per degree of freedom, or all rows");
   expect(std::all_of(mass.begin(), mass.end(), [](double m) { return std::isfinite(m); }),
          "a full mass matrix must be finite");
-  const auto m = full(mass, freedoms);
+  const auto m = full(mass, dofs);
   expect((m - m.transpose()).cwiseAbs().maxCoeff() <= 1e-12 * m.cwiseAbs().maxCoeff(),  // as written by hand
          "the mass matrix must be symmetric");
   expect(Eigen::LLT<Matrix>(m).info() == Eigen::Success, "the mass matrix must be positive definite");
 }
 
-/// The directions with each coefficient over its freedom's divisor.
+/// The directions with each coefficient over its dof's divisor.
 template <class Divisor>
 std::vector<ContactDirection> divided(const std::vector<ContactDirection>& contact, Divisor&& divisor) {
   std::vector<ContactDirection> quotient(contact.size());
   for (std::size_t j = 0; j < contact.size(); ++j)
-    for (const auto& [freedom, coefficient] : contact[j])
-      if (coefficient != 0 && std::isfinite(divisor(freedom)))
-        quotient[j].push_back({freedom, coefficient / divisor(freedom)});
+    for (const auto& [dof, coefficient] : contact[j])
+      if (coefficient != 0 && std::isfinite(divisor(dof)))
+        quotient[j].push_back({dof, coefficient / divisor(dof)});
   return quotient;
 }
 
 /// The directions, each as a full column, after `solve` has changed it in place.
 template <class Solve>
-std::vector<ContactDirection> solved(const std::vector<ContactDirection>& contact, Index freedoms,
+std::vector<ContactDirection> solved(const std::vector<ContactDirection>& contact, Index dofs,
                                      Solve&& solve) {
   std::vector<ContactDirection> solution(contact.size());
   for (std::size_t j = 0; j < contact.size(); ++j) {
-    Vector column = Vector::Zero(freedoms);
-    for (const auto& [freedom, coefficient] : contact[j]) column[freedom] += coefficient;
+    Vector column = Vector::Zero(dofs);
+    for (const auto& [dof, coefficient] : contact[j]) column[dof] += coefficient;
     solve(column);
-    for (Index i = 0; i < freedoms; ++i)
+    for (Index i = 0; i < dofs; ++i)
       if (column[i] != 0) solution[j].push_back({i, column[i]});
   }
   return solution;
@@ -64,15 +64,15 @@ std::vector<ContactDirection> solved(const std::vector<ContactDirection>& contac
 
 }  // namespace
 
-void validate(const MassMatrix& mass, const std::vector<ContactDirection>& contact, Index freedoms) {
+void validate(const MassMatrix& mass, const std::vector<ContactDirection>& contact, Index dofs) {
   for (const auto& direction : contact)
-    for (const auto& [freedom, coefficient] : direction) {
-      expect(freedom >= 0 && freedom < freedoms, "a contact direction names a freedom that does not exist");
+    for (const auto& [dof, coefficient] : direction) {
+      expect(dof >= 0 && dof < dofs, "a contact direction names a degree of freedom that does not exist");
       expect(std::isfinite(coefficient), "every coefficient of a contact direction must be finite");
     }
-  validate_mass(mass, freedoms);
+  validate_mass(mass, dofs);
   const auto moves = [&](const Term& t) {
-    return t.coefficient != 0 && (!is_diagonal(mass, freedoms) || std::isfinite(mass[t.freedom]));
+    return t.coefficient != 0 && (!is_diagonal(mass, dofs) || std::isfinite(mass[t.dof]));
   };
   for (std::size_t j = 0; j < contact.size(); ++j)
     expect(std::any_of(contact[j].begin(), contact[j].end(), moves),
@@ -90,17 +90,17 @@ std::vector<double> solve(const MassMatrix& mass, std::vector<double> y) {
 }
 
 std::vector<ContactDirection> responses(const MassMatrix& mass, const std::vector<ContactDirection>& contact,
-                                        Index freedoms) {
-  if (is_diagonal(mass, freedoms)) return divided(contact, [&](Index i) { return mass[i]; });
-  const Eigen::LLT<Matrix> factor(full(mass, freedoms));
-  return solved(contact, freedoms, [&](Vector& column) { factor.solveInPlace(column); });
+                                        Index dofs) {
+  if (is_diagonal(mass, dofs)) return divided(contact, [&](Index i) { return mass[i]; });
+  const Eigen::LLT<Matrix> factor(full(mass, dofs));
+  return solved(contact, dofs, [&](Vector& column) { factor.solveInPlace(column); });
 }
 
 std::vector<ContactDirection> half_responses(const MassMatrix& mass,
-                                             const std::vector<ContactDirection>& contact, Index freedoms) {
-  if (is_diagonal(mass, freedoms)) return divided(contact, [&](Index i) { return std::sqrt(mass[i]); });
-  const Eigen::LLT<Matrix> factor(full(mass, freedoms));
-  return solved(contact, freedoms, [&](Vector& column) { factor.matrixL().solveInPlace(column); });
+                                             const std::vector<ContactDirection>& contact, Index dofs) {
+  if (is_diagonal(mass, dofs)) return divided(contact, [&](Index i) { return std::sqrt(mass[i]); });
+  const Eigen::LLT<Matrix> factor(full(mass, dofs));
+  return solved(contact, dofs, [&](Vector& column) { factor.matrixL().solveInPlace(column); });
 }
 
 }  // namespace mariotte::model

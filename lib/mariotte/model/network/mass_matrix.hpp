@@ -6,27 +6,27 @@
 
 namespace mariotte::model {
 
-/// M of n freedoms: its diagonal (n values, ∞ for a wall) or all n², by rows.
+/// M of n dofs: its diagonal (n values, ∞ for a wall) or all n², by rows.
 using MassMatrix = std::vector<double>;
 
 /// True if only the diagonal is given.
-inline bool is_diagonal(const MassMatrix& mass, Index freedoms) {
-  return std::ssize(mass) == freedoms;
+inline bool is_diagonal(const MassMatrix& mass, Index dofs) {
+  return std::ssize(mass) == dofs;
 }
 
-/// Throws InvalidParameter unless the mass matrix is one of n freedoms, symmetric and positive, and every
-/// direction names existing freedoms, is finite and can move something.
-void validate(const MassMatrix& mass, const std::vector<ContactDirection>& contact, Index freedoms);
+/// Throws InvalidParameter unless the mass matrix is one of n dofs, symmetric and positive, and every
+/// direction names existing dofs, is finite and can move something.
+void validate(const MassMatrix& mass, const std::vector<ContactDirection>& contact, Index dofs);
 
 /// M⁻¹ y.
 std::vector<double> solve(const MassMatrix& mass, std::vector<double> y);
 
 /// Columns of M⁻¹ Gᵀ: how each contact's impulse changes the velocities. Zeros are left out.
 std::vector<ContactDirection> responses(const MassMatrix& mass, const std::vector<ContactDirection>& contact,
-                                        Index freedoms);
+                                        Index dofs);
 
 /// Columns of L⁻¹ Gᵀ with M = L Lᵀ: half of the way there. Zeros are left out.
 std::vector<ContactDirection> half_responses(const MassMatrix& mass,
-                                             const std::vector<ContactDirection>& contact, Index freedoms);
+                                             const std::vector<ContactDirection>& contact, Index dofs);
 
 }  // namespace mariotte::model

@@ -27,14 +27,14 @@ void validate_ball(const std::vector<Ball>& balls, std::size_t i) {
 }  // namespace
 
 void validate(const Network& network) {
-  const Index freedoms = std::ssize(network.velocity);
-  if (freedoms == 0) throw InvalidParameter("a network needs at least one velocity");
+  const Index dofs = std::ssize(network.velocity);
+  if (dofs == 0) throw InvalidParameter("a network needs at least one velocity");
   if (network.direction.empty()) throw InvalidParameter("a network needs at least one contact");
   if (network.law.size() != network.direction.size() || network.gap.size() != network.direction.size())
     throw InvalidParameter("a network needs one law and one gap per contact");
   for (const double v : network.velocity)
     if (!std::isfinite(v)) throw InvalidParameter("every velocity must be finite");
-  validate(network.mass, network.direction, freedoms);
+  validate(network.mass, network.direction, dofs);
   for (std::size_t j = 0; j < network.law.size(); ++j)
     validate_contact(j, network.law[j], network.gap[j], network.precompressed, "network");
 }
@@ -88,7 +88,7 @@ BallContact ball_contact(const std::vector<Ball>& balls, Index i, Index j) {
 std::optional<BallPair> balls_of(const Network& network, Index contact) {
   if (network.dimension == 0) return {};
   const auto& terms = network.direction[contact];
-  return BallPair{terms.front().freedom / network.dimension, terms.back().freedom / network.dimension};
+  return BallPair{terms.front().dof / network.dimension, terms.back().dof / network.dimension};
 }
 
 }  // namespace mariotte::model

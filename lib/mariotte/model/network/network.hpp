@@ -10,7 +10,7 @@
 
 namespace mariotte::model {
 
-/// n freedoms with a constant mass matrix M, m contacts with directions G, M v̇ = Gᵀ f, ġ = G v. Directions do
+/// n dofs with a constant mass matrix M, m contacts with directions G, M v̇ = Gᵀ f, ġ = G v. Directions do
 /// not turn during the impact [theory page, "Networks"].
 struct Network {
   MassMatrix mass;                          ///< M
@@ -19,7 +19,7 @@ struct Network {
   std::vector<double> gap;                  ///< start gaps, m values [m]; < 0 only if `precompressed`
   std::vector<double> velocity;             ///< start velocities, n values
   bool precompressed = false;
-  Index dimension = 0;  ///< of balls, whose coordinates are the freedoms in turn; 0 for any other freedoms
+  Index dimension = 0;  ///< of balls, whose coordinates are the dofs in turn; 0 for any other dofs
 };
 
 /// Throws InvalidParameter, naming the contact (from 1), unless the network is one that can be simulated.
@@ -36,7 +36,7 @@ struct Ball {
   double radius;                 ///< [m]
 };
 
-/// Frictionless balls of which those within `reach` of each other can touch; freedoms are the coordinates of
+/// Frictionless balls of which those within `reach` of each other can touch; dofs are the coordinates of
 /// ball 1, of ball 2, … `law(i, j)` is that of balls i and j. Gaps below rounding of the positions are zero.
 /// Throws InvalidParameter.
 template <class LawOfPair>

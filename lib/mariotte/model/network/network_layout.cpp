@@ -4,7 +4,7 @@ namespace mariotte::model {
 
 ContactLayout make_layout(const DimensionlessNetwork& network) {
   ContactLayout layout;
-  for (Index i = 0; i < network.freedoms; ++i) layout.velocity.push_back(layout.size++);
+  for (Index i = 0; i < network.dofs; ++i) layout.velocity.push_back(layout.size++);
   for (Index j = 0; j < network.contacts(); ++j) layout.gap.push_back(layout.size++);
   for (Index j = 0; j < network.contacts(); ++j) layout.impulse.push_back(layout.size++);
   for (const auto& law : network.law)

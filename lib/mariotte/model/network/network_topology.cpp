@@ -8,7 +8,7 @@
 namespace mariotte::model {
 namespace {
 
-/// The freedoms that a contact of a row joins.
+/// The dofs that a contact of a row joins.
 struct Ends {
   Index left, right;
 };
@@ -18,23 +18,23 @@ std::optional<Ends> ends_of(const DimensionlessNetwork& network, Index j) {
   if (terms.size() != 2) return std::nullopt;
   const Index left = terms[0].coefficient < 0 ? 0 : 1;
   if (terms[left].coefficient != -1 || terms[1 - left].coefficient != 1) return std::nullopt;
-  const Ends ends{terms[left].freedom, terms[1 - left].freedom};
+  const Ends ends{terms[left].dof, terms[1 - left].dof};
   for (const auto& term : network.response[j])
-    if (term.freedom != ends.left && term.freedom != ends.right) return std::nullopt;
+    if (term.dof != ends.left && term.dof != ends.right) return std::nullopt;
   return ends;
 }
 
-double inverse_mass(const ContactDirection& push, Index freedom) {
+double inverse_mass(const ContactDirection& push, Index dof) {
   for (const auto& term : push)
-    if (term.freedom == freedom) return std::abs(term.coefficient);
+    if (term.dof == dof) return std::abs(term.coefficient);
   return 0;
 }
 
-/// By contact, its place from left to right, if the contacts join bodies of one freedom each in a single row:
+/// By contact, its place from left to right, if the contacts join bodies of one dof each in a single row:
 /// −1 in the left one, +1 in the right one, and nothing else pushed. Empty otherwise.
 std::vector<Index> places_in_row(const DimensionlessNetwork& network) {
   const Index m = network.contacts();
-  std::vector<Index> starts(network.freedoms, -1), ending(network.freedoms, -1);  // contacts, by freedom
+  std::vector<Index> starts(network.dofs, -1), ending(network.dofs, -1);  // contacts, by dof
   std::vector<Ends> ends;
   for (Index j = 0; j < m; ++j) {
     const auto found = ends_of(network, j);
@@ -70,7 +70,7 @@ flow::SerialPhase make_serial(const NetworkTopology& topology, const std::vector
 flow::LinkedPhase make_linked(const NetworkTopology& topology) {
   const auto& [network, at] = topology;
   flow::LinkedPhase phase{.contact = {},
-                          .freedoms = network.freedoms,
+                          .dofs = network.dofs,
                           .direction = network.direction,
                           .response = network.response,
                           .half_response = network.half_response};

@@ -50,11 +50,11 @@ struct NetworkTopology {
   }
   template <class Use>
   void for_each_direction(Index j, Use&& use) const {
-    for (const auto& [freedom, coefficient] : model.direction[j]) use(freedom, coefficient);
+    for (const auto& [dof, coefficient] : model.direction[j]) use(dof, coefficient);
   }
   template <class Use>
   void for_each_push(Index j, Use&& use) const {
-    for (const auto& [freedom, change] : model.response[j]) use(freedom, change);
+    for (const auto& [dof, change] : model.response[j]) use(dof, change);
   }
 };
 

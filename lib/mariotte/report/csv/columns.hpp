@@ -24,7 +24,7 @@ std::string numbers(const std::vector<Index>& positions);
 /// A title, underlined.
 std::string heading(const std::string& title);
 
-/// One line of a ledger: a name, what it is worth, and perhaps a word on it.
+/// One line of a balance: a name, what it is worth, and perhaps a word on it.
 std::string line(const std::string& name, const std::string& value, const std::string& note = "");
 
 /// Columns a terminal needs for UTF-8 text without wide characters.

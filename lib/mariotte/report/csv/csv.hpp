@@ -14,7 +14,7 @@ namespace mariotte::report {
 std::string events_csv(const impact::ContactImpact& impact);
 
 /// `time [s],v1 [m/s],…,gap1 [m],…,force1 [N],…`: one row per sample; a gap is negative in contact.
-/// Velocities of freedoms of any kind are in "SI".
+/// Velocities of dofs of any kind are in "SI".
 std::string trace_csv(const impact::ContactImpact& impact);
 
 /// The lines that such a table is made of, for chosen balls and contacts.

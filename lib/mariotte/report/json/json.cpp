@@ -72,7 +72,7 @@ Json chain(const model::Chain& chain) {
 }
 
 Json term(const Term& term) {
-  return Json::array({term.freedom, term.coefficient});
+  return Json::array({term.dof, term.coefficient});
 }
 
 Json network(const model::Network& network) {

@@ -78,8 +78,9 @@ std::string card(const char* name, const std::string& value) {
 }
 
 /// A residual, as a share of what was there before where that is not zero.
-std::string residual(const Json& ledger) {
-  const double scale = std::abs(ledger.value("initial", 0.0)), rest = std::abs(ledger.value("residual", 0.0));
+std::string residual(const Json& balance) {
+  const double scale = std::abs(balance.value("initial", 0.0)),
+               rest = std::abs(balance.value("residual", 0.0));
   return scale > 0 ? fmt::format("{:.1e} of it", rest / scale) : fmt::format("{:.1e}", rest);
 }
 
@@ -94,9 +95,9 @@ std::string checks(const Json& result) {
     cards += card("accuracy asked for", inline_text(result["accuracy"].value("requested", Json())));
     cards += card("accuracy estimated", inline_text(result["accuracy"].value("estimated", Json())));
   }
-  for (const auto* ledger : {"energy", "momentum"})
-    if (result.contains(ledger) && result[ledger].is_object() && result[ledger].contains("residual"))
-      cards += card(fmt::format("{} balance residual", ledger).c_str(), residual(result[ledger]));
+  for (const auto* balance : {"energy", "momentum"})
+    if (result.contains(balance) && result[balance].is_object() && result[balance].contains("residual"))
+      cards += card(fmt::format("{} balance residual", balance).c_str(), residual(result[balance]));
   return "<div class=\"checks\">\n" + cards + "</div>\n";
 }
 

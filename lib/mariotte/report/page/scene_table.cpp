@@ -69,8 +69,8 @@ std::string contacts(const std::vector<contact::Law>& laws, const std::vector<do
                  std::ssize(laws), row);
 }
 
-/// One line per freedom: of balls their coordinates in turn.
-std::string freedoms(const model::Network& network, const scene::Scene& scene) {
+/// One line per dof: of balls their coordinates in turn.
+std::string dofs(const model::Network& network, const scene::Scene& scene) {
   const bool diagonal = model::is_diagonal(network.mass, std::ssize(network.velocity));
   const auto row = [&](Index i) -> TableRow {
     const auto k = static_cast<std::size_t>(i);
@@ -103,7 +103,7 @@ std::string table(const model::Chain& chain, const scene::Scene& scene) {
 
 std::string table(const model::Network& network, const scene::Scene& scene) {
   return (scene.title.empty() ? "Contact network" : scene.title) + "\n" + size_of(network) +
-         (network.precompressed ? ", precompressed\n\n" : "\n\n") + freedoms(network, scene) + "\n" +
+         (network.precompressed ? ", precompressed\n\n" : "\n\n") + dofs(network, scene) + "\n" +
          contacts(network.law, network.gap, contact_names(network)) + limits(scene.run);
 }
 

@@ -20,11 +20,16 @@ bool is_real(const LawReport& report) {
   return report.outcome.status != LawStatus::complex;
 }
 
+/// "balls", "coordinates", "degrees of freedom".
+std::string plural(const std::string& thing) {
+  return thing == "degree of freedom" ? "degrees of freedom" : thing + "s";
+}
+
 std::string summary(const LawReport& report) {
   const auto& p = report.parameters;
   auto text =
-      fmt::format("{} · {} {}s · e = {:.10g} ({})", impact::name(report.outcome.status),
-                  report.before.velocity.size(), report.moving, p.energy_ratio,
+      fmt::format("{} · {} {} · e = {:.10g} ({})", impact::name(report.outcome.status),
+                  report.before.velocity.size(), plural(report.moving), p.energy_ratio,
                   p.frame == impact::EnergyFrame::given ? "given frame" : "relative to the mass centre");
   if (!report.simulated.empty()) text += ", direction and e from a simulation";
   if (report.velocity_error)
@@ -90,7 +95,7 @@ double difference(const std::vector<double>& a, const std::vector<double>& b) {
   return largest;
 }
 
-/// Shares in the energy are those of the freedoms, if these are not coupled.
+/// Shares in the energy are those of the dofs, if these are not coupled.
 std::string dispersion(const LawReport& report, const impact::LawOutcome& outcome) {
   const auto& before = report.before;
   if (!model::is_diagonal(before.mass, std::ssize(before.velocity))) return "";

@@ -34,9 +34,9 @@ std::string ball_motion(const model::Network& network, const std::vector<double>
 }  // namespace
 
 std::string size_of(const model::Network& network) {
-  const std::size_t contacts = network.law.size(), freedoms = network.velocity.size();
-  const auto things = network.dimension == 0 ? fmt::format("{} degrees of freedom", freedoms)
-                                             : fmt::format("{} balls in {}", freedoms / network.dimension,
+  const std::size_t contacts = network.law.size(), dofs = network.velocity.size();
+  const auto things = network.dimension == 0 ? fmt::format("{} degrees of freedom", dofs)
+                                             : fmt::format("{} balls in {}", dofs / network.dimension,
                                                            network.dimension == 2 ? "the plane" : "space");
   return fmt::format("{}, {} contact{}", things, contacts, contacts == 1 ? "" : "s");
 }

@@ -10,7 +10,7 @@ namespace mariotte::report {
 /// "16 balls in the plane, 33 contacts".
 std::string size_of(const model::Network& network);
 
-/// Velocities before and after: of balls by coordinate, of other freedoms as they are, in SI.
+/// Velocities before and after: of balls by coordinate, of other dofs as they are, in SI.
 std::string motion_table(const model::Network& network, const std::vector<double>& after);
 
 /// "1–2" of each contact of balls; empty for other networks.

@@ -8,7 +8,7 @@
 #include "mariotte/report/csv/columns.hpp"
 #include "mariotte/report/number.hpp"
 #include "mariotte/report/reason.hpp"
-#include "mariotte/report/table/ledger_table.hpp"
+#include "mariotte/report/table/balance_tables.hpp"
 #include "mariotte/report/table/network_table.hpp"
 #include "mariotte/report/table/quantity_table.hpp"
 

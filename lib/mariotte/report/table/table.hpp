@@ -10,10 +10,10 @@
 
 namespace mariotte::report {
 
-/// Events, balls, contacts, ratios, ledgers, flows and what was skipped.
+/// Events, balls, contacts, ratios, balances, flows and what was skipped.
 std::string table(const impact::ChainImpact& impact, const scene::Scene& scene);
 
-/// Events, motion before and after, restitution, impacts, ledger, flows and what was skipped; tips count
+/// Events, motion before and after, restitution, impacts, balance, flows and what was skipped; tips count
 /// from 1.
 std::string table(const impact::MicrobodyImpact& impact, const scene::Scene& scene);
 

@@ -1,4 +1,4 @@
-#include "mariotte/report/table/ledger_table.hpp"
+#include "mariotte/report/table/balance_tables.hpp"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,8 @@
-#include "mariotte/impact/network/network_ledger.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include "mariotte/impact/laws/restitution.hpp"
+#include "mariotte/impact/network/network_balance.hpp"
 
 namespace mariotte::impact {
 namespace {
@@ -24,25 +23,25 @@ std::vector<double> impulses_of(const ContactImpact& impact) {
   return p;
 }
 
-EnergyLedger energy_ledger(const model::Network& network, const Configuration& before,
-                           const ContactImpact& impact) {
-  EnergyLedger ledger;
-  ledger.initial = kinetic_energy(before, before.velocity);
-  ledger.final = kinetic_energy(before, impact.velocity);
+EnergyBalance energy_balance(const model::Network& network, const Configuration& before,
+                             const ContactImpact& impact) {
+  EnergyBalance balance;
+  balance.initial = kinetic_energy(before, before.velocity);
+  balance.final = kinetic_energy(before, impact.velocity);
   for (std::size_t j = 0; j < network.law.size(); ++j)
-    if (network.gap[j] < 0) ledger.initial += contact::stored_energy(network.law[j], -network.gap[j]);
+    if (network.gap[j] < 0) balance.initial += contact::stored_energy(network.law[j], -network.gap[j]);
   for (const auto& contact : impact.contacts) {
-    ledger.stored += contact.stored;
-    ledger.dissipated += contact.dissipated;
+    balance.stored += contact.stored;
+    balance.dissipated += contact.dissipated;
   }
-  ledger.work = wall_work(before, generalised_impulse(before, impulses_of(impact)));
-  ledger.residual = ledger.final + ledger.stored + ledger.dissipated - ledger.initial - ledger.work;
+  balance.work = wall_work(before, generalised_impulse(before, impulses_of(impact)));
+  balance.residual = balance.final + balance.stored + balance.dissipated - balance.initial - balance.work;
   const auto ratio = [&](auto energy) {
     return energy_ratio(energy(before, impact.velocity), energy(before, before.velocity));
   };
-  ledger.ratio_lab = ratio(kinetic_energy);
-  ledger.ratio_centre = ratio(relative_energy);
-  return ledger;
+  balance.ratio_lab = ratio(kinetic_energy);
+  balance.ratio_centre = ratio(relative_energy);
+  return balance;
 }
 
 double momentum_residual(const Configuration& before, const ContactImpact& impact) {

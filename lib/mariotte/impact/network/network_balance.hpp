@@ -1,4 +1,4 @@
-// Ledgers of a network, which must balance in every run.
+// Balances of a network, which must balance in every run.
 #pragma once
 #include "mariotte/impact/laws/configuration.hpp"
 #include "mariotte/impact/network/network_impact.hpp"
@@ -7,8 +7,8 @@ namespace mariotte::impact {
 
 /// From velocities, impulses, stored and dissipated energies of the impact. `work` is that of moving walls,
 /// v · Gᵀp; `ratio_centre` compares relative energies, so walls do no harm.
-EnergyLedger energy_ledger(const model::Network& network, const Configuration& before,
-                           const ContactImpact& impact);
+EnergyBalance energy_balance(const model::Network& network, const Configuration& before,
+                             const ContactImpact& impact);
 
 /// What Gᵀp does not explain of the change of the velocities: √(T(v⁺ − v⁻ − M⁻¹Gᵀp)/T), T the larger of the
 /// kinetic energies before and after.
