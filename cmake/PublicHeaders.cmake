@@ -25,6 +25,7 @@ set(MARIOTTE_PUBLIC_HEADERS
   model/microbody/rigid_body.hpp
   model/network/mass_matrix.hpp
   model/network/network.hpp
+  impact/brief_impact.hpp
   impact/chain/chain_impact.hpp
   impact/chain/chain_solver.hpp
   impact/flow_use.hpp
@@ -38,6 +39,7 @@ set(MARIOTTE_PUBLIC_HEADERS
   impact/microbody/microbody_impact.hpp
   impact/microbody/microbody_solver.hpp
   impact/network/network_impact.hpp
+  impact/network/network_solver.hpp
   impact/watch/observers.hpp)
 
 # Those of the component `scene`.

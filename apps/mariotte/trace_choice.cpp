@@ -72,13 +72,13 @@ std::unique_ptr<RunningTrace> start_trace(const TraceChoice& choice, std::size_t
   if (choice.file.empty()) return nullptr;
   const auto all = [](std::size_t count) { return fmt::format("1:{}", count); };
   impact::Sampling sampling{
-      .balls = places(choice.balls.empty() ? all(balls) : choice.balls, balls),
+      .velocities = places(choice.balls.empty() ? all(balls) : choice.balls, balls),
       .contacts = places(choice.contacts.empty() ? all(balls - 1) : choice.contacts, balls - 1)};
   const double every = interval(choice.every);
   if (!force && std::filesystem::exists(std::filesystem::symlink_status(choice.file)))
     throw report::FileError("cannot write " + choice.file + ": it exists already (--force overwrites)",
                             fault::exists);
-  auto file = report::new_trace_file(choice.file, sampling.balls, sampling.contacts);
+  auto file = report::new_trace_file(choice.file, sampling.velocities, sampling.contacts);
   sampling.take = [to = file.get(), every](const impact::Sample& sample) {
     to->add(sample);
     return every > 0 ? every : sample.natural_time;

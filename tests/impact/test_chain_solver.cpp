@@ -1,55 +1,17 @@
 #define BOOST_TEST_MODULE many chains with one solver
 #include <boost/test/unit_test.hpp>
-#include <cstdlib>
-#include <new>
 
 #include "mariotte/impact/chain/chain_solver.hpp"
+#include "support/allocations.hpp"
 #include "support/reference.hpp"
 
 using namespace mariotte;
 using namespace mariotte::test;
 
-// The operators below are a matching pair, which the compiler fails to see once they are inlined.
-#pragma GCC diagnostic ignored "-Wmismatched-new-delete"
-
-namespace {
-long allocations = 0;
-}
-
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc();
-}
-void* operator new(std::size_t size, std::align_val_t alignment) {
-  ++allocations;
-  const auto unit = static_cast<std::size_t>(alignment);
-  if (void* memory = std::aligned_alloc(unit, (size + unit - 1) / unit * unit)) return memory;
-  throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::align_val_t) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
-  std::free(memory);
-}
-
 namespace {
 
-/// Allocations of a second round over chains that a first round has seen.
-long allocations_when_repeated(const std::vector<model::Chain>& chains, const std::string& flow = "auto") {
-  impact::ChainSolver solver;
-  const hybrid::Options options{.accuracy = 1e-8, .flow = flow::parse_kind(flow)};
-  for (const auto& chain : chains) solver.solve(chain, options);
-  const long before = allocations;
-  for (const auto& chain : chains) solver.solve(chain, options);
-  return allocations - before;
+long allocations_when_repeated(const std::vector<model::Chain>& chains) {
+  return test::allocations_when_repeated<impact::ChainSolver>(chains, {.accuracy = 1e-8});
 }
 
 }  // namespace

@@ -63,8 +63,14 @@ BOOST_AUTO_TEST_CASE(every_run_can_be_given_up) {
   can_be_given_up(body());
 }
 
-BOOST_AUTO_TEST_CASE(only_chains_can_be_sampled_while_they_are_simulated) {
-  const impact::RunObserver observers{.samplings = {{.take = [](const impact::Sample&) { return 1.0; }}}};
-  BOOST_CHECK_THROW(impact::simulate(one_on_two(), {}, observers), InvalidParameter);
-  BOOST_CHECK_THROW(impact::simulate(body(), {}, observers), InvalidParameter);
+BOOST_AUTO_TEST_CASE(places_that_do_not_exist_cannot_be_sampled) {
+  const auto at = [](Index velocity, Index contact) {
+    return impact::RunObserver{.samplings = {{.velocities = {velocity},
+                                              .contacts = {contact},
+                                              .take = [](const impact::Sample&) { return 1.0; }}}};
+  };
+  BOOST_CHECK_THROW(impact::simulate(one_on_two(), {}, at(60, 0)), InvalidParameter);
+  BOOST_CHECK_THROW(impact::simulate(one_on_two(), {}, at(0, 60)), InvalidParameter);
+  BOOST_CHECK_THROW(impact::simulate(body(), {}, at(3, 0)), InvalidParameter);
+  BOOST_CHECK_THROW(impact::simulate(body(), {}, at(0, 2)), InvalidParameter);
 }

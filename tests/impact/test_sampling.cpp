@@ -4,8 +4,11 @@
 
 #include "mariotte/core/error.hpp"
 #include "mariotte/impact/chain/chain_impact.hpp"
+#include "mariotte/impact/microbody/microbody_impact.hpp"
+#include "mariotte/impact/network/network_impact.hpp"
 #include "support/island_scenes.hpp"
 #include "support/reference.hpp"
+#include "support/reference_bodies.hpp"
 
 using namespace mariotte;
 using namespace mariotte::test;
@@ -25,11 +28,12 @@ std::vector<Index> all(std::size_t count) {
 /// Samples of all balls and contacts at one interval.
 std::vector<Sample> sampled(const model::Chain& chain, const hybrid::Options& options, double interval) {
   std::vector<Sample> samples;
-  const Sampling sampling{
-      .balls = all(chain.mass.size()), .contacts = all(chain.law.size()), .take = [&](const Sample& sample) {
-        samples.push_back(sample);
-        return interval;
-      }};
+  const Sampling sampling{.velocities = all(chain.mass.size()),
+                          .contacts = all(chain.law.size()),
+                          .take = [&](const Sample& sample) {
+                            samples.push_back(sample);
+                            return interval;
+                          }};
   impact::simulate(chain, options, RunObserver{.samplings = {sampling}});
   return samples;
 }
@@ -69,7 +73,7 @@ BOOST_AUTO_TEST_CASE(forces_of_samples_accelerate_the_balls) {
 // Nesterenko's wave by its fastest ball; the top of a parabola through three samples.
 BOOST_AUTO_TEST_CASE(the_peak_velocity_of_a_solitary_wave) {
   std::vector<double> v;
-  const Sampling sampling{.balls = {500}, .contacts = {}, .take = [&](const Sample& sample) {
+  const Sampling sampling{.velocities = {500}, .contacts = {}, .take = [&](const Sample& sample) {
                             v.push_back(sample.velocity[0]);
                             return 0.01;
                           }};
@@ -85,7 +89,7 @@ BOOST_AUTO_TEST_CASE(the_peak_velocity_of_a_solitary_wave) {
 BOOST_AUTO_TEST_CASE(each_sampling_has_its_own_times_and_the_ending) {
   std::vector<double> often, seldom;
   const auto every = [](std::vector<double>& times, double interval) {
-    return Sampling{.balls = {0}, .contacts = {}, .take = [&times, interval](const Sample& sample) {
+    return Sampling{.velocities = {0}, .contacts = {}, .take = [&times, interval](const Sample& sample) {
                       times.push_back(sample.time);
                       return interval;
                     }};
@@ -98,15 +102,60 @@ BOOST_AUTO_TEST_CASE(each_sampling_has_its_own_times_and_the_ending) {
   BOOST_TEST(seldom.back() == impact.time);
 }
 
+// A chain's samples come from its islands, a network's from the steps of one system.
+BOOST_AUTO_TEST_CASE(a_chain_has_the_same_samples_as_a_network) {
+  const auto chain = equal_chain(5);
+  const auto take = [](std::vector<Sample>& samples) {
+    return RunObserver{
+        .samplings = {{.velocities = all(5), .contacts = all(4), .take = [&](const Sample& one) {
+                         samples.push_back(one);
+                         return 0.37;
+                       }}}};
+  };
+  std::vector<Sample> expected, found;
+  impact::simulate(chain, {.accuracy = 1e-12}, take(expected));
+  const auto impact = impact::simulate(model::as_network(chain), {.accuracy = 1e-12}, take(found));
+  BOOST_REQUIRE(found.size() == expected.size());
+  BOOST_TEST(found.back().time == impact.time);
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    BOOST_TEST(std::abs(found[k].time - expected[k].time) < 1e-9);
+    BOOST_TEST(difference(found[k].velocity, expected[k].velocity) < 1e-10);
+    BOOST_TEST(difference(found[k].gap, expected[k].gap) < 1e-9);
+    BOOST_TEST(difference(found[k].force, expected[k].force) < 1e-9);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_sample_of_a_body_is_what_a_run_until_then_ends_with) {
+  const auto body = microbody(body_cases("rod_tilt.json")[3]);
+  const double duration = impact::simulate(body).final.time;
+  std::vector<Sample> samples;
+  impact::simulate(
+      body, {.accuracy = 1e-12},
+      RunObserver{.samplings = {{.velocities = all(3), .contacts = {0}, .take = [&](const Sample& one) {
+                                   samples.push_back(one);
+                                   return duration / 7.5;
+                                 }}}});
+  BOOST_REQUIRE(samples.size() == 9u);
+  double strongest = 0;
+  for (const auto& sample : samples) {
+    strongest = std::max(strongest, sample.force[0]);
+    if (sample.time == 0) continue;
+    const auto run = impact::simulate(body, {.accuracy = 1e-12, .max_time = sample.time});
+    const auto& v = run.final.velocity;
+    BOOST_TEST(difference(sample.velocity, {v.e1, v.e2, v.e3}) < 1e-10 * norm(body.velocity));
+  }
+  BOOST_TEST(strongest > 0);
+}
+
 BOOST_AUTO_TEST_CASE(samplings_without_sense_are_refused) {
   const auto take = [](const Sample&) { return 1.0; };
   const auto chain = equal_chain(3);
   const auto run = [&](const Sampling& sampling) {
     impact::simulate(chain, {}, RunObserver{.samplings = {sampling}});
   };
-  BOOST_CHECK_THROW(run({.balls = {3}, .contacts = {}, .take = take}), InvalidParameter);
-  BOOST_CHECK_THROW(run({.balls = {}, .contacts = {-1}, .take = take}), InvalidParameter);
-  BOOST_CHECK_THROW(run({.balls = {}, .contacts = {}, .take = [](const Sample&) { return 0.0; }}),
+  BOOST_CHECK_THROW(run({.velocities = {3}, .contacts = {}, .take = take}), InvalidParameter);
+  BOOST_CHECK_THROW(run({.velocities = {}, .contacts = {-1}, .take = take}), InvalidParameter);
+  BOOST_CHECK_THROW(run({.velocities = {}, .contacts = {}, .take = [](const Sample&) { return 0.0; }}),
                     InvalidParameter);
 }
 

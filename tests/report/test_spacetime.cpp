@@ -16,7 +16,7 @@ int feed(report::Spacetime& image, double crossing_time, double end) {
   int taken = 0;
   for (double time = 0; time < end; ++taken) {
     sample.time = time;
-    sample.velocity.assign(sampling.balls.size(), time);
+    sample.velocity.assign(sampling.velocities.size(), time);
     time += sampling.take(sample);
   }
   return taken;
@@ -33,10 +33,10 @@ std::vector<double> first_column(const std::string& matrix) {
 
 BOOST_AUTO_TEST_CASE(balls_of_a_very_long_chain_are_evenly_spaced) {
   report::Spacetime image(10001);
-  const auto balls = image.sampling().balls;
+  const auto balls = image.sampling().velocities;
   BOOST_TEST(balls.size() <= 500u);
   for (std::size_t i = 0; i < balls.size(); ++i) BOOST_TEST(balls[i] == 21 * static_cast<Index>(i));
-  BOOST_TEST(report::Spacetime(60).sampling().balls.size() == 60u);
+  BOOST_TEST(report::Spacetime(60).sampling().velocities.size() == 60u);
 }
 
 BOOST_AUTO_TEST_CASE(rows_stay_evenly_spaced_and_few) {

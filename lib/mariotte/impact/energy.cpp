@@ -97,7 +97,7 @@ void add_ratios(EnergyBalance& balance, const DimensionlessChain& chain, const C
 
 }  // namespace
 
-void contact_energies(const DimensionlessChain& chain, const ChainLayout& layout,
+void contact_energies(const model::ScaledContacts& contacts, const model::ContactLayout& layout,
                       const contact::ContactSet& mode, const Interval& interval,
                       std::vector<ContactEnergy>& energies) {
   energies.assign(layout.contacts(), {});
@@ -105,7 +105,7 @@ void contact_energies(const DimensionlessChain& chain, const ChainLayout& layout
     auto& energy = energies[j];
     const double gap = interval.after[layout.gap[j]];
     if (contact::carries_force(mode[j]) && gap < 0)
-      energy.stored = contact::stored_energy(chain.law[j], -gap);
+      energy.stored = contact::stored_energy(contacts.law[j], -gap);
     if (layout.work[j] != ChainLayout::absent)
       energy.dissipated = interval.after[layout.work[j]] - energy.stored;
   }

@@ -9,12 +9,11 @@ namespace mariotte::impact {
 /// Elastic energy and loss of one contact, dimensionless.
 struct ContactEnergy {
   double stored = 0;
-  double dissipated =
-      0;  ///< work put in less what is stored; what a slack contact still holds counts as lost
+  double dissipated = 0;  ///< work put in less what is stored, and what a slack contact still holds
 };
 
 /// `mode` is the contact set at the end of the interval. Fills `energies`, whose memory is reused.
-void contact_energies(const model::DimensionlessChain& chain, const model::ChainLayout& layout,
+void contact_energies(const model::ScaledContacts& contacts, const model::ContactLayout& layout,
                       const contact::ContactSet& mode, const Interval& interval,
                       std::vector<ContactEnergy>& energies);
 

@@ -85,9 +85,9 @@ std::optional<double> keep_promise(double wanted, Run&& run) {
 }
 
 /// The same for whole results: `again(accuracy)` makes a tighter one, which takes the place of `impact`
-/// if it may; `velocities(impact)` are compared, relative to `speed`.
-template <class Impact, class Again, class Velocities>
-void keep_promise(double wanted, double speed, Impact& impact, Again&& again, Velocities&& velocities) {
+/// if it may; `apart(a, b)` is by how much two differ.
+template <class Impact, class Again, class Apart>
+void keep_promise(double wanted, Impact& impact, Again&& again, Apart&& apart) {
   Passage passage{.contacts = std::ssize(impact.contacts)};
   for (const auto& contact : impact.contacts) passage.periods += std::ssize(contact.periods);
   for (const auto& flow : impact.flows) count_steps(passage, flow.name.starts_with("cvode"), flow.steps);
@@ -95,9 +95,9 @@ void keep_promise(double wanted, double speed, Impact& impact, Again&& again, Ve
   const auto estimate = keep_promise(wanted, [&](double accuracy) -> std::optional<double> {
     auto tighter = again(accuracy);
     if (!may_replace(impact.ending, tighter.ending)) return std::nullopt;
-    const double apart = difference(velocities(impact), velocities(tighter), speed);
+    const double difference = apart(impact, tighter);
     impact = std::move(tighter);
-    return apart;
+    return difference;
   });
   impact.estimated_accuracy = estimate;
 }

@@ -230,7 +230,8 @@ void expect_representable(const Chain& chain) {
 }
 
 void expect_representable(const Network& network) {
-  make_dimensionless(network, /*accuracy=*/1e-10);
+  DimensionlessNetwork scaled;
+  make_dimensionless(network, /*accuracy=*/1e-10, scaled);
 }
 
 void expect_representable(const Microbody& body) {

@@ -65,7 +65,8 @@ struct Taylor::Memory {
   }
 
   /// State at the event that ends the phase: `fall`, or the contact outside that the window cannot pass.
-  void finish(const Problem& problem, const taylor::Fall& fall, double accuracy, State x, std::vector<Index>& fired) {
+  void finish(const Problem& problem, const taylor::Fall& fall, double accuracy, State x,
+              std::vector<Index>& fired) {
     const auto& w = stepper.window;
     write(w, x);
     if (fall.guard < 0) {

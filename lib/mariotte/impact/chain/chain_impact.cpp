@@ -114,10 +114,10 @@ ChainImpact simulate_whole(const model::Chain& chain, const hybrid::Options& opt
 
 /// All balls and contacts of a chain, kept by `trace`.
 Sampling whole_trace(SampledTrace& trace, std::size_t balls) {
-  Sampling sampling{.balls = std::vector<Index>(balls),
+  Sampling sampling{.velocities = std::vector<Index>(balls),
                     .contacts = std::vector<Index>(balls - 1),
                     .take = [&trace](const Sample& sample) { return trace.take(sample); }};
-  std::iota(sampling.balls.begin(), sampling.balls.end(), 0);
+  std::iota(sampling.velocities.begin(), sampling.velocities.end(), 0);
   std::iota(sampling.contacts.begin(), sampling.contacts.end(), 0);
   return sampling;
 }
@@ -178,9 +178,9 @@ ChainImpact simulate(const model::Chain& chain, const hybrid::Options& options,
     return simulate_once(chain, tighter, observers);
   };
   if (observers.samplings.empty())  // what was sampled cannot be taken back
-    keep_promise(
-        options.accuracy, reference_speed(chain), impact, again,
-        [](const ChainImpact& one) -> const auto& { return one.velocity; });
+    keep_promise(options.accuracy, impact, again, [&](const auto& a, const auto& b) {
+      return difference(a.velocity, b.velocity, reference_speed(chain));
+    });
   impact.requested_accuracy = options.accuracy;
   return impact;
 }

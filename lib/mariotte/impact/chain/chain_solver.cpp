@@ -1,13 +1,11 @@
 #include "mariotte/impact/chain/chain_solver.hpp"
 
 #include <cmath>
-#include <numeric>
-#include <utility>
 
 #include "mariotte/hybrid/simulate.hpp"
+#include "mariotte/impact/brief_run.hpp"
 #include "mariotte/impact/chain/chain_gate.hpp"
 #include "mariotte/impact/impulses.hpp"
-#include "mariotte/impact/promise.hpp"
 #include "mariotte/impact/watch/chain_run.hpp"
 
 namespace mariotte::impact {
@@ -23,16 +21,12 @@ struct ChainSolver::Memory {
   std::vector<double> start;
   std::vector<ContactEnergy> energies;
   BriefImpact impact, looser;
-  Passage passage;
+  Passage gone;
 
   void report(const DimensionlessChain& chain, const ChainLayout& layout, const model::Islands::Run& run,
               const contact::ContactSet& mode, double accuracy) {
     const Interval interval{.before = start, .after = run.state, .time = run.time};
-    impact.ending = run.ending;
-    impact.message = run.message;
-    impact.time = run.time * chain.scale.time;
-    impact.velocity.clear();
-    for (const Index at : layout.velocity) impact.velocity.push_back(run.state[at] * chain.scale.velocity);
+    describe(run, layout, chain.scale, impact);
     impulses(chain, layout, interval, impact.impulse);
     count_periods(run.changes, layout.contacts(), impact.periods);
     contact_energies(chain, layout, mode, interval, energies);
@@ -40,16 +34,7 @@ struct ChainSolver::Memory {
               impact.ending, impact.message);
     clear_untouched(impact.periods, impact.impulse);
     for (double& p : impact.impulse) p *= chain.scale.momentum();
-    impact.events = run.events;
-    impact.steps = impact.rhs = 0;
-    passage = {.contacts = layout.contacts(),
-               .periods = std::accumulate(impact.periods.begin(), impact.periods.end(), Index{0})};
-    for (const auto kind : flow::kinds) {
-      const auto& flow = run.flows[static_cast<std::size_t>(kind)];
-      impact.steps += flow.steps;
-      impact.rhs += flow.rhs;
-      count_steps(passage, kind >= flow::Kind::cvode_adams, flow.steps);
-    }
+    gone = passage(run, impact.periods);
   }
 
   void solve_whole(const model::Chain& chain, const hybrid::Options& options, bool stay) {
@@ -79,23 +64,6 @@ struct ChainSolver::Memory {
     divides(options, balls) ? solve_islands(chain, options, stay)
                             : solve_whole(chain, tightened(options, balls), stay);
   }
-
-  void keep_promise(const model::Chain& chain, hybrid::Options options) {
-    impact.estimated_accuracy.reset();
-    if (!may_have_erred(passage)) return;
-    const double speed = reference_speed(chain);
-    const auto estimate =
-        impact::keep_promise(options.accuracy, [&](double accuracy) -> std::optional<double> {
-          looser = impact;
-          options.accuracy = accuracy;
-          solve(chain, options);
-          if (may_replace(looser.ending, impact.ending))
-            return difference(impact.velocity, looser.velocity, speed);
-          std::swap(impact, looser);
-          return std::nullopt;
-        });
-    impact.estimated_accuracy = estimate;
-  }
 };
 
 ChainSolver::ChainSolver() : memory_(std::make_unique<Memory>()) {}
@@ -107,7 +75,14 @@ const BriefImpact& ChainSolver::solve(const model::Chain& chain, const hybrid::O
   hybrid::validate(options);
   model::expect_end(chain, options.max_time);
   m.solve(chain, options);
-  m.keep_promise(chain, options);
+  const auto solve = [&](double accuracy) {
+    auto tighter = options;
+    tighter.accuracy = accuracy;
+    m.solve(chain, tighter);
+  };
+  const double speed = reference_speed(chain);
+  keep_promise(options.accuracy, m.gone, m.impact, m.looser, solve,
+               [&](const auto& a, const auto& b) { return difference(a.velocity, b.velocity, speed); });
   return m.impact;
 }
 

@@ -34,7 +34,8 @@ Eigen::Map<const Matrix> full_mass(const Configuration& c) {
 
 /// L⁻¹ Gᵀ, n × m, with M = L Lᵀ.
 Sparse scaled_directions(const Configuration& c) {
-  const auto columns = model::half_responses(c.mass, c.contact, dofs(c));
+  std::vector<ContactDirection> columns;
+  model::half_responses(c.mass, c.contact, dofs(c), columns);
   std::vector<Eigen::Triplet<double>> places;
   for (Index j = 0; j < contacts(c); ++j)
     for (const auto& [dof, coefficient] : columns[j])

@@ -157,7 +157,6 @@ MicrobodyImpact simulate(const model::Microbody& body, const hybrid::Options& op
                          const RunObserver& observers) {
   model::validate(body);
   hybrid::validate(options);
-  expect_no_samplings(observers);
   MicrobodySystem system(body, options.accuracy, /*balance=*/true);
   const auto start = initial_state(system.body(), system.layout());
   MicrobodyObserver watch(system, observers);
@@ -166,6 +165,7 @@ MicrobodyImpact simulate(const model::Microbody& body, const hybrid::Options& op
   auto run_options = hybrid::scaled(options, scale);
   run_options.accuracy = system.accuracy();
   const Run& run = hybrid::simulate(system, start, run_options, workspace, &watch);
+  watch.finish(run.time, run.state);
 
   MicrobodyImpact impact;
   impact.ending = run.ending;

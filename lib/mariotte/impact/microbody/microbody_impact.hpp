@@ -87,7 +87,8 @@ struct MicrobodyImpact {
 bool has_restitution(const MicrobodyImpact& impact);
 
 /// Simulate a microbody until it is captured, has had its impacts or flies off for good, or a limit. Throws
-/// InvalidParameter for a body, accuracy or flow that makes no sense, and for samplings.
+/// InvalidParameter for a body, accuracy or flow that makes no sense, and for samplings of what does not
+/// exist.
 MicrobodyImpact simulate(const model::Microbody& body, const hybrid::Options& options = {},
                          const RunObserver& observers = {});
 

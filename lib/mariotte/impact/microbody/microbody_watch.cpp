@@ -21,7 +21,25 @@ double highest(Function&& f, double low, double high) {
   return f(locate_sign_change(slope, left, rise, right, fall, loose));
 }
 
+/// The mass centre and the tips at one instant.
+struct Reading {
+  const model::MicrobodySystem& system;
+  ConstState x;
+
+  double velocity(Index i) const { return x[system.layout().place.velocity + i]; }
+  double gap(Index i) const { return x[system.layout().place.gap[i]]; }
+  double force(Index i) const {
+    const auto mechanics = system.mechanics();
+    return mechanics.normal_force(mechanics.tip(x, i), i);
+  }
+};
+
 }  // namespace
+
+MicrobodyObserver::MicrobodyObserver(const model::MicrobodySystem& system, const RunObserver& observers)
+    : system_(system),
+      observers_(observers),
+      due_(observers, system.body().scale, 3, std::vector(system.layout().tips, system.body().time)) {}
 
 BodyState body_state(const model::MicrobodySystem& system, double time, ConstState x) {
   const auto& scale = system.body().scale;
@@ -72,6 +90,7 @@ void MicrobodyObserver::search(const flow::Step& step, Index i) {
 }
 
 void MicrobodyObserver::observe(const flow::Step& step) {
+  due_.take_within(start_, step, [&](ConstState x) { return Reading{system_, x}; });
   inside_.resize(step.before.size());
   for (Index i = 0; i < system_.layout().tips; ++i) {
     const Index gap = system_.layout().place.gap[i];
@@ -85,6 +104,10 @@ void MicrobodyObserver::observe(const flow::Step& step) {
     sample(start_ + time, inside_);
   }
   sample(start_ + step.end, step.after);
+}
+
+void MicrobodyObserver::finish(double time, ConstState x) {
+  due_.take_all(time, Reading{system_, x});
 }
 
 void MicrobodyObserver::sample(double time, ConstState x) {

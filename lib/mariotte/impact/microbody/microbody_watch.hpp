@@ -4,6 +4,7 @@
 
 #include "mariotte/hybrid/simulate.hpp"
 #include "mariotte/impact/microbody/microbody_impact.hpp"
+#include "mariotte/impact/watch/due_samplings.hpp"
 #include "mariotte/impact/watch/peaks.hpp"
 #include "mariotte/model/microbody/microbody_system.hpp"
 
@@ -29,13 +30,14 @@ static_assert(sizeof(TipPeaks) == all_tip_peaks.size() * sizeof(double), "every 
 class MicrobodyObserver final : public hybrid::PhaseObserver {
  public:
   /// Both must outlive this.
-  MicrobodyObserver(const model::MicrobodySystem& system, const RunObserver& observers)
-      : system_(system), observers_(observers) {}
+  MicrobodyObserver(const model::MicrobodySystem& system, const RunObserver& observers);
   void begin_phase(double time, ConstState x) override;
   void observe(const flow::Step& step) override;
   void passed(double time, Index events) override {
     tell(observers_, time * system_.body().scale.time, events);
   }
+  /// The last samples.
+  void finish(double time, ConstState x);
 
   const std::vector<Milestone>& milestones() const { return milestones_; }
   /// Per phase and tip, in the order of the milestones.
@@ -57,6 +59,7 @@ class MicrobodyObserver final : public hybrid::PhaseObserver {
   std::vector<std::vector<TipPeaks>> peaks_;
   BodyTrace trace_;
   std::vector<double> inside_;
+  DueSamplings due_;
 };
 
 }  // namespace mariotte::impact

@@ -1,8 +1,9 @@
+#include "mariotte/impact/network/network_balance.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include "mariotte/impact/laws/restitution.hpp"
-#include "mariotte/impact/network/network_balance.hpp"
 
 namespace mariotte::impact {
 namespace {

@@ -3,38 +3,104 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mariotte/impact/gate.hpp"
-
 namespace mariotte::impact {
 
-void pass_gate(const Configuration& before, double largest_rate, const std::vector<Index>& open,
-               const std::vector<double>& noise_depth, NetworkImpact& impact) {
-  const double share = balance_allowance * std::max(impact.requested_accuracy, 64 * epsilon);
-  const auto& energy = impact.energy;
-  const double reached =
-      energy.initial + energy.final + energy.stored + std::abs(energy.work) + std::abs(energy.dissipated);
-  double pull = 0, gain = 0, depth = 0, strongest = 0;
-  for (const auto& contact : impact.contacts) {
-    strongest = std::max(strongest, std::abs(contact.impulse));
-    pull = std::max(pull, -contact.impulse);
-    gain = std::max(gain, -contact.dissipated);
+using contact::ContactMode;
+
+namespace {
+
+double impulse(const NetworkOutcome& o, Index j) {
+  return o.interval.after[o.layout.impulse[j]];
+}
+
+double rate(const NetworkOutcome& o, ConstState x, Index j) {
+  return gap_rate(o.network.direction[j], x);
+}
+
+/// Fastest approach of a contact.
+double approach(const NetworkOutcome& o) {
+  double worst = 0;
+  for (Index j = 0; j < o.network.contacts(); ++j) worst = std::max(worst, -rate(o, o.interval.after, j));
+  return worst;
+}
+
+/// An energy balance, and the sum of what could be in it.
+struct Energy {
+  double residual = 0, reached = 0, gain = 0;
+};
+
+/// Impulses change the kinetic energy, less the work of walls, by Σ p_j (ġ_j⁻ + ġ_j⁺)/2: the momentum balance
+/// is another matter.
+Energy energy(const NetworkOutcome& o, const std::vector<ContactEnergy>& contacts) {
+  const auto& d = o.network;
+  Energy sum;
+  for (Index j = 0; j < d.contacts(); ++j) {
+    const double p = impulse(o, j), gap = o.interval.before[o.layout.gap[j]];
+    const double initial = gap < 0 ? contact::stored_energy(d.law[j], -gap) : 0;
+    const double work = 0.5 * p * (rate(o, o.interval.before, j) + rate(o, o.interval.after, j));
+    sum.residual += work + contacts[j].stored + contacts[j].dissipated - initial;
+    sum.reached += initial + d.speed * (std::abs(p) + d.reduced_mass[j] * d.speed);
+    sum.gain = std::max(sum.gain, -contacts[j].dissipated);
   }
-  for (const Index j : open) {
-    const double excess = -impact.gap[j] / noise_depth[j];
-    depth = excess <= depth ? depth : excess;  // a gap that is not a number counts
+  return sum;
+}
+
+/// Largest indentation without force, in units of what is not heard.
+double noise_indentation(const NetworkOutcome& o, double accuracy) {
+  double worst = 0;
+  for (Index j = 0; j < o.network.contacts(); ++j) {
+    if (o.mode[j] != ContactMode::open && o.mode[j] != ContactMode::hovering) continue;
+    const double allowed =
+        noise_depths * o.network.noise_depth[j] + balance_allowance * accuracy * o.network.length[j];
+    const double depth = -o.interval.after[o.layout.gap[j]] / allowed;
+    worst = depth <= worst ? worst : depth;  // a gap that is not a number counts
   }
-  double approach = 0;
-  if (impact.ending == hybrid::Ending::separated)
-    for (const double rate : gap_rates(before, impact.velocity)) approach = std::max(approach, -rate);
+  return worst;
+}
+
+}  // namespace
+
+double NetworkGate::unexplained(const NetworkOutcome& o) {
+  const auto& [before, after, time] = o.interval;
+  change_.assign(o.layout.velocities(), 0.0);
+  natural_.assign(o.layout.velocities(), 0.0);
+  for (Index j = 0; j < o.network.contacts(); ++j)
+    for (const auto& [dof, response] : o.network.response[j]) {
+      change_[dof] += response * impulse(o, j);
+      natural_[dof] +=
+          std::abs(response) * (std::abs(impulse(o, j)) + o.network.reduced_mass[j] * o.network.speed);
+    }
+  double worst = 0;
+  for (Index i = 0; i < o.layout.velocities(); ++i) {
+    const double apart = std::abs(after[i] - before[i] - change_[i]);
+    if (apart == 0) continue;
+    const double part = apart / (natural_[i] + std::abs(before[i]));
+    worst = part <= worst ? worst : part;
+  }
+  return worst;
+}
+
+void NetworkGate::pass(const NetworkOutcome& o, double accuracy, hybrid::Ending& ending,
+                       std::string& message) {
+  const double share = balance_allowance * std::max(accuracy, 64 * epsilon);
+  contact_energies(o.network, o.layout, o.mode, o.interval, energies_);
+  const auto [residual, reached, gain] = energy(o, energies_);
+  double pull = 0, strongest = 0;
+  for (Index j = 0; j < o.network.contacts(); ++j) {
+    strongest = std::max({strongest, std::abs(impulse(o, j)), o.network.reduced_mass[j] * o.network.speed});
+    pull = std::max(pull, -impulse(o, j));
+  }
+  const bool parts = ending == hybrid::Ending::separated;
   const Balance balances[] = {
-      {"an approach at the end", approach, share * largest_rate},
-      {"the energy balance", energy.residual, share * reached},
-      {"the momentum balance", impact.momentum_residual, share},
+      {"an approach at the end", parts ? approach(o) : 0, share * o.network.speed},
+      {"the energy balance", residual, share * reached},
+      {"the momentum balance", unexplained(o), share},
       {"an impulse that pulls", pull, share * strongest},
       {"the energy that a contact has gained", gain, share * reached},
-      {"an indentation without force, relative to what cannot be told from rest,", depth, 1},
+      {"an indentation without force, relative to what cannot be told from rest,",
+       noise_indentation(o, accuracy), 1},
   };
-  pass_gate(balances, impact.ending, impact.message);
+  pass_gate(balances, ending, message);
 }
 
 }  // namespace mariotte::impact

@@ -5,13 +5,12 @@
 
 #include "mariotte/hybrid/simulate.hpp"
 #include "mariotte/impact/flow_uses.hpp"
-#include "mariotte/impact/gate.hpp"
 #include "mariotte/impact/impulses.hpp"
 #include "mariotte/impact/network/network_balance.hpp"
 #include "mariotte/impact/network/network_gate.hpp"
-#include "mariotte/impact/promise.hpp"
+#include "mariotte/impact/network/network_run.hpp"
+#include "mariotte/impact/network/network_solver.hpp"
 #include "mariotte/impact/watch/contact_watch.hpp"
-#include "mariotte/impact/watch/event_list.hpp"
 #include "mariotte/model/network/network_system.hpp"
 
 namespace mariotte::impact {
@@ -38,10 +37,9 @@ ContactHistory history(const NetworkSystem& system, contact::ContactMode mode, I
 
 /// By contact: its impulse is more than the accuracy leaves open.
 std::vector<bool> felt(const NetworkSystem& system, const ContactRun& run, double accuracy) {
-  const auto& d = system.network();
   std::vector<bool> list;
-  for (Index j = 0; j < d.contacts(); ++j)
-    list.push_back(std::abs(run.state[system.layout().impulse[j]]) > accuracy * d.reduced_mass[j] * d.speed);
+  for (Index j = 0; j < system.network().contacts(); ++j)
+    list.push_back(is_felt(system.network(), j, run.state[system.layout().impulse[j]], accuracy));
   return list;
 }
 
@@ -77,28 +75,6 @@ Trace named(Trace trace, const model::Network& network) {
   return trace;
 }
 
-double largest(const std::vector<double>& values) {
-  double most = 0;
-  for (const double value : values) most = std::max(most, std::abs(value));
-  return most;
-}
-
-/// The contacts without force, and how deep each may be without being heard.
-void pass_gate(const NetworkSystem& system, const model::Network& network, const contact::ContactSet& mode,
-               NetworkImpact& impact) {
-  const auto& d = system.network();
-  std::vector<Index> open;
-  std::vector<double> depth;
-  for (Index j = 0; j < std::ssize(mode); ++j) {
-    using contact::ContactMode;
-    if (mode[j] == ContactMode::open || mode[j] == ContactMode::hovering) open.push_back(j);
-    const double length = balance_allowance * impact.requested_accuracy * d.length[j];
-    depth.push_back((noise_depths * d.noise_depth[j] + length) * d.scale.length);
-  }
-  const auto before = configuration_of(network);
-  pass_gate(before, d.speed * d.scale.velocity, open, depth, impact);
-}
-
 NetworkImpact simulate_once(const model::Network& network, const hybrid::Options& options,
                             const RunObserver& observers) {
   NetworkSystem system(network, options.accuracy);
@@ -106,10 +82,11 @@ NetworkImpact simulate_once(const model::Network& network, const hybrid::Options
   const auto& at = system.layout();
   std::vector<double> start;
   initial_state(system.network(), at, start);
-  ContactWatch watch(system.phase(), scale, observers);
+  ContactWatch watch(system.phase(), scale, system.network().time, observers);
   hybrid::Workspace<NetworkSystem> workspace;
   const ContactRun& run = hybrid::simulate(system, start, hybrid::scaled(options, scale), workspace, &watch);
   system.problem(workspace.mode);  // forces at the ending are those of the last mode
+  watch.finish(run.time, run.state);
 
   NetworkImpact impact;
   impact.ending = run.ending;
@@ -129,8 +106,9 @@ NetworkImpact simulate_once(const model::Network& network, const hybrid::Options
   impact.flows = flow_uses(run.flows);
   impact.skipped = skipped(system, run, observers.trace);
   impact.requested_accuracy = options.accuracy;
-  if (observers.trace) impact.trace = named(watch.recorder.take(run.time, run.state), network);
-  pass_gate(system, network, workspace.mode, impact);
+  if (observers.trace) impact.trace = named(watch.trace.take(run.time, run.state), network);
+  NetworkGate().pass({system.network(), at, workspace.mode, {start, run.state, run.time}}, options.accuracy,
+                     impact.ending, impact.message);
   return impact;
 }
 
@@ -144,16 +122,16 @@ NetworkImpact simulate(const model::Network& network, const hybrid::Options& opt
                        const RunObserver& observers) {
   model::validate(network);
   hybrid::validate(options);
-  expect_no_samplings(observers);
   auto impact = simulate_once(network, options, observers);
-  const auto before = configuration_of(network);
   const auto again = [&](double accuracy) {
     auto tighter = options;
     tighter.accuracy = accuracy;
     return simulate_once(network, tighter, observers);
   };
-  keep_promise(options.accuracy, largest(gap_rates(before, network.velocity)), impact, again,
-               [&](const NetworkImpact& one) { return gap_rates(before, one.velocity); });
+  if (observers.samplings.empty())  // what was sampled cannot be taken back
+    keep_promise(options.accuracy, impact, again, [&](const auto& a, const auto& b) {
+      return rate_difference(network, a.velocity, b.velocity);
+    });
   impact.requested_accuracy = options.accuracy;
   return impact;
 }
@@ -162,10 +140,7 @@ double estimate_accuracy(const model::Network& network, const hybrid::Options& o
                          const NetworkImpact& result) {
   auto tighter = options;
   tighter.accuracy = std::max(1e-2 * options.accuracy, 16 * epsilon);
-  const auto before = configuration_of(network);
-  const auto reference = gap_rates(before, simulate(network, tighter).velocity);
-  return difference(gap_rates(before, result.velocity), reference,
-                    largest(gap_rates(before, network.velocity)));
+  return rate_difference(network, result.velocity, NetworkSolver().solve(network, tighter).velocity);
 }
 
 }  // namespace mariotte::impact

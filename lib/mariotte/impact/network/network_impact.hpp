@@ -13,7 +13,7 @@ struct NetworkImpact : ContactImpact {
 };
 
 /// Simulate a network until it separates for good, or a limit. Throws InvalidParameter for a network,
-/// accuracy or flow that makes no sense, and for samplings.
+/// accuracy or flow that makes no sense, and for samplings of what does not exist.
 NetworkImpact simulate(const model::Network& network, const hybrid::Options& options = {},
                        const RunObserver& observers = {});
 

@@ -6,19 +6,17 @@
 namespace mariotte::impact {
 namespace {
 
-using BriefChain = Brief<ChainImpact>;
-
-/// A reader that chains alone have.
-template <class I>
-constexpr auto known(Value (*read)(const BriefChain&, Indices)) {
-  if constexpr (std::is_same_v<I, ChainImpact>)
-    return read;
-  else
-    return nullptr;
+double energy_before(const Brief<ChainImpact>& b) {
+  return kinetic_energy(b.chain, b.chain.velocity);
 }
-
-double energy_after(const BriefChain& b) {
+double energy_after(const Brief<ChainImpact>& b) {
   return kinetic_energy(b.chain, b.impact.velocity);
+}
+double energy_before(const Brief<NetworkImpact>& b) {
+  return kinetic_energy(configuration_of(b.network), b.network.velocity);
+}
+double energy_after(const Brief<NetworkImpact>& b) {
+  return kinetic_energy(configuration_of(b.network), b.impact.velocity);
 }
 
 template <class Number>
@@ -27,10 +25,9 @@ Value at(const std::vector<Number>& values, Index i) {
 }
 
 /// r_j; zero if no impulse was exchanged.
-Value direction(const BriefChain& b, Index j) {
-  const double length = magnitude(b.impact.impulse);
-  return length > 0 && j < std::ssize(b.impact.impulse) ? b.impact.impulse[j] / length
-                                                        : at(b.impact.impulse, j);
+Value direction(const BriefImpact& impact, Index j) {
+  const double length = magnitude(impact.impulse);
+  return length > 0 && j < std::ssize(impact.impulse) ? impact.impulse[j] / length : at(impact.impulse, j);
 }
 
 /// Coordinates of balls move in m/s; other degrees of freedom have units that only the author knows.
@@ -42,12 +39,12 @@ List<I> motion() {
   return {
       {.is = {"final.time", "s", "t", "time at which the run ended"},
        .read = own<&I::time>,
-       .brief = known<I>([](const BriefChain& b, Indices) -> Value { return b.impact.time; })},
+       .brief = [](const Brief<I>& b, Indices) -> Value { return b.impact.time; }},
       {.is = {"final.velocity[]", velocity_unit<I>, "v_i",
               "velocity at the end, of each ball or degree of freedom"},
        .read = element<&I::velocity>,
        .count = size_of<&I::velocity>,
-       .brief = known<I>([](const BriefChain& b, Indices i) { return at(b.impact.velocity, i[0]); })},
+       .brief = [](const Brief<I>& b, Indices i) { return at(b.impact.velocity, i[0]); }},
       {.is = {"final.gap[]", "m", "g_j", "gap of each contact at the end, negative in contact"},
        .read = element<&I::gap>,
        .count = size_of<&I::gap>},
@@ -61,7 +58,7 @@ List<I> contacts() {
       {.is = {"contacts[]", "", "", "one per contact, from left to right"}, .count = size_of<&I::contacts>},
       {.is = {"contacts[].impulse", "N s", "p_j", "impulse of the contact, the integral of its force"},
        .read = of_element<&I::contacts, &One::impulse>,
-       .brief = known<I>([](const BriefChain& b, Indices i) { return at(b.impact.impulse, i[0]); })},
+       .brief = [](const Brief<I>& b, Indices i) { return at(b.impact.impulse, i[0]); }},
       {.is = {"contacts[].peak_force", "N", "max f_j", "largest force"},
        .read = of_element<&I::contacts, &One::peak_force>,
        .needs_peaks = true},
@@ -71,7 +68,7 @@ List<I> contacts() {
       {.is = {"contacts[].periods[]", "", "", "stretches of time in which it carries force"},
        .count = size_in<&I::contacts, &One::periods>,
        .counted_by_run = true,
-       .brief = known<I>([](const BriefChain& b, Indices i) { return at(b.impact.periods, i[0]); })},
+       .brief = [](const Brief<I>& b, Indices i) { return at(b.impact.periods, i[0]); }},
       {.is = {"contacts[].periods[][]", "s", "", "start and end of one; the end is null if it never came"},
        .read = [](const I& r, Indices at) -> Value {
          const auto& period = r.contacts[at[0]].periods[at[1]];
@@ -85,12 +82,12 @@ List<I> contacts() {
       {.is = {"icr[]", "1", "α_j", "impulse correlation ratio p_j/p_{j+1}; null where p_{j+1} = 0"},
        .read = element<&I::icr>,
        .count = size_of<&I::icr>,
-       .brief = known<I>(
-           [](const BriefChain& b, Indices i) { return value(correlation_ratio(b.impact.impulse, i[0])); })},
+       .brief = [](const Brief<I>& b,
+                   Indices i) { return value(correlation_ratio(b.impact.impulse, i[0])); }},
       {.is = {"impulse_direction[]", "1", "r_j", "direction of all impulses, p_j/|p|"},
        .read = element<&I::impulse_direction>,
        .count = size_of<&I::impulse_direction>,
-       .brief = known<I>([](const BriefChain& b, Indices i) { return direction(b, i[0]); })},
+       .brief = [](const Brief<I>& b, Indices i) { return direction(b.impact, i[0]); }},
   };
 }
 
@@ -126,7 +123,7 @@ List<I> energies() {
        .read = energy<&One::initial>},
       {.is = {"energy.final", "J", "T⁺", "kinetic energy at the end"},
        .read = energy<&One::final>,
-       .brief = known<I>([](const BriefChain& b, Indices) -> Value { return energy_after(b); })},
+       .brief = [](const Brief<I>& b, Indices) -> Value { return energy_after(b); }},
       {.is = {"energy.stored", "J", "", "elastic energy at the end"}, .read = energy<&One::stored>},
       {.is = {"energy.dissipated", "J", "", "energy dissipated in all contacts"},
        .read = energy<&One::dissipated>},
@@ -136,9 +133,8 @@ List<I> energies() {
        .read = energy<&One::residual>},
       {.is = {"energy.ratio_lab", "1", "T⁺/T⁻", "kinetic energies, in the given frame"},
        .read = energy<&One::ratio_lab>,
-       .brief = known<I>([](const BriefChain& b, Indices) {
-         return value(energy_ratio(energy_after(b), kinetic_energy(b.chain, b.chain.velocity)));
-       })},
+       .brief = [](const Brief<I>& b,
+                   Indices) { return value(energy_ratio(energy_after(b), energy_before(b))); }},
       {.is = {"energy.ratio_centre", "1", "T⁺/T⁻", "kinetic energies, relative to the mass centre"},
        .read = energy<&One::ratio_centre>},
   };

@@ -12,6 +12,7 @@
 #include "mariotte/impact/microbody/microbody_impact.hpp"
 #include "mariotte/impact/microbody/microbody_solver.hpp"
 #include "mariotte/impact/network/network_impact.hpp"
+#include "mariotte/impact/network/network_solver.hpp"
 #include "mariotte/impact/quantities/description.hpp"
 
 namespace mariotte::impact {
@@ -29,11 +30,8 @@ using Value = std::variant<std::monostate, Omitted, double, Index, bool, std::st
 using Count = std::optional<Index>;
 
 /// What the quickest Solver of a model gives, beside the model; `serves` says which models it can solve.
-/// Networks have no such solver.
 template <class Impact>
-struct Brief {
-  struct Solver {};
-};
+struct Brief;
 
 template <>
 struct Brief<ChainImpact> {
@@ -41,6 +39,15 @@ struct Brief<ChainImpact> {
   static bool serves(const model::Chain&) { return true; }
 
   const model::Chain& chain;
+  const BriefImpact& impact;
+};
+
+template <>
+struct Brief<NetworkImpact> {
+  using Solver = NetworkSolver;
+  static bool serves(const model::Network&) { return true; }
+
+  const model::Network& network;
   const BriefImpact& impact;
 };
 

@@ -48,7 +48,7 @@ bool divides(const hybrid::Options& options, std::size_t balls) {
 
 ChainRun follow_whole(ChainSystem& system, ConstState start, const hybrid::Options& options,
                       const RunObserver& observers) {
-  ContactWatch watch(system.phase(), system.chain().scale, observers);
+  ContactWatch watch(system.phase(), system.chain().scale, system.chain().time, observers);
   hybrid::Workspace<ChainSystem> workspace;
   hybrid::simulate(system, start, options, workspace, &watch);
   ChainRun chain_run{.run = std::move(workspace.run),
@@ -57,7 +57,7 @@ ChainRun follow_whole(ChainSystem& system, ConstState start, const hybrid::Optio
                      .islands = std::nullopt,
                      .trace = {}};
   system.problem(chain_run.mode);  // forces at the ending are those of the last mode
-  if (observers.trace) chain_run.trace = watch.recorder.take(chain_run.run.time, chain_run.run.state);
+  if (observers.trace) chain_run.trace = watch.trace.take(chain_run.run.time, chain_run.run.state);
   return chain_run;
 }
 

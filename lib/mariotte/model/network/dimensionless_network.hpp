@@ -14,11 +14,12 @@ struct DimensionlessNetwork : ScaledContacts {
   std::vector<ContactDirection> direction;      ///< G
   std::vector<ContactDirection> response;       ///< columns of M⁻¹ Gᵀ
   std::vector<ContactDirection> half_response;  ///< columns of L⁻¹ Gᵀ, M = L Lᵀ
+  std::vector<std::vector<Index>> moved_by;     ///< by dof: contacts that have a term in it
   std::vector<std::vector<Index>> near;         ///< contacts that the push of each one moves
 };
 
-/// Of a validated network. `accuracy` decides what is slow: a tenth of what may be wrong anyway. Throws
-/// Unrepresentable.
-DimensionlessNetwork make_dimensionless(const Network& network, double accuracy);
+/// Of a validated network into `d`, whose memory is reused. `accuracy` decides what is slow: a tenth of what
+/// may be wrong anyway. Throws Unrepresentable.
+void make_dimensionless(const Network& network, double accuracy, DimensionlessNetwork& d);
 
 }  // namespace mariotte::model

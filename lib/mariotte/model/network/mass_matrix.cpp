@@ -17,7 +17,7 @@ Eigen::Map<const Matrix> full(const MassMatrix& mass, Index dofs) {
   return {mass.data(), dofs, dofs};
 }
 
-void expect(bool holds, const std::string& rule) {
+void expect(bool holds, const char* rule) {
   if (!holds) throw InvalidParameter(rule);
 }
 
@@ -36,30 +36,36 @@ void validate_mass(const MassMatrix& mass, Index dofs) {
   expect(Eigen::LLT<Matrix>(m).info() == Eigen::Success, "the mass matrix must be positive definite");
 }
 
+/// As many empty columns as there are contacts; those that stay keep their memory.
+void empty_columns(std::size_t count, std::vector<ContactDirection>& columns) {
+  columns.resize(count);
+  for (auto& column : columns) column.clear();
+}
+
 /// The directions with each coefficient over its dof's divisor.
 template <class Divisor>
-std::vector<ContactDirection> divided(const std::vector<ContactDirection>& contact, Divisor&& divisor) {
-  std::vector<ContactDirection> quotient(contact.size());
+void divide(const std::vector<ContactDirection>& contact, Divisor&& divisor,
+            std::vector<ContactDirection>& quotient) {
+  empty_columns(contact.size(), quotient);
   for (std::size_t j = 0; j < contact.size(); ++j)
     for (const auto& [dof, coefficient] : contact[j])
       if (coefficient != 0 && std::isfinite(divisor(dof)))
         quotient[j].push_back({dof, coefficient / divisor(dof)});
-  return quotient;
 }
 
 /// The directions, each as a full column, after `solve` has changed it in place.
 template <class Solve>
-std::vector<ContactDirection> solved(const std::vector<ContactDirection>& contact, Index dofs,
-                                     Solve&& solve) {
-  std::vector<ContactDirection> solution(contact.size());
+void solve_columns(const std::vector<ContactDirection>& contact, Index dofs, Solve&& solve,
+                   std::vector<ContactDirection>& solution) {
+  empty_columns(contact.size(), solution);
+  Vector column(dofs);
   for (std::size_t j = 0; j < contact.size(); ++j) {
-    Vector column = Vector::Zero(dofs);
+    column.setZero();
     for (const auto& [dof, coefficient] : contact[j]) column[dof] += coefficient;
     solve(column);
     for (Index i = 0; i < dofs; ++i)
       if (column[i] != 0) solution[j].push_back({i, column[i]});
   }
-  return solution;
 }
 
 }  // namespace
@@ -75,8 +81,8 @@ void validate(const MassMatrix& mass, const std::vector<ContactDirection>& conta
     return t.coefficient != 0 && (!is_diagonal(mass, dofs) || std::isfinite(mass[t.dof]));
   };
   for (std::size_t j = 0; j < contact.size(); ++j)
-    expect(std::any_of(contact[j].begin(), contact[j].end(), moves),
-           "contact " + std::to_string(j + 1) + " joins nothing that can move");
+    if (std::none_of(contact[j].begin(), contact[j].end(), moves))
+      throw InvalidParameter("contact " + std::to_string(j + 1) + " joins nothing that can move");
 }
 
 std::vector<double> solve(const MassMatrix& mass, std::vector<double> y) {
@@ -91,16 +97,29 @@ std::vector<double> solve(const MassMatrix& mass, std::vector<double> y) {
 
 std::vector<ContactDirection> responses(const MassMatrix& mass, const std::vector<ContactDirection>& contact,
                                         Index dofs) {
-  if (is_diagonal(mass, dofs)) return divided(contact, [&](Index i) { return mass[i]; });
-  const Eigen::LLT<Matrix> factor(full(mass, dofs));
-  return solved(contact, dofs, [&](Vector& column) { factor.solveInPlace(column); });
+  std::vector<ContactDirection> columns;
+  responses(mass, contact, dofs, columns);
+  return columns;
 }
 
-std::vector<ContactDirection> half_responses(const MassMatrix& mass,
-                                             const std::vector<ContactDirection>& contact, Index dofs) {
-  if (is_diagonal(mass, dofs)) return divided(contact, [&](Index i) { return std::sqrt(mass[i]); });
+void responses(const MassMatrix& mass, const std::vector<ContactDirection>& contact, Index dofs,
+               std::vector<ContactDirection>& columns) {
+  if (is_diagonal(mass, dofs))
+    return divide(
+        contact, [&](Index i) { return mass[i]; }, columns);
   const Eigen::LLT<Matrix> factor(full(mass, dofs));
-  return solved(contact, dofs, [&](Vector& column) { factor.matrixL().solveInPlace(column); });
+  solve_columns(
+      contact, dofs, [&](Vector& column) { factor.solveInPlace(column); }, columns);
+}
+
+void half_responses(const MassMatrix& mass, const std::vector<ContactDirection>& contact, Index dofs,
+                    std::vector<ContactDirection>& columns) {
+  if (is_diagonal(mass, dofs))
+    return divide(
+        contact, [&](Index i) { return std::sqrt(mass[i]); }, columns);
+  const Eigen::LLT<Matrix> factor(full(mass, dofs));
+  solve_columns(
+      contact, dofs, [&](Vector& column) { factor.matrixL().solveInPlace(column); }, columns);
 }
 
 }  // namespace mariotte::model

@@ -24,9 +24,12 @@ std::vector<double> solve(const MassMatrix& mass, std::vector<double> y);
 /// Columns of M⁻¹ Gᵀ: how each contact's impulse changes the velocities. Zeros are left out.
 std::vector<ContactDirection> responses(const MassMatrix& mass, const std::vector<ContactDirection>& contact,
                                         Index dofs);
+/// The same into `columns`, whose memory is reused.
+void responses(const MassMatrix& mass, const std::vector<ContactDirection>& contact, Index dofs,
+               std::vector<ContactDirection>& columns);
 
-/// Columns of L⁻¹ Gᵀ with M = L Lᵀ: half of the way there. Zeros are left out.
-std::vector<ContactDirection> half_responses(const MassMatrix& mass,
-                                             const std::vector<ContactDirection>& contact, Index dofs);
+/// Columns of L⁻¹ Gᵀ with M = L Lᵀ: half of the way there. Zeros are left out; memory is reused.
+void half_responses(const MassMatrix& mass, const std::vector<ContactDirection>& contact, Index dofs,
+                    std::vector<ContactDirection>& columns);
 
 }  // namespace mariotte::model

@@ -2,15 +2,14 @@
 
 namespace mariotte::model {
 
-ContactLayout make_layout(const DimensionlessNetwork& network) {
-  ContactLayout layout;
+void make_layout(const DimensionlessNetwork& network, ContactLayout& layout) {
+  clear(layout);
   for (Index i = 0; i < network.dofs; ++i) layout.velocity.push_back(layout.size++);
   for (Index j = 0; j < network.contacts(); ++j) layout.gap.push_back(layout.size++);
   for (Index j = 0; j < network.contacts(); ++j) layout.impulse.push_back(layout.size++);
   for (const auto& law : network.law)
     layout.work.push_back(contact::dissipates(law) ? layout.size++ : ContactLayout::absent);
   number_guards(layout);
-  return layout;
 }
 
 }  // namespace mariotte::model

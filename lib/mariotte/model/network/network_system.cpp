@@ -7,9 +7,9 @@ namespace mariotte::model {
 template class TopologyPhase<NetworkTopology>;
 template class ContactSystem<NetworkTopology>;
 
-NetworkSystem::NetworkSystem(const Network& network, double accuracy) {
-  model_ = make_dimensionless(network, accuracy);
-  layout_ = make_layout(model_);
+void NetworkSystem::reset(const Network& network, double accuracy) {
+  make_dimensionless(network, accuracy, model_);
+  make_layout(model_, layout_);
   phase_.reset();
 }
 

@@ -14,7 +14,10 @@ extern template class ContactSystem<NetworkTopology>;
 /// apart when a contact near it is pressed.
 class NetworkSystem : public ContactSystem<NetworkTopology> {
  public:
-  NetworkSystem(const Network& network, double accuracy);
+  NetworkSystem() = default;
+  NetworkSystem(const Network& network, double accuracy) { reset(network, accuracy); }
+  /// Become the system of another network and reuse the memory.
+  void reset(const Network& network, double accuracy);
   const DimensionlessNetwork& network() const { return model_; }
 };
 

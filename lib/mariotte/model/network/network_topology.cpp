@@ -1,19 +1,21 @@
 #include "mariotte/model/network/network_topology.hpp"
 
 #include <cmath>
-#include <optional>
 
 #include "mariotte/model/contacts/phase_contact.hpp"
 
 namespace mariotte::model {
 namespace {
 
-/// The dofs that a contact of a row joins.
-struct Ends {
-  Index left, right;
-};
+double inverse_mass(const ContactDirection& response, Index dof) {
+  for (const auto& term : response)
+    if (term.dof == dof) return std::abs(term.coefficient);
+  return 0;
+}
 
-std::optional<Ends> ends_of(const DimensionlessNetwork& network, Index j) {
+}  // namespace
+
+std::optional<NetworkFlows::Ends> NetworkFlows::ends_of(const DimensionlessNetwork& network, Index j) {
   const auto& terms = network.direction[j];
   if (terms.size() != 2) return std::nullopt;
   const Index left = terms[0].coefficient < 0 ? 0 : 1;
@@ -24,68 +26,62 @@ std::optional<Ends> ends_of(const DimensionlessNetwork& network, Index j) {
   return ends;
 }
 
-double inverse_mass(const ContactDirection& push, Index dof) {
-  for (const auto& term : push)
-    if (term.dof == dof) return std::abs(term.coefficient);
-  return 0;
-}
-
-/// By contact, its place from left to right, if the contacts join bodies of one dof each in a single row:
-/// −1 in the left one, +1 in the right one, and nothing else pushed. Empty otherwise.
-std::vector<Index> places_in_row(const DimensionlessNetwork& network) {
-  const Index m = network.contacts();
-  std::vector<Index> starts(network.dofs, -1), ending(network.dofs, -1);  // contacts, by dof
-  std::vector<Ends> ends;
-  for (Index j = 0; j < m; ++j) {
+/// True if every contact joins two dofs, and none of them is on the same side of two contacts.
+bool NetworkFlows::find_ends(const DimensionlessNetwork& network) {
+  ends_.clear();
+  starting_.assign(network.dofs, -1);
+  ending_.assign(network.dofs, -1);
+  for (Index j = 0; j < network.contacts(); ++j) {
     const auto found = ends_of(network, j);
-    if (!found || starts[found->left] >= 0 || ending[found->right] >= 0) return {};
-    starts[found->left] = ending[found->right] = j;
-    ends.push_back(*found);
+    if (!found || starting_[found->left] >= 0 || ending_[found->right] >= 0) return false;
+    starting_[found->left] = ending_[found->right] = j;
+    ends_.push_back(*found);
   }
+  return true;
+}
+
+/// The contacts join bodies of one dof each in a single row: −1 in the left one, +1 in the right one, and
+/// nothing else pushed.
+void NetworkFlows::find_row(const DimensionlessNetwork& network) {
+  row_.clear();
+  if (!find_ends(network)) return;
+  const Index m = network.contacts();
   Index first = 0;
-  while (first < m && ending[ends[first].left] >= 0) ++first;
-  if (first == m) return {};  // a ring
-  std::vector<Index> place(m, -1);
+  while (first < m && ending_[ends_[first].left] >= 0) ++first;
+  if (first == m) return;  // a ring
+  row_.assign(m, -1);
   Index count = 0;
-  for (Index j = first; j >= 0; j = starts[ends[j].right]) place[j] = count++;
-  return count == m ? place : std::vector<Index>{};
+  for (Index j = first; j >= 0; j = starting_[ends_[j].right]) row_[j] = count++;
+  if (count < m) row_.clear();
 }
 
-flow::SerialPhase make_serial(const NetworkTopology& topology, const std::vector<Index>& places) {
+void NetworkFlows::make_serial(const NetworkTopology& topology) {
   const auto& [network, at] = topology;
-  flow::SerialPhase phase;
-  phase.speed = network.speed;
-  phase.fade_speed = network.noise_speed;
-  phase.body.resize(places.size() + 1);
-  phase.contact.resize(places.size());
-  for (Index j = 0; j < std::ssize(places); ++j) {
-    const auto [left, right] = *ends_of(network, j);
-    phase.body[places[j]] = {left, inverse_mass(network.response[j], left), 0};
-    phase.body[places[j] + 1] = {right, inverse_mass(network.response[j], right), 0};
-    phase.contact[places[j]] = phase_contact(network, at, j);
+  serial_.speed = network.speed;
+  serial_.fade_speed = network.noise_speed;
+  serial_.body.resize(row_.size() + 1);
+  serial_.contact.resize(row_.size());
+  for (Index j = 0; j < std::ssize(row_); ++j) {
+    const auto [left, right] = ends_[j];
+    serial_.body[row_[j]] = {left, inverse_mass(network.response[j], left), 0};
+    serial_.body[row_[j] + 1] = {right, inverse_mass(network.response[j], right), 0};
+    serial_.contact[row_[j]] = phase_contact(network, at, j);
   }
-  return phase;
 }
 
-flow::LinkedPhase make_linked(const NetworkTopology& topology) {
+void NetworkFlows::make_linked(const NetworkTopology& topology) {
   const auto& [network, at] = topology;
-  flow::LinkedPhase phase{.contact = {},
-                          .dofs = network.dofs,
-                          .direction = network.direction,
-                          .response = network.response,
-                          .half_response = network.half_response};
-  for (Index j = 0; j < network.contacts(); ++j) phase.contact.push_back(phase_contact(network, at, j));
-  return phase;
+  linked_.contact.clear();
+  linked_.dofs = network.dofs;
+  linked_.direction = network.direction;
+  linked_.response = network.response;
+  linked_.half_response = network.half_response;
+  for (Index j = 0; j < network.contacts(); ++j) linked_.contact.push_back(phase_contact(network, at, j));
 }
-
-}  // namespace
 
 void NetworkFlows::reset(const NetworkTopology& network) {
-  row_ = places_in_row(network.model);
-  if (row_.empty())
-    linked_ = make_linked(network);
-  else
-    serial_ = make_serial(network, row_);
+  find_row(network.model);
+  row_.empty() ? make_linked(network) : make_serial(network);
 }
 
 }  // namespace mariotte::model

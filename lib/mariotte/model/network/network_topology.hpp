@@ -1,5 +1,7 @@
 // A network as contacts that join velocities in any way.
 #pragma once
+#include <optional>
+
 #include "mariotte/flow/linked_phase.hpp"
 #include "mariotte/flow/serial_phase.hpp"
 #include "mariotte/model/contacts/contact_layout.hpp"
@@ -24,9 +26,21 @@ class NetworkFlows {
   const flow::LinkedPhase* linked() const { return row_.empty() ? &linked_ : nullptr; }
 
  private:
-  std::vector<Index> row_;    ///< by contact: its place in the row; empty if the network is none
-  flow::SerialPhase serial_;  ///< unless it is none
-  flow::LinkedPhase linked_;  ///< if it is none
+  /// The dofs that a contact of a row joins.
+  struct Ends {
+    Index left, right;
+  };
+  static std::optional<Ends> ends_of(const DimensionlessNetwork& network, Index j);
+  void find_row(const DimensionlessNetwork& network);
+  bool find_ends(const DimensionlessNetwork& network);
+  void make_serial(const NetworkTopology& topology);
+  void make_linked(const NetworkTopology& topology);
+
+  std::vector<Ends> ends_;                ///< by contact
+  std::vector<Index> starting_, ending_;  ///< by dof: the contact that has it on its left, right
+  std::vector<Index> row_;                ///< by contact: its place in the row; empty if the network is none
+  flow::SerialPhase serial_;              ///< unless it is none
+  flow::LinkedPhase linked_;              ///< if it is none
 };
 
 /// Contact j has the direction G_j. No outside force acts.

@@ -37,12 +37,11 @@ class OfModel {
   }
 
   Verdict evaluate(const Model& model, const hybrid::Options& run, std::span<double> out) {
-    if constexpr (requires { solver_->solve(model, run); })
-      if (is_brief_ && Brief::serves(model)) {
-        const auto& impact = solver_->solve(model, run);
-        fill(Brief{model, impact}, out);
-        return verdict(impact);
-      }
+    if (is_brief_ && Brief::serves(model)) {
+      const auto& impact = solver_->solve(model, run);
+      fill(Brief{model, impact}, out);
+      return verdict(impact);
+    }
     const auto impact = impact::simulate(model, run);
     fill(impact, out);
     return verdict(impact);

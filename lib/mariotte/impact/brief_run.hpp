@@ -1,0 +1,57 @@
+// From the run of a chain or network to its brief impact, the same for both.
+#pragma once
+#include <numeric>
+#include <utility>
+
+#include "mariotte/core/scale.hpp"
+#include "mariotte/hybrid/trajectory.hpp"
+#include "mariotte/impact/brief_impact.hpp"
+#include "mariotte/impact/promise.hpp"
+#include "mariotte/model/contacts/contact_layout.hpp"
+
+namespace mariotte::impact {
+
+/// Fills in all but impulses, periods and estimate, in units. `Run` is a trajectory over contacts.
+template <class Run>
+void describe(const Run& run, const model::ContactLayout& layout, const Scale& scale, BriefImpact& impact) {
+  impact.ending = run.ending;
+  impact.message = run.message;
+  impact.time = run.time * scale.time;
+  impact.velocity.clear();
+  for (const Index at : layout.velocity) impact.velocity.push_back(run.state[at] * scale.velocity);
+  impact.events = run.events;
+  impact.steps = impact.rhs = 0;
+  for (const auto& flow : run.flows) {
+    impact.steps += flow.steps;
+    impact.rhs += flow.rhs;
+  }
+}
+
+/// What a run has gone through whose contacts had these periods.
+template <class Run>
+Passage passage(const Run& run, const std::vector<Index>& periods) {
+  Passage gone{.contacts = std::ssize(periods),
+               .periods = std::accumulate(periods.begin(), periods.end(), Index{0})};
+  for (const auto kind : flow::kinds)
+    count_steps(gone, is_cvode(kind), run.flows[static_cast<std::size_t>(kind)].steps);
+  return gone;
+}
+
+/// Where errors may have grown on the way of `impact`: tighter runs by `solve(accuracy)`, which fill in
+/// `impact`, until two agree within `wanted`; `apart(a, b)` is by how much two differ. `looser` is memory.
+template <class Solve, class Apart>
+void keep_promise(double wanted, const Passage& gone, BriefImpact& impact, BriefImpact& looser, Solve&& solve,
+                  Apart&& apart) {
+  impact.estimated_accuracy.reset();
+  if (!may_have_erred(gone)) return;
+  const auto estimate = keep_promise(wanted, [&](double accuracy) -> std::optional<double> {
+    looser = impact;
+    solve(accuracy);
+    if (may_replace(looser.ending, impact.ending)) return apart(impact, looser);
+    std::swap(impact, looser);
+    return std::nullopt;
+  });
+  impact.estimated_accuracy = estimate;
+}
+
+}  // namespace mariotte::impact

@@ -1,0 +1,69 @@
+#include "mariotte/impact/network/network_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mariotte/hybrid/simulate.hpp"
+#include "mariotte/impact/brief_run.hpp"
+#include "mariotte/impact/network/network_gate.hpp"
+#include "mariotte/impact/network/network_run.hpp"
+#include "mariotte/model/network/network_system.hpp"
+
+namespace mariotte::impact {
+
+struct NetworkSolver::Memory {
+  model::NetworkSystem system;
+  hybrid::Workspace<model::NetworkSystem> workspace;
+  NetworkGate gate;
+  std::vector<double> start;
+  BriefImpact impact, looser;
+  Passage gone;
+
+  /// Contacts that touched at rest and were let go before they left the noise have had no period.
+  void report_contacts(const ContactRun& run, double accuracy) {
+    const auto& d = system.network();
+    const auto& at = system.layout();
+    count_periods(run.changes, at.contacts(), impact.periods);
+    for (const auto& [time, change] : run.changes)
+      if (change.before == contact::ContactMode::touching &&
+          !is_felt(d, change.contact, run.state[at.impulse[change.contact]], accuracy))
+        --impact.periods[change.contact];
+    impact.impulse.clear();
+    for (const Index place : at.impulse) impact.impulse.push_back(run.state[place] * d.scale.momentum());
+    clear_untouched(impact.periods, impact.impulse);
+  }
+
+  void solve(const model::Network& network, const hybrid::Options& options) {
+    system.reset(network, options.accuracy);
+    const auto& d = system.network();
+    initial_state(d, system.layout(), start);
+    const auto& run = hybrid::simulate(system, start, hybrid::scaled(options, d.scale), workspace);
+    describe(run, system.layout(), d.scale, impact);
+    report_contacts(run, options.accuracy);
+    gate.pass({d, system.layout(), workspace.mode, {start, run.state, run.time}}, options.accuracy,
+              impact.ending, impact.message);
+    gone = passage(run, impact.periods);
+    impact.widest = system.layout().contacts();
+  }
+};
+
+NetworkSolver::NetworkSolver() : memory_(std::make_unique<Memory>()) {}
+NetworkSolver::~NetworkSolver() = default;
+
+const BriefImpact& NetworkSolver::solve(const model::Network& network, const hybrid::Options& options) {
+  auto& m = *memory_;
+  model::validate(network);
+  hybrid::validate(options);
+  m.solve(network, options);
+  const auto solve = [&](double accuracy) {
+    auto tighter = options;
+    tighter.accuracy = accuracy;
+    m.solve(network, tighter);
+  };
+  keep_promise(options.accuracy, m.gone, m.impact, m.looser, solve, [&](const auto& a, const auto& b) {
+    return rate_difference(network, a.velocity, b.velocity);
+  });
+  return m.impact;
+}
+
+}  // namespace mariotte::impact
