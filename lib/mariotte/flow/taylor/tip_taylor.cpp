@@ -165,11 +165,9 @@ struct TipTaylor::Memory {
       return guards[phase.rest];
     };
     guards.resize(problem.guard_count());
-    const double at_start = series.w[0], at_end = speed(end.tau), rounding = epsilon * end.tau;
-    const bool turns = (at_start > 0) != (at_end > 0);
-    const double turn = turns ? locate_sign_change(speed, 0, at_start, end.tau, at_end, rounding) : end.tau;
-    for (const double tau : {turn, end.tau}) {
-      if (phase.rest < 0 || std::abs(speed(tau)) > phase.rest_speed) continue;
+    const double at_end = phase.rest < 0 ? infinity : speed(end.tau), rounding = epsilon * end.tau;
+    for (const double tau : {turn(series, phase, end.tau, at_end, speed), end.tau}) {
+      if (!(std::abs(tau == end.tau ? at_end : speed(tau)) <= phase.rest_speed)) continue;
       const double last = unrest(tau), first = last > 0 ? last : unrest(0);
       if (last > 0) continue;
       end = {first > 0 ? locate_sign_change(unrest, 0, first, tau, last, rounding) : 0, phase.rest};
@@ -177,6 +175,18 @@ struct TipTaylor::Memory {
     }
     store(series, phase, end.tau, order, before, x);
     return end;
+  }
+
+  /// Where the tip turns within a step, if it can rest there, or the end of the step. It cannot where its
+  /// elastic energy 2/5 k δ^{5/2} − 2/3 b δ^{3/2} is positive, as it is deeper than 5/3 b/k.
+  template <class Series>
+  static double turn(const Series& series, const TipPhase& phase, double end, double at_end,
+                     const auto& speed) {
+    const double at_start = series.w[0];
+    const bool turns = phase.rest >= 0 && (at_start > 0) != (at_end > 0);
+    const bool deep = 0.4 * phase.stiffness * series.s[0] * series.s[0] > 2.0 / 3.0 * phase.adhesion;
+    if (!turns || (deep && at_start <= 0)) return end;
+    return locate_sign_change(speed, 0, at_start, end, at_end, epsilon * end);
   }
 
   template <class Series>
