@@ -179,6 +179,33 @@ BOOST_AUTO_TEST_CASE(rest_at_a_turn_is_not_stepped_over) {
   expect_same_at_every_accuracy(body);
 }
 
+// A tip is slow enough to rest for a tenth of a step, and then moves on.
+BOOST_AUTO_TEST_CASE(rest_within_a_step_is_not_stepped_over) {
+  expect_same_at_every_accuracy(
+      slim({.body = model::rod(1.7065939816452595e-06, 10.471530648404062, density),
+            .adhesion = 0.15889914924229098,
+            .zeta_hertz = 270.49762148434712,
+            .zeta_adhesion = 4.4763386831491534,
+            .friction = 0.17994849058474938,
+            .velocity = {-0.54161886001767479, 0.032053692277907511, 0.083221076876952182}}));
+}
+
+// Errors of hundreds of steps add up: such a body is run again, tighter.
+BOOST_AUTO_TEST_CASE(a_body_that_creeps_for_long_keeps_the_accuracy) {
+  const auto body = slim({.body = model::rod(3.6808646114047367e-06, 2.982692676681479, density),
+                          .adhesion = 0.018294160076615221,
+                          .zeta_hertz = 213.81302816889749,
+                          .zeta_adhesion = 0.57262229367070128,
+                          .friction = 0.83639633145734282,
+                          .velocity = {-1.1169815952117299, 0, 0},
+                          .angles = {0, 1.4895031498246203, 0}});
+  expect_same_at_every_accuracy(body);
+  const auto impact = impact::simulate(body, {.accuracy = 1e-10});
+  BOOST_TEST_REQUIRE(impact.estimated_accuracy.has_value());
+  BOOST_TEST(*impact.estimated_accuracy <= 1e-10);
+  BOOST_TEST(impact.requested_accuracy == 1e-10);
+}
+
 // Where the well is deep and the body slow, its energy is below the barrier when the tip turns, at its
 // deepest.
 BOOST_AUTO_TEST_CASE(a_tip_that_turns_while_its_slip_begins_is_not_at_rest) {

@@ -37,21 +37,4 @@ Passage passage(const Run& run, const std::vector<Index>& periods) {
   return gone;
 }
 
-/// Where errors may have grown on the way of `impact`: tighter runs by `solve(accuracy)`, which fill in
-/// `impact`, until two agree within `wanted`; `apart(a, b)` is by how much two differ. `looser` is memory.
-template <class Solve, class Apart>
-void keep_promise(double wanted, const Passage& gone, BriefImpact& impact, BriefImpact& looser, Solve&& solve,
-                  Apart&& apart) {
-  impact.estimated_accuracy.reset();
-  if (!may_have_erred(gone)) return;
-  const auto estimate = keep_promise(wanted, [&](double accuracy) -> std::optional<double> {
-    looser = impact;
-    solve(accuracy);
-    if (may_replace(looser.ending, impact.ending)) return apart(impact, looser);
-    std::swap(impact, looser);
-    return std::nullopt;
-  });
-  impact.estimated_accuracy = estimate;
-}
-
 }  // namespace mariotte::impact

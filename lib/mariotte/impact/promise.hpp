@@ -84,20 +84,42 @@ std::optional<double> keep_promise(double wanted, Run&& run) {
   return last;
 }
 
-/// The same for whole results: `again(accuracy)` makes a tighter one, which takes the place of `impact`
-/// if it may; `apart(a, b)` is by how much two differ.
+/// What a whole result of a chain or network has gone through.
+template <class Impact>
+Passage passage(const Impact& impact) {
+  Passage gone{.contacts = std::ssize(impact.contacts)};
+  for (const auto& contact : impact.contacts) gone.periods += std::ssize(contact.periods);
+  for (const auto& flow : impact.flows) count_steps(gone, flow.name.starts_with("cvode"), flow.steps);
+  return gone;
+}
+
+/// Where errors may have grown on the way of a result: `again(accuracy)` makes a tighter one, which takes the
+/// place of `impact` if it may, until two agree within `wanted`; `apart(a, b)` is by how much two differ.
 template <class Impact, class Again, class Apart>
-void keep_promise(double wanted, Impact& impact, Again&& again, Apart&& apart) {
-  Passage passage{.contacts = std::ssize(impact.contacts)};
-  for (const auto& contact : impact.contacts) passage.periods += std::ssize(contact.periods);
-  for (const auto& flow : impact.flows) count_steps(passage, flow.name.starts_with("cvode"), flow.steps);
-  if (!may_have_erred(passage)) return;
-  const auto estimate = keep_promise(wanted, [&](double accuracy) -> std::optional<double> {
+void keep_promise(double wanted, const Passage& gone, Impact& impact, Again&& again, Apart&& apart) {
+  impact.estimated_accuracy.reset();
+  if (!may_have_erred(gone)) return;
+  impact.estimated_accuracy = keep_promise(wanted, [&](double accuracy) -> std::optional<double> {
     auto tighter = again(accuracy);
     if (!may_replace(impact.ending, tighter.ending)) return std::nullopt;
     const double difference = apart(impact, tighter);
     impact = std::move(tighter);
     return difference;
+  });
+}
+
+/// The same for brief results: `solve(accuracy)` fills in `impact`; `looser` is memory.
+template <class Brief, class Solve, class Apart>
+void keep_promise(double wanted, const Passage& gone, Brief& impact, Brief& looser, Solve&& solve,
+                  Apart&& apart) {
+  impact.estimated_accuracy.reset();
+  if (!may_have_erred(gone)) return;
+  const auto estimate = keep_promise(wanted, [&](double accuracy) -> std::optional<double> {
+    looser = impact;
+    solve(accuracy);
+    if (may_replace(looser.ending, impact.ending)) return apart(impact, looser);
+    std::swap(impact, looser);
+    return std::nullopt;
   });
   impact.estimated_accuracy = estimate;
 }

@@ -145,6 +145,30 @@ double step_length(const Series& series, const TipPhase& phase, double accuracy,
   return squares ? 0.5 * step : step;
 }
 
+/// Where a tip can rest within a step: it moves slowly enough, and is not so deep that its elastic energy
+/// 2/5 k δ^{5/2} − 2/3 b δ^{3/2} is positive, δ > 5/3 b/k.
+struct SlowPart {
+  double first, last;
+};
+
+template <class Series>
+std::optional<SlowPart> slow_part(const Series& series, const TipPhase& phase, int order, double end) {
+  const auto in_well = [&](double s) { return 0.4 * phase.stiffness * s * s < 2.0 / 3.0 * phase.adhesion; };
+  if (phase.rest < 0 || !(in_well(series.s[0]) || in_well(horner(terms(series.s, order), end)))) return {};
+  const double sign = series.w[0] < 0 ? -1 : 1;
+  PowerSeries excess;  // of the speed
+  for (int k = 0; k <= order; ++k) excess[k] = sign * series.w[k];
+  excess[0] -= phase.rest_speed;
+  const auto first = excess[0] <= 0 ? 0 : first_fall(terms(excess, order), end);
+  if (!first) return {};
+  const auto back = [&](double tau) {  // positive until it is as fast again the other way
+    return horner(terms(excess, order), tau) + 2 * phase.rest_speed;
+  };
+  const double left = back(end);
+  const double last = left < 0 ? locate_sign_change(back, *first, back(*first), end, left, 1e-6 * end) : end;
+  return SlowPart{*first, last};
+}
+
 }  // namespace
 
 struct TipTaylor::Memory {
@@ -154,39 +178,32 @@ struct TipTaylor::Memory {
   std::vector<double> before, guards;
 
   /// The first place of rest in the step that ends at `end`, or that end; x is the state there. Rest is no
-  /// series, it takes the energy: it is looked for where the tip turns, and at the end.
+  /// series, it takes the energy: it is looked for while the tip is slow, at the beginning of that above all.
   template <class Series>
   End rest_or(End end, const Series& series, const TipPhase& phase, int order, const Problem& problem,
               State x) {
-    const auto speed = [&](double tau) { return horner(terms(series.w, order), tau); };
+    constexpr int pieces = 8;
+    constexpr double inside = 1e-6;  // where the tip has just become slow it may be too fast by rounding
     const auto unrest = [&](double tau) {
       store(series, phase, tau, order, before, x);
       problem.guards(x, guards);
       return guards[phase.rest];
     };
     guards.resize(problem.guard_count());
-    const double at_end = phase.rest < 0 ? infinity : speed(end.tau), rounding = epsilon * end.tau;
-    for (const double tau : {turn(series, phase, end.tau, at_end, speed), end.tau}) {
-      if (!(std::abs(tau == end.tau ? at_end : speed(tau)) <= phase.rest_speed)) continue;
-      const double last = unrest(tau), first = last > 0 ? last : unrest(0);
-      if (last > 0) continue;
-      end = {first > 0 ? locate_sign_change(unrest, 0, first, tau, last, rounding) : 0, phase.rest};
-      break;
+    const auto slow = slow_part(series, phase, order, end.tau);
+    double last = 0, from = 0;
+    for (int k = 0; slow && k <= pieces; ++k) {
+      const double place = k == 0 ? inside : static_cast<double>(k) / pieces;
+      const double tau = slow->first + (slow->last - slow->first) * place, now = unrest(tau);
+      if (now <= 0) {
+        end = {k == 0 ? slow->first : locate_sign_change(unrest, from, last, tau, now, epsilon * tau),
+               phase.rest};
+        break;
+      }
+      last = now, from = tau;
     }
     store(series, phase, end.tau, order, before, x);
     return end;
-  }
-
-  /// Where the tip turns within a step, if it can rest there, or the end of the step. It cannot where its
-  /// elastic energy 2/5 k δ^{5/2} − 2/3 b δ^{3/2} is positive, as it is deeper than 5/3 b/k.
-  template <class Series>
-  static double turn(const Series& series, const TipPhase& phase, double end, double at_end,
-                     const auto& speed) {
-    const double at_start = series.w[0];
-    const bool turns = phase.rest >= 0 && (at_start > 0) != (at_end > 0);
-    const bool deep = 0.4 * phase.stiffness * series.s[0] * series.s[0] > 2.0 / 3.0 * phase.adhesion;
-    if (!turns || (deep && at_start <= 0)) return end;
-    return locate_sign_change(speed, 0, at_start, end, at_end, epsilon * end);
   }
 
   template <class Series>

@@ -178,7 +178,7 @@ ChainImpact simulate(const model::Chain& chain, const hybrid::Options& options,
     return simulate_once(chain, tighter, observers);
   };
   if (observers.samplings.empty())  // what was sampled cannot be taken back
-    keep_promise(options.accuracy, impact, again, [&](const auto& a, const auto& b) {
+    keep_promise(options.accuracy, passage(impact), impact, again, [&](const auto& a, const auto& b) {
       return difference(a.velocity, b.velocity, reference_speed(chain));
     });
   impact.requested_accuracy = options.accuracy;

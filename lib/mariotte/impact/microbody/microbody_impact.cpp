@@ -5,8 +5,10 @@
 
 #include "mariotte/hybrid/simulate.hpp"
 #include "mariotte/impact/flow_uses.hpp"
+#include "mariotte/impact/microbody/microbody_difference.hpp"
 #include "mariotte/impact/microbody/microbody_gate.hpp"
 #include "mariotte/impact/microbody/microbody_watch.hpp"
+#include "mariotte/impact/promise.hpp"
 
 namespace mariotte::impact {
 
@@ -147,16 +149,8 @@ std::vector<Skipped> skipped(const MicrobodySystem& system, const model::Microbo
   return list;
 }
 
-}  // namespace
-
-bool has_restitution(const MicrobodyImpact& impact) {
-  return impact.rest || (!impact.impacts.empty() && impact.impacts[0].end);
-}
-
-MicrobodyImpact simulate(const model::Microbody& body, const hybrid::Options& options,
-                         const RunObserver& observers) {
-  model::validate(body);
-  hybrid::validate(options);
+MicrobodyImpact simulate_once(const model::Microbody& body, const hybrid::Options& options,
+                              const RunObserver& observers) {
   MicrobodySystem system(body, options.accuracy, /*balance=*/true);
   const auto start = initial_state(system.body(), system.layout());
   MicrobodyObserver watch(system, observers);
@@ -194,17 +188,38 @@ MicrobodyImpact simulate(const model::Microbody& body, const hybrid::Options& op
   return impact;
 }
 
+}  // namespace
+
+bool has_restitution(const MicrobodyImpact& impact) {
+  return impact.rest || (!impact.impacts.empty() && impact.impacts[0].end);
+}
+
+MicrobodyImpact simulate(const model::Microbody& body, const hybrid::Options& options,
+                         const RunObserver& observers) {
+  model::validate(body);
+  hybrid::validate(options);
+  auto impact = simulate_once(body, options, observers);
+  Passage gone{.contacts = std::ssize(body.body.tips), .periods = std::ssize(impact.impacts)};
+  for (const auto& flow : impact.flows) count_steps(gone, flow.name.starts_with("cvode"), flow.steps);
+  const auto again = [&](double accuracy) {
+    auto tighter = options;
+    tighter.accuracy = accuracy;
+    return simulate_once(body, tighter, observers);
+  };
+  if (observers.samplings.empty())  // what was sampled cannot be taken back
+    keep_promise(options.accuracy, gone, impact, again, [&](const auto& a, const auto& b) {
+      return difference(body, a.final.velocity - b.final.velocity, a.final.spin - b.final.spin);
+    });
+  impact.requested_accuracy = options.accuracy;
+  return impact;
+}
+
 double estimate_accuracy(const model::Microbody& body, const hybrid::Options& options,
                          const MicrobodyImpact& result) {
   auto tighter = options;
   tighter.accuracy = std::max(1e-2 * options.accuracy, 16 * epsilon);
-  const auto reference = simulate(body, tighter);
-  const auto& tip = body.body.tips[0];
-  const double reach = norm(tip.centre) + tip.radius;
-  const double error = std::max(norm(result.final.velocity - reference.final.velocity),
-                                reach * norm(result.final.spin - reference.final.spin));
-  const Vector3 turning = cross(body.spin, rotate(body.attitude, tip.centre));
-  return error / std::max(norm(body.velocity), norm(body.velocity + turning));
+  const auto reference = simulate(body, tighter).final;
+  return difference(body, result.final.velocity - reference.velocity, result.final.spin - reference.spin);
 }
 
 }  // namespace mariotte::impact

@@ -79,7 +79,7 @@ struct MicrobodyImpact {
   std::vector<FlowUse> flows;
   std::vector<Skipped> skipped;
   double requested_accuracy = 0;
-  std::optional<double> estimated_accuracy;
+  std::optional<double> estimated_accuracy;  ///< where a run took many steps, or from estimate_accuracy
   BodyTrace trace;
 };
 

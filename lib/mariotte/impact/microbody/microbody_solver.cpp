@@ -1,7 +1,9 @@
 #include "mariotte/impact/microbody/microbody_solver.hpp"
 
 #include "mariotte/hybrid/simulate.hpp"
+#include "mariotte/impact/microbody/microbody_difference.hpp"
 #include "mariotte/impact/microbody/microbody_gate.hpp"
+#include "mariotte/impact/promise.hpp"
 #include "mariotte/model/microbody/microbody_system.hpp"
 
 namespace mariotte::impact {
@@ -21,7 +23,8 @@ Index count_openings(const std::vector<hybrid::Timed<model::MicrobodyChange>>& c
 
 struct MicrobodySolver::Memory {
   hybrid::Workspace<MicrobodySystem> workspace;
-  BriefMicrobodyImpact impact;
+  BriefMicrobodyImpact impact, looser;
+  Passage gone;
 
   void report(const MicrobodySystem& system, const hybrid::Trajectory<model::MicrobodyChange>& run) {
     const auto& scale = system.body().scale;
@@ -35,11 +38,25 @@ struct MicrobodySolver::Memory {
               .spin = (1 / scale.time) * system.mechanics().spin(x),
               .tip_velocity = scale.velocity * system.mechanics().tip(x, 0).velocity,
               .impacts = count_openings(run.changes),
-              .events = run.events};
-    for (const auto& flow : run.flows) {
+              .events = run.events,
+              .estimated_accuracy = {}};
+    gone = {.contacts = system.layout().tips, .periods = impact.impacts};
+    for (const auto kind : flow::kinds) {
+      const auto& flow = run.flows[static_cast<std::size_t>(kind)];
       impact.steps += flow.steps;
       impact.rhs += flow.rhs;
+      count_steps(gone, is_cvode(kind), flow.steps);
     }
+  }
+
+  void solve(const model::Microbody& body, const hybrid::Options& options) {
+    MicrobodySystem system(body, options.accuracy, /*balance=*/false, {.force_signs = false});
+    const auto start = initial_state(system.body(), system.layout());
+    auto run_options = hybrid::scaled(options, system.body().scale);
+    run_options.accuracy = system.accuracy();
+    const auto& run = hybrid::simulate(system, start, run_options, workspace);
+    report(system, run);
+    pass_gate(balances(system, start, run.state, workspace.mode), impact.ending, impact.message);
   }
 };
 
@@ -48,17 +65,19 @@ MicrobodySolver::~MicrobodySolver() = default;
 
 const BriefMicrobodyImpact& MicrobodySolver::solve(const model::Microbody& body,
                                                    const hybrid::Options& options) {
+  auto& m = *memory_;
   model::validate(body);
   hybrid::validate(options);
-  MicrobodySystem system(body, options.accuracy, /*balance=*/false, {.force_signs = false});
-  const auto start = initial_state(system.body(), system.layout());
-  auto run_options = hybrid::scaled(options, system.body().scale);
-  run_options.accuracy = system.accuracy();
-  const auto& run = hybrid::simulate(system, start, run_options, memory_->workspace);
-  memory_->report(system, run);
-  pass_gate(balances(system, start, run.state, memory_->workspace.mode), memory_->impact.ending,
-            memory_->impact.message);
-  return memory_->impact;
+  m.solve(body, options);
+  const auto solve = [&](double accuracy) {
+    auto tighter = options;
+    tighter.accuracy = accuracy;
+    m.solve(body, tighter);
+  };
+  keep_promise(options.accuracy, m.gone, m.impact, m.looser, solve, [&](const auto& a, const auto& b) {
+    return difference(body, a.velocity - b.velocity, a.spin - b.spin);
+  });
+  return m.impact;
 }
 
 }  // namespace mariotte::impact

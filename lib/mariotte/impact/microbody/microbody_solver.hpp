@@ -1,6 +1,7 @@
 // Many microbodies with the same memory: where they end up, and nothing that costs extra.
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "mariotte/hybrid/ending.hpp"
@@ -21,6 +22,8 @@ struct BriefMicrobodyImpact {
   Index events = 0;         ///< instants at which something changed
   Index steps = 0;
   Index rhs = 0;  ///< evaluations of the right-hand side, or of its series
+  /// Difference to a looser run, relative to the largest incident speed; where a run took many steps
+  std::optional<double> estimated_accuracy;
 };
 
 /// Solves one body after the other with the same flows. Not to be shared between threads; each has its own.

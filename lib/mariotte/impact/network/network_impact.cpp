@@ -129,7 +129,7 @@ NetworkImpact simulate(const model::Network& network, const hybrid::Options& opt
     return simulate_once(network, tighter, observers);
   };
   if (observers.samplings.empty())  // what was sampled cannot be taken back
-    keep_promise(options.accuracy, impact, again, [&](const auto& a, const auto& b) {
+    keep_promise(options.accuracy, passage(impact), impact, again, [&](const auto& a, const auto& b) {
       return rate_difference(network, a.velocity, b.velocity);
     });
   impact.requested_accuracy = options.accuracy;

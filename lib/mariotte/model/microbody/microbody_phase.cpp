@@ -42,14 +42,14 @@ bool can_swing(const DimensionlessMicrobody& body) {
   return body.motion != TipPhase::Motion::normal && !(body.body.tips[0].centre == Vector3{});
 }
 
-/// Speed along the normal that counts as rest in a well: the accuracy, or, where the tip follows a swing and
-/// so never rests, a share of the speed that the well gives. Where such a run ends depends on the scene
-/// alone.
+/// Speed along the normal that counts as rest in a well: half of what may be wrong, or, where the tip follows
+/// a swing and so never rests, a share of the speed that the well gives. Where such a run ends depends on the
+/// scene alone.
 double rest_speed(const DimensionlessMicrobody& body, double accuracy) {
   constexpr double share = 1e-3;
   const auto& law = body.law[0];
   const double well = -contact::stored_energy(law, contact::rest_indentation(law));
-  return can_swing(body) ? share * std::sqrt(2 * well / body.body.mass) : accuracy / body.time;
+  return can_swing(body) ? share * std::sqrt(2 * well / body.body.mass) : 0.5 * accuracy * body.speed;
 }
 
 }  // namespace
