@@ -139,3 +139,16 @@ BOOST_AUTO_TEST_CASE(pairs_in_random_chains_are_followed_as_cvode_follows_them) 
     }
   }
 }
+
+// 1e-9 − t + δ/2 with δ = t but for t^{7/2}: right after the touch, where y = −1 tells little of δ.
+BOOST_AUTO_TEST_CASE(a_gap_that_closes_right_after_the_touch_closes_on_time) {
+  const auto motion = flow::make_pair_motion(
+      {.stiffness = 1, .damping = 0, .exponent = 1.5, .reduced_mass = 1}, {.value = 0, .rate = 1});
+  for (const double width : {1e-6, 1e-9, 1e-12})
+    BOOST_TEST(std::abs(std::visit(
+                            [&](const auto& one) {
+                              return one.fall({width, -1, 0.5});
+                            },
+                            motion) -
+                        2 * width) < 4 * epsilon);
+}

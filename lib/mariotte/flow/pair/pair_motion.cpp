@@ -97,23 +97,34 @@ double HertzMotion::value(const ConcaveGap& gap, const Place& place) const {
   return value_of(gap, tau_ * (time(place) - start_time_), depth_ * place.ratio - start_depth_);
 }
 
-/// Behind its maximum, where δ̇ = −rate/coupling, in whichever of the two charts holds the root.
+/// Behind its maximum, where δ̇ = −rate/coupling, in whichever of the three charts holds the root: by δ/δ_m
+/// while the contact is shallow, on its way in and out, and by y between. In y the way in would be cut short:
+/// one rounding error of y = −1 is 5e-7 of δ_m.
 double HertzMotion::fall(const ConcaveGap& gap) const {
   if (gap.coupling == 0) return -gap.value / gap.rate;
   const double top = std::clamp(gap.rate / (gap.coupling * speed_), y_start_, 1.0);
-  const auto by_y = [&](double y) { return value(gap, from_y(y)); };
-  const auto by_ratio = [&](double ratio) { return value(gap, from_ratio(ratio)); };
-  const auto elapsed = [&](const Place& place) { return tau_ * (time(place) - start_time_); };
-  if (const double at_middle = by_y(middle); top < middle && at_middle <= 0) {
-    const double highest = by_y(top);
-    if (!(highest > 0)) return elapsed(from_y(top));
-    return elapsed(from_y(locate_sign_change(by_y, top, highest, middle, at_middle, epsilon)));
-  }
-  const double from = from_y(std::max(top, middle)).ratio;
-  const double highest = by_ratio(from), lowest = by_ratio(0);
-  if (!(highest > 0)) return elapsed(from_ratio(from));
-  if (lowest >= 0) return duration();
-  return elapsed(from_ratio(locate_sign_change(by_ratio, 0, lowest, from, highest, epsilon)));
+  const auto on_way_in = [&](double ratio) {
+    auto place = from_ratio(ratio);
+    place.y = -place.y;
+    return place;
+  };
+  const auto in_the_middle = [&](double y) { return from_y(y); };
+  const auto on_way_out = [&](double ratio) { return from_ratio(ratio); };
+  const auto root = [&](const auto& chart, double from, double to) {
+    const auto at = [&](double place) { return value(gap, chart(place)); };
+    const double first = at(from), last = at(to);
+    const double place = !(first > 0) ? from
+                         : from <= to ? locate_sign_change(at, from, first, to, last, epsilon)
+                                      : locate_sign_change(at, to, last, from, first, epsilon);
+    return tau_ * (time(chart(place)) - start_time_);
+  };
+  const double half = fifth_power_root(0.5);
+  if (top < -middle && value(gap, from_y(-middle)) <= 0)
+    return root(on_way_in, top > y_start_ ? from_y(top).ratio : start_depth_ / depth_, half);
+  if (top < middle && value(gap, from_y(middle)) <= 0)
+    return root(in_the_middle, std::max(top, -middle), middle);
+  if (value(gap, from_ratio(0)) >= 0) return duration();
+  return root(on_way_out, from_y(std::max(top, middle)).ratio, 0);
 }
 
 LinearMotion::LinearMotion(const PairLaw& law, const Indentation& start)
