@@ -42,14 +42,15 @@ BOOST_AUTO_TEST_CASE(tighter_runs_are_asked_for_as_the_difference_says) {
 
 BOOST_AUTO_TEST_CASE(runs_stop_when_two_agree) {
   int runs = 0;
-  const auto last =
-      impact::keep_promise(1e-8, [&](double) { return std::optional(++runs < 2 ? 1e-6 : 1e-9); });
+  const auto last = impact::keep_promise(
+      {.accuracy = 1e-8}, [&](const hybrid::Options&) { return std::optional(++runs < 2 ? 1e-6 : 1e-9); });
   BOOST_TEST(runs == 2);
   BOOST_TEST(last.value() == 1e-9);
 }
 
 BOOST_AUTO_TEST_CASE(a_run_that_fails_leaves_the_one_before) {
-  BOOST_TEST(!impact::keep_promise(1e-8, [](double) { return std::optional<double>(); }));
+  BOOST_TEST(!impact::keep_promise({.accuracy = 1e-8},
+                                   [](const hybrid::Options&) { return std::optional<double>(); }));
 }
 
 BOOST_AUTO_TEST_CASE(what_is_not_a_number_never_agrees) {

@@ -17,6 +17,8 @@
 
 #include "mariotte/core/types.hpp"
 #include "mariotte/hybrid/ending.hpp"
+#include "mariotte/hybrid/options.hpp"
+#include "mariotte/impact/flow_use.hpp"
 
 namespace mariotte::impact {
 
@@ -30,6 +32,11 @@ struct Passage {
 /// Adds the steps of a flow.
 inline void count_steps(Passage& passage, bool by_cvode, Index steps) {
   passage.steps += by_cvode ? steps / 30 : steps;
+}
+
+/// Adds the steps of all flows of a whole result.
+inline void count_steps(Passage& passage, const std::vector<FlowUse>& flows) {
+  for (const auto& flow : flows) count_steps(passage, flow.name.starts_with("cvode"), flow.steps);
 }
 
 /// True if errors may have grown: contacts have closed more than twice each on average, so that what one does
@@ -67,19 +74,21 @@ inline bool may_replace(hybrid::Ending looser, hybrid::Ending tighter) {
   return tighter != Ending::failed && (tighter != Ending::unsure || looser == Ending::unsure);
 }
 
-/// Run tighter until two runs agree within `wanted`: `run(accuracy)` runs and returns by how much its
-/// velocities differ from those of the run before, or nothing if it may not replace it. Returns the last
-/// difference; empty if no tighter run succeeded.
+/// Run tighter until two runs agree within the accuracy that is `asked` for: `run(options)` runs and returns
+/// by how much its velocities differ from those of the run before, or nothing if it may not replace it.
+/// Returns the last difference; empty if no tighter run succeeded.
 template <class Run>
-std::optional<double> keep_promise(double wanted, Run&& run) {
+std::optional<double> keep_promise(const hybrid::Options& asked, Run&& run) {
   std::optional<double> last;
-  auto accuracy = next_accuracy(wanted, wanted, last);
+  auto tighter = asked;
+  auto accuracy = next_accuracy(asked.accuracy, asked.accuracy, last);
   while (accuracy) {
-    const std::optional<double> apart = run(*accuracy);
+    tighter.accuracy = *accuracy;
+    const std::optional<double> apart = run(tighter);
     if (!apart) break;
     last = apart;
-    if (*last <= wanted) break;
-    accuracy = next_accuracy(wanted, *accuracy, last);
+    if (*last <= asked.accuracy) break;
+    accuracy = next_accuracy(asked.accuracy, *accuracy, last);
   }
   return last;
 }
@@ -89,34 +98,36 @@ template <class Impact>
 Passage passage(const Impact& impact) {
   Passage gone{.contacts = std::ssize(impact.contacts)};
   for (const auto& contact : impact.contacts) gone.periods += std::ssize(contact.periods);
-  for (const auto& flow : impact.flows) count_steps(gone, flow.name.starts_with("cvode"), flow.steps);
+  count_steps(gone, impact.flows);
   return gone;
 }
 
-/// Where errors may have grown on the way of a result: `again(accuracy)` makes a tighter one, which takes the
-/// place of `impact` if it may, until two agree within `wanted`; `apart(a, b)` is by how much two differ.
+/// Where errors may have grown on the way of a result: `again(options)` makes a tighter one, which takes the
+/// place of `impact` if it may, until two agree; `apart(a, b)` is by how much two differ.
 template <class Impact, class Again, class Apart>
-void keep_promise(double wanted, const Passage& gone, Impact& impact, Again&& again, Apart&& apart) {
-  impact.estimated_accuracy.reset();
-  if (!may_have_erred(gone)) return;
-  impact.estimated_accuracy = keep_promise(wanted, [&](double accuracy) -> std::optional<double> {
-    auto tighter = again(accuracy);
-    if (!may_replace(impact.ending, tighter.ending)) return std::nullopt;
-    const double difference = apart(impact, tighter);
-    impact = std::move(tighter);
-    return difference;
-  });
-}
-
-/// The same for brief results: `solve(accuracy)` fills in `impact`; `looser` is memory.
-template <class Brief, class Solve, class Apart>
-void keep_promise(double wanted, const Passage& gone, Brief& impact, Brief& looser, Solve&& solve,
+void keep_promise(const hybrid::Options& asked, const Passage& gone, Impact& impact, Again&& again,
                   Apart&& apart) {
   impact.estimated_accuracy.reset();
   if (!may_have_erred(gone)) return;
-  const auto estimate = keep_promise(wanted, [&](double accuracy) -> std::optional<double> {
+  impact.estimated_accuracy =
+      keep_promise(asked, [&](const hybrid::Options& options) -> std::optional<double> {
+        auto tighter = again(options);
+        if (!may_replace(impact.ending, tighter.ending)) return std::nullopt;
+        const double difference = apart(impact, tighter);
+        impact = std::move(tighter);
+        return difference;
+      });
+}
+
+/// The same for brief results: `solve(options)` fills in `impact`; `looser` is memory.
+template <class Brief, class Solve, class Apart>
+void keep_promise(const hybrid::Options& asked, const Passage& gone, Brief& impact, Brief& looser,
+                  Solve&& solve, Apart&& apart) {
+  impact.estimated_accuracy.reset();
+  if (!may_have_erred(gone)) return;
+  const auto estimate = keep_promise(asked, [&](const hybrid::Options& options) -> std::optional<double> {
     looser = impact;
-    solve(accuracy);
+    solve(options);
     if (may_replace(looser.ending, impact.ending)) return apart(impact, looser);
     std::swap(impact, looser);
     return std::nullopt;

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace mariotte::impact {
+#include "mariotte/impact/unloaded_depth.hpp"
 
-using contact::ContactMode;
+namespace mariotte::impact {
 
 namespace {
 
@@ -59,19 +59,6 @@ double energy_gain(const ChainOutcome& o) {
   return worst;
 }
 
-/// Largest indentation without force, in units of what is not heard.
-double noise_indentation(const ChainOutcome& o, double accuracy) {
-  double worst = 0;
-  for (Index j = 0; j < o.layout.contacts(); ++j) {
-    if (o.mode[j] != ContactMode::open && o.mode[j] != ContactMode::hovering) continue;
-    const double allowed =
-        noise_depths * o.chain.noise_depth[j] + balance_allowance * accuracy * o.chain.length[j];
-    const double depth = -o.interval.after[o.layout.gap[j]] / allowed;
-    worst = depth <= worst ? worst : depth;  // a gap that is not a number counts
-  }
-  return worst;
-}
-
 }  // namespace
 
 void pass_gate(const ChainOutcome& o, double accuracy, hybrid::Ending& ending, std::string& message) {
@@ -88,7 +75,7 @@ void pass_gate(const ChainOutcome& o, double accuracy, hybrid::Ending& ending, s
       {"an impulse that pulls, or of a contact that never closed", wrong_impulse(o), share * momentum},
       {"the energy that a contact has gained", energy_gain(o), allowed},
       {"an indentation without force, relative to what cannot be told from rest,",
-       noise_indentation(o, accuracy), 1},
+       unloaded_depth(o.chain, o.layout, o.mode, o.interval.after, accuracy), 1},
   };
   pass_gate(balances, ending, message);
 }

@@ -172,13 +172,9 @@ ChainImpact simulate(const model::Chain& chain, const hybrid::Options& options,
   hybrid::validate(options);
   model::expect_end(chain, options.max_time);
   auto impact = simulate_once(chain, options, observers);
-  const auto again = [&](double accuracy) {
-    auto tighter = options;
-    tighter.accuracy = accuracy;
-    return simulate_once(chain, tighter, observers);
-  };
+  const auto again = [&](const hybrid::Options& tighter) { return simulate_once(chain, tighter, observers); };
   if (observers.samplings.empty())  // what was sampled cannot be taken back
-    keep_promise(options.accuracy, passage(impact), impact, again, [&](const auto& a, const auto& b) {
+    keep_promise(options, passage(impact), impact, again, [&](const auto& a, const auto& b) {
       return difference(a.velocity, b.velocity, reference_speed(chain));
     });
   impact.requested_accuracy = options.accuracy;

@@ -75,13 +75,9 @@ const BriefImpact& ChainSolver::solve(const model::Chain& chain, const hybrid::O
   hybrid::validate(options);
   model::expect_end(chain, options.max_time);
   m.solve(chain, options);
-  const auto solve = [&](double accuracy) {
-    auto tighter = options;
-    tighter.accuracy = accuracy;
-    m.solve(chain, tighter);
-  };
+  const auto solve = [&](const hybrid::Options& tighter) { m.solve(chain, tighter); };
   const double speed = reference_speed(chain);
-  keep_promise(options.accuracy, m.gone, m.impact, m.looser, solve,
+  keep_promise(options, m.gone, m.impact, m.looser, solve,
                [&](const auto& a, const auto& b) { return difference(a.velocity, b.velocity, speed); });
   return m.impact;
 }

@@ -200,14 +200,10 @@ MicrobodyImpact simulate(const model::Microbody& body, const hybrid::Options& op
   hybrid::validate(options);
   auto impact = simulate_once(body, options, observers);
   Passage gone{.contacts = std::ssize(body.body.tips), .periods = std::ssize(impact.impacts)};
-  for (const auto& flow : impact.flows) count_steps(gone, flow.name.starts_with("cvode"), flow.steps);
-  const auto again = [&](double accuracy) {
-    auto tighter = options;
-    tighter.accuracy = accuracy;
-    return simulate_once(body, tighter, observers);
-  };
+  count_steps(gone, impact.flows);
+  const auto again = [&](const hybrid::Options& tighter) { return simulate_once(body, tighter, observers); };
   if (observers.samplings.empty())  // what was sampled cannot be taken back
-    keep_promise(options.accuracy, gone, impact, again, [&](const auto& a, const auto& b) {
+    keep_promise(options, gone, impact, again, [&](const auto& a, const auto& b) {
       return difference(body, a.final.velocity - b.final.velocity, a.final.spin - b.final.spin);
     });
   impact.requested_accuracy = options.accuracy;

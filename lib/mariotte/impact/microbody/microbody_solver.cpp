@@ -69,12 +69,8 @@ const BriefMicrobodyImpact& MicrobodySolver::solve(const model::Microbody& body,
   model::validate(body);
   hybrid::validate(options);
   m.solve(body, options);
-  const auto solve = [&](double accuracy) {
-    auto tighter = options;
-    tighter.accuracy = accuracy;
-    m.solve(body, tighter);
-  };
-  keep_promise(options.accuracy, m.gone, m.impact, m.looser, solve, [&](const auto& a, const auto& b) {
+  const auto solve = [&](const hybrid::Options& tighter) { m.solve(body, tighter); };
+  keep_promise(options, m.gone, m.impact, m.looser, solve, [&](const auto& a, const auto& b) {
     return difference(body, a.velocity - b.velocity, a.spin - b.spin);
   });
   return m.impact;

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace mariotte::impact {
+#include "mariotte/impact/unloaded_depth.hpp"
 
-using contact::ContactMode;
+namespace mariotte::impact {
 
 namespace {
 
@@ -43,19 +43,6 @@ Energy energy(const NetworkOutcome& o, const std::vector<ContactEnergy>& contact
     sum.gain = std::max(sum.gain, -contacts[j].dissipated);
   }
   return sum;
-}
-
-/// Largest indentation without force, in units of what is not heard.
-double noise_indentation(const NetworkOutcome& o, double accuracy) {
-  double worst = 0;
-  for (Index j = 0; j < o.network.contacts(); ++j) {
-    if (o.mode[j] != ContactMode::open && o.mode[j] != ContactMode::hovering) continue;
-    const double allowed =
-        noise_depths * o.network.noise_depth[j] + balance_allowance * accuracy * o.network.length[j];
-    const double depth = -o.interval.after[o.layout.gap[j]] / allowed;
-    worst = depth <= worst ? worst : depth;  // a gap that is not a number counts
-  }
-  return worst;
 }
 
 }  // namespace
@@ -98,7 +85,7 @@ void NetworkGate::pass(const NetworkOutcome& o, double accuracy, hybrid::Ending&
       {"an impulse that pulls", pull, share * strongest},
       {"the energy that a contact has gained", gain, share * reached},
       {"an indentation without force, relative to what cannot be told from rest,",
-       noise_indentation(o, accuracy), 1},
+       unloaded_depth(o.network, o.layout, o.mode, o.interval.after, accuracy), 1},
   };
   pass_gate(balances, ending, message);
 }

@@ -123,13 +123,11 @@ NetworkImpact simulate(const model::Network& network, const hybrid::Options& opt
   model::validate(network);
   hybrid::validate(options);
   auto impact = simulate_once(network, options, observers);
-  const auto again = [&](double accuracy) {
-    auto tighter = options;
-    tighter.accuracy = accuracy;
+  const auto again = [&](const hybrid::Options& tighter) {
     return simulate_once(network, tighter, observers);
   };
   if (observers.samplings.empty())  // what was sampled cannot be taken back
-    keep_promise(options.accuracy, passage(impact), impact, again, [&](const auto& a, const auto& b) {
+    keep_promise(options, passage(impact), impact, again, [&](const auto& a, const auto& b) {
       return rate_difference(network, a.velocity, b.velocity);
     });
   impact.requested_accuracy = options.accuracy;

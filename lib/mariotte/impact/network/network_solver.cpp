@@ -55,12 +55,8 @@ const BriefImpact& NetworkSolver::solve(const model::Network& network, const hyb
   model::validate(network);
   hybrid::validate(options);
   m.solve(network, options);
-  const auto solve = [&](double accuracy) {
-    auto tighter = options;
-    tighter.accuracy = accuracy;
-    m.solve(network, tighter);
-  };
-  keep_promise(options.accuracy, m.gone, m.impact, m.looser, solve, [&](const auto& a, const auto& b) {
+  const auto solve = [&](const hybrid::Options& tighter) { m.solve(network, tighter); };
+  keep_promise(options, m.gone, m.impact, m.looser, solve, [&](const auto& a, const auto& b) {
     return rate_difference(network, a.velocity, b.velocity);
   });
   return m.impact;

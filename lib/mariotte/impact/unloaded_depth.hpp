@@ -1,0 +1,24 @@
+// Indentations that no force explains, of chains and networks.
+#pragma once
+#include "mariotte/contact/contact_set.hpp"
+#include "mariotte/impact/gate.hpp"
+#include "mariotte/model/contacts/contact_layout.hpp"
+
+namespace mariotte::impact {
+
+/// Largest indentation of a contact without force at state x, in units of what cannot be told from rest.
+inline double unloaded_depth(const model::ScaledContacts& contacts, const model::ContactLayout& layout,
+                             const contact::ContactSet& mode, ConstState x, double accuracy) {
+  using contact::ContactMode;
+  double worst = 0;
+  for (Index j = 0; j < contacts.contacts(); ++j) {
+    if (mode[j] != ContactMode::open && mode[j] != ContactMode::hovering) continue;
+    const double allowed =
+        noise_depths * contacts.noise_depth[j] + balance_allowance * accuracy * contacts.length[j];
+    const double depth = -x[layout.gap[j]] / allowed;
+    worst = depth <= worst ? worst : depth;  // a gap that is not a number counts
+  }
+  return worst;
+}
+
+}  // namespace mariotte::impact
