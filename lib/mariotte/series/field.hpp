@@ -1,0 +1,39 @@
+// What a field is: the right-hand side of a phase, written once, over any kind of number.
+//
+//   struct Fall {
+//     enum { height, speed, states, energy = states, rows };
+//     enum { gravity, drag, parameters };
+//     template <class T>
+//     static constexpr auto rates(const std::array<T, states>& x, const std::array<T, parameters>& p) {
+//       std::array<T, rows> row{};
+//       row[height] = x[speed];
+//       row[speed] = -p[gravity] - p[drag] * x[speed];
+//       row[energy] = p[gravity] * x[height] + 0.5 * (x[speed] * x[speed]);
+//       return row;
+//     }
+//   };
+//
+// The first `states` rows are the rates of the states; the others are values that somebody wants to see.
+// A field has no branch on data: modes are flags of a template.
+#pragma once
+#include <array>
+
+// Sanitizers crawl through what is inlined by force.
+#ifdef MARIOTTE_SANITIZED
+#define MARIOTTE_SERIES_INLINE inline
+#define MARIOTTE_SERIES_LAMBDA
+#else
+#define MARIOTTE_SERIES_INLINE inline __attribute__((always_inline))
+#define MARIOTTE_SERIES_LAMBDA __attribute__((always_inline))
+#endif
+
+namespace mariotte::series {
+
+template <class Field, class T>
+using States = std::array<T, Field::states>;
+template <class Field, class T>
+using Parameters = std::array<T, Field::parameters>;
+template <class Field, class T>
+using Rows = std::array<T, Field::rows>;
+
+}  // namespace mariotte::series
