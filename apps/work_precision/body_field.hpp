@@ -108,7 +108,7 @@ struct SpatialField : TipField {
     const double turn = 1 / reach(), momentum = transverse / reach();
     return {1, turn, turn, turn, turn, 1, 1, 1, momentum, momentum, momentum};
   }
-  static Vector3 axis(const double* x) { return rotate({x[1], x[2], x[3], x[4]}, {1, 0, 0}); }
+  static Vector3 axis(const double* x) { return rotate(Quaternion{x[1], x[2], x[3], x[4]}, {1, 0, 0}); }
   Vector3 spin(const Vector3& momentum, const Vector3& axis) const {
     return (1 / transverse) * momentum + ((1 / axial - 1 / transverse) * dot(momentum, axis)) * axis;
   }

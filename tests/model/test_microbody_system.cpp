@@ -2,6 +2,7 @@
 #define BOOST_TEST_MODULE model_microbody_system
 #include <boost/test/unit_test.hpp>
 
+#include "mariotte/model/microbody/microbody_field.hpp"
 #include "mariotte/model/microbody/microbody_system.hpp"
 #include "support/reference_bodies.hpp"
 
@@ -128,8 +129,8 @@ BOOST_AUTO_TEST_CASE(slip_that_ends_sticks_or_turns_round) {
   BOOST_TEST((turned.tip().start == SlipStart::turning));
   BOOST_TEST(!turned.tip().at_touch);
   // It slips the way it is free to accelerate.
-  const auto acceleration = turned.system.mechanics().slip_acceleration(
-      turned.x, turned.system.mechanics().forces(turned.x, turned.mode), 0);
+  const MicrobodyField<double> field(turned.system.mechanics(), turned.x);
+  const auto acceleration = field.slip_acceleration(field.forces(turned.mode), 0);
   BOOST_TEST(dot(acceleration, turned.tip().direction) > 0);
 }
 
@@ -168,9 +169,9 @@ BOOST_AUTO_TEST_CASE(sticking_friction_keeps_the_slip_constant) {
   Stage stage(body);
   stage.tip().contact = TipContact::sticking;
   stage.put_gap(-1);
-  const auto& mechanics = stage.system.mechanics();
-  const auto forces = mechanics.forces(stage.x, stage.mode);
-  BOOST_TEST(norm(mechanics.slip_acceleration(stage.x, forces, 0)) < 1e-12 * norm(forces.friction[0]));
+  const MicrobodyField<double> field(stage.system.mechanics(), stage.x);
+  const auto forces = field.forces(stage.mode);
+  BOOST_TEST(norm(field.slip_acceleration(forces, 0)) < 1e-12 * norm(forces.friction[0]));
   BOOST_TEST(!forces.redundant);
 }
 
@@ -183,10 +184,52 @@ BOOST_AUTO_TEST_CASE(two_tips_of_a_lying_rod_that_stick_share_friction_by_least_
     stage.x[stage.system.layout().place.gap[i]] = -1;
   }
   stage.put_velocity({-1, 0, 0});
-  const auto forces = stage.system.mechanics().forces(stage.x, stage.mode);
+  const MicrobodyField<double> field(stage.system.mechanics(), stage.x);
+  const auto forces = field.forces(stage.mode);
   BOOST_TEST(forces.redundant);
   // By symmetry each holds the same, and nothing slips.
   BOOST_TEST(norm(forces.friction[0] - forces.friction[1]) < 1e-9);
-  for (Index i = 0; i < 2; ++i)
-    BOOST_TEST(norm(stage.system.mechanics().slip_acceleration(stage.x, forces, i)) < 1e-9);
+  for (Index i = 0; i < 2; ++i) BOOST_TEST(norm(field.slip_acceleration(forces, i)) < 1e-9);
+}
+
+BOOST_AUTO_TEST_CASE(the_jacobian_agrees_with_differences) {
+  const auto tip = [](TipContact contact, SlipStart start) {
+    return TipMode{.contact = contact, .start = start, .direction = {0, 0.6, 0.8}};
+  };
+  const auto clear = tip(TipContact::clear, SlipStart::moving),
+             stuck = tip(TipContact::sticking, SlipStart::moving),
+             slides = tip(TipContact::sliding, SlipStart::moving),
+             turns = tip(TipContact::sliding, SlipStart::turning);
+  for (const auto lever : {Lever::radius, Lever::indented})
+    for (const auto& tips : {std::array{slides, clear}, std::array{turns, clear}, std::array{stuck, clear},
+                             std::array{slides, stuck}, std::array{stuck, stuck}}) {
+      auto body = rod_at(0.7, 0.4);
+      body.lever = lever;
+      body.impacts = 2;
+      Stage stage(body);
+      stage.mode.tip = tips;
+      const auto& place = stage.system.layout().place;
+      for (const Index i : {0, 1}) stage.x[place.gap[i]] = -0.3 - 0.2 * static_cast<double>(i);
+      put(stage.x, place.attitude, normalized(Quaternion{0.7, 0.4, -0.5, 0.3}));
+      stage.put_velocity({0.2, -0.4, 0.3});
+      put(stage.x, place.momentum, Vector3{0.3, -0.2, 0.5});
+      const auto& mechanics = stage.system.mechanics();
+      const auto n = stage.x.size();
+      std::vector<double> values(mechanics.pattern().size()), full(n * n, 0.0), up(n), down(n);
+      mechanics.jacobian(stage.x, stage.mode, values);
+      for (std::size_t e = 0; e < values.size(); ++e) {
+        const auto [row, column] = mechanics.pattern()[e];
+        full[static_cast<std::size_t>(row) * n + static_cast<std::size_t>(column)] += values[e];
+      }
+      for (std::size_t j = 0; j < n; ++j) {
+        auto x = stage.x;
+        x[j] += 1e-5, mechanics.derivative(x, stage.mode, up);
+        x[j] -= 2e-5, mechanics.derivative(x, stage.mode, down);
+        for (std::size_t i = 0; i < n; ++i) {
+          const double slope = (up[i] - down[i]) / 2e-5;
+          BOOST_TEST(std::abs(full[i * n + j] - slope) < 1e-7 * (1 + std::abs(slope)),
+                     "row " << i << " column " << j << ": " << full[i * n + j] << " against " << slope);
+        }
+      }
+    }
 }

@@ -8,8 +8,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "mariotte/contact/force.hpp"
-
 namespace mariotte::contact {
 
 /// One tip's law of force: Hertz stiffness, adhesion, and a damping of each.
@@ -21,9 +19,10 @@ struct BrachDunn {
 };
 
 /// The force without its factor √δ, which has the same sign: K√r δ (1 − C_H ṅ) − 2π f₀√r (1 + C_A ṅ).
-inline double pressure(const BrachDunn& law, double indentation, double velocity) {
-  return law.stiffness * indentation * (1 - law.damping_hertz * velocity) -
-         law.adhesion * (1 + law.damping_adhesion * velocity);
+template <class T>
+T pressure(const BrachDunn& law, const T& indentation, const T& velocity) {
+  return law.stiffness * indentation * (1.0 - law.damping_hertz * velocity) -
+         law.adhesion * (1.0 + law.damping_adhesion * velocity);
 }
 
 /// The same without the signs of its terms: what errors of the pressure at such a speed are relative to.
@@ -32,15 +31,12 @@ inline double pressure_size(const BrachDunn& law, double indentation, double spe
          law.adhesion * (1 + law.damping_adhesion * speed);
 }
 
-/// Force, positive away from the plane, with its slopes by δ and δ̇ = −ṅ; zero for δ ≤ 0.
-inline Force normal_force(const BrachDunn& law, double indentation, double velocity) {
-  if (!(indentation > 0)) return {.value = 0, .by_indentation = 0, .by_rate = 0};
-  const double root = std::sqrt(indentation), factor = pressure(law, indentation, velocity);
-  const double bend = law.stiffness * (1 - law.damping_hertz * velocity);
-  return {.value = root * factor,
-          .by_indentation = root * bend + 0.5 * factor / root,
-          .by_rate =
-              root * (law.stiffness * indentation * law.damping_hertz + law.adhesion * law.damping_adhesion)};
+/// Force, positive away from the plane; zero for δ ≤ 0.
+template <class T>
+T normal_force(const BrachDunn& law, const T& indentation, const T& velocity) {
+  using std::sqrt;
+  if (!(indentation > 0.0)) return T(0);
+  return sqrt(indentation) * pressure(law, indentation, velocity);
 }
 
 /// Energy of the undamped force: (2/5) √r K δ^{5/2} − (4π/3) f₀ √r δ^{3/2} [J]; negative in the well.
@@ -49,13 +45,19 @@ inline double stored_energy(const BrachDunn& law, double indentation) {
   return indentation * root * (0.4 * law.stiffness * indentation - 2.0 / 3.0 * law.adhesion);
 }
 
-/// Power of Hertz damping, never positive [W].
-inline double hertz_damping_power(const BrachDunn& law, double indentation, double velocity) {
-  return -law.stiffness * law.damping_hertz * indentation * std::sqrt(indentation) * velocity * velocity;
+/// Power of Hertz damping, never positive [W]; zero for δ ≤ 0.
+template <class T>
+T hertz_damping_power(const BrachDunn& law, const T& indentation, const T& velocity) {
+  using std::sqrt;
+  if (!(indentation > 0.0)) return T(0);
+  return -law.stiffness * law.damping_hertz * (indentation * sqrt(indentation) * (velocity * velocity));
 }
-/// Power of adhesion damping, never positive [W].
-inline double adhesion_damping_power(const BrachDunn& law, double indentation, double velocity) {
-  return -law.adhesion * law.damping_adhesion * std::sqrt(indentation) * velocity * velocity;
+/// Power of adhesion damping, never positive [W]; zero for δ ≤ 0.
+template <class T>
+T adhesion_damping_power(const BrachDunn& law, const T& indentation, const T& velocity) {
+  using std::sqrt;
+  if (!(indentation > 0.0)) return T(0);
+  return -law.adhesion * law.damping_adhesion * (sqrt(indentation) * (velocity * velocity));
 }
 
 /// Indentation at which the tip can rest, 2π f₀ / K [m]: the Hertz force balances the ring.

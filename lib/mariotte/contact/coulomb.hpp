@@ -1,7 +1,6 @@
 // Dry friction on the magnitude of the normal force, pull included [Cheng 2002, eq. 6–7]: a sliding tip feels
 // μ |F_n| against its slip, a sticking one at most as much in any direction.
 #pragma once
-#include <cmath>
 
 namespace mariotte::contact {
 
@@ -11,8 +10,9 @@ struct Coulomb {
 };
 
 /// Largest friction at a normal force, μ |F_n| [N].
-inline double limit(const Coulomb& law, double normal_force) {
-  return law.coefficient * std::abs(normal_force);
+template <class T>
+T limit(const Coulomb& law, const T& normal_force) {
+  return law.coefficient * (normal_force < 0.0 ? -normal_force : normal_force);
 }
 
 }  // namespace mariotte::contact

@@ -4,22 +4,27 @@
 
 namespace mariotte {
 
-/// w + x i + y j + z k; a rotation if its size is 1.
-struct Quaternion {
-  double w = 1, x = 0, y = 0, z = 0;
+/// w + x i + y j + z k; a rotation if its size is 1. Of numbers, or of values with slopes.
+template <class T>
+struct BasicQuaternion {
+  T w = 1, x = 0, y = 0, z = 0;
 };
+using Quaternion = BasicQuaternion<double>;
 
 /// The rotation q, then p.
-inline Quaternion operator*(const Quaternion& p, const Quaternion& q) {
+template <class T>
+BasicQuaternion<T> operator*(const BasicQuaternion<T>& p, const BasicQuaternion<T>& q) {
   return {p.w * q.w - p.x * q.x - p.y * q.y - p.z * q.z, p.w * q.x + p.x * q.w + p.y * q.z - p.z * q.y,
           p.w * q.y - p.x * q.z + p.y * q.w + p.z * q.x, p.w * q.z + p.x * q.y - p.y * q.x + p.z * q.w};
 }
 /// Every component times s.
-inline Quaternion operator*(double s, const Quaternion& q) {
+template <class T>
+BasicQuaternion<T> operator*(const std::type_identity_t<T>& s, const BasicQuaternion<T>& q) {
   return {s * q.w, s * q.x, s * q.y, s * q.z};
 }
 /// The inverse rotation.
-inline Quaternion conjugate(const Quaternion& q) {
+template <class T>
+BasicQuaternion<T> conjugate(const BasicQuaternion<T>& q) {
   return {q.w, -q.x, -q.y, -q.z};
 }
 /// The same direction at size 1.
@@ -29,9 +34,10 @@ inline Quaternion normalized(const Quaternion& q) {
 }
 
 /// v + 2 i × (i × v + w v) with the imaginary part i.
-inline Vector3 rotate(const Quaternion& q, const Vector3& v) {
-  const Vector3 imaginary{q.x, q.y, q.z};
-  return v + 2 * cross(imaginary, cross(imaginary, v) + q.w * v);
+template <class T>
+BasicVector3<T> rotate(const BasicQuaternion<T>& q, const std::type_identity_t<BasicVector3<T>>& v) {
+  const BasicVector3<T> imaginary{q.x, q.y, q.z};
+  return v + 2.0 * cross(imaginary, cross(imaginary, v) + q.w * v);
 }
 
 /// Rotation by `angle` [rad] about a unit vector.
@@ -41,8 +47,9 @@ inline Quaternion rotation(const Vector3& axis, double angle) {
 }
 
 /// Rates of a quaternion that turns with angular velocity ω (space axes): q̇ = ½ ω q.
-inline Quaternion quaternion_rate(const Quaternion& q, const Vector3& spin) {
-  return 0.5 * (Quaternion{0, spin.e1, spin.e2, spin.e3} * q);
+template <class T>
+BasicQuaternion<T> quaternion_rate(const BasicQuaternion<T>& q, const BasicVector3<T>& spin) {
+  return 0.5 * (BasicQuaternion<T>{0, spin.e1, spin.e2, spin.e3} * q);
 }
 
 /// R₁(α) R₂(β) R₃(γ), the rotation by γ about axis 3 first [rad].

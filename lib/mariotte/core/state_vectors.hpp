@@ -6,21 +6,25 @@
 namespace mariotte {
 
 /// Three components of a state from `place` on.
-inline Vector3 vector_at(ConstState x, Index place) {
+template <class T = double>
+BasicVector3<T> vector_at(std::type_identity_t<std::span<const T>> x, Index place) {
   return {x[place], x[place + 1], x[place + 2]};
 }
 /// Four components of a state from `place` on.
-inline Quaternion quaternion_at(ConstState x, Index place) {
+template <class T = double>
+BasicQuaternion<T> quaternion_at(std::type_identity_t<std::span<const T>> x, Index place) {
   return {x[place], x[place + 1], x[place + 2], x[place + 3]};
 }
 /// Writes three components of a state from `place` on.
-inline void put(State x, Index place, const Vector3& v) {
+template <class T>
+void put(std::type_identity_t<std::span<T>> x, Index place, const BasicVector3<T>& v) {
   x[place] = v.e1;
   x[place + 1] = v.e2;
   x[place + 2] = v.e3;
 }
 /// Writes four components of a state from `place` on.
-inline void put(State x, Index place, const Quaternion& q) {
+template <class T>
+void put(std::type_identity_t<std::span<T>> x, Index place, const BasicQuaternion<T>& q) {
   x[place] = q.w;
   x[place + 1] = q.x;
   x[place + 2] = q.y;

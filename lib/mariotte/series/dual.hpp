@@ -64,6 +64,8 @@ struct Dual {
     using std::cos, std::sin;
     return chain(a, cos(a.value), -sin(a.value));
   }
+  friend bool operator<(const Dual& a, double b) { return a.value < b; }
+  friend bool operator>(const Dual& a, double b) { return a.value > b; }
   /// The exponent has no slopes.
   friend Dual pow(const Dual& a, const Dual& exponent) {
     using std::pow;
@@ -71,5 +73,14 @@ struct Dual {
     return chain(a, less * a.value, exponent.value * less);
   }
 };
+
+/// Without slopes.
+inline double value_of(double a) {
+  return a;
+}
+template <class V, int n>
+V value_of(const Dual<V, n>& a) {
+  return a.value;
+}
 
 }  // namespace mariotte::series

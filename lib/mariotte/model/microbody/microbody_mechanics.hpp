@@ -2,25 +2,30 @@
 #pragma once
 #include <span>
 
+#include "mariotte/flow/problem.hpp"
 #include "mariotte/model/microbody/microbody_layout.hpp"
 #include "mariotte/model/microbody/microbody_mode.hpp"
 
 namespace mariotte::model {
 
-/// One tip at one instant.
-struct TipMotion {
-  double indentation;  ///< δ = max(0, −n)
-  double velocity;     ///< ṅ
-  Vector3 lever;       ///< ℓ from the mass centre to where friction acts
-  Vector3 slip;        ///< u, tangential velocity there
+/// One tip at one instant: of numbers, or of values with slopes.
+template <class T>
+struct BasicTipMotion {
+  T indentation;          ///< δ = max(0, −n)
+  T velocity;             ///< ṅ
+  BasicVector3<T> lever;  ///< ℓ from the mass centre to where friction acts
+  BasicVector3<T> slip;   ///< u, tangential velocity there
 };
+using TipMotion = BasicTipMotion<double>;
 
 /// Contact forces on the body.
-struct TipForces {
-  std::array<double, 2> normal = {0, 0};
-  std::array<Vector3, 2> friction;
+template <class T>
+struct BasicTipForces {
+  std::array<T, 2> normal = {0, 0};
+  std::array<BasicVector3<T>, 2> friction;
   bool redundant = false;  ///< two tips stick and share friction in a way that only least norm decides
 };
+using TipForces = BasicTipForces<double>;
 
 /// A body in its surroundings: what all functions below need.
 struct Mechanics {
@@ -42,9 +47,10 @@ struct Mechanics {
   /// Direction in which tip i starts to slip from rest, if its friction cannot hold it: the one along which
   /// u̇ = b − μ |F_n| A û itself points, so that it stays.
   Vector3 slip_from_rest(ConstState x, const MicrobodyMode& mode, Index i) const;
-  /// Slip acceleration of tip i under these forces.
-  Vector3 slip_acceleration(ConstState x, const TipForces& forces, Index i) const;
   void derivative(ConstState x, const MicrobodyMode& mode, State dx) const;
+  /// Places of the Jacobian of `derivative`: whole columns, of what forces and rates depend on.
+  std::vector<flow::Entry> pattern() const;
+  void jacobian(ConstState x, const MicrobodyMode& mode, State values) const;
   /// Energy that could lift tips out of the wells of adhesion: below 0 none comes free. Kinetic, stored, and
   /// the most that gravity can add; without a turn about the body's own axis and, of a sphere, motion in the
   /// plane.
@@ -53,11 +59,6 @@ struct Mechanics {
   double kinetic(ConstState x) const;
   /// Energy stored in the contacts, negative in the wells.
   double stored(ConstState x) const;
-
- private:
-  Vector3 turned(ConstState x, const Vector3& moment) const;  ///< R I⁻¹ Rᵀ M
-  /// Gives the tips that stick the friction that keeps their slip constant.
-  void hold(ConstState x, std::span<const Index> stuck, TipForces& forces) const;
 };
 
 }  // namespace mariotte::model

@@ -255,33 +255,6 @@ void MicrobodyPhase::guard_rates(ConstState x, ConstState dx, State rates) const
   for (std::size_t i = 0; i < rates.size(); ++i) rates[i] = (rates[i] - before[i]) / (2 * step);
 }
 
-std::vector<flow::Entry> MicrobodyPhase::pattern() const {
-  std::vector<flow::Entry> entries;
-  for (Index row = 0; row < size(); ++row)
-    for (Index column = 0; column < size(); ++column) entries.push_back({row, column});
-  return entries;
-}
-
-void MicrobodyPhase::jacobian(ConstState x, State values) const {
-  const auto n = static_cast<std::size_t>(size());
-  std::vector<double> moved(x.begin(), x.end()), ahead(n), behind(n);
-  // Friction turns about within a slip as small as the noise.
-  double share = 1e-6;
-  for (Index i = 0; i < layout_.tips && closed_ > 0 && slip_turns(); ++i)
-    share = std::min(share,
-                     0.1 * std::hypot(norm(mechanics_.tip(x, i).slip), mechanics_.slip_noise) / body_.speed);
-  for (std::size_t column = 0; column < n; ++column) {
-    const double step = share * magnitudes_[column];
-    moved[column] = x[column] + step;
-    derivative(moved, ahead);
-    moved[column] = x[column] - step;
-    derivative(moved, behind);
-    moved[column] = x[column];
-    for (std::size_t row = 0; row < n; ++row)
-      values[static_cast<Index>(row * n + column)] = (ahead[row] - behind[row]) / (2 * step);
-  }
-}
-
 /// Slip from rest in space turns into its direction almost at once.
 bool MicrobodyPhase::slip_turns() const {
   const auto starts = [](const TipMode& tip) {

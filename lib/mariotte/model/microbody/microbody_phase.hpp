@@ -52,8 +52,8 @@ class MicrobodyPhase final : public flow::Problem {
   std::span<const flow::Crossing> crossings() const override { return crossings_; }
   std::span<const double> magnitudes() const override { return magnitudes_; }
   double time_scale() const override { return time_scale_; }
-  std::vector<flow::Entry> pattern() const override;
-  void jacobian(ConstState x, State values) const override;
+  std::vector<flow::Entry> pattern() const override { return mechanics_.pattern(); }
+  void jacobian(ConstState x, State values) const override { mechanics_.jacobian(x, mode_, values); }
   double damping_group() const override;
   bool is_ballistic() const override { return closed_ == 0 && body_.symmetric; }
   void second_derivative(ConstState x, State ddx) const override;
