@@ -65,7 +65,7 @@ command::OptionList declare(CommandLine& line) {
       {"--threads", &line.workers, "Scenes examined at once", {.check = command::Range{1, 256}}},
       {"--out",
        &line.folder,
-       "Write the worst and all unexplained scenes into this folder",
+       "Write the worst and all unexplained scenes, or the one asked for, into this folder",
        {.value = "DIR"}},
       {"-v,--verbose", &line.verbose, "Say everything that is unexplained as soon as it is found"}};
 }
@@ -87,8 +87,9 @@ class Study {
 
   int run() {
     if (line_.only >= 0) {
-      take(examine(campaign_.families, line_.seed, static_cast<std::uint64_t>(line_.only),
-                   [&](const std::string& what) { announce(what); }));
+      const auto number = static_cast<std::uint64_t>(line_.only);
+      write(number, fmt::format("scene {} of seed {}", number, line_.seed));
+      take(examine(campaign_.families, line_.seed, number, [&](const std::string& what) { announce(what); }));
     } else {
       examine_all(
           campaign_, [&](std::uint64_t scene) { return more(scene); },

@@ -184,6 +184,18 @@ BOOST_AUTO_TEST_CASE(the_event_limit_counts_what_changes_at_the_start) {
   BOOST_TEST(found.state[0] == 0.25);
 }
 
+BOOST_AUTO_TEST_CASE(a_number_that_overflows_is_no_result) {
+  Toy steep(
+      2, [](ConstState, State dx) { dx[0] = 1, dx[1] = 1e308; }, 1,
+      [](ConstState x, State g) { g[0] = x[0] - 10; }, {Crossing::rising});
+  steep.ballistic = true;
+  const auto found = run(single(steep), {0, 1});
+  BOOST_TEST((found.ending == Ending::failed));
+  BOOST_TEST(found.message == "a number is not finite");
+  BOOST_TEST(found.state == (std::vector<double>{0, 1}), boost::test_tools::per_element());
+  BOOST_TEST(found.time == 0);
+}
+
 BOOST_AUTO_TEST_CASE(the_time_limit_is_met_exactly_in_any_phase) {
   const auto found = run(corridor(1), {0}, {.max_time = 2.5});
   BOOST_TEST((found.ending == Ending::time_limit));

@@ -7,13 +7,16 @@
 //     flow ← the cheapest that mode admits
 //     follow it from t⁺ until a guard crosses, or max_time
 //     if the phase is too stiff for it → from there on by another
-//     if the flow could not go on      → from t⁺ by another, as long as there is one
+//     if the flow could not go on, or a number is not finite
+//                                      → from t⁺ by another, as long as there is one
 //                                      → failed         state and events until then are kept
 //     if the time limit came first     → time_limit
 //     if no guard can ever cross       → separated
 //     t ← t + duration                                  a compensated sum of local clocks
 //     mode ← transition(mode, fired, x)                 the whole set that fired at t⁻
 #pragma once
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -50,6 +53,15 @@ struct Workspace {
   Trajectory<typename System::Change> run;
 };
 
+/// What is not finite must not pass for a result.
+inline void refuse_overflow(flow::Arrival& arrival, ConstState x) {
+  const bool ends = arrival.outcome == flow::Outcome::guard || arrival.outcome == flow::Outcome::limit;
+  const auto finite = [](double value) { return std::isfinite(value); };
+  if (!ends || (std::isfinite(arrival.duration) && std::all_of(x.begin(), x.end(), finite))) return;
+  arrival.outcome = flow::Outcome::failed;
+  arrival.message = "a number is not finite";
+}
+
 /// Follow the present phase to its end, by one flow or, where that gives up, by those that may take over.
 template <HybridSystem System>
 flow::Arrival follow_phase(System& system, const Options& options, Workspace<System>& workspace,
@@ -65,6 +77,7 @@ flow::Arrival follow_phase(System& system, const Options& options, Workspace<Sys
     const flow::Request request{
         .limit = options.max_time - time.value(), .accuracy = options.accuracy, .observer = observer};
     auto arrival = choice->flow.follow(problem, x, request, fired);
+    refuse_overflow(arrival, x);
     count(run.flows[static_cast<std::size_t>(choice->kind)], arrival);
     const bool stiff = arrival.outcome == flow::Outcome::stiff;
     const bool failed = arrival.outcome == flow::Outcome::failed;

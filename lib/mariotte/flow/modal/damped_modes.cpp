@@ -196,7 +196,7 @@ void find_shape(DampedModes& modes, const DampedRow& row, Index mode) {
   }
 }
 
-/// |y|²/|y·y| in energies, stored and kinetic.
+/// |y|²/|y·y| in energies, stored and kinetic; infinite if numbers have overflowed.
 double measure(DampedModes& modes, const DampedRow& row, Index mode) {
   const Index n = row.contacts();
   const Complex value = modes.root[mode].value();
@@ -213,7 +213,8 @@ double measure(DampedModes& modes, const DampedRow& row, Index mode) {
     kinetic += row.inverse_mass[i] * std::norm(push / value);
   }
   modes.size[mode] = value * product;
-  return (stored + kinetic) / std::abs(product);
+  const double ratio = (stored + kinetic) / std::abs(product);
+  return std::isfinite(ratio) ? ratio : infinity;
 }
 
 }  // namespace

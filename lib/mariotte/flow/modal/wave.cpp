@@ -127,6 +127,7 @@ std::optional<double> first_fall(const Wave& wave, const std::vector<NaturalMode
 
 std::optional<Summit> highest(const Wave& wave, const std::vector<NaturalMode>& modes, double from,
                               double to) {
+  if (!(to > from)) return std::nullopt;
   Climb climb{.wave = wave,
               .modes = modes,
               .height = std::max(wave.at(modes, from), wave.at(modes, to)),
