@@ -53,6 +53,9 @@ class Problem {
   virtual void jacobian(ConstState x, State values) const = 0;
   /// Largest damping group c/√(k m) of the active contacts: what makes a phase stiff.
   virtual double damping_group() const = 0;
+  /// Least load, over the natural force, whose sign matters at this accuracy: that of a contact which strong
+  /// damping makes creep.
+  virtual double least_load(double /*accuracy*/) const { return 1 / (damping_group() * damping_group()); }
 
   /// True if no force acts but constant accelerations. Unless the mode is a free body, x(t) is then
   /// x + t f(x) + t²/2 f'(x) f(x) exactly, and the guards are linear in x.

@@ -19,12 +19,12 @@ class Simultaneous {
   std::vector<double> slope_, ahead_, now_, soon_;
 };
 
-/// The accuracy, or what it takes to tell the sign of the load of a contact that creeps: the load is ratio⁻²
-/// of the natural force, and rates must be known to it over the damping group. Not below `finest`.
+/// The accuracy, or what it takes to tell the sign of the least load that matters: rates must be known to that
+/// load over the damping group. Not below `finest`.
 inline double resolving_accuracy(const Problem& problem, double accuracy, double finest) {
   const double ratio = problem.damping_group();
   if (!(ratio > 1) || !(ratio < infinity)) return accuracy;
-  return std::min(accuracy, std::max(finest, 1 / (ratio * ratio * ratio)));
+  return std::min(accuracy, std::max(finest, problem.least_load(accuracy) / ratio));
 }
 
 /// Events closer than this fraction of accuracy × time scale cannot be told apart.

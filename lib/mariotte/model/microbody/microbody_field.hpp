@@ -133,17 +133,12 @@ class MicrobodyField {
     return rotate(attitude_, {T(1 / inertia.e1) * m.e1, T(1 / inertia.e2) * m.e2, T(1 / inertia.e3) * m.e3});
   }
 
-  /// In the plane the direction is the mode's; in space the slip's own, bent smoothly where there is none.
+  /// In the plane, and while a slip from rest is still noise, the direction is the mode's; else the slip's own.
   Vector slip_direction(const TipMode& mode, const Vector& slip) const {
     using std::sqrt;
-    const bool moves = mode.start == SlipStart::moving;
-    if (body().motion != flow::TipPhase::Motion::spatial) return lift(mode.direction);
-    if (moves && tangential_size(slip) == 0) return lift(mode.direction);
-    const double noise = moves ? 0 : mechanics_.slip_noise;
-    return (1.0 / sqrt(dot(slip, slip) + noise * noise)) * slip;
-  }
-  static double tangential_size(const Vector& v) {
-    return std::hypot(series::value_of(v.e2), series::value_of(v.e3));
+    const bool own = body().motion == flow::TipPhase::Motion::spatial && mode.start == SlipStart::moving;
+    if (!own || !(dot(slip, slip) > 0.0)) return lift(mode.direction);
+    return (1.0 / sqrt(dot(slip, slip))) * slip;
   }
 
   Sums sums(const BasicTipForces<T>& forces) const {

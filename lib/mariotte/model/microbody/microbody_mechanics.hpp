@@ -31,7 +31,7 @@ using TipForces = BasicTipForces<double>;
 struct Mechanics {
   const DimensionlessMicrobody& body;
   const MicrobodyLayout& layout;
-  double slip_noise = 0;   ///< spatial slip is regularised by it where its direction is undefined
+  double slip_noise = 0;   ///< the direction of a spatial slip below it is undefined
   double force_noise = 0;  ///< sticking that needs less friction needs none
 
   /// Angular velocity R I⁻¹ Rᵀ H, space axes.

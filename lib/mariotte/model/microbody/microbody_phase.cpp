@@ -284,6 +284,15 @@ void MicrobodyPhase::second_derivative(ConstState, State ddx) const {
   std::fill(ddx.begin(), ddx.end(), 0.0);
 }
 
+/// Of a body that swings about its tip also what would, over the time D/v of a swing, change velocities by
+/// the accuracy: friction turns with the sign of the load. D is from the mass centre to the tip.
+double MicrobodyPhase::least_load(double accuracy) const {
+  const double creeping = Problem::least_load(accuracy);
+  if (!can_swing(body_)) return creeping;
+  const double swing = norm(body_.body.tips[0].centre) / body_.speed;
+  return std::min(creeping, accuracy * body_.time / swing);
+}
+
 flow::Accepted MicrobodyPhase::accept(ConstState x) {
   if (closed_ == 0) return flow::Accepted::unchanged;
   auto result = flow::Accepted::unchanged;
@@ -298,6 +307,7 @@ flow::Accepted MicrobodyPhase::accept(ConstState x) {
     if (spatial && tip.contact == TipContact::sliding && norm(slip) > 4 * mechanics_.slip_noise) {
       tip.direction = (1 / norm(slip)) * slip;
       tip.rest = 0;
+      tip.start = SlipStart::moving;
       result = flow::Accepted::rewatched;
     }
     if (waiting_[back] && here.velocity > 0) {

@@ -55,6 +55,7 @@ class MicrobodyPhase final : public flow::Problem {
   std::vector<flow::Entry> pattern() const override { return mechanics_.pattern(); }
   void jacobian(ConstState x, State values) const override { mechanics_.jacobian(x, mode_, values); }
   double damping_group() const override;
+  double least_load(double accuracy) const override;
   bool is_ballistic() const override { return closed_ == 0 && body_.symmetric; }
   void second_derivative(ConstState x, State ddx) const override;
   const flow::TipPhase* tip() const override { return series_ ? &tip_ : nullptr; }
