@@ -39,8 +39,11 @@ double imbalance(const impact::ContactImpact& impact, double energy) {
   return worst / energy;
 }
 
-void add_periods(const impact::ContactImpact& impact, Found& found) {
-  for (const auto& contact : impact.contacts) found.periods.push_back(std::ssize(contact.periods));
+void add_contacts(const impact::ContactImpact& impact, double momentum, Found& found) {
+  for (const auto& contact : impact.contacts) {
+    found.periods.push_back(std::ssize(contact.periods));
+    found.impulse.push_back(contact.impulse / momentum);
+  }
 }
 
 template <class Impact>
@@ -62,13 +65,14 @@ void run(const model::Chain& chain, const hybrid::Options& options, bool balance
     found.time = impact.time;
     found.value = without_gravity(chain, impact.velocity, impact.time);
     found.periods = impact.periods;
+    for (const double p : impact.impulse) found.impulse.push_back(p / (moving_mass(chain) * speed));
     return;
   }
   const auto impact = impact::simulate(chain, options);
   add_ending(impact, found);
   found.time = impact.time;
   found.value = without_gravity(chain, impact.velocity, impact.time);
-  add_periods(impact, found);
+  add_contacts(impact, moving_mass(chain) * speed, found);
   double fastest = speed;
   for (const double v : impact.velocity) fastest = std::max(fastest, std::abs(v));
   found.imbalance = imbalance(impact, moving_mass(chain) * speed * fastest);
@@ -79,10 +83,9 @@ void run(const model::Network& network, const hybrid::Options& options, bool, do
   add_ending(impact, found);
   found.time = impact.time;
   for (const auto& direction : network.direction) found.value.push_back(gap_rate(direction, impact.velocity));
-  add_periods(impact, found);
   const double energy = impact.energy.initial + std::abs(impact.energy.work);
+  add_contacts(impact, energy / speed, found);
   found.imbalance = std::max(energy > 0 ? imbalance(impact, energy) : 0.0, impact.momentum_residual);
-  (void)speed;
 }
 
 void add_motion(const Body& scene, const Vector3& velocity, const Vector3& spin, Found& found) {

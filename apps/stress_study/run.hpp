@@ -27,12 +27,13 @@ struct Found {
   double time = 0;           ///< of the ending [s]
   std::vector<double> value =
       {};  ///< velocities, or what else errors are promised of, over the reference speed
-  std::vector<Index> periods = {};  ///< per contact
-  double imbalance = 0;             ///< worst of the balances, relative to the energy at the reference speed
-  double rounding = 0;              ///< of velocities in the frame of the scene, over the reference speed
-  bool refused = false;             ///< by name, before it began
-  Index work = 0;                   ///< evaluations of the right-hand side, or of its series
-  double seconds = 0;               ///< CPU time
+  std::vector<Index> periods = {};   ///< per contact
+  std::vector<double> impulse = {};  ///< per contact, over moving mass × reference speed
+  double imbalance = 0;              ///< worst of the balances, relative to the energy at the reference speed
+  double rounding = 0;               ///< of velocities in the frame of the scene, over the reference speed
+  bool refused = false;              ///< by name, before it began
+  Index work = 0;                    ///< evaluations of the right-hand side, or of its series
+  double seconds = 0;                ///< CPU time
 };
 
 /// Changes of the set of contacts after which a run is given up.

@@ -185,6 +185,21 @@ BOOST_AUTO_TEST_CASE(modes_whose_shapes_overflow_are_left_to_other_flows) {
   check_same(impact, impact::simulate(chain, {.accuracy = 1e-9, .flow = flow::Kind::cvode_bdf_klu}), 1e-6);
 }
 
+BOOST_AUTO_TEST_CASE(modes_that_miss_the_state_are_left_to_other_flows) {
+  // Drawn at random. By symmetry each stiff dashpot has a mode beside that of the other, equal to 1e-7.
+  const contact::Law end = damper(0.6583, 0.0958), dashpot = damper(1.7065, 1908.4);
+  const model::Chain chain{
+      .mass = {1.0648, 1.1266, 1.01, 0.9033, 1.01, 1.1266, 1.0648},
+      .law = {end, dashpot, contact::Linear{0.5511}, contact::Linear{0.5511}, dashpot, end},
+      .gap = std::vector(6, 0.0),
+      .velocity = {0.6874, 0.4345, 0.0587, 0, -0.0587, -0.4345, -0.6874}};
+  const auto impact = impact::simulate(chain);
+  BOOST_TEST((impact.ending == hybrid::Ending::separated));
+  BOOST_TEST(std::abs(impact.energy.residual) < 1e-9);
+  for (std::size_t i = 0; i < 7; ++i)
+    BOOST_TEST(std::abs(impact.velocity[i] + impact.velocity[6 - i]) < 1e-9);
+}
+
 BOOST_AUTO_TEST_CASE(contacts_between_walls_have_a_part_that_does_not_vibrate) {
   for (const double c : {0.0, 0.3})
     for (const double speed : {0.0, -0.2}) {

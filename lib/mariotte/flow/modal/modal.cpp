@@ -14,6 +14,9 @@ namespace {
 /// Half-periods of the slowest mode until a phase without end is given up.
 constexpr double patience = 1e6;
 
+/// Share of a state that its modes may leave out: rounding, unless they are nearly alike.
+constexpr double most_misfit = 1e-10;
+
 /// Instead of a guard: a contact touched at rest is pulled apart, and the mode is over. Not in rows, where
 /// what presses one contact presses the next.
 constexpr Index parts = -1;
@@ -184,6 +187,8 @@ bool Modal::admits(const Problem& problem) {
 Arrival Modal::follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) {
   auto& m = *memory_;
   m.begin(x);
+  if (m.vibration->misfit(x) > most_misfit)
+    return {.outcome = Outcome::failed, .message = "modes that are nearly alike do not add up to the state"};
   Index guard = parts;
   const auto event = m.first_event(request.limit, guard);
   if (!event && !std::isfinite(request.limit))

@@ -89,6 +89,22 @@ void Vibration::start(ConstState x) {
     if (!contacts_[j].pushes()) start_open(j, x);
 }
 
+double Vibration::misfit(ConstState x) const {
+  double depth = 0, rate = 0, speed = 0;
+  for (const auto& group : groups_)
+    for (const Index j : group.ratio < 0 ? members(group) : std::span<const Index>()) {
+      const auto& wave = motion_[j].depth;
+      const Slope start = wave.slope_at(modes_, 0);
+      depth = std::max(depth, std::abs(start.value + x[contacts_[j].gap]) / contacts_[j].length);
+      rate = std::max(rate, std::abs(start.rate - approach(j, x)));
+      double parts = 0;
+      for (std::size_t i = 0; i < modes_.size(); ++i)
+        parts += std::abs(dot(derivative(modes_[i], wave.weight[i]), values(modes_[i], 0)));
+      speed = std::max(speed, parts);
+    }
+  return std::max(depth, speed > 0 ? rate / speed : 0);
+}
+
 /// δ = Σ U σ/√k and f = −√k Σ U σ̈/ω², free of the cancellation in k δ + c δ̇ where damping is strong.
 void Vibration::ride_natural_modes(const VibrationGroup& group, const NaturalModes& shapes) {
   for (Index i = 0; i < group.modes(); ++i) {

@@ -38,6 +38,9 @@ class Vibration {
   virtual ~Vibration() = default;
   /// The motion that starts from x, of the phase whose modes were found last.
   void start(ConstState x);
+  /// How far the sum of modes that were found one by one misses x, relative to natural depths and to the
+  /// rates it is made of: modes that are nearly alike may each be wrong by more than rounding.
+  double misfit(ConstState x) const;
   /// What an impulse of a contact adds to the velocities.
   virtual void add_impulse(Index contact, double impulse, State x) const = 0;
 

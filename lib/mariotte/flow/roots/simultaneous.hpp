@@ -19,8 +19,8 @@ class Simultaneous {
   std::vector<double> slope_, ahead_, now_, soon_;
 };
 
-/// The accuracy, or what it takes to tell the sign of the least load that matters: rates must be known to that
-/// load over the damping group. Not below `finest`.
+/// The accuracy, or what it takes to tell the sign of the least load that matters: rates must be known to
+/// that load over the damping group. Not below `finest`.
 inline double resolving_accuracy(const Problem& problem, double accuracy, double finest) {
   const double ratio = problem.damping_group();
   if (!(ratio > 1) || !(ratio < infinity)) return accuracy;

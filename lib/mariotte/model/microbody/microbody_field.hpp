@@ -133,7 +133,8 @@ class MicrobodyField {
     return rotate(attitude_, {T(1 / inertia.e1) * m.e1, T(1 / inertia.e2) * m.e2, T(1 / inertia.e3) * m.e3});
   }
 
-  /// In the plane, and while a slip from rest is still noise, the direction is the mode's; else the slip's own.
+  /// In the plane, and while a slip from rest is still noise, the direction is the mode's; else the slip's
+  /// own.
   Vector slip_direction(const TipMode& mode, const Vector& slip) const {
     using std::sqrt;
     const bool own = body().motion == flow::TipPhase::Motion::spatial && mode.start == SlipStart::moving;
