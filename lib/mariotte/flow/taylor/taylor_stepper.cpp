@@ -158,18 +158,40 @@ void Stepper::land(Piece& piece) {
   piece.end = place.value_or(piece.end);
 }
 
-/// End the piece where a contact whose force is left out has reached the depth at which it wakes. Depths grow
-/// with some power of time.
+/// End the piece where a contact whose force is left out has reached the depth at which it wakes, if only for
+/// a while: without its force it may come back.
 void Stepper::wake_gently(Piece& piece) {
   const auto& l = window.lanes;
   for (int j = 0; j < l.count; ++j) {
     if (!window.pushes(j) || l.active[j] > 0) continue;
-    const double depth = std::max(l.indentation[j], 0.0), goal = 0.6 * late * window.wake[j];
-    for (int tries = 0; tries < 60 && values_.indentation[j] > late * window.wake[j]; ++tries) {
-      const double secant = depth > 0 ? (goal - depth) / (values_.indentation[j] - depth) : 0;
-      const double power = rough_root(goal / values_.indentation[j], 4);
-      shorten(piece, piece.end * std::clamp(std::max(secant, power), 0.1, 0.98));
+    if (piece.start) {
+      wake_in_start(piece, j);
+    } else if (const auto place = waking(piece, j)) {
+      shorten(piece, *place);
     }
+  }
+}
+
+/// The first place at which the indentation is late; none if even its growing terms do not get so far.
+std::optional<double> Stepper::waking(const Piece& piece, int lane) const {
+  Coefficients c;
+  const auto used = piece.coefficients(Quantity::indentation, lane, c);
+  const double depth = late * window.wake[lane];
+  double most = 0;
+  for (auto k = used.size(); k-- > 0;) most = most * piece.end + std::max(c[k], 0.0);
+  if (most <= depth) return std::nullopt;
+  for (double& coefficient : c) coefficient = -coefficient;
+  c[0] += depth;
+  return flow::first_fall(used, piece.end);
+}
+
+/// In a start series what is left out only sinks deeper. Depths grow with some power of time.
+void Stepper::wake_in_start(Piece& piece, int lane) {
+  const double depth = std::max(window.lanes.indentation[lane], 0.0), goal = 0.6 * late * window.wake[lane];
+  for (int tries = 0; tries < 60 && values_.indentation[lane] > late * window.wake[lane]; ++tries) {
+    const double secant = depth > 0 ? (goal - depth) / (values_.indentation[lane] - depth) : 0;
+    const double power = rough_root(goal / values_.indentation[lane], 4);
+    shorten(piece, piece.end * std::clamp(std::max(secant, power), 0.1, 0.98));
   }
 }
 

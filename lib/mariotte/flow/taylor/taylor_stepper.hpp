@@ -61,6 +61,8 @@ class Stepper {
   double reach(const Expansion& series, bool fresh) const;
   Expansion& expansion();
   void wake_gently(Piece& piece);
+  std::optional<double> waking(const Piece& piece, int lane) const;
+  void wake_in_start(Piece& piece, int lane);
   void search(const Piece& piece, Quantity quantity, int lane, double side, double level, Index guard,
               Fall& fall) const;
 
