@@ -42,7 +42,7 @@ bool take_ending(const Trial& trial, Judgement& judgement) {
 void take_deviation(const Trial& trial, const Trial& best, const Measure& measure, Judgement& judgement) {
   const double error = std::max(0.0, deviation(trial, best) - best.found.rounding);
   judgement.worst = std::max(judgement.worst, error / trial.accuracy);
-  if (error <= tolerated * trial.accuracy) return;
+  if (error <= tolerated * std::max(trial.accuracy, trial.found.estimate)) return;
   const bool is_number = error < infinity;  // nothing explains what is not
   const double needed = error / (tolerated * trial.accuracy);
   const double amplification = is_number ? std::max(1.0, measure(trial.accuracy, needed).amplification) : 1;

@@ -50,6 +50,7 @@ template <class Impact>
 void add_ending(const Impact& impact, Found& found) {
   found.ending = impact.ending;
   found.message = impact.message;
+  found.estimate = impact.estimated_accuracy.value_or(0);
   if constexpr (requires { impact.rhs; })
     found.work = impact.rhs;
   else

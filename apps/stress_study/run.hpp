@@ -29,6 +29,7 @@ struct Found {
       {};  ///< velocities, or what else errors are promised of, over the reference speed
   std::vector<Index> periods = {};   ///< per contact
   std::vector<double> impulse = {};  ///< per contact, over moving mass × reference speed
+  double estimate = 0;               ///< of the error, if the run says one
   double imbalance = 0;              ///< worst of the balances, relative to the energy at the reference speed
   double rounding = 0;               ///< of velocities in the frame of the scene, over the reference speed
   bool refused = false;              ///< by name, before it began
