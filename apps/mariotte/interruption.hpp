@@ -10,4 +10,7 @@ void await_interruption();
 /// The signal that came, or 0.
 int interruption();
 
+/// Thrown to give up what was interrupted.
+struct Interrupted {};
+
 }  // namespace mariotte::command

@@ -7,6 +7,7 @@
 #include "command.hpp"
 #include "command_line/exit_code.hpp"
 #include "command_line/terminal.hpp"
+#include "interruption.hpp"
 #include "mariotte/report/json/json.hpp"
 #include "mariotte/report/reason.hpp"
 #include "mariotte/report/table/network_table.hpp"
@@ -16,6 +17,7 @@
 #include "run_progress.hpp"
 #include "scene_choice.hpp"
 #include "trace_choice.hpp"
+#include "trace_size.hpp"
 
 namespace mariotte::command {
 namespace {
@@ -43,12 +45,23 @@ std::string size_of(const model::Microbody&) {
   return "a body";
 }
 
+/// Who watches a run: it says how far it is, and gives it up where somebody waits for an interruption.
+struct Watch {
+  bool quiet;
+  RunProgress progress;
+
+  void operator()(const impact::Progress& now) {
+    if (interruption() != 0) throw Interrupted{};
+    if (!quiet) progress(now);
+  }
+};
+
 /// The impact, watched; says what it took.
 template <class Model>
 auto simulate(const Run& options, const Model& model, const scene::Scene& scene,
               impact::RunObserver observers) {
-  RunProgress progress(scene.run);
-  if (!options.scene.quiet) observers.progress = std::ref(progress);
+  Watch watch{options.scene.quiet, RunProgress(scene.run)};
+  observers.progress = std::ref(watch);
   const auto start = std::chrono::steady_clock::now();
   auto impact = impact::simulate(model, scene.run, observers);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
@@ -95,18 +108,49 @@ int finish(const Run& options, const Impact& impact, const scene::Scene& scene, 
   return exit_code(impact.ending);
 }
 
+/// Refuses a trace that nobody can want, and tells of a large one.
+void expect_sensible(const Run& options, const RunningTrace& trace, const model::Chain& chain,
+                     const scene::Scene& scene) {
+  if (options.force) return;
+  Watch watch{options.scene.quiet, RunProgress(scene.run)};
+  const auto size = measure(trace, chain, scene.run, {.progress = std::ref(watch)});
+  if (size.is_absurd())
+    throw UsageError(
+        fmt::format("--trace {} would have {}; make it smaller by --every, --balls, --contacts "
+                    "or run.max_time (--force writes it)",
+                    options.trace.file, text(size)));
+  if (options.verbose || (size.is_large() && !options.scene.quiet))
+    note(fmt::format("{}: {}", options.trace.file, text(size)));
+}
+
+/// The chain with its trace, if there is one; empty if the run was interrupted, which is said.
+std::optional<impact::ChainImpact> simulate_traced(const Run& options, const model::Chain& chain,
+                                                   const scene::Scene& scene, RunningTrace* trace,
+                                                   impact::RunObserver observers) try {
+  if (trace) {
+    expect_sensible(options, *trace, chain, scene);
+    observers.samplings.push_back(trace->sampling);
+  }
+  const auto impact = simulate(options, chain, scene, observers);
+  if (trace) trace->file->commit();
+  return impact;
+} catch (const Interrupted&) {
+  note(fmt::format("interrupted; the rows until then are in {}", trace->file->leave().string()));
+  return std::nullopt;
+}
+
 int run(const Run& options, const model::Chain& chain, const scene::Scene& scene) {
   const auto balls = chain.mass.size();
+  if (!options.trace.file.empty()) await_interruption();
   const auto trace = start_trace(options.trace, balls, options.force);
   std::optional<report::Spacetime> waves;
   if (!options.out.empty() && balls >= least_balls_of_image) waves.emplace(balls);
   impact::RunObserver observers{.trace = !options.out.empty() && can_trace(scene)};
-  if (trace) observers.samplings.push_back(trace->sampling);
   if (waves) observers.samplings.push_back(waves->sampling());
-  const auto impact = simulate(options, chain, scene, observers);
-  if (trace) trace->file->commit();
+  const auto impact = simulate_traced(options, chain, scene, trace.get(), observers);
+  if (!impact) return 128 + interruption();
   const report::Spacetime* const image = waves ? &*waves : nullptr;
-  return finish(options, impact, scene, image);
+  return finish(options, *impact, scene, image);
 }
 
 /// A model whose samples all come with the result.

@@ -7,6 +7,7 @@
 
 #include "command_line/exit_code.hpp"
 #include "command_line/values.hpp"
+#include "interruption.hpp"
 #include "mariotte/core/quantity.hpp"
 #include "mariotte/report/page/files.hpp"
 
@@ -80,10 +81,11 @@ std::unique_ptr<RunningTrace> start_trace(const TraceChoice& choice, std::size_t
                             fault::exists);
   auto file = report::new_trace_file(choice.file, sampling.velocities, sampling.contacts);
   sampling.take = [to = file.get(), every](const impact::Sample& sample) {
+    if (interruption() != 0) throw Interrupted{};
     to->add(sample);
     return every > 0 ? every : sample.natural_time;
   };
-  return std::make_unique<RunningTrace>(RunningTrace{std::move(sampling), std::move(file)});
+  return std::make_unique<RunningTrace>(RunningTrace{every, std::move(sampling), std::move(file)});
 }
 
 }  // namespace mariotte::command

@@ -19,6 +19,7 @@ OptionList trace_options(TraceChoice& choice);
 
 /// A trace on its way to its file; `sampling` feeds the file as long as this lives.
 struct RunningTrace {
+  double every = 0;  ///< [s]; 0: the natural time
   impact::Sampling sampling;
   std::unique_ptr<report::TraceFile> file;
 };

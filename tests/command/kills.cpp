@@ -22,6 +22,12 @@ bool is_whole(const fs::path& path) {
   return text.ends_with('\n');
 }
 
+fs::path part_of_trace(const fs::path& folder) {
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ".part") return entry.path();
+  return {};
+}
+
 }  // namespace
 
 BOOST_FIXTURE_TEST_CASE(a_run_killed_at_any_moment_leaves_whole_files, Session) {
@@ -48,15 +54,29 @@ BOOST_FIXTURE_TEST_CASE(a_run_killed_at_any_moment_leaves_whole_files, Session) 
 BOOST_FIXTURE_TEST_CASE(a_killed_trace_leaves_the_rows_it_had, Session) {
   const auto killed = shell(
       "\"$mariotte\" run three.toml --trace wave.csv --every 1e-7 -q & run=$!; "
-      "until [ -s .wave.csv.$run.tmp ]; do kill -0 $run || exit 9; done; kill -s KILL $run; wait $run");
+      "until [ -s wave.csv.$run.part ]; do kill -0 $run || exit 9; done; kill -s KILL $run; wait $run");
   BOOST_TEST(killed.code == 137);
   BOOST_TEST(!fs::exists(folder / "wave.csv"));
-  fs::path left;
-  for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.path().extension() == ".tmp") left = entry.path();
-  const auto rows = content(left);
+  const auto rows = content(part_of_trace(folder));
   BOOST_TEST(rows.starts_with("time [s],v1 [m/s]"));
   BOOST_TEST(rows.ends_with('\n'));
+}
+
+BOOST_FIXTURE_TEST_CASE(an_interrupted_trace_names_the_file_with_its_rows, Session) {
+  for (const std::string trace : {"wave.csv", "wave.h5"}) {
+    const auto stopped = shell("\"$mariotte\" run three.toml --force --trace " + trace +
+                               " --every 1e-7 & run=$!; until [ -s " + trace +
+                               ".$run.part ]; do kill -0 $run || exit 9; done; kill -s INT $run; wait $run");
+    if (support::has(stopped.err, "built without HDF5")) return;
+    BOOST_TEST(stopped.code == 130);
+    BOOST_TEST(stopped.out == "");
+    BOOST_TEST(!fs::exists(folder / trace));
+    const auto left = part_of_trace(folder);
+    BOOST_TEST(stopped.err ==
+               "mariotte: interrupted; the rows until then are in " + left.filename().string() + "\n");
+    BOOST_TEST(content(left).starts_with(trace == "wave.csv" ? "time [s],v1 [m/s]" : "\x89HDF"));
+    fs::remove(left);
+  }
 }
 
 BOOST_FIXTURE_TEST_CASE(a_disk_that_is_full_leaves_the_files_of_the_run_before, Session) {

@@ -155,6 +155,32 @@ BOOST_FIXTURE_TEST_CASE(a_trace_without_sense_gives_code_2, Session) {
   }
 }
 
+// The pair meets after 10^8 s, and its contact lasts for some seconds.
+constexpr const char* far_apart =
+    "[chain]\nmass = [1, 1]\nvelocity = [1, 0]\ngap = 1e8\nlaw = 'linear'\nstiffness = 1\n";
+
+BOOST_FIXTURE_TEST_CASE(a_trace_of_absurd_size_is_refused_before_it_is_written, Session) {
+  write("far.toml", far_apart);
+  const auto run = mariotte("run far.toml --trace wave.csv --every \"1 ms\"");
+  BOOST_TEST(run.code == 2);
+  BOOST_TEST(run.out == "");
+  BOOST_TEST(has(run.err, "wave.csv would have 1e+11 rows over 1e+08 s, about 1e+04 GB"));
+  BOOST_TEST(entries() == 2);
+  BOOST_TEST(mariotte("run far.toml --trace wave.csv --every \"1e5 s\"").code == 0);
+  BOOST_TEST(lines(content(folder / "wave.csv")) == 1003u);
+}
+
+BOOST_FIXTURE_TEST_CASE(a_large_trace_tells_its_size, Session) {
+  const auto run = mariotte("run three.toml --trace wave.csv --every \"20 us\"");
+  BOOST_TEST(run.code == 0);
+  BOOST_TEST(has(run.err, "mariotte: wave.csv: 1.8"));
+  BOOST_TEST(has(run.err, "e+05 rows over "));
+  const double rows = std::stod(run.err.substr(run.err.find(": 1.8") + 2));
+  const auto trace = content(folder / "wave.csv");
+  BOOST_TEST(std::abs(static_cast<double>(lines(trace)) / rows - 1) < 1e-3);
+  BOOST_TEST(mariotte("run three.toml --trace wave.csv --every \"20 us\" -q --force").err == "");
+}
+
 BOOST_FIXTURE_TEST_CASE(a_trace_is_not_overwritten_unless_forced, Session) {
   write("wave.csv", "mine");
   BOOST_TEST(mariotte("run three.toml --trace wave.csv").code == 6);

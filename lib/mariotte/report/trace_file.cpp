@@ -10,13 +10,14 @@ class CsvTrace final : public TraceFile {
  public:
   CsvTrace(const std::filesystem::path& path, const std::vector<Index>& balls,
            const std::vector<Index>& contacts)
-      : file_(path) {
+      : file_(path, part_name(path)) {
     file_.append(trace_header(balls, contacts));
   }
   void add(const impact::Sample& sample) override {
     file_.append(trace_row(sample.time, sample.velocity, sample.gap, sample.force));
   }
   void commit() override { file_.commit(); }
+  std::filesystem::path leave() override { return file_.leave(); }
 
  private:
   NewFile file_;

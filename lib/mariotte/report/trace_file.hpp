@@ -7,13 +7,15 @@
 
 namespace mariotte::report {
 
-/// Rows go to the disk as they come, under a temporary name until `commit`. What a killed run had written
-/// stays there; a file that is not committed for another reason is removed. All throw FileError.
+/// Rows go to the disk as they come, under the name `part_name` until `commit`. What a killed run had written
+/// stays there; so does what is left on purpose. A file that ends otherwise is removed. All throw FileError.
 class TraceFile {
  public:
   virtual ~TraceFile() = default;
   virtual void add(const impact::Sample& sample) = 0;
   virtual void commit() = 0;
+  /// Keep the rows so far, and return the name of the file they are in.
+  virtual std::filesystem::path leave() = 0;
 };
 
 /// Samples of these balls and contacts (from 0) into `path`: HDF5 if its name ends in .h5 or .hdf5, else the

@@ -3,13 +3,15 @@
 #include <unistd.h>
 
 #include <cstring>
+#include <utility>
 
 #include "mariotte/report/hdf5/file_driver.hpp"
 #include "mariotte/report/page/files.hpp"
 
 namespace mariotte::report::hdf5 {
 
-NewFile::NewFile(std::filesystem::path path) : path_(std::move(path)), temporary_(temporary_name(path_)) {
+NewFile::NewFile(std::filesystem::path path, std::filesystem::path temporary)
+    : path_(std::move(path)), temporary_(std::move(temporary)) {
   H5::Exception::dontPrint();
   guarded([&] {
     file_ =
@@ -18,7 +20,7 @@ NewFile::NewFile(std::filesystem::path path) : path_(std::move(path)), temporary
 }
 
 NewFile::~NewFile() {
-  ::unlink(temporary_.c_str());  // gone already if it was renamed
+  if (!temporary_.empty()) ::unlink(temporary_.c_str());  // gone already if it was renamed
 }
 
 void NewFile::fail(const std::string& reason) const {
@@ -37,6 +39,11 @@ void NewFile::guarded(const std::function<void()>& action) const {
 void NewFile::commit() {
   guarded([&] { file_.close(); });
   put_in_place(temporary_, path_);
+}
+
+std::filesystem::path NewFile::leave() {
+  guarded([&] { file_.close(); });
+  return std::exchange(temporary_, {});
 }
 
 }  // namespace mariotte::report::hdf5

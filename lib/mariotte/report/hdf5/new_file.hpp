@@ -8,10 +8,11 @@
 
 namespace mariotte::report::hdf5 {
 
-/// Grows under a temporary name until `commit`; without it nothing is left behind. All throw FileError.
+/// Grows under a temporary name until `commit`; without it or `leave` nothing is left behind. All throw
+/// FileError.
 class NewFile {
  public:
-  explicit NewFile(std::filesystem::path path);
+  NewFile(std::filesystem::path path, std::filesystem::path temporary);
   ~NewFile();
   NewFile(const NewFile&) = delete;
   NewFile& operator=(const NewFile&) = delete;
@@ -22,6 +23,8 @@ class NewFile {
   void guarded(const std::function<void()>& action) const;
   /// Once no dataset of it is open any more.
   void commit();
+  /// The same, but the file keeps its temporary name, which is returned.
+  std::filesystem::path leave();
 
  private:
   [[noreturn]] void fail(const std::string& reason) const;

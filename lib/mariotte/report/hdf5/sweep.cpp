@@ -98,7 +98,7 @@ class Hdf5Sweep final : public SweepFile {
  public:
   Hdf5Sweep(const std::filesystem::path& path, const study::Design& design,
             const std::vector<study::Column>& columns)
-      : target_(path) {
+      : target_(path, temporary_name(path)) {
     target_.guarded([&] {
       write_shape(target_.file(), design);
       for (const auto& parameter : design.parameters) add_column({parameter.key}, is_numeric(parameter));

@@ -4,6 +4,7 @@
 #include "mariotte/impact/quantities/description.hpp"
 #include "mariotte/report/hdf5/new_file.hpp"
 #include "mariotte/report/hdf5/rows.hpp"
+#include "mariotte/report/page/files.hpp"
 #include "mariotte/report/trace_file.hpp"
 
 namespace mariotte::report {
@@ -48,7 +49,7 @@ class Hdf5Trace final : public TraceFile {
  public:
   Hdf5Trace(const std::filesystem::path& path, const std::vector<Index>& balls,
             const std::vector<Index>& contacts)
-      : target_(path) {
+      : target_(path, part_name(path)) {
     target_.guarded([&] {
       const auto& file = target_.file();
       write_numbers(file, "ball", balls);
@@ -73,12 +74,20 @@ class Hdf5Trace final : public TraceFile {
   }
 
   void commit() override {
-    target_.guarded([&] { flush(); });
-    tables_.clear();
+    close();
     target_.commit();
+  }
+  std::filesystem::path leave() override {
+    close();
+    return target_.leave();
   }
 
  private:
+  void close() {
+    target_.guarded([&] { flush(); });
+    tables_.clear();
+  }
+
   void flush() {
     for (auto& table : tables_) table.write();
     target_.file().flush(H5F_SCOPE_GLOBAL);

@@ -33,6 +33,10 @@ std::filesystem::path temporary_name(const std::filesystem::path& path) {
   return path.parent_path() / fmt::format(".{}.{}.tmp", path.filename().string(), ::getpid());
 }
 
+std::filesystem::path part_name(const std::filesystem::path& path) {
+  return path.parent_path() / fmt::format("{}.{}.part", path.filename().string(), ::getpid());
+}
+
 void put_in_place(const std::filesystem::path& temporary, const std::filesystem::path& path) {
   const int file = ::open(temporary.c_str(), O_RDONLY | O_CLOEXEC);
   const bool flushed = file >= 0 && ::fsync(file) == 0;
@@ -42,7 +46,8 @@ void put_in_place(const std::filesystem::path& temporary, const std::filesystem:
   if (std::rename(temporary.c_str(), path.c_str()) != 0) fail(path, std::strerror(errno));
 }
 
-NewFile::NewFile(std::filesystem::path path) : path_(std::move(path)), temporary_(temporary_name(path_)) {
+NewFile::NewFile(std::filesystem::path path, std::filesystem::path temporary)
+    : path_(std::move(path)), temporary_(std::move(temporary)) {
   ::unlink(temporary_.c_str());
   file_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (file_ < 0) fail(errno);
@@ -50,7 +55,7 @@ NewFile::NewFile(std::filesystem::path path) : path_(std::move(path)), temporary
 
 NewFile::~NewFile() {
   if (file_ >= 0) ::close(file_);
-  ::unlink(temporary_.c_str());  // gone already if it was renamed
+  if (!temporary_.empty()) ::unlink(temporary_.c_str());  // gone already if it was renamed
 }
 
 void NewFile::append(std::string_view text) {
@@ -60,6 +65,11 @@ void NewFile::append(std::string_view text) {
 void NewFile::commit() {
   if (::close(std::exchange(file_, -1)) != 0) fail(errno);
   put_in_place(temporary_, path_);
+}
+
+std::filesystem::path NewFile::leave() {
+  if (::close(std::exchange(file_, -1)) != 0) fail(errno);
+  return std::exchange(temporary_, {});
 }
 
 void NewFile::fail(int problem) const {

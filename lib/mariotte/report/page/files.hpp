@@ -19,16 +19,27 @@ struct FileError : Error {
 /// what was there. Throws FileError and leaves nothing behind if that fails.
 void write_file(const std::filesystem::path& path, const std::string& text);
 
+/// Where a file that is to appear at `path` grows, beside it: hidden; or, if its beginning is worth keeping,
+/// for everybody to see.
+std::filesystem::path temporary_name(const std::filesystem::path& path);
+std::filesystem::path part_name(const std::filesystem::path& path);
+
+/// Its move to `path`, flushed to the disk, replacing what was there. Throws FileError.
+void put_in_place(const std::filesystem::path& temporary, const std::filesystem::path& path);
+
 /// The same for a text that comes in parts, which need not fit into memory together.
 class NewFile {
  public:
-  explicit NewFile(std::filesystem::path path);
-  ~NewFile();  ///< without `commit` nothing is left behind
+  explicit NewFile(const std::filesystem::path& path) : NewFile(path, temporary_name(path)) {}
+  NewFile(std::filesystem::path path, std::filesystem::path temporary);
+  ~NewFile();  ///< without `commit` or `leave` nothing is left behind
   NewFile(const NewFile&) = delete;
   NewFile& operator=(const NewFile&) = delete;
 
   void append(std::string_view text);
   void commit();
+  /// Keep what there is under its temporary name, which is returned.
+  std::filesystem::path leave();
 
  private:
   [[noreturn]] void fail(int problem) const;
@@ -37,11 +48,6 @@ class NewFile {
   std::filesystem::path temporary_;
   int file_ = -1;
 };
-
-/// Where a file that is to appear at `path` grows, beside it; and its move there, flushed to the disk,
-/// replacing what was there. Throws FileError.
-std::filesystem::path temporary_name(const std::filesystem::path& path);
-void put_in_place(const std::filesystem::path& temporary, const std::filesystem::path& path);
 
 /// Create `folder` to receive files of these names. Throws FileError if it cannot be written to or, unless
 /// `overwrite`, if one of the files exists.
