@@ -119,6 +119,15 @@ BOOST_FIXTURE_TEST_CASE(a_sweep_is_drawn_unless_it_shall_not, Session) {
   BOOST_TEST(has(missing.err, "gnuplot is not installed; data and script are in bare/plot.gp"));
 }
 
+BOOST_FIXTURE_TEST_CASE(a_constant_column_does_not_hide_the_numbers_of_the_next, Session) {
+  if (shell("command -v gnuplot").code != 0) return;
+  write("speeds.toml", std::string(support::three_balls) +
+                           "[[sweep]]\nkey = 'chain.velocity[0]'\nfrom = 1\nto = 2\ncount = 5\n");
+  // The ratio does not depend on the speed; the energy does.
+  BOOST_TEST(mariotte("sweep speeds.toml --out out --column 'icr[0]' --column energy.final").code == 0);
+  BOOST_TEST(!has(content(folder / "out/sweep.energy.final.svg"), "no numbers"));
+}
+
 BOOST_FIXTURE_TEST_CASE(any_number_of_threads_gives_the_same_csv, Session) {
   write("map.toml", support::map_scene(20));
   for (const std::string threads : {"1", "2", "3"})

@@ -58,22 +58,23 @@ std::size_t place(const study::Design& design, std::size_t column) {
   return drawn_parameters(design).size() + design.parameters.size() + column + 1;
 }
 
-/// Takes the range of what is shown. Differences that are rounding are not magnified, and a figure without
-/// any number says so.
+/// Takes the range of what is shown; that of the figure before would hide numbers from `stats`. Differences
+/// that are rounding are not magnified, and a figure without any number says so.
 std::string range_settings(const std::vector<std::size_t>& places, const char* axis) {
-  return fmt::format(R"(low = 1e300; high = -1e300
-do for [c in '{}'] {{
+  return fmt::format(R"(set autoscale {0}
+low = 1e300; high = -1e300
+do for [c in '{1}'] {{
   undefine S_*
   stats 'plot.csv' using (column(int(c))) name 'S' nooutput
   if (exists('S_records')) {{ low = S_min < low ? S_min : low; high = S_max > high ? S_max : high }}
 }}
 size = abs(low) > abs(high) ? abs(low) : abs(high)
 margin = high - low > 1e-9 * size ? 0 : size > 0 ? 0.001 * size : 1
-if (margin > 0) {{ set {}range [low-margin:high+margin] }} else {{ set autoscale {} }}
+if (margin > 0) {{ set {0}range [low-margin:high+margin] }}
 unset label
 if (low > high) {{ set label 'no numbers' at graph 0.5, 0.5 center }}
 )",
-                     fmt::join(places, " "), axis, axis);
+                     axis, fmt::join(places, " "));
 }
 
 std::string unless_empty(const std::string& plot) {
