@@ -48,6 +48,13 @@ BOOST_FIXTURE_TEST_CASE(json_of_a_body_has_the_promised_keys, Bodies) {
     BOOST_TEST(result["energy"].contains(key), key);
 }
 
+BOOST_FIXTURE_TEST_CASE(a_rod_that_turns_in_the_plane_keeps_two_angles_at_zero, Bodies) {
+  // It starts at 42 degrees and turns on beyond 90.
+  BOOST_TEST(has(mariotte("run microrod.toml").out, "beta [deg]  42.00000000  146.85377335"));
+  const auto final = json("run microrod.toml")["final"];
+  BOOST_TEST(std::abs(final["angles"][0].get<double>()) < 1e-12);
+}
+
 BOOST_FIXTURE_TEST_CASE(a_captured_body_is_an_end_like_any_other, Bodies) {
   const auto run = mariotte("run captured_sphere.toml");
   BOOST_TEST(run.code == 0);

@@ -1,5 +1,8 @@
 // Attitude of a rigid body as a unit quaternion: rotate(q, v) turns body components into space components.
 #pragma once
+#include <cmath>
+#include <numbers>
+
 #include "mariotte/core/vector3.hpp"
 
 namespace mariotte {
@@ -63,14 +66,24 @@ inline Quaternion from_euler(const EulerAngles& angles) {
          rotation({0, 0, 1}, angles.gamma);
 }
 
-/// The angles of a rotation; where β = ±90° makes them ambiguous, γ = 0.
+/// The other angles of the same rotation: α and γ half a turn away.
+inline EulerAngles other_angles(const EulerAngles& angles) {
+  const auto half_turn = [](double angle) { return std::copysign(std::numbers::pi, angle); };
+  return {angles.alpha - half_turn(angles.alpha), half_turn(angles.beta) - angles.beta,
+          angles.gamma - half_turn(angles.gamma)};
+}
+
+/// The angles of a rotation. Of the two triples it is that with β within ±90°, unless both α and γ were
+/// beyond that: so a body that turns in a plane keeps α = γ = 0. Where β = ±90° makes them ambiguous, γ = 0.
 inline EulerAngles to_euler(const Quaternion& q) {
   const Vector3 one = rotate(q, {1, 0, 0}), two = rotate(q, {0, 1, 0}), three = rotate(q, {0, 0, 1});
   const double level = std::hypot(one.e1, two.e1);
   const double beta = std::atan2(three.e1, level);
   if (level == 0) return {std::atan2(two.e3, two.e2), beta, 0};
   // a zero less another is +0, where −0 would be an angle of −180° or be shown as such
-  return {std::atan2(0 - three.e2, three.e3), beta, std::atan2(0 - two.e1, one.e1)};
+  const EulerAngles angles{std::atan2(0 - three.e2, three.e3), beta, std::atan2(0 - two.e1, one.e1)};
+  constexpr double right = std::numbers::pi / 2;
+  return std::abs(angles.alpha) > right && std::abs(angles.gamma) > right ? other_angles(angles) : angles;
 }
 
 }  // namespace mariotte
