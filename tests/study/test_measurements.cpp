@@ -52,6 +52,14 @@ BOOST_AUTO_TEST_CASE(restitution_is_of_the_tip_unless_the_header_says_of_the_cen
   BOOST_TEST(!centre.weighted);
 }
 
+BOOST_AUTO_TEST_CASE(a_restitution_that_cannot_be_is_refused_where_it_stands) {
+  BOOST_TEST(
+      refuses("speed,restitution\n5,0.8\n6,1.2\n", "data.csv:3:3: a restitution must be between 0 and 1"));
+  BOOST_TEST(
+      refuses("speed,restitution.tip\n5,-0.5\n", "data.csv:2:3: a restitution must be between 0 and 1"));
+  BOOST_TEST(refuses("speed,restitution\n5,45\n", "(45 % is 0.45)"));
+}
+
 BOOST_AUTO_TEST_CASE(the_table_of_a_sweep_can_be_read) {
   const auto found = parse_measurements(
       "incidence.normal_speed,restitution.tip,ending,reason\n5,0.8,separated,\n1,0,captured,\"a, b\"\n", "f");

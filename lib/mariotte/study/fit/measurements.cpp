@@ -113,6 +113,13 @@ scene::Node value(const Source& source, const Cell& cell, const Column& column) 
   return {.value = 0.5 * number(source, cell, text, dimension::length), .place = cell.place};
 }
 
+/// A tip that gains speed has been pushed by something else. A mass centre may, out of the spin.
+void expect_restitution(const Source& source, const Cell& cell, const Column& column, double value) {
+  if (column.name != "restitution.centre" && !(value >= 0 && value <= 1))
+    reject(source, cell.place, fault::out_of_range,
+           "a restitution must be between 0 and 1" + std::string(value > 2 ? " (45 % is 0.45)" : ""));
+}
+
 Measurement read_row(const Source& source, const std::vector<Cell>& cells, const Columns& columns) {
   const auto plain = [&](const Column& column) {
     const auto& cell = cells[column.number];
@@ -124,6 +131,7 @@ Measurement read_row(const Source& source, const std::vector<Cell>& cells, const
     row.values.push_back(value(source, cells[column.number], column));
   }
   row.restitution = plain(*columns.restitution);
+  expect_restitution(source, cells[columns.restitution->number], *columns.restitution, row.restitution);
   if (!columns.deviation) return row;
   row.deviation = plain(*columns.deviation);
   if (!(row.deviation > 0))
