@@ -51,6 +51,19 @@ BOOST_AUTO_TEST_CASE(a_range_meets_both_ends_exactly) {
   BOOST_TEST(log[1] == 0.1, boost::test_tools::tolerance(1e-14));
 }
 
+BOOST_AUTO_TEST_CASE(a_step_that_misses_the_end_warns) {
+  const auto warnings_of = [](const std::string& to) {
+    auto document = scene::parse_document(
+        test::three_balls + "[[sweep]]\nkey='chain.velocity[2]'\nfrom=0\nto=" + to + "\nstep=0.1\n",
+        "s.toml");
+    study::read_design(document);
+    return document.source.warnings;
+  };
+  BOOST_TEST(warnings_of("0.3").empty());
+  BOOST_REQUIRE(warnings_of("0.35").size() == 1u);
+  BOOST_TEST(warnings_of("0.35")[0].ends_with("does not lead to 'to' in whole steps; the last value is 0.3"));
+}
+
 BOOST_AUTO_TEST_CASE(a_step_counts_its_values_and_may_go_down) {
   BOOST_TEST(all(design_of("[[sweep]]\nkey='chain.velocity[2]'\nfrom=0\nto=0.3\nstep=0.1\n"), 0).size() == 4);
   BOOST_TEST(

@@ -1,5 +1,7 @@
 #include "mariotte/study/sweep/design_reader.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -112,18 +114,24 @@ double end(const Source& source, const Field& table, const char* name, const Dim
   return number(source, *find(table, name), dimension, Domain::finite);
 }
 
-/// How many values a step makes; the last one is never beyond the end by more than rounding.
-Index steps(const Source& source, const Field& field, const Range& range, const Dimension& dimension) {
+/// How many values a step makes; the last one is never beyond the end by more than rounding. Warns if it is
+/// not the end.
+Index steps(Source& source, const Field& field, const Range& range, const Dimension& dimension) {
   const double step = number(source, field, dimension, Domain::finite);
   const double count = (range.to - range.from) / step;
   if (range.logarithmic)
     reject(source, field, fault::sweep_values, "does not go with scale = \"log\" (give 'count')");
   if (!(count >= 0)) reject(source, field, fault::sweep_values, "does not lead from 'from' to 'to'");
   if (!(count < scene::most_points)) reject(source, field, fault::sweep_values, "makes too many values");
-  return static_cast<Index>(std::floor(count * (1 + 8 * epsilon))) + 1;
+  const double whole = std::floor(count * (1 + 8 * epsilon));
+  if (count - whole > 8 * epsilon * count)
+    warn(source, field,
+         fmt::format("does not lead to 'to' in whole steps; the last value is {:.10g}",
+                     range.from + whole * step));
+  return static_cast<Index>(whole) + 1;
 }
 
-Index read_range(const Source& source, const Field& table, const Dimension& dimension, Range& range) {
+Index read_range(Source& source, const Field& table, const Dimension& dimension, Range& range) {
   range.from = end(source, table, "from", dimension);
   range.to = end(source, table, "to", dimension);
   if (const auto scale = find(table, "scale")) range.logarithmic = text(source, *scale) == "log";
@@ -150,7 +158,7 @@ Index read_list(const Source& source, const Field& list, const std::optional<Dim
 }
 
 /// How many values the table has.
-Index read_values(const Source& source, const Field& table, const std::optional<Dimension>& dimension,
+Index read_values(Source& source, const Field& table, const std::optional<Dimension>& dimension,
                   Parameter& parameter) {
   if (const auto list = find(table, "values")) return read_list(source, *list, dimension, parameter.list);
   if (!dimension)
@@ -189,7 +197,7 @@ void set_strides(const Source& source, const scene::Place& place, Design& design
   }
 }
 
-void read_axes(const Document& document, const Meaning& meaning, Design& design) {
+void read_axes(Document& document, const Meaning& meaning, Design& design) {
   const auto all = tables(document);
   for (std::size_t i = 0; i < all.size(); ++i) {
     auto& parameter = design.parameters[i];
