@@ -40,6 +40,9 @@ void add_flags(scene::Law& law, const LawChoice& choice) {
   if (!choice.mass.empty()) {
     law.mass = numbers("mass", choice.mass, dimension::mass);
     law.velocity = numbers("velocity", choice.velocity, dimension::velocity);
+    if (law.velocity.size() != law.mass.size())
+      throw UsageError("--velocity: needs one value per mass (" + std::to_string(law.mass.size()) +
+                       "), got " + std::to_string(law.velocity.size()));
   }
   if (!choice.direction.empty()) law.direction = numbers("direction", choice.direction, dimension::none);
   if (!choice.icr.empty())

@@ -33,6 +33,12 @@ BOOST_FIXTURE_TEST_CASE(law_answers_from_flags_alone, Session) {
   BOOST_TEST(answer["energy"]["frame"] == "given");
 }
 
+BOOST_FIXTURE_TEST_CASE(a_velocity_too_few_is_told_so, Session) {
+  const auto run = mariotte("law --mass 1,1,1 --velocity 1,0 --icr 2 --energy-ratio 1");
+  BOOST_TEST(run.code == 2);
+  BOOST_TEST(has(run.err, "--velocity: needs one value per mass (3), got 2"));
+}
+
 BOOST_FIXTURE_TEST_CASE(direction_units_and_walls_are_understood, Session) {
   const auto run =
       mariotte("law --mass '100 g,inf' --velocity '2 m/s,0' --direction 1 --energy-ratio 0.25 --json");
