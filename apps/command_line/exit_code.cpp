@@ -44,10 +44,14 @@ Fault fault_of(hybrid::Ending ending) {
 int guarded(const std::function<int()>& action) noexcept {
   try {
     return action();
+  } catch (const ReaderGone&) {
+    return ExitCode::bad_file;
   } catch (const UsageError& problem) {
     return fail(problem, ExitCode::usage);
   } catch (const scene::SceneError& problem) {
-    return fail(problem, ExitCode::bad_scene);
+    fail(problem, ExitCode::bad_scene);
+    for (const auto& other : problem.more) fail(other, ExitCode::bad_scene);
+    return ExitCode::bad_scene;
   } catch (const InvalidParameter& problem) {
     return fail(problem, ExitCode::bad_scene);
   } catch (const scene::FileError& problem) {

@@ -10,7 +10,10 @@ namespace mariotte::command {
 /// The name before every message on stderr.
 void speak_as(std::string program);
 
-/// Write to stdout. Throws report::FileError unless every byte was taken.
+/// Nobody reads what is written to stdout any more, as after `| head -1`; no fault that is worth a word.
+struct ReaderGone {};
+
+/// Write to stdout. Throws ReaderGone, or report::FileError unless every byte was taken.
 void print(std::string_view text);
 
 /// "<program>: error: … [S012]", "<program>: warning: …" and "<program>: …" on stderr.

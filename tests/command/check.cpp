@@ -62,6 +62,53 @@ BOOST_FIXTURE_TEST_CASE(a_command_line_without_sense_gives_code_2, Session) {
   }
 }
 
+BOOST_FIXTURE_TEST_CASE(every_error_of_a_scene_is_told_at_once, Session) {
+  write("bad.toml", R"(titel = "wrong"
+[chain]
+mass = [1, -1]
+velocity = ["1 m", 0]
+gap = -1
+law = "hertz"
+stiffness = 1
+[run]
+accuracy = 2
+)");
+  const auto check = mariotte("check bad.toml");
+  BOOST_TEST(check.code == 3);
+  for (const char* error :
+       {"bad.toml:1:1: unknown key 'titel' (did you mean 'title'?) [S010]",
+        "bad.toml:3:12: chain.mass[1]: must be positive",
+        "bad.toml:4:13: chain.velocity[0]: ", "bad.toml:5:7: chain.gap: must not be negative",
+        "bad.toml:9:12: run.accuracy: must be between 0 and 1"})
+    BOOST_TEST(has(check.err, std::string("mariotte: error: ") + error), error << " in " << check.err);
+}
+
+BOOST_FIXTURE_TEST_CASE(a_key_in_the_wrong_table_is_told_where_it_belongs, Session) {
+  BOOST_TEST(has(mariotte("check three.toml --set chain.accuracy=1e-6").err, "(it belongs to [run])"));
+  BOOST_TEST(has(mariotte("check three.toml --set chain.friction=0.1").err,
+                 "(friction acts on a [body] only: surface.friction)"));
+}
+
+BOOST_FIXTURE_TEST_CASE(a_wrong_word_is_told_the_choices, Session) {
+  BOOST_TEST(has(mariotte("check three.toml --set 'chain.contact[0].law=\"x\"'").err,
+                 "unknown law 'x' (one of: linear, hertz, viscoelastic, hunt-crossley)"));
+  BOOST_TEST(has(mariotte("check three.toml --set 'chain.wall=\"letf\"'").err,
+                 "unknown wall 'letf' (did you mean 'left'?) (one of: left, right, both)"));
+}
+
+BOOST_FIXTURE_TEST_CASE(a_missing_file_and_a_folder_are_called_so, Session) {
+  BOOST_TEST(has(mariotte("run nowhere.toml").err, "nowhere.toml: no such file [F001]"));
+  BOOST_TEST(has(mariotte("run .").err, ".: is a folder [F001]"));
+}
+
+BOOST_FIXTURE_TEST_CASE(an_angle_in_degrees_without_a_unit_is_told_so, Session) {
+  const auto check = mariotte("check " MARIOTTE_SCENES "/microrod.toml --set 'incidence.angles=[0, 42, 0]'");
+  BOOST_TEST(check.code == 3);
+  BOOST_TEST(has(check.err, "(a bare number is in radians; \"42 deg\" is in degrees)"));
+  const auto warned = mariotte("check " MARIOTTE_SCENES "/microrod.toml --set 'incidence.angles=[0, 7, 0]'");
+  BOOST_TEST(has(warned.err, "incidence.angles: more than a full turn (a bare number is in radians"));
+}
+
 BOOST_FIXTURE_TEST_CASE(a_misspelt_word_is_told_what_it_is_like, Session) {
   const auto command = mariotte("rnu three.toml");
   BOOST_TEST(command.code == 2);

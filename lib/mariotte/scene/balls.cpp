@@ -5,6 +5,8 @@
 #include <numbers>
 #include <span>
 
+#include "mariotte/scene/error_list.hpp"
+
 namespace mariotte::scene {
 namespace {
 
@@ -34,18 +36,24 @@ void each_key(Visit visit) {
 }
 
 /// One value for all, or an array.
+void read_column(Source& source, const Field& field, const Layout& layout, std::span<Ball> balls, auto member,
+                 auto read) {
+  if (!field.node->array()) {
+    const auto value = read(source, field);
+    for (auto& ball : balls) ball.*member = value;
+    return;
+  }
+  expect_per_ball(source, field, layout);
+  for (Index i = 0; i < layout.listed; ++i) balls[i].*member = read(source, element(field, i));
+}
+
 void read_columns(Source& source, const Field& chain, const Layout& layout, std::span<Ball> balls) {
+  ErrorList errors;
   each_key([&](const char* key, auto member, auto read) {
     const auto field = find(chain, key);
-    if (!field) return;
-    if (!field->node->array()) {
-      const auto value = read(source, *field);
-      for (auto& ball : balls) ball.*member = value;
-      return;
-    }
-    expect_per_ball(source, *field, layout);
-    for (Index i = 0; i < layout.listed; ++i) balls[i].*member = read(source, element(*field, i));
+    if (field) errors.attempt([&] { read_column(source, *field, layout, balls, member, read); });
   });
+  errors.raise();
 }
 
 /// The ball a [[chain.ball]] table is about, from 0.

@@ -1,7 +1,11 @@
 #include "mariotte/scene/body_reader.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 
+#include "mariotte/scene/error_list.hpp"
 #include "mariotte/scene/shape.hpp"
 
 namespace mariotte::scene {
@@ -81,7 +85,6 @@ contact::BrachDunn read_law(const Source& source, const Field& surface, double r
 
 void read_surface(const Source& source, const Field& surface, const Shape& shape, double speed,
                   model::Microbody& body) {
-  expect_keys(source, surface, surface_keys);
   if (const auto law = find(surface, "law")) choice(source, *law, "law", laws);
   for (const auto& tip : shape.body.tips)
     body.law.push_back(read_law(source, surface, tip.radius, shape.density, speed));
@@ -99,7 +102,13 @@ double read_speed(const Source& source, const Field& incidence) {
   return speed;
 }
 
-void read_incidence(const Source& source, const Field& incidence, model::Microbody& body) {
+/// Angles of more than a turn were meant in degrees.
+std::string hint_at_radians(const Vector3& angles) {
+  const double most = std::max({std::abs(angles.e1), std::abs(angles.e2), std::abs(angles.e3)});
+  return most > 2 * std::numbers::pi ? " (a bare number is in radians; \"42 deg\" is in degrees)" : "";
+}
+
+void read_incidence(Source& source, const Field& incidence, model::Microbody& body) {
   body.velocity = {-read_speed(source, incidence), 0, 0};
   if (const auto field = find(incidence, "tangential_velocity")) {
     if (!field->node->array() || field->node->array()->size() != 2)
@@ -109,6 +118,8 @@ void read_incidence(const Source& source, const Field& incidence, model::Microbo
   }
   if (const auto field = find(incidence, "angles")) {
     const Vector3 angles = read_vector(source, *field, dimension::none);
+    if (const auto hint = hint_at_radians(angles); !hint.empty())
+      warn(source, *field, "more than a full turn" + hint);
     body.attitude = from_euler({angles.e1, angles.e2, angles.e3});
   }
   if (const auto field = find(incidence, "spin")) body.spin = read_vector(source, *field, spin_dimension);
@@ -129,9 +140,12 @@ void read_run_of_body(const Source& source, const std::optional<Field>& run, mod
 /// What is wrong with the start, at the key that makes it so.
 void expect_first_tip_first(const Source& source, const Field& incidence, const model::Microbody& body) {
   const auto blame = [&](const char* key) { return find(incidence, key).value_or(incidence); };
+  const auto angles = find(incidence, "angles");
+  const auto hint = angles ? hint_at_radians(read_vector(source, *angles, dimension::none)) : std::string();
   if (const auto tip = model::tip_below_plane(body))
-    reject(source, blame("angles"), fault::wrong_start,
-           "tip " + std::to_string(*tip + 1) + " would start below the plane: these angles put it first");
+    reject(
+        source, blame("angles"), fault::wrong_start,
+        "tip " + std::to_string(*tip + 1) + " would start below the plane: these angles put it first" + hint);
   if (!(model::tip_velocity(body, 0) < 0))
     reject(source, blame("spin"), fault::wrong_start,
            "the spin lifts tip 1 off the plane" +
@@ -142,13 +156,19 @@ void expect_first_tip_first(const Source& source, const Field& incidence, const 
 
 model::Microbody read_microbody(Source& source, const Field& root, const std::optional<Field>& run) {
   const auto surface = table(source, root, "surface"), incidence = table(source, root, "incidence");
-  const Shape shape = read_shape(source, *find(root, "body"));
+  ErrorList errors;
+  Shape shape;
   model::Microbody body;
+  errors.attempt([&] { shape = read_shape(source, *find(root, "body")); });
+  errors.attempt([&] { expect_keys(source, surface, surface_keys); });
+  errors.attempt([&] {
+    expect_keys(source, incidence, incidence_keys);
+    read_incidence(source, incidence, body);
+  });
+  errors.attempt([&] { read_run_of_body(source, run, body); });
+  errors.raise();
   body.body = shape.body;
-  expect_keys(source, incidence, incidence_keys);
-  read_incidence(source, incidence, body);
   read_surface(source, surface, shape, -body.velocity.e1, body);
-  read_run_of_body(source, run, body);
   expect_first_tip_first(source, incidence, body);
   return body;
 }

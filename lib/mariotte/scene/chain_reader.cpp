@@ -6,6 +6,7 @@
 
 #include "mariotte/scene/balls.hpp"
 #include "mariotte/scene/contacts.hpp"
+#include "mariotte/scene/error_list.hpp"
 
 namespace mariotte::scene {
 namespace {
@@ -51,16 +52,23 @@ std::vector<double> radii(const std::vector<Ball>& balls) {
 ResolvedChain read_chain(Source& source, const Field& chain, const std::optional<Field>& gravity) {
   expect_keys(source, chain, keys);
   const auto layout = read_layout(source, chain);
-  const auto balls = read_balls(source, chain, layout);
   model::Chain model;
-  for (const auto& ball : balls) {
-    model.mass.push_back(*ball.mass);
-    model.velocity.push_back(ball.velocity.value_or(0));
-  }
-  if (const auto field = find(chain, "precompressed")) model.precompressed = boolean(source, *field);
-  model.law = read_laws(source, chain, layout, balls);
-  model.gap = read_gaps(source, chain, layout, model.precompressed);
-  model.gravity = read_gravity(source, chain, gravity);
+  std::vector<Ball> balls;
+  ErrorList errors;
+  errors.attempt([&] {
+    balls = read_balls(source, chain, layout);
+    for (const auto& ball : balls) {
+      model.mass.push_back(*ball.mass);
+      model.velocity.push_back(ball.velocity.value_or(0));
+    }
+    model.law = read_laws(source, chain, layout, balls);
+  });
+  errors.attempt([&] {
+    if (const auto field = find(chain, "precompressed")) model.precompressed = boolean(source, *field);
+    model.gap = read_gaps(source, chain, layout, model.precompressed);
+  });
+  errors.attempt([&] { model.gravity = read_gravity(source, chain, gravity); });
+  errors.raise();
   expect_motion(source, chain, model);
   warn_of_rest(source, chain, model);
   return {std::move(model), radii(balls)};

@@ -5,6 +5,7 @@
 
 #include "mariotte/core/nearest.hpp"
 #include "mariotte/core/quantity.hpp"
+#include "mariotte/scene/error_list.hpp"
 
 namespace mariotte::scene {
 namespace {
@@ -50,6 +51,21 @@ const char* objection(double value, Domain domain) {
   return value > 0 ? nullptr : "must be positive";
 }
 
+std::string one_of(std::span<const std::string_view> known) {
+  if (known.size() < 2) return "";
+  std::string text;
+  for (const auto word : known) text += (text.empty() ? " (one of: " : ", ") + std::string(word);
+  return text + ")";
+}
+
+/// Keys that people look for in another table than theirs.
+std::string elsewhere(std::string_view key) {
+  for (const auto* of_run : {"accuracy", "max_time", "max_events", "flow"})
+    if (key == of_run) return " (it belongs to [run])";
+  if (key == "friction") return " (friction acts on a [body] only: surface.friction)";
+  return "";
+}
+
 }  // namespace
 
 void reject(const Source& source, const Field& field, Fault fault, const std::string& message) {
@@ -61,7 +77,8 @@ void warn(Source& source, const Field& field, const std::string& message) {
 }
 
 std::optional<Field> find(const Field& table, std::string_view key) {
-  const Entry* const entry = find(*table.node->table(), key);
+  const auto* const entries = table.node->table();
+  const Entry* const entry = entries ? find(*entries, key) : nullptr;
   if (!entry) return {};
   return Field{&entry->node, joined(table.path, key)};
 }
@@ -73,10 +90,16 @@ Field element(const Field& array, Index index) {
 
 void expect_keys(const Source& source, const Field& table, std::span<const std::string_view> known) {
   if (!table.node->table()) wrong_type(source, table, "a table");
+  ErrorList errors;
   for (const auto& [key, place, value] : *table.node->table())
     if (std::find(known.begin(), known.end(), key) == known.end())
-      reject(source, place, fault::unknown_key,
-             "unknown key '" + joined(table.path, key) + "'" + suggestion(key, known));
+      errors.attempt([&] {
+        const auto hint = elsewhere(key);
+        reject(
+            source, place, fault::unknown_key,
+            "unknown key '" + joined(table.path, key) + "'" + (hint.empty() ? suggestion(key, known) : hint));
+      });
+  errors.raise();
 }
 
 double number(const Source& source, const Field& field, const Dimension& dimension, Domain domain) {
@@ -136,7 +159,7 @@ std::size_t choice(const Source& source, const Field& field, const char* noun,
   const auto found = std::find(known.begin(), known.end(), word);
   if (found == known.end())
     reject(source, field, fault::unknown_word,
-           "unknown " + std::string(noun) + " '" + word + "'" + suggestion(word, known));
+           "unknown " + std::string(noun) + " '" + word + "'" + suggestion(word, known) + one_of(known));
   return static_cast<std::size_t>(found - known.begin());
 }
 

@@ -34,13 +34,13 @@ enum class Domain {
 [[noreturn]] void reject(const Source& source, const Field& field, Fault fault, const std::string& message);
 void warn(Source& source, const Field& field, const std::string& message);
 
-/// The value of a key, if the table has it. `table` must be one.
+/// The value of a key, if the table has it, and is one.
 std::optional<Field> find(const Field& table, std::string_view key);
 
 /// Element of an array. `array` must be one, and long enough.
 Field element(const Field& array, Index index);
 
-/// Rejects what is no table, or has a key that is not among the known ones.
+/// Rejects what is no table, or has keys that are not among the known ones.
 void expect_keys(const Source& source, const Field& table, std::span<const std::string_view> known);
 
 /// A number, or a string with a unit of this dimension [SI].

@@ -6,6 +6,7 @@
 
 #include "mariotte/core/overload.hpp"
 #include "mariotte/scene/document.hpp"
+#include "mariotte/scene/error_list.hpp"
 #include "mariotte/scene/law_reader.hpp"
 #include "mariotte/scene/model_reader.hpp"
 #include "mariotte/scene/overrides.hpp"
@@ -48,16 +49,22 @@ std::string read_title(const Source& source, const Field& title) {
 }
 
 Scene read_scene(Source& source, const Field& root, Purpose purpose) {
-  expect_keys(source, root, keys);
   expect_one_model(source, root, purpose);
   Scene scene;
-  if (const auto title = find(root, "title")) scene.title = read_title(source, *title);
+  ErrorList errors;
+  const auto part = [&](const char* key, auto&& read) {
+    if (const auto field = find(root, key)) errors.attempt([&] { read(*field); });
+  };
+  errors.attempt([&] { expect_keys(source, root, keys); });
+  part("title", [&](const Field& title) { scene.title = read_title(source, title); });
   const auto run = find(root, "run");
-  if (run) scene.run = read_run(source, *run, find(root, "body").has_value());
-  if (const auto sweeps = find(root, "sweep")) expect_sweeps(source, *sweeps);
-  if (const auto columns = find(root, "columns")) expect_columns(source, *columns);
-  if (const auto law = find(root, "law")) scene.law = read_law(source, *law);
-  std::tie(scene.model, scene.radius) = read_model(source, root, scene.law, purpose);
+  part("run",
+       [&](const Field& field) { scene.run = read_run(source, field, find(root, "body").has_value()); });
+  part("sweep", [&](const Field& sweeps) { expect_sweeps(source, sweeps); });
+  part("columns", [&](const Field& columns) { expect_columns(source, columns); });
+  part("law", [&](const Field& law) { scene.law = read_law(source, law); });
+  errors.attempt([&] { std::tie(scene.model, scene.radius) = read_model(source, root, scene.law, purpose); });
+  errors.raise();
   if (!run || !find(*run, "max_events"))
     scene.run.max_events = std::max(scene.run.max_events, events_of_wave(scene.model));
   return scene;

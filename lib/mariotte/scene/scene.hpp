@@ -18,6 +18,8 @@ namespace mariotte::scene {
 /// A scene that was rejected; what() reads "file:line:column: message".
 struct SceneError : Error {
   SceneError(const std::string& what, Fault kind) : Error(what, kind) {}
+
+  std::vector<SceneError> more;  ///< what else is wrong, without a `more` of its own
 };
 
 /// A file that could not be read; what() names it.

@@ -8,6 +8,10 @@
 namespace mariotte::scene {
 
 std::string read_text(const std::string& path, std::size_t longest) {
+  std::error_code ignored;
+  const auto status = std::filesystem::status(path, ignored);
+  if (!exists(status)) throw FileError(path + ": no such file");
+  if (is_directory(status)) throw FileError(path + ": is a folder");
   std::ifstream file(path, std::ios::binary);
   std::string text;
   std::string part(1 << 20, '\0');
@@ -18,8 +22,7 @@ std::string read_text(const std::string& path, std::size_t longest) {
       throw FileError(path + ": is longer than " + std::to_string(longest >> 20) + " MiB");
   } while (file);
   // The end of the file sets failbit, so only what was opened and what broke are asked.
-  if (!file.is_open() || file.bad() || std::filesystem::is_directory(path))
-    throw FileError(path + ": cannot be read");
+  if (!file.is_open() || file.bad()) throw FileError(path + ": cannot be read");
   return text;
 }
 
