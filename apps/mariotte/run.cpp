@@ -60,7 +60,7 @@ struct Watch {
 template <class Model>
 auto simulate(const Run& options, const Model& model, const scene::Scene& scene,
               impact::RunObserver observers) {
-  Watch watch{options.scene.quiet, RunProgress(scene.run)};
+  Watch watch{options.scene.quiet, RunProgress(scene.run.max_time)};
   observers.progress = std::ref(watch);
   const auto start = std::chrono::steady_clock::now();
   auto impact = impact::simulate(model, scene.run, observers);
@@ -79,6 +79,20 @@ void warn_of_error(const Run& options, const Impact& impact) {
         fmt::format("velocities may be wrong by {:.1e} of the largest speed, where {:g} was asked: "
                     "contacts close so often that errors grow",
                     *impact.estimated_accuracy, impact.requested_accuracy));
+}
+
+/// Balls that fly past each other are a slip more often than wanted.
+void warn_of_nothing(const Run& options, const impact::ContactImpact& impact) {
+  if (!options.scene.quiet && impact.events.empty() && impact.ending == hybrid::Ending::separated)
+    warning("nothing collides: no contact ever closes");
+}
+void warn_of_nothing(const Run&, const impact::MicrobodyImpact&) {}
+
+/// A time limit is the user's own wish, though not an end of the impact.
+void tell_ending(hybrid::Ending ending, const std::string& why) {
+  if (why.empty()) return;
+  if (ending == hybrid::Ending::time_limit) return warning(why);
+  error(why, fault_of(ending));
 }
 
 /// The result, and what it takes to repeat the run.
@@ -103,8 +117,8 @@ int finish(const Run& options, const Impact& impact, const scene::Scene& scene, 
   }
   print(options.json ? report::text(result) : report::table(impact, scene));
   warn_of_error(options, impact);
-  if (const auto why = report::reason(impact.ending, impact.message, scene.run); !why.empty())
-    error(why, fault_of(impact.ending));
+  warn_of_nothing(options, impact);
+  tell_ending(impact.ending, report::reason(impact.ending, impact.message, scene.run));
   return exit_code(impact.ending);
 }
 
@@ -112,7 +126,7 @@ int finish(const Run& options, const Impact& impact, const scene::Scene& scene, 
 void expect_sensible(const Run& options, const RunningTrace& trace, const model::Chain& chain,
                      const scene::Scene& scene) {
   if (options.force) return;
-  Watch watch{options.scene.quiet, RunProgress(scene.run)};
+  Watch watch{options.scene.quiet, RunProgress(scene.run.max_time)};
   const auto size = measure(trace, chain, scene.run, {.progress = std::ref(watch)});
   if (size.is_absurd())
     throw UsageError(

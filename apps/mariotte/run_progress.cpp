@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <cmath>
 
 #include "mariotte/report/number.hpp"
 
@@ -13,15 +13,18 @@ constexpr Index events_between_looks = 256;  // at the clock
 
 }  // namespace
 
+std::string progress_text(const impact::Progress& progress, double max_time, double taken) {
+  const auto time = report::display_for(std::vector{progress.time}, "s");
+  auto text = fmt::format("at {} {} after {:.0f} s, {} events", report::shown(time, progress.time), time.unit,
+                          taken, progress.events);
+  if (std::isfinite(max_time) && progress.time > 0)
+    text += fmt::format("; about {:.0f} s more to the time limit", taken * (max_time / progress.time - 1));
+  return text;
+}
+
 void RunProgress::operator()(const impact::Progress& progress) {
   if (++asked_ % events_between_looks != 0 || !line_.is_due()) return;
-  const double taken = line_.seconds();
-  const double done = std::max(progress.time / limits_.max_time, static_cast<double>(progress.events) /
-                                                                     static_cast<double>(limits_.max_events));
-  const auto time = report::display_for(std::vector{progress.time}, "s");
-  line_.show(fmt::format("at {} {} after {:.0f} s, {} events; at most {:.0f} s more",
-                         report::shown(time, progress.time), time.unit, taken, progress.events,
-                         taken * (1 / done - 1)));
+  line_.show(progress_text(progress, max_time_, line_.seconds()));
 }
 
 }  // namespace mariotte::command

@@ -1,19 +1,24 @@
 // What a long run says on stderr meanwhile.
 #pragma once
-#include "mariotte/hybrid/options.hpp"
+#include <string>
+
 #include "mariotte/impact/watch/observers.hpp"
 #include "status_line.hpp"
 
 namespace mariotte::command {
 
-/// From two seconds on. Time left is judged by the limits of the run, so it is the most that it can take.
+/// "at 1.2 ms after 3 s, 4000 events; about 5 s more to the time limit", if there is such a limit [s]:
+/// nothing else tells how long a run goes on.
+std::string progress_text(const impact::Progress& progress, double max_time, double taken);
+
+/// From two seconds on.
 class RunProgress {
  public:
-  explicit RunProgress(const hybrid::Options& limits) : limits_(limits) {}
+  explicit RunProgress(double max_time) : max_time_(max_time) {}
   void operator()(const impact::Progress& progress);
 
  private:
-  hybrid::Options limits_;
+  double max_time_;
   StatusLine line_{std::chrono::seconds(2)};
   Index asked_ = 0;
 };

@@ -155,6 +155,33 @@ BOOST_FIXTURE_TEST_CASE(a_trace_without_sense_gives_code_2, Session) {
   }
 }
 
+BOOST_FIXTURE_TEST_CASE(a_run_without_a_collision_says_so, Session) {
+  write("apart.toml", "[chain]\nmass = [1, 1]\nvelocity = [1, 2]\ngap = 1\nlaw = 'hertz'\nstiffness = 1\n");
+  const auto run = mariotte("run apart.toml");
+  BOOST_TEST(run.code == 0);
+  BOOST_TEST(run.err == "mariotte: warning: nothing collides: no contact ever closes\n");
+  BOOST_TEST(mariotte("run apart.toml -q").err == "");
+}
+
+BOOST_FIXTURE_TEST_CASE(a_time_limit_is_no_error, Session) {
+  const auto run = mariotte("run three.toml --set run.max_time=2");
+  BOOST_TEST(run.code == 5);
+  BOOST_TEST(run.err == "mariotte: warning: max_time = 2 s was reached before the end\n");
+}
+
+BOOST_FIXTURE_TEST_CASE(a_long_run_claims_no_end_that_it_does_not_know, Session) {
+  write("long.toml",
+        "[chain]\nmass = 1\nlaw = 'hertz'\nstiffness = 1\nballs = 1000000\n[[chain.ball]]\nnumber = 1\n"
+        "velocity = 1\n");
+  const auto told = [&](const std::string& arguments) {
+    return shell("timeout -s KILL 5 \"$mariotte\" run long.toml " + arguments).err;
+  };
+  const auto open = told("");
+  BOOST_TEST(has(open, " events\n"));
+  BOOST_TEST(!has(open, "more"));
+  BOOST_TEST(has(told("--set run.max_time=1e9"), " s more to the time limit\n"));
+}
+
 // The pair meets after 10^8 s, and its contact lasts for some seconds.
 constexpr const char* far_apart =
     "[chain]\nmass = [1, 1]\nvelocity = [1, 0]\ngap = 1e8\nlaw = 'linear'\nstiffness = 1\n";
