@@ -46,12 +46,20 @@ bool is_image(const report::Spacetime* waves) {
 void add_energy(Texts& texts, const impact::ChainImpact& impact, const scene::Scene& scene) {
   const auto course = report::energy_course(impact.trace, std::get<model::Chain>(scene.model));
   texts["energy.csv"] = report::energy_csv(course);
-  texts["plot.gp"] += report::energy_script(course, scene.title);
+  texts["plot.gp"] +=
+      report::energy_script(course, scene.title, report::window_of_action(impact.trace).start);
 }
 
 // Their samples are not turned into energies.
 void add_energy(Texts&, const impact::NetworkImpact&, const scene::Scene&) {}
 void add_energy(Texts&, const impact::MicrobodyImpact&, const scene::Scene&) {}
+
+std::string script(const impact::ContactImpact& impact, const scene::Scene& scene) {
+  return report::plot_script(impact, scene.title, report::curve_names(scene));
+}
+std::string script(const impact::MicrobodyImpact& impact, const scene::Scene& scene) {
+  return report::plot_script(impact, scene.title);
+}
 
 template <class Impact>
 Texts texts(const report::Json& json, const Impact& impact, const scene::Scene& scene,
@@ -60,7 +68,7 @@ Texts texts(const report::Json& json, const Impact& impact, const scene::Scene& 
   if (can_trace(scene)) texts["trace.csv"] = report::trace_csv(impact);
   if (can_plot(impact.trace)) {
     texts["plot.csv"] = report::plot_data(impact.trace);
-    texts["plot.gp"] = report::plot_script(impact, scene.title);
+    texts["plot.gp"] = script(impact, scene);
     add_energy(texts, impact, scene);
   }
   if (is_image(waves)) {

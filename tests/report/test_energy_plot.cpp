@@ -1,6 +1,7 @@
 #define BOOST_TEST_MODULE report_energy_plot
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 
 #include "mariotte/report/figure/energy_plot.hpp"
 
@@ -36,6 +37,18 @@ BOOST_AUTO_TEST_CASE(what_is_lost_in_the_end_is_what_the_balance_says) {
   BOOST_TEST(course.lost.back() == impact.energy.dissipated, boost::test_tools::tolerance(1e-7));
   BOOST_TEST(course.kinetic.back() == impact.energy.final, boost::test_tools::tolerance(1e-9));
   BOOST_TEST(course.stored.back() == 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_fall_is_sampled_and_its_energy_a_parabola) {
+  const model::Chain drop{
+      .mass = {infinity, 2}, .law = {contact::Hertz{1e9}}, .gap = {0.1}, .velocity = {0, 0}, .gravity = 9.81};
+  impact::ChainImpact impact;
+  const auto course = course_of(drop, impact);
+  const double touch = impact.events.at(0).time;
+  int inside = 0;
+  for (std::size_t i = 0; i < course.time.size() && course.time[i] < touch; ++i, ++inside)
+    BOOST_TEST(std::abs(course.kinetic[i] - std::pow(9.81 * course.time[i], 2)) < 1e-12);
+  BOOST_TEST(inside > 20);
 }
 
 BOOST_AUTO_TEST_CASE(with_gravity_nothing_is_said_about_losses) {

@@ -54,6 +54,36 @@ BOOST_AUTO_TEST_CASE(a_faint_late_contact_does_not_stretch_the_axis) {
   BOOST_TEST(has(report::plot_script(impact, ""), "set xrange [0:55]\n"));
 }
 
+BOOST_AUTO_TEST_CASE(a_long_flight_before_the_contacts_is_left_out) {
+  impact::ChainImpact impact;
+  auto& trace = impact.trace = trace_of(2);
+  trace.time = {0, 1, 1.5, 2, 3};
+  trace.velocity.assign(5, {1, 1});
+  trace.gap.assign(5, {0});
+  trace.force = {{0}, {0}, {1}, {1}, {0}};
+  BOOST_TEST(has(report::plot_script(impact, ""), "set xrange [1.45:2.05]\n"));
+}
+
+BOOST_AUTO_TEST_CASE(walls_and_coordinates_have_their_names) {
+  impact::ChainImpact impact;
+  impact.trace = trace_of(2);
+  const auto script = report::plot_script(impact, "", {.velocities = {"wall 1", "ball 2"}, .contacts = {}});
+  BOOST_TEST(has(script, "array name[2] = ['wall 1', 'ball 2']"));
+  BOOST_TEST(has(script, "title name[i]"));
+  scene::Scene scene;
+  scene.model =
+      model::Chain{.mass = {infinity, 2}, .law = {contact::Hertz{1}}, .gap = {0}, .velocity = {0, 0}};
+  BOOST_TEST(report::curve_names(scene).velocities == (std::vector<std::string>{"wall 1", "ball 2"}),
+             boost::test_tools::per_element());
+  model::Network plane;
+  plane.dimension = 2;
+  plane.velocity = {0, 0, 0, 0};
+  scene.model = plane;
+  BOOST_TEST(report::curve_names(scene).velocities ==
+                 (std::vector<std::string>{"ball 1 x", "ball 1 y", "ball 2 x", "ball 2 y"}),
+             boost::test_tools::per_element());
+}
+
 BOOST_AUTO_TEST_CASE(a_title_cannot_leave_its_quotes) {
   const auto script = script_of(2, "it's\n`date`");
   BOOST_TEST(has(script, "set title 'it''s `date`: contact forces' noenhanced"));

@@ -16,13 +16,14 @@ struct EnergyCourse {
   std::vector<double> lost;     ///< what is missing; empty with gravity, whose work the samples do not show
 };
 
+/// In flight under gravity between the samples, too, where energies are no lines.
 EnergyCourse energy_course(const impact::Trace& trace, const model::Chain& chain);
 
 /// `energy.csv`: time, kinetic, stored and lost energy.
 std::string energy_csv(const EnergyCourse& course);
 
 /// gnuplot commands that make `energy`.png and .svg from it, to follow those of `plot_script`, whose time
-/// axis they share.
-std::string energy_script(const EnergyCourse& course, const std::string& title);
+/// axis they share; or show the whole run, if that axis begins after a flight, at `shown_from` [s].
+std::string energy_script(const EnergyCourse& course, const std::string& title, double shown_from = 0);
 
 }  // namespace mariotte::report

@@ -44,9 +44,9 @@ bool move_figures(const std::filesystem::path& from, const std::filesystem::path
 
 }  // namespace
 
-std::string time_axis(const Display& time, double end) {
-  return fmt::format("set xlabel 'time [{}]'\nset xrange [0:{:.8g}]\ntime_factor = {:g}\n", time.unit,
-                     time.factor * end, time.factor);
+std::string time_axis(const Display& time, double start, double end) {
+  return fmt::format("set xlabel 'time [{}]'\nset xrange [{:.8g}:{:.8g}]\ntime_factor = {:g}\n", time.unit,
+                     time.factor * start, time.factor * end, time.factor);
 }
 
 const char* const script_head = R"(# Run with gnuplot in this folder.

@@ -11,8 +11,9 @@ namespace mariotte::report {
 /// How every script begins: where figures go, how data files look, and the style.
 extern const char* const script_head;
 
-/// Labels the horizontal axis as time, from 0 to `end` [s], and sets `time_factor` from seconds to its unit.
-std::string time_axis(const Display& time, double end);
+/// Labels the horizontal axis as time, from `start` to `end` [s], and sets `time_factor` from seconds to its
+/// unit.
+std::string time_axis(const Display& time, double start, double end);
 
 /// Text for a script, on one line between single quotes.
 std::string quoted(std::string text);

@@ -89,7 +89,7 @@ std::string plot_script(const impact::MicrobodyImpact& impact, const std::string
       .display = display_for(velocities, "m/s"),
       .curves = {
           {first_velocity, "normal"}, {first_velocity + 1, "along e2"}, {first_velocity + 2, "along e3"}}};
-  return script_head + time_axis(time, end) + phase_marks(contacts(impact.events), time, end) +
+  return script_head + time_axis(time, 0, end) + phase_marks(contacts(impact.events), time, end) +
          figure(force, time, title) + figure(velocity, time, title);
 }
 

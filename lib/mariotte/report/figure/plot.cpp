@@ -67,30 +67,26 @@ double largest(const std::vector<double>& row) {
   return row.empty() ? 0 : *std::max_element(row.begin(), row.end());
 }
 
-// Faint late contacts can last a hundred times longer than the impact; a figure that showed them would show
-// nothing else. The axis ends soon after the last force that could be seen, at the latest with the trace.
-double end_of_action(const impact::Trace& trace) {
-  constexpr double visible = 1e-3;
-  double peak = 0;
-  for (const auto& row : trace.force) peak = std::max(peak, largest(row));
-  double last = 0;
-  for (std::size_t i = 0; i < trace.time.size(); ++i)
-    if (largest(trace.force[i]) > visible * peak) last = trace.time[i];
-  return last > 0 ? std::min(1.1 * last, trace.time.back()) : trace.time.back();
-}
-
 struct Figure {
-  std::string name;      // of the file, without its ending
-  std::string title;     // after the scene's
-  std::string quantity;  // along the vertical axis
-  std::string thing;     // what one curve belongs to
-  Display display;       // of the quantity
-  std::size_t count;     // balls or contacts of the chain
-  std::size_t block;     // of the first curve in plot.csv, from 0
+  std::string name;                     // of the file, without its ending
+  std::string title;                    // after the scene's
+  std::string quantity;                 // along the vertical axis
+  std::string thing;                    // what one curve belongs to
+  Display display;                      // of the quantity
+  std::size_t count;                    // balls or contacts of the chain
+  std::size_t block;                    // of the first curve in plot.csv, from 0
+  std::vector<std::string> names = {};  // of the curves; if empty, thing and number
 };
 
 bool has_legend(const Figure& figure) {
   return figure.count <= most_named;
+}
+
+/// The names of the curves as a list of gnuplot's, which `curves` takes titles from.
+std::string name_list(const Figure& figure) {
+  std::string list;
+  for (const auto& name : figure.names) list += (list.empty() ? "" : ", ") + quoted(name);
+  return list.empty() ? "" : fmt::format("array name[{}] = [{}]\n", figure.names.size(), list);
 }
 
 // One command per curve if they are named; else one for all, so that the data are read once.
@@ -98,9 +94,9 @@ std::string curves(const Figure& figure, const Display& time) {
   const std::string scaled = fmt::format("using ({:g}*$2):({:g}*$3)", time.factor, figure.display.factor);
   if (has_legend(figure))
     return fmt::format(
-        "plot for [i=1:{}] 'plot.csv' index {}+i-1 {} with lines lw 2 lc palette cb i title sprintf('{} %d', "
-        "i)\n",
-        figure.count, figure.block, scaled, figure.thing);
+        "plot for [i=1:{}] 'plot.csv' index {}+i-1 {} with lines lw 2 lc palette cb i title {}\n",
+        figure.count, figure.block, scaled,
+        figure.names.empty() ? fmt::format("sprintf('{} %d', i)", figure.thing) : "name[i] noenhanced");
   return fmt::format("plot 'plot.csv' index {}:{} {}:1 with lines lw 2 lc palette notitle\n", figure.block,
                      figure.block + chosen(figure.count).size() - 1, scaled);
 }
@@ -109,6 +105,7 @@ std::string figure_script(const Figure& figure, const Display& time, const std::
   std::string text = fmt::format("\nset title {} noenhanced\n",
                                  quoted(title.empty() ? figure.title : title + ": " + figure.title));
   text += fmt::format("set ylabel '{} [{}]'\n", figure.quantity, figure.display.unit);
+  if (has_legend(figure)) text += name_list(figure);
   text += fmt::format("set cbrange [1:{}]\n", std::max<std::size_t>(2, figure.count));
   text += has_legend(figure) ? "unset colorbox\n"
                              : fmt::format("unset key\nset colorbox\nset cblabel '{}'\n", figure.thing);
@@ -130,9 +127,29 @@ std::string plot_data(const impact::Trace& trace) {
          blocks(trace.time, trace.force);
 }
 
-std::string plot_script(const impact::ContactImpact& impact, const std::string& title) {
+// Faint late contacts can last a hundred times longer than the impact, and so can a fall before it; a figure
+// that showed them would show nothing else. So the axis ends soon after the last force that could be seen, at
+// the latest with the trace, and begins soon before the first if a flight before it is as long as the action.
+Window window_of_action(const impact::Trace& trace) {
+  constexpr double visible = 1e-3;
+  double peak = 0;
+  for (const auto& row : trace.force) peak = std::max(peak, largest(row));
+  double first = infinity, last = 0;
+  for (std::size_t i = 0; i < trace.time.size(); ++i) {
+    if (!(largest(trace.force[i]) > visible * peak)) continue;
+    first = std::min(first, trace.time[i]);
+    last = trace.time[i];
+  }
+  if (last == 0) return {0, trace.time.back()};
+  const double action = last - first;
+  if (first < action) return {0, std::min(1.1 * last, trace.time.back())};
+  return {first - 0.1 * action, std::min(last + 0.1 * action, trace.time.back())};
+}
+
+std::string plot_script(const impact::ContactImpact& impact, const std::string& title,
+                        const CurveNames& names) {
   const auto& trace = impact.trace;
-  const double end = end_of_action(trace);
+  const auto [start, end] = window_of_action(trace);
   const auto time = display_for(std::vector{end}, "s");
   const std::size_t balls = columns_of(trace.velocity);
   const std::size_t contacts = columns_of(trace.force);
@@ -142,15 +159,17 @@ std::string plot_script(const impact::ContactImpact& impact, const std::string& 
                          .thing = "contact",
                          .display = display_for(extremes(trace.force), "N"),
                          .count = contacts,
-                         .block = chosen(balls).size()};
+                         .block = chosen(balls).size(),
+                         .names = names.contacts};
   const Figure velocities = {.name = "velocities",
                              .title = "velocities",
                              .quantity = "velocity",
                              .thing = trace.moving,
                              .display = display_for(extremes(trace.velocity), trace.velocity_unit),
                              .count = balls,
-                             .block = 0};
-  std::string text = script_head + time_axis(time, end) + phase_marks(impact.events, time, end);
+                             .block = 0,
+                             .names = names.velocities};
+  std::string text = script_head + time_axis(time, start, end) + phase_marks(impact.events, time, end);
   return text + figure_script(forces, time, title) + figure_script(velocities, time, title);
 }
 

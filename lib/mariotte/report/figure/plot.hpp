@@ -5,6 +5,7 @@
 
 #include "mariotte/impact/chain/chain_impact.hpp"
 #include "mariotte/impact/microbody/microbody_impact.hpp"
+#include "mariotte/report/figure/curve_names.hpp"
 
 namespace mariotte::report {
 
@@ -16,9 +17,18 @@ const std::vector<std::string>& figure_names();
 std::string plot_data(const impact::Trace& trace);
 
 /// `plot.gp`: a gnuplot script that reads plot.csv in its folder and makes forces and velocities, as PNG and
-/// SVG, from the start until soon after the last force above a thousandth of the largest; phases are shaded.
-/// The impact must have a trace. More figures may follow on the same time axis.
-std::string plot_script(const impact::ContactImpact& impact, const std::string& title);
+/// SVG, until soon after the last force above a thousandth of the largest; phases are shaded. They begin at
+/// the start of the run or, after a long flight, soon before the first such force. The impact must have a
+/// trace. More figures may follow on the same time axis.
+std::string plot_script(const impact::ContactImpact& impact, const std::string& title,
+                        const CurveNames& names = {});
+
+/// The part of a run that its figures show [s].
+struct Window {
+  double start = 0;
+  double end = 0;
+};
+Window window_of_action(const impact::Trace& trace);
 
 /// The same two of a body: the forces on its tips and the velocity of its mass centre.
 std::string plot_data(const impact::BodyTrace& trace);

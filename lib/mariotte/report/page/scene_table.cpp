@@ -69,25 +69,29 @@ std::string contacts(const std::vector<contact::Law>& laws, const std::vector<do
                  std::ssize(laws), row);
 }
 
-/// One line per dof: of balls their coordinates in turn.
-std::string dofs(const model::Network& network, const scene::Scene& scene) {
+/// One line per dof.
+std::string dofs(const model::Network& network) {
   const bool diagonal = model::is_diagonal(network.mass, std::ssize(network.velocity));
   const auto row = [&](Index i) -> TableRow {
     const auto k = static_cast<std::size_t>(i);
-    TableRow cells = {fmt::format("{}", i + 1),
-                      number(network.mass[diagonal ? k : k * (network.velocity.size() + 1)]),
-                      number(network.velocity[k])};
-    if (network.dimension > 0) {
-      const auto ball = k / static_cast<std::size_t>(network.dimension);
-      cells.insert(cells.begin() + 1, fmt::format("{}", ball + 1));
-      cells.push_back(number(scene.radius[ball]));
-    }
+    return {fmt::format("{}", i + 1), number(network.mass[diagonal ? k : k * (network.velocity.size() + 1)]),
+            number(network.velocity[k])};
+  };
+  const TableRow header = {"degree of freedom", diagonal ? "mass" : "mass (diagonal)", "velocity"};
+  return columns(header, std::ssize(network.velocity), row);
+}
+
+/// One line per ball.
+std::string placed_balls(const model::Network& network, const scene::Scene& scene) {
+  const Index d = network.dimension;
+  TableRow header = {"ball", "mass [kg]", "radius [m]"};
+  for (Index k = 0; k < d; ++k) header.push_back(fmt::format("velocity {} [m/s]", "xyz"[k]));
+  const auto row = [&](Index i) {
+    TableRow cells = {fmt::format("{}", i + 1), number(network.mass[i * d]), number(scene.radius[i])};
+    for (Index k = 0; k < d; ++k) cells.push_back(number(network.velocity[i * d + k]));
     return cells;
   };
-  TableRow header = {"degree of freedom", diagonal ? "mass" : "mass (diagonal)", "velocity"};
-  if (network.dimension > 0)
-    header = {"degree of freedom", "ball", "mass [kg]", "velocity [m/s]", "radius [m]"};
-  return columns(header, std::ssize(network.velocity), row);
+  return columns(header, std::ssize(network.velocity) / d, row);
 }
 
 std::string limits(const hybrid::Options& run) {
@@ -103,7 +107,8 @@ std::string table(const model::Chain& chain, const scene::Scene& scene) {
 
 std::string table(const model::Network& network, const scene::Scene& scene) {
   return (scene.title.empty() ? "Contact network" : scene.title) + "\n" + size_of(network) +
-         (network.precompressed ? ", precompressed\n\n" : "\n\n") + dofs(network, scene) + "\n" +
+         (network.precompressed ? ", precompressed\n\n" : "\n\n") +
+         (network.dimension > 0 ? placed_balls(network, scene) : dofs(network)) + "\n" +
          contacts(network.law, network.gap, contact_names(network)) + limits(scene.run);
 }
 

@@ -1,0 +1,47 @@
+#include "mariotte/report/figure/curve_names.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "mariotte/core/overload.hpp"
+#include "mariotte/report/table/network_table.hpp"
+
+namespace mariotte::report {
+namespace {
+
+constexpr std::size_t most_named = 1000;
+constexpr std::array axis = {"x", "y", "z"};
+
+CurveNames names(const model::Chain& chain) {
+  CurveNames names;
+  if (chain.mass.size() > most_named) return names;
+  for (std::size_t i = 0; i < chain.mass.size(); ++i)
+    names.velocities.push_back(fmt::format("{} {}", std::isinf(chain.mass[i]) ? "wall" : "ball", i + 1));
+  return names;
+}
+
+CurveNames names(const model::Network& network) {
+  CurveNames names;
+  if (network.dimension == 0 || network.velocity.size() > most_named) return names;
+  for (Index i = 0; i < std::ssize(network.velocity); ++i)
+    names.velocities.push_back(fmt::format("ball {} {}", i / network.dimension + 1,
+                                           axis[static_cast<std::size_t>(i % network.dimension)]));
+  const auto pairs = contact_names(network);
+  for (std::size_t j = 0; j < pairs.size(); ++j)
+    names.contacts.push_back(fmt::format("contact {} ({})", j + 1, pairs[j]));
+  return names;
+}
+
+}  // namespace
+
+CurveNames curve_names(const scene::Scene& scene) {
+  return std::visit(Overload{[](const model::Chain& chain) { return names(chain); },
+                             [](const model::Network& network) { return names(network); },
+                             [](const model::Microbody&) { return CurveNames{}; },
+                             [](const scene::LawAlone&) { return CurveNames{}; }},
+                    scene.model);
+}
+
+}  // namespace mariotte::report

@@ -1,0 +1,19 @@
+// What the curves of a figure are called, for readers of the scene.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "mariotte/scene/scene.hpp"
+
+namespace mariotte::report {
+
+struct CurveNames {
+  std::vector<std::string> velocities;  ///< "ball 2", "wall", "ball 3 x"; or empty: numbers tell all
+  std::vector<std::string> contacts;    ///< "contact 4 (1–3)"; or empty
+};
+
+/// Of a chain with walls and of balls in the plane or in space; empty for others, and for scenes of so many
+/// balls that no figure names them.
+CurveNames curve_names(const scene::Scene& scene);
+
+}  // namespace mariotte::report
