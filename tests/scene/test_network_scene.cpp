@@ -136,6 +136,24 @@ mass = inf
   BOOST_TEST(network.gap == Numbers{0.0});
 }
 
+BOOST_AUTO_TEST_CASE(balls_that_would_pass_through_each_other_are_suspicious) {
+  const auto warnings_of = [](const std::string& velocity) {
+    return scene::parse(
+               "[network]\nradius = 1\nmass = 1\nlaw = 'linear'\nstiffness = 1\n"
+               "[[network.ball]]\nposition = [0, 0]\nvelocity = " +
+                   velocity +
+                   "\n"
+                   "[[network.ball]]\nposition = [2, 0]\n[[network.ball]]\nposition = [0, 5]\n",
+               "s.toml")
+        .warnings;
+  };
+  BOOST_REQUIRE(warnings_of("[0, 1]").size() == 1u);
+  BOOST_TEST(warnings_of("[0, 1]")[0].find("balls 1 and 3 fly towards each other from beyond 'reach'") !=
+             std::string::npos);
+  BOOST_TEST(warnings_of("[0.1, 1]").empty());  // it meets ball 2 first
+  BOOST_TEST(warnings_of("[-1, 0]").size() == 0u);
+}
+
 BOOST_AUTO_TEST_CASE(a_network_at_rest_is_suspicious) {
   BOOST_TEST(scene::parse(triangle, "f").warnings.empty());
   const auto resting = scene::parse(triangle, "f", {"network.ball[0].velocity=[0, 0]"});

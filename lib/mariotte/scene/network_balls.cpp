@@ -6,6 +6,7 @@
 
 #include "mariotte/core/error.hpp"
 #include "mariotte/scene/contact_law.hpp"
+#include "mariotte/scene/missed_meetings.hpp"
 
 namespace mariotte::scene {
 namespace {
@@ -92,6 +93,13 @@ model::BallContact contact_of(const Source& source, const PlacedBalls& balls, In
   }
 }
 
+void warn_of_missed_meetings(Source& source, const PlacedBalls& balls, double reach) {
+  for (const auto& [i, j] : missed_meetings(balls.ball, reach))
+    warn(source, balls.table[j],
+         "balls " + std::to_string(i + 1) + " and " + std::to_string(j + 1) +
+             " fly towards each other from beyond 'reach', and will pass through each other");
+}
+
 }  // namespace
 
 ResolvedNetwork read_ball_network(Source& source, const Field& network, bool precompressed) {
@@ -121,6 +129,7 @@ ResolvedNetwork read_ball_network(Source& source, const Field& network, bool pre
       model.gap.push_back(gap);
     }
   }
+  warn_of_missed_meetings(source, balls, reach);
   if (model.law.empty())
     reject(source, network, fault::impossible,
            "no two balls are within 'reach' of each other, by default a hundredth of the smallest radius");
