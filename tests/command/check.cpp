@@ -83,6 +83,13 @@ accuracy = 2
     BOOST_TEST(has(check.err, std::string("mariotte: error: ") + error), error << " in " << check.err);
 }
 
+BOOST_FIXTURE_TEST_CASE(check_prints_the_restitution_of_damped_contacts, Session) {
+  const auto check = mariotte("check " MARIOTTE_SCENES "/measured_restitution.toml --set chain.at=2");
+  BOOST_TEST(has(check.out, "contact  e at 0.2 m/s  e at 2 m/s  e at 20 m/s\n"));
+  BOOST_TEST(has(check.out, "  0.95000000  "));
+  BOOST_TEST(!has(mariotte("check three.toml").out, "e at"));
+}
+
 BOOST_FIXTURE_TEST_CASE(a_key_in_the_wrong_table_is_told_where_it_belongs, Session) {
   BOOST_TEST(has(mariotte("check three.toml --set chain.accuracy=1e-6").err, "(it belongs to [run])"));
   BOOST_TEST(has(mariotte("check three.toml --set chain.friction=0.1").err,

@@ -182,6 +182,17 @@ BOOST_FIXTURE_TEST_CASE(a_long_run_claims_no_end_that_it_does_not_know, Session)
   BOOST_TEST(has(told("--set run.max_time=1e9"), " s more to the time limit\n"));
 }
 
+BOOST_FIXTURE_TEST_CASE(a_pair_prints_the_restitution_it_had, Session) {
+  write("drop.toml",
+        "[chain]\nmass = 1\nballs = 1\nwall = 'left'\ngap = 0.1\ngravity = 9.81\nlaw = 'viscoelastic'\n"
+        "exponent = 1\nstiffness = 1e12\nrestitution = 0.5\n");
+  const auto drop = mariotte("run drop.toml").out;
+  BOOST_TEST(has(drop, "approach [m/s]                 1.4007141\n"));  // √(2 g h)
+  const double e = std::stod(drop.substr(drop.find("restitution ") + 12));
+  BOOST_TEST(std::abs(e - 0.5) < 1e-5);  // gravity takes 2e-6 of the speed during the contact
+  BOOST_TEST(!has(mariotte("run three.toml").out, "restitution"));
+}
+
 // The pair meets after 10^8 s, and its contact lasts for some seconds.
 constexpr const char* far_apart =
     "[chain]\nmass = [1, 1]\nvelocity = [1, 0]\ngap = 1e8\nlaw = 'linear'\nstiffness = 1\n";

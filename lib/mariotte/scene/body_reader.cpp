@@ -6,15 +6,25 @@
 #include <numbers>
 
 #include "mariotte/scene/error_list.hpp"
+#include "mariotte/scene/restitution.hpp"
 #include "mariotte/scene/shape.hpp"
 
 namespace mariotte::scene {
 namespace {
 
-constexpr std::array<std::string_view, 11> surface_keys{
-    "law",           "stiffness",        "work_of_adhesion", "zeta_hertz",      "damping_hertz",
-    "zeta_adhesion", "damping_adhesion", "friction",         "hertz_prefactor", "adhesion_prefactor",
-    "lever"};
+constexpr std::array<std::string_view, 13> surface_keys{"restitution",
+                                                        "at",
+                                                        "law",
+                                                        "stiffness",
+                                                        "work_of_adhesion",
+                                                        "zeta_hertz",
+                                                        "damping_hertz",
+                                                        "zeta_adhesion",
+                                                        "damping_adhesion",
+                                                        "friction",
+                                                        "hertz_prefactor",
+                                                        "adhesion_prefactor",
+                                                        "lever"};
 constexpr std::array<std::string_view, 4> incidence_keys{"normal_speed", "tangential_velocity", "angles",
                                                          "spin"};
 constexpr std::array<std::string_view, 1> laws{"brach-dunn"};
@@ -65,21 +75,41 @@ double read_damping(const Source& source, const Field& surface, const std::strin
   return formula(value, *density, prefactor);
 }
 
-contact::BrachDunn read_law(const Source& source, const Field& surface, double radius,
-                            const std::optional<double>& density, double speed) {
+/// C_H that gives a restitution beside the other parameters; `law` has none yet.
+double solve_hertz_damping(const Source& source, const Field& surface, const Field& restitution,
+                           const contact::Surface& material, double radius, double damping_adhesion,
+                           double mass, double speed) {
+  for (const auto* key : {"damping_hertz", "zeta_hertz"})
+    if (find(surface, key))
+      reject(source, restitution, fault::contradiction,
+             "'" + std::string(key) + "' is given, too; give one of them");
+  const double e = number(source, restitution, dimension::none, Domain::positive);
+  if (e > 1) reject(source, restitution, fault::out_of_range, "must not be above 1");
+  const double at = optional_number(source, surface, "at", dimension::velocity, Domain::positive, speed);
+  const auto damping = hertz_damping(material, radius, damping_adhesion, e, mass, at);
+  if (!damping)
+    reject(source, restitution, fault::out_of_range, "is out of reach: adhesion damping alone takes more");
+  return *damping;
+}
+
+contact::BrachDunn read_law(const Source& source, const Field& surface, double radius, const Shape& shape,
+                            double speed) {
+  const auto& density = shape.density;
   const contact::Surface material{.stiffness = positive(source, surface, "stiffness", dimension::pressure),
                                   .adhesion = optional_number(source, surface, "work_of_adhesion",
                                                               adhesion_dimension, Domain::not_negative, 0)};
-  const double hertz =
-      read_damping(source, surface, "hertz", contact::hertz_prefactor, material, density,
-                   [&](double zeta, double rho, double prefactor) {
-                     return contact::hertz_damping(zeta, material, radius, rho, speed, prefactor);
-                   });
+  double hertz = read_damping(source, surface, "hertz", contact::hertz_prefactor, material, density,
+                              [&](double zeta, double rho, double prefactor) {
+                                return contact::hertz_damping(zeta, material, radius, rho, speed, prefactor);
+                              });
   const double adhesion =
       read_damping(source, surface, "adhesion", contact::adhesion_prefactor, material, density,
                    [&](double zeta, double rho, double prefactor) {
                      return contact::adhesion_damping(zeta, material, radius, rho, speed, prefactor);
                    });
+  if (const auto restitution = find(surface, "restitution"))
+    hertz = solve_hertz_damping(source, surface, *restitution, material, radius, adhesion, shape.body.mass,
+                                speed);
   return contact::brach_dunn(material, radius, hertz, adhesion);
 }
 
@@ -87,7 +117,7 @@ void read_surface(const Source& source, const Field& surface, const Shape& shape
                   model::Microbody& body) {
   if (const auto law = find(surface, "law")) choice(source, *law, "law", laws);
   for (const auto& tip : shape.body.tips)
-    body.law.push_back(read_law(source, surface, tip.radius, shape.density, speed));
+    body.law.push_back(read_law(source, surface, tip.radius, shape, speed));
   body.friction = {optional_number(source, surface, "friction", dimension::none, Domain::not_negative, 0)};
   if (const auto lever = find(surface, "lever"))
     body.lever = choice(source, *lever, "lever", levers) == 0 ? model::Lever::radius : model::Lever::indented;

@@ -33,17 +33,60 @@ double read_exponent(const Source& source, const LawTables& tables, Index contac
   return exponent;
 }
 
+/// The damping itself; a restitution takes its place.
 double read_damping(const Source& source, const LawTables& tables, Index contact, const Field& law_field,
                     const NamedLaw& law, double exponent) {
   const auto field = tables.find_for(contact, "damping");
   const auto name = "law '" + std::string(law.name) + "'";
-  if (!field && law.damping) reject(source, law_field, fault::missing, name + " needs a damping");
+  if (!field && law.damping)
+    reject(source, law_field, fault::missing, name + " needs a damping, or a restitution");
   if (!field) return 0;
   const auto unit = law.damping ? law.damping : dimension::damping;
   const double damping = number(source, *field, unit(exponent), Domain::not_negative);
   if (!law.damping && damping != 0)
     reject(source, *field, fault::misplaced, name + " has no damping (viscoelastic has)");
   return damping;
+}
+
+/// The restitution of a contact, unless its own table says a damping instead.
+std::optional<Field> find_restitution(const Source& source, const LawTables& tables, Index contact) {
+  const auto restitution = tables.find_for(contact, "restitution");
+  const auto damping = tables.find_for(contact, "damping");
+  if (!restitution || !damping) return restitution;
+  const auto& own = tables.place_of(contact);
+  const bool own_restitution = find(own, "restitution").has_value(),
+             own_damping = find(own, "damping").has_value();
+  if (own_restitution == own_damping)
+    reject(source, *restitution, fault::contradiction, "'damping' is given, too; give one of them");
+  return own_restitution ? restitution : std::nullopt;
+}
+
+Encounter read_encounter(const Source& source, const LawTables& tables, Index contact, const Field& field,
+                         const Encounters& encounters, bool by_speed) {
+  Encounter encounter{.reduced_mass = encounters.reduced_mass(contact), .speed = encounters.speed};
+  if (const auto at = tables.find_for(contact, "at"))
+    encounter.speed = number(source, *at, dimension::velocity, Domain::positive);
+  if (!(encounter.speed > 0) && by_speed)
+    reject(source, field, fault::missing,
+           "needs 'at', the speed of approach it is meant for, since no balls approach at the start");
+  if (!(encounter.speed > 0)) encounter.speed = 1;
+  return encounter;
+}
+
+/// The damping that gives a restitution.
+double solve_damping(const Source& source, const LawTables& tables, Index contact, const Field& field,
+                     const NamedLaw& law, double stiffness, double exponent, Encounters& encounters) {
+  const double e = number(source, field, dimension::none, Domain::positive);
+  if (e > 1) reject(source, field, fault::out_of_range, "must not be above 1");
+  if (e == 1) return 0;
+  if (!law.damping)
+    reject(source, field, fault::misplaced,
+           "law '" + std::string(law.name) + "' has no damping (viscoelastic and hunt-crossley have)");
+  const auto encounter =
+      read_encounter(source, tables, contact, field, encounters, depends_on_speed(law, exponent));
+  const auto damping = encounters.solver.damping(law, stiffness, exponent, e, encounter);
+  if (!damping) reject(source, field, fault::out_of_range, "is smaller than any damping makes it");
+  return *damping;
 }
 
 /// From the materials and radii of the two balls [N/m^1.5].
@@ -77,15 +120,21 @@ double read_stiffness(const Source& source, const LawTables& tables, Index conta
 
 }  // namespace
 
-contact::Law read_law(const Source& source, const LawTables& tables, Index contact, const BallPair& pair) {
+contact::Law read_law(const Source& source, const LawTables& tables, Index contact, const BallPair& pair,
+                      Encounters& encounters) {
   const auto field = tables.find_for(contact, "law");
   if (!field)
     reject(source, tables.place_of(contact), fault::missing,
            "'law' is missing (" + contact::names_of_laws() + ")");
   const auto& law = read_name(source, *field);
   const double exponent = read_exponent(source, tables, contact, law);
-  const double damping = read_damping(source, tables, contact, *field, law, exponent);
-  return law.make(read_stiffness(source, tables, contact, *field, exponent, pair), damping, exponent);
+  const auto restitution = find_restitution(source, tables, contact);
+  const double given = restitution ? 0 : read_damping(source, tables, contact, *field, law, exponent);
+  const double stiffness = read_stiffness(source, tables, contact, *field, exponent, pair);
+  if (!restitution) return law.make(stiffness, given, exponent);
+  return law.make(stiffness,
+                  solve_damping(source, tables, contact, *restitution, law, stiffness, exponent, encounters),
+                  exponent);
 }
 
 }  // namespace mariotte::scene

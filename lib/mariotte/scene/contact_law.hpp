@@ -1,15 +1,18 @@
 // Contact laws by name and parameters, or from the materials of the balls that touch.
 #pragma once
 #include <array>
+#include <functional>
 #include <vector>
 
 #include "mariotte/contact/law.hpp"
 #include "mariotte/scene/balls.hpp"
+#include "mariotte/scene/restitution.hpp"
 
 namespace mariotte::scene {
 
 /// Keys that say what the law of a contact is.
-inline constexpr std::array<std::string_view, 4> law_keys{"law", "stiffness", "damping", "exponent"};
+inline constexpr std::array<std::string_view, 6> law_keys{"law",      "stiffness",   "damping",
+                                                          "exponent", "restitution", "at"};
 
 /// Everything a scene says of laws: keys of the whole, one value or one per contact, and tables of contacts:
 /// none, one for all, or one per contact.
@@ -36,7 +39,15 @@ struct BallPair {
   const Ball* right;
 };
 
+/// What turns a restitution into a damping: the bodies of each contact, and what was found before.
+struct Encounters {
+  std::function<double(Index contact)> reduced_mass;  ///< asked for only where it is needed
+  double speed = 0;                                   ///< the largest of approach [m/s]
+  DampingSolver solver = {};
+};
+
 /// Throws SceneError.
-contact::Law read_law(const Source& source, const LawTables& tables, Index contact, const BallPair& pair);
+contact::Law read_law(const Source& source, const LawTables& tables, Index contact, const BallPair& pair,
+                      Encounters& encounters);
 
 }  // namespace mariotte::scene

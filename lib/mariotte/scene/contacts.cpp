@@ -18,6 +18,14 @@ std::vector<Field> read_tables(const Source& source, const Field& chain, const L
   return tables;
 }
 
+/// Of neighbours at the start [m/s].
+double largest_approach(std::span<const Ball> balls) {
+  double most = 0;
+  for (std::size_t j = 1; j < balls.size(); ++j)
+    most = std::max(most, balls[j - 1].velocity.value_or(0) - balls[j].velocity.value_or(0));
+  return most;
+}
+
 double read_gap(const Source& source, const Field& field, bool precompressed) {
   const double gap = number(source, field, dimension::length, Domain::finite);
   if (gap < 0 && !precompressed)
@@ -33,10 +41,13 @@ std::vector<contact::Law> read_laws(const Source& source, const Field& chain, co
   for (const auto key : law_keys)
     if (const auto field = find(chain, key); field && field->node->array())
       expect_per_contact(source, *field, layout);
+  Encounters encounters{
+      .reduced_mass = [&](Index j) { return reduced_mass(*balls[j].mass, *balls[j + 1].mass); },
+      .speed = largest_approach(balls)};
   std::vector<contact::Law> result;
   result.reserve(layout.contacts());
   for (Index j = 0; j < layout.contacts(); ++j)
-    result.push_back(read_law(source, tables, j, {&balls[j], &balls[j + 1]}));
+    result.push_back(read_law(source, tables, j, {&balls[j], &balls[j + 1]}, encounters));
   return result;
 }
 

@@ -12,7 +12,8 @@ constexpr Index most_balls = 10'000'000;
 #endif
 constexpr std::array<std::string_view, 3> sides{"left", "right", "both"};
 constexpr std::array<std::string_view, 4> per_ball{"mass", "radius", "material", "velocity"};
-constexpr std::array<std::string_view, 5> per_contact{"gap", "law", "stiffness", "damping", "exponent"};
+constexpr std::array<std::string_view, 7> per_contact{"gap",      "law",         "stiffness", "damping",
+                                                      "exponent", "restitution", "at"};
 
 Index size(const Field& array) {
   return static_cast<Index>(array.node->array()->size());

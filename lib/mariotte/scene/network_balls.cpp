@@ -11,9 +11,9 @@
 namespace mariotte::scene {
 namespace {
 
-constexpr std::array<std::string_view, 11> keys{"ball",  "mass",      "radius",       "material",
-                                                "law",   "stiffness", "damping",      "exponent",
-                                                "reach", "touching",  "precompressed"};
+constexpr std::array<std::string_view, 13> keys{
+    "restitution", "at",      "ball",     "mass",  "radius",   "material",     "law",
+    "stiffness",   "damping", "exponent", "reach", "touching", "precompressed"};
 constexpr std::array<std::string_view, 5> ball_keys{"position", "velocity", "mass", "radius", "material"};
 
 /// The balls, with what was said of the bodies and where.
@@ -93,6 +93,22 @@ model::BallContact contact_of(const Source& source, const PlacedBalls& balls, In
   }
 }
 
+using Pairs = std::vector<std::pair<Index, Index>>;
+
+/// The laws of contacts whose directions are known.
+void read_laws(const Source& source, const LawTables& tables, const PlacedBalls& balls, const Pairs& pairs,
+               model::Network& model) {
+  Encounters encounters{.reduced_mass =
+                            [&](Index c) {
+                              const auto [i, j] = pairs[c];
+                              return reduced_mass(balls.ball[i].mass, balls.ball[j].mass);
+                            },
+                        .speed = largest_approach(model)};
+  for (const auto& [i, j] : pairs)
+    model.law.push_back(
+        read_law(source, tables, std::ssize(model.law), {&balls.body[i], &balls.body[j]}, encounters));
+}
+
 void warn_of_missed_meetings(Source& source, const PlacedBalls& balls, double reach) {
   for (const auto& [i, j] : missed_meetings(balls.ball, reach))
     warn(source, balls.table[j],
@@ -110,10 +126,10 @@ ResolvedNetwork read_ball_network(Source& source, const Field& network, bool pre
   const auto balls = read_placed(source, network);
   const double touching = read_distance(source, network, "touching", 0);
   const double reach = read_distance(source, network, "reach", 0.01 * smallest_radius(balls.ball));
-  const LawTables tables{network, {}};
   ResolvedNetwork resolved{.network = model::free_balls(balls.ball), .radius = {}};
   auto& model = resolved.network;
   model.precompressed = precompressed;
+  Pairs pairs;
   for (Index i = 0; i < std::ssize(balls.ball); ++i) {
     resolved.radius.push_back(balls.ball[i].radius);
     for (Index j = i + 1; j < std::ssize(balls.ball); ++j) {
@@ -124,11 +140,12 @@ ResolvedNetwork read_ball_network(Source& source, const Field& network, bool pre
             source, balls.table[j], fault::overlap,
             "balls " + std::to_string(i + 1) + " and " + std::to_string(j + 1) +
                 " overlap ('touching' is the distance taken as none; precompressed = true allows overlaps)");
-      model.law.push_back(read_law(source, tables, std::ssize(model.law), {&balls.body[i], &balls.body[j]}));
+      pairs.emplace_back(i, j);
       model.direction.push_back(std::move(direction));
       model.gap.push_back(gap);
     }
   }
+  read_laws(source, {network, {}}, balls, pairs, model);
   warn_of_missed_meetings(source, balls, reach);
   if (model.law.empty())
     reject(source, network, fault::impossible,

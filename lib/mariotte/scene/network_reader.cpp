@@ -9,10 +9,11 @@
 namespace mariotte::scene {
 namespace {
 
-constexpr std::array<std::string_view, 9> keys{"mass",      "velocity", "contact",  "gap",          "law",
-                                               "stiffness", "damping",  "exponent", "precompressed"};
-constexpr std::array<std::string_view, 6> contact_keys{"direction", "gap",     "law",
-                                                       "stiffness", "damping", "exponent"};
+constexpr std::array<std::string_view, 11> keys{"restitution", "at",       "mass",         "velocity",
+                                                "contact",     "gap",      "law",          "stiffness",
+                                                "damping",     "exponent", "precompressed"};
+constexpr std::array<std::string_view, 8> contact_keys{"restitution", "at",        "direction", "gap",
+                                                       "law",         "stiffness", "damping",   "exponent"};
 
 /// The diagonal, or all rows one after the other. Units are those of the dofs, which only the author
 /// knows.
@@ -61,10 +62,19 @@ LawTables read_tables(const Source& source, const Field& network) {
     reject(source, *list, fault::wrong_type, "write [[network.contact]], with two brackets");
   for (Index j = 0; j < std::ssize(*list->node->array()); ++j)
     expect_keys(source, tables.contacts.emplace_back(element(*list, j)), contact_keys);
-  for (const auto* key : {"gap", "law", "stiffness", "damping", "exponent"})
+  for (const auto* key : {"gap", "law", "stiffness", "damping", "exponent", "restitution", "at"})
     if (const auto field = find(network, key); field && field->node->array())
       expect_length(source, *field, field->node->array()->size(), tables.contacts.size());
   return tables;
+}
+
+/// 1/(w M⁻¹ wᵀ) of a contact direction w.
+double mass_of(const Source& source, const LawTables& tables, const model::Network& model, Index contact) {
+  try {
+    return reduced_mass(model, contact);
+  } catch (const InvalidParameter& error) {
+    reject(source, tables.place_of(contact), error.fault, error.what());
+  }
 }
 
 model::Network read_freedoms(const Source& source, const Field& network, bool precompressed) {
@@ -77,9 +87,12 @@ model::Network read_freedoms(const Source& source, const Field& network, bool pr
   model.velocity = numbers(source, *velocity, dimension::none, Domain::finite);
   model.mass = read_mass(source, *mass, model.velocity.size());
   const auto tables = read_tables(source, network);
+  for (const auto& contact : tables.contacts)
+    model.direction.push_back(read_direction(source, contact, model.velocity.size()));
+  Encounters encounters{.reduced_mass = [&](Index j) { return mass_of(source, tables, model, j); },
+                        .speed = largest_approach(model)};
   for (Index j = 0; j < std::ssize(tables.contacts); ++j) {
-    model.direction.push_back(read_direction(source, tables.contacts[j], model.velocity.size()));
-    model.law.push_back(read_law(source, tables, j, {nullptr, nullptr}));
+    model.law.push_back(read_law(source, tables, j, {nullptr, nullptr}, encounters));
     model.gap.push_back(read_gap(source, tables, j, precompressed));
   }
   return model;

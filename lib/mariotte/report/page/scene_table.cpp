@@ -7,6 +7,7 @@
 #include "mariotte/report/csv/columns.hpp"
 #include "mariotte/report/table/network_table.hpp"
 #include "mariotte/report/table/table.hpp"
+#include "mariotte/scene/restitution.hpp"
 
 namespace mariotte::report {
 namespace {
@@ -94,6 +95,27 @@ std::string placed_balls(const model::Network& network, const scene::Scene& scen
   return columns(header, std::ssize(network.velocity) / d, row);
 }
 
+/// What pairs alone would do at the speed of the scene and beside it, where that is not simply elastic.
+template <class Model>
+std::string restitutions(const Model& model) {
+  if (std::none_of(model.law.begin(), model.law.end(),
+                   [](const auto& law) { return contact::dissipates(law); }))
+    return "";
+  const double approach = scene::largest_approach(model), speed = approach > 0 ? approach : 1;
+  TableRow header = {"contact"};
+  for (const double factor : {0.1, 1.0, 10.0})
+    header.push_back(fmt::format("e at {:.4g} m/s", factor * speed));
+  const auto row = [&](Index j) {
+    TableRow cells = {fmt::format("{}", j + 1)};
+    for (const double factor : {0.1, 1.0, 10.0})
+      cells.push_back(fmt::format("{:.8f}", scene::restitution(model.law[static_cast<std::size_t>(j)],
+                                                               {.reduced_mass = scene::reduced_mass(model, j),
+                                                                .speed = factor * speed})));
+    return cells;
+  };
+  return "\nRestitution of each contact alone\n" + columns(header, std::ssize(model.law), row);
+}
+
 std::string limits(const hybrid::Options& run) {
   const std::string time = std::isfinite(run.max_time) ? number(run.max_time) + " s" : "none";
   return fmt::format("\naccuracy {:.3g} · flow {} · time limit {} · event limit {}\n", run.accuracy,
@@ -102,14 +124,15 @@ std::string limits(const hybrid::Options& run) {
 
 std::string table(const model::Chain& chain, const scene::Scene& scene) {
   return heading(chain, scene) + "\n" + balls(chain, scene) + "\n" + contacts(chain.law, chain.gap, {}) +
-         limits(scene.run);
+         restitutions(chain) + limits(scene.run);
 }
 
 std::string table(const model::Network& network, const scene::Scene& scene) {
   return (scene.title.empty() ? "Contact network" : scene.title) + "\n" + size_of(network) +
          (network.precompressed ? ", precompressed\n\n" : "\n\n") +
          (network.dimension > 0 ? placed_balls(network, scene) : dofs(network)) + "\n" +
-         contacts(network.law, network.gap, contact_names(network)) + limits(scene.run);
+         contacts(network.law, network.gap, contact_names(network)) + restitutions(network) +
+         limits(scene.run);
 }
 
 }  // namespace

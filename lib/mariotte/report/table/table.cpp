@@ -10,6 +10,7 @@
 #include "mariotte/report/reason.hpp"
 #include "mariotte/report/table/balance_tables.hpp"
 #include "mariotte/report/table/network_table.hpp"
+#include "mariotte/report/table/pair_speeds.hpp"
 #include "mariotte/report/table/quantity_table.hpp"
 
 namespace mariotte::report {
@@ -94,6 +95,16 @@ std::string ratios(const impact::ContactImpact& impact) {
   return "\nImpulse correlation ratios\n" + columns({"contacts", "α"}, std::ssize(impact.icr), row);
 }
 
+/// A ball and a wall or two balls that have met once: with which speeds they came and went.
+std::string pair(const impact::ChainImpact& impact, const model::Chain& chain) {
+  const auto speeds = pair_speeds(impact, chain);
+  if (!speeds) return "";
+  const auto display = display_for(std::vector{speeds->approach, speeds->separation}, "m/s");
+  return "\nPair\n" + line("approach [" + display.unit + "]", shown(display, speeds->approach)) +
+         line("separation [" + display.unit + "]", shown(display, speeds->separation)) +
+         line("restitution", fmt::format("{:.10f}", speeds->separation / speeds->approach));
+}
+
 std::string head(const impact::ContactImpact& impact, const scene::Scene& scene, const char* otherwise,
                  const std::string& size) {
   return heading(scene.title.empty() ? otherwise : scene.title) +
@@ -105,8 +116,8 @@ std::string head(const impact::ContactImpact& impact, const scene::Scene& scene,
 std::string table(const impact::ChainImpact& impact, const scene::Scene& scene) {
   const auto& chain = std::get<model::Chain>(scene.model);
   return head(impact, scene, "Chain of balls", fmt::format("{} balls", impact.velocity.size())) +
-         balls(impact, chain) + contacts(impact, time_display(impact), {}) + ratios(impact) +
-         energy_table(impact) + momentum_table(impact, chain) + flows_table(impact.flows) +
+         balls(impact, chain) + pair(impact, chain) + contacts(impact, time_display(impact), {}) +
+         ratios(impact) + energy_table(impact) + momentum_table(impact, chain) + flows_table(impact.flows) +
          skipped_table(impact.skipped);
 }
 

@@ -1,0 +1,118 @@
+#include "mariotte/scene/restitution.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mariotte/core/bracket.hpp"
+#include "mariotte/impact/chain/chain_solver.hpp"
+#include "mariotte/impact/microbody/microbody_solver.hpp"
+
+namespace mariotte::scene {
+namespace {
+
+constexpr double greatest = 1e4;  // damping of a pair that creeps apart for ever
+
+/// The pair as a ball and a wall, to rounding.
+double simulated(impact::ChainSolver& solver, const contact::Law& law, const Encounter& encounter) {
+  const model::Chain pair{
+      .mass = {encounter.reduced_mass, infinity}, .law = {law}, .gap = {0}, .velocity = {encounter.speed, 0}};
+  return -solver.solve(pair, {.accuracy = 1e-13}).velocity[0] / encounter.speed;
+}
+
+/// The damping at which `restitution(damping)`, which falls from `undamped`, is the one that is wanted.
+template <class Restitution>
+std::optional<double> solve(double wanted, double undamped, double unit, Restitution&& restitution) {
+  const auto excess = [&](double damping) { return restitution(damping) - wanted; };
+  double low = 0, above = undamped - wanted;
+  if (above == 0) return 0;
+  if (above < 0) return std::nullopt;
+  for (double high = above * unit; high < greatest * unit; high *= 2) {
+    const double below = excess(high);
+    if (below <= 0) return locate_sign_change(excess, low, above, high, below, 1e-14 * high);
+    low = high;
+    above = below;
+  }
+  return std::nullopt;
+}
+
+std::optional<double> dimensionless_damping(const contact::NamedLaw& law, double exponent, double wanted) {
+  impact::ChainSolver solver;
+  return solve(wanted, 1, 1, [&](double damping) {
+    return simulated(solver, law.make(1, damping, exponent), {.reduced_mass = 1, .speed = 1});
+  });
+}
+
+/// Exponent of the speed in the unit of the damping: L is a power 2/(n+1) of it, time L/v.
+double speed_exponent(const Dimension& damping, double exponent) {
+  return 2 / (exponent + 1) * (damping.m + damping.s) - damping.s;
+}
+
+}  // namespace
+
+double reduced_mass(double left, double right) {
+  return 1 / (1 / left + 1 / right);
+}
+
+double reduced_mass(const model::Chain& chain, Index contact) {
+  return reduced_mass(chain.mass[contact], chain.mass[contact + 1]);
+}
+
+double reduced_mass(const model::Network& network, Index contact) {
+  const std::vector<ContactDirection> one = {network.direction[contact]};
+  const auto dofs = std::ssize(network.velocity);
+  model::validate(network.mass, one, dofs);
+  return 1 / dot(one[0], model::responses(network.mass, one, dofs)[0]);
+}
+
+double largest_approach(const model::Chain& chain) {
+  double most = 0;
+  for (std::size_t j = 1; j < chain.velocity.size(); ++j)
+    most = std::max(most, chain.velocity[j - 1] - chain.velocity[j]);
+  return most;
+}
+
+double largest_approach(const model::Network& network) {
+  double most = 0;
+  for (const auto& direction : network.direction)
+    most = std::max(most, -gap_rate(direction, network.velocity));
+  return most;
+}
+
+double restitution(const contact::Law& law, const Encounter& encounter) {
+  impact::ChainSolver solver;
+  return simulated(solver, law, encounter);
+}
+
+std::optional<double> DampingSolver::damping(const contact::NamedLaw& law, double stiffness, double exponent,
+                                             double restitution, const Encounter& encounter) {
+  const auto [place, is_new] = found_.try_emplace({law.name, exponent, restitution});
+  if (is_new) place->second = dimensionless_damping(law, exponent, restitution);
+  if (!place->second) return std::nullopt;
+  const auto& [mass, speed] = encounter;
+  const auto unit = law.damping(exponent);
+  const double length = std::pow(mass * speed * speed / stiffness, 1 / (exponent + 1));
+  return *place->second * std::pow(mass, unit.kg) * std::pow(length, unit.m) *
+         std::pow(length / speed, unit.s);
+}
+
+std::optional<double> hertz_damping(const contact::Surface& surface, double radius, double damping_adhesion,
+                                    double restitution, double mass, double speed) {
+  impact::MicrobodySolver solver;
+  model::Microbody sphere;
+  sphere.body = model::sphere(radius, 1);
+  const double density = mass / sphere.body.mass;
+  sphere.body = model::sphere(radius, density);
+  sphere.velocity = {-speed, 0, 0};
+  const auto simulated = [&](double damping) {
+    sphere.law = {contact::brach_dunn(surface, radius, damping, damping_adhesion)};
+    const auto& impact = solver.solve(sphere, {.accuracy = 1e-12});
+    return impact.ending == hybrid::Ending::captured ? 0 : impact.tip_velocity / speed;
+  };
+  return solve(restitution, simulated(0), 1 / speed, simulated);
+}
+
+bool depends_on_speed(const contact::NamedLaw& law, double exponent) {
+  return std::abs(speed_exponent(law.damping(exponent), exponent)) > 8 * epsilon;
+}
+
+}  // namespace mariotte::scene
