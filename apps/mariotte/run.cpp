@@ -118,8 +118,8 @@ int finish(const Run& options, const Impact& impact, const scene::Scene& scene, 
   print(options.json ? report::text(result) : report::table(impact, scene));
   warn_of_error(options, impact);
   warn_of_nothing(options, impact);
-  tell_ending(impact.ending, report::reason(impact.ending, impact.message, scene.run));
-  return exit_code(impact.ending);
+  tell_ending(impact.ending, report::reason(impact.ending, impact.message, scene));
+  return report::is_wanted(impact.ending, scene) ? ExitCode::ok : exit_code(impact.ending);
 }
 
 /// Refuses a trace that nobody can want, and tells of a large one.

@@ -193,6 +193,17 @@ BOOST_FIXTURE_TEST_CASE(a_pair_prints_the_restitution_it_had, Session) {
   BOOST_TEST(!has(mariotte("run three.toml").out, "restitution"));
 }
 
+BOOST_FIXTURE_TEST_CASE(an_end_that_is_wanted_is_no_limit, Session) {
+  const auto run = mariotte("run three.toml --set run.until=2 --out results --report");
+  BOOST_TEST(run.code == 0);
+  BOOST_TEST(run.err == "");
+  BOOST_TEST(has(run.out, "ended at 2.0000000 s"));
+  const auto result = Json::parse(content(folder / "results/result.json"));
+  BOOST_TEST(result["ending"] == "time_limit");
+  BOOST_TEST(result["final"]["time"] == 2.0);
+  BOOST_TEST(!result.contains("message"));
+}
+
 // The pair meets after 10^8 s, and its contact lasts for some seconds.
 constexpr const char* far_apart =
     "[chain]\nmass = [1, 1]\nvelocity = [1, 0]\ngap = 1e8\nlaw = 'linear'\nstiffness = 1\n";

@@ -4,6 +4,19 @@
 
 namespace mariotte::report {
 
+bool is_wanted(hybrid::Ending ending, const scene::Scene& scene) {
+  return scene.until && ending == hybrid::Ending::time_limit;
+}
+
+std::string ending_name(hybrid::Ending ending, const scene::Scene& scene) {
+  return is_wanted(ending, scene) ? "ended" : hybrid::name(ending);
+}
+
+std::string reason(hybrid::Ending ending, const std::string& message, const scene::Scene& scene) {
+  if (is_wanted(ending, scene)) return "";
+  return reason(ending, message, scene.run);
+}
+
 std::string reason(hybrid::Ending ending, const std::string& message, const hybrid::Options& options) {
   using hybrid::Ending;
   if (!message.empty()) return message;

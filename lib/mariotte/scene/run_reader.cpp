@@ -7,8 +7,8 @@
 namespace mariotte::scene {
 namespace {
 
-constexpr std::array<std::string_view, 7> keys{"accuracy", "max_time", "max_events",   "gravity",
-                                               "impacts",  "flow",     "after_capture"};
+constexpr std::array<std::string_view, 8> keys{"until",   "accuracy", "max_time", "max_events",
+                                               "gravity", "impacts",  "flow",     "after_capture"};
 constexpr Index no_limit = 1'000'000'000'000'000;  // still a whole number in a double
 
 double read_accuracy(Source& source, const Field& field) {
@@ -33,6 +33,11 @@ hybrid::Options read_run(Source& source, const Field& run, bool of_body) {
   if (const auto field = find(run, "accuracy")) options.accuracy = read_accuracy(source, *field);
   if (const auto field = find(run, "max_time"))
     options.max_time = number(source, *field, dimension::time, Domain::positive_or_infinite);
+  if (const auto field = find(run, "until")) {
+    if (find(run, "max_time"))
+      reject(source, *field, fault::contradiction, "'max_time' is given, too; give one of them");
+    options.max_time = number(source, *field, dimension::time, Domain::positive);
+  }
   if (const auto field = find(run, "max_events")) options.max_events = whole(source, *field, 1, no_limit);
   if (const auto field = find(run, "flow")) options.flow = read_flow(source, *field);
   if (of_body) return options;

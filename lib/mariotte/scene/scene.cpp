@@ -58,8 +58,10 @@ Scene read_scene(Source& source, const Field& root, Purpose purpose) {
   errors.attempt([&] { expect_keys(source, root, keys); });
   part("title", [&](const Field& title) { scene.title = read_title(source, title); });
   const auto run = find(root, "run");
-  part("run",
-       [&](const Field& field) { scene.run = read_run(source, field, find(root, "body").has_value()); });
+  part("run", [&](const Field& field) {
+    scene.run = read_run(source, field, find(root, "body").has_value());
+    scene.until = find(field, "until").has_value();
+  });
   part("sweep", [&](const Field& sweeps) { expect_sweeps(source, sweeps); });
   part("columns", [&](const Field& columns) { expect_columns(source, columns); });
   part("law", [&](const Field& law) { scene.law = read_law(source, law); });

@@ -40,6 +40,7 @@ struct Scene {
   std::optional<Law> law;      ///< of scenes with [law]
   std::vector<double> radius;  ///< n values [m], infinite for planes; empty unless every ball has one
   hybrid::Options run;
+  bool until = false;                 ///< whether the time limit is the end that is wanted, by run.until
   std::vector<std::string> warnings;  ///< "file:line:column: message" of suspicious but possible values
   std::string sha256;                 ///< of the scene's text and overrides, for provenance
 };

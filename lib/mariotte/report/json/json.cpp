@@ -95,8 +95,7 @@ Json network(const model::Network& network) {
 template <class Impact>
 Json result(const Impact& impact, const scene::Scene& scene, const char* model) {
   Json result = {{"ending", hybrid::name(impact.ending)}, {"title", scene.title}, {"model", model}};
-  if (const auto why = reason(impact.ending, impact.message, scene.run); !why.empty())
-    result["message"] = why;
+  if (const auto why = reason(impact.ending, impact.message, scene); !why.empty()) result["message"] = why;
   for (const auto& quantity : impact::quantities<Impact>()) {
     Place<Impact> place{impact, quantity};
     put(result, quantity.is.key, place, place.at);

@@ -20,12 +20,13 @@ Display time_display(const impact::ContactImpact& impact) {
   return display_for(std::vector{impact.time}, "s");
 }
 
-std::string summary(const impact::ContactImpact& impact, const std::string& size,
-                    const hybrid::Options& options, const Display& time) {
-  std::string text = fmt::format("{} at {} {} · {} · accuracy {:.3g} requested", hybrid::name(impact.ending),
-                                 shown(time, impact.time), time.unit, size, impact.requested_accuracy);
+std::string summary(const impact::ContactImpact& impact, const std::string& size, const scene::Scene& scene,
+                    const Display& time) {
+  std::string text =
+      fmt::format("{} at {} {} · {} · accuracy {:.3g} requested", ending_name(impact.ending, scene),
+                  shown(time, impact.time), time.unit, size, impact.requested_accuracy);
   if (impact.estimated_accuracy) text += fmt::format(", {:.1e} estimated", *impact.estimated_accuracy);
-  if (const auto why = reason(impact.ending, impact.message, options); !why.empty()) text += "\n" + why;
+  if (const auto why = reason(impact.ending, impact.message, scene); !why.empty()) text += "\n" + why;
   return text + "\n";
 }
 
@@ -108,7 +109,7 @@ std::string pair(const impact::ChainImpact& impact, const model::Chain& chain) {
 std::string head(const impact::ContactImpact& impact, const scene::Scene& scene, const char* otherwise,
                  const std::string& size) {
   return heading(scene.title.empty() ? otherwise : scene.title) +
-         summary(impact, size, scene.run, time_display(impact)) + events(impact, time_display(impact));
+         summary(impact, size, scene, time_display(impact)) + events(impact, time_display(impact));
 }
 
 }  // namespace
