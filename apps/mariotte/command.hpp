@@ -15,6 +15,7 @@ Command fit_command();
 Command demo_command();
 Command sweep_command();
 Command report_command();
+Command materials_command();
 Command explain_command();
 Command version_command();
 

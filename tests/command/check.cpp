@@ -90,6 +90,20 @@ BOOST_FIXTURE_TEST_CASE(check_prints_the_restitution_of_damped_contacts, Session
   BOOST_TEST(!has(mariotte("check three.toml").out, "e at"));
 }
 
+BOOST_FIXTURE_TEST_CASE(materials_lists_values_and_their_sources, Session) {
+  const auto table = mariotte("materials");
+  BOOST_TEST(table.code == 0);
+  BOOST_TEST(has(table.out, "steel          203"));
+  BOOST_TEST(has(table.out, "  yield_strength: "));
+  const auto list = nlohmann::json::parse(mariotte("materials --json").out);
+  BOOST_TEST(list.size() >= 8u);
+  for (const auto& [name, material] : list.items())
+    for (const char* key : {"young", "poisson", "density"}) {
+      BOOST_TEST(material[key]["value"].get<double>() > 0, name << " " << key);
+      BOOST_TEST(material[key]["source"].get<std::string>() != "", name << " " << key);
+    }
+}
+
 BOOST_FIXTURE_TEST_CASE(a_key_in_the_wrong_table_is_told_where_it_belongs, Session) {
   BOOST_TEST(has(mariotte("check three.toml --set chain.accuracy=1e-6").err, "(it belongs to [run])"));
   BOOST_TEST(has(mariotte("check three.toml --set chain.friction=0.1").err,

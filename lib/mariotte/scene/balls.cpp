@@ -10,7 +10,8 @@
 namespace mariotte::scene {
 namespace {
 
-constexpr std::array<std::string_view, 5> override_keys{"number", "mass", "radius", "material", "velocity"};
+constexpr std::array<std::string_view, 6> override_keys{"number",   "mass",     "radius",
+                                                        "diameter", "material", "velocity"};
 
 double read_mass(Source& source, const Field& field) {
   return number(source, field, dimension::mass, Domain::positive_or_infinite);
@@ -22,6 +23,15 @@ double read_radius(Source& source, const Field& field) {
   return radius;
 }
 
+double read_diameter(Source& source, const Field& field) {
+  return 0.5 * number(source, field, dimension::length, Domain::positive_or_infinite);
+}
+
+void expect_one_size(const Source& source, const Field& table) {
+  if (const auto diameter = find(table, "diameter"); diameter && find(table, "radius"))
+    reject(source, *diameter, fault::contradiction, "'radius' is given, too; give one of them");
+}
+
 double read_velocity(Source& source, const Field& field) {
   return number(source, field, dimension::velocity, Domain::finite);
 }
@@ -31,28 +41,51 @@ template <class Visit>
 void each_key(Visit visit) {
   visit("mass", &Ball::mass, read_mass);
   visit("radius", &Ball::radius, read_radius);
+  visit("diameter", &Ball::radius, read_diameter);
   visit("material", &Ball::material, read_material);
   visit("velocity", &Ball::velocity, read_velocity);
 }
 
 /// One value for all, or an array.
-void read_column(Source& source, const Field& field, const Layout& layout, std::span<Ball> balls, auto member,
+void read_column(Source& source, const Field& field, Index cell, std::span<Ball> balls, auto member,
                  auto read) {
   if (!field.node->array()) {
     const auto value = read(source, field);
     for (auto& ball : balls) ball.*member = value;
     return;
   }
-  expect_per_ball(source, field, layout);
-  for (Index i = 0; i < layout.listed; ++i) balls[i].*member = read(source, element(field, i));
+  for (Index i = 0; i < cell; ++i) {
+    const auto value = read(source, element(field, i));
+    for (Index k = i; k < std::ssize(balls); k += cell) balls[k].*member = value;
+  }
+}
+
+/// Radii get smaller, or larger, from one ball, or cell, to the next.
+void taper(Source& source, const Field& chain, const Layout& layout, std::span<Ball> balls) {
+  const auto field = find(chain, "taper");
+  if (!field) return;
+  const double ratio = number(source, *field, dimension::none, Domain::positive);
+  if (const auto mass = find(chain, "mass"))
+    reject(source, *mass, fault::contradiction, "does not taper; radius and density give the masses");
+  if (!find(chain, "radius") && !find(chain, "diameter"))
+    reject(source, *field, fault::missing, "needs a radius, that of the first ball");
+  const Index cell = find(chain, "repeat") ? layout.cell : 1;
+  for (Index i = 0; i < layout.listed; ++i)
+    if (balls[i].radius) *balls[i].radius *= std::pow(ratio, i / cell);
 }
 
 void read_columns(Source& source, const Field& chain, const Layout& layout, std::span<Ball> balls) {
   ErrorList errors;
   each_key([&](const char* key, auto member, auto read) {
     const auto field = find(chain, key);
-    if (field) errors.attempt([&] { read_column(source, *field, layout, balls, member, read); });
+    if (field)
+      errors.attempt([&] {
+        const bool repeats = key != std::string_view("velocity");
+        if (field->node->array()) (repeats ? expect_per_cell : expect_per_ball)(source, *field, layout);
+        read_column(source, *field, repeats ? layout.cell : layout.listed, balls, member, read);
+      });
   });
+  errors.attempt([&] { expect_one_size(source, chain); });
   errors.raise();
 }
 
@@ -91,7 +124,7 @@ std::optional<Material> common_wall_material(Source& source, const Field& chain,
     return read_material(source, *own);
   }
   const auto common = find(chain, "material");
-  if (!common || !common->node->table()) return {};
+  if (!common || common->node->array()) return {};
   Source silent = source;  // what there is to warn of was said when the balls were read
   return read_material(silent, *common);
 }
@@ -108,6 +141,8 @@ void add_walls(Source& source, const Field& chain, const Layout& layout, std::ve
 }  // namespace
 
 void read_properties(Source& source, const Field& table, Ball& ball) {
+  expect_one_size(source, table);
+  if (const auto field = find(table, "diameter")) ball.radius = read_diameter(source, *field);
   if (const auto field = find(table, "mass")) ball.mass = read_mass(source, *field);
   if (const auto field = find(table, "radius")) ball.radius = read_radius(source, *field);
   if (const auto field = find(table, "material")) ball.material = read_material(source, *field);
@@ -127,7 +162,9 @@ double solid_sphere(const Source& source, const Field& table, const Ball& ball, 
 
 std::vector<Ball> read_balls(Source& source, const Field& chain, const Layout& layout) {
   std::vector<Ball> balls(layout.balls());
-  read_columns(source, chain, layout, std::span(balls).subspan(layout.left ? 1 : 0, layout.listed));
+  const auto listed = std::span(balls).subspan(layout.left ? 1 : 0, layout.listed);
+  read_columns(source, chain, layout, listed);
+  taper(source, chain, layout, listed);
   if (const auto list = find(chain, "ball")) read_overrides(source, *list, layout, balls);
   add_walls(source, chain, layout, balls);
   for (Index i = 0; i < layout.balls(); ++i)

@@ -12,7 +12,8 @@
 namespace mariotte::scene {
 namespace {
 
-constexpr std::array<std::string_view, 13> surface_keys{"restitution",
+constexpr std::array<std::string_view, 14> surface_keys{"material",
+                                                        "restitution",
                                                         "at",
                                                         "law",
                                                         "stiffness",
@@ -92,10 +93,22 @@ double solve_hertz_damping(const Source& source, const Field& surface, const Fie
   return *damping;
 }
 
-contact::BrachDunn read_law(const Source& source, const Field& surface, double radius, const Shape& shape,
+/// K, or (4/3) E* of the materials of body and surface.
+double read_stiffness(Source& source, const Field& surface, const Shape& shape) {
+  const auto own = find(surface, "material");
+  if (find(surface, "stiffness") || !own) return positive(source, surface, "stiffness", dimension::pressure);
+  const auto plane = elastic(read_material(source, *own));
+  const auto body = elastic(shape.material.value_or(Material{}));
+  if (!plane || !body)
+    reject(source, *own, fault::no_stiffness,
+           "gives a stiffness only with young and poisson of 'surface.material' and 'body.material'");
+  return contact::hertz_stiffness(*plane, infinity, *body, 1);
+}
+
+contact::BrachDunn read_law(Source& source, const Field& surface, double radius, const Shape& shape,
                             double speed) {
   const auto& density = shape.density;
-  const contact::Surface material{.stiffness = positive(source, surface, "stiffness", dimension::pressure),
+  const contact::Surface material{.stiffness = read_stiffness(source, surface, shape),
                                   .adhesion = optional_number(source, surface, "work_of_adhesion",
                                                               adhesion_dimension, Domain::not_negative, 0)};
   double hertz = read_damping(source, surface, "hertz", contact::hertz_prefactor, material, density,
@@ -113,7 +126,7 @@ contact::BrachDunn read_law(const Source& source, const Field& surface, double r
   return contact::brach_dunn(material, radius, hertz, adhesion);
 }
 
-void read_surface(const Source& source, const Field& surface, const Shape& shape, double speed,
+void read_surface(Source& source, const Field& surface, const Shape& shape, double speed,
                   model::Microbody& body) {
   if (const auto law = find(surface, "law")) choice(source, *law, "law", laws);
   for (const auto& tip : shape.body.tips)
@@ -161,9 +174,9 @@ void read_run_of_body(const Source& source, const std::optional<Field>& run, mod
   if (const auto field = find(*run, "impacts")) body.impacts = whole(source, *field, 1, most_impacts);
   const auto captured = find(*run, "after_capture");
   if (!captured || choice(source, *captured, "word", after) == 0) return;
-  if (!find(*run, "max_time"))
+  if (!find(*run, "max_time") && !find(*run, "until"))
     reject(source, *captured, fault::missing,
-           "a captured body moves for ever; 'continue' needs 'run.max_time'");
+           "a captured body moves for ever; 'continue' needs 'run.max_time' or 'run.until'");
   body.after_capture = model::AfterCapture::go_on;
 }
 

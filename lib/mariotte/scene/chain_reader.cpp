@@ -11,10 +11,10 @@
 namespace mariotte::scene {
 namespace {
 
-constexpr std::array<std::string_view, 18> keys{
-    "restitution", "at",   "balls",         "mass",    "radius",   "material",
-    "velocity",    "law",  "stiffness",     "damping", "exponent", "gap",
-    "gravity",     "wall", "wall_material", "ball",    "contact",  "precompressed"};
+constexpr std::array<std::string_view, 21> keys{
+    "diameter", "taper",    "repeat",   "restitution",   "at",        "balls",   "mass",
+    "radius",   "material", "velocity", "law",           "stiffness", "damping", "exponent",
+    "gap",      "gravity",  "wall",     "wall_material", "ball",      "contact", "precompressed"};
 
 double read_gravity(const Source& source, const Field& chain, const std::optional<Field>& of_run) {
   const auto own = find(chain, "gravity");

@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <functional>
+#include <map>
 #include <vector>
 
 #include "mariotte/contact/law.hpp"
@@ -15,19 +16,20 @@ inline constexpr std::array<std::string_view, 6> law_keys{"law",      "stiffness
                                                           "exponent", "restitution", "at"};
 
 /// Everything a scene says of laws: keys of the whole, one value or one per contact, and tables of contacts:
-/// none, one for all, or one per contact.
+/// none, one for all, one per contact, or some that say their number.
 struct LawTables {
   Field whole;
   std::vector<Field> contacts;
+  std::map<Index, Field> numbered = {};
 
   /// The table of one contact, or the whole.
   const Field& place_of(Index contact) const {
+    if (const auto found = numbered.find(contact); found != numbered.end()) return found->second;
     return contacts.empty() ? whole : contacts[contacts.size() == 1 ? 0 : contact];
   }
   /// What the scene says of one contact under one key.
   std::optional<Field> find_for(Index contact, std::string_view key) const {
-    if (!contacts.empty())
-      if (auto own = find(place_of(contact), key)) return own;
+    if (auto own = find(place_of(contact), key); own && &place_of(contact) != &whole) return own;
     auto common = find(whole, key);
     return common && common->node->array() ? element(*common, contact) : common;
   }

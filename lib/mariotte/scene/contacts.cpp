@@ -1,20 +1,48 @@
 #include "mariotte/scene/contacts.hpp"
 
+#include <algorithm>
+#include <array>
+#include <utility>
+
 #include "mariotte/scene/contact_law.hpp"
 
 namespace mariotte::scene {
 namespace {
 
-/// The [[chain.contact]] tables: none, one for all, or one per contact.
-std::vector<Field> read_tables(const Source& source, const Field& chain, const Layout& layout) {
-  std::vector<Field> tables;
+constexpr auto contact_keys = [] {
+  std::array<std::string_view, law_keys.size() + 1> keys{"number"};
+  std::copy(law_keys.begin(), law_keys.end(), keys.begin() + 1);
+  return keys;
+}();
+
+/// The contact that a table is about, from 0.
+Index numbered(const Source& source, const Field& table, const Layout& layout) {
+  const auto field = find(table, "number");
+  if (!field)
+    reject(source, table, fault::missing,
+           "'number' is missing; either all tables of contacts have it, or none");
+  return whole(source, *field, 1, layout.contacts()) - 1;
+}
+
+/// The [[chain.contact]] tables: none, one for all, one per contact, or some with their number.
+LawTables read_tables(const Source& source, const Field& chain, const Layout& layout) {
+  LawTables tables{chain, {}};
   const auto list = find(chain, "contact");
   if (!list) return tables;
   if (!list->node->array())
     reject(source, *list, fault::wrong_type, "write [[chain.contact]], with two brackets");
   const auto count = static_cast<Index>(list->node->array()->size());
-  if (count != 1) expect_per_contact(source, *list, layout);
-  for (Index j = 0; j < count; ++j) expect_keys(source, tables.emplace_back(element(*list, j)), law_keys);
+  for (Index j = 0; j < count; ++j)
+    expect_keys(source, tables.contacts.emplace_back(element(*list, j)), contact_keys);
+  const auto has_number = [](const Field& table) { return find(table, "number").has_value(); };
+  if (std::none_of(tables.contacts.begin(), tables.contacts.end(), has_number)) {
+    if (count != 1) expect_per_contact(source, *list, layout);
+    return tables;
+  }
+  for (const auto& table : std::exchange(tables.contacts, {}))
+    if (const auto j = numbered(source, table, layout); !tables.numbered.emplace(j, table).second)
+      reject(source, *find(table, "number"), fault::contradiction,
+             "contact " + std::to_string(j + 1) + " was given before");
   return tables;
 }
 
@@ -37,7 +65,7 @@ double read_gap(const Source& source, const Field& field, bool precompressed) {
 
 std::vector<contact::Law> read_laws(const Source& source, const Field& chain, const Layout& layout,
                                     std::span<const Ball> balls) {
-  const LawTables tables{chain, read_tables(source, chain, layout)};
+  const auto tables = read_tables(source, chain, layout);
   for (const auto key : law_keys)
     if (const auto field = find(chain, key); field && field->node->array())
       expect_per_contact(source, *field, layout);

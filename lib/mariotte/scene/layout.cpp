@@ -11,7 +11,7 @@ constexpr Index most_balls = 1000;
 constexpr Index most_balls = 10'000'000;
 #endif
 constexpr std::array<std::string_view, 3> sides{"left", "right", "both"};
-constexpr std::array<std::string_view, 4> per_ball{"mass", "radius", "material", "velocity"};
+constexpr std::array<std::string_view, 5> per_ball{"mass", "radius", "diameter", "material", "velocity"};
 constexpr std::array<std::string_view, 7> per_contact{"gap",      "law",         "stiffness", "damping",
                                                       "exponent", "restitution", "at"};
 
@@ -28,8 +28,18 @@ std::optional<Index> infer_contacts(const Field& chain) {
   for (const auto key : per_contact)
     if (const auto array = find_array(chain, key)) return size(*array);
   const auto contacts = find_array(chain, "contact");
-  // A single [[chain.contact]] stands for all contacts and tells nothing.
-  return contacts && size(*contacts) > 1 ? std::optional(size(*contacts)) : std::nullopt;
+  // A single [[chain.contact]] stands for all contacts and tells nothing, nor do some with numbers.
+  const bool tells = contacts && size(*contacts) > 1 && !find(element(*contacts, 0), "number");
+  return tells ? std::optional(size(*contacts)) : std::nullopt;
+}
+
+/// Balls that are repeated: as many as the first array of their properties has.
+Index count_cell(const Source& source, const Field& chain, const Field& repeat) {
+  if (find(chain, "balls"))
+    reject(source, repeat, fault::contradiction, "'balls' is given, too; give one of them");
+  for (const auto key : per_ball)
+    if (const auto array = find_array(chain, key); array && key != "velocity") return size(*array);
+  return 1;
 }
 
 Index count_balls(const Source& source, const Field& chain, Index walls) {
@@ -56,7 +66,12 @@ Layout read_layout(const Source& source, const Field& chain) {
     layout.left = side != "right";
     layout.right = side != "left";
   }
-  layout.listed = count_balls(source, chain, layout.left + layout.right);
+  if (const auto repeat = find(chain, "repeat")) {
+    layout.cell = count_cell(source, chain, *repeat);
+    layout.listed = layout.cell * whole(source, *repeat, 1, most_balls);
+  } else {
+    layout.cell = layout.listed = count_balls(source, chain, layout.left + layout.right);
+  }
   if (layout.listed < 1 || layout.balls() < 2 || layout.listed > most_balls)
     reject(source, chain, fault::out_of_range,
            "a chain has from two balls (or a ball and a wall) to ten million");
@@ -66,6 +81,11 @@ Layout read_layout(const Source& source, const Field& chain) {
 void expect_per_ball(const Source& source, const Field& array, const Layout& layout) {
   const bool walls = layout.left || layout.right;
   expect_size(source, array, layout.listed, walls ? "ball that is no wall" : "ball");
+}
+
+void expect_per_cell(const Source& source, const Field& array, const Layout& layout) {
+  if (layout.cell == layout.listed) return expect_per_ball(source, array, layout);
+  expect_size(source, array, layout.cell, "ball that is repeated");
 }
 
 void expect_per_contact(const Source& source, const Field& array, const Layout& layout) {

@@ -2,6 +2,9 @@
 
 #include <array>
 #include <cmath>
+#include <vector>
+
+#include "mariotte/scene/material_library.hpp"
 
 namespace mariotte::scene {
 namespace {
@@ -25,9 +28,20 @@ double read_poisson(const Source& source, const Field& field) {
   return poisson;
 }
 
+Material named_material(const Source& source, const Field& field) {
+  static const auto names = [] {
+    std::vector<std::string_view> list;
+    for (const auto& one : named_materials()) list.push_back(one.name);
+    return list;
+  }();
+  const auto& found = named_materials()[choice(source, field, "material", names)];
+  return {.young = found.young.value, .poisson = found.poisson.value, .density = found.density.value};
+}
+
 }  // namespace
 
 Material read_material(Source& source, const Field& field) {
+  if (std::holds_alternative<std::string>(field.node->value)) return named_material(source, field);
   expect_keys(source, field, keys);
   Material material;
   if (const auto young = find(field, "young"))

@@ -1,4 +1,4 @@
-// `material = { young = "210 GPa", poisson = 0.3, density = "7800 kg/m^3" }`
+// `material = { young = "210 GPa", poisson = 0.3, density = "7800 kg/m^3" }`, or `material = "steel"`
 #pragma once
 #include <optional>
 

@@ -11,10 +11,11 @@
 namespace mariotte::scene {
 namespace {
 
-constexpr std::array<std::string_view, 13> keys{
-    "restitution", "at",      "ball",     "mass",  "radius",   "material",     "law",
-    "stiffness",   "damping", "exponent", "reach", "touching", "precompressed"};
-constexpr std::array<std::string_view, 5> ball_keys{"position", "velocity", "mass", "radius", "material"};
+constexpr std::array<std::string_view, 14> keys{
+    "diameter", "restitution", "at",      "ball",     "mass",  "radius",   "material",
+    "law",      "stiffness",   "damping", "exponent", "reach", "touching", "precompressed"};
+constexpr std::array<std::string_view, 6> ball_keys{"diameter", "position", "velocity",
+                                                    "mass",     "radius",   "material"};
 
 /// The balls, with what was said of the bodies and where.
 struct PlacedBalls {

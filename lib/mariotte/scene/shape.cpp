@@ -8,8 +8,8 @@ namespace mariotte::scene {
 namespace {
 
 constexpr std::array<std::string_view, 4> shapes{"sphere", "dumbbell", "rod", "custom"};
-constexpr std::array<std::string_view, 7> keys{"shape", "radius",  "length_ratio", "density",
-                                               "mass",  "inertia", "tips"};
+constexpr std::array<std::string_view, 9> keys{"diameter", "material", "shape",   "radius", "length_ratio",
+                                               "density",  "mass",     "inertia", "tips"};
 constexpr std::array<std::string_view, 2> tip_keys{"centre", "radius"};
 constexpr Dimension inertia_dimension{.kg = 1, .m = 2};
 
@@ -27,6 +27,23 @@ double read_radius(Source& source, const Field& field) {
   const double radius = positive(source, field, dimension::length);
   if (radius > 1e-3) warn(source, field, "more than 1 mm is no microbody (a bare number is in metres)");
   return radius;
+}
+
+/// 'radius', or half of 'diameter', if either is there.
+std::optional<double> find_radius(Source& source, const Field& body) {
+  const auto radius = find(body, "radius"), diameter = find(body, "diameter");
+  if (radius && diameter)
+    reject(source, *diameter, fault::contradiction, "'radius' is given, too; give one of them");
+  if (radius) return read_radius(source, *radius);
+  if (diameter) return 0.5 * positive(source, *diameter, dimension::length);
+  return {};
+}
+
+/// Of the body, or of its material.
+std::optional<double> find_density(Source& source, const Field& body,
+                                   const std::optional<Material>& material) {
+  if (const auto field = find(body, "density")) return positive(source, *field, dimension::density);
+  return material ? material->density : std::nullopt;
 }
 
 /// A key that belongs to other shapes.
@@ -48,44 +65,50 @@ model::Tip read_tip(Source& source, const Field& table, const std::optional<doub
   return tip;
 }
 
-Shape read_custom(Source& source, const Field& body) {
+model::RigidBody read_custom(Source& source, const Field& body) {
   expect_none(source, body, "custom", {"length_ratio"});
-  Shape shape;
-  shape.body.mass = positive(source, required(source, body, "mass"), dimension::mass);
+  model::RigidBody custom;
+  custom.mass = positive(source, required(source, body, "mass"), dimension::mass);
   const auto inertia = required(source, body, "inertia");
-  shape.body.inertia = read_vector(source, inertia, inertia_dimension);
-  std::optional<double> radius;
-  if (const auto field = find(body, "radius")) radius = read_radius(source, *field);
+  custom.inertia = read_vector(source, inertia, inertia_dimension);
+  const auto radius = find_radius(source, body);
   const auto tips = required(source, body, "tips");
   if (!tips.node->array()) reject(source, tips, fault::wrong_type, "expected an array of tables");
   const auto count = static_cast<Index>(tips.node->array()->size());
   if (count < 1 || count > 2) reject(source, tips, fault::wrong_length, "a body has one or two tips");
-  for (Index i = 0; i < count; ++i) shape.body.tips.push_back(read_tip(source, element(tips, i), radius));
-  if (const auto density = find(body, "density"))
-    shape.density = positive(source, *density, dimension::density);
+  for (Index i = 0; i < count; ++i) custom.tips.push_back(read_tip(source, element(tips, i), radius));
   try {
-    model::validate(shape.body);
+    model::validate(custom);
   } catch (const InvalidParameter& error) {
     reject(source, inertia, error.fault, error.what());
   }
-  return shape;
+  return custom;
+}
+
+model::RigidBody read_rigid_body(Source& source, const Field& body, const std::optional<double>& density) {
+  const auto shape = shapes[choice(source, required(source, body, "shape"), "shape", shapes)];
+  if (shape == "custom") return read_custom(source, body);
+  expect_none(source, body, shape, {"mass", "inertia", "tips"});
+  if (shape == "sphere") expect_none(source, body, shape, {"length_ratio"});
+  const auto found = find_radius(source, body);
+  const double radius = found ? *found : read_radius(source, required(source, body, "radius"));
+  if (!density) reject(source, body, fault::missing, "'density' is missing, and no material gives it");
+  if (shape == "sphere") return model::sphere(radius, *density);
+  const double ratio =
+      number(source, required(source, body, "length_ratio"), dimension::none, Domain::not_negative);
+  if (shape == "dumbbell") return model::dumbbell(radius, ratio, *density);
+  return model::rod(radius, ratio, *density);
 }
 
 }  // namespace
 
 Shape read_shape(Source& source, const Field& body) {
   expect_keys(source, body, keys);
-  const auto shape = shapes[choice(source, required(source, body, "shape"), "shape", shapes)];
-  if (shape == "custom") return read_custom(source, body);
-  expect_none(source, body, shape, {"mass", "inertia", "tips"});
-  if (shape == "sphere") expect_none(source, body, shape, {"length_ratio"});
-  const double radius = read_radius(source, required(source, body, "radius"));
-  const double density = positive(source, required(source, body, "density"), dimension::density);
-  if (shape == "sphere") return {model::sphere(radius, density), density};
-  const double ratio =
-      number(source, required(source, body, "length_ratio"), dimension::none, Domain::not_negative);
-  if (shape == "dumbbell") return {model::dumbbell(radius, ratio, density), density};
-  return {model::rod(radius, ratio, density), density};
+  Shape shape;
+  if (const auto field = find(body, "material")) shape.material = read_material(source, *field);
+  shape.density = find_density(source, body, shape.material);
+  shape.body = read_rigid_body(source, body, shape.density);
+  return shape;
 }
 
 }  // namespace mariotte::scene
