@@ -95,10 +95,20 @@ void tell_ending(hybrid::Ending ending, const std::string& why) {
   error(why, fault_of(ending));
 }
 
+/// The model as it was understood; empty for one so large that the result would be twice as long.
+report::Json resolved(const scene::Scene& scene) {
+  if (!can_trace(scene)) return {};
+  auto all = report::json(scene);
+  for (const auto* model : {"chain", "network"})
+    if (all.contains(model)) return std::move(all[model]);
+  return {{"body", all["body"]}, {"surface", all["surface"]}, {"incidence", all["incidence"]}};
+}
+
 /// The result, and what it takes to repeat the run.
 template <class Impact>
 report::Json json(const Run& options, const Impact& impact, const scene::Scene& scene) {
   auto result = report::json(impact, scene);
+  if (auto inputs = resolved(scene); !inputs.empty()) result["scene"] = std::move(inputs);
   result["provenance"]["scene"] = options.scene.path;
   result["provenance"]["overrides"] = options.scene.set;
   return result;

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "mariotte/report/page/html.hpp"
+#include "mariotte/report/page/html_table.hpp"
 #include "mariotte/report/page/html_text.hpp"
 
 using namespace mariotte;
@@ -46,6 +47,7 @@ BOOST_AUTO_TEST_CASE(the_page_needs_no_other_file) {
 BOOST_AUTO_TEST_CASE(every_part_of_a_result_is_on_the_page) {
   const Json result = {{"ending", "captured"},
                        {"title", "A body"},
+                       {"model", "microbody"},
                        {"final", {{"time", 0.5}, {"quaternion", {1.0, 0.0, 0.0, 0.0}}}},
                        {"impacts", {{{"tip", 1}, {"start", 0.125}}, {{"tip", 2}, {"start", 0.25}}}},
                        {"restitution", {{"tip", 0.625}, {"centre", nullptr}}},
@@ -53,11 +55,53 @@ BOOST_AUTO_TEST_CASE(every_part_of_a_result_is_on_the_page) {
                        {"something_new", {1, 2, 3}},
                        {"provenance", {{"version", "1.2.3"}, {"scene_sha256", "abc"}}}};
   const auto page = report::html(result, {});
-  for (const auto* part : {"captured", "0.125", "0.25", "0.625", "2.0e-10 of it", "something_new",
-                           "version = {1.2.3}", "note    = {scene abc}", "@inproceedings"})
+  for (const auto* part : {"captured", ">0.125<", ">0.25<", "0.625", "2.0e-10 of it", "something_new",
+                           "version = {1.2.3}", "note    = {scene abc}", "@article"})
     BOOST_TEST(has(page, part), part);
   BOOST_TEST(count(page, "<table>") == count(page, "</table>"));
   BOOST_TEST(count(page, "<tr>") == count(page, "</tr>"));
+}
+
+BOOST_AUTO_TEST_CASE(a_page_cites_what_its_scene_rests_on) {
+  const auto chain = report::html({{"model", "chain"}}, {}),
+             body = report::html({{"model", "microbody"}}, {});
+  BOOST_TEST((has(chain, "acary2003") && !has(chain, "cheng2002")));
+  BOOST_TEST((has(body, "cheng2002") && !has(body, "acary2003")));
+}
+
+BOOST_AUTO_TEST_CASE(a_run_of_a_chain_leads_with_a_sentence_and_its_balls) {
+  const Json result = {{"ending", "separated"},
+                       {"model", "chain"},
+                       {"final", {{"time", 9.18169681896e-05}, {"velocity", {-0.25, 0.75}}}},
+                       {"events", Json::array()},
+                       {"energy", {{"initial", 0.016}, {"final", 0.008}, {"work", 0.0}}},
+                       {"scene",
+                        {{"mass", {0.002, 0.001}},
+                         {"radius", {0.01, 0.005}},
+                         {"velocity", {1.0, 0.0}},
+                         {"gap", {1e-5}},
+                         {"contact", Json::array({{{"law", "hertz"}, {"stiffness", 1e9}}})}}}};
+  const auto page = report::html(result, {});
+  BOOST_TEST(has(page,
+                 "The last contact has opened after 91.82 µs. Ball 2 is the fastest then, at 0.75 m/s. "
+                 "Of 16 mJ of energy 50 % is kinetic energy in the end."));
+  BOOST_TEST(has(
+      page,
+      "<th>mass [g]</th><th>radius [mm]</th><th>velocity before [m/s]</th><th>velocity after [m/s]</th>"));
+  BOOST_TEST(has(page, "<td class=\"n\">1</td><td class=\"n\" title=\"0.002\">2</td>"));
+  BOOST_TEST(has(page, "<th>law</th><th>stiffness k [N/mⁿ]</th><th>gap [µm]</th>"));
+}
+
+BOOST_AUTO_TEST_CASE(columns_have_symbols_and_units_and_are_left_out_if_empty) {
+  const Json contacts = Json::array({{{"impulse", 0.0349907588842897},
+                                      {"peak_force", 1007.04},
+                                      {"periods", Json::array({Json::array({0.0, 6.9e-5})})}}});
+  const auto table = report::table(contacts, {"chain", "contacts"});
+  BOOST_TEST(has(table, "<th>impulse p_j [mN s]</th><th>peak force max f_j [N]</th><th>periods [µs]</th>"));
+  BOOST_TEST(has(table, ">34.99</td>"));
+  BOOST_TEST(has(table, "[0, 69]"));
+  const Json events = Json::array({{{"time", 0.0}, {"open", {1}}, {"stick", Json::array()}}});
+  BOOST_TEST(!has(report::table(events, {"chain", "events"}), "stick"));
 }
 
 BOOST_AUTO_TEST_CASE(a_long_table_is_cut_in_the_middle) {

@@ -57,11 +57,18 @@ BOOST_AUTO_TEST_CASE(a_faint_late_contact_does_not_stretch_the_axis) {
 BOOST_AUTO_TEST_CASE(a_long_flight_before_the_contacts_is_left_out) {
   impact::ChainImpact impact;
   auto& trace = impact.trace = trace_of(2);
-  trace.time = {0, 1, 1.5, 2, 3};
+  trace.time = {0, 1.5, 1.75, 2, 3};
   trace.velocity.assign(5, {1, 1});
   trace.gap.assign(5, {0});
   trace.force = {{0}, {0}, {1}, {1}, {0}};
   BOOST_TEST(has(report::plot_script(impact, ""), "set xrange [1.45:2.05]\n"));
+}
+
+BOOST_AUTO_TEST_CASE(two_samples_make_an_axis) {
+  impact::ChainImpact impact;
+  impact.trace = trace_of(2);
+  impact.trace.force = {{0}, {1}};
+  BOOST_TEST(has(report::plot_script(impact, ""), "set xrange [0:50]\n"));
 }
 
 BOOST_AUTO_TEST_CASE(walls_and_coordinates_have_their_names) {

@@ -137,7 +137,7 @@ Window window_of_action(const impact::Trace& trace) {
   double first = infinity, last = 0;
   for (std::size_t i = 0; i < trace.time.size(); ++i) {
     if (!(largest(trace.force[i]) > visible * peak)) continue;
-    first = std::min(first, trace.time[i]);
+    first = std::min(first, trace.time[i > 0 ? i - 1 : 0]);  // the force begins after that
     last = trace.time[i];
   }
   if (last == 0) return {0, trace.time.back()};

@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "mariotte/report/page/before_and_after.hpp"
+#include "mariotte/report/page/html_table.hpp"
 #include "mariotte/report/page/html_text.hpp"
 
 namespace mariotte::report {
@@ -14,7 +16,7 @@ namespace {
 
 constexpr const char* style = R"(
 :root { color-scheme: light dark; --line: #8884; --soft: #8882; }
-body { font: 16px/1.5 system-ui, sans-serif; margin: 0 auto; max-width: 62rem; padding: 1rem; }
+body { font: 16px/1.5 system-ui, sans-serif; margin: 0 auto; max-width: 78rem; padding: 1rem; }
 h1 { font-size: 1.6rem; margin: .5rem 0; }
 h2 { font-size: 1.2rem; border-bottom: 1px solid var(--line); margin: 2rem 0 .5rem; }
 h3 { font-size: 1rem; margin: 1rem 0 .25rem; }
@@ -22,7 +24,9 @@ h3 { font-size: 1rem; margin: 1rem 0 .25rem; }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
 th, td { border-bottom: 1px solid var(--soft); padding: .15rem .75rem .15rem 0; text-align: left; }
 td.n { text-align: right; white-space: nowrap; }
-img { background: white; height: auto; max-width: 100%; }
+.lead { font-size: 1.15rem; }
+.figures { display: grid; gap: 1rem; grid-template-columns: repeat(auto-fit, minmax(min(100%, 36rem), 1fr)); }
+.figures img { background: white; height: auto; min-width: 36rem; width: 100%; }
 pre { background: var(--soft); overflow-x: auto; padding: .75rem; }
 .checks { display: grid; gap: .5rem; grid-template-columns: repeat(auto-fit, minmax(11rem, 1fr)); }
 .checks div { background: var(--soft); padding: .5rem .75rem; }
@@ -38,8 +42,8 @@ constexpr std::array<std::array<const char*, 2>, 17> sections{{{"warnings", "War
                                                                {"icr", "Impulse correlation ratios"},
                                                                {"impulse_direction", "Impulse direction"},
                                                                {"events", "Events"},
-                                                               {"energy", "Energy [J]"},
-                                                               {"momentum", "Momentum [N s]"},
+                                                               {"energy", "Energy"},
+                                                               {"momentum", "Momentum"},
                                                                {"flows", "Flows"},
                                                                {"skipped", "Not needed"},
                                                                {"accuracy", "Accuracy"},
@@ -47,21 +51,23 @@ constexpr std::array<std::array<const char*, 2>, 17> sections{{{"warnings", "War
                                                                {"columns", "Columns"},
                                                                {"endings", "Endings"},
                                                                {"reasons", "Why points have no numbers"}}};
-const std::set<std::string> elsewhere = {"ending",     "title",  "model", "message",
-                                         "provenance", "points", "failed"};
+const std::set<std::string> elsewhere = {"ending",     "title",  "model",  "message",
+                                         "provenance", "points", "failed", "scene"};
 
 constexpr const char* citations = R"(@software{mariotte,
   title   = {mariotte: a solver for stiff, event-driven impacts},
   version = {@version},
   note    = {scene @scene}
 }
-@inproceedings{acary2003,
+)";
+constexpr const char* of_contacts = R"(@inproceedings{acary2003,
   author    = {Acary, Vincent and Brogliato, Bernard},
   title     = {Toward a multiple impact law: the 3-ball chain example},
   booktitle = {Second MIT Conference on Computational Fluid and Solid Mechanics},
   year      = {2003}
 }
-@article{cheng2002,
+)";
+constexpr const char* of_bodies = R"(@article{cheng2002,
   author  = {Cheng, W. and Brach, R. M. and Dunn, P. F.},
   title   = {Shape Effects on Microbody Impacts against a Flat Surface},
   journal = {Aerosol Science and Technology},
@@ -90,7 +96,7 @@ std::string checks(const Json& result) {
     if (result.contains(count)) cards += card(count, inline_text(result[count]));
   if (result.contains("ending")) cards += card("ending", inline_text(result["ending"]));
   if (result.contains("final") && result["final"].contains("time"))
-    cards += card("final time [s]", inline_text(result["final"]["time"]));
+    cards += card("final time", quantity(result["final"]["time"].get<double>(), "s"));
   if (result.contains("accuracy")) {
     cards += card("accuracy asked for", inline_text(result["accuracy"].value("requested", Json())));
     cards += card("accuracy estimated", inline_text(result["accuracy"].value("estimated", Json())));
@@ -104,19 +110,20 @@ std::string checks(const Json& result) {
 std::string figures(const std::vector<Picture>& pictures) {
   std::string text;
   for (const auto& [name, svg] : pictures)
-    text += fmt::format("<p><img alt=\"{}\" src=\"data:image/svg+xml;base64,{}\"></p>\n", escaped(name),
-                        base64(svg));
-  return text.empty() ? "" : section("Figures", text);
+    text += fmt::format("<p class=\"wide\"><img alt=\"{}\" src=\"data:image/svg+xml;base64,{}\"></p>\n",
+                        escaped(name), base64(svg));
+  return text.empty() ? "" : section("Figures", "<div class=\"figures\">\n" + text + "</div>\n");
 }
 
 std::string tables(const Json& result) {
   std::string text;
+  const auto model = result.value("model", "");
   std::set<std::string> done = elsewhere;
   for (const auto& [key, title] : sections)
     if (done.insert(key); result.contains(key) && !result[key].empty())
-      text += section(title, table(result[key]));
+      text += section(title, table(result[key], {model, key}));
   for (const auto& [key, value] : result.items())
-    if (!done.contains(key)) text += section(key, table(value));
+    if (!done.contains(key) && !value.is_null()) text += section(key, table(value, {model, key}));
   return text;
 }
 
@@ -131,10 +138,10 @@ std::string origin(const Json& result) {
     text += section("Again", "<pre>" + escaped(command) + "</pre>\n");
   const auto version = inline_text(provenance.value("version", Json("unknown")));
   const auto scene = inline_text(provenance.value("scene_sha256", Json()));
-  return text +
-         section("To cite", "<pre>" +
-                                escaped(replaced(replaced(citations, "@version", version), "@scene", scene)) +
-                                "</pre>\n");
+  const auto software = replaced(replaced(citations, "@version", version), "@scene", scene);
+  const auto model = result.value("model", "");
+  const auto* paper = model == "microbody" ? of_bodies : model.empty() ? "" : of_contacts;
+  return text + section("To cite", "<pre>" + escaped(software + paper) + "</pre>\n");
 }
 
 std::string shell_quoted(const std::string& text) {
@@ -167,9 +174,10 @@ std::string html(const Json& result, const std::vector<Picture>& pictures) {
       "<link rel=\"icon\" href=\"data:,\">\n";
   page +=
       fmt::format("<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<h1>{}</h1>\n", name, style, name);
-  page += "<p>All numbers are in SI units.</p>\n" + checks(result);
+  page += lead(result) + checks(result);
   if (result.contains("message")) page += "<p>" + escaped(inline_text(result["message"])) + "</p>\n";
-  return page + figures(pictures) + tables(result) + origin(result) + "</body>\n</html>\n";
+  return page + figures(pictures) + before_and_after(result) + tables(result) + origin(result) +
+         "</body>\n</html>\n";
 }
 
 }  // namespace mariotte::report

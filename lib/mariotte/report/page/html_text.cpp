@@ -8,68 +8,7 @@
 namespace mariotte::report {
 namespace {
 
-constexpr std::size_t most_rows = 60;  // of a longer table the first and the last half of these
 constexpr std::size_t most_inline = 12;
-
-std::string cell(const Json& value) {
-  return fmt::format("<td{}>{}</td>", value.is_number() ? " class=\"n\"" : "", escaped(inline_text(value)));
-}
-
-std::string head(const std::vector<std::string>& names) {
-  std::string text = "<tr>";
-  for (const auto& name : names) text += "<th>" + escaped(name) + "</th>";
-  return text + "</tr>\n";
-}
-
-std::string framed(const std::string& rows) {
-  return "<div class=\"wide\"><table>\n" + rows + "</table></div>\n";
-}
-
-/// Rows 0 … count−1 as `row` writes them, the middle of many left out.
-template <class Row>
-std::string some(std::size_t count, std::size_t columns, const Row& row) {
-  std::string text;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (count > most_rows && i == most_rows / 2) {
-      const std::size_t left_out = count - most_rows;
-      text += fmt::format("<tr><td colspan=\"{}\">… {} more …</td></tr>\n", columns, left_out);
-      i += left_out;
-    }
-    text += row(i);
-  }
-  return text;
-}
-
-std::string of_objects(const Json& list) {
-  std::vector<std::string> names;
-  for (const auto& one : list)
-    for (const auto& [name, value] : one.items())
-      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-  auto all = names;
-  all.insert(all.begin(), "#");
-  return framed(head(all) + some(list.size(), all.size(), [&](std::size_t i) {
-                  auto row = fmt::format("<tr><td class=\"n\">{}</td>", i + 1);
-                  for (const auto& name : names) row += cell(list[i].value(name, Json(nullptr)));
-                  return row + "</tr>\n";
-                }));
-}
-
-std::string of_values(const Json& list) {
-  return framed(some(list.size(), 2, [&](std::size_t i) {
-    return fmt::format("<tr><td class=\"n\">{}</td>{}</tr>\n", i + 1, cell(list[i]));
-  }));
-}
-
-/// Members that are lists of one length stand side by side, the others one below the other.
-std::string of_members(const Json& object) {
-  std::string rows, lists;
-  for (const auto& [name, value] : object.items())
-    if (value.is_array() && value.size() > most_inline)
-      lists += "<h3>" + escaped(name) + "</h3>\n" + table(value);
-    else
-      rows += "<tr><th>" + escaped(name) + "</th>" + cell(value) + "</tr>\n";
-  return (rows.empty() ? "" : framed(rows)) + lists;
-}
 
 }  // namespace
 
@@ -118,12 +57,6 @@ std::string inline_text(const Json& value) {
     text += (text.empty() ? "" : ", ") + (one.is_array() ? "[" + inline_text(one) + "]" : inline_text(one));
   }
   return value.size() > most_inline ? fmt::format("{}, … ({} in all)", text, value.size()) : text;
-}
-
-std::string table(const Json& value) {
-  if (value.is_object()) return of_members(value);
-  if (!value.is_array()) return "<p>" + escaped(inline_text(value)) + "</p>\n";
-  return !value.empty() && value.front().is_object() ? of_objects(value) : of_values(value);
 }
 
 }  // namespace mariotte::report

@@ -15,7 +15,4 @@ std::string base64(std::string_view bytes);
 /// A number, word or list on one line: eight digits, a dash for null, the beginning of a long list.
 std::string inline_text(const Json& value);
 
-/// Any value as a table: one line per member of an object, per object of a list, or per number.
-std::string table(const Json& value);
-
 }  // namespace mariotte::report

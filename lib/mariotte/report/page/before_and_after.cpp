@@ -1,0 +1,124 @@
+#include "mariotte/report/page/before_and_after.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mariotte/report/page/html_table.hpp"
+#include "mariotte/report/page/html_text.hpp"
+
+namespace mariotte::report {
+namespace {
+
+constexpr const char* axis = "xyz";
+
+Json part(const Json& list, std::size_t first, std::size_t step) {
+  auto values = Json::array();
+  for (std::size_t i = first; i < list.size(); i += step) values.push_back(list[i]);
+  return values;
+}
+
+/// One line per ball, with as many columns of velocities as the balls have coordinates.
+std::string balls(const Json& before, const Json& after, std::size_t dimension) {
+  const auto& mass = before["mass"];
+  std::vector<Column> columns = {{"mass", "kg", part(mass, 0, dimension)}};
+  if (before.contains("radius")) columns.push_back({"radius", "m", before["radius"]});
+  for (std::size_t k = 0; k < dimension; ++k) {
+    const auto name = dimension > 1 ? fmt::format("velocity {} ", axis[k]) : "velocity ";
+    columns.push_back({name + "before", "m/s", part(before["velocity"], k, dimension)});
+    columns.push_back({name + "after", "m/s", part(after["velocity"], k, dimension)});
+  }
+  return table("ball", columns);
+}
+
+std::string freedoms(const Json& before, const Json& after) {
+  return table("degree of freedom",
+               {{"velocity before", "SI", before["velocity"]}, {"velocity after", "SI", after["velocity"]}});
+}
+
+/// "1–2" of the balls that each contact joins; empty if it joins none.
+Json pairs(const Json& contacts) {
+  auto names = Json::array();
+  for (const auto& one : contacts)
+    names.push_back(one.contains("balls") ? Json(fmt::format("{}–{}", one["balls"][0].get<Index>(),
+                                                             one["balls"][1].get<Index>()))
+                                          : Json(nullptr));
+  return names;
+}
+
+std::string contacts(const Json& scene) {
+  const auto& list = scene["contact"];
+  const auto each = [&](const char* name) {
+    auto values = Json::array();
+    for (const auto& one : list) values.push_back(one.value(name, Json(nullptr)));
+    return values;
+  };
+  return "<h3>Contacts at the start</h3>\n" +
+         table("contact", {{"balls", "", pairs(list)},
+                           {"law", "", each("law")},
+                           {"stiffness k [N/mⁿ]", "", each("stiffness")},
+                           {"damping [SI]", "", each("damping")},
+                           {"exponent n", "", each("exponent")},
+                           {"gap", "m", scene.contains("gap") ? scene["gap"] : each("gap")}});
+}
+
+std::string body(const Json& before, const Json& after) {
+  std::vector<Column> columns;
+  for (const auto& [name, unit] : {std::pair{"velocity", "m/s"}, std::pair{"spin", "rad/s"}}) {
+    columns.push_back({std::string(name) + " before", unit, before[name]});
+    columns.push_back({std::string(name) + " after", unit, after[name]});
+  }
+  return table("along e", columns);
+}
+
+bool is_complete(const Json& result) {
+  return result.contains("scene") && result.contains("final") && result["final"].contains("velocity");
+}
+
+/// "Of 16.34 mJ of kinetic energy 99.5 % is left."
+std::string energy(const Json& result) {
+  const auto energy = result.value("energy", Json::object());
+  if (!energy.contains("initial") || !energy.contains("final") || !energy["initial"].is_number()) return "";
+  const double before = energy["initial"], after = energy["final"];
+  if (!(before > 0) || energy.value("work", 0.0) != 0) return "";
+  return fmt::format(" Of {} of energy {:.4g} % is kinetic energy in the end.", quantity(before, "J"),
+                     100 * after / before);
+}
+
+/// The fastest of the balls of a chain.
+std::string fastest(const Json& result) {
+  if (result.value("model", "") != "chain") return "";
+  const auto& velocity = result["final"]["velocity"];
+  const auto faster = [](const Json& a, const Json& b) {
+    return std::abs(a.get<double>()) < std::abs(b.get<double>());
+  };
+  const auto most = std::max_element(velocity.begin(), velocity.end(), faster);
+  if (most == velocity.end()) return "";
+  return fmt::format(" Ball {} is the fastest then, at {}.", most - velocity.begin() + 1,
+                     quantity(most->get<double>(), "m/s"));
+}
+
+}  // namespace
+
+std::string lead(const Json& result) {
+  if (!result.contains("final") || !result["final"].contains("time") || !result.contains("events")) return "";
+  const auto time = quantity(result["final"]["time"].get<double>(), "s");
+  const bool is_over = result.value("ending", "") == "separated";
+  const auto start = is_over ? "The last contact has opened after " + time + "."
+                             : "The run ended (" + inline_text(result["ending"]) + ") after " + time + ".";
+  return "<p class=\"lead\">" + escaped(start + fastest(result) + energy(result)) + "</p>\n";
+}
+
+std::string before_and_after(const Json& result) {
+  if (!is_complete(result)) return "";
+  const auto& before = result["scene"];
+  const auto& after = result["final"];
+  const auto title = std::string("<h2>Before and after</h2>\n");
+  if (result.value("model", "") == "microbody") return title + body(before["incidence"], after);
+  const auto dimension = before.value("dimension", std::size_t{1});
+  return title + (dimension > 0 ? balls(before, after, dimension) : freedoms(before, after)) +
+         contacts(before);
+}
+
+}  // namespace mariotte::report

@@ -1,0 +1,179 @@
+#include "mariotte/report/page/html_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mariotte/impact/quantities/quantity.hpp"
+#include "mariotte/report/number.hpp"
+#include "mariotte/report/page/html_text.hpp"
+
+namespace mariotte::report {
+namespace {
+
+constexpr std::size_t most_rows = 60;  // of a longer table the first and the last half of these
+constexpr std::size_t most_inline = 12;
+
+template <class Impact>
+const impact::Description* find(std::string_view path) {
+  for (const auto& one : impact::quantities<Impact>())
+    if (one.is.key == path) return &one.is;
+  return nullptr;
+}
+
+const impact::Description* find(const std::string& model, std::string_view path) {
+  if (model == "chain") return find<impact::ChainImpact>(path);
+  if (model == "network") return find<impact::NetworkImpact>(path);
+  return model == "microbody" ? find<impact::MicrobodyImpact>(path) : nullptr;
+}
+
+/// Of a value, or of the numbers in its lists.
+const impact::Description* description(const Key& key) {
+  for (const char* brackets : {"", "[]", "[][]"})
+    if (const auto* found = find(key.model, key.path + brackets); found && !found->unit.empty()) return found;
+  return nullptr;
+}
+
+void collect(const Json& value, std::vector<double>& numbers) {
+  if (value.is_number()) numbers.push_back(value.get<double>());
+  if (value.is_array())
+    for (const auto& one : value) collect(one, numbers);
+}
+
+Display display_of(const Json& values, const std::string& unit) {
+  std::vector<double> numbers;
+  collect(values, numbers);
+  if (unit.empty() || unit == "1" || unit == "SI") return {.factor = 1, .unit = unit, .decimals = 0};
+  if (unit != "kg") return display_for(numbers, unit);
+  for (auto& number : numbers) number *= 1e3;  // "g" takes prefixes
+  auto display = display_for(numbers, "g");
+  display.factor *= 1e3;
+  return display;
+}
+
+std::string words(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
+/// "peak force max f_j [kN]"
+std::string heading(const Column& column, const Display& display) {
+  const bool has_unit = !display.unit.empty() && display.unit != "1";
+  return column.name + (has_unit ? " [" + display.unit + "]" : "");
+}
+
+std::string digits(const Json& value, double factor) {
+  if (value.is_number_float()) return fmt::format("{:.4g}", factor * value.get<double>());
+  if (!value.is_array()) return inline_text(value);
+  std::string text;
+  for (std::size_t i = 0; i < std::min(value.size(), most_inline); ++i) {
+    const auto inner = digits(value[i], factor);
+    text += (text.empty() ? "" : ", ") + (value[i].is_array() ? "[" + inner + "]" : inner);
+  }
+  return value.size() > most_inline ? fmt::format("{}, … ({} in all)", text, value.size()) : text;
+}
+
+std::string cell(const Json& value, double factor) {
+  const auto title = value.is_number_float() ? fmt::format(" title=\"{}\"", exact(value.get<double>())) : "";
+  return fmt::format("<td{}{}>{}</td>", value.is_number() ? " class=\"n\"" : "", title,
+                     escaped(digits(value, factor)));
+}
+
+std::string framed(const std::string& rows) {
+  return "<div class=\"wide\"><table>\n" + rows + "</table></div>\n";
+}
+
+/// Rows 0 … count−1 as `row` writes them, the middle of many left out.
+template <class Row>
+std::string some(std::size_t count, std::size_t columns, const Row& row) {
+  std::string text;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (count > most_rows && i == most_rows / 2) {
+      const std::size_t left_out = count - most_rows;
+      text += fmt::format("<tr><td colspan=\"{}\">… {} more …</td></tr>\n", columns, left_out);
+      i += left_out;
+    }
+    text += row(i);
+  }
+  return text;
+}
+
+bool is_empty(const Json& values) {
+  return std::all_of(values.begin(), values.end(),
+                     [](const Json& one) { return one.is_null() || (one.is_array() && one.empty()); });
+}
+
+Column column(const std::string& name, const Key& key, Json values) {
+  const auto* is = description(key);
+  auto title = words(name);
+  if (is && !is->symbol.empty()) title += " " + std::string(is->symbol);
+  return {title, is ? std::string(is->unit) : "", std::move(values)};
+}
+
+std::string of_objects(const Json& list, const Key& key) {
+  std::vector<std::string> names;
+  for (const auto& one : list)
+    for (const auto& [name, value] : one.items())
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  std::vector<Column> columns;
+  for (const auto& name : names) {
+    auto values = Json::array();
+    for (const auto& one : list) values.push_back(one.value(name, Json(nullptr)));
+    columns.push_back(column(name, {key.model, key.path + "[]." + name}, std::move(values)));
+  }
+  return table("#", columns);
+}
+
+/// Members that are lists of one length stand side by side, the others one below the other.
+std::string of_members(const Json& object, const Key& key) {
+  std::string rows, lists;
+  for (const auto& [name, value] : object.items()) {
+    const Key member{key.model, key.path + "." + name};
+    if (value.is_array() && value.size() > most_inline) {
+      lists += "<h3>" + escaped(words(name)) + "</h3>\n" + table(value, member);
+      continue;
+    }
+    const auto one = column(name, member, value);
+    const auto display = display_of(value, one.unit);
+    rows += "<tr><th>" + escaped(heading(one, display)) + "</th>" + cell(value, display.factor) + "</tr>\n";
+  }
+  return (rows.empty() ? "" : framed(rows)) + lists;
+}
+
+}  // namespace
+
+std::string table(const std::string& head, const std::vector<Column>& columns) {
+  std::vector<const Column*> shown;
+  std::vector<double> factor;
+  std::string header = "<tr><th>" + escaped(head) + "</th>";
+  for (const auto& one : columns) {
+    if (is_empty(one.values)) continue;
+    const auto display = display_of(one.values, one.unit);
+    header += "<th>" + escaped(heading(one, display)) + "</th>";
+    factor.push_back(display.factor);
+    shown.push_back(&one);
+  }
+  const bool is_named = columns.size() > 1 || !columns[0].name.empty();
+  const std::size_t rows = columns.empty() ? 0 : columns.front().values.size();
+  return framed((is_named ? header + "</tr>\n" : "") + some(rows, shown.size() + 1, [&](std::size_t i) {
+                  auto row = fmt::format("<tr><td class=\"n\">{}</td>", i + 1);
+                  for (std::size_t k = 0; k < shown.size(); ++k) row += cell(shown[k]->values[i], factor[k]);
+                  return row + "</tr>\n";
+                }));
+}
+
+std::string table(const Json& value, const Key& key) {
+  if (value.is_object()) return of_members(value, key);
+  if (!value.is_array()) return "<p>" + escaped(inline_text(value)) + "</p>\n";
+  if (!value.empty() && value.front().is_object()) return of_objects(value, key);
+  const auto* is = description(key);
+  return table("#", {{is ? std::string(is->symbol) : "", is ? std::string(is->unit) : "", value}});
+}
+
+std::string quantity(double value, const std::string& unit) {
+  const auto display = display_of(Json(value), unit);
+  return fmt::format("{:.4g} {}", display.factor * value, display.unit);
+}
+
+}  // namespace mariotte::report
