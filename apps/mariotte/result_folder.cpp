@@ -115,6 +115,12 @@ bool can_trace(const scene::Scene& scene) {
   return std::visit(size, scene.model) <= most_balls_traced;
 }
 
+std::vector<std::string> result_files(const std::filesystem::path& folder) {
+  auto names = file_names();
+  std::erase_if(names, [&](const std::string& name) { return !std::filesystem::exists(folder / name); });
+  return names;
+}
+
 void prepare_result_folder(const std::filesystem::path& folder, bool force) {
   const auto names = file_names();
   report::prepare_folder(folder, names, force);

@@ -2,6 +2,7 @@
 #pragma once
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "mariotte/impact/chain/chain_impact.hpp"
 #include "mariotte/impact/microbody/microbody_impact.hpp"
@@ -14,6 +15,9 @@ namespace mariotte::command {
 
 /// Whether samples of the scene fit into memory and files of sensible size.
 bool can_trace(const scene::Scene& scene);
+
+/// Names of the files of a run that are in the folder.
+std::vector<std::string> result_files(const std::filesystem::path& folder);
 
 /// Create the folder; without `force`, throw report::FileError if it holds a file that would be written.
 void prepare_result_folder(const std::filesystem::path& folder, bool force);

@@ -14,6 +14,7 @@
 #include "mariotte/report/table/table.hpp"
 #include "report_page.hpp"
 #include "result_folder.hpp"
+#include "run_notes.hpp"
 #include "run_progress.hpp"
 #include "scene_choice.hpp"
 #include "trace_choice.hpp"
@@ -70,31 +71,6 @@ auto simulate(const Run& options, const Model& model, const scene::Scene& scene,
   return impact;
 }
 
-/// Says where the promise of an accuracy could not be kept.
-template <class Impact>
-void warn_of_error(const Run& options, const Impact& impact) {
-  if (options.scene.quiet || !impact.estimated_accuracy) return;
-  if (*impact.estimated_accuracy > impact.requested_accuracy)
-    warning(
-        fmt::format("velocities may be wrong by {:.1e} of the largest speed, where {:g} was asked: "
-                    "contacts close so often that errors grow",
-                    *impact.estimated_accuracy, impact.requested_accuracy));
-}
-
-/// Balls that fly past each other are a slip more often than wanted.
-void warn_of_nothing(const Run& options, const impact::ContactImpact& impact) {
-  if (!options.scene.quiet && impact.events.empty() && impact.ending == hybrid::Ending::separated)
-    warning("nothing collides: no contact ever closes");
-}
-void warn_of_nothing(const Run&, const impact::MicrobodyImpact&) {}
-
-/// A time limit is the user's own wish, though not an end of the impact.
-void tell_ending(hybrid::Ending ending, const std::string& why) {
-  if (why.empty()) return;
-  if (ending == hybrid::Ending::time_limit) return warning(why);
-  error(why, fault_of(ending));
-}
-
 /// The model as it was understood; empty for one so large that the result would be twice as long.
 report::Json resolved(const scene::Scene& scene) {
   if (!can_trace(scene)) return {};
@@ -123,12 +99,15 @@ int finish(const Run& options, const Impact& impact, const scene::Scene& scene, 
     const std::string shortfall = write_result_folder(options.out, result, impact, scene, waves...);
     if (!shortfall.empty() && !options.scene.quiet) warning("no figures: " + shortfall);
     if (options.report) write_report_page(options.out, result);
-    if (options.verbose) note("wrote " + options.out);
+    if (!options.scene.quiet)
+      note("wrote " + options.out + ": " + fmt::format("{}", fmt::join(result_files(options.out), ", ")));
   }
   print(options.json ? report::text(result) : report::table(impact, scene));
-  warn_of_error(options, impact);
-  warn_of_nothing(options, impact);
-  tell_ending(impact.ending, report::reason(impact.ending, impact.message, scene));
+  if (!options.scene.quiet) {
+    warn_of_error(impact);
+    warn_of_nothing(impact);
+  }
+  tell_ending(impact.ending, impact.message, scene);
   return report::is_wanted(impact.ending, scene) ? ExitCode::ok : exit_code(impact.ending);
 }
 

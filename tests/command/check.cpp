@@ -90,6 +90,12 @@ BOOST_FIXTURE_TEST_CASE(check_prints_the_restitution_of_damped_contacts, Session
   BOOST_TEST(!has(mariotte("check three.toml").out, "e at"));
 }
 
+BOOST_FIXTURE_TEST_CASE(version_says_what_the_program_can_use, Session) {
+  const auto version = mariotte("version").out;
+  for (const char* part : {"\nMPI ", "\nHDF5 ", "\ngnuplot "}) BOOST_TEST(has(version, part));
+  BOOST_TEST(has(shell("PATH=/nowhere \"$mariotte\" version").out, "\ngnuplot none\n"));
+}
+
 BOOST_FIXTURE_TEST_CASE(materials_lists_values_and_their_sources, Session) {
   const auto table = mariotte("materials");
   BOOST_TEST(table.code == 0);

@@ -53,7 +53,7 @@ BOOST_FIXTURE_TEST_CASE(a_run_killed_at_any_moment_leaves_whole_files, Session) 
 
 BOOST_FIXTURE_TEST_CASE(a_killed_trace_leaves_the_rows_it_had, Session) {
   const auto killed = shell(
-      "\"$mariotte\" run three.toml --trace wave.csv --every 1e-7 -q & run=$!; "
+      "\"$mariotte\" run three.toml --trace wave.csv --every 1e-7 -q --force & run=$!; "
       "until [ -s wave.csv.$run.part ]; do kill -0 $run || exit 9; done; kill -s KILL $run; wait $run");
   BOOST_TEST(killed.code == 137);
   BOOST_TEST(!fs::exists(folder / "wave.csv"));

@@ -55,6 +55,13 @@ BOOST_FIXTURE_TEST_CASE(out_holds_result_events_trace_and_plot, Session) {
   BOOST_TEST(content(folder / "a/b/trace.csv").starts_with("time [s],v1 [m/s],v2 [m/s],v3 [m/s],gap1 [m]"));
 }
 
+BOOST_FIXTURE_TEST_CASE(a_run_lists_what_it_wrote, Session) {
+  const auto run = mariotte("run three.toml --out results --report");
+  for (const auto& entry : fs::directory_iterator(folder / "results"))
+    BOOST_TEST(has(run.err, entry.path().filename().string()));
+  BOOST_TEST(has(run.err, "mariotte: wrote results: "));
+}
+
 BOOST_FIXTURE_TEST_CASE(figures_are_drawn_or_their_absence_is_said, Session) {
   const auto run = mariotte("run three.toml --out results");
   const bool drawn = fs::exists(folder / "results/forces.png") && fs::exists(folder / "results/energy.svg");
@@ -194,7 +201,7 @@ BOOST_FIXTURE_TEST_CASE(a_pair_prints_the_restitution_it_had, Session) {
 }
 
 BOOST_FIXTURE_TEST_CASE(an_end_that_is_wanted_is_no_limit, Session) {
-  const auto run = mariotte("run three.toml --set run.until=2 --out results --report");
+  const auto run = mariotte("run three.toml --set run.until=2 --out results --report -q");
   BOOST_TEST(run.code == 0);
   BOOST_TEST(run.err == "");
   BOOST_TEST(has(run.out, "ended at 2.0000000 s"));

@@ -1,5 +1,6 @@
 // What stands for report/hdf5 in a program that is built without HDF5.
 #include "mariotte/report/page/files.hpp"
+#include "mariotte/report/page/provenance.hpp"
 #include "mariotte/report/sweep_file.hpp"
 #include "mariotte/report/trace_file.hpp"
 
@@ -11,6 +12,10 @@ namespace {
 }
 
 }  // namespace
+
+std::string hdf5_version() {
+  return "";
+}
 
 std::unique_ptr<TraceFile> new_hdf5_trace(const std::filesystem::path& path, const std::vector<Index>&,
                                           const std::vector<Index>&) {

@@ -5,8 +5,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
+#include <memory>
 
 #include "mariotte/report/page/files.hpp"
 
@@ -87,6 +90,14 @@ std::string on_both_terminals(const std::string& name, const std::string& plot) 
 
 std::vector<std::string> files_of_figure(const std::string& name) {
   return {name + ".png", name + ".svg"};
+}
+
+std::string gnuplot_version() {
+  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(::popen("gnuplot --version 2>/dev/null", "r"), ::pclose);
+  std::array<char, 100> line{};
+  if (!pipe || !std::fgets(line.data(), line.size(), pipe.get())) return "";
+  const std::string text = line.data();
+  return text.substr(text.find(' ') + 1, text.find('\n') - text.find(' ') - 1);
 }
 
 std::string draw(const std::filesystem::path& folder, const std::vector<std::string>& figures) {

@@ -24,6 +24,9 @@ std::string on_both_terminals(const std::string& name, const std::string& plot);
 /// The two files that these commands make.
 std::vector<std::string> files_of_figure(const std::string& name);
 
+/// "5.4 patchlevel 4", or empty if gnuplot is not installed.
+std::string gnuplot_version();
+
 /// Run plot.gp in `folder`; the figures, files of these names that it makes in the folder named by its
 /// variable `folder`, appear all at once. Returns an empty text, or why there are no figures: gnuplot is not
 /// installed, or it failed.

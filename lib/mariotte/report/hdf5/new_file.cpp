@@ -7,6 +7,7 @@
 
 #include "mariotte/report/hdf5/file_driver.hpp"
 #include "mariotte/report/page/files.hpp"
+#include "mariotte/report/page/provenance.hpp"
 
 namespace mariotte::report::hdf5 {
 
@@ -47,3 +48,9 @@ std::filesystem::path NewFile::leave() {
 }
 
 }  // namespace mariotte::report::hdf5
+
+std::string mariotte::report::hdf5_version() {
+  unsigned major = 0, minor = 0, release = 0;
+  H5::H5Library::getLibVersion(major, minor, release);
+  return std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(release);
+}

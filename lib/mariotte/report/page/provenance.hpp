@@ -14,4 +14,7 @@ struct Provenance {
 /// The provenance of this very program.
 Provenance provenance();
 
+/// Of the HDF5 that is linked; empty if the program was built without it.
+std::string hdf5_version();
+
 }  // namespace mariotte::report

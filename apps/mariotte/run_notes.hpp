@@ -1,0 +1,25 @@
+// What a run says on stderr beside its result.
+#pragma once
+#include "mariotte/impact/chain/chain_impact.hpp"
+#include "mariotte/impact/microbody/microbody_impact.hpp"
+#include "mariotte/scene/scene.hpp"
+
+namespace mariotte::command {
+
+void warn_of_error(double estimated, double requested);
+
+/// Where the promise of an accuracy could not be kept.
+template <class Impact>
+void warn_of_error(const Impact& impact) {
+  if (impact.estimated_accuracy && *impact.estimated_accuracy > impact.requested_accuracy)
+    warn_of_error(*impact.estimated_accuracy, impact.requested_accuracy);
+}
+
+/// Balls that fly past each other are a slip more often than wanted.
+void warn_of_nothing(const impact::ContactImpact& impact);
+inline void warn_of_nothing(const impact::MicrobodyImpact&) {}
+
+/// Why a run ended early. A time limit is the user's own wish, and only warned of.
+void tell_ending(hybrid::Ending ending, const std::string& message, const scene::Scene& scene);
+
+}  // namespace mariotte::command
