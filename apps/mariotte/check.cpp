@@ -20,9 +20,12 @@ struct CheckOptions {
 };
 
 /// What its [[sweep]] tables would do, if the scene has any. Throws SceneError if they make no sense.
-std::string check_sweep(scene::Document document) {
+std::string check_sweep(scene::Document document, bool quiet) {
   if (!find(*document.tree.table(), "sweep")) return "";
+  document.source.warnings.clear();  // the scene has told them
   const auto design = study::read_design(document);
+  if (!quiet)
+    for (const auto& one : document.source.warnings) warning(one);
   return fmt::format("\nSweep\n  {} points, varying {}\n", design.points(),
                      fmt::join(study::keys(design), ", "));
 }
@@ -30,7 +33,7 @@ std::string check_sweep(scene::Document document) {
 int check(const CheckOptions& options) {
   const auto document = open(options.scene);
   const auto scene = resolve(options.scene, document);
-  const auto sweep = check_sweep(document);
+  const auto sweep = check_sweep(document, options.scene.quiet);
   print(options.json ? report::text(report::json(scene)) : report::table(scene) + sweep);
   return ExitCode::ok;
 }

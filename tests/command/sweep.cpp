@@ -119,6 +119,16 @@ BOOST_FIXTURE_TEST_CASE(a_sweep_is_drawn_unless_it_shall_not, Session) {
   BOOST_TEST(has(missing.err, "gnuplot is not installed; data and script are in bare/plot.gp"));
 }
 
+BOOST_FIXTURE_TEST_CASE(a_step_that_misses_the_end_of_its_range_warns_once, Session) {
+  write("steps.toml", std::string(support::three_balls) +
+                          "[[sweep]]\nkey = 'chain.velocity[0]'\nfrom = 1\nto = 2\nstep = 0.3\n");
+  const std::string warning =
+      "mariotte: warning: steps.toml:13:8: sweep[0].step: does not lead to 'to' in whole steps; the last "
+      "value is 1.9\n";
+  BOOST_TEST(mariotte("check steps.toml").err == warning);
+  BOOST_TEST(mariotte("sweep steps.toml --out out --no-figures").err == warning);
+}
+
 BOOST_FIXTURE_TEST_CASE(a_constant_column_does_not_hide_the_numbers_of_the_next, Session) {
   if (shell("command -v gnuplot").code != 0) return;
   write("speeds.toml", std::string(support::three_balls) +
