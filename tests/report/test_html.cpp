@@ -62,6 +62,11 @@ BOOST_AUTO_TEST_CASE(every_part_of_a_result_is_on_the_page) {
   BOOST_TEST(count(page, "<tr>") == count(page, "</tr>"));
 }
 
+BOOST_AUTO_TEST_CASE(a_network_has_no_ratios_of_contacts_that_happen_to_be_numbered_so) {
+  BOOST_TEST(has(report::html({{"model", "chain"}, {"icr", {1.5}}}, {}), "Impulse correlation ratios"));
+  BOOST_TEST(!has(report::html({{"model", "network"}, {"icr", {1.5}}}, {}), "Impulse correlation ratios"));
+}
+
 BOOST_AUTO_TEST_CASE(a_page_cites_what_its_scene_rests_on) {
   const auto chain = report::html({{"model", "chain"}}, {}),
              body = report::html({{"model", "microbody"}}, {});

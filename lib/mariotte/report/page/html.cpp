@@ -119,8 +119,9 @@ std::string tables(const Json& result) {
   std::string text;
   const auto model = result.value("model", "");
   std::set<std::string> done = elsewhere;
+  if (model == "network") done.insert("icr");  // numbers of contacts that need not be neighbours
   for (const auto& [key, title] : sections)
-    if (done.insert(key); result.contains(key) && !result[key].empty())
+    if (done.insert(key).second && result.contains(key) && !result[key].empty())
       text += section(title, table(result[key], {model, key}));
   for (const auto& [key, value] : result.items())
     if (!done.contains(key) && !value.is_null()) text += section(key, table(value, {model, key}));
