@@ -128,6 +128,8 @@ contact::Law read_law(const Source& source, const LawTables& tables, Index conta
            "'law' is missing (" + contact::names_of_laws() + ")");
   const auto& law = read_name(source, *field);
   const double exponent = read_exponent(source, tables, contact, law);
+  if (const auto at = tables.find_for(contact, "at"); at && !tables.find_for(contact, "restitution"))
+    reject(source, *at, fault::misplaced, "has no effect without 'restitution'");
   const auto restitution = find_restitution(source, tables, contact);
   const double given = restitution ? 0 : read_damping(source, tables, contact, *field, law, exponent);
   const double stiffness = read_stiffness(source, tables, contact, *field, exponent, pair);

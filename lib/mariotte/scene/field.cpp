@@ -109,6 +109,12 @@ double number(const Source& source, const Field& field, const Dimension& dimensi
   return value;
 }
 
+double optional_number(const Source& source, const Field& table, const char* key, const Dimension& dimension,
+                       Domain domain, double otherwise) {
+  const auto field = find(table, key);
+  return field ? number(source, *field, dimension, domain) : otherwise;
+}
+
 std::vector<double> numbers(const Source& source, const Field& array, const Dimension& dimension,
                             Domain domain) {
   if (!array.node->array()) wrong_type(source, array, "an array");

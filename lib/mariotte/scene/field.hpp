@@ -46,6 +46,10 @@ void expect_keys(const Source& source, const Field& table, std::span<const std::
 /// A number, or a string with a unit of this dimension [SI].
 double number(const Source& source, const Field& field, const Dimension& dimension, Domain domain);
 
+/// The same of a key that may be missing.
+double optional_number(const Source& source, const Field& table, const char* key, const Dimension& dimension,
+                       Domain domain, double otherwise);
+
 /// An array of such numbers.
 std::vector<double> numbers(const Source& source, const Field& array, const Dimension& dimension,
                             Domain domain);

@@ -1,0 +1,125 @@
+#include "mariotte/scene/surface_reader.hpp"
+
+#include <array>
+
+#include "mariotte/scene/restitution.hpp"
+
+namespace mariotte::scene {
+namespace {
+
+constexpr std::array<std::string_view, 14> keys{"material",
+                                                "restitution",
+                                                "at",
+                                                "law",
+                                                "stiffness",
+                                                "work_of_adhesion",
+                                                "zeta_hertz",
+                                                "damping_hertz",
+                                                "zeta_adhesion",
+                                                "damping_adhesion",
+                                                "friction",
+                                                "hertz_prefactor",
+                                                "adhesion_prefactor",
+                                                "lever"};
+constexpr std::array<std::string_view, 1> laws{"brach-dunn"};
+constexpr std::array<std::string_view, 2> levers{"radius", "indented"};
+constexpr Dimension adhesion_dimension{.kg = 1, .s = -2};
+constexpr Dimension damping_dimension{.m = -1, .s = 1};
+
+double positive(const Source& source, const Field& table, const char* key, const Dimension& dimension) {
+  const auto field = find(table, key);
+  if (!field) reject(source, table, fault::missing, "'" + std::string(key) + "' is missing");
+  return number(source, *field, dimension, Domain::positive);
+}
+
+/// A damping coefficient, either itself or by its ζ; `formula(ζ, prefactor)` needs what may be missing.
+template <class Formula>
+double read_damping(const Source& source, const Field& surface, const std::string& name, double prefactor,
+                    const contact::Surface& material, const std::optional<double>& density,
+                    Formula&& formula) {
+  const auto own = find(surface, "damping_" + name), zeta = find(surface, "zeta_" + name);
+  if (own && zeta)
+    reject(source, *zeta, fault::contradiction, "'damping_" + name + "' is given, too; give one of them");
+  const auto factor = find(surface, name + "_prefactor");
+  if (factor) prefactor = number(source, *factor, dimension::none, Domain::positive);
+  if (factor && !zeta) reject(source, *factor, fault::misplaced, "has no effect without 'zeta_" + name + "'");
+  if (own) return number(source, *own, damping_dimension, Domain::not_negative);
+  if (!zeta) return 0;
+  const double value = number(source, *zeta, dimension::none, Domain::not_negative);
+  if (value == 0) return 0;
+  if (!(material.adhesion > 0))
+    reject(source, *zeta, fault::missing, "needs a work of adhesion (give 'damping_" + name + "' instead)");
+  if (!density) reject(source, *zeta, fault::missing, "needs 'body.density'");
+  return formula(value, *density, prefactor);
+}
+
+/// C_H that gives a restitution beside the other parameters; `law` has none yet.
+double solve_hertz_damping(const Source& source, const Field& surface, const Field& restitution,
+                           const contact::Surface& material, double radius, double damping_adhesion,
+                           double mass, double speed) {
+  for (const auto* key : {"damping_hertz", "zeta_hertz"})
+    if (find(surface, key))
+      reject(source, restitution, fault::contradiction,
+             "'" + std::string(key) + "' is given, too; give one of them");
+  const double e = number(source, restitution, dimension::none, Domain::positive);
+  if (e > 1) reject(source, restitution, fault::out_of_range, "must not be above 1");
+  const double at = optional_number(source, surface, "at", dimension::velocity, Domain::positive, speed);
+  const auto damping = hertz_damping(material, radius, damping_adhesion, e, mass, at);
+  if (!damping)
+    reject(source, restitution, fault::out_of_range, "is out of reach: adhesion damping alone takes more");
+  return *damping;
+}
+
+/// K, or (4/3) E* of the materials of body and surface.
+double read_stiffness(Source& source, const Field& surface, const Shape& shape) {
+  const auto own = find(surface, "material");
+  if (find(surface, "stiffness") || !own) return positive(source, surface, "stiffness", dimension::pressure);
+  const auto plane = elastic(read_material(source, *own));
+  const auto body = elastic(shape.material.value_or(Material{}));
+  if (!plane || !body)
+    reject(source, *own, fault::no_stiffness,
+           "gives a stiffness only with young and poisson of 'surface.material' and 'body.material'");
+  return contact::hertz_stiffness(*plane, infinity, *body, 1);
+}
+
+contact::BrachDunn read_law(Source& source, const Field& surface, double radius, const Shape& shape,
+                            double speed) {
+  const auto& density = shape.density;
+  const contact::Surface material{.stiffness = read_stiffness(source, surface, shape),
+                                  .adhesion = optional_number(source, surface, "work_of_adhesion",
+                                                              adhesion_dimension, Domain::not_negative, 0)};
+  double hertz = read_damping(source, surface, "hertz", contact::hertz_prefactor, material, density,
+                              [&](double zeta, double rho, double prefactor) {
+                                return contact::hertz_damping(zeta, material, radius, rho, speed, prefactor);
+                              });
+  const double adhesion =
+      read_damping(source, surface, "adhesion", contact::adhesion_prefactor, material, density,
+                   [&](double zeta, double rho, double prefactor) {
+                     return contact::adhesion_damping(zeta, material, radius, rho, speed, prefactor);
+                   });
+  const auto restitution = find(surface, "restitution");
+  if (const auto at = find(surface, "at"); at && !restitution)
+    reject(source, *at, fault::misplaced, "has no effect without 'restitution'");
+  if (restitution)
+    hertz = solve_hertz_damping(source, surface, *restitution, material, radius, adhesion, shape.body.mass,
+                                speed);
+  return contact::brach_dunn(material, radius, hertz, adhesion);
+}
+
+}  // namespace
+
+void expect_surface_keys(const Source& source, const Field& surface) {
+  expect_keys(source, surface, keys);
+}
+
+void read_surface(Source& source, const Field& surface, const Shape& shape, double speed,
+                  model::Microbody& body) {
+  if (const auto law = find(surface, "law")) choice(source, *law, "law", laws);
+  for (const auto& tip : shape.body.tips)
+    body.law.push_back(read_law(source, surface, tip.radius, shape, speed));
+  body.friction = {optional_number(source, surface, "friction", dimension::none, Domain::not_negative, 0)};
+  if (const auto lever = find(surface, "lever"))
+    body.lever = choice(source, *lever, "lever", levers) == 0 ? model::Lever::radius : model::Lever::indented;
+}
+
+}  // namespace mariotte::scene
