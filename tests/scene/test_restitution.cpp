@@ -141,6 +141,8 @@ BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused_at_its_place) {
   BOOST_TEST(
       has(rejection("[chain]\nmass = [1, 1]\nstiffness = 1\nlaw = 'viscoelastic'\nrestitution = 0.5\n"),
           "needs 'at'"));
+  BOOST_TEST(
+      has(rejection(damped + "exponent = 1e300\nrestitution = 0.5\n"), "s.toml:7:15: chain.restitution: "));
   BOOST_TEST(has(rejection(damped), "needs a damping, or a restitution"));
   BOOST_TEST(has(rejection(damped + "damping = 1\nat = 1\n"), "has no effect without 'restitution'"));
 }

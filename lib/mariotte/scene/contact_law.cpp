@@ -84,9 +84,15 @@ double solve_damping(const Source& source, const LawTables& tables, Index contac
            "law '" + std::string(law.name) + "' has no damping (viscoelastic and hunt-crossley have)");
   const auto encounter =
       read_encounter(source, tables, contact, field, encounters, depends_on_speed(law, exponent));
-  const auto damping = encounters.solver.damping(law, stiffness, exponent, e, encounter);
-  if (!damping) reject(source, field, fault::out_of_range, "is smaller than any damping makes it");
-  return *damping;
+  try {
+    const auto damping = encounters.solver.damping(law, stiffness, exponent, e, encounter);
+    if (!damping) reject(source, field, fault::out_of_range, "is smaller than any damping makes it");
+    if (!(*damping > 0) || !std::isfinite(*damping))
+      reject(source, field, fault::out_of_range, "has no damping that double precision can carry");
+    return *damping;
+  } catch (const InvalidParameter& error) {
+    reject(source, field, error.fault, error.what());
+  }
 }
 
 /// From the materials and radii of the two balls [N/m^1.5].

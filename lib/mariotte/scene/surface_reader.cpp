@@ -64,10 +64,14 @@ double solve_hertz_damping(const Source& source, const Field& surface, const Fie
   const double e = number(source, restitution, dimension::none, Domain::positive);
   if (e > 1) reject(source, restitution, fault::out_of_range, "must not be above 1");
   const double at = optional_number(source, surface, "at", dimension::velocity, Domain::positive, speed);
-  const auto damping = hertz_damping(material, radius, damping_adhesion, e, mass, at);
-  if (!damping)
-    reject(source, restitution, fault::out_of_range, "is out of reach: adhesion damping alone takes more");
-  return *damping;
+  try {
+    const auto damping = hertz_damping(material, radius, damping_adhesion, e, mass, at);
+    if (!damping)
+      reject(source, restitution, fault::out_of_range, "is out of reach: adhesion damping alone takes more");
+    return *damping;
+  } catch (const InvalidParameter& error) {
+    reject(source, restitution, error.fault, error.what());
+  }
 }
 
 /// K, or (4/3) E* of the materials of body and surface.

@@ -95,6 +95,13 @@ std::string placed_balls(const model::Network& network, const scene::Scene& scen
   return columns(header, std::ssize(network.velocity) / d, row);
 }
 
+/// e of a contact alone; a dash for speeds beyond what double precision can carry.
+std::string restitution(const contact::Law& law, const scene::Encounter& encounter) try {
+  return fmt::format("{:.8f}", scene::restitution(law, encounter));
+} catch (const InvalidParameter&) {
+  return "–";
+}
+
 /// What pairs alone would do at the speed of the scene and beside it, where that is not simply elastic.
 template <class Model>
 std::string restitutions(const Model& model) {
@@ -108,9 +115,8 @@ std::string restitutions(const Model& model) {
   const auto row = [&](Index j) {
     TableRow cells = {fmt::format("{}", j + 1)};
     for (const double factor : {0.1, 1.0, 10.0})
-      cells.push_back(fmt::format("{:.8f}", scene::restitution(model.law[static_cast<std::size_t>(j)],
-                                                               {.reduced_mass = scene::reduced_mass(model, j),
-                                                                .speed = factor * speed})));
+      cells.push_back(restitution(model.law[static_cast<std::size_t>(j)],
+                                  {.reduced_mass = scene::reduced_mass(model, j), .speed = factor * speed}));
     return cells;
   };
   return "\nRestitution of each contact alone\n" + columns(header, std::ssize(model.law), row);
