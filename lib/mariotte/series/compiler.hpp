@@ -180,22 +180,21 @@ class Compiler {
     for (int i = 0; i < program_.steps; ++i)
       if (!program_.step[i].seen) place_convolutions(i);
   }
-  constexpr int convolve(int a, int b) {
+  constexpr int convolve(Factor a, Factor b) {
     program_.convolution[program_.convolutions] = {a, b};
     return program_.convolutions++;
   }
   constexpr void place_convolutions(int i) {
     Step& step = program_.step[i];
-    const auto row = [&](int s) { return program_.step[s].row; };
-    const auto slopes = [&](int s) { return program_.step[s].slopes; };
-    if (step.op == Op::product) step.sum = convolve(row(step.a), row(step.b));
-    if (step.op == Op::quotient) step.sum = convolve(row(step.b), step.row);
-    if (step.op == Op::root) step.sum = convolve(step.row, step.row);
-    if (step.op == Op::exponential) step.sum = convolve(slopes(step.a), step.row);
-    if (step.op == Op::sine || step.op == Op::cosine) step.sum = convolve(slopes(step.a), row(step.b));
+    const Factor self{i}, a{step.a}, b{step.b}, slopes{step.a, true};
+    if (step.op == Op::product) step.sum = convolve(a, b);
+    if (step.op == Op::quotient) step.sum = convolve(b, self);
+    if (step.op == Op::root) step.sum = convolve(self, self);
+    if (step.op == Op::exponential) step.sum = convolve(slopes, self);
+    if (step.op == Op::sine || step.op == Op::cosine) step.sum = convolve(slopes, b);
     if (step.op == Op::power) {
-      step.sum = convolve(slopes(step.a), step.row);
-      step.other_sum = convolve(row(step.a), step.row);
+      step.sum = convolve(slopes, self);
+      step.other_sum = convolve(a, self);
     }
   }
 
@@ -210,12 +209,12 @@ constexpr Program compile() {
   Recording recording;
   States<Field, Symbol> x{};
   Parameters<Field, Symbol> p{};
-  for (int i = 0; i < Field::states; ++i) x[i] = Symbol(recording, recording.make_state(i));
+  for (int i = 0; i < states_of<Field>; ++i) x[i] = Symbol(recording, recording.make_state(i));
   for (int i = 0; i < Field::parameters; ++i) p[i] = Symbol(recording, recording.make_parameter(i));
-  const Rows<Field, Symbol> row = Field::rates(x, p);
-  int node[Field::rows] = {};
-  for (int i = 0; i < Field::rows; ++i) node[i] = row[i].node_in(recording);
-  return Compiler(recording).run(node, Field::states, Field::rows);
+  const Values<Field, Symbol> row = Field::rates(x, p);
+  int node[rows_of<Field>] = {};
+  for (int i = 0; i < rows_of<Field>; ++i) node[i] = row[i].node_in(recording);
+  return Compiler(recording).run(node, states_of<Field>, rows_of<Field>);
 }
 
 /// The program of a field.

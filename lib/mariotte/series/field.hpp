@@ -29,11 +29,17 @@
 
 namespace mariotte::series {
 
+/// How many states and rows a field has.
+template <class Field>
+inline constexpr int states_of = Field::states;
+template <class Field>
+inline constexpr int rows_of = Field::rows;
+
 template <class Field, class T>
 using States = std::array<T, Field::states>;
 template <class Field, class T>
 using Parameters = std::array<T, Field::parameters>;
 template <class Field, class T>
-using Rows = std::array<T, Field::rows>;
+using Values = std::array<T, Field::rows>;
 
 }  // namespace mariotte::series

@@ -25,9 +25,15 @@ struct Step {
   int sum = -1, other_sum = -1;  ///< its convolutions
 };
 
-/// Σ a_j b_{k−j} of two rows.
+/// The series of a step, or of its slopes, j times its coefficient j.
+struct Factor {
+  int step = 0;
+  bool slopes = false;
+  constexpr bool operator==(const Factor&) const = default;
+};
+/// Σ a_j b_{k−j}.
 struct Convolution {
-  int a, b;
+  Factor a, b;
 };
 
 /// Everything that the compiler has to know about a field to unroll its recurrences.
@@ -41,6 +47,8 @@ struct Program {
   Term value[limit] = {};  ///< of each row beyond; step −1: only the factor, else the step that keeps it
   int steps = 0, terms = 0, fixed_values = 0, rows = 0;
   int convolutions = 0, seen_convolutions = 0;  ///< those that values need come first
+
+  constexpr int row(Factor f) const { return f.slopes ? step[f.step].slopes : step[f.step].row; }
 };
 
 }  // namespace mariotte::series

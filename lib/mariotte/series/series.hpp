@@ -15,8 +15,7 @@
 #include <cmath>
 #include <type_traits>
 
-#include "mariotte/series/compiler.hpp"
-#include "mariotte/series/unrolled.hpp"
+#include "mariotte/series/rows.hpp"
 
 namespace mariotte::series {
 
@@ -29,7 +28,7 @@ struct NoMaps {};
 template <class Field, int MostOrder, class V, class Maps = NoMaps>
 class Series {
  public:
-  using Row = std::array<V, MostOrder + 2>;
+  using Row = typename Rows<Field, MostOrder, V>::Row;
 
   /// Coefficients 0 … order of states and values, for a start and parameters; order ≥ 1.
   void expand(const States<Field, V>& start, const Parameters<Field, V>& parameters, int order) {
@@ -40,7 +39,7 @@ class Series {
       stage(Even{k + 1});
     }
     if (k < order) stage(Odd{k});
-    if constexpr (Field::rows > Field::states) finish(order);
+    if constexpr (rows_of < Field >> states_of<Field>) finish(order);
   }
 
   /// Order 0, and order 1 of the states.
@@ -51,14 +50,13 @@ class Series {
         start_[i] = start[P.step[i].a];
       else
         start_[i] = start_of<i>();
-      if constexpr (P.step[i].row >= 0) row_[P.step[i].row][0] = start_[i];
-      if constexpr (P.step[i].slopes >= 0) row_[P.step[i].slopes][0] = V(0.0);
+      if constexpr (P.step[i].row >= 0 && P.step[i].row < rows_of<Field>) row_[P.step[i].row][0] = start_[i];
     });
-    unrolled<Field::states>([&](auto i) MARIOTTE_SERIES_LAMBDA {
+    unrolled<states_of<Field>>([&](auto i) MARIOTTE_SERIES_LAMBDA {
       if constexpr (P.rate[i].step < 0) row_[i][1] = factor<P.rate[i]>();
     });
-    unrolled<Field::rows - Field::states>([&](auto i) MARIOTTE_SERIES_LAMBDA {
-      constexpr int at = Field::states + i;
+    unrolled<rows_of<Field> - states_of<Field>>([&](auto i) MARIOTTE_SERIES_LAMBDA {
+      constexpr int at = states_of<Field> + i;
       if constexpr (P.value[at].step < 0) row_[at][0] = factor<P.value[at]>();
     });
     integrate(0, start_);
@@ -68,17 +66,25 @@ class Series {
   template <class Order>
   MARIOTTE_SERIES_INLINE void stage(Order k) {
     V total[P.convolutions + 1], value[P.steps];
-    convolve_all<P.convolutions>(k, total);
-    unrolled<P.steps>([&](auto i) MARIOTTE_SERIES_LAMBDA { take<i>(k, total, value); });
+    row_.template convolve<P.convolutions>(k, total);
+    unrolled<P.steps>([&](auto i) MARIOTTE_SERIES_LAMBDA {
+      value[i] = coefficient<i>(k, total, value);
+      row_.template keep<i>(k, value[i]);
+    });
+    row_.complete(k, value);
     integrate(k, value);
   }
 
   /// Order k of what is seen, no more.
   MARIOTTE_SERIES_INLINE void finish(int k) {
-    V total[P.seen_convolutions + 1], value[P.steps];
-    convolve_all<P.seen_convolutions>(k, total);
+    V total[P.convolutions + 1], value[P.steps];
+    row_.template convolve<P.seen_convolutions>(k, total);
     unrolled<P.steps>([&](auto i) MARIOTTE_SERIES_LAMBDA {
-      if constexpr (P.step[i].seen || P.step[i].op == Op::state) take<i>(k, total, value);
+      if constexpr (P.step[i].seen || P.step[i].op == Op::state) value[i] = coefficient<i>(k, total, value);
+    });
+    unrolled<rows_of<Field> - states_of<Field>>([&](auto i) MARIOTTE_SERIES_LAMBDA {
+      constexpr int at = states_of<Field> + i;
+      if constexpr (P.value[at].step >= 0) row_[at][k] = value[P.value[at].step];
     });
   }
 
@@ -90,7 +96,6 @@ class Series {
 
  private:
   static constexpr const Program& P = program<Field>;
-  static constexpr int group = 6;  ///< convolutions side by side: more do not fit into the registers
 
   template <int i>
   MARIOTTE_SERIES_INLINE V fixed_value(const Parameters<Field, V>& parameters) const {
@@ -151,18 +156,16 @@ class Series {
 
   /// Order k of step i, from the sums over older coefficients.
   template <int i, class Order>
-  MARIOTTE_SERIES_INLINE void take(Order k, const V* total, V* value) {
+  MARIOTTE_SERIES_INLINE V coefficient(Order k, const V* total, const V* value) const {
     constexpr Step S = P.step[i];
     if constexpr (S.op == Op::state)
-      value[i] = row_[S.row][k];
+      return row_[S.row][k];
     else if constexpr (S.op == Op::sum)
-      value[i] = sum<i>(value);
+      return sum<i>(value);
     else if constexpr (S.op == Op::map)
-      value[i] = maps.template apply<S.b>(value[S.a]);
+      return maps.template apply<S.b>(value[S.a]);
     else
-      value[i] = convolved<i>(k, total[S.sum], total, value);
-    if constexpr (S.op != Op::state && S.row >= 0) row_[S.row][k] = value[i];
-    if constexpr (S.slopes >= 0) row_[S.slopes][k] = double(k) * value[i];
+      return convolved<i>(k, total[S.sum], total, value);
   }
 
   template <int i, class Order>
@@ -239,7 +242,7 @@ class Series {
   template <class Order>
   MARIOTTE_SERIES_INLINE void integrate(Order k, const V* value) {
     const double share = reciprocal[k + 1];
-    unrolled<Field::states>([&](auto i) MARIOTTE_SERIES_LAMBDA {
+    unrolled<states_of<Field>>([&](auto i) MARIOTTE_SERIES_LAMBDA {
       constexpr Term rate = P.rate[i];
       if constexpr (rate.step >= 0 && rate.fixed < 0)
         row_[i][k + 1] = (rate.number * share) * value[rate.step];
@@ -248,35 +251,7 @@ class Series {
     });
   }
 
-  template <int count, class Order>
-  MARIOTTE_SERIES_INLINE void convolve_all(Order k, V* total) const {
-    unrolled<(count + group - 1) / group>([&](auto g) MARIOTTE_SERIES_LAMBDA {
-      convolve<g * group, (count - g * group < group ? count - g * group : group)>(k, total);
-    });
-  }
-  /// Σ a_j b_{k−j} over 0 < j < k, pairs of terms from the middle outwards; of a square each term once.
-  template <int first, int count, class Order>
-  MARIOTTE_SERIES_INLINE void convolve(Order k, V* total) const {
-    V one[count], two[count];
-    unrolled<count>([&](auto i) MARIOTTE_SERIES_LAMBDA {
-      constexpr Convolution c = P.convolution[first + i];
-      one[i] = V(0.0);
-      two[i] = V(0.0);
-      if (is_even(k)) one[i] = (c.a == c.b ? 0.5 : 1.0) * row_[c.a][k / 2] * row_[c.b][k / 2];
-    });
-    for (int j = (k - 1) / 2; j >= 1; --j)
-      unrolled<count>([&](auto i) MARIOTTE_SERIES_LAMBDA {
-        constexpr Convolution c = P.convolution[first + i];
-        one[i] = one[i] + row_[c.a][j] * row_[c.b][k - j];
-        if constexpr (c.a != c.b) two[i] = two[i] + row_[c.a][k - j] * row_[c.b][j];
-      });
-    unrolled<count>([&](auto i) MARIOTTE_SERIES_LAMBDA {
-      constexpr Convolution c = P.convolution[first + i];
-      total[first + i] = c.a == c.b ? one[i] + one[i] : one[i] + two[i];
-    });
-  }
-
-  Row row_[P.rows] = {};
+  Rows<Field, MostOrder, V> row_;
   V fixed_[P.fixed_values + 1], start_[P.steps], divisor_[P.steps];
 };
 
