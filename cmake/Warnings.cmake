@@ -8,7 +8,7 @@ function(mariotte_warnings target)
   if(MARIOTTE_SANITIZE)
     target_compile_options(${target} PUBLIC -fsanitize=${MARIOTTE_SANITIZE} -fno-omit-frame-pointer
                            -fno-sanitize-recover=all)
-    target_compile_definitions(${target} PUBLIC _GLIBCXX_ASSERTIONS MARIOTTE_SANITIZED)
+    target_compile_definitions(${target} PUBLIC _GLIBCXX_ASSERTIONS MARIOTTE_SERIES_CALLS)
     target_link_options(${target} PUBLIC -fsanitize=${MARIOTTE_SANITIZE})
   endif()
 endfunction()

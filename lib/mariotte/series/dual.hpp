@@ -17,34 +17,42 @@ struct Dual {
   Dual(double constant) : value(constant) { slope.fill(V(0.0)); }
   Dual(const V& v, const std::array<V, n>& s) : value(v), slope(s) {}
 
-  /// A value whose slope i is rate_i.
-  template <class Rate>
-  MARIOTTE_SERIES_INLINE static Dual with(const V& value, Rate&& rate) {
+  /// A function of a, by its value and its slope there.
+  static Dual chain(const Dual& a, const V& value, const V& rate) {
     Dual result;
     result.value = value;
-    for (int i = 0; i < n; ++i) result.slope[i] = rate(i);
+    for (int i = 0; i < n; ++i) result.slope[i] = a.slope[i] * rate;
     return result;
   }
-  /// A function of a, by its value and its slope there.
-  MARIOTTE_SERIES_INLINE static Dual chain(const Dual& a, const V& value, const V& rate) {
-    return with(value, [&](int i) { return a.slope[i] * rate; });
+  /// A function of a and b, by its value and its slopes along both.
+  static Dual chain(const Dual& a, const Dual& b, const V& value, const V& rate_a, const V& rate_b) {
+    Dual result;
+    result.value = value;
+    for (int i = 0; i < n; ++i) result.slope[i] = a.slope[i] * rate_a + b.slope[i] * rate_b;
+    return result;
   }
 
   friend Dual operator+(const Dual& a, const Dual& b) {
-    return with(a.value + b.value, [&](int i) { return a.slope[i] + b.slope[i]; });
+    Dual result;
+    result.value = a.value + b.value;
+    for (int i = 0; i < n; ++i) result.slope[i] = a.slope[i] + b.slope[i];
+    return result;
   }
   friend Dual operator-(const Dual& a, const Dual& b) {
-    return with(a.value - b.value, [&](int i) { return a.slope[i] - b.slope[i]; });
+    Dual result;
+    result.value = a.value - b.value;
+    for (int i = 0; i < n; ++i) result.slope[i] = a.slope[i] - b.slope[i];
+    return result;
   }
   friend Dual operator-(const Dual& a) { return chain(a, -a.value, V(-1.0)); }
   friend Dual operator*(const Dual& a, const Dual& b) {
-    return with(a.value * b.value, [&](int i) { return a.value * b.slope[i] + a.slope[i] * b.value; });
+    return chain(a, b, a.value * b.value, b.value, a.value);
   }
   friend Dual operator*(double a, const Dual& b) { return chain(b, a * b.value, V(a)); }
   friend Dual operator*(const Dual& a, double b) { return b * a; }
   friend Dual operator/(const Dual& a, const Dual& b) {
     const V inverse = V(1.0) / b.value, quotient = a.value * inverse;
-    return with(quotient, [&](int i) { return (a.slope[i] - quotient * b.slope[i]) * inverse; });
+    return chain(a, b, quotient, inverse, -(quotient * inverse));
   }
   friend Dual sqrt(const Dual& a) {
     using std::sqrt;

@@ -54,7 +54,8 @@ class SeriesStep final : public Step {
   SeriesStep(const Series& series, const TipPhase& phase, int order)
       : series_(series), phase_(phase), order_(order) {}
   void at(double time, State x) const override {
-    store(series_, phase_, clock_inverse(series_.time, time - start, tau_, order_), order_, before, x);
+    store(series_, phase_, clock_inverse(series_[series_.time], time - start, tau_, order_), order_, before,
+          x);
   }
   void inside(double place, State x) const override {
     store(series_, phase_, place * tau_, order_, before, x);
@@ -107,8 +108,9 @@ End turn_back(const PowerSeries& w, int order, double tau, double rounding, Inde
 
 /// A force that starts within its error has no sign yet: it creeps, or has just changed sign. It may go as
 /// far beyond zero again until it has left.
-void doubt_force(TipPhase& phase, const TipRows& rows, double error, bool first) {
-  const double force = detail::signed_pressure(rows, phase, 0) / detail::pressure_size(rows, phase);
+template <class Series>
+void doubt_force(TipPhase& phase, const Series& series, double error, bool first) {
+  const double force = detail::signed_pressure(series, phase, 0) / detail::pressure_size(series, phase);
   const bool doubted = first || phase.force_doubt > 0;
   phase.force_doubt = doubted && force <= error ? 2 * error : 0;
 }
@@ -126,7 +128,7 @@ End end_of_step(const Series& series, const TipPhase& phase, int order, double t
     if (fired && (end.guard < 0 || *fired < end.tau)) end = {*fired, guard};
   });
   if (phase.turn_back < 0) return end;
-  const auto turn = turn_back(series.w, order, end.tau, 64 * epsilon * phase.speed, phase.turn_back);
+  const auto turn = turn_back(series[series.w], order, end.tau, 64 * epsilon * phase.speed, phase.turn_back);
   return turn.tau < end.tau ? turn : end;
 }
 
@@ -136,7 +138,7 @@ End end_of_step(const Series& series, const TipPhase& phase, int order, double t
 template <class Series>
 double step_length(const Series& series, const TipPhase& phase, double accuracy, int order) {
   const double allowed = share * accuracy * phase.speed;
-  const int last = series.s[0] == 0 ? 5 : 2;
+  const int last = series[series.s][0] == 0 ? 5 : 2;
   double step = infinity;
   for (int k = order; k > order - last; --k)
     if (const double c = coefficient(series, phase, k); c != 0)
@@ -154,10 +156,12 @@ struct SlowPart {
 template <class Series>
 std::optional<SlowPart> slow_part(const Series& series, const TipPhase& phase, int order, double end) {
   const auto in_well = [&](double s) { return 0.4 * phase.stiffness * s * s < 2.0 / 3.0 * phase.adhesion; };
-  if (phase.rest < 0 || !(in_well(series.s[0]) || in_well(horner(terms(series.s, order), end)))) return {};
-  const double sign = series.w[0] < 0 ? -1 : 1;
+  if (phase.rest < 0 ||
+      !(in_well(series[series.s][0]) || in_well(horner(terms(series[series.s], order), end))))
+    return {};
+  const double sign = series[series.w][0] < 0 ? -1 : 1;
   PowerSeries excess;  // of the speed
-  for (int k = 0; k <= order; ++k) excess[k] = sign * series.w[k];
+  for (int k = 0; k <= order; ++k) excess[k] = sign * series[series.w][k];
   excess[0] -= phase.rest_speed;
   const auto first = excess[0] <= 0 ? 0 : first_fall(terms(excess, order), end);
   if (!first) return {};
@@ -224,11 +228,11 @@ struct TipTaylor::Memory {
       doubt_force(phase, series, accuracy, count == 1);
       End end = end_of_step(series, phase, order, reach, count == 1 ? accuracy : 0);
       end = rest_or(end, series, phase, order, problem, x);
-      double duration = horner(terms(series.time, order), end.tau);
+      double duration = horner(terms(series[series.time], order), end.tau);
       const bool limited = step.end + duration >= request.limit;
       if (limited) {
         duration = request.limit - step.end;
-        end = {clock_inverse(series.time, duration, end.tau, order)};
+        end = {clock_inverse(series[series.time], duration, end.tau, order)};
         store(series, phase, end.tau, order, before, x);
       }
       if (!is_finite(x) || !std::isfinite(duration)) {
