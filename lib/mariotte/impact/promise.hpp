@@ -25,8 +25,9 @@ namespace mariotte::impact {
 /// What a run has gone through.
 struct Passage {
   Index contacts = 0;
-  Index periods = 0;  ///< of contact, of all contacts together
-  Index steps = 0;    ///< of series and closed forms; CVODE's are shorter and count a thirtieth
+  Index harmless = 0;  ///< periods up to which none magnifies the errors of another
+  Index periods = 0;   ///< of contact, of all contacts together
+  Index steps = 0;     ///< of series and closed forms; CVODE's are shorter and count a thirtieth
 };
 
 /// Adds the steps of a flow.
@@ -39,12 +40,19 @@ inline void count_steps(Passage& passage, const std::vector<FlowUse>& flows) {
   for (const auto& flow : flows) count_steps(passage, flow.name.starts_with("cvode"), flow.steps);
 }
 
-/// True if errors may have grown: contacts have closed more than twice each on average, so that what one does
-/// wrong is magnified by the next, or the errors of many steps have added up. After very many periods
+/// Periods of a single wave through so many contacts, there and back. Of a body only the first impact is
+/// harmless: the next one depends on how far it has turned since.
+inline Index single_wave(Index contacts) {
+  return 2 * contacts;
+}
+inline constexpr Index first_impact = 1;
+
+/// True if errors may have grown: contacts have closed so often that what one does wrong is magnified by the
+/// next, or the errors of many steps have added up. After very many periods
 /// rounding alone decides the end, and each run takes minutes.
 inline bool may_have_erred(const Passage& passage) {
   constexpr Index most = 100'000;
-  return (passage.periods > 2 * passage.contacts || passage.steps > 60 + 10 * passage.contacts) &&
+  return (passage.periods > passage.harmless || passage.steps > 60 + 10 * passage.contacts) &&
          passage.periods <= most;
 }
 
@@ -96,7 +104,8 @@ std::optional<double> keep_promise(const hybrid::Options& asked, Run&& run) {
 /// What a whole result of a chain or network has gone through.
 template <class Impact>
 Passage passage(const Impact& impact) {
-  Passage gone{.contacts = std::ssize(impact.contacts)};
+  const Index contacts = std::ssize(impact.contacts);
+  Passage gone{.contacts = contacts, .harmless = single_wave(contacts)};
   for (const auto& contact : impact.contacts) gone.periods += std::ssize(contact.periods);
   count_steps(gone, impact.flows);
   return gone;

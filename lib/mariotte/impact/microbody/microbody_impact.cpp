@@ -199,7 +199,9 @@ MicrobodyImpact simulate(const model::Microbody& body, const hybrid::Options& op
   model::validate(body);
   hybrid::validate(options);
   auto impact = simulate_once(body, options, observers);
-  Passage gone{.contacts = std::ssize(body.body.tips), .periods = std::ssize(impact.impacts)};
+  Passage gone{.contacts = std::ssize(body.body.tips),
+               .harmless = first_impact,
+               .periods = std::ssize(impact.impacts)};
   count_steps(gone, impact.flows);
   const auto again = [&](const hybrid::Options& tighter) { return simulate_once(body, tighter, observers); };
   if (observers.samplings.empty())  // what was sampled cannot be taken back

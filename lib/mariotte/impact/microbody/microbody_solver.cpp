@@ -40,7 +40,7 @@ struct MicrobodySolver::Memory {
               .impacts = count_openings(run.changes),
               .events = run.events,
               .estimated_accuracy = {}};
-    gone = {.contacts = system.layout().tips, .periods = impact.impacts};
+    gone = {.contacts = system.layout().tips, .harmless = first_impact, .periods = impact.impacts};
     for (const auto kind : flow::kinds) {
       const auto& flow = run.flows[static_cast<std::size_t>(kind)];
       impact.steps += flow.steps;
