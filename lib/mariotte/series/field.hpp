@@ -35,6 +35,15 @@ inline constexpr int states_of = Field::states;
 template <class Field>
 inline constexpr int rows_of = Field::rows;
 
+/// Whether all parts of a row are the same; a field that has such states says which.
+template <class Field>
+constexpr bool is_uniform(int row) {
+  if constexpr (requires { Field::is_uniform(0); })
+    return Field::is_uniform(row);
+  else
+    return false;
+}
+
 template <class Field, class T>
 using States = std::array<T, Field::states>;
 template <class Field, class T>

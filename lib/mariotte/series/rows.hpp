@@ -5,8 +5,25 @@
 
 namespace mariotte::series {
 
-/// Every series is a row; convolutions of six pairs of rows run side by side, so that nothing waits, and more
-/// would not fit into the registers.
+/// A number may be made of parts, one for each register.
+template <class V>
+inline constexpr int parts_of = 1;
+template <class V>
+requires requires {
+  V::parts;
+}
+inline constexpr int parts_of<V> = V::parts;
+
+template <class V>
+MARIOTTE_SERIES_INLINE auto& part_of(V& a, int i) {
+  if constexpr (requires { a.parts; })
+    return a.part[i];
+  else
+    return a;
+}
+
+/// Every series is a row; six sums of products of rows run side by side, so that nothing waits. More would
+/// not fit into the registers.
 template <class Field, int MostOrder, class V>
 class Rows {
  public:
@@ -26,35 +43,51 @@ class Rows {
 
   /// Σ a_j b_{k−j} over 0 < j < k of the first `count` convolutions, from the middle outwards: the newest
   /// coefficients come last. Of a square each term is taken once.
-  template <int count, class Order>
-  MARIOTTE_SERIES_INLINE void convolve(Order k, V* total) const {
-    constexpr int group = 6;
-    unrolled<(count + group - 1) / group>([&](auto g) MARIOTTE_SERIES_LAMBDA {
-      convolve_some<g * group, (count - g * group < group ? count - g * group : group)>(k, total);
-    });
+  template <int count>
+  MARIOTTE_SERIES_INLINE void convolve(int k, V* total) const {
+    if constexpr (parts <= group) {
+      unrolled<(count + side - 1) / side>([&](auto g) MARIOTTE_SERIES_LAMBDA {
+        convolve_some<g * side, (count - g * side < side ? count - g * side : side), parts>(k, 0, total);
+      });
+    } else {
+      for (int part = 0; part < parts; part += block)
+        unrolled<count>([&](auto c) MARIOTTE_SERIES_LAMBDA { convolve_some<c, 1, block>(k, part, total); });
+    }
   }
 
  private:
   static constexpr const Program& P = program<Field>;
+  static constexpr int parts = parts_of<V>, group = 6, side = parts > group ? 1 : group / parts, block = 4;
+  static_assert(parts <= group || parts % block == 0);
+  using Part = std::remove_cvref_t<decltype(part_of(std::declval<V&>(), 0))>;
 
-  template <int first, int count, class Order>
-  MARIOTTE_SERIES_INLINE void convolve_some(Order k, V* total) const {
-    V one[count], two[count];
-    unrolled<count>([&](auto i) MARIOTTE_SERIES_LAMBDA {
-      constexpr int a = P.row(P.convolution[first + i].a), b = P.row(P.convolution[first + i].b);
-      one[i] = V(0.0);
-      two[i] = V(0.0);
-      if (is_even(k)) one[i] = (a == b ? 0.5 : 1.0) * row_[a][k / 2] * row_[b][k / 2];
+  /// Convolutions from `first` on, of `width` parts from `part` on.
+  template <int first, int count, int width>
+  MARIOTTE_SERIES_INLINE void convolve_some(int k, int part, V* total) const {
+    Part one[count * width], two[count * width];
+    const auto each = [&](auto&& visit) MARIOTTE_SERIES_LAMBDA {
+      unrolled<count * width>([&](auto i) MARIOTTE_SERIES_LAMBDA {
+        constexpr Convolution c = P.convolution[first + i / width];
+        constexpr int a = P.row(c.a), b = P.row(c.b);
+        const int q = part + i % width;
+        visit(
+            i, std::integral_constant<bool, a == b>(),
+            [&](int j) MARIOTTE_SERIES_LAMBDA { return part_of(row_[a][j], is_uniform<Field>(a) ? 0 : q); },
+            [&](int j) MARIOTTE_SERIES_LAMBDA { return part_of(row_[b][j], is_uniform<Field>(b) ? 0 : q); });
+      });
+    };
+    each([&](int i, bool square, auto&& a, auto&& b) MARIOTTE_SERIES_LAMBDA {
+      one[i] = k % 2 == 0 ? a(k / 2) * b(k / 2) : Part{};
+      if (square) one[i] = 0.5 * one[i];
+      two[i] = Part{};
     });
     for (int j = (k - 1) / 2; j >= 1; --j)
-      unrolled<count>([&](auto i) MARIOTTE_SERIES_LAMBDA {
-        constexpr int a = P.row(P.convolution[first + i].a), b = P.row(P.convolution[first + i].b);
-        one[i] = one[i] + row_[a][j] * row_[b][k - j];
-        if constexpr (a != b) two[i] = two[i] + row_[a][k - j] * row_[b][j];
+      each([&](int i, auto square, auto&& a, auto&& b) MARIOTTE_SERIES_LAMBDA {
+        one[i] = one[i] + a(j) * b(k - j);
+        if constexpr (!square) two[i] = two[i] + a(k - j) * b(j);
       });
-    unrolled<count>([&](auto i) MARIOTTE_SERIES_LAMBDA {
-      constexpr Convolution c = P.convolution[first + i];
-      total[first + i] = c.a == c.b ? one[i] + one[i] : one[i] + two[i];
+    each([&](int i, bool square, auto&&, auto&&) MARIOTTE_SERIES_LAMBDA {
+      part_of(total[first + i / width], part + i % width) = square ? one[i] + one[i] : one[i] + two[i];
     });
   }
 
@@ -84,8 +117,8 @@ class Rows<Field, MostOrder, double> {
     });
   }
 
-  template <int count, class Order>
-  MARIOTTE_SERIES_INLINE void convolve(Order k, double* total) const {
+  template <int count>
+  MARIOTTE_SERIES_INLINE void convolve(int k, double* total) const {
     constexpr int size = (count + 1) / 2, group = 6;
     unrolled<(size + group - 1) / group>([&](auto g) MARIOTTE_SERIES_LAMBDA {
       convolve_some<g * group, (size - g * group < group ? size - g * group : group)>(k, total);
@@ -97,11 +130,11 @@ class Rows<Field, MostOrder, double> {
   static constexpr const Program& P = program<Field>;
   static constexpr int pairs = (P.convolutions + 1) / 2;
 
-  template <int first, int count, class Order>
-  MARIOTTE_SERIES_INLINE void convolve_some(Order k, double* total) const {
+  template <int first, int count>
+  MARIOTTE_SERIES_INLINE void convolve_some(int k, double* total) const {
     Pair sum[count];
     unrolled<count>([&](auto i) MARIOTTE_SERIES_LAMBDA {
-      sum[i] = is_even(k) ? left_[k / 2][first + i] * right_[k / 2][first + i] : Pair{};
+      sum[i] = k % 2 == 0 ? left_[k / 2][first + i] * right_[k / 2][first + i] : Pair{};
     });
     for (int j = (k - 1) / 2; j >= 1; --j)
       unrolled<count>([&](auto i) MARIOTTE_SERIES_LAMBDA {

@@ -9,8 +9,8 @@
 //   s, c = sin a, cos a s_k = Σ_{j>0} (j/k) a_j c_{k−j}, c_k = −Σ_{j>0} (j/k) a_j s_{k−j}
 //
 // The sums over what is known from earlier orders (0 < j < k) run first, several side by side, so that
-// nothing waits; the newest coefficients enter last. Orders are a loop, two at a time: unrolled, they would
-// not fit into the caches of instructions. Everything else is unrolled from the program of the field.
+// nothing waits; the newest coefficients enter last. Orders are a loop: unrolled, they would not fit into the
+// caches of instructions. Everything else is unrolled from the program of the field.
 #pragma once
 #include <cmath>
 #include <type_traits>
@@ -32,14 +32,13 @@ class Series {
 
   /// Coefficients 0 … order of states and values, for a start and parameters; order ≥ 1.
   void expand(const States<Field, V>& start, const Parameters<Field, V>& parameters, int order) {
+    expand_states(start, parameters, order);
+    finish(order);
+  }
+  /// The same without coefficient `order` of values.
+  void expand_states(const States<Field, V>& start, const Parameters<Field, V>& parameters, int order) {
     begin(start, parameters);
-    int k = 1;
-    for (; k + 1 < order; k += 2) {
-      stage(Odd{k});
-      stage(Even{k + 1});
-    }
-    if (k < order) stage(Odd{k});
-    if constexpr (rows_of < Field >> states_of<Field>) finish(order);
+    for (int k = 1; k < order; ++k) stage(k);
   }
 
   /// Order 0, and order 1 of the states.
@@ -62,9 +61,8 @@ class Series {
     integrate(0, start_);
   }
 
-  /// Order k of all that is no state, and order k + 1 of the states; k ≥ 1, all orders below are known.
-  template <class Order>
-  MARIOTTE_SERIES_INLINE void stage(Order k) {
+  /// int k of all that is no state, and order k + 1 of the states; k ≥ 1, all orders below are known.
+  MARIOTTE_SERIES_INLINE void stage(int k) {
     V total[P.convolutions + 1], value[P.steps];
     row_.template convolve<P.convolutions>(k, total);
     unrolled<P.steps>([&](auto i) MARIOTTE_SERIES_LAMBDA {
@@ -75,7 +73,7 @@ class Series {
     integrate(k, value);
   }
 
-  /// Order k of what is seen, no more.
+  /// int k of values, no more.
   MARIOTTE_SERIES_INLINE void finish(int k) {
     V total[P.convolutions + 1], value[P.steps];
     row_.template convolve<P.seen_convolutions>(k, total);
@@ -154,9 +152,9 @@ class Series {
       return value[P.step[i].a];
   }
 
-  /// Order k of step i, from the sums over older coefficients.
-  template <int i, class Order>
-  MARIOTTE_SERIES_INLINE V coefficient(Order k, const V* total, const V* value) const {
+  /// int k of step i, from the sums over older coefficients.
+  template <int i>
+  MARIOTTE_SERIES_INLINE V coefficient(int k, const V* total, const V* value) const {
     constexpr Step S = P.step[i];
     if constexpr (S.op == Op::state)
       return row_[S.row][k];
@@ -168,18 +166,18 @@ class Series {
       return convolved<i>(k, total[S.sum], total, value);
   }
 
-  template <int i, class Order>
-  MARIOTTE_SERIES_INLINE V convolved(Order k, const V& known, const V* total, const V* value) const {
+  template <int i>
+  MARIOTTE_SERIES_INLINE V convolved(int k, const V& known, const V* total, const V* value) const {
     constexpr Step S = P.step[i];
     if constexpr (S.op == Op::product) return newest<i>(known, value);
     if constexpr (S.op == Op::quotient) return divided<i>(known, value);
     if constexpr (S.op == Op::root) return (value[S.a] - known) * divisor_[i];
-    if constexpr (S.op == Op::exponential) return reciprocal[k] * known + value[S.a] * start_[i];
-    if constexpr (S.op == Op::sine) return reciprocal[k] * known + value[S.a] * start_[S.b];
-    if constexpr (S.op == Op::cosine) return -(reciprocal[k] * known) - value[S.a] * start_[S.b];
+    if constexpr (S.op == Op::exponential) return reciprocal.of[k] * known + value[S.a] * start_[i];
+    if constexpr (S.op == Op::sine) return reciprocal.of[k] * known + value[S.a] * start_[S.b];
+    if constexpr (S.op == Op::cosine) return -(reciprocal.of[k] * known) - value[S.a] * start_[S.b];
     if constexpr (S.op == Op::power) {
       const V n = fixed_[S.fixed];
-      return ((n + V(1.0)) * (reciprocal[k] * known) - total[S.other_sum] + (n * start_[i]) * value[S.a]) *
+      return ((n + V(1.0)) * (reciprocal.of[k] * known) - total[S.other_sum] + (n * start_[i]) * value[S.a]) *
              divisor_[i];
     }
   }
@@ -239,9 +237,8 @@ class Series {
   }
 
   /// A rate that is constant has been taken by `begin` already.
-  template <class Order>
-  MARIOTTE_SERIES_INLINE void integrate(Order k, const V* value) {
-    const double share = reciprocal[k + 1];
+  MARIOTTE_SERIES_INLINE void integrate(int k, const V* value) {
+    const double share = reciprocal.of[k + 1];
     unrolled<states_of<Field>>([&](auto i) MARIOTTE_SERIES_LAMBDA {
       constexpr Term rate = P.rate[i];
       if constexpr (rate.step >= 0 && rate.fixed < 0)

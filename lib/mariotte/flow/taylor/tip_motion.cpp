@@ -16,7 +16,6 @@ double value(const PowerSeries& row, double tau, int order) {
 /// What every motion starts from.
 template <class Series>
 void load_contact(Series& series, const TipPhase& phase, ConstState x) {
-  series.start.fill(0);
   series.start[series.s] = std::sqrt(std::max(0.0, -x[phase.place.gap[phase.tip]]));
   auto& parameter = series.parameter;
   parameter[series.stiffness] = phase.stiffness;

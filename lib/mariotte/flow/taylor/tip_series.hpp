@@ -21,7 +21,7 @@ class TipSeries : public Motion {
   void expand(const TipPhase& phase, int order);
   const PowerSeries& operator[](int row) const { return rows_[row]; }
 
-  std::array<double, Motion::states> start = {};
+  std::array<double, Motion::states> start = {};  ///< zero where nothing else is said
   std::array<double, Motion::parameters> parameter = {};
 
  private:

@@ -1,0 +1,86 @@
+// The fields of a row of contacts side by side; a number holds all contacts of the row. With the rate of the
+// clock g = dt/dσ and the inverse masses u of the bodies to both sides:
+//
+//   λ = k δ + c δ̇            load
+//   s = δᵖ                    1 where p = 0
+//   f = s λ                   force
+//   δ' = g δ̇
+//   δ̇' = g (u_l f_left − (u_l + u_r) f + u_r f_right + drive)
+//   p' = g f                  impulse
+//   w' = g f δ̇                work
+//
+// What is not `curved`, for it is linear, open or has no depth yet, has the root of 1. Without damping the
+// stiffness is in the strength and the couplings, λ = δ.
+#pragma once
+#include <array>
+#include <cmath>
+
+namespace mariotte::flow::taylor {
+
+/// Rows and parameters of all fields.
+struct RowQuantities {
+  enum { indentation, rate, impulse, work, clock, time, states, root = states, rows };
+  enum {
+    stiffness,
+    damping,
+    power,
+    curved,  ///< 1 where δᵖ has to be found, else 0
+    level,   ///< 1 − curved
+    free,    ///< 0 where δᵖ is the clock, else 1
+    chosen,  ///< 1 − free
+    from_left,
+    from_right,
+    own,
+    drive,
+    strength,  ///< of forces
+    parameters
+  };
+};
+
+/// Time, the clock dt = √δ_c dσ of a lane c, and time for any exponents.
+enum class Pace { plain, landing, general };
+
+/// Maps 0 and 1 give the value of the left and the right neighbour, map 2 that of lane c.
+template <Pace pace, bool damped>
+struct RowField : RowQuantities {
+  static constexpr bool is_uniform(int row) { return row == clock || row == time; }
+
+  template <class T>
+  static constexpr auto rates(const std::array<T, states>& x, const std::array<T, parameters>& p) {
+    std::array<T, rows> row{};
+    row[root] = power_of_depth(x, p);
+    const T load = damped ? T(p[stiffness] * x[indentation] + p[damping] * x[rate]) : x[indentation];
+    const T force = paced(x, row[root] * load);
+    row[indentation] = paced(x, x[rate]);
+    row[rate] = p[from_left] * map<0>(force) + p[from_right] * map<1>(force) - p[own] * force;
+    row[rate] = row[rate] + (pace == Pace::landing ? T(p[drive] * x[clock]) : p[drive]);
+    row[impulse] = p[strength] * force;
+    if constexpr (damped) row[work] = p[strength] * (force * x[rate]);
+    if constexpr (pace != Pace::landing) return row;
+    row[clock] = 0.5 * map<2>(x[rate]);
+    row[time] = x[clock];
+    return row;
+  }
+
+ private:
+  template <class T>
+  static constexpr T power_of_depth(const std::array<T, states>& x, const std::array<T, parameters>& p) {
+    using std::pow, std::sqrt;
+    const T depth = p[curved] * x[indentation] + p[level];
+    if constexpr (pace == Pace::general)
+      return pow(depth, p[power]);
+    else if constexpr (pace == Pace::landing)
+      return p[free] * sqrt(depth) + p[chosen] * x[clock];
+    else
+      return sqrt(depth);
+  }
+  template <class T>
+  static constexpr T paced(const std::array<T, states>& x, const T& a) {
+    if constexpr (pace == Pace::landing)
+      return a * x[clock];
+    else
+      return a;
+  }
+};
+
+}  // namespace mariotte::flow::taylor

@@ -1,0 +1,129 @@
+// Lanes in vector registers. Included by one source file per instruction set, which names the namespace they
+// live in; nothing here may call functions that other files share.
+#pragma once
+#include "mariotte/series/unrolled.hpp"
+
+namespace mariotte::flow::taylor::MARIOTTE_INSTRUCTION_SET {
+
+typedef double Vec __attribute__((vector_size(MARIOTTE_VECTOR_BYTES)));
+typedef long long Mask __attribute__((vector_size(MARIOTTE_VECTOR_BYTES)));
+inline constexpr int width = MARIOTTE_VECTOR_BYTES / 8;
+
+MARIOTTE_SERIES_INLINE Vec splat(double a) {
+  return a - Vec{};
+}
+MARIOTTE_SERIES_INLINE Vec least(Vec a, Vec b) {
+  return a < b ? a : b;
+}
+MARIOTTE_SERIES_INLINE Vec largest(Vec a, Vec b) {
+  return a > b ? a : b;
+}
+MARIOTTE_SERIES_INLINE Vec magnitude(Vec a) {
+  return largest(a, -a);
+}
+MARIOTTE_SERIES_INLINE Vec root(Vec a) {
+  for (int i = 0; i < width; ++i) a[i] = __builtin_sqrt(a[i]);
+  return a;
+}
+MARIOTTE_SERIES_INLINE Vec to_the(Vec a, Vec power) {
+  for (int i = 0; i < width; ++i) a[i] = __builtin_pow(a[i], power[i]);
+  return a;
+}
+/// Lanes first, first + 1, … of two registers side by side.
+template <int first>
+MARIOTTE_SERIES_INLINE Vec window(Vec a, Vec b) {
+#ifndef __clang__
+  Mask lanes{};
+  for (int i = 0; i < width; ++i) lanes[i] = first + i;
+  return __builtin_shuffle(a, b, lanes);
+#elif MARIOTTE_VECTOR_BYTES == 16
+  return __builtin_shufflevector(a, b, first, first + 1);
+#else
+  return __builtin_shufflevector(a, b, first, first + 1, first + 2, first + 3);
+#endif
+}
+
+/// N registers of lanes.
+template <int N>
+struct LaneVector {
+  static constexpr int parts = N;
+  Vec part[N];
+
+  LaneVector() = default;
+  MARIOTTE_SERIES_INLINE explicit LaneVector(double a) {
+    for (int i = 0; i < N; ++i) part[i] = splat(a);
+  }
+  // Register by register: left to itself the compiler copies halves, and a load waits for both.
+  MARIOTTE_SERIES_INLINE LaneVector(const LaneVector& a) { *this = a; }
+  MARIOTTE_SERIES_INLINE LaneVector& operator=(const LaneVector& a) {
+    for (int i = 0; i < N; ++i) part[i] = a.part[i];
+    return *this;
+  }
+};
+
+template <int N, class F>
+MARIOTTE_SERIES_INLINE LaneVector<N> each(F&& f) {
+  LaneVector<N> r;
+  if constexpr (N <= 6)
+    series::unrolled<N>([&](int i) MARIOTTE_SERIES_LAMBDA { r.part[i] = f(i); });
+  else
+#pragma GCC unroll 8
+    for (int i = 0; i < N; ++i) r.part[i] = f(i);
+  return r;
+}
+template <int N>
+MARIOTTE_SERIES_INLINE LaneVector<N> load(const double* from) {
+  return each<N>([&](int i) { return *reinterpret_cast<const Vec*>(from + width * i); });
+}
+template <int N>
+MARIOTTE_SERIES_INLINE void store(const LaneVector<N>& r, double* to) {
+  for (int i = 0; i < N; ++i) *reinterpret_cast<Vec*>(to + width * i) = r.part[i];
+}
+template <int N>
+MARIOTTE_SERIES_INLINE LaneVector<N> operator+(const LaneVector<N>& a, const LaneVector<N>& b) {
+  return each<N>([&](int i) { return a.part[i] + b.part[i]; });
+}
+template <int N>
+MARIOTTE_SERIES_INLINE LaneVector<N> operator-(const LaneVector<N>& a, const LaneVector<N>& b) {
+  return each<N>([&](int i) { return a.part[i] - b.part[i]; });
+}
+template <int N>
+MARIOTTE_SERIES_INLINE LaneVector<N> operator*(const LaneVector<N>& a, const LaneVector<N>& b) {
+  return each<N>([&](int i) { return a.part[i] * b.part[i]; });
+}
+template <int N>
+MARIOTTE_SERIES_INLINE LaneVector<N> operator/(const LaneVector<N>& a, const LaneVector<N>& b) {
+  return each<N>([&](int i) { return a.part[i] / b.part[i]; });
+}
+template <int N>
+MARIOTTE_SERIES_INLINE LaneVector<N> operator-(const LaneVector<N>& a) {
+  return each<N>([&](int i) { return -a.part[i]; });
+}
+template <int N>
+MARIOTTE_SERIES_INLINE LaneVector<N> sqrt(const LaneVector<N>& a) {
+  return each<N>([&](int i) { return root(a.part[i]); });
+}
+template <int N>
+MARIOTTE_SERIES_INLINE LaneVector<N> pow(const LaneVector<N>& a, const LaneVector<N>& exponent) {
+  return each<N>([&](int i) { return to_the(a.part[i], exponent.part[i]); });
+}
+template <int N>
+MARIOTTE_SERIES_INLINE LaneVector<N> operator*(double a, const LaneVector<N>& b) {
+  return each<N>([&](int i) { return a * b.part[i]; });
+}
+/// Lane i takes the value of its left neighbour; the first takes 0.
+template <int N>
+MARIOTTE_SERIES_INLINE LaneVector<N> from_left(const LaneVector<N>& a) {
+  return each<N>([&](int i) { return window<width - 1>(i > 0 ? a.part[i - 1] : Vec{}, a.part[i]); });
+}
+template <int N>
+MARIOTTE_SERIES_INLINE LaneVector<N> from_right(const LaneVector<N>& a) {
+  return each<N>([&](int i) { return window<1>(a.part[i], i + 1 < N ? a.part[i + 1] : Vec{}); });
+}
+
+template <int N>
+MARIOTTE_SERIES_INLINE LaneVector<N> from_lane(const LaneVector<N>& a, int lane) {
+  return LaneVector<N>(a.part[lane / width][lane % width]);
+}
+
+}  // namespace mariotte::flow::taylor::MARIOTTE_INSTRUCTION_SET
