@@ -5,23 +5,6 @@
 
 namespace mariotte::test {
 
-/// A sphere on a plane with adhesion [Brach & Dunn 1992] in the clock dt = 2 y dτ, y = √δ.
-struct Sphere {
-  enum { y, speed, time, states, force = states, rows };
-  enum { stiffness, damping, adhesion, mass, parameters };
-  template <class T>
-  static constexpr auto rates(const std::array<T, states>& x, const std::array<T, parameters>& p) {
-    const T area = x[y] * x[y];
-    const T f = area * (p[stiffness] * (area + p[damping] * (area * x[speed])) - p[adhesion]);
-    std::array<T, rows> row{};
-    row[y] = x[speed];
-    row[speed] = -2.0 * (f / p[mass]);
-    row[time] = 2.0 * x[y];
-    row[force] = f;
-    return row;
-  }
-};
-
 /// A sphere that necks [Johnson, Kendall & Roberts 1971]: b² is the contact radius a, δ = a²/R − c√a and
 /// F = k a³ − e a^{3/2}. In the clock dt = (dδ/db) dσ the fold where the contact lets go is an ordinary
 /// point.
