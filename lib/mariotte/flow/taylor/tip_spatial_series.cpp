@@ -79,47 +79,50 @@ class SlipFromRest {
   PowerSeries speed_ = {};
 };
 
-}  // namespace
-
 template <Grip grip>
 using Quick = SpatialField<grip, false>;
 template <Grip grip>
 using Full = SpatialField<grip, true>;
+using Expansions = TipExpansions<Quick<Grip::none>, Quick<Grip::sliding>, Quick<Grip::sinking_sliding>,
+                                 Quick<Grip::sticking>, Full<Grip::none>, Full<Grip::sliding>,
+                                 Full<Grip::sinking_sliding>, Full<Grip::sticking>, FromRest>;
+
+template <Grip grip>
+const PowerSeries* expand_by(Expansions& all, const TipPhase& phase, const SpatialSeries& from, int order) {
+  return phase.place.work < 0 ? all.expand<Quick<grip>>(from, order) : all.expand<Full<grip>>(from, order);
+}
+
+const PowerSeries* expand_from_rest(Expansions& all, const TipPhase& phase, const SpatialSeries& from,
+                                    int order) {
+  auto& expansion = all.get<FromRest>();
+  SlipFromRest(expansion, from).expand(order, phase.slip == TipPhase::Slip::breaking);
+  return &expansion[0];
+}
+
+const PowerSeries* expand_any(Expansions& all, const TipPhase& phase, const SpatialSeries& from, int order) {
+  switch (grip_of(phase)) {
+    case Grip::none:
+      return expand_by<Grip::none>(all, phase, from, order);
+    case Grip::sliding:
+      return expand_by<Grip::sliding>(all, phase, from, order);
+    case Grip::sinking_sliding:
+      return expand_by<Grip::sinking_sliding>(all, phase, from, order);
+    case Grip::sticking:
+      return expand_by<Grip::sticking>(all, phase, from, order);
+    case Grip::from_rest:
+      break;
+  }
+  return expand_from_rest(all, phase, from, order);
+}
+
+}  // namespace
 
 template <>
-struct SpatialSeries::Memory
-    : TipExpansions<Quick<Grip::none>, Quick<Grip::sliding>, Quick<Grip::sinking_sliding>,
-                    Quick<Grip::sticking>, Full<Grip::none>, Full<Grip::sliding>, Full<Grip::sinking_sliding>,
-                    Full<Grip::sticking>, FromRest> {
-  template <Grip grip>
-  const PowerSeries* expand_by(const TipPhase& phase, const SpatialSeries& from, int order) {
-    return phase.place.work < 0 ? expand<Quick<grip>>(from, order) : expand<Full<grip>>(from, order);
-  }
-  const PowerSeries* expand_from_rest(const TipPhase& phase, const SpatialSeries& from, int order) {
-    auto& expansion = get<FromRest>();
-    SlipFromRest(expansion, from).expand(order, phase.slip == TipPhase::Slip::breaking);
-    return &expansion[0];
-  }
-};
+struct SpatialSeries::Memory : Expansions {};
 
 template <>
 void SpatialSeries::expand(const TipPhase& phase, int order) {
-  switch (grip_of(phase)) {
-    case Grip::none:
-      rows_ = memory_->expand_by<Grip::none>(phase, *this, order);
-      break;
-    case Grip::sliding:
-      rows_ = memory_->expand_by<Grip::sliding>(phase, *this, order);
-      break;
-    case Grip::sinking_sliding:
-      rows_ = memory_->expand_by<Grip::sinking_sliding>(phase, *this, order);
-      break;
-    case Grip::sticking:
-      rows_ = memory_->expand_by<Grip::sticking>(phase, *this, order);
-      break;
-    case Grip::from_rest:
-      rows_ = memory_->expand_from_rest(phase, *this, order);
-  }
+  rows_ = expand_any(*memory_, phase, *this, order);
 }
 
 template <>
