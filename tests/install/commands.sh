@@ -25,6 +25,7 @@ try sweep "$scenes/triplet_map.toml" --out sweep --no-figures --accuracy 1e-6
 try capture "$scenes/microsphere.toml" --tolerance 1e-2
 try fit "$scenes/sphere_fit.toml" "$scenes/sphere_fit.csv"
 try explain S010
+try materials
 try man
 try reproduce acary-1c
 try study icr-table --kappa 2
