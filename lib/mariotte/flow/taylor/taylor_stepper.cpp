@@ -158,12 +158,14 @@ void Stepper::land(Piece& piece) {
   piece.end = place.value_or(piece.end);
 }
 
-/// End the piece where a contact whose force is left out has reached the depth at which it wakes, if only for
-/// a while: without its force it may come back.
+/// End the piece where a contact whose force is left out has reached the depth at which it wakes. Neighbours
+/// only press it, so that it is deepest at an end of the piece, unless a drive draws it apart: then it may
+/// have come back.
 void Stepper::wake_gently(Piece& piece) {
   const auto& l = window.lanes;
   for (int j = 0; j < l.count; ++j) {
     if (!window.pushes(j) || l.active[j] > 0) continue;
+    if (!(l.drive[j] < 0) && values_.indentation[j] <= late * window.wake[j]) continue;
     if (piece.start) {
       wake_in_start(piece, j);
     } else if (const auto place = waking(piece, j)) {
@@ -172,16 +174,12 @@ void Stepper::wake_gently(Piece& piece) {
   }
 }
 
-/// The first place at which the indentation is late; none if even its growing terms do not get so far.
+/// The first place at which the indentation is late.
 std::optional<double> Stepper::waking(const Piece& piece, int lane) const {
   Coefficients c;
   const auto used = piece.coefficients(Quantity::indentation, lane, c);
-  const double depth = late * window.wake[lane];
-  double most = 0;
-  for (auto k = used.size(); k-- > 0;) most = most * piece.end + std::max(c[k], 0.0);
-  if (most <= depth) return std::nullopt;
   for (double& coefficient : c) coefficient = -coefficient;
-  c[0] += depth;
+  c[0] += late * window.wake[lane];
   return flow::first_fall(used, piece.end);
 }
 
