@@ -293,6 +293,12 @@ double MicrobodyPhase::least_load(double accuracy) const {
   return std::min(creeping, accuracy * body_.time / swing);
 }
 
+/// Slip that has grown so far has a direction of its own, in which friction turns with it. Earlier, rounding
+/// of the slip would turn friction by more than the slip has turned; later, friction would lag.
+double MicrobodyPhase::own_direction() const {
+  return std::max(4 * mechanics_.slip_noise, 1e-10 * body_.speed);
+}
+
 flow::Accepted MicrobodyPhase::accept(ConstState x) {
   if (closed_ == 0) return flow::Accepted::unchanged;
   auto result = flow::Accepted::unchanged;
@@ -304,7 +310,7 @@ flow::Accepted MicrobodyPhase::accept(ConstState x) {
     const Vector3 slip = here.slip;
     const Index cone = guard_index(i, TipGuard::cone), back = guard_index(i, TipGuard::turn_back);
     const bool spatial = body_.motion == TipPhase::Motion::spatial;
-    if (spatial && tip.contact == TipContact::sliding && norm(slip) > 4 * mechanics_.slip_noise) {
+    if (spatial && tip.contact == TipContact::sliding && norm(slip) > own_direction()) {
       tip.direction = (1 / norm(slip)) * slip;
       tip.rest = 0;
       tip.start = SlipStart::moving;

@@ -65,6 +65,7 @@ class MicrobodyPhase final : public flow::Problem {
 
  private:
   double slip_margin(const TipMode& mode) const;
+  double own_direction() const;
   bool slip_turns() const;
   double normal_damping_group() const;
   double signed_pressure(const TipMotion& tip, Index i) const;
