@@ -22,6 +22,8 @@ double landing_share(const Window& window) {
 }
 /// A contact may sink this far past the depth at which it wakes before it is heard.
 constexpr double late = 5;
+/// Share of that depth at which a step ends that would go further.
+constexpr double in_time = 0.6;
 
 /// Share of the radius of convergence that a step may use.
 constexpr double safe_radius = 0.7;
@@ -174,18 +176,23 @@ void Stepper::wake_gently(Piece& piece) {
   }
 }
 
-/// The first place at which the indentation is late.
+/// If the indentation gets late, the place at which it has not yet done so.
 std::optional<double> Stepper::waking(const Piece& piece, int lane) const {
   Coefficients c;
   const auto used = piece.coefficients(Quantity::indentation, lane, c);
   for (double& coefficient : c) coefficient = -coefficient;
-  c[0] += late * window.wake[lane];
-  return flow::first_fall(used, piece.end);
+  const double depth = late * window.wake[lane];
+  c[0] += depth;
+  const auto place = flow::first_fall(used, piece.end);
+  if (!place) return std::nullopt;
+  c[0] -= (1 - in_time) * depth;
+  return flow::first_fall(used, *place);
 }
 
 /// In a start series what is left out only sinks deeper. Depths grow with some power of time.
 void Stepper::wake_in_start(Piece& piece, int lane) {
-  const double depth = std::max(window.lanes.indentation[lane], 0.0), goal = 0.6 * late * window.wake[lane];
+  const double depth = std::max(window.lanes.indentation[lane], 0.0),
+               goal = in_time * late * window.wake[lane];
   for (int tries = 0; tries < 60 && values_.indentation[lane] > late * window.wake[lane]; ++tries) {
     const double secant = depth > 0 ? (goal - depth) / (values_.indentation[lane] - depth) : 0;
     const double power = rough_root(goal / values_.indentation[lane], 4);
