@@ -57,9 +57,7 @@ struct Taylor::Memory {
     observer.observe(step);
   }
 
-  /// To the end of the piece, or to the fall in it.
-  void advance(const taylor::Fall& fall, Piece& piece, const Request& request) {
-    if (fall.guard >= 0) stepper.shorten(piece, fall.place);
+  void advance(const taylor::Fall& fall, const Piece& piece, const Request& request) {
     if (request.observer) show(piece, *request.observer);
     stepper.advance(piece, fall);
   }

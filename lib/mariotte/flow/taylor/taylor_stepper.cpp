@@ -171,6 +171,7 @@ void Stepper::wake_gently(Piece& piece) {
     if (piece.start) {
       wake_in_start(piece, j);
     } else if (const auto place = waking(piece, j)) {
+      piece.is_cut = false;
       shorten(piece, *place);
     }
   }
@@ -253,7 +254,15 @@ Fall Stepper::first_fall(Piece& piece) {
     const auto& c = window.contact(piece.clock);
     fall = {c.load_guard < 0 ? c.guard : c.load_guard, piece.clock, piece.end};
   }
+  if (fall.guard >= 0) end_at(fall, piece);
   return fall;
+}
+
+/// Behind its fall a neighbour would pull, and hide that a contact has been late before.
+void Stepper::end_at(Fall& fall, Piece& piece) {
+  shorten(piece, fall.place);
+  wake_gently(piece);
+  if (piece.end < fall.place) fall = {};
 }
 
 void Stepper::advance(const Piece& piece, const Fall& fall) {

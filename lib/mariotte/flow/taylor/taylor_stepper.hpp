@@ -35,12 +35,11 @@ class Stepper {
   /// The longest piece within the tolerance that wakes no contact too late and ends after `time` at the
   /// latest. `first` allows the series of contacts that start undeformed.
   Piece next(bool first, double time);
-  /// The first guard that fires within the piece; proven. Shortens a piece that passes a contact's turning
-  /// point at δ = 0.
+  /// The first guard that fires within the piece; proven. The piece ends there, or earlier, where a contact
+  /// turns at δ = 0 or wakes.
   Fall first_fall(Piece& piece);
-  /// What the piece says at its end, or at an earlier place that becomes its end.
+  /// What the piece says at its end.
   const Values& values() const { return values_; }
-  void shorten(Piece& piece, double place);
   /// Move the window to the end of the piece; what has fired stands exactly at its level.
   void advance(const Piece& piece, const Fall& fall);
 
@@ -58,6 +57,8 @@ class Stepper {
   Piece series_piece();
   void land(Piece& piece);
   void end_at_turn(Piece& piece, int lane);
+  void end_at(Fall& fall, Piece& piece);
+  void shorten(Piece& piece, double place);
   double reach(const Expansion& series, bool fresh) const;
   Expansion& expansion();
   void wake_gently(Piece& piece);

@@ -12,6 +12,11 @@
 
 namespace mariotte::flow {
 
+/// Parameters of all motions.
+struct TipParameters {
+  enum { stiffness, adhesion, damping_hertz, damping_adhesion, mass, gravity, common };
+};
+
 /// What all motions share: the normal contact.
 template <class T>
 struct TipContact {
@@ -39,9 +44,9 @@ constexpr void tip_common(const T& s, const T& w, const TipContact<T>& contact,
 }
 
 /// Rows of the motion along the normal: w' = f/m − 2 s g.
-struct NormalMotion {
+struct NormalMotion : TipParameters {
   enum { s, w, time, work, states = work + 3, area = states, pressure, force, rows };
-  enum { stiffness, adhesion, damping_hertz, damping_adhesion, mass, gravity, parameters };
+  enum { parameters = common };
 };
 template <bool works>
 struct NormalField : NormalMotion {
@@ -58,17 +63,11 @@ struct NormalField : NormalMotion {
 
 /// Rows of the motion in the plane of e1 and the tangent: v₁, v₂, ω about the axis, cos and sin of the angle
 /// θ turned, ∫ v₂ dt; w, ℓ₁' axis a₁, u, y.
-struct PlanarMotion {
+struct PlanarMotion : TipParameters {
   enum { s, normal, tangential, spin, cosine, sine, time, position, work, states = work + 3 };
   enum { w = states, area, pressure, force, rise, slip, friction, rows };
   enum {
-    stiffness,
-    adhesion,
-    damping_hertz,
-    damping_adhesion,
-    mass,
-    gravity,
-    inertia,
+    inertia = common,
     arm,
     radius,
     sinking,  ///< 1 if the lever of friction is r − δ, else 0
@@ -124,7 +123,7 @@ struct PlanarField : PlanarMotion {
 
 /// Rows of the motion in space of a symmetric body: velocity of the mass centre, angular momentum H, unit
 /// axis a, p = H·a, turn ψ, position in the plane, and û where the slip starts from rest; w, ω, u, y, u'.
-struct SpatialMotion {
+struct SpatialMotion : TipParameters {
   enum {
     s,
     velocity,
@@ -150,20 +149,14 @@ struct SpatialMotion {
     rows = slip_rate + 2
   };
   enum {
-    stiffness,
-    adhesion,
-    damping_hertz,
-    damping_adhesion,
-    mass,
-    gravity,
-    inverse,  ///< 1/I
-    twist,    ///< κ = 1/I_a − 1/I
+    inverse = common,  ///< 1/I
+    twist,             ///< κ = 1/I_a − 1/I
     arm,
     radius,
-    limit,  ///< μ σ_F
-    axis_start,
+    limit,       ///< μ σ_F
+    axis_start,  ///< a(0)
     parameters = axis_start + 3
-  };  ///< a(0)
+  };
 };
 /// How a tip holds on to the plane in space.
 enum class Grip { none, sliding, sinking_sliding, sticking, from_rest };
