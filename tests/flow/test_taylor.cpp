@@ -26,7 +26,7 @@ bool used(const impact::ChainImpact& impact, const std::string& flow) {
 Lanes random_lanes(int count, std::mt19937& random, bool damped) {
   std::uniform_real_distribution<double> unit(0, 1);
   Lanes lanes;
-  lanes.count = count;
+  lanes.resize(count);
   lanes.damped = damped;
   for (int j = 0; j < count; ++j) {
     lanes.indentation[j] = 0.1 + unit(random);
@@ -100,6 +100,8 @@ BOOST_AUTO_TEST_CASE(every_instruction_set_gives_the_same_series) {
       const auto lanes = random_lanes(count, random, damped);
       const auto best = make_expansion(size), baseline = make_baseline_expansion(size);
       Values a, b;
+      a.resize(count);
+      b.resize(count);
       for (const int clock : {Expansion::plain, lanes.power[1] > 0 ? 1 : Expansion::plain}) {
         best->expand(lanes, 16, clock);
         baseline->expand(lanes, 16, clock);
@@ -124,6 +126,7 @@ BOOST_AUTO_TEST_CASE(margins_are_lower_bounds) {
     series->expand(lanes, 14, Expansion::plain);
     const double end = 0.01 * (1 + i % 60);
     Values values;
+    values.resize(4);
     series->evaluate(end, values);
     for (int j = 0; j < 4; ++j)
       for (int part = 0; part <= 50; ++part) {

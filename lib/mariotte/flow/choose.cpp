@@ -65,10 +65,10 @@ bool modes_pay(const SerialPhase& phase) {
 /// True unless another flow that admits the phase costs less.
 bool pays(Kind kind, const Problem& problem) {
   if (problem.tip()) return kind == Kind::taylor;
-  if (const auto* linked = problem.linked()) return kind == Kind::modal && modes_pay(*linked);
-  const auto* phase = problem.serial();
-  if (!phase) return false;
-  if (kind == Kind::modal) return modes_pay(*phase);
+  const auto* row = problem.serial();
+  const auto* linked = problem.linked();
+  if (!row && !linked) return false;
+  if (kind == Kind::modal) return row ? modes_pay(*row) : modes_pay(*linked);
   if (kind != Kind::taylor) return true;
   return problem.damping_group() < stiff_for_taylor;
 }

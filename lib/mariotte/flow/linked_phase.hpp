@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "mariotte/core/contact_direction.hpp"
+#include "mariotte/flow/coupling.hpp"
 #include "mariotte/flow/phase_contact.hpp"
 
 namespace mariotte::flow {
@@ -16,6 +17,9 @@ struct LinkedPhase {
   std::span<const ContactDirection> direction;      ///< rows of G
   std::span<const ContactDirection> response;       ///< columns of M⁻¹ Gᵀ
   std::span<const ContactDirection> half_response;  ///< columns of L⁻¹ Gᵀ, M = L Lᵀ
+  Coupling coupling;
+  double speed = 1;       ///< natural relative speed
+  double fade_speed = 0;  ///< rate at which a contact that is less deep than noise_depth fades
 };
 
 }  // namespace mariotte::flow

@@ -1,5 +1,5 @@
-// The fields of a row of contacts side by side; a number holds all contacts of the row. With the rate of the
-// clock g = dt/dσ and the inverse masses u of the bodies to both sides:
+// The fields of contacts side by side; a number holds many contacts. With the rate of the clock g = dt/dσ and,
+// in a row, the inverse masses u of the bodies to both sides:
 //
 //   λ = k δ + c δ̇            load
 //   s = δᵖ                    1 where p = 0
@@ -10,7 +10,8 @@
 //   w' = g f δ̇                work
 //
 // What is not `curved`, for it is linear, open or has no depth yet, has the root of 1. Without damping the
-// stiffness is in the strength and the couplings, λ = δ.
+// stiffness is in the strength and the couplings, λ = δ. Contacts that are linked in another way than in a row
+// may stand in several numbers: who has all forces of an order gives the coefficients of δ̇ and of the clock.
 #pragma once
 #include <array>
 #include <cmath>
@@ -40,8 +41,11 @@ struct RowQuantities {
 /// Time, the clock dt = √δ_c dσ of a lane c, and time for any exponents.
 enum class Pace { plain, landing, general };
 
+/// Who knows the forces that accelerate a contact: its neighbours in the row, or the caller.
+enum class Given { by_neighbours, from_outside };
+
 /// Maps 0 and 1 give the value of the left and the right neighbour, map 2 that of lane c.
-template <Pace pace, bool damped>
+template <Pace pace, bool damped, Given given>
 struct RowField : RowQuantities {
   static constexpr bool is_uniform(int row) { return row == clock || row == time; }
 
@@ -52,13 +56,14 @@ struct RowField : RowQuantities {
     const T load = damped ? T(p[stiffness] * x[indentation] + p[damping] * x[rate]) : x[indentation];
     const T force = paced(x, row[root] * load);
     row[indentation] = paced(x, x[rate]);
-    row[rate] = p[from_left] * map<0>(force) + p[from_right] * map<1>(force) - p[own] * force;
-    row[rate] = row[rate] + (pace == Pace::landing ? T(p[drive] * x[clock]) : p[drive]);
+    if constexpr (given == Given::by_neighbours) {
+      row[rate] = p[from_left] * map<0>(force) + p[from_right] * map<1>(force) - p[own] * force;
+      row[rate] = row[rate] + (pace == Pace::landing ? T(p[drive] * x[clock]) : p[drive]);
+      if constexpr (pace == Pace::landing) row[clock] = 0.5 * map<2>(x[rate]);
+    }
     row[impulse] = p[strength] * force;
     if constexpr (damped) row[work] = p[strength] * (force * x[rate]);
-    if constexpr (pace != Pace::landing) return row;
-    row[clock] = 0.5 * map<2>(x[rate]);
-    row[time] = x[clock];
+    if constexpr (pace == Pace::landing) row[time] = x[clock];
     return row;
   }
 

@@ -20,7 +20,7 @@ constexpr Index step_limit = 10'000'000;
 constexpr Index creeping = 5000;
 
 bool is_finite(const Window& w) {
-  return std::all_of(w.velocity, w.velocity + w.lanes.count + 1, [](double v) { return std::isfinite(v); });
+  return std::all_of(w.velocity.begin(), w.velocity.end(), [](double v) { return std::isfinite(v); });
 }
 
 /// A contact may have left the noise, on either side, or sunk into it: the problem is to say.
@@ -29,7 +29,7 @@ bool concerns_problem(const Window& w) {
     const auto& contact = w.contact(j);
     const double depth = w.lanes.indentation[j];
     const double rate = std::abs(w.lanes.rate[j]);
-    if (contact.role == Role::closed && depth < contact.noise_depth && rate <= w.phase->fade_speed)
+    if (contact.role == Role::closed && depth < contact.noise_depth && rate <= w.fade_speed)
       return true;
     if (contact.role == Role::touching && std::abs(depth) > contact.loaded()) return true;
   }
@@ -42,6 +42,7 @@ struct Taylor::Memory {
   taylor::Stepper stepper;
   Simultaneous simultaneous;
   std::vector<double> before, after;
+  taylor::Values scratch;
 
   void show(const Piece& piece, StepObserver& observer) {
     const auto& window = stepper.window;
@@ -49,7 +50,7 @@ struct Taylor::Memory {
     after.resize(window.x.size());
     write(window, before);
     write(window, stepper.values(), after);
-    PieceStep step(window, piece, stepper.values().time);
+    PieceStep step(window, piece, stepper.values().time, scratch);
     step.start = window.time;
     step.end = window.time + stepper.values().time;
     step.before = before;
@@ -68,7 +69,7 @@ struct Taylor::Memory {
     const auto& w = stepper.window;
     write(w, x);
     if (fall.guard < 0) {
-      const auto& outside = w.phase->contact[w.outside];
+      const auto& outside = w.row->contact[w.outside];
       x[outside.gap] = 0 - outside.level;
       fired.push_back(outside.guard);
     } else {
@@ -93,13 +94,7 @@ Taylor::Taylor() : memory_(std::make_unique<Memory>()) {}
 Taylor::~Taylor() = default;
 
 bool Taylor::admits(const Problem& problem) {
-  const auto* phase = problem.serial();
-  if (!phase) return false;
-  const auto& contacts = phase->contact;
-  const auto idle = [](const PhaseContact& c) { return c.role == Role::open; };
-  const auto first = std::find_if_not(contacts.begin(), contacts.end(), idle);
-  const auto last = std::find_if_not(contacts.rbegin(), contacts.rend(), idle).base();
-  return last - first + 2 <= taylor::lane_limit;
+  return problem.serial() || problem.linked();
 }
 
 Arrival Taylor::follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) {
@@ -113,8 +108,7 @@ Arrival Taylor::follow(Problem& problem, State x, const Request& request, std::v
     return Arrival{outcome, w.time, steps, steps, std::move(message)};
   };
   stepper.last_time = 0.1 * problem.time_scale();
-  if (!stepper.begin(*problem.serial(), x, 0, precision))
-    return {.outcome = Outcome::failed, .message = "more contacts than the series has lanes"};
+  stepper.begin(problem, x, 0, precision);
   while (steps < step_limit) {
     auto piece = stepper.next(steps == 0, std::min(request.limit, w.outside_time) - w.time);
     const auto fall = stepper.first_fall(piece);
@@ -132,9 +126,9 @@ Arrival Taylor::follow(Problem& problem, State x, const Request& request, std::v
     }
     if (m.accept(problem) == Accepted::ended) return stop(Outcome::guard);
     if (w.lanes.damped && steps >= creeping) return stop(Outcome::stiff);
-    if (stepper.has_outgrown()) {
+    if (has_outgrown(w)) {
       write(w, x);
-      if (!stepper.begin(*problem.serial(), x, w.time, precision)) return stop(Outcome::guard);
+      stepper.begin(problem, x, w.time, precision);
     }
   }
   return stop(Outcome::failed, "no guard fired within the step limit");

@@ -1,45 +1,71 @@
-// Neighbouring contacts of a chain side by side, one lane each, and their Taylor expansion.
+// Contacts side by side, one lane each, and their Taylor expansion.
 #pragma once
 #include <array>
 #include <memory>
 
+#include "mariotte/flow/taylor/lane_table.hpp"
+
 namespace mariotte::flow::taylor {
 
 inline constexpr int order_limit = 20;
-/// An expansion is compiled for each of these numbers of lanes.
+/// An expansion of rows is compiled for each of these numbers of lanes.
 inline constexpr std::array lane_sizes = {4, 8, 12, 16, 32, 64};
-inline constexpr int lane_limit = lane_sizes.back();
+/// Longer rows are expanded as networks are.
+inline constexpr int row_limit = lane_sizes.back();
 
-/// What a series starts from. Lane j is the contact between bodies j and j+1; lanes from `count` on are idle.
-/// Plain arrays: code compiled for different instruction sets shares nothing but this layout.
-struct Lanes {
+/// The rows of a Coupling, by lane.
+struct Links {
+  const int* first = nullptr;
+  const int* lane = nullptr;
+  const double* weight = nullptr;
+};
+
+/// What a series starts from; lanes from `count` on are idle. In a row, lane j is the contact between bodies
+/// j and j+1. Plain pointers: code compiled for different instruction sets shares nothing but this layout.
+class Lanes {
+  LaneTable table_;
+
+ public:
+  Lanes();
+  Lanes(Lanes&&) = default;
+  /// All lanes become idle that are not among the first `lanes`.
+  void resize(int lanes);
+
   int count = 0;
-  bool damped = false;                              ///< some damping is not zero
-  bool general = false;                             ///< some exponent is neither 1 nor 3/2
-  alignas(64) double indentation[lane_limit] = {};  ///< δ; negative where open
-  alignas(64) double rate[lane_limit] = {};         ///< δ̇
-  alignas(64) double active[lane_limit] = {};       ///< 1 where the contact carries force, else 0
-  alignas(64) double stiffness[lane_limit] = {};    ///< k
-  alignas(64) double damping[lane_limit] = {};      ///< c
-  alignas(64) double power[lane_limit] = {};        ///< p = n − 1 of the force δᵖ (k δ + c δ̇)
-  alignas(64) double left[lane_limit] = {};         ///< 1/m of body j
-  alignas(64) double right[lane_limit] = {};        ///< 1/m of body j+1
-  alignas(64) double drive[lane_limit] = {};        ///< δ̈ from outside forces
-  alignas(64) double side[lane_limit] = {};         ///< sign that δ is to keep, 0 where nobody watches
-  alignas(64) double level[lane_limit] = {};        ///< depth to which an open contact may reach
-  alignas(64) double load_side[lane_limit] = {};    ///< sign that the load k δ + c δ̇ is to keep, or 0
-  alignas(64) double weight[lane_limit] = {};       ///< 1/natural length
+  bool damped = false;   ///< some damping is not zero
+  bool general = false;  ///< some exponent is neither 1 nor 3/2
+  bool linked = false;   ///< `links` says what lanes do to each other; else they are a row
+  Links links;
+  double* indentation;  ///< δ; negative where open
+  double* rate;         ///< δ̇
+  double* active;       ///< 1 where the contact carries force, else 0
+  double* stiffness;    ///< k
+  double* damping;      ///< c
+  double* power;        ///< p = n − 1 of the force δᵖ (k δ + c δ̇)
+  double* left;         ///< 1/m of body j; if linked, 1/m* of the contact
+  double* right;        ///< 1/m of body j+1; if linked, 0
+  double* drive;        ///< δ̈ from outside forces
+  double* side;         ///< sign that δ is to keep, 0 where nobody watches
+  double* level;        ///< depth to which an open contact may reach
+  double* load_side;    ///< sign that the load k δ + c δ̇ is to keep, or 0
+  double* weight;       ///< 1/natural length
 };
 
 /// What an expansion gives at one place of its clock.
-struct Values {
-  alignas(64) double indentation[lane_limit];
-  alignas(64) double impulse[lane_limit];  ///< ∫ f dt
-  alignas(64) double work[lane_limit];     ///< ∫ f δ̇ dt, if damped
+class Values {
+  LaneTable table_;
+
+ public:
+  Values();
+  void resize(int lanes);
+
+  double* indentation;
+  double* impulse;  ///< ∫ f dt
+  double* work;     ///< ∫ f δ̇ dt, if damped
   /// Lower bounds, from the start to that place, of side × δ + level and of load_side × load, if damped;
   /// divided by the place for what starts at zero. Negative where a guard may have fired.
-  alignas(64) double margin[lane_limit];
-  alignas(64) double load_margin[lane_limit];
+  double* margin;
+  double* load_margin;
   double time;  ///< since the start of the series
 };
 
@@ -62,7 +88,12 @@ class Expansion {
   virtual void coefficients(Quantity quantity, int lane, double* c) const = 0;
 };
 
-/// For lane_sizes[size] lanes, with the widest vectors that this machine has.
+/// The number in lane_sizes that has room for a row of `lanes`; lane_sizes.size() for linked lanes and longer
+/// rows.
+std::size_t size_for(const Lanes& lanes);
+
+/// For lane_sizes[size] lanes of a row, or for any number of linked lanes, with the widest vectors that this
+/// machine has.
 std::unique_ptr<Expansion> make_expansion(std::size_t size);
 
 /// For processors with AVX2 and FMA.

@@ -20,9 +20,9 @@ double Piece::place(double time, double end_time) const {
 }
 
 void PieceStep::at(double time, State x) const {
-  Values values;
-  piece_.evaluate(piece_.place(time - start, duration_), values);
-  write(window_, values, x);
+  scratch_.resize(window_.lanes.count);
+  piece_.evaluate(piece_.place(time - start, duration_), scratch_);
+  write(window_, scratch_, x);
 }
 
 }  // namespace mariotte::flow::taylor

@@ -33,14 +33,16 @@ struct Piece {
 /// A piece as a step for those who watch: its polynomials are the dense output.
 class PieceStep final : public Step {
  public:
-  PieceStep(const Window& window, const Piece& piece, double duration)
-      : window_(window), piece_(piece), duration_(duration) {}
+  /// `scratch` is room for the values of all lanes.
+  PieceStep(const Window& window, const Piece& piece, double duration, Values& scratch)
+      : window_(window), piece_(piece), duration_(duration), scratch_(scratch) {}
   void at(double time, State x) const override;
 
  private:
   const Window& window_;
   const Piece& piece_;
   double duration_;
+  Values& scratch_;
 };
 
 }  // namespace mariotte::flow::taylor

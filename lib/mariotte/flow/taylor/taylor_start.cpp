@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mariotte/flow/roots/rough_root.hpp"
+#include "mariotte/flow/taylor/felt.hpp"
 
 namespace mariotte::flow::taylor {
 namespace {
@@ -31,25 +32,25 @@ constexpr Integrals with_pressed(1.25), all_struck(2.5);
 
 }  // namespace
 
-/// Σ over the neighbours and the lane itself of (coupling) e_k, of the lanes of one part.
-double Start::pushes(int lane, Part from, int k, const Coefficients* force) const {
+/// Σ over the lanes of one part that a lane feels of (coupling) e_k.
+double Start::pushes(int lane, Part from, int k) const {
   if (k < 0) return 0;
-  const auto& l = *lanes_;
   double sum = 0;
-  if (lane > 0 && part_[lane - 1] == from) sum += l.left[lane] * force[lane - 1][k];
-  if (lane + 1 < l.count && part_[lane + 1] == from) sum += l.right[lane] * force[lane + 1][k];
-  if (part_[lane] == from) sum -= (l.left[lane] + l.right[lane]) * force[lane][k];
+  for_each_felt(*lanes_, lane, [&](int other, double weight) {
+    if (lane_[other].part == from) sum += weight * lane_[other].force[k];
+  });
   return sum;
 }
 
 /// e_k = k (d √d)_k.
 void Start::next_force(int lane, int k) {
-  const auto& d = indentation_[lane];
-  auto& s = root_[lane];
+  auto& own = lane_[lane];
+  const auto& d = own.indentation;
+  auto& s = own.root;
   if (k == 0) {
     s[0] = std::sqrt(d[0]);
-    half_inverse_[lane] = 0.5 / s[0];
-    force_[lane][0] = lanes_->stiffness[lane] * d[0] * s[0];
+    own.half_inverse = 0.5 / s[0];
+    own.force[0] = lanes_->stiffness[lane] * d[0] * s[0];
     return;
   }
   const double middle = k % 2 == 0 ? s[k / 2] : 0;
@@ -60,54 +61,55 @@ void Start::next_force(int lane, int k) {
     right += d[k - j] * s[j];
   }
   if (k % 2 == 0) left += d[k / 2] * middle;
-  s[k] = (d[k] - 2 * twice - middle * middle) * half_inverse_[lane];
-  force_[lane][k] = lanes_->stiffness[lane] * (left + right + d[0] * s[k]);
+  s[k] = (d[k] - 2 * twice - middle * middle) * own.half_inverse;
+  own.force[k] = lanes_->stiffness[lane] * (left + right + d[0] * s[k]);
 }
 
 double Start::expand(const Lanes& lanes, const Part* part, int order, double tolerance) {
   lanes_ = &lanes;
   order_ = order;
-  std::copy_n(part, lanes.count, part_);
+  lane_.resize(std::max<std::size_t>(lane_.size(), lanes.count));
+  for (int j = 0; j < lanes.count; ++j) lane_[j].part = part[j];
   pressed_ = std::count(part, part + lanes.count, Part::pressed) > 0;
   power_ = pressed_ ? 1.25 : 2.5;
   const int shift = pressed_ ? 2 : 1;
   const auto& integral = pressed_ ? with_pressed : all_struck;
   double last = 0;  // size of the highest coefficients
+  const auto take = [&](int j, int k, double rate, double travel) {
+    auto& own = lane_[j];
+    own.rate[k] = rate;
+    own.indentation[k] = rate * travel;
+    next_force(j, k);
+    if (k + 3 > order) last = std::max(last, std::abs(rate));
+  };
   for (int k = 0; k <= order; ++k) {
     for (int j = 0; j < lanes.count; ++j) {
-      if (part_[j] != Part::struck) continue;
-      const double push =
-          pushes(j, Part::struck, k - shift, force_) + pushes(j, Part::pressed, k - 5, force_);
-      rate_[j][k] = k == 0 ? lanes.rate[j] : push * integral.rate.of[k];
-      indentation_[j][k] = rate_[j][k] * integral.indentation.of[k];
-      next_force(j, k);
-      if (k + 3 > order) last = std::max(last, std::abs(rate_[j][k]));
+      if (part[j] != Part::struck) continue;
+      const double push = pushes(j, Part::struck, k - shift) + pushes(j, Part::pressed, k - 5);
+      take(j, k, k == 0 ? lanes.rate[j] : push * integral.rate.of[k], integral.indentation.of[k]);
     }
     for (int j = 0; pressed_ && j < lanes.count; ++j) {
-      if (part_[j] != Part::pressed) continue;
-      const double push = pushes(j, Part::struck, k, force_) + pushes(j, Part::pressed, k - 3, force_);
-      rate_[j][k] = push * integral.impulse.of[k];
-      indentation_[j][k] = rate_[j][k] * integral.travel.of[k];
-      next_force(j, k);
-      if (k + 3 > order) last = std::max(last, std::abs(rate_[j][k]));
+      if (part[j] != Part::pressed) continue;
+      const double push = pushes(j, Part::struck, k) + pushes(j, Part::pressed, k - 3);
+      take(j, k, push * integral.impulse.of[k], integral.travel.of[k]);
     }
   }
   return rough_root(tolerance / std::max(last, 1e-300), power_ * order);
 }
 
-/// What a contact's own force takes away grows faster than what its neighbours give: if a struck contact is
-/// still indented without their help, or a pressed one by half of it, they have been all the while. An open
-/// gap has not closed if it would stay open with all pushes and without its own opening speed.
-double Start::margin(int lane, double time, double own, double given) const {
+/// What a contact's own force takes away grows faster than what the others give: if a struck contact is still
+/// indented without what they give, or a pressed one by half of it, they have been all the while. An open gap
+/// has not closed if it would stay open with all pushes and without its own opening speed.
+double Start::margin(int lane, double time, const Travel& travel) const {
   const auto& l = *lanes_;
-  switch (part_[lane]) {
+  switch (lane_[lane].part) {
     case Part::struck:
-      return l.rate[lane] * time - own;
+      return l.rate[lane] * time - travel.drawn - travel.own;
     case Part::pressed:
-      return 0.5 * given - own;
+      return 0.5 * travel.given - travel.drawn - travel.own;
     case Part::passive:
       return l.side[lane] < 0
-                 ? l.level[lane] - l.indentation[lane] - std::fmax(0.0, l.rate[lane]) * time - given
+                 ? l.level[lane] - l.indentation[lane] - std::fmax(0.0, l.rate[lane]) * time - travel.given
                  : 0;
   }
   return 0;
@@ -118,28 +120,35 @@ void Start::evaluate(double time, Values& values) const {
   const double half = std::sqrt(time), quarter = std::sqrt(half), square = time * time;
   const double z = pressed_ ? time * quarter : square * half;
   const auto& integral = pressed_ ? with_pressed : all_struck;
-  double travel[lane_limit + 2] = {};  // ∫∫ f dt dt of lane j at j + 1
+  swept_.assign(l.count, 0);
   for (int j = 0; j < l.count; ++j) {
     values.impulse[j] = 0;
-    if (part_[j] == Part::passive) continue;
-    const bool struck = part_[j] == Part::struck;
+    if (lane_[j].part == Part::passive) continue;
+    const bool struck = lane_[j].part == Part::struck;
     const auto& once = struck ? integral.impulse : integral.pressed_impulse;
     const auto& twice = struck ? integral.travel : integral.pressed_travel;
     double p = 0, q = 0;
     for (int k = order_; k >= 0; --k) {
-      const double term = force_[j][k] * once.of[k];
+      const double term = lane_[j].force[k] * once.of[k];
       p = p * z + term;
       q = q * z + term * twice.of[k];
     }
     const double size = square * (struck ? half : square * square * quarter);
     values.impulse[j] = size * p;
-    travel[j + 1] = time * size * q;
+    swept_[j] = time * size * q;
   }
   for (int j = 0; j < l.count; ++j) {
-    const double own = (l.left[j] + l.right[j]) * travel[j + 1];
-    const double given = l.left[j] * travel[j] + l.right[j] * travel[j + 2];
-    values.indentation[j] = l.indentation[j] + l.rate[j] * time + given - own;
-    values.margin[j] = margin(j, time, own, given);
+    Travel travel;
+    for_each_felt(l, j, [&](int other, double weight) {
+      const double part = weight * swept_[other];
+      if (other == j)
+        travel.own -= part;
+      else
+        (part > 0 ? travel.given : travel.drawn) += std::abs(part);
+    });
+    values.indentation[j] =
+        l.indentation[j] + l.rate[j] * time + (travel.given - travel.drawn) - travel.own;
+    values.margin[j] = margin(j, time, travel);
   }
   values.time = time;
 }

@@ -1,6 +1,8 @@
 // The first moments of Hertz contacts that all start undeformed: one power series instead of many graded
 // steps.
 #pragma once
+#include <vector>
+
 #include "mariotte/flow/taylor/taylor_lanes.hpp"
 
 namespace mariotte::flow::taylor {
@@ -21,18 +23,26 @@ class Start {
   void evaluate(double time, Values& values) const;
 
  private:
-  using Coefficients = double[order_limit + 1];
-  double pushes(int lane, Part from, int k, const Coefficients* force) const;
+  using Coefficients = std::array<double, order_limit + 1>;
+  struct Lane {
+    Part part = Part::passive;
+    double half_inverse;
+    Coefficients rate, indentation, root, force;
+  };
+  /// What the forces of the others have done to an indentation, and what that of its own has taken away.
+  struct Travel {
+    double given = 0, drawn = 0, own = 0;
+  };
+  double pushes(int lane, Part from, int k) const;
   void next_force(int lane, int k);
-  double margin(int lane, double time, double own, double given) const;
+  double margin(int lane, double time, const Travel& travel) const;
 
   const Lanes* lanes_ = nullptr;
-  Part part_[lane_limit] = {};
   int order_ = 0;
   bool pressed_ = false;
   double power_ = 1.25;  ///< of z in t
-  double half_inverse_[lane_limit];
-  Coefficients rate_[lane_limit], indentation_[lane_limit], root_[lane_limit], force_[lane_limit];
+  std::vector<Lane> lane_;
+  mutable std::vector<double> swept_;  ///< ∫∫ f dt dt, while a place is evaluated
 };
 
 }  // namespace mariotte::flow::taylor

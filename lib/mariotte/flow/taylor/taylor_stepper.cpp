@@ -5,6 +5,7 @@
 
 #include "mariotte/flow/roots/polynomial.hpp"
 #include "mariotte/flow/roots/rough_root.hpp"
+#include "mariotte/flow/taylor/felt.hpp"
 
 namespace mariotte::flow::taylor {
 
@@ -17,7 +18,7 @@ constexpr double local_share = 0.03;
 /// near its end a contact is so weak that it hardly bounds the step, among many less than among few, and
 /// least in a longer row, where one lets go after the other. Measured by work_precision and scaling_study.
 double landing_share(const Window& window) {
-  if (window.phase->is_slice) return 0.15;
+  if (window.row && window.row->is_slice) return 0.15;
   return window.lanes.count > 8 ? 0.2 : 0.5;
 }
 /// A contact may sink this far past the depth at which it wakes before it is heard.
@@ -42,14 +43,17 @@ Precision precision(double accuracy) {
   return p;
 }
 
-bool Stepper::begin(const SerialPhase& phase, State x, double time, const Precision& precision) {
+void Stepper::begin(const Problem& problem, State x, double time, const Precision& precision) {
   precision_ = precision;
-  return place(window, phase, x, time);
+  if (const auto* row = problem.serial())
+    place(window, *row, x, time);
+  else
+    place(window, *problem.linked(), x, time);
+  values_.resize(window.lanes.count);
 }
 
 Expansion& Stepper::expansion() {
-  const auto fits = std::lower_bound(lane_sizes.begin(), lane_sizes.end(), window.lanes.count);
-  const auto size = static_cast<std::size_t>(fits - lane_sizes.begin());
+  const auto size = size_for(window.lanes);
   auto& chosen = expansions_[size];
   if (!chosen) chosen = make_expansion(size);
   return *chosen;
@@ -67,36 +71,53 @@ bool Stepper::is_struck(int lane) const {
 }
 
 /// The start series serves if all contacts that carry force are undamped Hertz contacts which start
-/// undeformed.
-bool Stepper::starts(Parts& part) const {
+/// undeformed, and some do so together.
+bool Stepper::starts() {
   const auto& l = window.lanes;
   if (l.damped || l.general) return false;
-  int struck = 0, pressed = 0;
+  parts_.assign(l.count, Start::Part::passive);
+  if (!finds_struck() || !finds_pressed()) return false;
+  const auto is_passive = [](Start::Part part) { return part == Start::Part::passive; };
+  return l.count - std::count_if(parts_.begin(), parts_.end(), is_passive) > 1;
+}
+
+/// False if none is, or if there are contacts that the start series cannot follow.
+bool Stepper::finds_struck() {
+  const auto& l = window.lanes;
+  bool any = false;
   for (int j = 0; j < l.count; ++j) {
-    part[j] = Start::Part::passive;
     if (l.drive[j] != 0) return false;
     if (window.contact(j).role == Role::open) continue;
     if (l.indentation[j] != 0 || !window.is_sharp(j)) return false;
     if (!is_struck(j)) continue;
-    part[j] = Start::Part::struck;
-    ++struck;
+    parts_[j] = Start::Part::struck;
+    any = true;
   }
-  const auto is = [&](int j) { return j >= 0 && j < l.count && part[j] == Start::Part::struck; };
+  return any;
+}
+
+/// False if what touches a struck contact is drawn apart by it.
+bool Stepper::finds_pressed() {
+  const auto& l = window.lanes;
   for (int j = 0; j < l.count; ++j) {
-    if (window.contact(j).role != Role::touching || l.rate[j] != 0 || !(is(j - 1) || is(j + 1))) continue;
-    part[j] = Start::Part::pressed;
-    ++pressed;
+    if (window.contact(j).role != Role::touching || l.rate[j] != 0) continue;
+    bool drawn = false;
+    for_each_felt(l, j, [&](int other, double weight) {
+      if (parts_[other] != Start::Part::struck) return;
+      parts_[j] = Start::Part::pressed;
+      drawn |= weight < 0;
+    });
+    if (drawn) return false;
   }
-  return struck > 1 || (struck == 1 && pressed > 0);
+  return true;
 }
 
 std::optional<Piece> Stepper::start_piece() {
-  Parts part;
-  if (!starts(part)) return std::nullopt;
+  if (!starts()) return std::nullopt;
   auto& l = window.lanes;
-  for (int j = 0; j < l.count; ++j) l.active[j] = part[j] != Start::Part::passive;
+  for (int j = 0; j < l.count; ++j) l.active[j] = parts_[j] != Start::Part::passive;
   Piece piece{.start = &start_, .order = precision_.order};
-  double end = 0.9 * start_.expand(l, part.data(), precision_.order, precision_.tolerance);
+  double end = 0.9 * start_.expand(l, parts_.data(), precision_.order, precision_.tolerance);
   for (int tries = 0; tries < 60; ++tries, end *= 0.5) {
     shorten(piece, end);
     if (std::all_of(values_.margin, values_.margin + l.count, [](double margin) { return margin >= 0; }))
@@ -160,14 +181,18 @@ void Stepper::land(Piece& piece) {
   piece.end = place.value_or(piece.end);
 }
 
-/// End the piece where a contact whose force is left out has reached the depth at which it wakes. Neighbours
-/// only press it, so that it is deepest at an end of the piece, unless a drive draws it apart: then it may
-/// have come back.
+/// In a row the others only press a contact whose own force is left out, so that it is deepest at an end of a
+/// piece, unless a drive draws it apart. Other links may draw it, too.
+bool Stepper::may_come_back(int lane) const {
+  return window.network || window.lanes.drive[lane] < 0;
+}
+
+/// End the piece where a contact whose force is left out has reached the depth at which it wakes.
 void Stepper::wake_gently(Piece& piece) {
   const auto& l = window.lanes;
   for (int j = 0; j < l.count; ++j) {
     if (!window.pushes(j) || l.active[j] > 0) continue;
-    if (!(l.drive[j] < 0) && values_.indentation[j] <= late * window.wake[j]) continue;
+    if (!may_come_back(j) && values_.indentation[j] <= late * window.wake[j]) continue;
     if (piece.start) {
       wake_in_start(piece, j);
     } else if (const auto place = waking(piece, j)) {
@@ -274,14 +299,6 @@ void Stepper::advance(const Piece& piece, const Fall& fall) {
   if (piece.lands && fall.lane == piece.clock) l.indentation[fall.lane] = 0;
   if (fall.guard == window.contact(fall.lane).guard)
     l.indentation[fall.lane] = l.side[fall.lane] < 0 ? l.level[fall.lane] : 0;
-}
-
-bool Stepper::has_outgrown() const {
-  const int last = window.lanes.count - 1;
-  const auto awake = [&](int j) { return window.pushes(j) && window.lanes.indentation[j] > window.wake[j]; };
-  const bool at_left_end = window.first == 0,
-             at_right_end = window.first + last + 1 == static_cast<Index>(window.phase->contact.size());
-  return (!at_left_end && awake(0)) || (!at_right_end && awake(last));
 }
 
 }  // namespace mariotte::flow::taylor

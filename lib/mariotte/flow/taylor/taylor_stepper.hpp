@@ -27,8 +27,8 @@ struct Fall {
 /// Takes one step after the other until a guard fires.
 class Stepper {
  public:
-  /// Start at x, the whole state at `time`. False if that needs more lanes than there are.
-  bool begin(const SerialPhase& phase, State x, double time, const Precision& precision);
+  /// Start at x, the whole state at `time`.
+  void begin(const Problem& problem, State x, double time, const Precision& precision);
   /// Length of the step before, or a guess.
   double last_time = 0;
 
@@ -43,15 +43,14 @@ class Stepper {
   /// Move the window to the end of the piece; what has fired stands exactly at its level.
   void advance(const Piece& piece, const Fall& fall);
 
-  /// A contact at the edge is about to push on a body outside.
-  bool has_outgrown() const;
-
   Window window;
 
  private:
-  using Parts = std::array<Start::Part, lane_limit>;
   bool is_struck(int lane) const;
-  bool starts(Parts& part) const;
+  bool starts();
+  bool finds_struck();
+  bool finds_pressed();
+  bool may_come_back(int lane) const;
   std::optional<Piece> start_piece();
   int choose_clock() const;
   Piece series_piece();
@@ -70,7 +69,8 @@ class Stepper {
   Precision precision_;
   Values values_;
   Start start_;
-  std::array<std::unique_ptr<Expansion>, lane_sizes.size()> expansions_;
+  std::vector<Start::Part> parts_;
+  std::array<std::unique_ptr<Expansion>, lane_sizes.size() + 1> expansions_;
 };
 
 }  // namespace mariotte::flow::taylor

@@ -3,56 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mariotte/core/types.hpp"
+#include "mariotte/flow/taylor/window_parts.hpp"
 
 namespace mariotte::flow::taylor {
 namespace {
-
-double rate(const SerialPhase& phase, ConstState x, Index j) {
-  return x[phase.body[j].velocity] - x[phase.body[j + 1].velocity];
-}
-double drive(const SerialPhase& phase, Index j) {
-  return phase.body[j].acceleration - phase.body[j + 1].acceleration;
-}
-
-/// Depth below which the force of a contact is left out: within the depth that cannot be told from rounding,
-/// less for what damping adds to the force. Laws without a branch point need none.
-double wake_depth(const PhaseContact& c, double speed) {
-  if (c.exponent == 1) return -infinity;
-  const double strain = c.damping * speed / (c.stiffness * c.length);
-  return 0.5 * c.noise_depth / (1 + strain);
-}
-
-/// A contact that the window must hold: what stays outside flies freely and is watched only where it is open.
-bool is_active(const SerialPhase& phase, ConstState x, Index j) {
-  const auto& c = phase.contact[j];
-  if (c.role != Role::touching) return c.role != Role::open;
-  return -x[c.gap] > wake_depth(c, phase.speed) || rate(phase, x, j) > 0 || drive(phase, j) != 0;
-}
-
-/// First time after 0 at which an open gap that flies freely falls to −level.
-double closing_time(const SerialPhase& phase, ConstState x, Index j) {
-  const auto& c = phase.contact[j];
-  const double gap = x[c.gap] + c.level, speed = rate(phase, x, j), push = drive(phase, j);
-  if (push == 0) return speed > 0 ? std::max(0.0, gap / speed) : infinity;
-  const double square = speed * speed + 2 * push * gap;  // gap − speed t − push t²/2 = 0
-  if (square < 0) return infinity;
-  const double root = std::sqrt(square);
-  if (speed > 0) return std::max(0.0, 2 * gap / (speed + root));
-  return push > 0 ? (root - speed) / push : infinity;
-}
-
-void find_outside(Window& w) {
-  w.outside_time = infinity;
-  for (Index j = 0; j < static_cast<Index>(w.phase->contact.size()); ++j) {
-    if (j >= w.first && j < w.first + w.lanes.count) continue;
-    if (w.phase->contact[j].role != Role::open) continue;
-    const double time = w.since + closing_time(*w.phase, w.x, j);
-    if (time >= w.outside_time) continue;
-    w.outside_time = time;
-    w.outside = j;
-  }
-}
 
 /// Indentation at the start: on the side where its role holds it, and exactly zero at an onset, where
 /// rounding may have left it beside.
@@ -62,66 +16,73 @@ double settled(const PhaseContact& c, double indentation, double rate) {
   return onset ? 0 : std::max(indentation, 0.0);
 }
 
-void fill(Window& w, int lane) {
-  const auto& phase = *w.phase;
-  const Index j = w.first + lane;
-  const auto& c = phase.contact[j];
+/// Velocities of a row's bodies where the series says `values`: use(place in the window, velocity).
+template <class Use>
+void velocities_of_row(const Window& w, const Values& values, Use&& use) {
+  double push = 0;
+  for (int lane = 0; lane <= w.lanes.count; ++lane) {
+    const auto& body = w.row->body[w.first + lane];
+    const double force = lane < w.lanes.count ? values.impulse[lane] : 0;
+    use(lane, w.velocity[lane] + (body.inverse_mass * (push - force) + body.acceleration * values.time));
+    push = force;
+  }
+}
+
+void add_impulses(const Window& w, const Values& values, State velocity) {
+  for (int lane = 0; lane < w.lanes.count; ++lane) {
+    if (values.impulse[lane] == 0) continue;
+    for (const auto& [dof, change] : w.network->response[lane]) velocity[dof] += change * values.impulse[lane];
+  }
+}
+
+void write_velocities(const Window& w, const Values& values, State x) {
+  if (w.row)
+    return velocities_of_row(w, values,
+                             [&](int i, double v) { x[w.row->body[w.first + i].velocity] = v; });
+  std::copy(w.velocity.begin(), w.velocity.end(), x.begin());
+  add_impulses(w, values, x);
+}
+
+double rate_in(const Window& w, int lane) {
+  return w.row ? w.velocity[lane] - w.velocity[lane + 1] : -gap_rate(w.network->direction[lane], w.velocity);
+}
+
+}  // namespace
+
+double wake_depth(const PhaseContact& c, double speed) {
+  if (c.exponent == 1) return -infinity;
+  const double strain = c.damping * speed / (c.stiffness * c.length);
+  return 0.5 * c.noise_depth / (1 + strain);
+}
+
+void begin(Window& w, std::span<const PhaseContact> contacts) {
+  w.contacts = contacts;
   auto& l = w.lanes;
-  l.rate[lane] = rate(phase, w.x, j);
-  l.indentation[lane] = settled(c, -w.x[c.gap], l.rate[lane]);
+  l.resize(static_cast<int>(contacts.size()));
+  l.damped = l.general = false;
+  for (auto* row : {&w.wake, &w.impulse, &w.work}) row->assign(contacts.size(), 0);
+  w.outside_time = infinity;
+}
+
+void fill(Window& w, int lane, double rate) {
+  const auto& c = w.contact(lane);
+  auto& l = w.lanes;
+  l.rate[lane] = rate;
+  l.indentation[lane] = settled(c, -w.x[c.gap], rate);
   l.stiffness[lane] = c.stiffness;
   l.damping[lane] = c.damping;
   l.power[lane] = c.exponent - 1;
-  l.left[lane] = phase.body[j].inverse_mass;
-  l.right[lane] = phase.body[j + 1].inverse_mass;
-  l.drive[lane] = drive(phase, j);
   l.weight[lane] = 1 / c.length;
-  w.wake[lane] = wake_depth(c, phase.speed);
-  w.impulse[lane] = w.work[lane] = 0;
+  w.wake[lane] = wake_depth(c, w.speed);
   l.damped |= c.damping > 0;
   l.general |= c.exponent != 1 && c.exponent != 1.5;
   watch(w, lane);
 }
 
-/// Velocities of the window's bodies where the series says `values`.
-template <class Take>
-void for_each_velocity(const Window& w, const Values& values, Take&& take) {
-  double push = 0;
-  for (int lane = 0; lane <= w.lanes.count; ++lane) {
-    const auto& body = w.phase->body[w.first + lane];
-    const double force = lane < w.lanes.count ? values.impulse[lane] : 0;
-    take(lane, w.velocity[lane] + (body.inverse_mass * (push - force) + body.acceleration * values.time));
-    push = force;
-  }
+void link(Window& w, const Coupling& coupling) {
+  w.lanes.linked = true;
+  w.lanes.links = {coupling.first.data(), coupling.near.data(), coupling.weight.data()};
 }
-
-/// What flies freely, `elapsed` after the window was placed.
-void write_outside(const Window& w, double elapsed, State x) {
-  const auto& phase = *w.phase;
-  const Index count = static_cast<Index>(phase.contact.size()), last = w.first + w.lanes.count;
-  for (Index j = 0; j < count; ++j) {
-    if (j == w.first) j = last;
-    if (j >= count) break;
-    const auto& c = phase.contact[j];
-    x[c.gap] = w.x[c.gap] - elapsed * (rate(phase, w.x, j) + 0.5 * elapsed * drive(phase, j));
-    if (c.impulse >= 0) x[c.impulse] = w.x[c.impulse];
-    if (c.work >= 0) x[c.work] = w.x[c.work];
-  }
-  for (Index i = 0; i <= count; ++i) {
-    if (i == w.first) i = last + 1;
-    if (i > count) break;
-    const auto& body = phase.body[i];
-    x[body.velocity] = w.x[body.velocity] + elapsed * body.acceleration;
-  }
-}
-
-void clear(Lanes& l, int lane) {
-  for (auto* row : {l.indentation, l.rate, l.active, l.stiffness, l.damping, l.power, l.left, l.right,
-                    l.drive, l.side, l.level, l.load_side, l.weight})
-    row[lane] = 0;
-}
-
-}  // namespace
 
 void watch(Window& w, int lane) {
   const auto& c = w.contact(lane);
@@ -147,37 +108,16 @@ void watch(Window& w, int lane) {
   }
 }
 
-bool place(Window& w, const SerialPhase& phase, State x, double time) {
-  const Index count = static_cast<Index>(phase.contact.size());
-  Index from = 0, to = count - 1;
-  while (from < count && !is_active(phase, x, from)) ++from;
-  while (to >= from && !is_active(phase, x, to)) --to;
-  // One contact more on each side, and another where that one is about to be pressed.
-  const auto touching = [&](Index j) { return phase.contact[j].role == Role::touching; };
-  if (from > 0 && touching(--from) && from > 0) --from;
-  if (to + 1 < count && touching(++to) && to + 1 < count) ++to;
-  if (to - from + 1 > lane_limit) return false;
-  w.phase = &phase;
-  w.x = x;
-  w.since = w.time = time;
-  w.first = from;
-  const int idle = w.lanes.count;
-  w.lanes.count = static_cast<int>(to - from + 1);
-  for (int lane = w.lanes.count; lane < idle; ++lane) clear(w.lanes, lane);
-  w.lanes.damped = w.lanes.general = false;
-  for (int lane = 0; lane < w.lanes.count; ++lane) fill(w, lane);
-  for (int body = 0; body <= w.lanes.count; ++body) w.velocity[body] = x[phase.body[from + body].velocity];
-  find_outside(w);
-  return true;
-}
-
 void advance(Window& w, const Values& values) {
   auto& l = w.lanes;
   w.time += values.time;
-  for_each_velocity(w, values, [&](Index body, double velocity) { w.velocity[body] = velocity; });
+  if (w.row)
+    velocities_of_row(w, values, [&](int i, double v) { w.velocity[i] = v; });
+  else
+    add_impulses(w, values, w.velocity);
   for (int lane = 0; lane < l.count; ++lane) {
     l.indentation[lane] = values.indentation[lane];
-    l.rate[lane] = w.velocity[lane] - w.velocity[lane + 1];
+    l.rate[lane] = rate_in(w, lane);
     w.impulse[lane] += values.impulse[lane];
     if (l.damped) w.work[lane] += values.work[lane];
   }
@@ -191,8 +131,8 @@ void write(const Window& w, State x) {
     if (c.impulse >= 0) x[c.impulse] = w.x[c.impulse] + w.impulse[lane];
     if (c.work >= 0) x[c.work] = w.x[c.work] + w.work[lane];
   }
-  for (int body = 0; body <= w.lanes.count; ++body)
-    x[w.phase->body[w.first + body].velocity] = w.velocity[body];
+  for (std::size_t i = 0; i < w.velocity.size(); ++i)
+    x[w.row ? w.row->body[w.first + i].velocity : static_cast<Index>(i)] = w.velocity[i];
 }
 
 void write(const Window& w, const Values& values, State x) {
@@ -203,8 +143,7 @@ void write(const Window& w, const Values& values, State x) {
     if (c.impulse >= 0) x[c.impulse] = w.x[c.impulse] + w.impulse[lane] + values.impulse[lane];
     if (c.work >= 0) x[c.work] = w.x[c.work] + w.work[lane] + values.work[lane];
   }
-  for_each_velocity(
-      w, values, [&](Index body, double velocity) { x[w.phase->body[w.first + body].velocity] = velocity; });
+  write_velocities(w, values, x);
 }
 
 }  // namespace mariotte::flow::taylor

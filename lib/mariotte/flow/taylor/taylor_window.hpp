@@ -1,6 +1,9 @@
-// The part of a chain that the Taylor flow expands: the contacts that carry force and one more on each side.
-// Everything outside flies freely.
+// The contacts that the Taylor flow expands. Of a row these are the ones that carry force and one more on each
+// side; everything outside flies freely. Of other links these are all.
 #pragma once
+#include <span>
+#include <vector>
+
 #include "mariotte/flow/problem.hpp"
 #include "mariotte/flow/taylor/taylor_lanes.hpp"
 
@@ -8,30 +11,34 @@ namespace mariotte::flow::taylor {
 
 /// The contacts that are expanded, one lane each, and the motion of all others.
 struct Window {
-  const SerialPhase* phase = nullptr;
+  const SerialPhase* row = nullptr;      ///< one of the two is what the window shows
+  const LinkedPhase* network = nullptr;
+  std::span<const PhaseContact> contacts;  ///< one per lane
+  double speed = 1, fade_speed = 0;        ///< those of the phase
   State x;           ///< the whole state at `since`; what is outside is as it was then
   double since = 0;  ///< local time of the phase
   double time = 0;
   Index first = 0;  ///< contact of lane 0
   Lanes lanes;
-  double velocity[lane_limit + 1];               ///< of bodies first, first + 1, …
-  double wake[lane_limit];                       ///< indentation below which a contact's force is left out
-  double impulse[lane_limit], work[lane_limit];  ///< since `since`
-  double outside_time = 0;                       ///< when the first of the gaps outside closes
-  Index outside = -1;                            ///< that contact
+  Coupling coupling;                 ///< of a long row
+  std::vector<double> velocity;      ///< of bodies first, first + 1, … of a row, of all dofs of a network
+  std::vector<double> wake;          ///< indentation below which a contact's force is left out
+  std::vector<double> impulse, work; ///< since `since`
+  double outside_time = infinity;    ///< when the first of the gaps outside closes
+  Index outside = -1;                ///< that contact
 
-  const PhaseContact& contact(int lane) const { return phase->contact[first + lane]; }
+  const PhaseContact& contact(int lane) const { return contacts[lane]; }
   /// Of lane's contact the force is a function with a branch point at δ = 0.
   bool is_sharp(int lane) const { return lanes.power[lane] > 0; }
-  bool pushes(int lane) const {
-    const auto role = contact(lane).role;
-    return role == Role::closed || role == Role::touching;
-  }
+  bool pushes(int lane) const { return contact(lane).pushes(); }
 };
 
-/// Place the window around what moves or pushes at `time`, where the whole state is x. False if that needs
-/// more lanes than there are.
-bool place(Window& window, const SerialPhase& phase, State x, double time);
+/// Place the window around what moves or pushes at `time`, where the whole state is x.
+void place(Window& window, const SerialPhase& phase, State x, double time);
+void place(Window& window, const LinkedPhase& phase, State x, double time);
+
+/// A contact at the edge is about to push on a body outside.
+bool has_outgrown(const Window& window);
 
 /// Watch lane's guards as its contact's role demands.
 void watch(Window& window, int lane);

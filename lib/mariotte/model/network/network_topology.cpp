@@ -76,7 +76,28 @@ void NetworkFlows::make_linked(const NetworkTopology& topology) {
   linked_.direction = network.direction;
   linked_.response = network.response;
   linked_.half_response = network.half_response;
-  for (Index j = 0; j < network.contacts(); ++j) linked_.contact.push_back(phase_contact(network, at, j));
+  linked_.speed = network.speed;
+  linked_.fade_speed = network.fade_speed_ratio * network.noise_speed;
+  linked_.coupling = {};
+  for (Index j = 0; j < network.contacts(); ++j) {
+    linked_.contact.push_back(phase_contact(network, at, j));
+    couple(topology, j);
+  }
+}
+
+void NetworkFlows::couple(const NetworkTopology& topology, Index j) {
+  auto& [first, near, weight] = linked_.coupling;
+  const auto add = [&](Index i) {
+    const double coupling = topology.coupling(j, i);
+    if (coupling == 0) return;
+    near.push_back(static_cast<int>(i));
+    weight.push_back(-coupling);
+  };
+  add(j);
+  topology.for_each_near(j, [&](Index i) {
+    if (i != j) add(i);
+  });
+  first.push_back(static_cast<int>(near.size()));
 }
 
 void NetworkFlows::reset(const NetworkTopology& network) {

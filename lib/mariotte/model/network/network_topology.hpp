@@ -35,6 +35,7 @@ class NetworkFlows {
   bool find_ends(const DimensionlessNetwork& network);
   void make_serial(const NetworkTopology& topology);
   void make_linked(const NetworkTopology& topology);
+  void couple(const NetworkTopology& topology, Index j);
 
   std::vector<Ends> ends_;                ///< by contact
   std::vector<Index> starting_, ending_;  ///< by dof: the contact that has it on its left, right

@@ -1,0 +1,238 @@
+// The series of some registers of contacts, their evaluation and bounds. Included by one source file per
+// instruction set, which names the namespace they live in.
+#pragma once
+#include "mariotte/flow/taylor/row_fields.hpp"
+#include "mariotte/flow/taylor/taylor_lanes.hpp"
+#include "mariotte/flow/taylor/taylor_registers.hpp"
+#include "mariotte/series/series.hpp"
+
+namespace mariotte::flow::taylor::MARIOTTE_INSTRUCTION_SET {
+
+/// What the fields of a row ask for.
+struct RowMaps {
+  int lane = 0;
+  template <int which, int N>
+  MARIOTTE_SERIES_INLINE LaneVector<N> apply(const LaneVector<N>& a) const {
+    if constexpr (which == 0) return from_left(a);
+    if constexpr (which == 1) return from_right(a);
+    if constexpr (which == 2) return from_lane(a, lane);
+  }
+};
+
+/// Lanes `first` to first + N × width of those that are expanded.
+template <int N, Given given>
+class Block : RowQuantities {
+ public:
+  static constexpr int size = N * width;
+
+  void move_to(int first) { first_ = first; }
+
+  /// Take over what the series starts from; `owner` is the lane of the clock, `pace_start` its √δ.
+  void start(const Lanes& lanes, int order, int owner, double pace_start) {
+    lanes_ = &lanes;
+    order_ = order;
+    damped_ = lanes.damped || lanes.general;
+    clocked_ = owner != Expansion::plain;
+    owner_ = owner - first_;
+    auto& p = parameters_;
+    start_[indentation] = of(lanes.indentation);
+    start_[rate] = of(lanes.rate);
+    p[stiffness] = of(lanes.stiffness);
+    p[damping] = of(lanes.damping);
+    p[power] = of(lanes.power);
+    p[drive] = of(lanes.drive);
+    divide();
+    const auto left = of(lanes.left), right = of(lanes.right);
+    mobility_ = left + right;
+    if (!damped_) p[strength] = p[strength] * p[stiffness];
+    if constexpr (given == Given::by_neighbours) {
+      p[from_left] = left * MARIOTTE_INSTRUCTION_SET::from_left(p[strength]);
+      p[from_right] = right * MARIOTTE_INSTRUCTION_SET::from_right(p[strength]);
+      p[own] = mobility_ * p[strength];
+    }
+    if (clocked_) start_[clock] = LaneVector<N>(pace_start);
+  }
+
+  /// Run `use` on the series that the lanes need.
+  template <class Use>
+  void with_series(Use&& use) {
+    if (lanes_->general)
+      use(made(general_));
+    else if (clocked_)
+      damped_ ? use(made(damped_landing_)) : use(made(landing_));
+    else
+      damped_ ? use(made(damped_plain_)) : use(made(plain_));
+  }
+  const std::array<LaneVector<N>, states>& start_states() const { return start_; }
+  const std::array<LaneVector<N>, parameters>& parameter_values() const { return parameters_; }
+
+  /// Coefficient k of a row, of all lanes.
+  LaneVector<N>& coefficient(int row, int k) { return row_[row][k]; }
+  double at(int row, int k, int lane) const {
+    const int i = lane - first_;
+    return row_[row][k].part[i / width][i % width];
+  }
+
+  double size_of(int k) const {
+    const auto weight = of(lanes_->weight);
+    Vec most{};
+    for (int i = 0; i < N; ++i)
+      most = largest(most, largest(magnitude(row_[rate][k].part[i]),
+                                   weight.part[i] * magnitude(row_[indentation][k].part[i])));
+    for (int i = 0; damped_ && i < N; ++i)
+      most = largest(most, mobility_.part[i] * magnitude(row_[work][k].part[i]));
+    double largest_part = most[0];
+    for (int i = 1; i < width; ++i) largest_part = most[i] > largest_part ? most[i] : largest_part;
+    return largest_part;
+  }
+
+  void evaluate(double place, Values& values) const {
+    const auto side = of(lanes_->side);
+    const auto &depths = row_[indentation], &impulses = row_[impulse];
+    auto d = depths[order_], p = impulses[order_], loss = loss_of(side * d);
+    for (int k = order_ - 1; k >= 0; --k) {
+      d = place * d + depths[k];
+      p = place * p + impulses[k];
+      if (k >= 4) loss = place * loss + loss_of(side * depths[k]);
+    }
+    store(d, values.indentation + first_);
+    store(p, values.impulse + first_);
+    const auto margin = bound(depths, side, loss, place);
+    store(margin + of(lanes_->level), values.margin + first_);
+    if (damped_) evaluate_damped(place, values);
+  }
+  double time_at(double place) const {
+    if (!clocked_) return place;
+    double sum = at(time, order_, first_);
+    for (int k = order_ - 1; k >= 0; --k) sum = sum * place + at(time, k, first_);
+    return sum;
+  }
+
+  void sharpen(double place, Values& values) const {
+    constexpr int degree = 9;  // of the terms in Bernstein form; what the others can take away is subtracted
+    double factor[degree + 1] = {1};  // placeᵏ/C(degree, k)
+    for (int k = 0; k < degree; ++k)
+      factor[k + 1] = factor[k] * place * (k + 1) * series::reciprocal.of[degree - k];
+    const double beyond = factor[degree] * place;
+    const auto side = of(lanes_->side), edge = of(lanes_->level), margin = of(values.margin);
+    store(each<N>([&](int i) {
+            Vec loss{}, b[degree + 1];
+            for (int k = order_; k > degree; --k)
+              loss = place * loss + largest(-side.part[i] * row_[indentation][k].part[i], Vec{});
+            for (int k = 0; k <= degree; ++k) b[k] = factor[k] * side.part[i] * row_[indentation][k].part[i];
+            b[0] += edge.part[i];
+            for (int row = 1; row <= degree; ++row)  // as in Pascal's triangle
+              for (int k = degree; k >= row; --k) b[k] += b[k - 1];
+            Vec lowest = b[0];
+            for (int k = 1; k <= degree; ++k) lowest = least(lowest, b[k]);
+            lowest -= beyond * loss;
+            return lowest > Vec{} ? lowest : margin.part[i];
+          }),
+          values.margin + first_);
+  }
+
+  void coefficients(Quantity quantity, int lane, double* c) const {
+    for (int k = 0; k <= order_; ++k) c[k] = coefficient(quantity, lane, k);
+  }
+
+ private:
+  double coefficient(Quantity quantity, int lane, int k) const {
+    switch (quantity) {
+      case Quantity::indentation:
+        return at(indentation, k, lane);
+      case Quantity::rate:
+        return at(rate, k, lane);
+      case Quantity::load:
+        return lanes_->stiffness[lane] * at(indentation, k, lane) +
+               lanes_->damping[lane] * at(rate, k, lane);
+      case Quantity::root:
+        return k < order_ ? at(root, k, lane) : 0;
+      case Quantity::clock:
+        return clocked_ ? at(clock, k, first_) : k == 0;
+      case Quantity::time:
+        return clocked_ ? at(time, k, first_) : k == 1;
+    }
+    return 0;
+  }
+
+  LaneVector<N> of(const double* row) const { return load<N>(row + first_); }
+  /// What a term of higher order can take away.
+  static LaneVector<N> loss_of(const LaneVector<N>& a) {
+    return each<N>([&](int i) { return largest(-a.part[i], Vec{}); });
+  }
+
+  /// Which contacts push, and which of them have a curved force. One at zero depth has none yet, unless it
+  /// owns the clock.
+  void divide() {
+    auto& p = parameters_;
+    const auto push = of(lanes_->active);
+    p[chosen] = LaneVector<N>(0.0);
+    if (clocked_ && owner_ >= 0 && owner_ < size) p[chosen].part[owner_ / width][owner_ % width] = 1;
+    p[free] = LaneVector<N>(1.0) - p[chosen];
+    for (int i = 0; i < N; ++i) {
+      const auto sharp = p[power].part[i] * push.part[i] != Vec{};
+      const auto deep = start_[indentation].part[i] > Vec{}, owner = p[chosen].part[i] != Vec{};
+      p[curved].part[i] = sharp & deep & ~owner ? splat(1) : Vec{};
+      p[level].part[i] = splat(1) - p[curved].part[i];
+      p[strength].part[i] = sharp & ~deep & ~owner ? Vec{} : push.part[i];
+    }
+  }
+
+  using Maps = std::conditional_t<given == Given::by_neighbours, RowMaps, series::NoMaps>;
+  template <Pace pace, bool damped>
+  using Own = std::unique_ptr<series::Series<RowField<pace, damped, given>, order_limit, LaneVector<N>, Maps>>;
+  template <class Series>
+  Series& made(std::unique_ptr<Series>& series) {
+    if (!series) series = std::make_unique<Series>();
+    if constexpr (given == Given::by_neighbours) series->maps.lane = owner_;
+    row_ = &(*series)[0];
+    return *series;
+  }
+
+  /// Lower bound of side × polynomial on [0, place]: the Bernstein form of its first four terms less what the
+  /// others can take away, `loss` place⁴. A polynomial that starts at zero is divided by σ first.
+  static LaneVector<N> bound(const auto& c, const LaneVector<N>& side, const LaneVector<N>& loss,
+                             double place) {
+    const double square = place * place;
+    return each<N>([&](int i) {
+      const Vec s = side.part[i], a = s * c[0].part[i], b = s * c[1].part[i], d = place * s * c[2].part[i],
+                e = square * s * c[3].part[i];
+      const Vec b1 = a + place / 3 * b, b2 = b1 + place / 3 * (b + d), b3 = a + place * (b + d + e);
+      const Vec from_zero = least(b, least(b + 0.5 * d, b + d + e));
+      const Vec least_value = a == Vec{} ? from_zero : least(least(a, b1), least(b2, b3));
+      const Vec beyond = (a == Vec{} ? splat(place) : splat(square)) * square * loss.part[i];
+      return s == Vec{} ? s : least_value - beyond;
+    });
+  }
+
+  void evaluate_damped(double place, Values& values) const {
+    LaneVector<N> loads[order_limit + 1];
+    const auto &depths = row_[indentation], &rates = row_[rate], &works = row_[work];
+    const auto spring = parameters_[stiffness], damper = parameters_[damping];
+    for (int k = 0; k <= order_; ++k) loads[k] = spring * depths[k] + damper * rates[k];
+    const auto side = of(lanes_->load_side);
+    auto w = works[order_], loss = loss_of(side * loads[order_]);
+    for (int k = order_ - 1; k >= 0; --k) {
+      w = place * w + works[k];
+      if (k >= 4) loss = place * loss + loss_of(side * loads[k]);
+    }
+    store(w, values.work + first_);
+    store(bound(loads, side, loss, place), values.load_margin + first_);
+  }
+
+  const Lanes* lanes_ = nullptr;
+  int first_ = 0, order_ = 0;
+  int owner_ = 0;  ///< lane of the clock, less the first lane
+  bool damped_ = false, clocked_ = false;
+  std::array<LaneVector<N>, states> start_ = {};  ///< impulse, work and time start from zero
+  std::array<LaneVector<N>, parameters> parameters_;
+  LaneVector<N> mobility_;  ///< 1/m*
+  std::array<LaneVector<N>, order_limit + 2>* row_ = nullptr;
+  Own<Pace::plain, false> plain_;
+  Own<Pace::plain, true> damped_plain_;
+  Own<Pace::landing, false> landing_;
+  Own<Pace::landing, true> damped_landing_;
+  Own<Pace::general, true> general_;
+};
+
+}  // namespace mariotte::flow::taylor::MARIOTTE_INSTRUCTION_SET

@@ -1,0 +1,63 @@
+#include "mariotte/flow/taylor/taylor_lanes.hpp"
+
+#include <algorithm>
+#include <new>
+#include <utility>
+
+namespace mariotte::flow::taylor {
+namespace {
+
+constexpr int whole = 16;  ///< lanes are expanded in blocks of this many or fewer
+constexpr std::align_val_t boundary{64};
+
+}  // namespace
+
+LaneTable::LaneTable(LaneTable&& other) noexcept
+    : rows_(other.rows_), room_(std::exchange(other.room_, 0)), data_(std::exchange(other.data_, nullptr)) {}
+
+LaneTable::~LaneTable() {
+  ::operator delete(data_, boundary);
+}
+
+bool LaneTable::reserve(int lanes) {
+  if (data_ && lanes <= room_) return false;
+  ::operator delete(data_, boundary);
+  room_ = std::max((lanes + whole - 1) / whole * whole, row_limit);
+  const auto size = static_cast<std::size_t>(rows_) * room_;
+  data_ = static_cast<double*>(::operator new(size * sizeof(double), boundary));
+  std::fill_n(data_, size, 0.0);
+  return true;
+}
+
+Lanes::Lanes() : table_(13) {
+  resize(0);
+}
+
+void Lanes::resize(int lanes) {
+  double** const rows[] = {&indentation, &rate,  &active, &stiffness, &damping,   &power, &left,
+                           &right,       &drive, &side,   &level,     &load_side, &weight};
+  const bool moved = table_.reserve(lanes);
+  int i = 0;
+  for (double** row : rows) {
+    if (moved) *row = table_.row(i++);
+    if (lanes < count) std::fill(*row + lanes, *row + count, 0.0);
+  }
+  count = lanes;
+}
+
+Values::Values() : table_(5) {
+  resize(0);
+}
+
+void Values::resize(int lanes) {
+  if (!table_.reserve(lanes)) return;
+  int i = 0;
+  for (double** row : {&indentation, &impulse, &work, &margin, &load_margin}) *row = table_.row(i++);
+}
+
+std::size_t size_for(const Lanes& lanes) {
+  if (lanes.linked) return lane_sizes.size();
+  return std::lower_bound(lane_sizes.begin(), lane_sizes.end(), lanes.count) - lane_sizes.begin();
+}
+
+}  // namespace mariotte::flow::taylor

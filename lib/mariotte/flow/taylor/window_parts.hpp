@@ -1,0 +1,24 @@
+// What the windows of rows and of networks are made of.
+#pragma once
+#include "mariotte/flow/taylor/felt.hpp"
+#include "mariotte/flow/taylor/taylor_window.hpp"
+
+namespace mariotte::flow::taylor {
+
+/// Depth below which the force of a contact is left out: within the depth that cannot be told from rounding,
+/// less for what damping adds to the force. Laws without a branch point need none.
+double wake_depth(const PhaseContact& contact, double speed);
+
+/// Make one lane for each of the contacts.
+void begin(Window& window, std::span<const PhaseContact> contacts);
+
+/// Fill a lane from its contact, which has the rate δ̇, and the window's state.
+void fill(Window& window, int lane, double rate);
+
+/// Lanes do to each other what `coupling` says, which must last as long as they.
+void link(Window& window, const Coupling& coupling);
+
+/// Write what flies freely outside, `elapsed` after the window was placed.
+void write_outside(const Window& window, double elapsed, State x);
+
+}  // namespace mariotte::flow::taylor
