@@ -125,9 +125,9 @@ inline std::vector<PhaseCase> other_phases() {
     return [law] { return phase_of(with_law(two_on_one(), law)); };
   };
   return {
-      {"linear network", {modal}, of(contact::Linear{1})},
-      {"damped linear network", {modal}, of(damper(1, 0.3))},
-      {"Hertz network", {}, of(contact::Hertz{1})},
+      {"linear network", {modal, taylor}, of(contact::Linear{1})},
+      {"damped linear network", {modal, taylor}, of(damper(1, 0.3))},
+      {"Hertz network", {taylor}, of(contact::Hertz{1})},
       {"sphere",
        {taylor},
        [=] {

@@ -25,7 +25,7 @@ void place(Window& w, const LinkedPhase& phase, State x, double time) {
   begin(w, phase.contact);
   auto& l = w.lanes;
   for (int lane = 0; lane < l.count; ++lane) {
-    l.left[lane] = -phase.coupling.weight[phase.coupling.first[lane]];
+    l.left[lane] = -phase.coupling.weight[phase.coupling.first[lane]];  // of the contact itself
     l.right[lane] = l.drive[lane] = 0;
     fill(w, lane, settled_rate(phase, x, lane));
   }

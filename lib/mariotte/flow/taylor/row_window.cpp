@@ -58,17 +58,11 @@ void fill(Window& w, int lane) {
 /// Rows with more contacts than a row of lanes holds are expanded as contacts linked in any way.
 void couple(Window& w) {
   auto& l = w.lanes;
-  auto& [first, near, weight] = w.coupling;
-  first.assign(1, 0);
-  near.clear();
-  weight.clear();
   l.linked = false;
+  w.coupling.clear();
   for (int j = 0; j < l.count; ++j) {
-    for_each_felt(l, j, [&](int other, double own) {
-      near.push_back(other);
-      weight.push_back(own);
-    });
-    first.push_back(static_cast<int>(near.size()));
+    for_each_felt(l, j, [&](int other, double weight) { w.coupling.add(other, weight); });
+    w.coupling.end_row();
   }
   for (int j = 0; j < l.count; ++j) {
     l.left[j] += l.right[j];

@@ -78,26 +78,22 @@ void NetworkFlows::make_linked(const NetworkTopology& topology) {
   linked_.half_response = network.half_response;
   linked_.speed = network.speed;
   linked_.fade_speed = network.fade_speed_ratio * network.noise_speed;
-  linked_.coupling = {};
+  linked_.coupling.clear();
   for (Index j = 0; j < network.contacts(); ++j) {
     linked_.contact.push_back(phase_contact(network, at, j));
     couple(topology, j);
   }
 }
 
+/// Its own contact comes first.
 void NetworkFlows::couple(const NetworkTopology& topology, Index j) {
-  auto& [first, near, weight] = linked_.coupling;
-  const auto add = [&](Index i) {
-    const double coupling = topology.coupling(j, i);
-    if (coupling == 0) return;
-    near.push_back(static_cast<int>(i));
-    weight.push_back(-coupling);
-  };
-  add(j);
+  auto& coupling = linked_.coupling;
+  coupling.add(j, -topology.coupling(j, j));
   topology.for_each_near(j, [&](Index i) {
-    if (i != j) add(i);
+    const double by_force = -topology.coupling(j, i);
+    if (i != j && by_force != 0) coupling.add(i, by_force);
   });
-  first.push_back(static_cast<int>(near.size()));
+  coupling.end_row();
 }
 
 void NetworkFlows::reset(const NetworkTopology& network) {
