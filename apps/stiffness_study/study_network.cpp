@@ -32,6 +32,18 @@ Series over_linear_packings(double accuracy, bool quick) {
   return series;
 }
 
+/// Bodies that share contacts, all of Hertz' law.
+Series over_hertz_packings(bool quick) {
+  Series series{.study = "network",
+                .name = "series of a packing of disks, accuracy 1e-10",
+                .family = "disks on a side",
+                .points = {},
+                .longest = 1};
+  for (const Index side : {2, 3, 4, 5, 6, 8, 12, 17})
+    if (!quick || side <= 4) series.points.push_back({static_cast<double>(side), {.law = "hertz", .side = side}});
+  return series;
+}
+
 }  // namespace
 
 Findings network_study(const Settings& settings) {
@@ -50,6 +62,11 @@ Findings network_study(const Settings& settings) {
     findings.statements.push_back(comparison(rows, "modal", "cvode-adams"));
     findings.rows.insert(findings.rows.end(), rows.begin(), rows.end());
   }
+  auto tight = settings;
+  tight.accuracy = 1e-10;
+  const auto series = sweep(over_hertz_packings(settings.quick), {"taylor", "cvode-adams"}, tight, references);
+  findings.statements.push_back(comparison(series, "taylor", "cvode-adams"));
+  findings.rows.insert(findings.rows.end(), series.begin(), series.end());
   findings.figures = figures_by_flow(findings.rows, "disks on a side", Figure::Quantity::seconds);
   return findings;
 }

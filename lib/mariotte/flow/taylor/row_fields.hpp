@@ -88,4 +88,20 @@ struct RowField : RowQuantities {
   }
 };
 
+/// Contacts without force, moved from outside.
+template <Pace pace>
+struct StillField : RowQuantities {
+  static constexpr bool is_uniform(int row) { return row == clock || row == time; }
+
+  template <class T>
+  static constexpr auto rates(const std::array<T, states>& x, const std::array<T, parameters>&) {
+    std::array<T, rows> row{};
+    row[indentation] = x[rate];
+    if constexpr (pace != Pace::landing) return row;
+    row[indentation] = x[clock] * x[rate];
+    row[time] = x[clock];
+    return row;
+  }
+};
+
 }  // namespace mariotte::flow::taylor

@@ -42,6 +42,7 @@ class Block : RowQuantities {
     p[power] = of(lanes.power);
     p[drive] = of(lanes.drive);
     divide();
+    still_ = is_still();
     const auto left = of(lanes.left), right = of(lanes.right);
     mobility_ = left + right;
     if (!damped_) p[strength] = p[strength] * p[stiffness];
@@ -56,6 +57,8 @@ class Block : RowQuantities {
   /// Run `use` on the series that the lanes need.
   template <class Use>
   void with_series(Use&& use) {
+    if constexpr (given == Given::from_outside)
+      if (still_) return clocked_ ? use(made(still_landing_)) : use(made(still_plain_));
     if (lanes_->general)
       use(made(general_));
     else if (clocked_)
@@ -97,8 +100,7 @@ class Block : RowQuantities {
     }
     store(d, values.indentation + first_);
     store(p, values.impulse + first_);
-    const auto margin = bound(depths, side, loss, place);
-    store(margin + of(lanes_->level), values.margin + first_);
+    store(bound(depths, side, of(lanes_->level), loss, place), values.margin + first_);
     if (damped_) evaluate_damped(place, values);
   }
   double time_at(double place) const {
@@ -178,9 +180,20 @@ class Block : RowQuantities {
     }
   }
 
+  /// None of the contacts pushes.
+  bool is_still() const {
+    Vec any{};
+    for (int i = 0; i < N; ++i) any = largest(any, magnitude(parameters_[strength].part[i]));
+    for (int i = 0; i < width; ++i)
+      if (any[i] > 0) return false;
+    return true;
+  }
+
   using Maps = std::conditional_t<given == Given::by_neighbours, RowMaps, series::NoMaps>;
+  template <class Field>
+  using Of = std::unique_ptr<series::Series<Field, order_limit, LaneVector<N>, Maps>>;
   template <Pace pace, bool damped>
-  using Own = std::unique_ptr<series::Series<RowField<pace, damped, given>, order_limit, LaneVector<N>, Maps>>;
+  using Own = Of<RowField<pace, damped, given>>;
   template <class Series>
   Series& made(std::unique_ptr<Series>& series) {
     if (!series) series = std::make_unique<Series>();
@@ -189,14 +202,14 @@ class Block : RowQuantities {
     return *series;
   }
 
-  /// Lower bound of side × polynomial on [0, place]: the Bernstein form of its first four terms less what the
-  /// others can take away, `loss` place⁴. A polynomial that starts at zero is divided by σ first.
-  static LaneVector<N> bound(const auto& c, const LaneVector<N>& side, const LaneVector<N>& loss,
-                             double place) {
+  /// Lower bound of side × polynomial + edge on [0, place]: the Bernstein form of its first four terms less
+  /// what the others can take away, `loss` place⁴. What starts at zero is divided by σ first.
+  static LaneVector<N> bound(const auto& c, const LaneVector<N>& side, const LaneVector<N>& edge,
+                             const LaneVector<N>& loss, double place) {
     const double square = place * place;
     return each<N>([&](int i) {
-      const Vec s = side.part[i], a = s * c[0].part[i], b = s * c[1].part[i], d = place * s * c[2].part[i],
-                e = square * s * c[3].part[i];
+      const Vec s = side.part[i], a = s * c[0].part[i] + edge.part[i], b = s * c[1].part[i],
+                d = place * s * c[2].part[i], e = square * s * c[3].part[i];
       const Vec b1 = a + place / 3 * b, b2 = b1 + place / 3 * (b + d), b3 = a + place * (b + d + e);
       const Vec from_zero = least(b, least(b + 0.5 * d, b + d + e));
       const Vec least_value = a == Vec{} ? from_zero : least(least(a, b1), least(b2, b3));
@@ -217,13 +230,13 @@ class Block : RowQuantities {
       if (k >= 4) loss = place * loss + loss_of(side * loads[k]);
     }
     store(w, values.work + first_);
-    store(bound(loads, side, loss, place), values.load_margin + first_);
+    store(bound(loads, side, LaneVector<N>(0.0), loss, place), values.load_margin + first_);
   }
 
   const Lanes* lanes_ = nullptr;
   int first_ = 0, order_ = 0;
   int owner_ = 0;  ///< lane of the clock, less the first lane
-  bool damped_ = false, clocked_ = false;
+  bool damped_ = false, clocked_ = false, still_ = false;
   std::array<LaneVector<N>, states> start_ = {};  ///< impulse, work and time start from zero
   std::array<LaneVector<N>, parameters> parameters_;
   LaneVector<N> mobility_;  ///< 1/m*
@@ -233,6 +246,8 @@ class Block : RowQuantities {
   Own<Pace::landing, false> landing_;
   Own<Pace::landing, true> damped_landing_;
   Own<Pace::general, true> general_;
+  Of<StillField<Pace::plain>> still_plain_;
+  Of<StillField<Pace::landing>> still_landing_;
 };
 
 }  // namespace mariotte::flow::taylor::MARIOTTE_INSTRUCTION_SET

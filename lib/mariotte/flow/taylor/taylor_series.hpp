@@ -46,6 +46,7 @@ class LinkedSeries final : public Expansion {
     order_ = order;
     clock_ = clock;
     make_blocks();
+    find_pushes();
     for (auto& block : blocks_) {
       block.start(lanes, order, clock, pace_start(lanes, clock));
       block.with_series(
@@ -90,18 +91,24 @@ class LinkedSeries final : public Expansion {
     bend_.resize(needed);
   }
 
+  /// Of what lanes do to each other only that of contacts which push.
+  void find_pushes() {
+    const auto& [first, lane, weight] = lanes_->links;
+    pushes_.clear();
+    for (int j = 0; j < lanes_->count; ++j) {
+      for (int i = first[j]; i < first[j + 1]; ++i)
+        if (lanes_->active[lane[i]] > 0) pushes_.push_back({j, lane[i], weight[i]});
+    }
+  }
+
   /// δ̇ and the clock, order k + 1, from the forces of order k.
   void accelerate(int k) {
     const double share = series::reciprocal.of[k + 1], pace = clock_of(k);
     for (std::size_t i = 0; i < blocks_.size(); ++i) push_[i] = blocks_[i].coefficient(RowQuantities::impulse, k + 1);
-    const auto& [first, lane, weight] = lanes_->links;
-    const auto* push = reinterpret_cast<const double*>(push_.data());
+    const auto* impulse = reinterpret_cast<const double*>(push_.data());
     auto* bend = reinterpret_cast<double*>(bend_.data());
-    for (int j = 0; j < lanes_->count; ++j) {
-      double sum = share * pace * lanes_->drive[j];
-      for (int i = first[j]; i < first[j + 1]; ++i) sum += weight[i] * push[lane[i]];
-      bend[j] = sum;
-    }
+    for (int j = 0; j < lanes_->count; ++j) bend[j] = share * pace * lanes_->drive[j];
+    for (const auto& push : pushes_) bend[push.on] += push.weight * impulse[push.by];
     for (std::size_t i = 0; i < blocks_.size(); ++i) blocks_[i].coefficient(RowQuantities::rate, k + 1) = bend_[i];
     if (clock_ == plain) return;
     const LaneVector<parts> quickening(0.5 * share * of_owner(k));
@@ -112,9 +119,15 @@ class LinkedSeries final : public Expansion {
   }
   double of_owner(int k) const { return blocks_[clock_ / Part::size].at(RowQuantities::rate, k, clock_); }
 
+  struct Push {
+    int on, by;
+    double weight;
+  };
+
   const Lanes* lanes_ = nullptr;
   int order_ = 0, clock_ = plain;
   std::vector<Part> blocks_;
+  std::vector<Push> pushes_;
   std::vector<LaneVector<parts>> push_, bend_;  ///< order k + 1 of impulses and of δ̇
 };
 

@@ -160,8 +160,10 @@ double Stepper::reach(const Expansion& series, bool fresh) const {
 Piece Stepper::series_piece() {
   auto& l = window.lanes;
   Piece piece{.series = &expansion(), .order = precision_.order, .clock = choose_clock()};
-  for (int j = 0; j < l.count; ++j)
+  for (int j = 0; j < l.count; ++j) {
     l.active[j] = window.pushes(j) && (j == piece.clock || l.indentation[j] > window.wake[j]);
+    if (window.network) doze(j);
+  }
   piece.series->expand(l, piece.order, piece.clock);
   const double end = reach(*piece.series, piece.clock != Expansion::plain && l.indentation[piece.clock] == 0);
   piece.end = end;
@@ -181,10 +183,24 @@ void Stepper::land(Piece& piece) {
   piece.end = place.value_or(piece.end);
 }
 
+/// What touches and is left out is watched for the depth at which it would be late.
+void Stepper::doze(int lane) {
+  auto& l = window.lanes;
+  if (window.contact(lane).role != Role::touching || !window.is_sharp(lane)) return;
+  l.side[lane] = l.active[lane] > 0 ? 0 : -1;
+  l.level[lane] = late * window.wake[lane];
+}
+
+bool Stepper::dozes(int lane) const {
+  return window.lanes.side[lane] < 0 && window.contact(lane).role == Role::touching;
+}
+
 /// In a row the others only press a contact whose own force is left out, so that it is deepest at an end of a
 /// piece, unless a drive draws it apart. Other links may draw it, too.
-bool Stepper::may_come_back(int lane) const {
-  return window.network || window.lanes.drive[lane] < 0;
+bool Stepper::cannot_be_late(const Piece& piece, int lane) const {
+  if (values_.indentation[lane] > late * window.wake[lane]) return false;
+  if (!window.network) return !(window.lanes.drive[lane] < 0);
+  return piece.start || (dozes(lane) && values_.margin[lane] >= 0);
 }
 
 /// End the piece where a contact whose force is left out has reached the depth at which it wakes.
@@ -192,7 +208,7 @@ void Stepper::wake_gently(Piece& piece) {
   const auto& l = window.lanes;
   for (int j = 0; j < l.count; ++j) {
     if (!window.pushes(j) || l.active[j] > 0) continue;
-    if (!may_come_back(j) && values_.indentation[j] <= late * window.wake[j]) continue;
+    if (cannot_be_late(piece, j)) continue;
     if (piece.start) {
       wake_in_start(piece, j);
     } else if (const auto place = waking(piece, j)) {
@@ -270,7 +286,7 @@ Fall Stepper::first_fall(Piece& piece) {
     if (l.side[j] > 0 && values_.margin[j] < 0) end_at_turn(piece, j);
   for (int j = 0; j < l.count; ++j) {
     const auto& c = window.contact(j);
-    if (l.side[j] != 0 && values_.margin[j] < 0)
+    if (l.side[j] != 0 && !dozes(j) && values_.margin[j] < 0)
       search(piece, Quantity::indentation, j, l.side[j], l.level[j], c.guard, fall);
     if (l.load_side[j] != 0 && values_.load_margin[j] < 0)
       search(piece, Quantity::load, j, l.load_side[j], 0, c.load_guard, fall);

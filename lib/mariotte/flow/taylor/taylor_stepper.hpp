@@ -50,7 +50,6 @@ class Stepper {
   bool starts();
   bool finds_struck();
   bool finds_pressed();
-  bool may_come_back(int lane) const;
   std::optional<Piece> start_piece();
   int choose_clock() const;
   Piece series_piece();
@@ -60,6 +59,9 @@ class Stepper {
   void shorten(Piece& piece, double place);
   double reach(const Expansion& series, bool fresh) const;
   Expansion& expansion();
+  void doze(int lane);
+  bool dozes(int lane) const;
+  bool cannot_be_late(const Piece& piece, int lane) const;
   void wake_gently(Piece& piece);
   std::optional<double> waking(const Piece& piece, int lane) const;
   void wake_in_start(Piece& piece, int lane);
