@@ -40,7 +40,8 @@ Series over_hertz_packings(bool quick) {
                 .points = {},
                 .longest = 1};
   for (const Index side : {2, 3, 4, 5, 6, 8, 12, 17})
-    if (!quick || side <= 4) series.points.push_back({static_cast<double>(side), {.law = "hertz", .side = side}});
+    if (!quick || side <= 4)
+      series.points.push_back({static_cast<double>(side), {.law = "hertz", .side = side}});
   return series;
 }
 
@@ -64,7 +65,8 @@ Findings network_study(const Settings& settings) {
   }
   auto tight = settings;
   tight.accuracy = 1e-10;
-  const auto series = sweep(over_hertz_packings(settings.quick), {"taylor", "cvode-adams"}, tight, references);
+  const auto series =
+      sweep(over_hertz_packings(settings.quick), {"taylor", "cvode-adams"}, tight, references);
   findings.statements.push_back(comparison(series, "taylor", "cvode-adams"));
   findings.rows.insert(findings.rows.end(), series.begin(), series.end());
   findings.figures = figures_by_flow(findings.rows, "disks on a side", Figure::Quantity::seconds);

@@ -58,6 +58,23 @@ BOOST_AUTO_TEST_CASE(chains_written_as_networks_agree_with_the_chain_model) {
   BOOST_TEST_MESSAGE("worst difference of velocities " << worst);
 }
 
+BOOST_AUTO_TEST_CASE(series_of_racks_agree_with_cvode) {
+  for (const double touching : {0.0, 1e-3})
+    for (const int rows : {3, 5}) {
+      const auto network = test::rack(rows, touching);
+      const auto by = [&](std::optional<flow::Kind> kind, double accuracy) {
+        return simulate(network, {.accuracy = accuracy, .flow = kind});
+      };
+      const auto exact = by(flow::Kind::cvode_adams, 1e-13);
+      for (const double accuracy : {1e-6, 1e-9, 1e-11}) {
+        const auto run = by(std::nullopt, accuracy);
+        BOOST_TEST((run.ending == hybrid::Ending::separated));
+        BOOST_TEST(run.flows.back().name == "taylor");
+        BOOST_TEST(difference(run.velocity, exact.velocity) < accuracy);
+      }
+    }
+}
+
 BOOST_AUTO_TEST_CASE(order_and_direction_of_a_row_do_not_matter) {
   auto network = model::as_network(test::equal_chain(4));
   const auto run = simulate(network, {.accuracy = 1e-13});

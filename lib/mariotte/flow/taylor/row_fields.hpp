@@ -1,5 +1,5 @@
-// The fields of contacts side by side; a number holds many contacts. With the rate of the clock g = dt/dσ and,
-// in a row, the inverse masses u of the bodies to both sides:
+// The fields of contacts side by side; a number holds many contacts. With the rate of the clock g = dt/dσ
+// and, in a row, the inverse masses u of the bodies to both sides:
 //
 //   λ = k δ + c δ̇            load
 //   s = δᵖ                    1 where p = 0
@@ -10,8 +10,9 @@
 //   w' = g f δ̇                work
 //
 // What is not `curved`, for it is linear, open or has no depth yet, has the root of 1. Without damping the
-// stiffness is in the strength and the couplings, λ = δ. Contacts that are linked in another way than in a row
-// may stand in several numbers: who has all forces of an order gives the coefficients of δ̇ and of the clock.
+// stiffness is in the strength and the couplings, λ = δ. Contacts that are linked in another way than in a
+// row may stand in several numbers: who has all forces of an order gives the coefficients of δ̇ and of the
+// clock.
 #pragma once
 #include <array>
 #include <cmath>

@@ -145,8 +145,7 @@ class Block : RowQuantities {
       case Quantity::rate:
         return at(rate, k, lane);
       case Quantity::load:
-        return lanes_->stiffness[lane] * at(indentation, k, lane) +
-               lanes_->damping[lane] * at(rate, k, lane);
+        return lanes_->stiffness[lane] * at(indentation, k, lane) + lanes_->damping[lane] * at(rate, k, lane);
       case Quantity::root:
         return k < order_ ? at(root, k, lane) : 0;
       case Quantity::clock:

@@ -9,7 +9,7 @@ namespace mariotte::flow::taylor {
 
 inline constexpr int order_limit = 20;
 /// An expansion of rows is compiled for each of these numbers of lanes.
-inline constexpr std::array lane_sizes = {4, 8, 12, 16, 32, 64};
+inline constexpr std::array lane_sizes = {4, 8, 12, 16, 32};
 /// Longer rows are expanded as networks are.
 inline constexpr int row_limit = lane_sizes.back();
 

@@ -17,9 +17,8 @@ class RowSeries final : public Expansion {
   void expand(const Lanes& lanes, int order, int clock) override {
     order_ = order;
     block_.start(lanes, order, clock, pace_start(lanes, clock));
-    block_.with_series([&](auto& series) {
-      series.expand_states(block_.start_states(), block_.parameter_values(), order);
-    });
+    block_.with_series(
+        [&](auto& series) { series.expand_states(block_.start_states(), block_.parameter_values(), order); });
   }
   void sizes(int first, double* size) const override {
     for (int k = first; k <= order_; ++k) size[k - first] = block_.size_of(k);
@@ -49,8 +48,7 @@ class LinkedSeries final : public Expansion {
     find_pushes();
     for (auto& block : blocks_) {
       block.start(lanes, order, clock, pace_start(lanes, clock));
-      block.with_series(
-          [&](auto& series) { series.begin(block.start_states(), block.parameter_values()); });
+      block.with_series([&](auto& series) { series.begin(block.start_states(), block.parameter_values()); });
     }
     accelerate(0);
     for (int k = 1; k < order; ++k) {
@@ -104,12 +102,14 @@ class LinkedSeries final : public Expansion {
   /// δ̇ and the clock, order k + 1, from the forces of order k.
   void accelerate(int k) {
     const double share = series::reciprocal.of[k + 1], pace = clock_of(k);
-    for (std::size_t i = 0; i < blocks_.size(); ++i) push_[i] = blocks_[i].coefficient(RowQuantities::impulse, k + 1);
+    for (std::size_t i = 0; i < blocks_.size(); ++i)
+      push_[i] = blocks_[i].coefficient(RowQuantities::impulse, k + 1);
     const auto* impulse = reinterpret_cast<const double*>(push_.data());
     auto* bend = reinterpret_cast<double*>(bend_.data());
     for (int j = 0; j < lanes_->count; ++j) bend[j] = share * pace * lanes_->drive[j];
     for (const auto& push : pushes_) bend[push.on] += push.weight * impulse[push.by];
-    for (std::size_t i = 0; i < blocks_.size(); ++i) blocks_[i].coefficient(RowQuantities::rate, k + 1) = bend_[i];
+    for (std::size_t i = 0; i < blocks_.size(); ++i)
+      blocks_[i].coefficient(RowQuantities::rate, k + 1) = bend_[i];
     if (clock_ == plain) return;
     const LaneVector<parts> quickening(0.5 * share * of_owner(k));
     for (auto& block : blocks_) block.coefficient(RowQuantities::clock, k + 1) = quickening;

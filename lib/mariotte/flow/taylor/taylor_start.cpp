@@ -146,8 +146,7 @@ void Start::evaluate(double time, Values& values) const {
       else
         (part > 0 ? travel.given : travel.drawn) += std::abs(part);
     });
-    values.indentation[j] =
-        l.indentation[j] + l.rate[j] * time + (travel.given - travel.drawn) - travel.own;
+    values.indentation[j] = l.indentation[j] + l.rate[j] * time + (travel.given - travel.drawn) - travel.own;
     values.margin[j] = margin(j, time, travel);
   }
   values.time = time;

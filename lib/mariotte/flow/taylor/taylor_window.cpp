@@ -31,14 +31,14 @@ void velocities_of_row(const Window& w, const Values& values, Use&& use) {
 void add_impulses(const Window& w, const Values& values, State velocity) {
   for (int lane = 0; lane < w.lanes.count; ++lane) {
     if (values.impulse[lane] == 0) continue;
-    for (const auto& [dof, change] : w.network->response[lane]) velocity[dof] += change * values.impulse[lane];
+    for (const auto& [dof, change] : w.network->response[lane])
+      velocity[dof] += change * values.impulse[lane];
   }
 }
 
 void write_velocities(const Window& w, const Values& values, State x) {
   if (w.row)
-    return velocities_of_row(w, values,
-                             [&](int i, double v) { x[w.row->body[w.first + i].velocity] = v; });
+    return velocities_of_row(w, values, [&](int i, double v) { x[w.row->body[w.first + i].velocity] = v; });
   std::copy(w.velocity.begin(), w.velocity.end(), x.begin());
   add_impulses(w, values, x);
 }

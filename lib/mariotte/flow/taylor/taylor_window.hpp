@@ -1,5 +1,5 @@
-// The contacts that the Taylor flow expands. Of a row these are the ones that carry force and one more on each
-// side; everything outside flies freely. Of other links these are all.
+// The contacts that the Taylor flow expands. Of a row these are the ones that carry force and one more on
+// each side; everything outside flies freely. Of other links these are all.
 #pragma once
 #include <span>
 #include <vector>
@@ -11,21 +11,21 @@ namespace mariotte::flow::taylor {
 
 /// The contacts that are expanded, one lane each, and the motion of all others.
 struct Window {
-  const SerialPhase* row = nullptr;      ///< one of the two is what the window shows
+  const SerialPhase* row = nullptr;  ///< one of the two is what the window shows
   const LinkedPhase* network = nullptr;
   std::span<const PhaseContact> contacts;  ///< one per lane
   double speed = 1, fade_speed = 0;        ///< those of the phase
-  State x;           ///< the whole state at `since`; what is outside is as it was then
-  double since = 0;  ///< local time of the phase
+  State x;                                 ///< the whole state at `since`; what is outside is as it was then
+  double since = 0;                        ///< local time of the phase
   double time = 0;
   Index first = 0;  ///< contact of lane 0
   Lanes lanes;
-  Coupling coupling;                 ///< of a long row
-  std::vector<double> velocity;      ///< of bodies first, first + 1, … of a row, of all dofs of a network
-  std::vector<double> wake;          ///< indentation below which a contact's force is left out
-  std::vector<double> impulse, work; ///< since `since`
-  double outside_time = infinity;    ///< when the first of the gaps outside closes
-  Index outside = -1;                ///< that contact
+  Coupling coupling;                  ///< of a long row
+  std::vector<double> velocity;       ///< of bodies first, first + 1, … of a row, of all dofs of a network
+  std::vector<double> wake;           ///< indentation below which a contact's force is left out
+  std::vector<double> impulse, work;  ///< since `since`
+  double outside_time = infinity;     ///< when the first of the gaps outside closes
+  Index outside = -1;                 ///< that contact
 
   const PhaseContact& contact(int lane) const { return contacts[lane]; }
   /// Of lane's contact the force is a function with a branch point at δ = 0.
