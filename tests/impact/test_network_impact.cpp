@@ -75,6 +75,19 @@ BOOST_AUTO_TEST_CASE(series_of_racks_agree_with_cvode) {
     }
 }
 
+// What touches at rest is pressed and drawn by turns. Contacts of high exponents are shallow for long.
+BOOST_AUTO_TEST_CASE(a_contact_that_is_drawn_apart_a_little_keeps_its_gap) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int i = 0; i < 12; ++i) {
+    auto network = test::rack(4, 0);
+    for (auto& law : network.law)
+      law = contact::Viscoelastic{0.3 + 3 * unit(random), 0, 1.2 + 1.2 * unit(random)};
+    const auto exact = simulate(network, {.accuracy = 1e-13, .flow = flow::Kind::cvode_adams});
+    BOOST_TEST(difference(simulate(network, {.accuracy = 1e-9}).velocity, exact.velocity) < 1e-9);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(order_and_direction_of_a_row_do_not_matter) {
   auto network = model::as_network(test::equal_chain(4));
   const auto run = simulate(network, {.accuracy = 1e-13});

@@ -12,6 +12,7 @@ namespace {
 /// rounding may have left it beside.
 double settled(const PhaseContact& c, double indentation, double rate) {
   if (c.role == Role::open) return std::min(indentation, c.level);
+  if (c.role == Role::touching && c.exponent != 1) return indentation;  // drawn apart a little, without force
   const bool onset = c.role == Role::closed && rate > 0 && indentation <= 16 * epsilon * c.length;
   return onset ? 0 : std::max(indentation, 0.0);
 }
