@@ -35,6 +35,14 @@ bool concerns_problem(const Window& w) {
   return false;
 }
 
+/// Other links may draw apart what touches at rest. Until it has left the noise its series would pull then,
+/// by c δⁿ: too much where damping is strong.
+bool may_pull(const LinkedPhase& phase) {
+  return std::any_of(phase.contact.begin(), phase.contact.end(), [&](const PhaseContact& c) {
+    return c.role == Role::touching && c.damping * phase.speed > 0.5 * c.stiffness * c.length;
+  });
+}
+
 }  // namespace
 
 struct Taylor::Memory {
@@ -93,7 +101,7 @@ Taylor::Taylor() : memory_(std::make_unique<Memory>()) {}
 Taylor::~Taylor() = default;
 
 bool Taylor::admits(const Problem& problem) {
-  return problem.serial() || problem.linked();
+  return problem.serial() || (problem.linked() && !may_pull(*problem.linked()));
 }
 
 Arrival Taylor::follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) {

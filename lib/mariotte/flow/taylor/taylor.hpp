@@ -14,7 +14,8 @@ class Taylor final : public Flow {
  public:
   Taylor();
   ~Taylor() override;
-  /// True if the phase is a row of bodies, or contacts that link dofs in any way.
+  /// True if the phase is a row of bodies, or contacts that link dofs in any way, none of which with strong
+  /// damping touches at rest.
   bool fits(const Problem& problem) const override { return !problem.tip(); }
   bool admits(const Problem& problem) override;
   Arrival follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) override;
