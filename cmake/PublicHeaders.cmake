@@ -40,6 +40,7 @@ set(MARIOTTE_PUBLIC_HEADERS
   impact/microbody/microbody_solver.hpp
   impact/network/network_impact.hpp
   impact/network/network_solver.hpp
+  impact/validity.hpp
   impact/watch/observers.hpp)
 
 # Those of the component `scene`.

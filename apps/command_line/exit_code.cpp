@@ -29,8 +29,10 @@ ExitCode exit_code(hybrid::Ending ending) {
       return ExitCode::ok;
     case hybrid::Ending::time_limit:
     case hybrid::Ending::event_limit:
+    case hybrid::Ending::interrupted:
       return ExitCode::limit;
     case hybrid::Ending::unsure:
+    case hybrid::Ending::invalid:
     case hybrid::Ending::failed:
       return ExitCode::solver_failed;
   }
@@ -38,6 +40,7 @@ ExitCode exit_code(hybrid::Ending ending) {
 }
 
 Fault fault_of(hybrid::Ending ending) {
+  if (ending == hybrid::Ending::invalid) return fault::invalid;
   return exit_code(ending) == ExitCode::limit ? fault::limit : fault::stopped;
 }
 

@@ -10,7 +10,4 @@ void await_interruption();
 /// The signal that came, or 0.
 int interruption();
 
-/// Thrown to give up what was interrupted.
-struct Interrupted {};
-
 }  // namespace mariotte::command

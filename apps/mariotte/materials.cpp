@@ -22,7 +22,7 @@ void each_value(const NamedMaterial& material, Visit visit) {
   visit("young", material.young);
   visit("poisson", material.poisson);
   visit("density", material.density);
-  if (material.yielding) visit("yield_strength", *material.yielding);
+  if (material.yield_strength) visit("yield_strength", *material.yield_strength);
 }
 
 std::string table() {
@@ -31,7 +31,7 @@ std::string table() {
     const auto& one = all[static_cast<std::size_t>(i)];
     return {std::string(one.name), fmt::format("{:g}", one.young.value / 1e9),
             fmt::format("{:g}", one.poisson.value), fmt::format("{:g}", one.density.value),
-            one.yielding ? fmt::format("{:g}", one.yielding->value / 1e6) : ""};
+            one.yield_strength ? fmt::format("{:g}", one.yield_strength->value / 1e6) : ""};
   };
   return report::columns({"material", "young [GPa]", "poisson", "density [kg/m³]", "yield strength [MPa]"},
                          std::ssize(all), row);
@@ -60,7 +60,8 @@ report::Json json() {
 }
 
 constexpr const char* footer = R"(In a scene: material = "steel", for balls, walls, a body and its surface.
-The values are typical ones; a material of your own is { young = …, poisson = …, density = … }.
+The values are typical ones; a material of your own is { young = …, poisson = …, density = …,
+yield_strength = … }; the last two are not needed for a stiffness.
 )";
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "mariotte/report/figure/energy_plot.hpp"
 #include "mariotte/report/figure/gnuplot.hpp"
 #include "mariotte/report/figure/plot.hpp"
+#include "mariotte/report/json/json_stream.hpp"
 #include "mariotte/report/page/files.hpp"
 #include "report_page.hpp"
 
@@ -18,13 +19,14 @@ namespace {
 
 using Texts = std::map<std::string, std::string>;  // by file name
 
+constexpr const char* result = "result.json";
 constexpr const char* energy = "energy";
 constexpr const char* spacetime = "spacetime";
 constexpr std::size_t most_balls_traced = 1000;  // some thousand samples of these are about 100 MB of text
 
 std::vector<std::string> file_names() {
-  std::vector<std::string> names = {"result.json", "events.csv", "trace.csv",     "plot.csv",
-                                    "plot.gp",     "energy.csv", "spacetime.csv", report_page};
+  std::vector<std::string> names = {result,    "events.csv", "trace.csv",     "plot.csv",
+                                    "plot.gp", "energy.csv", "spacetime.csv", report_page};
   for (const auto& figures :
        {report::figure_names(), report::files_of_figure(energy), report::files_of_figure(spacetime)})
     names.insert(names.end(), figures.begin(), figures.end());
@@ -62,9 +64,8 @@ std::string script(const impact::MicrobodyImpact& impact, const scene::Scene& sc
 }
 
 template <class Impact>
-Texts texts(const report::Json& json, const Impact& impact, const scene::Scene& scene,
-            const report::Spacetime* waves) {
-  Texts texts = {{"result.json", report::text(json)}, {"events.csv", report::events_csv(impact)}};
+Texts texts(const Impact& impact, const scene::Scene& scene, const report::Spacetime* waves) {
+  Texts texts = {{"events.csv", report::events_csv(impact)}};
   if (can_trace(scene)) texts["trace.csv"] = report::trace_csv(impact);
   if (can_plot(impact.trace)) {
     texts["plot.csv"] = report::plot_data(impact.trace);
@@ -79,17 +80,27 @@ Texts texts(const report::Json& json, const Impact& impact, const scene::Scene& 
   return texts;
 }
 
+template <class Impact>
+void write_json(const std::filesystem::path& path, const report::Json& more, const Impact& impact,
+                const scene::Scene& scene) {
+  report::NewFile file(path);
+  report::JsonStream to_file([&](std::string_view piece) { file.append(piece); });
+  report::write(to_file, impact, scene, more);
+  file.commit();
+}
+
 // A figure of an earlier run must not be taken for one of this run.
 void remove_others(const std::filesystem::path& folder, const Texts& texts) {
   auto names = file_names();
-  std::erase_if(names, [&](const std::string& name) { return texts.contains(name); });
+  std::erase_if(names, [&](const std::string& name) { return name == result || texts.contains(name); });
   report::remove_files(folder, names);
 }
 
 template <class Impact>
-std::string write(const std::filesystem::path& folder, const report::Json& json, const Impact& impact,
+std::string write(const std::filesystem::path& folder, const report::Json& more, const Impact& impact,
                   const scene::Scene& scene, const report::Spacetime* waves) {
-  const Texts files = texts(json, impact, scene, waves);
+  write_json(folder / result, more, impact, scene);
+  const Texts files = texts(impact, scene, waves);
   for (const auto& [name, text] : files) report::write_file(folder / name, text);
   remove_others(folder, files);
   auto figures = can_plot(impact.trace) ? report::figure_names() : std::vector<std::string>();
@@ -128,20 +139,20 @@ void prepare_result_folder(const std::filesystem::path& folder, bool force) {
   report::remove_unfinished(folder, {"figures"});
 }
 
-std::string write_result_folder(const std::filesystem::path& folder, const report::Json& json,
+std::string write_result_folder(const std::filesystem::path& folder, const report::Json& more,
                                 const impact::ChainImpact& impact, const scene::Scene& scene,
                                 const report::Spacetime* waves) {
-  return write(folder, json, impact, scene, waves);
+  return write(folder, more, impact, scene, waves);
 }
 
-std::string write_result_folder(const std::filesystem::path& folder, const report::Json& json,
+std::string write_result_folder(const std::filesystem::path& folder, const report::Json& more,
                                 const impact::NetworkImpact& impact, const scene::Scene& scene) {
-  return write(folder, json, impact, scene, nullptr);
+  return write(folder, more, impact, scene, nullptr);
 }
 
-std::string write_result_folder(const std::filesystem::path& folder, const report::Json& json,
+std::string write_result_folder(const std::filesystem::path& folder, const report::Json& more,
                                 const impact::MicrobodyImpact& impact, const scene::Scene& scene) {
-  return write(folder, json, impact, scene, nullptr);
+  return write(folder, more, impact, scene, nullptr);
 }
 
 }  // namespace mariotte::command

@@ -9,9 +9,11 @@
 #include "command_line/terminal.hpp"
 #include "interruption.hpp"
 #include "mariotte/report/json/json.hpp"
+#include "mariotte/report/json/json_stream.hpp"
 #include "mariotte/report/reason.hpp"
 #include "mariotte/report/table/network_table.hpp"
 #include "mariotte/report/table/table.hpp"
+#include "mariotte/scene/judge.hpp"
 #include "report_page.hpp"
 #include "result_folder.hpp"
 #include "run_notes.hpp"
@@ -46,28 +48,20 @@ std::string size_of(const model::Microbody&) {
   return "a body";
 }
 
-/// Who watches a run: it says how far it is, and gives it up where somebody waits for an interruption.
-struct Watch {
-  bool quiet;
-  RunProgress progress;
-
-  void operator()(const impact::Progress& now) {
-    if (interruption() != 0) throw Interrupted{};
-    if (!quiet) progress(now);
-  }
-};
-
-/// The impact, watched; says what it took.
+/// The impact, watched; says what it took. One that is interrupted ends with what there is until then.
 template <class Model>
 auto simulate(const Run& options, const Model& model, const scene::Scene& scene,
               impact::RunObserver observers) {
-  Watch watch{options.scene.quiet, RunProgress(scene.run.max_time)};
-  observers.progress = std::ref(watch);
+  RunProgress progress(scene.run.max_time);
+  if (!options.scene.quiet) observers.progress = std::ref(progress);
+  observers.gives_up = [] { return interruption() != 0; };
   const auto start = std::chrono::steady_clock::now();
   auto impact = impact::simulate(model, scene.run, observers);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   if (options.verbose) note(fmt::format("simulated {} in {:.3g} s", size_of(model), taken.count()));
-  if (options.estimate) impact.estimated_accuracy = impact::estimate_accuracy(model, scene.run, impact);
+  if (options.estimate && interruption() == 0)
+    impact.estimated_accuracy = impact::estimate_accuracy(model, scene.run, impact);
+  judge(impact, scene);
   return impact;
 }
 
@@ -80,34 +74,44 @@ report::Json resolved(const scene::Scene& scene) {
   return {{"body", all["body"]}, {"surface", all["surface"]}, {"incidence", all["incidence"]}};
 }
 
-/// The result, and what it takes to repeat the run.
-template <class Impact>
-report::Json json(const Run& options, const Impact& impact, const scene::Scene& scene) {
-  auto result = report::json(impact, scene);
-  if (auto inputs = resolved(scene); !inputs.empty()) result["scene"] = std::move(inputs);
-  result["provenance"]["scene"] = options.scene.path;
-  result["provenance"]["overrides"] = options.scene.set;
-  return result;
+/// What the command adds to a result: its inputs, and what it takes to repeat the run.
+report::Json additions(const Run& options, const scene::Scene& scene) {
+  report::Json more;
+  if (auto inputs = resolved(scene); !inputs.empty()) more["scene"] = std::move(inputs);
+  more["provenance"] = {{"scene", options.scene.path}, {"overrides", options.scene.set}};
+  return more;
 }
 
-/// Writes and prints the impact; `waves...` is the image that only chains have.
+/// Writes the files of a run, and says which; `waves...` is the image that only chains have.
+template <class Impact, class... Waves>
+void write(const Run& options, const Impact& impact, const scene::Scene& scene, Waves... waves) {
+  const auto shortfall = write_result_folder(options.out, additions(options, scene), impact, scene, waves...);
+  if (!shortfall.empty() && !options.scene.quiet) warning("no figures: " + shortfall);
+  if (options.report) write_report_page(options.out, read_result(options.out));
+  if (!options.scene.quiet)
+    note("wrote " + options.out + ": " + fmt::format("{}", fmt::join(result_files(options.out), ", ")));
+}
+
+template <class Impact>
+void show(const Run& options, const Impact& impact, const scene::Scene& scene) {
+  const auto detail = options.verbose ? report::Detail::full : report::Detail::usual;
+  if (!options.json) return print(report::table(impact, scene, detail));
+  report::JsonStream to_stdout(print);
+  report::write(to_stdout, impact, scene, additions(options, scene));
+}
+
+/// Writes and prints the impact, and says what is to be said of it.
 template <class Impact, class... Waves>
 int finish(const Run& options, const Impact& impact, const scene::Scene& scene, Waves... waves) {
-  const bool is_read = options.json || !options.out.empty();  // of a long chain it takes gigabytes
-  const auto result = is_read ? json(options, impact, scene) : report::Json();
-  if (!options.out.empty()) {
-    const std::string shortfall = write_result_folder(options.out, result, impact, scene, waves...);
-    if (!shortfall.empty() && !options.scene.quiet) warning("no figures: " + shortfall);
-    if (options.report) write_report_page(options.out, result);
-    if (!options.scene.quiet)
-      note("wrote " + options.out + ": " + fmt::format("{}", fmt::join(result_files(options.out), ", ")));
-  }
-  print(options.json ? report::text(result) : report::table(impact, scene));
+  if (!options.out.empty()) write(options, impact, scene, waves...);
+  show(options, impact, scene);
   if (!options.scene.quiet) {
     warn_of_error(impact);
     warn_of_nothing(impact);
+    warn_of_limits(impact);
   }
   tell_ending(impact.ending, impact.message, scene);
+  if (impact.ending == hybrid::Ending::interrupted) return 128 + interruption();
   return report::is_wanted(impact.ending, scene) ? ExitCode::ok : exit_code(impact.ending);
 }
 
@@ -115,8 +119,7 @@ int finish(const Run& options, const Impact& impact, const scene::Scene& scene, 
 void expect_sensible(const Run& options, const RunningTrace& trace, const model::Chain& chain,
                      const scene::Scene& scene) {
   if (options.force) return;
-  Watch watch{options.scene.quiet, RunProgress(scene.run.max_time)};
-  const auto size = measure(trace, chain, scene.run, {.progress = std::ref(watch)});
+  const auto size = measure(trace, chain, scene.run, [] { return interruption() != 0; });
   if (size.is_absurd())
     throw UsageError(
         fmt::format("--trace {} would have {}; make it smaller by --every, --balls, --contacts "
@@ -126,34 +129,27 @@ void expect_sensible(const Run& options, const RunningTrace& trace, const model:
     note(fmt::format("{}: {}", options.trace.file, text(size)));
 }
 
-/// The chain with its trace, if there is one; empty if the run was interrupted, which is said.
-std::optional<impact::ChainImpact> simulate_traced(const Run& options, const model::Chain& chain,
-                                                   const scene::Scene& scene, RunningTrace* trace,
-                                                   impact::RunObserver observers) try {
-  if (trace) {
-    expect_sensible(options, *trace, chain, scene);
-    observers.samplings.push_back(trace->sampling);
-  }
-  const auto impact = simulate(options, chain, scene, observers);
-  if (trace) trace->file->commit();
-  return impact;
-} catch (const Interrupted&) {
-  note(fmt::format("interrupted; the rows until then are in {}", trace->file->leave().string()));
-  return std::nullopt;
+/// The trace gets its name; of a run that was interrupted the rows until then stay beside it.
+void finish_trace(const RunningTrace& trace, hybrid::Ending ending) {
+  if (ending != hybrid::Ending::interrupted) return trace.file->commit();
+  note(fmt::format("the rows until the interruption are in {}", trace.file->leave().string()));
 }
 
 int run(const Run& options, const model::Chain& chain, const scene::Scene& scene) {
   const auto balls = chain.mass.size();
-  if (!options.trace.file.empty()) await_interruption();
   const auto trace = start_trace(options.trace, balls, options.force);
   std::optional<report::Spacetime> waves;
   if (!options.out.empty() && balls >= least_balls_of_image) waves.emplace(balls);
   impact::RunObserver observers{.trace = !options.out.empty() && can_trace(scene)};
   if (waves) observers.samplings.push_back(waves->sampling());
-  const auto impact = simulate_traced(options, chain, scene, trace.get(), observers);
-  if (!impact) return 128 + interruption();
+  if (trace) {
+    expect_sensible(options, *trace, chain, scene);
+    observers.samplings.push_back(trace->sampling);
+  }
+  const auto impact = simulate(options, chain, scene, observers);
+  if (trace) finish_trace(*trace, impact.ending);
   const report::Spacetime* const image = waves ? &*waves : nullptr;
-  return finish(options, *impact, scene, image);
+  return finish(options, impact, scene, image);
 }
 
 /// A model whose samples all come with the result.
@@ -178,6 +174,7 @@ int run(const Run&, const scene::LawAlone& nothing, const scene::Scene&) {
 }
 
 int run(const Run& options) {
+  await_interruption();
   const auto scene = read(options.scene);
   if (!options.out.empty()) prepare_result_folder(options.out, options.force);
   return std::visit([&](const auto& model) { return run(options, model, scene); }, scene.model);

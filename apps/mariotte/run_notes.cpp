@@ -5,6 +5,7 @@
 #include "command_line/exit_code.hpp"
 #include "command_line/terminal.hpp"
 #include "mariotte/report/reason.hpp"
+#include "mariotte/report/validity.hpp"
 
 namespace mariotte::command {
 
@@ -20,10 +21,17 @@ void warn_of_nothing(const impact::ContactImpact& impact) {
     warning("nothing collides: no contact ever closes");
 }
 
+void warn_of_limits(const impact::ContactImpact& impact) {
+  for (const auto& one : report::warnings(impact.validity, "contact")) warning(one);
+}
+void warn_of_limits(const impact::MicrobodyImpact& impact) {
+  for (const auto& one : report::warnings(impact.validity, "tip")) warning(one);
+}
+
 void tell_ending(hybrid::Ending ending, const std::string& message, const scene::Scene& scene) {
   const auto why = report::reason(ending, message, scene);
   if (why.empty()) return;
-  if (ending == hybrid::Ending::time_limit) return warning(why);
+  if (ending == hybrid::Ending::time_limit || ending == hybrid::Ending::interrupted) return warning(why);
   error(why, fault_of(ending));
 }
 

@@ -19,7 +19,11 @@ void warn_of_error(const Impact& impact) {
 void warn_of_nothing(const impact::ContactImpact& impact);
 inline void warn_of_nothing(const impact::MicrobodyImpact&) {}
 
-/// Why a run ended early. A time limit is the user's own wish, and only warned of.
+/// Where the model of a run does not hold.
+void warn_of_limits(const impact::ContactImpact& impact);
+void warn_of_limits(const impact::MicrobodyImpact& impact);
+
+/// Why a run ended early. A time limit and an interruption are the user's own wish, and only warned of.
 void tell_ending(hybrid::Ending ending, const std::string& message, const scene::Scene& scene);
 
 }  // namespace mariotte::command

@@ -81,8 +81,8 @@ std::unique_ptr<RunningTrace> start_trace(const TraceChoice& choice, std::size_t
                             fault::exists);
   auto file = report::new_trace_file(choice.file, sampling.velocities, sampling.contacts);
   sampling.take = [to = file.get(), every](const impact::Sample& sample) {
-    if (interruption() != 0) throw Interrupted{};
     to->add(sample);
+    if (interruption() != 0) return infinity;
     return every > 0 ? every : sample.natural_time;
   };
   return std::make_unique<RunningTrace>(RunningTrace{every, std::move(sampling), std::move(file)});

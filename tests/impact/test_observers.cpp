@@ -44,6 +44,18 @@ void can_be_given_up(const auto& model) {
   BOOST_TEST(told == 2);
 }
 
+void keeps_what_it_has_when_interrupted(const auto& model) {
+  Index asked = 0;
+  const impact::RunObserver observers{.gives_up = [&] { return ++asked == 2; }};
+  const auto impact = impact::simulate(model, {}, observers);
+  const auto whole = impact::simulate(model);
+  BOOST_TEST((impact.ending == hybrid::Ending::interrupted));
+  BOOST_TEST(asked == 2);  // not run again at a tighter accuracy
+  BOOST_TEST(end(impact) < end(whole));
+  BOOST_TEST(impact.events.front().time == whole.events.front().time);
+  BOOST_TEST(std::abs(impact.energy.residual) < 1e-8 * impact.energy.initial);
+}
+
 model::Microbody body() {
   return microbody(body_cases("rod_tilt.json")[3]);
 }
@@ -61,6 +73,13 @@ BOOST_AUTO_TEST_CASE(every_run_can_be_given_up) {
   can_be_given_up(equal_chain(60));  // in islands
   can_be_given_up(one_on_two());
   can_be_given_up(body());
+}
+
+BOOST_AUTO_TEST_CASE(a_run_that_is_given_up_by_asking_ends_interrupted_with_what_it_has) {
+  keeps_what_it_has_when_interrupted(equal_chain(5));
+  keeps_what_it_has_when_interrupted(equal_chain(60));
+  keeps_what_it_has_when_interrupted(one_on_two());
+  keeps_what_it_has_when_interrupted(body());
 }
 
 BOOST_AUTO_TEST_CASE(places_that_do_not_exist_cannot_be_sampled) {

@@ -66,6 +66,7 @@ BOOST_AUTO_TEST_CASE(a_run_that_balances_is_not_replaced_by_one_that_does_not) {
   BOOST_TEST(impact::may_replace(Ending::unsure, Ending::separated));
   BOOST_TEST(impact::may_replace(Ending::unsure, Ending::unsure));
   BOOST_TEST(!impact::may_replace(Ending::separated, Ending::unsure));
+  BOOST_TEST(!impact::may_replace(Ending::separated, Ending::interrupted));
   BOOST_TEST(!impact::may_replace(Ending::separated, Ending::failed));
 }
 

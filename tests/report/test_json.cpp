@@ -29,7 +29,7 @@ void check_keys(const report::Json& object, const std::vector<std::string>& expe
 BOOST_AUTO_TEST_CASE(result_has_the_promised_keys_in_order) {
   check_keys(example(),
              {"ending", "title", "model", "message", "final", "contacts", "icr", "impulse_direction",
-              "events", "energy", "momentum", "accuracy", "flows", "skipped", "provenance"});
+              "events", "energy", "momentum", "validity", "accuracy", "flows", "skipped", "provenance"});
 }
 
 BOOST_AUTO_TEST_CASE(parts_of_the_result_have_the_promised_keys) {

@@ -51,11 +51,20 @@ BOOST_AUTO_TEST_CASE(table_says_how_the_run_ended_and_why) {
 }
 
 BOOST_AUTO_TEST_CASE(table_shows_every_part_of_the_result) {
-  const auto text = report::table(support::three_balls_impact(), support::three_balls());
+  auto impact = support::three_balls_impact();
+  impact.validity.contact_radius_ratio = impact::Extreme{0.25, 1};
+  impact.validity.peak_pressure = impact::Extreme{1.5e9, 0};
+  const auto text = report::table(impact, support::three_balls(), report::Detail::full);
   for (const char* part :
-       {"Events", "Balls", "Contacts", "Impulse correlation ratios", "undefined", "Energy [J]",
-        "(relative 2.0e-17)", "Momentum [N s]", "cvode-adams", "mass matrix", "stored"})
+       {"Validity\n", "max a/R     0.25        2   ≤ 0.1     no", "max p₀ [Pa]  1.5e+09        1", "Events",
+        "Balls", "Contacts", "Impulse correlation ratios", "undefined", "Energy [J]", "(relative 2.0e-17)",
+        "Momentum [N s]", "cvode-adams", "mass matrix", "stored"})
     BOOST_TEST(has(text, part), part);
+}
+
+BOOST_AUTO_TEST_CASE(what_was_not_needed_is_told_in_full_only) {
+  const auto text = report::table(support::three_balls_impact(), support::three_balls());
+  for (const char* part : {"Flows", "Not needed", "Validity"}) BOOST_TEST(!has(text, part), part);
 }
 
 BOOST_AUTO_TEST_CASE(table_numbers_contacts_from_one) {

@@ -9,11 +9,13 @@ enum class Ending {
   captured,     ///< a tip has turned back in the well of adhesion
   time_limit,   ///< Options::max_time was reached
   event_limit,  ///< Options::max_events was reached
+  interrupted,  ///< whoever looked on gave it up; what was computed until then is kept
   unsure,       ///< it came to an end, but a balance does not close; what was computed is kept
+  invalid,      ///< it came to an end, but beyond where any contact law holds; what was computed is kept
   failed        ///< a flow could not go on; what was computed until then is kept
 };
 
-/// "separated", "captured", "time_limit", "event_limit", "unsure", "failed".
+/// "separated", "captured", "time_limit", "event_limit", "interrupted", "unsure", "invalid", "failed".
 constexpr const char* name(Ending ending) {
   switch (ending) {
     case Ending::separated:
@@ -24,8 +26,12 @@ constexpr const char* name(Ending ending) {
       return "time_limit";
     case Ending::event_limit:
       return "event_limit";
+    case Ending::interrupted:
+      return "interrupted";
     case Ending::unsure:
       return "unsure";
+    case Ending::invalid:
+      return "invalid";
     case Ending::failed:
       return "failed";
   }

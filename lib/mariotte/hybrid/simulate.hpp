@@ -4,6 +4,7 @@
 //   repeat
 //     if is_over(mode, x)              → its ending     asked before the first flow, too
 //     if events ≥ max_events           → event_limit
+//     if whoever looks on gives it up  → interrupted
 //     flow ← the cheapest that mode admits
 //     follow it from t⁺ until a guard crosses, or max_time
 //     if the phase is too stiff for it → from there on by another
@@ -38,8 +39,10 @@ inline Options scaled(Options options, const Scale& scale) {
 class PhaseObserver : public flow::StepObserver {
  public:
   virtual void begin_phase(double time, ConstState x) = 0;
-  /// So many events have passed. May throw, to give the run up.
+  /// So many events have passed. May throw.
   virtual void passed(double /*time*/, Index /*events*/) {}
+  /// True gives the run up. Asked after every event.
+  virtual bool gives_up() const { return false; }
 };
 
 /// What a run needs; kept from one run to the next, it allocates nothing after the first of its size.
@@ -121,6 +124,7 @@ const Trajectory<typename System::Change>& simulate(System& system, ConstState x
       return end(system.ending(mode));
     }
     if (run.events >= options.max_events) return end(Ending::event_limit);
+    if (observer && observer->gives_up()) return end(Ending::interrupted);
 
     auto arrival = follow_phase(system, options, workspace, time, observer);
     if (arrival.outcome == flow::Outcome::limit) return end(Ending::time_limit);

@@ -76,10 +76,11 @@ inline double difference(std::span<const double> a, std::span<const double> b, d
   return speed > 0 ? most / speed : most;
 }
 
-/// A tighter run takes the place of a looser one unless it failed, or balances worse.
+/// A tighter run takes the place of a looser one unless it failed, was given up, or balances worse.
 inline bool may_replace(hybrid::Ending looser, hybrid::Ending tighter) {
   using hybrid::Ending;
-  return tighter != Ending::failed && (tighter != Ending::unsure || looser == Ending::unsure);
+  return tighter != Ending::failed && tighter != Ending::interrupted &&
+         (tighter != Ending::unsure || looser == Ending::unsure);
 }
 
 /// Run tighter until two runs agree within the accuracy that is `asked` for: `run(options)` runs and returns
@@ -117,7 +118,7 @@ template <class Impact, class Again, class Apart>
 void keep_promise(const hybrid::Options& asked, const Passage& gone, Impact& impact, Again&& again,
                   Apart&& apart) {
   impact.estimated_accuracy.reset();
-  if (!may_have_erred(gone)) return;
+  if (!may_have_erred(gone) || impact.ending == hybrid::Ending::interrupted) return;
   impact.estimated_accuracy =
       keep_promise(asked, [&](const hybrid::Options& options) -> std::optional<double> {
         auto tighter = again(options);

@@ -28,8 +28,12 @@ std::string reason(hybrid::Ending ending, const std::string& message, const hybr
       return fmt::format("max_time = {:g} s was reached before the end", options.max_time);
     case Ending::event_limit:
       return fmt::format("max_events = {} was reached before the end", options.max_events);
+    case Ending::interrupted:
+      return "interrupted; this is what was computed until then";
     case Ending::unsure:
       return "the balances of the run do not close";
+    case Ending::invalid:
+      return "a contact is deeper than any contact law holds";
     case Ending::failed:
       return "the solver could not go on";
   }

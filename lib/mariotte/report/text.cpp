@@ -4,16 +4,20 @@
 
 #include "mariotte/report/csv/csv.hpp"
 #include "mariotte/report/json/json.hpp"
+#include "mariotte/report/json/json_stream.hpp"
 #include "mariotte/report/table/table.hpp"
 
 namespace mariotte::report {
 
 std::string json_text(const scene::Impact& impact, const scene::Scene& scene) {
-  return std::visit([&](const auto& one) { return text(json(one, scene)); }, impact);
+  std::string all;
+  JsonStream stream([&](std::string_view piece) { all += piece; });
+  std::visit([&](const auto& one) { write(stream, one, scene); }, impact);
+  return all;
 }
 
-std::string table_text(const scene::Impact& impact, const scene::Scene& scene) {
-  return std::visit([&](const auto& one) { return table(one, scene); }, impact);
+std::string table_text(const scene::Impact& impact, const scene::Scene& scene, Detail detail) {
+  return std::visit([&](const auto& one) { return table(one, scene, detail); }, impact);
 }
 
 std::string events_text(const scene::Impact& impact) {

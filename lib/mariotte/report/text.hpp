@@ -11,8 +11,14 @@ namespace mariotte::report {
 /// centre, the normal one first.
 std::string json_text(const scene::Impact& impact, const scene::Scene& scene);
 
-/// What `mariotte run` prints: aligned text with units, at most 100 columns wide.
-std::string table_text(const scene::Impact& impact, const scene::Scene& scene);
+/// How much a table says.
+enum class Detail {
+  usual,
+  full  ///< also how far the model holds, by which flows the run was followed, and what it did not need
+};
+
+/// What `mariotte run` prints, in full with -v: aligned text with units, at most 100 columns wide.
+std::string table_text(const scene::Impact& impact, const scene::Scene& scene, Detail detail = Detail::usual);
 
 /// `events.csv`: one row per event, with units in its head [s].
 std::string events_text(const scene::Impact& impact);

@@ -8,6 +8,7 @@
 #include "mariotte/scene/error_list.hpp"
 #include "mariotte/scene/shape.hpp"
 #include "mariotte/scene/surface_reader.hpp"
+#include "mariotte/scene/touching.hpp"
 
 namespace mariotte::scene {
 namespace {
@@ -84,9 +85,18 @@ void expect_first_tip_first(const Source& source, const Field& incidence, const 
                std::string(body.body.tips.size() > 1 ? "; the other tip would be first" : ""));
 }
 
+/// Every tip is a ball of the body's mass for what touches it.
+std::vector<impact::Touching> touching_of_tips(const Shape& shape, const std::optional<Material>& plane) {
+  std::vector<impact::Touching> list;
+  for (const auto& tip : shape.body.tips)
+    list.push_back(
+        touching(Ball{shape.body.mass, tip.radius, shape.material, {}}, Ball{infinity, infinity, plane, {}}));
+  return list;
+}
+
 }  // namespace
 
-model::Microbody read_microbody(Source& source, const Field& root, const std::optional<Field>& run) {
+ResolvedBody read_microbody(Source& source, const Field& root, const std::optional<Field>& run) {
   const auto surface = table(source, root, "surface"), incidence = table(source, root, "incidence");
   ErrorList errors;
   Shape shape;
@@ -100,9 +110,9 @@ model::Microbody read_microbody(Source& source, const Field& root, const std::op
   errors.attempt([&] { read_run_of_body(source, run, body); });
   errors.raise();
   body.body = shape.body;
-  read_surface(source, surface, shape, -body.velocity.e1, body);
+  const auto plane = read_surface(source, surface, shape, -body.velocity.e1, body);
   expect_first_tip_first(source, incidence, body);
-  return body;
+  return {std::move(body), touching_of_tips(shape, plane)};
 }
 
 }  // namespace mariotte::scene

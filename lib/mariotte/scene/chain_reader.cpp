@@ -7,6 +7,7 @@
 #include "mariotte/scene/balls.hpp"
 #include "mariotte/scene/contacts.hpp"
 #include "mariotte/scene/error_list.hpp"
+#include "mariotte/scene/touching.hpp"
 
 namespace mariotte::scene {
 namespace {
@@ -72,7 +73,7 @@ ResolvedChain read_chain(Source& source, const Field& chain, const std::optional
   errors.raise();
   expect_motion(source, chain, model);
   warn_of_rest(source, chain, model);
-  return {std::move(model), radii(balls)};
+  return {std::move(model), radii(balls), touching(balls)};
 }
 
 }  // namespace mariotte::scene

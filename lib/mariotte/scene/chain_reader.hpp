@@ -1,5 +1,6 @@
 // `[chain]`: a chain of balls, resolved to SI.
 #pragma once
+#include "mariotte/impact/validity.hpp"
 #include "mariotte/model/chain/chain.hpp"
 #include "mariotte/scene/field.hpp"
 
@@ -8,6 +9,7 @@ namespace mariotte::scene {
 struct ResolvedChain {
   model::Chain chain;
   std::vector<double> radius;  ///< n values [m], infinite for planes; empty unless every ball has one
+  std::vector<impact::Touching> touching;  ///< as in `Scene`
 };
 
 /// Throws SceneError; warns of what looks like a slip. `gravity` is what [run] says of it, if anything.

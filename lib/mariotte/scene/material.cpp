@@ -9,7 +9,7 @@
 namespace mariotte::scene {
 namespace {
 
-constexpr std::array<std::string_view, 3> keys{"young", "poisson", "density"};
+constexpr std::array<std::string_view, 4> keys{"young", "poisson", "density", "yield_strength"};
 
 void warn_of_slips(Source& source, const Field& field, const Material& material) {
   // No solid that dense is that soft: rubber and foams stay below 2000 kg/m³, metal and stone above 1 GPa.
@@ -35,7 +35,12 @@ Material named_material(const Source& source, const Field& field) {
     return list;
   }();
   const auto& found = named_materials()[choice(source, field, "material", names)];
-  return {.young = found.young.value, .poisson = found.poisson.value, .density = found.density.value};
+  Material material;
+  material.young = found.young.value;
+  material.poisson = found.poisson.value;
+  material.density = found.density.value;
+  if (found.yield_strength) material.yield_strength = found.yield_strength->value;
+  return material;
 }
 
 }  // namespace
@@ -49,6 +54,8 @@ Material read_material(Source& source, const Field& field) {
   if (const auto poisson = find(field, "poisson")) material.poisson = read_poisson(source, *poisson);
   if (const auto density = find(field, "density"))
     material.density = number(source, *density, dimension::density, Domain::positive);
+  if (const auto yield = find(field, "yield_strength"))
+    material.yield_strength = number(source, *yield, dimension::pressure, Domain::positive);
   if (material.young && std::isinf(*material.young) && !material.poisson) material.poisson = 0;
   warn_of_slips(source, field, material);
   return material;

@@ -1,4 +1,5 @@
-// `material = { young = "210 GPa", poisson = 0.3, density = "7800 kg/m^3" }`, or `material = "steel"`
+// `material = { young = "210 GPa", poisson = 0.3, density = "7800 kg/m^3", yield_strength = "2 GPa" }`, or
+// `material = "steel"`
 #pragma once
 #include <optional>
 
@@ -9,9 +10,10 @@ namespace mariotte::scene {
 
 /// What the scene says of a material; a missing value matters only where it is needed.
 struct Material {
-  std::optional<double> young;    ///< E [Pa]; infinite for a rigid body
-  std::optional<double> poisson;  ///< ν; 0 for a rigid body, where it has no effect
-  std::optional<double> density;  ///< ρ [kg/m³]
+  std::optional<double> young;           ///< E [Pa]; infinite for a rigid body
+  std::optional<double> poisson;         ///< ν; 0 for a rigid body, where it has no effect
+  std::optional<double> density;         ///< ρ [kg/m³]
+  std::optional<double> yield_strength;  ///< Y [Pa]; empty, too, for what does not yield
 };
 
 /// Throws SceneError; warns of values that look like a slip in the unit.

@@ -14,12 +14,12 @@ struct Sourced {
 
 /// Typical values at room temperature; one's own material may differ, alloys and polymers by much.
 struct NamedMaterial {
-  std::string_view name;            ///< as scenes spell it
-  std::string_view kind;            ///< what exactly it is
-  Sourced young;                    ///< E [Pa]
-  Sourced poisson;                  ///< ν
-  Sourced density;                  ///< ρ [kg/m³]
-  std::optional<Sourced> yielding;  ///< yield strength [Pa]; empty where it breaks before it yields
+  std::string_view name;                  ///< as scenes spell it
+  std::string_view kind;                  ///< what exactly it is
+  Sourced young;                          ///< E [Pa]
+  Sourced poisson;                        ///< ν
+  Sourced density;                        ///< ρ [kg/m³]
+  std::optional<Sourced> yield_strength;  ///< yield strength [Pa]; empty where it breaks before it yields
 };
 
 /// In alphabetical order.

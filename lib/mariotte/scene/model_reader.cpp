@@ -8,8 +8,6 @@
 namespace mariotte::scene {
 namespace {
 
-using Resolved = std::pair<Model, std::vector<double>>;
-
 /// Where the first of the tables that has its key says a number; else the first table.
 Field where_said(const model::StatedNumber& number, const Field& root,
                  std::initializer_list<const char*> tables) {
@@ -45,23 +43,23 @@ std::optional<Field> gravity(const Field& root) {
   return run ? find(*run, "gravity") : std::nullopt;
 }
 
-Resolved resolve_chain(Source& source, const Field& root, const Field& chain) {
+ResolvedModel resolve_chain(Source& source, const Field& root, const Field& chain) {
   auto resolved = read_chain(source, chain, gravity(root));
   expect_valid(source, root, {"chain", "run"}, resolved.chain);
-  return {std::move(resolved.chain), std::move(resolved.radius)};
+  return {std::move(resolved.chain), std::move(resolved.radius), std::move(resolved.touching)};
 }
 
-Resolved resolve_network(Source& source, const Field& root, const Field& network) {
+ResolvedModel resolve_network(Source& source, const Field& root, const Field& network) {
   if (const auto field = gravity(root)) reject(source, *field, fault::misplaced, "does not act on networks");
   auto resolved = read_network(source, network);
   expect_valid(source, root, {"network"}, resolved.network);
-  return {std::move(resolved.network), std::move(resolved.radius)};
+  return {std::move(resolved.network), std::move(resolved.radius), std::move(resolved.touching)};
 }
 
-Resolved resolve_body(Source& source, const Field& root) {
-  auto body = read_microbody(source, root, find(root, "run"));
-  expect_valid(source, root, {"body", "surface", "incidence", "run"}, body);
-  return {std::move(body), {}};
+ResolvedModel resolve_body(Source& source, const Field& root) {
+  auto resolved = read_microbody(source, root, find(root, "run"));
+  expect_valid(source, root, {"body", "surface", "incidence", "run"}, resolved.body);
+  return {std::move(resolved.body), {}, std::move(resolved.touching)};
 }
 
 void expect_body_alone(const Source& source, const Field& root, const Field& body, Purpose purpose) {
@@ -85,13 +83,13 @@ void expect_one_model(const Source& source, const Field& root, Purpose purpose) 
     reject(source, *network, fault::contradiction, "a scene has a [chain] or a [network], not both");
 }
 
-Resolved read_model(Source& source, const Field& root, const std::optional<Law>& law, Purpose purpose) {
+ResolvedModel read_model(Source& source, const Field& root, const std::optional<Law>& law, Purpose purpose) {
   if (find(root, "body")) return resolve_body(source, root);
   if (const auto network = find(root, "network")) return resolve_network(source, root, *network);
   if (const auto chain = find(root, "chain")) return resolve_chain(source, root, *chain);
   if (purpose == Purpose::simulation || !law || law->mass.empty())
     reject(source, root.place(), fault::no_model, no_model);
-  return {LawAlone{}, {}};
+  return {LawAlone{}};
 }
 
 }  // namespace mariotte::scene

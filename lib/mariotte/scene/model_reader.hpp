@@ -1,7 +1,5 @@
 // `[chain]`, `[network]` or `[body]` of a scene, or none where `[law]` stands alone.
 #pragma once
-#include <utility>
-
 #include "mariotte/scene/field.hpp"
 #include "mariotte/scene/scene.hpp"
 
@@ -12,9 +10,15 @@ inline constexpr const char* no_model = "the scene has no [chain], [network] or 
 /// Throws SceneError if the scene is of two models, or of one that the purpose has no use for.
 void expect_one_model(const Source& source, const Field& root, Purpose purpose);
 
-/// The model, and the radii of its balls as in `Scene::radius`. What is to be simulated needs a model; for
-/// the law its own masses are enough. Throws SceneError; warns of what looks like a slip.
-std::pair<Model, std::vector<double>> read_model(Source& source, const Field& root,
-                                                 const std::optional<Law>& law, Purpose purpose);
+/// A model, and what is known of its bodies, as in `Scene`.
+struct ResolvedModel {
+  Model model;
+  std::vector<double> radius = {};
+  std::vector<impact::Touching> touching = {};
+};
+
+/// What is to be simulated needs a model; for the law its own masses are enough. Throws SceneError; warns of
+/// what looks like a slip.
+ResolvedModel read_model(Source& source, const Field& root, const std::optional<Law>& law, Purpose purpose);
 
 }  // namespace mariotte::scene

@@ -7,6 +7,7 @@
 #include "mariotte/core/error.hpp"
 #include "mariotte/scene/contact_law.hpp"
 #include "mariotte/scene/missed_meetings.hpp"
+#include "mariotte/scene/touching.hpp"
 
 namespace mariotte::scene {
 namespace {
@@ -64,6 +65,7 @@ PlacedBalls read_placed(Source& source, const Field& network) {
     auto& body = balls.body.emplace_back(common);
     read_properties(source, table, body);
     balls.ball.push_back(place(source, table, body, i));
+    body.mass = balls.ball[i].mass;
     if (balls.ball[i].position.size() != balls.ball[0].position.size())
       expect_length(source, *find(table, "position"), balls.ball[i].position.size(),
                     balls.ball[0].position.size());
@@ -147,6 +149,7 @@ ResolvedNetwork read_ball_network(Source& source, const Field& network, bool pre
     }
   }
   read_laws(source, {network, {}}, balls, pairs, model);
+  for (const auto& [i, j] : pairs) resolved.touching.push_back(scene::touching(balls.body[i], balls.body[j]));
   warn_of_missed_meetings(source, balls, reach);
   if (model.law.empty())
     reject(source, network, fault::impossible,

@@ -1,5 +1,6 @@
 // `[network]`: a contact network, resolved to SI.
 #pragma once
+#include "mariotte/impact/validity.hpp"
 #include "mariotte/model/network/network.hpp"
 #include "mariotte/scene/field.hpp"
 
@@ -7,7 +8,8 @@ namespace mariotte::scene {
 
 struct ResolvedNetwork {
   model::Network network;
-  std::vector<double> radius;  ///< of the balls [m]; empty where the network has none
+  std::vector<double> radius;                   ///< of the balls [m]; empty where the network has none
+  std::vector<impact::Touching> touching = {};  ///< as in `Scene`
 };
 
 /// Of balls, given by [[network.ball]], or of dofs, given by mass, velocity and [[network.contact]].

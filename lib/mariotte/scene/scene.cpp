@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <tuple>
 
 #include "mariotte/core/overload.hpp"
 #include "mariotte/scene/document.hpp"
@@ -65,7 +64,12 @@ Scene read_scene(Source& source, const Field& root, Purpose purpose) {
   part("sweep", [&](const Field& sweeps) { expect_sweeps(source, sweeps); });
   part("columns", [&](const Field& columns) { expect_columns(source, columns); });
   part("law", [&](const Field& law) { scene.law = read_law(source, law); });
-  errors.attempt([&] { std::tie(scene.model, scene.radius) = read_model(source, root, scene.law, purpose); });
+  errors.attempt([&] {
+    auto resolved = read_model(source, root, scene.law, purpose);
+    scene.model = std::move(resolved.model);
+    scene.radius = std::move(resolved.radius);
+    scene.touching = std::move(resolved.touching);
+  });
   errors.raise();
   if (!run || !find(*run, "max_events"))
     scene.run.max_events = std::max(scene.run.max_events, events_of_wave(scene.model));

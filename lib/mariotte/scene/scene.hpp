@@ -7,6 +7,7 @@
 
 #include "mariotte/core/error.hpp"
 #include "mariotte/hybrid/options.hpp"
+#include "mariotte/impact/validity.hpp"
 #include "mariotte/model/chain/chain.hpp"
 #include "mariotte/model/microbody/microbody.hpp"
 #include "mariotte/model/network/network.hpp"
@@ -39,6 +40,8 @@ struct Scene {
   Model model;
   std::optional<Law> law;      ///< of scenes with [law]
   std::vector<double> radius;  ///< n values [m], infinite for planes; empty unless every ball has one
+  /// One per contact, or tip; empty if nothing is known of the bodies.
+  std::vector<impact::Touching> touching;
   hybrid::Options run;
   bool until = false;                 ///< whether the time limit is the end that is wanted, by run.until
   std::vector<std::string> warnings;  ///< "file:line:column: message" of suspicious but possible values

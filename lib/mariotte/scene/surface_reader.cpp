@@ -75,21 +75,21 @@ double solve_hertz_damping(const Source& source, const Field& surface, const Fie
 }
 
 /// K, or (4/3) E* of the materials of body and surface.
-double read_stiffness(Source& source, const Field& surface, const Shape& shape) {
-  const auto own = find(surface, "material");
-  if (find(surface, "stiffness") || !own) return positive(source, surface, "stiffness", dimension::pressure);
-  const auto plane = elastic(read_material(source, *own));
-  const auto body = elastic(shape.material.value_or(Material{}));
-  if (!plane || !body)
-    reject(source, *own, fault::no_stiffness,
+double read_stiffness(const Source& source, const Field& surface, const Shape& shape,
+                      const std::optional<Material>& plane) {
+  if (find(surface, "stiffness") || !plane)
+    return positive(source, surface, "stiffness", dimension::pressure);
+  const auto a = elastic(*plane), b = elastic(shape.material.value_or(Material{}));
+  if (!a || !b)
+    reject(source, *find(surface, "material"), fault::no_stiffness,
            "gives a stiffness only with young and poisson of 'surface.material' and 'body.material'");
-  return contact::hertz_stiffness(*plane, infinity, *body, 1);
+  return contact::hertz_stiffness(*a, infinity, *b, 1);
 }
 
-contact::BrachDunn read_law(Source& source, const Field& surface, double radius, const Shape& shape,
-                            double speed) {
+contact::BrachDunn read_law(const Source& source, const Field& surface, double radius, const Shape& shape,
+                            const std::optional<Material>& plane, double speed) {
   const auto& density = shape.density;
-  const contact::Surface material{.stiffness = read_stiffness(source, surface, shape),
+  const contact::Surface material{.stiffness = read_stiffness(source, surface, shape, plane),
                                   .adhesion = optional_number(source, surface, "work_of_adhesion",
                                                               adhesion_dimension, Domain::not_negative, 0)};
   double hertz = read_damping(source, surface, "hertz", contact::hertz_prefactor, material, density,
@@ -116,14 +116,17 @@ void expect_surface_keys(const Source& source, const Field& surface) {
   expect_keys(source, surface, keys);
 }
 
-void read_surface(Source& source, const Field& surface, const Shape& shape, double speed,
-                  model::Microbody& body) {
+std::optional<Material> read_surface(Source& source, const Field& surface, const Shape& shape, double speed,
+                                     model::Microbody& body) {
+  std::optional<Material> plane;
+  if (const auto material = find(surface, "material")) plane = read_material(source, *material);
   if (const auto law = find(surface, "law")) choice(source, *law, "law", laws);
   for (const auto& tip : shape.body.tips)
-    body.law.push_back(read_law(source, surface, tip.radius, shape, speed));
+    body.law.push_back(read_law(source, surface, tip.radius, shape, plane, speed));
   body.friction = {optional_number(source, surface, "friction", dimension::none, Domain::not_negative, 0)};
   if (const auto lever = find(surface, "lever"))
     body.lever = choice(source, *lever, "lever", levers) == 0 ? model::Lever::radius : model::Lever::indented;
+  return plane;
 }
 
 }  // namespace mariotte::scene

@@ -8,8 +8,9 @@ namespace mariotte::scene {
 /// Throws SceneError for keys that are not known.
 void expect_surface_keys(const Source& source, const Field& surface);
 
-/// Laws of the tips and friction of a body that strikes at this normal speed [m/s]. Throws SceneError.
-void read_surface(Source& source, const Field& surface, const Shape& shape, double speed,
-                  model::Microbody& body);
+/// Laws of the tips and friction of a body that strikes at this normal speed [m/s]; returns the material of
+/// the plane, if the scene gives it. Throws SceneError.
+std::optional<Material> read_surface(Source& source, const Field& surface, const Shape& shape, double speed,
+                                     model::Microbody& body);
 
 }  // namespace mariotte::scene

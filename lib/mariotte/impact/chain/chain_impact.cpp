@@ -135,7 +135,7 @@ ChainImpact simulate_islands(const model::Chain& chain, const hybrid::Options& o
   SampledTrace trace;
   if (observers.trace) observers.samplings.push_back(whole_trace(trace, chain.mass.size()));
   SamplingObserver sampler(scaled, observers);
-  const bool looks_on = !observers.samplings.empty() || observers.progress;
+  const bool looks_on = !observers.samplings.empty() || observers.progress || observers.gives_up;
   const auto chain_run =
       follow_islands(scaled, layout, start, hybrid::scaled(inner, scaled.scale),
                      /*stay=*/std::isfinite(options.max_time), looks_on ? &sampler : nullptr);

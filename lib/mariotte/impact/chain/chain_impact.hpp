@@ -8,6 +8,7 @@
 #include "mariotte/hybrid/ending.hpp"
 #include "mariotte/hybrid/options.hpp"
 #include "mariotte/impact/flow_use.hpp"
+#include "mariotte/impact/validity.hpp"
 #include "mariotte/impact/watch/observers.hpp"
 #include "mariotte/model/chain/chain.hpp"
 
@@ -79,6 +80,7 @@ struct ContactImpact {
   std::vector<double> impulse_direction;   ///< r = p/|p|, m values; zeros if no impulse was exchanged
   std::vector<Event> events;               ///< in order of time
   EnergyBalance energy;
+  Validity validity;  ///< empty unless something is known of the bodies: `scene::simulate` fills it in
   std::vector<FlowUse> flows;
   std::vector<Skipped> skipped;
   double requested_accuracy = 0;

@@ -75,7 +75,8 @@ struct MicrobodyImpact {
   std::optional<RestState> rest;  ///< if captured
   bool shared_friction = false;  ///< two tips stuck at once, and least norm divided the friction between them
   MicrobodyBalance energy;
-  Vector3 impulse;  ///< of the plane on the body [N s]
+  Vector3 impulse;    ///< of the plane on the body [N s]
+  Validity validity;  ///< filled in by `scene::simulate`
   std::vector<FlowUse> flows;
   std::vector<Skipped> skipped;
   double requested_accuracy = 0;

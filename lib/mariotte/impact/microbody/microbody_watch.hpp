@@ -36,6 +36,7 @@ class MicrobodyObserver final : public hybrid::PhaseObserver {
   void passed(double time, Index events) override {
     tell(observers_, time * system_.body().scale.time, events);
   }
+  bool gives_up() const override { return impact::gives_up(observers_); }
   /// The last samples.
   void finish(double time, ConstState x);
 

@@ -164,8 +164,8 @@ List<NetworkImpact> momenta(const NetworkImpact*) {
 template <class I>
 List<I> all() {
   List<I> list = motion<I>();
-  for (const auto& part :
-       {contacts<I>(), events<I>(), energies<I>(), momenta(static_cast<const I*>(nullptr)), cost_of_run<I>()})
+  for (const auto& part : {contacts<I>(), events<I>(), energies<I>(), momenta(static_cast<const I*>(nullptr)),
+                           validity<I>(), cost_of_run<I>()})
     append(list, part);
   return list;
 }

@@ -194,7 +194,8 @@ template <>
 const std::vector<Quantity<MicrobodyImpact>>& quantities() {
   static const auto list = [] {
     List<I> all = motion();
-    for (const auto& part : {impacts(), events(), others(), energies(), momenta(), cost_of_run<I>()})
+    for (const auto& part :
+         {impacts(), events(), others(), energies(), momenta(), validity<I>(), cost_of_run<I>()})
       append(all, part);
     return all;
   }();

@@ -49,6 +49,29 @@ void append(List<Impact>& list, const List<Impact>& more) {
   list.insert(list.end(), more.begin(), more.end());
 }
 
+template <std::size_t limit>
+inline constexpr auto validity_at = [](const auto& r, Indices) -> Value {
+  const auto& number = r.validity.*(validity_limits[limit].number);
+  return number ? Value(number->value) : Value(Omitted());
+};
+
+/// How far a run came towards the limits of its laws; those of adhesion are for microbodies.
+template <class I>
+List<I> validity() {
+  List<I> list;
+  const auto add = [&]<std::size_t k>(std::integral_constant<std::size_t, k>) {
+    const auto& [key, unit, symbol, meaning, number, limit, from_below, otherwise, adhesive] =
+        validity_limits[k];
+    if (!adhesive || std::is_same_v<I, MicrobodyImpact>)
+      list.push_back({.is = {key, unit, symbol, meaning}, .read = validity_at<k>, .needs_peaks = true});
+  };
+  [&]<std::size_t... k>(std::index_sequence<k...>) {
+    (add(std::integral_constant<std::size_t, k>()), ...);
+  }
+  (std::make_index_sequence<validity_limits.size()>());
+  return list;
+}
+
 /// How a run was computed, the same for every model: the end of each list.
 template <class I>
 List<I> cost_of_run() {

@@ -28,6 +28,7 @@ class ContactWatch final : public hybrid::PhaseObserver {
   /// The last samples.
   void finish(double time, ConstState x) { due_.take_all(time, Reading{phase_, x}); }
   void passed(double time, Index events) override { tell(observers_, time * scale_.time, events); }
+  bool gives_up() const override { return impact::gives_up(observers_); }
 
   PeakObserver peaks;
   TraceObserver trace;

@@ -36,10 +36,18 @@ struct Progress {
 struct RunObserver {
   bool trace = false;                    ///< keep samples in the result, at most a few thousand rows
   std::vector<Sampling> samplings = {};  ///< a run with samplings is not repeated at a tighter accuracy
-  /// Told after every event; may be empty. What it throws ends the run and reaches the caller, so that a run
-  /// can be given up. A run that is repeated at a tighter accuracy tells its way once more.
+  /// Told after every event; may be empty. A run that is repeated at a tighter accuracy tells its way once
+  /// more. What it throws ends the run and reaches the caller.
   std::function<void(const Progress&)> progress = {};
+  /// Asked after every event; may be empty. True ends the run as `interrupted`, with what there is until
+  /// then.
+  std::function<bool()> gives_up = {};
 };
+
+/// Whether somebody gives the run up.
+inline bool gives_up(const RunObserver& observers) {
+  return observers.gives_up && observers.gives_up();
+}
 
 /// Tells the time [s] and the number of events, if somebody wants to know.
 inline void tell(const RunObserver& observers, double time, Index events) {

@@ -17,6 +17,7 @@ class SamplingObserver final : public model::SnapshotObserver {
   void look(model::Snapshot& run) override { due_.take_due(run.time(), run); }
   void look_last(model::Snapshot& run) override { due_.take_all(run.time(), run); }
   void passed(double time, Index events) override { tell(observers_, time * scale_.time, events); }
+  bool gives_up() const override { return impact::gives_up(observers_); }
 
  private:
   const Scale& scale_;

@@ -35,6 +35,7 @@ void Islands::run(SnapshotObserver* observer) {
     const auto* next = queue_.next();
     if (!next || is_over()) return end(Ending::separated);
     if (run_.events >= options_.max_events) return end(Ending::event_limit);
+    if (observer_ && observer_->gives_up()) return end(Ending::interrupted);
     if (observer_) show(std::min(next->time.value, options_.max_time));
     if (is_beyond_limit(*next)) {
       now_ = {options_.max_time};

@@ -57,6 +57,8 @@ class SnapshotObserver {
   virtual void look_last(Snapshot& run) = 0;
   /// The run has come so far. Called after every change of the contact set.
   virtual void passed(double time, Index events) = 0;
+  /// True gives the run up. Asked as often.
+  virtual bool gives_up() const = 0;
 };
 
 }  // namespace mariotte::model

@@ -12,8 +12,9 @@ namespace mariotte::report {
 namespace {
 
 bool is_ending(const std::string& word) {
-  constexpr std::array<std::string_view, 7> known = {"separated", "captured", "time_limit", "event_limit",
-                                                     "unsure",    "failed",   "rejected"};
+  constexpr std::array<std::string_view, 9> known = {"separated",   "captured",    "time_limit",
+                                                     "event_limit", "interrupted", "unsure",
+                                                     "invalid",     "failed",      "rejected"};
   return std::find(known.begin(), known.end(), word) != known.end();
 }
 

@@ -1,63 +1,13 @@
 #include "mariotte/report/json/json.hpp"
 
 #include "mariotte/core/overload.hpp"
-#include "mariotte/impact/quantities/quantity.hpp"
 #include "mariotte/report/json/json_parts.hpp"
+#include "mariotte/report/json/quantity_json.hpp"
 #include "mariotte/report/reason.hpp"
+#include "mariotte/report/validity.hpp"
 
 namespace mariotte::report {
 namespace {
-
-using impact::Indices;
-using impact::Quantity;
-
-struct AsJson {
-  Json operator()(std::monostate) const { return nullptr; }
-  Json operator()(impact::Omitted) const { return nullptr; }
-  Json operator()(std::string_view words) const { return std::string(words); }
-  template <class Plain>
-  Json operator()(Plain value) const {
-    return value;
-  }
-};
-
-/// A quantity, and the indices that lead to one of its values.
-template <class Impact>
-struct Place {
-  const Impact& impact;
-  const Quantity<Impact>& quantity;
-  Indices at = {};
-};
-
-/// The elements of an array: its values, or a null each for members that are still to come.
-template <class Impact>
-Json array(Place<Impact>& place, Index& last) {
-  const auto& [impact, quantity, at] = place;
-  const auto count = quantity.count(impact, at);
-  if (!count) return nullptr;
-  Json elements = Json::array();
-  for (last = 0; last < *count; ++last)
-    elements.push_back(quantity.read ? std::visit(AsJson(), quantity.read(impact, at)) : Json(nullptr));
-  return elements;
-}
-
-/// Writes a quantity below `node`; `path` is the part of its key and `open` are the indices that are left.
-/// Arrays around it are there already.
-template <class Impact>
-void put(Json& node, std::string_view path, Place<Impact>& place, std::span<Index> open) {
-  if (path == "[]") {
-    node = array(place, open[0]);
-  } else if (path.starts_with("[]")) {
-    path.remove_prefix(path[2] == '.' ? 3 : 2);
-    for (open[0] = 0; open[0] < std::ssize(node); ++open[0]) put(node[open[0]], path, place, open.subspan(1));
-  } else if (const auto end = path.find_first_of(".["); end != path.npos) {
-    put(node[std::string(path.substr(0, end))], path.substr(path[end] == '.' ? end + 1 : end), place, open);
-  } else {
-    const auto value = place.quantity.read(place.impact, place.at);
-    if (!std::holds_alternative<impact::Omitted>(value))
-      node[std::string(path)] = std::visit(AsJson(), value);
-  }
-}
 
 Json law(const contact::Law& law) {
   Json object = {{"law", name(law)}};
@@ -91,20 +41,58 @@ Json network(const model::Network& network) {
           {"precompressed", network.precompressed}};
 }
 
+const char* thing(const impact::ContactImpact&) {
+  return "contact";
+}
+const char* thing(const impact::MicrobodyImpact&) {
+  return "tip";
+}
+
+/// Suspicious values of the scene, and where its model does not hold.
+template <class Impact>
+std::vector<std::string> all_warnings(const Impact& impact, const scene::Scene& scene) {
+  auto list = scene.warnings;
+  for (auto& one : warnings(impact.validity, thing(impact))) list.push_back(std::move(one));
+  return list;
+}
+
+Json skipped(const std::vector<impact::Skipped>& list) {
+  Json result = Json::object();
+  for (const auto& one : list) result[one.what] = one.why;
+  return result;
+}
+
 /// The quantities of the result, and the words that `labels` lists.
 template <class Impact>
-Json result(const Impact& impact, const scene::Scene& scene, const char* model) {
-  Json result = {{"ending", hybrid::name(impact.ending)}, {"title", scene.title}, {"model", model}};
-  if (const auto why = reason(impact.ending, impact.message, scene); !why.empty()) result["message"] = why;
-  for (const auto& quantity : impact::quantities<Impact>()) {
-    Place<Impact> place{impact, quantity};
-    put(result, quantity.is.key, place, place.at);
-  }
-  result["skipped"] = Json::object();
-  for (const auto& one : impact.skipped) result["skipped"][one.what] = one.why;
-  if (!scene.warnings.empty()) result["warnings"] = scene.warnings;
-  result["provenance"] = provenance_json(scene.sha256);
-  return result;
+void result(JsonStream& out, const Impact& impact, const scene::Scene& scene, const Json& more,
+            const char* model) {
+  static const QuantityTree<Impact> tree;
+  const auto member = [&](std::string_view key, const Json& value) {
+    out.key(key);
+    out.value(value);
+  };
+  out.open_object();
+  member("ending", hybrid::name(impact.ending));
+  member("title", scene.title);
+  member("model", model);
+  if (const auto why = reason(impact.ending, impact.message, scene); !why.empty()) member("message", why);
+  tree.write(impact, out);
+  member("skipped", skipped(impact.skipped));
+  if (const auto all = all_warnings(impact, scene); !all.empty()) member("warnings", all);
+  auto provenance = provenance_json(scene.sha256);
+  provenance.update(more.value("provenance", Json::object()));
+  member("provenance", provenance);
+  for (const auto& [key, value] : more.items())
+    if (key != "provenance") member(key, value);
+  out.close();
+}
+
+template <class Impact>
+Json parsed(const Impact& impact, const scene::Scene& scene) {
+  std::string all;
+  JsonStream stream([&](std::string_view piece) { all += piece; });
+  write(stream, impact, scene);
+  return Json::parse(all);
 }
 
 Json described(const scene::Scene& scene, const char* model, const Json& numbers) {
@@ -118,16 +106,26 @@ Json described(const scene::Scene& scene, const char* model, const Json& numbers
 
 }  // namespace
 
+void write(JsonStream& out, const impact::ChainImpact& impact, const scene::Scene& scene, const Json& more) {
+  result(out, impact, scene, more, "chain");
+}
+void write(JsonStream& out, const impact::NetworkImpact& impact, const scene::Scene& scene,
+           const Json& more) {
+  result(out, impact, scene, more, "network");
+}
+void write(JsonStream& out, const impact::MicrobodyImpact& impact, const scene::Scene& scene,
+           const Json& more) {
+  result(out, impact, scene, more, "microbody");
+}
+
 Json json(const impact::ChainImpact& impact, const scene::Scene& scene) {
-  return result(impact, scene, "chain");
+  return parsed(impact, scene);
 }
-
 Json json(const impact::NetworkImpact& impact, const scene::Scene& scene) {
-  return result(impact, scene, "network");
+  return parsed(impact, scene);
 }
-
 Json json(const impact::MicrobodyImpact& impact, const scene::Scene& scene) {
-  return result(impact, scene, "microbody");
+  return parsed(impact, scene);
 }
 
 Json json(const scene::Scene& scene) {

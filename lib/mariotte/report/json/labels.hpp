@@ -12,13 +12,15 @@ struct Label {
 
 inline constexpr std::array labels = {
     Label{"ending",
-          "how the run ended: `separated`, `captured`, `time_limit`, `event_limit`, `unsure` or `failed`"},
+          "how the run ended: `separated`, `captured`, `time_limit`, `event_limit`, "
+          "`interrupted`, `unsure`, `invalid` or `failed`"},
     Label{"title", "title of the scene"},
     Label{"model", "`chain`, `network` or `microbody`"},
     Label{"message", "why the run ended so; left out if it ended by itself"},
     Label{"scene", "the model as it was understood, in SI units, of `mariotte run` and up to 1000 balls"},
     Label{"skipped", "what this scene did not need, and why"},
-    Label{"warnings[]", "suspicious values of the scene; left out if there are none"},
+    Label{"warnings[]",
+          "suspicious values of the scene, and where its model does not hold; left out if there are none"},
     Label{"provenance.version", "version of the program"},
     Label{"provenance.scene_sha256", "checksum of the scene file with its overrides"},
     Label{"provenance.sundials", "version of SUNDIALS"},

@@ -34,7 +34,7 @@ pre { background: var(--soft); overflow-x: auto; padding: .75rem; }
 )";
 
 /// Parts of a result in the order of their interest; what is not among them comes after them.
-constexpr std::array<std::array<const char*, 2>, 17> sections{{{"warnings", "Warnings"},
+constexpr std::array<std::array<const char*, 2>, 18> sections{{{"warnings", "Warnings"},
                                                                {"final", "Final state"},
                                                                {"restitution", "Restitution"},
                                                                {"impacts", "Impacts"},
@@ -44,6 +44,7 @@ constexpr std::array<std::array<const char*, 2>, 17> sections{{{"warnings", "War
                                                                {"events", "Events"},
                                                                {"energy", "Energy"},
                                                                {"momentum", "Momentum"},
+                                                               {"validity", "Validity"},
                                                                {"flows", "Flows"},
                                                                {"skipped", "Not needed"},
                                                                {"accuracy", "Accuracy"},

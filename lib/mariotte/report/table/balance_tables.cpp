@@ -58,21 +58,4 @@ std::string momentum_table(const impact::NetworkImpact& impact) {
   return "\nMomentum\n" + line("relative residual", fmt::format("{:.2e}", impact.momentum_residual));
 }
 
-std::string flows_table(const std::vector<impact::FlowUse>& flows) {
-  if (flows.empty()) return "";
-  const auto row = [&](Index i) -> TableRow {
-    const auto& use = flows[static_cast<std::size_t>(i)];
-    return {use.name, fmt::format("{}", use.phases), fmt::format("{}", use.steps),
-            fmt::format("{}", use.rhs)};
-  };
-  return "\nFlows\n" + columns({"flow", "phases", "steps", "right-hand sides"}, std::ssize(flows), row);
-}
-
-std::string skipped_table(const std::vector<impact::Skipped>& skipped) {
-  if (skipped.empty()) return "";
-  std::string text = "\nNot needed\n";
-  for (const auto& one : skipped) text += fmt::format("  {}: {}\n", one.what, one.why);
-  return text;
-}
-
 }  // namespace mariotte::report

@@ -1,7 +1,6 @@
-// The lower half of the table of a run: what was conserved, how it was computed and what was not needed.
+// The lower half of the table of a run: what was conserved.
 #pragma once
 #include <string>
-#include <vector>
 
 #include "mariotte/impact/chain/chain_impact.hpp"
 #include "mariotte/impact/network/network_impact.hpp"
@@ -17,8 +16,5 @@ std::string momentum_table(const impact::ChainImpact& impact, const model::Chain
 
 /// Of a network, whose momenta differ in kind, only how well the impulses explain the velocities.
 std::string momentum_table(const impact::NetworkImpact& impact);
-
-std::string flows_table(const std::vector<impact::FlowUse>& flows);
-std::string skipped_table(const std::vector<impact::Skipped>& skipped);
 
 }  // namespace mariotte::report

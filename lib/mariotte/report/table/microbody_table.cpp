@@ -6,6 +6,7 @@
 #include "mariotte/report/csv/columns.hpp"
 #include "mariotte/report/number.hpp"
 #include "mariotte/report/reason.hpp"
+#include "mariotte/report/table/background.hpp"
 #include "mariotte/report/table/balance_tables.hpp"
 #include "mariotte/report/table/quantity_table.hpp"
 #include "mariotte/report/table/table.hpp"
@@ -112,13 +113,13 @@ constexpr BalanceLine energies[] = {{"before", "energy.initial"},
 
 }  // namespace
 
-std::string table(const impact::MicrobodyImpact& impact, const scene::Scene& scene) {
+std::string table(const impact::MicrobodyImpact& impact, const scene::Scene& scene, Detail detail) {
   const auto time = display_for(std::vector{impact.final.time}, "s");
   return heading(scene.title.empty() ? "Microbody on a plane" : scene.title) + summary(impact, scene, time) +
          events(impact, time) + motion(impact, std::get<model::Microbody>(scene.model)) +
          restitution(impact) + impacts(impact, time) +
-         balance_table("Energy", impact, energies, "energy.residual") + flows_table(impact.flows) +
-         skipped_table(impact.skipped);
+         balance_table("Energy", impact, energies, "energy.residual") +
+         (detail == Detail::full ? background(impact, "tip") : "");
 }
 
 std::string table_of_body(const model::Microbody& body, const scene::Scene& scene) {

@@ -8,6 +8,7 @@
 #include "mariotte/report/csv/columns.hpp"
 #include "mariotte/report/number.hpp"
 #include "mariotte/report/reason.hpp"
+#include "mariotte/report/table/background.hpp"
 #include "mariotte/report/table/balance_tables.hpp"
 #include "mariotte/report/table/network_table.hpp"
 #include "mariotte/report/table/pair_speeds.hpp"
@@ -114,20 +115,20 @@ std::string head(const impact::ContactImpact& impact, const scene::Scene& scene,
 
 }  // namespace
 
-std::string table(const impact::ChainImpact& impact, const scene::Scene& scene) {
+std::string table(const impact::ChainImpact& impact, const scene::Scene& scene, Detail detail) {
   const auto& chain = std::get<model::Chain>(scene.model);
   return head(impact, scene, "Chain of balls", fmt::format("{} balls", impact.velocity.size())) +
          balls(impact, chain) + pair(impact, chain) + contacts(impact, time_display(impact), {}) +
-         ratios(impact) + energy_table(impact) + momentum_table(impact, chain) + flows_table(impact.flows) +
-         skipped_table(impact.skipped);
+         ratios(impact) + energy_table(impact) + momentum_table(impact, chain) +
+         (detail == Detail::full ? background(impact, "contact") : "");
 }
 
-std::string table(const impact::NetworkImpact& impact, const scene::Scene& scene) {
+std::string table(const impact::NetworkImpact& impact, const scene::Scene& scene, Detail detail) {
   const auto& network = std::get<model::Network>(scene.model);
   return head(impact, scene, "Contact network", size_of(network)) + motion_table(network, impact.velocity) +
          contacts(impact, time_display(impact), contact_names(network)) + direction_table(impact) +
-         energy_table(impact) + momentum_table(impact) + flows_table(impact.flows) +
-         skipped_table(impact.skipped);
+         energy_table(impact) + momentum_table(impact) +
+         (detail == Detail::full ? background(impact, "contact") : "");
 }
 
 }  // namespace mariotte::report

@@ -6,19 +6,22 @@
 #include "mariotte/impact/chain/chain_impact.hpp"
 #include "mariotte/impact/microbody/microbody_impact.hpp"
 #include "mariotte/impact/network/network_impact.hpp"
+#include "mariotte/report/text.hpp"
 #include "mariotte/scene/scene.hpp"
 
 namespace mariotte::report {
 
-/// Events, balls, contacts, ratios, balances, flows and what was skipped.
-std::string table(const impact::ChainImpact& impact, const scene::Scene& scene);
+/// Events, balls, contacts, ratios and balances; in full also validity, flows and what was skipped.
+std::string table(const impact::ChainImpact& impact, const scene::Scene& scene,
+                  Detail detail = Detail::usual);
 
-/// Events, motion before and after, restitution, impacts, balance, flows and what was skipped; tips count
-/// from 1.
-std::string table(const impact::MicrobodyImpact& impact, const scene::Scene& scene);
+/// Events, motion before and after, restitution, impacts, balance; in full as of a chain. Tips count from 1.
+std::string table(const impact::MicrobodyImpact& impact, const scene::Scene& scene,
+                  Detail detail = Detail::usual);
 
 /// As of a chain, with the direction of all impulses instead of ratios.
-std::string table(const impact::NetworkImpact& impact, const scene::Scene& scene);
+std::string table(const impact::NetworkImpact& impact, const scene::Scene& scene,
+                  Detail detail = Detail::usual);
 
 /// The scene as it was understood, in SI units without prefixes.
 std::string table(const scene::Scene& scene);

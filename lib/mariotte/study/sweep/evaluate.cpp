@@ -7,6 +7,7 @@
 
 #include "mariotte/core/overload.hpp"
 #include "mariotte/impact/quantities/quantity_key.hpp"
+#include "mariotte/scene/judge.hpp"
 
 namespace mariotte::study {
 namespace {
@@ -36,13 +37,14 @@ class OfModel {
                             [](const Entry& entry) { return entry && is_brief(*entry); });
   }
 
-  Verdict evaluate(const Model& model, const hybrid::Options& run, std::span<double> out) {
+  Verdict evaluate(const Model& model, const scene::Scene& scene, std::span<double> out) {
     if (is_brief_ && Brief::serves(model)) {
-      const auto& impact = solver_->solve(model, run);
+      const auto& impact = solver_->solve(model, scene.run);
       fill(Brief{model, impact}, out);
       return verdict(impact);
     }
-    const auto impact = impact::simulate(model, run);
+    auto impact = impact::simulate(model, scene.run);
+    judge(impact, scene);
     fill(impact, out);
     return verdict(impact);
   }
@@ -66,7 +68,7 @@ class Evaluator {
 
   Verdict operator()(const scene::Scene& scene, std::span<double> out) {
     return std::visit(Overload{[&]<class Model>(const Model& model) {
-                                 return std::get<OfModel<Model>>(all_).evaluate(model, scene.run, out);
+                                 return std::get<OfModel<Model>>(all_).evaluate(model, scene, out);
                                },
                                [](const scene::LawAlone& nothing) -> Verdict { scene::refuse(nothing); }},
                       scene.model);
@@ -79,7 +81,7 @@ class Evaluator {
 }  // namespace
 
 bool Verdict::has_numbers() const {
-  return ending != "failed" && ending != "unsure" && ending != "rejected";
+  return ending != "failed" && ending != "unsure" && ending != "invalid" && ending != "rejected";
 }
 
 Evaluate make_evaluate(const std::vector<Column>& columns) {

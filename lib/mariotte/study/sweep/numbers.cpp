@@ -55,7 +55,7 @@ std::vector<double*> numbers(scene::Scene& scene) {
 }
 
 bool same_form(const scene::Scene& a, const scene::Scene& b) {
-  return same_form(a.model, b.model) && a.radius.size() == b.radius.size() &&
+  return same_form(a.model, b.model) && a.radius.size() == b.radius.size() && a.touching == b.touching &&
          a.run.max_events == b.run.max_events && a.run.flow == b.run.flow && a.title == b.title;
 }
 

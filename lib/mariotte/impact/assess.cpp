@@ -1,0 +1,105 @@
+#include "mariotte/impact/assess.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "mariotte/contact/limits.hpp"
+
+namespace mariotte::impact {
+namespace {
+
+constexpr double hertz_exponent = 1.5;
+
+/// Numbers that are not known are not finite.
+void largest(Validity::Number& worst, double value, Index contact) {
+  if (std::isfinite(value) && (!worst || value > worst->value)) worst = {value, contact};
+}
+void least(Validity::Number& worst, double value, Index contact) {
+  if (std::isfinite(value) && (!worst || value < worst->value)) worst = {value, contact};
+}
+
+void assess_depth(Validity& validity, double indentation, const Touching& bodies, Index contact) {
+  largest(validity.indentation_ratio, indentation / bodies.smaller_radius, contact);
+  largest(validity.contact_radius_ratio, std::sqrt(indentation / bodies.radius), contact);
+}
+
+/// Of a Hertz contact.
+void assess_pressure(Validity& validity, double indentation, double stiffness, const Touching& bodies,
+                     Index contact) {
+  const double modulus = contact::contact_modulus(stiffness, bodies.radius);
+  const double pressure = contact::peak_pressure(modulus, bodies.radius, indentation);
+  largest(validity.peak_pressure, pressure, contact);
+  if (!(bodies.yield_strength > 0)) return;
+  const double limit = contact::first_yield * bodies.yield_strength;
+  largest(validity.yield_ratio, pressure / limit, contact);
+  least(validity.first_yield_speed, contact::speed_of_pressure(modulus, bodies.radius, bodies.mass, limit),
+        contact);
+}
+
+/// The longest period of a contact [s].
+double contact_time(const ContactHistory& contact, double end) {
+  double longest = 0;
+  for (const auto& period : contact.periods)
+    longest = std::max(longest, period.end.value_or(end) - period.start);
+  return longest;
+}
+
+/// Stiffness of a law with Hertz's exponent; 0 of any other [N/m^{3/2}].
+double hertz_stiffness(const contact::Law& law) {
+  if (const auto* power = contact::power_law(law))
+    return power->exponent == hertz_exponent ? power->stiffness : 0;
+  double stiffness = 0, exponent = 0;
+  for (const auto& one : contact::parameters(law)) {
+    if (one.key == "stiffness") stiffness = one.value;
+    if (one.key == "exponent") exponent = one.value;
+  }
+  return exponent == hertz_exponent ? stiffness : 0;
+}
+
+template <class Impact>
+void refuse_depth(Impact& impact, const char* thing) {
+  const auto& worst = impact.validity.indentation_ratio;
+  if (!worst || !(worst->value > 1) || impact.ending == hybrid::Ending::failed) return;
+  std::ostringstream message;
+  message << thing << " " << worst->contact + 1 << " is indented by " << worst->value
+          << " times the radius of its body; no contact law holds beyond the radius";
+  impact.ending = hybrid::Ending::invalid;
+  impact.message = message.str();
+}
+
+}  // namespace
+
+void assess(ContactImpact& impact, std::span<const contact::Law> laws, std::span<const Touching> touching) {
+  impact.validity = {};
+  for (Index j = 0; j < std::ssize(touching); ++j) {
+    const auto& one = impact.contacts[j];
+    if (!(one.peak_indentation > 0) || !(touching[j].radius > 0)) continue;
+    assess_depth(impact.validity, one.peak_indentation, touching[j], j);
+    if (const double stiffness = hertz_stiffness(laws[j]); stiffness > 0)
+      assess_pressure(impact.validity, one.peak_indentation, stiffness, touching[j], j);
+    least(impact.validity.contact_time_ratio, contact_time(one, impact.time) / touching[j].wave_travel, j);
+  }
+  refuse_depth(impact, "contact");
+}
+
+void assess(MicrobodyImpact& impact, const model::Microbody& body, std::span<const Touching> touching) {
+  auto& validity = impact.validity = {};
+  for (const auto& one : impact.impacts) {
+    const auto& law = body.law[one.tip];
+    const double speed = std::max(std::abs(one.normal_velocity_in), std::abs(one.normal_velocity_out));
+    largest(validity.hertz_damping, law.damping_hertz * speed, one.tip);
+    largest(validity.adhesion_damping, law.damping_adhesion * speed, one.tip);
+    assess_depth(validity, one.peak_indentation, touching[one.tip], one.tip);
+    assess_pressure(validity, one.peak_indentation, law.stiffness, touching[one.tip], one.tip);
+    least(validity.contact_time_ratio,
+          (one.end.value_or(impact.final.time) - one.start) / touching[one.tip].wave_travel, one.tip);
+    if (!(law.adhesion > 0)) continue;
+    largest(validity.adhesion_ratio, contact::rest_indentation(law) / touching[one.tip].radius, one.tip);
+    least(validity.tabor_number, contact::tabor_number(law, touching[one.tip].radius), one.tip);
+    largest(validity.well_damping, contact::well_damping(law, body.body.mass), one.tip);
+  }
+  refuse_depth(impact, "tip");
+}
+
+}  // namespace mariotte::impact

@@ -1,0 +1,146 @@
+#define BOOST_TEST_MODULE scene_judge
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "mariotte/contact/limits.hpp"
+#include "mariotte/report/text.hpp"
+#include "mariotte/report/validity.hpp"
+#include "mariotte/scene/judge.hpp"
+#include "mariotte/scene/simulate.hpp"
+#include "mariotte/study/sweep/columns.hpp"
+#include "mariotte/study/sweep/evaluate.hpp"
+
+using namespace mariotte;
+using boost::test_tools::tolerance;
+
+namespace {
+
+/// Two balls of 10 mm, or a pair of other size and material.
+std::string pair(const std::string& speed, const std::string& material = "'steel'") {
+  return "[chain]\nradius = 5e-3\nmaterial = " + material + "\nvelocity = ['" + speed +
+         "', 0]\nlaw = 'hertz'\n";
+}
+
+impact::ChainImpact run(const std::string& text) {
+  return std::get<impact::ChainImpact>(simulate(scene::parse(text, "s.toml")));
+}
+
+bool has(const std::string& text, const std::string& part) {
+  BOOST_TEST_INFO(text);
+  return text.find(part) != std::string::npos;
+}
+
+std::string all_warnings(const impact::Validity& validity) {
+  std::string text;
+  for (const auto& one : report::warnings(validity, "contact")) text += one + "\n";
+  return text;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_gentle_impact_is_within_all_limits) {
+  const auto validity = run(pair("0.1 m/s")).validity;
+  BOOST_TEST(all_warnings(validity) == "");
+  BOOST_TEST(validity.yield_ratio.has_value());
+  BOOST_TEST(validity.contact_time_ratio.has_value());
+}
+
+BOOST_AUTO_TEST_CASE(first_yield_speed_is_where_the_pressure_reaches_its_limit) {
+  const double speed = run(pair("0.1 m/s")).validity.first_yield_speed->value;
+  const auto at_limit = run(pair(std::to_string(speed) + " m/s")).validity;
+  BOOST_TEST(at_limit.yield_ratio->value == 1.0, tolerance(1e-5));  // of a speed written with six decimals
+  BOOST_TEST(at_limit.peak_pressure->value == contact::first_yield * 2.03e9, tolerance(1e-5));
+}
+
+BOOST_AUTO_TEST_CASE(fast_steel_balls_yield_and_ring) {
+  const auto impact = run(pair("500 m/s"));
+  const auto text = all_warnings(impact.validity);
+  BOOST_TEST((impact.ending == hybrid::Ending::separated));
+  for (const char* part : {"contact 1: max a/R = ", "max p₀/1.6Y = ", "min t_c/t_w = ", "is below 5"})
+    BOOST_TEST(has(text, part), part);
+  const auto json = report::json_text(impact, scene::parse(pair("500 m/s"), "s.toml"));
+  BOOST_TEST(has(json, "\"warnings\""));
+}
+
+BOOST_AUTO_TEST_CASE(contact_time_is_that_of_hertz) {
+  // t = 2.9432… (m²/(R E*² v))^{1/5}·… in terms of k: t_c = 3.2180 (m²/(k² v))^{1/5} [Johnson 1985, §11.4]
+  const auto scene = scene::parse(pair("1 m/s"), "s.toml");
+  const auto& chain = std::get<model::Chain>(scene.model);
+  const double reduced = chain.mass[0] / 2, stiffness = contact::stiffness(chain.law[0]);
+  const double time = 3.2180 * std::pow(reduced * reduced / (stiffness * stiffness), 0.2);
+  const double travel = 4 * 5e-3 * std::sqrt(7830 / 203e9);
+  BOOST_TEST(run(pair("1 m/s")).validity.contact_time_ratio->value == time / travel, tolerance(1e-4));
+}
+
+BOOST_AUTO_TEST_CASE(an_indentation_beyond_the_radius_is_refused_by_name) {
+  const auto impact = run(pair("5000 m/s", "'polystyrene'"));
+  BOOST_TEST((impact.ending == hybrid::Ending::invalid));
+  BOOST_TEST(has(impact.message, "contact 1 is indented by"));
+  BOOST_TEST(has(impact.message, "times the radius"));
+  BOOST_TEST(impact.velocity[1] > 4000);  // what was computed is kept
+}
+
+BOOST_AUTO_TEST_CASE(nothing_is_said_of_bodies_without_a_radius) {
+  const auto validity =
+      run("[chain]\nmass = [1, 1]\nvelocity = [1, 0]\nlaw = 'hertz'\nstiffness = 1\n").validity;
+  for (const auto& one : impact::validity_limits) BOOST_TEST(!(validity.*one.number), one.key);
+}
+
+BOOST_AUTO_TEST_CASE(a_linear_spring_has_an_indentation_but_no_pressure) {
+  const auto validity =
+      run("[chain]\nmass = [1, 1]\nradius = 1\nvelocity = [1, 0]\nlaw = 'linear'\nstiffness = 50\n").validity;
+  BOOST_TEST(validity.indentation_ratio->value == 0.1, tolerance(1e-9));  // v √(m/2k)
+  BOOST_TEST(!validity.peak_pressure);
+}
+
+BOOST_AUTO_TEST_CASE(the_worst_contact_is_named) {
+  const auto validity = run("[chain]\nballs = 3\nradius = 1e-2\nmaterial = 'steel'\nvelocity = [9, 0, "
+                            "0]\nstiffness = [1e10, 1e8]\n"
+                            "law = 'hertz'\ngap = [0, 1e-3]\n")
+                            .validity;
+  BOOST_TEST(validity.contact_radius_ratio->contact == 1);
+}
+
+BOOST_AUTO_TEST_CASE(balls_in_the_plane_are_judged_as_those_of_a_row) {
+  const auto network = std::get<impact::NetworkImpact>(simulate(scene::parse(
+      "[network]\nradius = 5e-3\nmaterial = 'steel'\nlaw = 'hertz'\n[[network.ball]]\nposition = [0, 0]\n"
+      "velocity = [10, 0]\n[[network.ball]]\nposition = [1e-2, 0]\n",
+      "s.toml")));
+  const auto row = run(pair("10 m/s"));
+  for (const auto& one : impact::validity_limits) {
+    const auto a = network.validity.*one.number, b = row.validity.*one.number;
+    BOOST_TEST(a.has_value() == b.has_value(), one.key);
+    if (a && b) BOOST_TEST(a->value == b->value, tolerance(1e-8));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_microbody_is_judged_by_adhesion_and_damping_too) {
+  const auto scene = scene::read(MARIOTTE_SCENES "/microsphere.toml");
+  const auto& body = std::get<model::Microbody>(scene.model);
+  const auto impact = std::get<impact::MicrobodyImpact>(simulate(scene));
+  const auto& law = body.law[0];
+  const double radius = body.body.tips[0].radius;
+  const auto& v = impact.validity;
+  BOOST_TEST(v.contact_radius_ratio->value == std::sqrt(impact.impacts[0].peak_indentation / radius));
+  BOOST_TEST(v.adhesion_ratio->value == contact::rest_indentation(law) / radius);
+  BOOST_TEST(v.hertz_damping->value == law.damping_hertz * std::abs(impact.impacts[0].normal_velocity_in));
+  BOOST_TEST(v.adhesion_damping->value ==
+             law.damping_adhesion * std::abs(impact.impacts[0].normal_velocity_in));
+  BOOST_TEST(v.tabor_number->value == contact::tabor_number(law, radius));
+  BOOST_TEST(v.well_damping->value == contact::well_damping(law, body.body.mass));
+}
+
+BOOST_AUTO_TEST_CASE(validity_is_a_column_of_sweeps_and_what_is_invalid_has_no_numbers) {
+  double number = 0;
+  const auto verdict = [&](const std::string& text) {
+    const auto scene = scene::parse(text, "s.toml");
+    return study::make_evaluate(study::expand_columns({"validity.yield_ratio"}, scene))(scene, {&number, 1});
+  };
+  BOOST_TEST(verdict(pair("10 m/s")).has_numbers());
+  BOOST_TEST(number == run(pair("10 m/s")).validity.yield_ratio->value, tolerance(1e-12));
+  const auto invalid = verdict(pair("50000 m/s"));
+  BOOST_TEST(invalid.ending == "invalid");
+  BOOST_TEST(!invalid.has_numbers());
+  BOOST_TEST(has(invalid.reason, "contact 1"));
+}
