@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "mariotte/core/error.hpp"
+#include "mariotte/model/chain/equilibrium.hpp"
 #include "mariotte/scene/balls.hpp"
 #include "mariotte/scene/contacts.hpp"
 #include "mariotte/scene/error_list.hpp"
@@ -12,10 +14,11 @@
 namespace mariotte::scene {
 namespace {
 
-constexpr std::array<std::string_view, 21> keys{
-    "diameter", "taper",    "repeat",   "restitution",   "at",        "balls",   "mass",
-    "radius",   "material", "velocity", "law",           "stiffness", "damping", "exponent",
-    "gap",      "gravity",  "wall",     "wall_material", "ball",      "contact", "precompressed"};
+constexpr std::array<std::string_view, 23> keys{
+    "precompression", "start",        "diameter", "taper",    "repeat",   "restitution",   "at",
+    "balls",          "mass",         "radius",   "material", "velocity", "law",           "stiffness",
+    "damping",        "exponent",     "gap",      "gravity",  "wall",     "wall_material", "ball",
+    "contact",        "precompressed"};
 
 double read_gravity(const Source& source, const Field& chain, const std::optional<Field>& of_run) {
   const auto own = find(chain, "gravity");
@@ -38,6 +41,27 @@ void warn_of_rest(Source& source, const Field& chain, const model::Chain& model)
   const bool pressed = std::any_of(model.gap.begin(), model.gap.end(), [](double gap) { return gap < 0; });
   if (model.gravity == 0 && !pressed && std::all_of(model.velocity.begin(), model.velocity.end(), zero))
     warn(source, chain, "nothing moves: no velocity, no gravity, no compressed contact");
+}
+
+/// Whether the row starts in static equilibrium; then its closed contacts are indented so.
+bool start_at_rest(const Source& source, const Field& chain, model::Chain& model) {
+  constexpr std::array<std::string_view, 2> starts{"gaps", "equilibrium"};
+  const auto start = find(chain, "start"), force = find(chain, "precompression");
+  const bool by_gaps = start && choice(source, *start, "start", starts) == 0;
+  if (by_gaps && force)
+    reject(source, *force, fault::contradiction, "'start' says that the row starts by its gaps");
+  if (by_gaps || !(start || force)) return false;
+  const auto& cause = force ? *force : *start;
+  if (const auto field = find(chain, "precompressed"))
+    reject(source, *field, fault::contradiction, "static equilibrium says how far contacts are indented");
+  const double pressure =
+      optional_number(source, chain, "precompression", dimension::stiffness(0), Domain::positive, 0);
+  try {
+    put_at_rest(model, pressure);
+  } catch (const InvalidParameter& error) {
+    reject(source, cause, error.fault, error.what());
+  }
+  return true;
 }
 
 std::vector<double> radii(const std::vector<Ball>& balls) {
@@ -72,8 +96,9 @@ ResolvedChain read_chain(Source& source, const Field& chain, const std::optional
   errors.attempt([&] { model.gravity = read_gravity(source, chain, gravity); });
   errors.raise();
   expect_motion(source, chain, model);
+  const bool at_rest = start_at_rest(source, chain, model);
   warn_of_rest(source, chain, model);
-  return {std::move(model), radii(balls), touching(balls)};
+  return {std::move(model), radii(balls), touching(balls), at_rest};
 }
 
 }  // namespace mariotte::scene

@@ -10,6 +10,7 @@ struct ResolvedChain {
   model::Chain chain;
   std::vector<double> radius;  ///< n values [m], infinite for planes; empty unless every ball has one
   std::vector<impact::Touching> touching;  ///< as in `Scene`
+  bool at_rest = false;                    ///< starts in static equilibrium
 };
 
 /// Throws SceneError; warns of what looks like a slip. `gravity` is what [run] says of it, if anything.

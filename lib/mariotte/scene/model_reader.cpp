@@ -43,8 +43,18 @@ std::optional<Field> gravity(const Field& root) {
   return run ? find(*run, "gravity") : std::nullopt;
 }
 
+/// What holds a row together holds it for ever.
+void expect_limit(const Source& source, const Field& root, const Field& chain) {
+  const auto run = find(root, "run");
+  if (run && (find(*run, "until") || find(*run, "max_time"))) return;
+  const auto force = find(chain, "precompression");
+  reject(source, force ? *force : *find(chain, "start"), fault::missing,
+         "a row in equilibrium does not come apart; it needs 'run.until' or 'run.max_time'");
+}
+
 ResolvedModel resolve_chain(Source& source, const Field& root, const Field& chain) {
   auto resolved = read_chain(source, chain, gravity(root));
+  if (resolved.at_rest) expect_limit(source, root, chain);
   expect_valid(source, root, {"chain", "run"}, resolved.chain);
   return {std::move(resolved.chain), std::move(resolved.radius), std::move(resolved.touching)};
 }

@@ -1,0 +1,56 @@
+#define BOOST_TEST_MODULE scene_equilibrium_scene
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "mariotte/scene/scene.hpp"
+
+using namespace mariotte;
+using boost::test_tools::tolerance;
+
+namespace {
+
+const std::string row = "mass = 1\nballs = 2\nlaw = 'hertz'\nstiffness = 1e9\n";
+
+model::Chain chain(const std::string& text) {
+  return std::get<model::Chain>(scene::parse("[chain]\n" + row + text, "s.toml").model);
+}
+
+std::string rejection(const std::string& text) {
+  try {
+    chain(text);
+    return "accepted";
+  } catch (const scene::SceneError& error) {
+    return error.what();
+  }
+}
+
+bool has(const std::string& text, const std::string& part) {
+  BOOST_TEST_INFO(text);
+  return text.find(part) != std::string::npos;
+}
+
+const std::string until = "[run]\nuntil = 1\n";
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(start_and_precompression_indent_the_contacts) {
+  const auto column = chain("wall = 'left'\ngravity = 10\nstart = 'equilibrium'\n" + until);
+  BOOST_TEST(column.gap[0] == -std::pow(20 / 1e9, 2.0 / 3), tolerance(1e-14));
+  BOOST_TEST(column.gap[1] == -std::pow(10 / 1e9, 2.0 / 3), tolerance(1e-14));
+  const auto pressed = chain("wall = 'both'\nprecompression = '10 N'\n" + until);
+  for (const double gap : pressed.gap) BOOST_TEST(gap == column.gap[1]);
+  const auto both = chain("wall = 'both'\ngravity = 10\nprecompression = 10\n" + until);
+  BOOST_TEST(both.gap[2] == pressed.gap[0]);
+  BOOST_TEST(both.gap[0] == -std::pow(30 / 1e9, 2.0 / 3), tolerance(1e-14));
+}
+
+BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused_where_it_stands) {
+  BOOST_TEST(has(rejection("precompression = 10\n" + until), "s.toml:6:18: chain.precompression: "));
+  BOOST_TEST(has(rejection("precompression = 10\n" + until), "walls at both ends"));
+  BOOST_TEST(has(rejection("wall = 'both'\nprecompression = '10 m'\n" + until), "force"));
+  BOOST_TEST(has(rejection("wall = 'both'\nprecompression = 10\n"), "needs 'run.until'"));
+  BOOST_TEST(has(rejection("start = 'rest'\n" + until), "gaps, equilibrium"));
+  BOOST_TEST(has(rejection("wall = 'both'\nstart = 'gaps'\nprecompression = 1\n" + until), "by its gaps"));
+  BOOST_TEST(
+      has(rejection("precompressed = true\nstart = 'equilibrium'\n" + until), "chain.precompressed: "));
+}
