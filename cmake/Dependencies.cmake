@@ -9,6 +9,7 @@ if(MARIOTTE_APPS OR MARIOTTE_TESTS)
   find_package(fmt REQUIRED)
   find_package(nlohmann_json REQUIRED)
   find_package(tomlplusplus REQUIRED)
+  find_package(muparser REQUIRED)  # expressions in sweeps
   find_package(Boost REQUIRED)  # Student's t of fits, and odeint, a rival in work_precision; headers only
   if(MARIOTTE_HDF5)
     find_package(HDF5 QUIET COMPONENTS CXX)

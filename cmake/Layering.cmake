@@ -36,7 +36,8 @@ confine("fmt/"                                              "(scene|study|report
 confine("nlohmann/"                                         "(report|apps)/")
 confine("mpi\\.h"                                            "apps/mariotte/ranks\\.cpp")
 confine("CLI/"                                              "apps/command_line/parser\\.cpp")
-confine("boost/"                                            "(study/fit/uncertainty\\.cpp|tests/|${rivals})")
+confine("boost/"                                            "(study/fit/uncertainty\\.cpp|study/sweep/sobol\\.cpp|tests/|${rivals})")
+confine("muParser"                                          "study/sweep/expression\\.cpp")
 
 # Why `file` of `module` may not include `header`, or nothing.
 function(objection module file header quoted result)

@@ -12,6 +12,7 @@
 #include "command_line/terminal.hpp"
 #include "cores.hpp"
 #include "interruption.hpp"
+#include "mariotte/report/csv/columns.hpp"
 #include "mariotte/report/csv/sweep_csv.hpp"
 #include "mariotte/report/csv/sweep_rows.hpp"
 #include "mariotte/report/json/sweep_json.hpp"
@@ -50,7 +51,9 @@ study::SweepPlan read(const Options& options, const Ranks& ranks) try {
 
 /// What must be the same for a journal to be gone on with.
 std::string identity(const study::SweepPlan& plan) {
-  return scene::sha256(plan.document.sha256 + report::sweep_header(plan.design, plan.columns) +
+  std::string formulas;
+  for (const auto& column : plan.columns) formulas += column.written + "\n";
+  return scene::sha256(plan.document.sha256 + report::sweep_header(plan.design, plan.columns) + formulas +
                        report::provenance().version);
 }
 
@@ -62,7 +65,7 @@ study::Progress compute(const Options& options, const study::SweepPlan& plan, st
       .document = plan.document,
       .design = plan.design,
       .columns = plan.columns.size(),
-      .make_evaluate = [&] { return study::make_evaluate(plan.columns); },
+      .make_evaluate = [&] { return study::make_evaluate_point(plan); },
       .append_rows = [&](const auto& batch, auto& text) { report::append_rows(plan.design, batch, text); }};
   const study::Dealer dealer(missing, {.rank = ranks.rank(), .ranks = ranks.count()});
   return run(sweep, dealer, options.threads, journal, [&](const auto& progress) {
@@ -80,12 +83,25 @@ report::Json description(const Options& options, const study::SweepPlan& plan,
   return what;
 }
 
+std::string table(const report::ColumnStatistics& columns) {
+  const auto all = columns.statistics();
+  const auto row = [&](Index i) -> report::TableRow {
+    const auto& one = all[static_cast<std::size_t>(i)];
+    report::TableRow cells = {one.key};
+    for (const double value : {one.mean, one.deviation, one.q05, one.q50, one.q95})
+      cells.push_back(fmt::format("{:.5g}", value));
+    return cells;
+  };
+  return report::columns({"column [SI]", "mean", "deviation", "5 %", "median", "95 %"}, std::ssize(all), row);
+}
+
 int finish(const Options& options, const study::SweepPlan& plan, study::Journal& journal) {
-  const auto shortfall = write(options.files, plan, description(options, plan, journal), journal);
-  if (!shortfall.empty() && !options.scene.quiet) warning(shortfall);
+  const auto written = write(options.files, plan, description(options, plan, journal), journal);
+  if (!written.shortfall.empty() && !options.scene.quiet) warning(written.shortfall);
   const Index points = plan.design.points(), failed = journal.failed();
   print(fmt::format("{} points, {} without a result: {}\n", points, failed,
                     (options.files.folder / "sweep.csv").string()));
+  if (written.statistics) print(table(*written.statistics));
   return failed < points ? ExitCode::ok : ExitCode::solver_failed;
 }
 
@@ -156,7 +172,7 @@ OptionList declare(Options& options) {
                    {.value = "DIR", .required = true}},
                   {"--column",
                    &options.columns,
-                   "Result key of a column, * for all indices; may be repeated",
+                   "Result key of a column, * for all indices, or NAME=EXPRESSION; may be repeated",
                    {.value = "KEY", .takes_one = true}},
                   {"--threads",
                    &options.threads,

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "mariotte/report/csv/sweep_csv.hpp"
@@ -19,6 +20,11 @@ constexpr const char* hdf5_name = "sweep.h5";
 const std::vector<std::string> names = {"sweep.csv", "sweep.json", hdf5_name,
                                         "plot.csv",  "plot.gp",    report_page};
 
+bool is_random(const study::Design& design) {
+  return std::any_of(design.parameters.begin(), design.parameters.end(),
+                     [](const study::Parameter& one) { return one.range && one.range->seed; });
+}
+
 /// Figures of another sweep must not be taken for those of this one.
 void remove_figures(const std::filesystem::path& folder) {
   std::vector<std::string> figures;
@@ -30,9 +36,12 @@ void remove_figures(const std::filesystem::path& folder) {
   report::remove_files(folder, figures);
 }
 
-/// All but figures and page; sweep.csv, without which there is no result, comes last.
-void write_tables(const SweepFiles& files, const study::SweepPlan& plan, const report::Json& what,
-                  study::Journal& journal) {
+/// All but figures and page; sweep.csv, without which there is no result, comes last. Returns what the
+/// numbers of a random design are like, which sweep.json tells, too.
+std::optional<report::ColumnStatistics> write_tables(const SweepFiles& files, const study::SweepPlan& plan,
+                                                     report::Json what, study::Journal& journal) {
+  std::optional<report::ColumnStatistics> statistics;
+  if (is_random(plan.design)) statistics.emplace(report::sweep_header(plan.design, plan.columns));
   report::NewFile csv(files.folder / "sweep.csv"), drawn(files.folder / "plot.csv");
   std::unique_ptr<report::SweepFile> table;
   if (files.hdf5) table = report::new_hdf5_sweep(files.folder / hdf5_name, plan.design, plan.columns);
@@ -44,11 +53,14 @@ void write_tables(const SweepFiles& files, const study::SweepPlan& plan, const r
     report::append_drawn(plan.design, first, rows, text);
     drawn.append(text);
     if (table) table->add(rows);
+    if (statistics) statistics->add(rows);
   });
   drawn.commit();
   if (table) table->commit();
+  if (statistics) what["statistics"] = statistics->json();
   report::write_file(files.folder / "sweep.json", report::text(what));
   csv.commit();
+  return statistics;
 }
 
 std::string draw(const std::filesystem::path& folder, const study::SweepPlan& plan) {
@@ -76,15 +88,15 @@ void prepare(const SweepFiles& files, const study::SweepPlan& plan, bool force) 
   if (files.hdf5) report::new_hdf5_sweep(folder / hdf5_name, plan.design, plan.columns);
 }
 
-std::string write(const SweepFiles& files, const study::SweepPlan& plan, const report::Json& what,
-                  study::Journal& journal) {
+Written write(const SweepFiles& files, const study::SweepPlan& plan, const report::Json& what,
+              study::Journal& journal) {
   // This process alone writes here: it holds the journal.
   report::remove_unfinished(files.folder, names);
   report::remove_unfinished(files.folder, {"figures"});
-  write_tables(files, plan, what, journal);
-  const auto shortfall = files.no_figures ? std::string() : draw(files.folder, plan);
+  Written written{.statistics = write_tables(files, plan, what, journal)};
+  if (!files.no_figures) written.shortfall = draw(files.folder, plan);
   if (files.report) write_report_page(files.folder, read_result(files.folder));
-  return shortfall;
+  return written;
 }
 
 }  // namespace mariotte::command

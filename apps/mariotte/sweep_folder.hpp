@@ -1,8 +1,10 @@
 // What a sweep leaves in its folder.
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 
+#include "mariotte/report/json/column_statistics.hpp"
 #include "mariotte/report/json/json.hpp"
 #include "mariotte/study/journal/journal.hpp"
 #include "mariotte/study/sweep/sweep_reader.hpp"
@@ -21,9 +23,14 @@ struct SweepFiles {
 /// result whose journal is gone, or if a file cannot be written.
 void prepare(const SweepFiles& files, const study::SweepPlan& plan, bool force);
 
-/// Write the files of a complete journal, and `what` the sweep was into sweep.json. Returns an empty text, or
-/// which figures are missing and why. Throws report::FileError.
-std::string write(const SweepFiles& files, const study::SweepPlan& plan, const report::Json& what,
-                  study::Journal& journal);
+/// What came of it.
+struct Written {
+  std::optional<report::ColumnStatistics> statistics = {};  ///< of a random design
+  std::string shortfall = {};                               ///< which figures are missing and why, if any are
+};
+
+/// Write the files of a complete journal, and `what` the sweep was into sweep.json. Throws report::FileError.
+Written write(const SweepFiles& files, const study::SweepPlan& plan, const report::Json& what,
+              study::Journal& journal);
 
 }  // namespace mariotte::command

@@ -148,6 +148,21 @@ BOOST_FIXTURE_TEST_CASE(any_number_of_threads_gives_the_same_csv, Session) {
   BOOST_TEST((content(folder / "o3/sweep.csv") == one));
 }
 
+BOOST_FIXTURE_TEST_CASE(a_random_design_with_expressions_is_the_same_on_any_threads, Session) {
+  const std::string sweep =
+      "sweep " MARIOTTE_SCENES
+      "/scatter.toml --no-figures --column 'gain = final.velocity[2] / chain.velocity[0]'";
+  const auto one = mariotte(sweep + " --out one --threads 1"),
+             three = mariotte(sweep + " --out three --threads 3");
+  BOOST_TEST(has(one.out, "mean   deviation"));
+  BOOST_TEST(lines(content(folder / "one/sweep.csv"))[0] ==
+             "chain.diameter[1],chain.material.young,gain,ending,reason");
+  for (const char* file : {"sweep.csv", "sweep.json"})
+    BOOST_TEST((content(folder / "one" / file) == content(folder / "three" / file)), file);
+  const auto statistics = nlohmann::json::parse(content(folder / "one/sweep.json"))["statistics"];
+  BOOST_TEST(std::abs(statistics[0]["mean"].get<double>() - 0.01) < 1e-6);  // each part has one value
+}
+
 BOOST_FIXTURE_TEST_CASE(kills_lose_nothing_and_leave_the_same_csv, Session) {
   write("map.toml", support::map_scene(100));
   BOOST_TEST(mariotte("sweep map.toml --no-figures --out calm").code == 0);

@@ -222,7 +222,11 @@ values = [0, -0.1]
                                                       "s.toml"));
   study::Variation variation(plan.document, plan.design, std::nullopt);
   study::Batch batch;
-  study::evaluate(variation, study::make_evaluate({{"final.velocity[2]"}}), 1, 0, 4, batch);
+  const auto evaluate = study::make_evaluate({{"final.velocity[2]"}});
+  const auto at_point = [&](const scene::Scene& scene, Index, std::span<double> out) {
+    return evaluate(scene, out);
+  };
+  study::evaluate(variation, at_point, 1, 0, 4, batch);
   BOOST_TEST(batch.failed() == 1);
   BOOST_TEST(batch.verdicts[1].ending == "rejected");
   BOOST_TEST(batch.verdicts[1].reason.find("must not be negative") != std::string::npos);

@@ -1,12 +1,16 @@
 #include "mariotte/scene/sweep_shape.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 
 namespace mariotte::scene {
 namespace {
 
-constexpr std::array<std::string_view, 9> keys{"key",   "from",   "to",  "count", "step",
-                                               "scale", "values", "zip", "random"};
+constexpr std::array<std::string_view, 12> keys{"key",   "variable", "from",   "to",
+                                                "count", "step",     "scale",  "values",
+                                                "zip",   "random",   "design", "expression"};
+constexpr std::array<std::string_view, 3> designs{"random", "latin", "sobol"};
 constexpr std::array<std::string_view, 2> scales{"linear", "log"};
 constexpr Index largest_seed = 1'000'000'000'000'000;  // still a whole number in a double
 
@@ -49,11 +53,42 @@ void expect_range(const Source& source, const Field& sweep) {
   if (const auto seed = find(sweep, "random")) expect_random(source, sweep, *seed);
 }
 
+/// A word that expressions can hold: letters, digits and _, no digit first.
+void expect_word(const Source& source, const Field& variable) {
+  const auto word = text(source, variable);
+  const auto may_stand = [](unsigned char c) { return std::isalnum(c) || c == '_'; };
+  if (word.empty() || std::isdigit(static_cast<unsigned char>(word[0])) ||
+      !std::all_of(word.begin(), word.end(), may_stand))
+    reject(source, variable, fault::out_of_range, "needs a name of letters, digits and _");
+}
+
+void expect_expression(const Source& source, const Field& sweep, const Field& expression) {
+  text(source, expression);
+  for (const auto* other : {"variable", "from", "to", "count", "step", "scale", "values", "zip", "random"})
+    if (const auto field = find(sweep, other))
+      reject(source, *field, fault::misplaced, "does not go with 'expression'");
+}
+
+/// What the table is about.
+void expect_subject(const Source& source, const Field& sweep) {
+  const auto key = find(sweep, "key"), variable = find(sweep, "variable");
+  if (bool(key) == bool(variable))
+    reject(source, sweep, key ? fault::contradiction : fault::missing,
+           key ? "give either 'key' or 'variable'" : "'key' is missing (which value is swept)");
+  if (key) text(source, *key);
+  if (variable) expect_word(source, *variable);
+}
+
+void expect_design(const Source& source, const Field& sweep, const Field& design) {
+  choice(source, design, "design", designs);
+  if (!find(sweep, "random")) reject(source, design, fault::missing, "needs 'random', a seed");
+}
+
 void expect_sweep(const Source& source, const Field& sweep) {
   expect_keys(source, sweep, keys);
-  const auto key = find(sweep, "key");
-  if (!key) reject(source, sweep, fault::missing, "'key' is missing (which value is swept)");
-  text(source, *key);
+  expect_subject(source, sweep);
+  if (const auto design = find(sweep, "design")) expect_design(source, sweep, *design);
+  if (const auto expression = find(sweep, "expression")) return expect_expression(source, sweep, *expression);
   if (const auto scale = find(sweep, "scale")) choice(source, *scale, "scale", scales);
   if (const auto zip = find(sweep, "zip")) boolean(source, *zip);
   const auto values = find(sweep, "values");

@@ -8,7 +8,8 @@ namespace mariotte::scene {
 /// The largest count, and number of values of one table.
 inline constexpr Index most_points = 1'000'000'000;
 
-/// Rejects a list whose tables are not `key` with values, or from and to with count or step.
+/// Rejects a list whose tables are not `key` or `variable` with values, or from and to with count or step,
+/// and not `key` with an expression.
 void expect_sweeps(const Source& source, const Field& list);
 
 /// Rejects what is not an array of at least one string.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "mariotte/report/csv/csv_cell.hpp"
+#include "mariotte/report/json/column_statistics.hpp"
 #include "mariotte/report/json/json_parts.hpp"
 
 namespace mariotte::report {
@@ -23,24 +24,11 @@ Json varied(const study::Design& design, const study::Parameter& parameter) {
   one.update({{"from", parameter.range->from},
               {"to", parameter.range->to},
               {"scale", parameter.range->logarithmic ? "log" : "linear"}});
-  if (parameter.range->seed) one["random"] = *parameter.range->seed;
+  if (!parameter.range->seed) return one;
+  one["random"] = *parameter.range->seed;
+  one["design"] = name(parameter.range->draw);
   return one;
 }
-
-/// Of the cells of one column that are numbers.
-struct Numbers {
-  std::string key;
-  Index count = 0;
-  double least = 0, greatest = 0;
-
-  void add(const std::string& cell) {
-    const double value = number(cell);
-    if (std::isnan(value)) return;
-    least = count == 0 ? value : std::min(least, value);
-    greatest = count == 0 ? value : std::max(greatest, value);
-    ++count;
-  }
-};
 
 /// Of the rows that have a word in common.
 struct Occurrence {
@@ -64,40 +52,36 @@ Json json(const Occurrences& all, const char* name) {
   });
 }
 
-Json json(const Numbers& column) {
-  const bool any = column.count > 0;
-  return {{"key", column.key},
-          {"numbers", column.count},
-          {"least", any ? Json(column.least) : Json(nullptr)},
-          {"greatest", any ? Json(column.greatest) : Json(nullptr)}};
-}
-
 }  // namespace
 
 Json json(const study::SweepPlan& plan, Index failed) {
   auto result = Json{{"title", plan.title}, {"points", plan.design.points()}, {"failed", failed}};
   result["varied"] = list(plan.design.parameters, [&](const auto& one) { return varied(plan.design, one); });
+  if (!plan.design.derived.empty())
+    result["derived"] = list(plan.design.derived, [](const study::Derived& one) {
+      return Json{{"key", one.key}, {"expression", one.formula.expression.text()}};
+    });
   result["provenance"] = provenance_json(plan.document.sha256);
-  result["provenance"]["columns"] = list(plan.columns, [](const study::Column& one) { return one.key; });
+  result["provenance"]["columns"] = list(
+      plan.columns, [](const study::Column& one) { return one.written.empty() ? one.key : one.written; });
   return result;
 }
 
 Json summary(std::istream& csv) {
   std::string line;
   std::vector<std::string> cells;
-  std::vector<Numbers> columns;
-  Occurrences endings, reasons;
   std::getline(csv, line);
-  split(line, cells);
-  for (std::size_t i = 0; i + 2 < cells.size(); ++i) columns.push_back({.key = cells[i]});
+  ColumnStatistics numbers(line);
+  const std::size_t columns = numbers.columns();
+  Occurrences endings, reasons;
   for (Index row = 1; std::getline(csv, line); ++row) {
+    numbers.add(line);
     split(line, cells);
-    if (cells.size() != columns.size() + 2) continue;
-    for (std::size_t i = 0; i < columns.size(); ++i) columns[i].add(cells[i]);
-    add(cells[columns.size()], row, endings);
+    if (cells.size() != columns + 2) continue;
+    add(cells[columns], row, endings);
     if (!cells.back().empty()) add(cells.back(), row, reasons);
   }
-  return {{"columns", list(columns, [](const auto& one) { return json(one); })},
+  return {{"columns", numbers.json()},
           {"endings", json(endings, "ending")},
           {"reasons", json(reasons, "reason")}};
 }

@@ -7,8 +7,9 @@ namespace mariotte::study {
 namespace {
 
 /// An exception is an answer, too: this point has no result, the others do.
-Verdict verdict_at(Variation& variation, const Evaluate& evaluate, Index point, std::span<double> row) try {
-  return evaluate(variation.at(point), row);
+Verdict verdict_at(Variation& variation, const EvaluatePoint& evaluate, Index point,
+                   std::span<double> row) try {
+  return evaluate(variation.at(point), point, row);
 } catch (const scene::SceneError& error) {
   return {.ending = "rejected", .reason = error.what()};
 } catch (const InvalidParameter& error) {
@@ -24,8 +25,8 @@ Index Batch::failed() const {
                        [](const Verdict& verdict) { return !verdict.has_numbers(); });
 }
 
-void evaluate(Variation& variation, const Evaluate& evaluate, std::size_t columns, Index first, Index count,
-              Batch& batch) {
+void evaluate(Variation& variation, const EvaluatePoint& evaluate, std::size_t columns, Index first,
+              Index count, Batch& batch) {
   batch.first = first;
   batch.numbers.resize(static_cast<std::size_t>(count) * columns);
   batch.verdicts.clear();

@@ -18,7 +18,7 @@ struct Batch {
 };
 
 /// Evaluates `count` points from `first` on into `batch`, whose memory is reused.
-void evaluate(Variation& variation, const Evaluate& evaluate, std::size_t columns, Index first, Index count,
-              Batch& batch);
+void evaluate(Variation& variation, const EvaluatePoint& evaluate, std::size_t columns, Index first,
+              Index count, Batch& batch);
 
 }  // namespace mariotte::study

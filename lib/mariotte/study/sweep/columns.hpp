@@ -26,6 +26,7 @@ struct Column {
   std::string_view unit = {};     ///< SI; "1" for a pure number
   std::string_view symbol = {};   ///< may be empty
   std::string_view meaning = {};  ///< one line
+  std::string written = {};       ///< "name = expression" of one that is computed from others; else empty
 };
 
 /// The keys with `[*]` written out for a scene like this one, each once: "icr[*]" as "icr[0]", "icr[1]", …;

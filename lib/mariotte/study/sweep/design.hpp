@@ -7,8 +7,18 @@
 
 #include "mariotte/core/types.hpp"
 #include "mariotte/scene/node.hpp"
+#include "mariotte/study/sweep/expression.hpp"
 
 namespace mariotte::study {
+
+/// How values are drawn: each by itself; one in each of `count` equal intervals, in random order (Latin
+/// hypercube); or by the sequence of Sobol.
+enum class Draw { independent, latin, sobol };
+
+/// "random", "latin", "sobol".
+constexpr const char* name(Draw draw) {
+  return draw == Draw::latin ? "latin" : draw == Draw::sobol ? "sobol" : "random";
+}
 
 /// Values between two ends, which are among them unless they are drawn at random [SI].
 struct Range {
@@ -16,6 +26,7 @@ struct Range {
   double to = 0;
   bool logarithmic = false;                ///< even ratios instead of even distances
   std::optional<std::uint64_t> seed = {};  ///< drawn at random instead of evenly spaced
+  Draw draw = Draw::independent;
 };
 
 /// One key that is varied. Parameters of one axis move together.
@@ -25,6 +36,29 @@ struct Parameter {
   Index axis = 0;                      ///< whose position chooses the value
   std::optional<Range> range = {};     ///< or else
   std::vector<scene::Node> list = {};  ///< the values; numbers in SI
+  bool is_variable = false;            ///< no key of the scene, but a name in expressions
+};
+
+/// What a name in an expression stands for.
+struct Term {
+  enum class Kind { constant, parameter, derived, result };
+
+  Kind kind = Kind::constant;
+  std::size_t which = 0;  ///< of the parameters, of what is derived, or of the numbers of a result
+  double value = 0;       ///< of a constant, in SI
+};
+
+/// An expression, and what its names stand for.
+struct Formula {
+  Expression expression;
+  std::vector<Term> terms;
+};
+
+/// A key that follows from others.
+struct Derived {
+  std::string key;
+  scene::Place place;
+  Formula formula;
 };
 
 struct Axis {
@@ -36,6 +70,7 @@ struct Axis {
 struct Design {
   std::vector<Parameter> parameters;
   std::vector<Axis> axes;
+  std::vector<Derived> derived = {};  ///< each may use those before it
 
   Index points() const { return axes.empty() ? 0 : axes.front().count * axes.front().stride; }
 };
@@ -55,5 +90,9 @@ scene::Node value(const Design& design, std::size_t parameter, Index point);
 
 /// The same for a numeric parameter [SI].
 double number(const Design& design, std::size_t parameter, Index point);
+
+/// Of a formula at a point; `result` has the numbers that its terms may be of [SI].
+double number(const Design& design, const Formula& formula, Index point,
+              const std::vector<double>& result = {});
 
 }  // namespace mariotte::study

@@ -6,11 +6,13 @@
 #include <cmath>
 #include <functional>
 
+#include "mariotte/core/quantity.hpp"
 #include "mariotte/model/fault.hpp"
 #include "mariotte/scene/field.hpp"
 #include "mariotte/scene/key_path.hpp"
 #include "mariotte/scene/sweep_shape.hpp"
 #include "mariotte/study/fault.hpp"
+#include "mariotte/study/sweep/formula_reader.hpp"
 
 namespace mariotte::study {
 namespace {
@@ -36,25 +38,61 @@ std::vector<Field> tables(const Document& document) {
   return all;
 }
 
+/// Those of the tables that vary something, or those that derive a key from others.
+std::vector<Field> varied(const Document& document) {
+  auto all = tables(document);
+  std::erase_if(all, [](const Field& table) { return find(table, "expression").has_value(); });
+  return all;
+}
+std::vector<Field> derived(const Document& document) {
+  auto all = tables(document);
+  std::erase_if(all, [](const Field& table) { return !find(table, "expression"); });
+  return all;
+}
+
 /// Of its own tables a sweep can vary nothing, and one key cannot have two values.
-void expect_key(const Source& source, const Field& field, const Design& design) {
+void expect_key(const Source& source, const Field& field, std::vector<std::string>& known) {
   const auto key = text(source, field);
   for (const auto* own : {"sweep", "columns"})
     if (key.starts_with(own)) reject(source, field, fault::sweep_key, "'" + key + "' cannot be varied");
-  for (const auto& other : design.parameters)
-    if (other.key == key) reject(source, field, fault::sweep_key, "'" + key + "' is varied twice");
+  if (std::find(known.begin(), known.end(), key) != known.end())
+    reject(source, field, fault::sweep_key, "'" + key + "' is varied twice");
+  known.push_back(key);
 }
 
 Design read_keys(Document& document) {
   Design design;
-  for (const auto& table : tables(document)) {
-    const auto key = *find(table, "key");
-    expect_key(document.source, key, design);
-    design.parameters.push_back({.key = text(document.source, key), .place = key.place()});
+  std::vector<std::string> known;
+  const auto& source = document.source;
+  for (const auto& table : varied(document)) {
+    const auto variable = find(table, "variable");
+    const auto key = variable ? *variable : *find(table, "key");
+    expect_key(source, key, known);
+    design.parameters.push_back(
+        {.key = text(source, key), .place = key.place(), .is_variable = variable.has_value()});
   }
-  for (const auto& [key, place, axis, range, list] : design.parameters)
-    locate(document.source, document.tree, key, place);
+  if (design.parameters.empty())
+    reject(source, tables(document).front(), fault::sweep_values, "no table says what is varied");
+  for (const auto& table : derived(document)) expect_key(source, *find(table, "key"), known);
+  for (const auto& one : design.parameters)
+    if (!one.is_variable) locate(source, document.tree, one.key, one.place);
   return design;
+}
+
+/// Expressions take the place of values that the scene has.
+void read_derived(Document& document, Design& design) {
+  for (const auto& table : derived(document)) {
+    const auto key = *find(table, "key"), expression = *find(table, "expression");
+    const auto name = text(document.source, key);
+    if (locate(document.source, document.tree, name, key.place()).table())
+      reject(document.source, key, fault::sweep_key, "'" + name + "' needs a value in the scene, too");
+    try {
+      design.derived.push_back(
+          {name, expression.place(), read_formula(text(document.source, expression), document, design)});
+    } catch (const ExpressionError& error) {
+      reject(document.source, expression, error.fault, error.what());
+    }
+  }
 }
 
 std::vector<Node> raw_values(const std::vector<Field>& tables, bool last) {
@@ -90,10 +128,11 @@ struct Trial {
 
 /// What the reader makes of the first or last values of all parameters, as they are written.
 Trial attempt(Document document, const Design& design, bool last) {
-  assign(document, design, raw_values(tables(document), last));
+  assign(document, design, raw_values(varied(document), last));
   scene::ReadingLog watch;
   for (const auto& one : design.parameters)
-    watch.readings.push_back({.node = &locate(document.source, document.tree, one.key, one.place)});
+    watch.readings.push_back(
+        {.node = one.is_variable ? nullptr : &locate(document.source, document.tree, one.key, one.place)});
   Trial trial{.meaning = {}, .rejection = rejection(document, &watch)};
   for (const auto& reading : watch.readings) trial.meaning.push_back(reading.dimension);
   return trial;
@@ -140,6 +179,10 @@ Index read_range(Source& source, const Field& table, const Dimension& dimension,
            "a scale that is \"log\" needs ends of the same sign, and not 0");
   if (const auto seed = find(table, "random"))
     range.seed = static_cast<std::uint64_t>(number(source, *seed, dimension::none, Domain::finite));
+  if (const auto design = find(table, "design")) {
+    const auto word = text(source, *design);
+    range.draw = word == "latin" ? Draw::latin : word == "sobol" ? Draw::sobol : Draw::independent;
+  }
   if (const auto field = find(table, "count")) return whole(source, *field, 1, scene::most_points);
   const auto step = *find(table, "step");
   const Index count = steps(source, step, range, dimension);
@@ -197,11 +240,26 @@ void set_strides(const Source& source, const scene::Place& place, Design& design
   }
 }
 
+/// A variable has the dimension of its first value.
+Dimension of_variable(const Source& source, const Field& table) {
+  const auto values = find(table, "values");
+  const auto first = values ? element(*values, 0) : *find(table, "from");
+  const auto* words = std::get_if<std::string>(&first.node->value);
+  if (!words) return dimension::none;
+  try {
+    return parse_quantity(*words).dimension;
+  } catch (const QuantityError& error) {
+    reject(source, first, error.fault, error.what());
+  }
+}
+
 void read_axes(Document& document, const Meaning& meaning, Design& design) {
-  const auto all = tables(document);
+  const auto all = varied(document);
   for (std::size_t i = 0; i < all.size(); ++i) {
     auto& parameter = design.parameters[i];
-    const Index count = read_values(document.source, all[i], meaning[i], parameter);
+    const auto dimension =
+        parameter.is_variable ? std::optional(of_variable(document.source, all[i])) : meaning[i];
+    const Index count = read_values(document.source, all[i], dimension, parameter);
     place_on_axis(document.source, all[i], count, design, parameter);
   }
   set_strides(document.source, all.front().place(), design);
@@ -224,9 +282,10 @@ std::vector<Node> extremes(const Parameter& parameter, const Field& table) {
 /// values of the others or among their last. What is wrong in some company only is for the rows to tell, and
 /// so is what double precision cannot carry, which follows from all numbers together.
 void expect_possible(const Document& document, const Design& design) {
-  const auto all = tables(document);
+  const auto all = varied(document);
   Document trial = document;
-  for (std::size_t i = 0; i < all.size(); ++i)
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (design.parameters[i].is_variable) continue;
     for (const auto& extreme : extremes(design.parameters[i], all[i])) {
       std::optional<scene::SceneError> why;
       const auto refused = [&](Index point) {
@@ -239,26 +298,34 @@ void expect_possible(const Document& document, const Design& design) {
       };
       if (refused(0) && refused(design.points() - 1)) throw scene::SceneError(*why);
     }
+  }
 }
 
 }  // namespace
 
 void assign(Document& document, const Design& design, const std::vector<Node>& values) {
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const auto& one = design.parameters[i];
-    locate(document.source, document.tree, one.key, one.place) = values[i];
-  }
+  const auto put = [&](const std::string& key, const scene::Place& place, const Node& value) {
+    locate(document.source, document.tree, key, place) = value;
+  };
+  const std::size_t varied = design.parameters.size();
+  for (std::size_t i = 0; i < varied; ++i)
+    if (const auto& one = design.parameters[i]; !one.is_variable) put(one.key, one.place, values[i]);
+  for (std::size_t i = varied; i < values.size(); ++i)
+    put(design.derived[i - varied].key, design.derived[i - varied].place, values[i]);
 }
 
 std::vector<Node> values(const Design& design, Index point) {
   std::vector<Node> all;
   for (std::size_t i = 0; i < design.parameters.size(); ++i) all.push_back(value(design, i, point));
+  for (const auto& one : design.derived) all.push_back({number(design, one.formula, point), one.place});
   return all;
 }
 
 Design read_design(Document& document) {
   Design design = read_keys(document);
   read_axes(document, read_meaning(document, design), design);
+  assign(document, design, values(design, 0));
+  read_derived(document, design);
   assign(document, design, values(design, 0));
   expect_possible(document, design);
   return design;

@@ -10,10 +10,11 @@ namespace mariotte::study {
 /// their place. Throws SceneError.
 Design read_design(scene::Document& document);
 
-/// Puts values at the keys of a design's parameters, one node per parameter.
+/// Puts values at the keys of a design: a node per parameter, of which variables put theirs nowhere, then per
+/// key that is derived.
 void assign(scene::Document& document, const Design& design, const std::vector<scene::Node>& values);
 
-/// Of a point: the value of every parameter.
+/// Of a point: the value of every parameter, and of what is derived.
 std::vector<scene::Node> values(const Design& design, Index point);
 
 }  // namespace mariotte::study

@@ -8,6 +8,7 @@
 #include "mariotte/core/overload.hpp"
 #include "mariotte/impact/quantities/quantity_key.hpp"
 #include "mariotte/scene/judge.hpp"
+#include "mariotte/study/sweep/sweep_reader.hpp"
 
 namespace mariotte::study {
 namespace {
@@ -86,6 +87,18 @@ bool Verdict::has_numbers() const {
 
 Evaluate make_evaluate(const std::vector<Column>& columns) {
   return Evaluator(columns);
+}
+
+EvaluatePoint make_evaluate_point(const SweepPlan& plan) {
+  return [evaluate = make_evaluate(plan.results), design = plan.design, outputs = plan.outputs,
+          numbers = std::vector<double>(plan.results.size())](const scene::Scene& scene, Index point,
+                                                              std::span<double> out) mutable {
+    auto verdict = evaluate(scene, numbers);
+    for (std::size_t i = 0; i < outputs.size(); ++i)
+      out[i] = outputs[i].formula ? number(design, *outputs[i].formula, point, numbers)
+                                  : numbers[outputs[i].result];
+    return verdict;
+  };
 }
 
 }  // namespace mariotte::study

@@ -25,4 +25,12 @@ using Evaluate = std::function<Verdict(const scene::Scene&, std::span<double>)>;
 /// the same memory again and again.
 Evaluate make_evaluate(const std::vector<Column>& columns);
 
+/// The same of a point of a design.
+using EvaluatePoint = std::function<Verdict(const scene::Scene&, Index point, std::span<double>)>;
+
+struct SweepPlan;
+
+/// Of a plan: the columns that are formulas, too. Not to be shared between threads, either.
+EvaluatePoint make_evaluate_point(const SweepPlan& plan);
+
 }  // namespace mariotte::study

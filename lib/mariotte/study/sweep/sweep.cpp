@@ -91,7 +91,7 @@ class Worker {
 
   const Sweep& sweep_;
   Variation variation_;
-  Evaluate evaluate_;
+  EvaluatePoint evaluate_;
   Journal& journal_;
   Crew& crew_;
   Batch batch_;

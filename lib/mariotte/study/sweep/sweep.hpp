@@ -17,7 +17,7 @@ struct Sweep {
   const scene::Document& document;
   const Design& design;
   std::size_t columns = 0;                                      ///< of an evaluation
-  std::function<Evaluate()> make_evaluate;                      ///< once per thread
+  std::function<EvaluatePoint()> make_evaluate;                 ///< once per thread
   std::function<void(const Batch&, std::string&)> append_rows;  ///< as text; called by several threads
 };
 

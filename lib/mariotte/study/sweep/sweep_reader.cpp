@@ -4,6 +4,7 @@
 
 #include "mariotte/scene/field.hpp"
 #include "mariotte/study/sweep/design_reader.hpp"
+#include "mariotte/study/sweep/formula_reader.hpp"
 #include "mariotte/study/sweep/variation.hpp"
 
 namespace mariotte::study {
@@ -43,7 +44,65 @@ std::vector<Column> expand(const Keys& keys, const scene::Scene& scene, Variatio
   throw;
 }
 
-/// Those of the scene file.
+/// Adds columns to a plan, each once.
+class ColumnReader {
+ public:
+  ColumnReader(SweepPlan& plan, const scene::Scene& scene, Variation& points)
+      : plan_(plan), scene_(scene), points_(points) {}
+
+  void add(const std::string& text) {
+    if (const auto sign = text.find('='); sign != text.npos) return add_formula(text, sign);
+    add_keys({text});
+  }
+  /// Empty: those that say most.
+  void add_keys(const Keys& keys) {
+    for (auto& column : expand(keys, scene_, points_, plan_.design)) {
+      if (is_known(column.key)) continue;
+      plan_.outputs.push_back({.result = result(column)});
+      plan_.columns.push_back(std::move(column));
+    }
+  }
+
+ private:
+  static std::string trimmed(std::string_view text) {
+    const auto first = text.find_first_not_of(' '), last = text.find_last_not_of(' ');
+    return first == text.npos ? "" : std::string(text.substr(first, last - first + 1));
+  }
+  bool is_known(const std::string& key) const {
+    return std::any_of(plan_.columns.begin(), plan_.columns.end(),
+                       [&](const Column& one) { return one.key == key; });
+  }
+  /// Its place among the results.
+  std::size_t result(const Column& column) {
+    const auto found = std::find_if(plan_.results.begin(), plan_.results.end(),
+                                    [&](const Column& one) { return one.key == column.key; });
+    if (found != plan_.results.end()) return static_cast<std::size_t>(found - plan_.results.begin());
+    plan_.results.push_back(column);
+    return plan_.results.size() - 1;
+  }
+  Term term(const std::string& name) {
+    if (is_input(name, plan_.design)) return input_term(name, plan_.document, plan_.design);
+    const auto columns = expand({name}, scene_, points_, plan_.design);
+    return {.kind = Term::Kind::result, .which = result(columns.front())};
+  }
+  void add_formula(const std::string& text, std::size_t sign) try {
+    const auto name = trimmed(text.substr(0, sign));
+    if (name.empty()) throw ColumnError("'" + text + "' needs a name before '='");
+    if (is_known(name)) throw ColumnError("there are two columns '" + name + "'");
+    Formula formula{.expression = Expression(trimmed(text.substr(sign + 1))), .terms = {}};
+    for (const auto& one : formula.expression.names()) formula.terms.push_back(term(one));
+    plan_.columns.push_back({.key = name, .written = text});
+    plan_.outputs.push_back({.formula = std::move(formula)});
+  } catch (const ExpressionError& error) {
+    throw ColumnError(error.what());
+  }
+
+  SweepPlan& plan_;
+  const scene::Scene& scene_;
+  Variation& points_;
+};
+
+/// Those of the scene file; each is tried where it stands, by `check`.
 Keys own_columns(const scene::Document& document, const auto& check) {
   const auto list = find(scene::Field{&document.tree, ""}, "columns");
   if (!list) return {};
@@ -63,13 +122,18 @@ Keys own_columns(const scene::Document& document, const auto& check) {
 }  // namespace
 
 SweepPlan read_sweep(scene::Document document, const Keys& columns) {
-  SweepPlan plan{.document = std::move(document), .design = {}, .columns = {}, .title = {}, .warnings = {}};
+  SweepPlan plan;
+  plan.document = std::move(document);
   plan.design = read_design(plan.document);
   Variation points(plan.document, plan.design, std::nullopt);
   const auto scene = example(points, plan.design);
-  const auto written_out = [&](const Keys& keys) { return expand(keys, scene, points, plan.design); };
-  const auto own = own_columns(plan.document, [&](const std::string& key) { written_out({key}); });
-  plan.columns = written_out(columns.empty() ? own : columns);
+  const auto own = own_columns(plan.document, [&](const std::string& text) {
+    auto trial = plan;
+    ColumnReader(trial, scene, points).add(text);
+  });
+  ColumnReader reader(plan, scene, points);
+  for (const auto& text : columns.empty() ? own : columns) reader.add(text);
+  if (plan.columns.empty()) reader.add_keys({});
   plan.title = scene.title;
   plan.warnings = scene.warnings;
   return plan;

@@ -47,8 +47,9 @@ scene::Scene resolved(scene::Document& document, const Design& design, Index poi
 
 std::optional<Slots> guess(scene::Document& document, const Design& design) {
   Slots slots;
+  if (!design.derived.empty()) return {};
   for (std::size_t i = 0; i < design.parameters.size(); ++i) {
-    if (!is_numeric(design.parameters[i])) return {};
+    if (!is_numeric(design.parameters[i]) || design.parameters[i].is_variable) return {};
     Candidate candidate{.parameter = i, .follows = {}};
     for (const Index point : along(design.axes[design.parameters[i].axis])) {
       const auto scene = resolved(document, design, point);

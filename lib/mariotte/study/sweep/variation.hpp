@@ -22,7 +22,7 @@ std::optional<Slots> find_slots(const scene::Document& document, const Design& d
 /// Goes from point to point. Not to be shared between threads; each has its own.
 class Variation {
  public:
-  /// Without slots every point is resolved. `design` must outlive this.
+  /// Without slots every point is resolved. Expressions of the design are copied, too, as each thread needs.
   Variation(scene::Document document, const Design& design, const std::optional<Slots>& slots);
   Variation(const Variation&) = delete;
   Variation& operator=(const Variation&) = delete;
@@ -32,7 +32,7 @@ class Variation {
 
  private:
   scene::Document document_;
-  const Design& design_;
+  Design design_;
   scene::Scene scene_;
   std::vector<std::vector<double*>> numbers_;  ///< that each parameter sets; empty if points are resolved
 };

@@ -1,0 +1,71 @@
+#include "mariotte/study/sweep/formula_reader.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "mariotte/scene/field.hpp"
+#include "mariotte/scene/key_path.hpp"
+
+namespace mariotte::study {
+namespace {
+
+constexpr std::array<std::string_view, 6> tables{"chain", "network", "body", "surface", "incidence", "run"};
+
+template <class List>
+std::optional<std::size_t> place_of(const std::string& key, const List& list) {
+  const auto found = std::find_if(list.begin(), list.end(), [&](const auto& one) { return one.key == key; });
+  if (found == list.end()) return {};
+  return static_cast<std::size_t>(found - list.begin());
+}
+
+/// Whether `key` is of something inside of `whole`.
+bool is_inside(const std::string& key, const std::string& whole) {
+  return key.size() > whole.size() && key.starts_with(whole) &&
+         (key[whole.size()] == '.' || key[whole.size()] == '[');
+}
+
+/// A number as the scene reader takes it [SI].
+double given(const std::string& name, scene::Document document) try {
+  scene::Node& node = locate(document.source, document.tree, name, {});
+  scene::ReadingLog watch{.readings = {{.node = &node, .dimension = {}}}};
+  try {
+    resolve(document, scene::Purpose::simulation, &watch);
+  } catch (const scene::SceneError&) {  // told elsewhere
+  }
+  const auto& dimension = watch.readings[0].dimension;
+  if (!dimension) throw ExpressionError("'" + name + "' is no number that the scene gives");
+  return number(document.source, {&node, name}, *dimension, scene::Domain::any);
+} catch (const scene::SceneError& error) {
+  throw ExpressionError("'" + name + "' is no number that the scene gives");
+}
+
+}  // namespace
+
+bool is_input(const std::string& name, const Design& design) {
+  const auto table = name.substr(0, name.find_first_of(".["));
+  return std::find(tables.begin(), tables.end(), table) != tables.end() ||
+         place_of(name, design.parameters) || place_of(name, design.derived);
+}
+
+Term input_term(const std::string& name, const scene::Document& document, const Design& design) {
+  if (const auto which = place_of(name, design.parameters)) {
+    if (!is_numeric(design.parameters[*which]))
+      throw ExpressionError("'" + name + "' is not always a number");
+    return {.kind = Term::Kind::parameter, .which = *which};
+  }
+  if (const auto which = place_of(name, design.derived))
+    return {.kind = Term::Kind::derived, .which = *which};
+  for (const auto& one : design.parameters)
+    if (is_inside(name, one.key) || is_inside(one.key, name))
+      throw ExpressionError("'" + name + "' and '" + one.key + "', which is varied, overlap");
+  return {.value = given(name, document)};
+}
+
+Formula read_formula(const std::string& text, const scene::Document& document, const Design& design) {
+  Formula formula{.expression = Expression(text), .terms = {}};
+  for (const auto& name : formula.expression.names())
+    formula.terms.push_back(input_term(name, document, design));
+  return formula;
+}
+
+}  // namespace mariotte::study

@@ -1,0 +1,164 @@
+#define BOOST_TEST_MODULE study_expression
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "mariotte/study/sweep/evaluate.hpp"
+#include "mariotte/study/sweep/random.hpp"
+#include "mariotte/study/sweep/sobol.hpp"
+#include "mariotte/study/sweep/sweep_reader.hpp"
+#include "mariotte/study/sweep/variation.hpp"
+#include "study/sweep_scenes.hpp"
+
+using namespace mariotte;
+using boost::test_tools::tolerance;
+
+namespace {
+
+study::SweepPlan plan(const std::string& sweeps, const std::vector<std::string>& columns = {},
+                      const std::string& scene = test::three_balls) {
+  return study::read_sweep(scene::parse_document(scene + sweeps, "s.toml"), columns);
+}
+
+std::string rejection(const std::string& sweeps, const std::vector<std::string>& columns = {}) {
+  try {
+    plan(sweeps, columns);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+bool has(const std::string& text, const std::string& part) {
+  BOOST_TEST_INFO(text);
+  return text.find(part) != std::string::npos;
+}
+
+const std::string kappa =
+    "[[sweep]]\nvariable = 'kappa'\nfrom = 0.1\nto = 10\ncount = 3\nscale = 'log'\n"
+    "[[sweep]]\nkey = 'chain.contact[1].stiffness'\nexpression = 'kappa * chain.contact[0].stiffness'\n";
+
+/// The columns of one point.
+std::vector<double> row(const study::SweepPlan& plan, Index point) {
+  study::Variation points(plan.document, plan.design, std::nullopt);
+  std::vector<double> numbers(plan.columns.size());
+  study::make_evaluate_point(plan)(points.at(point), point, numbers);
+  return numbers;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(an_expression_reads_keys_as_names) {
+  const study::Expression one("2 * chain.contact[1].stiffness / chain.mass[0] ^ 2 + sqrt(x) - pi");
+  BOOST_TEST(one.names() == (std::vector<std::string>{"chain.contact[1].stiffness", "chain.mass[0]", "x"}),
+             boost::test_tools::per_element());
+  const double numbers[] = {3, 2, 16};
+  BOOST_TEST(one(numbers) == 2 * 3 / 4.0 + 4 - std::numbers::pi);
+  const auto copy = one;
+  const double others[] = {0, 1, 0};
+  BOOST_TEST(copy(others) == -std::numbers::pi);
+  for (const char* wrong : {"", "1 +", "a b", "f(1)", "1, 2", "chain.contact[1].stiffness * ("})
+    BOOST_CHECK_THROW(study::Expression{wrong}, study::ExpressionError);
+}
+
+BOOST_AUTO_TEST_CASE(a_key_follows_from_a_variable_and_other_keys) {
+  const auto sweep = plan("[[sweep]]\nkey = 'chain.contact[0].stiffness'\nvalues = [1, 8]\n" + kappa);
+  BOOST_TEST(sweep.design.points() == 6);
+  study::Variation points(sweep.document, sweep.design, study::find_slots(sweep.document, sweep.design));
+  const double expected[] = {0.1, 1, 10, 0.8, 8, 80};
+  for (Index point = 0; point < 6; ++point) {
+    const auto& chain = std::get<model::Chain>(points.at(point).model);
+    BOOST_TEST(contact::stiffness(chain.law[1]) == expected[point], tolerance(1e-14));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(constants_and_variables_may_have_units) {
+  const auto sweep = plan(
+      "[[sweep]]\nvariable = 'thickness'\nfrom = '1 mm'\nto = '3 mm'\nstep = '1 mm'\n"
+      "[[sweep]]\nkey = 'chain.velocity[0]'\nexpression = 'thickness / (2 * chain.radius)'\n",
+      {}, test::steel_balls);
+  study::Variation points(sweep.document, sweep.design, std::nullopt);
+  BOOST_TEST(std::get<model::Chain>(points.at(2).model).velocity[0] == 3e-3 / 0.02, tolerance(1e-14));
+}
+
+BOOST_AUTO_TEST_CASE(columns_are_expressions_of_results_and_inputs) {
+  const auto sweep = plan(kappa, {"alpha = contacts[0].impulse / contacts[1].impulse", "icr[0]",
+                                  "k = chain.contact[1].stiffness / kappa", "twice = 2 * icr[0]"});
+  BOOST_TEST(sweep.results.size() == 3);  // both impulses and the ratio, each once
+  const auto numbers = row(sweep, 2);
+  BOOST_TEST(numbers[0] == numbers[1], tolerance(1e-12));
+  BOOST_TEST(numbers[2] == 1.0, tolerance(1e-14));
+  BOOST_TEST(numbers[3] == 2 * numbers[1]);
+}
+
+BOOST_AUTO_TEST_CASE(what_an_expression_cannot_mean_is_refused_where_it_stands) {
+  const std::string derive = "[[sweep]]\nkey = 'chain.contact[1].stiffness'\nexpression = ";
+  const std::string axis = "[[sweep]]\nkey = 'chain.velocity[0]'\nvalues = [1, 2]\n";
+  BOOST_TEST(
+      has(rejection(axis + derive + "'2 * ('\n"), "s.toml:15:14: sweep[1].expression: cannot read '2 * ('"));
+  BOOST_TEST(has(rejection(axis + derive + "'2 * chain.mas[0]'\n"), "'chain.mas[0]' is no number"));
+  BOOST_TEST(has(rejection(axis + derive + "'kapa'\n"), "'kapa'"));
+  BOOST_TEST(has(rejection(derive + "'2'\n"), "no table says what is varied"));
+  BOOST_TEST(has(rejection(axis + derive + "'2'\nfrom = 1\n"), "does not go with 'expression'"));
+  BOOST_TEST(has(rejection("[[sweep]]\nvariable = '2x'\nvalues = [1]\n"), "letters, digits"));
+  BOOST_TEST(has(rejection("[[sweep]]\nvariable = 'x'\nkey = 'chain.gap'\nvalues = [1]\n"), "either"));
+  BOOST_TEST(has(rejection(axis + "[[sweep]]\nkey = 'chain.contact[0].damping'\nexpression = '1'\n"),
+                 "needs a value in the scene"));
+  BOOST_TEST(has(rejection(axis, {"a = icrs[0]"}), "no result has 'icrs[0]'"));
+  BOOST_TEST(has(rejection(axis, {"a = icr[0"}), "needs an index"));
+  BOOST_TEST(has(rejection(axis, {"= icr[0]"}), "needs a name"));
+  BOOST_TEST(has(rejection(axis, {"a = icr[0]", "a = icr[0]"}), "two columns"));
+}
+
+BOOST_AUTO_TEST_CASE(a_shuffle_is_a_permutation_that_depends_on_its_seed) {
+  for (const std::uint64_t count : {1, 2, 3, 17, 64, 1000}) {
+    std::set<std::uint64_t> places;
+    for (std::uint64_t i = 0; i < count; ++i) places.insert(study::shuffled(7, 1, count, i));
+    BOOST_TEST(places.size() == count);
+    BOOST_TEST(*places.rbegin() == count - 1);
+  }
+  int same = 0;
+  for (std::uint64_t i = 0; i < 1000; ++i)
+    same += study::shuffled(7, 1, 1000, i) == study::shuffled(8, 1, 1000, i);
+  BOOST_TEST(same < 10);  // one on average
+}
+
+BOOST_AUTO_TEST_CASE(every_dyadic_interval_has_its_share_of_sobol_s_points) {
+  for (const std::size_t coordinate : {0, 1, 5, 40})
+    for (const std::uint64_t from : {0, 64}) {
+      std::set<int> intervals;
+      for (std::uint64_t k = from; k < from + 64; ++k)
+        intervals.insert(static_cast<int>(64 * study::sobol(3, coordinate, k)));
+      BOOST_TEST(intervals.size() == 64);
+    }
+  // in the plane of the first two: 64 points, one in each of 8 × 8 squares
+  std::set<std::pair<int, int>> squares;
+  for (std::uint64_t k = 0; k < 64; ++k)
+    squares.insert(
+        {static_cast<int>(8 * study::sobol(3, 0, k)), static_cast<int>(8 * study::sobol(3, 1, k))});
+  BOOST_TEST(squares.size() == 64);
+}
+
+BOOST_AUTO_TEST_CASE(a_latin_design_has_one_value_in_each_part_of_its_range) {
+  for (const char* design : {"latin", "sobol"}) {
+    const auto sweep = plan(
+        std::string(
+            "[[sweep]]\nkey = 'chain.velocity[0]'\nfrom = 1\nto = 2\ncount = 32\nrandom = 5\ndesign = '") +
+        design + "'\n[[sweep]]\nkey = 'chain.mass[0]'\nfrom = 1\nto = 100\nscale = 'log'\ncount = 32\n" +
+        "random = 5\nzip = true\ndesign = '" + design + "'\n");
+    std::set<int> velocities, masses;
+    for (Index k = 0; k < 32; ++k) {
+      velocities.insert(static_cast<int>(32 * (study::number(sweep.design, 0, k) - 1)));
+      masses.insert(static_cast<int>(32 * std::log(study::number(sweep.design, 1, k)) / std::log(100.0)));
+    }
+    BOOST_TEST(velocities.size() == 32, design);
+    BOOST_TEST(masses.size() == 32, design);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_design_without_a_seed_is_refused) {
+  BOOST_TEST(
+      has(rejection("[[sweep]]\nkey = 'chain.mass[0]'\nfrom = 1\nto = 2\ncount = 2\ndesign = 'latin'\n"),
+          "needs 'random'"));
+}
