@@ -38,6 +38,7 @@ struct Usage {
   bool takes_one = false;           ///< of a list: one value each time it is given
   bool between_commas = false;      ///< of a list: "1,2,3" are three values
   Words needs = {}, excludes = {};  ///< names of options that must, or must not, be given as well
+  Words choices = {};               ///< values that a shell offers; of a OneOf these are its words
 };
 
 struct Option {

@@ -117,22 +117,36 @@ std::function<int()> chosen(const Command& command, const CLI::App& app) {
   return [rest = app.remaining(), pass_on = command.pass_on] { return pass_on(rest); };
 }
 
-HelpPage::Option described(const CLI::Option& option) {
+Words choices(const Option& option) {
+  const auto* one = std::get_if<OneOf>(&option.usage.check);
+  return one ? one->words : option.usage.choices;
+}
+
+/// Of what the declaration of a command calls so; none of the options that every command has.
+Words choices(const Command& command, const std::string& name) {
+  for (const auto& option : command.options)
+    if (option.name == name) return choices(option);
+  return {};
+}
+
+HelpPage::Option described(const CLI::Option& option, const Command& command) {
   const bool has_name = option.get_items_expected_max() > 0 && !option.get_positional();
   return {.names = option.get_name(false, true),
           .long_names = option.get_lnames(),
           .value = has_name ? option.get_type_name() : "",
-          .about = option.get_description()};
+          .about = option.get_description(),
+          .choices = choices(command, option.get_name(false, true))};
 }
 
-HelpPage described(const CLI::App& app) {
+HelpPage described(const CLI::App& app, const Command& command) {
   HelpPage page{.name = app.get_name(),
                 .about = app.get_description(),
                 .footer = app.get_footer(),
                 .options = {},
                 .commands = {}};
-  for (const auto* option : app.get_options()) page.options.push_back(described(*option));
-  for (const auto* one : app.get_subcommands(any)) page.commands.push_back(described(*one));
+  for (const auto* option : app.get_options()) page.options.push_back(described(*option, command));
+  for (const auto& one : command.commands)
+    page.commands.push_back(described(*app.get_subcommand(one.name), one));
   return page;
 }
 
@@ -158,7 +172,7 @@ std::function<int()> parse(const Command& program, int argc, const char* const* 
 HelpPage help_page(const Command& command) {
   CLI::App app(command.about, command.name);
   declare(app, command);
-  return described(app);
+  return described(app, command);
 }
 
 }  // namespace mariotte::command

@@ -15,6 +15,7 @@ struct HelpPage {
     Words long_names;   ///< without dashes
     std::string value;  ///< what stands for its value; empty for a flag and for a word without dashes
     std::string about;
+    Words choices;  ///< values that a shell offers
   };
   std::string name, about, footer;
   std::vector<Option> options;

@@ -13,6 +13,7 @@ Command law_command();
 Command capture_command();
 Command fit_command();
 Command demo_command();
+Command init_command();
 Command sweep_command();
 Command report_command();
 Command materials_command();

@@ -7,6 +7,7 @@ namespace {
 
 constexpr const char* examples = R"(Examples:
   mariotte demo                                  five steel balls, no file needed
+  mariotte init newton_cradle_5 cradle.toml      a scene to start from
   mariotte run cradle.toml                       a table of the impact
   mariotte run cradle.toml --out results         also files and figures
   mariotte run cradle.toml --json > cradle.json  the same for scripts
@@ -29,11 +30,11 @@ int command_line(int argc, char** argv) noexcept {
                   .about = "Stiff, event-driven impacts: balls in a chain, microbodies on a plane.",
                   .footer = examples,
                   .version = "mariotte " + report::provenance().version};
-  program.commands = {run_command(),     check_command(),      law_command(),
-                      sweep_command(),   capture_command(),    fit_command(),
-                      report_command(),  demo_command(),       reproduce_command(),
-                      study_command(),   materials_command(),  explain_command(),
-                      version_command(), man_command(program), completion_command(program)};
+  program.commands = {
+      run_command(),     check_command(),     law_command(),        sweep_command(),
+      capture_command(), fit_command(),       report_command(),     demo_command(),
+      init_command(),    reproduce_command(), study_command(),      materials_command(),
+      explain_command(), version_command(),   man_command(program), completion_command(program)};
   return run_program(program, argc, argv);
 }
 

@@ -46,16 +46,20 @@ The code stands at the end of every message of an error.
 
 Command explain_command() {
   auto asked = std::make_shared<std::string>();
-  return {
-      .name = "explain",
-      .about = "Explain an error by its code",
-      .footer = examples,
-      .options = {{"CODE", asked.get(), "Code at the end of a message, such as S010 (default: list all)"}},
-      .act = [asked] {
-        const auto entries = error_catalogue();
-        print(asked->empty() ? list(entries) : page(entries, *asked));
-        return ExitCode::ok;
-      }};
+  Words codes;
+  for (const auto& entry : error_catalogue()) codes.emplace_back(entry.code);
+  return {.name = "explain",
+          .about = "Explain an error by its code",
+          .footer = examples,
+          .options = {{"CODE",
+                       asked.get(),
+                       "Code at the end of a message, such as S010 (default: list all)",
+                       {.choices = codes}}},
+          .act = [asked] {
+            const auto entries = error_catalogue();
+            print(asked->empty() ? list(entries) : page(entries, *asked));
+            return ExitCode::ok;
+          }};
 }
 
 }  // namespace mariotte::command

@@ -1,5 +1,7 @@
 #include "help_pages.hpp"
 
+#include <memory>
+
 #include "command.hpp"
 #include "command_line/exit_code.hpp"
 #include "command_line/terminal.hpp"
@@ -18,11 +20,18 @@ Command man_command(const Command& program) {
 }
 
 Command completion_command(const Command& program) {
+  auto shell = std::make_shared<std::string>("bash");
   return {.name = "completion",
-          .about = "Print completions for bash",
-          .footer = "Example:\n  mariotte completion >> ~/.bashrc\n",
-          .act = [&program] {
-            print(bash_completion(help_page(program)));
+          .about = "Print completions for a shell",
+          .footer =
+              "Examples:\n  mariotte completion >> ~/.bashrc\n"
+              "  mariotte completion fish > ~/.config/fish/completions/mariotte.fish\n",
+          .options = {{"SHELL",
+                       shell.get(),
+                       "For which shell (default: bash)",
+                       {.check = OneOf{{"bash", "zsh", "fish"}}}}},
+          .act = [&program, shell] {
+            print(completion(help_page(program), *shell));
             return ExitCode::ok;
           }};
 }

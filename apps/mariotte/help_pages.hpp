@@ -9,7 +9,7 @@ namespace mariotte::command {
 /// A page for man, in roff.
 std::string man_page(const HelpPage& program, const std::string& version);
 
-/// Completions for bash (and zsh by bashcompinit).
-std::string bash_completion(const HelpPage& program);
+/// Completions for "bash", "zsh" or "fish".
+std::string completion(const HelpPage& program, const std::string& shell);
 
 }  // namespace mariotte::command

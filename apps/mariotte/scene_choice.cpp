@@ -2,6 +2,7 @@
 
 #include "command_line/terminal.hpp"
 #include "command_line/values.hpp"
+#include "mariotte/flow/kind.hpp"
 
 namespace mariotte::command {
 
@@ -22,11 +23,17 @@ OptionList run_options(SceneChoice& choice) {
   const auto sets = [&choice](const char* key) {
     return [&choice, key](const std::string& value) { choice.set.push_back(key + ("=" + value)); };
   };
+  Words flows = {"auto"};
+  for (const auto kind : flow::kinds)
+    if (kind != flow::Kind::ballistic) flows.emplace_back(flow::name(kind));
   return {{"--accuracy",
            sets("run.accuracy"),
            "Wanted error of the final velocities / largest speed",
            {.check = is_accuracy}},
-          {"--flow", sets("run.flow"), "How contact phases are computed; auto chooses", {.check = is_flow}}};
+          {"--flow",
+           sets("run.flow"),
+           "How contact phases are computed; auto chooses",
+           {.check = is_flow, .choices = flows}}};
 }
 
 scene::Document open(const SceneChoice& choice) {

@@ -161,6 +161,54 @@ BOOST_FIXTURE_TEST_CASE(man_page_and_completions_name_every_command_and_option, 
   BOOST_TEST(completed.out == "sweep\n--threads\n");
 }
 
+BOOST_FIXTURE_TEST_CASE(completions_offer_flows_codes_scenes_and_figures, Session) {
+  const auto offered = [&](const std::string& line) {
+    return shell(
+               "PATH=\"${mariotte%/*}:$PATH\"; mariotte completion > words.sh; bash -c '. ./words.sh; "
+               "COMP_WORDS=(mariotte " +
+               line + "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _mariotte; echo \"${COMPREPLY[@]}\"'")
+        .out;
+  };
+  BOOST_TEST(offered("run --flow cvode-b") == "cvode-bdf-dense cvode-bdf-band cvode-bdf-klu\n");
+  BOOST_TEST(offered("explain R00") == "R001 R002 R003 R004\n");
+  BOOST_TEST(offered("demo newton") == "newton_cradle_5\n");
+  BOOST_TEST(offered("init y_") == "y_chain\n");
+  BOOST_TEST(has(offered("reproduce acary-2"), "acary-2b"));
+}
+
+BOOST_FIXTURE_TEST_CASE(other_shells_have_completions, Session) {
+  const auto zsh = mariotte("completion zsh").out, fish = mariotte("completion fish").out;
+  BOOST_TEST(zsh.starts_with("#compdef mariotte\n"));
+  BOOST_TEST(has(zsh, "'run --flow') compadd -- auto pair"));
+  BOOST_TEST(has(fish, "complete -c mariotte -n '__fish_seen_subcommand_from run' -l out -d "));
+  BOOST_TEST(has(fish, "__fish_seen_subcommand_from explain' -f -a 'S001"));
+  BOOST_TEST(mariotte("completion tcsh").code == 2);
+  for (const std::string one : {"zsh", "fish"})
+    if (shell("command -v " + one).code == 0)
+      BOOST_TEST(shell("\"$mariotte\" completion " + one + " > words; " + one + " -n words").code == 0, one);
+}
+
+BOOST_FIXTURE_TEST_CASE(demo_lists_and_runs_its_examples, Session) {
+  const auto list = mariotte("demo --list");
+  BOOST_TEST(has(list.out, "newton_cradle_5"));
+  BOOST_TEST(has(list.out, "Five steel balls\n"));
+  BOOST_TEST(mariotte("demo").out.starts_with("Five steel balls\n"));
+  BOOST_TEST(has(mariotte("demo microsphere").out, "Restitution"));
+  const auto unknown = mariotte("demo triplett");
+  BOOST_TEST(unknown.code == 2);
+  BOOST_TEST(has(unknown.err, "did you mean 'triplet'?"));
+}
+
+BOOST_FIXTURE_TEST_CASE(init_writes_a_scene_to_start_from, Session) {
+  BOOST_TEST(mariotte("init triplet").code == 0);
+  BOOST_TEST(mariotte("run triplet.toml").code == 0);
+  BOOST_TEST(mariotte("init triplet").code == 6);
+  BOOST_TEST(mariotte("init triplet --force").code == 0);
+  BOOST_TEST(mariotte("init y_chain mine.toml").code == 0);
+  BOOST_TEST(support::content(folder / "mine.toml") == support::content(MARIOTTE_SCENES "/y_chain.toml"));
+  BOOST_TEST(mariotte("init").code == 2);
+}
+
 BOOST_FIXTURE_TEST_CASE(every_command_explains_itself_with_an_example, Session) {
   for (const char* command : {"", "run", "check", "sweep", "report", "law", "explain", "demo", "version"}) {
     const auto help = mariotte(std::string(command) + " --help");

@@ -31,6 +31,11 @@ try reproduce acary-1c
 try study icr-table --kappa 2
 try study stress --scenes 1
 for study in scaling stiffness work-precision; do try study "$study" --help; done
+for file in man/man1/mariotte.1 bash-completion/completions/mariotte zsh/vendor-completions/_mariotte \
+            fish/vendor_completions.d/mariotte.fish mariotte/scenes/triplet.toml; do
+  [ -s "$(dirname "$program")/../share/$file" ] || { echo "not installed: $file" && exit 1; }
+done
+try init triplet
 try completion
 
 commands=$(sed -n "s/^  local words='\([^']*\)'.*/\1/p" output)
