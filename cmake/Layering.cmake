@@ -1,4 +1,4 @@
-# Checks every #include of lib/ and apps/ against the order of the modules:
+# Checks every #include of lib/, apps/ and python/ against the order of the modules:
 #   cmake -DROOT=<source folder> -P cmake/Layering.cmake
 # Prints file:line of each that is forbidden, and fails if there is one.
 cmake_minimum_required(VERSION 3.22)
@@ -15,6 +15,7 @@ set(scene_may    core contact series flow hybrid model impact)
 set(study_may    core contact series flow hybrid model impact scene)
 set(report_may   core contact series flow hybrid model impact scene study)
 set(apps_may     core contact series flow hybrid model impact scene study report)
+set(python_may   core contact series flow hybrid model impact scene study report)
 
 # Public headers include public ones and the standard library.
 include(${CMAKE_CURRENT_LIST_DIR}/PublicHeaders.cmake)
@@ -33,7 +34,8 @@ confine("mariotte/flow/cvode/(sundials|linear_solver)"      "${sundials_border}"
 confine("(unsupported/)?Eigen/"                             "(flow|model|impact|study)/.*\\.cpp")
 confine("toml"                                              "scene/")
 confine("fmt/"                                              "(scene|study|report|apps)/")
-confine("nlohmann/"                                         "(report|apps)/")
+confine("nlohmann/"                                         "(report|apps|python)/")
+confine("pybind11/"                                         "python/")
 confine("mpi\\.h"                                            "apps/mariotte/ranks\\.cpp")
 confine("CLI/"                                              "apps/command_line/parser\\.cpp")
 confine("boost/"                                            "(study/fit/uncertainty\\.cpp|study/sweep/sobol\\.cpp|tests/|${rivals})")
@@ -56,12 +58,12 @@ function(objection module file header quoted result)
     if(NOT CMAKE_MATCH_1 IN_LIST ${module}_may AND NOT CMAKE_MATCH_1 STREQUAL module)
       set(${result} "${module} may not include ${CMAKE_MATCH_1}" PARENT_SCOPE)
     endif()
-  elseif(quoted AND NOT module STREQUAL "apps" AND NOT header STREQUAL "mariotte/version.hpp")
+  elseif(quoted AND NOT module MATCHES "^(apps|python)$" AND NOT header STREQUAL "mariotte/version.hpp")
     set(${result} "write \"mariotte/<module>/${header}\"" PARENT_SCOPE)
   endif()
 endfunction()
 
-file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/lib/*.[ch]pp ${ROOT}/apps/*.[ch]pp)
+file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/lib/*.[ch]pp ${ROOT}/apps/*.[ch]pp ${ROOT}/python/*.[ch]pp)
 foreach(file IN LISTS files)
   string(REGEX MATCH "^(lib/mariotte/)?([^/]*)/" module ${file})
   set(module ${CMAKE_MATCH_2})

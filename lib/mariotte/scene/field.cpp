@@ -69,7 +69,7 @@ std::string elsewhere(std::string_view key) {
 }  // namespace
 
 void reject(const Source& source, const Field& field, Fault fault, const std::string& message) {
-  reject(source, field.place(), fault, named(source, field, message));
+  reject(source, field.place(), fault, named(source, field, message), field.path);
 }
 
 void warn(Source& source, const Field& field, const std::string& message) {
@@ -94,10 +94,9 @@ void expect_keys(const Source& source, const Field& table, std::span<const std::
   for (const auto& [key, place, value] : *table.node->table())
     if (std::find(known.begin(), known.end(), key) == known.end())
       errors.attempt([&] {
-        const auto hint = elsewhere(key);
-        reject(
-            source, place, fault::unknown_key,
-            "unknown key '" + joined(table.path, key) + "'" + (hint.empty() ? suggestion(key, known) : hint));
+        const auto hint = elsewhere(key), path = joined(table.path, key);
+        reject(source, place, fault::unknown_key,
+               "unknown key '" + path + "'" + (hint.empty() ? suggestion(key, known) : hint), path);
       });
   errors.raise();
 }

@@ -30,7 +30,7 @@ class Path {
   }
 
   [[noreturn]] void fail(const std::string& message) const {
-    reject(source_, place_, fault::leads_nowhere, message);
+    reject(source_, place_, fault::leads_nowhere, message, std::string(key_));
   }
 
  private:

@@ -20,7 +20,9 @@ namespace mariotte::scene {
 struct SceneError : Error {
   SceneError(const std::string& what, Fault kind) : Error(what, kind) {}
 
-  std::vector<SceneError> more;  ///< what else is wrong, without a `more` of its own
+  std::string place = {};             ///< "file:line:column" or "--set KEY"; empty if nothing was written
+  std::string key = {};               ///< that leads to it, as "chain.radius"; empty if none does
+  std::vector<SceneError> more = {};  ///< what else is wrong, without a `more` of its own
 };
 
 /// A file that could not be read; what() names it.

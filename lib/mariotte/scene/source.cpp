@@ -36,8 +36,12 @@ Place add_origin(Source& source, std::string origin) {
   return {.origin = static_cast<int>(source.origins.size()) - 1};
 }
 
-void reject(const Source& source, const Place& place, Fault fault, const std::string& message) {
-  throw SceneError(where(source, place) + ": " + presentable(message), fault);
+void reject(const Source& source, const Place& place, Fault fault, const std::string& message,
+            const std::string& key) {
+  SceneError error(where(source, place) + ": " + presentable(message), fault);
+  error.place = where(source, place);
+  error.key = key;
+  throw error;
 }
 
 void warn(Source& source, const Place& place, const std::string& message) {

@@ -32,8 +32,10 @@ std::string where(const Source& source, const Place& place);
 /// The place of whatever comes from there.
 Place add_origin(Source& source, std::string origin);
 
-/// Throws SceneError "where: message", shortened and on one line whatever the scene contains.
-[[noreturn]] void reject(const Source& source, const Place& place, Fault fault, const std::string& message);
+/// Throws SceneError "where: message", shortened and on one line whatever the scene contains; `key` leads to
+/// what is wrong.
+[[noreturn]] void reject(const Source& source, const Place& place, Fault fault, const std::string& message,
+                         const std::string& key = "");
 
 /// Adds "where: message" to the warnings; after the first twenty only once more, to say so.
 void warn(Source& source, const Place& place, const std::string& message);

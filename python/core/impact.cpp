@@ -1,0 +1,75 @@
+#include "impact.hpp"
+
+#include <algorithm>
+
+#include "arrays.hpp"
+#include "interruption.hpp"
+#include "mariotte/core/overload.hpp"
+#include "mariotte/impact/chain/chain_solver.hpp"
+#include "mariotte/impact/impulses.hpp"
+#include "mariotte/impact/watch/chain_run.hpp"
+
+namespace mariotte::python {
+
+scene::Impact simulate(const SceneBox& box, const hybrid::Options& options, impact::RunObserver observers) {
+  observers.progress = [interruption = Interruption()](const impact::Progress&) mutable { interruption(); };
+  const auto result = [&](const auto& model) -> scene::Impact {
+    return impact::simulate(model, options, observers);
+  };
+  return std::visit(Overload{[&](const model::Chain& chain) { return result(chain); },
+                             [&](const model::Network& network) { return result(network); },
+                             [&](const model::Microbody& body) { return result(body); },
+                             [](const scene::LawAlone& nothing) -> scene::Impact { scene::refuse(nothing); }},
+                    box.scene.model);
+}
+
+Impact::Impact(SharedScene box, const hybrid::Options& options, bool until)
+    : box_(std::move(box)), options_(options), until_(until) {
+  const py::gil_scoped_release unlocked;
+  if (!solve_quickly()) whole_ = simulate(*box_, options_);
+  keep_ratios();
+}
+
+/// The solver tells nobody how far it is, so it gets so few events that it is done before a hand has moved.
+bool Impact::solve_quickly() {
+  constexpr Index few = 1000;
+  const auto* const chain = std::get_if<model::Chain>(&box_->scene.model);
+  if (!chain || impact::divides(options_, chain->mass.size())) return false;
+  auto quick = options_;
+  quick.max_events = std::min(quick.max_events, few);
+  thread_local impact::ChainSolver solver;
+  const auto& impact = solver.solve(*chain, quick);
+  if (impact.ending == hybrid::Ending::event_limit && quick.max_events < options_.max_events) return false;
+  brief_ = impact;
+  return true;
+}
+
+void Impact::keep_ratios() {
+  if (brief_) {
+    icr_ = or_nan(impact::correlation_ratios(brief_->impulse));
+    return;
+  }
+  std::visit(Overload{[&](const impact::ContactImpact& impact) { icr_ = or_nan(impact.icr); },
+                      [](const impact::MicrobodyImpact&) {}},
+             *whole_);
+}
+
+const scene::Impact& Impact::whole() const {
+  if (whole_) return *whole_;
+  std::optional<scene::Impact> made;
+  {
+    const py::gil_scoped_release unlocked;
+    made = simulate(*box_, options_);
+  }
+  if (!whole_) whole_ = std::move(made);  // unless another thread was quicker
+  return *whole_;
+}
+
+scene::Scene Impact::scene() const {
+  auto scene = box_->scene;
+  scene.run = options_;
+  scene.until = until_;
+  return scene;
+}
+
+}  // namespace mariotte::python

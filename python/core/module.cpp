@@ -1,0 +1,10 @@
+#include "bindings.hpp"
+#include "mariotte/version.hpp"
+
+PYBIND11_MODULE(_core, module) {
+  module.doc() = "The compiled part of mariotte; use the package.";
+  module.attr("version") = mariotte::version;
+  mariotte::python::add_errors(module);
+  mariotte::python::add_scene(module);
+  mariotte::python::add_impact(module);
+}

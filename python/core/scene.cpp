@@ -1,0 +1,89 @@
+// Scenes: read by the reader of the command, so that errors are the same.
+#include <pybind11/stl.h>
+
+#include <nlohmann/json.hpp>
+
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "mariotte/core/overload.hpp"
+#include "mariotte/report/json/json.hpp"
+#include "mariotte/scene/text_file.hpp"
+#include "scene_box.hpp"
+
+namespace mariotte::python {
+namespace {
+
+using scene::Purpose;
+
+/// For the law alone masses and velocities are enough.
+Purpose purpose_of(const scene::Document& document) {
+  const auto* root = document.tree.table();
+  const auto has = [&](const char* key) { return find(*root, key) != nullptr; };
+  const bool is_law = has("law") && !has("chain") && !has("network") && !has("body");
+  return is_law ? Purpose::law : Purpose::simulation;
+}
+
+SharedScene make(std::string text, std::string name, scene::Overrides overrides) {
+  auto document = scene::parse_document(text, name, overrides);
+  auto resolved = resolve(document, purpose_of(document));
+  return std::make_shared<const SceneBox>(SceneBox{std::move(text), std::move(name), std::move(overrides),
+                                                   std::move(document), std::move(resolved)});
+}
+
+SharedScene load(const std::string& path, scene::Overrides overrides) {
+  return make(scene::read_text(path), path, std::move(overrides));
+}
+
+const char* kind(const SceneBox& box) {
+  return std::visit(
+      Overload{[](const model::Chain&) { return "chain"; }, [](const model::Network&) { return "network"; },
+               [](const model::Microbody&) { return "microbody"; },
+               [](const scene::LawAlone&) { return "law"; }},
+      box.scene.model);
+}
+
+/// A member that chains and networks have.
+template <class Get>
+py::array of_contacts(const py::object& self, Get get) {
+  const auto& model = self.cast<const SceneBox&>().scene.model;
+  if (const auto* chain = std::get_if<model::Chain>(&model)) return view(get(*chain), self);
+  return view(get(std::get<model::Network>(model)), self);
+}
+
+py::array mass(const py::object& self) {
+  return view(std::get<model::Chain>(self.cast<const SceneBox&>().scene.model).mass, self);
+}
+
+std::string json_text(const SceneBox& box) {
+  return report::text(report::json(box.scene));
+}
+
+}  // namespace
+
+void add_scene(py::module_& module) {
+  py::class_<SceneBox, std::shared_ptr<SceneBox>>(module, "Scene")
+      .def_readonly("text", &SceneBox::text)
+      .def_readonly("name", &SceneBox::name)
+      .def_readonly("overrides", &SceneBox::overrides)
+      .def_property_readonly("kind", &kind)
+      .def_property_readonly("title", [](const SceneBox& box) { return box.scene.title; })
+      .def_property_readonly("warnings", [](const SceneBox& box) { return box.scene.warnings; })
+      .def_property_readonly("sha256", [](const SceneBox& box) { return box.scene.sha256; })
+      .def_property_readonly("accuracy", [](const SceneBox& box) { return box.scene.run.accuracy; })
+      .def_property_readonly("mass", &mass)
+      .def_property_readonly("velocity",
+                             [](const py::object& self) {
+                               return of_contacts(
+                                   self, [](const auto& m) -> auto& { return m.velocity; });
+                             })
+      .def_property_readonly("gap",
+                             [](const py::object& self) {
+                               return of_contacts(
+                                   self, [](const auto& m) -> auto& { return m.gap; });
+                             })
+      .def("json", &json_text);
+  module.def("scene", &make, py::arg("text"), py::arg("name"), py::arg("overrides"));
+  module.def("load", &load, py::arg("path"), py::arg("overrides"));
+}
+
+}  // namespace mariotte::python

@@ -1,0 +1,19 @@
+// A scene as Python holds it: with what it was made from, so that it can be made again elsewhere.
+#pragma once
+#include <memory>
+#include <string>
+
+#include "mariotte/scene/document.hpp"
+
+namespace mariotte::python {
+
+struct SceneBox {
+  std::string text, name;  ///< TOML, and what stands for the file in messages
+  scene::Overrides overrides;
+  scene::Document document;
+  scene::Scene scene;
+};
+
+using SharedScene = std::shared_ptr<const SceneBox>;
+
+}  // namespace mariotte::python

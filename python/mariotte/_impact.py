@@ -1,0 +1,347 @@
+"""One impact: simulation of a scene, and all that its result says."""
+
+from __future__ import annotations
+
+import enum
+import html
+import json
+import math
+from typing import Any, Dict, List, NamedTuple, Optional, Tuple, Type, Union
+
+from . import _core
+from ._scene import Array, Body, Chain, Network, Result, Scene
+from ._toml import plain
+
+Time = Union[float, str]
+
+
+class Ending(enum.IntEnum):
+    """How a run ends."""
+
+    separated = 0  #: no contact carries force and no two bodies can meet again
+    captured = 1  #: a tip has turned back in the well of adhesion
+    time_limit = 2  #: `until` or `max_time` was reached
+    event_limit = 3  #: `max_events` was reached
+    unsure = 4  #: it came to an end, but a balance does not close
+    failed = 5  #: a flow could not go on; what was computed until then is kept
+    rejected = 6  #: of a point of a sweep: its values together are no scene
+
+
+class Energy(NamedTuple):
+    """final + stored + dissipated − initial − work = residual [J]."""
+
+    initial: float  #: kinetic and elastic energy at the start
+    final: float  #: kinetic energy at the end
+    stored: float  #: in closed contacts at the end
+    dissipated: float
+    work: float  #: of gravity and moving walls
+    residual: float  #: error of the balance
+
+
+class Momentum(NamedTuple):
+    """Of the balls of finite mass [N s]."""
+
+    initial: float
+    final: float
+    residual: float  #: final − initial − impulses of walls and gravity
+
+
+class Event(NamedTuple):
+    """What changes at one instant; contacts or tips count from 0."""
+
+    time: float  #: [s]
+    open: Tuple[int, ...]
+    close: Tuple[int, ...]
+    stick: Tuple[int, ...]
+    slip: Tuple[int, ...]
+    capture: Tuple[int, ...]
+    push: Tuple[int, ...]  #: whose force turns positive
+    pull: Tuple[int, ...]  #: whose force turns negative
+
+
+class Flow(NamedTuple):
+    """What one method did in a run."""
+
+    name: str
+    phases: int
+    steps: int
+    rhs: int  #: evaluations of the right-hand side
+
+
+class Restitution(NamedTuple):
+    """Rebound over incident normal velocity of the first impact; nan if it has not ended."""
+
+    tip: float
+    centre: float  #: of the mass centre
+
+
+class TipImpact(NamedTuple):
+    """One contact of one tip, from touch to separation."""
+
+    tip: int  #: from 0
+    start: float  #: [s]
+    end: float  #: [s]; nan if it does not separate
+    normal_velocity_in: float  #: of the tip [m/s]
+    normal_velocity_out: float
+    centre_velocity_in: float  #: of the mass centre, along the normal [m/s]
+    centre_velocity_out: float
+    slip_out: Tuple[float, float]  #: of the contact point along e2, e3 [m/s]
+    peak_force: float  #: largest push [N]
+    peak_pull: float  #: largest pull, ≥ 0 [N]
+    peak_indentation: float  #: [m]
+
+
+class Impact:
+    """The result of a run. Arrays are read-only and share the memory of the result.
+
+    Jupyter shows the report of the command, and so does ``print``. A result is pickled as its scene, and computed
+    again where it is needed.
+    """
+
+    __slots__ = ("scene", "_run", "_options")
+
+    def __init__(self, scene: Scene[Any], run: _core.Impact, options: Tuple[Any, ...]) -> None:
+        self.scene = scene
+        self._run = run
+        self._options = options
+
+    @property
+    def ending(self) -> Ending:
+        """How the run ended."""
+        return Ending(self._run.ending)
+
+    @property
+    def message(self) -> str:
+        """Why, for endings other than separated and captured; else empty."""
+        return self._run.message
+
+    @property
+    def time(self) -> float:
+        """Of the ending [s]."""
+        return self._run.time
+
+    @property
+    def velocity(self) -> Array:
+        """At the end: of n balls [m/s] or degrees of freedom; of a body's mass centre, the normal one first."""
+        return self._run.velocity
+
+    @property
+    def energy(self) -> Energy:
+        """The balance of energy [J]."""
+        return Energy(*(self[f"energy.{name}"] for name in Energy._fields))
+
+    @property
+    def estimated_accuracy(self) -> float:
+        """Upper bound on the error of the velocities, relative to the largest incident speed; nan if none was
+        estimated."""
+        return self["accuracy.estimated"]
+
+    @property
+    def events(self) -> List[Event]:
+        """Instants at which contacts or friction change, in order of time."""
+        return [_event(one) for one in self.json()["events"]]
+
+    @property
+    def flows(self) -> List[Flow]:
+        """Methods that followed at least one phase."""
+        return [Flow(**one) for one in self.json()["flows"]]
+
+    def __getitem__(self, key: str) -> float:
+        """A number of the result by the key it has in JSON, in SI units; nan where it is undefined.
+
+        Examples
+        --------
+        >>> import mariotte as mt
+        >>> hit = mt.simulate(mt.Chain(mass=[1, 1], velocity=[1, 0], law="hertz", stiffness=1))
+        >>> round(hit["contacts[0].peak_force"], 6)
+        0.754272
+        """
+        return self._run.number(key)
+
+    def json(self) -> Dict[str, Any]:
+        """All of the result, as `mariotte run --json` prints it; there contacts and balls count from 1."""
+        made: Dict[str, Any] = json.loads(self._run.json())
+        return made
+
+    def __str__(self) -> str:
+        return self._run.table()
+
+    def __repr__(self) -> str:
+        return f"<mariotte.{type(self).__name__}: {self.ending.name} at {self.time:.6g} s>"
+
+    def _repr_html_(self) -> str:
+        return f"<pre>{html.escape(str(self))}</pre>"
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return _simulated, (self.scene, self._options)
+
+
+class ContactImpact(Impact):
+    """Of m contacts between n balls, or of n degrees of freedom."""
+
+    __slots__ = ()
+
+    @property
+    def impulse(self) -> Array:
+        """p_j = ∫ f_j dt of m contacts [N s]."""
+        return self._run.impulse
+
+    @property
+    def icr(self) -> Array:
+        """Impulse correlation ratios α_j = p_j/p_{j+1}, m − 1 values; nan where p_{j+1} = 0 [Acary 2003, eq. 5]."""
+        return self._run.icr
+
+    @property
+    def impulse_direction(self) -> Array:
+        """r = p/abs(p), m values; zeros if no impulse was exchanged."""
+        return self._run.impulse_direction
+
+    @property
+    def gap(self) -> Array:
+        """Of m contacts at the end [m], negative in contact."""
+        return self._run.gap
+
+    @property
+    def peak_force(self) -> Array:
+        """Of m contacts [N]."""
+        return self._run.peak_force
+
+    @property
+    def peak_indentation(self) -> Array:
+        """Of m contacts [m]."""
+        return self._run.peak_indentation
+
+    @property
+    def stored(self) -> Array:
+        """Elastic energy of m contacts at the end [J]."""
+        return self._run.stored
+
+    @property
+    def dissipated(self) -> Array:
+        """Energy that m contacts have lost [J]."""
+        return self._run.dissipated
+
+    @property
+    def periods(self) -> List[Array]:
+        """Per contact an array of shape (k, 2): start and end of its k periods of force [s]; nan for an end that
+        never came."""
+        return self._run.periods
+
+
+class ChainImpact(ContactImpact):
+    """The impact of a :class:`Chain`.
+
+    Examples
+    --------
+    >>> import mariotte as mt
+    >>> cradle = mt.Chain(balls=3, radius="10 mm", material="steel", law="hertz", velocity=[1, 0, 0])
+    >>> hit = mt.simulate(cradle)
+    >>> hit.ending, hit.velocity.round(6), hit.icr.round(6)
+    (<Ending.separated: 0>, array([-0.070952,  0.076403,  0.994549]), array([1.076822]))
+    """
+
+    __slots__ = ()
+
+    @property
+    def momentum(self) -> Momentum:
+        """The balance of momentum [N s]."""
+        return Momentum(*(self[f"momentum.{name}"] for name in Momentum._fields))
+
+
+class NetworkImpact(ContactImpact):
+    """The impact of a :class:`Network`."""
+
+    __slots__ = ()
+
+
+class MicrobodyImpact(Impact):
+    """The impact of a :class:`Body`. e1 is normal to the plane; e2 and e3 lie in it."""
+
+    __slots__ = ()
+
+    @property
+    def position(self) -> Array:
+        """Of the mass centre at the end: height over the plane, then way along e2 and e3 [m]."""
+        return self._run.position
+
+    @property
+    def spin(self) -> Array:
+        """Angular velocity at the end, space axes [rad/s]."""
+        return self._run.spin
+
+    @property
+    def restitution(self) -> Restitution:
+        """Of the first impact."""
+        return Restitution(self["restitution.tip"], self["restitution.centre"])
+
+    @property
+    def impacts(self) -> List[TipImpact]:
+        """Contacts of the tips, in order of time."""
+        return [_tip_impact(one) for one in self.json()["impacts"]]
+
+
+_IMPACTS: Dict[Type[Scene[Any]], Type[Impact]] = {Chain: ChainImpact, Network: NetworkImpact, Body: MicrobodyImpact}
+
+
+def simulate(scene: Scene[Result], *, accuracy: Optional[float] = None, until: Optional[Time] = None,
+             max_time: Optional[Time] = None, max_events: Optional[int] = None,
+             flow: Optional[str] = None) -> Result:
+    """Simulate a scene until its bodies part for good, or a limit.
+
+    Other threads of Python run meanwhile. Ctrl-C ends a run of more than a moment.
+
+    Parameters
+    ----------
+    scene : Scene
+        What collides.
+    accuracy : float, optional
+        Wanted error of the final velocities relative to the largest incident speed; this and the next go before what
+        the scene says.
+    until : float or str, optional
+        The end that is wanted [s].
+    max_time : float or str, optional
+        A limit [s].
+    max_events : int, optional
+        A limit: instants at which contacts or friction change.
+    flow : str, optional
+        Method for the contact phases, as in scene files.
+
+    Returns
+    -------
+    ChainImpact, NetworkImpact or MicrobodyImpact
+        Ending, time, velocities, impulses and their ratios of a chain of less than 48 balls are known at once; all
+        else is computed when it is asked for.
+
+    Raises
+    ------
+    InvalidParameter
+        For an accuracy, limit or flow that makes no sense.
+
+    Examples
+    --------
+    >>> import mariotte as mt
+    >>> pair = mt.Chain(mass=[1, 1], velocity=[1, 0], law="hertz", stiffness="1e9 N/m^1.5")
+    >>> mt.simulate(pair, until="1 us").ending
+    <Ending.time_limit: 2>
+    """
+    result: Result = _simulated(scene, (accuracy, plain(until), plain(max_time), max_events, flow))
+    return result
+
+
+def _simulated(scene: Scene[Any], options: Tuple[Any, ...]) -> Any:
+    return _IMPACTS.get(type(scene), Impact)(scene, _core.simulate(scene._box, *options), options)
+
+
+def _from_zero(numbers: List[int]) -> Tuple[int, ...]:
+    return tuple(number - 1 for number in numbers)
+
+
+def _event(one: Dict[str, Any]) -> Event:
+    signs = one.get("force_sign", [])
+    one = {**one, "push": [i for i in signs if i > 0], "pull": [-i for i in signs if i < 0]}
+    return Event(one["time"], **{name: _from_zero(one[name]) for name in Event._fields[1:]})
+
+
+def _tip_impact(one: Dict[str, Any]) -> TipImpact:
+    end = math.nan if one["end"] is None else one["end"]
+    return TipImpact(**{**one, "tip": one["tip"] - 1, "end": end, "slip_out": tuple(one["slip_out"])})

@@ -1,0 +1,46 @@
+"""Values of Python as TOML, in which scenes are written."""
+
+from __future__ import annotations
+
+import json
+from typing import Any, Mapping
+
+
+def toml(value: Any) -> str:
+    """One value: a number, text, true or false, a list, a table, an array of NumPy or a quantity of pint."""
+    if hasattr(value, "to_base_units"):
+        return toml(_with_unit(value))
+    if hasattr(value, "tolist"):  # arrays and numbers of NumPy
+        return toml(value.tolist())
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, (int, float)):
+        return repr(value)
+    if isinstance(value, str):
+        return json.dumps(value, ensure_ascii=False)
+    if isinstance(value, Mapping):
+        return "{ " + ", ".join(f"{key} = {toml(one)}" for key, one in value.items()) + " }"
+    try:
+        return "[" + ", ".join(map(toml, value)) + "]"
+    except TypeError:
+        raise TypeError(f"a scene has no place for {type(value).__name__}") from None
+
+
+def table(name: str, entries: Mapping[str, Any]) -> str:
+    """A table with a line per key; keys that are None are left out."""
+    lines = [f"{key} = {toml(value)}" for key, value in entries.items() if value is not None]
+    return "\n".join([f"[{name}]", *lines, ""])
+
+
+def plain(value: Any) -> Any:
+    """A quantity of pint as text with its unit; anything else as it is."""
+    return _with_unit(value) if hasattr(value, "to_base_units") else value
+
+
+def _with_unit(quantity: Any) -> Any:
+    """A number with its SI unit as text, so that the reader checks the dimension."""
+    base = quantity.to_base_units()
+    unit = f"{base.units:~C}".replace("**", "^")
+    if hasattr(base.magnitude, "tolist"):
+        return [f"{number!r} {unit}".strip() for number in base.magnitude.tolist()]
+    return f"{float(base.magnitude)!r} {unit}".strip()

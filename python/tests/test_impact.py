@@ -1,0 +1,222 @@
+"""Results: the bits of the command, without copies, computed when they are asked for."""
+
+import gc
+import math
+import multiprocessing
+import pickle
+import signal
+import threading
+import time
+
+import numpy as np
+import pytest
+
+import mariotte as mt
+from conftest import SCENES
+
+QUICK = ["bernoulli", "big_ball", "captured_sphere", "decorated_chain", "microdumbbell_spinning", "microrod",
+         "microsphere", "mixed_laws", "newton_cradle_5", "rack_of_fifteen", "rocking_block", "rod_tilt", "triplet",
+         "viscoelastic", "wall_bounce", "y_chain"]
+
+
+@pytest.mark.parametrize("name", QUICK)
+def test_results_are_those_of_the_command_to_the_last_bit(name, command_json):
+    file = SCENES / f"{name}.toml"
+    expected = command_json("run", file)
+    for of_the_command in ("scene", "provenance"):
+        expected.pop(of_the_command)
+    hit = mt.simulate(mt.load(file))
+    found = hit.json()
+    found.pop("provenance")
+    assert found == expected
+    assert hit.velocity.tolist() == expected["final"]["velocity"]
+    assert hit.time == expected["final"]["time"]
+
+
+@pytest.mark.parametrize("accuracy", [1e-6, 1e-12])
+def test_options_are_those_of_the_command(accuracy, command_json):
+    file = SCENES / "newton_cradle_5.toml"
+    expected = command_json("run", file, "--set", f"run.accuracy={accuracy}")
+    hit = mt.simulate(mt.load(file), accuracy=accuracy)
+    assert hit.velocity.tolist() == expected["final"]["velocity"]
+    assert hit.impulse.tolist() == [one["impulse"] for one in expected["contacts"]]
+    assert hit.icr.tolist() == expected["icr"]
+
+
+def test_quick_numbers_are_those_of_the_whole(triplet):
+    chains = [triplet, triplet.replace({"chain.velocity": [1, -0.5, -2]}), mt.load(SCENES / "mixed_laws.toml")]
+    for chain in chains:
+        hit = mt.simulate(chain)
+        whole = hit.json()
+        assert whole["ending"] == hit.ending.name
+        assert whole["final"]["time"] == hit.time
+        assert whole["final"]["velocity"] == hit.velocity.tolist()
+        assert [one["impulse"] for one in whole["contacts"]] == hit.impulse.tolist()
+        assert [math.nan if one is None else one for one in whole["icr"]] == pytest.approx(hit.icr, abs=0, nan_ok=True)
+
+
+def address(array):
+    return array.__array_interface__["data"][0]
+
+
+@pytest.mark.parametrize("name", ["velocity", "impulse", "icr", "gap", "peak_force", "peak_indentation", "stored",
+                                  "dissipated", "impulse_direction"])
+def test_arrays_share_the_memory_of_the_result(name, triplet):
+    hit = mt.simulate(triplet)
+    one, other = getattr(hit, name), getattr(hit, name)
+    assert address(one) == address(other) and np.shares_memory(one, other)
+    assert not one.flags.writeable and not one.flags.owndata and one.dtype == np.float64
+    with pytest.raises(ValueError):
+        one[0] = 1
+
+
+def test_arrays_outlive_the_result(triplet):
+    velocity = mt.simulate(triplet).velocity
+    expected = velocity.tolist()
+    gc.collect()
+    [mt.simulate(triplet.replace({"chain.velocity[0]": float(v)})) for v in range(1, 50)]
+    assert velocity.tolist() == expected
+
+
+def test_members_of_contacts_lie_side_by_side(triplet):
+    hit = mt.simulate(triplet)
+    forces, indentations = hit.peak_force, hit.peak_indentation
+    assert forces.strides == indentations.strides and address(indentations) - address(forces) == 8
+
+
+def test_balances_close(triplet):
+    hit = mt.simulate(triplet)
+    energy, momentum = hit.energy, hit.momentum
+    assert energy.final + energy.stored + energy.dissipated - energy.initial - energy.work == energy.residual
+    assert abs(energy.residual) < 1e-9 * energy.initial
+    assert momentum.final - momentum.initial == pytest.approx(momentum.residual, abs=1e-18)
+
+
+def test_a_pair_of_equal_balls_swaps_velocities():
+    hit = mt.simulate(mt.Chain(mass=[1, 1], velocity=[1, 0], law="hertz", stiffness=1), accuracy=1e-12)
+    assert hit.velocity == pytest.approx([0, 1], abs=1e-12)
+    depth = (5 / 8) ** 0.4  # ½ m* v² = 2/5 k δ^{5/2} with m* = 1/2
+    assert hit.peak_indentation == pytest.approx([depth], rel=1e-9)
+    assert hit.peak_force == pytest.approx([depth**1.5], rel=1e-9)
+
+
+def test_contacts_of_events_count_from_zero(triplet):
+    events = mt.simulate(triplet).events
+    assert events[0].close == (0, 1) and [event.open for event in events] == [(), (0,), (1,)]
+    periods = mt.simulate(triplet).periods
+    assert [one.shape for one in periods] == [(1, 2), (1, 2)]
+    assert periods[1][0, 1] == events[2].time
+
+
+def test_a_ratio_without_impulse_is_nan():
+    hit = mt.simulate(mt.Chain(mass=[1, 1, 1], velocity=[1, 0, 5], law="hertz", stiffness=1, gap=[0, 1]))
+    assert np.isnan(hit.icr).all() and hit["icr[0]"] != hit["icr[0]"]
+
+
+def test_endings_are_an_enum(triplet):
+    assert mt.simulate(triplet).ending is mt.Ending.separated
+    assert mt.simulate(triplet, until="1 us").ending is mt.Ending.time_limit
+    assert mt.simulate(triplet, max_events=1).ending is mt.Ending.event_limit
+    captured = mt.simulate(mt.load(SCENES / "captured_sphere.toml"))
+    assert captured.ending is mt.Ending.captured
+
+
+@pytest.mark.parametrize("options", [{"accuracy": 0}, {"accuracy": math.nan}, {"max_time": "1 kg"}, {"max_events": 0},
+                                     {"flow": "magic"}, {"until": -1}])
+def test_options_without_sense_are_refused(options, triplet):
+    with pytest.raises(mt.InvalidParameter):
+        mt.simulate(triplet, **options)
+
+
+def test_a_flow_can_be_asked_for(triplet):
+    hit = mt.simulate(triplet, flow="cvode-adams", accuracy=1e-8)
+    assert "cvode-adams" in [flow.name for flow in hit.flows]
+    assert hit.velocity == pytest.approx(mt.simulate(triplet).velocity, abs=1e-8)
+
+
+def test_a_key_that_no_result_has_is_a_key_error(triplet):
+    hit = mt.simulate(triplet)
+    assert hit["contacts[1].peak_force"] == hit.peak_force[1] and hit["events.count"] == 3
+    with pytest.raises(KeyError):
+        hit["contacts[1].colour"]
+
+
+def test_contacts_and_bodies_have_their_own_members(triplet):
+    with pytest.raises(AttributeError):
+        mt.simulate(triplet).restitution
+    with pytest.raises(AttributeError):
+        mt.simulate(mt.load(SCENES / "microsphere.toml")).icr
+
+
+def test_jupyter_shows_the_report(triplet):
+    hit = mt.simulate(triplet)
+    assert "Impulse correlation ratios" in str(hit) and hit._repr_html_().startswith("<pre>")
+
+
+def speed_after(scene):
+    return mt.simulate(scene).velocity[-1]
+
+
+def test_scenes_and_results_travel_to_other_processes(triplet):
+    scenes = [triplet.replace({"chain.velocity[0]": speed}) for speed in (1.0, 2.0, 3.0)]
+    with multiprocessing.get_context("spawn").Pool(2) as pool:
+        there = pool.map(speed_after, scenes)
+        results = pool.map(mt.simulate, scenes)
+    assert there == [speed_after(scene) for scene in scenes]
+    assert [hit.velocity[-1] for hit in results] == there
+
+
+def test_a_pickled_result_keeps_its_options(triplet):
+    hit = mt.simulate(triplet, accuracy=1e-5)
+    again = pickle.loads(pickle.dumps(hit))
+    assert again.velocity.tolist() == hit.velocity.tolist()
+    assert again.json()["accuracy"]["requested"] == 1e-5
+
+
+def long_row(balls):
+    return mt.Chain(balls=balls, mass=1, law="hertz", stiffness=1, ball=[{"number": 1, "velocity": 1}])
+
+
+def test_other_threads_run_meanwhile():
+    row, counted = long_row(100_000), 0
+    done = threading.Event()
+
+    def count():
+        nonlocal counted
+        while not done.is_set():
+            counted += 1
+            time.sleep(0.001)
+
+    thread = threading.Thread(target=count)
+    thread.start()
+    started = time.monotonic()
+    mt.simulate(row)
+    elapsed = time.monotonic() - started
+    done.set()
+    thread.join()
+    assert counted > 100 * elapsed  # one that waits for the lock counts nothing
+
+
+def test_ctrl_c_ends_a_run():
+    row = long_row(500_000)
+    signal.signal(signal.SIGALRM, lambda *_: signal.raise_signal(signal.SIGINT))
+    signal.setitimer(signal.ITIMER_REAL, 0.3)
+    with pytest.raises(KeyboardInterrupt):
+        mt.simulate(row)
+
+
+def test_threads_share_a_scene(triplet):
+    expected = mt.simulate(triplet).velocity.tolist()
+    found = []
+    threads = [threading.Thread(target=lambda: found.extend(mt.simulate(triplet).velocity.tolist() for _ in range(100)))
+               for _ in range(4)]
+    [one.start() for one in threads]
+    [one.join() for one in threads]
+    assert found == [expected] * 400
+
+
+def test_a_law_alone_cannot_be_simulated():
+    law = mt.parse("[law]\nmass = [1, 1]\nvelocity = [1, 0]\ndirection = [1]\nenergy_ratio = 1\n")
+    with pytest.raises(mt.SceneError):
+        mt.simulate(law)
+
