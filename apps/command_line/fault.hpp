@@ -7,7 +7,7 @@ namespace mariotte::fault {
 inline constexpr Fault unknown_argument{"U001"}, missing_argument{"U002"}, bad_argument{"U003"};
 inline constexpr Fault law_incomplete{"L001"}, law_parameters{"L002"}, inadmissible{"L003"},
     no_icr_table{"L004"}, outside_table{"L005"};
-inline constexpr Fault limit{"R001"}, no_capture{"R003"}, invalid{"R004"};
+inline constexpr Fault limit{"R001"}, invalid{"R004"};
 inline constexpr Fault not_installed{"F004"};
 
 }  // namespace mariotte::fault

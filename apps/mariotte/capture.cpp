@@ -1,3 +1,5 @@
+#include "mariotte/study/capture.hpp"
+
 #include <fmt/format.h>
 
 #include <memory>
@@ -6,9 +8,8 @@
 #include "command.hpp"
 #include "command_line/exit_code.hpp"
 #include "command_line/terminal.hpp"
-#include "mariotte/impact/microbody/capture_velocity.hpp"
 #include "mariotte/report/json/json.hpp"
-#include "mariotte/scene/key_path.hpp"
+#include "mariotte/study/fault.hpp"
 #include "scene_choice.hpp"
 
 namespace mariotte::command {
@@ -19,14 +20,6 @@ struct Capture {
   double tolerance = 1e-9;
   bool json = false;
 };
-
-constexpr const char* speed_key = "incidence.normal_speed";
-
-/// The scene's body at another speed; ζ's are read again, since the damping they stand for depends on it.
-model::Microbody at_speed(scene::Document& document, double speed) {
-  locate(document.source, document.tree, speed_key, {}).value = speed;
-  return std::get<model::Microbody>(scene::resolve(document).model);
-}
 
 std::string table(const impact::CaptureVelocity& found, const scene::Scene& scene) {
   return fmt::format(
@@ -45,11 +38,9 @@ report::Json json(const impact::CaptureVelocity& found, const scene::Scene& scen
 }
 
 int capture(const Capture& options) {
-  auto document = open(options.scene);
+  const auto document = open(options.scene);
   const auto scene = resolve(options.scene, document);
-  const auto& body = scene::body_of(scene, options.scene.path, "captured");
-  const auto found = impact::capture_velocity([&](double speed) { return at_speed(document, speed); },
-                                              -body.velocity.e1, options.tolerance, scene.run);
+  const auto found = study::capture_velocity(document, options.tolerance);
   if (!found) {
     error("no capture velocity within a factor of a million of the scene's speed", fault::no_capture);
     return ExitCode::check_failed;

@@ -62,13 +62,14 @@ study::Progress compute(const Options& options, const study::SweepPlan& plan, st
   const auto missing = journal.missing();
   ProgressLine line(total(missing), options.scene.quiet || !ranks.first());
   const study::Sweep sweep{
-      .document = plan.document,
-      .design = plan.design,
-      .columns = plan.columns.size(),
-      .make_evaluate = [&] { return study::make_evaluate_point(plan); },
-      .append_rows = [&](const auto& batch, auto& text) { report::append_rows(plan.design, batch, text); }};
+      .document = plan.document, .design = plan.design, .columns = plan.columns.size(), .make_evaluate = [&] {
+        return study::make_evaluate_point(plan);
+      }};
+  const auto append_rows = [&](const auto& batch, auto& text) {
+    report::append_rows(plan.design, batch, text);
+  };
   const study::Dealer dealer(missing, {.rank = ranks.rank(), .ranks = ranks.count()});
-  return run(sweep, dealer, options.threads, journal, [&](const auto& progress) {
+  return run(sweep, dealer, options.threads, append_rows, journal, [&](const auto& progress) {
     line.show(ranks.tell(progress.done));
     return interruption() == 0;
   });

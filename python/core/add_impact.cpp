@@ -1,14 +1,22 @@
 // What Python sees of an impact.
 #include <pybind11/stl.h>
 
+#include <nlohmann/json.hpp>
+#include <numeric>
+
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "impact.hpp"
 #include "mariotte/core/overload.hpp"
 #include "mariotte/core/quantity.hpp"
 #include "mariotte/impact/quantities/quantity_key.hpp"
+#include "mariotte/report/figure/energy_plot.hpp"
+#include "mariotte/report/json/json.hpp"
+#include "mariotte/report/page/files.hpp"
+#include "mariotte/report/page/html.hpp"
 #include "mariotte/report/text.hpp"
-#include "mariotte/study/sweep/columns.hpp"
+#include "mariotte/report/trace_file.hpp"
+#include "samples.hpp"
 
 namespace mariotte::python {
 namespace {
@@ -114,6 +122,84 @@ double number(const Impact& impact, const std::string& text) {
   return std::visit(look_up, impact.whole());
 }
 
+/// Time, velocity, gap, force: a row per sample.
+py::tuple arrays(Samples made) {
+  const auto rows = std::ssize(made.time);
+  return py::make_tuple(
+      owned(std::move(made.time), {rows}), owned(std::move(made.velocity), {rows, made.velocities}),
+      owned(std::move(made.gap), {rows, made.contacts}), owned(std::move(made.force), {rows, made.contacts}));
+}
+
+/// `look` without the lock.
+template <class Look>
+py::tuple looked(const Impact& impact, Look look) {
+  impact.whole();
+  Samples made;
+  {
+    const py::gil_scoped_release unlocked;
+    made = look();
+  }
+  return arrays(std::move(made));
+}
+
+py::tuple sample_at(const Impact& impact, const std::vector<double>& times) {
+  return looked(impact, [&] { return sample(impact, times); });
+}
+py::tuple steps_of(const Impact& impact) {
+  return looked(impact, [&] { return steps(impact); });
+}
+
+/// All samples of a step each, as the command writes them.
+std::string trace_csv(const Impact& impact) {
+  return report::trace_text(simulate(impact.box(), impact.options(), {.trace = true}));
+}
+
+void save_hdf5(const Impact& impact, const std::string& path) {
+  const auto traced = simulate(impact.box(), impact.options(), {.trace = true});
+  const auto* const one = std::visit(
+      Overload{[](const Contacts& contacts) { return &contacts; },
+               [](const Body&) -> const Contacts* {
+                 throw InvalidParameter("HDF5 holds traces of chains and networks; save the body's as .csv");
+               }},
+      traced);
+  const auto& trace = one->trace;
+  const auto places = [](const auto& rows) {
+    std::vector<Index> all(rows.empty() ? 0 : rows.front().size());
+    std::iota(all.begin(), all.end(), 0);
+    return all;
+  };
+  const auto file = report::new_hdf5_trace(path, places(trace.velocity), places(trace.gap));
+  for (std::size_t row = 0; row < trace.time.size(); ++row)
+    file->add({.time = trace.time[row],
+               .velocity = trace.velocity[row],
+               .gap = trace.gap[row],
+               .force = trace.force[row]});
+  file->commit();
+}
+
+/// Time, kinetic, stored and lost energy of a chain; nothing is lost where the samples do not show it.
+py::tuple energy_course(const Impact& impact) {
+  const auto* const chain = std::get_if<model::Chain>(&impact.box().scene.model);
+  if (!chain) throw InvalidParameter("energies over time are known of chains only");
+  report::EnergyCourse course;
+  {
+    const py::gil_scoped_release unlocked;
+    const auto traced = simulate(impact.box(), impact.options(), {.trace = true});
+    course = report::energy_course(std::get<impact::ChainImpact>(traced).trace, *chain);
+  }
+  const auto array = [](std::vector<double>& values) {
+    const auto count = std::ssize(values);
+    return owned(std::move(values), {count});
+  };
+  return py::make_tuple(array(course.time), array(course.kinetic), array(course.stored), array(course.lost));
+}
+
+std::string to_cite(const Impact& impact) {
+  const auto result =
+      std::visit([&](const auto& one) { return report::json(one, impact.scene()); }, impact.whole());
+  return report::to_cite(result);
+}
+
 }  // namespace
 
 void add_impact(py::module_& module) {
@@ -141,7 +227,16 @@ void add_impact(py::module_& module) {
       .def_property_readonly("spin", &of_body<&impact::BodyState::spin>)
       .def("number", &number, py::arg("key"))
       .def("json", [](const Impact& impact) { return report::json_text(impact.whole(), impact.scene()); })
+      .def("sample", &sample_at, py::arg("times"))
+      .def("steps", &steps_of)
+      .def("energy_course", &energy_course)
+      .def("trace_csv", &trace_csv, py::call_guard<py::gil_scoped_release>())
+      .def("save_hdf5", &save_hdf5, py::arg("path"), py::call_guard<py::gil_scoped_release>())
+      .def("to_cite", &to_cite)
       .def("table", [](const Impact& impact) { return report::table_text(impact.whole(), impact.scene()); });
+  module.def(
+      "write_file", [](const std::string& path, const std::string& text) { report::write_file(path, text); },
+      py::arg("path"), py::arg("text"));
   module.def("simulate", &simulate_scene, py::arg("scene"), py::arg("accuracy"), py::arg("until"),
              py::arg("max_time"), py::arg("max_events"), py::arg("flow"));
 }

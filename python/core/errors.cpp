@@ -4,6 +4,7 @@
 #include "mariotte/report/page/files.hpp"
 #include "mariotte/scene/scene.hpp"
 #include "mariotte/study/fit/fit.hpp"
+#include "mariotte/study/sweep/columns.hpp"
 
 namespace mariotte::python {
 namespace {
@@ -40,6 +41,8 @@ void translate(std::exception_ptr thrown) try {
 } catch (const study::FitError& error) {
   raise(make("FitError", error));
 } catch (const InvalidParameter& error) {
+  raise(make("InvalidParameter", error));
+} catch (const study::ColumnError& error) {
   raise(make("InvalidParameter", error));
 } catch (const QuantityError& error) {
   raise(make("InvalidParameter", error));

@@ -26,8 +26,11 @@ Purpose purpose_of(const scene::Document& document) {
 SharedScene make(std::string text, std::string name, scene::Overrides overrides) {
   auto document = scene::parse_document(text, name, overrides);
   auto resolved = resolve(document, purpose_of(document));
-  return std::make_shared<const SceneBox>(SceneBox{std::move(text), std::move(name), std::move(overrides),
-                                                   std::move(document), std::move(resolved)});
+  return std::make_shared<const SceneBox>(SceneBox{.text = std::move(text),
+                                                   .name = std::move(name),
+                                                   .overrides = std::move(overrides),
+                                                   .document = std::move(document),
+                                                   .scene = std::move(resolved)});
 }
 
 SharedScene load(const std::string& path, scene::Overrides overrides) {
@@ -70,6 +73,7 @@ void add_scene(py::module_& module) {
       .def_property_readonly("warnings", [](const SceneBox& box) { return box.scene.warnings; })
       .def_property_readonly("sha256", [](const SceneBox& box) { return box.scene.sha256; })
       .def_property_readonly("accuracy", [](const SceneBox& box) { return box.scene.run.accuracy; })
+      .def_readonly("foreign", &SceneBox::foreign)
       .def_property_readonly("mass", &mass)
       .def_property_readonly("velocity",
                              [](const py::object& self) {
@@ -83,6 +87,9 @@ void add_scene(py::module_& module) {
                              })
       .def("json", &json_text);
   module.def("scene", &make, py::arg("text"), py::arg("name"), py::arg("overrides"));
+  module.def(
+      "read_text", [](const std::string& path) { return py::bytes(scene::read_text(path)); },
+      py::arg("path"));
   module.def("load", &load, py::arg("path"), py::arg("overrides"));
 }
 

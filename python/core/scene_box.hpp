@@ -12,6 +12,7 @@ struct SceneBox {
   scene::Overrides overrides;
   scene::Document document;
   scene::Scene scene;
+  bool foreign = false;  ///< has contact laws that no text can say
 };
 
 using SharedScene = std::shared_ptr<const SceneBox>;

@@ -6,11 +6,18 @@ import enum
 import html
 import json
 import math
-from typing import Any, Dict, List, NamedTuple, Optional, Tuple, Type, Union
+import os
+from typing import TYPE_CHECKING, Any, Dict, List, NamedTuple, Optional, Tuple, Type, Union
+
+import numpy.typing as npt
 
 from . import _core
-from ._scene import Array, Body, Chain, Network, Result, Scene
+from ._scene import Array, Body, Chain, Network, Path, Result, Scene
 from ._toml import plain
+from ._trajectory import Trajectory
+
+if TYPE_CHECKING:
+    from ._plot import ImpactPlot
 
 Time = Union[float, str]
 
@@ -145,6 +152,43 @@ class Impact:
     def flows(self) -> List[Flow]:
         """Methods that followed at least one phase."""
         return [Flow(**one) for one in self.json()["flows"]]
+
+    @property
+    def trajectory(self) -> "Trajectory":
+        """Velocities, gaps and forces at any time of the run."""
+        return Trajectory(self)
+
+    def force(self, t: npt.ArrayLike) -> Array:
+        """Of the contacts, or the normal force of the tips, at times `t`: ``trajectory.force(t)`` [N]."""
+        return self.trajectory.force(t)
+
+    @property
+    def plot(self) -> "ImpactPlot":
+        """Figures, by matplotlib: ``hit.plot.forces()``, ``velocities()``, ``energy()`` and ``waves()``."""
+        from ._plot import ImpactPlot
+
+        return ImpactPlot(self)
+
+    def save(self, path: Path) -> None:
+        """Write the result as the command does: all of it as JSON if the name ends in .json, else the trace, as HDF5
+        (.h5, .hdf5) or CSV, one row per step."""
+        name = os.fspath(path)
+        if name.endswith((".h5", ".hdf5")):
+            self._run.save_hdf5(name)
+        else:
+            _core.write_file(name, self._run.json() if name.endswith(".json") else self._run.trace_csv())
+
+    def cite(self) -> str:
+        """What to cite, as BibTeX: this version of mariotte with this scene, and the papers of the model.
+
+        Examples
+        --------
+        >>> import mariotte as mt
+        >>> hit = mt.simulate(mt.Chain(mass=[1, 1], velocity=[1, 0], law="hertz", stiffness=1))
+        >>> hit.cite().splitlines()[0]
+        '@software{mariotte,'
+        """
+        return self._run.to_cite()
 
     def __getitem__(self, key: str) -> float:
         """A number of the result by the key it has in JSON, in SI units; nan where it is undefined.

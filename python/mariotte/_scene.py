@@ -28,9 +28,10 @@ class Scene(Generic[Result]):
     their text, so that other processes can simulate them.
     """
 
-    __slots__ = ("_box",)
+    __slots__ = ("_box", "_kept")
     _kinds: ClassVar[Dict[str, Type["Scene[Any]"]]] = {}
     _box: _core.Scene
+    _kept: Any  # functions that its contact laws call
 
     def __init_subclass__(cls, *, kind: str = "") -> None:
         if kind:
@@ -94,12 +95,19 @@ class Scene(Generic[Result]):
         >>> chain.replace({"chain.velocity[0]": "2 m/s"}).velocity
         array([2., 0.])
         """
+        self._expect_text()
         made = Scene._of(_core.scene(self._box.text, self._box.name, self._box.overrides + _overrides(values)))
         assert isinstance(made, type(self))
         return made
 
     def __reduce__(self) -> Tuple[Any, ...]:
+        self._expect_text()
         return _restored, (self._box.text, self._box.name, self._box.overrides)
+
+    def _expect_text(self) -> None:
+        if self._box.foreign:
+            raise TypeError("no text says what a contact law of your own is: this scene cannot be changed, "
+                            "swept or sent to other processes")
 
     def __repr__(self) -> str:
         return f"<mariotte.{type(self).__name__} {self.title or self._box.name!r}>"

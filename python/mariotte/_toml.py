@@ -8,8 +8,7 @@ from typing import Any, Mapping
 
 def toml(value: Any) -> str:
     """One value: a number, text, true or false, a list, a table, an array of NumPy or a quantity of pint."""
-    if hasattr(value, "to_base_units"):
-        return toml(_with_unit(value))
+    value = plain(value)
     if hasattr(value, "tolist"):  # arrays and numbers of NumPy
         return toml(value.tolist())
     if isinstance(value, bool):

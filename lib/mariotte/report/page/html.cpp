@@ -138,12 +138,7 @@ std::string origin(const Json& result) {
   std::string text = section("Provenance", table(provenance));
   if (const auto command = repeating_command(result); !command.empty())
     text += section("Again", "<pre>" + escaped(command) + "</pre>\n");
-  const auto version = inline_text(provenance.value("version", Json("unknown")));
-  const auto scene = inline_text(provenance.value("scene_sha256", Json()));
-  const auto software = replaced(replaced(citations, "@version", version), "@scene", scene);
-  const auto model = result.value("model", "");
-  const auto* paper = model == "microbody" ? of_bodies : model.empty() ? "" : of_contacts;
-  return text + section("To cite", "<pre>" + escaped(software + paper) + "</pre>\n");
+  return text + section("To cite", "<pre>" + escaped(to_cite(result)) + "</pre>\n");
 }
 
 std::string shell_quoted(const std::string& text) {
@@ -153,6 +148,16 @@ std::string shell_quoted(const std::string& text) {
 }
 
 }  // namespace
+
+std::string to_cite(const Json& result) {
+  const auto provenance = result.value("provenance", Json::object());
+  const auto version = inline_text(provenance.value("version", Json("unknown")));
+  const auto scene = inline_text(provenance.value("scene_sha256", Json()));
+  const auto software = replaced(replaced(citations, "@version", version), "@scene", scene);
+  const auto model = result.value("model", "");
+  const auto* paper = model == "microbody" ? of_bodies : model.empty() ? "" : of_contacts;
+  return software + paper;
+}
 
 std::string repeating_command(const Json& result) {
   const auto provenance = result.value("provenance", Json::object());

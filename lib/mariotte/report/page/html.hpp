@@ -20,4 +20,8 @@ std::string html(const Json& result, const std::vector<Picture>& pictures);
 /// The command that repeats a run or a sweep, from its result; empty if the result does not know its scene.
 std::string repeating_command(const Json& result);
 
+/// What to cite, as BibTeX: this version of the program, with the scene, and the papers of the result's
+/// model.
+std::string to_cite(const Json& result);
+
 }  // namespace mariotte::report

@@ -116,6 +116,7 @@ Rebound RestitutionModel::at(const std::vector<Node>& settings, std::span<const 
   body.impacts = 1;
   body.after_capture = model::AfterCapture::stop;
   const auto& end = solver_.solve(body, scene.run);
+  watch_();
   ++runs_;
   if (end.ending == hybrid::Ending::captured) return {.restitution = 0, .captured = true};
   if (end.ending != hybrid::Ending::separated)

@@ -1,8 +1,10 @@
 // The restitution that a scene of a body predicts, for the settings of each measurement and any values of the
 // keys that are to be found.
 #pragma once
+#include <functional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mariotte/impact/microbody/microbody_solver.hpp"
@@ -28,6 +30,8 @@ class RestitutionModel {
   const std::vector<double>& start() const { return start_; }         ///< of the free keys [SI]
   double accuracy() const { return accuracy_; }                       ///< of the simulations
   Index runs() const { return runs_; }                                ///< impacts simulated so far
+  /// Called before every impact from now on; what it throws ends the fit, unless it is an Error.
+  void watch(std::function<void()> watch) { watch_ = std::move(watch); }
 
   /// What row `row` would measure with these values of the free keys. Throws Error that names the row.
   Rebound of_row(std::size_t row, std::span<const double> values);
@@ -49,6 +53,7 @@ class RestitutionModel {
   std::vector<double> start_;
   double accuracy_ = 0;
   Index runs_ = 0;
+  std::function<void()> watch_ = [] {};
   impact::MicrobodySolver solver_;
 };
 

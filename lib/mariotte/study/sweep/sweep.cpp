@@ -42,11 +42,11 @@ struct Crew {
 
 class Worker {
  public:
-  Worker(const Sweep& sweep, const std::optional<Slots>& slots, Journal& journal, Crew& crew)
+  Worker(const Sweep& sweep, const std::optional<Slots>& slots, Keep keep, Crew& crew)
       : sweep_(sweep),
         variation_(sweep.document, sweep.design, slots),
         evaluate_(sweep.make_evaluate()),
-        journal_(journal),
+        keep_(std::move(keep)),
         crew_(crew) {}
 
   void work() {
@@ -56,21 +56,13 @@ class Worker {
       const double taken = processor_time();
       evaluate(variation_, evaluate_, sweep_.columns, chunk.first, chunk.count, batch_);
       const double evaluated = processor_time();
-      rows_ = {.first = chunk.first, .count = chunk.count, .failed = batch_.failed(), .text = cleared()};
-      sweep_.append_rows(batch_, rows_.text);
-      journal_.append(rows_);
+      keep_(batch_);
       report(evaluated - taken, processor_time() - evaluated);
       size = next_size(chunk.count, std::chrono::duration<double>(Clock::now() - start).count());
     }
   }
 
  private:
-  /// The last rows' memory, empty again.
-  std::string cleared() {
-    rows_.text.clear();
-    return std::move(rows_.text);
-  }
-
   PointRange take(Index size) {
     const std::lock_guard lock(crew_.mutex);
     return crew_.dealer.take(size);
@@ -92,16 +84,16 @@ class Worker {
   const Sweep& sweep_;
   Variation variation_;
   EvaluatePoint evaluate_;
-  Journal& journal_;
+  Keep keep_;
   Crew& crew_;
   Batch batch_;
-  Rows rows_;
 };
 
-void work(const Sweep& sweep, const std::optional<Slots>& slots, Journal& journal, Crew& crew) {
+void work(const Sweep& sweep, const std::optional<Slots>& slots, const std::function<Keep()>& make_keep,
+          Crew& crew) {
   std::exception_ptr problem;
   try {
-    Worker(sweep, slots, journal, crew).work();
+    Worker(sweep, slots, make_keep(), crew).work();
   } catch (...) {
     problem = std::current_exception();
     crew.stop = true;
@@ -112,42 +104,64 @@ void work(const Sweep& sweep, const std::optional<Slots>& slots, Journal& journa
   crew.finished.notify_all();
 }
 
-/// Until all workers are gone: watches, and flushes the journal.
-void supervise(Crew& crew, Journal& journal, const std::function<bool(const Progress&)>& watch) {
-  auto flushed = Clock::now();
+/// Until all workers are gone.
+void supervise(Crew& crew, const Watch& watch) {
   std::unique_lock lock(crew.mutex);
   while (!crew.finished.wait_for(lock, watch_interval, [&] { return crew.working == 0; })) {
     const auto progress = crew.progress;
     lock.unlock();
     if (!watch(progress)) crew.stop = true;
-    if (Clock::now() - flushed >= flush_interval) {
-      journal.flush();
-      flushed = Clock::now();
-    }
     lock.lock();
   }
 }
 
+/// Rows for a journal, in memory that is reused.
+Keep make_rows(const AppendRows& append_rows, Journal& journal) {
+  return [&append_rows, &journal, rows = Rows()](const Batch& batch) mutable {
+    rows.first = batch.first;
+    rows.count = batch.count();
+    rows.failed = batch.failed();
+    rows.text.clear();
+    append_rows(batch, rows.text);
+    journal.append(rows);
+  };
+}
+
 }  // namespace
 
-Progress run(const Sweep& sweep, Dealer dealer, int threads, Journal& journal,
-             const std::function<bool(const Progress&)>& watch) {
+Progress run(const Sweep& sweep, Dealer dealer, int threads, const std::function<Keep()>& make_keep,
+             const Watch& watch) {
   const auto slots = find_slots(sweep.document, sweep.design);
   Crew crew(std::move(dealer));
   crew.working = threads;
   std::vector<std::jthread> workers;
-  for (int i = 0; i < threads; ++i) workers.emplace_back([&] { work(sweep, slots, journal, crew); });
+  for (int i = 0; i < threads; ++i) workers.emplace_back([&] { work(sweep, slots, make_keep, crew); });
   try {
-    supervise(crew, journal, watch);
+    supervise(crew, watch);
   } catch (...) {
     crew.stop = true;
     throw;  // the threads are joined on the way
   }
   workers.clear();
   if (crew.problem) std::rethrow_exception(crew.problem);
-  journal.flush();
   watch(crew.progress);
   return crew.progress;
+}
+
+Progress run(const Sweep& sweep, Dealer dealer, int threads, const AppendRows& append_rows, Journal& journal,
+             const Watch& watch) {
+  auto flushed = Clock::now();
+  const auto watch_and_flush = [&](const Progress& progress) {
+    if (Clock::now() - flushed >= flush_interval) {
+      journal.flush();
+      flushed = Clock::now();
+    }
+    return watch(progress);
+  };
+  const auto progress = run(
+      sweep, std::move(dealer), threads, [&] { return make_rows(append_rows, journal); }, watch_and_flush);
+  journal.flush();
+  return progress;
 }
 
 }  // namespace mariotte::study

@@ -2,7 +2,7 @@
 //
 //     each worker, until none is left or it is told to stop:
 //       take neighbouring points, as many as some milliseconds of work
-//       evaluate them, write their rows as text, append these to the journal
+//       evaluate them, keep what came out: in memory, or as text in the journal
 #pragma once
 #include <functional>
 #include <string>
@@ -16,22 +16,32 @@ namespace mariotte::study {
 struct Sweep {
   const scene::Document& document;
   const Design& design;
-  std::size_t columns = 0;                                      ///< of an evaluation
-  std::function<EvaluatePoint()> make_evaluate;                 ///< once per thread
-  std::function<void(const Batch&, std::string&)> append_rows;  ///< as text; called by several threads
+  std::size_t columns = 0;                       ///< of an evaluation
+  std::function<EvaluatePoint()> make_evaluate;  ///< once per thread
 };
+
+/// Takes the results of some points; each thread has one.
+using Keep = std::function<void(const Batch&)>;
+/// Appends them as text; called by several threads.
+using AppendRows = std::function<void(const Batch&, std::string&)>;
 
 /// How far it is; times are processor time, summed over the threads.
 struct Progress {
-  Index done = 0;         ///< points of this process, in the journal
+  Index done = 0;         ///< points of this process that are kept
   double evaluating = 0;  ///< setting and solving scenes [s]
-  double writing = 0;     ///< text and journal [s]
+  double writing = 0;     ///< keeping their results: text and journal [s]
 };
 
+/// Returns false to stop, after the points that are under way.
+using Watch = std::function<bool(const Progress&)>;
+
 /// Computes the points the dealer has, on so many threads. `watch` is called on this thread, several times a
-/// second and at the end; it returns false to stop, after the points that are under way. The journal is
-/// flushed at least every second. Throws what a worker threw.
-Progress run(const Sweep& sweep, Dealer dealer, int threads, Journal& journal,
-             const std::function<bool(const Progress&)>& watch);
+/// second and at the end. Throws what a worker threw.
+Progress run(const Sweep& sweep, Dealer dealer, int threads, const std::function<Keep()>& make_keep,
+             const Watch& watch);
+
+/// The same into a journal, which is flushed at least every second.
+Progress run(const Sweep& sweep, Dealer dealer, int threads, const AppendRows& append_rows, Journal& journal,
+             const Watch& watch);
 
 }  // namespace mariotte::study

@@ -1,0 +1,20 @@
+#include "mariotte/study/capture.hpp"
+
+#include "mariotte/scene/key_path.hpp"
+
+namespace mariotte::study {
+
+std::optional<impact::CaptureVelocity> capture_velocity(scene::Document document, double tolerance,
+                                                        const std::function<void()>& watch) {
+  const auto scene = resolve(document);
+  const auto& body = body_of(scene, document.source.name, "captured");
+  // ζ's are read again at every speed, since the damping they stand for depends on it.
+  const auto at_speed = [&](double speed) {
+    watch();
+    locate(document.source, document.tree, "incidence.normal_speed", {}).value = speed;
+    return std::get<model::Microbody>(resolve(document).model);
+  };
+  return impact::capture_velocity(at_speed, -body.velocity.e1, tolerance, scene.run);
+}
+
+}  // namespace mariotte::study

@@ -1,0 +1,126 @@
+#include "samples.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "mariotte/core/overload.hpp"
+#include "mariotte/impact/promise.hpp"
+
+namespace mariotte::python {
+namespace {
+
+std::vector<Index> all(Index count) {
+  std::vector<Index> places(static_cast<std::size_t>(count));
+  std::iota(places.begin(), places.end(), 0);
+  return places;
+}
+
+void append(std::vector<double>& to, const std::vector<double>& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+void add(const impact::Sample& sample, double time, Samples& samples) {
+  samples.time.push_back(time);
+  append(samples.velocity, sample.velocity);
+  append(samples.gap, sample.gap);
+  append(samples.force, sample.force);
+}
+
+Samples with_shape(const scene::Scene& scene) {
+  Samples samples;
+  std::visit(Overload{[&](const model::Microbody& body) {
+                        samples.velocities = 3;
+                        samples.contacts = body.impacts == 1 ? 1 : std::ssize(body.body.tips);
+                      },
+                      [&](const scene::LawAlone&) {},
+                      [&](const auto& model) {
+                        samples.velocities = std::ssize(model.velocity);
+                        samples.contacts = std::ssize(model.gap);
+                      }},
+             scene.model);
+  return samples;
+}
+
+void add(const impact::Trace& trace, Samples& samples) {
+  samples.time = trace.time;
+  for (std::size_t row = 0; row < trace.time.size(); ++row) {
+    append(samples.velocity, trace.velocity[row]);
+    append(samples.gap, trace.gap[row]);
+    append(samples.force, trace.force[row]);
+  }
+}
+
+void add(const impact::BodyTrace& trace, Samples& samples) {
+  for (std::size_t row = 0; row < trace.state.size(); ++row) {
+    const auto& v = trace.state[row].velocity;
+    samples.time.push_back(trace.state[row].time);
+    append(samples.velocity, {v.e1, v.e2, v.e3});
+    append(samples.gap, trace.gap[row]);
+    append(samples.force, trace.normal_force[row]);
+  }
+  if (!trace.gap.empty()) samples.contacts = std::ssize(trace.gap.front());
+}
+
+/// Puts samples where they were asked for; the first comes at the start, the last at the ending.
+struct Taker {
+  const std::vector<double>& times;
+  Samples& samples;
+  impact::Sample last = {};
+
+  bool done() const { return samples.time.size() == times.size(); }
+  double next() const { return times[samples.time.size()]; }
+  double operator()(const impact::Sample& sample) {
+    last = sample;
+    while (!done() && next() <= sample.time * (1 + 4 * epsilon)) add(sample, next(), samples);
+    return done() ? infinity : next() - sample.time;
+  }
+  /// The run may end a rounding before the impact did.
+  void finish() {
+    while (!done()) add(last, next(), samples);
+  }
+};
+
+std::vector<double> velocity_at_end(const scene::Impact& impact) {
+  return std::visit(Overload{[](const impact::MicrobodyImpact& one) {
+                               const auto& v = one.final.velocity;
+                               return std::vector{v.e1, v.e2, v.e3};
+                             },
+                             [](const auto& one) { return one.velocity; }},
+                    impact);
+}
+
+double largest(const std::vector<double>& values) {
+  double most = 0;
+  for (const double value : values) most = std::max(most, std::abs(value));
+  return most;
+}
+
+}  // namespace
+
+Samples sample(const Impact& impact, const std::vector<double>& times) {
+  const auto& box = impact.box();
+  const auto expected = velocity_at_end(impact.whole());
+  auto options = impact.options();
+  const double asked = options.accuracy, speed = largest(expected);
+  for (;;) {
+    Samples samples = with_shape(box.scene);
+    Taker taker{.times = times, .samples = samples};
+    const impact::Sampling sampling{
+        .velocities = all(samples.velocities), .contacts = all(samples.contacts), .take = std::ref(taker)};
+    simulate(box, options, {.samplings = {sampling}});
+    taker.finish();
+    const double apart = impact::difference(expected, taker.last.velocity, speed);
+    if (apart <= 2 * asked || options.accuracy <= 16 * epsilon) return samples;
+    options.accuracy = std::max(1e-2 * options.accuracy, 16 * epsilon);
+  }
+}
+
+Samples steps(const Impact& impact) {
+  Samples samples = with_shape(impact.box().scene);
+  const auto traced = simulate(impact.box(), impact.options(), {.trace = true});
+  std::visit([&](const auto& one) { add(one.trace, samples); }, traced);
+  return samples;
+}
+
+}  // namespace mariotte::python

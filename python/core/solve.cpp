@@ -1,0 +1,182 @@
+// Many chains at once: arrays in, arrays out.
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <atomic>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "interruption.hpp"
+#include "mariotte/contact/named_laws.hpp"
+#include "mariotte/impact/chain/chain_solver.hpp"
+
+namespace mariotte::python {
+namespace {
+
+/// Rows of the same length, all the same if there is one.
+struct Rows {
+  const double* first;
+  Index length;
+  Index step;  ///< from one row to the next, 0 if there is one
+
+  explicit Rows(const Numbers& array)
+      : first(array.data()), length(array.shape(1)), step(array.shape(0) == 1 ? 0 : length) {}
+  std::span<const double> at(Index row) const {
+    return {first + row * step, static_cast<std::size_t>(length)};
+  }
+};
+
+struct Chains {
+  Rows mass, stiffness, velocity, gap, damping;
+  const contact::NamedLaw& law;
+  double exponent;
+  hybrid::Options options;
+
+  void put(Index row, model::Chain& chain) const {
+    const auto assign = [](auto& to, std::span<const double> from) { to.assign(from.begin(), from.end()); };
+    assign(chain.mass, mass.at(row));
+    assign(chain.velocity, velocity.at(row));
+    assign(chain.gap, gap.at(row));
+    const auto k = stiffness.at(row), c = damping.at(row);
+    chain.law.clear();
+    for (std::size_t j = 0; j < k.size(); ++j) chain.law.push_back(law.make(k[j], c[j], exponent));
+  }
+};
+
+struct Results {
+  std::vector<double> velocity, impulse, time;
+  std::vector<std::uint8_t> ending;
+
+  Results(Index rows, Index balls)
+      : velocity(static_cast<std::size_t>(rows * balls)),
+        impulse(static_cast<std::size_t>(rows * (balls - 1))),
+        time(static_cast<std::size_t>(rows)),
+        ending(static_cast<std::size_t>(rows)) {}
+
+  /// Numbers of a run that could not go on mean nothing.
+  void keep(Index row, const impact::BriefImpact& impact) {
+    using hybrid::Ending;
+    const bool counts = impact.ending != Ending::failed && impact.ending != Ending::unsure;
+    const double factor = counts ? 1 : std::numeric_limits<double>::quiet_NaN();
+    const auto put = [&](const auto& from, auto& to) {
+      std::transform(from.begin(), from.end(), to.begin() + row * std::ssize(from),
+                     [=](double number) { return factor * number; });
+    };
+    put(impact.velocity, velocity);
+    put(impact.impulse, impulse);
+    time[static_cast<std::size_t>(row)] = impact.time;
+    ending[static_cast<std::size_t>(row)] = static_cast<std::uint8_t>(impact.ending);
+  }
+};
+
+void solve_row(const Chains& chains, Index row, model::Chain& chain, impact::ChainSolver& solver,
+               Results& results) try {
+  chains.put(row, chain);
+  results.keep(row, solver.solve(chain, chains.options));
+} catch (const InvalidParameter& error) {
+  throw InvalidParameter("row " + std::to_string(row) + ": " + error.what(), error.fault);
+}
+
+/// Threads that take rows until none is left; the calling one waits, and looks for Ctrl-C.
+class Crew {
+ public:
+  Crew(const Chains& chains, Index rows, Results& results)
+      : chains_(chains), rows_(rows), results_(results) {}
+
+  void run(int threads) {
+    working_ = threads;
+    std::vector<std::jthread> workers;
+    for (int i = 0; i < threads; ++i) workers.emplace_back([this] { work(); });
+    wait();
+    workers.clear();
+    if (problem_) std::rethrow_exception(problem_);
+  }
+
+ private:
+  static constexpr Index at_once = 64;  // many times the cost of taking them
+
+  void work() {
+    try {
+      impact::ChainSolver solver;
+      model::Chain chain;
+      for (Index first; (first = next_.fetch_add(at_once)) < rows_;)
+        for (Index row = first; row < std::min(first + at_once, rows_); ++row)
+          solve_row(chains_, row, chain, solver, results_);
+    } catch (...) {
+      const std::lock_guard lock(mutex_);
+      if (!problem_) problem_ = std::current_exception();
+      next_ = rows_;
+    }
+    const std::lock_guard lock(mutex_);
+    --working_;
+    finished_.notify_all();
+  }
+
+  void wait() {
+    Interruption interruption;
+    std::unique_lock lock(mutex_);
+    while (!finished_.wait_for(lock, std::chrono::milliseconds(100), [&] { return working_ == 0; })) {
+      lock.unlock();
+      try {
+        interruption();
+      } catch (...) {
+        next_ = rows_;
+        throw;  // the threads are joined on the way
+      }
+      lock.lock();
+    }
+  }
+
+  const Chains& chains_;
+  const Index rows_;
+  Results& results_;
+  std::atomic<Index> next_ = 0;
+  std::mutex mutex_;
+  std::condition_variable finished_;
+  int working_ = 0;
+  std::exception_ptr problem_;
+};
+
+const contact::NamedLaw& law_of(const std::string& name) {
+  for (const auto& law : contact::named_laws)
+    if (law.name == name) return law;
+  throw InvalidParameter("unknown law '" + name + "' (" + contact::names_of_laws() + ")",
+                         fault::unknown_word);
+}
+
+py::tuple solve(Index rows, const Numbers& mass, const Numbers& stiffness, const Numbers& velocity,
+                const Numbers& gap, const Numbers& damping, const std::string& law, double exponent,
+                double accuracy, int threads) {
+  const auto& named = law_of(law);
+  const Chains chains{Rows(mass),
+                      Rows(stiffness),
+                      Rows(velocity),
+                      Rows(gap),
+                      Rows(damping),
+                      named,
+                      named.exponent.value_or(exponent),
+                      {.accuracy = accuracy}};
+  const Index balls = chains.mass.length;
+  Results results(rows, balls);
+  {
+    const py::gil_scoped_release unlocked;
+    Crew(chains, rows, results).run(threads);
+  }
+  return py::make_tuple(owned(std::move(results.velocity), {rows, balls}),
+                        owned(std::move(results.impulse), {rows, balls - 1}),
+                        owned(std::move(results.time), {rows}), owned(std::move(results.ending), {rows}));
+}
+
+}  // namespace
+
+void add_solve(py::module_& module) {
+  module.def("solve", &solve, py::arg("rows"), py::arg("mass"), py::arg("stiffness"), py::arg("velocity"),
+             py::arg("gap"), py::arg("damping"), py::arg("law"), py::arg("exponent"), py::arg("accuracy"),
+             py::arg("threads"));
+}
+
+}  // namespace mariotte::python

@@ -1,0 +1,52 @@
+// Capture velocities and fits of a body's scene.
+#include <pybind11/stl.h>
+
+#include <nlohmann/json.hpp>
+
+#include "bindings.hpp"
+#include "interruption.hpp"
+#include "mariotte/report/table/fit_report.hpp"
+#include "mariotte/study/capture.hpp"
+#include "mariotte/study/fault.hpp"
+#include "mariotte/study/fit/fit.hpp"
+#include "scene_box.hpp"
+
+namespace mariotte::python {
+namespace {
+
+namespace py = pybind11;
+
+py::tuple capture_velocity(const SceneBox& box, double tolerance) {
+  std::optional<impact::CaptureVelocity> found;
+  {
+    const py::gil_scoped_release unlocked;
+    found = study::capture_velocity(box.document, tolerance, Interruption());
+  }
+  if (!found)
+    throw Error("no capture velocity within a factor of a million of the scene's speed", fault::no_capture);
+  return py::make_tuple(found->captured, found->separated, found->runs);
+}
+
+/// JSON and table, as the command prints them.
+std::tuple<std::string, std::string> fit(const SceneBox& box, const std::string& text,
+                                         const std::string& name, const std::vector<std::string>& free,
+                                         double confidence) {
+  study::RestitutionModel model(box.document, free, study::parse_measurements(text, name));
+  model.watch(Interruption());
+  const auto found = study::fit(model, free, confidence);
+  const report::FitReport report{.fit = found,
+                                 .measurements = model.measurements(),
+                                 .title = box.scene.title,
+                                 .scene_sha256 = box.scene.sha256};
+  return {report::text(report::json(report)), report::table(report)};
+}
+
+}  // namespace
+
+void add_studies(py::module_& module) {
+  module.def("capture_velocity", &capture_velocity, py::arg("scene"), py::arg("tolerance"));
+  module.def("fit", &fit, py::arg("scene"), py::arg("text"), py::arg("name"), py::arg("free"),
+             py::arg("confidence"), py::call_guard<py::gil_scoped_release>());
+}
+
+}  // namespace mariotte::python

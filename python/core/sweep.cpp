@@ -1,0 +1,213 @@
+// Sweeps of a scene in memory: a table of numbers, one row per point.
+#include "mariotte/study/sweep/sweep.hpp"
+
+#include <pybind11/stl.h>
+
+#include <map>
+#include <mutex>
+
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "interruption.hpp"
+#include "mariotte/report/csv/sweep_csv.hpp"
+#include "mariotte/report/page/files.hpp"
+#include "mariotte/report/sweep_file.hpp"
+#include "mariotte/scene/key_path.hpp"
+#include "mariotte/study/sweep/evaluate.hpp"
+#include "mariotte/study/sweep/sweep_reader.hpp"
+#include "scene_box.hpp"
+
+namespace mariotte::python {
+namespace {
+
+using scene::Node;
+using scene::Place;
+
+/// One key, its values, and whether it moves along with the one before.
+using Axis = std::tuple<std::string, py::list, bool>;
+
+/// As the numbers of mariotte.Ending.
+std::uint8_t number_of(const std::string& ending) {
+  constexpr std::array endings = {"separated", "captured", "time_limit", "event_limit",
+                                  "unsure",    "failed",   "rejected"};
+  return static_cast<std::uint8_t>(std::find(endings.begin(), endings.end(), ending) - endings.begin());
+}
+
+class Sweep {
+ public:
+  explicit Sweep(study::SweepPlan plan)
+      : plan_(std::move(plan)),
+        table_(static_cast<std::size_t>(plan_.design.points()) * plan_.columns.size()),
+        ending_(static_cast<std::size_t>(plan_.design.points())) {}
+
+  const study::SweepPlan& plan() const { return plan_; }
+  const std::vector<double>& table() const { return table_; }
+  const std::vector<std::uint8_t>& ending() const { return ending_; }
+  const std::map<Index, std::string>& reasons() const { return reasons_; }
+
+  /// Called without the lock.
+  void compute(int threads) {
+    const study::Sweep sweep{.document = plan_.document,
+                             .design = plan_.design,
+                             .columns = plan_.columns.size(),
+                             .make_evaluate = [&] { return study::make_evaluate(plan_.columns); }};
+    const study::Dealer all({{.first = 0, .count = plan_.design.points()}}, {});
+    run(
+        sweep, all, threads, [&]() -> study::Keep { return [&](const auto& batch) { keep(batch); }; },
+        [interruption = Interruption()](const study::Progress&) mutable { return interruption(), true; });
+  }
+
+  /// The rows, as the command writes them, some thousand at a time.
+  void write(const std::function<void(const std::string&)>& take) const {
+    constexpr Index most = 4096;
+    for (Index first = 0; first < plan_.design.points(); first += most) {
+      std::string text;
+      report::append_rows(plan_.design, batch(first, std::min(most, plan_.design.points() - first)), text);
+      take(text);
+    }
+  }
+
+ private:
+  void keep(const study::Batch& batch) {
+    const auto columns = std::ssize(plan_.columns);
+    std::copy(batch.numbers.begin(), batch.numbers.end(), table_.begin() + batch.first * columns);
+    for (Index k = 0; k < batch.count(); ++k) {
+      const auto& [ending, reason] = batch.verdicts[static_cast<std::size_t>(k)];
+      ending_[static_cast<std::size_t>(batch.first + k)] = number_of(ending);
+      if (reason.empty()) continue;
+      const std::lock_guard lock(mutex_);
+      reasons_[batch.first + k] = reason;
+    }
+  }
+
+  study::Batch batch(Index first, Index count) const {
+    const auto columns = std::ssize(plan_.columns);
+    const auto start = table_.begin() + first * columns;
+    study::Batch made{.first = first, .numbers = {start, start + count * columns}, .verdicts = {}};
+    for (Index point = first; point < first + count; ++point) {
+      const auto reason = reasons_.find(point);
+      made.verdicts.push_back({.ending = std::string(name(ending_[static_cast<std::size_t>(point)])),
+                               .reason = reason == reasons_.end() ? "" : reason->second});
+    }
+    return made;
+  }
+
+  static const char* name(std::uint8_t ending) {
+    constexpr auto last = static_cast<std::uint8_t>(hybrid::Ending::failed);
+    return ending > last ? "rejected" : hybrid::name(static_cast<hybrid::Ending>(ending));
+  }
+
+  study::SweepPlan plan_;
+  std::vector<double> table_;
+  std::vector<std::uint8_t> ending_;
+  std::map<Index, std::string> reasons_;
+  std::mutex mutex_;
+};
+
+Node node(const py::handle& value, const Place& place) {
+  if (py::isinstance<py::bool_>(value)) return {value.cast<bool>(), place};
+  if (py::isinstance<py::int_>(value)) return {value.cast<std::int64_t>(), place};
+  if (py::isinstance<py::float_>(value)) return {value.cast<double>(), place};
+  if (py::isinstance<py::str>(value)) return {value.cast<std::string>(), place};
+  throw py::type_error("the values of a sweep are numbers, text, True or False");
+}
+
+Node axis_node(const Axis& axis, const Place& place) {
+  const auto& [key, values, zipped] = axis;
+  scene::Array list;
+  for (const auto& value : values) list.push_back(node(value, place));
+  scene::Table table{{"key", place, {key, place}}, {"values", place, {std::move(list), place}}};
+  if (zipped) table.push_back({"zip", place, {true, place}});
+  return {std::move(table), place};
+}
+
+/// The axes in place of the scene's own.
+void put_axes(scene::Document& document, const std::vector<Axis>& axes) {
+  if (axes.empty()) return;
+  scene::Array tables;
+  for (const auto& axis : axes)
+    tables.push_back(axis_node(axis, add_origin(document.source, "sweep of " + std::get<0>(axis))));
+  auto& root = *document.tree.table();
+  std::erase_if(root, [](const scene::Entry& entry) { return entry.key == "sweep"; });
+  const auto place = tables.front().place;
+  root.push_back({"sweep", place, {std::move(tables), place}});
+}
+
+std::unique_ptr<Sweep> sweep(const SceneBox& box, const std::vector<Axis>& axes,
+                             const std::vector<std::string>& columns, int threads) {
+  auto document = box.document;
+  put_axes(document, axes);
+  const py::gil_scoped_release unlocked;
+  auto made = std::make_unique<Sweep>(study::read_sweep(std::move(document), columns));
+  made->compute(threads);
+  return made;
+}
+
+py::list columns(const Sweep& sweep) {
+  py::list all;
+  for (const auto& one : sweep.plan().columns)
+    all.append(
+        py::make_tuple(one.key, std::string(one.unit), std::string(one.symbol), std::string(one.meaning)));
+  return all;
+}
+
+std::vector<Index> shape(const Sweep& sweep) {
+  std::vector<Index> counts;
+  for (const auto& axis : sweep.plan().design.axes) counts.push_back(axis.count);
+  return counts;
+}
+
+/// Of every key that is varied: its axis, and its values in SI along it, or nothing if they are no numbers.
+py::list parameters(const Sweep& sweep) {
+  const auto& design = sweep.plan().design;
+  py::list all;
+  for (std::size_t i = 0; i < design.parameters.size(); ++i) {
+    const auto& one = design.parameters[i];
+    const auto& axis = design.axes[static_cast<std::size_t>(one.axis)];
+    std::vector<double> values;
+    for (Index k = 0; is_numeric(one) && k < axis.count; ++k)
+      values.push_back(number(design, i, k * axis.stride));
+    const auto count = std::ssize(values);
+    all.append(py::make_tuple(one.key, one.axis, owned(std::move(values), {count})));
+  }
+  return all;
+}
+
+void save_csv(const Sweep& sweep, const std::string& path) {
+  report::NewFile file(path);
+  file.append(report::sweep_header(sweep.plan().design, sweep.plan().columns));
+  sweep.write([&](const std::string& rows) { file.append(rows); });
+  file.commit();
+}
+
+void save_hdf5(const Sweep& sweep, const std::string& path) {
+  const auto file = report::new_hdf5_sweep(path, sweep.plan().design, sweep.plan().columns);
+  sweep.write([&](const std::string& rows) { file->add(rows); });
+  file->commit();
+}
+
+}  // namespace
+
+void add_sweep(py::module_& module) {
+  py::class_<Sweep>(module, "Sweep")
+      .def_property_readonly("shape", &shape)
+      .def_property_readonly("columns", &columns)
+      .def_property_readonly("parameters", &parameters)
+      .def_property_readonly("warnings", [](const Sweep& one) { return one.plan().warnings; })
+      .def_property_readonly("reasons", &Sweep::reasons)
+      .def_property_readonly("table",
+                             [](const py::object& self) {
+                               const auto& one = self.cast<const Sweep&>();
+                               const auto columns = std::ssize(one.plan().columns);
+                               const py::ssize_t size = sizeof(double);
+                               return view(one.table().data(), {one.plan().design.points(), columns},
+                                           {columns * size, size}, self);
+                             })
+      .def_property_readonly(
+          "ending", [](const py::object& self) { return view(self.cast<const Sweep&>().ending(), self); })
+      .def("save_csv", &save_csv, py::arg("path"), py::call_guard<py::gil_scoped_release>())
+      .def("save_hdf5", &save_hdf5, py::arg("path"), py::call_guard<py::gil_scoped_release>());
+  module.def("sweep", &sweep, py::arg("scene"), py::arg("axes"), py::arg("columns"), py::arg("threads"));
+}
+
+}  // namespace mariotte::python

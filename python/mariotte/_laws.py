@@ -1,0 +1,145 @@
+"""Impact laws, which take one step from the velocities before to those after; and contact laws of one's own."""
+
+from __future__ import annotations
+
+from typing import Any, Dict, NamedTuple, Optional, Sequence, TypeVar, Union
+
+import numpy as np
+
+from . import _core
+from ._scene import Array, Chain, Network
+
+S = TypeVar("S", Chain, Network)
+Function = Union[int, Any]  # an address, or what has one
+
+
+class LawOutcome(NamedTuple):
+    """What an impact law answers."""
+
+    status: str  #: admissible, tensile_impulse, penetrating_velocity, complex, no_impact or unfinished
+    reason: str  #: why it is not admissible; empty if it is
+    velocity: Array  #: n values [m/s]; none if the status is complex
+    impulse: Array  #: n − 1 values [N s]
+    ratio_lab: float  #: T⁺/T⁻ in the given frame; nan if T⁻ = 0
+    ratio_centre: float  #: the same relative to the mass centre
+    least_energy_ratio: float  #: of the multiple-impact law: below it there is no real outcome
+
+
+def multiple_impact_law(mass: Sequence[float], velocity: Sequence[float], *, icr: Optional[Sequence[float]] = None,
+                        direction: Optional[Sequence[float]] = None, energy_ratio: float = 1.0,
+                        frame: str = "given") -> LawOutcome:
+    """Apply the multiple-impact law to balls on a line [Acary 2003, appendix A].
+
+    Parameters
+    ----------
+    mass, velocity : sequence of float
+        Of n balls from left to right [kg], [m/s]; an infinite mass is a wall.
+    icr : sequence of float
+        Ratios of neighbouring impulses, n − 2 values; or else
+    direction : sequence of float
+        the impulses up to their size, n − 1 values.
+    energy_ratio : float
+        T⁺/T⁻ ≥ 0.
+    frame : {"given", "mass-centre"}
+        Whose kinetic energies the ratio compares.
+
+    Raises
+    ------
+    InvalidParameter
+        For input that makes no sense. An outcome that is not admissible is told by its status.
+
+    Examples
+    --------
+    >>> import mariotte as mt
+    >>> mt.multiple_impact_law([1, 1, 1], [1, 0, 0], icr=[1.0768217704]).velocity.round(6)
+    array([-0.070952,  0.076403,  0.994549])
+    """
+    if (icr is None) == (direction is None):
+        raise TypeError("give icr or direction")
+    if frame not in ("given", "mass-centre"):
+        raise ValueError(f"frame must be given or mass-centre, not {frame}")
+    along = _core.direction_of_ratios(_list(icr)) if icr is not None else _list(direction)
+    return LawOutcome(*_core.multiple_impact_law(_list(mass), _list(velocity), along, energy_ratio,
+                                                 frame == "mass-centre"))
+
+
+def rival_laws(mass: Sequence[float], velocity: Sequence[float], *, restitution: float = 1.0,
+               stiffness: Sequence[float] = (), exponent: float = 1.5,
+               direction: Sequence[float] = ()) -> Dict[str, LawOutcome]:
+    """What the usual impact laws answer, by name: Newton, Poisson, Moreau, sequential collisions and others.
+
+    Parameters
+    ----------
+    mass, velocity : sequence of float
+        Of n balls from left to right [kg], [m/s].
+    restitution : float
+        e of every contact, 0 ≤ e ≤ 1.
+    stiffness, exponent : sequence of float, float
+        Of the distribution law of Liu, Zhao and Brogliato, one per contact; equal ones if there are none.
+    direction : sequence of float
+        Impulses up to their size, for the law of Ceanga and Hurmuzlu.
+
+    Examples
+    --------
+    >>> import mariotte as mt
+    >>> mt.rival_laws([1, 1, 1], [1, 0, 0])["by-event"].velocity
+    array([0., 0., 1.])
+    """
+    made = _core.rival_laws(_list(mass), _list(velocity), restitution, _list(stiffness), exponent, _list(direction))
+    return {name: LawOutcome(*outcome) for name, outcome in made.items()}
+
+
+def with_law(scene: S, *, force: Function, stored_energy: Function, name: str = "own", dissipates: bool = False,
+             contacts: Optional[Sequence[int]] = None) -> S:
+    """The scene with a contact law of your own, compiled: no Python runs while it is followed.
+
+    CVODE follows contacts of such a law. The scene cannot be pickled or swept, since no text says what the law is.
+
+    Parameters
+    ----------
+    force : int, or a function of numba.cfunc or ctypes
+        Address of ``void force(double indentation, double rate, double out[3])``. It writes the force [N] and its
+        slopes ∂f/∂δ and ∂f/∂δ̇ at δ ≥ 0 [m] and any rate [m/s].
+    stored_energy : int, or a function of numba.cfunc or ctypes
+        Address of ``double stored_energy(double indentation)``: elastic energy [J], 0 at 0, and grows with δ.
+    name : str
+        As results call it.
+    dissipates : bool
+        Whether the force depends on the rate.
+    contacts : sequence of int, optional
+        Which contacts, from 0; all if left out.
+
+    Examples
+    --------
+    >>> import ctypes, mariotte as mt
+    >>> Force = ctypes.CFUNCTYPE(None, ctypes.c_double, ctypes.c_double, ctypes.POINTER(ctypes.c_double))
+    >>> Energy = ctypes.CFUNCTYPE(ctypes.c_double, ctypes.c_double)
+    >>> @Force
+    ... def cone(depth, rate, out):
+    ...     out[0], out[1], out[2] = 1e9 * depth**2, 2e9 * depth, 0
+    >>> energy = Energy(lambda depth: 1e9 * depth**3 / 3)
+    >>> pair = mt.Chain(mass=[1, 1], velocity=[1, 0], law="linear", stiffness=1)
+    >>> mt.simulate(mt.with_law(pair, force=cone, stored_energy=energy)).velocity.round(9)
+    array([0., 1.])
+    """
+    places = range(len(scene.gap)) if contacts is None else contacts
+    made = type(scene)._of(_core.with_law(scene._box, name, _address(force), _address(stored_energy), dissipates,
+                                          list(places)))
+    assert isinstance(made, type(scene))
+    made._kept = (force, stored_energy)
+    return made
+
+
+def _address(function: Function) -> int:
+    if isinstance(function, int):
+        return function
+    if hasattr(function, "address"):  # numba.cfunc
+        return int(function.address)
+    import ctypes
+
+    return ctypes.cast(function, ctypes.c_void_p).value or 0
+
+
+def _list(numbers: Optional[Sequence[float]]) -> "list[float]":
+    made: "list[float]" = np.asarray(numbers, dtype=np.float64).tolist()
+    return made

@@ -1,0 +1,142 @@
+"""Figures by matplotlib: those that the command draws."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Optional, Tuple
+
+import numpy as np
+
+from ._scene import Array
+
+if TYPE_CHECKING:
+    from ._impact import Impact
+    from ._sweep import Sweep
+
+
+def _axes(ax: Any) -> Any:
+    """These, or those of a new figure."""
+    if ax is not None:
+        return ax
+    import matplotlib.pyplot as plt  # type: ignore[import]
+
+    return plt.subplots(layout="constrained")[1]
+
+
+def _unit_of(longest: float, unit: str) -> Tuple[float, str]:
+    """A factor and a unit with prefix in which a length of time or a force has few digits."""
+    for factor, prefix in ((1.0, ""), (1e3, "m"), (1e6, "µ"), (1e9, "n")):
+        if longest * factor >= 1:
+            return factor, prefix + unit
+    return 1e12, "p" + unit
+
+
+class ImpactPlot:
+    """Figures of a run. Each takes axes to draw into, or makes a figure, and returns the axes."""
+
+    def __init__(self, impact: "Impact") -> None:
+        self._impact = impact
+
+    def forces(self, ax: Optional[Any] = None) -> Any:
+        """Forces of contacts or tips over time, phases apart by a line at each event."""
+        samples = self._impact.trajectory.steps()
+        return self._curves(samples.time, samples.force, samples.force, "force", "N", "contact", ax)
+
+    def velocities(self, ax: Optional[Any] = None) -> Any:
+        """Velocities over time."""
+        samples = self._impact.trajectory.steps()
+        return self._curves(samples.time, samples.velocity, samples.force, "velocity", "m/s", "ball", ax)
+
+    def energy(self, ax: Optional[Any] = None) -> Any:
+        """Kinetic, stored and lost energy of a chain over time."""
+        time, *energies = self._impact._run.energy_course()
+        ax = _axes(ax)
+        factor, unit = _unit_of(time[-1], "s")
+        for energy, name in zip(energies, ("kinetic", "stored", "lost")):
+            if energy.size:
+                ax.plot(factor * time, energy, label=name)
+        return self._finish(ax, f"time [{unit}]", "energy [J]")
+
+    def waves(self, ax: Optional[Any] = None, *, rows: int = 500, until: Optional[float] = None) -> Any:
+        """Velocity over ball and time as an image, for long chains; `until` a time [s]."""
+        end = self._impact.time if until is None else until
+        velocity = self._impact.trajectory.velocity(np.linspace(0, end, rows))
+        ax = _axes(ax)
+        factor, unit = _unit_of(end, "s")
+        image = ax.imshow(velocity, aspect="auto", origin="lower",
+                          extent=(-0.5, velocity.shape[1] - 0.5, 0, factor * end))
+        ax.figure.colorbar(image, label="velocity [m/s]")
+        return self._finish(ax, "ball", f"time [{unit}]", legend=False)
+
+    def _curves(self, time: Array, values: Array, force: Array, name: str, unit: str, of: str, ax: Any) -> Any:
+        ax = _axes(ax)
+        factor, time_unit = _unit_of(time[-1], "s")
+        scale, value_unit = _unit_of(float(np.abs(values).max(initial=0)), unit) if unit == "N" else (1.0, unit)
+        for place in range(values.shape[1]):
+            ax.plot(factor * time, scale * values[:, place], label=f"{of} {place}")
+        for event in self._impact.events:
+            ax.axvline(factor * event.time, color="0.85", linewidth=0.8, zorder=0)
+        start, end = _window(time, force)
+        ax.set_xlim(factor * start, factor * end)
+        return self._finish(ax, f"time [{time_unit}]", f"{name} [{value_unit}]", legend=values.shape[1] <= 12)
+
+    def _finish(self, ax: Any, x: str, y: str, *, legend: bool = True) -> Any:
+        ax.set(xlabel=x, ylabel=y, title=self._impact.scene.title)
+        if legend:
+            ax.legend()
+        return ax
+
+
+def _window(time: Array, force: Array) -> Tuple[float, float]:
+    """From soon before the first force above a thousandth of the largest until soon after the last."""
+    active = np.abs(force).max(axis=1)
+    pushing = time[active > 1e-3 * active.max()] if active.max() > 0 else time
+    margin = 0.05 * (pushing[-1] - pushing[0])
+    return max(float(time[0]), float(pushing[0] - margin)), min(float(time[-1]), float(pushing[-1] + margin))
+
+
+class SweepPlot:
+    """Figures of a sweep: ``grid.plot("icr[0]")``."""
+
+    def __init__(self, sweep: "Sweep") -> None:
+        self._sweep = sweep
+
+    def __call__(self, column: str, ax: Optional[Any] = None) -> Any:
+        """Curves along one axis, or a map of a single number over two; returns the axes."""
+        values = self._sweep[column]
+        axes = list(self._sweep.axes.items())
+        if len(self._sweep.shape) == 1:
+            return self._curves(column, values, axes[0], ax)
+        if values.ndim == 2:
+            return self._map(column, values, axes, ax)
+        raise ValueError(f"{column} has the shape {values.shape}: a figure shows one axis, or one number over two")
+
+    def _curves(self, column: str, values: Array, axis: Tuple[str, Array], ax: Any) -> Any:
+        ax = _axes(ax)
+        ax.plot(axis[1], values)
+        if _is_logarithmic(axis[1]):
+            ax.set_xscale("log")
+        ax.set(xlabel=axis[0], ylabel=column, title=self._sweep.scene.title)
+        return ax
+
+    def _map(self, column: str, values: Array, axes: Any, ax: Any) -> Any:
+        ax = _axes(ax)
+        rows, columns = (self._along(axis) for axis in (0, 1))
+        image = ax.pcolormesh(columns[1], rows[1], values, shading="nearest")
+        ax.figure.colorbar(image, label=column)
+        for name, (_, along) in (("y", rows), ("x", columns)):
+            if _is_logarithmic(along):
+                getattr(ax, f"set_{name}scale")("log")
+        ax.set(xlabel=columns[0], ylabel=rows[0], title=self._sweep.scene.title)
+        return ax
+
+    def _along(self, axis: int) -> Tuple[str, Array]:
+        """The first key that moves along an axis, and its values."""
+        key = next(key for key, place in self._sweep.axis_of.items() if place == axis)
+        return key, self._sweep.axes[key]
+
+
+def _is_logarithmic(values: Array) -> bool:
+    """Whether ratios are even, and not distances."""
+    if len(values) < 3 or values.min() <= 0:
+        return False
+    return bool(np.ptp(np.diff(np.log(values))) < 1e-6 and np.ptp(np.diff(values)) > 1e-6 * np.ptp(values))

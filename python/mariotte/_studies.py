@@ -1,0 +1,178 @@
+"""Studies of microbodies: capture velocities, and fits to measured restitution."""
+
+from __future__ import annotations
+
+import json
+import os
+from typing import Any, Dict, List, Mapping, NamedTuple, Sequence, Union
+
+import numpy as np
+
+from . import _core
+from ._scene import Array, Body, Path
+
+
+class CaptureVelocity(NamedTuple):
+    """Two speeds with the capture velocity between them."""
+
+    captured: float  #: largest speed found at which the body is captured [m/s]
+    separated: float  #: smallest speed found at which it separates [m/s]
+    runs: int  #: impacts simulated
+
+    @property
+    def value(self) -> float:
+        """The middle [m/s]."""
+        return 0.5 * (self.captured + self.separated)
+
+    def __float__(self) -> float:
+        return self.value
+
+
+def capture_velocity(body: Body, *, tolerance: float = 1e-9) -> CaptureVelocity:
+    """Find the normal speed below which a body does not come off the plane again.
+
+    Parameters
+    ----------
+    body : Body
+        Its normal speed is where the search starts.
+    tolerance : float
+        Width of the bracket, relative to the speed.
+
+    Raises
+    ------
+    Error
+        If no speed within a factor of a million parts capture from separation (code R003).
+
+    Examples
+    --------
+    >>> import mariotte as mt
+    >>> sphere = mt.Body(shape="sphere", radius="2.45 um", density="1350 kg/m^3",
+    ...                  surface={"stiffness": "1.74 GPa", "work_of_adhesion": "0.38 J/m^2", "zeta_hertz": 1.5,
+    ...                           "zeta_adhesion": 0.5}, incidence={"normal_speed": "5 m/s"})
+    >>> round(mt.capture_velocity(sphere).value, 6)
+    1.310359
+    """
+    return CaptureVelocity(*_core.capture_velocity(body._box, tolerance))
+
+
+class Estimate(NamedTuple):
+    """One value that was found [SI]."""
+
+    value: float
+    standard_error: float
+    lower: float  #: end of the confidence interval
+    upper: float
+    start: float
+
+
+class Fit:
+    """Values that fit measurements best, and how well these know them; Jupyter shows the report."""
+
+    def __init__(self, report: Dict[str, Any], table: str) -> None:
+        self._report = report
+        self._table = table
+
+    @property
+    def estimates(self) -> Dict[str, Estimate]:
+        """By key of the scene."""
+        return {one["key"]: _estimate(**one) for one in self._report["estimates"]}
+
+    @property
+    def values(self) -> Dict[str, float]:
+        """By key of the scene [SI]; ``body.replace(fit.values)`` is the fitted body."""
+        return {key: one.value for key, one in self.estimates.items()}
+
+    @property
+    def correlation(self) -> Array:
+        """Of the logarithms of the values, of shape (p, p)."""
+        return np.array(self._report["correlation"])
+
+    @property
+    def measured(self) -> Array:
+        """Restitution, one per measurement."""
+        return self._of_rows("measured")
+
+    @property
+    def predicted(self) -> Array:
+        """Restitution with the fitted values, one per measurement."""
+        return self._of_rows("predicted")
+
+    @property
+    def rms(self) -> float:
+        """Root mean square of measured − predicted."""
+        return float(self._report["rms"])
+
+    def setting(self, key: str) -> Array:
+        """What the measurements put into the scene [SI], one per measurement."""
+        return np.array([one["settings"][key] for one in self._report["measurements"]])
+
+    def json(self) -> Dict[str, Any]:
+        """All of it, as `mariotte fit --json` prints it."""
+        return self._report
+
+    def __str__(self) -> str:
+        return self._table
+
+    def __repr__(self) -> str:
+        return f"<mariotte.Fit: {', '.join(f'{key} = {value:.6g}' for key, value in self.values.items())}>"
+
+    def _repr_html_(self) -> str:
+        import html
+
+        return f"<pre>{html.escape(self._table)}</pre>"
+
+    def _of_rows(self, name: str) -> Array:
+        return np.array([one[name] for one in self._report["measurements"]], dtype=np.float64)
+
+
+def fit(body: Body, data: Union[Path, Mapping[str, Sequence[Any]]], *,
+        free: Sequence[str] = ("surface.zeta_hertz", "surface.zeta_adhesion"), confidence: float = 0.95) -> Fit:
+    """Find values of a body's scene from measured restitution.
+
+    Parameters
+    ----------
+    body : Body
+        All that is known; values of the free keys are where the search starts.
+    data : path or dict
+        A CSV file, or columns of one length by name: ``speed``, ``diameter`` or any key of the scene,
+        ``restitution`` (of the tip) or ``restitution.centre``, and ``deviation`` if it is known.
+    free : sequence of str
+        Keys whose values are to be found.
+    confidence : float
+        Of the intervals.
+
+    Raises
+    ------
+    FitError
+        If the measurements do not determine the values.
+
+    Examples
+    --------
+    >>> import mariotte as mt
+    >>> sphere = mt.Body(shape="sphere", radius="2.45 um", density="1350 kg/m^3",
+    ...                  surface={"stiffness": "1.74 GPa", "damping_hertz": "1e-3 s/m"},
+    ...                  incidence={"normal_speed": "5 m/s"})
+    >>> speeds = [1.0, 2.0, 4.0, 8.0]
+    >>> truth = sphere.replace({"surface.damping_hertz": 2e-3})
+    >>> measured = mt.sweep(truth, {"incidence.normal_speed": speeds}, columns=["restitution.tip"])["restitution.tip"]
+    >>> found = mt.fit(sphere, {"speed": speeds, "restitution": measured}, free=["surface.damping_hertz"])
+    >>> round(found.values["surface.damping_hertz"], 9)
+    0.002
+    """
+    if isinstance(data, Mapping):
+        text, name = _csv(data).encode(), "<data>"
+    else:
+        text, name = _core.read_text(os.fspath(data)), os.fspath(data)
+    report, table = _core.fit(body._box, text, name, list(free), confidence)
+    return Fit(json.loads(report), table)
+
+
+def _estimate(*, key: str, start: float, value: float, standard_error: float, interval: List[float]) -> Estimate:
+    return Estimate(value, standard_error, interval[0], interval[1], start)
+
+
+def _csv(columns: Mapping[str, Sequence[Any]]) -> str:
+    rows: List[str] = [",".join(columns)]
+    rows += [",".join(one if isinstance(one, str) else repr(float(one)) for one in row)
+             for row in zip(*columns.values())]
+    return "\n".join(rows) + "\n"

@@ -1,0 +1,250 @@
+"""Many impacts: sweeps over keys of a scene, and chains as arrays."""
+
+from __future__ import annotations
+
+import os
+import re
+from typing import Any, Dict, Iterator, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from ._scene import Array, Chain, Path, Scene
+from ._toml import plain
+
+Axes = Mapping[Union[str, Tuple[str, ...]], Any]
+Endings = npt.NDArray[np.uint8]
+
+_TABLES = ("chain", "network", "body", "surface", "incidence", "run", "law")
+_MEMBERS = {"velocity": "final.velocity[*]", "gap": "final.gap[*]", "time": "final.time", "icr": "icr[*]",
+            "impulse_direction": "impulse_direction[*]",
+            **{name: f"contacts[*].{name}"
+               for name in ("impulse", "peak_force", "peak_indentation", "stored", "dissipated")}}
+
+
+class Sweep(Mapping[str, Array]):
+    """Numbers over a grid of values; ``grid[column]`` has the shape of the grid, and a last axis if the column
+    stands for several numbers.
+
+    Columns are views of one table with a row per point, read-only. Where a point has no number stands nan; `ending`
+    and `reasons` say why.
+    """
+
+    def __init__(self, scene: Scene[Any], run: _core.Sweep) -> None:
+        self.scene = scene
+        self._run = run
+
+    @property
+    def shape(self) -> Tuple[int, ...]:
+        """Points along each axis."""
+        return tuple(self._run.shape)
+
+    @property
+    def axes(self) -> Dict[str, Array]:
+        """What was varied: values in SI by key; empty arrays for text."""
+        return {key: values for key, _, values in self._run.parameters}
+
+    @property
+    def axis_of(self) -> Dict[str, int]:
+        """The axis of the grid along which each key moves."""
+        return {key: axis for key, axis, _ in self._run.parameters}
+
+    @property
+    def table(self) -> Array:
+        """All numbers, of shape (points, columns), the last axis of the grid fastest."""
+        return self._run.table
+
+    @property
+    def units(self) -> Dict[str, str]:
+        """SI unit of each column."""
+        return {key: unit for key, unit, _, _ in self._run.columns}
+
+    @property
+    def ending(self) -> Endings:
+        """How each point ended, as numbers of :class:`mariotte.Ending`, of the shape of the grid."""
+        return self._run.ending.reshape(self.shape)
+
+    @property
+    def reasons(self) -> Dict[int, str]:
+        """Why points have no numbers, by the row of the table."""
+        return self._run.reasons
+
+    def __getitem__(self, column: str) -> Array:
+        places = self._places(column)
+        if not places:
+            raise KeyError(f"{column} is no column of this sweep: {', '.join(self)}")
+        if "*" not in _full(column):
+            return self.table[:, places[0]].reshape(self.shape)
+        if places == list(range(places[0], places[-1] + 1)):
+            return self.table[:, places[0] : places[-1] + 1].reshape(*self.shape, len(places))
+        return self.table[:, places].reshape(*self.shape, len(places))
+
+    def __iter__(self) -> Iterator[str]:
+        return (key for key, _, _, _ in self._run.columns)
+
+    def __len__(self) -> int:
+        return len(self._run.columns)
+
+    def __repr__(self) -> str:
+        return f"<mariotte.Sweep of {' × '.join(map(str, self.shape))} points: {', '.join(self)}>"
+
+    def save(self, path: Path) -> None:
+        """Write all points, as CSV or, if the name ends in .h5 or .hdf5, as HDF5, as the command does."""
+        name = os.fspath(path)
+        save = self._run.save_hdf5 if name.endswith((".h5", ".hdf5")) else self._run.save_csv
+        save(name)
+
+    @property
+    def plot(self) -> Any:
+        """Figures: ``grid.plot(column)`` draws curves along one axis, and a map over two."""
+        from ._plot import SweepPlot
+
+        return SweepPlot(self)
+
+    def _places(self, column: str) -> List[int]:
+        pattern = re.escape(_full(column)).replace(r"\*", r"\d+")
+        return [place for place, key in enumerate(self) if re.fullmatch(pattern, key)]
+
+
+def sweep(scene: Scene[Any], axes: Optional[Axes] = None, *, columns: Sequence[str] = (),
+          accuracy: Optional[float] = None, threads: Optional[int] = None) -> Sweep:
+    """Simulate a scene for all values of some of its keys.
+
+    Other threads of Python run meanwhile; Ctrl-C ends it.
+
+    Parameters
+    ----------
+    scene : Scene
+        What collides.
+    axes : dict, optional
+        Values by key, an axis of the grid each, the last one the fastest. The name of the model may be left out:
+        ``velocity[0]`` is ``chain.velocity[0]``. A tuple of keys with a tuple of arrays moves together along one
+        axis. If it is left out, the scene says by ``[[sweep]]`` what is varied.
+    columns : sequence of str
+        What to compute: members of results, such as ``velocity``, or keys of their JSON, such as
+        ``contacts[1].peak_force`` and ``events.count``. Without any those that say most.
+    accuracy : float, optional
+        Goes before what the scene says.
+    threads : int, optional
+        How many points at once; one per core that this process may use.
+
+    Returns
+    -------
+    Sweep
+
+    Raises
+    ------
+    SceneError, InvalidParameter
+        For keys, values and columns that make no sense at any point. Points that make no sense in some company only
+        end as ``Ending.rejected``.
+
+    Examples
+    --------
+    >>> import numpy as np, mariotte as mt
+    >>> triplet = mt.Chain(mass=[1, 1, 1], velocity=[1, 0, 0], law="hertz", stiffness=[1, 1])
+    >>> grid = mt.sweep(triplet, {"stiffness[1]": np.geomspace(0.1, 10, 5), "velocity[2]": [-1, 0]},
+    ...                 columns=["velocity", "icr[0]"])
+    >>> grid["velocity"].shape, grid["icr[0]"].shape
+    ((5, 2, 3), (5, 2))
+    >>> grid["icr[0]"][2, 1].round(6)
+    1.076822
+    """
+    if accuracy is not None:
+        scene = scene.replace({"run.accuracy": accuracy})
+    scene._expect_text()
+    listed = _axes(scene, axes or {})
+    if isinstance(scene, Chain) and any(key.startswith("chain.gap[") for key, _, _ in listed):
+        scene = scene.replace({"chain.gap": scene.gap})  # one value for all contacts, or none, has no elements
+    made = _core.sweep(scene._box, listed, [_full(column) for column in columns], threads or _cores())
+    return Sweep(scene, made)
+
+
+class Solved(NamedTuple):
+    """What :func:`solve` returns; nan where a run could not go on, as `ending` says."""
+
+    velocity: Array  #: after the impact, of shape (N, n) [m/s]
+    impulse: Array  #: of each contact, of shape (N, n − 1) [N s]
+    time: Array  #: of the ending, of shape (N,) [s]
+    ending: Endings  #: numbers of :class:`mariotte.Ending`, of shape (N,)
+
+
+def solve(mass: npt.ArrayLike, stiffness: npt.ArrayLike, velocity: npt.ArrayLike, *, gap: npt.ArrayLike = 0.0,
+          damping: npt.ArrayLike = 0.0, law: str = "hertz", exponent: float = 1.5, accuracy: float = 1e-10,
+          threads: Optional[int] = None) -> Solved:
+    """Solve N chains of n balls at once, for Monte Carlo or an optimiser of your own.
+
+    Parameters
+    ----------
+    mass, velocity : array_like
+        Of shape (N, n), or what can be spread to that [kg], [m/s]. An infinite mass is a wall.
+    stiffness, gap, damping : array_like
+        Of shape (N, n − 1), or what can be spread to that; k in N/m^n, gaps in m, damping in the unit of the law.
+    law : str
+        ``linear``, ``hertz``, ``viscoelastic`` or ``hunt-crossley``.
+    exponent : float
+        Of laws that leave it open.
+    accuracy : float
+        Wanted error of the final velocities relative to the largest incident speed.
+    threads : int, optional
+        How many chains at once; one per core that this process may use.
+
+    Returns
+    -------
+    Solved
+
+    Raises
+    ------
+    InvalidParameter
+        For the first row that makes no sense, by its number from 0.
+
+    Examples
+    --------
+    >>> import numpy as np, mariotte as mt
+    >>> speed = np.linspace(1, 2, 1000)
+    >>> many = mt.solve(1.0, [1e9, 1e9], np.stack([speed, 0 * speed, 0 * speed], axis=1))
+    >>> many.velocity.shape, (many.velocity[:, 2] / speed).std().round(9)
+    ((1000, 3), 0.0)
+    """
+    speeds = np.atleast_2d(np.asarray(velocity, dtype=np.float64))
+    masses = np.atleast_2d(np.asarray(mass, dtype=np.float64))
+    balls = max(speeds.shape[-1], masses.shape[-1])
+    contacts = [np.atleast_2d(np.asarray(one, dtype=np.float64)) for one in (stiffness, gap, damping)]
+    rows = max(one.shape[0] for one in (speeds, masses, *contacts))
+    k, g, c = (_spread(one, rows, balls - 1) for one in contacts)
+    return Solved(*_core.solve(rows, _spread(masses, rows, balls), k, _spread(speeds, rows, balls), g, c, law, exponent,
+                               accuracy, threads or _cores()))
+
+
+def _spread(array: Array, rows: int, length: int) -> Array:
+    """Rows of this length; one row stays one."""
+    return np.ascontiguousarray(np.broadcast_to(array, (1 if array.shape[0] == 1 else rows, length)))
+
+
+def _full(column: str) -> str:
+    return _MEMBERS.get(column, column)
+
+
+def _cores() -> int:
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def _axes(scene: Scene[Any], axes: Axes) -> List[Tuple[str, List[Any], bool]]:
+    listed = []
+    for keys, values in axes.items():
+        together = (keys,) if isinstance(keys, str) else keys
+        columns = (values,) if isinstance(keys, str) else values
+        for place, (key, column) in enumerate(zip(together, columns)):
+            listed.append((_key(scene, key), _values(column), place > 0))
+    return listed
+
+
+def _key(scene: Scene[Any], key: str) -> str:
+    first = re.split(r"[.\[]", key)[0]
+    return key if first in _TABLES else f"{scene._box.kind}.{key}"
+
+
+def _values(values: Any) -> List[Any]:
+    values = plain(values)
+    listed: List[Any] = values.tolist() if hasattr(values, "tolist") else list(values)
+    return [plain(one.item() if hasattr(one, "item") else one) for one in listed]

@@ -1,0 +1,67 @@
+"""The inside of a run."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from ._scene import Array
+
+if TYPE_CHECKING:
+    from ._impact import Impact
+
+
+class Samples(NamedTuple):
+    """A row per time."""
+
+    time: Array  #: of shape (T,) [s]
+    velocity: Array  #: of shape (T, n): balls [m/s], degrees of freedom, or a body's mass centre
+    gap: Array  #: of shape (T, m): contacts or tips, negative in contact [m]
+    force: Array  #: of shape (T, m) [N]
+
+
+class Trajectory:
+    """Velocities, gaps and forces at any time of a run, by the dense output of its steps.
+
+    Nothing is stored: every call runs the scene again and looks at it at these times, until its end is that of the
+    result to twice the accuracy that was asked for.
+
+    Examples
+    --------
+    >>> import mariotte as mt
+    >>> pair = mt.Chain(mass=[1, 1], velocity=[1, 0], law="linear", stiffness=1)
+    >>> hit = mt.simulate(pair)
+    >>> hit.trajectory.velocity([0, hit.time / 2, hit.time]).round(9)
+    array([[1. , 0. ],
+           [0.5, 0.5],
+           [0. , 1. ]])
+    """
+
+    def __init__(self, impact: "Impact") -> None:
+        self._impact = impact
+
+    def velocity(self, t: npt.ArrayLike) -> Array:
+        """At times `t` of any shape: (…, n) [m/s]."""
+        return self._at(t, "velocity")
+
+    def gap(self, t: npt.ArrayLike) -> Array:
+        """At times `t` of any shape: (…, m) [m]."""
+        return self._at(t, "gap")
+
+    def force(self, t: npt.ArrayLike) -> Array:
+        """At times `t` of any shape: (…, m) [N]."""
+        return self._at(t, "force")
+
+    def steps(self) -> Samples:
+        """At the times of its steps, as many as make a picture."""
+        return Samples(*self._impact._run.steps())
+
+    def _at(self, t: npt.ArrayLike, what: str) -> Array:
+        times = np.asarray(t, dtype=np.float64)
+        if times.size and not (times.min() >= 0 and times.max() <= self._impact.time):
+            raise ValueError(f"times lie between 0 and {self._impact.time} s, the end of the run")
+        order, back = np.unique(times, return_inverse=True)
+        rows: Array = getattr(Samples(*self._impact._run.sample(order)), what)
+        return rows[back].reshape(*times.shape, rows.shape[1])

@@ -1,0 +1,89 @@
+"""Figures and files."""
+
+import json
+import sys
+
+import numpy as np
+import pytest
+
+import mariotte as mt
+from conftest import SCENES
+
+
+def test_files_are_those_of_the_command(command, tmp_path, triplet):
+    command("run", SCENES / "triplet.toml", "--out", tmp_path / "there")
+    hit = mt.simulate(mt.load(SCENES / "triplet.toml"))
+    hit.save(tmp_path / "trace.csv")
+    hit.save(tmp_path / "result.json")
+    assert (tmp_path / "trace.csv").read_text() == (tmp_path / "there" / "trace.csv").read_text()
+    assert json.loads((tmp_path / "result.json").read_text()) == hit.json()
+
+
+def test_hdf5_starts_like_hdf5(tmp_path, triplet):
+    hit = mt.simulate(triplet)
+    try:
+        hit.save(tmp_path / "hit.h5")
+        mt.sweep(triplet, {"velocity[0]": [1, 2]}, columns=["time"]).save(tmp_path / "sweep.h5")
+    except mt.FileError as error:
+        pytest.skip(str(error))
+    for name in ("hit.h5", "sweep.h5"):
+        assert (tmp_path / name).read_bytes()[:8] == b"\x89HDF\r\n\x1a\n"
+
+
+def test_a_folder_that_is_not_there_is_a_file_error(tmp_path, triplet):
+    with pytest.raises(mt.FileError):
+        mt.simulate(triplet).save(tmp_path / "none" / "hit.json")
+
+
+def test_what_to_cite_names_version_and_scene(triplet):
+    text = mt.simulate(triplet).cite()
+    assert mt.__version__ in text and triplet.sha256 in text and text.count("@") >= 2
+
+
+def test_the_package_needs_no_matplotlib():
+    import subprocess
+
+    subprocess.run([sys.executable, "-c", "import sys; sys.modules['matplotlib'] = None; import mariotte"], check=True)
+
+
+@pytest.fixture
+def cradle():
+    pytest.importorskip("matplotlib")
+    return mt.simulate(mt.load(SCENES / "newton_cradle_5.toml"))
+
+
+def test_forces_are_drawn_per_contact(cradle):
+    ax = cradle.plot.forces()
+    curves = [line for line in ax.lines if not line.get_label().startswith("_")]
+    assert [line.get_label() for line in curves] == [f"contact {j}" for j in range(4)]
+    largest = [line.get_ydata().max() for line in curves]
+    assert largest == pytest.approx(cradle.peak_force, rel=1e-2)
+    assert ax.get_xlabel() == "time [µs]" and ax.get_title() == "Five steel balls"
+
+
+def test_velocities_and_energy_are_drawn(cradle):
+    ends = [line.get_ydata()[-1] for line in cradle.plot.velocities().lines[:5]]
+    assert ends == pytest.approx(cradle.velocity, abs=1e-9)
+    kinetic, stored = cradle.plot.energy().lines[:2]
+    assert kinetic.get_ydata()[0] == pytest.approx(cradle.energy.initial)
+    assert (stored.get_ydata() >= 0).all()
+
+
+def test_waves_are_an_image():
+    pytest.importorskip("matplotlib")
+    row = mt.Chain(balls=60, mass=1, law="hertz", stiffness=1, ball=[{"number": 1, "velocity": 1}])
+    hit = mt.simulate(row, until=30)
+    image = hit.plot.waves(rows=50).images[0].get_array()
+    assert image.shape == (50, 60) and image[0, 0] == 1
+
+
+def test_sweeps_are_curves_or_maps(triplet):
+    pytest.importorskip("matplotlib")
+    speeds = np.geomspace(0.1, 10, 5)
+    curve = mt.sweep(triplet, {"velocity[0]": speeds}, columns=["time"])
+    ax = curve.plot("time")
+    assert ax.get_xscale() == "log" and ax.lines[0].get_ydata().tolist() == curve["time"].tolist()
+    both = mt.sweep(triplet, {"velocity[0]": speeds, "velocity[2]": [-1, 0, 0.05]}, columns=["icr[0]", "velocity"])
+    assert both.plot("icr[0]").collections[0].get_array().size == 15
+    with pytest.raises(ValueError, match="shape"):
+        both.plot("velocity")

@@ -1,0 +1,131 @@
+"""Capture, fits and laws: what the command answers."""
+
+import ctypes
+import math
+import shutil
+import subprocess
+
+import numpy as np
+import pytest
+
+import mariotte as mt
+from conftest import SCENES
+
+
+def test_capture_velocity_is_that_of_the_command(command_json):
+    expected = command_json("capture", SCENES / "microsphere.toml")
+    found = mt.capture_velocity(mt.load(SCENES / "microsphere.toml"))
+    assert (found.value, found.captured, found.separated) == tuple(
+        expected[key] for key in ("capture_velocity", "captured", "separated"))
+    assert float(found) == found.value
+
+
+def test_a_body_that_is_never_captured_is_an_error():
+    ball = mt.Body(shape="sphere", radius=1e-6, density=1000, surface={"stiffness": 1e9},
+                   incidence={"normal_speed": 1})
+    with pytest.raises(mt.Error) as caught:
+        mt.capture_velocity(ball)
+    assert caught.value.code == "R003"
+
+
+def test_a_fit_is_that_of_the_command(command_json):
+    scene, data = SCENES / "sphere_fit.toml", SCENES / "sphere_fit.csv"
+    expected = command_json("fit", scene, data)
+    found = mt.fit(mt.load(scene), data)
+    for of in (expected, found.json()):
+        of.pop("data"), of.pop("provenance")
+    assert found.json() == expected
+    assert list(found.values) == ["surface.zeta_hertz", "surface.zeta_adhesion"]
+    assert found.correlation.shape == (2, 2) and found.predicted.shape == found.measured.shape == (30,)
+    low, high = (getattr(found.estimates["surface.zeta_hertz"], end) for end in ("lower", "upper"))
+    assert low < found.values["surface.zeta_hertz"] < high
+
+
+def test_arrays_are_measurements_too():
+    scene, data = mt.load(SCENES / "sphere_fit.toml"), SCENES / "sphere_fit.csv"
+    columns = np.loadtxt(data, delimiter=",", skiprows=3, usecols=(0, 1, 2, 3)).T
+    names = ["diameter [um]", "speed [m/s]", "restitution", "deviation"]
+    assert mt.fit(scene, dict(zip(names, columns))).values == mt.fit(scene, data).values
+
+
+def test_measurements_that_say_nothing_are_a_fit_error():
+    sphere = mt.load(SCENES / "sphere_fit.toml")
+    with pytest.raises((mt.FitError, mt.SceneError)):
+        mt.fit(sphere, {"speed": [5.0, 5.0, 5.0], "restitution": [0.8, 0.8, 0.8]})
+
+
+def test_the_law_is_that_of_the_command(command_json):
+    expected = command_json("law", "--mass", "1,1,1", "--velocity", "1,0,0", "--icr", "1.5", "--energy-ratio", "0.9")
+    found = mt.multiple_impact_law([1, 1, 1], [1, 0, 0], icr=[1.5], energy_ratio=0.9)
+    assert found.velocity.tolist() == expected["final"]["velocity"]
+    assert found.status == expected["status"] == "admissible" and found.ratio_lab == pytest.approx(0.9, rel=1e-14)
+
+
+def test_an_outcome_that_is_not_real_is_told():
+    found = mt.multiple_impact_law([1, 1], [1, 0], direction=[1], energy_ratio=0.1)
+    assert found.status == "complex" and found.reason and found.velocity.size == 0
+    assert found.least_energy_ratio == pytest.approx(0.5)
+
+
+def test_rivals_keep_momentum():
+    for outcome in mt.rival_laws([1, 2, 3], [1, 0, 0], restitution=0.5).values():
+        assert outcome.velocity @ [1, 2, 3] == pytest.approx(1, abs=1e-12)
+
+
+@pytest.fixture(scope="module")
+def compiled(tmp_path_factory):
+    """f = k δ² + c δ δ̇, compiled by the C compiler."""
+    compiler = shutil.which("cc")
+    if not compiler:
+        pytest.skip("no C compiler")
+    folder = tmp_path_factory.mktemp("law")
+    (folder / "law.c").write_text("""
+        void force(double d, double r, double* out) {
+          out[0] = 1e9 * d * d + 1e4 * d * r, out[1] = 2e9 * d + 1e4 * r, out[2] = 1e4 * d; }
+        void cone(double d, double r, double* out) { out[0] = 1e9 * d * d, out[1] = 2e9 * d, out[2] = 0 * r; }
+        void hertz(double d, double r, double* out) {
+          out[0] = 1e9 * d * __builtin_sqrt(d), out[1] = 1.5e9 * __builtin_sqrt(d), out[2] = 0 * r; }
+        double of_hertz(double d) { return 0.4e9 * d * d * __builtin_sqrt(d); }
+        double energy(double d) { return 1e9 * d * d * d / 3; }""")
+    subprocess.run([compiler, "-O2", "-shared", "-fPIC", "-o", folder / "law.so", folder / "law.c", "-lm"], check=True)
+    return ctypes.CDLL(str(folder / "law.so"))
+
+
+def test_a_law_in_c_does_what_the_same_law_of_the_library_does(compiled):
+    chain = mt.Chain(mass=[1, 2, 1], velocity=[1, 0, 0], law="hertz", stiffness=1e9)
+    own = mt.with_law(chain, force=compiled.hertz, stored_energy=compiled.of_hertz, name="mine")
+    assert mt.simulate(own).velocity == pytest.approx(mt.simulate(chain).velocity, abs=1e-9)
+
+
+def test_a_law_in_c_keeps_its_balances(compiled):
+    pair = mt.Chain(mass=[1, math.inf], velocity=[1, 0], law="linear", stiffness=1)
+    elastic = mt.simulate(mt.with_law(pair, force=compiled.cone, stored_energy=compiled.energy))
+    assert elastic.velocity[0] == pytest.approx(-1, abs=1e-9)
+    assert elastic.peak_indentation == pytest.approx([(1.5e-9) ** (1 / 3)], rel=1e-6)  # ½ m v² = k δ³/3
+    damped = mt.simulate(mt.with_law(pair, force=compiled.force, stored_energy=compiled.energy, dissipates=True))
+    assert -1 < damped.velocity[0] < 0 and damped.dissipated[0] > 0
+    assert damped.energy.residual == pytest.approx(0, abs=1e-8)
+
+
+def test_a_scene_with_a_law_of_c_stays_here(compiled, triplet):
+    own = mt.with_law(triplet, force=compiled.cone, stored_energy=compiled.energy, contacts=[1])
+    for use in (own.__reduce__, lambda: own.replace({"chain.velocity[0]": 2}), lambda: mt.sweep(own, {"radius": [1]})):
+        with pytest.raises(TypeError, match="contact law of your own"):
+            use()
+    with pytest.raises(IndexError):
+        mt.with_law(triplet, force=compiled.cone, stored_energy=compiled.energy, contacts=[2])
+
+
+def test_numba_compiles_laws():
+    numba = pytest.importorskip("numba")
+
+    @numba.cfunc("void(float64, float64, CPointer(float64))")
+    def force(depth, rate, out):
+        out[0], out[1], out[2] = 1e9 * depth**2, 2e9 * depth, 0.0
+
+    @numba.cfunc("float64(float64)")
+    def energy(depth):
+        return 1e9 * depth**3 / 3
+
+    pair = mt.Chain(mass=[1, 1], velocity=[1, 0], law="linear", stiffness=1)
+    assert mt.simulate(mt.with_law(pair, force=force, stored_energy=energy)).velocity == pytest.approx([0, 1], abs=1e-9)

@@ -1,0 +1,118 @@
+"""Sweeps in memory: the numbers of the command, as views of one table."""
+
+import csv
+import signal
+
+import numpy as np
+import pytest
+
+import mariotte as mt
+from conftest import SCENES
+
+AXES = {"velocity[0]": np.linspace(0.1, 2, 4), "gap[1]": np.geomspace(1e-7, 2e-5, 3)}
+
+
+def test_columns_have_the_shape_of_the_grid(triplet):
+    grid = mt.sweep(triplet, AXES, columns=["velocity", "contacts[1].peak_force", "events.count"])
+    assert grid.shape == (4, 3)
+    assert grid["velocity"].shape == (4, 3, 3) and grid["contacts[1].peak_force"].shape == (4, 3)
+    assert np.array_equal(grid.axes["chain.gap[1]"], AXES["gap[1]"])
+    assert (grid.ending == mt.Ending.separated).all()
+    assert grid.units["contacts[1].peak_force"] == "N"
+
+
+def test_every_point_is_that_of_a_single_run(triplet):
+    grid = mt.sweep(triplet, AXES, columns=["velocity", "time"])
+    for i, speed in enumerate(AXES["velocity[0]"]):
+        for j, gap in enumerate(AXES["gap[1]"]):
+            hit = mt.simulate(triplet.replace({"chain.velocity[0]": speed, "chain.gap": [0, gap]}))
+            assert grid["velocity"][i, j].tolist() == hit.velocity.tolist()
+            assert grid["time"][i, j] == hit.time
+
+
+def test_columns_are_views_of_one_table(triplet):
+    grid = mt.sweep(triplet, AXES, columns=["velocity", "icr[0]"])
+    start = grid.table.__array_interface__["data"][0]
+    for name, offset in (("velocity", 0), ("icr[0]", 24)):
+        assert grid[name].__array_interface__["data"][0] == start + offset
+        assert not grid[name].flags.writeable
+
+
+def test_rows_are_those_of_the_command(command, tmp_path):
+    scene = SCENES / "triplet_map.toml"
+    few = {"sweep[0].count": 7, "sweep[1].count": 5}
+    command("sweep", scene, "--out", tmp_path / "map", "--no-figures", "-q",
+            *(f"--set={key}={value}" for key, value in few.items()))
+    grid = mt.sweep(mt.load(scene, replace=few))
+    grid.save(tmp_path / "here.csv")
+    assert (tmp_path / "here.csv").read_bytes() == (tmp_path / "map" / "sweep.csv").read_bytes()
+    rows = list(csv.DictReader((tmp_path / "here.csv").open()))
+    assert [float(row["icr[0]"]) for row in rows] == grid["icr[0]"].ravel().tolist()
+
+
+def test_keys_may_move_together(triplet):
+    grid = mt.sweep(triplet, {("velocity[0]", "velocity[2]"): ([1, 2, 3], [0, -1, -2])}, columns=["velocity"])
+    assert grid.shape == (3,) and grid.axis_of == {"chain.velocity[0]": 0, "chain.velocity[2]": 0}
+    assert grid["velocity"][2].tolist() == mt.simulate(
+        triplet.replace({"chain.velocity": [3, 0, -2]})).velocity.tolist()
+
+
+def test_words_and_units_are_values(triplet):
+    grid = mt.sweep(triplet, {"material": ["steel", "glass"], "radius": ["10 mm", "2 cm"]}, columns=["time"])
+    assert grid["time"].shape == (2, 2) and grid["time"][0, 1] > grid["time"][0, 0]
+
+
+def test_points_without_sense_are_told(triplet):
+    grid = mt.sweep(triplet, {"gap[0]": [0, -1e-9], "precompressed": [False, True]}, columns=["time"])
+    assert (grid.ending == mt.Ending.rejected).tolist() == [[False, False], [True, False]]
+    assert np.isnan(grid["time"]).tolist() == [[False, False], [True, False]]
+    assert list(grid.reasons) == [2] and "gap" in grid.reasons[2]
+
+
+@pytest.mark.parametrize("axes, columns", [({"colour": [1]}, ["time"]), ({"velocity[7]": [1]}, ["time"]),
+                                           ({"velocity[0]": ["1 kg"]}, ["time"]), ({"velocity[0]": [1]}, ["colour"])])
+def test_wrong_keys_values_and_columns_are_refused(axes, columns, triplet):
+    with pytest.raises((mt.SceneError, mt.InvalidParameter)):
+        mt.sweep(triplet, axes, columns=columns)
+
+
+def test_threads_do_not_change_a_bit(triplet):
+    one, four = (mt.sweep(triplet, AXES, columns=["velocity"], threads=count) for count in (1, 4))
+    assert one.table.tobytes() == four.table.tobytes()
+
+
+def test_ctrl_c_ends_a_sweep(triplet):
+    signal.signal(signal.SIGALRM, lambda *_: signal.raise_signal(signal.SIGINT))
+    signal.setitimer(signal.ITIMER_REAL, 0.3)
+    with pytest.raises(KeyboardInterrupt):
+        mt.sweep(triplet, {"velocity[0]": np.linspace(1, 2, 3000), "velocity[1]": np.linspace(-1, 0, 3000)},
+                 columns=["peak_force"])
+
+
+def test_many_chains_are_solved_to_the_bits_of_single_ones():
+    random = np.random.default_rng(7)
+    mass, velocity = random.uniform(1, 2, (50, 4)), random.normal(size=(50, 4))
+    stiffness = random.uniform(1e8, 1e9, (50, 3))
+    many = mt.solve(mass, stiffness, velocity, accuracy=1e-9)
+    assert (many.ending == mt.Ending.separated).all()
+    for row in range(50):
+        hit = mt.simulate(mt.Chain(mass=mass[row], velocity=velocity[row], law="hertz", stiffness=stiffness[row]),
+                          accuracy=1e-9)
+        assert many.velocity[row].tolist() == hit.velocity.tolist()
+        assert many.impulse[row].tolist() == hit.impulse.tolist()
+        assert many.time[row] == hit.time
+
+
+def test_momentum_is_kept_by_all_rows():
+    velocity = np.random.default_rng(1).normal(size=(1000, 3))
+    many = mt.solve([1, 2, 3], 1e9, velocity, law="viscoelastic", damping=1e3, gap=1e-6)
+    assert many.velocity @ [1, 2, 3] == pytest.approx(velocity @ [1, 2, 3], abs=1e-12)
+
+
+def test_a_row_without_sense_is_named():
+    with pytest.raises(mt.InvalidParameter, match="row 1: .*mass"):
+        mt.solve([[1, 1], [1, -1]], 1, [1, 0])
+    with pytest.raises(mt.InvalidParameter, match="unknown law"):
+        mt.solve(1, 1, [1, 0], law="magic")
+    with pytest.raises(ValueError):
+        mt.solve(np.ones((2, 3)), 1, np.ones((2, 4)))
