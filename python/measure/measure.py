@@ -121,7 +121,9 @@ print(hit.cite().splitlines()[0])
 def first_script():
     with tempfile.TemporaryDirectory() as folder:
         start = time.perf_counter()
-        subprocess.check_call([sys.executable, "-c", FIRST], cwd=folder, stdout=subprocess.DEVNULL)
+        package = str(pathlib.Path(mt.__file__).absolute().parent.parent)
+        subprocess.check_call([sys.executable, "-c", FIRST], cwd=folder, stdout=subprocess.DEVNULL,
+                              env={**os.environ, "PYTHONPATH": package})
         taken = time.perf_counter() - start
         assert (pathlib.Path(folder) / "forces.png").stat().st_size > 0
     print(f"{len(FIRST.splitlines())} lines from nothing to a figure: {taken:.1f} s, of which most is matplotlib")
