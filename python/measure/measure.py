@@ -126,7 +126,7 @@ def first_script():
                               env={**os.environ, "PYTHONPATH": package})
         taken = time.perf_counter() - start
         assert (pathlib.Path(folder) / "forces.png").stat().st_size > 0
-    print(f"{len(FIRST.splitlines())} lines from nothing to a figure: {taken:.1f} s, of which most is matplotlib")
+    print(f"{len(FIRST.splitlines())} lines from nothing to a figure: {taken:.1f} s")
 
 
 for measure in (one_triplet, copies, million_points, first_script, memory):
