@@ -50,7 +50,7 @@ class Sweep {
     const study::Sweep sweep{.document = plan_.document,
                              .design = plan_.design,
                              .columns = plan_.columns.size(),
-                             .make_evaluate = [&] { return study::make_evaluate(plan_.columns); }};
+                             .make_evaluate = [&] { return study::make_evaluate_point(plan_); }};
     const study::Dealer all({{.first = 0, .count = plan_.design.points()}}, {});
     run(
         sweep, all, threads, [&]() -> study::Keep { return [&](const auto& batch) { keep(batch); }; },
