@@ -47,6 +47,7 @@ set(MARIOTTE_PUBLIC_HEADERS
 set(MARIOTTE_SCENE_HEADERS
   report/text.hpp
   scene/fault.hpp
+  scene/figure.hpp
   scene/law.hpp
   scene/scene.hpp
   scene/simulate.hpp)

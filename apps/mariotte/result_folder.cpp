@@ -45,22 +45,22 @@ bool is_image(const report::Spacetime* waves) {
   return waves && waves->is_image();
 }
 
-void add_energy(Texts& texts, const impact::ChainImpact& impact, const scene::Scene& scene) {
+void add_energy(Texts& texts, const impact::ChainImpact& impact, const scene::Scene& scene,
+                const report::TimeAxis& axis) {
   const auto course = report::energy_course(impact.trace, std::get<model::Chain>(scene.model));
   texts["energy.csv"] = report::energy_csv(course);
-  texts["plot.gp"] +=
-      report::energy_script(course, scene.title, report::window_of_action(impact.trace).start);
+  texts["plot.gp"] += report::energy_script(course, scene.title, axis);
 }
 
 // Their samples are not turned into energies.
-void add_energy(Texts&, const impact::NetworkImpact&, const scene::Scene&) {}
-void add_energy(Texts&, const impact::MicrobodyImpact&, const scene::Scene&) {}
+void add_energy(Texts&, const impact::NetworkImpact&, const scene::Scene&, const report::TimeAxis&) {}
+void add_energy(Texts&, const impact::MicrobodyImpact&, const scene::Scene&, const report::TimeAxis&) {}
 
-std::string script(const impact::ContactImpact& impact, const scene::Scene& scene) {
-  return report::plot_script(impact, scene.title, report::curve_names(scene));
+report::RunPlot plot(const impact::ContactImpact& impact, const scene::Scene& scene) {
+  return report::plot(impact, scene.title, report::curve_names(scene), scene.figure);
 }
-std::string script(const impact::MicrobodyImpact& impact, const scene::Scene& scene) {
-  return report::plot_script(impact, scene.title);
+report::RunPlot plot(const impact::MicrobodyImpact& impact, const scene::Scene& scene) {
+  return report::plot(impact, scene.title, scene.figure);
 }
 
 template <class Impact>
@@ -68,14 +68,14 @@ Texts texts(const Impact& impact, const scene::Scene& scene, const report::Space
   Texts texts = {{"events.csv", report::events_csv(impact)}};
   if (can_trace(scene)) texts["trace.csv"] = report::trace_csv(impact);
   if (can_plot(impact.trace)) {
-    texts["plot.csv"] = report::plot_data(impact.trace);
-    texts["plot.gp"] = script(impact, scene);
-    add_energy(texts, impact, scene);
+    auto figures = plot(impact, scene);
+    texts["plot.csv"] = std::move(figures.data);
+    texts["plot.gp"] = std::move(figures.script);
+    add_energy(texts, impact, scene, figures.axis);
   }
   if (is_image(waves)) {
     texts["spacetime.csv"] = waves->data();
-    if (!can_plot(impact.trace)) texts["plot.gp"] = report::script_head;
-    texts["plot.gp"] += waves->script(scene.title);
+    texts["plot.gp"] = report::script_head() + waves->script(scene.title);
   }
   return texts;
 }

@@ -25,8 +25,6 @@
 namespace mariotte::command {
 namespace {
 
-constexpr std::size_t least_balls_of_image = 48;  // fewer are curves that can be told apart
-
 struct Run {
   SceneChoice scene;
   TraceChoice trace;
@@ -139,7 +137,7 @@ int run(const Run& options, const model::Chain& chain, const scene::Scene& scene
   const auto balls = chain.mass.size();
   const auto trace = start_trace(options.trace, balls, options.force);
   std::optional<report::Spacetime> waves;
-  if (!options.out.empty() && balls >= least_balls_of_image) waves.emplace(balls);
+  if (!options.out.empty() && !can_trace(scene)) waves.emplace(balls);
   impact::RunObserver observers{.trace = !options.out.empty() && can_trace(scene)};
   if (waves) observers.samplings.push_back(waves->sampling());
   if (trace) {
@@ -188,8 +186,8 @@ constexpr const char* examples = R"(Examples:
   mariotte run solitary_wave.toml --trace wave.csv --every "5 us" --balls 100:1000:100 --contacts 500
 
 With --out DIR: result.json, events.csv, trace.csv, energy.csv, plot.csv, plot.gp and, by gnuplot, forces,
-velocities and energy as png and svg; of 48 balls and more also spacetime.csv and its image, of more than
-1000 no trace.csv and no curves. With --report also report.html, all of it in one page.
+velocities and energy as pdf, png and svg, of more than twelve balls as images; of more than 1000 balls
+spacetime.csv and its image instead. With --report also report.html, all of it in one page.
 )";
 
 OptionList declare(Run& options) {

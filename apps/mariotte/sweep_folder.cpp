@@ -64,7 +64,7 @@ std::optional<report::ColumnStatistics> write_tables(const SweepFiles& files, co
 }
 
 std::string draw(const std::filesystem::path& folder, const study::SweepPlan& plan) {
-  const auto plot = report::sweep_plot(plan.design, plan.columns, plan.title);
+  const auto plot = report::sweep_plot(plan.design, plan.columns, plan.title, plan.figure);
   if (plot.figures.empty()) return "no figures: " + plot.shortfall;
   report::write_file(folder / "plot.gp", plot.script);
   if (const auto problem = report::draw(folder, plot.figures); !problem.empty())

@@ -6,7 +6,7 @@
 #include "acary.hpp"
 #include "chain_reference.hpp"
 #include "mariotte/impact/chain/chain_impact.hpp"
-#include "mariotte/report/table/phases.hpp"
+#include "mariotte/report/figure/event_marks.hpp"
 
 namespace mariotte::paper_figures {
 namespace {
@@ -77,7 +77,8 @@ Reproduction make(const Panel& panel) {
                                          panel.triplet.ratio, panel.triplet.third_velocity, panel.shows),
                     .x_label = linear ? "time / (m/k)^{1/2}" : "time / (m^2/k^2v_1)^{1/5}",
                     .y_label = linear ? "force / v_1(mk)^{1/2}" : "force / m^{3/5}k^{2/5}v_1^{6/5}",
-                    .commands = report::phase_marks(impact.events, {1, "", 3}, impact.time),
+                    .commands = "set tmargin 4.5\nset title offset 0,1.3\n" +
+                                report::event_marks(impact.events, {1, "", 3}, {0, impact.time}, 470),
                     .curves = {}};
   for (std::size_t j = 0; j < 2; ++j) {
     Curve curve{fmt::format("contact {}", j + 1), Style::line, trace.time, {}};

@@ -7,23 +7,25 @@
 namespace mariotte::paper_figures {
 namespace {
 
-const char* drawn(Style style) {
+const char* kind(Style style) {
   switch (style) {
     case Style::line:
-      return "lines lw 2";
     case Style::dashed:
-      return "lines lw 2 dt 2";
+      return "lines";
     case Style::points:
-      return "points pt 7 ps 0.8";
+      return "points";
     case Style::line_and_points:
-      return "linespoints lw 2 pt 7 ps 0.8";
+      return "linespoints";
   }
   return "lines";
 }
 
-std::string colour(const Curve& curve, std::size_t position) {
-  return curve.colour ? fmt::format("lc palette fraction {:.3f}", *curve.colour)
-                      : fmt::format("lc {}", position + 1);
+/// A line of its own colour and dashes; or one of a family, in the colours of a map.
+std::string look(const Curve& curve, std::size_t position) {
+  constexpr double brightest = 0.88;  // of the map; what is brighter is pale on white
+  const auto* dashes = curve.style == Style::dashed ? " dt (12,4)" : " dt solid";
+  if (!curve.colour) return fmt::format("lt {}{}", position + 1, curve.style == Style::dashed ? dashes : "");
+  return fmt::format("lt 1 lc palette fraction {:.3f}{}", brightest * *curve.colour, dashes);
 }
 
 std::string title(const Curve& curve) {
@@ -44,16 +46,15 @@ std::string plot_data(const Picture& picture) {
 }
 
 std::string plot_script(const Picture& picture, const std::string& name) {
-  std::string text = report::script_head;
+  std::string text = report::script_head();
   text += fmt::format("set title {} noenhanced\nset xlabel '{}'\nset ylabel '{}'\n{}",
                       report::quoted(picture.title), picture.x_label, picture.y_label, picture.commands);
   text += "unset colorbox\nset cbrange [0:1]\n";
   std::string plot = "plot";
   for (std::size_t i = 0; i < picture.curves.size(); ++i)
-    plot +=
-        fmt::format("{} 'plot.csv' index {} using 1:2 with {} {} {}", i > 0 ? "," : "", i,
-                    drawn(picture.curves[i].style), colour(picture.curves[i], i), title(picture.curves[i]));
-  return text + report::on_both_terminals(name, plot + "\n");
+    plot += fmt::format("{} 'plot.csv' index {} using 1:2 with {} {} {}", i > 0 ? "," : "", i,
+                        kind(picture.curves[i].style), look(picture.curves[i], i), title(picture.curves[i]));
+  return text + report::on_all_terminals(name, plot + "\n", report::wide);
 }
 
 }  // namespace mariotte::paper_figures

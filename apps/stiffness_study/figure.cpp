@@ -64,7 +64,7 @@ std::string script(const Figure& figure, std::size_t first_block) {
   text += figure.quantity == Quantity::first_icr ? "unset logscale y\n"
                                                  : "set logscale y\nset format y '10^{%L}'\n";
   if (figure.quantity == Quantity::first_icr) text += "set format y '%g'\n";
-  return text + report::on_both_terminals(figure.name, plot + "\n");
+  return text + report::on_all_terminals(figure.name, plot + "\n", report::wide);
 }
 
 constexpr const char* over_decades = "set logscale x\nset format x '10^{%L}'\n";
@@ -91,7 +91,7 @@ std::vector<Figure> figures_by_flow(const Rows& rows, const std::string& along, 
 
 std::string draw(const std::filesystem::path& folder, const std::vector<Figure>& figures) {
   std::string data = "# value that was varied, quantity shown; a block per curve\n",
-              text = report::script_head;
+              text = report::script_head();
   text += over_decades;
   std::vector<std::string> files = {"plot.csv", "plot.gp"}, pictures;
   std::size_t blocks = 0;

@@ -65,7 +65,8 @@ std::string figure(const std::string& problem, const std::vector<Row>& rows) {
     if (first.problem == problem)
       plot += fmt::format("{} 'plot.csv' index {} {} title '{}'", plot.empty() ? "plot" : ", \\\n    ", block,
                           style(first, names), first.method);
-  return fmt::format("\nset title '{}'\n", problem) + report::on_both_terminals(problem, plot + "\n");
+  return fmt::format("\nset title '{}'\n", problem) +
+         report::on_all_terminals(problem, plot + "\n", report::wide);
 }
 
 std::vector<std::string> problems(const std::vector<Row>& rows) {
@@ -76,7 +77,7 @@ std::vector<std::string> problems(const std::vector<Row>& rows) {
 }
 
 std::string script(const std::vector<Row>& rows) {
-  std::string text = report::script_head;
+  std::string text = report::script_head();
   text += "set logscale xy\nset key font ',11' spacing 0.9\n";
   text +=
       "set format '10^{%T}'\nset xlabel 'largest error of the final velocities'\nset xrange [*:*] reverse\n";

@@ -245,13 +245,23 @@ BOOST_FIXTURE_TEST_CASE(a_trace_is_not_overwritten_unless_forced, Session) {
   BOOST_TEST(content(folder / "wave.csv").starts_with("time [s]"));
 }
 
-BOOST_FIXTURE_TEST_CASE(waves_of_a_long_chain_are_an_image, Session) {
+BOOST_FIXTURE_TEST_CASE(balls_of_a_long_chain_are_an_image, Session) {
   write("sixty.toml", sixty_balls);
   const auto run = mariotte("run sixty.toml --out results");
   BOOST_TEST(run.code == 0);
-  BOOST_TEST(lines(content(folder / "results/spacetime.csv")) > 200u);
-  BOOST_TEST(fs::exists(folder / "results/spacetime.png") == !has(run.err, "no figures"));
+  BOOST_TEST(has(content(folder / "results/plot.gp"), "with image"));
+  for (const auto* kind : {"pdf", "png", "svg"})
+    BOOST_TEST(fs::exists(folder / (std::string("results/velocities.") + kind)) ==
+               !has(run.err, "no figures"));
+  BOOST_TEST(!fs::exists(folder / "results/spacetime.csv"));
   BOOST_TEST(has(mariotte("run sixty.toml").out, "balls at rest or in free flight"));
+}
+
+BOOST_FIXTURE_TEST_CASE(waves_of_a_chain_too_long_for_a_trace_are_an_image, Session) {
+  write("row.toml", sixty_balls);
+  const auto run = mariotte("run row.toml --set chain.balls=1200 --set run.max_time=40 --out results");
+  BOOST_TEST(lines(content(folder / "results/spacetime.csv")) > 100u);
+  BOOST_TEST(fs::exists(folder / "results/spacetime.png") == !has(run.err, "no figures"));
 }
 
 BOOST_FIXTURE_TEST_CASE(demo_needs_no_file, Session) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mariotte/report/figure/energy_plot.hpp"
+#include "mariotte/report/figure/plot.hpp"
 
 using namespace mariotte;
 
@@ -57,6 +58,20 @@ BOOST_AUTO_TEST_CASE(with_gravity_nothing_is_said_about_losses) {
   impact::ChainImpact impact;
   const auto course = course_of(chain, impact);
   BOOST_TEST(course.lost.empty());
-  BOOST_TEST(report::energy_script(course, "").find("'dissipated'") == std::string::npos);
+  BOOST_TEST(report::energy_script(course, "", {{1, "s", 3}, {{0, 1}}, {}}).find("dissipated") ==
+             std::string::npos);
   BOOST_TEST(report::energy_csv(course).starts_with("time [s],kinetic [J],stored [J],dissipated [J]\n"));
+}
+
+BOOST_AUTO_TEST_CASE(a_fall_has_a_panel_beside_that_of_the_impact) {
+  const model::Chain drop{
+      .mass = {infinity, 2}, .law = {contact::Hertz{1e9}}, .gap = {0.1}, .velocity = {0, 0}, .gravity = 9.81};
+  impact::ChainImpact impact;
+  const auto course = course_of(drop, impact);
+  const auto axis = report::plot(impact, "").axis;
+  BOOST_TEST_REQUIRE(axis.windows.size() == 1u);
+  BOOST_TEST(axis.windows[0].start > 0.9 * impact.events.at(0).time);
+  const auto script = report::energy_script(course, "", axis);
+  BOOST_TEST(script.find("set xrange [0:") != std::string::npos);
+  BOOST_TEST(script.find("set border 1\n") != std::string::npos);  // of the second panel
 }

@@ -46,7 +46,7 @@ std::vector<std::string> lines(const std::string& text) {
 
 /// What gnuplot makes of a sweep with one row per point; the cells of every other point may differ.
 std::string drawn(const Design& design, const std::vector<study::Column>& columns, const std::string& cells,
-                  std::string others = "") {
+                  std::string others = "", const scene::Figure& options = {}) {
   if (others.empty()) others = cells;
   std::string folder = (fs::temp_directory_path() / "mariotte-XXXXXX").string();
   ::mkdtemp(folder.data());
@@ -54,7 +54,7 @@ std::string drawn(const Design& design, const std::vector<study::Column>& column
   for (Index point = 0; point < design.points(); ++point)
     rows += std::string(design.parameters.size(), ',') + (point % 2 == 0 ? cells : others) + "\n";
   report::append_drawn(design, 0, rows, data);
-  const auto plot = report::sweep_plot(design, columns, "It's a title");
+  const auto plot = report::sweep_plot(design, columns, "It's a title", options);
   report::write_file(fs::path(folder) / "plot.csv", data);
   report::write_file(fs::path(folder) / "plot.gp", plot.script);
   auto problem = report::draw(folder, plot.figures);
@@ -69,11 +69,12 @@ std::string drawn(const Design& design, const std::vector<study::Column>& column
 BOOST_AUTO_TEST_CASE(curves_of_one_quantity_share_a_figure_and_maps_do_not) {
   const std::vector<study::Column> columns = {{"final.velocity[0]"}, {"icr[0]"}, {"final.velocity[1]"}};
   BOOST_TEST(report::sweep_plot(curve(5), columns, "").figures ==
-                 (std::vector<std::string>{"sweep.final.velocity.png", "sweep.final.velocity.svg",
-                                           "sweep.icr.png", "sweep.icr.svg"}),
+                 (std::vector<std::string>{"sweep.final.velocity.pdf", "sweep.final.velocity.png",
+                                           "sweep.final.velocity.svg", "sweep.icr.pdf", "sweep.icr.png",
+                                           "sweep.icr.svg"}),
              boost::test_tools::per_element());
-  BOOST_TEST(report::sweep_plot(map(3, 3), columns, "").figures.size() == 6);
-  BOOST_TEST(report::sweep_plot(map(3, 3), columns, "").figures[2] == "sweep.icr_0.png");
+  BOOST_TEST(report::sweep_plot(map(3, 3), columns, "").figures.size() == 9);
+  BOOST_TEST(report::sweep_plot(map(3, 3), columns, "").figures[3] == "sweep.icr_0.pdf");
 }
 
 BOOST_AUTO_TEST_CASE(axes_say_symbol_and_unit) {
@@ -93,7 +94,7 @@ BOOST_AUTO_TEST_CASE(what_has_no_figure_is_said) {
   std::vector<study::Column> many;
   for (int i = 0; i < 20; ++i) many.push_back({"contacts[" + std::to_string(i) + "].impulse"});
   const auto some = report::sweep_plot(map(2, 2), many, "");
-  BOOST_TEST((some.figures.size() == 24 && some.shortfall == "only the first 12 are drawn"));
+  BOOST_TEST((some.figures.size() == 36 && some.shortfall == "only the first 12 are drawn"));
   BOOST_TEST(report::sweep_plot(curve(2), many, "").shortfall == "");
 }
 
@@ -109,7 +110,8 @@ BOOST_AUTO_TEST_CASE(a_large_map_is_thinned_out_evenly) {
   std::string rows, data;
   for (Index point = 0; point < design.points(); ++point) rows += std::to_string(point) + "\n";
   report::append_drawn(design, 0, rows, data);
-  const auto all = lines(data);
+  auto all = lines(data);
+  BOOST_TEST(std::erase(all, "") == 200u);  // columns
   BOOST_TEST_REQUIRE(all.size() == 200u * 167u);
   BOOST_TEST(all[1].ends_with(",3"));
   BOOST_TEST(all[167].ends_with(",2500"));
@@ -132,4 +134,19 @@ BOOST_AUTO_TEST_CASE(gnuplot_draws_every_kind_of_sweep) {
   listed.parameters[0].range.reset();
   listed.parameters[0].list = {{.value = "it's", .place = {}}, {.value = true, .place = {}}};
   BOOST_TEST(drawn(listed, {{"x"}}, "1,separated,") == "");
+}
+
+BOOST_AUTO_TEST_CASE(maps_have_contours_and_logarithmic_colours_on_demand) {
+  const auto plain = report::sweep_plot(map(4, 4), {{"y"}}, "").script;
+  BOOST_TEST(plain.find("contour base") == std::string::npos);
+  BOOST_TEST(plain.find("logscale cb") == std::string::npos);
+  const auto lined =
+      report::sweep_plot(map(4, 4), {{"y"}}, "", {.window = {}, .logarithmic = true, .contours = 5}).script;
+  BOOST_TEST(lined.find("set cntrparam levels auto 5") != std::string::npos);
+  BOOST_TEST(lined.find("set logscale cb") != std::string::npos);
+  const scene::Figure options{.window = {}, .logarithmic = true, .contours = 5};
+  for (const auto& design : {curve(10), map(2, 1), cloud(30)})
+    BOOST_TEST(drawn(design, {{"y"}}, "2,separated,", "1,separated,", options) == "");
+  for (const auto* others : {"1,separated,", ",rejected,no", "-3,separated,"})
+    BOOST_TEST(drawn(map(8, 9), {{"y"}}, "2,separated,", others, options) == "");
 }

@@ -6,6 +6,7 @@
 #include "mariotte/core/overload.hpp"
 #include "mariotte/scene/document.hpp"
 #include "mariotte/scene/error_list.hpp"
+#include "mariotte/scene/figure_reader.hpp"
 #include "mariotte/scene/law_reader.hpp"
 #include "mariotte/scene/model_reader.hpp"
 #include "mariotte/scene/overrides.hpp"
@@ -18,8 +19,8 @@
 namespace mariotte::scene {
 namespace {
 
-constexpr std::array<std::string_view, 10> keys{"title",   "chain", "network", "run",     "sweep",
-                                                "columns", "law",   "body",    "surface", "incidence"};
+constexpr std::array<std::string_view, 11> keys{"title", "chain", "network", "run",       "sweep", "columns",
+                                                "law",   "body",  "surface", "incidence", "figure"};
 
 /// The digest of the text alone is that of the file; a zero byte, which no scene holds, sets off each
 /// override.
@@ -61,6 +62,7 @@ Scene read_scene(Source& source, const Field& root, Purpose purpose) {
     scene.run = read_run(source, field, find(root, "body").has_value());
     scene.until = find(field, "until").has_value();
   });
+  part("figure", [&](const Field& figure) { scene.figure = read_figure(source, figure); });
   part("sweep", [&](const Field& sweeps) { expect_sweeps(source, sweeps); });
   part("columns", [&](const Field& columns) { expect_columns(source, columns); });
   part("law", [&](const Field& law) { scene.law = read_law(source, law); });

@@ -12,6 +12,7 @@
 #include "mariotte/model/microbody/microbody.hpp"
 #include "mariotte/model/network/network.hpp"
 #include "mariotte/scene/fault.hpp"
+#include "mariotte/scene/figure.hpp"
 #include "mariotte/scene/law.hpp"
 
 namespace mariotte::scene {
@@ -45,6 +46,7 @@ struct Scene {
   /// One per contact, or tip; empty if nothing is known of the bodies.
   std::vector<impact::Touching> touching;
   hybrid::Options run;
+  Figure figure;
   bool until = false;                 ///< whether the time limit is the end that is wanted, by run.until
   std::vector<std::string> warnings;  ///< "file:line:column: message" of suspicious but possible values
   std::string sha256;                 ///< of the scene's text and overrides, for provenance

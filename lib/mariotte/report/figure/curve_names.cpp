@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -18,19 +19,20 @@ CurveNames names(const model::Chain& chain) {
   CurveNames names;
   if (chain.mass.size() > most_named) return names;
   for (std::size_t i = 0; i < chain.mass.size(); ++i)
-    names.velocities.push_back(fmt::format("{} {}", std::isinf(chain.mass[i]) ? "wall" : "ball", i + 1));
+    names.velocities.push_back(std::isinf(chain.mass[i]) ? "wall" : fmt::format("ball {}", i + 1));
   return names;
 }
 
 CurveNames names(const model::Network& network) {
   CurveNames names;
+  names.dimension = std::max<Index>(1, network.dimension);
   if (network.dimension == 0 || network.velocity.size() > most_named) return names;
   for (Index i = 0; i < std::ssize(network.velocity); ++i)
     names.velocities.push_back(fmt::format("ball {} {}", i / network.dimension + 1,
                                            axis[static_cast<std::size_t>(i % network.dimension)]));
   const auto pairs = contact_names(network);
   for (std::size_t j = 0; j < pairs.size(); ++j)
-    names.contacts.push_back(fmt::format("contact {} ({})", j + 1, pairs[j]));
+    names.contacts.push_back(fmt::format("f_{{{}}} ({})", j + 1, pairs[j]));
   return names;
 }
 

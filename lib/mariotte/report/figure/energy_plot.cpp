@@ -35,12 +35,6 @@ void sample_flight(const impact::Trace& trace, std::size_t row, const model::Cha
   }
 }
 
-/// Instead of the part around the contacts, in whose marks all that happens there would coincide here.
-std::string whole_run(const EnergyCourse& course) {
-  return fmt::format("unset label\nunset arrow\nunset object\nset xrange [0:time_factor*{:.8g}]\n",
-                     course.time.back());
-}
-
 bool flies(const impact::Trace& trace, std::size_t row) {
   const auto zero = [](double force) { return force == 0; };
   return std::all_of(trace.force[row].begin(), trace.force[row].end(), zero);
@@ -72,18 +66,17 @@ std::string energy_csv(const EnergyCourse& course) {
   return text;
 }
 
-std::string energy_script(const EnergyCourse& course, const std::string& title, double shown_from) {
-  const auto display = display_for(course.kinetic, "J");
-  std::string draw = "plot ";
-  constexpr std::array names = {"kinetic", "stored", "dissipated"};
-  for (std::size_t k = 0; k < (course.lost.empty() ? 2u : 3u); ++k)
-    draw += fmt::format(
-        "{}'energy.csv' skip 1 using (time_factor*$1):({:g}*${}) with lines lw 2 lt {} title '{}'",
-        k > 0 ? ", " : "", display.factor, k + 2, 2 * k + 1, names[k]);
-  return (shown_from > 0 ? whole_run(course) : "") +
-         fmt::format("\nset title {} noenhanced\nset ylabel 'energy [{}]'\nset key\nunset colorbox\n",
-                     quoted(title.empty() ? "energy" : title + ": energy"), display.unit) +
-         on_both_terminals("energy", draw + "\n");
+std::string energy_script(const EnergyCourse& course, const std::string& title, TimeAxis axis) {
+  TimeFigure figure{"energy", title, "energy E", "J", Names::at_end, course.time, {}};
+  const auto add = [&](const char* name, int column, const std::vector<double>& value) {
+    figure.curves.push_back({name, "'energy.csv' skip 1", 1, column, value});
+  };
+  add("kinetic", 2, course.kinetic);
+  add("stored", 3, course.stored);
+  if (!course.lost.empty()) add("dissipated", 4, course.lost);
+  if (const double start = axis.windows.front().start; start > 0)
+    axis.windows.insert(axis.windows.begin(), {0, start});
+  return script(figure, axis);
 }
 
 }  // namespace mariotte::report

@@ -5,6 +5,7 @@
 
 #include "mariotte/impact/chain/chain_impact.hpp"
 #include "mariotte/model/chain/chain.hpp"
+#include "mariotte/report/figure/time_figure.hpp"
 
 namespace mariotte::report {
 
@@ -22,8 +23,8 @@ EnergyCourse energy_course(const impact::Trace& trace, const model::Chain& chain
 /// `energy.csv`: time, kinetic, stored and lost energy.
 std::string energy_csv(const EnergyCourse& course);
 
-/// gnuplot commands that make `energy`.png and .svg from it, to follow those of `plot_script`, whose time
-/// axis they share; or show the whole run, if that axis begins after a flight, at `shown_from` [s].
-std::string energy_script(const EnergyCourse& course, const std::string& title, double shown_from = 0);
+/// gnuplot commands that make the figure `energy` from it, to follow those of `plot`; if these leave out a
+/// flight before the first contact, it has a panel of its own.
+std::string energy_script(const EnergyCourse& course, const std::string& title, TimeAxis axis);
 
 }  // namespace mariotte::report

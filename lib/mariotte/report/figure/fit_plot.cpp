@@ -7,6 +7,7 @@
 
 #include "mariotte/report/csv/csv_cell.hpp"
 #include "mariotte/report/figure/gnuplot.hpp"
+#include "mariotte/report/number.hpp"
 
 namespace mariotte::report {
 namespace {
@@ -96,14 +97,14 @@ std::string curves_csv(const study::FitCurves& curves, const study::Measurements
 std::string fit_script(const FitReport& report, const study::FitCurves& curves) {
   const auto key = report.measurements.settings[curves.setting].key;
   const auto head = report.title.empty() ? std::string("Fit") : report.title;
-  return script_head +
+  return script_head() +
          fmt::format("set xlabel {} noenhanced\n{}", quoted(axis_name(key)),
                      curves.logarithmic ? logarithmic_axis(curves) : "") +
          fmt::format("\nset title {} noenhanced\nset ylabel 'restitution'\n", quoted(head)) +
-         on_both_terminals(fit_figure, restitution_plot(report, curves)) +
+         on_all_terminals(fit_figure, restitution_plot(report, curves), wide) +
          fmt::format("\nset title {} noenhanced\nset ylabel 'measured − predicted'\n",
                      quoted(head + ": residuals")) +
-         on_both_terminals(residuals_figure, residual_plot(report, curves));
+         on_all_terminals(residuals_figure, residual_plot(report, curves), wide);
 }
 
 std::vector<std::string> fit_figures() {

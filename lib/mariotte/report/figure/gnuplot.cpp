@@ -9,14 +9,19 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <fstream>
+#include <iterator>
 #include <memory>
+#include <string_view>
 
+#include "mariotte/report/figure/palette.hpp"
 #include "mariotte/report/page/files.hpp"
 
 namespace mariotte::report {
 namespace {
 
 constexpr int command_not_found = 127;
+constexpr int text_height = 13;  // in pixels of a sheet
 
 // In the child: gnuplot's words go to stderr, since stdout belongs to the result.
 [[noreturn]] void become_gnuplot(const std::filesystem::path& folder, const std::string& setting) {
@@ -35,10 +40,21 @@ int run_gnuplot(const std::filesystem::path& folder, const std::string& setting)
   return child > 0 && WIFEXITED(status) ? WEXITSTATUS(status) : 1;
 }
 
+/// Pixels of images keep their edges in browsers, which would blur them.
+void keep_pixels(const std::filesystem::path& svg) {
+  std::ifstream file(svg);
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  constexpr std::string_view image = "<image ";
+  for (auto at = text.find(image); at != text.npos; at = text.find(image, at + 1))
+    text.insert(at + image.size(), "style='image-rendering:pixelated' ");
+  std::ofstream(svg) << text;
+}
+
 bool move_figures(const std::filesystem::path& from, const std::filesystem::path& to,
                   const std::vector<std::string>& figures) {
   std::error_code problem;
   for (const auto& name : figures) {
+    if (name.ends_with(".svg")) keep_pixels(from / name);
     std::filesystem::rename(from / name, to / name, problem);
     if (problem) return false;
   }
@@ -47,29 +63,18 @@ bool move_figures(const std::filesystem::path& from, const std::filesystem::path
 
 }  // namespace
 
-std::string time_axis(const Display& time, double start, double end) {
-  return fmt::format("set xlabel 'time [{}]'\nset xrange [{:.8g}:{:.8g}]\ntime_factor = {:g}\n", time.unit,
-                     time.factor * start, time.factor * end, time.factor);
-}
-
-const char* const script_head = R"(# Run with gnuplot in this folder.
+std::string script_head() {
+  return R"(# Run with gnuplot in this folder.
 if (!exists('folder')) folder = ''
 set encoding utf8
 set datafile separator comma
 set border 3 lc rgb '#555555'
 set tics nomirror out
-set grid lt 1 lc rgb '#e6e6e6' lw 1
-set key outside right top reverse Left samplen 2
-set palette defined (0 '#30123b', 1 '#4171d6', 2 '#1fb5b0', 3 '#5fb94a', 4 '#e0a11b', 5 '#c4391d')
-set linetype 1 lc rgb '#30123b'
-set linetype 2 lc rgb '#4171d6'
-set linetype 3 lc rgb '#1fb5b0'
-set linetype 4 lc rgb '#5fb94a'
-set linetype 5 lc rgb '#e0a11b'
-set linetype 6 lc rgb '#c4391d'
-set linetype 7 lc rgb '#8c564b'
-set linetype 8 lc rgb '#7f7f7f'
-)";
+set clip two
+set grid lc rgb '#e6e6e6' lw 0.5
+set key outside right top reverse Left samplen 3
+)" + palette_settings();
+}
 
 // Inside single quotes a quote is doubled.
 std::string quoted(std::string text) {
@@ -79,17 +84,27 @@ std::string quoted(std::string text) {
   return "'" + text + "'";
 }
 
-std::string on_both_terminals(const std::string& name, const std::string& plot) {
-  return fmt::format("set terminal pngcairo size 1200,750 font 'sans,14'\nset output folder.'{}.png'\n{}",
-                     name, plot) +
-         fmt::format(
-             "set terminal svg size 800,500 dynamic font 'sans,13' background 'white'\n"
-             "set output folder.'{}.svg'\n{}",
-             name, plot);
+// All three have one layout: lengths in pixels of the screen, in finer ones, and in centimetres of a
+// journal's column, whose text is then 7 points high.
+std::string on_all_terminals(const std::string& name, const std::string& plot, const Sheet& sheet) {
+  constexpr double finer = 2.4, centimetres = 8.6 / 450, points = 7.0 / 13;
+  const auto terminal = [&](const std::string& options, const char* ending) {
+    return fmt::format("set terminal {}\nset output folder.'{}.{}'\n{}", options, name, ending, plot);
+  };
+  return terminal(fmt::format("pngcairo size {:.0f},{:.0f} font 'sans,{:.1f}' linewidth {}",
+                              finer * sheet.width, finer * sheet.height, 0.75 * finer * text_height, finer),
+                  "png") +
+         terminal(fmt::format("svg size {},{} dynamic font 'sans,{}' background 'white'", sheet.width,
+                              sheet.height, text_height),
+                  "svg") +
+         terminal(fmt::format("pdfcairo size {:.2f}cm,{:.2f}cm font 'sans,{:.1f}' linewidth 0.7",
+                              centimetres * sheet.width, centimetres * sheet.height, points * text_height),
+                  "pdf") +
+         "unset output\n";
 }
 
 std::vector<std::string> files_of_figure(const std::string& name) {
-  return {name + ".png", name + ".svg"};
+  return {name + ".pdf", name + ".png", name + ".svg"};
 }
 
 std::string gnuplot_version() {

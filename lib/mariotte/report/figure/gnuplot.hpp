@@ -4,24 +4,26 @@
 #include <string>
 #include <vector>
 
-#include "mariotte/report/number.hpp"
-
 namespace mariotte::report {
 
 /// How every script begins: where figures go, how data files look, and the style.
-extern const char* const script_head;
-
-/// Labels the horizontal axis as time, from `start` to `end` [s], and sets `time_factor` from seconds to its
-/// unit.
-std::string time_axis(const Display& time, double start, double end);
+std::string script_head();
 
 /// Text for a script, on one line between single quotes.
 std::string quoted(std::string text);
 
-/// Commands that make `name`.png and `name`.svg with `plot`, a plot command that ends its line.
-std::string on_both_terminals(const std::string& name, const std::string& plot);
+/// Size of a figure, in pixels of a screen on which its text is 13 high.
+struct Sheet {
+  int width;
+  int height;
+};
+inline constexpr Sheet one_column = {450, 320};  ///< beside others of a page, or in a journal's column
+inline constexpr Sheet wide = {680, 420};        ///< with a legend beside it
 
-/// The two files that these commands make.
+/// Commands that make `name`.png, .svg and .pdf with `plot`, a plot command that ends its line.
+std::string on_all_terminals(const std::string& name, const std::string& plot, const Sheet& sheet);
+
+/// The files that these commands make.
 std::vector<std::string> files_of_figure(const std::string& name);
 
 /// "5.4 patchlevel 4", or empty if gnuplot is not installed.

@@ -1,11 +1,7 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "mariotte/report/figure/gnuplot.hpp"
 #include "mariotte/report/figure/plot.hpp"
-#include "mariotte/report/table/phases.hpp"
 
 namespace mariotte::report {
 namespace {
@@ -13,41 +9,7 @@ namespace {
 /// Columns of plot.csv behind the time: three velocities, then three forces per tip.
 constexpr int first_velocity = 2, first_force = 5;
 
-struct Curve {
-  int column;
-  std::string name;
-};
-
-struct Figure {
-  std::string name, title, quantity;
-  Display display;
-  std::vector<Curve> curves;
-};
-
-std::string figure(const Figure& figure, const Display& time, const std::string& title) {
-  std::string curves;
-  for (const auto& curve : figure.curves)
-    curves += fmt::format("{}'plot.csv' using ({:g}*$1):({:g}*${}) with lines lw 2 title '{}'",
-                          curves.empty() ? "plot " : ", ", time.factor, figure.display.factor, curve.column,
-                          curve.name);
-  const std::string heading = title.empty() ? figure.title : title + ": " + figure.title;
-  return fmt::format("\nset title {} noenhanced\nset ylabel '{} [{}]'\n", quoted(heading), figure.quantity,
-                     figure.display.unit) +
-         on_both_terminals(figure.name, curves + "\n");
-}
-
-/// Touches and separations, which part the phases that are shaded.
-std::vector<impact::Event> contacts(const std::vector<impact::TipEvents>& events) {
-  std::vector<impact::Event> list;
-  for (const auto& event : events)
-    if (!event.open.empty() || !event.close.empty())
-      list.push_back({.time = event.time, .open = event.open, .close = event.close});
-  return list;
-}
-
-}  // namespace
-
-std::string plot_data(const impact::BodyTrace& trace) {
+std::string data(const impact::BodyTrace& trace) {
   std::string text =
       "# time [s], v1, v2, v3 [m/s], then normal force and friction along e2, e3 of each tip [N]\n";
   for (std::size_t row = 0; row < trace.state.size(); ++row) {
@@ -61,36 +23,58 @@ std::string plot_data(const impact::BodyTrace& trace) {
   return text;
 }
 
-std::string plot_script(const impact::MicrobodyImpact& impact, const std::string& title) {
-  const auto& trace = impact.trace;
-  const double end = trace.state.back().time;
-  const auto time = display_for(std::vector{end}, "s");
-  std::vector<double> velocities, forces;
-  for (std::size_t row = 0; row < trace.state.size(); ++row) {
-    const auto& v = trace.state[row].velocity;
-    velocities.insert(velocities.end(), {v.e1, v.e2, v.e3});
-    forces.insert(forces.end(), trace.normal_force[row].begin(), trace.normal_force[row].end());
-  }
-  Figure force{.name = "forces",
-               .title = "forces on the tips",
-               .quantity = "force",
-               .display = display_for(forces, "N"),
-               .curves = {}};
+TimeFigure empty_figure(const impact::BodyTrace& trace, const char* file, const std::string& title,
+                        const char* quantity, const char* unit, Names names) {
+  TimeFigure figure{file, title, quantity, unit, names, {}, {}};
+  for (const auto& state : trace.state) figure.time.push_back(state.time);
+  return figure;
+}
+
+/// A curve of column `column` of plot.csv, whose values `read` finds in a row of the trace.
+template <class Read>
+void add(TimeFigure& figure, const std::string& name, int column, const Read& read) {
+  Curve curve{name, "'plot.csv'", 1, column, {}};
+  for (std::size_t row = 0; row < figure.time.size(); ++row) curve.value.push_back(read(row));
+  figure.curves.push_back(std::move(curve));
+}
+
+TimeFigure forces(const impact::BodyTrace& trace, const std::string& title) {
+  auto figure = empty_figure(trace, "forces", title, "force on a tip F", "N", Names::at_peak);
   for (std::size_t i = 0; i < trace.gap.front().size(); ++i) {
     const int column = first_force + 3 * static_cast<int>(i);
-    force.curves.push_back({column, fmt::format("tip {} normal", i + 1)});
-    force.curves.push_back({column + 1, fmt::format("tip {} along e2", i + 1)});
-    force.curves.push_back({column + 2, fmt::format("tip {} along e3", i + 1)});
+    const auto tip = fmt::format("tip {} ", i + 1);
+    add(figure, tip + "normal", column, [&](std::size_t row) { return trace.normal_force[row][i]; });
+    add(figure, tip + "e_2", column + 1, [&](std::size_t row) { return trace.friction[row][i].e2; });
+    add(figure, tip + "e_3", column + 2, [&](std::size_t row) { return trace.friction[row][i].e3; });
   }
-  const Figure velocity{
-      .name = "velocities",
-      .title = "velocity of the mass centre",
-      .quantity = "velocity",
-      .display = display_for(velocities, "m/s"),
-      .curves = {
-          {first_velocity, "normal"}, {first_velocity + 1, "along e2"}, {first_velocity + 2, "along e3"}}};
-  return script_head + time_axis(time, 0, end) + phase_marks(contacts(impact.events), time, end) +
-         figure(force, time, title) + figure(velocity, time, title);
+  return figure;
+}
+
+TimeFigure velocities(const impact::BodyTrace& trace, const std::string& title) {
+  auto figure = empty_figure(trace, "velocities", title, "velocity of centre v", "m/s", Names::at_end);
+  add(figure, "normal", first_velocity, [&](std::size_t row) { return trace.state[row].velocity.e1; });
+  add(figure, "along e_2", first_velocity + 1, [&](std::size_t row) { return trace.state[row].velocity.e2; });
+  add(figure, "along e_3", first_velocity + 2, [&](std::size_t row) { return trace.state[row].velocity.e3; });
+  return figure;
+}
+
+/// Touches and separations, which part the phases that are shaded.
+std::vector<impact::Event> contacts(const std::vector<impact::TipEvents>& events) {
+  std::vector<impact::Event> list;
+  for (const auto& event : events)
+    if (!event.open.empty() || !event.close.empty())
+      list.push_back({.time = event.time, .open = event.open, .close = event.close});
+  return list;
+}
+
+}  // namespace
+
+RunPlot plot(const impact::MicrobodyImpact& impact, const std::string& title, const scene::Figure& figure) {
+  const auto& trace = impact.trace;
+  RunPlot plot{data(trace), script_head(),
+               time_axis(windows_of_action(trace), contacts(impact.events), figure)};
+  plot.script += script(forces(trace, title), plot.axis) + script(velocities(trace, title), plot.axis);
+  return plot;
 }
 
 }  // namespace mariotte::report

@@ -6,32 +6,29 @@
 #include "mariotte/impact/chain/chain_impact.hpp"
 #include "mariotte/impact/microbody/microbody_impact.hpp"
 #include "mariotte/report/figure/curve_names.hpp"
+#include "mariotte/report/figure/time_figure.hpp"
+#include "mariotte/scene/figure.hpp"
 
 namespace mariotte::report {
 
 /// The files that the script of a run makes.
 const std::vector<std::string>& figure_names();
 
-/// `plot.csv`: a block per curve, velocities before forces, with the number of the ball or contact, time [s]
-/// and value [m/s or N]; only points that can be seen, and of a long chain evenly spaced balls and contacts.
-std::string plot_data(const impact::Trace& trace);
-
-/// `plot.gp`: a gnuplot script that reads plot.csv in its folder and makes forces and velocities, as PNG and
-/// SVG, until soon after the last force above a thousandth of the largest; phases are shaded. They begin at
-/// the start of the run or, after a long flight, soon before the first such force. The impact must have a
-/// trace. More figures may follow on the same time axis.
-std::string plot_script(const impact::ContactImpact& impact, const std::string& title,
-                        const CurveNames& names = {});
-
-/// The part of a run that its figures show [s].
-struct Window {
-  double start = 0;
-  double end = 0;
+/// What gnuplot needs for the figures of a run.
+struct RunPlot {
+  std::string data;    ///< plot.csv: velocities before forces
+  std::string script;  ///< plot.gp, which makes forces and velocities; more figures may follow
+  TimeAxis axis;       ///< of all figures
 };
-Window window_of_action(const impact::Trace& trace);
 
-/// The same two of a body: the forces on its tips and the velocity of its mass centre.
-std::string plot_data(const impact::BodyTrace& trace);
-std::string plot_script(const impact::MicrobodyImpact& impact, const std::string& title);
+/// Up to twelve balls or contacts are curves, in plot.csv a block per curve with number, time [s] and value
+/// [m/s or N], only points that can be seen. More are images, a block per panel. The impact must have a
+/// trace.
+RunPlot plot(const impact::ContactImpact& impact, const std::string& title, const CurveNames& names = {},
+             const scene::Figure& figure = {});
+
+/// The forces on the tips of a body and the velocity of its mass centre; plot.csv has one line per sample.
+RunPlot plot(const impact::MicrobodyImpact& impact, const std::string& title,
+             const scene::Figure& figure = {});
 
 }  // namespace mariotte::report

@@ -48,27 +48,25 @@ std::string Spacetime::data() const {
 }
 
 std::string Spacetime::script(const std::string& title) const {
-  std::vector<double> speeds;
-  for (const auto& row : rows_)
-    for (const double v : row) speeds.push_back(std::abs(v));
+  std::vector<double> velocities;
+  for (const auto& row : rows_) velocities.insert(velocities.end(), row.begin(), row.end());
   const double end = interval_ * static_cast<double>(rows_.size());
   const auto time = display_for(std::vector{end}, "s");
-  const double fastest = *std::max_element(speeds.begin(), speeds.end());
-  const auto speed = display_for(std::vector{fastest}, "m/s");
-  std::string text =
-      fmt::format("\nreset\nset encoding utf8\nset datafile separator comma\nset title {} noenhanced\n",
-                  quoted(title.empty() ? "velocities" : title + ": velocities"));
-  text += fmt::format("set xlabel 'ball'\nset ylabel 'time [{}]'\nset cblabel 'velocity [{}]'\n", time.unit,
-                      speed.unit);
+  const auto [slowest, fastest] = std::minmax_element(velocities.begin(), velocities.end());
+  const auto speed = display_for(velocities, "m/s");
+  std::string text = fmt::format("\nset title {} noenhanced\n", quoted(title));
+  text += fmt::format("set xlabel 'ball i'\nset ylabel 'time t [{}]'\nset cblabel 'velocity v [{}]'\n",
+                      time.unit, speed.unit);
   text += fmt::format("set xrange [0.5:{}]\nset yrange [0:{:.8g}]\nset tics out nomirror\n",
                       static_cast<double>(balls_) + 0.5, time.factor * end);
-  text += "set palette defined (-1 '#0a3f7a', -0.3 '#79b0de', 0 '#ffffff', 0.3 '#f0a868', 1 '#8c2d04')\n";
-  text += fmt::format("set cbrange [{0:.6g}:{1:.6g}]\n", -speed.factor * fastest, speed.factor * fastest);
+  text += fmt::format("set cbrange [{:.6g}:{:.6g}]\nunset grid\n", speed.factor * *slowest,
+                      speed.factor * *fastest);
   return text +
-         on_both_terminals("spacetime",
-                           fmt::format("plot 'spacetime.csv' matrix using (1+{}*$1):({:.10g}*$2):({:g}*$3) "
-                                       "with image notitle\n",
-                                       stride_, time.factor * interval_, speed.factor));
+         on_all_terminals("spacetime",
+                          fmt::format("plot 'spacetime.csv' matrix using (1+{}*$1):({:.10g}*$2):({:g}*$3) "
+                                      "with image notitle\n",
+                                      stride_, time.factor * interval_, speed.factor),
+                          one_column);
 }
 
 }  // namespace mariotte::report

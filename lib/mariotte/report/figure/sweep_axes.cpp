@@ -40,6 +40,12 @@ std::string decades(const study::Range& range) {
   return tics;
 }
 
+/// One of so many positions along an axis is drawn.
+Index step(const Design& design, const study::Axis& axis) {
+  const Index most = design.axes.size() == 1 ? most_on_a_curve : most_along_a_map;
+  return (axis.count + most - 1) / most;
+}
+
 std::string name(const scene::Node& value, std::size_t position) {
   if (const auto* number = std::get_if<double>(&value.value)) return fmt::format("{:g}", *number);
   if (const auto* text = std::get_if<std::string>(&value.value)) return *text;
@@ -77,10 +83,14 @@ bool is_map(const Design& design) {
 }
 
 bool is_drawn(const Design& design, Index point) {
-  const Index most = design.axes.size() == 1 ? most_on_a_curve : most_along_a_map;
   return std::all_of(design.axes.begin(), design.axes.end(), [&](const study::Axis& axis) {
-    return position(axis, point) % ((axis.count + most - 1) / most) == 0;
+    return position(axis, point) % step(design, axis) == 0;
   });
+}
+
+bool ends_column(const Design& design, Index point) {
+  const auto& last = design.axes.back();
+  return position(last, point) + step(design, last) >= last.count;
 }
 
 double coordinate(const Design& design, std::size_t parameter, Index point) {

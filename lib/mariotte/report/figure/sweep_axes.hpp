@@ -17,6 +17,9 @@ bool is_map(const study::Design& design);
 /// Whether a point is in a figure: evenly spaced ones, no more than can be seen.
 bool is_drawn(const study::Design& design, Index point);
 
+/// Whether a drawn point of a map is the last one of its column.
+bool ends_column(const study::Design& design, Index point);
+
 /// Where a point stands along a parameter, in even steps: its value, the logarithm to base 10 of it, or the
 /// position in a list.
 double coordinate(const study::Design& design, std::size_t parameter, Index point);

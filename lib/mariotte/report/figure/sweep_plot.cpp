@@ -11,8 +11,7 @@ namespace mariotte::report {
 namespace {
 
 constexpr std::size_t most_figures = 12;
-constexpr Index few_points = 40;    // that marks do not hide the curve
-constexpr Index few_pixels = 2500;  // that are drawn one by one; browsers blur the edges of an image
+constexpr Index few_points = 40;  // that marks do not hide the curve
 
 using Columns = std::vector<study::Column>;
 
@@ -84,38 +83,59 @@ std::string unless_empty(const std::string& plot) {
 std::string curves(const study::Design& design, const Columns& columns, const Figure& figure) {
   const auto& one = design.parameters[drawn_parameters(design)[0]];
   const bool random = one.range && one.range->seed;
-  const auto* style = random                          ? "points pt 7 ps 0.4"
-                      : design.points() <= few_points ? "linespoints lw 2 pt 7 ps 0.6"
-                                                      : "lines lw 2";
-  const double last = static_cast<double>(std::max<std::size_t>(1, figure.columns.size() - 1));
+  const auto* style = random ? "points ps 0.4" : design.points() <= few_points ? "linespoints" : "lines";
   std::vector<std::string> draw;
   std::vector<std::size_t> places;
   for (const auto column : figure.columns) {
     places.push_back(place(design, column));
-    draw.push_back(fmt::format("'plot.csv' using 1:{} with {} lc palette frac {:.3g} title {} noenhanced",
-                               places.back(), style, 0.1 + 0.8 * static_cast<double>(draw.size()) / last,
-                               quoted(columns[column].key)));
+    draw.push_back(fmt::format("'plot.csv' using 1:{} with {} lt {} title {} noenhanced", places.back(),
+                               style, draw.size() + 1, quoted(columns[column].key)));
   }
-  const auto* key = draw.size() > 1 ? "set key\n" : "unset key\n";
+  const auto* key = draw.size() > 1 ? "set key outside bottom center horizontal\n" : "unset key\n";
   return fmt::format("set ylabel {} noenhanced\n{}unset colorbox\n",
                      quoted(label(figure.key, columns[figure.columns[0]])), key) +
          range_settings(places, "y") +
-         on_both_terminals(file_name(figure.key),
-                           unless_empty(fmt::format("plot {}", fmt::join(draw, ", \\\n  "))));
+         on_all_terminals(file_name(figure.key),
+                          unless_empty(fmt::format("plot {}", fmt::join(draw, ", \\\n  "))), one_column);
 }
 
-std::string surface(const study::Design& design, const Columns& columns, const Figure& figure) {
+/// $lines, the lines of equal value; gnuplot writes them with blanks between columns, whatever it is asked.
+std::string contour_table(const std::string& data, Index contours) {
+  return fmt::format(
+             "set contour base\nunset surface\nset cntrparam levels auto {}\nset table $contours\n"
+             "splot {} notitle\nunset table\nunset contour\nset surface\n",
+             contours, data) +
+         R"(set print $lines
+do for [i=1:|$contours|] {
+  line = $contours[i]
+  if (words(line) == 3) { print word(line, 1).','.word(line, 2).','.word(line, 3) } else { print '' }
+}
+unset print
+set style textbox opaque noborder margins 0.5, 0.5
+)";
+}
+/// White in black, with the value of each.
+constexpr const char* contour_lines =
+    ", \\\n  $lines using 1:2 with lines lc rgb 'black' lw 2.5 dt solid notitle"
+    ", \\\n  $lines using 1:2 with lines lc rgb 'white' lw 1 dt solid notitle"
+    ", \\\n  $lines using 1:2:(sprintf('{/*0.8 %.3g}', $3)) every 1000::8 with labels boxed notitle";
+
+std::string surface(const study::Design& design, const Columns& columns, const Figure& figure,
+                    const scene::Figure& options) {
   const auto column = place(design, figure.columns[0]);
-  const auto* style = !is_map(design)                 ? "points pt 7 ps 0.5 lc palette"
-                      : design.points() <= few_pixels ? "image pixels"
-                                                      : "image";
-  return fmt::format("unset key\nunset grid\nset autoscale fix\nset cblabel {} noenhanced\n",
-                     quoted(label(figure.key, columns[figure.columns[0]]))) +
+  const bool lined = options.contours > 0 && is_map(design);
+  const auto* style = is_map(design) ? "image" : "points pt 7 ps 0.5 lc palette";
+  const auto data = fmt::format("'plot.csv' using 1:2:(valid({0}) ? column({0}) : NaN)", column);
+  const auto plot = fmt::format("plot {} with {} notitle{}", data, style, lined ? contour_lines : "");
+  return fmt::format(
+             "unset key\nunset grid\nset autoscale fix\nset lmargin at screen 0.16\nset rmargin at screen "
+             "0.75\n"
+             "set cblabel {} noenhanced offset 1.2,0\n",
+             quoted(label(figure.key, columns[figure.columns[0]]))) +
          range_settings({column}, "cb") +
-         on_both_terminals(
-             file_name(figure.key),
-             unless_empty(fmt::format("plot 'plot.csv' using 1:2:(valid({}) ? column({}) : NaN) with {}",
-                                      column, column, style)));
+         (options.logarithmic ? "if (low > 0) { set logscale cb } else { unset logscale cb }\n" : "") +
+         (lined ? unless_empty(contour_table(data, options.contours)) : "") +
+         on_all_terminals(file_name(figure.key), unless_empty(plot), one_column);
 }
 
 std::string axes(const study::Design& design) {
@@ -126,7 +146,8 @@ std::string axes(const study::Design& design) {
 
 }  // namespace
 
-SweepPlot sweep_plot(const study::Design& design, const Columns& columns, const std::string& title) {
+SweepPlot sweep_plot(const study::Design& design, const Columns& columns, const std::string& title,
+                     const scene::Figure& options) {
   const auto drawn = drawn_parameters(design);
   if (drawn.empty()) return {{}, "", "a sweep along three axes or more is not drawn"};
   auto figures = figures_of(columns, drawn.size() == 1);
@@ -135,11 +156,11 @@ SweepPlot sweep_plot(const study::Design& design, const Columns& columns, const 
     plot.shortfall = fmt::format("only the first {} are drawn", most_figures);
     figures.resize(most_figures);
   }
-  plot.script = script_head + axes(design);
+  plot.script = script_head() + axes(design);
   for (const auto& figure : figures) {
-    plot.script += fmt::format("\nset title {} noenhanced\n",
-                               quoted(title.empty() ? figure.key : title + ": " + figure.key));
-    plot.script += drawn.size() == 1 ? curves(design, columns, figure) : surface(design, columns, figure);
+    plot.script += fmt::format("\nset title {} noenhanced\n", quoted(title));
+    plot.script +=
+        drawn.size() == 1 ? curves(design, columns, figure) : surface(design, columns, figure, options);
     const auto files = files_of_figure(file_name(figure.key));
     plot.figures.insert(plot.figures.end(), files.begin(), files.end());
   }
@@ -154,6 +175,7 @@ void append_drawn(const study::Design& design, Index first, std::string_view row
     if (!is_drawn(design, point)) continue;
     for (const auto parameter : drawn) text += fmt::format("{:.9g},", coordinate(design, parameter, point));
     text += row;
+    if (is_map(design) && ends_column(design, point)) text += "\n";
   }
 }
 

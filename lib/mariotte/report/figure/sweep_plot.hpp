@@ -18,10 +18,12 @@ struct SweepPlot {
 
 /// One axis makes a curve per column, those of one quantity in one figure. Two make a map per column; if one
 /// of them is random, or random values of several keys go along one axis, a cloud of points in its colours.
+/// `figure` asks for contours and logarithmic colours of maps; a column that is not positive keeps even ones.
 SweepPlot sweep_plot(const study::Design& design, const std::vector<study::Column>& columns,
-                     const std::string& title);
+                     const std::string& title, const scene::Figure& figure = {});
 
 /// Appends to plot.csv what it shows of the rows from `first` on: where each point stands, and its row.
+/// An empty line ends each column of a map.
 void append_drawn(const study::Design& design, Index first, std::string_view rows, std::string& text);
 
 }  // namespace mariotte::report

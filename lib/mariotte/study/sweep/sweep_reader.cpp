@@ -135,6 +135,7 @@ SweepPlan read_sweep(scene::Document document, const Keys& columns) {
   for (const auto& text : columns.empty() ? own : columns) reader.add(text);
   if (plan.columns.empty()) reader.add_keys({});
   plan.title = scene.title;
+  plan.figure = scene.figure;
   plan.warnings = scene.warnings;
   return plan;
 }

@@ -22,6 +22,7 @@ struct SweepPlan {
   std::vector<Column> results;  ///< what has to be known of each result
   std::vector<Output> outputs;  ///< how the columns follow from it
   std::string title;
+  scene::Figure figure;
   std::vector<std::string> warnings;  ///< of the first point's scene, or the last one's
 };
 

@@ -1,0 +1,102 @@
+#include "mariotte/report/figure/event_marks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "mariotte/report/csv/columns.hpp"
+#include "mariotte/report/figure/label_places.hpp"
+
+namespace mariotte::report {
+namespace {
+
+constexpr std::size_t most_lines = 24;  // more would hide the curves; ticks do not
+constexpr double pixels_of_letter = 5.2;
+constexpr double right_of_axis = 22;  // pixels that words may use there
+constexpr int rows = 2;
+constexpr std::array shades = {"#f1f4f8", "#e6ecf3", "#dce4ee"};  // of one, two, three and more contacts
+
+struct Axis {
+  const Display& time;
+  const Window& window;
+  double width;
+
+  double place(double instant) const { return (instant - window.start) / (window.end - window.start); }
+  bool shows(double instant) const { return instant >= window.start && instant <= window.end; }
+};
+
+/// "1–2 close", "3 closes, 1 opens".
+std::string words(const impact::Event& event) {
+  const auto verb = [](const std::vector<Index>& contacts, const char* one, const char* many) {
+    return contacts.empty() ? "" : numbers(contacts) + (contacts.size() > 1 ? many : one);
+  };
+  const auto close = verb(event.close, " closes", " close"), open = verb(event.open, " opens", " open");
+  return close + (close.empty() || open.empty() ? "" : ", ") + open;
+}
+
+std::string shade(const Axis& axis, double from, double to, std::size_t closed) {
+  from = std::max(from, axis.window.start);
+  to = std::min(to, axis.window.end);
+  if (closed == 0 || !(axis.place(to) - axis.place(from) > 1 / axis.width)) return "";
+  return fmt::format(
+      "set object rectangle from {:.8g}, graph 0 to {:.8g}, graph 1 behind fillcolor rgb '{}' "
+      "fillstyle solid noborder\n",
+      axis.time.factor * from, axis.time.factor * to, shades[std::min(closed, shades.size()) - 1]);
+}
+
+std::string shades_of(const Axis& axis, const std::vector<impact::Event>& events) {
+  std::string text;
+  std::size_t closed = 0;
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    closed += events[i].close.size() - events[i].open.size();
+    text += shade(axis, events[i].time, i + 1 < events.size() ? events[i + 1].time : axis.window.end, closed);
+  }
+  return text;
+}
+
+/// Lines, or ticks that are a pixel apart at least.
+std::string lines(const Axis& axis, const std::vector<impact::Event>& shown) {
+  const bool across = shown.size() <= most_lines;
+  std::string text;
+  double last = -1;
+  for (const auto& event : shown) {
+    if (axis.place(event.time) - last < 1 / axis.width) continue;
+    last = axis.place(event.time);
+    text += fmt::format(
+        "set arrow from {0:.8g}, graph {1} to {0:.8g}, graph {2} nohead {3} linecolor rgb '#9aa5b1'\n",
+        axis.time.factor * event.time, across ? 0 : 1, across ? 1 : 1.025,
+        across ? "back dt (3,3) lw 1" : "front lw 1");
+  }
+  return text;
+}
+
+std::string labels(const Axis& axis, const std::vector<impact::Event>& shown) {
+  std::vector<double> at, width;
+  for (const auto& event : shown) {
+    width.push_back(pixels_of_letter * static_cast<double>(report::width(words(event)) + 1) / axis.width);
+    at.push_back(std::min(axis.place(event.time), 1 + right_of_axis / axis.width - 0.5 * width.back()));
+  }
+  const auto row = rows_of_words(at, width, rows);
+  std::string text;
+  for (std::size_t i = 0; i < shown.size(); ++i)
+    if (row[i] >= 0)
+      text += fmt::format(
+          "set label '{{/*0.75 {}}}' at graph {:.4f}, graph {:.3f} center textcolor rgb '#3b4550'\n",
+          words(shown[i]), at[i], 1.04 + 0.06 * row[i]);
+  return text;
+}
+
+}  // namespace
+
+std::string event_marks(const std::vector<impact::Event>& events, const Display& time, const Window& window,
+                        double width, bool with_words) {
+  const Axis axis{time, window, width};
+  std::vector<impact::Event> shown;
+  std::copy_if(events.begin(), events.end(), std::back_inserter(shown),
+               [&](const auto& event) { return axis.shows(event.time); });
+  if (shown.size() > most_lines) return lines(axis, shown);
+  return shades_of(axis, events) + lines(axis, shown) + (with_words ? labels(axis, shown) : "");
+}
+
+}  // namespace mariotte::report

@@ -1,0 +1,113 @@
+#include "mariotte/report/figure/heat_map.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mariotte/report/figure/event_marks.hpp"
+#include "mariotte/report/figure/gnuplot.hpp"
+
+namespace mariotte::report {
+namespace {
+
+constexpr std::size_t most_cells = 250;  // along each axis, about a pixel of the screen
+constexpr double colour_bar = 108;       // pixels, with its numbers and name
+constexpr double decades = 1e-4;
+
+/// How many balls share a cell.
+std::size_t stride(const HeatMap& map) {
+  return (map.value.front().size() + most_cells - 1) / most_cells;
+}
+
+double greater(double a, double b) {
+  return std::abs(b) > std::abs(a) ? b : a;
+}
+
+void pool(const std::vector<double>& row, std::size_t stride, std::vector<double>& cells) {
+  for (std::size_t i = 0; i < row.size(); ++i) cells[i / stride] = greater(cells[i / stride], row[i]);
+}
+
+/// The row at an instant between two samples.
+std::vector<double> row_at(const HeatMap& map, double time) {
+  const auto next = std::lower_bound(map.time.begin(), map.time.end(), time) - map.time.begin();
+  const auto i = std::clamp<std::size_t>(static_cast<std::size_t>(next), 1, map.time.size() - 1);
+  const double part = (time - map.time[i - 1]) / (map.time[i] - map.time[i - 1]);
+  auto row = map.value[i - 1];
+  for (std::size_t k = 0; k < row.size(); ++k) row[k] += part * (map.value[i][k] - row[k]);
+  return row;
+}
+
+double cell_length(const Window& window) {
+  return (window.end - window.start) / static_cast<double>(most_cells);
+}
+
+std::string block(const HeatMap& map, const Window& window) {
+  const auto width = stride(map);
+  std::string text;
+  for (std::size_t j = 0; j < most_cells; ++j) {
+    const double from = window.start + static_cast<double>(j) * cell_length(window);
+    const double to = from + cell_length(window);
+    std::vector<double> cells((map.value.front().size() + width - 1) / width, 0);
+    pool(row_at(map, 0.5 * (from + to)), width, cells);
+    auto i =
+        static_cast<std::size_t>(std::lower_bound(map.time.begin(), map.time.end(), from) - map.time.begin());
+    for (; i < map.time.size() && map.time[i] < to; ++i) pool(map.value[i], width, cells);
+    for (std::size_t k = 0; k < cells.size(); ++k)
+      text += fmt::format("{}{:.5g}", k > 0 ? "," : "", cells[k]);
+    text += "\n";
+  }
+  return text + "\n\n";
+}
+
+/// Least and greatest of all values, of magnitudes if colours are logarithmic.
+std::pair<double, double> range(const HeatMap& map) {
+  double least = 0, most = 0;
+  for (const auto& row : map.value)
+    for (const double value : row) {
+      least = std::min(least, value);
+      most = std::max(most, value);
+    }
+  if (map.logarithmic) return {decades * std::max(-least, most), std::max(-least, most)};
+  return {least, most > least ? most : least + 1};
+}
+
+}  // namespace
+
+std::string heat_map_data(const HeatMap& map, const TimeAxis& axis) {
+  std::string text;
+  for (const auto& window : axis.windows) text += block(map, window);
+  return text;
+}
+
+std::string script(const HeatMap& map, const TimeAxis& axis, std::size_t first_block) {
+  const auto [least, most] = range(map);
+  const auto display = display_for(std::vector{least, most}, map.unit);
+  const auto height = static_cast<double>(stride(map));
+  const auto bar = map.logarithmic ? fmt::format("|{}|", map.quantity) : map.quantity;
+  auto block = first_block;
+  const auto all = panels(axis.windows, colour_bar);
+  const auto inside = [&, count = map.value.front().size()](const Panel& panel) {
+    const double length = cell_length(panel.window);
+    const auto value = map.logarithmic
+                           ? fmt::format("(abs($3)>{0:g}?{1:g}*abs($3):{1:g}*{0:g})", least, display.factor)
+                           : fmt::format("({:g}*$3)", display.factor);
+    return fmt::format("set yrange [0.5:{}]\nset ylabel '{}' offset 1.2,0\n{}{}",
+                       static_cast<double>(count) + 0.5, map.along,
+                       panel.is_last ? "set colorbox\n" : "unset colorbox\n",
+                       event_marks(axis.events, axis.display, panel.window,
+                                   (panel.right - panel.left) * one_column.width, false)) +
+           fmt::format(
+               "plot 'plot.csv' index {} matrix using ({:.9g}+{:.9g}*$2):({}+{}*$1):{} with image notitle\n",
+               block + static_cast<std::size_t>(&panel - all.data()),
+               axis.display.factor * (panel.window.start + 0.5 * length), axis.display.factor * length,
+               0.5 * (1 + height), height, value);
+  };
+  return fmt::format("\n{}set cbrange [{:.6g}:{:.6g}]\nset cblabel '{} [{}]' offset 1.2,0\nunset grid\n",
+                     map.logarithmic ? "set logscale cb\n" : "", display.factor * least,
+                     display.factor * most, bar, display.unit) +
+         on_panels(map.file, map.title, axis, all, inside) +
+         "unset logscale\nunset colorbox\nset ytics\nset grid\n";
+}
+
+}  // namespace mariotte::report

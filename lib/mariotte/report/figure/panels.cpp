@@ -1,0 +1,77 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mariotte/report/figure/gnuplot.hpp"
+#include "mariotte/report/figure/time_figure.hpp"
+
+namespace mariotte::report {
+namespace {
+
+constexpr double left_margin = 80, between = 16;  // pixels
+constexpr double bottom = 0.19, top = 0.82;       // parts of the sheet
+constexpr double pixels_of_tick = 52;             // a number below the axis, and some room
+constexpr double least_share = 0.6;               // of the widest panel
+
+/// 1, 2 or 5 times a power of ten, so that at most `most` steps fit into `span`.
+double step_of(double span, double most) {
+  const double least = span / std::max(1.0, most), decade = std::pow(10, std::floor(std::log10(least)));
+  for (const double digit : {1.0, 2.0, 5.0})
+    if (digit * decade >= least) return digit * decade;
+  return 10 * decade;
+}
+
+/// Numbers below the panels; the first has the numbers beside the vertical axis, the last the name of the
+/// horizontal one.
+std::string horizontal_axis(const Panel& panel, const TimeAxis& axis, double width) {
+  const double start = axis.display.factor * panel.window.start, end = axis.display.factor * panel.window.end;
+  return fmt::format(
+      "set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\nset xrange [{:.10g}:{:.10g}]\n"
+      "set xtics {:g}\n{}",
+      panel.left, panel.right, start, end, step_of(end - start, width / pixels_of_tick),
+      panel.is_last ? fmt::format("set xlabel 'time t [{}]' offset 0,0.6\n", axis.display.unit)
+                    : "unset xlabel\n");
+}
+
+}  // namespace
+
+std::vector<Panel> panels(const std::vector<Window>& windows, double margin) {
+  std::vector<double> share;
+  double longest = 0;
+  for (const auto& one : windows) longest = std::max(longest, one.end - one.start);
+  double sum = 0;
+  for (const auto& one : windows) share.push_back(std::max(one.end - one.start, least_share * longest));
+  for (const double one : share) sum += one;
+  const double gaps = between * static_cast<double>(windows.size() - 1);
+  const double room = one_column.width - left_margin - margin - gaps;
+  std::vector<Panel> all;
+  double left = left_margin;
+  for (std::size_t i = 0; i < windows.size(); ++i) {
+    const double width = sum > 0 ? room * share[i] / sum : room;
+    all.push_back({windows[i], left / one_column.width, (left + width) / one_column.width, i == 0,
+                   i + 1 == windows.size()});
+    left += width + between;
+  }
+  return all;
+}
+
+std::string on_panels(const std::string& file, const std::string& title, const TimeAxis& axis,
+                      const std::vector<Panel>& panels,
+                      const std::function<std::string(const Panel&)>& inside) {
+  std::string plot = "set multiplot\n";
+  for (const auto& panel : panels) {
+    plot += panel.is_first
+                ? fmt::format(
+                      "set border 3\nset ytics nomirror out\nset label {} at screen 0.5, 0.96 center "
+                      "noenhanced\n",
+                      quoted(title))
+                : "set border 1\nunset ytics\nunset ylabel\n";
+    plot += horizontal_axis(panel, axis, (panel.right - panel.left) * one_column.width);
+    plot += inside(panel) + "unset label\nunset arrow\nunset object\n";
+  }
+  return fmt::format("\nset tmargin at screen {}\nset bmargin at screen {}\n", top, bottom) +
+         on_all_terminals(file, plot + "unset multiplot\n", one_column);
+}
+
+}  // namespace mariotte::report
