@@ -45,7 +45,9 @@ report::Json read_result(const std::filesystem::path& folder) {
 }
 
 void write_report_page(const std::filesystem::path& folder, const report::Json& result) {
-  report::write_file(folder / report_page, report::html(result, pictures(folder)));
+  const auto moving = folder / motion_file;
+  const auto motion = std::filesystem::exists(moving) ? read_object(moving) : report::Json();
+  report::write_file(folder / report_page, report::html(result, pictures(folder), motion));
 }
 
 }  // namespace mariotte::command

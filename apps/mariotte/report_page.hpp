@@ -8,6 +8,8 @@ namespace mariotte::command {
 
 /// Name of the page.
 inline constexpr const char* report_page = "report.html";
+/// Name of what its moving picture is made from.
+inline constexpr const char* motion_file = "motion.json";
 
 /// What a page of a folder tells that `run --out` or `sweep --out` has filled. Throws scene::FileError.
 report::Json read_result(const std::filesystem::path& folder);

@@ -12,6 +12,7 @@
 #include "mariotte/report/figure/plot.hpp"
 #include "mariotte/report/json/json_stream.hpp"
 #include "mariotte/report/page/files.hpp"
+#include "mariotte/report/page/motion.hpp"
 #include "report_page.hpp"
 
 namespace mariotte::command {
@@ -26,7 +27,7 @@ constexpr std::size_t most_balls_traced = 1000;  // some thousand samples of the
 
 std::vector<std::string> file_names() {
   std::vector<std::string> names = {result,    "events.csv", "trace.csv",     "plot.csv",
-                                    "plot.gp", "energy.csv", "spacetime.csv", report_page};
+                                    "plot.gp", "energy.csv", "spacetime.csv", motion_file, report_page};
   for (const auto& figures :
        {report::figure_names(), report::files_of_figure(energy), report::files_of_figure(spacetime)})
     names.insert(names.end(), figures.begin(), figures.end());
@@ -73,6 +74,8 @@ Texts texts(const Impact& impact, const scene::Scene& scene, const report::Space
     texts["plot.gp"] = std::move(figures.script);
     add_energy(texts, impact, scene, figures.axis);
   }
+  if (const auto motion = report::motion(impact, scene); !motion.empty())
+    texts[motion_file] = report::text(motion);
   if (is_image(waves)) {
     texts["spacetime.csv"] = waves->data();
     texts["plot.gp"] = report::script_head() + waves->script(scene.title);

@@ -187,7 +187,8 @@ constexpr const char* examples = R"(Examples:
 
 With --out DIR: result.json, events.csv, trace.csv, energy.csv, plot.csv, plot.gp and, by gnuplot, forces,
 velocities and energy as pdf, png and svg, of more than twelve balls as images; of more than 1000 balls
-spacetime.csv and its image instead. With --report also report.html, all of it in one page.
+spacetime.csv and its image instead. With --report also report.html, all of it in one page with a moving
+picture, made from motion.json.
 )";
 
 OptionList declare(Run& options) {

@@ -105,6 +105,26 @@ BOOST_FIXTURE_TEST_CASE(a_folder_without_a_result_is_refused, Session) {
   BOOST_TEST(mariotte("run three.toml --report").code == 2);
 }
 
+BOOST_FIXTURE_TEST_CASE(a_page_animates_the_run_with_its_own_data, Session) {
+  BOOST_TEST(mariotte("run three.toml --out out --report").code == 0);
+  const auto page = content(folder / "out/report.html");
+  const auto block = [&](const std::string& opening) {
+    const auto from = page.find(opening);
+    BOOST_TEST_REQUIRE(from != std::string::npos);
+    return page.substr(from + opening.size(), page.find("</script>", from) - from - opening.size());
+  };
+  const auto data = nlohmann::json::parse(block("<script id=\"motion\" type=\"application/json\">"));
+  auto stored = nlohmann::json::parse(content(folder / "out/motion.json"));
+  BOOST_TEST(data["move"] == stored["move"]);
+  const auto result = nlohmann::json::parse(content(folder / "out/result.json"));
+  BOOST_TEST(data["discs"].size() == result["final"]["velocity"].size());
+  BOOST_TEST(data["contacts"].size() == result["contacts"].size());
+  write("script.js", block("<script>"));
+  if (shell("command -v node").code == 0) BOOST_TEST(shell("node --check script.js").code == 0);
+  BOOST_TEST(mariotte("report out --force").code == 0);
+  BOOST_TEST(content(folder / "out/report.html") == page);
+}
+
 // A browser is not among the packages the project needs; where there is one it has to be content.
 BOOST_FIXTURE_TEST_CASE(a_browser_has_nothing_to_complain_about, Session) {
   if (shell("command -v chromium").code != 0) return;
@@ -122,4 +142,15 @@ BOOST_FIXTURE_TEST_CASE(a_browser_has_nothing_to_complain_about, Session) {
     BOOST_TEST(!has(seen.err, "CONSOLE"));
     BOOST_TEST(fs::file_size(folder / "page.png") > 10'000);
   }
+}
+
+// The picture begins at the largest force; its script has drawn it when the clock tells the instant.
+BOOST_FIXTURE_TEST_CASE(a_browser_draws_the_moving_picture, Session) {
+  if (shell("command -v chromium").code != 0) return;
+  BOOST_TEST(mariotte("run three.toml --out out --report").code == 0);
+  const auto dom = shell(
+      "timeout 60 chromium --headless --no-sandbox --disable-gpu --user-data-dir=profile "
+      "--window-size=400,1200 --dump-dom \"file://$PWD/out/report.html\"");
+  BOOST_TEST(has(dom.out, "<output id=\"clock\">t = "));
+  BOOST_TEST(has(dom.out, "Arrows are forces; the longest is "));
 }

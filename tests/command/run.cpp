@@ -73,7 +73,7 @@ BOOST_FIXTURE_TEST_CASE(without_gnuplot_data_and_script_are_written_and_said_so,
   const auto run = shell("PATH=\"$PWD/empty\" \"$mariotte\" run three.toml --out results");
   BOOST_TEST(run.code == 0);
   BOOST_TEST(has(run.err, "mariotte: warning: no figures: gnuplot is not installed"));
-  BOOST_TEST(entries("results") == 6);
+  BOOST_TEST(entries("results") == 7);
 }
 
 BOOST_FIXTURE_TEST_CASE(results_are_not_overwritten_unless_forced, Session) {

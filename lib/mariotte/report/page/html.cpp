@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "mariotte/report/page/animation.hpp"
 #include "mariotte/report/page/before_and_after.hpp"
 #include "mariotte/report/page/html_table.hpp"
 #include "mariotte/report/page/html_text.hpp"
@@ -16,7 +17,7 @@ namespace {
 
 constexpr const char* style = R"(
 :root { color-scheme: light dark; --line: #8884; --soft: #8882; }
-body { font: 16px/1.5 system-ui, sans-serif; margin: 0 auto; max-width: 78rem; padding: 1rem; }
+body { font: 16px/1.5 system-ui, sans-serif; margin: 0 auto; max-width: 78rem; padding: 1rem clamp(.25rem, 2vw, 1rem); }
 h1 { font-size: 1.6rem; margin: .5rem 0; }
 h2 { font-size: 1.2rem; border-bottom: 1px solid var(--line); margin: 2rem 0 .5rem; }
 h3 { font-size: 1rem; margin: 1rem 0 .25rem; }
@@ -25,8 +26,15 @@ table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
 th, td { border-bottom: 1px solid var(--soft); padding: .15rem .75rem .15rem 0; text-align: left; }
 td.n { text-align: right; white-space: nowrap; }
 .lead { font-size: 1.15rem; }
-.figures { display: grid; gap: 1rem; grid-template-columns: repeat(auto-fit, minmax(min(100%, 36rem), 1fr)); }
-.figures img { background: white; height: auto; min-width: 36rem; width: 100%; }
+.figures { display: grid; gap: .5rem; grid-template-columns: repeat(auto-fit, minmax(min(100%, 23rem), 1fr)); }
+.figures p { margin: 0; }
+.figures img { background: white; display: block; height: auto; width: 100%; }
+.moving { margin: 0; }
+.moving canvas { display: block; touch-action: none; width: 100%; }
+.moving div { align-items: center; display: flex; gap: .75rem; }
+.moving input { flex: 1; min-width: 4rem; }
+.moving output { font-variant-numeric: tabular-nums; min-width: 8.5rem; }
+.moving button { font: inherit; min-width: 5rem; padding: .25rem .75rem; }
 pre { background: var(--soft); overflow-x: auto; padding: .75rem; }
 .checks { display: grid; gap: .5rem; grid-template-columns: repeat(auto-fit, minmax(11rem, 1fr)); }
 .checks div { background: var(--soft); padding: .5rem .75rem; }
@@ -111,8 +119,8 @@ std::string checks(const Json& result) {
 std::string figures(const std::vector<Picture>& pictures) {
   std::string text;
   for (const auto& [name, svg] : pictures)
-    text += fmt::format("<p class=\"wide\"><img alt=\"{}\" src=\"data:image/svg+xml;base64,{}\"></p>\n",
-                        escaped(name), base64(svg));
+    text += fmt::format("<p><img alt=\"{}\" src=\"data:image/svg+xml;base64,{}\"></p>\n", escaped(name),
+                        base64(svg));
   return text.empty() ? "" : section("Figures", "<div class=\"figures\">\n" + text + "</div>\n");
 }
 
@@ -172,7 +180,7 @@ std::string repeating_command(const Json& result) {
   return command;
 }
 
-std::string html(const Json& result, const std::vector<Picture>& pictures) {
+std::string html(const Json& result, const std::vector<Picture>& pictures, const Json& motion) {
   const auto title = result.value("title", "");
   const auto name = escaped(title.empty() ? "Impact" : title);
   std::string page =
@@ -183,8 +191,8 @@ std::string html(const Json& result, const std::vector<Picture>& pictures) {
       fmt::format("<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<h1>{}</h1>\n", name, style, name);
   page += lead(result) + checks(result);
   if (result.contains("message")) page += "<p>" + escaped(inline_text(result["message"])) + "</p>\n";
-  return page + figures(pictures) + before_and_after(result) + tables(result) + origin(result) +
-         "</body>\n</html>\n";
+  return page + animation(motion) + figures(pictures) + before_and_after(result) + tables(result) +
+         origin(result) + "</body>\n</html>\n";
 }
 
 }  // namespace mariotte::report

@@ -13,9 +13,10 @@ struct Picture {
   std::string svg;
 };
 
-/// Outcome and checks, figures, then whatever the result holds, of any model: objects and arrays become
-/// tables, the middle of a long one left out; at the end the command that repeats the run, and what to cite.
-std::string html(const Json& result, const std::vector<Picture>& pictures);
+/// Outcome and checks, the moving picture of `motion` if there is one, figures, then whatever the result
+/// holds, of any model: objects and arrays become tables, the middle of a long one left out; at the end the
+/// command that repeats the run, and what to cite.
+std::string html(const Json& result, const std::vector<Picture>& pictures, const Json& motion = {});
 
 /// The command that repeats a run or a sweep, from its result; empty if the result does not know its scene.
 std::string repeating_command(const Json& result);

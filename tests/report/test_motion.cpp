@@ -1,0 +1,112 @@
+#define BOOST_TEST_MODULE report_motion
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "mariotte/core/overload.hpp"
+#include "mariotte/report/page/animation.hpp"
+#include "mariotte/report/page/motion.hpp"
+#include "mariotte/scene/simulate.hpp"
+
+using namespace mariotte;
+using report::Json;
+
+namespace {
+
+/// The motion of a scene of the repository, and its trace by a visitor.
+template <class Model, class Check>
+void with(const std::string& name, const Check& check) {
+  const auto scene = scene::read(std::string(MARIOTTE_SCENES) + "/" + name);
+  const auto impact = impact::simulate(std::get<Model>(scene.model), scene.run, {.trace = true});
+  check(report::motion(impact, scene), impact, scene);
+}
+
+double distance(const Json& motion, std::size_t frame, std::size_t a, std::size_t b) {
+  const auto place = [&](std::size_t i, const char* axis, std::size_t k) {
+    return motion["discs"][i][axis].get<double>() + motion["move"][frame][2 * i + k].get<double>();
+  };
+  return std::hypot(place(a, "x", 0) - place(b, "x", 0), place(a, "y", 1) - place(b, "y", 1));
+}
+
+/// Every row has a value for each disc or contact, at every instant.
+void expect_whole(const Json& motion) {
+  const auto frames = motion["time"].size();
+  BOOST_TEST(frames > 200u);
+  BOOST_TEST((motion["move"].size() == frames && motion["force"].size() == frames));
+  for (std::size_t i = 0; i < frames; ++i) {
+    BOOST_TEST(motion["move"][i].size() == 2 * motion["discs"].size());
+    BOOST_TEST(motion["force"][i].size() == motion["contacts"].size());
+    if (i > 0) BOOST_TEST(motion["time"][i].get<double>() > motion["time"][i - 1].get<double>());
+  }
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(balls_of_a_chain_approach_by_the_indentation_of_their_contact) {
+  with<model::Chain>("newton_cradle_5.toml", [](const Json& motion, const auto& impact, const auto& scene) {
+    expect_whole(motion);
+    BOOST_TEST(motion["to_scale"] == true);
+    double deepest = 0, strongest = 0;
+    for (std::size_t i = 0; i < motion["time"].size(); ++i) {
+      deepest = std::max(deepest, scene.radius[0] + scene.radius[1] - distance(motion, i, 0, 1));
+      strongest = std::max(strongest, motion["force"][i][0].template get<double>());
+    }
+    // Frames are a 240th of the picture apart, and places are summed over the steps of the flow.
+    BOOST_TEST(deepest == impact.contacts[0].peak_indentation, boost::test_tools::tolerance(1e-2));
+    BOOST_TEST(strongest == impact.contacts[0].peak_force, boost::test_tools::tolerance(1e-3));
+  });
+}
+
+BOOST_AUTO_TEST_CASE(balls_in_the_plane_lie_where_the_scene_puts_them) {
+  with<model::Network>("rack_of_fifteen.toml", [](const Json& motion, const auto& impact, const auto& scene) {
+    expect_whole(motion);
+    for (const auto& contact : motion["contacts"]) {
+      const std::size_t a = contact["from"], b = contact["to"];
+      BOOST_TEST(distance(motion, 0, a, b) > (1 - 1e-9) * (scene.radius[a] + scene.radius[b]));
+    }
+    const auto last = motion["time"].size() - 1;
+    const double step =
+        motion["time"][last].template get<double>() - motion["time"][last - 1].template get<double>();
+    for (std::size_t k = 0; k < impact.velocity.size(); ++k) {
+      const double moved =
+          motion["move"][last][k].template get<double>() - motion["move"][last - 1][k].template get<double>();
+      BOOST_TEST(std::abs(moved / step - impact.velocity[k]) < 1e-2 * 8);  // of the cue ball's speed
+    }
+  });
+}
+
+BOOST_AUTO_TEST_CASE(tips_of_a_body_keep_their_distance_and_press_on_the_plane) {
+  with<model::Microbody>("microrod.toml", [](const Json& motion, const auto& impact, const auto& scene) {
+    expect_whole(motion);
+    BOOST_TEST(motion["floor"] == true);
+    BOOST_TEST((motion["links"] == Json{{0, 1}}));
+    const auto& tips = std::get<model::Microbody>(scene.model).body.tips;
+    const double length = tips[1].centre.e1 - tips[0].centre.e1;
+    double strongest = 0;
+    for (std::size_t i = 0; i < motion["time"].size(); ++i) {
+      BOOST_TEST(distance(motion, i, 0, 1) == length,
+                 boost::test_tools::tolerance(1e-4));  // five digits of places
+      strongest = std::max(strongest, motion["force"][i][0].template get<double>());
+    }
+    BOOST_TEST(strongest == impact.impacts[0].peak_force, boost::test_tools::tolerance(1e-2));
+  });
+}
+
+BOOST_AUTO_TEST_CASE(a_fall_is_left_out_and_a_window_of_ones_own_is_shown) {
+  with<model::Chain>("column_on_a_wall.toml", [](const Json& motion, const auto& impact, const auto& scene) {
+    BOOST_TEST(motion["time"][0].template get<double>() > 0.9 * impact.events[0].time);
+    BOOST_TEST(motion["discs"][0]["radius"].is_null());
+    auto chosen = scene;
+    chosen.figure.window = {{0.01, 0.02}};
+    const auto fall = report::motion(impact, chosen);
+    BOOST_TEST((fall["time"].front() == 0.01 && fall["time"].back() == 0.02));
+    BOOST_TEST(fall["move"].back()[2].template get<double>() == -9.81 * 0.5 * (4e-4 - 1e-4),
+               boost::test_tools::tolerance(1e-3));
+  });
+}
+
+BOOST_AUTO_TEST_CASE(what_has_no_places_has_no_moving_picture) {
+  with<model::Network>("rocking_block.toml",
+                       [](const Json& motion, const auto&, const auto&) { BOOST_TEST(motion.empty()); });
+  BOOST_TEST(report::animation({}) == "");
+}
