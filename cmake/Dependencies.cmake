@@ -15,7 +15,7 @@ if(MARIOTTE_APPS OR MARIOTTE_TESTS OR pybind11_FOUND)
   find_package(muparser REQUIRED)  # expressions in sweeps
   find_package(Boost REQUIRED)  # Student's t of fits, and odeint, a rival in work_precision; headers only
   if(MARIOTTE_HDF5)
-    find_package(HDF5 QUIET COMPONENTS CXX)
+    find_package(HDF5 QUIET COMPONENTS CXX HL)
   endif()
 endif()
 if(MARIOTTE_APPS)

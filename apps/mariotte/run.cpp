@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -9,11 +10,13 @@
 #include "command_line/terminal.hpp"
 #include "interruption.hpp"
 #include "mariotte/report/json/json.hpp"
+#include "mariotte/report/json/json_parts.hpp"
 #include "mariotte/report/json/json_stream.hpp"
 #include "mariotte/report/reason.hpp"
 #include "mariotte/report/table/network_table.hpp"
 #include "mariotte/report/table/table.hpp"
 #include "mariotte/scene/judge.hpp"
+#include "mariotte/scene/text_file.hpp"
 #include "report_page.hpp"
 #include "result_folder.hpp"
 #include "run_notes.hpp"
@@ -72,11 +75,21 @@ report::Json resolved(const scene::Scene& scene) {
   return {{"body", all["body"]}, {"surface", all["surface"]}, {"incidence", all["incidence"]}};
 }
 
+/// What it takes to repeat the run.
+report::Json provenance(const Run& options, const scene::Scene& scene) {
+  auto all = report::provenance_json(scene.sha256);
+  all["scene"] = options.scene.path;
+  all["overrides"] = options.scene.set;
+  return all;
+}
+
 /// What the command adds to a result: its inputs, and what it takes to repeat the run.
 report::Json additions(const Run& options, const scene::Scene& scene) {
   report::Json more;
   if (auto inputs = resolved(scene); !inputs.empty()) more["scene"] = std::move(inputs);
-  more["provenance"] = {{"scene", options.scene.path}, {"overrides", options.scene.set}};
+  if (can_trace(scene) && std::filesystem::is_regular_file(options.scene.path))
+    more["scene_text"] = scene::read_text(options.scene.path);
+  more["provenance"] = provenance(options, scene);
   return more;
 }
 
@@ -135,7 +148,8 @@ void finish_trace(const RunningTrace& trace, hybrid::Ending ending) {
 
 int run(const Run& options, const model::Chain& chain, const scene::Scene& scene) {
   const auto balls = chain.mass.size();
-  const auto trace = start_trace(options.trace, balls, options.force);
+  const auto trace =
+      start_trace(options.trace, balls, options.force, report::attributes(provenance(options, scene)));
   std::optional<report::Spacetime> waves;
   if (!options.out.empty() && !can_trace(scene)) waves.emplace(balls);
   impact::RunObserver observers{.trace = !options.out.empty() && can_trace(scene)};

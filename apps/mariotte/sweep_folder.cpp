@@ -44,7 +44,9 @@ std::optional<report::ColumnStatistics> write_tables(const SweepFiles& files, co
   if (is_random(plan.design)) statistics.emplace(report::sweep_header(plan.design, plan.columns));
   report::NewFile csv(files.folder / "sweep.csv"), drawn(files.folder / "plot.csv");
   std::unique_ptr<report::SweepFile> table;
-  if (files.hdf5) table = report::new_hdf5_sweep(files.folder / hdf5_name, plan.design, plan.columns);
+  if (files.hdf5)
+    table = report::new_hdf5_sweep(files.folder / hdf5_name, plan.design, plan.columns,
+                                   report::attributes(what["provenance"]));
   csv.append(report::sweep_header(plan.design, plan.columns));
   drawn.append("# where a point stands in the figures, then its row of sweep.csv\n");
   journal.read([&](Index first, std::string_view rows) {

@@ -69,7 +69,8 @@ OptionList trace_options(TraceChoice& choice) {
            {.value = "LIST", .needs = {"--trace"}}}};
 }
 
-std::unique_ptr<RunningTrace> start_trace(const TraceChoice& choice, std::size_t balls, bool force) {
+std::unique_ptr<RunningTrace> start_trace(const TraceChoice& choice, std::size_t balls, bool force,
+                                          const report::Attributes& origin) {
   if (choice.file.empty()) return nullptr;
   const auto all = [](std::size_t count) { return fmt::format("1:{}", count); };
   impact::Sampling sampling{
@@ -79,7 +80,7 @@ std::unique_ptr<RunningTrace> start_trace(const TraceChoice& choice, std::size_t
   if (!force && std::filesystem::exists(std::filesystem::symlink_status(choice.file)))
     throw report::FileError("cannot write " + choice.file + ": it exists already (--force overwrites)",
                             fault::exists);
-  auto file = report::new_trace_file(choice.file, sampling.velocities, sampling.contacts);
+  auto file = report::new_trace_file(choice.file, sampling.velocities, sampling.contacts, origin);
   sampling.take = [to = file.get(), every](const impact::Sample& sample) {
     to->add(sample);
     if (interruption() != 0) return infinity;

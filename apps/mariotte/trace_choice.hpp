@@ -25,6 +25,7 @@ struct RunningTrace {
 };
 
 /// For a chain of so many balls; null if none was asked for. Throws UsageError or report::FileError.
-std::unique_ptr<RunningTrace> start_trace(const TraceChoice& choice, std::size_t balls, bool force);
+std::unique_ptr<RunningTrace> start_trace(const TraceChoice& choice, std::size_t balls, bool force,
+                                          const report::Attributes& origin);
 
 }  // namespace mariotte::command

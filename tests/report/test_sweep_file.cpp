@@ -8,6 +8,7 @@
 #include "support/folder.hpp"
 #ifdef MARIOTTE_HDF5
 #include <H5Cpp.h>
+#include <hdf5_hl.h>
 #endif
 
 using namespace mariotte;
@@ -92,10 +93,13 @@ BOOST_FIXTURE_TEST_CASE(every_column_is_a_dataset_of_its_name, Folder) {
   BOOST_TEST(icr[0] == 0.1);
   BOOST_TEST(std::isnan(icr[1]));
   BOOST_TEST(std::isinf(icr[2]));
-  BOOST_TEST(attribute(file, "icr[0]", "unit") == "1");
+  BOOST_TEST(attribute(file, "icr[0]", "units") == "1");
+  BOOST_TEST(numbers(file, "point") == (std::vector<double>{0, 1, 2}), same);
+  for (const auto* column : {"icr[0]", "law", "ending", "reason", "chain.mass[1]"})
+    BOOST_TEST(H5DSis_attached(file.openDataSet(column).getId(), file.openDataSet("point").getId(), 0) > 0);
   BOOST_TEST(attribute(file, "icr[0]", "symbol") == "α_j");
-  BOOST_TEST(attribute(file, "icr[0]", "meaning") == "a ratio");
-  BOOST_TEST(!file.openDataSet("chain.mass[1]").attrExists("unit"));
+  BOOST_TEST(attribute(file, "icr[0]", "long_name") == "a ratio");
+  BOOST_TEST(!file.openDataSet("chain.mass[1]").attrExists("units"));
   using Texts = std::vector<std::string>;
   BOOST_TEST(texts(file, "law") == (Texts{"soft", "hä, rd", "soft"}), same);
   BOOST_TEST(words(file, "ending") == (Texts{"separated", "failed", "max_time"}), same);

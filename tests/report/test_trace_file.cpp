@@ -11,6 +11,7 @@
 #include "support/folder.hpp"
 #ifdef MARIOTTE_HDF5
 #include <H5Cpp.h>
+#include <hdf5_hl.h>
 #endif
 
 namespace report = mariotte::report;
@@ -89,7 +90,7 @@ std::string attribute(const H5::H5File& file, const char* dataset, const char* n
 
 BOOST_FIXTURE_TEST_CASE(hdf5_holds_the_tables_their_units_and_what_columns_are, Folder) {
   const hsize_t rows = 20000;  // more than one chunk
-  const auto trace = report::new_trace_file(path / "wave.h5", balls, contacts);
+  const auto trace = report::new_trace_file(path / "wave.h5", balls, contacts, {{"scene", "a.toml"}});
   for (int i = 0; i < static_cast<int>(rows); ++i) trace->add(sample(i));
   trace->commit();
   BOOST_TEST(entries() == 1);
@@ -106,11 +107,20 @@ BOOST_FIXTURE_TEST_CASE(hdf5_holds_the_tables_their_units_and_what_columns_are, 
     BOOST_REQUIRE(std::equal(row.gap.begin(), row.gap.end(), &gap[2 * i]));
     BOOST_REQUIRE(std::equal(row.force.begin(), row.force.end(), &force[2 * i]));
   }
-  BOOST_TEST(attribute(file, "time", "unit") == "s");
-  BOOST_TEST(attribute(file, "velocity", "unit") == "m/s");
-  BOOST_TEST(attribute(file, "gap", "unit") == "m");
-  BOOST_TEST(attribute(file, "force", "unit") == "N");
-  BOOST_TEST(attribute(file, "force", "meaning") == "force of the contact");
+  const auto is_axis = [&](const char* data, unsigned dimension, const char* axis) {
+    return H5DSis_attached(file.openDataSet(data).getId(), file.openDataSet(axis).getId(), dimension) > 0;
+  };
+  for (const auto* data : {"velocity", "gap", "force"}) BOOST_TEST(is_axis(data, 0, "time"));
+  BOOST_TEST(
+      (is_axis("velocity", 1, "ball") && is_axis("gap", 1, "contact") && is_axis("force", 1, "contact")));
+  std::string scene;
+  file.openAttribute("scene").read(file.openAttribute("scene").getStrType(), scene);
+  BOOST_TEST(std::string(scene.c_str()) == "a.toml");
+  BOOST_TEST(attribute(file, "time", "units") == "s");
+  BOOST_TEST(attribute(file, "velocity", "units") == "m/s");
+  BOOST_TEST(attribute(file, "gap", "units") == "m");
+  BOOST_TEST(attribute(file, "force", "units") == "N");
+  BOOST_TEST(attribute(file, "force", "long_name") == "force of the contact");
 }
 
 BOOST_FIXTURE_TEST_CASE(a_killed_run_leaves_hdf5_that_can_be_read, Killed) {

@@ -18,12 +18,12 @@ std::string hdf5_version() {
 }
 
 std::unique_ptr<TraceFile> new_hdf5_trace(const std::filesystem::path& path, const std::vector<Index>&,
-                                          const std::vector<Index>&) {
+                                          const std::vector<Index>&, const Attributes&) {
   refuse(path);
 }
 
 std::unique_ptr<SweepFile> new_hdf5_sweep(const std::filesystem::path& path, const study::Design&,
-                                          const std::vector<study::Column>&) {
+                                          const std::vector<study::Column>&, const Attributes&) {
   refuse(path);
 }
 

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "mariotte/report/attributes.hpp"
 #include "mariotte/study/sweep/columns.hpp"
 #include "mariotte/study/sweep/design.hpp"
 
@@ -21,10 +22,12 @@ class SweepFile {
 
 /// HDF5 with one dataset per column of the CSV and of its name, each with one value per point: numbers, nan
 /// where there is none; text for `ending`, `reason` and what is varied over text. Columns have attributes
-/// `unit` (SI), `symbol` and `meaning`. The attribute `shape` of the file says how many points lie along each
-/// axis, the last axis fastest. Throws FileError where the
+/// `units` (SI), `symbol` and `long_name`, and the axis `point`, numbers from 0. The attribute `shape` of the
+/// file says how many points lie along each axis of the sweep, the last one fastest; `origin` are more
+/// attributes of the file. Throws FileError where the
 /// program was built without HDF5.
 std::unique_ptr<SweepFile> new_hdf5_sweep(const std::filesystem::path& path, const study::Design& design,
-                                          const std::vector<study::Column>& columns);
+                                          const std::vector<study::Column>& columns,
+                                          const Attributes& origin = {});
 
 }  // namespace mariotte::report

@@ -26,9 +26,9 @@ class CsvTrace final : public TraceFile {
 }  // namespace
 
 std::unique_ptr<TraceFile> new_trace_file(const std::filesystem::path& path, const std::vector<Index>& balls,
-                                          const std::vector<Index>& contacts) {
+                                          const std::vector<Index>& contacts, const Attributes& origin) {
   const auto ending = path.extension();
-  if (ending == ".h5" || ending == ".hdf5") return new_hdf5_trace(path, balls, contacts);
+  if (ending == ".h5" || ending == ".hdf5") return new_hdf5_trace(path, balls, contacts, origin);
   return std::make_unique<CsvTrace>(path, balls, contacts);
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "mariotte/impact/watch/observers.hpp"
+#include "mariotte/report/attributes.hpp"
 
 namespace mariotte::report {
 
@@ -21,13 +22,13 @@ class TraceFile {
 /// Samples of these balls and contacts (from 0) into `path`: HDF5 if its name ends in .h5 or .hdf5, else the
 /// CSV of `trace_csv`. HDF5 files hold the tables `time` [s] (one value per sample), `velocity` [m/s] (one
 /// row per sample, one column per ball), `gap` [m] and `force` [N] (one column per contact), and the numbers
-/// of the columns, from 1, as `ball` and `contact`. Tables have attributes `unit` and `meaning`. Throws
-/// FileError.
+/// of the columns, from 1, as `ball` and `contact`. These three and `time` are the axes of the tables;
+/// tables have attributes `units` and `long_name`, and the file those of `origin`. Throws FileError.
 std::unique_ptr<TraceFile> new_trace_file(const std::filesystem::path& path, const std::vector<Index>& balls,
-                                          const std::vector<Index>& contacts);
+                                          const std::vector<Index>& contacts, const Attributes& origin = {});
 
 /// The HDF5 half of it; throws FileError where the program was built without HDF5.
 std::unique_ptr<TraceFile> new_hdf5_trace(const std::filesystem::path& path, const std::vector<Index>& balls,
-                                          const std::vector<Index>& contacts);
+                                          const std::vector<Index>& contacts, const Attributes& origin = {});
 
 }  // namespace mariotte::report

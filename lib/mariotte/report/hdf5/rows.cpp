@@ -35,10 +35,14 @@ void Rows::append(const void* values, hsize_t rows, const H5::DataType& type) {
 }
 
 void Rows::describe(const std::string& name, const std::string& text) const {
+  hdf5::describe(dataset_, name, text);
+}
+
+void describe(const H5::H5Object& object, const std::string& name, const std::string& text) {
   if (text.empty()) return;
-  H5::StrType type(H5::PredType::C_S1, text.size() + 1);
+  H5::StrType type(H5::PredType::C_S1, H5T_VARIABLE);  // which h5py reads as text, not as bytes
   type.setCset(H5T_CSET_UTF8);
-  dataset_.createAttribute(name, type, H5::DataSpace()).write(type, text);
+  object.createAttribute(name, type, H5::DataSpace()).write(type, text);
 }
 
 }  // namespace mariotte::report::hdf5

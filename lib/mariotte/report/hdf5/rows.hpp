@@ -9,6 +9,9 @@ namespace mariotte::report::hdf5 {
 
 using Extent = std::vector<hsize_t>;
 
+/// An attribute of a file or a dataset; none is written of an empty text.
+void describe(const H5::H5Object& object, const std::string& name, const std::string& text);
+
 class Rows {
  public:
   /// A dataset without rows; each will have the shape `row`, none for a single value.
@@ -22,6 +25,8 @@ class Rows {
 
   /// An attribute; none is written of an empty text.
   void describe(const std::string& name, const std::string& text) const;
+
+  const H5::DataSet& dataset() const { return dataset_; }
 
  private:
   Extent extent_;

@@ -1,4 +1,7 @@
+#include <numeric>
+
 #include "mariotte/report/csv/csv_cell.hpp"
+#include "mariotte/report/hdf5/axes.hpp"
 #include "mariotte/report/hdf5/new_file.hpp"
 #include "mariotte/report/hdf5/rows.hpp"
 #include "mariotte/report/page/files.hpp"
@@ -21,21 +24,24 @@ class Column {
   virtual ~Column() = default;
   virtual void add(const std::string& cell) = 0;
   virtual void write() = 0;
+  virtual const H5::DataSet& dataset() const = 0;
 };
 
 class NumberColumn final : public Column {
  public:
   NumberColumn(const H5::H5File& file, const study::Column& column)
       : rows_(file, column.key, H5::PredType::IEEE_F64LE) {
-    rows_.describe("unit", std::string(column.unit));
+    rows_.describe("units", std::string(column.unit));
     rows_.describe("symbol", std::string(column.symbol));
-    rows_.describe("meaning", std::string(column.meaning));
+    rows_.describe("long_name", std::string(column.meaning));
   }
   void add(const std::string& cell) override { pending_.push_back(number(cell)); }
   void write() override {
     rows_.append(pending_.data(), pending_.size(), H5::PredType::NATIVE_DOUBLE);
     pending_.clear();
   }
+
+  const H5::DataSet& dataset() const override { return rows_.dataset(); }
 
  private:
   hdf5::Rows rows_;
@@ -54,6 +60,8 @@ class TextColumn final : public Column {
     rows_.append(starts.data(), starts.size(), type_);
     pending_.clear();
   }
+
+  const H5::DataSet& dataset() const override { return rows_.dataset(); }
 
  private:
   H5::StrType type_;
@@ -77,6 +85,8 @@ class WordColumn final : public Column {
     count_ = 0;
   }
 
+  const H5::DataSet& dataset() const override { return rows_.dataset(); }
+
  private:
   static constexpr std::size_t longest_word = 24;
   H5::StrType type_;
@@ -97,14 +107,18 @@ void write_shape(const H5::H5File& file, const study::Design& design) {
 class Hdf5Sweep final : public SweepFile {
  public:
   Hdf5Sweep(const std::filesystem::path& path, const study::Design& design,
-            const std::vector<study::Column>& columns)
+            const std::vector<study::Column>& columns, const Attributes& origin)
       : target_(path, temporary_name(path)) {
     target_.guarded([&] {
+      for (const auto& [name, words] : origin) hdf5::describe(target_.file(), name, words);
       write_shape(target_.file(), design);
       for (const auto& parameter : design.parameters) add_column({parameter.key}, is_numeric(parameter));
       for (const auto& column : columns) add_column(column, true);
       columns_.push_back(std::make_unique<WordColumn>(target_.file(), "ending"));
       add_column({"reason"}, false);
+      points_ = std::make_unique<hdf5::Rows>(target_.file(), "point", H5::PredType::STD_I64LE);
+      hdf5::make_axis(points_->dataset(), "point");
+      for (const auto& column : columns_) hdf5::attach(column->dataset(), 0, points_->dataset());
     });
   }
 
@@ -120,6 +134,7 @@ class Hdf5Sweep final : public SweepFile {
   void commit() override {
     target_.guarded([&] { write(); });
     columns_.clear();
+    points_.reset();
     target_.commit();
   }
 
@@ -132,20 +147,26 @@ class Hdf5Sweep final : public SweepFile {
   }
   void write() {
     for (auto& column : columns_) column->write();
+    std::vector<std::int64_t> numbers(static_cast<std::size_t>(pending_));
+    std::iota(numbers.begin(), numbers.end(), written_);
+    points_->append(numbers.data(), numbers.size(), H5::PredType::NATIVE_INT64);
+    written_ += pending_;
     pending_ = 0;
   }
 
   hdf5::NewFile target_;
   std::vector<std::unique_ptr<Column>> columns_;
-  Index pending_ = 0;
+  std::unique_ptr<hdf5::Rows> points_;  ///< numbers of the points, from 0: the axis of all columns
+  Index pending_ = 0, written_ = 0;
   std::vector<std::string> cells_;
 };
 
 }  // namespace
 
 std::unique_ptr<SweepFile> new_hdf5_sweep(const std::filesystem::path& path, const study::Design& design,
-                                          const std::vector<study::Column>& columns) {
-  return std::make_unique<Hdf5Sweep>(path, design, columns);
+                                          const std::vector<study::Column>& columns,
+                                          const Attributes& origin) {
+  return std::make_unique<Hdf5Sweep>(path, design, columns, origin);
 }
 
 }  // namespace mariotte::report

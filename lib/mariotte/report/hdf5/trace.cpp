@@ -2,6 +2,7 @@
 #include <chrono>
 
 #include "mariotte/impact/quantities/description.hpp"
+#include "mariotte/report/hdf5/axes.hpp"
 #include "mariotte/report/hdf5/new_file.hpp"
 #include "mariotte/report/hdf5/rows.hpp"
 #include "mariotte/report/page/files.hpp"
@@ -20,12 +21,13 @@ class Table {
  public:
   Table(const H5::H5File& file, const impact::Description& is, const hdf5::Extent& row)
       : rows_(file, std::string(is.key), H5::PredType::IEEE_F64LE, row) {
-    rows_.describe("unit", std::string(is.unit));
-    rows_.describe("meaning", std::string(is.meaning));
+    rows_.describe("units", std::string(is.unit));
+    rows_.describe("long_name", std::string(is.meaning));
   }
 
   void add(ConstState row) { pending_.insert(pending_.end(), row.begin(), row.end()); }
   std::size_t pending() const { return pending_.size(); }
+  const H5::DataSet& dataset() const { return rows_.dataset(); }
 
   void write() {
     rows_.append(pending_.data(), pending_.size() / rows_.width(), H5::PredType::NATIVE_DOUBLE);
@@ -37,28 +39,33 @@ class Table {
   std::vector<double> pending_;
 };
 
-void write_numbers(const H5::H5File& file, const char* name, const std::vector<Index>& places) {
+/// The axis of the balls or contacts of these places.
+H5::DataSet write_numbers(const H5::H5File& file, const char* name, const std::vector<Index>& places) {
   std::vector<std::int64_t> number(places.begin(), places.end());
   for (auto& each : number) ++each;
   const hsize_t count = number.size();
-  file.createDataSet(name, H5::PredType::STD_I64LE, H5::DataSpace(1, &count))
-      .write(number.data(), H5::PredType::NATIVE_INT64);
+  auto axis = file.createDataSet(name, H5::PredType::STD_I64LE, H5::DataSpace(1, &count));
+  axis.write(number.data(), H5::PredType::NATIVE_INT64);
+  hdf5::make_axis(axis, name);
+  return axis;
 }
 
 class Hdf5Trace final : public TraceFile {
  public:
   Hdf5Trace(const std::filesystem::path& path, const std::vector<Index>& balls,
-            const std::vector<Index>& contacts)
+            const std::vector<Index>& contacts, const Attributes& origin)
       : target_(path, part_name(path)) {
     target_.guarded([&] {
       const auto& file = target_.file();
-      write_numbers(file, "ball", balls);
-      write_numbers(file, "contact", contacts);
+      for (const auto& [name, words] : origin) hdf5::describe(file, name, words);
+      const auto ball = write_numbers(file, "ball", balls);
+      const auto contact = write_numbers(file, "contact", contacts);
       const auto& [time, velocity, gap, force] = impact::sampled;
       tables_ = {{file, time, {}},
                  {file, velocity, {balls.size()}},
                  {file, gap, {contacts.size()}},
                  {file, force, {contacts.size()}}};
+      attach_axes(ball, contact);
       flush();
     });
   }
@@ -83,6 +90,15 @@ class Hdf5Trace final : public TraceFile {
   }
 
  private:
+  void attach_axes(const H5::DataSet& ball, const H5::DataSet& contact) {
+    const auto& time = tables_[0].dataset();
+    hdf5::make_axis(time, "time");
+    for (std::size_t k = 1; k < tables_.size(); ++k) {
+      hdf5::attach(tables_[k].dataset(), 0, time);
+      hdf5::attach(tables_[k].dataset(), 1, k == 1 ? ball : contact);
+    }
+  }
+
   void close() {
     target_.guarded([&] { flush(); });
     tables_.clear();
@@ -102,8 +118,8 @@ class Hdf5Trace final : public TraceFile {
 }  // namespace
 
 std::unique_ptr<TraceFile> new_hdf5_trace(const std::filesystem::path& path, const std::vector<Index>& balls,
-                                          const std::vector<Index>& contacts) {
-  return std::make_unique<Hdf5Trace>(path, balls, contacts);
+                                          const std::vector<Index>& contacts, const Attributes& origin) {
+  return std::make_unique<Hdf5Trace>(path, balls, contacts, origin);
 }
 
 }  // namespace mariotte::report
