@@ -133,6 +133,24 @@ BOOST_AUTO_TEST_CASE(one_on_three_in_space_follows_from_energy_and_momentum) {
   for (int j = 3; j < 6; ++j) BOOST_TEST(run.contacts[j].impulse == 0);
 }
 
+// Without friction the speed across the contact stays, for half a period of the spring.
+BOOST_AUTO_TEST_CASE(a_direction_would_have_turned_by_what_balls_slide_past_each_other) {
+  const double k = 1e6, distance = 0.02, across = 0.5;
+  const std::vector<model::Ball> balls = {{{0, 0}, {1, across}, 1, 0.01}, {{distance, 0}, {0, 0}, 1, 0.01}};
+  const auto network =
+      model::ball_network(balls, 0, [&](Index, Index) -> contact::Law { return contact::Linear{k}; });
+  const auto run = simulate(network, {.accuracy = 1e-10});
+  const double duration = std::numbers::pi * std::sqrt(0.5 / k);
+  BOOST_REQUIRE(run.turning.has_value());
+  BOOST_TEST(*run.turning == std::atan(across * duration / distance), boost::test_tools::tolerance(1e-8));
+  const model::Network other{.mass = {1, 1},
+                             .direction = {{{0, -1}, {1, 1}}},
+                             .law = {contact::Linear{k}},
+                             .gap = {0},
+                             .velocity = {1, 0}};
+  BOOST_TEST(!simulate(other).turning.has_value());
+}
+
 // Heave and rocking of a block on two springs are its natural modes, as long as both are closed.
 BOOST_AUTO_TEST_CASE(a_block_on_two_springs_moves_in_its_two_modes) {
   const double mass = 5, inertia = 0.06, half = 0.1, k = 1, heave = -1, spin = 2;

@@ -62,9 +62,11 @@ BOOST_AUTO_TEST_CASE(every_part_of_a_result_is_on_the_page) {
   BOOST_TEST(count(page, "<tr>") == count(page, "</tr>"));
 }
 
-BOOST_AUTO_TEST_CASE(a_network_has_no_ratios_of_contacts_that_happen_to_be_numbered_so) {
-  BOOST_TEST(has(report::html({{"model", "chain"}, {"icr", {1.5}}}, {}), "Impulse correlation ratios"));
-  BOOST_TEST(!has(report::html({{"model", "network"}, {"icr", {1.5}}}, {}), "Impulse correlation ratios"));
+BOOST_AUTO_TEST_CASE(a_page_shows_the_scene_file_and_what_is_neglected) {
+  const auto page =
+      report::html({{"model", "network"}, {"turning", 0.001}, {"scene_text", "[network] # <a>"}}, {});
+  BOOST_TEST(has(page, "Neglected: turning of contact directions [rad]"));
+  BOOST_TEST(has(page, "<pre>[network] # &lt;a&gt;</pre>"));
 }
 
 BOOST_AUTO_TEST_CASE(a_page_cites_what_its_scene_rests_on) {

@@ -136,7 +136,7 @@ ResolvedNetwork read_ball_network(Source& source, const Field& network, bool pre
   for (Index i = 0; i < std::ssize(balls.ball); ++i) {
     resolved.radius.push_back(balls.ball[i].radius);
     for (Index j = i + 1; j < std::ssize(balls.ball); ++j) {
-      auto [direction, gap] = contact_of(source, balls, i, j, touching, reach);
+      auto [direction, gap, distance] = contact_of(source, balls, i, j, touching, reach);
       if (direction.empty()) continue;
       if (gap < 0 && !precompressed)
         reject(
@@ -146,6 +146,7 @@ ResolvedNetwork read_ball_network(Source& source, const Field& network, bool pre
       pairs.emplace_back(i, j);
       model.direction.push_back(std::move(direction));
       model.gap.push_back(gap);
+      model.distance.push_back(distance);
     }
   }
   read_laws(source, {network, {}}, balls, pairs, model);

@@ -64,7 +64,6 @@ std::vector<Skipped> skipped(const NetworkSystem& system, const ContactRun& run,
   const auto& work = system.layout().work;
   if (std::all_of(work.begin(), work.end(), [](Index p) { return p == model::ContactLayout::absent; }))
     list.push_back({"dissipation", "no contact is damped"});
-  list.push_back({"turning of contact directions", "they are those of the start throughout"});
   if (!trace) list.push_back({"trace", "not asked for"});
   return list;
 }
@@ -83,6 +82,7 @@ NetworkImpact simulate_once(const model::Network& network, const hybrid::Options
   std::vector<double> start;
   initial_state(system.network(), at, start);
   ContactWatch watch(system.phase(), scale, system.network().time, observers);
+  if (!network.distance.empty()) watch.turning.emplace(network, system.phase(), scale);
   hybrid::Workspace<NetworkSystem> workspace;
   const ContactRun& run = hybrid::simulate(system, start, hybrid::scaled(options, scale), workspace, &watch);
   system.problem(workspace.mode);  // forces at the ending are those of the last mode
@@ -104,6 +104,7 @@ NetworkImpact simulate_once(const model::Network& network, const hybrid::Options
   impact.energy = energy_balance(network, before, impact);
   impact.momentum_residual = momentum_residual(before, impact);
   impact.flows = flow_uses(run.flows);
+  if (watch.turning) impact.turning = watch.turning->largest();
   impact.skipped = skipped(system, run, observers.trace);
   impact.requested_accuracy = options.accuracy;
   if (observers.trace) impact.trace = named(watch.trace.take(run.time, run.state), network);

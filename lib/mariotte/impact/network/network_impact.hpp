@@ -6,9 +6,12 @@
 
 namespace mariotte::impact {
 
-/// Ratios are those of contacts that follow each other in the network, which need not be neighbours; the
-/// direction of the impulses says all.
+/// `icr` has ratios of contacts that follow each other in the network, which need not be neighbours; results
+/// tell the direction of the impulses instead.
 struct NetworkImpact : ContactImpact {
+  /// Largest angle by which the direction of a closed contact of balls would have turned [rad]; directions
+  /// are kept. Empty for other dofs.
+  std::optional<double> turning;
   double momentum_residual = 0;  ///< of v⁺ − v⁻ = M⁻¹Gᵀp, relative, in the norm of the kinetic energy
 };
 

@@ -79,11 +79,12 @@ List<I> contacts() {
        .read = of_element<&I::contacts, &One::stored>},
       {.is = {"contacts[].dissipated", "J", "", "energy dissipated in the contact"},
        .read = of_element<&I::contacts, &One::dissipated>},
-      {.is = {"icr[]", "1", "α_j", "impulse correlation ratio p_j/p_{j+1}; null where p_{j+1} = 0"},
-       .read = element<&I::icr>,
-       .count = size_of<&I::icr>,
-       .brief = [](const Brief<I>& b,
-                   Indices i) { return value(correlation_ratio(b.impact.impulse, i[0])); }},
+  };
+}
+
+template <class I>
+List<I> directions() {
+  return {
       {.is = {"impulse_direction[]", "1", "r_j", "direction of all impulses, p_j/|p|"},
        .read = element<&I::impulse_direction>,
        .count = size_of<&I::impulse_direction>,
@@ -155,6 +156,27 @@ List<ChainImpact> momenta(const ChainImpact*) {
   };
 }
 
+/// What only a chain has: contacts that follow each other are neighbours.
+List<ChainImpact> ratios(const ChainImpact*) {
+  using I = ChainImpact;
+  return {
+      {.is = {"icr[]", "1", "α_j", "impulse correlation ratio p_j/p_{j+1}; null where p_{j+1} = 0"},
+       .read = element<&I::icr>,
+       .count = size_of<&I::icr>,
+       .brief = [](const Brief<I>& b,
+                   Indices i) { return value(correlation_ratio(b.impact.impulse, i[0])); }},
+  };
+}
+
+/// What only a network has: an approximation.
+List<NetworkImpact> ratios(const NetworkImpact*) {
+  return {
+      {.is = {"turning", "rad", "Δψ",
+              "largest angle by which the direction of a closed contact of balls would have turned, which "
+              "is neglected; null for other degrees of freedom"},
+       .read = own<&NetworkImpact::turning>}};
+}
+
 List<NetworkImpact> momenta(const NetworkImpact*) {
   return {
       {.is = {"momentum.residual", "1", "", "what the impulses do not explain of the velocities, relative"},
@@ -164,8 +186,9 @@ List<NetworkImpact> momenta(const NetworkImpact*) {
 template <class I>
 List<I> all() {
   List<I> list = motion<I>();
-  for (const auto& part : {contacts<I>(), events<I>(), energies<I>(), momenta(static_cast<const I*>(nullptr)),
-                           validity<I>(), cost_of_run<I>()})
+  for (const auto& part :
+       {contacts<I>(), ratios(static_cast<const I*>(nullptr)), directions<I>(), events<I>(), energies<I>(),
+        momenta(static_cast<const I*>(nullptr)), validity<I>(), cost_of_run<I>()})
     append(list, part);
   return list;
 }

@@ -3,6 +3,7 @@
 #include "mariotte/impact/watch/due_samplings.hpp"
 #include "mariotte/impact/watch/peaks.hpp"
 #include "mariotte/impact/watch/trace.hpp"
+#include "mariotte/impact/watch/turning.hpp"
 
 namespace mariotte::impact {
 
@@ -22,6 +23,7 @@ class ContactWatch final : public hybrid::PhaseObserver {
   void begin_phase(double time, ConstState) override { start_ = time; }
   void observe(const flow::Step& step) override {
     peaks.observe(step);
+    if (turning) turning->observe(step);
     if (observers_.trace) trace.observe(start_, step);
     due_.take_within(start_, step, [&](ConstState x) { return Reading{phase_, x}; });
   }
@@ -32,6 +34,7 @@ class ContactWatch final : public hybrid::PhaseObserver {
 
   PeakObserver peaks;
   TraceObserver trace;
+  std::optional<TurningObserver> turning = {};  ///< where directions could turn
 
  private:
   struct Reading {

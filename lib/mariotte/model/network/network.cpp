@@ -77,7 +77,7 @@ BallContact ball_contact(const std::vector<Ball>& balls, Index i, Index j) {
   if (!(distance > 0))
     throw InvalidParameter("balls " + std::to_string(i + 1) + " and " + std::to_string(j + 1) +
                            " are at the same place");
-  BallContact contact{.direction = {}, .gap = distance - a.radius - b.radius};
+  BallContact contact{.direction = {}, .gap = distance - a.radius - b.radius, .distance = distance};
   if (std::abs(contact.gap) <= 16 * epsilon * size) contact.gap = 0;  // rounding of the positions
   for (const auto& [ball, sign] : {std::pair{i, -1.0}, {j, 1.0}})
     for (Index k = 0; k < dimension; ++k)

@@ -20,6 +20,8 @@ struct Network {
   std::vector<double> velocity;             ///< start velocities, n values
   bool precompressed = false;
   Index dimension = 0;  ///< of balls, whose coordinates are the dofs in turn; 0 for any other dofs
+  /// Between the centres of the balls of each contact at the start, m values [m]; empty for other dofs.
+  std::vector<double> distance = {};
 };
 
 /// Throws InvalidParameter, naming the contact (from 1), unless the network is one that can be simulated.
@@ -46,6 +48,7 @@ Network ball_network(const std::vector<Ball>& balls, double reach, LawOfPair&& l
 struct BallContact {
   ContactDirection direction;
   double gap;
+  double distance = 0;  ///< of the centres [m]
 };
 /// Of two of the balls, wherever they are. Throws InvalidParameter if they are at one place.
 BallContact ball_contact(const std::vector<Ball>& balls, Index i, Index j);
@@ -65,10 +68,11 @@ Network ball_network(const std::vector<Ball>& balls, double reach, LawOfPair&& l
   auto network = free_balls(balls);
   for (Index i = 0; i < std::ssize(balls); ++i)
     for (Index j = i + 1; j < std::ssize(balls); ++j) {
-      auto [direction, gap] = ball_contact(balls, i, j);
+      auto [direction, gap, distance] = ball_contact(balls, i, j);
       if (direction.empty() || gap > reach) continue;
       network.direction.push_back(std::move(direction));
       network.gap.push_back(gap);
+      network.distance.push_back(distance);
       network.law.push_back(law(i, j));
     }
   return network;

@@ -18,6 +18,7 @@ inline constexpr std::array labels = {
     Label{"model", "`chain`, `network` or `microbody`"},
     Label{"message", "why the run ended so; left out if it ended by itself"},
     Label{"scene", "the model as it was understood, in SI units, of `mariotte run` and up to 1000 balls"},
+    Label{"scene_text", "the scene file as it is, of `mariotte run` and up to 1000 balls"},
     Label{"skipped", "what this scene did not need, and why"},
     Label{"warnings[]",
           "suspicious values of the scene, and where its model does not hold; left out if there are none"},

@@ -143,12 +143,15 @@ constexpr const char* script = R"(
     pen.beginPath(); pen.moveTo(x(at), 0); pen.lineTo(x(at), height); pen.stroke();
   }
 
-  function unit(value, name) {
+  function unit(value, name, digits = 4) {
     const size = Math.abs(value);
     const [step, prefix] = [[1, ''], [1e-3, 'm'], [1e-6, 'µ'], [1e-9, 'n'], [1e-12, 'p']].find(one => size >= one[0]) || [1, ''];
-    return (value / step).toPrecision(4) + ' ' + prefix + name;
+    return (value / step).toPrecision(digits) + ' ' + prefix + name;
   }
 
+  // Late in a run an instant needs more digits.
+  const span = data.time[last] - data.time[0];
+  const instant = Math.max(4, Math.min(12, Math.ceil(Math.log10(data.time[last] / span)) + 3));
   let at = 0, playing = false, before = 0;
   function draw() {
     const v = view($('stage').parentElement.clientWidth);
@@ -158,7 +161,7 @@ constexpr const char* script = R"(
     forces(pen, v, all, at);
     timeline(at);
     $('instant').value = at;
-    $('clock').textContent = 't = ' + unit(row(data.time.map(t => [t]), at)[0], 's');
+    $('clock').textContent = 't = ' + unit(row(data.time.map(t => [t]), at)[0], 's', instant);
   }
   function tick(now) {
     if (!playing) return;
@@ -187,7 +190,6 @@ constexpr const char* script = R"(
   $('timeline').addEventListener('pointerdown', drag);
   $('timeline').addEventListener('pointermove', drag);
   window.addEventListener('resize', draw);
-  const span = data.time[last] - data.time[0];
   $('legend').textContent = 'Arrows are forces; the longest is ' + unit(strongest, 'N') + '. ' +
     (factor > 1 ? 'Motion is magnified ' + factor + ' times. ' : '') +
     (data.to_scale ? '' : 'Sizes of the bodies are not known. ') +

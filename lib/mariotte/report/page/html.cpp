@@ -42,26 +42,27 @@ pre { background: var(--soft); overflow-x: auto; padding: .75rem; }
 )";
 
 /// Parts of a result in the order of their interest; what is not among them comes after them.
-constexpr std::array<std::array<const char*, 2>, 18> sections{{{"warnings", "Warnings"},
-                                                               {"final", "Final state"},
-                                                               {"restitution", "Restitution"},
-                                                               {"impacts", "Impacts"},
-                                                               {"contacts", "Contacts"},
-                                                               {"icr", "Impulse correlation ratios"},
-                                                               {"impulse_direction", "Impulse direction"},
-                                                               {"events", "Events"},
-                                                               {"energy", "Energy"},
-                                                               {"momentum", "Momentum"},
-                                                               {"validity", "Validity"},
-                                                               {"flows", "Flows"},
-                                                               {"skipped", "Not needed"},
-                                                               {"accuracy", "Accuracy"},
-                                                               {"varied", "What is varied"},
-                                                               {"columns", "Columns"},
-                                                               {"endings", "Endings"},
-                                                               {"reasons", "Why points have no numbers"}}};
-const std::set<std::string> elsewhere = {"ending",     "title",  "model",  "message",
-                                         "provenance", "points", "failed", "scene"};
+constexpr std::array<std::array<const char*, 2>, 19> sections{
+    {{"warnings", "Warnings"},
+     {"final", "Final state"},
+     {"restitution", "Restitution"},
+     {"impacts", "Impacts"},
+     {"contacts", "Contacts"},
+     {"icr", "Impulse correlation ratios"},
+     {"impulse_direction", "Impulse direction"},
+     {"events", "Events"},
+     {"energy", "Energy"},
+     {"momentum", "Momentum"},
+     {"turning", "Neglected: turning of contact directions [rad]"},
+     {"flows", "Flows"},
+     {"skipped", "Not needed"},
+     {"accuracy", "Accuracy"},
+     {"varied", "What is varied"},
+     {"columns", "Columns"},
+     {"endings", "Endings"},
+     {"reasons", "Why points have no numbers"}}};
+const std::set<std::string> elsewhere = {"ending", "title",  "model", "message",   "provenance",
+                                         "points", "failed", "scene", "scene_text"};
 
 constexpr const char* citations = R"(@software{mariotte,
   title   = {mariotte: a solver for stiff, event-driven impacts},
@@ -128,7 +129,6 @@ std::string tables(const Json& result) {
   std::string text;
   const auto model = result.value("model", "");
   std::set<std::string> done = elsewhere;
-  if (model == "network") done.insert("icr");  // numbers of contacts that need not be neighbours
   for (const auto& [key, title] : sections)
     if (done.insert(key).second && result.contains(key) && !result[key].empty())
       text += section(title, table(result[key], {model, key}));
@@ -144,6 +144,8 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 std::string origin(const Json& result) {
   const auto provenance = result.value("provenance", Json::object());
   std::string text = section("Provenance", table(provenance));
+  if (const auto scene = result.value("scene_text", ""); !scene.empty())
+    text += section("Scene file", "<pre>" + escaped(scene) + "</pre>\n");
   if (const auto command = repeating_command(result); !command.empty())
     text += section("Again", "<pre>" + escaped(command) + "</pre>\n");
   return text + section("To cite", "<pre>" + escaped(to_cite(result)) + "</pre>\n");

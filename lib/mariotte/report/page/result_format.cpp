@@ -23,8 +23,8 @@ SI units and have 17 significant digits. A number that is undefined is `null`.
 Each key with a unit is also a [column of a sweep](sweeps.md#columns): `contacts[1].impulse`. A column may have
 `[*]` for all indices. `.count` after an array is its length: `events.count`.
 
-`sweep.csv` has the bare keys as its header, so that scripts find them. `sweep.h5` has `unit`, `symbol` and
-`meaning` as attributes of every column, and figures show symbol and unit.
+`sweep.csv` has the bare keys as its header, so that scripts find them. `sweep.h5` has `units`,
+`symbol` and `long_name` as attributes of every column, and figures show symbol and unit.
 
 The last column of a table says what a number costs at each point of a sweep. Where there is no unit, it is the
 cost of `.count`:

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 
 #include "mariotte/report/csv/columns.hpp"
 #include "mariotte/report/number.hpp"
@@ -68,6 +69,13 @@ std::string direction_table(const impact::ContactImpact& impact) {
     return {fmt::format("{}", j + 1), fmt::format("{:.10f}", r[j])};
   };
   return "\nImpulse direction\n" + columns({"contact", "r"}, std::ssize(r), row);
+}
+
+std::string neglected_table(const impact::NetworkImpact& impact) {
+  if (!impact.turning) return "";
+  return fmt::format(
+      "\nNeglected\n  turning of contact directions: up to {:.3g}° while contacts were closed\n",
+      *impact.turning * 180 / std::numbers::pi);
 }
 
 }  // namespace mariotte::report

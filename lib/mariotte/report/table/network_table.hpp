@@ -16,6 +16,9 @@ std::string motion_table(const model::Network& network, const std::vector<double
 /// "1–2" of each contact of balls; empty for other networks.
 std::vector<std::string> contact_names(const model::Network& network);
 
+/// By how much directions of contacts would have turned; empty for other networks.
+std::string neglected_table(const impact::NetworkImpact& impact);
+
 /// r = p/|p|, unless no impulse was exchanged.
 std::string direction_table(const impact::ContactImpact& impact);
 

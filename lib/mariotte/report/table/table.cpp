@@ -127,7 +127,7 @@ std::string table(const impact::NetworkImpact& impact, const scene::Scene& scene
   const auto& network = std::get<model::Network>(scene.model);
   return head(impact, scene, "Contact network", size_of(network)) + motion_table(network, impact.velocity) +
          contacts(impact, time_display(impact), contact_names(network)) + direction_table(impact) +
-         energy_table(impact) + momentum_table(impact) +
+         energy_table(impact) + momentum_table(impact) + neglected_table(impact) +
          (detail == Detail::full ? background(impact, "contact") : "");
 }
 
