@@ -5,7 +5,7 @@ cmake_minimum_required(VERSION 3.22)
 
 # Module, and the modules it may include beside itself.
 set(core_may     "")
-set(contact_may  core)
+set(contact_may  core series)
 set(series_may   core)
 set(flow_may     core series)
 set(hybrid_may   core flow)

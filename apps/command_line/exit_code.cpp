@@ -26,6 +26,7 @@ ExitCode exit_code(hybrid::Ending ending) {
   switch (ending) {
     case hybrid::Ending::separated:
     case hybrid::Ending::captured:
+    case hybrid::Ending::bound:
       return ExitCode::ok;
     case hybrid::Ending::time_limit:
     case hybrid::Ending::event_limit:

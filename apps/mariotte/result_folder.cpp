@@ -26,8 +26,8 @@ constexpr const char* spacetime = "spacetime";
 constexpr std::size_t most_balls_traced = 1000;  // some thousand samples of these are about 100 MB of text
 
 std::vector<std::string> file_names() {
-  std::vector<std::string> names = {result,    "events.csv", "trace.csv",     "plot.csv",
-                                    "plot.gp", "energy.csv", "spacetime.csv", motion_file, report_page};
+  std::vector<std::string> names = {result,       "events.csv",    "trace.csv", "plot.csv", "plot.gp",
+                                    "energy.csv", "spacetime.csv", motion_file, report_page};
   for (const auto& figures :
        {report::figure_names(), report::files_of_figure(energy), report::files_of_figure(spacetime)})
     names.insert(names.end(), figures.begin(), figures.end());

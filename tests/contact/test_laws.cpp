@@ -5,6 +5,8 @@
 #include "mariotte/contact/hertz.hpp"
 #include "mariotte/contact/hunt_crossley.hpp"
 #include "mariotte/contact/law.hpp"
+#include "mariotte/contact/tabulated.hpp"
+#include "mariotte/contact/tsuji.hpp"
 #include "mariotte/core/error.hpp"
 
 using namespace mariotte::contact;
@@ -48,6 +50,8 @@ const std::vector<Law> laws = {Linear{3.0},
                                Hertz{3.0},
                                PowerLaw{.stiffness = 3.0, .damping = 0.4, .exponent = 1.7},
                                std::make_shared<HuntCrossley>(3.0, 0.4, 1.7),
+                               std::make_shared<Tsuji>(3.0, 0.4),
+                               std::make_shared<Tabulated>(std::vector<LawPoint>{{0.1, 1}, {0.2, 4}, {1, 9}}),
                                std::make_shared<Quadratic>(),
                                std::make_shared<Damped>()};
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "mariotte/contact/branched_law.hpp"
 #include "mariotte/core/error.hpp"
 
 namespace mariotte::contact {
@@ -84,6 +85,7 @@ double static_indentation(const CustomLaw& law, double force) {
 }
 
 SharedLaw in_units(const SharedLaw& law, const Scale& scale) {
+  if (const auto* branched = law->branched()) return in_units(*branched, law, scale);
   return std::make_shared<ScaledLaw>(law, scale);
 }
 

@@ -15,6 +15,8 @@ struct LawParameter {
   double value;
 };
 
+class BranchedLaw;
+
 /// A law f(δ, δ̇) without memory, in SI units. CVODE follows it; the flows with closed forms and series do
 /// not. Objects are shared by contacts and threads, so they must not change.
 class CustomLaw {
@@ -36,6 +38,8 @@ class CustomLaw {
   virtual double natural_indentation(double energy) const;
   /// Numbers of the law for results.
   virtual std::vector<LawParameter> parameters() const { return {}; }
+  /// The law itself if it has branches, which only the library's own have.
+  virtual const BranchedLaw* branched() const { return nullptr; }
 };
 
 /// How a law of one's own is handed to a model.

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "mariotte/contact/branched_law.hpp"
 #include "mariotte/core/error.hpp"
 
 namespace mariotte::contact {
@@ -27,6 +28,19 @@ double stored_energy(const Law& law, double indentation) {
 
 bool dissipates(const Law& law) {
   return with(law, [](const auto& one) { return dissipates(one); });
+}
+
+bool pulls(const Law& law) {
+  const auto* branches = branched(law);
+  return branches && branches->pulls();
+}
+bool adheres(const Law& law) {
+  const auto* branches = branched(law);
+  return branches && branches->adheres();
+}
+bool watches_turns(const Law& law) {
+  const auto* branches = branched(law);
+  return branches && branches->watches_turns();
 }
 
 double static_indentation(const Law& law, double force) {

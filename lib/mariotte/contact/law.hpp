@@ -17,6 +17,11 @@ inline const PowerLaw* power_law(const Law& law) {
   return std::get_if<PowerLaw>(&law);
 }
 
+/// The law if it has branches, or null.
+inline const BranchedLaw* branched(const Law& law) {
+  return power_law(law) ? nullptr : std::get<SharedLaw>(law)->branched();
+}
+
 /// `use` with the law as what it is, a PowerLaw or a CustomLaw.
 template <class Use>
 auto with(const Law& law, Use&& use) {
@@ -46,6 +51,15 @@ inline Force load(const Law& law, double indentation, double rate) {
 double stored_energy(const Law& law, double indentation);
 /// True if the contact loses energy: it may go slack, and the work put into it is integrated.
 bool dissipates(const Law& law);
+/// True if the contact can be indented without force: its damper may take all of it.
+inline bool goes_slack(const Law& law) {
+  return dissipates(law) && !branched(law);
+}
+/// True if the force of the contact can pull, and true if it holds bodies at rest together.
+bool pulls(const Law& law);
+bool adheres(const Law& law);
+/// True if the signs of its rate of indentation are events.
+bool watches_turns(const Law& law);
 /// Indentation at which the contact carries a force at rest [m].
 double static_indentation(const Law& law, double force);
 

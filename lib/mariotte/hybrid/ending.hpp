@@ -7,6 +7,7 @@ namespace mariotte::hybrid {
 enum class Ending {
   separated,    ///< no contact carries force and no two bodies can meet again
   captured,     ///< a tip has turned back in the well of adhesion
+  bound,        ///< adhesion holds bodies together for ever; nothing else can meet again
   time_limit,   ///< Options::max_time was reached
   event_limit,  ///< Options::max_events was reached
   interrupted,  ///< whoever looked on gave it up; what was computed until then is kept
@@ -15,13 +16,16 @@ enum class Ending {
   failed        ///< a flow could not go on; what was computed until then is kept
 };
 
-/// "separated", "captured", "time_limit", "event_limit", "interrupted", "unsure", "invalid", "failed".
+/// "separated", "captured", "bound", "time_limit", "event_limit", "interrupted", "unsure", "invalid",
+/// "failed".
 constexpr const char* name(Ending ending) {
   switch (ending) {
     case Ending::separated:
       return "separated";
     case Ending::captured:
       return "captured";
+    case Ending::bound:
+      return "bound";
     case Ending::time_limit:
       return "time_limit";
     case Ending::event_limit:

@@ -97,18 +97,43 @@ void add_ratios(EnergyBalance& balance, const DimensionlessChain& chain, const C
 
 }  // namespace
 
+namespace {
+
+/// What memory tells of a contact whose law has branches.
+ContactEnergy remembered(const contact::BranchedLaw& law, const contact::Memory& past,
+                         contact::ContactMode mode, double before, double now) {
+  ContactEnergy energy;
+  energy.adhesion = past.adhesion_loss;
+  if (contact::carries_force(mode)) energy.stored = law.stored_energy(past, now);
+  contact::Memory start;  // a contact that starts indented has yielded before
+  if (before > law.yield_indentation(start)) start.peak = before;
+  energy.plastic = plastic_loss(law, past, now) - plastic_loss(law, start, before);
+  energy.dent = law.closing_indentation(past);
+  return energy;
+}
+
+}  // namespace
+
+ContactEnergy contact_energy(const model::ScaledContacts& contacts, const model::ContactLayout& layout,
+                             const contact::ContactSet& mode, const Interval& interval, Index j) {
+  ContactEnergy energy;
+  const Index at = layout.gap[j];
+  const double gap = interval.after[at];
+  if (const auto* branches = contact::branched(contacts.law[j]))
+    energy = remembered(*branches, model::memory_of(mode, j), mode[j], -interval.before[at], -gap);
+  else if (contact::carries_force(mode[j]) && gap < 0)
+    energy.stored = contact::stored_energy(contacts.law[j], -gap);
+  if (layout.work[j] != ChainLayout::absent)
+    energy.dissipated = interval.after[layout.work[j]] - energy.stored;
+  return energy;
+}
+
 void contact_energies(const model::ScaledContacts& contacts, const model::ContactLayout& layout,
                       const contact::ContactSet& mode, const Interval& interval,
                       std::vector<ContactEnergy>& energies) {
-  energies.assign(layout.contacts(), {});
-  for (Index j = 0; j < layout.contacts(); ++j) {
-    auto& energy = energies[j];
-    const double gap = interval.after[layout.gap[j]];
-    if (contact::carries_force(mode[j]) && gap < 0)
-      energy.stored = contact::stored_energy(contacts.law[j], -gap);
-    if (layout.work[j] != ChainLayout::absent)
-      energy.dissipated = interval.after[layout.work[j]] - energy.stored;
-  }
+  energies.clear();
+  for (Index j = 0; j < layout.contacts(); ++j)
+    energies.push_back(contact_energy(contacts, layout, mode, interval, j));
 }
 
 EnergyBalance energy_balance(const DimensionlessChain& chain, const ChainLayout& layout,
@@ -121,6 +146,8 @@ EnergyBalance energy_balance(const DimensionlessChain& chain, const ChainLayout&
   for (const auto& energy : contacts) {
     balance.stored += energy.stored;
     balance.dissipated += energy.dissipated;
+    balance.plastic += energy.plastic;
+    balance.adhesion += energy.adhesion;
   }
   balance.residual = balance.final + balance.stored + balance.dissipated - balance.initial - balance.work;
   add_ratios(balance, chain, layout, interval);
@@ -143,8 +170,8 @@ MomentumBalance momentum_balance(const DimensionlessChain& chain, const ChainLay
 }
 
 EnergyBalance in_units(EnergyBalance balance, const Scale& scale) {
-  for (double* entry : {&balance.initial, &balance.final, &balance.stored, &balance.dissipated, &balance.work,
-                        &balance.residual})
+  for (double* entry : {&balance.initial, &balance.final, &balance.stored, &balance.dissipated,
+                        &balance.plastic, &balance.adhesion, &balance.work, &balance.residual})
     *entry *= scale.energy();
   return balance;
 }

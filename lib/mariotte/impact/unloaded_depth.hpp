@@ -2,6 +2,7 @@
 #pragma once
 #include "mariotte/contact/contact_set.hpp"
 #include "mariotte/impact/gate.hpp"
+#include "mariotte/model/contacts/contact_automaton.hpp"
 #include "mariotte/model/contacts/contact_layout.hpp"
 
 namespace mariotte::impact {
@@ -15,7 +16,8 @@ inline double unloaded_depth(const model::ScaledContacts& contacts, const model:
     if (mode[j] != ContactMode::open && mode[j] != ContactMode::hovering) continue;
     const double allowed =
         noise_depths * contacts.noise_depth[j] + balance_allowance * accuracy * contacts.length[j];
-    const double depth = -x[layout.gap[j]] / allowed;
+    const double closing = model::level(ContactMode::open, contacts.law[j], model::memory_of(mode, j), 0);
+    const double depth = -(x[layout.gap[j]] + closing) / allowed;
     worst = depth <= worst ? worst : depth;  // a gap that is not a number counts
   }
   return worst;

@@ -23,6 +23,7 @@ std::string reason(hybrid::Ending ending, const std::string& message, const hybr
   switch (ending) {
     case Ending::separated:
     case Ending::captured:
+    case Ending::bound:
       return "";
     case Ending::time_limit:
       return fmt::format("max_time = {:g} s was reached before the end", options.max_time);

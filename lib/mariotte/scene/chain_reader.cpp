@@ -7,6 +7,7 @@
 #include "mariotte/core/error.hpp"
 #include "mariotte/model/chain/equilibrium.hpp"
 #include "mariotte/scene/balls.hpp"
+#include "mariotte/scene/contact_law.hpp"
 #include "mariotte/scene/contacts.hpp"
 #include "mariotte/scene/error_list.hpp"
 #include "mariotte/scene/touching.hpp"
@@ -14,11 +15,9 @@
 namespace mariotte::scene {
 namespace {
 
-constexpr std::array<std::string_view, 23> keys{
-    "precompression", "start",        "diameter", "taper",    "repeat",   "restitution",   "at",
-    "balls",          "mass",         "radius",   "material", "velocity", "law",           "stiffness",
-    "damping",        "exponent",     "gap",      "gravity",  "wall",     "wall_material", "ball",
-    "contact",        "precompressed"};
+constexpr auto keys = law_keys_and(std::array<std::string_view, 17>{
+    "precompression", "start", "diameter", "taper", "repeat", "balls", "mass", "radius", "material",
+    "velocity", "gap", "gravity", "wall", "wall_material", "ball", "contact", "precompressed"});
 
 double read_gravity(const Source& source, const Field& chain, const std::optional<Field>& of_run) {
   const auto own = find(chain, "gravity");

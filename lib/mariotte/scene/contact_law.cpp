@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "mariotte/contact/named_laws.hpp"
+#include "mariotte/core/error.hpp"
+#include "mariotte/scene/law_table.hpp"
 
 namespace mariotte::scene {
 namespace {
@@ -14,37 +16,56 @@ constexpr double usual_exponent = 1.5;  ///< Hertz's, unless the law or the scen
 
 const NamedLaw& read_name(const Source& source, const Field& field) {
   static const auto names = [] {
-    std::array<std::string_view, std::size(contact::named_laws)> list;
-    for (std::size_t i = 0; i < list.size(); ++i) list[i] = contact::named_laws[i].name;
+    std::vector<std::string_view> list;
+    for (const auto& law : contact::named_laws) list.push_back(law.name);
     return list;
   }();
   return contact::named_laws[choice(source, field, "law", names)];
 }
 
+std::string quoted(const NamedLaw& law) {
+  return "law '" + std::string(law.name) + "'";
+}
+
+bool may_choose_exponent(const NamedLaw& law) {
+  return law.find("exponent") != nullptr;
+}
+
 double read_exponent(const Source& source, const LawTables& tables, Index contact, const NamedLaw& law) {
   const double own = law.exponent.value_or(usual_exponent);
   const auto field = tables.find_for(contact, "exponent");
-  if (!field) return own;
+  if (!field || !law.find("stiffness")) return own;
   const double exponent = number(source, *field, dimension::none, Domain::finite);
   if (exponent < 1) reject(source, *field, fault::out_of_range, "must be at least 1");
-  if (law.exponent && exponent != own)
-    reject(source, *field, fault::misplaced,
-           "law '" + std::string(law.name) + "' has its own exponent (viscoelastic has any)");
+  if (!may_choose_exponent(law) && exponent != own)
+    reject(source, *field, fault::misplaced, quoted(law) + " has its own exponent (viscoelastic has any)");
   return exponent;
+}
+
+/// The relaxation time A of a law f + A df/dt, as a damping.
+std::optional<double> read_relaxation(const Source& source, const LawTables& tables, Index contact,
+                                      const NamedLaw& law, const contact::LawNumbers& numbers) {
+  const auto field = tables.find_for(contact, "relaxation_time");
+  if (!field || !law.relaxation) return std::nullopt;
+  if (const auto damping = tables.find_for(contact, "damping"))
+    reject(source, *field, fault::contradiction, "'damping' is given, too; give one of them");
+  return law.relaxation(numbers.exponent) * numbers.stiffness *
+         number(source, *field, dimension::time, Domain::not_negative);
 }
 
 /// The damping itself; a restitution takes its place.
 double read_damping(const Source& source, const LawTables& tables, Index contact, const Field& law_field,
-                    const NamedLaw& law, double exponent) {
+                    const NamedLaw& law, const contact::LawNumbers& numbers) {
+  if (const auto damping = read_relaxation(source, tables, contact, law, numbers)) return *damping;
   const auto field = tables.find_for(contact, "damping");
-  const auto name = "law '" + std::string(law.name) + "'";
-  if (!field && law.damping)
-    reject(source, law_field, fault::missing, name + " needs a damping, or a restitution");
+  const auto* key = law.damping();
+  if (!field && key && !key->may_be_missing)
+    reject(source, law_field, fault::missing, quoted(law) + " needs a damping, or a restitution");
   if (!field) return 0;
-  const auto unit = law.damping ? law.damping : dimension::damping;
-  const double damping = number(source, *field, unit(exponent), Domain::not_negative);
-  if (!law.damping && damping != 0)
-    reject(source, *field, fault::misplaced, name + " has no damping (viscoelastic has)");
+  const auto unit = key ? key->dimension : dimension::damping;
+  const double damping = number(source, *field, unit(numbers.exponent), Domain::not_negative);
+  if (!key && damping != 0)
+    reject(source, *field, fault::misplaced, quoted(law) + " has no damping (viscoelastic has)");
   return damping;
 }
 
@@ -75,17 +96,17 @@ Encounter read_encounter(const Source& source, const LawTables& tables, Index co
 
 /// The damping that gives a restitution.
 double solve_damping(const Source& source, const LawTables& tables, Index contact, const Field& field,
-                     const NamedLaw& law, double stiffness, double exponent, Encounters& encounters) {
+                     const LawChoice& law, const contact::LawNumbers& numbers, Encounters& encounters) {
   const double e = number(source, field, dimension::none, Domain::positive);
   if (e > 1) reject(source, field, fault::out_of_range, "must not be above 1");
   if (e == 1) return 0;
-  if (!law.damping)
+  if (!law.law.damping())
     reject(source, field, fault::misplaced,
-           "law '" + std::string(law.name) + "' has no damping (viscoelastic and hunt-crossley have)");
+           quoted(law.law) + " has no damping (viscoelastic and hunt-crossley have)");
   const auto encounter =
-      read_encounter(source, tables, contact, field, encounters, depends_on_speed(law, exponent));
+      read_encounter(source, tables, contact, field, encounters, depends_on_speed(law.law, numbers.exponent));
   try {
-    const auto damping = encounters.solver.damping(law, stiffness, exponent, e, encounter);
+    const auto damping = encounters.solver.damping(law, numbers, e, encounter);
     if (!damping) reject(source, field, fault::out_of_range, "is smaller than any damping makes it");
     if (!(*damping > 0) || !std::isfinite(*damping))
       reject(source, field, fault::out_of_range, "has no damping that double precision can carry");
@@ -95,9 +116,19 @@ double solve_damping(const Source& source, const LawTables& tables, Index contac
   }
 }
 
-/// From the materials and radii of the two balls [N/m^1.5].
-double material_stiffness(const Source& source, const Field& law_field, Index contact, const BallPair& pair) {
-  const auto name = "contact " + std::to_string(contact + 1);
+std::string name_of(Index contact) {
+  return "contact " + std::to_string(contact + 1);
+}
+
+/// Elastic spheres that touch.
+struct ElasticPair {
+  contact::Elasticity left, right;
+  double left_radius, right_radius;
+};
+
+/// What the two balls of a contact say; a key of the law would have said what is `needed`.
+ElasticPair elastic_pair(const Source& source, const Field& law_field, Index contact, const BallPair& pair,
+                         std::string_view needed) {
   const auto [a, b] = pair;
   const auto elastic_of = [](const Ball* ball) {
     return ball ? elastic(ball->material.value_or(Material{})) : std::nullopt;
@@ -105,11 +136,19 @@ double material_stiffness(const Source& source, const Field& law_field, Index co
   const auto elastic_a = elastic_of(a), elastic_b = elastic_of(b);
   if (!elastic_a || !elastic_b || !a->radius || !b->radius)
     reject(source, law_field, fault::no_stiffness,
-           name + " needs a stiffness, or radius, young and poisson of both its balls");
-  const double stiffness = contact::hertz_stiffness(*elastic_a, *a->radius, *elastic_b, *b->radius);
+           name_of(contact) + " needs " + std::string(needed) +
+               ", or radius, young and poisson of both its balls");
+  return {*elastic_a, *elastic_b, *a->radius, *b->radius};
+}
+
+/// From the materials and radii of the two balls [N/m^1.5].
+double material_stiffness(const Source& source, const Field& law_field, Index contact, const BallPair& pair) {
+  const auto spheres = elastic_pair(source, law_field, contact, pair, "a stiffness");
+  const double stiffness =
+      contact::hertz_stiffness(spheres.left, spheres.left_radius, spheres.right, spheres.right_radius);
   if (!(stiffness > 0) || !std::isfinite(stiffness))
     reject(source, law_field, fault::no_stiffness,
-           name + " has no finite stiffness: two rigid bodies, or two planes");
+           name_of(contact) + " has no finite stiffness: two rigid bodies, or two planes");
   return stiffness;
 }
 
@@ -119,30 +158,92 @@ double read_stiffness(const Source& source, const LawTables& tables, Index conta
     return number(source, *field, dimension::stiffness(exponent), Domain::positive);
   if (exponent != usual_exponent)
     reject(source, law_field, fault::no_stiffness,
-           "contact " + std::to_string(contact + 1) +
-               " needs a stiffness (materials give it for the exponent 1.5 only)");
+           name_of(contact) + " needs a stiffness (materials give it for the exponent 1.5 only)");
   return material_stiffness(source, law_field, contact, pair);
+}
+
+/// A number of the law that its materials and radii do not give, or that goes before them.
+double read_number(const Source& source, const LawTables& tables, Index contact, const Field& law_field,
+                   const contact::LawKey& key, double exponent, const BallPair& pair) {
+  if (const auto field = tables.find_for(contact, key.key))
+    return number(source, *field, key.dimension(exponent), Domain::positive);
+  const bool is_modulus = key.key == "effective_modulus";
+  if (!is_modulus && key.key != "effective_radius")
+    reject(source, law_field, fault::missing, name_of(contact) + " needs '" + std::string(key.key) + "'");
+  const auto spheres = elastic_pair(source, law_field, contact, pair, "'" + std::string(key.key) + "'");
+  const double value = is_modulus ? contact::effective_modulus(spheres.left, spheres.right)
+                                  : contact::effective_radius(spheres.left_radius, spheres.right_radius);
+  if (!(value > 0) || !std::isfinite(value))
+    reject(source, law_field, fault::no_stiffness,
+           name_of(contact) + " has no finite " + std::string(key.key) + ": two rigid bodies, or two planes");
+  return value;
+}
+
+/// Every number but a damping.
+contact::LawNumbers read_numbers(const Source& source, const LawTables& tables, Index contact,
+                                 const Field& law_field, const NamedLaw& law, const BallPair& pair) {
+  contact::LawNumbers numbers{.exponent = read_exponent(source, tables, contact, law)};
+  for (const auto& key : law.keys) {
+    if (key.key == "damping" || key.key == "exponent") continue;
+    numbers.*key.number = key.key == "stiffness"
+                              ? read_stiffness(source, tables, contact, law_field, numbers.exponent, pair)
+                              : read_number(source, tables, contact, law_field, key, numbers.exponent, pair);
+  }
+  if (!law.has_table) return numbers;
+  const auto table = tables.find_for(contact, "table");
+  if (!table) reject(source, law_field, fault::missing, name_of(contact) + " needs 'table', a CSV file");
+  numbers.points = read_law_table(source, *table);
+  return numbers;
+}
+
+/// Whether the force is cut off where it would pull, which is usual.
+bool read_uncut(const Source& source, const LawTables& tables, Index contact, const NamedLaw& law) {
+  const auto field = tables.find_for(contact, "separation");
+  if (!field) return false;
+  constexpr std::array<std::string_view, 2> ends{"force", "indentation"};
+  const bool uncut = choice(source, *field, "separation", ends) == 1;
+  if (uncut && (!law.damping() || law.find("work_of_adhesion")))
+    reject(source, *field, fault::misplaced, quoted(law) + " has an end of its own");
+  return uncut;
+}
+
+/// A table of one contact says nothing that its law does not know; what is said of all may be for others.
+void expect_own_keys(const Source& source, const LawTables& tables, Index contact, const NamedLaw& law) {
+  const auto& own = tables.place_of(contact);
+  constexpr std::array<std::string_view, 8> common{"law", "exponent",   "damping",         "restitution",
+                                                   "at",  "separation", "relaxation_time", "stiffness"};
+  for (const auto key : law_keys) {
+    const bool known = law.find(key) || std::find(common.begin(), common.end(), key) != common.end();
+    const bool misses = key == "stiffness"         ? !law.find(key)
+                        : key == "relaxation_time" ? !law.relaxation
+                        : key == "table"           ? !law.has_table
+                                                   : !known;
+    if (const auto field = find(own, key); field && misses && &own != &tables.whole)
+      reject(source, *field, fault::misplaced, quoted(law) + " has no " + std::string(key));
+  }
 }
 
 }  // namespace
 
 contact::Law read_law(const Source& source, const LawTables& tables, Index contact, const BallPair& pair,
-                      Encounters& encounters) {
+                      Encounters& encounters) try {
   const auto field = tables.find_for(contact, "law");
   if (!field)
     reject(source, tables.place_of(contact), fault::missing,
            "'law' is missing (" + contact::names_of_laws() + ")");
   const auto& law = read_name(source, *field);
-  const double exponent = read_exponent(source, tables, contact, law);
+  expect_own_keys(source, tables, contact, law);
   if (const auto at = tables.find_for(contact, "at"); at && !tables.find_for(contact, "restitution"))
     reject(source, *at, fault::misplaced, "has no effect without 'restitution'");
+  auto numbers = read_numbers(source, tables, contact, *field, law, pair);
+  const LawChoice choice{law, read_uncut(source, tables, contact, law)};
   const auto restitution = find_restitution(source, tables, contact);
-  const double given = restitution ? 0 : read_damping(source, tables, contact, *field, law, exponent);
-  const double stiffness = read_stiffness(source, tables, contact, *field, exponent, pair);
-  if (!restitution) return law.make(stiffness, given, exponent);
-  return law.make(stiffness,
-                  solve_damping(source, tables, contact, *restitution, law, stiffness, exponent, encounters),
-                  exponent);
+  numbers.damping = restitution
+                        ? solve_damping(source, tables, contact, *restitution, choice, numbers, encounters)
+                        : read_damping(source, tables, contact, *field, law, numbers);
+  return choice.make(numbers);
+} catch (const InvalidParameter& error) {
+  reject(source, tables.place_of(contact), error.fault, error.what());
 }
 
 }  // namespace mariotte::scene

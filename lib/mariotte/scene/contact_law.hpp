@@ -1,5 +1,6 @@
 // Contact laws by name and parameters, or from the materials of the balls that touch.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <map>
@@ -12,8 +13,31 @@
 namespace mariotte::scene {
 
 /// Keys that say what the law of a contact is.
-inline constexpr std::array<std::string_view, 6> law_keys{"law",      "stiffness",   "damping",
-                                                          "exponent", "restitution", "at"};
+inline constexpr std::array<std::string_view, 15> law_keys{"law",
+                                                           "stiffness",
+                                                           "damping",
+                                                           "exponent",
+                                                           "restitution",
+                                                           "at",
+                                                           "relaxation_time",
+                                                           "separation",
+                                                           "loading_stiffness",
+                                                           "unloading_stiffness",
+                                                           "effective_modulus",
+                                                           "effective_radius",
+                                                           "yield_pressure",
+                                                           "work_of_adhesion",
+                                                           "table"};
+
+/// Those and others, for lists of the keys that a table knows.
+template <std::size_t n>
+constexpr std::array<std::string_view, law_keys.size() + n> law_keys_and(
+    const std::array<std::string_view, n>& others) {
+  std::array<std::string_view, law_keys.size() + n> all{};
+  std::copy(law_keys.begin(), law_keys.end(), all.begin());
+  std::copy(others.begin(), others.end(), all.begin() + law_keys.size());
+  return all;
+}
 
 /// Everything a scene says of laws: keys of the whole, one value or one per contact, and tables of contacts:
 /// none, one for all, one per contact, or some that say their number.

@@ -9,11 +9,7 @@
 namespace mariotte::scene {
 namespace {
 
-constexpr auto contact_keys = [] {
-  std::array<std::string_view, law_keys.size() + 1> keys{"number"};
-  std::copy(law_keys.begin(), law_keys.end(), keys.begin() + 1);
-  return keys;
-}();
+constexpr auto contact_keys = law_keys_and(std::array<std::string_view, 1>{"number"});
 
 /// The contact that a table is about, from 0.
 Index numbered(const Source& source, const Field& table, const Layout& layout) {

@@ -12,9 +12,8 @@
 namespace mariotte::scene {
 namespace {
 
-constexpr std::array<std::string_view, 14> keys{
-    "diameter", "restitution", "at",      "ball",     "mass",  "radius",   "material",
-    "law",      "stiffness",   "damping", "exponent", "reach", "touching", "precompressed"};
+constexpr auto keys = law_keys_and(std::array<std::string_view, 8>{
+    "diameter", "ball", "mass", "radius", "material", "reach", "touching", "precompressed"});
 constexpr std::array<std::string_view, 6> ball_keys{"diameter", "position", "velocity",
                                                     "mass",     "radius",   "material"};
 

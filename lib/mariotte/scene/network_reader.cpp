@@ -3,17 +3,16 @@
 #include <algorithm>
 #include <array>
 
+#include "mariotte/core/error.hpp"
 #include "mariotte/scene/contact_law.hpp"
 #include "mariotte/scene/network_balls.hpp"
 
 namespace mariotte::scene {
 namespace {
 
-constexpr std::array<std::string_view, 11> keys{"restitution", "at",       "mass",         "velocity",
-                                                "contact",     "gap",      "law",          "stiffness",
-                                                "damping",     "exponent", "precompressed"};
-constexpr std::array<std::string_view, 8> contact_keys{"restitution", "at",        "direction", "gap",
-                                                       "law",         "stiffness", "damping",   "exponent"};
+constexpr auto keys =
+    law_keys_and(std::array<std::string_view, 5>{"mass", "velocity", "contact", "gap", "precompressed"});
+constexpr auto contact_keys = law_keys_and(std::array<std::string_view, 2>{"direction", "gap"});
 
 /// The diagonal, or all rows one after the other. Units are those of the dofs, which only the author
 /// knows.
@@ -62,7 +61,7 @@ LawTables read_tables(const Source& source, const Field& network) {
     reject(source, *list, fault::wrong_type, "write [[network.contact]], with two brackets");
   for (Index j = 0; j < std::ssize(*list->node->array()); ++j)
     expect_keys(source, tables.contacts.emplace_back(element(*list, j)), contact_keys);
-  for (const auto* key : {"gap", "law", "stiffness", "damping", "exponent", "restitution", "at"})
+  for (const auto key : law_keys_and(std::array<std::string_view, 1>{"gap"}))
     if (const auto field = find(network, key); field && field->node->array())
       expect_length(source, *field, field->node->array()->size(), tables.contacts.size());
   return tables;

@@ -16,7 +16,8 @@ constexpr double greatest = 1e4;  // damping of a pair that creeps apart for eve
 double simulated(impact::ChainSolver& solver, const contact::Law& law, const Encounter& encounter) {
   const model::Chain pair{
       .mass = {encounter.reduced_mass, infinity}, .law = {law}, .gap = {0}, .velocity = {encounter.speed, 0}};
-  return -solver.solve(pair, {.accuracy = 1e-13}).velocity[0] / encounter.speed;
+  const auto& impact = solver.solve(pair, {.accuracy = 1e-13});
+  return impact.ending == hybrid::Ending::bound ? 0 : -impact.velocity[0] / encounter.speed;
 }
 
 /// The damping at which `restitution(damping)`, which falls from `undamped`, is the one that is wanted.
@@ -35,11 +36,29 @@ std::optional<double> solve(double wanted, double undamped, double unit, Restitu
   return std::nullopt;
 }
 
-std::optional<double> dimensionless_damping(const contact::NamedLaw& law, double exponent, double wanted) {
+std::optional<double> dimensionless_damping(const LawChoice& law, double exponent, double wanted) {
   impact::ChainSolver solver;
   return solve(wanted, 1, 1, [&](double damping) {
-    return simulated(solver, law.make(1, damping, exponent), {.reduced_mass = 1, .speed = 1});
+    const auto made = law.make({.stiffness = 1, .exponent = exponent, .damping = damping});
+    return simulated(solver, made, {.reduced_mass = 1, .speed = 1});
   });
+}
+
+/// Of a law that has more scales than one: the unit is the damping that changes the speed of the pair much.
+std::optional<double> stated_damping(const LawChoice& law, contact::LawNumbers numbers, double wanted,
+                                     const Encounter& encounter) {
+  impact::ChainSolver solver;
+  const auto restitution = [&](double damping) {
+    numbers.damping = damping;
+    return simulated(solver, law.make(numbers), encounter);
+  };
+  const double undamped = restitution(0);
+  numbers.damping = 1;
+  const auto made = std::get<contact::SharedLaw>(law.make(numbers));
+  const auto& [mass, speed] = encounter;
+  const double depth = made->natural_indentation(0.5 * mass * speed * speed);
+  const double slope = made->force(depth, 0).by_rate;
+  return solve(wanted, undamped, mass * speed / (depth * slope), restitution);
 }
 
 /// Exponent of the speed in the unit of the damping: L is a power 2/(n+1) of it, time L/v.
@@ -83,14 +102,16 @@ double restitution(const contact::Law& law, const Encounter& encounter) {
   return simulated(solver, law, encounter);
 }
 
-std::optional<double> DampingSolver::damping(const contact::NamedLaw& law, double stiffness, double exponent,
+std::optional<double> DampingSolver::damping(const LawChoice& law, const contact::LawNumbers& numbers,
                                              double restitution, const Encounter& encounter) {
-  const auto [place, is_new] = found_.try_emplace({law.name, exponent, restitution});
+  if (!law.law.find("stiffness")) return stated_damping(law, numbers, restitution, encounter);
+  const double exponent = numbers.exponent;
+  const auto [place, is_new] = found_.try_emplace({law.law.name, law.uncut, exponent, restitution});
   if (is_new) place->second = dimensionless_damping(law, exponent, restitution);
   if (!place->second) return std::nullopt;
   const auto& [mass, speed] = encounter;
-  const auto unit = law.damping(exponent);
-  const double length = std::pow(mass * speed * speed / stiffness, 1 / (exponent + 1));
+  const auto unit = law.law.damping()->dimension(exponent);
+  const double length = std::pow(mass * speed * speed / numbers.stiffness, 1 / (exponent + 1));
   return *place->second * std::pow(mass, unit.kg) * std::pow(length, unit.m) *
          std::pow(length / speed, unit.s);
 }
@@ -112,7 +133,8 @@ std::optional<double> hertz_damping(const contact::Surface& surface, double radi
 }
 
 bool depends_on_speed(const contact::NamedLaw& law, double exponent) {
-  return std::abs(speed_exponent(law.damping(exponent), exponent)) > 8 * epsilon;
+  const bool one_scale = law.find("stiffness");
+  return !one_scale || std::abs(speed_exponent(law.damping()->dimension(exponent), exponent)) > 8 * epsilon;
 }
 
 }  // namespace mariotte::scene

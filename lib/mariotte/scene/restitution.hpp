@@ -34,16 +34,28 @@ double largest_approach(const model::Network& network);
 /// e of a contact between bodies that nothing else touches.
 double restitution(const contact::Law& law, const Encounter& encounter);
 
+/// A law by its name, and whether it is cut off where its force would pull.
+struct LawChoice {
+  const contact::NamedLaw& law;
+  bool uncut = false;
+
+  contact::Law make(const contact::LawNumbers& numbers) const {
+    auto made = law.make(numbers);
+    return uncut && contact::dissipates(made) ? contact::uncut(std::move(made)) : made;
+  }
+};
+
 /// Finds dampings, and remembers them.
 class DampingSolver {
  public:
   /// The damping, in the unit of the law, with which a pair alone has the restitution 0 < e ≤ 1. Empty if no
-  /// damping up to 10⁴ of its natural unit makes it so small.
-  std::optional<double> damping(const contact::NamedLaw& law, double stiffness, double exponent,
-                                double restitution, const Encounter& encounter);
+  /// damping up to 10⁴ of its natural unit makes it so small, or adhesion alone takes more.
+  std::optional<double> damping(const LawChoice& law, const contact::LawNumbers& numbers, double restitution,
+                                const Encounter& encounter);
 
  private:
-  std::map<std::tuple<std::string_view, double, double>, std::optional<double>> found_;  // dimensionless
+  std::map<std::tuple<std::string_view, bool, double, double>, std::optional<double>>
+      found_;  // dimensionless
 };
 
 /// C_H with which a sphere of this mass [kg] that strikes the surface head on at this speed [m/s] has the

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "mariotte/core/error.hpp"
 #include "mariotte/scene/restitution.hpp"
 
 namespace mariotte::scene {

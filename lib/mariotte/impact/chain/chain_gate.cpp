@@ -39,7 +39,8 @@ double largest_wall_speed(const ChainOutcome& o) {
 double wrong_impulse(const ChainOutcome& o) {
   double worst = 0;
   for (std::size_t j = 0; j < o.impulses.size(); ++j)
-    worst = std::max(worst, o.periods[j] > 0 ? -o.impulses[j] : std::abs(o.impulses[j]));
+    if (o.periods[j] == 0 || !contact::pulls(o.chain.law[j]))
+      worst = std::max(worst, o.periods[j] > 0 ? -o.impulses[j] : std::abs(o.impulses[j]));
   return worst;
 }
 
@@ -55,7 +56,7 @@ double approach(const ChainOutcome& o) {
 
 double energy_gain(const ChainOutcome& o) {
   double worst = 0;
-  for (const auto& energy : o.energies) worst = std::max(worst, -energy.dissipated);
+  for (const auto& energy : o.energies) worst = std::max(worst, gain(energy));
   return worst;
 }
 

@@ -62,6 +62,9 @@ std::vector<ContactHistory> histories(const DimensionlessChain& chain, const Cha
         .stored = energies[j].stored * scale.energy(),
         .dissipated = loss_above(accuracy * chain.reduced_mass[j] * speed * speed, energies[j].dissipated) *
                       scale.energy(),
+        .plastic = energies[j].plastic * scale.energy(),
+        .adhesion = energies[j].adhesion * scale.energy(),
+        .permanent_indentation = energies[j].dent * scale.length,
         .periods = {}};
   add_periods(contacts, chain_run.run.changes, scale.time);
   return contacts;
@@ -107,6 +110,7 @@ ChainImpact simulate_whole(const model::Chain& chain, const hybrid::Options& opt
   initial_state(system.chain(), system.layout(), start);
   auto chain_run = follow_whole(system, start, hybrid::scaled(options, system.chain().scale), observers);
   auto impact = describe(system.chain(), system.layout(), start, chain_run, options.accuracy);
+  impact.bound_frequency = bound_frequencies(system, chain_run.mode, chain_run.run, system.chain().scale);
   impact.skipped = skipped(system.layout(), chain_run, observers.trace);
   impact.trace = std::move(chain_run.trace);
   return impact;
@@ -148,7 +152,7 @@ ChainImpact simulate_islands(const model::Chain& chain, const hybrid::Options& o
 ChainImpact simulate_once(const model::Chain& chain, const hybrid::Options& options,
                           const RunObserver& observers) {
   const auto balls = chain.mass.size();
-  return divides(options, balls) || !observers.samplings.empty()
+  return divides(options, chain) || (!observers.samplings.empty() && !holds_together(chain))
              ? simulate_islands(chain, options, observers)
              : simulate_whole(chain, tightened(options, balls), observers);
 }
@@ -189,7 +193,7 @@ double estimate_accuracy(const model::Chain& chain, const hybrid::Options& optio
   auto tighter = options;
   tighter.accuracy = std::max(1e-2 * options.accuracy, 16 * epsilon);
   const double from_tighter = difference(result.velocity, solver.solve(chain, tighter).velocity, speed);
-  if (divides(options, chain.mass.size())) return from_tighter;
+  if (divides(options, chain)) return from_tighter;
   tighter.flow = another_flow(chain, options);
   tighter.accuracy = std::max(tighter.accuracy, cvode_floor);
   const auto& other = solver.solve(chain, tighter);

@@ -22,20 +22,33 @@ struct Period {
 
 /// What one contact did.
 struct ContactHistory {
-  double impulse = 0;           ///< p = ∫ f dt [N s]
-  double peak_force = 0;        ///< [N]
-  double peak_indentation = 0;  ///< [m]
-  double stored = 0;            ///< elastic energy left at the end [J]
-  double dissipated = 0;        ///< energy lost, ≥ 0 [J]
-  std::vector<Period> periods;  ///< in order of time
+  double impulse = 0;                ///< p = ∫ f dt [N s]
+  double peak_force = 0;             ///< [N]
+  double peak_indentation = 0;       ///< [m]
+  double stored = 0;                 ///< elastic energy left at the end [J]
+  double dissipated = 0;             ///< energy lost, ≥ 0 [J]
+  double plastic = 0;                ///< of it, by yielding [J]
+  double adhesion = 0;               ///< of it, where adhesion snapped in and gave way [J]
+  double permanent_indentation = 0;  ///< depth of the dent, where the contact closes again [m]
+  std::vector<Period> periods;       ///< in order of time
 };
 
-/// One instant at which the set of force-carrying contacts changes; contacts count from 0.
+/// One instant at which the set of force-carrying contacts changes, or the branch of one; contacts count
+/// from 0.
 struct Event {
   double time;  ///< [s]
-  std::vector<Index> open;
-  std::vector<Index> close;
+  std::vector<Index> open = {};
+  std::vector<Index> close = {};
+  std::vector<Index> yield = {};   ///< become plastic, for the first time or again
+  std::vector<Index> unload = {};  ///< turn back from there
 };
+
+/// True if a contact has yielded.
+inline bool has_branches(const std::vector<Event>& events) {
+  for (const auto& event : events)
+    if (!event.yield.empty() || !event.unload.empty()) return true;
+  return false;
+}
 
 /// final + stored + dissipated − initial − work = residual [J].
 struct EnergyBalance {
@@ -43,6 +56,8 @@ struct EnergyBalance {
   double final = 0;                 ///< kinetic energy at the end
   double stored = 0;                ///< elastic energy at the end
   double dissipated = 0;            ///< Σ over contacts
+  double plastic = 0;               ///< of it, by yielding
+  double adhesion = 0;              ///< of it, where adhesion snapped in and gave way
   double work = 0;                  ///< done on the balls by gravity and moving walls
   double residual = 0;              ///< error of the balance
   std::optional<double> ratio_lab;  ///< kinetic energy ratio T⁺/T⁻ in the given frame; empty if T⁻ = 0
@@ -85,6 +100,9 @@ struct ContactImpact {
   std::vector<Skipped> skipped;
   double requested_accuracy = 0;
   std::optional<double> estimated_accuracy;  ///< only from estimate_accuracy
+  /// Of small oscillations of the contacts that adhesion holds together for ever, ascending [Hz]; empty but
+  /// at the ending `bound`.
+  std::vector<double> bound_frequency;
   Trace trace;
 };
 

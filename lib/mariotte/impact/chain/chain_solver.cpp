@@ -61,7 +61,7 @@ struct ChainSolver::Memory {
   void solve(const model::Chain& chain, const hybrid::Options& options) {
     const bool stay = std::isfinite(options.max_time);
     const auto balls = chain.mass.size();
-    divides(options, balls) ? solve_islands(chain, options, stay)
+    divides(options, chain) ? solve_islands(chain, options, stay)
                             : solve_whole(chain, tightened(options, balls), stay);
   }
 };

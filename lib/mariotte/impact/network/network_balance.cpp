@@ -34,6 +34,8 @@ EnergyBalance energy_balance(const model::Network& network, const Configuration&
   for (const auto& contact : impact.contacts) {
     balance.stored += contact.stored;
     balance.dissipated += contact.dissipated;
+    balance.plastic += contact.plastic;
+    balance.adhesion += contact.adhesion;
   }
   balance.work = wall_work(before, generalised_impulse(before, impulses_of(impact)));
   balance.residual = balance.final + balance.stored + balance.dissipated - balance.initial - balance.work;

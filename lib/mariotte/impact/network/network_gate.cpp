@@ -40,7 +40,7 @@ Energy energy(const NetworkOutcome& o, const std::vector<ContactEnergy>& contact
     const double work = 0.5 * p * (rate(o, o.interval.before, j) + rate(o, o.interval.after, j));
     sum.residual += work + contacts[j].stored + contacts[j].dissipated - initial;
     sum.reached += initial + d.speed * (std::abs(p) + d.reduced_mass[j] * d.speed);
-    sum.gain = std::max(sum.gain, -contacts[j].dissipated);
+    sum.gain = std::max(sum.gain, gain(contacts[j]));
   }
   return sum;
 }
@@ -75,7 +75,7 @@ void NetworkGate::pass(const NetworkOutcome& o, double accuracy, hybrid::Ending&
   double pull = 0, strongest = 0;
   for (Index j = 0; j < o.network.contacts(); ++j) {
     strongest = std::max({strongest, std::abs(impulse(o, j)), o.network.reduced_mass[j] * o.network.speed});
-    pull = std::max(pull, -impulse(o, j));
+    if (!contact::pulls(o.network.law[j])) pull = std::max(pull, -impulse(o, j));
   }
   const bool parts = ending == hybrid::Ending::separated;
   const Balance balances[] = {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mariotte/hybrid/simulate.hpp"
+#include "mariotte/impact/energy.hpp"
 #include "mariotte/impact/flow_uses.hpp"
 #include "mariotte/impact/impulses.hpp"
 #include "mariotte/impact/network/network_balance.hpp"
@@ -20,18 +21,19 @@ using model::NetworkSystem;
 namespace {
 
 /// Impulse and energies of contact j.
-ContactHistory history(const NetworkSystem& system, contact::ContactMode mode, Index j, const ContactRun& run,
-                       double accuracy) {
+ContactHistory history(const NetworkSystem& system, const contact::ContactSet& mode, Index j,
+                       const Interval& interval, double accuracy) {
   const auto& d = system.network();
   const auto& at = system.layout();
   ContactHistory contact;
-  contact.impulse = run.state[at.impulse[j]] * d.scale.momentum();
-  const double gap = run.state[at.gap[j]];
-  const double stored = contact::carries_force(mode) && gap < 0 ? contact::stored_energy(d.law[j], -gap) : 0;
-  contact.stored = stored * d.scale.energy();
-  if (at.work[j] == model::ContactLayout::absent) return contact;
+  contact.impulse = interval.after[at.impulse[j]] * d.scale.momentum();
+  const auto energy = contact_energy(d, at, mode, interval, j);
   const double noise = accuracy * d.reduced_mass[j] * d.speed * d.speed;
-  contact.dissipated = loss_above(noise, run.state[at.work[j]] - stored) * d.scale.energy();
+  contact.stored = energy.stored * d.scale.energy();
+  contact.dissipated = loss_above(noise, energy.dissipated) * d.scale.energy();
+  contact.plastic = energy.plastic * d.scale.energy();
+  contact.adhesion = energy.adhesion * d.scale.energy();
+  contact.permanent_indentation = energy.dent * d.scale.length;
   return contact;
 }
 
@@ -44,12 +46,12 @@ std::vector<bool> felt(const NetworkSystem& system, const ContactRun& run, doubl
 }
 
 std::vector<ContactHistory> histories(const NetworkSystem& system, const contact::ContactSet& mode,
-                                      const ContactRun& run, const ContactChanges& changes,
+                                      const Interval& interval, const ContactChanges& changes,
                                       const std::vector<Peak>& peaks, double accuracy) {
   const auto& scale = system.network().scale;
   std::vector<ContactHistory> contacts;
   for (Index j = 0; j < std::ssize(mode); ++j) {
-    contacts.push_back(history(system, mode[j], j, run, accuracy));
+    contacts.push_back(history(system, mode, j, interval, accuracy));
     contacts[j].peak_force = peaks[j].force * scale.force();
     contacts[j].peak_indentation = peaks[j].indentation * scale.length;
   }
@@ -76,7 +78,7 @@ Trace named(Trace trace, const model::Network& network) {
 
 NetworkImpact simulate_once(const model::Network& network, const hybrid::Options& options,
                             const RunObserver& observers) {
-  NetworkSystem system(network, options.accuracy);
+  NetworkSystem system(network, options.accuracy, /*stay=*/std::isfinite(options.max_time));
   const auto& scale = system.network().scale;
   const auto& at = system.layout();
   std::vector<double> start;
@@ -95,7 +97,8 @@ NetworkImpact simulate_once(const model::Network& network, const hybrid::Options
   for (Index i = 0; i < at.velocities(); ++i) impact.velocity.push_back(run.state[i] * scale.velocity);
   for (Index j = 0; j < at.contacts(); ++j) impact.gap.push_back(run.state[at.gap[j]] * scale.length);
   const auto changes = beyond_noise(run.changes, felt(system, run, options.accuracy));
-  impact.contacts = histories(system, workspace.mode, run, changes, watch.peaks.peaks(), options.accuracy);
+  impact.contacts = histories(system, workspace.mode, {start, run.state, run.time}, changes,
+                              watch.peaks.peaks(), options.accuracy);
   const auto p = impulses_of(impact);
   impact.icr = correlation_ratios(p);
   impact.impulse_direction = direction(p);
@@ -103,6 +106,7 @@ NetworkImpact simulate_once(const model::Network& network, const hybrid::Options
   const auto before = configuration_of(network);
   impact.energy = energy_balance(network, before, impact);
   impact.momentum_residual = momentum_residual(before, impact);
+  impact.bound_frequency = bound_frequencies(system, workspace.mode, run, scale);
   impact.flows = flow_uses(run.flows);
   if (watch.turning) impact.turning = watch.turning->largest();
   impact.skipped = skipped(system, run, observers.trace);

@@ -34,7 +34,7 @@ struct NetworkSolver::Memory {
   }
 
   void solve(const model::Network& network, const hybrid::Options& options) {
-    system.reset(network, options.accuracy);
+    system.reset(network, options.accuracy, /*stay=*/std::isfinite(options.max_time));
     const auto& d = system.network();
     initial_state(d, system.layout(), start);
     const auto& run = hybrid::simulate(system, start, hybrid::scaled(options, d.scale), workspace);

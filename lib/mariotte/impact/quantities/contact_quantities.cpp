@@ -79,6 +79,18 @@ List<I> contacts() {
        .read = of_element<&I::contacts, &One::stored>},
       {.is = {"contacts[].dissipated", "J", "", "energy dissipated in the contact"},
        .read = of_element<&I::contacts, &One::dissipated>},
+      {.is = {"contacts[].plastic_work", "J", "", "of the dissipated energy, what yielding took"},
+       .read = of_element<&I::contacts, &One::plastic>},
+      {.is = {"contacts[].adhesion_loss", "J", "",
+              "of the dissipated energy, what snapping in and letting go took"},
+       .read = of_element<&I::contacts, &One::adhesion>},
+      {.is = {"contacts[].permanent_indentation", "m", "δ_p", "depth of the dent"},
+       .read = of_element<&I::contacts, &One::permanent_indentation>},
+      {.is = {"bound_frequency[]", "Hz", "ω/2π",
+              "of small oscillations of what adhesion holds together, at the ending `bound`"},
+       .read = element<&I::bound_frequency>,
+       .count = size_of<&I::bound_frequency>,
+       .counted_by_run = true},
   };
 }
 
@@ -96,7 +108,8 @@ List<I> directions() {
 template <class I>
 List<I> events() {
   List<I> list = {
-      {.is = {"events[]", "", "", "instants at which contacts start or cease to carry force"},
+      {.is = {"events[]", "", "",
+              "instants at which contacts start or cease to carry force, yield or unload"},
        .count = size_of<&I::events>,
        .counted_by_run = true},
       {.is = {"events[].time", "s", "t", "when"}, .read = of_element<&I::events, &Event::time>},
@@ -108,9 +121,17 @@ List<I> events() {
        .read = numbered<&Event::close>,
        .count = size_in<&I::events, &Event::close>,
        .counted_by_run = true},
+      {.is = {"events[].yield[]", "1", "j", "contacts that become plastic, for the first time or again"},
+       .read = numbered<&Event::yield>,
+       .count = size_in<&I::events, &Event::yield>,
+       .counted_by_run = true},
+      {.is = {"events[].unload[]", "1", "j", "plastic contacts that turn back"},
+       .read = numbered<&Event::unload>,
+       .count = size_in<&I::events, &Event::unload>,
+       .counted_by_run = true},
   };
   for (const auto* key : {"events[].stick[]", "events[].slip[]", "events[].capture[]"})
-    list.push_back({.is = {key, "1", "j", "always empty: contacts are without friction and adhesion"},
+    list.push_back({.is = {key, "1", "j", "always empty: contacts are without friction"},
                     .read = [](const I&, Indices) { return Value(); },
                     .count = fixed<0>});
   return list;
@@ -128,6 +149,11 @@ List<I> energies() {
       {.is = {"energy.stored", "J", "", "elastic energy at the end"}, .read = energy<&One::stored>},
       {.is = {"energy.dissipated", "J", "", "energy dissipated in all contacts"},
        .read = energy<&One::dissipated>},
+      {.is = {"energy.plastic_work", "J", "", "of the dissipated energy, what yielding took"},
+       .read = energy<&One::plastic>},
+      {.is = {"energy.adhesion_loss", "J", "",
+              "of the dissipated energy, what snapping in and letting go took"},
+       .read = energy<&One::adhesion>},
       {.is = {"energy.work", "J", "", "work of gravity and moving walls on the balls"},
        .read = energy<&One::work>},
       {.is = {"energy.residual", "J", "", "final + stored + dissipated − initial − work, the error"},

@@ -41,9 +41,15 @@ hybrid::Options tightened(hybrid::Options options, std::size_t balls) {
   return options;
 }
 
-bool divides(const hybrid::Options& options, std::size_t balls) {
-  return options.islands == hybrid::Islands::always ||
-         (options.islands == hybrid::Islands::automatic && balls >= balls_for_islands);
+bool divides(const hybrid::Options& options, const model::Chain& chain) {
+  const bool wanted =
+      options.islands == hybrid::Islands::always ||
+      (options.islands == hybrid::Islands::automatic && chain.mass.size() >= balls_for_islands);
+  return wanted && !holds_together(chain);
+}
+
+bool holds_together(const model::Chain& chain) {
+  return std::any_of(chain.law.begin(), chain.law.end(), contact::adheres);
 }
 
 ChainRun follow_whole(ChainSystem& system, ConstState start, const hybrid::Options& options,

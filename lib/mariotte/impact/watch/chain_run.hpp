@@ -25,7 +25,9 @@ inline constexpr std::size_t balls_for_islands = 48;
 hybrid::Options tightened(hybrid::Options options, std::size_t balls);
 
 /// Whether a chain of so many balls is divided.
-bool divides(const hybrid::Options& options, std::size_t balls);
+bool divides(const hybrid::Options& options, const model::Chain& chain);
+/// Adhesion may hold balls together for ever, which only the whole chain can tell.
+bool holds_together(const model::Chain& chain);
 
 /// The chain as one system. `options` are dimensionless.
 ChainRun follow_whole(model::ChainSystem& system, ConstState start, const hybrid::Options& options,

@@ -43,7 +43,7 @@ class ContactWatch final : public hybrid::PhaseObserver {
 
     double velocity(Index i) const { return phase.velocity(x, i); }
     double gap(Index j) const { return phase.gap(x, j); }
-    double force(Index j) const { return std::max(0.0, phase.force(x, j).value); }
+    double force(Index j) const { return phase.felt_force(x, j); }
   };
 
   const model::ContactPhase& phase_;

@@ -12,20 +12,28 @@ bool ends_force(const model::ContactChange& change) {
   return contact::carries_force(change.before) && !contact::carries_force(change.after);
 }
 
+/// The list of an event that a change belongs to; null if it leaves every force as it is.
+std::vector<Index> Event::*kind_of(const model::ContactChange& change) {
+  using contact::Branch;
+  if (starts_force(change)) return &Event::close;
+  if (ends_force(change)) return &Event::open;
+  if (change.branch_before == change.branch_after) return nullptr;
+  return change.branch_after == Branch::plastic ? &Event::yield : &Event::unload;
+}
+
 }  // namespace
 
 std::vector<Event> event_list(const ContactChanges& changes, double unit) {
   std::vector<Event> list;
   for (const auto& [time, change] : changes) {
-    if (!starts_force(change) && !ends_force(change)) continue;
-    if (list.empty() || list.back().time != time * unit)
-      list.push_back({.time = time * unit, .open = {}, .close = {}});
-    (starts_force(change) ? list.back().close : list.back().open).push_back(change.contact);
+    const auto kind = kind_of(change);
+    if (!kind) continue;
+    if (list.empty() || list.back().time != time * unit) list.push_back({.time = time * unit});
+    (list.back().*kind).push_back(change.contact);
   }
-  for (auto& event : list) {
-    std::sort(event.open.begin(), event.open.end());
-    std::sort(event.close.begin(), event.close.end());
-  }
+  for (auto& event : list)
+    for (const auto kind : {&Event::open, &Event::close, &Event::yield, &Event::unload})
+      std::sort((event.*kind).begin(), (event.*kind).end());
   return list;
 }
 

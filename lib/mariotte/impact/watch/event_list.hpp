@@ -1,5 +1,6 @@
 // What a run's changes of contact modes mean: events, periods, what was not needed. Same for every model.
 #pragma once
+#include <numbers>
 #include <vector>
 
 #include "mariotte/hybrid/trajectory.hpp"
@@ -27,6 +28,16 @@ ContactChanges beyond_noise(const ContactChanges& changes, const std::vector<boo
 
 /// What the flows of a run made unnecessary.
 std::vector<Skipped> skipped_by_flows(const ContactRun& run);
+
+/// Frequencies of what rings on [Hz], if the run ended so.
+template <class System>
+std::vector<double> bound_frequencies(const System& system, const contact::ContactSet& mode,
+                                      const ContactRun& run, const Scale& scale) {
+  if (run.ending != hybrid::Ending::bound) return {};
+  auto frequencies = system.ringing(mode, run.state);
+  for (double& one : frequencies) one /= 2 * std::numbers::pi * scale.time;
+  return frequencies;
+}
 
 /// A loss is a difference of two integrals; below the accuracy asked for its sign means nothing.
 inline double loss_above(double noise, double loss) {

@@ -48,7 +48,7 @@ void TraceObserver::keep(double time, ConstState x) {
   auto& force = trace_.force.emplace_back();
   for (Index j = 0; j < phase_.contacts(); ++j) {
     gap.push_back(phase_.gap(x, j) * scale_.length);
-    force.push_back(std::max(0.0, phase_.force(x, j).value) * scale_.force());
+    force.push_back(phase_.felt_force(x, j) * scale_.force());
   }
 }
 

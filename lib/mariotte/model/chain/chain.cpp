@@ -40,6 +40,13 @@ void validate_contact(std::size_t j, const contact::Law& law, double gap, bool p
     reject("contact", j, std::string("gap is negative but the ") + whole + " is not precompressed");
 }
 
+void expect_no_touch(std::size_t j, const contact::Law& law, double gap, double approach) {
+  if (gap == 0 && approach == 0 && contact::adheres(law))
+    reject("contact", j,
+           "touches at rest, where its law attracts or not: give it a gap, or start it indented where its "
+           "force is zero (precompressed)");
+}
+
 void validate(const Chain& chain) {
   const auto balls = chain.mass.size();
   if (balls < 2) throw InvalidParameter("a chain needs at least two balls");
@@ -48,8 +55,10 @@ void validate(const Chain& chain) {
     throw InvalidParameter("a chain of n balls needs n-1 contact laws and n-1 gaps");
   if (!std::isfinite(chain.gravity)) throw InvalidParameter("gravity must be finite");
   for (std::size_t i = 0; i < balls; ++i) validate_ball(chain, i);
-  for (std::size_t j = 0; j + 1 < balls; ++j)
+  for (std::size_t j = 0; j + 1 < balls; ++j) {
     validate_contact(j, chain.law[j], chain.gap[j], chain.precompressed, "chain");
+    expect_no_touch(j, chain.law[j], chain.gap[j], chain.velocity[j] - chain.velocity[j + 1]);
+  }
 }
 
 void expect_end(const Chain& chain, double max_time) {

@@ -30,6 +30,8 @@ void expect_end(const Chain& chain, double max_time);
 /// ½ Σ m v² of the balls of finite mass at any velocities [J].
 double kinetic_energy(const Chain& chain, const std::vector<double>& velocity);
 
+/// A contact that touches at rest must not adhere: whether it is closed would be open.
+void expect_no_touch(std::size_t j, const contact::Law& law, double gap, double approach);
 /// The rules for contact j (from 0) of a `whole`, "chain" or "network".
 void validate_contact(std::size_t j, const contact::Law& law, double gap, bool precompressed,
                       const char* whole);

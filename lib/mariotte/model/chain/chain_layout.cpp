@@ -14,7 +14,7 @@ void make_layout(const DimensionlessChain& chain, ChainLayout& layout) {
     layout.work.push_back(contact::dissipates(chain.law[i]) ? layout.size++ : ChainLayout::absent);
     layout.impulse.push_back(wall ? layout.size++ : ChainLayout::absent);
   }
-  number_guards(layout);
+  number_guards(chain.law, layout);
 }
 
 }  // namespace mariotte::model

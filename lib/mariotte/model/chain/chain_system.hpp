@@ -14,6 +14,7 @@ extern template class ContactSystem<ChainTopology>;
 /// `chain().scale` leads back to the units of the scene.
 class ChainSystem : public ContactSystem<ChainTopology> {
  public:
+  ChainSystem() = default;
   /// Become the system of another chain and reuse the memory. `stay` keeps a chain that gravity leads back to
   /// a wall going after its first impact.
   void reset(const Chain& chain, double accuracy, bool stay);
@@ -27,8 +28,6 @@ class ChainSystem : public ContactSystem<ChainTopology> {
 
  private:
   void reset_parts();
-
-  bool stay_ = false;
 };
 
 }  // namespace mariotte::model

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "mariotte/model/contacts/bound.hpp"
 #include "mariotte/model/representable.hpp"
 
 namespace mariotte::model {
@@ -29,12 +30,15 @@ bool pulls_back(const Chain& chain) {
 double reference_speed(const Chain& chain) {
   const auto [slowest, fastest] = std::minmax_element(chain.velocity.begin(), chain.velocity.end());
   const double spread = std::min(*fastest - *slowest, std::max(std::abs(*slowest), std::abs(*fastest)));
-  double squared = spread * spread;
+  double squared = spread * spread, adhesion = 0;
   for (std::size_t j = 0; j < chain.gap.size(); ++j) {
     squared += 2 * std::abs(chain.gravity) * std::max(0.0, chain.gap[j]);
     const double mass = reduced_mass(chain.mass[j], chain.mass[j + 1]);
-    if (chain.gap[j] < 0) squared += 2 * contact::stored_energy(chain.law[j], -chain.gap[j]) / mass;
+    if (chain.gap[j] < 0)
+      squared += 2 * std::max(0.0, contact::stored_energy(chain.law[j], -chain.gap[j])) / mass;
+    adhesion = std::max(adhesion, 2 * well_energy(chain.law[j]) / mass);
   }
+  squared += adhesion;
   if (squared > 0) return std::sqrt(squared);
   // Nothing moves unless gravity presses touching balls together: the speed gained over a static indentation.
   if (chain.gravity == 0) return 1;

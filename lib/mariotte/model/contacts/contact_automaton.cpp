@@ -1,21 +1,100 @@
 #include "mariotte/model/contacts/contact_automaton.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace mariotte::model {
 
+using contact::Branch;
 using contact::ContactMode;
 using flow::Crossing;
 
-void change(contact::ContactSet& mode, Index j, ContactMode after, std::vector<ContactChange>& changes) {
+namespace {
+
+void begin(contact::Memory& past, const contact::BranchedLaw& law) {
+  past.recedes = false;
+  const double from = law.closing_indentation(past);
+  if (past.peak > 0)
+    past.branch = Branch::unloading;
+  else
+    past.branch = law.yield_indentation(past) <= from ? Branch::plastic : Branch::elastic;
+  past.adhesion_loss -= law.stored_energy(past, from);
+}
+
+void end(contact::Memory& past, const contact::BranchedLaw& law, ContactMode before) {
+  if (before != ContactMode::closed) return;
+  past.adhesion_loss += law.stored_energy(past, law.opening_indentation(past));
+}
+
+void note(const contact::ContactSet& mode, Index j, Branch before, std::vector<ContactChange>& changes) {
+  changes.push_back({j, mode[j], mode[j], before, mode.memory[j].branch});
+}
+
+}  // namespace
+
+void change(contact::ContactSet& mode, Index j, ContactMode after, const contact::Law& law,
+            std::vector<ContactChange>& changes) {
   if (mode[j] == after) return;
-  changes.push_back({j, mode[j], after});
+  const auto before = memory_of(mode, j).branch;
+  if (const auto* branches = branched(law)) {
+    auto& past = mode.memory[j];
+    if (!carries_force(mode[j]) && carries_force(after)) begin(past, *branches);
+    if (carries_force(mode[j]) && !carries_force(after)) end(past, *branches, mode[j]);
+  }
+  changes.push_back({j, mode[j], after, before, memory_of(mode, j).branch});
   mode[j] = after;
 }
 
-void open_touching(contact::ContactSet& mode, std::vector<ContactChange>& changes) {
+void yield(contact::ContactSet& mode, Index j, std::vector<ContactChange>& changes) {
+  const auto before = std::exchange(mode.memory[j].branch, Branch::plastic);
+  note(mode, j, before, changes);
+}
+
+void turn(contact::ContactSet& mode, Index j, const contact::Law& law, double indentation,
+          std::vector<ContactChange>& changes) {
+  auto& past = mode.memory[j];
+  const auto before = past.branch;
+  past.recedes = !past.recedes;
+  if (past.recedes && past.branch == Branch::plastic) {
+    past.branch = Branch::unloading;
+    past.peak = indentation;
+  } else if (!past.recedes && indentation >= branched(law)->yield_indentation(past)) {
+    past.branch = Branch::plastic;
+  }
+  note(mode, j, before, changes);
+}
+
+void start_indented(contact::Memory& past, const contact::Law& law, double indentation, double rate) {
+  const auto* branches = branched(law);
+  if (!branches) return;
+  past = {.recedes = rate < 0};
+  if (indentation <= branches->yield_indentation(past)) return;
+  past.branch = past.recedes ? Branch::unloading : Branch::plastic;
+  if (past.recedes) past.peak = indentation;
+}
+
+void reset(contact::ContactSet& mode, const std::vector<contact::Law>& laws) {
+  mode.assign(laws.size(), ContactMode::open);
+  const bool remembers =
+      std::any_of(laws.begin(), laws.end(), [](const auto& law) { return contact::branched(law); });
+  mode.memory.assign(remembers ? laws.size() : 0, {});
+}
+
+void copy_slice(const contact::ContactSet& from, Index first, Index last, contact::ContactSet& to) {
+  to.assign(from.begin() + first, from.begin() + last);
+  to.memory.clear();
+  if (!from.memory.empty()) to.memory.assign(from.memory.begin() + first, from.memory.begin() + last);
+}
+
+void put_slice(const contact::ContactSet& slice, Index first, contact::ContactSet& to) {
+  std::copy(slice.begin(), slice.end(), to.begin() + first);
+  std::copy(slice.memory.begin(), slice.memory.end(), to.memory.begin() + first * !slice.memory.empty());
+}
+
+void open_touching(contact::ContactSet& mode, const std::vector<contact::Law>& laws,
+                   std::vector<ContactChange>& changes) {
   for (Index j = 0; j < std::ssize(mode); ++j)
-    if (mode[j] == ContactMode::touching) change(mode, j, ContactMode::open, changes);
+    if (mode[j] == ContactMode::touching) change(mode, j, ContactMode::open, laws[j], changes);
 }
 
 ContactMode mode_after(ContactMode mode, bool load_fired, double gap, double approach, double noise_speed) {
@@ -50,7 +129,20 @@ flow::Role role(ContactMode mode) {
   return Role::open;
 }
 
-Watched watched(ContactMode mode, const contact::Law& law) {
+namespace {
+
+Watched watched_closed(const contact::BranchedLaw& law, const contact::Memory& past) {
+  Watched watched{Crossing::rising, Crossing::none};
+  if (!law.watches_turns()) return watched;
+  watched.turn = past.recedes ? Crossing::rising : Crossing::falling;
+  const bool can_yield = !past.recedes && past.branch != contact::Branch::plastic;
+  if (can_yield && law.yield_indentation(past) < infinity) watched.yield = Crossing::rising;
+  return watched;
+}
+
+}  // namespace
+
+Watched watched(ContactMode mode, const contact::Law& law, const contact::Memory& past) {
   switch (mode) {
     case ContactMode::open:
     case ContactMode::hovering:
@@ -60,6 +152,7 @@ Watched watched(ContactMode mode, const contact::Law& law) {
     case ContactMode::touching:
       return {Crossing::none, Crossing::none};
     case ContactMode::closed:
+      if (const auto* branches = branched(law)) return watched_closed(*branches, past);
       if (!dissipates(law)) break;
       // The load of a power law falls before the gap opens, or with it; that of another law need not.
       return {power_law(law) ? Crossing::none : Crossing::rising, Crossing::falling};
@@ -67,15 +160,27 @@ Watched watched(ContactMode mode, const contact::Law& law) {
   return {Crossing::rising, Crossing::none};
 }
 
-contact::Force force_in(ContactMode mode, const contact::Law& law, double indentation, double rate) {
+contact::Force force_in(ContactMode mode, const contact::Law& law, double indentation, double rate,
+                        const contact::Memory& past) {
+  const auto* branches = branched(law);
   switch (mode) {
     case ContactMode::closed:
-      return contact::smooth_force(law, indentation, rate);
+      return branches ? branches->force(past, indentation, rate)
+                      : contact::smooth_force(law, indentation, rate);
     case ContactMode::touching:
-      return contact::force(law, std::max(0.0, indentation), rate);
+      return branches && indentation > 0 ? branches->force(past, indentation, rate)
+                                         : contact::force(law, std::max(0.0, indentation), rate);
     default:
       return {0, 0, 0};
   }
+}
+
+double level(ContactMode mode, const contact::Law& law, const contact::Memory& past, double noise_depth) {
+  const double hovers = mode == ContactMode::hovering ? noise_depth : 0;
+  const auto* branches = branched(law);
+  if (!branches) return hovers;
+  return mode == ContactMode::closed ? branches->opening_indentation(past)
+                                     : branches->closing_indentation(past) + hovers;
 }
 
 }  // namespace mariotte::model

@@ -7,17 +7,19 @@ namespace mariotte::model {
 void clear(ContactLayout& layout) {
   layout.size = 0;
   for (auto* list : {&layout.velocity, &layout.gap, &layout.work, &layout.impulse, &layout.load_guard,
-                     &layout.guard_contact})
+                     &layout.branch_guard, &layout.guard_contact})
     list->clear();
 }
 
-void number_guards(ContactLayout& layout) {
+void number_guards(const std::vector<contact::Law>& laws, ContactLayout& layout) {
+  const auto add = [&](Index j, bool has_guard, Index guards, std::vector<Index>& places) {
+    places.push_back(has_guard ? std::ssize(layout.guard_contact) : ContactLayout::absent);
+    if (has_guard) layout.guard_contact.insert(layout.guard_contact.end(), guards, j);
+  };
   for (Index j = 0; j < layout.contacts(); ++j) layout.guard_contact.push_back(j);
-  for (Index j = 0; j < layout.contacts(); ++j) {
-    const bool has_load = layout.work[j] != ContactLayout::absent;
-    layout.load_guard.push_back(has_load ? std::ssize(layout.guard_contact) : ContactLayout::absent);
-    if (has_load) layout.guard_contact.push_back(j);
-  }
+  for (Index j = 0; j < layout.contacts(); ++j) add(j, contact::goes_slack(laws[j]), 1, layout.load_guard);
+  for (Index j = 0; j < layout.contacts(); ++j)
+    add(j, contact::watches_turns(laws[j]), 2, layout.branch_guard);
 }
 
 void initial_state(const ScaledContacts& contacts, const ContactLayout& layout, std::vector<double>& x) {

@@ -24,10 +24,16 @@ template <class Topology>
 struct ContactState {
   Topology topology;
   ConstState x;
+  const contact::ContactSet* set = nullptr;  ///< what contacts remember; null if nothing yet
 
   const ScaledContacts& model() const { return topology.model; }
   Index contacts() const { return topology.at.contacts(); }
   double gap(Index j) const { return x[topology.at.gap[j]]; }
+  contact::Memory past(Index j) const { return set ? memory_of(*set, j) : contact::Memory{}; }
+  /// Gap less that at which the contact closes: a dent stays.
+  double clearance(Index j) const {
+    return gap(j) + level(contact::ContactMode::open, model().law[j], past(j), 0);
+  }
   double approach(Index j) const { return topology.approach(x, j); }
   contact::Force load(Index j) const { return contact::load(model().law[j], -gap(j), approach(j)); }
 };
@@ -44,7 +50,9 @@ bool comes_together(const Topology& topology, Index j, double approach) {
 template <class Topology>
 contact::ContactMode after(const ContactState<Topology>& state, Index j, contact::ContactMode before,
                            bool load_fired) {
-  return mode_after(before, load_fired, state.gap(j), state.approach(j), state.model().noise_speed);
+  const bool adheres = contact::adheres(state.model().law[j]);
+  return mode_after(before, load_fired, state.gap(j), state.approach(j),
+                    adheres ? -infinity : state.model().noise_speed);
 }
 
 /// A closed contact so shallow, and moving so slowly, that its end would be an event made of noise: it has
@@ -52,20 +60,20 @@ contact::ContactMode after(const ContactState<Topology>& state, Index j, contact
 template <class Topology>
 bool has_faded(const ContactState<Topology>& state, Index j) {
   const auto& model = state.model();
-  return -state.gap(j) < model.fading_depth(j) &&
+  return -state.clearance(j) < model.fading_depth(j) && !contact::adheres(model.law[j]) &&
          std::abs(state.approach(j)) <= model.fade_speed_ratio * model.noise_speed;
 }
 
 /// A touching contact has left the noise.
 template <class Topology>
 bool has_loaded(const ContactState<Topology>& state, Index j) {
-  return -state.gap(j) > 2 * state.model().fading_depth(j) && state.load(j).value > 0;
+  return -state.clearance(j) > 2 * state.model().fading_depth(j) && state.load(j).value > 0;
 }
 
 /// A contact that touched at rest has been drawn apart instead of pressed.
 template <class Topology>
 bool has_parted(const ContactState<Topology>& state, Index j) {
-  return state.gap(j) > 2 * state.model().fading_depth(j);
+  return state.clearance(j) > 2 * state.model().fading_depth(j);
 }
 
 /// The load of slack contact j is positive and its neighbours' forces let it grow: it pushes again. Where a
@@ -76,7 +84,8 @@ bool is_loaded_again(const ContactState<Topology>& state, const contact::Contact
   if (!(load.value > 0)) return false;
   double bend = state.topology.drive(j);
   state.topology.for_each_near(j, [&](Index i) {
-    const auto f = force_in(mode[i], state.model().law[i], -state.gap(i), state.approach(i));
+    const auto f =
+        force_in(mode[i], state.model().law[i], -state.gap(i), state.approach(i), memory_of(mode, i));
     bend -= state.topology.coupling(j, i) * f.value;
   });
   return load.by_indentation * state.approach(j) + load.by_rate * bend > 0;
@@ -85,7 +94,7 @@ bool is_loaded_again(const ContactState<Topology>& state, const contact::Contact
 /// Contact j touches at rest.
 template <class Topology>
 bool rests(const ContactState<Topology>& state, contact::ContactMode mode, Index j) {
-  return mode == contact::ContactMode::open && state.gap(j) == 0 &&
+  return mode == contact::ContactMode::open && state.clearance(j) == 0 &&
          std::abs(state.approach(j)) <= state.topology.rest_speed();
 }
 
@@ -95,7 +104,8 @@ template <class Topology>
 void press_near(const ContactState<Topology>& state, contact::ContactSet& mode, Index from,
                 std::vector<ContactChange>& changes) {
   const auto press = [&](Index j) {
-    if (rests(state, mode[j], j)) change(mode, j, contact::ContactMode::touching, changes);
+    if (rests(state, mode[j], j))
+      change(mode, j, contact::ContactMode::touching, state.model().law[j], changes);
   };
   auto next = changes.size();  // those that are pressed press in turn
   state.topology.for_each_near(from, press);
@@ -108,16 +118,18 @@ template <class Topology>
 void contact_set_at(const ContactState<Topology>& state, contact::ContactSet& mode,
                     std::vector<ContactChange>& changes) {
   using contact::ContactMode;
-  mode.assign(state.contacts(), ContactMode::open);
+  reset(mode, state.model().law);
   for (Index j = 0; j < state.contacts(); ++j) {
-    const double gap = state.gap(j);
-    const bool slack = gap < 0 && contact::dissipates(state.model().law[j]) && !(state.load(j).value > 0);
+    const double gap = state.gap(j), approach = state.approach(j);
+    const auto& law = state.model().law[j];
+    const bool slack = gap < 0 && contact::goes_slack(law) && !(state.load(j).value > 0);
     if (slack)
-      change(mode, j, ContactMode::slack, changes);
-    else if (gap < 0 || (gap == 0 && state.approach(j) > state.topology.rest_speed()))
-      change(mode, j, ContactMode::closed, changes);
+      change(mode, j, ContactMode::slack, law, changes);
+    else if (gap < 0 || (gap == 0 && approach > state.topology.rest_speed()))
+      change(mode, j, ContactMode::closed, law, changes);
     else if (rests(state, mode[j], j) && state.topology.drive(j) > 0)
-      change(mode, j, ContactMode::touching, changes);
+      change(mode, j, ContactMode::touching, law, changes);
+    if (gap < 0 && !mode.memory.empty()) start_indented(mode.memory[j], law, -gap, approach);
   }
   for (Index j = 0; j < state.contacts(); ++j)
     if (contact::carries_force(mode[j])) press_near(state, mode, j, changes);

@@ -1,5 +1,7 @@
 // A phase of a model made of contacts: what those who watch steps can ask of it, whatever the model.
 #pragma once
+#include <algorithm>
+
 #include "mariotte/contact/contact_set.hpp"
 #include "mariotte/contact/force.hpp"
 #include "mariotte/flow/problem.hpp"
@@ -19,6 +21,13 @@ class ContactPhase : public flow::Problem {
   /// Force of contact j and its slopes; zero unless it carries force.
   virtual contact::Force force(ConstState x, Index j) const = 0;
   virtual bool is_damped(Index j) const = 0;
+  /// True if the force of contact j can pull; that of any other is cut off at 0.
+  virtual bool pulls(Index j) const = 0;
+  /// The force that contact j is said to have.
+  double felt_force(ConstState x, Index j) const {
+    const double f = force(x, j).value;
+    return pulls(j) ? f : std::max(0.0, f);
+  }
 };
 
 }  // namespace mariotte::model

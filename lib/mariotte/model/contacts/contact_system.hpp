@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "mariotte/hybrid/ending.hpp"
+#include "mariotte/model/contacts/bound.hpp"
 #include "mariotte/model/contacts/topology_phase.hpp"
 
 namespace mariotte::model {
@@ -27,11 +28,16 @@ class ContactSystem {
   /// What has fired, closed contacts that have faded by then, and touching ones that have left the noise.
   void transition(Mode& mode, const std::vector<Index>& fired, ConstState x,
                   std::vector<Change>& changes) const;
-  /// No contact carries force, and none comes together: a theorem of rows without outside forces.
+  /// No contact carries force, and none comes together: a theorem of rows without outside forces. Or what
+  /// adhesion holds together stays so for ever, which ends a run without a time limit only.
   bool is_over(const Mode& mode, ConstState x, bool impacted) const;
-  hybrid::Ending ending(const Mode&) const { return hybrid::Ending::separated; }
+  hybrid::Ending ending(const Mode& mode) const;
+  /// Angular frequencies of what rings on at the ending `bound`; none at any other.
+  std::vector<double> ringing(const Mode& mode, ConstState x) const {
+    return model::ringing(held_together(state(x, &mode), mode));
+  }
   /// Contacts that touched but were never pressed noticeably open at the end.
-  void finish(Mode& mode, std::vector<Change>& changes) const { open_touching(mode, changes); }
+  void finish(Mode& mode, std::vector<Change>& changes) const { open_touching(mode, model_.law, changes); }
   TopologyPhase<Topology>& problem(Mode& mode) {
     phase_.bind(mode);
     return phase_;
@@ -39,11 +45,14 @@ class ContactSystem {
 
  protected:
   ContactSystem() : phase_(model_, layout_) {}
-  ContactState<Topology> state(ConstState x) const { return {{model_, layout_}, x}; }
+  ContactState<Topology> state(ConstState x, const Mode* mode = nullptr) const {
+    return {{model_, layout_}, x, mode};
+  }
 
   typename Topology::Model model_;
   ContactLayout layout_;
   TopologyPhase<Topology> phase_;
+  bool stay_ = false;  ///< what rings or falls back is followed up to the time limit
 
  private:
   void fire(Mode& mode, Index guard, ConstState x, std::vector<Change>& changes) const;
@@ -54,10 +63,13 @@ template <class Topology>
 void ContactSystem<Topology>::fire(Mode& mode, Index guard, ConstState x,
                                    std::vector<Change>& changes) const {
   const Index j = layout_.guard_contact[guard];
-  const bool load_fired = guard != j;
-  if (load_fired && role(mode[j]) == flow::Role::open) return;  // its gap has opened at the same instant
-  change(mode, j, after(state(x), j, mode[j], load_fired), changes);
-  if (mode[j] == contact::ContactMode::closed) press_near(state(x), mode, j, changes);
+  const auto kind = layout_.kind(guard);
+  if (kind != GuardKind::gap && role(mode[j]) == flow::Role::open) return;  // its gap has opened at once
+  const auto now = state(x, &mode);
+  if (kind == GuardKind::yield) return yield(mode, j, changes);
+  if (kind == GuardKind::turn) return turn(mode, j, model_.law[j], -now.gap(j), changes);
+  change(mode, j, after(now, j, mode[j], kind == GuardKind::load), model_.law[j], changes);
+  if (mode[j] == contact::ContactMode::closed) press_near(now, mode, j, changes);
 }
 
 /// What a contact does that no guard has told of.
@@ -65,11 +77,11 @@ template <class Topology>
 void ContactSystem<Topology>::settle(Mode& mode, Index j, bool has_fired, ConstState x,
                                      std::vector<Change>& changes) const {
   using contact::ContactMode;
-  const auto now = state(x);
+  const auto now = state(x, &mode);
   if (mode[j] == ContactMode::closed && has_faded(now, j) && !has_fired) {
-    change(mode, j, ContactMode::hovering, changes);
+    change(mode, j, ContactMode::hovering, model_.law[j], changes);
   } else if (mode[j] == ContactMode::touching && has_parted(now, j)) {
-    change(mode, j, ContactMode::open, changes);
+    change(mode, j, ContactMode::open, model_.law[j], changes);
   } else if (mode[j] == ContactMode::touching && has_loaded(now, j)) {
     mode[j] = ContactMode::closed;  // no event
   }
@@ -80,8 +92,8 @@ void ContactSystem<Topology>::transition(Mode& mode, const std::vector<Index>& f
                                          std::vector<Change>& changes) const {
   for (const Index guard : fired) fire(mode, guard, x, changes);
   for (Index j = 0; j < layout_.contacts(); ++j)
-    if (mode[j] == contact::ContactMode::slack && is_loaded_again(state(x), mode, j))
-      change(mode, j, contact::ContactMode::closed, changes);
+    if (mode[j] == contact::ContactMode::slack && is_loaded_again(state(x, &mode), mode, j))
+      change(mode, j, contact::ContactMode::closed, model_.law[j], changes);
   const auto has_fired = [&](Index j) {
     return std::any_of(fired.begin(), fired.end(),
                        [&](Index guard) { return layout_.guard_contact[guard] == j; });
@@ -91,11 +103,18 @@ void ContactSystem<Topology>::transition(Mode& mode, const std::vector<Index>& f
 
 template <class Topology>
 bool ContactSystem<Topology>::is_over(const Mode& mode, ConstState x, bool /*impacted*/) const {
-  const auto now = state(x);
+  const auto now = state(x, &mode);
+  const auto is_closed = [](contact::ContactMode one) { return one == contact::ContactMode::closed; };
+  if (std::any_of(mode.begin(), mode.end(), is_closed)) return !stay_ && is_bound(held_together(now, mode));
   for (Index j = 0; j < layout_.contacts(); ++j)
-    if (mode[j] == contact::ContactMode::closed || comes_together(now.topology, j, now.approach(j)))
-      return false;
+    if (comes_together(now.topology, j, now.approach(j))) return false;
   return true;
+}
+
+template <class Topology>
+hybrid::Ending ContactSystem<Topology>::ending(const Mode& mode) const {
+  const bool holds = std::find(mode.begin(), mode.end(), contact::ContactMode::closed) != mode.end();
+  return holds ? hybrid::Ending::bound : hybrid::Ending::separated;
 }
 
 }  // namespace mariotte::model

@@ -48,25 +48,33 @@ class TopologyPhase final : public ContactPhase {
   double gap(ConstState x, Index j) const override { return x[at().gap[j]]; }
   double approach(ConstState x, Index j) const override { return topology_.approach(x, j); }
   contact::Force force(ConstState x, Index j) const override {
-    return force_in((*mode_)[j], law(j), -x[at().gap[j]], topology_.approach(x, j));
+    return force_in((*mode_)[j], law(j), -x[at().gap[j]], topology_.approach(x, j), past(j));
   }
   bool is_damped(Index j) const override { return has_work(j); }
+  bool pulls(Index j) const override { return contact::pulls(law(j)); }
 
  private:
   const ContactLayout& at() const { return topology_.at; }
   const contact::Law& law(Index j) const { return topology_.model.law[j]; }
   bool has_work(Index j) const { return at().work[j] != ContactLayout::absent; }
+  bool goes_slack(Index j) const { return at().load_guard[j] != ContactLayout::absent; }
+  bool watches_turns(Index j) const { return at().branch_guard[j] != ContactLayout::absent; }
+  contact::Memory past(Index j) const { return memory_of(*mode_, j); }
   bool has_impulse(Index j) const { return at().impulse[j] != ContactLayout::absent; }
   contact::Force load(ConstState x, Index j) const {
     return contact::load(law(j), -x[at().gap[j]], topology_.approach(x, j));
   }
-  double level(Index j) const;
+  double level(Index j) const { return levels_[j]; }
+  double guard(ConstState x, Index i) const;
+  double guard_rate(ConstState x, ConstState dx, Index i) const;
+  double slow_turn(Index j) const;
   void watch(Index j);
   void find_magnitudes();
 
   Topology topology_;
   typename Topology::Flows flows_;
   std::vector<double> magnitudes_;
+  std::vector<double> levels_;  ///< by contact: its gap guard is gap + level
   std::vector<flow::Crossing> crossings_;
   contact::ContactSet* mode_ = nullptr;
   Index active_ = 0;      ///< contacts that carry force

@@ -10,6 +10,7 @@ namespace mariotte::model {
 template <class Topology>
 void TopologyPhase<Topology>::reset() {
   crossings_.assign(at().guard_contact.size(), flow::Crossing::none);
+  levels_.assign(contacts(), 0.0);
   find_magnitudes();
   flows_.reset(topology_);
 }
@@ -56,16 +57,13 @@ void TopologyPhase<Topology>::watch(Index j) {
   const auto mode = (*mode_)[j];
   auto& contact = flows_.contact(j);
   contact.role = role(mode);
-  contact.level = level(j);
-  const auto [gap, load] = watched(mode, law(j));
+  contact.level = levels_[j] = model::level(mode, law(j), past(j), topology_.model.noise_depth[j]);
+  const auto [gap, load, yield, turn] = watched(mode, law(j), past(j));
   crossings_[j] = gap;
-  if (has_work(j)) crossings_[at().load_guard[j]] = load;
-}
-
-/// A hovering contact closes where its gap is −level.
-template <class Topology>
-double TopologyPhase<Topology>::level(Index j) const {
-  return (*mode_)[j] == contact::ContactMode::hovering ? topology_.model.noise_depth[j] : 0;
+  if (goes_slack(j)) crossings_[at().load_guard[j]] = load;
+  if (!watches_turns(j)) return;
+  crossings_[at().branch_guard[j]] = yield;
+  crossings_[at().branch_guard[j] + 1] = turn;
 }
 
 template <class Topology>
@@ -76,7 +74,7 @@ void TopologyPhase<Topology>::derivative(ConstState x, State dx) const {
     const double rate = topology_.approach(x, j);
     dx[at().gap[j]] = -rate;
     if (!contact::carries_force((*mode_)[j])) continue;
-    const double f = force_in((*mode_)[j], law(j), -x[at().gap[j]], rate).value;
+    const double f = force_in((*mode_)[j], law(j), -x[at().gap[j]], rate, past(j)).value;
     if (has_impulse(j)) dx[at().impulse[j]] = f;
     if (has_work(j)) dx[at().work[j]] = f * rate;
     topology_.for_each_push(j, [&](Index place, double change) { dx[place] += change * f; });
@@ -89,32 +87,62 @@ void TopologyPhase<Topology>::second_derivative(ConstState, State ddx) const {
   for (Index j = 0; j < contacts(); ++j) ddx[at().gap[j]] = -topology_.drive(j);
 }
 
+/// A turn is one once the rate is beyond what cannot be told from rest.
+template <class Topology>
+double TopologyPhase<Topology>::slow_turn(Index j) const {
+  const double slow = topology_.model.noise_speed;
+  return past(j).recedes ? -slow : slow;
+}
+
+template <class Topology>
+double TopologyPhase<Topology>::guard(ConstState x, Index i) const {
+  const Index j = at().guard_contact[i];
+  switch (at().kind(i)) {
+    case GuardKind::gap:
+      return x[at().gap[j]] + level(j);
+    case GuardKind::load:
+      return load(x, j).value;
+    case GuardKind::yield:
+      return -x[at().gap[j]] - contact::branched(law(j))->yield_indentation(past(j));
+    case GuardKind::turn:
+      return topology_.approach(x, j) + slow_turn(j);
+  }
+  return 0;
+}
+
 template <class Topology>
 void TopologyPhase<Topology>::guards(ConstState x, State values) const {
   // A masked guard stands on the side from which it cannot seem to have crossed when it is watched again.
   for (Index i = 0; i < guard_count(); ++i) {
-    const Index j = at().guard_contact[i];
-    if (crossings_[i] == flow::Crossing::none)
-      values[i] = i == j ? -1 : 1;
-    else
-      values[i] = i == j ? x[at().gap[j]] + level(j) : load(x, j).value;
+    const auto kind = at().kind(i);
+    const double side = kind == GuardKind::gap || kind == GuardKind::yield ? -1 : 1;
+    values[i] = crossings_[i] == flow::Crossing::none ? side : guard(x, i);
   }
 }
 
 template <class Topology>
-void TopologyPhase<Topology>::guard_rates(ConstState x, ConstState dx, State rates) const {
-  for (Index i = 0; i < guard_count(); ++i) {
-    const Index j = at().guard_contact[i];
-    rates[i] = 0;
-    if (crossings_[i] == flow::Crossing::none) continue;
-    const double widening = dx[at().gap[j]];
-    if (i == j) {
-      rates[i] = widening;
-    } else {
+double TopologyPhase<Topology>::guard_rate(ConstState x, ConstState dx, Index i) const {
+  const Index j = at().guard_contact[i];
+  const double widening = dx[at().gap[j]];
+  switch (at().kind(i)) {
+    case GuardKind::gap:
+      return widening;
+    case GuardKind::load: {
       const auto own = load(x, j);
-      rates[i] = own.by_rate * topology_.approach(dx, j) - own.by_indentation * widening;
+      return own.by_rate * topology_.approach(dx, j) - own.by_indentation * widening;
     }
+    case GuardKind::yield:
+      return -widening;
+    case GuardKind::turn:
+      return topology_.approach(dx, j);
   }
+  return 0;
+}
+
+template <class Topology>
+void TopologyPhase<Topology>::guard_rates(ConstState x, ConstState dx, State rates) const {
+  for (Index i = 0; i < guard_count(); ++i)
+    rates[i] = crossings_[i] == flow::Crossing::none ? 0 : guard_rate(x, dx, i);
 }
 
 template <class Topology>
@@ -168,7 +196,7 @@ template <class Topology>
 flow::Accepted TopologyPhase<Topology>::accept(ConstState x) {
   using contact::ContactMode;
   auto accepted = flow::Accepted::unchanged;
-  const ContactState<Topology> state{topology_, x};
+  const ContactState<Topology> state{topology_, x, mode_};
   for (Index j = 0; j < contacts(); ++j) {
     auto& mode = (*mode_)[j];
     if (mode == ContactMode::closed && has_faded(state, j)) return flow::Accepted::ended;

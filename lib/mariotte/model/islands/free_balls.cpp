@@ -45,9 +45,10 @@ void FreeBalls::move_contact(Index j, Instant t) {
   if (mode == ContactMode::slack && gap >= 0) mode = ContactMode::open;
   const bool idles = mode == ContactMode::open || mode == ContactMode::hovering;
   const double now = approach(j, t);
-  if (!idles || !(gap < 0) || now < 0 || now > chain_.noise_speed) return;
+  const double closing = clearance(j) - gap;
+  if (!idles || !(gap + closing < 0) || now < 0 || now > chain_.noise_speed) return;
   mode = ContactMode::hovering;
-  gap = std::max(gap, -chain_.noise_depth[j]);
+  gap = std::max(gap, -closing - chain_.noise_depth[j]);
 }
 
 Instant FreeBalls::meeting(Index j, Instant t) const {
@@ -68,7 +69,7 @@ bool FreeBalls::is_due(Index j, Instant t, double accuracy) const {
 }
 
 bool FreeBalls::rests(Index j, Instant t) const {
-  return mode_[j] == ContactMode::open && gap(j) == 0 && approach(j, t) == 0;
+  return mode_[j] == ContactMode::open && clearance(j) == 0 && approach(j, t) == 0;
 }
 
 State FreeBalls::slice(Index first, Index last) {

@@ -16,7 +16,7 @@ class FreeBalls {
   contact::ContactSet& modes() { return mode_; }
   const contact::ContactSet& modes() const { return mode_; }
   /// Each part as of its own time.
-  ChainState state() const { return {{chain_, layout_}, x_}; }
+  ChainState state() const { return {{chain_, layout_}, x_, &mode_}; }
 
   /// Of a free ball, and of the gap between two, at t.
   double velocity(Index i, Instant t) const;
@@ -53,8 +53,10 @@ class FreeBalls {
 
  private:
   double level(Index j) const {
-    return mode_[j] == contact::ContactMode::hovering ? chain_.noise_depth[j] : 0;
+    return model::level(mode_[j], chain_.law[j], memory_of(mode_, j), chain_.noise_depth[j]);
   }
+  /// Gap less that at which the contact closes.
+  double clearance(Index j) const { return state().clearance(j); }
 
   const DimensionlessChain& chain_;
   const ChainLayout& layout_;

@@ -27,8 +27,8 @@ bool is_active(const ChainState& state, ContactMode mode, Index j) {
     case ContactMode::closed:
       return true;
     case ContactMode::touching:
-      return driven || state.gap(j) < -2 * chain.fading_depth(j) ||
-             (state.gap(j) <= 0 && state.approach(j) > chain.noise_speed);
+      return driven || state.clearance(j) < -2 * chain.fading_depth(j) ||
+             (state.clearance(j) <= 0 && state.approach(j) > chain.noise_speed);
     case ContactMode::slack:
       return driven || state.approach(j) > chain.noise_speed;
     default:
@@ -45,7 +45,7 @@ Index margin_of_rows(const DimensionlessChain& chain) {
 }
 
 bool is_well_cut(const Island& island) {
-  const ChainState state{{island.system.chain(), island.system.layout()}, island.start};
+  const ChainState state{{island.system.chain(), island.system.layout()}, island.start, &island.held};
   const auto edges = island.system.phase().flows().edges();
   const Index count = island.contacts(), most = idle + edges.margin;
   const auto room = [&](Index j, Index direction) { return margin(island.held, j, direction, edges.margin); };

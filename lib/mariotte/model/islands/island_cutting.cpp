@@ -55,7 +55,7 @@ void Islands::close_due() {
     if (is_inside(j)) continue;
     if (balls_.is_due(j, now_, options_.accuracy)) {
       absorb_owners(j);
-      change(mode, j, after(balls_.state(), j, mode[j], false), changes_);
+      change(mode, j, after(balls_.state(), j, mode[j], false), chain_.law[j], changes_);
     }
     if (!contact::carries_force(mode[j])) continue;
     press(j, 1);
@@ -67,7 +67,7 @@ void Islands::press(Index from, Index direction) {
   for (Index j = from + direction; j >= 0 && j < balls_.contacts(); j += direction) {
     if (is_inside(j)) absorb(owner_[j]);
     if (!balls_.rests(j, now_)) return;
-    change(balls_.modes(), j, ContactMode::touching, changes_);
+    change(balls_.modes(), j, ContactMode::touching, chain_.law[j], changes_);
   }
 }
 

@@ -94,7 +94,8 @@ void Islands::meet(Index j) {
   balls_.move_ball(j + 1, now_);
   balls_.touch(j);
   auto& mode = balls_.modes();
-  if (mode[j] != ContactMode::touching) change(mode, j, after(balls_.state(), j, mode[j], false), changes_);
+  if (mode[j] != ContactMode::touching)
+    change(mode, j, after(balls_.state(), j, mode[j], false), chain_.law[j], changes_);
   cut();
 }
 
@@ -118,7 +119,7 @@ void Islands::end(Ending ending) {
   for (std::size_t id = 0; id < islands_.size(); ++id)
     if (std::find(unused_.begin(), unused_.end(), static_cast<Index>(id)) == unused_.end())
       dissolve(static_cast<Index>(id));
-  if (ending == Ending::separated) open_touching(balls_.modes(), changes_);
+  if (ending == Ending::separated) open_touching(balls_.modes(), chain_.law, changes_);
   record();
   run_.ending = ending;
   run_.time = now_.value;
@@ -153,7 +154,7 @@ void Islands::commit(Island& island) {
     change->contact += island.first;
   island.clock = island.arrives();
   island.start.swap(island.x);
-  island.held.swap(island.mode);
+  std::swap(island.held, island.mode);
   if (island.log) island.log->keep();
   if (island.arrival.outcome == Outcome::failed) run_.message = island.arrival.message;
   if (island.arrival.outcome == Outcome::never) run_.message = "an island waits for a guard that never fires";
@@ -175,7 +176,7 @@ void Islands::dissolve(Index id) {
   for (const Index j : {island.first - 1, island.last})
     if (j >= 0 && j < balls_.contacts()) balls_.move_contact(j, now_);
   std::copy(island.start.begin(), island.start.end(), balls_.slice(island.first, island.last).begin());
-  std::copy(island.held.begin(), island.held.end(), balls_.modes().begin() + island.first);
+  put_slice(island.held, island.first, balls_.modes());
   balls_.stamp(island.first, island.last, now_);
   std::fill(owner_.begin() + island.first, owner_.begin() + island.last + 1, -1);
   queue_.cancel_arrival(id);
@@ -201,7 +202,7 @@ void Islands::form(Index first, Index last) {
   island.system.reset(chain_, first, last, margin_of_rows_);
   const auto state = balls_.slice(first, last);
   island.start.assign(state.begin(), state.end());
-  island.held.assign(balls_.modes().begin() + first, balls_.modes().begin() + last);
+  copy_slice(balls_.modes(), first, last, island.held);
   follow(island, options_.max_time - now_.value);
   queue_.arrive(id, island.arrives());
   ++count_.formed;

@@ -34,7 +34,7 @@ const Snapshot::Seen& Snapshot::see(int island) {
   const auto& layout = one.system.layout();
   for (const Index at : layout.velocity) seen.velocity.push_back(x[at]);
   for (const Index at : layout.gap) seen.gap.push_back(x[at]);
-  for (Index j = 0; j < layout.contacts(); ++j) seen.force.push_back(std::max(0.0, phase.force(x, j).value));
+  for (Index j = 0; j < layout.contacts(); ++j) seen.force.push_back(phase.felt_force(x, j));
   return seen;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mariotte/model/contacts/bound.hpp"
 #include "mariotte/model/representable.hpp"
 
 namespace mariotte::model {
@@ -11,13 +12,17 @@ namespace {
 using Numbers = std::vector<double>;
 
 double reference_speed(const Network& network, const Numbers& mass) {
-  double squared = 0;
+  double squared = 0, adhesion = 0;
   for (const auto& direction : network.direction) {
     const double rate = gap_rate(direction, network.velocity);
     squared = std::max(squared, rate * rate);
   }
-  for (std::size_t j = 0; j < mass.size(); ++j)
-    if (network.gap[j] < 0) squared += 2 * contact::stored_energy(network.law[j], -network.gap[j]) / mass[j];
+  for (std::size_t j = 0; j < mass.size(); ++j) {
+    adhesion = std::max(adhesion, 2 * well_energy(network.law[j]) / mass[j]);
+    if (network.gap[j] < 0)
+      squared += 2 * std::max(0.0, contact::stored_energy(network.law[j], -network.gap[j])) / mass[j];
+  }
+  squared += adhesion;
   return squared > 0 ? std::sqrt(squared) : 1;
 }
 

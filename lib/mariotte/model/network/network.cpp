@@ -35,8 +35,10 @@ void validate(const Network& network) {
   for (const double v : network.velocity)
     if (!std::isfinite(v)) throw InvalidParameter("every velocity must be finite");
   validate(network.mass, network.direction, dofs);
-  for (std::size_t j = 0; j < network.law.size(); ++j)
+  for (std::size_t j = 0; j < network.law.size(); ++j) {
     validate_contact(j, network.law[j], network.gap[j], network.precompressed, "network");
+    expect_no_touch(j, network.law[j], network.gap[j], gap_rate(network.direction[j], network.velocity));
+  }
 }
 
 Network as_network(const Chain& chain) {

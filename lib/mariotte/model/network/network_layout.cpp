@@ -9,7 +9,7 @@ void make_layout(const DimensionlessNetwork& network, ContactLayout& layout) {
   for (Index j = 0; j < network.contacts(); ++j) layout.impulse.push_back(layout.size++);
   for (const auto& law : network.law)
     layout.work.push_back(contact::dissipates(law) ? layout.size++ : ContactLayout::absent);
-  number_guards(layout);
+  number_guards(network.law, layout);
 }
 
 }  // namespace mariotte::model

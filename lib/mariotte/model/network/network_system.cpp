@@ -7,10 +7,11 @@ namespace mariotte::model {
 template class TopologyPhase<NetworkTopology>;
 template class ContactSystem<NetworkTopology>;
 
-void NetworkSystem::reset(const Network& network, double accuracy) {
+void NetworkSystem::reset(const Network& network, double accuracy, bool stay) {
   make_dimensionless(network, accuracy, model_);
   make_layout(model_, layout_);
   phase_.reset();
+  stay_ = stay;
 }
 
 }  // namespace mariotte::model

@@ -15,9 +15,12 @@ extern template class ContactSystem<NetworkTopology>;
 class NetworkSystem : public ContactSystem<NetworkTopology> {
  public:
   NetworkSystem() = default;
-  NetworkSystem(const Network& network, double accuracy) { reset(network, accuracy); }
-  /// Become the system of another network and reuse the memory.
-  void reset(const Network& network, double accuracy);
+  NetworkSystem(const Network& network, double accuracy, bool stay = false) {
+    reset(network, accuracy, stay);
+  }
+  /// Become the system of another network and reuse the memory. `stay` follows what adhesion holds together
+  /// up to the time limit.
+  void reset(const Network& network, double accuracy, bool stay = false);
   const DimensionlessNetwork& network() const { return model_; }
 };
 

@@ -35,9 +35,13 @@ void append(std::string& text, const std::vector<double>& values) {
 }  // namespace
 
 std::string events_csv(const impact::ContactImpact& impact) {
-  std::string text = "time [s],open,close\n";
-  for (const auto& event : impact.events)
-    text += fmt::format("{},{},{}\n", exact(event.time), from_one(event.open), from_one(event.close));
+  const bool yields = has_branches(impact.events);
+  std::string text = yields ? "time [s],open,close,yield,unload\n" : "time [s],open,close\n";
+  for (const auto& event : impact.events) {
+    text += fmt::format("{},{},{}", exact(event.time), from_one(event.open), from_one(event.close));
+    if (yields) text += fmt::format(",{},{}", from_one(event.yield), from_one(event.unload));
+    text += "\n";
+  }
   return text;
 }
 

@@ -12,7 +12,7 @@ struct Label {
 
 inline constexpr std::array labels = {
     Label{"ending",
-          "how the run ended: `separated`, `captured`, `time_limit`, `event_limit`, "
+          "how the run ended: `separated`, `captured`, `bound`, `time_limit`, `event_limit`, "
           "`interrupted`, `unsure`, `invalid` or `failed`"},
     Label{"title", "title of the scene"},
     Label{"model", "`chain`, `network` or `microbody`"},

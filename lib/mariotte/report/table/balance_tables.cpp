@@ -25,7 +25,9 @@ constexpr BalanceLine energies[] = {{"before", "energy.initial"},
                                     {"work done on the balls", "energy.work", true},
                                     {"kinetic after", "energy.final"},
                                     {"stored in contacts", "energy.stored", true},
-                                    {"dissipated in contacts", "energy.dissipated"}};
+                                    {"dissipated in contacts", "energy.dissipated"},
+                                    {"of it by yielding", "energy.plastic_work", true},
+                                    {"of it by adhesion", "energy.adhesion_loss", true}};
 constexpr BalanceLine momenta[] = {{"before", "momentum.initial"}, {"after", "momentum.final"}};
 
 template <class Impact>

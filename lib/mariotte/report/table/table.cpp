@@ -28,17 +28,23 @@ std::string summary(const impact::ContactImpact& impact, const std::string& size
                   shown(time, impact.time), time.unit, size, impact.requested_accuracy);
   if (impact.estimated_accuracy) text += fmt::format(", {:.1e} estimated", *impact.estimated_accuracy);
   if (const auto why = reason(impact.ending, impact.message, scene); !why.empty()) text += "\n" + why;
+  for (const double one : impact.bound_frequency)
+    text += fmt::format("\nheld together by adhesion, rings on at {:.6g} Hz", one);
   return text + "\n";
 }
 
 std::string events(const impact::ContactImpact& impact, const Display& time) {
   if (impact.events.empty()) return "\nEvents: none\n";
+  const bool yields = has_branches(impact.events);
   const auto row = [&](Index i) -> TableRow {
     const auto& event = impact.events[static_cast<std::size_t>(i)];
-    return {shown(time, event.time), numbers(event.close), numbers(event.open)};
+    TableRow cells = {shown(time, event.time), numbers(event.close), numbers(event.open)};
+    if (yields) cells.insert(cells.end(), {numbers(event.yield), numbers(event.unload)});
+    return cells;
   };
-  return "\nEvents\n" + columns({"time [" + time.unit + "]", "contacts close", "contacts open"},
-                                std::ssize(impact.events), row);
+  TableRow header = {"time [" + time.unit + "]", "contacts close", "contacts open"};
+  if (yields) header.insert(header.end(), {"yield", "unload"});
+  return "\nEvents\n" + columns(header, std::ssize(impact.events), row);
 }
 
 std::string balls(const impact::ChainImpact& impact, const model::Chain& chain) {

@@ -1,0 +1,64 @@
+#include "mariotte/contact/branched_law.hpp"
+
+#include <utility>
+
+namespace mariotte::contact {
+namespace {
+
+/// f(δ L, δ̇ V) in the unit of force, with what is remembered in the unit of length.
+class ScaledBranches final : public BranchedLaw {
+ public:
+  ScaledBranches(const BranchedLaw& law, SharedLaw owner, const Scale& scale)
+      : law_(law), owner_(std::move(owner)), scale_(scale) {}
+
+  std::string_view name() const override { return law_.name(); }
+  Force force(const Memory& past, double indentation, double rate) const override {
+    const auto f = law_.force(stated(past), indentation * scale_.length, rate * scale_.velocity);
+    const double unit = scale_.force();
+    return {.value = f.value / unit,
+            .by_indentation = f.by_indentation * (scale_.length / unit),
+            .by_rate = f.by_rate * (scale_.velocity / unit)};
+  }
+  double stored_energy(const Memory& past, double indentation) const override {
+    return law_.stored_energy(stated(past), indentation * scale_.length) / scale_.energy();
+  }
+  double closing_indentation(const Memory& past) const override {
+    return law_.closing_indentation(stated(past)) / scale_.length;
+  }
+  double opening_indentation(const Memory& past) const override {
+    return law_.opening_indentation(stated(past)) / scale_.length;
+  }
+  /// Where it has yielded before it yields again, to the last digit.
+  double yield_indentation(const Memory& past) const override {
+    return past.peak > 0 ? past.peak : law_.yield_indentation(past) / scale_.length;
+  }
+  double plastic_loss(double peak) const override {
+    return law_.plastic_loss(peak * scale_.length) / scale_.energy();
+  }
+  bool pulls() const override { return law_.pulls(); }
+  bool adheres() const override { return law_.adheres(); }
+  bool watches_turns() const override { return law_.watches_turns(); }
+  bool is_damped() const override { return law_.is_damped(); }
+  double natural_indentation(double energy) const override {
+    return law_.natural_indentation(energy * scale_.energy()) / scale_.length;
+  }
+  std::vector<LawParameter> parameters() const override { return law_.parameters(); }
+
+ private:
+  Memory stated(Memory past) const {
+    past.peak *= scale_.length;
+    return past;
+  }
+
+  const BranchedLaw& law_;
+  SharedLaw owner_;
+  Scale scale_;
+};
+
+}  // namespace
+
+SharedLaw in_units(const BranchedLaw& law, const SharedLaw& owner, const Scale& scale) {
+  return std::make_shared<ScaledBranches>(law, owner, scale);
+}
+
+}  // namespace mariotte::contact

@@ -1,0 +1,36 @@
+// A law by points (δ, f) of a curve, joined by cubics that are monotone wherever the points are [Fritsch &
+// Butland 1984, SIAM J Sci Stat Comput 5:300]. Beyond the last point the force goes on straight.
+#pragma once
+#include <vector>
+
+#include "mariotte/contact/custom_law.hpp"
+
+namespace mariotte::contact {
+
+/// A measured or computed point.
+struct LawPoint {
+  double indentation;  ///< [m]
+  double force;        ///< [N]
+};
+
+/// An elastic law, the same for loading and unloading.
+class Tabulated final : public CustomLaw {
+ public:
+  /// Points in ascending order, of positive indentations and rising forces; the curve begins at (0, 0), which
+  /// may be the first. Throws InvalidParameter.
+  explicit Tabulated(std::vector<LawPoint> points);
+
+  std::string_view name() const override { return "tabulated"; }
+  Force force(double indentation, double rate) const override;
+  double stored_energy(double indentation) const override;
+  std::vector<LawParameter> parameters() const override;
+
+ private:
+  std::size_t piece_of(double indentation) const;
+
+  std::vector<LawPoint> points_;
+  std::vector<double> slope_;   ///< at each point [N/m]
+  std::vector<double> energy_;  ///< stored at each point [J]
+};
+
+}  // namespace mariotte::contact

@@ -1,0 +1,127 @@
+// Bodies that adhesion holds together, and rows whose dents stay.
+#define BOOST_TEST_MODULE adhesion and dents
+#include <boost/test/unit_test.hpp>
+#include <numbers>
+
+#include "mariotte/core/error.hpp"
+#include "mariotte/impact/network/network_impact.hpp"
+#include "support/reference.hpp"
+#include "support/reference_laws.hpp"
+
+using namespace mariotte;
+using hybrid::Ending;
+
+namespace {
+
+constexpr double modulus = 1.3, radius = 0.8, work = 0.002;
+
+const nlohmann::json sticky = {
+    {"law", "jkr"}, {"effective_modulus", modulus}, {"effective_radius", radius}, {"work_of_adhesion", work}};
+
+/// √a, indentation and stiffness where the force is zero.
+const double s = std::sqrt(2 * std::numbers::pi * work / modulus);
+const double u = std::sqrt(std::cbrt(9 * std::numbers::pi * work * radius * radius / (2 * modulus)));
+const double rest = std::pow(u, 4) / (3 * radius);
+const double stiffness =
+    modulus * (8 * std::pow(u, 5) / radius - 6 * s * u * u) / (4 * u * u * u / radius - s);
+
+/// Balls of mass 1 bonded to each other.
+model::Chain bonded(std::vector<double> velocity) {
+  const auto contacts = velocity.size() - 1;
+  return {.mass = std::vector<double>(velocity.size(), 1),
+          .law = std::vector<contact::Law>(contacts, test::law_of(sticky)),
+          .gap = std::vector<double>(contacts, -rest),
+          .velocity = std::move(velocity),
+          .precompressed = true};
+}
+
+double hertz(double square) {
+  return std::sqrt(square) / (2 * std::numbers::pi);
+}
+
+model::Chain plastic_row(std::size_t balls) {
+  const nlohmann::json law = {
+      {"law", "thornton"}, {"effective_modulus", 1}, {"effective_radius", 1}, {"yield_pressure", 0.15}};
+  auto row = test::equal_masses(std::vector<contact::Law>(balls - 1, test::law_of(law)),
+                                std::vector<double>(balls, 0.0));
+  row.velocity[0] = 1;
+  return row;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_captured_pair_rings_at_the_frequency_of_its_well) {
+  auto pair = bonded({0.02, 0});
+  pair.gap = {0.01};
+  pair.precompressed = false;
+  const auto impact = impact::simulate(pair);
+  BOOST_TEST((impact.ending == Ending::bound), impact.message);
+  BOOST_TEST_REQUIRE(impact.bound_frequency.size() == 1u);
+  BOOST_TEST(impact.bound_frequency[0] == hertz(2 * stiffness), boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(impact.events.size() == 1u);
+  BOOST_TEST(!impact.contacts[0].periods[0].end);
+  BOOST_TEST(std::abs(impact.energy.residual) < 1e-12);
+}
+
+BOOST_AUTO_TEST_CASE(three_bonded_balls_have_the_modes_of_a_free_row) {
+  const auto impact = impact::simulate(bonded({1e-4, 0, 0}));
+  BOOST_TEST((impact.ending == Ending::bound), impact.message);
+  BOOST_TEST_REQUIRE(impact.bound_frequency.size() == 2u);
+  BOOST_TEST(impact.bound_frequency[0] == hertz(stiffness), boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(impact.bound_frequency[1] == hertz(3 * stiffness), boost::test_tools::tolerance(1e-9));
+}
+
+BOOST_AUTO_TEST_CASE(a_time_limit_keeps_what_is_bound_ringing) {
+  const auto impact = impact::simulate(bonded({1e-4, 0, 0}), {.max_time = 100});
+  BOOST_TEST((impact.ending == Ending::time_limit), impact.message);
+  BOOST_TEST(impact.time == 100);
+  BOOST_TEST(impact.bound_frequency.empty());
+  BOOST_TEST(std::abs(impact.velocity[0] + impact.velocity[1] + impact.velocity[2] - 1e-4) < 1e-13);
+}
+
+BOOST_AUTO_TEST_CASE(bonded_balls_at_rest_stay_so_without_events) {
+  auto row = bonded({0, 0, 0, 1});
+  row.gap[2] = 1;
+  row.velocity[3] = 2;
+  const auto impact = impact::simulate(row, {.max_time = 50});
+  BOOST_TEST(impact.events.size() == 1u);
+  BOOST_TEST(std::abs(impact.velocity[0]) < 1e-12);
+}
+
+BOOST_AUTO_TEST_CASE(contacts_that_adhere_must_not_touch_at_rest) {
+  auto pair = bonded({0, 0});
+  pair.gap = {0};
+  BOOST_CHECK_THROW(impact::simulate(pair), InvalidParameter);
+  BOOST_CHECK_THROW(impact::simulate(model::as_network(pair)), InvalidParameter);
+  pair.velocity = {0.3, 0};
+  BOOST_TEST((impact::simulate(pair).ending == Ending::separated));
+}
+
+BOOST_AUTO_TEST_CASE(networks_are_their_chains) {
+  for (const auto& c : test::law_cases("chains.json")) {
+    const double end = c.at("ending") == "time" ? c.at("end_time").get<double>() : infinity;
+    const auto impact = impact::simulate(model::as_network(test::chain_of(c)), {.max_time = end});
+    const auto velocity = test::sizes(c.at("velocity_after"));
+    BOOST_TEST((impact.ending == (std::isinf(end) ? Ending::separated : Ending::time_limit)), impact.message);
+    BOOST_TEST(test::difference(impact.velocity, velocity) < 1e-9);
+    for (std::size_t j = 0; j < impact.contacts.size(); ++j)
+      BOOST_TEST(std::abs(impact.contacts[j].permanent_indentation -
+                          c.at("permanent_indentation")[j].get<double>()) < 1e-9);
+  }
+}
+
+// Islands are cut from a row that remembers.
+BOOST_AUTO_TEST_CASE(islands_of_a_plastic_row_are_the_whole_row) {
+  const auto row = plastic_row(12);
+  const auto whole = impact::simulate(row, {.islands = hybrid::Islands::never});
+  const auto parts = impact::simulate(row, {.islands = hybrid::Islands::always});
+  BOOST_TEST((whole.ending == Ending::separated), whole.message);
+  BOOST_TEST((parts.ending == Ending::separated), parts.message);
+  BOOST_TEST(test::difference(whole.velocity, parts.velocity) < 1e-9);
+  for (std::size_t j = 0; j < row.law.size(); ++j) {
+    const auto &a = whole.contacts[j], &b = parts.contacts[j];
+    BOOST_TEST(std::abs(a.permanent_indentation - b.permanent_indentation) < 1e-9);
+    BOOST_TEST(std::abs(a.plastic - b.plastic) < 1e-9);
+    BOOST_TEST(a.plastic > 0);
+  }
+}
