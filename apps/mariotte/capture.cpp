@@ -9,7 +9,9 @@
 #include "command_line/exit_code.hpp"
 #include "command_line/terminal.hpp"
 #include "mariotte/report/json/json.hpp"
+#include "mariotte/scene/restitution.hpp"
 #include "mariotte/study/fault.hpp"
+#include "pair_choice.hpp"
 #include "scene_choice.hpp"
 
 namespace mariotte::command {
@@ -21,11 +23,21 @@ struct Capture {
   bool json = false;
 };
 
+/// Of a body on a plane, or of two bodies of a chain.
+std::optional<impact::CaptureVelocity> find(const Capture& options, const scene::Document& document,
+                                            const scene::Scene& scene) {
+  const auto* chain = std::get_if<model::Chain>(&scene.model);
+  if (!chain) return study::capture_velocity(document, options.tolerance);
+  const auto pair = pair_of(scene, options.scene.path, "captured");
+  const double approach = scene::largest_approach(*chain);
+  return impact::capture_velocity(pair, approach > 0 ? approach : 1, options.tolerance);
+}
+
 std::string table(const impact::CaptureVelocity& found, const scene::Scene& scene) {
   return fmt::format(
       "{}\ncapture velocity {:.12g} m/s\n  captured at {:.12g} m/s, separated at {:.12g} m/s · {} impacts "
       "simulated\n",
-      scene.title.empty() ? "Microbody" : scene.title, found.value(), found.captured, found.separated,
+      scene.title.empty() ? "Capture" : scene.title, found.value(), found.captured, found.separated,
       found.runs);
 }
 
@@ -40,7 +52,7 @@ report::Json json(const impact::CaptureVelocity& found, const scene::Scene& scen
 int capture(const Capture& options) {
   const auto document = open(options.scene);
   const auto scene = resolve(options.scene, document);
-  const auto found = study::capture_velocity(document, options.tolerance);
+  const auto found = find(options, document, scene);
   if (!found) {
     error("no capture velocity within a factor of a million of the scene's speed", fault::no_capture);
     return ExitCode::check_failed;
@@ -51,6 +63,7 @@ int capture(const Capture& options) {
 
 constexpr const char* examples = R"(Examples:
   mariotte capture microsphere.toml
+  mariotte capture fine_powder.toml
   mariotte capture microrod.toml --set "incidence.angles[1]=20 deg" --json
 
 Halves a bracket around the normal speed below which the body stays; all else is as the scene says.
@@ -62,7 +75,7 @@ A body that is never captured, as one without damping: exit code 1.
 Command capture_command() {
   auto options = std::make_shared<Capture>();
   return {.name = "capture",
-          .about = "Find the speed below which a microbody does not come off again",
+          .about = "Find the speed below which a microbody, or a pair that adheres, does not part again",
           .footer = examples,
           .options = joined({scene_options(options->scene),
                              {{"--tolerance",

@@ -11,6 +11,7 @@ Command run_command();
 Command check_command();
 Command law_command();
 Command capture_command();
+Command restitution_command();
 Command fit_command();
 Command demo_command();
 Command init_command();

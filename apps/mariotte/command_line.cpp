@@ -14,6 +14,7 @@ constexpr const char* examples = R"(Examples:
   mariotte sweep map.toml --out results          many scenes, by its [[sweep]] tables
   mariotte law cradle.toml                       the same impact by the multiple-impact law
   mariotte capture microsphere.toml              how slow a microbody may be to get off again
+  mariotte restitution steel_pair.toml --from 0.1 --to 10   of two bodies, by their speed
   mariotte fit microsphere.toml measured.csv     its damping from measured restitution
   mariotte materials                             materials that scenes can name, with sources
   mariotte explain S010                          what an error means, by the code of its message
@@ -30,11 +31,23 @@ int command_line(int argc, char** argv) noexcept {
                   .about = "Stiff, event-driven impacts: balls in a chain, microbodies on a plane.",
                   .footer = examples,
                   .version = "mariotte " + report::provenance().version};
-  program.commands = {
-      run_command(),     check_command(),     law_command(),        sweep_command(),
-      capture_command(), fit_command(),       report_command(),     demo_command(),
-      init_command(),    reproduce_command(), study_command(),      materials_command(),
-      explain_command(), version_command(),   man_command(program), completion_command(program)};
+  program.commands = {run_command(),
+                      check_command(),
+                      law_command(),
+                      sweep_command(),
+                      capture_command(),
+                      restitution_command(),
+                      fit_command(),
+                      report_command(),
+                      demo_command(),
+                      init_command(),
+                      reproduce_command(),
+                      study_command(),
+                      materials_command(),
+                      explain_command(),
+                      version_command(),
+                      man_command(program),
+                      completion_command(program)};
   return run_program(program, argc, argv);
 }
 

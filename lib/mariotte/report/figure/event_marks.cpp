@@ -28,11 +28,16 @@ struct Axis {
 
 /// "1–2 close", "3 closes, 1 opens".
 std::string words(const impact::Event& event) {
-  const auto verb = [](const std::vector<Index>& contacts, const char* one, const char* many) {
-    return contacts.empty() ? "" : numbers(contacts) + (contacts.size() > 1 ? many : one);
+  std::string text;
+  const auto say = [&](const std::vector<Index>& contacts, const char* verb) {
+    if (contacts.empty()) return;
+    text += (text.empty() ? "" : ", ") + numbers(contacts) + verb + (contacts.size() > 1 ? "" : "s");
   };
-  const auto close = verb(event.close, " closes", " close"), open = verb(event.open, " opens", " open");
-  return close + (close.empty() || open.empty() ? "" : ", ") + open;
+  say(event.close, " close");
+  say(event.open, " open");
+  say(event.yield, " yield");
+  say(event.unload, " unload");
+  return text;
 }
 
 std::string shade(const Axis& axis, double from, double to, std::size_t closed) {

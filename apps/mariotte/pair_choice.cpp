@@ -1,0 +1,14 @@
+#include "pair_choice.hpp"
+
+#include "mariotte/scene/restitution.hpp"
+
+namespace mariotte::command {
+
+impact::Pair pair_of(const scene::Scene& scene, const std::string& file, const char* what) {
+  const auto* chain = std::get_if<model::Chain>(&scene.model);
+  if (!chain || chain->law.size() != 1)
+    throw scene::SceneError(file + ": only two bodies of a [chain] can be " + what, fault::no_model);
+  return {chain->law[0], scene::reduced_mass(*chain, 0)};
+}
+
+}  // namespace mariotte::command

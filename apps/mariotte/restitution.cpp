@@ -1,0 +1,95 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "command.hpp"
+#include "command_line/exit_code.hpp"
+#include "command_line/terminal.hpp"
+#include "mariotte/report/csv/columns.hpp"
+#include "mariotte/report/json/json.hpp"
+#include "pair_choice.hpp"
+#include "scene_choice.hpp"
+
+namespace mariotte::command {
+namespace {
+
+struct Curve {
+  SceneChoice scene;
+  double from = 0, to = 0;
+  int count = 21;
+  bool json = false;
+};
+
+struct Point {
+  double speed, restitution;
+  std::optional<double> closed_form;
+};
+
+std::vector<Point> points(const Curve& curve, const impact::Pair& pair) {
+  std::vector<Point> all;
+  for (int i = 0; i < curve.count; ++i) {
+    const double part = curve.count == 1 ? 0 : static_cast<double>(i) / (curve.count - 1);
+    const double speed = curve.from * std::pow(curve.to / curve.from, part);
+    all.push_back({speed, impact::restitution(pair, speed), impact::closed_restitution(pair, speed)});
+  }
+  return all;
+}
+
+std::string table(const std::vector<Point>& curve, const scene::Scene& scene, const impact::Pair& pair) {
+  const auto row = [&](Index i) -> report::TableRow {
+    const auto& [speed, e, closed] = curve[static_cast<std::size_t>(i)];
+    return {fmt::format("{:.6g}", speed), fmt::format("{:.12f}", e),
+            closed ? fmt::format("{:.12f}", *closed) : "–"};
+  };
+  return fmt::format("{}\nRestitution of a pair with the law {}, reduced mass {:.10g} kg\n",
+                     scene.title.empty() ? "Chain" : scene.title, name(pair.law), pair.reduced_mass) +
+         report::columns({"speed [m/s]", "restitution e", "in closed form"}, std::ssize(curve), row);
+}
+
+report::Json json(const std::vector<Point>& curve, const scene::Scene& scene, const impact::Pair& pair) {
+  report::Json result = {{"title", scene.title},
+                         {"law", name(pair.law)},
+                         {"reduced_mass", pair.reduced_mass},
+                         {"curve", report::Json::array()}};
+  for (const auto& [speed, e, closed] : curve) {
+    result["curve"].push_back({{"speed", speed}, {"restitution", e}, {"closed_form", nullptr}});
+    if (closed) result["curve"].back()["closed_form"] = *closed;
+  }
+  return result;
+}
+
+int restitution(const Curve& options) {
+  const auto scene = read(options.scene);
+  const auto pair = pair_of(scene, options.scene.path, "followed at other speeds");
+  const auto curve = points(options, pair);
+  print(options.json ? report::text(json(curve, scene, pair)) : table(curve, scene, pair));
+  return ExitCode::ok;
+}
+
+constexpr const char* examples = R"(Examples:
+  mariotte restitution steel_pair.toml --from 0.01 --to 10
+  mariotte restitution fine_powder.toml --from 0.05 --to 2 --count 50 --json
+
+The contact of two bodies alone, at speeds whose logarithms are evenly spaced; 0 where adhesion keeps them.
+)";
+
+}  // namespace
+
+Command restitution_command() {
+  auto options = std::make_shared<Curve>();
+  return {
+      .name = "restitution",
+      .about = "Show how the restitution of two bodies depends on their speed",
+      .footer = examples,
+      .options = joined(
+          {scene_options(options->scene),
+           {{"--from", &options->from, "Smallest speed [m/s]", {.check = Positive{}, .required = true}},
+            {"--to", &options->to, "Largest speed [m/s]", {.check = Positive{}, .required = true}},
+            {"--count", &options->count, "How many speeds", {.check = Range{1, 1e6}, .shows_default = true}},
+            {"--json", &options->json, "One JSON object on stdout"}}}),
+      .act = [options] { return restitution(*options); }};
+}
+
+}  // namespace mariotte::command
