@@ -10,6 +10,7 @@
 #include "mariotte/contact/named_laws.hpp"
 #include "mariotte/scene/restitution.hpp"
 #include "mariotte/scene/scene.hpp"
+#include "support/folder.hpp"
 
 using namespace mariotte;
 
@@ -140,4 +141,33 @@ BOOST_AUTO_TEST_CASE(separation_says_where_a_damped_contact_ends) {
   const double at_force = std::exp(-zeta / q * std::atan2(2 * zeta * q, 2 * zeta * zeta - 1));
   BOOST_TEST(std::abs(restitution("force") - at_force) < 1e-12);
   BOOST_TEST(std::abs(restitution("indentation") - std::exp(-std::numbers::pi * zeta / q)) < 1e-10);
+}
+
+BOOST_DATA_TEST_CASE(a_restitution_gives_every_law_its_damping, every_law) {
+  const auto& one = contact::named_laws[sample];
+  if (!one.damping()) return;
+  const std::string numbers = one.find("stiffness") ? "stiffness = 3\n"
+                                                    : "effective_modulus = 2\neffective_radius = 0.5\n"
+                                                      "work_of_adhesion = 0.001\n";
+  for (const double e : {0.4, 0.9}) {
+    const auto text = "[chain]\nmass = [0.7, inf]\nvelocity = [2, 0]\nlaw = '" + std::string(one.name) +
+                      "'\n" + numbers + "restitution = " + std::to_string(e) + "\nat = 1.5\n";
+    const auto chain = std::get<model::Chain>(scene::parse(text, "law").model);
+    const double found = scene::restitution(chain.law[0], {.reduced_mass = 0.7, .speed = 1.5});
+    BOOST_TEST(std::abs(found - e) < 1e-10);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(points_of_a_tabulated_law_come_from_a_file) {
+  const test::Folder folder;
+  std::ofstream(folder.path / "curve.csv") << "indentation [mm], force [kN]\n0.1, 1\n0.2, 3\n0.4, 10\n";
+  std::ofstream(folder.path / "pair.toml") << "[chain]\nmass = [1, inf]\nvelocity = [0.5, 0]\n"
+                                              "law = 'tabulated'\ntable = 'curve.csv'\n";
+  const auto law = std::get<model::Chain>(scene::read((folder.path / "pair.toml").string()).model).law[0];
+  BOOST_TEST(name(law) == "tabulated");
+  BOOST_TEST(contact::force(law, 2e-4, 0).value == 3000, boost::test_tools::tolerance(1e-14));
+  BOOST_TEST(scene::restitution(law, {.reduced_mass = 1, .speed = 0.5}) == 1,
+             boost::test_tools::tolerance(1e-10));
+  std::ofstream(folder.path / "curve.csv") << "indentation, force\n0.1, 1\n0.2, 1\n";
+  BOOST_CHECK_THROW(scene::read((folder.path / "pair.toml").string()), scene::SceneError);
 }
