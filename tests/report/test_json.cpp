@@ -27,19 +27,19 @@ void check_keys(const report::Json& object, const std::vector<std::string>& expe
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(result_has_the_promised_keys_in_order) {
-  check_keys(example(),
-             {"ending", "title", "model", "message", "final", "contacts", "icr", "impulse_direction",
-              "events", "energy", "momentum", "validity", "accuracy", "flows", "skipped", "provenance"});
+  check_keys(example(), {"ending", "title", "model", "message", "final", "contacts", "bound_frequency", "icr",
+                         "impulse_direction", "events", "energy", "momentum", "validity", "accuracy", "flows",
+                         "skipped", "provenance"});
 }
 
 BOOST_AUTO_TEST_CASE(parts_of_the_result_have_the_promised_keys) {
   const auto result = example();
   check_keys(result["final"], {"time", "velocity", "gap"});
-  check_keys(result["contacts"][0],
-             {"impulse", "peak_force", "peak_indentation", "periods", "stored", "dissipated"});
-  check_keys(result["events"][0], {"time", "open", "close", "stick", "slip", "capture"});
-  check_keys(result["energy"],
-             {"initial", "final", "stored", "dissipated", "work", "residual", "ratio_lab", "ratio_centre"});
+  check_keys(result["contacts"][0], {"impulse", "peak_force", "peak_indentation", "periods", "stored",
+                                     "dissipated", "plastic_work", "adhesion_loss", "permanent_indentation"});
+  check_keys(result["events"][0], {"time", "open", "close", "yield", "unload", "stick", "slip", "capture"});
+  check_keys(result["energy"], {"initial", "final", "stored", "dissipated", "plastic_work", "adhesion_loss",
+                                "work", "residual", "ratio_lab", "ratio_centre"});
   check_keys(result["momentum"], {"initial", "final", "residual"});
   check_keys(result["accuracy"], {"requested", "estimated"});
   check_keys(result["flows"][0], {"name", "phases", "steps", "rhs"});
