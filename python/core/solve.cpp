@@ -60,7 +60,8 @@ struct Results {
   /// Numbers of a run that could not go on mean nothing.
   void keep(Index row, const impact::BriefImpact& impact) {
     using hybrid::Ending;
-    const bool counts = impact.ending != Ending::failed && impact.ending != Ending::unsure;
+    const bool counts = impact.ending != Ending::failed && impact.ending != Ending::unsure &&
+                        impact.ending != Ending::invalid;
     const double factor = counts ? 1 : std::numeric_limits<double>::quiet_NaN();
     const auto put = [&](const auto& from, auto& to) {
       std::transform(from.begin(), from.end(), to.begin() + row * std::ssize(from),

@@ -26,11 +26,13 @@ using scene::Place;
 /// One key, its values, and whether it moves along with the one before.
 using Axis = std::tuple<std::string, py::list, bool>;
 
-/// As the numbers of mariotte.Ending.
+constexpr auto last_ending = static_cast<std::uint8_t>(hybrid::Ending::failed);
+
+/// As the numbers of mariotte.Ending; "rejected" is one more.
 std::uint8_t number_of(const std::string& ending) {
-  constexpr std::array endings = {"separated", "captured", "time_limit", "event_limit",
-                                  "unsure",    "failed",   "rejected"};
-  return static_cast<std::uint8_t>(std::find(endings.begin(), endings.end(), ending) - endings.begin());
+  std::uint8_t number = 0;
+  while (number <= last_ending && hybrid::name(static_cast<hybrid::Ending>(number)) != ending) ++number;
+  return number;
 }
 
 class Sweep {
@@ -93,8 +95,7 @@ class Sweep {
   }
 
   static const char* name(std::uint8_t ending) {
-    constexpr auto last = static_cast<std::uint8_t>(hybrid::Ending::failed);
-    return ending > last ? "rejected" : hybrid::name(static_cast<hybrid::Ending>(ending));
+    return ending > last_ending ? "rejected" : hybrid::name(static_cast<hybrid::Ending>(ending));
   }
 
   study::SweepPlan plan_;

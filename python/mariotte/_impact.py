@@ -27,11 +27,14 @@ class Ending(enum.IntEnum):
 
     separated = 0  #: no contact carries force and no two bodies can meet again
     captured = 1  #: a tip has turned back in the well of adhesion
-    time_limit = 2  #: `until` or `max_time` was reached
-    event_limit = 3  #: `max_events` was reached
-    unsure = 4  #: it came to an end, but a balance does not close
-    failed = 5  #: a flow could not go on; what was computed until then is kept
-    rejected = 6  #: of a point of a sweep: its values together are no scene
+    bound = 2  #: adhesion holds bodies together for ever
+    time_limit = 3  #: `until` or `max_time` was reached
+    event_limit = 4  #: `max_events` was reached
+    interrupted = 5  #: it was given up; what was computed until then is kept
+    unsure = 6  #: it came to an end, but a balance does not close
+    invalid = 7  #: it came to an end, but beyond where any contact law holds
+    failed = 8  #: a flow could not go on; what was computed until then is kept
+    rejected = 9  #: of a point of a sweep: its values together are no scene
 
 
 class Energy(NamedTuple):
@@ -366,7 +369,7 @@ def simulate(scene: Scene[Result], *, accuracy: Optional[float] = None, until: O
     >>> import mariotte as mt
     >>> pair = mt.Chain(mass=[1, 1], velocity=[1, 0], law="hertz", stiffness="1e9 N/m^1.5")
     >>> mt.simulate(pair, until="1 us").ending
-    <Ending.time_limit: 2>
+    <Ending.time_limit: 3>
     """
     result: Result = _simulated(scene, (accuracy, plain(until), plain(max_time), max_events, flow))
     return result
