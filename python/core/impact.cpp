@@ -34,7 +34,7 @@ Impact::Impact(SharedScene box, const hybrid::Options& options, bool until)
 bool Impact::solve_quickly() {
   constexpr Index few = 1000;
   const auto* const chain = std::get_if<model::Chain>(&box_->scene.model);
-  if (!chain || impact::divides(options_, chain->mass.size())) return false;
+  if (!chain || impact::divides(options_, *chain)) return false;
   auto quick = options_;
   quick.max_events = std::min(quick.max_events, few);
   thread_local impact::ChainSolver solver;

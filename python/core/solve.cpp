@@ -12,6 +12,7 @@
 #include "bindings.hpp"
 #include "interruption.hpp"
 #include "mariotte/contact/named_laws.hpp"
+#include "mariotte/core/error.hpp"
 #include "mariotte/impact/chain/chain_solver.hpp"
 
 namespace mariotte::python {
@@ -43,7 +44,8 @@ struct Chains {
     assign(chain.gap, gap.at(row));
     const auto k = stiffness.at(row), c = damping.at(row);
     chain.law.clear();
-    for (std::size_t j = 0; j < k.size(); ++j) chain.law.push_back(law.make(k[j], c[j], exponent));
+    for (std::size_t j = 0; j < k.size(); ++j)
+      chain.law.push_back(law.make({.stiffness = k[j], .exponent = exponent, .damping = c[j]}));
   }
 };
 

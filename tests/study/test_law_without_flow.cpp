@@ -30,7 +30,7 @@ study::SweepPlan plan() {
   return study::read_sweep(scene::parse_document(text, "s.toml"));
 }
 
-impact::ChainImpact simulate(const scene::Scene& scene) {
+impact::ChainImpact impact_of(const scene::Scene& scene) {
   return impact::simulate(std::get<model::Chain>(scene.model), scene.run);
 }
 
@@ -49,7 +49,7 @@ BOOST_AUTO_TEST_CASE(every_point_of_a_sweep_has_its_own_damping) {
                boost::test_tools::tolerance(1e-15));
     std::vector<double> numbers(1);
     study::make_evaluate({{"final.velocity[2]"}})(scene, numbers);
-    BOOST_TEST(std::abs(numbers[0] - simulate(scene).velocity[2]) < 1e-9);
+    BOOST_TEST(std::abs(numbers[0] - impact_of(scene).velocity[2]) < 1e-9);
     BOOST_TEST(numbers[0] < last);  // more is lost
     last = numbers[0];
   }
@@ -64,5 +64,5 @@ BOOST_AUTO_TEST_CASE(results_name_the_law_and_its_numbers) {
   BOOST_TEST(contact["exponent"] == 1.5);
   BOOST_TEST(report::table(scene).find("hunt-crossley stiffness 1 damping 0.2 exponent 1.5") !=
              std::string::npos);
-  BOOST_TEST(report::table(simulate(scene), scene).find("cvode") != std::string::npos);
+  BOOST_TEST(report::table(impact_of(scene), scene).find("cvode") != std::string::npos);
 }
