@@ -30,7 +30,9 @@ void remove_figures(const std::filesystem::path& folder) {
   std::vector<std::string> figures;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const auto name = entry.path().filename().string();
-    if (name.starts_with("sweep.") && (name.ends_with(".png") || name.ends_with(".svg")))
+    const auto kinds = report::files_of_figure("");
+    const auto is_figure = [&](const std::string& kind) { return name.ends_with(kind); };
+    if (name.starts_with("sweep.") && std::any_of(kinds.begin(), kinds.end(), is_figure))
       figures.push_back(name);
   }
   report::remove_files(folder, figures);

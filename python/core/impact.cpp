@@ -8,13 +8,16 @@
 #include "mariotte/impact/chain/chain_solver.hpp"
 #include "mariotte/impact/impulses.hpp"
 #include "mariotte/impact/watch/chain_run.hpp"
+#include "mariotte/scene/judge.hpp"
 
 namespace mariotte::python {
 
 scene::Impact simulate(const SceneBox& box, const hybrid::Options& options, impact::RunObserver observers) {
   observers.progress = [interruption = Interruption()](const impact::Progress&) mutable { interruption(); };
   const auto result = [&](const auto& model) -> scene::Impact {
-    return impact::simulate(model, options, observers);
+    auto impact = impact::simulate(model, options, observers);
+    scene::judge(impact, box.scene);
+    return impact;
   };
   return std::visit(Overload{[&](const model::Chain& chain) { return result(chain); },
                              [&](const model::Network& network) { return result(network); },

@@ -23,7 +23,7 @@ QUICK = ["bernoulli", "big_ball", "captured_sphere", "decorated_chain", "microdu
 def test_results_are_those_of_the_command_to_the_last_bit(name, command_json):
     file = SCENES / f"{name}.toml"
     expected = command_json("run", file)
-    for of_the_command in ("scene", "provenance"):
+    for of_the_command in ("scene", "scene_text", "provenance"):
         expected.pop(of_the_command)
     hit = mt.simulate(mt.load(file))
     found = hit.json()

@@ -131,5 +131,5 @@ BOOST_FIXTURE_TEST_CASE(commands_for_another_model_refuse_the_scene, Bodies) {
   BOOST_TEST(has(law.err, "needs a [chain] or [network]"));
   const auto capture = mariotte("capture three.toml");
   BOOST_TEST(capture.code == 3);
-  BOOST_TEST(has(capture.err, "only a [body]"));
+  BOOST_TEST(has(capture.err, "only two bodies of a [chain]"));
 }

@@ -254,7 +254,7 @@ BOOST_FIXTURE_TEST_CASE(balls_of_a_long_chain_are_an_image, Session) {
     BOOST_TEST(fs::exists(folder / (std::string("results/velocities.") + kind)) ==
                !has(run.err, "no figures"));
   BOOST_TEST(!fs::exists(folder / "results/spacetime.csv"));
-  BOOST_TEST(has(mariotte("run sixty.toml").out, "balls at rest or in free flight"));
+  BOOST_TEST(has(mariotte("run sixty.toml -v").out, "balls at rest or in free flight"));
 }
 
 BOOST_FIXTURE_TEST_CASE(waves_of_a_chain_too_long_for_a_trace_are_an_image, Session) {

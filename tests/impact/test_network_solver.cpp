@@ -39,3 +39,11 @@ BOOST_AUTO_TEST_CASE(it_agrees_with_the_full_result) {
         BOOST_TEST(brief.periods[j] == std::ssize(full.contacts[j].periods));
     }
 }
+
+BOOST_AUTO_TEST_CASE(what_was_solved_before_does_not_matter) {
+  impact::NetworkSolver used, fresh;
+  used.solve(rack(6, 0), {.accuracy = 1e-10});
+  const auto after = used.solve(rack(3, 0), {.accuracy = 1e-10}).velocity;
+  BOOST_TEST(after == fresh.solve(rack(3, 0), {.accuracy = 1e-10}).velocity,
+             boost::test_tools::per_element());
+}

@@ -86,7 +86,7 @@ class LinkedSeries final : public Expansion {
     blocks_.resize(needed);
     for (int i = 0; i < needed; ++i) blocks_[i].move_to(i * Part::size);
     push_.resize(needed);
-    bend_.resize(needed);
+    bend_.assign(needed, LaneVector<parts>(0.0));  // idle lanes rest
   }
 
   /// Of what lanes do to each other only that of contacts which push.

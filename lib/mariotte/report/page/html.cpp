@@ -54,6 +54,7 @@ constexpr std::array<std::array<const char*, 2>, 19> sections{
      {"energy", "Energy"},
      {"momentum", "Momentum"},
      {"turning", "Neglected: turning of contact directions [rad]"},
+     {"validity", "Validity"},
      {"flows", "Flows"},
      {"skipped", "Not needed"},
      {"accuracy", "Accuracy"},
