@@ -122,7 +122,11 @@ int finish(const Run& options, const Impact& impact, const scene::Scene& scene, 
     warn_of_limits(impact);
   }
   tell_ending(impact.ending, impact.message, scene);
-  if (impact.ending == hybrid::Ending::interrupted) return 128 + interruption();
+  if (interruption() != 0) {
+    if (impact.ending != hybrid::Ending::interrupted)
+      warning("interrupted: the end was reached, but its accuracy was not checked any more");
+    return 128 + interruption();
+  }
   return report::is_wanted(impact.ending, scene) ? ExitCode::ok : exit_code(impact.ending);
 }
 

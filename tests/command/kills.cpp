@@ -82,8 +82,8 @@ BOOST_FIXTURE_TEST_CASE(an_interrupted_trace_names_the_file_with_its_rows, Sessi
 BOOST_FIXTURE_TEST_CASE(an_interrupted_run_keeps_what_it_has, Session) {
   for (const auto& [signal, code] : {std::pair("INT", 130), {"TERM", 143}}) {
     const auto stopped = shell(std::string("\"$mariotte\" run " MARIOTTE_SCENES
-                                           "/heavy_striker.toml --force --out out > table & run=$!; sleep 1; "
-                                           "kill -s ") +
+                                           "/heavy_striker.toml --flow cvode-adams --force --out out "
+                                           "> table & run=$!; sleep 1; kill -s ") +
                                signal + " $run; wait $run");
     BOOST_TEST(stopped.code == code);
     BOOST_TEST(support::has(stopped.err, "warning: interrupted"));
@@ -94,6 +94,13 @@ BOOST_FIXTURE_TEST_CASE(an_interrupted_run_keeps_what_it_has, Session) {
     BOOST_TEST(std::abs(result["energy"]["residual"].get<double>()) < 1e-8);
     BOOST_TEST(fs::file_size(folder / "out/trace.csv") > 0);
   }
+}
+
+BOOST_FIXTURE_TEST_CASE(an_interrupted_check_of_the_accuracy_is_no_success, Session) {
+  const auto stopped = shell("\"$mariotte\" run " MARIOTTE_SCENES
+                             "/heavy_striker.toml > table & run=$!; sleep 0.7; kill -s INT $run; wait $run");
+  BOOST_TEST(stopped.code == 130);
+  BOOST_TEST(support::has(stopped.err, "warning: interrupted"));
 }
 
 BOOST_FIXTURE_TEST_CASE(a_disk_that_is_full_leaves_the_files_of_the_run_before, Session) {
