@@ -12,6 +12,7 @@ Command check_command();
 Command law_command();
 Command capture_command();
 Command restitution_command();
+Command modes_command();
 Command fit_command();
 Command demo_command();
 Command init_command();

@@ -15,6 +15,7 @@ constexpr const char* examples = R"(Examples:
   mariotte law cradle.toml                       the same impact by the multiple-impact law
   mariotte capture microsphere.toml              how slow a microbody may be to get off again
   mariotte restitution steel_pair.toml --from 0.1 --to 10   of two bodies, by their speed
+  mariotte modes pressed_row.toml                frequencies and shapes of small vibrations
   mariotte fit microsphere.toml measured.csv     its damping from measured restitution
   mariotte materials                             materials that scenes can name, with sources
   mariotte explain S010                          what an error means, by the code of its message
@@ -37,6 +38,7 @@ int command_line(int argc, char** argv) noexcept {
                       sweep_command(),
                       capture_command(),
                       restitution_command(),
+                      modes_command(),
                       fit_command(),
                       report_command(),
                       demo_command(),

@@ -24,6 +24,7 @@ try law "$scenes/triplet.toml"
 try sweep "$scenes/triplet_map.toml" --out sweep --no-figures --accuracy 1e-6
 try capture "$scenes/microsphere.toml" --tolerance 1e-2
 try restitution "$scenes/steel_pair.toml" --from 0.1 --to 1
+try modes "$scenes/pressed_row.toml"
 try fit "$scenes/sphere_fit.toml" "$scenes/sphere_fit.csv"
 try explain S010
 try materials

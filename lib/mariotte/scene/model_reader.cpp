@@ -52,9 +52,9 @@ void expect_limit(const Source& source, const Field& root, const Field& chain) {
          "a row in equilibrium does not come apart; it needs 'run.until' or 'run.max_time'");
 }
 
-ResolvedModel resolve_chain(Source& source, const Field& root, const Field& chain) {
+ResolvedModel resolve_chain(Source& source, const Field& root, const Field& chain, Purpose purpose) {
   auto resolved = read_chain(source, chain, gravity(root));
-  if (resolved.at_rest) expect_limit(source, root, chain);
+  if (resolved.at_rest && purpose != Purpose::rest) expect_limit(source, root, chain);
   expect_valid(source, root, {"chain", "run"}, resolved.chain);
   return {std::move(resolved.chain), std::move(resolved.radius), std::move(resolved.touching)};
 }
@@ -96,8 +96,8 @@ void expect_one_model(const Source& source, const Field& root, Purpose purpose) 
 ResolvedModel read_model(Source& source, const Field& root, const std::optional<Law>& law, Purpose purpose) {
   if (find(root, "body")) return resolve_body(source, root);
   if (const auto network = find(root, "network")) return resolve_network(source, root, *network);
-  if (const auto chain = find(root, "chain")) return resolve_chain(source, root, *chain);
-  if (purpose == Purpose::simulation || !law || law->mass.empty())
+  if (const auto chain = find(root, "chain")) return resolve_chain(source, root, *chain, purpose);
+  if (purpose != Purpose::law || !law || law->mass.empty())
     reject(source, root.place(), fault::no_model, no_model);
   return {LawAlone{}};
 }
