@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "natural.hpp"
+
 namespace mariotte::stress_study {
 namespace {
 
@@ -68,11 +70,8 @@ void add_wall(model::Chain& chain, bool left, double gap, double velocity) {
 
 double natural_time(const model::Chain& chain) {
   double longest = 0;
-  for (std::size_t j = 0; j < chain.law.size(); ++j) {
-    const double n = contact::exponent(chain.law[j]);
-    const double mass = reduced(chain.mass[j], chain.mass[j + 1]);
-    longest = std::max(longest, std::pow(mass / contact::stiffness(chain.law[j]), 1 / (n + 1)));
-  }
+  for (std::size_t j = 0; j < chain.law.size(); ++j)
+    longest = std::max(longest, natural_time(chain.law[j], 1 / chain.mass[j] + 1 / chain.mass[j + 1], 1));
   return longest;
 }
 

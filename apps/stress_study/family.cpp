@@ -14,6 +14,7 @@ std::vector<Family> families(const std::vector<std::string>& kinds) {
   add("chains", chain_families);
   add("networks", network_families);
   add("bodies", body_families);
+  add("laws", law_families);
   return list;
 }
 

@@ -18,8 +18,9 @@ struct Family {
 std::vector<Family> chain_families();
 std::vector<Family> network_families();
 std::vector<Family> body_families();
+std::vector<Family> law_families();
 
-/// All families of the kinds "chains", "networks", "bodies".
+/// All families of the kinds "chains", "networks", "bodies", "laws".
 std::vector<Family> families(const std::vector<std::string>& kinds);
 
 /// Place in the list of the family that scene `number` is drawn from: they take turns.

@@ -24,7 +24,7 @@ struct CommandLine {
   std::int64_t only = -1;
   std::string folder;
   int workers = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  std::vector<std::string> kinds = {"chains", "networks", "bodies"};
+  std::vector<std::string> kinds = {"chains", "networks", "bodies", "laws"};
   bool verbose = false;
 };
 
@@ -60,8 +60,8 @@ command::OptionList declare(CommandLine& line) {
       {"--only", &line.only, "Number of the one scene to examine"},
       {"--kinds",
        &line.kinds,
-       "Some of chains, networks, bodies",
-       {.check = command::OneOf{{"chains", "networks", "bodies"}}, .between_commas = true}},
+       "Some of chains, networks, bodies, laws",
+       {.check = command::OneOf{{"chains", "networks", "bodies", "laws"}}, .between_commas = true}},
       {"--threads", &line.workers, "Scenes examined at once", {.check = command::Range{1, 256}}},
       {"--out",
        &line.folder,

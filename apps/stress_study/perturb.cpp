@@ -1,4 +1,6 @@
 #include "dice.hpp"
+#include "law_numbers.hpp"
+#include "natural.hpp"
 #include "run.hpp"
 
 namespace mariotte::stress_study {
@@ -16,22 +18,21 @@ class Noise {
   Dice dice_;
 };
 
-void disturb(contact::PowerLaw& law, Noise& noise) {
-  noise.scale(law.stiffness);
-  if (law.damping > 0) noise.scale(law.damping);
-}
-
-/// Depth at a speed, as a length to compare gaps with.
-double depth(const contact::Law& law, double inverse_mass, double speed) {
-  if (!(inverse_mass > 0)) return 0;
-  const double n = contact::exponent(law);
-  return std::pow((n + 1) * speed * (speed / contact::stiffness(law)) / (2 * inverse_mass), 1 / (n + 1));
+void disturb(contact::Law& law, Noise& noise) {
+  if (auto* power = std::get_if<contact::PowerLaw>(&law)) {
+    noise.scale(power->stiffness);
+    if (power->damping > 0) noise.scale(power->damping);
+    return;
+  }
+  law = with_numbers(law, [&](std::string_view key, double& value) {
+    if (key != "exponent") noise.scale(value);
+  });
 }
 
 void disturb_contact(contact::Law& law, double& gap, double inverse_mass, double speed, Noise& noise) {
-  const double moved = gap + noise() * (std::abs(gap) + depth(law, inverse_mass, speed));
+  const double moved = gap + noise() * (std::abs(gap) + natural_depth(law, inverse_mass, speed));
   gap = gap < 0 ? moved : std::max(0.0, moved);
-  disturb(std::get<contact::PowerLaw>(law), noise);
+  disturb(law, noise);
 }
 
 void disturb(model::Chain& chain, double speed, Noise& noise) {

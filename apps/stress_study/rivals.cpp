@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mariotte/core/overload.hpp"
+#include "natural.hpp"
 
 namespace mariotte::stress_study {
 namespace {
@@ -34,12 +35,6 @@ std::vector<Contact> contacts_of(const Model& model) {
   return std::visit([](const auto& one) { return contacts_of(one); }, model);
 }
 
-/// Natural time of a contact, L/v.
-double natural_time(const Contact& one, double speed) {
-  const double n = contact::exponent(one.law);
-  return std::pow(speed * (speed / contact::stiffness(one.law)) / one.mobility, 1 / (n + 1)) / speed;
-}
-
 /// In natural times: beyond this, general flows need more steps than patience allows. Where damping is
 /// strong, BDF takes over from Adams.
 constexpr double longest = 300, stiff = 5;
@@ -52,10 +47,9 @@ constexpr double most_work = 1000, creeping = 100;
 double damping_group(const Model& model) {
   const double speed = reference_speed(model);
   double most = 0;
-  for (const auto& one : contacts_of(model))
-    if (one.mobility > 0)
-      most =
-          std::max(most, contact::damping(one.law) / contact::stiffness(one.law) / natural_time(one, speed));
+  for (const auto& [law, mobility] : contacts_of(model))
+    if (const auto* power = contact::power_law(law); power && mobility > 0)
+      most = std::max(most, power->damping / power->stiffness / natural_time(law, mobility, speed));
   return most;
 }
 
@@ -63,7 +57,7 @@ double stiffness(const Scene& scene, double end) {
   const double speed = reference_speed(scene.model);
   double most = 1;
   for (const auto& one : contacts_of(scene.model))
-    if (one.mobility > 0) most = std::max(most, end / natural_time(one, speed));
+    if (one.mobility > 0) most = std::max(most, end / natural_time(one.law, one.mobility, speed));
   return most;
 }
 
@@ -71,7 +65,7 @@ double most_contacts(const Scene& scene, double time) {
   const double speed = reference_speed(scene.model);
   double sum = 0;
   for (const auto& one : contacts_of(scene.model))
-    if (one.mobility > 0) sum += time / natural_time(one, speed);
+    if (one.mobility > 0) sum += time / natural_time(one.law, one.mobility, speed);
   return sum;
 }
 

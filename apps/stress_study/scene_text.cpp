@@ -17,11 +17,12 @@ std::string array(const std::vector<double>& values) {
   return "[" + all + "]";
 }
 
-std::string keys(const contact::Law& any) {
-  const auto& law = std::get<contact::PowerLaw>(any);
-  auto text = fmt::format("law = \"{}\"\nstiffness = {}\n", name(law), exact(law.stiffness));
-  if (std::string_view(name(law)) == "viscoelastic")
-    text += fmt::format("damping = {}\nexponent = {}\n", exact(law.damping), exact(law.exponent));
+std::string keys(const contact::Law& law) {
+  const auto called = name(law);
+  auto text = fmt::format("law = \"{}\"\n", called);
+  const bool is_spring = called == "linear" || called == "hertz";
+  for (const auto& [key, value] : contact::parameters(law))
+    if (!is_spring || key == "stiffness") text += fmt::format("{} = {}\n", key, exact(value));
   return text;
 }
 

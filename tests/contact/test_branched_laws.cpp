@@ -152,6 +152,23 @@ BOOST_AUTO_TEST_CASE(a_jkr_contact_snaps_in_and_lets_go_where_it_should) {
   BOOST_TEST(lost == factor * std::cbrt(std::pow(w, 5) * std::pow(r, 4) / (e * e)), close);
 }
 
+// Where it may yield first, u³ = 5/4 s R, the loss begins flat; a little later it grows from the start.
+BOOST_AUTO_TEST_CASE(a_dent_never_costs_less_than_nothing) {
+  constexpr double work = 0.01;
+  const double s = std::sqrt(2 * std::numbers::pi * work);
+  const auto pressure = [&](double u) { return 2 / std::numbers::pi * (u * u - s / (2 * u)); };
+  const double least = std::cbrt(1.25 * s);
+  BOOST_CHECK_THROW(ThorntonNing(1, 1, pressure(0.999 * least), work), InvalidParameter);
+  for (const double later : {1.001, 1.01, 1.1, 2.0}) {
+    const ThorntonNing law(1, 1, pressure(later * least), work);
+    for (double deeper = 1.001, before = 0; deeper < 2; deeper *= 1.05) {
+      const double loss = law.plastic_loss(law.curve.indentation(deeper * law.yield_root));
+      BOOST_TEST(loss > before);
+      before = loss;
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(numbers_without_sense_are_refused) {
   BOOST_CHECK_THROW(WaltonBraun(2, 1), InvalidParameter);
   BOOST_CHECK_THROW(WaltonBraun(0, 1), InvalidParameter);

@@ -5,6 +5,7 @@
 
 #include "support/naive_body.hpp"
 #include "support/naive_chain.hpp"
+#include "support/reference_laws.hpp"
 
 using namespace mariotte;
 
@@ -48,6 +49,14 @@ BOOST_AUTO_TEST_CASE(a_ball_at_rest_on_a_wall_stays_there) {
                            .gravity = 1,
                            .precompressed = true};
   BOOST_TEST(naive_error(chain, 100, {0, 0}) < 1e-7);
+}
+
+// Contacts that yield, adhere or have other dampers, until no force acts any more.
+BOOST_AUTO_TEST_CASE(chains_of_other_laws_end_as_their_references) {
+  for (const auto& c : test::law_cases("chains.json")) {
+    BOOST_TEST_CONTEXT(c.at("contact").dump())
+    BOOST_TEST(naive_error(test::chain_of(c), c.at("end_time"), test::sizes(c.at("velocity_after"))) < 5e-7);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_chain_and_the_same_as_a_network_move_alike) {

@@ -1,11 +1,12 @@
 // A simulator that knows nothing of modes, phases, events or flows: gaps and velocities of any contacts,
-// forces cut off at zero, from start to end. Good to about 1e-7.
+// forces cut off at zero unless they adhere, from start to end. Good to about 1e-7.
 #pragma once
 #include <cmath>
 #include <vector>
 
 #include "mariotte/contact/law.hpp"
 #include "mariotte/core/contact_direction.hpp"
+#include "support/naive_law.hpp"
 #include "support/naive_steps.hpp"
 
 namespace mariotte::test {
@@ -33,21 +34,8 @@ struct NaiveRun {
   bool complete = false;
 };
 
-/// max(0, k δⁿ + c δⁿ⁻¹ δ̇).
-inline double naive_force(const contact::Law& law, double depth, double rate) {
-  if (!(depth > 0)) return 0;
-  const auto& [k, c, n] = std::get<contact::PowerLaw>(law);
-  const double load = k * depth + c * rate;
-  return load > 0 ? std::pow(depth, n - 1) * load : 0;
-}
-
-/// Depth that the contact alone reaches when struck at a speed: k δⁿ⁺¹/(n+1) = m* v²/2, 1/m* = G M⁻¹ Gᵀ.
-inline double natural_depth(const contact::Law& law, double inverse_mass, double speed) {
-  const auto& [k, c, n] = std::get<contact::PowerLaw>(law);
-  return std::pow((n + 1) * speed * (speed / k) / (2 * inverse_mass), 1 / (n + 1));
-}
-
-/// The system in units of natural depths and of `speed`: gaps first, then velocities.
+/// The system in units of natural depths and of `speed`: gaps first, then velocities, then the largest
+/// indentations so far, which grow where a contact is as deep as never before.
 class NaiveField {
  public:
   using State = std::vector<double>;
@@ -56,26 +44,37 @@ class NaiveField {
       : contacts_(contacts), settings_(settings) {
     for (std::size_t j = 0; j < contacts.law.size(); ++j) {
       const double mobility = dot(contacts.direction[j], contacts.response[j]);
-      depth_.push_back(mobility > 0 ? natural_depth(contacts.law[j], mobility, settings.speed)
+      law_.emplace_back(contacts.law[j]);
+      depth_.push_back(mobility > 0 ? law_[j].natural_depth(mobility, settings.speed)
                                     : std::max(settings.speed, std::abs(contacts.gap[j])));
     }
+    attached_.resize(law_.size());
+    accept(start());
+  }
+
+  /// Whether a contact is attached changes between steps only.
+  void accept(const State& y) {
+    for (std::size_t j = 0; j < law_.size(); ++j)
+      attached_[j] = law_[j].adheres(past(y, j), -y[j] * depth_[j]);
   }
 
   State start() const {
     State y;
     for (std::size_t j = 0; j < depth_.size(); ++j) y.push_back(contacts_.gap[j] / depth_[j]);
     for (const double v : contacts_.velocity) y.push_back(v / settings_.speed);
+    for (std::size_t j = 0; j < depth_.size(); ++j) y.push_back(std::max(0.0, -y[j]));
     return y;
   }
 
   void operator()(const State& y, State& dy, double) const {
     const auto m = depth_.size();
-    const ConstState velocity(y.data() + m, y.size() - m);
+    const ConstState velocity(y.data() + m, velocities());
     for (std::size_t i = 0; i < velocity.size(); ++i) dy[m + i] = contacts_.acceleration[i] / settings_.speed;
     for (std::size_t j = 0; j < m; ++j) {
       const double rate = settings_.speed * gap_rate(contacts_.direction[j], velocity);
       dy[j] = rate / depth_[j];
-      const double force = naive_force(contacts_.law[j], -y[j] * depth_[j], -rate);
+      dy[peak(j)] = rate < 0 && -y[j] > y[peak(j)] - 1e-12 ? -dy[j] : 0;
+      const double force = law_[j].force(past(y, j), -y[j] * depth_[j], -rate);
       if (force == 0) continue;
       for (const auto& [i, coefficient] : contacts_.response[j])
         dy[m + static_cast<std::size_t>(i)] += coefficient * force / settings_.speed;
@@ -94,18 +93,26 @@ class NaiveField {
   }
 
   void finish(const State& y, std::vector<double>& velocity) const {
-    for (std::size_t i = depth_.size(); i < y.size(); ++i) velocity.push_back(y[i] * settings_.speed);
+    for (std::size_t i = 0; i < velocities(); ++i) velocity.push_back(y[depth_.size() + i] * settings_.speed);
   }
 
  private:
+  std::size_t velocities() const { return contacts_.velocity.size(); }
+  std::size_t peak(std::size_t j) const { return depth_.size() + velocities() + j; }
+  NaiveMemory past(const State& y, std::size_t j) const {
+    return {.peak = y[peak(j)] * depth_[j], .attached = attached_[j]};
+  }
+
   const NaiveContacts& contacts_;
   NaiveSettings settings_;
   std::vector<double> depth_;
+  std::vector<NaiveLaw> law_;
+  std::vector<bool> attached_;
 };
 
 /// From the start to `settings.end`.
 inline NaiveRun run_naive(const NaiveContacts& contacts, const NaiveSettings& settings) {
-  const NaiveField field(contacts, settings);
+  NaiveField field(contacts, settings);
   auto y = field.start();
   NaiveRun run;
   run.complete = follow_naively(field, y, settings.end, settings.effort, run.steps);

@@ -19,10 +19,9 @@ struct Effort {
 };
 
 /// Follow a field from time 0 to `end`, with steps no longer than it allows where it is; false if that takes
-/// too many of them, or leads to what is not a number.
+/// too many of them, or leads to what is not a number. A field may `accept` what a step led to.
 template <class Field>
-bool follow_naively(const Field& field, std::vector<double>& y, double end, const Effort& effort,
-                    Index& steps) {
+bool follow_naively(Field& field, std::vector<double>& y, double end, const Effort& effort, Index& steps) {
   namespace odeint = boost::numeric::odeint;
   using Pair = odeint::runge_kutta_dopri5<std::vector<double>>;
   using Checker = odeint::default_error_checker<double, odeint::range_algebra, odeint::default_operations>;
@@ -32,7 +31,9 @@ bool follow_naively(const Field& field, std::vector<double>& y, double end, cons
   while (end - time > 1e-15 * end) {
     if (++steps > effort.most_steps || !(step > 1e-16 * time)) return false;
     step = std::min({step, field.longest_step(y), end - time});
-    stepper.try_step(std::cref(field), y, time, step);
+    const auto result = stepper.try_step(std::cref(field), y, time, step);
+    if constexpr (requires { field.accept(y); })
+      if (result == odeint::success) field.accept(y);
   }
   return std::all_of(y.begin(), y.end(), [](double value) { return std::isfinite(value); });
 }
