@@ -55,8 +55,8 @@ struct Scene {
 /// One `--set KEY=VALUE`: keys count from 0 with brackets, as in "chain.velocity[0]=2 m/s".
 using Overrides = std::vector<std::string>;
 
-/// What a scene is read for: a model to simulate; the multiple-impact law, for which the masses and velocities
-/// of [law] are enough; or what a model is at rest, which needs no end.
+/// What a scene is read for: a model to simulate; the multiple-impact law, for which the masses and
+/// velocities of [law] are enough; or what a model is at rest, which needs no end.
 enum class Purpose { simulation, law, rest };
 
 /// Where a model is needed: throws SceneError, since there is none.
