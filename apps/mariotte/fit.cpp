@@ -17,7 +17,7 @@ namespace {
 struct Options {
   SceneChoice scene;
   std::string data;
-  std::vector<std::string> free = {"surface.zeta_hertz", "surface.zeta_adhesion"};
+  std::vector<std::string> free;
   double confidence = 0.95;
   std::string out;
   bool json = false;
@@ -28,14 +28,13 @@ struct Options {
 void warn_of_captured(const study::Fit& fit, const study::Measurements& measurements) {
   Index count = 0;
   for (std::size_t row = 0; row < fit.predicted.size(); ++row)
-    count += fit.predicted[row].captured && measurements.rows[row].restitution > 0;
+    count += fit.predicted[row].captured && measurements.rows[row].measured > 0;
   if (count > 0)
     warning(fmt::format("{} of {} measured rebounds are predicted to be captures", count,
                         measurements.rows.size()));
 }
 
-int finish(const Options& options, const scene::Scene& scene, study::RestitutionModel& model,
-           const study::Fit& fit) {
+int finish(const Options& options, const scene::Scene& scene, study::FitModel& model, const study::Fit& fit) {
   const report::FitReport report{
       .fit = fit, .measurements = model.measurements(), .title = scene.title, .scene_sha256 = scene.sha256};
   if (!options.scene.quiet) warn_of_captured(fit, model.measurements());
@@ -47,12 +46,21 @@ int finish(const Options& options, const scene::Scene& scene, study::Restitution
   return ExitCode::ok;
 }
 
+/// Of a body its damping, unless the user says otherwise.
+std::vector<std::string> free_keys(const Options& options, const scene::Scene& scene) {
+  if (!options.free.empty()) return options.free;
+  if (std::holds_alternative<model::Microbody>(scene.model))
+    return {"surface.zeta_hertz", "surface.zeta_adhesion"};
+  throw UsageError("--free says which keys of the scene are to be found");
+}
+
 int fit(const Options& options) try {
   auto document = open(options.scene);
   const auto scene = resolve(options.scene, document);
-  study::RestitutionModel model(std::move(document), options.free, study::read_measurements(options.data));
+  const auto free = free_keys(options, scene);
+  study::FitModel model(std::move(document), free, study::read_measurements(options.data));
   if (!options.out.empty()) prepare_fit_folder(options.out, options.force);
-  return finish(options, scene, model, study::fit(model, options.free, options.confidence));
+  return finish(options, scene, model, study::fit(model, free, options.confidence));
 } catch (const study::FitError& problem) {
   error(problem.what(), problem.fault);
   return ExitCode::check_failed;
@@ -63,8 +71,8 @@ constexpr const char* examples = R"(Examples:
   mariotte fit sphere.toml measured.csv --free surface.zeta_hertz,surface.work_of_adhesion
   mariotte fit rod.toml measured.csv --free surface.friction --json
 
-The first line of DATA names its columns: speed, diameter or any key of the scene, restitution (of the tip)
-or restitution.centre, and deviation if it is known. A unit may follow, as in "diameter [um]". Values of the
+The first line of DATA names its columns: speed, diameter or any key of the scene; restitution, or the key of
+any other number of a result, as contacts[0].peak_force; and deviation if it is known. A unit may follow, as in "diameter [um]". Values of the
 scene are where the search starts; what it finds stays positive.
 With --out DIR: fit.json, points.csv, curves.csv, plot.gp and, by gnuplot, fit and residuals as png and svg.
 Measurements that do not determine the values: exit code 1.
@@ -72,16 +80,13 @@ Measurements that do not determine the values: exit code 1.
 
 OptionList declare(Options& options) {
   return joined(
-      {{{"SCENE",
-         &options.scene.path,
-         "Scene file (TOML) of a body, with all that is known",
-         {.required = true}},
-        {"DATA", &options.data, "Measured restitution (CSV)", {.required = true}}},
+      {{{"SCENE", &options.scene.path, "Scene file (TOML), with all that is known", {.required = true}},
+        {"DATA", &options.data, "What was measured (CSV)", {.required = true}}},
        override_options(options.scene),
        {{"--free",
          &options.free,
-         "Keys whose values are to be found, between commas",
-         {.value = "KEYS", .shows_default = true, .takes_one = true, .between_commas = true}},
+         "Keys whose values are to be found, between commas; of a body its damping if none are named",
+         {.value = "KEYS", .takes_one = true, .between_commas = true}},
         {"--confidence",
          &options.confidence,
          "Of the intervals",
@@ -97,7 +102,7 @@ OptionList declare(Options& options) {
 Command fit_command() {
   auto options = std::make_shared<Options>();
   return {.name = "fit",
-          .about = "Find values of a microbody's scene from measured restitution",
+          .about = "Find values of a scene from measured restitution, or any other number of its result",
           .footer = examples,
           .options = declare(*options),
           .act = [options] { return fit(*options); }};

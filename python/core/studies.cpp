@@ -31,7 +31,7 @@ py::tuple capture_velocity(const SceneBox& box, double tolerance) {
 std::tuple<std::string, std::string> fit(const SceneBox& box, const std::string& text,
                                          const std::string& name, const std::vector<std::string>& free,
                                          double confidence) {
-  study::RestitutionModel model(box.document, free, study::parse_measurements(text, name));
+  study::FitModel model(box.document, free, study::parse_measurements(text, name));
   model.watch(Interruption());
   const auto found = study::fit(model, free, confidence);
   const report::FitReport report{.fit = found,

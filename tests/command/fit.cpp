@@ -101,6 +101,9 @@ BOOST_FIXTURE_TEST_CASE(bad_data_are_refused_by_file_line_and_column, Fits) {
   write("few.csv", "speed,restitution\n5,0.8\n6,0.8\n");
   BOOST_TEST(mariotte("fit spheres.toml few.csv").code == 3);
   BOOST_TEST(mariotte("fit spheres.toml missing.csv").code == 6);
-  BOOST_TEST(mariotte("fit three.toml measured.csv").code == 3);
+  BOOST_TEST(mariotte("fit three.toml measured.csv").code == 2);
+  const auto three = mariotte("fit three.toml measured.csv --free chain.stiffness");
+  BOOST_TEST(three.code == 3);
+  BOOST_TEST(has(three.err, "two balls of a [chain], have a restitution"), three.err);
   BOOST_TEST(mariotte("fit spheres.toml").code == 2);
 }

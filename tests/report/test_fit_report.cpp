@@ -35,7 +35,7 @@ struct Example {
   }
   std::optional<study::FitCurves> curves() { return study::fit_curves(*model, fit); }
 
-  std::optional<study::RestitutionModel> model;
+  std::optional<study::FitModel> model;
   study::Fit fit;
 };
 
@@ -117,16 +117,16 @@ BOOST_AUTO_TEST_CASE(there_is_a_curve_per_diameter_through_its_measurements) {
   const auto& first = curves->curves[0];
   const auto next =
       std::upper_bound(first.abscissa.begin(), first.abscissa.end(), 2.5) - first.abscissa.begin();
-  const double e = example.fit.predicted[0].restitution;
-  BOOST_TEST(first.restitution[static_cast<std::size_t>(next) - 1] <= e);
-  BOOST_TEST(first.restitution[static_cast<std::size_t>(next)] >= e);
+  const double e = example.fit.predicted[0].value;
+  BOOST_TEST(first.ordinate[static_cast<std::size_t>(next) - 1] <= e);
+  BOOST_TEST(first.ordinate[static_cast<std::size_t>(next)] >= e);
 }
 
 BOOST_AUTO_TEST_CASE(many_curves_are_not_drawn) {
   std::vector<double> diameters;
   for (int i = 0; i < 9; ++i) diameters.push_back(4 + 0.1 * i);
   const auto measured = exact(sphere, {}, table_of(diameters, {5, 10}));
-  study::RestitutionModel model(scene::parse_document(sphere, "scene.toml"), dampings, measured);
+  study::FitModel model(scene::parse_document(sphere, "scene.toml"), dampings, measured);
   BOOST_TEST(!study::fit_curves(model, study::fit(model, dampings)).has_value());
 }
 

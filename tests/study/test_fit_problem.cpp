@@ -12,7 +12,7 @@ namespace {
 const std::string truth =
     with(with(sphere, "zeta_hertz = 1", "zeta_hertz = 1.5"), "zeta_adhesion = 1", "zeta_adhesion = 0.5");
 
-study::RestitutionModel model_of(const std::string& scene, const std::vector<double>& at) {
+study::FitModel model_of(const std::string& scene, const std::vector<double>& at) {
   return {scene::parse_document(scene, "scene.toml"), dampings,
           study::parse_measurements(table_of({4.9}, at), "data.csv")};
 }
@@ -53,7 +53,7 @@ BOOST_AUTO_TEST_CASE(slopes_do_not_reach_over_the_edge_of_capture) {
   BOOST_TEST(problem.predicted(std::vector<double>{1.001, 1})[0].captured);
   const auto columns = slopes(problem);
   for (const std::size_t key : {0u, 1u}) {
-    BOOST_TEST(columns[2 * key] > 10 * predicted[0].restitution);  // of (0 − e): e falls as damping grows
+    BOOST_TEST(columns[2 * key] > 10 * predicted[0].value);  // of (0 − e): e falls as damping grows
     BOOST_TEST(columns[2 * key + 1] == 0);
   }
 }
@@ -62,7 +62,7 @@ BOOST_AUTO_TEST_CASE(the_best_of_the_neighbours_is_where_the_search_starts) {
   const auto measured = exact(truth, {}, table_of({4.9}, speeds(2, 20, 6)));
   for (const double factor : {0.25, 1.0, 4.0}) {
     const auto scene = with(truth, "zeta_hertz = 1.5", fmt::format("zeta_hertz = {}", 1.5 / factor));
-    study::RestitutionModel model(scene::parse_document(scene, "scene.toml"), dampings, measured);
+    study::FitModel model(scene::parse_document(scene, "scene.toml"), dampings, measured);
     const auto start = study::FitProblem(model).best_start();
     BOOST_TEST(std::abs(start[0] - (1 + std::log(factor))) < 1e-14);
     BOOST_TEST(start[1] == 1.0);

@@ -37,18 +37,17 @@ BOOST_AUTO_TEST_CASE(words_stand_for_keys_and_units_may_be_in_header_or_cell) {
   BOOST_TEST(std::get<double>(row.values[0].value) == 0.5 * 4.9e-6, boost::test_tools::tolerance(1e-15));
   BOOST_TEST(std::get<std::string>(row.values[1].value) == "5 m/s");
   BOOST_TEST(std::get<std::string>(row.values[2].value) == "20 deg");
-  BOOST_TEST(row.restitution == 0.8);
+  BOOST_TEST(row.measured == 0.8);
   BOOST_TEST(row.deviation == 0.01);
   BOOST_TEST(found.weighted);
 }
 
 BOOST_AUTO_TEST_CASE(restitution_is_of_the_tip_unless_the_header_says_of_the_centre) {
   for (const auto* name : {"restitution", "restitution.tip"})
-    BOOST_TEST(
-        (parse_measurements(std::string("speed,") + name + "\n5,0.8\n", "f").at == study::MeasuredAt::tip));
+    BOOST_TEST((parse_measurements(std::string("speed,") + name + "\n5,0.8\n", "f").quantity == name));
   const auto centre = parse_measurements("speed,restitution.centre\n5,-0.1\n", "f");
-  BOOST_TEST((centre.at == study::MeasuredAt::centre));
-  BOOST_TEST(centre.rows[0].restitution == -0.1);
+  BOOST_TEST(centre.quantity == "restitution.centre");
+  BOOST_TEST(centre.rows[0].measured == -0.1);
   BOOST_TEST(!centre.weighted);
 }
 

@@ -56,21 +56,21 @@ inline std::string table_of(const std::vector<double>& diameters, const std::vec
 inline study::Measurements exact(const std::string& scene, const scene::Overrides& truth,
                                  const std::string& table) {
   auto measured = study::parse_measurements(table, "data.csv");
-  study::RestitutionModel model(scene::parse_document(scene, "scene.toml", truth), {}, measured);
+  study::FitModel model(scene::parse_document(scene, "scene.toml", truth), {}, measured);
   for (std::size_t row = 0; row < measured.rows.size(); ++row)
-    measured.rows[row].restitution = model.of_row(row, {}).restitution;
+    measured.rows[row].measured = model.of_row(row, {}).value;
   return measured;
 }
 
 inline study::Measurements noisy(study::Measurements measured, double deviation, std::uint64_t seed) {
   for (std::size_t row = 0; row < measured.rows.size(); ++row)
-    measured.rows[row].restitution += deviation * normal(seed, row);
+    measured.rows[row].measured += deviation * normal(seed, row);
   return measured;
 }
 
 inline study::Fit fitted(const std::string& scene, const study::Measurements& measured,
                          const std::vector<std::string>& free) {
-  study::RestitutionModel model(scene::parse_document(scene, "scene.toml"), free, measured);
+  study::FitModel model(scene::parse_document(scene, "scene.toml"), free, measured);
   return study::fit(model, free);
 }
 

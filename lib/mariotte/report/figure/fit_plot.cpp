@@ -65,7 +65,12 @@ std::string title_of(const study::FitCurve& curve) {
   return fmt::format("title {} noenhanced", quoted(curve.name.empty() ? "fit" : curve.name));
 }
 
-std::string restitution_plot(const FitReport& report, const study::FitCurves& curves) {
+/// Restitution wherever it was measured, or a key of a result.
+std::string quantity_of(const study::Measurements& measurements) {
+  return measurements.quantity.starts_with("restitution") ? "restitution" : measurements.quantity;
+}
+
+std::string measured_plot(const FitReport& report, const study::FitCurves& curves) {
   std::vector<std::string> draw;
   for (std::size_t k = 0; k < curves.curves.size(); ++k) {
     draw.push_back(fmt::format("'curves.csv' every ::1 using 2:($1=={} ? $3 : NaN) with lines lt {} lw 2 {}",
@@ -86,11 +91,12 @@ std::string residual_plot(const FitReport& report, const study::FitCurves& curve
 }  // namespace
 
 std::string curves_csv(const study::FitCurves& curves, const study::Measurements& measurements) {
-  std::string text = "curve," + cell(measurements.settings[curves.setting].key) + ",restitution\n";
+  std::string text = "curve," + cell(measurements.settings[curves.setting].key) + "," +
+                     cell(quantity_of(measurements)) + "\n";
   for (std::size_t k = 0; k < curves.curves.size(); ++k)
     for (std::size_t i = 0; i < curves.curves[k].abscissa.size(); ++i)
       text += fmt::format("{},{},{}\n", k + 1, exact(curves.curves[k].abscissa[i]),
-                          exact(curves.curves[k].restitution[i]));
+                          exact(curves.curves[k].ordinate[i]));
   return text;
 }
 
@@ -100,8 +106,9 @@ std::string fit_script(const FitReport& report, const study::FitCurves& curves) 
   return script_head() +
          fmt::format("set xlabel {} noenhanced\n{}", quoted(axis_name(key)),
                      curves.logarithmic ? logarithmic_axis(curves) : "") +
-         fmt::format("\nset title {} noenhanced\nset ylabel 'restitution'\n", quoted(head)) +
-         on_all_terminals(fit_figure, restitution_plot(report, curves), wide) +
+         fmt::format("\nset title {} noenhanced\nset ylabel {} noenhanced\n", quoted(head),
+                     quoted(quantity_of(report.measurements))) +
+         on_all_terminals(fit_figure, measured_plot(report, curves), wide) +
          fmt::format("\nset title {} noenhanced\nset ylabel 'measured − predicted'\n",
                      quoted(head + ": residuals")) +
          on_all_terminals(residuals_figure, residual_plot(report, curves), wide);

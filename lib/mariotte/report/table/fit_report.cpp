@@ -16,7 +16,7 @@ using study::Estimate;
 using study::Measurement;
 
 double residual(const FitReport& report, std::size_t row) {
-  return report.measurements.rows[row].restitution - report.fit.predicted[row].restitution;
+  return report.measurements.rows[row].measured - report.fit.predicted[row].value;
 }
 
 double scatter(const study::Fit& fit) {
@@ -58,6 +58,12 @@ std::string correlation(const study::Fit& fit) {
   return "\nCorrelation\n" + columns(header, std::ssize(fit.estimates), row);
 }
 
+/// As many digits as restitution has, or six.
+std::string measured_text(const FitReport& report, double value) {
+  return report.measurements.quantity.starts_with("restitution") ? fmt::format("{:.6f}", value)
+                                                                 : fmt::format("{:.6g}", value);
+}
+
 std::string residuals(const FitReport& report) {
   TableRow header = {"line"};
   for (const auto& setting : report.measurements.settings) header.push_back(setting.name);
@@ -69,9 +75,9 @@ std::string residuals(const FitReport& report) {
     const auto& predicted = report.fit.predicted[number];
     TableRow cells = {std::to_string(one.place.line)};
     cells.insert(cells.end(), one.written.begin(), one.written.end());
-    cells.push_back(fmt::format("{:.6f}", one.restitution));
-    cells.push_back(predicted.captured ? "captured" : fmt::format("{:.6f}", predicted.restitution));
-    cells.push_back(fmt::format("{:.6f}", residual(report, number)));
+    cells.push_back(measured_text(report, one.measured));
+    cells.push_back(predicted.captured ? "captured" : measured_text(report, predicted.value));
+    cells.push_back(measured_text(report, residual(report, number)));
     if (report.measurements.weighted)
       cells.push_back(fmt::format("{:.2f}", residual(report, number) / one.deviation));
     return cells;
@@ -95,15 +101,11 @@ Json json_of_row(const FitReport& report, std::size_t row) {
     settings[report.measurements.settings[i].key] = json_of_value(one.values[i]);
   return {{"line", one.place.line},
           {"settings", settings},
-          {"measured", one.restitution},
+          {"measured", one.measured},
           {"deviation", report.measurements.weighted ? Json(one.deviation) : Json(nullptr)},
-          {"predicted", predicted.restitution},
+          {"predicted", predicted.value},
           {"residual", residual(report, row)},
           {"captured", predicted.captured}};
-}
-
-const char* name(study::MeasuredAt at) {
-  return at == study::MeasuredAt::tip ? "restitution.tip" : "restitution.centre";
 }
 
 }  // namespace
@@ -119,7 +121,7 @@ Json json(const FitReport& report) {
   for (std::size_t row = 0; row < measurements.rows.size(); ++row) rows.push_back(json_of_row(report, row));
   return {{"title", title},
           {"data", measurements.file},
-          {"quantity", name(measurements.at)},
+          {"quantity", measurements.quantity},
           {"estimates", list(fit.estimates, [](const Estimate& one) { return json_of(one); })},
           {"confidence", fit.confidence},
           {"correlation", fit.correlation},
@@ -139,11 +141,10 @@ std::string points_csv(const FitReport& report, const std::optional<study::FitCu
     const auto& one = report.measurements.rows[row];
     text += std::to_string(one.place.line);
     for (const auto& value : one.values) append_value(value, text += ',');
-    text += fmt::format(",{},{},{},{},{},{}\n", exact(one.restitution),
-                        report.measurements.weighted ? exact(one.deviation) : "",
-                        exact(report.fit.predicted[row].restitution), exact(residual(report, row)),
-                        report.fit.predicted[row].captured,
-                        curves ? std::to_string(curves->curve_of_row[row] + 1) : "");
+    text += fmt::format(
+        ",{},{},{},{},{},{}\n", exact(one.measured), report.measurements.weighted ? exact(one.deviation) : "",
+        exact(report.fit.predicted[row].value), exact(residual(report, row)),
+        report.fit.predicted[row].captured, curves ? std::to_string(curves->curve_of_row[row] + 1) : "");
   }
   return text;
 }

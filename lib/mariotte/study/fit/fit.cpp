@@ -30,7 +30,7 @@ void expect_enough(const Measurements& measurements, std::size_t values) {
 /// A place where nothing separates has no slope that could lead out of it.
 void expect_separation(const FitProblem& problem, const Values& x) {
   const auto all = problem.predicted(x);
-  if (std::all_of(all.begin(), all.end(), [](const Rebound& one) { return one.captured; }))
+  if (std::all_of(all.begin(), all.end(), [](const Prediction& one) { return one.captured; }))
     throw FitError("every body is predicted to be captured where the search starts; start from less damping",
                    fault::no_minimum);
 }
@@ -44,8 +44,8 @@ const char* why_undetermined(int count, bool vanishes) {
                   : ": nothing that was measured depends on it";
 }
 
-void expect_determined(const Values& columns, const RestitutionModel& model,
-                       const std::vector<std::string>& free, const Values& values) {
+void expect_determined(const Values& columns, const FitModel& model, const std::vector<std::string>& free,
+                       const Values& values) {
   const auto directions = undetermined(columns, std::ssize(free), slope_tolerance);
   if (directions.empty()) return;
   std::string names;
@@ -61,7 +61,7 @@ void expect_determined(const Values& columns, const RestitutionModel& model,
                  fault::undetermined);
 }
 
-void estimate(const RestitutionModel& model, const std::vector<std::string>& free, const Values& values,
+void estimate(const FitModel& model, const std::vector<std::string>& free, const Values& values,
               const Uncertainty& known, Fit& fit) {
   const double scatter = std::sqrt(fit.chi_square / static_cast<double>(fit.degrees_of_freedom));
   const double reach = student_t(fit.confidence, fit.degrees_of_freedom);
@@ -80,7 +80,7 @@ void judge(const Measurements& measurements, Fit& fit) {
   double squares = 0;
   for (std::size_t row = 0; row < measurements.rows.size(); ++row) {
     const auto& one = measurements.rows[row];
-    const double residual = one.restitution - fit.predicted[row].restitution;
+    const double residual = one.measured - fit.predicted[row].value;
     squares += residual * residual;
     fit.chi_square += residual * residual / (one.deviation * one.deviation);
   }
@@ -95,7 +95,7 @@ std::vector<double> Fit::values() const {
   return all;
 }
 
-Fit fit(RestitutionModel& model, const std::vector<std::string>& free, double confidence) {
+Fit fit(FitModel& model, const std::vector<std::string>& free, double confidence) {
   expect_enough(model.measurements(), free.size());
   const FitProblem problem(model);
   const auto start = problem.best_start();

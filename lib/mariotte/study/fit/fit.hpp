@@ -1,11 +1,11 @@
-// Values of scene keys that make simulated restitution fit measurements best, and how well these know them.
+// Values of scene keys that make simulated numbers fit measurements best, and how well these know them.
 //
 // Minimises Σ ((measured − predicted) / deviation)² over the logarithms of the values, so that they stay
 // positive. Deviations count by their ratios: the scatter about the fit says how large they are, also where
-// none are given. A body that is predicted to be captured counts with e = 0, and with no slope.
+// none are given. A body or a pair that is predicted to be captured counts with 0, and with no slope.
 #pragma once
 #include "mariotte/core/error.hpp"
-#include "mariotte/study/fit/restitution_model.hpp"
+#include "mariotte/study/fit/fit_model.hpp"
 
 namespace mariotte::study {
 
@@ -25,7 +25,7 @@ struct Estimate {
 struct Fit {
   std::vector<Estimate> estimates = {};
   std::vector<std::vector<double>> correlation = {};  ///< of the logarithms of the values
-  std::vector<Rebound> predicted = {};                ///< one per measurement
+  std::vector<Prediction> predicted = {};             ///< one per measurement
   double rms = 0;                                     ///< root mean square of measured − predicted
   double chi_square = 0;                              ///< Σ ((measured − predicted) / deviation)²
   Index degrees_of_freedom = 0;
@@ -37,6 +37,6 @@ struct Fit {
 
 /// Looks around the start by factors of four for the best place to search from. Throws FitError, and
 /// scene::SceneError if there are too few measurements, and Error if a measurement cannot be simulated.
-Fit fit(RestitutionModel& model, const std::vector<std::string>& free, double confidence = 0.95);
+Fit fit(FitModel& model, const std::vector<std::string>& free, double confidence = 0.95);
 
 }  // namespace mariotte::study

@@ -48,7 +48,7 @@ std::vector<double> places(double from, double to, bool logarithmic) {
 
 class Collection {
  public:
-  Collection(RestitutionModel& model, const Fit& fit, std::size_t setting)
+  Collection(FitModel& model, const Fit& fit, std::size_t setting)
       : model_(model), values_(fit.values()), made_{.setting = setting} {}
 
   bool group() {
@@ -93,7 +93,7 @@ class Collection {
     for (const double place : places(from, to, made_.logarithmic)) {
       settings[made_.setting].value = place;
       try {
-        curve.restitution.push_back(model_.at(settings, values_).restitution);
+        curve.ordinate.push_back(model_.at(settings, values_).value);
         curve.abscissa.push_back(place);
       } catch (const Error&) {
         // Beyond the measurements there may be no scene; the curve has a gap there.
@@ -101,14 +101,14 @@ class Collection {
     }
   }
 
-  RestitutionModel& model_;
+  FitModel& model_;
   std::vector<double> values_;
   FitCurves made_;
 };
 
 }  // namespace
 
-std::optional<FitCurves> fit_curves(RestitutionModel& model, const Fit& fit) {
+std::optional<FitCurves> fit_curves(FitModel& model, const Fit& fit) {
   const auto setting = abscissa(model.measurements());
   if (!setting) return {};
   Collection collection(model, fit, *setting);

@@ -11,7 +11,7 @@ namespace mariotte::study {
 /// Of all measurements that agree in the other settings.
 struct FitCurve {
   std::string name;  ///< these settings as they were written; empty if there are none
-  std::vector<double> abscissa = {}, restitution = {};
+  std::vector<double> abscissa = {}, ordinate = {};
 };
 
 struct FitCurves {
@@ -22,6 +22,6 @@ struct FitCurves {
 };
 
 /// Empty if no setting is a number, or if there would be too many curves to tell apart.
-std::optional<FitCurves> fit_curves(RestitutionModel& model, const Fit& fit);
+std::optional<FitCurves> fit_curves(FitModel& model, const Fit& fit);
 
 }  // namespace mariotte::study

@@ -34,7 +34,7 @@ Values neighbour(std::size_t number, std::size_t keys) {
 
 }  // namespace
 
-FitProblem::FitProblem(RestitutionModel& model)
+FitProblem::FitProblem(FitModel& model)
     : model_(model), step_(std::max(least_step, std::cbrt(model.accuracy()))) {}
 
 Values FitProblem::values(std::span<const double> x) const {
@@ -43,9 +43,9 @@ Values FitProblem::values(std::span<const double> x) const {
   return values;
 }
 
-std::vector<Rebound> FitProblem::predicted(std::span<const double> x) const {
+std::vector<Prediction> FitProblem::predicted(std::span<const double> x) const {
   const auto at = values(x);
-  std::vector<Rebound> all;
+  std::vector<Prediction> all;
   for (std::size_t row = 0; row < count(); ++row) all.push_back(model_.of_row(row, at));
   return all;
 }
@@ -56,7 +56,7 @@ void FitProblem::residuals(std::span<const double> x, std::span<double> r) const
   const auto all = predicted(x);
   for (std::size_t row = 0; row < r.size(); ++row) {
     const auto& one = model_.measurements().rows[row];
-    r[row] = (one.restitution - all[row].restitution) / one.deviation;
+    r[row] = (one.measured - all[row].value) / one.deviation;
   }
 }
 
@@ -70,12 +70,12 @@ void FitProblem::slopes(std::span<const double> x, std::span<double> columns) co
   }
 }
 
-double FitProblem::slope(const Rebound& less, const Rebound& here, const Rebound& more) const {
+double FitProblem::slope(const Prediction& less, const Prediction& here, const Prediction& more) const {
   if (here.captured || (less.captured && more.captured)) return 0;
   const auto& low = less.captured ? here : less;
   const auto& high = more.captured ? here : more;
   const double width = less.captured || more.captured ? step_ : 2 * step_;
-  return (high.restitution - low.restitution) / width;
+  return (high.value - low.value) / width;
 }
 
 double FitProblem::sum_of_squares(std::span<const double> x) const {

@@ -4,14 +4,14 @@
 #include <span>
 #include <vector>
 
-#include "mariotte/study/fit/restitution_model.hpp"
+#include "mariotte/study/fit/fit_model.hpp"
 
 namespace mariotte::study {
 
 class FitProblem {
  public:
   /// `model` must outlive this.
-  explicit FitProblem(RestitutionModel& model);
+  explicit FitProblem(FitModel& model);
 
   std::size_t count() const { return model_.measurements().rows.size(); }
 
@@ -19,7 +19,7 @@ class FitProblem {
   std::vector<double> values(std::span<const double> x) const;
 
   /// One per measurement. Throws Error if one cannot be simulated.
-  std::vector<Rebound> predicted(std::span<const double> x) const;
+  std::vector<Prediction> predicted(std::span<const double> x) const;
 
   /// (measured − predicted) / deviation. Throws Error also where a value is a million times off the start.
   void residuals(std::span<const double> x, std::span<double> r) const;
@@ -33,10 +33,10 @@ class FitProblem {
   std::vector<double> best_start() const;
 
  private:
-  double slope(const Rebound& less, const Rebound& here, const Rebound& more) const;
+  double slope(const Prediction& less, const Prediction& here, const Prediction& more) const;
   double sum_of_squares(std::span<const double> x) const;
 
-  RestitutionModel& model_;
+  FitModel& model_;
   double step_;  ///< balances the error of the differences against that of the simulations
 };
 

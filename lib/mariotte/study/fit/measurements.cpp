@@ -7,6 +7,7 @@
 
 #include "mariotte/core/nearest.hpp"
 #include "mariotte/core/quantity.hpp"
+#include "mariotte/impact/quantities/quantity_key.hpp"
 #include "mariotte/scene/csv_table.hpp"
 #include "mariotte/scene/text_file.hpp"
 #include "mariotte/study/fault.hpp"
@@ -20,7 +21,8 @@ using scene::Source;
 constexpr std::array<std::string_view, 8> words{
     "speed",     "diameter", "restitution", "restitution.tip", "restitution.centre",
     "deviation", "ending",   "reason"};
-constexpr std::array<std::string_view, 4> tables{"body.", "surface.", "incidence.", "run."};
+constexpr std::array<std::string_view, 6> tables{"body.",  "surface.", "incidence.",
+                                                 "chain.", "network.", "run."};
 
 /// A column of the header, "name [unit]".
 struct Column {
@@ -31,7 +33,7 @@ struct Column {
 /// Which columns are what.
 struct Columns {
   std::vector<Column> settings;
-  std::optional<Column> restitution, deviation;
+  std::optional<Column> measured, deviation;
 };
 
 Column split(const Cell& cell, std::size_t number) {
@@ -39,6 +41,26 @@ Column split(const Cell& cell, std::size_t number) {
   if (bracket == std::string::npos || !cell.text.ends_with(']')) return {cell.text, "", number};
   const auto end = cell.text.find_last_not_of(' ', bracket) + 1;
   return {cell.text.substr(0, end), cell.text.substr(bracket + 2, cell.text.size() - bracket - 3), number};
+}
+
+/// The description of a result's number; null if no result has it.
+const impact::Description* described(const std::string& name) {
+  const auto key = impact::parse_key(name);
+  if (!key) return nullptr;
+  if (const auto chain = impact::find_entry<impact::ChainImpact>(*key)) return &chain->quantity->is;
+  if (const auto network = impact::find_entry<impact::NetworkImpact>(*key)) return &network->quantity->is;
+  const auto body = impact::find_entry<impact::MicrobodyImpact>(*key);
+  return body ? &body->quantity->is : nullptr;
+}
+
+bool is_quantity(const std::string& name) {
+  return name == "restitution" || described(name);
+}
+
+Dimension dimension_of(const std::string& quantity) {
+  const auto* is = described(quantity);
+  if (!is || is->unit == "1" || is->unit.empty()) return dimension::none;
+  return parse_quantity("1 " + std::string(is->unit)).dimension;
 }
 
 std::string key_of(const std::string& name) {
@@ -60,27 +82,23 @@ Columns read_header(const Source& source, const std::vector<Cell>& header) {
   Columns columns;
   for (std::size_t i = 0; i < header.size(); ++i) {
     const auto column = split(header[i], i);
-    if (column.name.starts_with("restitution"))
-      place_once(source, header[i], column, columns.restitution);
+    if (is_quantity(column.name))
+      place_once(source, header[i], column, columns.measured);
     else if (column.name == "deviation")
       place_once(source, header[i], column, columns.deviation);
     else if (is_key(column.name))
       columns.settings.push_back(column);
     else if (column.name != "ending" && column.name != "reason")
       reject(source, header[i].place, fault::wrong_columns,
-             "'" + column.name + "' is no column of measurements and no key of a body's scene" +
+             "'" + column.name + "' is no column of measurements, and no key of a scene or a result" +
                  suggestion(column.name, words));
   }
   return columns;
 }
 
 void expect_complete(const Source& source, const std::vector<Cell>& header, const Columns& columns) {
-  if (!columns.restitution)
+  if (!columns.measured)
     reject(source, header.front().place, fault::wrong_columns, "the column 'restitution' is missing");
-  const auto& name = columns.restitution->name;
-  if (std::find(words.begin(), words.end(), name) == words.end())
-    reject(source, header[columns.restitution->number].place, fault::wrong_columns,
-           "unknown column '" + name + "'" + suggestion(name, words));
   if (columns.settings.empty())
     reject(source, header.front().place, fault::wrong_columns,
            "no column says what differs between the rows, as 'speed' does");
@@ -114,26 +132,27 @@ scene::Node value(const Source& source, const Cell& cell, const Column& column) 
 }
 
 /// A tip that gains speed has been pushed by something else. A mass centre may, out of the spin.
-void expect_restitution(const Source& source, const Cell& cell, const Column& column, double value) {
-  if (column.name != "restitution.centre" && !(value >= 0 && value <= 1))
+void expect_possible(const Source& source, const Cell& cell, const Column& column, double value) {
+  const bool is_restitution = column.name == "restitution" || column.name == "restitution.tip";
+  if (is_restitution && !(value >= 0 && value <= 1))
     reject(source, cell.place, fault::out_of_range,
            "a restitution must be between 0 and 1" + std::string(value > 2 ? " (45 % is 0.45)" : ""));
 }
 
 Measurement read_row(const Source& source, const std::vector<Cell>& cells, const Columns& columns) {
-  const auto plain = [&](const Column& column) {
+  const auto measured = [&](const Column& column) {
     const auto& cell = cells[column.number];
-    return number(source, cell, with_unit(cell, column), dimension::none);
+    return number(source, cell, with_unit(cell, column), dimension_of(columns.measured->name));
   };
   Measurement row{.place = cells.front().place, .written = {}, .values = {}};
   for (const auto& column : columns.settings) {
     row.written.push_back(with_unit(cells[column.number], column));
     row.values.push_back(value(source, cells[column.number], column));
   }
-  row.restitution = plain(*columns.restitution);
-  expect_restitution(source, cells[columns.restitution->number], *columns.restitution, row.restitution);
+  row.measured = measured(*columns.measured);
+  expect_possible(source, cells[columns.measured->number], *columns.measured, row.measured);
   if (!columns.deviation) return row;
-  row.deviation = plain(*columns.deviation);
+  row.deviation = measured(*columns.deviation);
   if (!(row.deviation > 0))
     reject(source, cells[columns.deviation->number].place, fault::out_of_range, "must be positive");
   return row;
@@ -146,12 +165,11 @@ Measurements parse_measurements(const std::string& text, const std::string& name
   const auto table = scene::parse_csv(source, text);
   const auto columns = read_header(source, table.header);
   expect_complete(source, table.header, columns);
-  Measurements measurements{
-      .file = name,
-      .settings = {},
-      .at = columns.restitution->name == "restitution.centre" ? MeasuredAt::centre : MeasuredAt::tip,
-      .weighted = columns.deviation.has_value(),
-      .rows = {}};
+  Measurements measurements{.file = name,
+                            .settings = {},
+                            .quantity = columns.measured->name,
+                            .weighted = columns.deviation.has_value(),
+                            .rows = {}};
   for (const auto& column : columns.settings)
     measurements.settings.push_back({.name = column.name, .key = key_of(column.name)});
   for (const auto& cells : table.rows) measurements.rows.push_back(read_row(source, cells, columns));

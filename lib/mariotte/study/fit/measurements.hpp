@@ -1,4 +1,4 @@
-// Measured restitution of microbodies, as the user wrote it into a table.
+// What was measured, as the user wrote it into a table.
 //
 //     speed [m/s], diameter [um], restitution, deviation
 //     5,           4.9,           0.866,       0.01
@@ -6,10 +6,10 @@
 // A column is named by a key of the scene, which the rows then set, or by one of the words below. A unit
 // may follow in the header, or stand in the cells.
 //
-//     speed                            incidence.normal_speed
-//     diameter                         twice body.radius
-//     restitution, restitution.tip     e_n, measured
-//     restitution.centre               e_nm, measured
+//     speed                            incidence.normal_speed; of a chain, chain.velocity[0]
+//     diameter                         twice body.radius, or chain.radius
+//     restitution                      of the tip of a body, or of the two balls of a chain, measured
+//     any key of a result              measured, as restitution.centre or contacts[0].peak_force
 //     deviation                        standard deviation of what was measured; optional
 //     ending, reason                   left out: the table may come from a sweep
 #pragma once
@@ -20,8 +20,6 @@
 #include "mariotte/scene/node.hpp"
 
 namespace mariotte::study {
-
-enum class MeasuredAt { tip, centre };
 
 /// A column whose values are put into the scene.
 struct Setting {
@@ -34,15 +32,15 @@ struct Measurement {
   scene::Place place;
   std::vector<std::string> written;  ///< a text per setting, with its unit
   std::vector<scene::Node> values;   ///< the same, as the scene reads it
-  double restitution = 0;
+  double measured = 0;
   double deviation = 1;  ///< > 0; only its ratios count
 };
 
 struct Measurements {
   std::string file;
-  std::vector<Setting> settings;  ///< at least one
-  MeasuredAt at = MeasuredAt::tip;
-  bool weighted = false;  ///< deviations are given
+  std::vector<Setting> settings;         ///< at least one
+  std::string quantity = "restitution";  ///< that was measured: a key of the result
+  bool weighted = false;                 ///< deviations are given
   std::vector<Measurement> rows;
 };
 

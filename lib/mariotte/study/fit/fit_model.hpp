@@ -1,5 +1,4 @@
-// The restitution that a scene of a body predicts, for the settings of each measurement and any values of the
-// keys that are to be found.
+// What a scene predicts for the settings of each measurement and any values of the keys that are to be found.
 #pragma once
 #include <functional>
 #include <span>
@@ -10,21 +9,23 @@
 #include "mariotte/impact/microbody/microbody_solver.hpp"
 #include "mariotte/scene/document.hpp"
 #include "mariotte/study/fit/measurements.hpp"
+#include "mariotte/study/sweep/evaluate.hpp"
 
 namespace mariotte::study {
 
-/// Of the first impact of a body; 0 if it is captured.
-struct Rebound {
-  double restitution = 0;
+/// Of what was measured; 0 if a body or a pair is captured.
+struct Prediction {
+  double value = 0;
   bool captured = false;
 };
 
 /// Not to be shared between threads.
-class RestitutionModel {
+class FitModel {
  public:
   /// `free` names keys whose values the scene gives to start from, all positive. Resolves every row; throws
-  /// scene::SceneError for the first that is no scene of a body, at its place in the table.
-  RestitutionModel(scene::Document document, const std::vector<std::string>& free, Measurements measurements);
+  /// scene::SceneError for the first that is no scene, or whose result has no such number, at its place in
+  /// the table.
+  FitModel(scene::Document document, const std::vector<std::string>& free, Measurements measurements);
 
   const Measurements& measurements() const { return measurements_; }  ///< numbers in SI
   const std::vector<double>& start() const { return start_; }         ///< of the free keys [SI]
@@ -34,16 +35,20 @@ class RestitutionModel {
   void watch(std::function<void()> watch) { watch_ = std::move(watch); }
 
   /// What row `row` would measure with these values of the free keys. Throws Error that names the row.
-  Rebound of_row(std::size_t row, std::span<const double> values);
+  Prediction of_row(std::size_t row, std::span<const double> values);
 
   /// The same for other settings, one value per key of the measurements.
-  Rebound at(const std::vector<scene::Node>& settings, std::span<const double> values);
+  Prediction at(const std::vector<scene::Node>& settings, std::span<const double> values);
 
  private:
   void find_start(const std::vector<std::string>& free);
   void expect_start(std::size_t index);
   void resolve_row(Measurement& row);
   void set(const std::vector<scene::Node>& settings);
+  void name_settings(const scene::Scene& scene);
+  void expect_quantity(const scene::Scene& scene);
+  Prediction of_body(model::Microbody body, const hybrid::Options& options);
+  Prediction of_result(const scene::Scene& scene);
 
   scene::Document document_;
   Measurements measurements_;
@@ -55,6 +60,8 @@ class RestitutionModel {
   Index runs_ = 0;
   std::function<void()> watch_ = [] {};
   impact::MicrobodySolver solver_;
+  Evaluate evaluate_;  ///< of all but the restitution of a body
+  std::vector<double> columns_;
 };
 
 }  // namespace mariotte::study

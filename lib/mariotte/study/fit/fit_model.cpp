@@ -1,4 +1,4 @@
-#include "mariotte/study/fit/restitution_model.hpp"
+#include "mariotte/study/fit/fit_model.hpp"
 
 #include <fmt/format.h>
 
@@ -28,18 +28,43 @@ std::string place_of(const std::string& file, const Place& place) {
 
 }  // namespace
 
-RestitutionModel::RestitutionModel(scene::Document document, const std::vector<std::string>& free,
-                                   Measurements measurements)
+FitModel::FitModel(scene::Document document, const std::vector<std::string>& free, Measurements measurements)
     : document_(std::move(document)), measurements_(std::move(measurements)) {
   const auto scene = resolve(document_);
-  body_of(scene, document_.source.name, "fitted");
   accuracy_ = scene.run.accuracy;
+  name_settings(scene);
+  expect_quantity(scene);
   find_start(free);
   cell_ = add_origin(document_.source, measurements_.file);
   for (auto& row : measurements_.rows) resolve_row(row);
 }
 
-void RestitutionModel::find_start(const std::vector<std::string>& free) {
+/// Words of the table that mean other keys in a chain.
+void FitModel::name_settings(const scene::Scene& scene) {
+  if (!std::holds_alternative<model::Chain>(scene.model)) return;
+  for (auto& setting : measurements_.settings) {
+    if (setting.name == "speed") setting.key = "chain.velocity[0]";
+    if (setting.name == "diameter") setting.key = "chain.radius";
+  }
+}
+
+void FitModel::expect_quantity(const scene::Scene& scene) {
+  auto& quantity = measurements_.quantity;
+  const auto* chain = std::get_if<model::Chain>(&scene.model);
+  std::vector<std::string> keys = {quantity};
+  if (quantity == "restitution") {
+    if (std::holds_alternative<model::Microbody>(scene.model)) return void(quantity = "restitution.tip");
+    if (!chain || chain->mass.size() != 2)
+      throw scene::SceneError(
+          document_.source.name + ": only a body, or two balls of a [chain], have a restitution",
+          fault::no_model);
+    keys = {"final.velocity[0]", "final.velocity[1]"};
+  }
+  evaluate_ = make_evaluate(expand_columns(keys, scene));
+  columns_.resize(keys.size());
+}
+
+void FitModel::find_start(const std::vector<std::string>& free) {
   for (const auto& key : free) {
     const auto place = add_origin(document_.source, "--free " + key);
     for (const auto& setting : measurements_.settings)
@@ -53,7 +78,7 @@ void RestitutionModel::find_start(const std::vector<std::string>& free) {
   }
 }
 
-void RestitutionModel::expect_start(std::size_t index) {
+void FitModel::expect_start(std::size_t index) {
   const auto& place = free_places_[index];
   Node& node = locate(document_.source, document_.tree, free_[index], place);
   if (node.place.origin == place.origin) {
@@ -70,7 +95,7 @@ void RestitutionModel::expect_start(std::size_t index) {
   node.value = start_.back();
 }
 
-void RestitutionModel::set(const std::vector<Node>& settings) {
+void FitModel::set(const std::vector<Node>& settings) {
   for (std::size_t i = 0; i < settings.size(); ++i) {
     Node& node = locate(document_.source, document_.tree, measurements_.settings[i].key, cell_);
     node = settings[i];
@@ -79,7 +104,7 @@ void RestitutionModel::set(const std::vector<Node>& settings) {
 }
 
 /// Texts that the scene reads as numbers become numbers.
-void RestitutionModel::resolve_row(Measurement& row) {
+void FitModel::resolve_row(Measurement& row) {
   document_.source.origins.back() = place_of(measurements_.file, row.place);
   set(row.values);
   scene::ReadingLog watch;
@@ -101,29 +126,45 @@ void RestitutionModel::resolve_row(Measurement& row) {
   }
 }
 
-Rebound RestitutionModel::of_row(std::size_t row, std::span<const double> values) try {
+Prediction FitModel::of_row(std::size_t row, std::span<const double> values) try {
   return at(measurements_.rows[row].values, values);
 } catch (const Error& error) {
   throw Error(place_of(measurements_.file, measurements_.rows[row].place) + ": " + error.what(), error.fault);
 }
 
-Rebound RestitutionModel::at(const std::vector<Node>& settings, std::span<const double> values) {
+Prediction FitModel::at(const std::vector<Node>& settings, std::span<const double> values) {
   set(settings);
   for (std::size_t i = 0; i < free_.size(); ++i)
     locate(document_.source, document_.tree, free_[i], free_places_[i]).value = values[i];
-  auto scene = resolve(document_);
-  auto& body = std::get<model::Microbody>(scene.model);
-  body.impacts = 1;
-  body.after_capture = model::AfterCapture::stop;
-  const auto& end = solver_.solve(body, scene.run);
+  const auto scene = resolve(document_);
+  const auto* body = std::get_if<model::Microbody>(&scene.model);
+  const auto prediction = body && measurements_.quantity.starts_with("restitution")
+                              ? of_body(*body, scene.run)
+                              : of_result(scene);
   watch_();
   ++runs_;
-  if (end.ending == hybrid::Ending::captured) return {.restitution = 0, .captured = true};
+  return prediction;
+}
+
+Prediction FitModel::of_body(model::Microbody body, const hybrid::Options& options) {
+  body.impacts = 1;
+  body.after_capture = model::AfterCapture::stop;
+  const auto& end = solver_.solve(body, options);
+  if (end.ending == hybrid::Ending::captured) return {.value = 0, .captured = true};
   if (end.ending != hybrid::Ending::separated)
     throw Error(std::string("the run ended with ") + hybrid::name(end.ending) + ": " + end.message);
   const auto e =
       impact::restitution(tip_velocity(body, 0), end.tip_velocity, body.velocity.e1, end.velocity.e1);
-  return {.restitution = measurements_.at == MeasuredAt::tip ? e.tip : e.centre, .captured = false};
+  return {.value = measurements_.quantity == "restitution.centre" ? e.centre : e.tip, .captured = false};
+}
+
+Prediction FitModel::of_result(const scene::Scene& scene) {
+  const auto verdict = evaluate_(scene, columns_);
+  if (verdict.ending == hybrid::name(hybrid::Ending::bound)) return {.value = 0, .captured = true};
+  if (!verdict.has_numbers()) throw Error("the run ended with " + verdict.ending + ": " + verdict.reason);
+  if (columns_.size() == 1) return {.value = columns_[0], .captured = false};
+  const auto& before = std::get<model::Chain>(scene.model).velocity;
+  return {.value = (columns_[1] - columns_[0]) / (before[0] - before[1]), .captured = false};
 }
 
 }  // namespace mariotte::study

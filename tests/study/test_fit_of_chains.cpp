@@ -1,0 +1,87 @@
+// Fits of chains: laws that yield or adhere from the restitution of pairs, stiffness from the forces of a
+// row.
+#define BOOST_TEST_MODULE study_fit_of_chains
+#include <fmt/format.h>
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "mariotte/impact/chain/chain_impact.hpp"
+#include "mariotte/impact/pair/pair_restitution.hpp"
+#include "support/measured_bodies.hpp"
+
+using namespace mariotte;
+using namespace mariotte::test;
+
+namespace {
+
+std::string plastic(double pressure) {
+  return fmt::format(
+      "[chain]\nmass = [1e-3, inf]\nvelocity = [1, 0]\nlaw = \"thornton\"\neffective_modulus = 1e11\n"
+      "effective_radius = 5e-3\nyield_pressure = {}\n",
+      pressure);
+}
+
+std::string adhesive(double work, double damping) {
+  return fmt::format(
+      "[chain]\nmass = [1e-12, inf]\nvelocity = [1, 0]\ngap = 1e-9\nlaw = \"jkr\"\neffective_modulus = 1e9\n"
+      "effective_radius = 5e-6\nwork_of_adhesion = {}\ndamping = {}\n",
+      work, damping);
+}
+
+std::string row(double stiffness) {
+  return fmt::format("[chain]\nmass = [1, 1, 1]\nvelocity = [1, 0, 0]\nlaw = \"hertz\"\nstiffness = {}\n",
+                     stiffness);
+}
+
+model::Chain chain_of(const std::string& scene) {
+  return std::get<model::Chain>(scene::parse(scene, "scene").model);
+}
+
+/// What the pair of a scene does at these speeds.
+study::Measurements rebounds(const std::string& scene, const std::vector<double>& speeds) {
+  const auto chain = chain_of(scene);
+  const impact::Pair truth{chain.law[0], chain.mass[0]};
+  std::string text = "speed,restitution\n";
+  for (const double v : speeds) text += fmt::format("{},{:.17g}\n", v, impact::restitution(truth, v));
+  return study::parse_measurements(text, "data.csv");
+}
+
+double worst(const study::Fit& fit, const std::vector<double>& truth) {
+  double largest = 0;
+  for (std::size_t i = 0; i < truth.size(); ++i)
+    largest = std::max(largest, std::abs(fit.estimates[i].value / truth[i] - 1));
+  return largest;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_yield_pressure_follows_from_restitution) {
+  const auto measured = rebounds(plastic(2.5e9), speeds(3, 30, 8));
+  BOOST_TEST(worst(fitted(plastic(1e9), measured, {"chain.yield_pressure"}), {2.5e9}) < 1e-7);
+}
+
+BOOST_AUTO_TEST_CASE(adhesion_and_damping_follow_together) {
+  const auto measured = rebounds(adhesive(0.05, 0.02), speeds(0.2, 5, 10));
+  const auto fit = fitted(adhesive(0.03, 0.01), measured, {"chain.work_of_adhesion", "chain.damping"});
+  BOOST_TEST(worst(fit, {0.05, 0.02}) < 1e-6);
+}
+
+BOOST_AUTO_TEST_CASE(a_stiffness_follows_from_peak_forces_in_any_unit) {
+  std::string text = "speed,contacts[1].peak_force [kN]\n";
+  for (const double v : {0.5, 1.0, 2.0}) {
+    auto chain = chain_of(row(3e6));
+    chain.velocity[0] = v;
+    text += fmt::format("{},{:.17g}\n", v, 1e-3 * impact::simulate(chain).contacts[1].peak_force);
+  }
+  const auto measured = study::parse_measurements(text, "data.csv");
+  BOOST_TEST(worst(fitted(row(1e6), measured, {"chain.stiffness"}), {3e6}) < 1e-7);
+}
+
+BOOST_AUTO_TEST_CASE(what_a_result_does_not_have_is_refused) {
+  for (const auto* quantity : {"restitution", "icr[7]", "impacts[0].tip"}) {
+    const auto measured =
+        study::parse_measurements(fmt::format("speed,{}\n1,0.9\n2,0.8\n", quantity), "data.csv");
+    BOOST_CHECK_THROW(fitted(row(1), measured, {"chain.stiffness"}), Error);
+  }
+}
