@@ -7,6 +7,7 @@
 #include "mariotte/core/overload.hpp"
 #include "mariotte/impact/chain/chain_solver.hpp"
 #include "mariotte/impact/impulses.hpp"
+#include "mariotte/impact/shallow.hpp"
 #include "mariotte/impact/watch/chain_run.hpp"
 #include "mariotte/scene/judge.hpp"
 
@@ -33,11 +34,13 @@ Impact::Impact(SharedScene box, const hybrid::Options& options, bool until)
   keep_ratios();
 }
 
-/// The solver tells nobody how far it is, so it gets so few events that it is done before a hand has moved.
+/// The solver tells nobody how far it is, so it gets so few events that it is done before a hand has moved. It
+/// knows no indentations, so a chain that might end `invalid` is not for it.
 bool Impact::solve_quickly() {
   constexpr Index few = 1000;
   const auto* const chain = std::get_if<model::Chain>(&box_->scene.model);
   if (!chain || impact::divides(options_, *chain)) return false;
+  if (!impact::stays_shallow(*chain, box_->scene.touching)) return false;
   auto quick = options_;
   quick.max_events = std::min(quick.max_events, few);
   thread_local impact::ChainSolver solver;

@@ -14,8 +14,8 @@ SCENES = ROOT / "apps" / "scenes"
 
 
 @pytest.fixture
-def command():
-    """Runs the command with these arguments; skips where it was not built."""
+def finished():
+    """Runs the command with these arguments, to an exit code; skips where it was not built."""
     program = os.environ.get("MARIOTTE_COMMAND")
     if not program:
         pytest.skip("the command was not built")
@@ -23,14 +23,25 @@ def command():
     def run(*arguments, code=0):
         done = subprocess.run([program, *map(str, arguments)], capture_output=True, text=True)
         assert done.returncode == code, done.stderr
+        return done
+
+    return run
+
+
+@pytest.fixture
+def command(finished):
+    """What the command prints, or why it does not."""
+
+    def run(*arguments, code=0):
+        done = finished(*arguments, code=code)
         return done.stderr if code else done.stdout
 
     return run
 
 
 @pytest.fixture
-def command_json(command):
-    return lambda *arguments: json.loads(command(*arguments, "--json"))
+def command_json(finished):
+    return lambda *arguments, code=0: json.loads(finished(*arguments, "--json", code=code).stdout)
 
 
 @pytest.fixture

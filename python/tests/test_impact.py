@@ -121,6 +121,21 @@ def test_endings_are_an_enum(triplet):
     assert captured.ending is mt.Ending.captured
 
 
+def test_a_run_beyond_every_law_ends_as_that_of_the_command(command_json, tmp_path):
+    balls = dict(radius="5 mm", material="polystyrene", law="hertz")
+    endings = {}
+    for speed in (10, 650, 5000):
+        scene = mt.Chain(**balls, velocity=[speed, 0])
+        (tmp_path / "balls.toml").write_text(scene.text)
+        expected = command_json("run", tmp_path / "balls.toml", code=4 if speed == 5000 else 0)
+        hit = mt.simulate(scene)
+        assert (hit.ending.name, hit.message) == (expected["ending"], expected.get("message") or "")
+        grid = mt.sweep(scene, {"velocity[0]": [speed]}, columns=["velocity"])
+        assert grid.ending.tolist() == [hit.ending]
+        endings[speed] = hit.ending
+    assert endings == {10: mt.Ending.separated, 650: mt.Ending.separated, 5000: mt.Ending.invalid}
+
+
 @pytest.mark.parametrize("options", [{"accuracy": 0}, {"accuracy": math.nan}, {"max_time": "1 kg"}, {"max_events": 0},
                                      {"flow": "magic"}, {"until": -1}])
 def test_options_without_sense_are_refused(options, triplet):

@@ -4,6 +4,8 @@
 #include <numbers>
 
 #include "mariotte/contact/limits.hpp"
+#include "mariotte/core/overload.hpp"
+#include "mariotte/impact/shallow.hpp"
 #include "mariotte/report/text.hpp"
 #include "mariotte/report/validity.hpp"
 #include "mariotte/scene/judge.hpp"
@@ -143,4 +145,55 @@ BOOST_AUTO_TEST_CASE(validity_is_a_column_of_sweeps_and_what_is_invalid_has_no_n
   BOOST_TEST(invalid.ending == "invalid");
   BOOST_TEST(!invalid.has_numbers());
   BOOST_TEST(has(invalid.reason, "contact 1"));
+}
+
+BOOST_AUTO_TEST_CASE(columns_that_need_no_peaks_are_invalid_as_well) {
+  double number = 0;
+  for (const char* speed : {"10 m/s", "650 m/s", "5000 m/s", "50000 m/s"}) {
+    const auto text = pair(speed, "'polystyrene'");
+    const auto scene = scene::parse(text, "s.toml");
+    const auto verdict =
+        study::make_evaluate(study::expand_columns({"final.velocity[1]"}, scene))(scene, {&number, 1});
+    BOOST_TEST(verdict.ending == name(run(text).ending), speed);
+  }
+}
+
+namespace {
+
+bool shallow(const std::string& text) {
+  const auto scene = scene::parse(text, "s.toml");
+  return std::visit(Overload{[](const scene::LawAlone&) { return false; },
+                             [&](const auto& model) { return stays_shallow(model, scene.touching); }},
+                    scene.model);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(energy_tells_whether_a_radius_can_be_reached) {
+  // ½ (m/2) v² = k R²/2 at the radius, but half of all energy is that of the mass centre
+  const auto spring = [](double speed) {
+    return "[chain]\nmass = [1, 1]\nradius = 1\nvelocity = [" + std::to_string(speed) +
+           ", 0]\nlaw = 'linear'\nstiffness = 50\n";
+  };
+  BOOST_TEST(shallow(spring(7.07)));
+  BOOST_TEST(!shallow(spring(7.08)));
+  BOOST_TEST((run(spring(9.99)).ending == hybrid::Ending::separated));
+  BOOST_TEST((run(spring(10.01)).ending == hybrid::Ending::invalid));
+  BOOST_TEST(!shallow(spring(1) + "gravity = 1\n"));
+  BOOST_TEST(shallow("[network]\nradius = 1\nmass = 1\nlaw = 'linear'\nstiffness = 50\n[[network.ball]]\n"
+                     "position = [0, 0]\nvelocity = [7.07, 0]\n[[network.ball]]\nposition = [2, 0]\n"));
+  BOOST_TEST(!shallow("[network]\nradius = 1\nmass = 1\nlaw = 'linear'\nstiffness = 50\n[[network.ball]]\n"
+                      "position = [0, 0]\nvelocity = [5, 5.1]\n[[network.ball]]\nposition = [2, 0]\n"));
+}
+
+BOOST_AUTO_TEST_CASE(wells_of_adhesion_deepen_an_impact) {
+  auto scene = scene::read(MARIOTTE_SCENES "/microsphere.toml");
+  auto body = std::get<model::Microbody>(scene.model);
+  BOOST_TEST(stays_shallow(body, scene.touching));
+  const double radius = body.body.tips[0].radius;
+  const double speed = std::sqrt(2 * stored_energy(body.law[0], radius) / body.body.mass);
+  body.velocity = {-speed, 0, 0};  // at the radius the well has given its energy back
+  BOOST_TEST(!stays_shallow(body, scene.touching));
+  body.velocity.e1 *= 0.5;
+  BOOST_TEST(stays_shallow(body, scene.touching));
 }

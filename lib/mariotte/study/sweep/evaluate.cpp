@@ -7,6 +7,7 @@
 
 #include "mariotte/core/overload.hpp"
 #include "mariotte/impact/quantities/quantity_key.hpp"
+#include "mariotte/impact/shallow.hpp"
 #include "mariotte/scene/judge.hpp"
 #include "mariotte/study/sweep/sweep_reader.hpp"
 
@@ -39,7 +40,7 @@ class OfModel {
   }
 
   Verdict evaluate(const Model& model, const scene::Scene& scene, std::span<double> out) {
-    if (is_brief_ && Brief::serves(model)) {
+    if (is_brief_ && Brief::serves(model) && impact::stays_shallow(model, scene.touching)) {
       const auto& impact = solver_->solve(model, scene.run);
       fill(Brief{model, impact}, out);
       return verdict(impact);
