@@ -38,7 +38,7 @@ confine("nlohmann/"                                         "(report|apps|python
 confine("pybind11/"                                         "python/")
 confine("mpi\\.h"                                            "apps/mariotte/ranks\\.cpp")
 confine("CLI/"                                              "apps/command_line/parser\\.cpp")
-confine("boost/"                                            "(study/fit/uncertainty\\.cpp|study/sweep/sobol\\.cpp|tests/|${rivals})")
+confine("boost/"                                            "(study/fit/uncertainty\\.cpp|study/sweep/(sobol|normal)\\.cpp|tests/|${rivals})")
 confine("muParser"                                          "study/sweep/expression\\.cpp")
 
 # Why `file` of `module` may not include `header`, or nothing.

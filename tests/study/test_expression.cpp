@@ -5,6 +5,7 @@
 #include <set>
 
 #include "mariotte/study/sweep/evaluate.hpp"
+#include "mariotte/study/sweep/normal.hpp"
 #include "mariotte/study/sweep/random.hpp"
 #include "mariotte/study/sweep/sobol.hpp"
 #include "mariotte/study/sweep/sweep_reader.hpp"
@@ -161,4 +162,66 @@ BOOST_AUTO_TEST_CASE(a_design_without_a_seed_is_refused) {
   BOOST_TEST(
       has(rejection("[[sweep]]\nkey = 'chain.mass[0]'\nfrom = 1\nto = 2\ncount = 2\ndesign = 'latin'\n"),
           "needs 'random'"));
+}
+
+BOOST_AUTO_TEST_CASE(normal_values_have_their_mean_and_deviation) {
+  for (const char* design : {"random", "latin", "sobol"}) {
+    const Index count = 4096;
+    const auto sweep = plan(std::string("[[sweep]]\nkey = 'chain.velocity[0]'\nmean = '3 m/s'\ndeviation = "
+                                        "'20 cm/s'\ncount = 4096\nrandom = 5\ndesign = '") +
+                            design + "'\n");
+    double sum = 0, squares = 0, within = 0;
+    for (Index k = 0; k < count; ++k) {
+      const double z = (study::number(sweep.design, 0, k) - 3) / 0.2;
+      sum += z;
+      squares += z * z;
+      within += std::abs(z) < 1;
+    }
+    const double error = 4 / std::sqrt(double(count));  // four standard errors of chance
+    BOOST_TEST(std::abs(sum / count) < error, design);
+    BOOST_TEST(std::abs(squares / count - 1) < std::sqrt(2.0) * error, design);
+    BOOST_TEST(std::abs(within / count - std::erf(std::sqrt(0.5))) < error / 2, design);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_latin_design_has_one_normal_value_in_each_part_of_equal_probability) {
+  const auto sweep = plan(
+      "[[sweep]]\nkey = 'chain.velocity[0]'\nmean = 3\ndeviation = 0.2\ncount = 32\n"
+      "random = 5\ndesign = 'latin'\n");
+  std::set<int> parts;
+  for (Index k = 0; k < 32; ++k) {
+    const double z = (study::number(sweep.design, 0, k) - 3) / 0.2;
+    parts.insert(static_cast<int>(16 * std::erfc(-z * std::sqrt(0.5))));
+  }
+  BOOST_TEST(parts.size() == 32);
+}
+
+BOOST_AUTO_TEST_CASE(quantiles_are_finite_and_those_of_the_error_function) {
+  for (const double z : {-6.0, -1.0, 0.0, 0.5, 3.0})
+    BOOST_TEST(std::abs(study::normal_quantile(0.5 * std::erfc(-z * std::sqrt(0.5))) - z) < 1e-11);
+  BOOST_TEST(std::isfinite(study::normal_quantile(0)));
+  BOOST_TEST(std::isfinite(study::normal_quantile(1)));
+}
+
+BOOST_AUTO_TEST_CASE(a_normal_distribution_needs_all_of_its_keys_and_no_ends) {
+  const std::string head = "[[sweep]]\nkey = 'chain.velocity[0]'\nmean = 1\n";
+  BOOST_TEST(has(rejection(head + "count = 2\nrandom = 1\n"), "'deviation' is missing"));
+  BOOST_TEST(has(rejection(head + "deviation = 1\ncount = 2\n"), "'random' is missing"));
+  const std::string all = head + "count = 2\nrandom = 1\n";
+  BOOST_TEST(has(rejection(all + "deviation = 1\nfrom = 1\n"), "does not go with 'mean'"));
+  BOOST_TEST(has(rejection(all + "deviation = 0\n"), "must be positive"));
+  BOOST_TEST(has(rejection(all + "deviation = '1 kg'\n"), "expected a velocity"));
+}
+
+BOOST_AUTO_TEST_CASE(parameters_have_the_unit_of_their_key) {
+  const auto sweep = plan(
+      "[[sweep]]\nkey = 'chain.velocity[0]'\nfrom = '1 cm/s'\nto = 1\ncount = 2\n"
+      "[[sweep]]\nkey = 'chain.contact[0].stiffness'\nvalues = [1]\n"
+      "[[sweep]]\nkey = 'chain.contact[0].law'\nvalues = ['hertz']\n"
+      "[[sweep]]\nvariable = 'width'\nvalues = ['3 mm']\n"
+      "[[sweep]]\nvariable = 'factor'\nvalues = [1, 2]\n");
+  std::vector<std::string> units;
+  for (const auto& one : sweep.design.parameters) units.push_back(one.unit);
+  const std::vector<std::string> expected = {"m/s", "N/m^1.5", "", "m", "1"};
+  BOOST_TEST(units == expected, boost::test_tools::per_element());
 }

@@ -37,4 +37,7 @@ constexpr Dimension damping(double exponent) {
 /// "a length (m)", "a stiffness (N/m^1.5)", "a plain number", or base units for what has no name.
 std::string describe(const Dimension& dimension);
 
+/// "m", "N/m^1.5", "1" for a plain number, or base units, as "kg^2 m".
+std::string unit_of(const Dimension& dimension);
+
 }  // namespace mariotte

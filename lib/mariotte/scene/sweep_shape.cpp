@@ -7,9 +7,9 @@
 namespace mariotte::scene {
 namespace {
 
-constexpr std::array<std::string_view, 12> keys{"key",   "variable", "from",   "to",
-                                                "count", "step",     "scale",  "values",
-                                                "zip",   "random",   "design", "expression"};
+constexpr std::array<std::string_view, 14> keys{"key",    "variable", "from",      "to",        "count",
+                                                "step",   "scale",    "values",    "zip",       "random",
+                                                "design", "mean",     "deviation", "expression"};
 constexpr std::array<std::string_view, 3> designs{"random", "latin", "sobol"};
 constexpr std::array<std::string_view, 2> scales{"linear", "log"};
 constexpr Index largest_seed = 1'000'000'000'000'000;  // still a whole number in a double
@@ -37,7 +37,30 @@ void expect_random(const Source& source, const Field& sweep, const Field& seed) 
     reject(source, *step, fault::misplaced, "does not go with 'random'");
 }
 
+/// Keys that mean nothing beside another.
+void expect_without(const Source& source, const Field& sweep, const std::string& key,
+                    std::initializer_list<const char*> others) {
+  for (const auto* other : others)
+    if (const auto field = find(sweep, other))
+      reject(source, *field, fault::misplaced, "does not go with '" + key + "'");
+}
+
+/// A normal distribution has no ends.
+void expect_normal(const Source& source, const Field& sweep) {
+  for (const auto* key : {"mean", "deviation", "count", "random"})
+    if (!find(sweep, key))
+      reject(source, sweep, fault::missing,
+             "'" + std::string(key) +
+                 "' is missing (a normal distribution needs mean, deviation, count, random)");
+  expect_without(source, sweep, "mean", {"from", "to", "step", "scale"});
+  expect_value(source, *find(sweep, "mean"));
+  expect_value(source, *find(sweep, "deviation"));
+  whole(source, *find(sweep, "count"), 1, most_points);
+  expect_random(source, sweep, *find(sweep, "random"));
+}
+
 void expect_range(const Source& source, const Field& sweep) {
+  if (find(sweep, "mean") || find(sweep, "deviation")) return expect_normal(source, sweep);
   for (const auto* key : {"from", "to"}) {
     const auto field = find(sweep, key);
     if (!field)
@@ -64,9 +87,9 @@ void expect_word(const Source& source, const Field& variable) {
 
 void expect_expression(const Source& source, const Field& sweep, const Field& expression) {
   text(source, expression);
-  for (const auto* other : {"variable", "from", "to", "count", "step", "scale", "values", "zip", "random"})
-    if (const auto field = find(sweep, other))
-      reject(source, *field, fault::misplaced, "does not go with 'expression'");
+  expect_without(
+      source, sweep, "expression",
+      {"variable", "from", "to", "count", "step", "scale", "values", "zip", "random", "mean", "deviation"});
 }
 
 /// What the table is about.
@@ -94,9 +117,7 @@ void expect_sweep(const Source& source, const Field& sweep) {
   const auto values = find(sweep, "values");
   if (!values) return expect_range(source, sweep);
   expect_values(source, *values);
-  for (const auto* other : {"from", "to", "count", "step", "random"})
-    if (const auto field = find(sweep, other))
-      reject(source, *field, fault::misplaced, "does not go with 'values'");
+  expect_without(source, sweep, "values", {"from", "to", "count", "step", "random", "mean", "deviation"});
 }
 
 }  // namespace

@@ -17,13 +17,17 @@ Json varied(const study::Design& design, const study::Parameter& parameter) {
   Json one = {{"key", parameter.key},
               {"axis", parameter.axis},
               {"count", design.axes[static_cast<std::size_t>(parameter.axis)].count}};
+  if (!parameter.unit.empty()) one["unit"] = parameter.unit;
   if (!parameter.range) {
     one["values"] = list(parameter.list, json_of_value);
     return one;
   }
-  one.update({{"from", parameter.range->from},
-              {"to", parameter.range->to},
-              {"scale", parameter.range->logarithmic ? "log" : "linear"}});
+  if (parameter.range->normal)
+    one.update({{"mean", mean(*parameter.range)}, {"deviation", deviation(*parameter.range)}});
+  else
+    one.update({{"from", parameter.range->from},
+                {"to", parameter.range->to},
+                {"scale", parameter.range->logarithmic ? "log" : "linear"}});
   if (!parameter.range->seed) return one;
   one["random"] = *parameter.range->seed;
   one["design"] = name(parameter.range->draw);

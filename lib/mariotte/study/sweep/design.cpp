@@ -3,14 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mariotte/study/sweep/normal.hpp"
 #include "mariotte/study/sweep/random.hpp"
 #include "mariotte/study/sweep/sobol.hpp"
 
 namespace mariotte::study {
 namespace {
 
-/// A value of the range at a fraction of the way; the ends are met exactly.
+/// A value of the range at a fraction of the way, where the ends are met exactly, or of the distribution.
 double between(const Range& range, double fraction) {
+  if (range.normal) return mean(range) + deviation(range) * normal_quantile(fraction);
   if (fraction == 0) return range.from;
   if (fraction == 1) return range.to;
   return range.logarithmic ? range.from * std::pow(range.to / range.from, fraction)

@@ -27,7 +27,16 @@ struct Range {
   bool logarithmic = false;                ///< even ratios instead of even distances
   std::optional<std::uint64_t> seed = {};  ///< drawn at random instead of evenly spaced
   Draw draw = Draw::independent;
+  bool normal = false;  ///< drawn from a normal distribution; the ends are its mean ∓ its deviation
 };
+
+/// Of a normal distribution [SI].
+inline double mean(const Range& range) {
+  return 0.5 * (range.from + range.to);
+}
+inline double deviation(const Range& range) {
+  return 0.5 * (range.to - range.from);
+}
 
 /// One key that is varied. Parameters of one axis move together.
 struct Parameter {
@@ -37,6 +46,7 @@ struct Parameter {
   std::optional<Range> range = {};     ///< or else
   std::vector<scene::Node> list = {};  ///< the values; numbers in SI
   bool is_variable = false;            ///< no key of the scene, but a name in expressions
+  std::string unit = {};               ///< SI; "1" for a pure number, empty for text
 };
 
 /// What a name in an expression stands for.

@@ -95,13 +95,19 @@ void read_derived(Document& document, Design& design) {
   }
 }
 
+/// What says the first or last value of a range; of a distribution, its mean.
+Field end_of(const Field& table, bool last) {
+  const auto mean = find(table, "mean");
+  return mean ? *mean : *find(table, last ? "to" : "from");
+}
+
 std::vector<Node> raw_values(const std::vector<Field>& tables, bool last) {
   std::vector<Node> raw;
   for (const auto& table : tables)
     if (const auto list = find(table, "values"))
       raw.push_back(last ? list->node->array()->back() : list->node->array()->front());
     else
-      raw.push_back(*find(table, last ? "to" : "from")->node);
+      raw.push_back(*end_of(table, last).node);
   return raw;
 }
 
@@ -170,9 +176,21 @@ Index steps(Source& source, const Field& field, const Range& range, const Dimens
   return static_cast<Index>(whole) + 1;
 }
 
+void read_ends(const Source& source, const Field& table, const Dimension& dimension, Range& range) {
+  range.normal = find(table, "mean").has_value();
+  if (!range.normal) {
+    range.from = end(source, table, "from", dimension);
+    range.to = end(source, table, "to", dimension);
+    return;
+  }
+  const double middle = end(source, table, "mean", dimension);
+  const double half = number(source, *find(table, "deviation"), dimension, Domain::positive);
+  range.from = middle - half;
+  range.to = middle + half;
+}
+
 Index read_range(Source& source, const Field& table, const Dimension& dimension, Range& range) {
-  range.from = end(source, table, "from", dimension);
-  range.to = end(source, table, "to", dimension);
+  read_ends(source, table, dimension, range);
   if (const auto scale = find(table, "scale")) range.logarithmic = text(source, *scale) == "log";
   if (range.logarithmic && !(range.from * range.to > 0))
     reject(source, *find(table, "from"), fault::sweep_values,
@@ -205,7 +223,7 @@ Index read_values(Source& source, const Field& table, const std::optional<Dimens
                   Parameter& parameter) {
   if (const auto list = find(table, "values")) return read_list(source, *list, dimension, parameter.list);
   if (!dimension)
-    reject(source, *find(table, "from"), fault::sweep_key,
+    reject(source, end_of(table, false), fault::sweep_key,
            "'" + parameter.key + "' is no number; give 'values'");
   return read_range(source, table, *dimension, parameter.range.emplace());
 }
@@ -259,6 +277,7 @@ void read_axes(Document& document, const Meaning& meaning, Design& design) {
     auto& parameter = design.parameters[i];
     const auto dimension =
         parameter.is_variable ? std::optional(of_variable(document.source, all[i])) : meaning[i];
+    if (dimension) parameter.unit = unit_of(*dimension);
     const Index count = read_values(document.source, all[i], dimension, parameter);
     place_on_axis(document.source, all[i], count, design, parameter);
   }
@@ -268,8 +287,8 @@ void read_axes(Document& document, const Meaning& meaning, Design& design) {
 /// The least and the largest number, which have all others between them; each at the place it was written.
 std::vector<Node> extremes(const Parameter& parameter, const Field& table) {
   if (parameter.range)
-    return {{parameter.range->from, find(table, "from")->place()},
-            {parameter.range->to, find(table, "to")->place()}};
+    return {{parameter.range->from, end_of(table, false).place()},
+            {parameter.range->to, end_of(table, true).place()}};
   if (!is_numeric(parameter)) return {};
   const auto less = [](const Node& a, const Node& b) {
     return std::get<double>(a.value) < std::get<double>(b.value);
