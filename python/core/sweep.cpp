@@ -158,7 +158,8 @@ std::vector<Index> shape(const Sweep& sweep) {
   return counts;
 }
 
-/// Of every key that is varied: its axis, and its values in SI along it, or nothing if they are no numbers.
+/// Of every key that is varied: its axis, its values in SI along it, or nothing if they are no numbers, and
+/// their unit.
 py::list parameters(const Sweep& sweep) {
   const auto& design = sweep.plan().design;
   py::list all;
@@ -169,7 +170,7 @@ py::list parameters(const Sweep& sweep) {
     for (Index k = 0; is_numeric(one) && k < axis.count; ++k)
       values.push_back(number(design, i, k * axis.stride));
     const auto count = std::ssize(values);
-    all.append(py::make_tuple(one.key, one.axis, owned(std::move(values), {count})));
+    all.append(py::make_tuple(one.key, one.axis, owned(std::move(values), {count}), one.unit));
   }
   return all;
 }

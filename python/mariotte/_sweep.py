@@ -43,12 +43,12 @@ class Sweep(Mapping[str, Array]):
     @property
     def axes(self) -> Dict[str, Array]:
         """What was varied: values in SI by key; empty arrays for text."""
-        return {key: values for key, _, values in self._run.parameters}
+        return {key: values for key, _, values, _ in self._run.parameters}
 
     @property
     def axis_of(self) -> Dict[str, int]:
         """The axis of the grid along which each key moves."""
-        return {key: axis for key, axis, _ in self._run.parameters}
+        return {key: axis for key, axis, _, _ in self._run.parameters}
 
     @property
     def table(self) -> Array:
@@ -57,8 +57,14 @@ class Sweep(Mapping[str, Array]):
 
     @property
     def units(self) -> Dict[str, str]:
-        """SI unit of each column."""
-        return {key: unit for key, unit, _, _ in self._run.columns}
+        """SI unit of each axis and column; "1" of pure numbers, nothing of text and formulas."""
+        return {**{key: unit for key, _, _, unit in self._run.parameters},
+                **{key: unit for key, unit, _, _ in self._run.columns}}
+
+    @property
+    def symbols(self) -> Dict[str, str]:
+        """Symbol of each column, as figures write it; may be empty."""
+        return {key: symbol for key, _, symbol, _ in self._run.columns}
 
     @property
     def ending(self) -> Endings:
@@ -101,6 +107,11 @@ class Sweep(Mapping[str, Array]):
         from ._plot import SweepPlot
 
         return SweepPlot(self)
+
+    def keys_of(self, column: str) -> List[str]:
+        """Keys of the columns that a name stands for: ``velocity`` is ``final.velocity[0]``, …"""
+        keys = list(self)
+        return [keys[place] for place in self._places(column)]
 
     def _places(self, column: str) -> List[int]:
         pattern = re.escape(_full(column)).replace(r"\*", r"\d+")

@@ -58,15 +58,21 @@ def test_forces_are_drawn_per_contact(cradle):
     assert [line.get_label() for line in curves] == [f"contact {j}" for j in range(4)]
     largest = [line.get_ydata().max() for line in curves]
     assert largest == pytest.approx(cradle.peak_force, rel=1e-2)
-    assert ax.get_xlabel() == "time [µs]" and ax.get_title() == "Five steel balls"
+    assert ax.get_xlabel() == "time t [µs]" and ax.get_title() == "Five steel balls"
 
 
 def test_velocities_and_energy_are_drawn(cradle):
     ends = [line.get_ydata()[-1] for line in cradle.plot.velocities().lines[:5]]
     assert ends == pytest.approx(cradle.velocity, abs=1e-9)
     kinetic, stored = cradle.plot.energy().lines[:2]
-    assert kinetic.get_ydata()[0] == pytest.approx(cradle.energy.initial)
+    assert kinetic.get_ydata()[0] == pytest.approx(1e3 * cradle.energy.initial)  # in mJ
     assert (stored.get_ydata() >= 0).all()
+
+
+def test_lines_differ_without_colour(cradle):
+    lines = cradle.plot.velocities().lines[:5]
+    assert len({line.get_color() for line in lines}) == 5
+    assert len({str(line.get_linestyle()) + str(line._unscaled_dash_pattern) for line in lines[:4]}) == 4
 
 
 def test_waves_are_an_image():
@@ -83,7 +89,11 @@ def test_sweeps_are_curves_or_maps(triplet):
     curve = mt.sweep(triplet, {"velocity[0]": speeds}, columns=["time"])
     ax = curve.plot("time")
     assert ax.get_xscale() == "log" and ax.lines[0].get_ydata().tolist() == curve["time"].tolist()
+    assert ax.get_xlabel() == "chain.velocity[0] [m/s]" and ax.get_ylabel() == "final.time  t [s]"
+    balls = mt.sweep(triplet, {"velocity[0]": speeds}, columns=["velocity"]).plot("velocity")
+    assert [line.get_label() for line in balls.lines] == [f"final.velocity[{i}]" for i in range(3)]
     both = mt.sweep(triplet, {"velocity[0]": speeds, "velocity[2]": [-1, 0, 0.05]}, columns=["icr[0]", "velocity"])
     assert both.plot("icr[0]").collections[0].get_array().size == 15
+    assert both.plot("icr[0]").get_ylabel() == "chain.velocity[0] [m/s]"
     with pytest.raises(ValueError, match="shape"):
         both.plot("velocity")

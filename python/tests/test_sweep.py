@@ -18,7 +18,9 @@ def test_columns_have_the_shape_of_the_grid(triplet):
     assert grid["velocity"].shape == (4, 3, 3) and grid["contacts[1].peak_force"].shape == (4, 3)
     assert np.array_equal(grid.axes["chain.gap[1]"], AXES["gap[1]"])
     assert (grid.ending == mt.Ending.separated).all()
-    assert grid.units["contacts[1].peak_force"] == "N"
+    assert grid.units["contacts[1].peak_force"] == "N" and grid.symbols["contacts[1].peak_force"] == "max f_j"
+    assert grid.units["chain.velocity[0]"] == "m/s" and grid.units["chain.gap[1]"] == "m"
+    assert grid.keys_of("velocity") == [f"final.velocity[{i}]" for i in range(3)]
 
 
 def test_every_point_is_that_of_a_single_run(triplet):

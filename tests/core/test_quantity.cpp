@@ -159,3 +159,13 @@ BOOST_AUTO_TEST_CASE(what_is_no_quantity_is_an_error) {
                            "1 ((Gm^16)^16)^16"})
     BOOST_TEST(complaint(text) != "accepted", text);
 }
+
+BOOST_AUTO_TEST_CASE(a_dimension_has_a_unit) {
+  BOOST_TEST(unit_of(dimension::none) == "1");
+  BOOST_TEST(unit_of(dimension::density) == "kg/m^3");
+  BOOST_TEST(unit_of(dimension::stiffness(1.5)) == "N/m^1.5");
+  BOOST_TEST(unit_of(dimension::damping(1.25)) == "N s/m^1.25");
+  BOOST_TEST(unit_of({.kg = 2, .m = 1}) == "kg^2 m");
+  for (const auto& one : {dimension::length, dimension::stiffness(1.5), dimension::damping(2)})
+    BOOST_TEST(same(parse_quantity("1 " + unit_of(one)).dimension, one));
+}

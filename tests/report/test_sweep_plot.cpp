@@ -150,3 +150,12 @@ BOOST_AUTO_TEST_CASE(maps_have_contours_and_logarithmic_colours_on_demand) {
   for (const auto* others : {"1,separated,", ",rejected,no", "-3,separated,"})
     BOOST_TEST(drawn(map(8, 9), {{"y"}}, "2,separated,", others, options) == "");
 }
+
+BOOST_AUTO_TEST_CASE(axes_have_the_unit_of_their_key) {
+  auto design = curve(3);
+  BOOST_TEST(report::axis_settings(design, 0, 'x').find("xlabel 'a' ") != std::string::npos);
+  design.parameters[0].unit = "m/s";
+  BOOST_TEST(report::axis_settings(design, 0, 'x').find("xlabel 'a [m/s]' ") != std::string::npos);
+  design.parameters[0].unit = "1";
+  BOOST_TEST(report::axis_settings(design, 0, 'x').find("xlabel 'a' ") != std::string::npos);
+}

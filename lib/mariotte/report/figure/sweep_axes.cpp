@@ -104,7 +104,9 @@ double coordinate(const Design& design, std::size_t parameter, Index point) {
 std::string axis_settings(const Design& design, std::size_t parameter, char axis) {
   const auto& one = design.parameters[parameter];
   const auto tics = is_logarithmic(one) ? decades(*one.range) : one.range ? "" : names(one.list);
-  return fmt::format("set {0}label {1} noenhanced\nset {0}tics nomirror out {2}\n", axis, quoted(one.key),
+  const bool has_unit = !one.unit.empty() && one.unit != "1";
+  const auto label = has_unit ? fmt::format("{} [{}]", one.key, one.unit) : one.key;
+  return fmt::format("set {0}label {1} noenhanced\nset {0}tics nomirror out {2}\n", axis, quoted(label),
                      tics.empty() ? "autofreq" : "(" + tics + ")");
 }
 

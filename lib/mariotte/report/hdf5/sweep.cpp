@@ -112,7 +112,8 @@ class Hdf5Sweep final : public SweepFile {
     target_.guarded([&] {
       for (const auto& [name, words] : origin) hdf5::describe(target_.file(), name, words);
       write_shape(target_.file(), design);
-      for (const auto& parameter : design.parameters) add_column({parameter.key}, is_numeric(parameter));
+      for (const auto& parameter : design.parameters)
+        add_column({.key = parameter.key, .unit = parameter.unit}, is_numeric(parameter));
       for (const auto& column : columns) add_column(column, true);
       columns_.push_back(std::make_unique<WordColumn>(target_.file(), "ending"));
       add_column({"reason"}, false);
