@@ -1,4 +1,5 @@
 #define BOOST_TEST_MODULE report_files
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <boost/test/unit_test.hpp>
@@ -61,4 +62,21 @@ BOOST_FIXTURE_TEST_CASE(removing_files_leaves_the_others, Folder) {
   report::remove_files(path, {"a", "never there"});
   BOOST_TEST(!fs::exists(path / "a"));
   BOOST_TEST(fs::exists(path / "b"));
+}
+
+BOOST_FIXTURE_TEST_CASE(what_a_killed_process_left_of_a_file_goes_when_it_is_written_again, Folder) {
+  const ::pid_t dead = ::fork();
+  if (dead == 0) ::_exit(0);
+  ::waitpid(dead, nullptr, 0);
+  const auto left = [&](const std::string& file, ::pid_t process) {
+    return path / ("." + file + "." + std::to_string(process) + ".tmp");
+  };
+  const std::vector<fs::path> kept = {left("a.csv", ::getppid()), left("b.csv", dead), path / ".a.csv.x.tmp"};
+  for (const auto& one : kept) std::ofstream(one) << "beginning";
+  std::ofstream(left("a.csv", dead)) << "beginning";
+  report::write_file(path / "a.csv", "all");
+  BOOST_TEST(!fs::exists(left("a.csv", dead)));
+  for (const auto& one : kept)
+    BOOST_TEST(fs::exists(one), one);  // another process, another file, another name
+  BOOST_TEST(entries() == 4);
 }

@@ -14,6 +14,7 @@ namespace mariotte::report::hdf5 {
 NewFile::NewFile(std::filesystem::path path, std::filesystem::path temporary)
     : path_(std::move(path)), temporary_(std::move(temporary)) {
   H5::Exception::dontPrint();
+  remove_abandoned(path_);
   guarded([&] {
     file_ =
         H5::H5File(temporary_.string(), H5F_ACC_TRUNC, H5::FileCreatPropList::DEFAULT, remembering(problem_));

@@ -5,6 +5,8 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <utility>
@@ -27,7 +29,28 @@ bool write_all(int file, std::string_view text) {
   return true;
 }
 
+/// Whether this is the temporary name that a process which is no more gave to a file.
+bool is_abandoned(std::string_view name, const std::string& file) {
+  const auto head = "." + file + ".";
+  constexpr std::string_view tail = ".tmp";
+  if (!name.starts_with(head) || !name.ends_with(tail) || name.size() <= head.size() + tail.size())
+    return false;
+  const auto number = name.substr(head.size(), name.size() - head.size() - tail.size());
+  ::pid_t process = 0;
+  const auto [end, problem] = std::from_chars(number.data(), number.data() + number.size(), process);
+  return problem == std::errc() && end == number.data() + number.size() && process > 0 &&
+         ::kill(process, 0) != 0 && errno == ESRCH;
+}
+
 }  // namespace
+
+void remove_abandoned(const std::filesystem::path& path) {
+  std::error_code problem;
+  const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+  for (const auto& entry : std::filesystem::directory_iterator(folder, problem))
+    if (is_abandoned(entry.path().filename().string(), path.filename().string()))
+      std::filesystem::remove_all(entry.path(), problem);
+}
 
 std::filesystem::path temporary_name(const std::filesystem::path& path) {
   return path.parent_path() / fmt::format(".{}.{}.tmp", path.filename().string(), ::getpid());
@@ -48,6 +71,7 @@ void put_in_place(const std::filesystem::path& temporary, const std::filesystem:
 
 NewFile::NewFile(std::filesystem::path path, std::filesystem::path temporary)
     : path_(std::move(path)), temporary_(std::move(temporary)) {
+  remove_abandoned(path_);
   ::unlink(temporary_.c_str());
   file_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (file_ < 0) fail(errno);

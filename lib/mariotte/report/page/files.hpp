@@ -24,6 +24,9 @@ void write_file(const std::filesystem::path& path, const std::string& text);
 std::filesystem::path temporary_name(const std::filesystem::path& path);
 std::filesystem::path part_name(const std::filesystem::path& path);
 
+/// Remove hidden beginnings of a file at `path` that killed processes left.
+void remove_abandoned(const std::filesystem::path& path);
+
 /// Its move to `path`, flushed to the disk, replacing what was there. Throws FileError.
 void put_in_place(const std::filesystem::path& temporary, const std::filesystem::path& path);
 
