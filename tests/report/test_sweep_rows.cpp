@@ -50,6 +50,8 @@ study::Rows with(const std::string& part, const std::string& instead) {
 BOOST_AUTO_TEST_CASE(what_a_sweep_writes_is_believed) {
   BOOST_TEST(believed(written()), written().text);
   BOOST_TEST(believed(with("1.5,", ",")));  // a quantity that this impact has not
+  for (const char* ending : {"captured", "bound", "event_limit", "interrupted"})
+    BOOST_TEST(believed(with("separated", ending)), ending);
 }
 
 BOOST_AUTO_TEST_CASE(other_cells_are_not) {

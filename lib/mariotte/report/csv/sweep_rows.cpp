@@ -1,9 +1,9 @@
 #include "mariotte/report/csv/sweep_rows.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "mariotte/hybrid/ending.hpp"
 #include "mariotte/report/csv/csv_cell.hpp"
 #include "mariotte/report/csv/sweep_csv.hpp"
 #include "mariotte/study/sweep/evaluate.hpp"
@@ -11,11 +11,11 @@
 namespace mariotte::report {
 namespace {
 
-bool is_ending(const std::string& word) {
-  constexpr std::array<std::string_view, 9> known = {"separated",   "captured",    "time_limit",
-                                                     "event_limit", "interrupted", "unsure",
-                                                     "invalid",     "failed",      "rejected"};
-  return std::find(known.begin(), known.end(), word) != known.end();
+bool is_ending(std::string_view word) {
+  constexpr auto last = static_cast<int>(hybrid::Ending::failed);
+  for (int number = 0; number <= last; ++number)
+    if (word == hybrid::name(static_cast<hybrid::Ending>(number))) return true;
+  return word == "rejected";
 }
 
 /// Of the lines of one batch.
