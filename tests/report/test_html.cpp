@@ -99,6 +99,25 @@ BOOST_AUTO_TEST_CASE(a_run_of_a_chain_leads_with_a_sentence_and_its_balls) {
   BOOST_TEST(has(page, "<th>law</th><th>stiffness k [N/mⁿ]</th><th>gap [µm]</th>"));
 }
 
+BOOST_AUTO_TEST_CASE(walls_and_planes_have_names_instead_of_infinite_numbers) {
+  const double infinite = std::numeric_limits<double>::infinity();
+  for (const Json& beyond : {Json(nullptr), Json(infinite)}) {
+    const Json result = {{"ending", "separated"},
+                         {"model", "chain"},
+                         {"final", {{"velocity", {0.0, 0.2}}}},
+                         {"bound_frequency", Json::array()},
+                         {"scene",
+                          {{"mass", {beyond, 0.002}},
+                           {"radius", {beyond, 0.1}},
+                           {"velocity", {0.0, -0.2}},
+                           {"contact", Json::array()}}}};
+    const auto page = report::html(result, {});
+    BOOST_TEST(has(page, "<td>wall</td><td>plane</td>"));
+    BOOST_TEST(!has(page, "inf<"));
+    BOOST_TEST(!has(page, "bound_frequency"));  // nothing rings on
+  }
+}
+
 BOOST_AUTO_TEST_CASE(columns_have_symbols_and_units_and_are_left_out_if_empty) {
   const Json contacts = Json::array({{{"impulse", 0.0349907588842897},
                                       {"peak_force", 1007.04},

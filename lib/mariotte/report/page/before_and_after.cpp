@@ -19,11 +19,18 @@ Json part(const Json& list, std::size_t first, std::size_t step) {
   return values;
 }
 
+/// What JSON cannot say, by its name.
+Json with_infinite(Json list, const char* name) {
+  for (auto& one : list)
+    if (one.is_null() || !std::isfinite(one.get<double>())) one = name;
+  return list;
+}
+
 /// One line per ball, with as many columns of velocities as the balls have coordinates.
 std::string balls(const Json& before, const Json& after, std::size_t dimension) {
   const auto& mass = before["mass"];
-  std::vector<Column> columns = {{"mass", "kg", part(mass, 0, dimension)}};
-  if (before.contains("radius")) columns.push_back({"radius", "m", before["radius"]});
+  std::vector<Column> columns = {{"mass", "kg", with_infinite(part(mass, 0, dimension), "wall")}};
+  if (before.contains("radius")) columns.push_back({"radius", "m", with_infinite(before["radius"], "plane")});
   for (std::size_t k = 0; k < dimension; ++k) {
     const auto name = dimension > 1 ? fmt::format("velocity {} ", axis[k]) : "velocity ";
     columns.push_back({name + "before", "m/s", part(before["velocity"], k, dimension)});

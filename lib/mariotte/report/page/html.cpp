@@ -42,7 +42,7 @@ pre { background: var(--soft); overflow-x: auto; padding: .75rem; }
 )";
 
 /// Parts of a result in the order of their interest; what is not among them comes after them.
-constexpr std::array<std::array<const char*, 2>, 19> sections{
+constexpr std::array<std::array<const char*, 2>, 20> sections{
     {{"warnings", "Warnings"},
      {"final", "Final state"},
      {"restitution", "Restitution"},
@@ -53,6 +53,7 @@ constexpr std::array<std::array<const char*, 2>, 19> sections{
      {"events", "Events"},
      {"energy", "Energy"},
      {"momentum", "Momentum"},
+     {"bound_frequency", "What rings on"},
      {"turning", "Neglected: turning of contact directions [rad]"},
      {"validity", "Validity"},
      {"flows", "Flows"},
@@ -134,7 +135,7 @@ std::string tables(const Json& result) {
     if (done.insert(key).second && result.contains(key) && !result[key].empty())
       text += section(title, table(result[key], {model, key}));
   for (const auto& [key, value] : result.items())
-    if (!done.contains(key) && !value.is_null()) text += section(key, table(value, {model, key}));
+    if (!done.contains(key) && !value.empty()) text += section(key, table(value, {model, key}));
   return text;
 }
 
