@@ -37,15 +37,26 @@ write_basic_package_version_file(mariotteConfigVersion.cmake COMPATIBILITY SameM
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/mariotteConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/mariotteConfigVersion.cmake
         DESTINATION ${package_dir})
 
-# `cpack -G DEB` makes a Debian package of all this.
+# `cpack -G DEB` makes Debian packages of all this: mariotte and, of the component `python`, python3-mariotte.
 set(CPACK_PACKAGE_NAME mariotte)
 set(CPACK_PACKAGE_CONTACT "the authors of mariotte <mariotte@localhost>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY ${PROJECT_DESCRIPTION})
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_GENERATOR DEB)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS gnuplot-nox)
+set(CPACK_DEBIAN_UNSPECIFIED_PACKAGE_NAME mariotte)
+set(CPACK_DEBIAN_UNSPECIFIED_PACKAGE_RECOMMENDS gnuplot-nox)
+if(pybind11_FOUND)
+  math(EXPR next_minor "${Python_VERSION_MINOR} + 1")
+  set(CPACK_COMPONENT_PYTHON_DESCRIPTION "${PROJECT_DESCRIPTION} (Python 3)")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-mariotte)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+      "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next_minor}), python3-numpy")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS python3-matplotlib)
+endif()
 include(CPack)
