@@ -11,7 +11,7 @@ import mariotte as mt
 triplet = mt.Chain(title="Three Hertz balls", mass=[1, 1, 1], velocity=[1, 0, 0], law="hertz", stiffness=[1, 1])
 grid = mt.sweep(triplet, {"stiffness[1]": np.geomspace(0.01, 100, 60), "mass[1]": np.geomspace(0.1, 10, 60)},
                 columns=["icr[0]", "velocity"], accuracy=1e-8)
-grid.plot("icr[0]")
+ax = grid.plot("icr[0]")
 
 # %% [markdown]
 # The same through plain arrays: a sample of random chains, for a Monte Carlo study of tolerances.

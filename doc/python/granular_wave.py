@@ -11,7 +11,7 @@ import mariotte as mt
 row = mt.Chain(title="Solitary wave", balls=200, radius="5 mm", material="steel", law="hertz",
                ball=[{"number": 1, "velocity": "1 m/s"}])
 hit = mt.simulate(row, until="3 ms")
-hit.plot.waves()
+ax = hit.plot.waves()
 
 # %% [markdown]
 # The wave is followed at one contact and the next: the delay is the time that it takes per ball.

@@ -18,8 +18,8 @@ hit
 # The forces overlap: while one contact lets go, others still push.
 
 # %%
-hit.plot.forces()
-hit.plot.energy()
+ax = hit.plot.forces()
+ax = hit.plot.energy()
 
 # %% [markdown]
 # What does a small gap between the balls do? With microns between them the collisions come one after the other.
@@ -30,5 +30,6 @@ chains = cradle.replace({"chain.gap": [0, 0, 0, 0]})
 same = tuple(f"gap[{j}]" for j in range(4))
 grid = mt.sweep(chains, {same: (gaps,) * 4}, columns=["velocity"])
 figure, ax = plt.subplots(layout="constrained")
-ax.semilogx(gaps * 1e6, grid["velocity"])
-ax.set(xlabel="gap [µm]", ylabel="velocity after [m/s]")
+lines = ax.semilogx(gaps * 1e6, grid["velocity"])
+ax.legend(lines, [f"ball {i}" for i in range(5)])
+ax.set(xlabel="gap [µm]", ylabel="velocity after [m/s]");

@@ -217,7 +217,8 @@ class Impact:
         return f"<mariotte.{type(self).__name__}: {self.ending.name} at {self.time:.6g} s>"
 
     def _repr_html_(self) -> str:
-        return f"<pre>{html.escape(str(self))}</pre>"
+        return (f"<pre>{html.escape(str(self))}</pre>"
+                "<small>Here balls and contacts count from 1; in arrays they count from 0.</small>")
 
     def __reduce__(self) -> Tuple[Any, ...]:
         return _simulated, (self.scene, self._options)

@@ -26,7 +26,7 @@ class Trajectory:
     """Velocities, gaps and forces at any time of a run, by the dense output of its steps.
 
     Nothing is stored: every call runs the scene again and looks at it at these times, until its end is that of the
-    result to twice the accuracy that was asked for.
+    result to twice the accuracy that was asked for. So ask for all times at once, and by `at` for all that is known.
 
     Examples
     --------
@@ -42,26 +42,27 @@ class Trajectory:
     def __init__(self, impact: "Impact") -> None:
         self._impact = impact
 
-    def velocity(self, t: npt.ArrayLike) -> Array:
-        """At times `t` of any shape: (…, n) [m/s]."""
-        return self._at(t, "velocity")
-
-    def gap(self, t: npt.ArrayLike) -> Array:
-        """At times `t` of any shape: (…, m) [m]."""
-        return self._at(t, "gap")
-
-    def force(self, t: npt.ArrayLike) -> Array:
-        """At times `t` of any shape: (…, m) [N]."""
-        return self._at(t, "force")
-
-    def steps(self) -> Samples:
-        """At the times of its steps, as many as make a picture."""
-        return Samples(*self._impact._run.steps())
-
-    def _at(self, t: npt.ArrayLike, what: str) -> Array:
+    def at(self, t: npt.ArrayLike) -> "Samples":
+        """All of it at times `t` of any shape, in one run: (…, n) and (…, m)."""
         times = np.asarray(t, dtype=np.float64)
         if times.size and not (times.min() >= 0 and times.max() <= self._impact.time):
             raise ValueError(f"times lie between 0 and {self._impact.time} s, the end of the run")
         order, back = np.unique(times, return_inverse=True)
-        rows: Array = getattr(Samples(*self._impact._run.sample(order)), what)
-        return rows[back].reshape(*times.shape, rows.shape[1])
+        _, *rows = self._impact._run.sample(order)
+        return Samples(times, *(one[back].reshape(*times.shape, one.shape[1]) for one in rows))
+
+    def velocity(self, t: npt.ArrayLike) -> Array:
+        """At times `t` of any shape: (…, n) [m/s]."""
+        return self.at(t).velocity
+
+    def gap(self, t: npt.ArrayLike) -> Array:
+        """At times `t` of any shape: (…, m) [m]."""
+        return self.at(t).gap
+
+    def force(self, t: npt.ArrayLike) -> Array:
+        """At times `t` of any shape: (…, m) [N]."""
+        return self.at(t).force
+
+    def steps(self) -> Samples:
+        """At the times of its steps, as many as make a picture."""
+        return Samples(*self._impact._run.steps())

@@ -166,6 +166,7 @@ def test_contacts_and_bodies_have_their_own_members(triplet):
 def test_jupyter_shows_the_report(triplet):
     hit = mt.simulate(triplet)
     assert "Impulse correlation ratios" in str(hit) and hit._repr_html_().startswith("<pre>")
+    assert "count from 1" in hit._repr_html_()
 
 
 def speed_after(scene):

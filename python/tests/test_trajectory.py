@@ -48,6 +48,16 @@ def test_times_may_have_any_shape_and_order(triplet):
     assert hit.force([]).shape == (0, 2)
 
 
+def test_one_run_tells_all_at_these_times(triplet):
+    hit = mt.simulate(triplet)
+    t = hit.time * np.array([[0.7], [0.2]])
+    samples = hit.trajectory.at(t)
+    assert samples.time.tolist() == t.tolist()
+    assert samples.velocity.shape == (2, 1, 3) and samples.gap.shape == samples.force.shape == (2, 1, 2)
+    for name in ("velocity", "gap", "force"):
+        assert getattr(samples, name).tolist() == getattr(hit.trajectory, name)(t).tolist()
+
+
 @pytest.mark.parametrize("t", [-1e-9, 1.0, math.nan])
 def test_times_outside_the_run_are_refused(t, triplet):
     with pytest.raises(ValueError, match="times lie between"):
