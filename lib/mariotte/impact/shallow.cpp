@@ -12,14 +12,16 @@ double kinetic(const model::MassMatrix& mass, const std::vector<double>& velocit
   double twice = 0;
   for (Index i = 0; i < n; ++i) {
     if (velocity[i] == 0) continue;
-    if (model::is_diagonal(mass, n)) twice += mass[i] * velocity[i] * velocity[i];
+    if (model::is_diagonal(mass, n))
+      twice += mass[i] * velocity[i] * velocity[i];
     else
       for (Index j = 0; j < n; ++j) twice += mass[i * n + j] * velocity[i] * velocity[j];
   }
   return 0.5 * twice;
 }
 
-/// Of a chain or network: whether `energy` [J] and what is stored at the start are too little for every contact.
+/// Of a chain or network: whether `energy` [J] and what is stored at the start are too little for every
+/// contact.
 template <class Model>
 bool suffices_nowhere(const Model& model, double energy, std::span<const Touching> touching) {
   for (std::size_t j = 0; j < model.law.size(); ++j) {

@@ -10,8 +10,8 @@
 namespace mariotte::impact {
 
 /// True if no run can end `invalid`: each contact would have to store more than there is, kinetic energy and
-/// what is stored at the start. False where that is not plain at once: with gravity, walls that move, and laws
-/// that are no power laws. Quick solvers, which know no indentations, may then be asked.
+/// what is stored at the start. False where that is not plain at once: with gravity, walls that move, and
+/// laws that are no power laws. Quick solvers, which know no indentations, may then be asked.
 bool stays_shallow(const model::Chain& chain, std::span<const Touching> touching);
 bool stays_shallow(const model::Network& network, std::span<const Touching> touching);
 bool stays_shallow(const model::Microbody& body, std::span<const Touching> touching);
