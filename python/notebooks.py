@@ -26,10 +26,10 @@ def notebook(text):
     return made
 
 
-def page(cells):
-    """HTML that needs no network: scripts from elsewhere draw formulas and widgets, and there are none."""
-    html = nbconvert.HTMLExporter().from_notebook_node(cells)[0]
-    return re.sub(r'<script[^>]*\ssrc="https?://[^"]*"[^>]*>\s*</script>', "", html)
+def page(cells, name):
+    """HTML that needs no other file: scripts from elsewhere draw formulas and widgets, and there are none."""
+    html = nbconvert.HTMLExporter().from_notebook_node(cells, {"metadata": {"name": name}})[0]
+    return re.sub(r'<script[^>]*\ssrc="[^"]*"[^>]*>\s*</script>', "", html)
 
 
 def main(folder):
@@ -40,7 +40,7 @@ def main(folder):
         cells = notebook(script.read_text())
         ExecutePreprocessor(timeout=600, kernel_name="python3").preprocess(cells)
         file = folder / f"{script.stem}.html"
-        file.write_text(page(cells))
+        file.write_text(page(cells, cells.cells[0].source.splitlines()[0].lstrip("# ")))
         print(file)
 
 
