@@ -34,8 +34,8 @@ struct Thornton : YieldingStatement {
   double softening(double peak) const {
     return plastic_force(peak) / (hertz(radius) * peak * std::sqrt(peak));
   }
-  /// f_e ≥ f* but for rounding.
-  double dent(double peak) const { return peak > limit() ? peak * std::max(0.0, 1 - softening(peak)) : 0; }
+  /// f_e ≥ f* but for rounding; goes on smoothly to peaks below the limit, so that it has slopes there.
+  double dent(double peak) const { return peak > 0 ? peak * std::max(0.0, 1 - softening(peak)) : 0; }
 
   template <class T>
   T force(const Memory& past, const T& indentation, const T&) const {

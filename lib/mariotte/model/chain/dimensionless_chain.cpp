@@ -25,6 +25,16 @@ bool pulls_back(const Chain& chain) {
   return false;
 }
 
+/// Masses and gravity in the units of `d`.
+void scale_balls(const Chain& chain, DimensionlessChain& d) {
+  for (auto* list : {&d.mass, &d.inverse_mass, &d.gravity}) list->clear();
+  for (const double mass : chain.mass) {
+    d.mass.push_back(mass / d.scale.mass);
+    d.inverse_mass.push_back(1 / d.mass.back());
+    d.gravity.push_back(std::isinf(mass) ? 0 : chain.gravity * d.scale.time / d.scale.velocity);
+  }
+}
+
 }  // namespace
 
 double reference_speed(const Chain& chain) {
@@ -51,17 +61,18 @@ double reference_speed(const Chain& chain) {
 }
 
 void make_dimensionless(const Chain& chain, double accuracy, DimensionlessChain& d) {
-  for (auto* list : {&d.mass, &d.inverse_mass, &d.gravity, &d.reduced_mass}) list->clear();
+  d.reduced_mass.clear();
   for (std::size_t j = 0; j < chain.law.size(); ++j)
     d.reduced_mass.push_back(reduced_mass(chain.mass[j], chain.mass[j + 1]));
   scale_contacts({chain.law, chain.gap, chain.velocity}, reference_speed(chain), accuracy, d);
-  for (const double mass : chain.mass) {
-    d.mass.push_back(mass / d.scale.mass);
-    d.inverse_mass.push_back(1 / d.mass.back());
-    d.gravity.push_back(std::isinf(mass) ? 0 : chain.gravity * d.scale.time / d.scale.velocity);
-  }
+  scale_balls(chain, d);
   d.falls_back = pulls_back(chain);
   expect_representable(chain, d);
+}
+
+void restate(const Chain& chain, DimensionlessChain& d) {
+  restate_contacts({chain.law, chain.gap, chain.velocity}, d);
+  scale_balls(chain, d);
 }
 
 void fade_later(DimensionlessChain& d, double accuracy) {

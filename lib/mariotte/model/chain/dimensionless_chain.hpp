@@ -22,6 +22,9 @@ double reference_speed(const Chain& chain);
 /// of what may be wrong anyway. Throws Unrepresentable.
 void make_dimensionless(const Chain& chain, double accuracy, DimensionlessChain& d);
 
+/// A chain with other numbers than the one `d` was made from, in the units of `d`.
+void restate(const Chain& chain, DimensionlessChain& d);
+
 /// Let contacts fade as flows of a better accuracy can tell, so that what they leave behind is not an
 /// approach that counts.
 void fade_later(DimensionlessChain& d, double accuracy);

@@ -37,19 +37,29 @@ std::size_t quickest_contact(const std::vector<contact::Law>& law, const std::ve
   return quickest;
 }
 
-/// k L^{n+1}/(M V²) and c L^n/(M V) of a power law. One with the reference's exponent divides by its
-/// stiffness instead of going through L, which makes the reference's own stiffness exactly 1. Any other law
-/// is asked in its own units.
-contact::Law scaled(const contact::Law& law, const Scale& scale, const contact::Law& reference) {
-  const auto *power = power_law(law), *unit = power_law(reference);
+/// c L^n/(M V).
+double scaled_damping(const contact::PowerLaw& law, const Scale& scale) {
+  return law.damping == 0 ? 0 : law.damping * std::pow(scale.length, law.exponent) / scale.momentum();
+}
+
+/// k L^{n+1}/(M V²) and c L^n/(M V) of a power law. Any other law is asked in its own units.
+contact::Law in_units(const contact::Law& law, const Scale& scale) {
+  const auto* power = power_law(law);
   if (!power) return contact::in_units(std::get<contact::SharedLaw>(law), scale);
   const double n = power->exponent;
-  const double stiffness = unit && n == unit->exponent
-                               ? power->stiffness / unit->stiffness
-                               : power->stiffness * std::pow(scale.length, n + 1) / scale.energy();
-  const double damping =
-      power->damping == 0 ? 0 : power->damping * std::pow(scale.length, n) / scale.momentum();
-  return contact::PowerLaw{.stiffness = stiffness, .damping = damping, .exponent = n};
+  return contact::PowerLaw{.stiffness = power->stiffness * std::pow(scale.length, n + 1) / scale.energy(),
+                           .damping = scaled_damping(*power, scale),
+                           .exponent = n};
+}
+
+/// A law with the reference's exponent divides by its stiffness instead of going through L, which makes the
+/// reference's own stiffness exactly 1.
+contact::Law scaled(const contact::Law& law, const Scale& scale, const contact::Law& reference) {
+  const auto *power = power_law(law), *unit = power_law(reference);
+  if (!power || !unit || power->exponent != unit->exponent) return in_units(law, scale);
+  return contact::PowerLaw{.stiffness = power->stiffness / unit->stiffness,
+                           .damping = scaled_damping(*power, scale),
+                           .exponent = power->exponent};
 }
 
 }  // namespace
@@ -74,6 +84,15 @@ void scale_contacts(const StatedContacts& stated, double speed, double accuracy,
     d.length.push_back(natural_length(law, d.reduced_mass[j], d.speed));
     d.time.push_back(d.length[j] / d.speed);
     d.noise_depth.push_back(slow_length(law, d.reduced_mass[j], d.noise_speed));
+  }
+}
+
+void restate_contacts(const StatedContacts& stated, ScaledContacts& d) {
+  for (std::size_t i = 0; i < stated.velocity.size(); ++i)
+    d.velocity[i] = stated.velocity[i] / d.scale.velocity;
+  for (std::size_t j = 0; j < stated.law.size(); ++j) {
+    d.law[j] = in_units(stated.law[j], d.scale);
+    d.gap[j] = stated.gap[j] / d.scale.length;
   }
 }
 

@@ -40,6 +40,9 @@ struct StatedContacts {
 /// mirrored chain has the same. `accuracy` decides what is slow: a tenth of what may be wrong anyway.
 void scale_contacts(const StatedContacts& stated, double speed, double accuracy, ScaledContacts& d);
 
+/// The same contacts with other numbers, in the units that `d` already has; natural sizes stay as they are.
+void restate_contacts(const StatedContacts& stated, ScaledContacts& d);
+
 /// Approach that counts as none, relative to the largest: a tenth of the accuracy, but what double precision
 /// can tell.
 double noise_share(double accuracy);

@@ -45,24 +45,38 @@ void find_near(DimensionlessNetwork& d) {
   }
 }
 
+void find_responses(const Network& network, DimensionlessNetwork& d) {
+  d.direction = network.direction;
+  responses(network.mass, network.direction, d.dofs, d.response);
+  half_responses(network.mass, network.direction, d.dofs, d.half_response);
+}
+
+void scale_responses(DimensionlessNetwork& d) {
+  for (auto& column : d.response)
+    for (auto& term : column) term.coefficient *= d.scale.mass;
+  for (auto& column : d.half_response)
+    for (auto& term : column) term.coefficient *= std::sqrt(d.scale.mass);
+}
+
 }  // namespace
 
 void make_dimensionless(const Network& network, double accuracy, DimensionlessNetwork& d) {
   d.dofs = std::ssize(network.velocity);
-  d.direction = network.direction;
-  responses(network.mass, network.direction, d.dofs, d.response);
-  half_responses(network.mass, network.direction, d.dofs, d.half_response);
+  find_responses(network, d);
   d.reduced_mass.clear();
   for (std::size_t j = 0; j < d.response.size(); ++j)
     d.reduced_mass.push_back(1 / dot(d.direction[j], d.response[j]));
   scale_contacts({network.law, network.gap, network.velocity}, reference_speed(network, d.reduced_mass),
                  accuracy, d);
-  for (auto& column : d.response)
-    for (auto& term : column) term.coefficient *= d.scale.mass;
-  for (auto& column : d.half_response)
-    for (auto& term : column) term.coefficient *= std::sqrt(d.scale.mass);
+  scale_responses(d);
   expect_representable(network, d);
   find_near(d);
+}
+
+void restate(const Network& network, DimensionlessNetwork& d) {
+  find_responses(network, d);
+  scale_responses(d);
+  restate_contacts({network.law, network.gap, network.velocity}, d);
 }
 
 }  // namespace mariotte::model

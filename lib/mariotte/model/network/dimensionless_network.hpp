@@ -22,4 +22,7 @@ struct DimensionlessNetwork : ScaledContacts {
 /// may be wrong anyway. Throws Unrepresentable.
 void make_dimensionless(const Network& network, double accuracy, DimensionlessNetwork& d);
 
+/// A network with other numbers than the one `d` was made from, in the units of `d`.
+void restate(const Network& network, DimensionlessNetwork& d);
+
 }  // namespace mariotte::model

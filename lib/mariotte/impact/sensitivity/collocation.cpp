@@ -1,0 +1,255 @@
+#include "mariotte/impact/sensitivity/collocation.hpp"
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <numbers>
+
+namespace mariotte::impact {
+namespace {
+
+constexpr int stages = 8;
+constexpr int most_halvings = 10;
+constexpr Index largest_division = 480;  ///< beyond it sweeps cost less than a division
+constexpr int most_sweeps = 60;
+
+using Matrix = Eigen::MatrixXd;
+using Stages = Eigen::Matrix<double, stages, stages>;
+using Node = Eigen::Matrix<double, stages, 1>;
+
+/// P_k and its slope at x.
+std::pair<double, double> legendre(int k, double x) {
+  double before = 1, now = x;
+  if (k == 0) return {1, 0};
+  for (int i = 2; i <= k; ++i) {
+    const double next = ((2 * i - 1) * x * now - (i - 1) * before) / i;
+    before = now;
+    now = next;
+  }
+  return {now, k * (x * now - before) / (x * x - 1)};
+}
+
+/// Gauss points of [0, 1], weights, ∫₀^{c_i} of the Lagrange polynomials, and of a function at the points its
+/// two highest Legendre coefficients.
+struct Gauss {
+  Node point, weight;
+  Stages integral;
+  Eigen::Matrix<double, 2, stages> tail;
+
+  Gauss() {
+    Stages values, integrals;  // of P_k at the points, by k
+    for (int i = 0; i < stages; ++i) {
+      double x = -std::cos(std::numbers::pi * (i + 0.75) / (stages + 0.5));
+      for (int n = 0; n < 50; ++n) {
+        const auto [p, slope] = legendre(stages, x);
+        x -= p / slope;
+      }
+      const double slope = legendre(stages, x).second;
+      point[i] = 0.5 * (1 + x);
+      weight[i] = 1 / ((1 - x * x) * slope * slope);
+      for (int k = 0; k < stages; ++k) {
+        values(i, k) = legendre(k, x).first;
+        integrals(i, k) = k == 0 ? 0.5 * (x + 1)
+                                 : 0.5 * (legendre(k + 1, x).first - legendre(k - 1, x).first) / (2 * k + 1);
+      }
+    }
+    // Coefficients of an interpolant are (2k + 1) Σ_i b_i P_k(x_i) f(x_i).
+    Stages coefficients;
+    for (int k = 0; k < stages; ++k)
+      for (int i = 0; i < stages; ++i) coefficients(k, i) = (2 * k + 1) * weight[i] * values(i, k);
+    integral = integrals * coefficients;
+    tail = coefficients.bottomRows<2>();
+  }
+};
+const Gauss gauss;
+
+/// Time as a fraction of a step, and its rate, where the clock stands at u.
+struct Moment {
+  double past, left, rate;
+};
+Moment even(double u) {
+  return {u, 1 - u, 1};
+}
+/// u⁴ (35 − 84 u + 70 u² − 20 u³), from either end.
+Moment graded(double u) {
+  const auto rise = [](double x) { return x * x * x * x * (35 + x * (-84 + x * (70 - 20 * x))); };
+  const double v = 1 - u, uv = u * v;
+  return {rise(u), rise(v), 140 * uv * uv * uv};
+}
+
+}  // namespace
+
+struct Collocation::Memory {
+  std::vector<flow::Entry> pattern;
+  Eigen::VectorXd magnitude;
+  std::vector<double> natural;
+  double tolerance;
+  Index size, columns;
+  std::vector<Index> active;    ///< components that rates depend on
+  std::vector<Index> position;  ///< of a component among them, or −1
+  std::vector<double> jacobian[stages];
+  SlopeMatrix source[stages];
+  double rate[stages];
+  Matrix system, right, before, value, now;
+  Matrix slope[stages];
+  Index pieces = 0;
+
+  void find_active() {
+    position.assign(size, -1);
+    for (const auto& entry : pattern) position[entry.column] = 0;
+    for (Index i = 0; i < size; ++i)
+      if (position[i] == 0) {
+        position[i] = std::ssize(active);
+        active.push_back(i);
+      }
+  }
+
+  /// A and B at the points of the piece from u to u + width.
+  void read(LinearField& field, double start, double end, bool is_graded, double u, double width) {
+    for (int i = 0; i < stages; ++i) {
+      const auto moment = is_graded ? graded(u + width * gauss.point[i]) : even(u + width * gauss.point[i]);
+      const double time = moment.past < 0.5 ? start + (end - start) * moment.past
+                                            : end - (end - start) * moment.left;
+      field.at(time, jacobian[i], source[i]);
+      rate[i] = width * (end - start) * moment.rate;
+    }
+  }
+  auto source_at(int i) const {
+    return Eigen::Map<const Matrix>(source[i].values.data(), size, columns);
+  }
+  /// Rates at point i, times the width of the piece, where the active components are `state`.
+  template <class State>
+  void set_slope(int i, const State& state) {
+    slope[i] = source_at(i);
+    for (std::size_t e = 0; e < pattern.size(); ++e)
+      if (jacobian[i][e] != 0)
+        slope[i].row(pattern[e].row) += jacobian[i][e] * state.row(position[pattern[e].column]);
+    slope[i] *= rate[i];
+  }
+
+  /// (I − a A) Z = S + a B for the active components at all points.
+  bool divide() {
+    const Index m = std::ssize(active);
+    system.setIdentity(m * stages, m * stages);
+    right.resize(m * stages, columns);
+    for (int i = 0; i < stages; ++i) right.middleRows(i * m, m) = now;
+    for (int j = 0; j < stages; ++j) {
+      for (std::size_t e = 0; e < pattern.size(); ++e) {
+        const Index row = position[pattern[e].row], column = position[pattern[e].column];
+        if (row < 0 || jacobian[j][e] == 0) continue;
+        const double factor = rate[j] * jacobian[j][e];
+        for (int i = 0; i < stages; ++i) system(i * m + row, j * m + column) -= gauss.integral(i, j) * factor;
+      }
+      const auto b = source_at(j);
+      for (Index k = 0; k < m; ++k)
+        for (int i = 0; i < stages; ++i)
+          right.row(i * m + k) += gauss.integral(i, j) * rate[j] * b.row(active[k]);
+    }
+    value = system.partialPivLu().solve(right);
+    for (int i = 0; i < stages; ++i) set_slope(i, value.middleRows(i * m, m));
+    return true;
+  }
+
+  /// The same by sweeps Z ← S + a (A Z + B), for many components.
+  bool sweep() {
+    const Index m = std::ssize(active);
+    value.resize(m * stages, columns);
+    for (int i = 0; i < stages; ++i) value.middleRows(i * m, m) = now;
+    double last = infinity;
+    for (int n = 0; n < most_sweeps; ++n) {
+      for (int i = 0; i < stages; ++i) set_slope(i, value.middleRows(i * m, m));
+      double change = 0, largest = 0;
+      for (int i = 0; i < stages; ++i) {
+        right = now;
+        for (int j = 0; j < stages; ++j)
+          for (Index k = 0; k < m; ++k) right.row(k) += gauss.integral(i, j) * slope[j].row(active[k]);
+        for (Index k = 0; k < m; ++k) {
+          const double unit = magnitude[active[k]];
+          change = std::max(change, (right.row(k) - value.row(i * m + k)).cwiseAbs().maxCoeff() / unit);
+          largest = std::max(largest, right.row(k).cwiseAbs().maxCoeff() / unit);
+        }
+        value.middleRows(i * m, m) = right;
+      }
+      if (!std::isfinite(change)) return false;
+      if (change <= 4 * epsilon * largest || (n > 8 && change >= last && change <= 1e-14 * largest))
+        return true;
+      if (n > 8 && change > last) return false;
+      last = change;
+    }
+    return false;
+  }
+
+  /// Whether the points resolve the rates: what the interpolant has in its highest orders.
+  bool is_resolved(const SlopeMatrix& slopes) {
+    const Eigen::Map<const Matrix> s(slopes.values.data(), size, columns);
+    right = Matrix::Zero(size, columns);
+    before = Matrix::Zero(size, columns);
+    for (int i = 0; i < stages; ++i) {
+      right += gauss.tail(0, i) * slope[i];
+      before += gauss.tail(1, i) * slope[i];
+    }
+    for (Index c = 0; c < columns; ++c) {
+      double most = 0, reach = natural[c];
+      for (Index r = 0; r < size; ++r) {
+        most = std::max(most, (std::abs(right(r, c)) + std::abs(before(r, c))) / magnitude[r]);
+        reach = std::max(reach, std::abs(s(r, c)) / magnitude[r]);
+        for (int i = 0; i < stages; ++i) reach = std::max(reach, std::abs(slope[i](r, c)) / magnitude[r]);
+      }
+      if (most > tolerance * reach) return false;
+    }
+    return true;
+  }
+
+  bool solve_piece(LinearField& field, double start, double end, bool is_graded, double u, double width,
+                   SlopeMatrix& slopes, bool last) {
+    read(field, start, end, is_graded, u, width);
+    Eigen::Map<Matrix> s(slopes.values.data(), size, columns);
+    now.resize(std::ssize(active), columns);
+    for (std::size_t k = 0; k < active.size(); ++k) now.row(k) = s.row(active[k]);
+    const bool small = std::ssize(active) * stages <= largest_division;
+    const bool solved = small ? divide() : sweep();
+    if (!last && !(solved && is_resolved(slopes))) return false;
+    for (int i = 0; i < stages; ++i) s += gauss.weight[i] * slope[i];
+    ++pieces;
+    return true;
+  }
+
+  void carry(LinearField& field, double start, double end, bool is_graded, double u, double width,
+             SlopeMatrix& slopes, int depth) {
+    if (solve_piece(field, start, end, is_graded, u, width, slopes, depth == most_halvings)) return;
+    carry(field, start, end, is_graded, u, width / 2, slopes, depth + 1);
+    carry(field, start, end, is_graded, u + width / 2, width / 2, slopes, depth + 1);
+  }
+};
+
+Collocation::Collocation(std::vector<flow::Entry> pattern, std::span<const double> magnitudes,
+                         std::span<const double> sizes, double accuracy)
+    : memory_(std::make_unique<Memory>()) {
+  auto& m = *memory_;
+  m.pattern = std::move(pattern);
+  m.size = std::ssize(magnitudes);
+  m.columns = std::ssize(sizes);
+  m.natural.assign(sizes.begin(), sizes.end());
+  m.magnitude = Eigen::Map<const Eigen::VectorXd>(magnitudes.data(), m.size);
+  // The error of Gauss' formula has twice the order of its interpolant.
+  m.tolerance = 0.03 * std::sqrt(accuracy);
+  m.find_active();
+  for (int i = 0; i < stages; ++i) {
+    m.jacobian[i].resize(m.pattern.size());
+    m.source[i] = SlopeMatrix(m.size, m.columns);
+  }
+}
+
+Collocation::~Collocation() = default;
+
+Index Collocation::pieces() const {
+  return memory_->pieces;
+}
+
+void Collocation::advance(LinearField& field, double start, double end, bool begins, SlopeMatrix& slopes) {
+  if (!(end > start) || slopes.columns == 0) return;
+  auto& m = *memory_;
+  if (!begins && m.solve_piece(field, start, end, false, 0, 1, slopes, false)) return;
+  m.carry(field, start, end, true, 0, 1, slopes, 0);
+}
+
+}  // namespace mariotte::impact

@@ -1,0 +1,44 @@
+// Linear equations S' = A(t) S + B(t), along a trajectory that is known, by collocation in Gauss points.
+//
+// Forces are not smooth where a contact begins or ends, δ^{n−1} ~ t^{n−1}. So time is a polynomial of the clock
+// u there, t = w(u) with w ~ u⁴ at both ends, in which square and fourth roots are smooth. What the points do
+// not resolve is halved.
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "mariotte/flow/problem.hpp"
+#include "mariotte/impact/sensitivity/slope_matrix.hpp"
+
+namespace mariotte::impact {
+
+/// A and B of a phase.
+class LinearField {
+ public:
+  virtual ~LinearField() = default;
+  /// A at the places of `pattern`, in its order, and B.
+  virtual void at(double time, std::span<double> jacobian, SlopeMatrix& source) = 0;
+};
+
+/// Keeps its memory from piece to piece.
+class Collocation {
+ public:
+  /// Components have natural `magnitudes`, and columns natural sizes relative to these: what is small beside
+  /// both need not be resolved. A has entries at the places of `pattern` alone.
+  Collocation(std::vector<flow::Entry> pattern, std::span<const double> magnitudes,
+              std::span<const double> sizes, double accuracy);
+  ~Collocation();
+  Collocation(const Collocation&) = delete;
+  Collocation& operator=(const Collocation&) = delete;
+
+  /// Carry slopes from `start` to `end`. A phase begins at `start` if it `begins`.
+  void advance(LinearField& field, double start, double end, bool begins, SlopeMatrix& slopes);
+  /// Pieces that were integrated so far.
+  Index pieces() const;
+
+ private:
+  struct Memory;
+  std::unique_ptr<Memory> memory_;
+};
+
+}  // namespace mariotte::impact

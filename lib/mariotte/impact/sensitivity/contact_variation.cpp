@@ -1,0 +1,268 @@
+#include "mariotte/impact/sensitivity/contact_variation.hpp"
+
+#include "mariotte/contact/branched_law.hpp"
+#include "mariotte/model/chain/chain_topology.hpp"
+#include "mariotte/model/network/network_topology.hpp"
+
+namespace mariotte::impact {
+
+using contact::Law;
+using contact::Memory;
+using model::force_in;
+using model::level;
+using model::GuardKind;
+using model::memory_of;
+
+double power_force_slope(const contact::PowerLaw& law, const contact::PowerLaw& slope, double indentation,
+                         double rate) {
+  if (!(indentation > 0)) return law.exponent > 1 ? 0 : slope.stiffness * indentation + slope.damping * rate;
+  const double width = contact::contact_width(law.exponent, indentation);
+  const double by_numbers = slope.stiffness * indentation + slope.damping * rate;
+  if (slope.exponent == 0) return width * by_numbers;
+  const double load = law.stiffness * indentation + law.damping * rate;
+  return width * (by_numbers + slope.exponent * std::log(indentation) * load);
+}
+
+namespace {
+
+/// Where the force of a contact has its root.
+double end_of(const Law& law, const Memory& past) {
+  const auto* branches = branched(law);
+  return branches ? branches->opening_indentation(past) : 0;
+}
+
+}  // namespace
+
+double law_force_slope(contact::ContactMode mode, const Law& law, const LawSlope& slope, double indentation,
+                       double rate, const Memory& past) {
+  if (const auto* power = power_law(law)) return power_force_slope(*power, slope.power, indentation, rate);
+  const double end = end_of(law, past);
+  const double force = by_law(slope, [&](const Law& moved) {
+    return force_in(mode, moved, indentation + (end_of(moved, past) - end), rate, past).value;
+  });
+  const double shift = by_law(slope, [&](const Law& moved) { return end_of(moved, past) - end; });
+  return force - force_in(mode, law, indentation, rate, past).by_indentation * shift;
+}
+
+double memory_step(const Memory& past) {
+  return 0.01 * past.peak;
+}
+
+double memory_force_slope(contact::ContactMode mode, const Law& law, double indentation, double rate,
+                          const Memory& past) {
+  const double end = end_of(law, past);
+  const double force = by_memory(past, [&](const Memory& moved) {
+    return force_in(mode, law, indentation + (end_of(law, moved) - end), rate, moved).value;
+  });
+  const double shift = by_memory(past, [&](const Memory& moved) { return end_of(law, moved) - end; });
+  return force - force_in(mode, law, indentation, rate, past).by_indentation * shift;
+}
+
+template <class Topology>
+ContactVariation<Topology>::ContactVariation(const Scaled& model, const model::ContactLayout& layout,
+                                             const std::vector<ShiftedModels<Scaled>>& shifted)
+    : model_(model),
+      layout_(layout),
+      columns_(std::ssize(shifted)),
+      contact_(layout.contacts()),
+      acceleration_(layout.velocities(), columns_),
+      peak_(columns_, layout.contacts()) {
+  for (const auto& one : shifted) natural_.push_back(1e-4 / one.step);
+  find_terms(shifted);
+}
+
+namespace {
+
+/// Slopes of coefficients that stand at places of the state.
+class TermSlopes {
+ public:
+  void add(Index place, double part) {
+    for (auto& [own, sum] : terms_)
+      if (own == place) {
+        sum += part;
+        return;
+      }
+    terms_.push_back({place, part});
+  }
+  /// What is not zero but for rounding of terms of this size.
+  void take(Index column, double step, double size, std::vector<ContactSlope::Term>& into) const {
+    for (const auto& [place, sum] : terms_)
+      if (std::abs(sum) > 8 * epsilon * size) into.push_back({place, column, sum / step});
+  }
+
+ private:
+  std::vector<std::pair<Index, double>> terms_;
+};
+
+bool same(const Law& a, const Law& b) {
+  const auto one = parameters(a), other = parameters(b);
+  for (std::size_t i = 0; i < one.size(); ++i)
+    if (one[i].value != other[i].value) return false;
+  return one.size() == other.size();
+}
+
+}  // namespace
+
+template <class Topology>
+void ContactVariation<Topology>::find_terms(const std::vector<ShiftedModels<Scaled>>& shifted) {
+  for (Index c = 0; c < columns_; ++c) {
+    const auto& [step, at] = shifted[c];
+    for (Index i = 0; i < layout_.velocities(); ++i)
+      acceleration_(i, c) =
+          stencil_slope(step, [&, step = step](std::size_t k) { return Topology{at[k], layout_}.acceleration(i); });
+    for (Index j = 0; j < layout_.contacts(); ++j) {
+      TermSlopes push, direction;
+      double most_push = 0, most_direction = 0;
+      for (std::size_t k = 0; k < stencil.size(); ++k) {
+        const Topology topology{at[k], layout_};
+        topology.for_each_push(j, [&](Index place, double change) {
+          push.add(place, stencil[k].weight * change);
+          most_push = std::max(most_push, std::abs(change));
+        });
+        topology.for_each_direction(j, [&](Index place, double coefficient) {
+          direction.add(place, stencil[k].weight * coefficient);
+          most_direction = std::max(most_direction, std::abs(coefficient));
+        });
+      }
+      push.take(c, step, most_push, contact_[j].push);
+      direction.take(c, step, most_direction, contact_[j].direction);
+      if (same(at.front().law[j], at.back().law[j])) continue;
+      LawSlope law{.column = c, .step = step, .shifted = {}};
+      for (const auto& moved : at) law.shifted.push_back(moved.law[j]);
+      if (power_law(model_.law[j])) {
+        const auto slope_of = [&](double contact::PowerLaw::*number) {
+          return by_law(law, [&](const Law& moved) { return power_law(moved)->*number; });
+        };
+        law.power = {.stiffness = slope_of(&contact::PowerLaw::stiffness),
+                     .damping = slope_of(&contact::PowerLaw::damping),
+                     .exponent = slope_of(&contact::PowerLaw::exponent)};
+      }
+      contact_[j].law.push_back(std::move(law));
+    }
+  }
+}
+
+template <class Topology>
+double ContactVariation<Topology>::rate_slope(Index j, Index column, ConstState x) const {
+  double sum = 0;
+  for (const auto& term : contact_[j].direction)
+    if (term.column == column) sum -= term.slope * x[term.place];
+  return sum;
+}
+
+template <class Topology>
+void ContactVariation<Topology>::source(ConstState x, const contact::ContactSet& mode, SlopeMatrix& b) const {
+  b.clear();
+  const Topology topology{model_, layout_};
+  for (Index c = 0; c < columns_; ++c)
+    for (Index i = 0; i < layout_.velocities(); ++i) b(layout_.velocity[i], c) = acceleration_(i, c);
+  for (Index j = 0; j < layout_.contacts(); ++j) {
+    const auto& own = contact_[j];
+    for (const auto& term : own.direction) b(layout_.gap[j], term.column) += term.slope * x[term.place];
+    if (!contact::carries_force(mode[j])) continue;
+    const double indentation = -x[layout_.gap[j]], rate = topology.approach(x, j);
+    const auto past = memory_of(mode, j);
+    const auto f = force_in(mode[j], model_.law[j], indentation, rate, past);
+    for (const auto& term : own.push) b(term.place, term.column) += term.slope * f.value;
+    const auto add = [&](Index c, double force_slope, double rate_slope) {
+      topology.for_each_push(j, [&](Index place, double change) { b(place, c) += change * force_slope; });
+      if (layout_.impulse[j] != model::ContactLayout::absent) b(layout_.impulse[j], c) += force_slope;
+      if (layout_.work[j] != model::ContactLayout::absent)
+        b(layout_.work[j], c) += force_slope * rate + f.value * rate_slope;
+    };
+    for (const auto& law : own.law)
+      add(law.column, law_force_slope(mode[j], model_.law[j], law, indentation, rate, past), 0);
+    if (!own.direction.empty())
+      for (Index c = 0; c < columns_; ++c)
+        if (const double turned = rate_slope(j, c, x); turned != 0) add(c, f.by_rate * turned, turned);
+    if (past.peak > 0) {
+      const double by_peak = memory_force_slope(mode[j], model_.law[j], indentation, rate, past);
+      for (Index c = 0; c < columns_; ++c)
+        if (peak_(c, j) != 0) add(c, by_peak * peak_(c, j), 0);
+    }
+  }
+}
+
+template <class Topology>
+void ContactVariation<Topology>::guard_slopes(Index i, ConstState x, const contact::ContactSet& mode,
+                                              std::span<double> slopes) const {
+  const Index j = layout_.guard_contact[i];
+  const auto& own = contact_[j];
+  const auto& base = model_.law[j];
+  const auto past = memory_of(mode, j);
+  const auto kind = layout_.kind(i);
+  const double indentation = -x[layout_.gap[j]], rate = Topology{model_, layout_}.approach(x, j);
+  const auto guard = [&](const Law& law, const Memory& memory) -> double {
+    switch (kind) {
+      case GuardKind::gap:
+        return level(mode[j], law, memory, model_.noise_depth[j]);
+      case GuardKind::load:
+        return contact::load(law, indentation, rate).value;
+      case GuardKind::yield:
+        return -contact::branched(law)->yield_indentation(memory);
+      case GuardKind::turn:
+        return 0;
+    }
+    return 0;
+  };
+  std::fill(slopes.begin(), slopes.end(), 0.0);
+  for (const auto& law : own.law)
+    slopes[law.column] += by_law(law, [&](const Law& moved) { return guard(moved, past); });
+  if (past.peak > 0) {
+    const double by_peak = by_memory(past, [&](const Memory& moved) { return guard(base, moved); });
+    for (Index c = 0; c < columns_; ++c) slopes[c] += by_peak * peak_(c, j);
+  }
+  if (kind == GuardKind::gap || kind == GuardKind::yield) return;
+  const double by_rate = kind == GuardKind::turn ? 1 : contact::load(base, indentation, rate).by_rate;
+  for (Index c = 0; c < columns_; ++c) slopes[c] += by_rate * rate_slope(j, c, x);
+}
+
+template <class Topology>
+double ContactVariation<Topology>::crossing_speed(Index i, double rate) const {
+  const Index j = layout_.guard_contact[i];
+  const double speed = model_.speed, time = model_.time[j];
+  switch (layout_.kind(i)) {
+    case GuardKind::gap:
+    case GuardKind::yield:
+      return std::abs(rate) / speed;
+    case GuardKind::turn:
+      return std::abs(rate) * time / speed;
+    case GuardKind::load: {
+      const auto load = contact::load(model_.law[j], model_.length[j], 0);
+      return std::abs(rate) * time / (load.by_indentation * model_.length[j] + load.by_rate * speed);
+    }
+  }
+  return 1;
+}
+
+template <class Topology>
+std::vector<Index> ContactVariation<Topology>::guards_at_start(const contact::ContactSet& mode,
+                                                               ConstState x) const {
+  std::vector<Index> list;
+  for (Index j = 0; j < layout_.contacts(); ++j)
+    if (mode[j] == contact::ContactMode::closed && x[layout_.gap[j]] == 0) list.push_back(j);
+  return list;
+}
+
+template <class Topology>
+void ContactVariation<Topology>::remember(Index i, const contact::ContactSet& before,
+                                          const contact::ContactSet& after, const SlopeMatrix& slopes,
+                                          ConstState rate, std::span<const double> time) {
+  const Index j = layout_.guard_contact[i], gap = layout_.gap[j];
+  if (memory_of(before, j).peak == memory_of(after, j).peak) return;
+  for (Index c = 0; c < columns_; ++c) peak_(c, j) = -(slopes(gap, c) + rate[gap] * time[c]);
+}
+
+template <class Topology>
+void ContactVariation<Topology>::settle(Index i, const contact::ContactSet& before, State x) const {
+  using contact::ContactMode;
+  if (layout_.kind(i) != GuardKind::gap || before[i] == ContactMode::hovering) return;
+  const double edge = level(before[i], model_.law[i], memory_of(before, i), 0);
+  // The last digits beyond it, where the root is cut off.
+  x[layout_.gap[i]] = before[i] == ContactMode::closed ? -edge + 8 * epsilon * std::abs(edge) : -edge;
+}
+
+template class ContactVariation<model::ChainTopology>;
+template class ContactVariation<model::NetworkTopology>;
+
+}  // namespace mariotte::impact

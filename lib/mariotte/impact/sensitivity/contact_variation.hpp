@@ -1,0 +1,114 @@
+// How the field and the guards of a chain or a network move with its parameters, at a fixed state.
+//
+// Masses, laws and directions of the models at the points of the stencil give slopes once, before the run.
+// Along the run the slope of a force is that of a formula: analytic for power laws, and by the stencil for all
+// others and for what a contact remembers.
+#pragma once
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "mariotte/impact/sensitivity/slope_matrix.hpp"
+#include "mariotte/impact/sensitivity/stencil.hpp"
+#include "mariotte/model/contacts/contact_system.hpp"
+
+namespace mariotte::impact {
+
+/// One model per point of the stencil, in the units of the base model.
+template <class Scaled>
+struct ShiftedModels {
+  double step;
+  std::array<Scaled, stencil.size()> at;
+};
+
+/// Slopes of the force of one contact by one parameter: of a power law by its numbers, of others by the laws
+/// at the points of the stencil.
+struct LawSlope {
+  Index column;
+  double step = 0;
+  contact::PowerLaw power{0, 0, 0};  ///< slopes of k, c and n
+  std::vector<contact::Law> shifted;
+};
+
+/// Of one contact: what its law, its push and its approach do.
+struct ContactSlope {
+  struct Term {
+    Index place, column;
+    double slope;
+  };
+  std::vector<LawSlope> law;
+  std::vector<Term> push;       ///< of M⁻¹ Gᵀ
+  std::vector<Term> direction;  ///< of G
+};
+
+/// dk δⁿ + dc δⁿ⁻¹ δ̇ + dn ln δ · f: the force of a power law as its numbers change.
+double power_force_slope(const contact::PowerLaw& law, const contact::PowerLaw& slope, double indentation,
+                         double rate);
+/// ∂f/∂p at fixed δ, δ̇ and memory, for a law that is `shifted`. With the indentation at which a contact lets
+/// go its force moves as a whole, and may have a root there; so points keep their distance from it.
+double law_force_slope(contact::ContactMode mode, const contact::Law& law, const LawSlope& slope,
+                       double indentation, double rate, const contact::Memory& past);
+/// ∂f/∂δ*, the slope by what the contact remembers.
+double memory_force_slope(contact::ContactMode mode, const contact::Law& law, double indentation, double rate,
+                          const contact::Memory& past);
+/// Slopes of `value(law, past)` by parameter and by memory.
+template <class Value>
+double by_law(const LawSlope& slope, Value&& value) {
+  if (slope.shifted.empty()) return 0;
+  return stencil_slope(slope.step, [&](std::size_t k) { return value(slope.shifted[k]); });
+}
+/// A step by which the peak that a contact remembers may move.
+double memory_step(const contact::Memory& past);
+template <class Value>
+double by_memory(const contact::Memory& past, Value&& value) {
+  const double step = memory_step(past);
+  return stencil_slope(step, [&](std::size_t k) {
+    auto moved = past;
+    moved.peak += stencil[k].offset * step;
+    return value(moved);
+  });
+}
+
+/// Of a model with P parameters. `peak` is what contacts remember, by contact and parameter; the run moves it.
+template <class Topology>
+class ContactVariation {
+ public:
+  using Scaled = typename Topology::Model;
+
+  ContactVariation(const Scaled& model, const model::ContactLayout& layout,
+                   const std::vector<ShiftedModels<Scaled>>& shifted);
+
+  Index columns() const { return columns_; }
+  /// Slopes that are a hundredth of a state over its parameter.
+  const std::vector<double>& natural_slopes() const { return natural_; }
+  /// ∂f/∂p at a state.
+  void source(ConstState x, const contact::ContactSet& mode, SlopeMatrix& b) const;
+  /// ∂γ/∂p of guard i at a state, by parameter.
+  void guard_slopes(Index i, ConstState x, const contact::ContactSet& mode, std::span<double> slopes) const;
+  /// How fast guard i crosses at this rate, relative to what is natural.
+  double crossing_speed(Index i, double rate) const;
+  /// Guards of contacts that touch and approach at the start: they have just closed.
+  std::vector<Index> guards_at_start(const contact::ContactSet& mode, ConstState x) const;
+  /// The mode before guard i has fired at the start.
+  void open_at_start(contact::ContactSet& mode, Index i) const { mode[i] = contact::ContactMode::open; }
+  /// Where guard i has changed what its contact remembers: to the indentation at that event, whose slopes are
+  /// those of the gap at fixed time and of the time.
+  void remember(Index i, const contact::ContactSet& before, const contact::ContactSet& after,
+                const SlopeMatrix& slopes, ConstState rate, std::span<const double> time);
+  /// A contact closes and opens exactly where its law begins and ends: roots of rounding are much.
+  void settle(Index i, const contact::ContactSet& before, State x) const;
+
+ private:
+  void find_terms(const std::vector<ShiftedModels<Scaled>>& shifted);
+  double rate_slope(Index j, Index column, ConstState x) const;
+
+  const Scaled& model_;
+  const model::ContactLayout& layout_;
+  Index columns_;
+  std::vector<double> natural_;
+  std::vector<ContactSlope> contact_;
+  SlopeMatrix acceleration_;  ///< by velocity and parameter
+  SlopeMatrix peak_;          ///< by parameter and contact
+};
+
+}  // namespace mariotte::impact

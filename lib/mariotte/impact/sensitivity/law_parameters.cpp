@@ -1,0 +1,58 @@
+#include "mariotte/impact/sensitivity/law_parameters.hpp"
+
+#include <algorithm>
+
+#include "mariotte/contact/branched_law.hpp"
+#include "mariotte/contact/named_laws.hpp"
+
+namespace mariotte::impact {
+namespace {
+
+using contact::Law;
+
+bool is_chosen(const Law& law, const contact::LawParameter& number) {
+  const auto* power = power_law(law);
+  if (number.value == 0) return false;
+  if (number.key == "exponent") return number.value > 1 && !(power && power->damping == 0 && power->exponent == 1.5);
+  return true;
+}
+
+contact::LawNumbers numbers(const contact::NamedLaw& named, const Law& law) {
+  contact::LawNumbers result;
+  for (const auto& one : parameters(law))
+    if (const auto* key = named.find(one.key)) result.*(key->number) = one.value;
+  return result;
+}
+
+/// "linear", "hertz" and "viscoelastic" are one law.
+const contact::NamedLaw* named(const Law& law) {
+  const auto wanted = power_law(law) ? std::string_view("viscoelastic") : name(law);
+  const auto place = std::find_if(contact::named_laws.begin(), contact::named_laws.end(),
+                                  [&](const auto& one) { return one.name == wanted; });
+  return place == contact::named_laws.end() || place->has_table ? nullptr : &*place;
+}
+
+}  // namespace
+
+std::vector<LawParameterChoice> law_parameters(const Law& law) {
+  const auto* known = named(law);
+  std::vector<LawParameterChoice> list;
+  if (!known) return list;
+  const bool is_uncut = branched(law) && !branched(known->make(numbers(*known, law)));
+  for (const auto& number : parameters(law)) {
+    const auto* key = known->find(number.key);
+    if (!key || !is_chosen(law, number)) continue;
+    // Lengths of a micrometre to the power n change by e^{14 dn}.
+    const double step = number.key == "exponent" ? 1e-3 * std::min(1.0, number.value - 1) : 0.01 * number.value;
+    list.push_back({std::string(number.key), number.value, step,
+                    [=, start = numbers(*known, law)](double value) {
+                      auto moved = start;
+                      moved.*(key->number) = value;
+                      auto made = known->make(moved);
+                      return is_uncut ? contact::uncut(std::move(made)) : made;
+                    }});
+  }
+  return list;
+}
+
+}  // namespace mariotte::impact

@@ -1,0 +1,23 @@
+// The numbers of a contact law as parameters.
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "mariotte/contact/law.hpp"
+
+namespace mariotte::impact {
+
+/// A number of a law that the law can be made again with.
+struct LawParameterChoice {
+  std::string key;
+  double value;
+  double step;
+  std::function<contact::Law(double)> law;
+};
+
+/// All that have slopes on both sides: a damping of 0 and an exponent of 1 have none, and the exponent of a
+/// linear or a Hertz contact is not chosen. Empty for laws that are not named.
+std::vector<LawParameterChoice> law_parameters(const contact::Law& law);
+
+}  // namespace mariotte::impact

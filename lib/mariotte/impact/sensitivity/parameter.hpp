@@ -1,0 +1,18 @@
+// What an outcome is differentiated by.
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace mariotte::impact {
+
+/// A number that a model is made from. The model is an analytic function of it near its value.
+template <class Model>
+struct Parameter {
+  std::string name;                    ///< as "mass[0]" or "contact[1].stiffness"
+  double value;                        ///< in the units of the model
+  double step;                         ///< distance within which the model exists at least four times
+  std::function<Model(double)> model;  ///< of any value so near
+};
+
+}  // namespace mariotte::impact

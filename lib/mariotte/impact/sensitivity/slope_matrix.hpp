@@ -1,0 +1,30 @@
+// Slopes of a state: one column per parameter.
+#pragma once
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "mariotte/core/types.hpp"
+
+namespace mariotte::impact {
+
+/// ∂x/∂p of n components by P parameters, column after column.
+struct SlopeMatrix {
+  Index rows = 0, columns = 0;
+  std::vector<double> values;
+
+  SlopeMatrix() = default;
+  SlopeMatrix(Index n, Index count) : rows(n), columns(count), values(n * count, 0.0) {}
+
+  double& operator()(Index row, Index column) { return values[column * rows + row]; }
+  double operator()(Index row, Index column) const { return values[column * rows + row]; }
+  std::span<double> column(Index c) {
+    return std::span(values).subspan(c * rows, static_cast<std::size_t>(rows));
+  }
+  std::span<const double> column(Index c) const {
+    return std::span(values).subspan(c * rows, static_cast<std::size_t>(rows));
+  }
+  void clear() { std::fill(values.begin(), values.end(), 0.0); }
+};
+
+}  // namespace mariotte::impact

@@ -1,0 +1,194 @@
+// A run with slopes. Between events they follow the variational equation; at an event of guard γ
+//
+//     τ_p = −(γ_x S⁻ + γ_p)/γ̇,    S⁺ = S⁻ + (f⁻ − f⁺) τ_p
+//
+// where τ_p is the slope of its time [Aizerman & Gantmacher 1958, QJMAM 11:225]. S is at fixed time. Guards of
+// one instant move the state one after the other; to first order their order does not matter, since the state
+// is continuous and each changes the rates by its own force.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "mariotte/hybrid/simulate.hpp"
+#include "mariotte/impact/sensitivity/phase_slopes.hpp"
+
+namespace mariotte::impact {
+
+/// An event whose slopes are large, or that has none.
+struct DelicateEvent {
+  double time;       ///< dimensionless
+  Index guard;       ///< that crosses slowly
+  double speed;      ///< at which it crosses, relative to the natural one
+};
+
+/// Where a run ended and how that moves, dimensionless.
+template <class System>
+struct SlopeRun {
+  hybrid::Trajectory<typename System::Change> run;
+  typename System::Mode mode;
+  SlopeMatrix slopes;              ///< of the final state at fixed time
+  std::vector<double> rate;        ///< f at the end
+  std::vector<double> time;        ///< slopes of the time of the ending
+  bool time_is_shared = false;     ///< several guards ended the run, whose times move differently
+  bool time_is_noise = false;      ///< what ended the run is within the noise, and no guard
+  std::vector<DelicateEvent> delicate;
+};
+
+/// `System` with its mode and `Variation`, which gives f_p and γ_p and is told what contacts remember.
+template <class System, class Variation>
+class SlopeLoop {
+ public:
+  SlopeLoop(System& system, Variation& variation, const hybrid::Options& options)
+      : system_(system), variation_(variation), options_(options) {}
+
+  SlopeRun<System> follow(ConstState x0, const SlopeMatrix& start);
+
+ private:
+  using Observer = PhaseSlopes<Variation, typename System::Mode>;
+
+  void start_events(Observer& observer, SlopeRun<System>& result);
+  void pass(Observer& observer, const typename System::Mode& before, ConstState rate,
+            SlopeRun<System>& result);
+  std::vector<double> time_slopes(const Observer& observer, Index guard, ConstState rate, double time,
+                                  SlopeRun<System>& result);
+  std::vector<double> rates(typename System::Mode& mode) {
+    std::vector<double> dx(workspace_.run.state.size());
+    system_.problem(mode).derivative(workspace_.run.state, dx);
+    return dx;
+  }
+
+  System& system_;
+  Variation& variation_;
+  hybrid::Options options_;
+  hybrid::Workspace<System> workspace_;
+};
+
+template <class System, class Variation>
+std::vector<double> SlopeLoop<System, Variation>::time_slopes(const Observer& observer, Index guard,
+                                                              ConstState rate, double time,
+                                                              SlopeRun<System>& result) {
+  auto& problem = system_.problem(workspace_.mode);
+  const auto& x = workspace_.run.state;
+  std::vector<double> rates(problem.guard_count()), slopes(variation_.columns());
+  problem.guard_rates(x, rate, rates);
+  const double crossing = rates[guard];
+  variation_.guard_slopes(guard, x, workspace_.mode, slopes);
+  for (Index c = 0; c < variation_.columns(); ++c) {
+    problem.guard_rates(x, observer.slopes.column(c), rates);
+    slopes[c] = -(slopes[c] + rates[guard]) / crossing;
+  }
+  const double speed = variation_.crossing_speed(guard, crossing);
+  if (speed < 1e-3) result.delicate.push_back({time, guard, speed});
+  return slopes;
+}
+
+/// Contacts that touch at the start close there: they would close later with a larger gap.
+template <class System, class Variation>
+void SlopeLoop<System, Variation>::start_events(Observer& observer, SlopeRun<System>& result) {
+  auto closed = workspace_.mode;
+  for (const Index guard : variation_.guards_at_start(closed, workspace_.run.state)) {
+    auto open = closed;
+    variation_.open_at_start(open, guard);
+    const auto after = rates(closed);
+    workspace_.mode = open;
+    const auto before = rates(workspace_.mode);
+    const auto tau = time_slopes(observer, guard, before, 0, result);
+    for (Index c = 0; c < variation_.columns(); ++c)
+      for (std::size_t r = 0; r < before.size(); ++r)
+        observer.slopes(r, c) += (before[r] - after[r]) * tau[c];
+    workspace_.mode = closed;
+  }
+}
+
+/// From S⁻ to S⁺ at the guards that have fired; the mode is still the one before them.
+template <class System, class Variation>
+void SlopeLoop<System, Variation>::pass(Observer& observer, const typename System::Mode& before,
+                                        ConstState rate, SlopeRun<System>& result) {
+  const auto& fired = workspace_.fired;
+  result.time_is_noise = fired.empty();
+  if (fired.empty()) return;
+  const auto& x = workspace_.run.state;
+  const double time = result.run.time;
+  auto after_all = observer.slopes;
+  std::vector<typename System::Change> ignored;
+  result.time.assign(variation_.columns(), 0.0);
+  result.time_is_shared = false;
+  typename System::Mode last = before;
+  system_.transition(last, fired, x, ignored);
+  for (std::size_t k = 0; k < fired.size(); ++k) {
+    workspace_.mode = before;
+    const auto tau = time_slopes(observer, fired[k], rate, time, result);
+    if (k == 0) result.time = tau;
+    else if (tau != result.time) result.time_is_shared = true;
+    auto mode = last;
+    if (fired.size() > 1) {
+      mode = before;
+      system_.transition(mode, {fired[k]}, x, ignored);
+    }
+    const auto next = rates(mode);
+    for (Index c = 0; c < variation_.columns(); ++c)
+      for (std::size_t r = 0; r < next.size(); ++r)
+        after_all(r, c) += (rate[r] - next[r]) * tau[c];
+    variation_.remember(fired[k], before, mode, observer.slopes, rate, tau);
+  }
+  observer.slopes = after_all;
+  workspace_.mode = before;
+}
+
+template <class System, class Variation>
+SlopeRun<System> SlopeLoop<System, Variation>::follow(ConstState x0, const SlopeMatrix& start) {
+  using hybrid::Ending;
+  SlopeRun<System> result;
+  auto& [flows, mode, changes, fired, before_x, run] = workspace_;
+  run.state.assign(x0.begin(), x0.end());
+  result.time.assign(variation_.columns(), 0.0);
+  CompensatedSum time;
+  const auto end = [&](Ending ending, std::string message = {}) {
+    result.run.ending = ending;
+    result.run.message = std::move(message);
+    result.run.time = time.value();
+    result.run.state = run.state;
+    result.mode = mode;
+    result.rate = rates(mode);
+  };
+
+  system_.mode_at(run.state, mode, changes);
+  Observer observer(system_.problem(mode), variation_, mode, options_.accuracy);
+  observer.slopes = start;
+  start_events(observer, result);
+  for (;;) {
+    hybrid::record(result.run, time.value(), changes);
+    if (system_.is_over(mode, run.state, result.run.events > 0)) {
+      system_.finish(mode, changes);
+      hybrid::record(result.run, time.value(), changes);
+      end(system_.ending(mode));
+      break;
+    }
+    if (result.run.events >= options_.max_events) {
+      end(Ending::event_limit);
+      break;
+    }
+    observer.end_phase();
+    auto arrival = hybrid::follow_phase(system_, options_, workspace_, time, &observer);
+    if (arrival.outcome != flow::Outcome::guard) {
+      if (arrival.outcome == flow::Outcome::limit) {
+        result.time.assign(variation_.columns(), 0.0);
+        result.time_is_noise = result.time_is_shared = false;
+        end(Ending::time_limit);
+      } else {
+        end(arrival.outcome == flow::Outcome::never ? Ending::separated : Ending::failed, arrival.message);
+      }
+      break;
+    }
+    result.run.time = time.value();
+    const auto before = mode;
+    for (const Index guard : fired) variation_.settle(guard, before, run.state);
+    pass(observer, before, rates(mode), result);
+    system_.transition(mode, fired, run.state, changes);
+  }
+  result.run.flows = run.flows;
+  result.slopes = std::move(observer.slopes);
+  return result;
+}
+
+}  // namespace mariotte::impact

@@ -1,0 +1,36 @@
+// Slopes of what is analytic in a parameter, by central differences of order eight.
+//
+//     dF/dp ≈ Σ_k w_k (F(p + k h) − F(p − k h))/h,   k = 1 … 4
+//
+// F is a formula here, never a run: forces, masses and stiffnesses as functions of what a scene says. With h a
+// hundredth of the parameter the error of the formula is 6e-14 for 1/p, and rounding adds 1e-13.
+#pragma once
+#include <array>
+#include <cstddef>
+
+namespace mariotte::impact {
+
+/// The parameter is moved to p + offset · h.
+struct StencilPoint {
+  int offset;
+  double weight;
+};
+
+inline constexpr std::array<StencilPoint, 8> stencil{{{-4, 1.0 / 280},
+                                                      {-3, -4.0 / 105},
+                                                      {-2, 1.0 / 5},
+                                                      {-1, -4.0 / 5},
+                                                      {1, 4.0 / 5},
+                                                      {2, -1.0 / 5},
+                                                      {3, 4.0 / 105},
+                                                      {4, -1.0 / 280}}};
+
+/// dF/dp, where `value(k)` is F at the k-th point of the stencil.
+template <class Value>
+double stencil_slope(double step, Value&& value) {
+  double sum = 0;
+  for (std::size_t k = 0; k < stencil.size(); ++k) sum += stencil[k].weight * value(k);
+  return sum / step;
+}
+
+}  // namespace mariotte::impact
