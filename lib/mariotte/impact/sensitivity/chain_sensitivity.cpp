@@ -19,8 +19,8 @@ std::string numbered(const char* name, std::size_t i) {
 }
 
 /// A parameter that is a number of the chain.
-Parameter<Chain> element(const Chain& chain, std::vector<double> Chain::*list, const char* name, std::size_t i,
-                         double step) {
+Parameter<Chain> element(const Chain& chain, std::vector<double> Chain::*list, const char* name,
+                         std::size_t i, double step) {
   return {numbered(name, i), (chain.*list)[i], step, [chain, list, i](double value) {
             auto moved = chain;
             (moved.*list)[i] = value;
@@ -37,8 +37,7 @@ std::vector<Parameter<Chain>> parameters(const Chain& chain) {
       list.push_back(element(chain, &Chain::mass, "mass", i, 0.01 * chain.mass[i]));
   for (std::size_t i = 0; i < chain.velocity.size(); ++i)
     list.push_back(element(chain, &Chain::velocity, "velocity", i, 1));
-  for (std::size_t j = 0; j < chain.gap.size(); ++j)
-    list.push_back(element(chain, &Chain::gap, "gap", j, 1));
+  for (std::size_t j = 0; j < chain.gap.size(); ++j) list.push_back(element(chain, &Chain::gap, "gap", j, 1));
   for (std::size_t j = 0; j < chain.law.size(); ++j)
     for (auto& number : law_parameters(chain.law[j]))
       list.push_back({numbered("contact", j) + "." + number.key, number.value, number.step,
@@ -136,7 +135,8 @@ Sensitivity sensitivity(const Chain& chain, const std::vector<Parameter<Chain>>&
   }
   for (Index i = 0; i < layout.velocities(); ++i) {
     const Index place = layout.velocity[i];
-    OutcomeSlopes velocity{.name = "velocity", .index = i, .value = end.run.state[place] * scale.velocity, .slope = {}};
+    OutcomeSlopes velocity{
+        .name = "velocity", .index = i, .value = end.run.state[place] * scale.velocity, .slope = {}};
     for (Index c = 0; c < columns; ++c)
       velocity.slope.push_back((end.slopes(place, c) + end.rate[place] * end.time[c]) * scale.velocity);
     result.outcome.push_back(std::move(velocity));
@@ -165,8 +165,10 @@ Sensitivity sensitivity(const Chain& chain, const std::vector<Parameter<Chain>>&
     const auto ratio = correlation_ratio(p, j);
     OutcomeSlopes icr{.name = "icr", .index = j, .value = ratio.value_or(NAN), .slope = {}};
     for (Index c = 0; c < columns; ++c) {
-      if (ratio) icr.slope.push_back((by_parameter(j, c) - *ratio * by_parameter(j + 1, c)) / p[j + 1]);
-      else icr.slope.push_back(std::nullopt);
+      if (ratio)
+        icr.slope.push_back((by_parameter(j, c) - *ratio * by_parameter(j + 1, c)) / p[j + 1]);
+      else
+        icr.slope.push_back(std::nullopt);
     }
     result.outcome.push_back(std::move(icr));
   }

@@ -8,7 +8,7 @@ namespace mariotte::impact {
 namespace {
 
 constexpr int stages = 8;
-constexpr int most_halvings = 10;
+constexpr int most_halvings = 6;
 constexpr Index largest_division = 480;  ///< beyond it sweeps cost less than a division
 constexpr int most_sweeps = 60;
 
@@ -66,14 +66,15 @@ const Gauss gauss;
 struct Moment {
   double past, left, rate;
 };
-Moment even(double u) {
-  return {u, 1 - u, 1};
-}
-/// u⁴ (35 − 84 u + 70 u² − 20 u³), from either end.
-Moment graded(double u) {
+
+Moment moment(Edges edges, double u) {
+  const double v = 1 - u;
   const auto rise = [](double x) { return x * x * x * x * (35 + x * (-84 + x * (70 - 20 * x))); };
-  const double v = 1 - u, uv = u * v;
-  return {rise(u), rise(v), 140 * uv * uv * uv};
+  const auto fourth = [](double x) { return x * x * x * x; };
+  if (edges.begins && edges.ends) return {rise(u), rise(v), 140 * u * u * u * v * v * v};
+  if (edges.begins) return {fourth(u), 1 - fourth(u), 4 * u * u * u};
+  if (edges.ends) return {1 - fourth(v), fourth(v), 4 * v * v * v};
+  return {u, v, 1};
 }
 
 }  // namespace
@@ -104,18 +105,16 @@ struct Collocation::Memory {
   }
 
   /// A and B at the points of the piece from u to u + width.
-  void read(LinearField& field, double start, double end, bool is_graded, double u, double width) {
+  void read(LinearField& field, double start, double end, Edges edges, double u, double width) {
     for (int i = 0; i < stages; ++i) {
-      const auto moment = is_graded ? graded(u + width * gauss.point[i]) : even(u + width * gauss.point[i]);
-      const double time = moment.past < 0.5 ? start + (end - start) * moment.past
-                                            : end - (end - start) * moment.left;
-      field.at(time, jacobian[i], source[i]);
-      rate[i] = width * (end - start) * moment.rate;
+      const auto now_at = moment(edges, u + width * gauss.point[i]);
+      const double time =
+          now_at.past < 0.5 ? start + (end - start) * now_at.past : end - (end - start) * now_at.left;
+      field.at(time, (end - start) * now_at.left, jacobian[i], source[i]);
+      rate[i] = width * (end - start) * now_at.rate;
     }
   }
-  auto source_at(int i) const {
-    return Eigen::Map<const Matrix>(source[i].values.data(), size, columns);
-  }
+  auto source_at(int i) const { return Eigen::Map<const Matrix>(source[i].values.data(), size, columns); }
   /// Rates at point i, times the width of the piece, where the active components are `state`.
   template <class State>
   void set_slope(int i, const State& state) {
@@ -199,9 +198,9 @@ struct Collocation::Memory {
     return true;
   }
 
-  bool solve_piece(LinearField& field, double start, double end, bool is_graded, double u, double width,
+  bool solve_piece(LinearField& field, double start, double end, Edges edges, double u, double width,
                    SlopeMatrix& slopes, bool last) {
-    read(field, start, end, is_graded, u, width);
+    read(field, start, end, edges, u, width);
     Eigen::Map<Matrix> s(slopes.values.data(), size, columns);
     now.resize(std::ssize(active), columns);
     for (std::size_t k = 0; k < active.size(); ++k) now.row(k) = s.row(active[k]);
@@ -213,11 +212,11 @@ struct Collocation::Memory {
     return true;
   }
 
-  void carry(LinearField& field, double start, double end, bool is_graded, double u, double width,
+  void carry(LinearField& field, double start, double end, Edges edges, double u, double width,
              SlopeMatrix& slopes, int depth) {
-    if (solve_piece(field, start, end, is_graded, u, width, slopes, depth == most_halvings)) return;
-    carry(field, start, end, is_graded, u, width / 2, slopes, depth + 1);
-    carry(field, start, end, is_graded, u + width / 2, width / 2, slopes, depth + 1);
+    if (solve_piece(field, start, end, edges, u, width, slopes, depth == most_halvings)) return;
+    carry(field, start, end, edges, u, width / 2, slopes, depth + 1);
+    carry(field, start, end, edges, u + width / 2, width / 2, slopes, depth + 1);
   }
 };
 
@@ -231,7 +230,7 @@ Collocation::Collocation(std::vector<flow::Entry> pattern, std::span<const doubl
   m.natural.assign(sizes.begin(), sizes.end());
   m.magnitude = Eigen::Map<const Eigen::VectorXd>(magnitudes.data(), m.size);
   // The error of Gauss' formula has twice the order of its interpolant.
-  m.tolerance = 0.03 * std::sqrt(accuracy);
+  m.tolerance = 3 * std::sqrt(accuracy);
   m.find_active();
   for (int i = 0; i < stages; ++i) {
     m.jacobian[i].resize(m.pattern.size());
@@ -245,11 +244,8 @@ Index Collocation::pieces() const {
   return memory_->pieces;
 }
 
-void Collocation::advance(LinearField& field, double start, double end, bool begins, SlopeMatrix& slopes) {
-  if (!(end > start) || slopes.columns == 0) return;
-  auto& m = *memory_;
-  if (!begins && m.solve_piece(field, start, end, false, 0, 1, slopes, false)) return;
-  m.carry(field, start, end, true, 0, 1, slopes, 0);
+void Collocation::advance(LinearField& field, double start, double end, Edges edges, SlopeMatrix& slopes) {
+  if (end > start && slopes.columns > 0) memory_->carry(field, start, end, edges, 0, 1, slopes, 0);
 }
 
 }  // namespace mariotte::impact

@@ -1,8 +1,8 @@
 // Linear equations S' = A(t) S + B(t), along a trajectory that is known, by collocation in Gauss points.
 //
-// Forces are not smooth where a contact begins or ends, δ^{n−1} ~ t^{n−1}. So time is a polynomial of the clock
-// u there, t = w(u) with w ~ u⁴ at both ends, in which square and fourth roots are smooth. What the points do
-// not resolve is halved.
+// Forces are not smooth where a contact begins or ends, δ^{n−1} ~ t^{n−1}. So time is a polynomial of the
+// clock u there, t ~ u⁴ at such an end, in which square and fourth roots are smooth. What the points do not
+// resolve is halved.
 #pragma once
 #include <memory>
 #include <vector>
@@ -16,8 +16,13 @@ namespace mariotte::impact {
 class LinearField {
  public:
   virtual ~LinearField() = default;
-  /// A at the places of `pattern`, in its order, and B.
-  virtual void at(double time, std::span<double> jacobian, SlopeMatrix& source) = 0;
+  /// A at the places of `pattern`, in its order, and B, where `left` is the time until the end.
+  virtual void at(double time, double left, std::span<double> jacobian, SlopeMatrix& source) = 0;
+};
+
+/// Whether a phase begins or ends with a step: forces may have roots there.
+struct Edges {
+  bool begins, ends;
 };
 
 /// Keeps its memory from piece to piece.
@@ -31,8 +36,8 @@ class Collocation {
   Collocation(const Collocation&) = delete;
   Collocation& operator=(const Collocation&) = delete;
 
-  /// Carry slopes from `start` to `end`. A phase begins at `start` if it `begins`.
-  void advance(LinearField& field, double start, double end, bool begins, SlopeMatrix& slopes);
+  /// Carry slopes from `start` to `end`.
+  void advance(LinearField& field, double start, double end, Edges edges, SlopeMatrix& slopes);
   /// Pieces that were integrated so far.
   Index pieces() const;
 

@@ -9,8 +9,8 @@ namespace mariotte::impact {
 using contact::Law;
 using contact::Memory;
 using model::force_in;
-using model::level;
 using model::GuardKind;
+using model::level;
 using model::memory_of;
 
 double power_force_slope(const contact::PowerLaw& law, const contact::PowerLaw& slope, double indentation,
@@ -108,8 +108,9 @@ void ContactVariation<Topology>::find_terms(const std::vector<ShiftedModels<Scal
   for (Index c = 0; c < columns_; ++c) {
     const auto& [step, at] = shifted[c];
     for (Index i = 0; i < layout_.velocities(); ++i)
-      acceleration_(i, c) =
-          stencil_slope(step, [&, step = step](std::size_t k) { return Topology{at[k], layout_}.acceleration(i); });
+      acceleration_(i, c) = stencil_slope(step, [&, step = step](std::size_t k) {
+        return Topology{at[k], layout_}.acceleration(i);
+      });
     for (Index j = 0; j < layout_.contacts(); ++j) {
       TermSlopes push, direction;
       double most_push = 0, most_direction = 0;
@@ -254,12 +255,17 @@ void ContactVariation<Topology>::remember(Index i, const contact::ContactSet& be
 }
 
 template <class Topology>
+void ContactVariation<Topology>::meet(Index i, const contact::ContactSet& mode, State x) const {
+  if (layout_.kind(i) == GuardKind::gap && mode[i] != contact::ContactMode::hovering)
+    x[layout_.gap[i]] = -level(mode[i], model_.law[i], memory_of(mode, i), 0);
+}
+
+template <class Topology>
 void ContactVariation<Topology>::settle(Index i, const contact::ContactSet& before, State x) const {
-  using contact::ContactMode;
-  if (layout_.kind(i) != GuardKind::gap || before[i] == ContactMode::hovering) return;
-  const double edge = level(before[i], model_.law[i], memory_of(before, i), 0);
-  // The last digits beyond it, where the root is cut off.
-  x[layout_.gap[i]] = before[i] == ContactMode::closed ? -edge + 8 * epsilon * std::abs(edge) : -edge;
+  meet(i, before, x);
+  if (layout_.kind(i) != GuardKind::gap || before[i] != contact::ContactMode::closed) return;
+  double& gap = x[layout_.gap[i]];
+  gap += 8 * epsilon * std::abs(gap);  // beyond the end by the last digits, where the law is cut off
 }
 
 template class ContactVariation<model::ChainTopology>;

@@ -1,8 +1,8 @@
 // How the field and the guards of a chain or a network move with its parameters, at a fixed state.
 //
 // Masses, laws and directions of the models at the points of the stencil give slopes once, before the run.
-// Along the run the slope of a force is that of a formula: analytic for power laws, and by the stencil for all
-// others and for what a contact remembers.
+// Along the run the slope of a force is that of a formula: analytic for power laws, and by the stencil for
+// all others and for what a contact remembers.
 #pragma once
 #include <array>
 #include <cmath>
@@ -69,7 +69,8 @@ double by_memory(const contact::Memory& past, Value&& value) {
   });
 }
 
-/// Of a model with P parameters. `peak` is what contacts remember, by contact and parameter; the run moves it.
+/// Of a model with P parameters. `peak` is what contacts remember, by contact and parameter; the run moves
+/// it.
 template <class Topology>
 class ContactVariation {
  public:
@@ -95,7 +96,9 @@ class ContactVariation {
   /// those of the gap at fixed time and of the time.
   void remember(Index i, const contact::ContactSet& before, const contact::ContactSet& after,
                 const SlopeMatrix& slopes, ConstState rate, std::span<const double> time);
-  /// A contact closes and opens exactly where its law begins and ends: roots of rounding are much.
+  /// The state at which guard i is zero, next to one where it nearly is: roots of rounding are much.
+  void meet(Index i, const contact::ContactSet& mode, State x) const;
+  /// A contact closes and opens exactly where its law begins and ends.
   void settle(Index i, const contact::ContactSet& before, State x) const;
 
  private:

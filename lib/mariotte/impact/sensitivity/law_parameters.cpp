@@ -13,7 +13,8 @@ using contact::Law;
 bool is_chosen(const Law& law, const contact::LawParameter& number) {
   const auto* power = power_law(law);
   if (number.value == 0) return false;
-  if (number.key == "exponent") return number.value > 1 && !(power && power->damping == 0 && power->exponent == 1.5);
+  if (number.key == "exponent")
+    return number.value > 1 && !(power && power->damping == 0 && power->exponent == 1.5);
   return true;
 }
 
@@ -43,14 +44,15 @@ std::vector<LawParameterChoice> law_parameters(const Law& law) {
     const auto* key = known->find(number.key);
     if (!key || !is_chosen(law, number)) continue;
     // Lengths of a micrometre to the power n change by e^{14 dn}.
-    const double step = number.key == "exponent" ? 1e-3 * std::min(1.0, number.value - 1) : 0.01 * number.value;
-    list.push_back({std::string(number.key), number.value, step,
-                    [=, start = numbers(*known, law)](double value) {
-                      auto moved = start;
-                      moved.*(key->number) = value;
-                      auto made = known->make(moved);
-                      return is_uncut ? contact::uncut(std::move(made)) : made;
-                    }});
+    const double step =
+        number.key == "exponent" ? 1e-3 * std::min(1.0, number.value - 1) : 0.01 * number.value;
+    list.push_back(
+        {std::string(number.key), number.value, step, [=, start = numbers(*known, law)](double value) {
+           auto moved = start;
+           moved.*(key->number) = value;
+           auto made = known->make(moved);
+           return is_uncut ? contact::uncut(std::move(made)) : made;
+         }});
   }
   return list;
 }

@@ -1,6 +1,7 @@
 // Slopes along one phase: the variational equation S' = f_x S + f_p on every step that a flow has taken.
 #pragma once
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "mariotte/hybrid/simulate.hpp"
@@ -21,13 +22,17 @@ class PhaseSlopes final : public hybrid::PhaseObserver {
 
   /// A flow that gives up may have gone back to where the phase began.
   void begin_phase(double time, ConstState) override {
-    if (time == phase_start_) slopes = at_start_;
-    else at_start_ = slopes;
+    if (time == phase_start_)
+      slopes = at_start_;
+    else
+      at_start_ = slopes;
     phase_start_ = time;
   }
   void observe(const flow::Step& step) override {
+    const auto end = end_of(step);
     Along field(*this, step);
-    collocation_.advance(field, step.start, end_of(step), step.start == 0, slopes);
+    collocation_.advance(field, step.start, end.value_or(step.end),
+                         {.begins = step.start == 0, .ends = end.has_value()}, slopes);
   }
   /// What comes next is another phase, even if it begins at the same time.
   void end_phase() { phase_start_ = -1; }
@@ -39,8 +44,8 @@ class PhaseSlopes final : public hybrid::PhaseObserver {
    public:
     Along(const PhaseSlopes& owner, const flow::Step& step)
         : owner_(owner), step_(step), x_(owner.problem_.size()) {}
-    void at(double time, std::span<double> jacobian, SlopeMatrix& source) override {
-      step_.at(time, x_);
+    void at(double time, double left, std::span<double> jacobian, SlopeMatrix& source) override {
+      owner_.state_at(step_, time, left, x_);
       owner_.problem_.jacobian(x_, jacobian);
       owner_.variation_.source(x_, owner_.mode_, source);
     }
@@ -51,9 +56,9 @@ class PhaseSlopes final : public hybrid::PhaseObserver {
     std::vector<double> x_;
   };
 
-  /// A step ends a little before or behind the guard that ends it. Where a contact lets go its force has a root there,
-  /// whose unbounded slope the clock has to meet.
-  double end_of(const flow::Step& step) {
+  /// A step ends a little before or behind the guard that ends it. Where a contact lets go its force has a
+  /// root there, whose unbounded slope the clock has to meet.
+  std::optional<double> end_of(const flow::Step& step) {
     const auto guards = static_cast<std::size_t>(problem_.guard_count());
     value_.resize(guards);
     rate_.resize(guards);
@@ -65,9 +70,20 @@ class PhaseSlopes final : public hybrid::PhaseObserver {
     for (std::size_t i = 0; i < guards; ++i) {
       const auto sign = static_cast<double>(problem_.crossings()[i]);
       const double past = value_[i] / rate_[i];
-      if (sign * rate_[i] > 0 && past > -1e-11 * length && past < 1e-3 * length) return step.end - past;
+      if (sign * rate_[i] > 0 && past > -1e-11 * length && past < 1e-3 * length) {
+        last_.resize(step.after.size());
+        for (std::size_t k = 0; k < last_.size(); ++k) last_[k] = step.after[k] - past * dx_[k];
+        variation_.meet(static_cast<Index>(i), mode_, last_);
+        return end_ = step.end - past;
+      }
     }
-    return step.end;
+    return end_ = std::nullopt;
+  }
+
+  /// So near to the end of a phase that rounding is as much as the bend of the motion, this is straight.
+  void state_at(const flow::Step& step, double time, double left, State x) const {
+    if (!end_ || left > 1e-8 * problem_.time_scale()) return step.at(time, x);
+    for (std::size_t k = 0; k < x.size(); ++k) x[k] = last_[k] - left * dx_[k];
   }
 
   const flow::Problem& problem_;
@@ -76,6 +92,8 @@ class PhaseSlopes final : public hybrid::PhaseObserver {
   Collocation collocation_;
   SlopeMatrix at_start_;
   std::vector<double> value_, rate_, dx_;  ///< of guards, and of the state
+  std::vector<double> last_;               ///< state at the guard that ends the phase
+  std::optional<double> end_;              ///< when it is met, in this step
   double phase_start_ = -1;
 };
 

@@ -11,11 +11,11 @@
 
 namespace mariotte::impact {
 
-/// Slopes of one outcome by every parameter [unit of the outcome / unit of the parameter]; empty where there is
-/// none, and `reason` then says why.
+/// Slopes of one outcome by every parameter [unit of the outcome / unit of the parameter]; empty where there
+/// is none, and `reason` then says why.
 struct OutcomeSlopes {
-  std::string name;             ///< as "velocity", "impulse", "icr" or "time"
-  std::optional<Index> index;   ///< of an array
+  std::string name;            ///< as "velocity", "impulse", "icr" or "time"
+  std::optional<Index> index;  ///< of an array
   double value = 0;
   std::vector<std::optional<double>> slope;
 };

@@ -2,9 +2,9 @@
 //
 //     τ_p = −(γ_x S⁻ + γ_p)/γ̇,    S⁺ = S⁻ + (f⁻ − f⁺) τ_p
 //
-// where τ_p is the slope of its time [Aizerman & Gantmacher 1958, QJMAM 11:225]. S is at fixed time. Guards of
-// one instant move the state one after the other; to first order their order does not matter, since the state
-// is continuous and each changes the rates by its own force.
+// where τ_p is the slope of its time [Aizerman & Gantmacher 1958, QJMAM 11:225]. S is at fixed time. Guards
+// of one instant move the state one after the other; to first order their order does not matter, since the
+// state is continuous and each changes the rates by its own force.
 #pragma once
 #include <string>
 #include <vector>
@@ -16,9 +16,9 @@ namespace mariotte::impact {
 
 /// An event whose slopes are large, or that has none.
 struct DelicateEvent {
-  double time;       ///< dimensionless
-  Index guard;       ///< that crosses slowly
-  double speed;      ///< at which it crosses, relative to the natural one
+  double time;   ///< dimensionless
+  Index guard;   ///< that crosses slowly
+  double speed;  ///< at which it crosses, relative to the natural one
 };
 
 /// Where a run ended and how that moves, dimensionless.
@@ -26,11 +26,11 @@ template <class System>
 struct SlopeRun {
   hybrid::Trajectory<typename System::Change> run;
   typename System::Mode mode;
-  SlopeMatrix slopes;              ///< of the final state at fixed time
-  std::vector<double> rate;        ///< f at the end
-  std::vector<double> time;        ///< slopes of the time of the ending
-  bool time_is_shared = false;     ///< several guards ended the run, whose times move differently
-  bool time_is_noise = false;      ///< what ended the run is within the noise, and no guard
+  SlopeMatrix slopes;           ///< of the final state at fixed time
+  std::vector<double> rate;     ///< f at the end
+  std::vector<double> time;     ///< slopes of the time of the ending
+  bool time_is_shared = false;  ///< several guards ended the run, whose times move differently
+  bool time_is_noise = false;   ///< what ended the run is within the noise, and no guard
   std::vector<DelicateEvent> delicate;
 };
 
@@ -118,8 +118,10 @@ void SlopeLoop<System, Variation>::pass(Observer& observer, const typename Syste
   for (std::size_t k = 0; k < fired.size(); ++k) {
     workspace_.mode = before;
     const auto tau = time_slopes(observer, fired[k], rate, time, result);
-    if (k == 0) result.time = tau;
-    else if (tau != result.time) result.time_is_shared = true;
+    if (k == 0)
+      result.time = tau;
+    else if (tau != result.time)
+      result.time_is_shared = true;
     auto mode = last;
     if (fired.size() > 1) {
       mode = before;
@@ -127,8 +129,7 @@ void SlopeLoop<System, Variation>::pass(Observer& observer, const typename Syste
     }
     const auto next = rates(mode);
     for (Index c = 0; c < variation_.columns(); ++c)
-      for (std::size_t r = 0; r < next.size(); ++r)
-        after_all(r, c) += (rate[r] - next[r]) * tau[c];
+      for (std::size_t r = 0; r < next.size(); ++r) after_all(r, c) += (rate[r] - next[r]) * tau[c];
     variation_.remember(fired[k], before, mode, observer.slopes, rate, tau);
   }
   observer.slopes = after_all;

@@ -2,8 +2,8 @@
 //
 //     dF/dp ≈ Σ_k w_k (F(p + k h) − F(p − k h))/h,   k = 1 … 4
 //
-// F is a formula here, never a run: forces, masses and stiffnesses as functions of what a scene says. With h a
-// hundredth of the parameter the error of the formula is 6e-14 for 1/p, and rounding adds 1e-13.
+// F is a formula here, never a run: forces, masses and stiffnesses as functions of what a scene says. With h
+// a hundredth of the parameter the error of the formula is 6e-14 for 1/p, and rounding adds 1e-13.
 #pragma once
 #include <array>
 #include <cstddef>
