@@ -13,6 +13,7 @@ Command law_command();
 Command capture_command();
 Command restitution_command();
 Command modes_command();
+Command sensitivity_command();
 Command fit_command();
 Command demo_command();
 Command init_command();

@@ -16,6 +16,7 @@ constexpr const char* examples = R"(Examples:
   mariotte capture microsphere.toml              how slow a microbody may be to get off again
   mariotte restitution steel_pair.toml --from 0.1 --to 10   of two bodies, by their speed
   mariotte modes pressed_row.toml                frequencies and shapes of small vibrations
+  mariotte sensitivity triplet.toml              how the outcome changes with every parameter
   mariotte fit microsphere.toml measured.csv     its damping from measured restitution
   mariotte materials                             materials that scenes can name, with sources
   mariotte explain S010                          what an error means, by the code of its message
@@ -32,12 +33,25 @@ int command_line(int argc, char** argv) noexcept {
                   .about = "Stiff, event-driven impacts: balls in a chain, microbodies on a plane.",
                   .footer = examples,
                   .version = "mariotte " + report::provenance().version};
-  program.commands = {run_command(),     check_command(),      law_command(),
-                      sweep_command(),   capture_command(),    restitution_command(),
-                      modes_command(),   fit_command(),        report_command(),
-                      demo_command(),    init_command(),       reproduce_command(),
-                      study_command(),   materials_command(),  explain_command(),
-                      version_command(), man_command(program), completion_command(program)};
+  program.commands = {run_command(),
+                      check_command(),
+                      law_command(),
+                      sweep_command(),
+                      capture_command(),
+                      restitution_command(),
+                      modes_command(),
+                      sensitivity_command(),
+                      fit_command(),
+                      report_command(),
+                      demo_command(),
+                      init_command(),
+                      reproduce_command(),
+                      study_command(),
+                      materials_command(),
+                      explain_command(),
+                      version_command(),
+                      man_command(program),
+                      completion_command(program)};
   return run_program(program, argc, argv);
 }
 

@@ -4,43 +4,55 @@
 #include <string>
 #include <vector>
 
+#include "mariotte/core/types.hpp"
 #include "mariotte/hybrid/ending.hpp"
 #include "mariotte/hybrid/options.hpp"
 #include "mariotte/impact/sensitivity/parameter.hpp"
 #include "mariotte/model/chain/chain.hpp"
+#include "mariotte/model/microbody/microbody.hpp"
+#include "mariotte/model/network/network.hpp"
 
 namespace mariotte::impact {
 
-/// Slopes of one outcome by every parameter [unit of the outcome / unit of the parameter]; empty where there
-/// is none, and `reason` then says why.
+/// One outcome and its slopes by every parameter [unit of the outcome / unit of the parameter].
 struct OutcomeSlopes {
-  std::string name;            ///< as "velocity", "impulse", "icr" or "time"
-  std::optional<Index> index;  ///< of an array
-  double value = 0;
-  std::vector<std::optional<double>> slope;
+  std::string name;            ///< "velocity", "impulse", "icr", "time", …
+  std::optional<Index> index;  ///< of an array, from 0
+  std::string unit;            ///< of the outcome
+  std::optional<double> value = {};
+  std::vector<std::optional<double>> slope = {};  ///< empty where there is none
 };
 
-/// What is to be said of the slopes of a run.
-struct SlopeNote {
-  std::string what;
+/// What a parameter is.
+struct ParameterValue {
+  std::string name;
+  double value;
 };
 
 /// The outcome of a run and how it moves.
 struct Sensitivity {
   hybrid::Ending ending = hybrid::Ending::failed;
-  std::string message;
-  std::vector<std::string> parameter;
-  std::vector<double> parameter_value;
+  std::string message;  ///< why, for endings other than separated
+  std::vector<ParameterValue> parameter;
   std::vector<OutcomeSlopes> outcome;
-  std::vector<std::string> notes;  ///< where slopes are one-sided, large or missing
+  std::vector<std::string> notes;  ///< where slopes are large, one-sided or missing, and why
 };
 
 /// The numbers of a chain: masses, velocities, gaps, numbers of its laws, and gravity if it acts.
 std::vector<Parameter<model::Chain>> parameters(const model::Chain& chain);
+/// Of a network: its diagonal masses, velocities, gaps and numbers of its laws.
+std::vector<Parameter<model::Network>> parameters(const model::Network& network);
 
 /// Slopes of final velocities, impulses, their ratios and the time of the ending. Throws InvalidParameter as
 /// `simulate`.
 Sensitivity sensitivity(const model::Chain& chain, const std::vector<Parameter<model::Chain>>& by,
+                        const hybrid::Options& options = {});
+/// The same; ratios are those of contacts in their order.
+Sensitivity sensitivity(const model::Network& network, const std::vector<Parameter<model::Network>>& by,
+                        const hybrid::Options& options = {});
+/// Slopes of the velocity of the mass centre along the normal, of v3 and of the spin about e2, of the contact
+/// time and of the restitution of the tip.
+Sensitivity sensitivity(const model::Microbody& body, const std::vector<Parameter<model::Microbody>>& by,
                         const hybrid::Options& options = {});
 
 }  // namespace mariotte::impact

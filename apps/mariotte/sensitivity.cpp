@@ -1,0 +1,98 @@
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "command.hpp"
+#include "command_line/exit_code.hpp"
+#include "command_line/terminal.hpp"
+#include "mariotte/report/json/sensitivity_json.hpp"
+#include "mariotte/report/reason.hpp"
+#include "mariotte/scene/simulate.hpp"
+#include "mariotte/study/sensitivity/scene_parameters.hpp"
+#include "run_notes.hpp"
+#include "scene_choice.hpp"
+
+namespace mariotte::command {
+namespace {
+
+struct Slopes {
+  SceneChoice scene;
+  std::vector<std::string> of, to;
+  bool json = false;
+  bool csv = false;
+};
+
+/// "velocity" asks for all of them, "velocity[1]" for one.
+bool is_wanted(const impact::OutcomeSlopes& outcome, const std::vector<std::string>& of) {
+  return of.empty() || std::any_of(of.begin(), of.end(), [&](const auto& name) {
+           return name == outcome.name || name == report::name_of(outcome);
+         });
+}
+
+void keep_wanted(impact::Sensitivity& slopes, const std::vector<std::string>& of) {
+  for (const auto& name : of)
+    if (std::none_of(slopes.outcome.begin(), slopes.outcome.end(),
+                     [&](const auto& one) { return is_wanted(one, {name}); }))
+      throw UsageError("--of " + name + ": no such outcome; there are " + [&] {
+        std::string names;
+        for (const auto& one : slopes.outcome) names += (names.empty() ? "" : ", ") + report::name_of(one);
+        return names;
+      }());
+  std::erase_if(slopes.outcome, [&](const auto& one) { return !is_wanted(one, of); });
+}
+
+/// The usual result of a run, and the slopes.
+report::Json json(const impact::Sensitivity& slopes, const scene::Scene& scene) {
+  auto result = std::visit([&](const auto& impact) { return report::json(impact, scene); },
+                           scene::simulate(scene));
+  report::add_slopes(slopes, result);
+  return result;
+}
+
+int sensitivity(const Slopes& options) {
+  const auto document = open(options.scene);
+  const auto scene = resolve(options.scene, document);
+  auto slopes = study::sensitivity(document, scene, options.to);
+  keep_wanted(slopes, options.of);
+  if (options.json)
+    print(report::text(json(slopes, scene)));
+  else
+    print(options.csv ? report::csv(slopes) : report::table(slopes, scene.title));
+  tell_ending(slopes.ending, slopes.message, scene);
+  return report::is_wanted(slopes.ending, scene) ? ExitCode::ok : exit_code(slopes.ending);
+}
+
+constexpr const char* examples = R"(Examples:
+  mariotte sensitivity triplet.toml
+  mariotte sensitivity triplet.toml --of icr --to contact --to gap
+  mariotte sensitivity triplet.toml --to chain.radius --to chain.material.young --csv
+  mariotte sensitivity microsphere.toml --json
+
+Slopes are exact through every event, not differences of runs: doc/sensitivity.md says how. Without --to they
+are by every mass, velocity, gap and number of a law; of a body by what its scene gives.
+)";
+
+}  // namespace
+
+Command sensitivity_command() {
+  auto options = std::make_shared<Slopes>();
+  return {.name = "sensitivity",
+          .about = "Tell how the outcome of a scene changes with its parameters",
+          .footer = examples,
+          .options = joined({scene_options(options->scene),
+                             run_options(options->scene),
+                             {{"--of",
+                               &options->of,
+                               "Outcome, such as velocity, impulse[0], icr or time; may be repeated",
+                               {.value = "QUANTITY", .takes_one = true}},
+                              {"--to",
+                               &options->to,
+                               "Parameter, such as mass[0], contact[1].stiffness or a key of the scene; may be "
+                               "repeated",
+                               {.value = "KEY", .takes_one = true}},
+                              {"--json", &options->json, "One JSON object on stdout"},
+                              {"--csv", &options->csv, "A table for other programs", {.excludes = {"--json"}}}}}),
+          .act = [options] { return sensitivity(*options); }};
+}
+
+}  // namespace mariotte::command

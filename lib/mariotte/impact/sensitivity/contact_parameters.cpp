@@ -1,0 +1,74 @@
+#include <cmath>
+
+#include "mariotte/impact/sensitivity/law_parameters.hpp"
+#include "mariotte/impact/sensitivity/sensitivity.hpp"
+
+namespace mariotte::impact {
+namespace {
+
+std::string numbered(const char* name, std::size_t i) {
+  return name + ("[" + std::to_string(i) + "]");
+}
+
+template <class Model>
+using List = std::vector<Parameter<Model>>;
+
+/// The elements of a list of the model, each with the step that its value asks for.
+template <class Model, class Step>
+void add_elements(const Model& model, std::vector<double> Model::*list, const char* name, Step&& step,
+                  List<Model>& parameters) {
+  for (std::size_t i = 0; i < (model.*list).size(); ++i) {
+    const double value = (model.*list)[i];
+    if (std::isinf(value)) continue;
+    parameters.push_back({numbered(name, i), value, step(value), [model, list, i](double moved) {
+                            auto other = model;
+                            (other.*list)[i] = moved;
+                            return other;
+                          }});
+  }
+}
+
+template <class Model>
+void add_laws(const Model& model, List<Model>& parameters) {
+  for (std::size_t j = 0; j < model.law.size(); ++j)
+    for (auto& number : law_parameters(model.law[j]))
+      parameters.push_back({numbered("contact", j) + "." + number.key, number.value, number.step,
+                            [model, j, law = std::move(number.law)](double moved) {
+                              auto other = model;
+                              other.law[j] = law(moved);
+                              return other;
+                            }});
+}
+
+/// Velocities and gaps are the state at the start, which is linear in them.
+template <class Model>
+List<Model> common(const Model& model, bool has_masses) {
+  const auto share = [](double value) { return 0.01 * value; };
+  const auto unit = [](double) { return 1.0; };
+  List<Model> list;
+  if (has_masses) add_elements(model, &Model::mass, "mass", share, list);
+  add_elements(model, &Model::velocity, "velocity", unit, list);
+  add_elements(model, &Model::gap, "gap", unit, list);
+  add_laws(model, list);
+  return list;
+}
+
+}  // namespace
+
+std::vector<Parameter<model::Chain>> parameters(const model::Chain& chain) {
+  auto list = common(chain, true);
+  if (chain.gravity != 0)
+    list.push_back({"gravity", chain.gravity, std::abs(chain.gravity), [chain](double moved) {
+                      auto other = chain;
+                      other.gravity = moved;
+                      return other;
+                    }});
+  return list;
+}
+
+std::vector<Parameter<model::Network>> parameters(const model::Network& network) {
+  const bool diagonal = model::is_diagonal(network.mass, std::ssize(network.velocity));
+  return common(network, diagonal);
+}
+
+}  // namespace mariotte::impact

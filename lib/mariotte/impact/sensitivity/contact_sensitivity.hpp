@@ -1,0 +1,157 @@
+// From the run of a chain or a network with slopes to its outcomes.
+#pragma once
+#include <array>
+#include <cmath>
+
+#include "mariotte/impact/impulses.hpp"
+#include "mariotte/impact/sensitivity/contact_variation.hpp"
+#include "mariotte/impact/sensitivity/notes.hpp"
+#include "mariotte/impact/sensitivity/sensitivity.hpp"
+#include "mariotte/impact/sensitivity/slope_run.hpp"
+
+namespace mariotte::impact {
+
+/// Slopes ask for the second derivatives of what the run is computed from.
+inline hybrid::Options for_slopes(hybrid::Options options) {
+  options.accuracy = std::max(1e-14, 0.01 * options.accuracy);
+  return options;
+}
+
+template <class Scaled, class Model>
+std::vector<ShiftedModels<Scaled>> shifted_models(const Scaled& base, const std::vector<Parameter<Model>>& by) {
+  std::vector<ShiftedModels<Scaled>> list;
+  for (const auto& one : by) {
+    auto& models = list.emplace_back();
+    models.step = one.step;
+    models.at.fill(base);
+    for (std::size_t k = 0; k < stencil.size(); ++k)
+      restate(one.model(one.value + stencil[k].offset * one.step), models.at[k]);
+  }
+  return list;
+}
+
+/// A contact system with the models around it. `Impulses(model, layout, interval, p)` fills p.
+template <class System, class Topology, class Impulses>
+class ContactSensitivity {
+ public:
+  using Scaled = typename Topology::Model;
+
+  template <class Model>
+  ContactSensitivity(System& system, const Scaled& base, const std::vector<Parameter<Model>>& by,
+                     const hybrid::Options& options, Impulses impulses)
+      : base_(base),
+        layout_(system.layout()),
+        models_(shifted_models(base, by)),
+        impulses_(impulses),
+        start_(layout_.size, std::ssize(by)) {
+    initial_state(base, layout_, x0_);
+    set_start();
+    ContactVariation<Topology> variation(base, layout_, models_);
+    end_ = SlopeLoop(system, variation, hybrid::scaled(options, base.scale)).follow(x0_, start_);
+    for (const auto& one : by) result_.parameter.push_back({one.name, one.value});
+  }
+
+  Sensitivity take() {
+    result_.ending = end_.run.ending;
+    result_.message = end_.run.message;
+    add_velocities();
+    add_impulses();
+    add_time();
+    add_notes(end_, base_.scale.time, [&](Index guard) {
+      return "contact " + std::to_string(layout_.guard_contact[guard] + 1);
+    }, result_.notes);
+    return std::move(result_);
+  }
+
+ private:
+  Index columns() const { return start_.columns; }
+  double slope(Index place, Index c) const {
+    return end_.slopes(place, c) + end_.rate[place] * end_.time[c];
+  }
+
+  /// The work of a contact that starts indented is its stored energy.
+  void set_start() {
+    std::array<std::vector<double>, stencil.size()> x;
+    for (Index c = 0; c < columns(); ++c) {
+      for (std::size_t k = 0; k < stencil.size(); ++k) initial_state(models_[c].at[k], layout_, x[k]);
+      for (Index r = 0; r < start_.rows; ++r)
+        start_(r, c) = stencil_slope(models_[c].step, [&](std::size_t k) { return x[k][r]; });
+    }
+  }
+
+  /// Impulses where parameter c has moved by so much.
+  void impulses_at(const Scaled& model, Index c, double by, std::vector<double>& p) const {
+    std::vector<double> before = x0_, after = end_.run.state;
+    for (Index r = 0; r < layout_.size; ++r) {
+      before[r] += by * start_(r, c);
+      after[r] += by * slope(r, c);
+    }
+    impulses_(model, layout_, {before, after, end_.run.time + by * end_.time[c]}, p);
+  }
+
+  /// Impulses are products of masses and velocities at most, which the stencil differentiates exactly.
+  SlopeMatrix impulse_slopes(const std::vector<Index>& periods) const {
+    SlopeMatrix slopes(layout_.contacts(), columns());
+    std::array<std::vector<double>, stencil.size()> p;
+    for (Index c = 0; c < columns(); ++c) {
+      const auto& [step, at] = models_[c];
+      for (std::size_t k = 0; k < stencil.size(); ++k) impulses_at(at[k], c, stencil[k].offset * step, p[k]);
+      for (Index j = 0; j < layout_.contacts(); ++j)
+        if (periods[j] > 0)
+          slopes(j, c) = stencil_slope(step, [&](std::size_t k) { return p[k][j]; });
+    }
+    return slopes;
+  }
+
+  template <class Slope>
+  void add(const char* name, std::optional<Index> index, const char* unit, std::optional<double> value,
+           Slope&& slope_of) {
+    auto& outcome = result_.outcome.emplace_back(OutcomeSlopes{name, index, unit, value, {}});
+    for (Index c = 0; c < columns(); ++c) outcome.slope.push_back(slope_of(c));
+  }
+
+  void add_velocities() {
+    const double unit = base_.scale.velocity;
+    for (Index i = 0; i < layout_.velocities(); ++i) {
+      const Index place = layout_.velocity[i];
+      add("velocity", i, "m/s", end_.run.state[place] * unit, [&](Index c) { return slope(place, c) * unit; });
+    }
+  }
+
+  void add_impulses() {
+    const double unit = base_.scale.momentum();
+    std::vector<double> p;
+    std::vector<Index> periods;
+    impulses_(base_, layout_, {x0_, end_.run.state, end_.run.time}, p);
+    count_periods(end_.run.changes, layout_.contacts(), periods);
+    clear_untouched(periods, p);
+    const auto slopes = impulse_slopes(periods);
+    for (Index j = 0; j < layout_.contacts(); ++j)
+      add("impulse", j, "N s", p[j] * unit, [&](Index c) { return slopes(j, c) * unit; });
+    for (Index j = 0; j + 1 < layout_.contacts(); ++j) {
+      const auto ratio = correlation_ratio(p, j);
+      add("icr", j, "1", ratio, [&](Index c) -> std::optional<double> {
+        if (!ratio) return std::nullopt;
+        return (slopes(j, c) - *ratio * slopes(j + 1, c)) / p[j + 1];
+      });
+    }
+  }
+
+  void add_time() {
+    add("time", {}, "s", end_.run.time * base_.scale.time, [&](Index c) -> std::optional<double> {
+      if (end_.time_is_noise) return std::nullopt;
+      return end_.time[c] * base_.scale.time;
+    });
+  }
+
+  const Scaled& base_;
+  const model::ContactLayout& layout_;
+  std::vector<ShiftedModels<Scaled>> models_;
+  Impulses impulses_;
+  SlopeMatrix start_;
+  std::vector<double> x0_;
+  SlopeRun<System> end_;
+  Sensitivity result_;
+};
+
+}  // namespace mariotte::impact

@@ -1,0 +1,122 @@
+#include "mariotte/study/sensitivity/scene_parameters.hpp"
+
+#include <array>
+#include <cmath>
+#include <memory>
+
+#include "mariotte/core/overload.hpp"
+#include "mariotte/scene/field.hpp"
+#include "mariotte/scene/key_path.hpp"
+
+namespace mariotte::study {
+namespace {
+
+using scene::Document;
+
+/// The value of a key, if the scene has it and reads it as a number.
+std::optional<double> value_of(Document document, const std::string& key) {
+  const auto place = add_origin(document.source, "--to " + key);
+  auto& node = locate(document.source, document.tree, key, place);
+  if (node.place.origin == place.origin) return std::nullopt;
+  scene::ReadingLog watch{.readings = {{.node = &node}}};
+  resolve(document, scene::Purpose::simulation, &watch);
+  if (!watch.readings[0].dimension) return std::nullopt;
+  return number(document.source, {&node, key}, *watch.readings[0].dimension, scene::Domain::any);
+}
+
+/// The scene read again with another value.
+template <class Model>
+impact::Parameter<Model> scene_parameter(const Document& document, const std::string& name,
+                                         const std::string& key, double value) {
+  return {name, value, 0.01 * std::abs(value),
+          [copy = std::make_shared<Document>(document), key](double moved) {
+            auto& node = locate(copy->source, copy->tree, key, {});
+            const auto before = node.value;
+            node.value = moved;
+            auto scene = resolve(*copy);
+            node.value = before;
+            return std::get<Model>(std::move(scene.model));
+          }};
+}
+
+[[noreturn]] void refuse_key(const Document& document, const std::string& key) {
+  Document copy = document;
+  const auto place = add_origin(copy.source, "--to " + key);
+  reject(copy.source, place, fault::leads_nowhere,
+         "is no number of the model or the scene that has a value other than zero");
+}
+
+/// "mass[0]" is asked for by "mass[0]" and "mass", "contact[1].stiffness" by "contact[1]" and "contact", too.
+bool is_asked_for(const std::string& name, const std::string& key) {
+  return name.starts_with(key) && (name.size() == key.size() || name[key.size()] == '[' || name[key.size()] == '.');
+}
+
+template <class Model>
+std::vector<impact::Parameter<Model>> chosen(const Document& document, const std::vector<std::string>& keys,
+                                             const std::vector<impact::Parameter<Model>>& all) {
+  if (keys.empty()) return all;
+  std::vector<impact::Parameter<Model>> list;
+  for (const auto& key : keys) {
+    const auto before = list.size();
+    for (const auto& one : all)
+      if (is_asked_for(one.name, key)) list.push_back(one);
+    if (list.size() > before) continue;
+    const auto value = value_of(document, key);
+    if (!value || *value == 0 || !std::isfinite(*value)) refuse_key(document, key);
+    list.push_back(scene_parameter<Model>(document, key, key, *value));
+  }
+  return list;
+}
+
+struct NamedKey {
+  const char* name;
+  const char* key;
+};
+/// What a body and its surface are made from, by the symbols that their page uses.
+constexpr std::array<NamedKey, 15> of_body{{{"radius", "body.radius"},
+                                            {"density", "body.density"},
+                                            {"length_ratio", "body.length_ratio"},
+                                            {"stiffness", "surface.stiffness"},
+                                            {"work_of_adhesion", "surface.work_of_adhesion"},
+                                            {"zeta_hertz", "surface.zeta_hertz"},
+                                            {"zeta_adhesion", "surface.zeta_adhesion"},
+                                            {"C_H", "surface.damping_hertz"},
+                                            {"C_A", "surface.damping_adhesion"},
+                                            {"friction", "surface.friction"},
+                                            {"normal_speed", "incidence.normal_speed"},
+                                            {"v2", "incidence.tangential_velocity[0]"},
+                                            {"v3", "incidence.tangential_velocity[1]"},
+                                            {"w2", "incidence.spin[1]"},
+                                            {"w3", "incidence.spin[2]"}}};
+
+std::vector<impact::Parameter<model::Microbody>> body_parameters(const Document& document) {
+  std::vector<impact::Parameter<model::Microbody>> list;
+  for (const auto& [name, key] : of_body) {
+    std::optional<double> value;
+    try {
+      value = value_of(document, key);
+    } catch (const scene::SceneError&) {
+      continue;  // the scene does not give it
+    }
+    if (value && *value != 0 && std::isfinite(*value))
+      list.push_back(scene_parameter<model::Microbody>(document, name, key, *value));
+  }
+  return list;
+}
+
+}  // namespace
+
+impact::Sensitivity sensitivity(const Document& document, const scene::Scene& scene,
+                                const std::vector<std::string>& keys) {
+  const auto of = [&](const auto& model, const auto& all) {
+    return impact::sensitivity(model, chosen(document, keys, all), scene.run);
+  };
+  return std::visit(
+      Overload{[&](const model::Chain& chain) { return of(chain, impact::parameters(chain)); },
+               [&](const model::Network& network) { return of(network, impact::parameters(network)); },
+               [&](const model::Microbody& body) { return of(body, body_parameters(document)); },
+               [](const scene::LawAlone& nothing) -> impact::Sensitivity { scene::refuse(nothing); }},
+      scene.model);
+}
+
+}  // namespace mariotte::study

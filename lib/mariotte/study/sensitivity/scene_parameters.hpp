@@ -1,0 +1,17 @@
+// Numbers of a scene as parameters: radii and materials change a model by the scene's own formulas.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "mariotte/impact/sensitivity/sensitivity.hpp"
+#include "mariotte/scene/document.hpp"
+
+namespace mariotte::study {
+
+/// Slopes of the scene's outcome by `keys`: numbers of the model, as "mass[0]", all of one kind, as "mass" or
+/// "contact[1]", or keys of the scene, as "chain.radius". Without keys by all numbers of the model. Throws
+/// SceneError for a key that is no number other than zero, and for a scene with [law] alone.
+impact::Sensitivity sensitivity(const scene::Document& document, const scene::Scene& scene,
+                                const std::vector<std::string>& keys);
+
+}  // namespace mariotte::study
