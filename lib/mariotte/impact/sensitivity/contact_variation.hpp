@@ -84,6 +84,17 @@ class ContactVariation {
   const std::vector<double>& natural_slopes() const { return natural_; }
   /// ∂f/∂p at a state.
   void source(ConstState x, const contact::ContactSet& mode, SlopeMatrix& b) const;
+  /// ∂f/∂x.
+  void jacobian(const flow::Problem& problem, ConstState x, const contact::ContactSet&, State values) const {
+    problem.jacobian(x, values);
+  }
+  /// ∂γ/∂x of guard i along a direction of the state.
+  double guard_rate(const flow::Problem& problem, Index i, ConstState x, ConstState dx,
+                    const contact::ContactSet&) const {
+    std::vector<double> rates(problem.guard_count());
+    problem.guard_rates(x, dx, rates);
+    return rates[i];
+  }
   /// ∂γ/∂p of guard i at a state, by parameter.
   void guard_slopes(Index i, ConstState x, const contact::ContactSet& mode, std::span<double> slopes) const;
   /// How fast guard i crosses at this rate, relative to what is natural.

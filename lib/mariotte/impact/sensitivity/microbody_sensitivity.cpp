@@ -1,7 +1,139 @@
+#include <cmath>
+
+#include "mariotte/impact/sensitivity/microbody_variation.hpp"
+#include "mariotte/impact/sensitivity/notes.hpp"
 #include "mariotte/impact/sensitivity/sensitivity.hpp"
+#include "mariotte/impact/sensitivity/slope_run.hpp"
+#include "mariotte/model/microbody/microbody_field.hpp"
+
 namespace mariotte::impact {
-Sensitivity sensitivity(const model::Microbody&, const std::vector<Parameter<model::Microbody>>&,
-                        const hybrid::Options&) {
-  return {};
+
+using model::DimensionlessMicrobody;
+using model::Microbody;
+using model::MicrobodySystem;
+
+namespace {
+
+/// Everything that a body is asked for at its end.
+struct Reading {
+  const char* name;
+  const char* unit;
+};
+constexpr std::array<Reading, 8> readings{{{"normal_velocity", "m/s"},
+                                           {"v2", "m/s"},
+                                           {"v3", "m/s"},
+                                           {"w1", "rad/s"},
+                                           {"w2", "rad/s"},
+                                           {"w3", "rad/s"},
+                                           {"e_n", "1"},
+                                           {"e_nm", "1"}}};
+using Readings = std::array<double, readings.size()>;
+
+Readings read(const DimensionlessMicrobody& body, const model::MicrobodyLayout& layout, ConstState start,
+              ConstState end) {
+  const model::Mechanics mechanics{body, layout};
+  const Vector3 v = vector_at(end, layout.place.velocity), w = mechanics.spin(end),
+                before = vector_at(start, layout.place.velocity);
+  const double speed = body.scale.velocity, turn = 1 / body.scale.time;
+  return {speed * v.e1,
+          speed * v.e2,
+          speed * v.e3,
+          turn * w.e1,
+          turn * w.e2,
+          turn * w.e3,
+          -mechanics.tip(end, 0).velocity / mechanics.tip(start, 0).velocity,
+          -v.e1 / before.e1};
 }
+
+class BodySlopes {
+ public:
+  BodySlopes(const Microbody& body, const std::vector<Parameter<Microbody>>& by,
+             const hybrid::Options& options)
+      : system_(body, std::max(1e-14, 0.01 * options.accuracy), /*balance=*/false, {.force_signs = false}),
+        layout_(system_.layout()),
+        x0_(initial_state(system_.body(), layout_)),
+        start_(layout_.size, std::ssize(by)) {
+    for (const auto& one : by) {
+      result_.parameter.push_back({one.name, one.value});
+      auto& bodies = shifted_.emplace_back();
+      bodies.step = one.step;
+      for (std::size_t k = 0; k < stencil.size(); ++k)
+        bodies.at[k] = restated(one.model(one.value + stencil[k].offset * one.step), system_.body());
+    }
+    set_start();
+    MicrobodyVariation variation(system_, shifted_);
+    auto run_options = hybrid::scaled(options, system_.body().scale);
+    run_options.accuracy = system_.accuracy();
+    end_ = SlopeLoop(system_, variation, run_options).follow(x0_, start_);
+  }
+
+  Sensitivity take() {
+    result_.ending = end_.run.ending;
+    result_.message = end_.run.message;
+    add_readings();
+    add_time();
+    add_notes(end_, system_.body().scale.time, [](Index guard) {
+      return "tip " + std::to_string(guard / model::guards_per_tip + 1);
+    }, result_.notes);
+    return std::move(result_);
+  }
+
+ private:
+  void set_start() {
+    std::array<std::vector<double>, stencil.size()> x;
+    for (Index c = 0; c < start_.columns; ++c) {
+      for (std::size_t k = 0; k < stencil.size(); ++k) x[k] = initial_state(shifted_[c].at[k], layout_);
+      for (Index r = 0; r < start_.rows; ++r)
+        start_(r, c) = stencil_slope(shifted_[c].step, [&](std::size_t k) { return x[k][r]; });
+    }
+  }
+
+  Readings moved(Index c, std::size_t k) const {
+    const double by = stencil[k].offset * shifted_[c].step;
+    std::vector<double> before = x0_, after = end_.run.state;
+    for (Index r = 0; r < start_.rows; ++r) {
+      before[r] += by * start_(r, c);
+      after[r] += by * (end_.slopes(r, c) + end_.rate[r] * end_.time[c]);
+    }
+    return read(shifted_[c].at[k], layout_, before, after);
+  }
+
+  void add_readings() {
+    const auto values = read(system_.body(), layout_, x0_, end_.run.state);
+    for (std::size_t i = 0; i < readings.size(); ++i)
+      result_.outcome.push_back({readings[i].name, {}, readings[i].unit, values[i], {}});
+    for (Index c = 0; c < start_.columns; ++c) {
+      std::array<Readings, stencil.size()> all;
+      for (std::size_t k = 0; k < stencil.size(); ++k) all[k] = moved(c, k);
+      for (std::size_t i = 0; i < readings.size(); ++i)
+        result_.outcome[i].slope.push_back(
+            stencil_slope(shifted_[c].step, [&](std::size_t k) { return all[k][i]; }));
+    }
+  }
+
+  void add_time() {
+    const double unit = system_.body().scale.time;
+    OutcomeSlopes time{"contact_time", {}, "s", end_.run.time * unit, {}};
+    for (Index c = 0; c < start_.columns; ++c) time.slope.push_back(end_.time[c] * unit);
+    result_.outcome.push_back(std::move(time));
+  }
+
+  MicrobodySystem system_;
+  const model::MicrobodyLayout& layout_;
+  std::vector<double> x0_;
+  SlopeMatrix start_;
+  std::vector<ShiftedBodies> shifted_;
+  SlopeRun<MicrobodySystem> end_;
+  Sensitivity result_;
+};
+
+}  // namespace
+
+Sensitivity sensitivity(const Microbody& body, const std::vector<Parameter<Microbody>>& by,
+                        const hybrid::Options& options) {
+  model::validate(body);
+  hybrid::validate(options);
+  return BodySlopes(body, by, options).take();
+}
+
 }  // namespace mariotte::impact

@@ -46,7 +46,7 @@ class PhaseSlopes final : public hybrid::PhaseObserver {
         : owner_(owner), step_(step), x_(owner.problem_.size()) {}
     void at(double time, double left, std::span<double> jacobian, SlopeMatrix& source) override {
       owner_.state_at(step_, time, left, x_);
-      owner_.problem_.jacobian(x_, jacobian);
+      owner_.variation_.jacobian(owner_.problem_, x_, owner_.mode_, jacobian);
       owner_.variation_.source(x_, owner_.mode_, source);
     }
 

@@ -67,16 +67,16 @@ template <class System, class Variation>
 std::vector<double> SlopeLoop<System, Variation>::time_slopes(const Observer& observer, Index guard,
                                                               ConstState rate, double time,
                                                               SlopeRun<System>& result) {
-  auto& problem = system_.problem(workspace_.mode);
+  const auto& problem = system_.problem(workspace_.mode);
   const auto& x = workspace_.run.state;
-  std::vector<double> rates(problem.guard_count()), slopes(variation_.columns());
-  problem.guard_rates(x, rate, rates);
-  const double crossing = rates[guard];
+  const auto along = [&](ConstState dx) {
+    return variation_.guard_rate(problem, guard, x, dx, workspace_.mode);
+  };
+  std::vector<double> slopes(variation_.columns());
+  const double crossing = along(rate);
   variation_.guard_slopes(guard, x, workspace_.mode, slopes);
-  for (Index c = 0; c < variation_.columns(); ++c) {
-    problem.guard_rates(x, observer.slopes.column(c), rates);
-    slopes[c] = -(slopes[c] + rates[guard]) / crossing;
-  }
+  for (Index c = 0; c < variation_.columns(); ++c)
+    slopes[c] = -(slopes[c] + along(observer.slopes.column(c))) / crossing;
   const double speed = variation_.crossing_speed(guard, crossing);
   if (speed < 1e-3) result.delicate.push_back({time, guard, speed});
   return slopes;

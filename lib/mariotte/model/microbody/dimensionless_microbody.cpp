@@ -95,15 +95,13 @@ void find_motion(DimensionlessMicrobody& d) {
   d.momentum = {};
 }
 
-}  // namespace
-
-DimensionlessMicrobody dimensionless(const Microbody& body) {
+/// In units in which a stiffness `reference` is 1.
+DimensionlessMicrobody in_units(const Microbody& body, const Scale& scale, double reference) {
   DimensionlessMicrobody d;
-  d.scale = choose_scale(body);
-  const auto& scale = d.scale;
+  d.scale = scale;
   d.body = scaled(body.body, scale, body.impacts == 1 ? 1 : body.body.tips.size());
   for (std::size_t i = 0; i < d.tips(); ++i) {
-    d.law.push_back(scaled(body.law[i], scale, body.law[0].stiffness));
+    d.law.push_back(scaled(body.law[i], scale, reference));
     const double below = rotate(body.attitude, body.body.tips[i].centre - body.body.tips[0].centre).e1;
     d.gap.push_back(std::max(0.0, below - body.body.tips[i].radius + body.body.tips[0].radius) /
                     scale.length);
@@ -119,8 +117,23 @@ DimensionlessMicrobody dimensionless(const Microbody& body) {
   d.speed = incident_speed(body) / scale.velocity;
   d.time = scale.velocity / natural_speed(body);
   d.symmetric = is_symmetric(body.body);
+  return d;
+}
+
+}  // namespace
+
+DimensionlessMicrobody dimensionless(const Microbody& body) {
+  auto d = in_units(body, choose_scale(body), body.law[0].stiffness);
   expect_representable(body, d);
   find_motion(d);
+  return d;
+}
+
+DimensionlessMicrobody restated(const Microbody& body, const DimensionlessMicrobody& base) {
+  const auto& scale = base.scale;
+  const double reference = scale.energy() / (scale.length * scale.length * std::sqrt(scale.length));
+  auto d = in_units(body, scale, reference);
+  d.motion = Motion::spatial;
   return d;
 }
 

@@ -36,6 +36,10 @@ struct DimensionlessMicrobody {
 /// is made so exactly. Throws Unrepresentable.
 DimensionlessMicrobody dimensionless(const Microbody& body);
 
+/// A validated body with other numbers than the one `base` was made from, in the units of `base`. It may move
+/// in any way: what starts in a plane is not taken to stay there.
+DimensionlessMicrobody restated(const Microbody& body, const DimensionlessMicrobody& base);
+
 /// The accuracy asked for, but no finer than rounding: a slow body is made much faster by the well of
 /// adhesion, and errors of that speed are no smaller.
 double reachable_accuracy(const DimensionlessMicrobody& body, double asked);

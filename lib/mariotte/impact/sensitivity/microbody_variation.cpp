@@ -1,0 +1,162 @@
+#include "mariotte/impact/sensitivity/microbody_variation.hpp"
+
+#include <cmath>
+
+#include "mariotte/model/microbody/microbody_field.hpp"
+
+namespace mariotte::impact {
+
+using model::Mechanics;
+using model::MicrobodyMode;
+using model::TipContact;
+using model::TipGuard;
+
+namespace {
+
+/// Guard i, which belongs to a tip.
+template <class T>
+T guard_of(const Mechanics& mechanics, std::span<const T> x, const MicrobodyMode& mode, Index i) {
+  using std::sqrt;
+  const Index tip = i / model::guards_per_tip;
+  const auto& state = mode.tip[static_cast<std::size_t>(tip)];
+  const auto& body = mechanics.body;
+  const auto& law = body.law[static_cast<std::size_t>(tip)];
+  const model::MicrobodyField<T> field(mechanics, x);
+  const auto& here = field.tip(tip);
+  switch (static_cast<TipGuard>(i % model::guards_per_tip)) {
+    case TipGuard::gap:
+      return x[mechanics.layout.place.gap[tip]];
+    case TipGuard::force:
+      return law.adhesion > 0 ? state.force_sign * contact::pressure(law, here.indentation, here.velocity)
+                              : state.force_sign * (1.0 - law.damping_hertz * here.velocity);
+    case TipGuard::slip:
+      return here.slip.e2 * state.direction.e2 + here.slip.e3 * state.direction.e3;
+    case TipGuard::cone: {
+      const auto forces = field.forces(mode);
+      const auto& friction = forces.friction[tip];
+      return contact::limit(body.friction, forces.normal[tip]) - sqrt(dot(friction, friction));
+    }
+    case TipGuard::turn_back:
+      return here.velocity;
+  }
+  return T(1);
+}
+
+}  // namespace
+
+MicrobodyVariation::MicrobodyVariation(const model::MicrobodySystem& system,
+                                       const std::vector<ShiftedBodies>& shifted)
+    : system_(system), shifted_(shifted), base_(system.body()) {
+  base_.motion = flow::TipPhase::Motion::spatial;
+  for (const auto& one : shifted) natural_.push_back(1e-4 / one.step);
+}
+
+Mechanics MicrobodyVariation::mechanics(const model::DimensionlessMicrobody& body) const {
+  return {body, system_.layout(), system_.mechanics().slip_noise, 0};
+}
+
+/// A slip that is no noise has a direction of its own.
+MicrobodyMode MicrobodyVariation::sliding_freely(MicrobodyMode mode, ConstState x) const {
+  for (Index i = 0; i < system_.layout().tips; ++i) {
+    auto& tip = mode.tip[i];
+    const bool slides = tip.contact == TipContact::sliding && tip.start != model::SlipStart::moving;
+    if (slides && norm(system_.mechanics().tip(x, i).slip) > 1e-10 * base_.speed)
+      tip.start = model::SlipStart::moving;
+  }
+  return mode;
+}
+
+void MicrobodyVariation::jacobian(const flow::Problem&, ConstState x, const MicrobodyMode& mode,
+                                  State values) const {
+  mechanics(base_).jacobian(x, sliding_freely(mode, x), values);
+}
+
+/// Direction of the slip of a tip, and its slope by parameter c.
+MicrobodyVariation::Direction MicrobodyVariation::direction(const model::TipMode& tip, Index i, ConstState x,
+                                                            Index c) const {
+  if (tip.start != model::SlipStart::moving) return {tip.direction, {}};
+  const Vector3 slip = system_.mechanics().tip(x, i).slip;
+  const double size = norm(slip);
+  if (size == 0) return {tip.direction, {}};
+  const Vector3 unit = (1 / size) * slip;
+  Vector3 slope;
+  for (std::size_t k = 0; k < stencil.size(); ++k)
+    slope = slope + (stencil[k].weight / shifted_[c].step) * mechanics(shifted_[c].at[k]).tip(x, i).slip;
+  return {unit, (1 / size) * (slope - dot(slope, unit) * unit)};
+}
+
+/// Friction jumps where slip or normal force change their signs, which the points may do before the body does:
+/// all points have the signs of the body.
+MicrobodyMode MicrobodyVariation::mode_at(const MicrobodyMode& mode, ConstState x, Index c,
+                                          std::size_t k) const {
+  auto result = mode;
+  const auto there = mechanics(shifted_[c].at[k]), here = mechanics(base_);
+  for (Index i = 0; i < system_.layout().tips; ++i) {
+    auto& tip = result.tip[i];
+    if (tip.contact != TipContact::sliding || base_.friction.coefficient == 0) continue;
+    const auto [unit, slope] = direction(tip, i, x, c);
+    const double moved = there.normal_force(there.tip(x, i), i), own = here.normal_force(here.tip(x, i), i);
+    const double sign = moved * own < 0 ? -1 : 1;
+    tip.direction = sign * (unit + (stencil[k].offset * shifted_[c].step) * slope);
+    tip.start = model::SlipStart::turning;
+  }
+  return result;
+}
+
+void MicrobodyVariation::source(ConstState x, const MicrobodyMode& mode, SlopeMatrix& b) const {
+  const auto free = sliding_freely(mode, x);
+  std::vector<double> dx(x.size());
+  b.clear();
+  for (Index c = 0; c < columns(); ++c)
+    for (std::size_t k = 0; k < stencil.size(); ++k) {
+      mechanics(shifted_[c].at[k]).derivative(x, mode_at(free, x, c, k), dx);
+      const double weight = stencil[k].weight / shifted_[c].step;
+      for (Index r = 0; r < b.rows; ++r) b(r, c) += weight * dx[r];
+    }
+}
+
+double MicrobodyVariation::guard_rate(const flow::Problem&, Index i, ConstState x, ConstState dx,
+                                      const MicrobodyMode& mode) const {
+  using Number = series::Dual<double, 1>;
+  if (i >= model::escape_guard(system_.layout().tips)) return 1;
+  std::vector<Number> moved;
+  for (std::size_t r = 0; r < x.size(); ++r) moved.push_back(Number(x[r], {dx[r]}));
+  const Number value = guard_of<Number>(mechanics(base_), moved, mode, i);
+  return value.slope[0];
+}
+
+void MicrobodyVariation::guard_slopes(Index i, ConstState x, const MicrobodyMode& mode,
+                                      std::span<double> slopes) const {
+  std::fill(slopes.begin(), slopes.end(), 0.0);
+  if (i >= model::escape_guard(system_.layout().tips)) return;
+  for (Index c = 0; c < columns(); ++c)
+    slopes[c] = stencil_slope(shifted_[c].step, [&](std::size_t k) {
+      return guard_of<double>(mechanics(shifted_[c].at[k]), x, mode, i);
+    });
+}
+
+double MicrobodyVariation::crossing_speed(Index i, double rate) const {
+  if (i >= model::escape_guard(system_.layout().tips)) return 1;
+  const auto& law = base_.law[static_cast<std::size_t>(i / model::guards_per_tip)];
+  const double force = base_.body.mass * base_.speed / base_.time;
+  switch (static_cast<TipGuard>(i % model::guards_per_tip)) {
+    case TipGuard::gap:
+      return std::abs(rate) / base_.speed;
+    case TipGuard::force:
+      return std::abs(rate) * base_.time / contact::pressure_size(law, 1, base_.speed);
+    case TipGuard::cone:
+      return std::abs(rate) * base_.time / force;
+    case TipGuard::slip:
+    case TipGuard::turn_back:
+      return std::abs(rate) * base_.time / base_.speed;
+  }
+  return 1;
+}
+
+void MicrobodyVariation::meet(Index i, const MicrobodyMode&, State x) const {
+  if (i >= model::escape_guard(system_.layout().tips)) return;
+  if (static_cast<TipGuard>(i % model::guards_per_tip) == TipGuard::gap)
+    x[system_.layout().place.gap[i / model::guards_per_tip]] = 0;
+}
+
+}  // namespace mariotte::impact

@@ -1,0 +1,56 @@
+// How the field and the guards of a microbody move with its parameters, at a fixed state: by the stencil, from
+// the bodies at its points. The field is the one of a body that may move in any way.
+#pragma once
+#include <array>
+#include <vector>
+
+#include "mariotte/impact/sensitivity/slope_matrix.hpp"
+#include "mariotte/impact/sensitivity/stencil.hpp"
+#include "mariotte/model/microbody/microbody_system.hpp"
+
+namespace mariotte::impact {
+
+/// One body per point of the stencil, in the units of the base.
+struct ShiftedBodies {
+  double step;
+  std::array<model::DimensionlessMicrobody, stencil.size()> at;
+};
+
+class MicrobodyVariation {
+ public:
+  MicrobodyVariation(const model::MicrobodySystem& system, const std::vector<ShiftedBodies>& shifted);
+
+  Index columns() const { return std::ssize(shifted_); }
+  const std::vector<double>& natural_slopes() const { return natural_; }
+  void jacobian(const flow::Problem& problem, ConstState x, const model::MicrobodyMode& mode,
+                State values) const;
+  void source(ConstState x, const model::MicrobodyMode& mode, SlopeMatrix& b) const;
+  double guard_rate(const flow::Problem& problem, Index i, ConstState x, ConstState dx,
+                    const model::MicrobodyMode& mode) const;
+  void guard_slopes(Index i, ConstState x, const model::MicrobodyMode& mode, std::span<double> slopes) const;
+  double crossing_speed(Index i, double rate) const;
+
+  /// The first tip touches at the start whatever the parameters are.
+  std::vector<Index> guards_at_start(const model::MicrobodyMode&, ConstState) const { return {}; }
+  void open_at_start(model::MicrobodyMode&, Index) const {}
+  void meet(Index i, const model::MicrobodyMode& mode, State x) const;
+  void settle(Index i, const model::MicrobodyMode& before, State x) const { meet(i, before, x); }
+  void remember(Index, const model::MicrobodyMode&, const model::MicrobodyMode&, const SlopeMatrix&,
+                ConstState, std::span<const double>) {}
+
+ private:
+  model::Mechanics mechanics(const model::DimensionlessMicrobody& body) const;
+  struct Direction {
+    Vector3 unit, slope;
+  };
+  Direction direction(const model::TipMode& tip, Index i, ConstState x, Index c) const;
+  model::MicrobodyMode mode_at(const model::MicrobodyMode& mode, ConstState x, Index c, std::size_t k) const;
+  model::MicrobodyMode sliding_freely(model::MicrobodyMode mode, ConstState x) const;
+
+  const model::MicrobodySystem& system_;
+  const std::vector<ShiftedBodies>& shifted_;
+  model::DimensionlessMicrobody base_;
+  std::vector<double> natural_;
+};
+
+}  // namespace mariotte::impact

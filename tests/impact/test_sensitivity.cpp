@@ -1,0 +1,165 @@
+// Slopes of the outcome by every parameter, against numbers computed elsewhere in extended precision, against
+// differences of runs, and against what follows from symmetry and dimensions alone.
+#define BOOST_TEST_MODULE sensitivity
+#include <boost/test/unit_test.hpp>
+#include <random>
+
+#include "mariotte/impact/chain/chain_solver.hpp"
+#include "mariotte/impact/sensitivity/sensitivity.hpp"
+#include "support/reference_laws.hpp"
+
+using namespace mariotte;
+using impact::Sensitivity;
+
+namespace {
+
+std::vector<nlohmann::json> cases(const std::string& file) {
+  std::ifstream in(std::string(MARIOTTE_TEST_DATA) + "/sensitivity/" + file);
+  return nlohmann::json::parse(in).get<std::vector<nlohmann::json>>();
+}
+
+double largest(const std::vector<double>& values) {
+  double most = 0;
+  for (const double v : values) most = std::max(most, std::abs(v));
+  return most;
+}
+
+std::vector<double> expected(const nlohmann::json& derivative, const impact::OutcomeSlopes& outcome) {
+  const auto& list = derivative.at(outcome.name);
+  return test::sizes(outcome.index ? list.at(*outcome.index) : list);
+}
+
+double slope(const Sensitivity& s, const std::string& outcome, Index index, const std::string& parameter) {
+  for (const auto& one : s.outcome)
+    for (std::size_t c = 0; c < s.parameter.size(); ++c)
+      if (one.name == outcome && one.index.value_or(0) == index && s.parameter[c].name == parameter)
+        return one.slope[c].value();
+  throw std::runtime_error("no slope of " + outcome + " by " + parameter);
+}
+
+/// Random masses, speeds and gaps; laws without branches.
+model::Chain random_chain(std::mt19937& random) {
+  const auto between = [&](double low, double high) {
+    return std::uniform_real_distribution(low, high)(random);
+  };
+  const int balls = 3 + static_cast<int>(random() % 3);
+  model::Chain chain;
+  for (int i = 0; i < balls; ++i) {
+    chain.mass.push_back(between(0.4, 2.5));
+    chain.velocity.push_back(i == 0 ? between(0.8, 1.5) : between(-0.3, 0.3));
+    if (i == 0) continue;
+    chain.gap.push_back(between(0.02, 0.3));
+    const double exponent = std::vector{1.0, 1.5, 1.25}[random() % 3];
+    const double damping = random() % 2 ? between(0.02, 0.3) : 0;
+    chain.law.push_back(contact::PowerLaw{between(0.5, 4), damping, exponent});
+  }
+  return chain;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(slopes_of_chains_are_those_of_the_references) {
+  for (const auto& c : cases("chains.json")) {
+    const auto chain = test::chain_of(c.at("inputs"));
+    const auto found = sensitivity(chain, parameters(chain), {.accuracy = 1e-10});
+    const auto names = c.at("parameters").get<std::vector<std::string>>();
+    BOOST_TEST_REQUIRE(found.parameter.size() == names.size());
+    for (std::size_t k = 0; k < names.size(); ++k) BOOST_TEST(found.parameter[k].name == names[k]);
+    for (const auto& outcome : found.outcome) {
+      const auto reference = expected(c.at("derivative"), outcome);
+      for (std::size_t k = 0; k < names.size(); ++k)
+        BOOST_TEST_CONTEXT(outcome.name << outcome.index.value_or(0) << " by " << names[k])
+      // Relative to the largest slope of the outcome: velocities at which adhesion lets go are good to 1e-9.
+      BOOST_TEST(std::abs(outcome.slope[k].value() - reference[k]) <= 1e-8 * largest(reference));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_row_that_moves_as_a_whole_only_moves) {
+  std::mt19937 random(7);
+  for (int n = 0; n < 20; ++n) {
+    const auto chain = random_chain(random);
+    const auto found = sensitivity(chain, parameters(chain));
+    for (std::size_t i = 0; i < chain.mass.size(); ++i) {
+      double sum = 0;
+      for (std::size_t k = 0; k < chain.mass.size(); ++k)
+        sum += slope(found, "velocity", static_cast<Index>(i), "velocity[" + std::to_string(k) + "]");
+      BOOST_TEST(std::abs(sum - 1) <= 1e-11);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(slopes_obey_the_units_of_mass_length_and_time) {
+  std::mt19937 random(11);
+  for (int n = 0; n < 20; ++n) {
+    const auto chain = random_chain(random);
+    const auto found = sensitivity(chain, parameters(chain));
+    // Exponents of mass, length and time of each parameter; c δⁿ⁻¹ δ̇ and k δⁿ are forces.
+    const auto dimension = [&](const std::string& name) -> std::array<double, 3> {
+      if (name.starts_with("mass")) return {1, 0, 0};
+      if (name.starts_with("velocity")) return {0, 1, -1};
+      if (name.starts_with("gap")) return {0, 1, 0};
+      const auto& law = std::get<contact::PowerLaw>(chain.law[name[8] - '0']);
+      if (name.ends_with("stiffness")) return {1, 1 - law.exponent, -2};
+      return {1, 1 - law.exponent, -1};
+    };
+    for (const auto& outcome : found.outcome) {
+      const std::array<double, 3> own = outcome.name == "velocity"  ? std::array<double, 3>{0, 1, -1}
+                                        : outcome.name == "impulse" ? std::array<double, 3>{1, 1, -1}
+                                        : outcome.name == "icr"     ? std::array<double, 3>{0, 0, 0}
+                                                                    : std::array<double, 3>{0, 0, 1};
+      if (!outcome.value) continue;
+      for (int unit = 0; unit < 3; ++unit) {
+        double sum = 0, size = std::abs(*outcome.value);
+        for (std::size_t k = 0; k < found.parameter.size(); ++k) {
+          const auto& [name, value] = found.parameter[k];
+          if (name.ends_with("exponent")) continue;
+          const double term = dimension(name)[unit] * value * outcome.slope[k].value();
+          sum += term;
+          size += std::abs(term);
+        }
+        BOOST_TEST(std::abs(sum - own[unit] * *outcome.value) <= 1e-10 * size);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(slopes_are_those_of_differences_of_runs) {
+  std::mt19937 random(3);
+  impact::ChainSolver solver;
+  double worst = 0;
+  for (int n = 0; n < 40; ++n) {
+    const auto chain = random_chain(random);
+    const auto by = parameters(chain);
+    const auto found = sensitivity(chain, by);
+    for (std::size_t k = 0; k < by.size(); ++k) {
+      // Differences of order four: their own error is 1e-9 where no event comes or goes between.
+      const double h = 2e-4;
+      const auto at = [&](double offset) {
+        return solver.solve(by[k].model(by[k].value + offset * h), {.accuracy = 1e-14}).velocity;
+      };
+      const auto a = at(-2), b = at(-1), c = at(1), d = at(2);
+      for (std::size_t i = 0; i < chain.mass.size(); ++i) {
+        const double expected = ((a[i] - d[i]) + 8 * (c[i] - b[i])) / (12 * h);
+        const double error = std::abs(found.outcome[i].slope[k].value() - expected);
+        worst = std::max(worst, error);
+        BOOST_TEST(error <= 1e-7 * (1 + std::abs(expected)),
+                   "velocity " << i << " by " << by[k].name << " of chain " << n << ": "
+                               << found.outcome[i].slope[k].value() << ", differences " << expected);
+      }
+    }
+  }
+  BOOST_TEST_MESSAGE("largest difference " << worst);
+}
+
+BOOST_AUTO_TEST_CASE(a_pair_has_the_slopes_of_its_closed_form) {
+  // v₁⁺ = v (m₁ − m₂)/(m₁ + m₂), and time t = π √(m*/k).
+  const model::Chain pair{.mass = {2, 3}, .law = {contact::Linear(5)}, .gap = {0}, .velocity = {1.5, 0}};
+  const auto found = sensitivity(pair, parameters(pair));
+  BOOST_TEST(std::abs(slope(found, "velocity", 0, "mass[0]") - 1.5 * 6 / 25.0) < 1e-12);
+  BOOST_TEST(std::abs(slope(found, "velocity", 0, "velocity[0]") + 0.2) < 1e-12);
+  BOOST_TEST(std::abs(slope(found, "velocity", 0, "contact[0].stiffness")) < 1e-12);
+  const double time = std::numbers::pi * std::sqrt(1.2 / 5);
+  BOOST_TEST(std::abs(slope(found, "time", 0, "contact[0].stiffness") + time / 10) < 1e-12);
+  BOOST_TEST(std::abs(slope(found, "time", 0, "gap[0]") - 1 / 1.5) < 1e-12);
+}
