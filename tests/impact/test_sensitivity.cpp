@@ -2,6 +2,7 @@
 // differences of runs, and against what follows from symmetry and dimensions alone.
 #define BOOST_TEST_MODULE sensitivity
 #include <boost/test/unit_test.hpp>
+#include <numbers>
 #include <random>
 
 #include "mariotte/impact/chain/chain_solver.hpp"
@@ -9,7 +10,9 @@
 #include "support/reference_laws.hpp"
 
 using namespace mariotte;
+using impact::parameters;
 using impact::Sensitivity;
+using impact::sensitivity;
 
 namespace {
 

@@ -68,12 +68,11 @@ struct Moment {
 };
 
 Moment moment(Edges edges, double u) {
-  const double v = 1 - u;
-  const auto rise = [](double x) { return x * x * x * x * (35 + x * (-84 + x * (70 - 20 * x))); };
-  const auto fourth = [](double x) { return x * x * x * x; };
-  if (edges.begins && edges.ends) return {rise(u), rise(v), 140 * u * u * u * v * v * v};
-  if (edges.begins) return {fourth(u), 1 - fourth(u), 4 * u * u * u};
-  if (edges.ends) return {1 - fourth(v), fourth(v), 4 * v * v * v};
+  const double v = 1 - u, fourth = u * u * u * u;
+  if (edges.begins && edges.ends)
+    return {fourth * (5 - 4 * u), v * v * (10 + v * (-20 + v * (15 - 4 * v))), 20 * u * u * u * v};
+  if (edges.begins) return {fourth, 1 - fourth, 4 * u * u * u};
+  if (edges.ends) return {1 - v * v, v * v, 2 * v};
   return {u, v, 1};
 }
 
