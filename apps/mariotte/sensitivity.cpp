@@ -43,8 +43,8 @@ void keep_wanted(impact::Sensitivity& slopes, const std::vector<std::string>& of
 
 /// The usual result of a run, and the slopes.
 report::Json json(const impact::Sensitivity& slopes, const scene::Scene& scene) {
-  auto result = std::visit([&](const auto& impact) { return report::json(impact, scene); },
-                           scene::simulate(scene));
+  auto result =
+      std::visit([&](const auto& impact) { return report::json(impact, scene); }, scene::simulate(scene));
   report::add_slopes(slopes, result);
   return result;
 }
@@ -76,23 +76,24 @@ are by every mass, velocity, gap and number of a law; of a body by what its scen
 
 Command sensitivity_command() {
   auto options = std::make_shared<Slopes>();
-  return {.name = "sensitivity",
-          .about = "Tell how the outcome of a scene changes with its parameters",
-          .footer = examples,
-          .options = joined({scene_options(options->scene),
-                             run_options(options->scene),
-                             {{"--of",
-                               &options->of,
-                               "Outcome, such as velocity, impulse[0], icr or time; may be repeated",
-                               {.value = "QUANTITY", .takes_one = true}},
-                              {"--to",
-                               &options->to,
-                               "Parameter, such as mass[0], contact[1].stiffness or a key of the scene; may be "
-                               "repeated",
-                               {.value = "KEY", .takes_one = true}},
-                              {"--json", &options->json, "One JSON object on stdout"},
-                              {"--csv", &options->csv, "A table for other programs", {.excludes = {"--json"}}}}}),
-          .act = [options] { return sensitivity(*options); }};
+  return {
+      .name = "sensitivity",
+      .about = "Tell how the outcome of a scene changes with its parameters",
+      .footer = examples,
+      .options = joined({scene_options(options->scene),
+                         run_options(options->scene),
+                         {{"--of",
+                           &options->of,
+                           "Outcome, such as velocity, impulse[0], icr or time; may be repeated",
+                           {.value = "QUANTITY", .takes_one = true}},
+                          {"--to",
+                           &options->to,
+                           "Parameter, such as mass[0], contact[1].stiffness or a key of the scene; may be "
+                           "repeated",
+                           {.value = "KEY", .takes_one = true}},
+                          {"--json", &options->json, "One JSON object on stdout"},
+                          {"--csv", &options->csv, "A table for other programs", {.excludes = {"--json"}}}}}),
+      .act = [options] { return sensitivity(*options); }};
 }
 
 }  // namespace mariotte::command

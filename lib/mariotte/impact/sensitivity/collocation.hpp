@@ -1,9 +1,9 @@
 // Linear equations S' = A(t) S + B(t), along a trajectory that is known, by collocation in Gauss points.
 //
-// Forces are not smooth where a contact begins or ends, δ^{n−1} ~ t^{n−1}. So time is a polynomial of the clock
-// u there. At a beginning, which is met exactly, t ~ u⁴, in which square and fourth roots are smooth. At an end
-// the time left is ~ (1 − u)², so that no point is so near that rounding of the indentation matters. What the
-// points do not resolve is halved.
+// Forces are not smooth where a contact begins or ends, δ^{n−1} ~ t^{n−1}. So time is a polynomial of the
+// clock u there. At a beginning, which is met exactly, t ~ u⁴, in which square and fourth roots are smooth.
+// At an end the time left is ~ (1 − u)², so that no point is so near that rounding of the indentation
+// matters. What the points do not resolve is halved.
 #pragma once
 #include <memory>
 #include <vector>

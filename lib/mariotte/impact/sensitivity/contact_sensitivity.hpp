@@ -18,7 +18,8 @@ inline hybrid::Options for_slopes(hybrid::Options options) {
 }
 
 template <class Scaled, class Model>
-std::vector<ShiftedModels<Scaled>> shifted_models(const Scaled& base, const std::vector<Parameter<Model>>& by) {
+std::vector<ShiftedModels<Scaled>> shifted_models(const Scaled& base,
+                                                  const std::vector<Parameter<Model>>& by) {
   std::vector<ShiftedModels<Scaled>> list;
   for (const auto& one : by) {
     auto& models = list.emplace_back();
@@ -40,7 +41,7 @@ class ContactSensitivity {
   ContactSensitivity(System& system, const Scaled& base, const std::vector<Parameter<Model>>& by,
                      const hybrid::Options& options, Impulses impulses)
       : base_(base),
-        layout_(system.layout()),
+        layout_(expect_few_of(system.layout(), std::ssize(by))),
         models_(shifted_models(base, by)),
         impulses_(impulses),
         start_(layout_.size, std::ssize(by)) {
@@ -57,17 +58,21 @@ class ContactSensitivity {
     add_velocities();
     add_impulses();
     add_time();
-    add_notes(end_, base_.scale.time, [&](Index guard) {
-      return "contact " + std::to_string(layout_.guard_contact[guard] + 1);
-    }, result_.notes);
+    add_notes(
+        end_, base_.scale.time,
+        [&](Index guard) { return "contact " + std::to_string(layout_.guard_contact[guard] + 1); },
+        result_.notes);
+    leave_out_unbounded(result_);
     return std::move(result_);
   }
 
  private:
-  Index columns() const { return start_.columns; }
-  double slope(Index place, Index c) const {
-    return end_.slopes(place, c) + end_.rate[place] * end_.time[c];
+  static const model::ContactLayout& expect_few_of(const model::ContactLayout& layout, Index parameters) {
+    expect_few(layout.size, parameters);
+    return layout;
   }
+  Index columns() const { return start_.columns; }
+  double slope(Index place, Index c) const { return end_.slopes(place, c) + end_.rate[place] * end_.time[c]; }
 
   /// The work of a contact that starts indented is its stored energy.
   void set_start() {
@@ -97,8 +102,7 @@ class ContactSensitivity {
       const auto& [step, at] = models_[c];
       for (std::size_t k = 0; k < stencil.size(); ++k) impulses_at(at[k], c, stencil[k].offset * step, p[k]);
       for (Index j = 0; j < layout_.contacts(); ++j)
-        if (periods[j] > 0)
-          slopes(j, c) = stencil_slope(step, [&](std::size_t k) { return p[k][j]; });
+        if (periods[j] > 0) slopes(j, c) = stencil_slope(step, [&](std::size_t k) { return p[k][j]; });
     }
     return slopes;
   }
@@ -114,7 +118,8 @@ class ContactSensitivity {
     const double unit = base_.scale.velocity;
     for (Index i = 0; i < layout_.velocities(); ++i) {
       const Index place = layout_.velocity[i];
-      add("velocity", i, "m/s", end_.run.state[place] * unit, [&](Index c) { return slope(place, c) * unit; });
+      add("velocity", i, "m/s", end_.run.state[place] * unit,
+          [&](Index c) { return slope(place, c) * unit; });
     }
   }
 
@@ -139,7 +144,7 @@ class ContactSensitivity {
 
   void add_time() {
     add("time", {}, "s", end_.run.time * base_.scale.time, [&](Index c) -> std::optional<double> {
-      if (end_.time_is_noise) return std::nullopt;
+      if (end_.time_is_noise || end_.time_is_shared[c]) return std::nullopt;
       return end_.time[c] * base_.scale.time;
     });
   }

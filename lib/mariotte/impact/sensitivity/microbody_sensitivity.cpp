@@ -72,9 +72,12 @@ class BodySlopes {
     result_.message = end_.run.message;
     add_readings();
     add_time();
-    add_notes(end_, system_.body().scale.time, [](Index guard) {
-      return "tip " + std::to_string(guard / model::guards_per_tip + 1);
-    }, result_.notes);
+    add_notes(
+        end_, system_.body().scale.time,
+        [](Index guard) { return "tip " + std::to_string(guard / model::guards_per_tip + 1); },
+        result_.notes);
+    add_note_of_capture();
+    leave_out_unbounded(result_);
     return std::move(result_);
   }
 
@@ -116,6 +119,23 @@ class BodySlopes {
     OutcomeSlopes time{"contact_time", {}, "s", end_.run.time * unit, {}};
     for (Index c = 0; c < start_.columns; ++c) time.slope.push_back(end_.time[c] * unit);
     result_.outcome.push_back(std::move(time));
+  }
+
+  /// Above the capture velocity v_c the rebound is ~ √(v − v_c): its slopes grow like the inverse.
+  void add_note_of_capture() {
+    if (end_.run.ending == hybrid::Ending::captured) {
+      result_.notes.push_back("the body is captured: there is no rebound that could have slopes");
+      for (auto& outcome : result_.outcome)
+        if (outcome.name == "e_n" || outcome.name == "e_nm")
+          std::fill(outcome.slope.begin(), outcome.slope.end(), std::nullopt);
+      return;
+    }
+    for (const auto& outcome : result_.outcome)
+      if (outcome.name == "e_n" && std::abs(*outcome.value) < 0.1)
+        result_.notes.push_back(
+            "the rebound is " + std::to_string(*outcome.value) +
+            " of the approach, near capture: slopes grow as it vanishes, and hold only while "
+            "it changes by a small part");
   }
 
   MicrobodySystem system_;

@@ -85,8 +85,8 @@ MicrobodyVariation::Direction MicrobodyVariation::direction(const model::TipMode
   return {unit, (1 / size) * (slope - dot(slope, unit) * unit)};
 }
 
-/// Friction jumps where slip or normal force change their signs, which the points may do before the body does:
-/// all points have the signs of the body.
+/// Friction jumps where slip or normal force change their signs, which the points may do before the body
+/// does: all points have the signs of the body.
 MicrobodyMode MicrobodyVariation::mode_at(const MicrobodyMode& mode, ConstState x, Index c,
                                           std::size_t k) const {
   auto result = mode;

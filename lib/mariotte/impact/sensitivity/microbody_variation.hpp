@@ -1,5 +1,5 @@
-// How the field and the guards of a microbody move with its parameters, at a fixed state: by the stencil, from
-// the bodies at its points. The field is the one of a body that may move in any way.
+// How the field and the guards of a microbody move with its parameters, at a fixed state: by the stencil,
+// from the bodies at its points. The field is the one of a body that may move in any way.
 #pragma once
 #include <array>
 #include <vector>

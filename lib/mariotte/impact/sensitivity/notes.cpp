@@ -1,6 +1,9 @@
 #include "mariotte/impact/sensitivity/notes.hpp"
 
+#include <cmath>
 #include <cstdio>
+
+#include "mariotte/core/error.hpp"
 
 namespace mariotte::impact {
 
@@ -13,12 +16,40 @@ std::string grazing_note(const std::string& what, double speed, double time) {
 }
 
 std::string shared_ending_note() {
-  return "several contacts end the run at one instant, and their times move differently: the slopes of the "
-         "time are those of the first, and one-sided";
+  return "several contacts end the run at one instant, and parameters draw their times apart: the time of "
+         "the "
+         "ending is the later one, with slopes that differ on both sides";
 }
 
 std::string noise_ending_note() {
   return "what ended the run is a motion within its accuracy, so its time has no slopes";
+}
+
+std::string coincidence_note(const std::string& first, const std::string& second, double time) {
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "events of %s and %s fall together at %.6g s, and parameters draw them apart", first.c_str(),
+                second.c_str(), time);
+  return text + std::string("; slopes of velocities hold on both sides as far as forces have no jumps there");
+}
+
+void leave_out_unbounded(Sensitivity& slopes) {
+  bool found = false;
+  for (auto& outcome : slopes.outcome)
+    for (auto& slope : outcome.slope)
+      if (slope && !std::isfinite(*slope)) {
+        slope.reset();
+        found = true;
+      }
+  if (found)
+    slopes.notes.push_back("slopes that are missing are unbounded: an event is met with no speed at all");
+}
+
+void expect_few(Index components, Index parameters) {
+  constexpr Index most = 200'000;
+  if (components * parameters <= most) return;
+  throw InvalidParameter("slopes of " + std::to_string(components) + " components by " +
+                         std::to_string(parameters) + " parameters are too many; choose parameters");
 }
 
 }  // namespace mariotte::impact

@@ -21,17 +21,24 @@ struct DelicateEvent {
   double speed;  ///< at which it crosses, relative to the natural one
 };
 
+/// Guards that have crossed at one instant, whose times move differently.
+struct CoincidentEvents {
+  double time;
+  Index first, second;  ///< two of the guards
+};
+
 /// Where a run ended and how that moves, dimensionless.
 template <class System>
 struct SlopeRun {
   hybrid::Trajectory<typename System::Change> run;
   typename System::Mode mode;
-  SlopeMatrix slopes;           ///< of the final state at fixed time
-  std::vector<double> rate;     ///< f at the end
-  std::vector<double> time;     ///< slopes of the time of the ending
-  bool time_is_shared = false;  ///< several guards ended the run, whose times move differently
-  bool time_is_noise = false;   ///< what ended the run is within the noise, and no guard
+  SlopeMatrix slopes;                ///< of the final state at fixed time
+  std::vector<double> rate;          ///< f at the end
+  std::vector<double> time;          ///< slopes of the time of the ending
+  std::vector<bool> time_is_shared;  ///< by parameter: guards that ended the run move apart in time
+  bool time_is_noise = false;        ///< what ended the run is within the noise, and no guard
   std::vector<DelicateEvent> delicate;
+  std::vector<CoincidentEvents> coincident;
 };
 
 /// `System` with its mode and `Variation`, which gives f_p and γ_p and is told what contacts remember.
@@ -55,6 +62,17 @@ class SlopeLoop {
     std::vector<double> dx(workspace_.run.state.size());
     system_.problem(mode).derivative(workspace_.run.state, dx);
     return dx;
+  }
+
+  /// True if the times of two events of one instant move apart.
+  static bool note_difference(std::span<const double> tau, SlopeRun<System>& result) {
+    bool any = false;
+    for (std::size_t c = 0; c < tau.size(); ++c) {
+      const double first = result.time[c];
+      if (!(std::abs(tau[c] - first) > 1e-9 * (std::abs(tau[c]) + std::abs(first)))) continue;
+      any = result.time_is_shared[c] = true;
+    }
+    return any;
   }
 
   System& system_;
@@ -112,7 +130,7 @@ void SlopeLoop<System, Variation>::pass(Observer& observer, const typename Syste
   auto after_all = observer.slopes;
   std::vector<typename System::Change> ignored;
   result.time.assign(variation_.columns(), 0.0);
-  result.time_is_shared = false;
+  result.time_is_shared.assign(variation_.columns(), false);
   typename System::Mode last = before;
   system_.transition(last, fired, x, ignored);
   for (std::size_t k = 0; k < fired.size(); ++k) {
@@ -143,6 +161,7 @@ SlopeRun<System> SlopeLoop<System, Variation>::follow(ConstState x0, const Slope
   auto& [flows, mode, changes, fired, before_x, run] = workspace_;
   run.state.assign(x0.begin(), x0.end());
   result.time.assign(variation_.columns(), 0.0);
+  result.time_is_shared.assign(variation_.columns(), false);
   CompensatedSum time;
   const auto end = [&](Ending ending, std::string message = {}) {
     result.run.ending = ending;
@@ -174,7 +193,8 @@ SlopeRun<System> SlopeLoop<System, Variation>::follow(ConstState x0, const Slope
     if (arrival.outcome != flow::Outcome::guard) {
       if (arrival.outcome == flow::Outcome::limit) {
         result.time.assign(variation_.columns(), 0.0);
-        result.time_is_noise = result.time_is_shared = false;
+        result.time_is_noise = false;
+        result.time_is_shared.assign(variation_.columns(), false);
         end(Ending::time_limit);
       } else {
         end(arrival.outcome == flow::Outcome::never ? Ending::separated : Ending::failed, arrival.message);

@@ -45,7 +45,8 @@ std::string rows(const impact::Sensitivity& slopes, const impact::OutcomeSlopes&
     const auto& [name, value] = slopes.parameter[static_cast<std::size_t>(i)];
     const auto& slope = outcome.slope[static_cast<std::size_t>(i)];
     if (!slope) return {name, fmt::format("{:.6g}", value), "none", "–"};
-    return {name, fmt::format("{:.6g}", value), fmt::format("{:+.10g}", *slope), relative(outcome, *slope, value)};
+    return {name, fmt::format("{:.6g}", value), fmt::format("{:+.10g}", *slope),
+            relative(outcome, *slope, value)};
   };
   const auto value = outcome.value ? fmt::format("{:.10g} {}", *outcome.value, outcome.unit) : "undefined";
   return fmt::format("\n{} = {}\n", name_of(outcome), value) +
@@ -67,7 +68,8 @@ std::string csv(const impact::Sensitivity& slopes) {
   for (const auto& one : slopes.parameter) text += "," + one.name;
   text += "\n";
   for (const auto& outcome : slopes.outcome) {
-    text += fmt::format("{},{},{}", name_of(outcome), outcome.unit, outcome.value ? exact(*outcome.value) : "");
+    text +=
+        fmt::format("{},{},{}", name_of(outcome), outcome.unit, outcome.value ? exact(*outcome.value) : "");
     for (const auto& slope : outcome.slope) text += "," + (slope ? exact(*slope) : "");
     text += "\n";
   }

@@ -48,7 +48,8 @@ impact::Parameter<Model> scene_parameter(const Document& document, const std::st
 
 /// "mass[0]" is asked for by "mass[0]" and "mass", "contact[1].stiffness" by "contact[1]" and "contact", too.
 bool is_asked_for(const std::string& name, const std::string& key) {
-  return name.starts_with(key) && (name.size() == key.size() || name[key.size()] == '[' || name[key.size()] == '.');
+  return name.starts_with(key) &&
+         (name.size() == key.size() || name[key.size()] == '[' || name[key.size()] == '.');
 }
 
 template <class Model>
