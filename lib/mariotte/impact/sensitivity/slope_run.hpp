@@ -138,8 +138,8 @@ void SlopeLoop<System, Variation>::pass(Observer& observer, const typename Syste
     const auto tau = time_slopes(observer, fired[k], rate, time, result);
     if (k == 0)
       result.time = tau;
-    else if (tau != result.time)
-      result.time_is_shared = true;
+    else if (note_difference(tau, result))
+      result.coincident.push_back({time, fired[0], fired[k]});
     auto mode = last;
     if (fired.size() > 1) {
       mode = before;
