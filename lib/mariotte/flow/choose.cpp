@@ -6,6 +6,7 @@
 #include "mariotte/core/error.hpp"
 #include "mariotte/flow/ballistic.hpp"
 #include "mariotte/flow/cvode/cvode.hpp"
+#include "mariotte/flow/drift.hpp"
 #include "mariotte/flow/flight.hpp"
 #include "mariotte/flow/modal/modal.hpp"
 #include "mariotte/flow/pair/pair.hpp"
@@ -77,6 +78,7 @@ std::unique_ptr<Flow> make(Kind kind, const Problem& problem) {
   switch (kind) {
     case Kind::ballistic:
       if (problem.free_body()) return std::make_unique<Flight>();
+      if (problem.free_motion()) return std::make_unique<Drift>();
       return std::make_unique<Ballistic>();
     case Kind::pair:
       return std::make_unique<Pair>();

@@ -13,6 +13,8 @@ namespace mariotte::flow {
 /// The way a guard must cross zero to fire; `none` masks it.
 enum class Crossing : signed char { falling = -1, none = 0, rising = 1 };
 
+class FreeMotion;
+
 /// What an accepted step has done to the mode.
 enum class Accepted {
   unchanged,
@@ -71,6 +73,8 @@ class Problem {
   /// The present mode as one tip of a symmetric body on a plane, or as such a body in free flight.
   virtual const TipPhase* tip() const { return nullptr; }
   virtual const FreePhase* free_body() const { return nullptr; }
+  /// The present ballistic mode if it knows its own closed form.
+  virtual const FreeMotion* free_motion() const { return nullptr; }
 
   /// Told after every accepted step: a guard that starts at zero is watched only once it has left it, and
   /// what has sunk into rounding noise is no longer worth following.

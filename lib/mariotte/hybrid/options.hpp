@@ -17,6 +17,7 @@ struct Options {
   Index max_events = 1000000;           ///< stop after so many changes of the set of contacts
   std::optional<flow::Kind> flow = {};  ///< of every contact phase that it admits; if empty, the cheapest
   Islands islands = Islands::automatic;
+  bool flies_on = false;  ///< bodies that have separated for good fly on to max_time
 };
 
 /// Throws InvalidParameter unless accuracy, limits and flow make sense.

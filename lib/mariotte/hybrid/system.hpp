@@ -8,7 +8,8 @@
 
 namespace mariotte::hybrid {
 
-/// A system whose state x is continuous while its mode jumps.
+/// A system whose state x is continuous while its mode jumps. A system may add components for what it follows
+/// from now on, and give those that a mode alone uses the meaning that the next one reads.
 ///   mode_at(x, mode, changes)     sets the mode in which the run starts, at 0+
 ///   transition(mode, fired, x, …) the mode after a set of guards has fired at x
 ///   is_over(mode, x, impacted)    nothing can happen any more
@@ -18,7 +19,7 @@ namespace mariotte::hybrid {
 /// All but the last depend on their arguments alone; what changed is appended to `changes`.
 template <class S>
 concept HybridSystem = requires(S& system, const S& fixed, typename S::Mode& mode,
-                                const typename S::Mode& from, ConstState x, std::vector<Index>& fired,
+                                const typename S::Mode& from, std::vector<double>& x, std::vector<Index>& fired,
                                 bool impacted, std::vector<typename S::Change>& changes) {
   { fixed.mode_at(x, mode, changes) } -> std::same_as<void>;
   { fixed.transition(mode, fired, x, changes) } -> std::same_as<void>;

@@ -10,6 +10,9 @@ namespace mariotte::impact {
 /// How many times the accuracy a balance may be off: velocities may be wrong by the accuracy, and the errors
 /// of many bodies add up. A contact that is missed costs far more.
 inline constexpr double balance_allowance = 100;
+/// How many times the accuracy, relative to the energy at stake, balances of a body may be off. Each of some
+/// ten phases may err by the accuracy in velocity, which counts twice in energy; random bodies reach 20.
+inline constexpr double body_slack = 1000;
 /// A contact that approaches so slowly that it cannot be told from rest is left alone to a few times the
 /// depth it can reach.
 inline constexpr double noise_depths = 10;

@@ -4,6 +4,6 @@
 
 namespace mariotte::fault {
 
-inline constexpr Fault unrepresentable{"S035"};
+inline constexpr Fault unrepresentable{"S035"}, indeterminate{"S036"};
 
 }  // namespace mariotte::fault

@@ -7,10 +7,6 @@
 
 namespace mariotte::impact {
 
-/// How many times the accuracy, relative to the energy at stake, balances of a body may be off. Each of some
-/// ten phases may err by the accuracy in velocity, which counts twice in energy; random bodies reach 20.
-inline constexpr double body_slack = 1000;
-
 /// Of the run of a system from `start` to `end`, which ended in `mode`; dimensionless. Numbers are finite,
 /// open tips above the plane, attitude a unit quaternion, and energy has not grown. If the state holds the
 /// balance: energy is balanced, and no loss is below zero.

@@ -1,0 +1,39 @@
+#include "mariotte/flow/drift.hpp"
+
+#include <algorithm>
+
+#include "mariotte/flow/free_motion.hpp"
+#include "mariotte/flow/roots/simultaneous.hpp"
+
+namespace mariotte::flow {
+namespace {
+
+class Flown final : public Step {
+ public:
+  explicit Flown(const FreeMotion& motion) : motion_(motion) {}
+  void at(double time, State x) const override { motion_.fly(before, time, x); }
+
+ private:
+  const FreeMotion& motion_;
+};
+
+}  // namespace
+
+Arrival Drift::follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) {
+  const auto& motion = *problem.free_motion();
+  start_.assign(x.begin(), x.end());
+  const double meeting =
+      motion.first_meeting(start_, request.limit, simultaneity_window(problem, request.accuracy), fired);
+  if (!(meeting < infinity) && !(request.limit < infinity)) return {.outcome = Outcome::never, .message = {}};
+  const bool ends = request.limit <= meeting;
+  if (ends) fired.clear();
+  Flown step(motion);
+  step.end = ends ? request.limit : meeting;
+  motion.fly(start_, step.end, x);
+  step.before = start_;
+  step.after = x;
+  if (request.observer) request.observer->observe(step);
+  return {.outcome = ends ? Outcome::limit : Outcome::guard, .duration = step.end, .steps = 1, .message = {}};
+}
+
+}  // namespace mariotte::flow

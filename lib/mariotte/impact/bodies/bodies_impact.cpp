@@ -1,0 +1,148 @@
+#include "mariotte/impact/bodies/bodies_impact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mariotte/impact/bodies/bodies_balance.hpp"
+#include "mariotte/impact/bodies/bodies_watch.hpp"
+#include "mariotte/impact/flow_uses.hpp"
+#include "mariotte/impact/promise.hpp"
+
+namespace mariotte::impact {
+
+using model::BodyEvent;
+using Run = hybrid::Trajectory<model::BodiesChange>;
+
+namespace {
+
+/// What touches at rest since the start is pressed or parts from then on, though that is told from rounding
+/// later.
+std::vector<BodiesEvent> events(const Run& run) {
+  std::vector<BodiesEvent> list;
+  Index rested = -1;
+  double told = -1;
+  for (const auto& [time, change] : run.changes) {
+    if (change.event == BodyEvent::touch) rested = change.contact, told = time;
+    const bool from_start = change.contact == rested && time == told;
+    list.push_back({from_start ? 0 : time, change.contact, change.event});
+  }
+  std::stable_sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
+  return list;
+}
+
+void add_periods(const std::vector<BodiesEvent>& events, std::vector<BodyContactHistory>& contacts) {
+  for (const auto& [time, contact, event] : events) {
+    auto& periods = contacts[contact].periods;
+    if (event == BodyEvent::close || event == BodyEvent::touch) periods.push_back({time, std::nullopt});
+    if (event == BodyEvent::open) periods.back().end = time;
+    if (event == BodyEvent::part) periods.pop_back();
+  }
+}
+
+/// Keeps the contacts that were named and those that have closed, and counts events by them.
+void keep_used(Index named, BodiesImpact& impact) {
+  std::vector<Index> place(impact.contacts.size(), -1);
+  std::vector<BodyContactHistory> kept;
+  for (std::size_t c = 0; c < place.size(); ++c) {
+    if (static_cast<Index>(c) >= named && impact.contacts[c].periods.empty()) continue;
+    place[c] = std::ssize(kept);
+    kept.push_back(std::move(impact.contacts[c]));
+  }
+  impact.contacts = std::move(kept);
+  std::erase_if(impact.events, [&](const BodiesEvent& event) { return place[event.contact] < 0; });
+  for (auto& event : impact.events) event.contact = place[event.contact];
+}
+
+template <int D>
+BodiesImpact simulate_once(const model::Bodies& bodies, const hybrid::Options& options,
+                           const RunObserver& observers, Index named) {
+  using System = model::BodiesSystem<D>;
+  const auto over = options.flies_on ? model::Over::at_time_limit : model::Over::separated;
+  System system(bodies, options.accuracy, over);
+  const auto start = initial_state(bodies, system.setting());
+  hybrid::Workspace<System> workspace;
+  BodiesObserver<D> watch(bodies, system, workspace.mode, observers);
+  const Run& run = hybrid::simulate(system, start, options, workspace, &watch);
+  watch.finish(run.time, run.state);
+
+  BodiesImpact impact;
+  impact.ending = run.ending;
+  impact.message = run.message;
+  impact.dimension = D;
+  impact.time = run.time;
+  impact.body = bodies_at(bodies, system.setting(), run.state);
+  impact.events = events(run);
+  impact.contacts = exchanged(system, workspace.mode, run.state);
+  add_periods(impact.events, impact.contacts);
+  for (std::size_t c = 0; c < impact.contacts.size(); ++c) {
+    const auto& peak = watch.peaks()[c];
+    impact.contacts[c].peak_force = peak.force;
+    impact.contacts[c].peak_friction = peak.friction;
+    impact.contacts[c].peak_indentation = peak.indentation;
+  }
+  balance(bodies, system, start, run.state, impact.contacts, impact);
+  impact.flows = flow_uses(run.flows);
+  impact.requested_accuracy = options.accuracy;
+  impact.trace = watch.take_trace();
+  const auto list =
+      balances(system, workspace.mode, start, run.state, impact.contacts, impact, options.accuracy);
+  pass_gate(list, impact.ending, impact.message);
+  keep_used(named, impact);
+  return impact;
+}
+
+BodiesImpact simulate_in(const model::Bodies& bodies, const hybrid::Options& options,
+                         const RunObserver& observers, Index named) {
+  return bodies.dimension == 2 ? simulate_once<2>(bodies, options, observers, named)
+                               : simulate_once<3>(bodies, options, observers, named);
+}
+
+/// Largest difference of velocities and of spin × reach.
+double difference(const model::Bodies& bodies, const BodiesImpact& a, const BodiesImpact& b) {
+  double most = 0, speed = 0;
+  for (std::size_t i = 0; i < bodies.body.size(); ++i) {
+    const auto& body = bodies.body[i];
+    double reach = 0;
+    for (const auto& sphere : body.spheres) reach = std::max(reach, norm(sphere.centre) + sphere.radius);
+    const double apart = std::max(norm(a.body[i].velocity - b.body[i].velocity),
+                                  reach * norm(a.body[i].spin - b.body[i].spin));
+    if (std::isnan(apart)) return infinity;
+    most = std::max(most, apart);
+    speed = std::max({speed, norm(body.velocity), reach * norm(body.spin), norm(a.body[i].velocity)});
+  }
+  return speed > 0 ? most / speed : most;
+}
+
+Passage passage(const BodiesImpact& impact) {
+  Passage gone{
+      .contacts = std::ssize(impact.contacts), .harmless = std::ssize(impact.contacts), .periods = 0};
+  for (const auto& contact : impact.contacts) gone.periods += std::ssize(contact.periods);
+  count_steps(gone, impact.flows);
+  return gone;
+}
+
+}  // namespace
+
+BodiesImpact simulate(const model::Bodies& bodies, const hybrid::Options& options,
+                      const RunObserver& observers, Index named) {
+  model::validate(bodies);
+  hybrid::validate(options);
+  auto impact = simulate_in(bodies, options, observers, named);
+  if (!observers.samplings.empty()) return impact;
+  const auto again = [&](const hybrid::Options& tighter) {
+    return simulate_in(bodies, tighter, observers, named);
+  };
+  keep_promise(options, passage(impact), impact, again,
+               [&](const auto& a, const auto& b) { return difference(bodies, a, b); });
+  impact.requested_accuracy = options.accuracy;
+  return impact;
+}
+
+double estimate_accuracy(const model::Bodies& bodies, const hybrid::Options& options,
+                         const BodiesImpact& result) {
+  auto tighter = options;
+  tighter.accuracy = std::max(options.accuracy / 32, 16 * epsilon);
+  return difference(bodies, result, simulate_in(bodies, tighter, {}, 0));
+}
+
+}  // namespace mariotte::impact

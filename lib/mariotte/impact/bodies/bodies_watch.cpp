@@ -1,0 +1,170 @@
+#include "mariotte/impact/bodies/bodies_watch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "mariotte/core/scale.hpp"
+#include "mariotte/impact/watch/highest.hpp"
+
+namespace mariotte::impact {
+
+using model::vector3;
+
+namespace {
+
+constexpr std::size_t most_samples = 20000;
+const Scale no_scale{};
+
+template <int D>
+std::vector<double> natural_times(const model::BodiesSystem<D>& system) {
+  std::vector<double> times;
+  for (const auto& contact : system.setting().contact) times.push_back(contact.time);
+  return times;
+}
+
+/// Velocities of body 1, body 2, … with all their components; gaps and forces of contacts.
+template <int D>
+struct Reading {
+  const model::BodiesSystem<D>& system;
+  const model::BodiesMode& mode;
+  ConstState x;
+
+  double velocity(Index i) const { return x[system.layout(x).velocity(i / D) + i % D]; }
+  double gap(Index c) const { return system.field(mode, x).motion(c).gap; }
+  double force(Index c) const {
+    const auto& field = system.field(mode, x);
+    for (std::size_t k = 0; k < mode.closed.size(); ++k)
+      if (mode.closed[k].contact == c) return field.contact(k).normal;
+    return 0;
+  }
+};
+
+double wrapped(double angle) {
+  const double rest = std::remainder(angle, 2 * std::numbers::pi);
+  return rest <= -std::numbers::pi ? std::numbers::pi : rest;
+}
+
+}  // namespace
+
+template <int D>
+std::vector<BodyEnd> bodies_at(const model::Bodies& bodies, const model::BodiesSetting<D>& setting,
+                               ConstState x) {
+  const model::BodiesLayout<D> at{.bodies = std::ssize(bodies.body), .slots = 0};
+  std::vector<BodyEnd> list;
+  for (Index i = 0; i < at.bodies; ++i) {
+    const auto motion = model::motion_of(setting.body[i], at, x, i);
+    BodyEnd end{.position = bodies.body[i].position + vector3(motion.shift),
+                .attitude = {},
+                .velocity = vector3(motion.velocity),
+                .spin = vector3(motion.spin)};
+    if constexpr (D == 2) {
+      end.angle = wrapped(bodies.body[i].angle + x[at.turn(i)]);
+      end.attitude = rotation({0, 0, 1}, end.angle);
+    } else {
+      end.attitude = normalized(model::attitude(setting.body[i], motion.turn));
+    }
+    list.push_back(end);
+  }
+  return list;
+}
+
+template <int D>
+BodiesObserver<D>::BodiesObserver(const model::Bodies& bodies, const model::BodiesSystem<D>& system,
+                                  const model::BodiesMode& mode, const RunObserver& observers)
+    : bodies_(bodies),
+      system_(system),
+      mode_(mode),
+      observers_(observers),
+      due_(observers, no_scale, D * std::ssize(bodies.body), natural_times(system)),
+      peaks_(system.setting().contact.size()) {}
+
+template <int D>
+void BodiesObserver<D>::begin_phase(double time, ConstState x) {
+  start_ = time;
+  raise(x);
+  if (observers_.trace) sample(time, x);  // friction may jump at events: one sample before, one after
+}
+
+template <int D>
+void BodiesObserver<D>::raise(ConstState x) {
+  const auto& field = system_.field(mode_, x);
+  for (std::size_t k = 0; k < mode_.closed.size(); ++k) {
+    auto& peak = peaks_[mode_.closed[k].contact];
+    const auto& c = field.contact(k);
+    peak.force = std::max(peak.force, c.normal);
+    peak.friction = std::max(peak.friction, norm(c.friction));
+    peak.indentation = std::max(peak.indentation, -c.motion.gap);
+  }
+}
+
+/// Within a step whose middle lies higher than the line between its ends, a force may have its maximum.
+template <int D>
+void BodiesObserver<D>::search(const flow::Step& step) {
+  inside_.resize(step.before.size());
+  for (std::size_t k = 0; k < mode_.closed.size(); ++k) {
+    auto& peak = peaks_[mode_.closed[k].contact];
+    const auto normal = [&](ConstState x) { return system_.field(mode_, x).contact(k).normal; };
+    const auto friction = [&](ConstState x) { return norm(system_.field(mode_, x).contact(k).friction); };
+    const auto look = [&](double& most, const auto& quantity) {
+      const auto at = [&](double share) {
+        step.inside(share, inside_);
+        return quantity(inside_);
+      };
+      const double before = quantity(step.before), middle = at(0.5), after = quantity(step.after);
+      most = std::max({most, before, middle, after});
+      if (middle > 0.5 * (before + after) && std::max({before, middle, after}) > 0.9 * most)
+        most = std::max(most, highest(at, 0, 1));
+    };
+    look(peak.force, normal);
+    look(peak.friction, friction);
+    peak.indentation = std::max(peak.indentation, -system_.field(mode_, step.after).contact(k).motion.gap);
+  }
+}
+
+template <int D>
+void BodiesObserver<D>::observe(const flow::Step& step) {
+  due_.take_within(start_, step, [&](ConstState x) { return Reading<D>{system_, mode_, x}; });
+  search(step);
+  if (!observers_.trace) return;
+  constexpr int samples = 4;
+  inside_.resize(step.before.size());
+  for (int k = 1; k < samples; ++k) {
+    const double time = step.start + (step.end - step.start) * k / samples;
+    step.at(time, inside_);
+    sample(start_ + time, inside_);
+  }
+  sample(start_ + step.end, step.after);
+}
+
+template <int D>
+void BodiesObserver<D>::finish(double time, ConstState x) {
+  due_.take_all(time, Reading<D>{system_, mode_, x});
+}
+
+template <int D>
+void BodiesObserver<D>::sample(double time, ConstState x) {
+  if (trace_.time.size() >= most_samples) return;
+  const auto& field = system_.field(mode_, x);
+  const auto contacts = std::ssize(system_.setting().contact);
+  trace_.time.push_back(time);
+  trace_.body.push_back(bodies_at(bodies_, system_.setting(), x));
+  auto& gap = trace_.gap.emplace_back();
+  auto& force = trace_.force.emplace_back(contacts, 0.0);
+  auto& friction = trace_.friction.emplace_back(contacts, Vector3{});
+  auto& slip = trace_.slip.emplace_back(contacts, Vector3{});
+  for (Index c = 0; c < contacts; ++c) gap.push_back(field.motion(c).gap);
+  for (std::size_t k = 0; k < mode_.closed.size(); ++k) {
+    const Index c = mode_.closed[k].contact;
+    force[c] = field.contact(k).normal;
+    friction[c] = vector3(field.contact(k).friction);
+    slip[c] = vector3(field.contact(k).motion.slip);
+  }
+}
+
+template std::vector<BodyEnd> bodies_at(const model::Bodies&, const model::BodiesSetting<2>&, ConstState);
+template std::vector<BodyEnd> bodies_at(const model::Bodies&, const model::BodiesSetting<3>&, ConstState);
+template class BodiesObserver<2>;
+template class BodiesObserver<3>;
+
+}  // namespace mariotte::impact

@@ -1,0 +1,120 @@
+#include "mariotte/model/bodies/bodies.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "mariotte/core/error.hpp"
+
+namespace mariotte::model {
+namespace {
+
+constexpr std::array law_names = {"none", "rigid", "spring", "mindlin"};
+
+bool is_positive(double value) {
+  return value > 0 && std::isfinite(value);
+}
+bool is_finite(const Vector3& v) {
+  return std::isfinite(v.e1) && std::isfinite(v.e2) && std::isfinite(v.e3);
+}
+
+std::string numbered(const std::string& name, const char* kind, Index i) {
+  return name.empty() ? kind + std::string(" ") + std::to_string(i + 1) : name;
+}
+
+Vector3 centre_of(const Bodies& bodies, const Feature& feature) {
+  const auto& body = bodies.body[feature.owner];
+  const auto turn = bodies.dimension == 2 ? rotation({0, 0, 1}, body.angle) : body.attitude;
+  return body.position + rotate(turn, body.spheres[feature.sphere].centre);
+}
+double radius_of(const Bodies& bodies, const Feature& feature) {
+  return bodies.body[feature.owner].spheres[feature.sphere].radius;
+}
+
+void check_inertia(const Bodies& bodies, const Body& body, const std::string& name) {
+  const auto& [a, b, c] = body.inertia;
+  if (bodies.dimension == 2) {
+    if (!is_positive(c)) throw InvalidParameter(name + ": inertia must be positive and finite");
+    return;
+  }
+  if (!is_positive(a) || !is_positive(b) || !is_positive(c))
+    throw InvalidParameter(name + ": moments of inertia must be positive and finite");
+  const double slack = 1 + 8 * epsilon;
+  if (a > slack * (b + c) || b > slack * (a + c) || c > slack * (a + b))
+    throw InvalidParameter(name +
+                           ": no body has such moments of inertia, one is larger than the others' sum");
+}
+
+void check_body(const Bodies& bodies, Index i) {
+  const auto& body = bodies.body[i];
+  const auto name = numbered(body.name, "body", i);
+  if (!is_positive(body.mass)) throw InvalidParameter(name + ": mass must be positive and finite");
+  check_inertia(bodies, body, name);
+  if (!is_finite(body.position) || !is_finite(body.velocity) || !is_finite(body.spin))
+    throw InvalidParameter(name + ": position, velocity and spin must be finite");
+  for (const auto& sphere : body.spheres)
+    if (!(sphere.radius >= 0) || !std::isfinite(sphere.radius) || !is_finite(sphere.centre))
+      throw InvalidParameter(name + ": a sphere has a finite centre and a radius of at least 0");
+}
+
+void check_contact(const Bodies& bodies, const BodyContact& contact) {
+  const auto name = name_of(bodies, contact.a) + " and " + name_of(bodies, contact.b);
+  const auto& tangential = contact.tangential;
+  if (!(tangential.friction >= 0) || !std::isfinite(tangential.friction))
+    throw InvalidParameter(name + ": friction must be at least 0");
+  if (tangential.has_spring() && !is_positive(tangential.stiffness))
+    throw InvalidParameter(name + ": the tangential stiffness must be positive and finite");
+  if (!(contact.share >= 0 && contact.share <= 1))
+    throw InvalidParameter(name + ": share must be between 0 and 1");
+  if (!contact.a.is_plane() && radius_of(bodies, contact.a) + radius_of(bodies, contact.b) == 0)
+    throw InvalidParameter(name + ": two points never touch");
+  if (start_gap(bodies, contact) < 0)
+    throw InvalidParameter(name + " overlap at the start, by " + std::to_string(-start_gap(bodies, contact)) +
+                           " m; say touching = true if that is rounding");
+}
+
+}  // namespace
+
+const char* name(TangentialLaw law) {
+  return law_names[static_cast<std::size_t>(law)];
+}
+
+std::optional<TangentialLaw> tangential_law(std::string_view name) {
+  const auto found = std::find(law_names.begin(), law_names.end(), name);
+  if (found == law_names.end()) return std::nullopt;
+  return static_cast<TangentialLaw>(found - law_names.begin());
+}
+
+std::string name_of(const Bodies& bodies, const Feature& feature) {
+  if (feature.is_plane()) return numbered(bodies.plane[feature.owner].name, "plane", feature.owner);
+  const auto& body = bodies.body[feature.owner];
+  const auto name = numbered(body.name, "body", feature.owner);
+  return body.spheres.size() == 1 ? name : name + "." + std::to_string(feature.sphere + 1);
+}
+
+double start_gap(const Bodies& bodies, const BodyContact& contact) {
+  if (contact.touching) return 0;
+  const Vector3 centre = centre_of(bodies, contact.b);
+  const bool is_plane = contact.a.is_plane();
+  const Vector3 other = is_plane ? bodies.plane[contact.a.owner].point : centre_of(bodies, contact.a);
+  const double radii = radius_of(bodies, contact.b) + (is_plane ? 0 : radius_of(bodies, contact.a));
+  const double apart =
+      is_plane ? dot(bodies.plane[contact.a.owner].normal, centre - other) : norm(centre - other);
+  const double gap = apart - radii, rounding = 16 * epsilon * (norm(centre) + norm(other) + radii);
+  return gap < 0 && gap > -rounding ? 0 : gap;
+}
+
+void validate(const Bodies& bodies) {
+  if (bodies.dimension != 2 && bodies.dimension != 3) throw InvalidParameter("dimension must be 2 or 3");
+  if (bodies.body.empty()) throw InvalidParameter("there must be at least one body");
+  if (!is_finite(bodies.gravity)) throw InvalidParameter("gravity must be finite");
+  for (Index i = 0; i < std::ssize(bodies.body); ++i) check_body(bodies, i);
+  for (Index i = 0; i < std::ssize(bodies.plane); ++i) {
+    const auto& plane = bodies.plane[i];
+    if (!is_finite(plane.point) || !is_finite(plane.velocity) || !(std::abs(norm(plane.normal) - 1) < 1e-9))
+      throw InvalidParameter(numbered(plane.name, "plane", i) + ": its normal must have the length 1");
+  }
+  for (const auto& contact : bodies.contact) check_contact(bodies, contact);
+}
+
+}  // namespace mariotte::model

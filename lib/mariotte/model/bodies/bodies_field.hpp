@@ -1,0 +1,416 @@
+// The field of bodies in contact, written once: T is a number, or a value with slopes, which gives Jacobian
+// and rates of guards.
+#pragma once
+#include <vector>
+
+#include "mariotte/model/bodies/bodies_mode.hpp"
+#include "mariotte/model/bodies/bodies_motion.hpp"
+#include "mariotte/model/bodies/linear_system.hpp"
+
+namespace mariotte::model {
+
+/// A closed contact at one instant.
+template <class T, int D>
+struct ContactForces {
+  ContactMotion<T, D> motion;
+  T normal;             ///< f_n
+  T elastic;            ///< of it, what it would be at δ̇ = 0
+  Vec<T, D> friction;   ///< on b
+  Vec<T, D> direction;  ///< of slip, or e of a spring that slips
+  T spring;             ///< k_t
+};
+
+/// What a state leads to: motion, forces, accelerations.
+template <class T, int D>
+class BodiesField {
+ public:
+  using Vector = Vec<T, D>;
+
+  explicit BodiesField(const BodiesSetting<D>& setting) : setting_(setting) {}
+
+  /// Evaluate at x. Throws nothing; a redundant stick gets the least friction that does.
+  void evaluate(const BodiesLayout<D>& layout, const BodiesMode& mode, std::span<const T> x) {
+    layout_ = layout;
+    move(x);
+    closed_.resize(mode.closed.size());
+    for (auto& load : load_) load = {};
+    stuck_.clear();
+    for (std::size_t i = 0; i < closed_.size(); ++i) set_forces(mode.closed[i], x, closed_[i], i);
+    accelerate();
+    if (!stuck_.empty()) hold_still();
+  }
+
+  const ContactForces<T, D>& contact(std::size_t i) const { return closed_[i]; }
+  const BodyMotion<T, D>& body(Index i) const { return body_[i]; }
+  /// True if the last evaluation left friction undetermined: the contacts that stick are redundant.
+  bool is_redundant() const { return redundant_; }
+
+  /// Any contact, closed or not.
+  ContactMotion<T, D> motion(Index contact) const {
+    const auto& c = setting_.contact[contact];
+    const auto* a = c.plane < 0 ? &body_[setting_.sphere[c.a].body] : nullptr;
+    return contact_motion(setting_, c, a, body_[setting_.sphere[c.b].body], clock_);
+  }
+
+  /// Rates of the whole state.
+  void rates(const BodiesMode& mode, std::span<const T> x, std::span<T> dx) const {
+    for (Index i = 0; i < layout_.bodies; ++i) put_body_rates(i, x, dx);
+    dx[layout_.clock()] = T(1.0);
+    for (Index k = layout_.spring(0); k < layout_.size(); ++k) dx[k] = T(0.0);
+    for (std::size_t i = 0; i < closed_.size(); ++i) put_contact_rates(mode.closed[i], closed_[i], x, dx);
+  }
+
+  /// Rate λ̇ at which a spring that slips gives way; negative once it would hold.
+  T yielding(const ClosedContact& mode, const ContactForces<T, D>& c) const {
+    const auto& one = setting_.contact[mode.contact];
+    const T approach = -c.motion.gap_rate;
+    const T tangential = dot(c.motion.slip, c.direction);
+    const double mu = one.tangential.friction;
+    T rate = tangential - mu * force_rate(mode, c) / c.spring;
+    if (one.tangential.law == TangentialLaw::mindlin && mode.unloading)
+      rate = rate + 0.5 * mu * (c.normal / c.spring) * (approach / c.motion.indentation);
+    return rate;
+  }
+
+  /// Tangential part of the acceleration of b on a at the contact, in the turning plane.
+  Vector slip_acceleration(Index contact, const ContactMotion<T, D>& c) const {
+    const auto& one = setting_.contact[contact];
+    const auto side = [&](Index body, const Vector& lever, const Vector& point) {
+      return velocity_rate_[body] + turned(spin_rate_[body], lever) + turned(body_[body].spin, point);
+    };
+    Vector u = side(setting_.sphere[one.b].body, c.lever_b, c.point_b) - c.gap_rate * c.normal_rate;
+    if (one.plane < 0) u = u - side(setting_.sphere[one.a].body, c.lever_a, c.point_a);
+    return u - dot(u, c.normal) * c.normal;
+  }
+
+  /// Add a force on b at a closed contact, and its opposite on a.
+  void push(std::size_t i, Index contact, const Vector& force) { push(contact, closed_[i].motion, force); }
+  /// Accelerations from the forces pushed so far.
+  void accelerate() {
+    for (Index i = 0; i < std::ssize(load_); ++i) {
+      const auto& body = setting_.body[i];
+      velocity_rate_[i] = lift<T>(setting_.gravity) + T(1 / body.mass) * load_[i].force;
+      spin_rate_[i] = eased(body, body_[i], load_[i].moment - gyroscopic(i));
+    }
+  }
+
+ private:
+  struct Load {
+    Vector force;
+    Turn<T, D> moment;
+  };
+
+  void move(std::span<const T> x) {
+    body_.resize(setting_.body.size());
+    load_.resize(setting_.body.size());
+    velocity_rate_.resize(setting_.body.size());
+    spin_rate_.resize(setting_.body.size());
+    momentum_.resize(setting_.body.size());
+    clock_ = x[layout_.clock()];
+    for (Index i = 0; i < layout_.bodies; ++i) {
+      body_[i] = motion_of(setting_.body[i], layout_, x, i);
+      momentum_[i] = vec_at<turns(D)>(x, layout_.momentum(i));
+    }
+  }
+
+  Turn<T, D> gyroscopic(Index i) const {
+    if constexpr (D == 2)
+      return {};
+    else
+      return turned(body_[i].spin, momentum_[i]);
+  }
+
+  void push(Index contact, const ContactMotion<T, D>& c, const Vector& force) {
+    const auto& one = setting_.contact[contact];
+    auto& b = load_[setting_.sphere[one.b].body];
+    b.force = b.force + force;
+    b.moment = b.moment + moment(c.lever_b, force);
+    if (one.plane >= 0) return;
+    auto& a = load_[setting_.sphere[one.a].body];
+    a.force = a.force - force;
+    a.moment = a.moment - moment(c.lever_a, force);
+  }
+
+  static T law_force(const contact::Law& law, const T& depth, const T& rate) {
+    const auto f = contact::smooth_force(law, series::value_of(depth), series::value_of(rate));
+    if constexpr (std::is_same_v<T, double>)
+      return f.value;
+    else
+      return T::chain(depth, rate, f.value, f.by_indentation, f.by_rate);
+  }
+
+  /// Linear forces go on past zero, so that a step which reaches beyond separation meets no kink.
+  T depth_of(const SettingContact<D>& one, const ContactMotion<T, D>& c) const {
+    const auto* power = contact::power_law(one.law);
+    return power && power->exponent == 1 ? T(-c.gap) : c.indentation;
+  }
+
+  /// ḟ_n, which for a damped contact depends on all accelerations.
+  T force_rate(const ClosedContact& mode, const ContactForces<T, D>& c) const {
+    const auto& one = setting_.contact[mode.contact];
+    const T rate = -c.motion.gap_rate;
+    if (mode.slack) return T(0.0);
+    const double depth = series::value_of(c.motion.indentation), speed = series::value_of(rate);
+    const auto f = contact::smooth_force(one.law, depth, speed);
+    if (!contact::dissipates(one.law)) return slope_by_indentation(one, c.motion.indentation) * rate;
+    return f.by_indentation * rate - f.by_rate * gap_acceleration(mode.contact, c.motion);
+  }
+
+  /// ∂f/∂δ of an undamped law with its own slopes where they are known.
+  static T slope_by_indentation(const SettingContact<D>& one, const T& depth) {
+    using std::sqrt;
+    if (const auto* power = contact::power_law(one.law)) {
+      if (power->exponent == 1) return T(power->stiffness);
+      if (power->exponent == 1.5) return 1.5 * power->stiffness * sqrt(depth);
+    }
+    return T(contact::smooth_force(one.law, series::value_of(depth), 0).by_indentation);
+  }
+
+  T gap_acceleration(Index contact, const ContactMotion<T, D>& c) const {
+    const auto& one = setting_.contact[contact];
+    const auto side = [&](Index sphere) {
+      const Index i = setting_.sphere[sphere].body;
+      const auto arm = sphere_motion(setting_.sphere[sphere], body_[i]).arm;
+      return velocity_rate_[i] + turned(spin_rate_[i], arm) +
+             turned(body_[i].spin, turned(body_[i].spin, arm));
+    };
+    Vector relative = side(one.b);
+    T distance = T(0.0);
+    if (one.plane < 0) {
+      relative = relative - side(one.a);
+      distance = c.gap + (setting_.sphere[one.a].radius + setting_.sphere[one.b].radius);
+    }
+    return dot(c.normal, relative) + distance * dot(c.normal_rate, c.normal_rate);
+  }
+
+  void set_forces(const ClosedContact& mode, std::span<const T> x, ContactForces<T, D>& c,
+                  std::size_t place) {
+    const auto& one = setting_.contact[mode.contact];
+    c.motion = motion(mode.contact);
+    const T depth = depth_of(one, c.motion), rate = -c.motion.gap_rate;
+    c.elastic = contact::dissipates(one.law) || mode.slack ? law_force(one.law, depth, T(0.0)) : T(0.0);
+    c.normal = mode.slack ? T(0.0) : law_force(one.law, depth, rate);
+    c.friction = lift<T>(Vec<double, D>{});
+    c.direction = c.friction;
+    set_spring(one, c);
+    set_friction(mode, one, x, c, place);
+    push(mode.contact, c.motion, c.normal * c.motion.normal + c.friction);
+  }
+
+  void set_spring(const SettingContact<D>& one, ContactForces<T, D>& c) const {
+    using std::sqrt;
+    const bool grows = one.tangential.law == TangentialLaw::mindlin;
+    c.spring = grows ? T(one.tangential.stiffness * sqrt(c.motion.indentation)) : T(one.tangential.stiffness);
+  }
+
+  void set_friction(const ClosedContact& mode, const SettingContact<D>& one, std::span<const T> x,
+                    ContactForces<T, D>& c, std::size_t place) {
+    if (mode.slack || mode.friction == Friction::none) return;
+    if (mode.friction == Friction::slip) {
+      c.direction = slip_direction(mode, one, x, c.motion);
+      c.friction = (-one.tangential.friction * c.normal) * c.direction;
+    } else if (one.tangential.has_spring()) {
+      const bool as_force = one.tangential.law == TangentialLaw::mindlin && !mode.unloading;
+      const Vector state = tangential_state(mode, x, c.motion.normal);
+      c.friction = (as_force ? T(-1.0) : T(-c.spring)) * state;
+    } else {
+      stuck_.push_back({place, mode.contact});
+    }
+  }
+
+  /// e_z × n, in the plane.
+  static Vector across(const Vector& n) {
+    if constexpr (D == 2)
+      return {{-n[1], n[0]}};
+    else
+      return n;
+  }
+
+  /// T, ξ or e of a slot as a vector in the tangent plane.
+  Vector tangential_state(const ClosedContact& mode, std::span<const T> x, const Vector& normal) const {
+    const Index at = layout_.spring(mode.slot);
+    if constexpr (D == 2)
+      return x[at] * across(normal);
+    else {
+      const auto state = vec_at<3>(x, at);
+      return state - dot(state, normal) * normal;
+    }
+  }
+
+  Vector slip_direction(const ClosedContact& mode, const SettingContact<D>& one, std::span<const T> x,
+                        const ContactMotion<T, D>& c) const {
+    if constexpr (D == 2)
+      return T(mode.sign) * across(c.normal);
+    else {
+      Vector along = one.tangential.has_spring() ? tangential_state(mode, x, c.normal) : c.slip;
+      const bool undefined = !(dot(along, along) > 0.0);
+      if (mode.from_rest || undefined)
+        for (int k = 0; k < 3; ++k) along[k] = mode.start.empty() ? T(0.0) : T(mode.start[k]);
+      const T size = norm(along);
+      return size > 0.0 ? (1.0 / size) * along : along;
+    }
+  }
+
+  /// Unit vectors along the tangent plane.
+  static std::array<Vector, D - 1> tangents(const Vector& n) {
+    if constexpr (D == 2)
+      return {across(n)};
+    else {
+      const int least =
+          n[0] * n[0] < series::value_of(n[1] * n[1]) && n[0] * n[0] < series::value_of(n[2] * n[2]) ? 0
+          : n[1] * n[1] < series::value_of(n[2] * n[2])                                              ? 1
+                                                                                                     : 2;
+      Vector axis = lift<T>(Vec<double, D>{});
+      axis[least] = T(1.0);
+      const Vector side = turned(n, axis);
+      const Vector one = (1.0 / norm(side)) * side;
+      return {one, turned(n, one)};
+    }
+  }
+
+  /// Friction of all contacts that stick, from the condition that their slip stays: W f = −b.
+  void hold_still() {
+    constexpr int k = D - 1;
+    const std::size_t size = k * stuck_.size();
+    std::vector<std::array<Vector, k>> basis;
+    for (const auto& [place, contact] : stuck_) basis.push_back(tangents(closed_[place].motion.normal));
+    std::vector<T> matrix(size * size, T(0.0)), right(size);
+    for (std::size_t i = 0; i < stuck_.size(); ++i) {
+      const auto need = slip_acceleration(stuck_[i].contact, closed_[stuck_[i].place].motion);
+      for (int p = 0; p < k; ++p) {
+        right[k * i + p] = -dot(need, basis[i][p]);
+        for (std::size_t j = 0; j < stuck_.size(); ++j)
+          for (int q = 0; q < k; ++q)
+            matrix[(k * i + p) * size + k * j + q] = mobility(i, basis[i][p], j, basis[j][q]);
+      }
+    }
+    redundant_ = !solve_symmetric(std::span(matrix), std::span(right));
+    for (std::size_t i = 0; i < stuck_.size(); ++i) {
+      auto& c = closed_[stuck_[i].place];
+      for (int p = 0; p < k; ++p) c.friction = c.friction + right[k * i + p] * basis[i][p];
+      push(stuck_[i].contact, c.motion, c.friction);
+    }
+    accelerate();
+  }
+
+  /// Acceleration along `s` at stuck contact i by a unit force along `t` at stuck contact j.
+  T mobility(std::size_t i, const Vector& s, std::size_t j, const Vector& t) const {
+    T sum = T(0.0);
+    for (const auto& [body_i, lever_i, sign_i] : sides(i))
+      for (const auto& [body_j, lever_j, sign_j] : sides(j)) {
+        if (body_i != body_j || body_i < 0) continue;
+        const auto spin = eased(setting_.body[body_i], body_[body_i], moment(lever_j, t));
+        sum = sum + sign_i * sign_j *
+                        (T(1 / setting_.body[body_i].mass) * dot(s, t) + dot(s, turned(spin, lever_i)));
+      }
+    return sum;
+  }
+  struct Side {
+    Index body;
+    Vector lever;
+    double sign;
+  };
+  std::array<Side, 2> sides(std::size_t i) const {
+    const auto& one = setting_.contact[stuck_[i].contact];
+    const auto& c = closed_[stuck_[i].place].motion;
+    return {Side{setting_.sphere[one.b].body, c.lever_b, 1.0},
+            Side{one.plane < 0 ? setting_.sphere[one.a].body : Index{-1}, c.lever_a, -1.0}};
+  }
+
+  void put_body_rates(Index i, std::span<const T> x, std::span<T> dx) const {
+    put(dx, layout_.shift(i), body_[i].velocity);
+    put(dx, layout_.velocity(i), velocity_rate_[i]);
+    if constexpr (D == 2) {
+      dx[layout_.turn(i)] = body_[i].spin[0];
+      dx[layout_.momentum(i)] = spin_rate_[i][0];
+    } else {
+      const auto& w = body_[i].spin;
+      mariotte::put<T>(
+          dx, layout_.turn(i),
+          quaternion_rate(quaternion_at<T>(x, layout_.turn(i)), BasicVector3<T>{w[0], w[1], w[2]}));
+      put(dx, layout_.momentum(i), load_[i].moment);
+    }
+  }
+
+  void put_contact_rates(const ClosedContact& mode, const ContactForces<T, D>& c, std::span<const T> x,
+                         std::span<T> dx) const {
+    const auto& one = setting_.contact[mode.contact];
+    put_spring_rate(mode, one, c, x, dx);
+    dx[layout_.normal(mode.slot)] = c.normal;
+    if constexpr (D == 2)
+      dx[layout_.tangential(mode.slot)] = dot(c.friction, across(c.motion.normal));
+    else
+      put(dx, layout_.tangential(mode.slot), c.friction);
+    const Index loss = layout_.losses(mode.slot);
+    dx[loss] = friction_power(mode, one, c);
+    dx[loss + 1] = rescale_power(mode, one, c);
+    if (contact::dissipates(one.law)) dx[loss + 2] = (c.normal - c.elastic) * (-c.motion.gap_rate);
+  }
+
+  T friction_power(const ClosedContact& mode, const SettingContact<D>& one,
+                   const ContactForces<T, D>& c) const {
+    if (mode.friction != Friction::slip || mode.slack) return T(0.0);
+    if (!one.tangential.has_spring()) return -dot(c.friction, c.motion.slip);
+    return one.tangential.friction * c.normal * yielding(mode, c);
+  }
+
+  /// T² |k̇_t|/2 k_t²: what changes of the stiffness cost, both ways.
+  T rescale_power(const ClosedContact& mode, const SettingContact<D>& one,
+                  const ContactForces<T, D>& c) const {
+    if (one.tangential.law != TangentialLaw::mindlin || mode.slack) return T(0.0);
+    const T rate = mode.unloading ? c.motion.gap_rate : T(-c.motion.gap_rate);
+    return 0.25 * (dot(c.friction, c.friction) / c.spring) * (rate / c.motion.indentation);
+  }
+
+  void put_spring_rate(const ClosedContact& mode, const SettingContact<D>& one, const ContactForces<T, D>& c,
+                       std::span<const T> x, std::span<T> dx) const {
+    if (!one.tangential.has_spring() || mode.slack || mode.friction == Friction::none) return;
+    const Index at = layout_.spring(mode.slot);
+    const bool as_force = one.tangential.law == TangentialLaw::mindlin && !mode.unloading;
+    const T rate = as_force ? c.spring : T(1.0);
+    if constexpr (D == 2) {
+      if (mode.friction == Friction::stick) dx[at] = rate * dot(c.motion.slip, across(c.motion.normal));
+    } else {
+      const auto state = vec_at<3>(x, at);
+      Vector change = mode.friction == Friction::stick ? rate * c.motion.slip : turning_to_slip(one, c);
+      put(dx, at, change + turned(frame_spin(one, c.motion), state));
+    }
+  }
+
+  /// ė = (u − (u·e) e)/|ξ|, where |ξ| is no shorter than what turns e within a millionth of the natural time:
+  /// earlier, e is the direction of slip to rounding.
+  Vector turning_to_slip(const SettingContact<D>& one, const ContactForces<T, D>& c) const {
+    const auto& u = c.motion.slip;
+    const T stretch = one.tangential.friction * c.normal / c.spring;
+    const T least = 1e-6 * one.time * norm(u);
+    const T length = stretch > series::value_of(least) ? stretch : least;
+    if (!(length > 0.0)) return lift<T>(Vec<double, D>{});
+    return (1.0 / length) * (u - dot(u, c.direction) * c.direction);
+  }
+
+  /// n × ṅ and half the spins about n.
+  Vector frame_spin(const SettingContact<D>& one, const ContactMotion<T, D>& c) const {
+    auto spin = body_[setting_.sphere[one.b].body].spin;
+    if (one.plane < 0) spin = spin + body_[setting_.sphere[one.a].body].spin;
+    return turned(c.normal, c.normal_rate) + T(0.5 * dot(spin, c.normal)) * c.normal;
+  }
+
+  struct Stuck {
+    std::size_t place;
+    Index contact;
+  };
+
+  const BodiesSetting<D>& setting_;
+  BodiesLayout<D> layout_;
+  T clock_{};
+  std::vector<BodyMotion<T, D>> body_;
+  std::vector<Turn<T, D>> momentum_;
+  std::vector<Load> load_;
+  std::vector<Vector> velocity_rate_;
+  std::vector<Turn<T, D>> spin_rate_;
+  std::vector<ContactForces<T, D>> closed_;
+  std::vector<Stuck> stuck_;
+  bool redundant_ = false;
+};
+
+}  // namespace mariotte::model

@@ -1,0 +1,176 @@
+// Free flight of bodies: closed forms, and meetings that cannot be missed.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "mariotte/flow/ballistic.hpp"
+#include "mariotte/flow/flight.hpp"
+#include "mariotte/model/bodies/bodies_phase.hpp"
+
+namespace mariotte::model {
+namespace {
+
+/// Looks at one gap in a window of time before it is given up: never reached by bodies that do meet.
+constexpr int most_looks = 100'000;
+
+/// The turn since the start after time t.
+void turn(const BodiesLayout<2>& at, const SettingBody<2>&, ConstState x, Index i, double t, State result) {
+  result[at.turn(i)] = x[at.turn(i)] + t * x[at.momentum(i)];
+}
+void turn(const BodiesLayout<3>& at, const SettingBody<3>& body, ConstState x, Index i, double t,
+          State result) {
+  const Vector3 momentum = vector_at(x, at.momentum(i));
+  const Quaternion q = quaternion_at(x, at.turn(i));
+  if (norm(momentum) == 0) return;
+  if (body.is_round) {
+    const double rate = norm(momentum) / body.inertia[0];
+    put<double>(result, at.turn(i), rotation((1 / norm(momentum)) * momentum, rate * t) * q);
+    return;
+  }
+  const flow::SymmetricBody symmetric{.mass = body.mass,
+                                      .axial = body.inertia[0],
+                                      .transverse = body.inertia[1],
+                                      .arm = {},
+                                      .radius = {},
+                                      .gravity = 0};
+  const auto flown = flow::flown(q * body.attitude, momentum, symmetric, t);
+  put<double>(result, at.turn(i), flown * conjugate(body.attitude));
+}
+
+/// Times in which two points with this relative motion are closer than `reach`.
+struct Window {
+  double first = 0, last = infinity;
+};
+template <int D>
+Window near(const Vec<double, D>& apart, const Vec<double, D>& velocity, double reach) {
+  const double a = dot(velocity, velocity), b = dot(apart, velocity), c = dot(apart, apart) - reach * reach;
+  if (a == 0) return c > 0 ? Window{infinity, infinity} : Window{};
+  const double square = b * b - a * c;
+  if (square < 0) return {infinity, infinity};
+  const double root = std::sqrt(square);
+  return {std::max(0.0, (-b - root) / a), (-b + root) / a};
+}
+
+}  // namespace
+
+template <int D>
+void BodiesPhase<D>::fly(ConstState x, double t, State result) const {
+  std::copy(x.begin(), x.end(), result.begin());
+  for (Index i = 0; i < layout_.bodies; ++i) {
+    for (int k = 0; k < D; ++k) {
+      const double g = setting_.gravity[k], v = x[layout_.velocity(i) + k];
+      result[layout_.shift(i) + k] += t * (v + 0.5 * t * g);
+      result[layout_.velocity(i) + k] = v + t * g;
+    }
+    turn(layout_, setting_.body[i], x, i, t, result);
+  }
+  result[layout_.clock()] += t;
+}
+
+/// Largest acceleration of a sphere's centre by the turning of its body.
+template <int D>
+double BodiesPhase<D>::gap_bend(const BodyMotion<double, D>& body, Index i,
+                                const SettingSphere<D>& sphere) const {
+  const double spin = norm(body.spin), arm = norm(sphere.arm);
+  double nutation = 0;
+  if constexpr (D == 3)
+    if (const auto& one = setting_.body[i]; !one.is_round) {
+      const auto& j = one.inertia;
+      nutation = spin * spin * std::max(j[0], j[1]) / std::min(j[0], j[1]);
+    }
+  return (spin * spin + nutation) * arm;
+}
+
+template <int D>
+double BodiesPhase<D>::meeting(ConstState x, Index contact, double limit) const {
+  const auto& c = setting_.contact[contact];
+  const auto& sphere_b = setting_.sphere[c.b];
+  const bool is_plane = c.plane >= 0;
+  const Index body_b = sphere_b.body, body_a = is_plane ? -1 : setting_.sphere[c.a].body;
+  const auto b = motion_of(setting_.body[body_b], layout_, x, body_b);
+  BodyMotion<double, D> a{};
+  if (!is_plane) a = motion_of(setting_.body[body_a], layout_, x, body_a);
+  const auto now = contact_motion(setting_, c, is_plane ? nullptr : &a, b, x[layout_.clock()]);
+  const double arm_b = norm(sphere_b.arm), arm_a = is_plane ? 0 : norm(setting_.sphere[c.a].arm);
+  const double fall = is_plane ? dot(now.normal, setting_.gravity) : 0;
+  const bool turns_a = !is_plane && arm_a > 0 && norm(a.spin) > 0, turns_b = arm_b > 0 && norm(b.spin) > 0;
+  double gap = std::max(now.gap, 0.0);
+  if (std::find(mode_->touching.begin(), mode_->touching.end(), contact) != mode_->touching.end()) {
+    if (now.gap_rate > -setting_.slip_noise * setting_.speed) return infinity;
+    gap = std::max(now.gap + setting_.gap_noise * c.length, 0.0);
+  }
+  if (is_plane && !turns_b) return flow::first_crossing(flow::Crossing::falling, gap, now.gap_rate, fall);
+
+  const double radii = sphere_b.radius + (is_plane ? 0 : setting_.sphere[c.a].radius);
+  const Vec<double, D> relative = b.velocity - (is_plane ? setting_.plane_velocity[c.plane] : a.velocity);
+  if (!turns_a && !turns_b) {
+    const double distance = radii + now.gap, slope = distance * now.gap_rate, ends = gap * (distance + radii);
+    const double speed = dot(relative, relative), square = slope * slope - speed * ends;
+    return slope < 0 && square >= 0 ? ends / (std::sqrt(square) - slope) : infinity;
+  }
+
+  // Where something turns: the gap lies above the parabola of its value, slope and largest bend.
+  Window window;
+  double bend = gap_bend(b, body_b, sphere_b);
+  if (is_plane) {
+    bend += std::abs(fall);
+    const double reach = arm_b;
+    const double centre = now.gap - dot(now.normal, sphere_motion(sphere_b, b).arm);
+    const double rate = dot(now.normal, relative);
+    if (rate >= 0 && fall >= 0 && centre > reach) return infinity;
+    if (fall == 0 && rate < 0 && centre > reach) window.first = (centre - reach) / -rate;
+    if (fall == 0 && rate > 0) window.last = (reach - centre) / rate;
+  } else {
+    const auto on_a = sphere_motion(setting_.sphere[c.a], a), on_b = sphere_motion(sphere_b, b);
+    const Vec<double, D> spheres = (now.gap + radii) * now.normal;
+    const Vec<double, D> centres = spheres - on_b.arm + on_a.arm;
+    window = near<D>(centres, relative, radii + arm_a + arm_b);
+    const double across = norm(relative) + norm(a.spin) * arm_a + norm(b.spin) * arm_b;
+    bend += gap_bend(a, body_a, setting_.sphere[c.a]) + across * across / radii;
+  }
+  const double full = 2 * std::numbers::pi / std::max({norm(a.spin), norm(b.spin)});
+  if (norm(relative) == 0 && fall == 0)
+    window.last = std::min(window.last, (turns_a && turns_b ? 1000 : 1.001) * full);
+  window.last = std::min(window.last, limit);
+  std::vector<double> flown(x.size());
+  const double least = 4 * epsilon;
+  double t = window.first;
+  bool left = t > 0 || gap > 0;
+  for (int k = 0; k < most_looks && t <= window.last; ++k) {
+    fly(x, t, flown);
+    const auto there_b = motion_of(setting_.body[body_b], layout_, ConstState(flown), body_b);
+    if (!is_plane) a = motion_of(setting_.body[body_a], layout_, ConstState(flown), body_a);
+    const auto there = contact_motion(setting_, c, is_plane ? nullptr : &a, there_b, flown[layout_.clock()]);
+    const double h = std::max(there.gap, 0.0), slope = there.gap_rate;
+    const double root = std::sqrt(slope * slope + 2 * bend * h);
+    const double ahead = slope > 0 ? (slope + root) / bend : 2 * h / (root - slope);
+    if (slope <= 0 && left && ahead <= least * std::max(t, setting_.time)) return t;
+    if (slope <= 0 && !left) return 0;
+    left = true;
+    t += std::max(ahead, least * std::max(t, setting_.time));
+  }
+  return infinity;
+}
+
+template <int D>
+double BodiesPhase<D>::first_meeting(ConstState x, double limit, double window,
+                                     std::vector<Index>& fired) const {
+  double first = infinity;
+  std::vector<std::pair<double, Index>> meetings;
+  for (Index c = 0; c < std::ssize(setting_.contact); ++c) {
+    const double time = meeting(x, c, std::min(limit, first + window));
+    if (!(time < infinity)) continue;
+    meetings.push_back({time, c});
+    first = std::min(first, time);
+  }
+  for (const auto& [time, contact] : meetings)
+    if (time <= first + window) fired.push_back(gap_guard(contact));
+  return first;
+}
+
+template void BodiesPhase<2>::fly(ConstState, double, State) const;
+template void BodiesPhase<3>::fly(ConstState, double, State) const;
+template double BodiesPhase<2>::first_meeting(ConstState, double, double, std::vector<Index>&) const;
+template double BodiesPhase<3>::first_meeting(ConstState, double, double, std::vector<Index>&) const;
+
+}  // namespace mariotte::model

@@ -1,0 +1,58 @@
+// The modes of contacts between bodies, and their table:
+//
+//   open ── gap falls through 0 ──▶ closed ── gap rises through 0 ──▶ open
+//   touching ── pressed ──▶ closed;  touching ── parted ──▶ open       (gap 0 and at rest at the start)
+//   closed: loading ⇄ unloading      δ̇ changes its sign
+//   closed: active ⇄ slack           the load of a damped contact changes its sign
+//   closed: stick ⇄ slip             Coulomb's cap; slip that stops, which may be a reversal of a rigid law
+#pragma once
+#include <vector>
+
+#include "mariotte/core/types.hpp"
+
+namespace mariotte::model {
+
+/// What a contact says at an event.
+enum class BodyEvent { close, open, touch, part, stick, slip, reverse, load, unload, slack, grip };
+
+/// How friction acts in a closed contact.
+enum class Friction { none, stick, slip };
+
+/// One contact that is closed.
+struct ClosedContact {
+  Index contact = 0;
+  Index slot = 0;  ///< its place in the state
+  Friction friction = Friction::none;
+  bool unloading = false;
+  bool slack = false;
+  double sign = 1;            ///< of slip along e_z × n, in the plane
+  bool from_rest = false;     ///< rigid slip in space that has not left rest yet
+  std::vector<double> start;  ///< where it goes to then
+};
+
+/// What a contact has exchanged since the start.
+struct ContactTotals {
+  double normal = 0;               ///< ∫ f_n dt [N s]
+  std::vector<double> tangential;  ///< ∫ f_t dt: along e_z × n in the plane, a vector in space
+  double friction = 0, rescale = 0, damper = 0;  ///< losses ≥ 0 [J]
+};
+
+/// Which contacts act, and how.
+struct BodiesMode {
+  std::vector<ClosedContact> closed;  ///< by contact
+  std::vector<Index> touching;        ///< at rest at gap 0 since the start
+  std::vector<Index> idle;            ///< slots that nobody uses
+  std::vector<ContactTotals> totals;  ///< of periods that have ended, per contact
+};
+
+/// Changes of one contact.
+struct BodiesChange {
+  Index contact;
+  BodyEvent event;
+};
+
+/// Guards of a closed contact.
+enum class SlotGuard { open, friction, turn, load };
+inline constexpr Index guards_per_slot = 4;
+
+}  // namespace mariotte::model

@@ -1,0 +1,145 @@
+// Where bodies and contacts are and how they move: kinematics of a state, over any number.
+#pragma once
+#include <span>
+
+#include "mariotte/core/state_vectors.hpp"
+#include "mariotte/model/bodies/bodies_setting.hpp"
+#include "mariotte/series/dual.hpp"
+
+namespace mariotte::model {
+
+/// One body at one instant.
+template <class T, int D>
+struct BodyMotion {
+  Vec<T, D> shift, velocity;
+  Turn<T, D> spin;
+  BasicQuaternion<T> turn;  ///< since the start; in the plane w = cos φ − 1 and z = sin φ
+};
+
+/// (R − 1) r without cancellation.
+template <class T>
+Vec<T, 2> swung(const BodyMotion<T, 2>& body, const Vec<double, 2>& r) {
+  return {{body.turn.w * r[0] - body.turn.z * r[1], body.turn.z * r[0] + body.turn.w * r[1]}};
+}
+template <class T>
+Vec<T, 3> swung(const BodyMotion<T, 3>& body, const Vec<double, 3>& r) {
+  const Vec<T, 3> axis{{body.turn.x, body.turn.y, body.turn.z}}, arm = lift<T>(r);
+  return T(2.0) * (body.turn.w * turned(axis, arm) + turned(axis, turned(axis, arm)));
+}
+
+/// Unit quaternion of the body in space at one instant.
+template <class T>
+BasicQuaternion<T> attitude(const SettingBody<3>& body, const BasicQuaternion<T>& turn) {
+  const auto& q = body.attitude;
+  return turn * BasicQuaternion<T>{q.w, q.x, q.y, q.z};
+}
+
+/// J⁻¹ M in axes of space.
+template <class T>
+Vec<T, 1> eased(const SettingBody<2>& body, const BodyMotion<T, 2>&, const Vec<T, 1>& moment) {
+  return {{(1 / body.inertia[0]) * moment[0]}};
+}
+template <class T>
+Vec<T, 3> eased(const SettingBody<3>& body, const BodyMotion<T, 3>& motion, const Vec<T, 3>& moment) {
+  if (body.is_round) return T(1 / body.inertia[0]) * moment;
+  const auto q = attitude(body, motion.turn);
+  const auto m = rotate(conjugate(q), BasicVector3<T>{moment[0], moment[1], moment[2]});
+  const auto turned = rotate(q, BasicVector3<T>{(1 / body.inertia[0]) * m.e1, (1 / body.inertia[1]) * m.e2,
+                                                (1 / body.inertia[2]) * m.e3});
+  return {{turned.e1, turned.e2, turned.e3}};
+}
+
+template <class T>
+BodyMotion<T, 2> motion_of(const SettingBody<2>&, const BodiesLayout<2>& at, std::span<const T> x, Index i) {
+  using std::cos, std::sin;
+  const T half = sin(0.5 * x[at.turn(i)]);
+  return {.shift = vec_at<2>(x, at.shift(i)),
+          .velocity = vec_at<2>(x, at.velocity(i)),
+          .spin = vec_at<1>(x, at.momentum(i)),
+          .turn = {.w = -2.0 * (half * half), .x = T(0.0), .y = T(0.0), .z = sin(x[at.turn(i)])}};
+}
+template <class T>
+BodyMotion<T, 3> motion_of(const SettingBody<3>& body, const BodiesLayout<3>& at, std::span<const T> x,
+                           Index i) {
+  BodyMotion<T, 3> motion{.shift = vec_at<3>(x, at.shift(i)),
+                          .velocity = vec_at<3>(x, at.velocity(i)),
+                          .spin = {},
+                          .turn = quaternion_at<T>(x, at.turn(i))};
+  motion.spin = eased(body, motion, vec_at<3>(x, at.momentum(i)));
+  return motion;
+}
+
+/// One contact at one instant; the normal points from a to b.
+template <class T, int D>
+struct ContactMotion {
+  Vec<T, D> normal, normal_rate;
+  T gap, gap_rate;
+  T indentation;               ///< −gap, but never quite 0
+  Vec<T, D> lever_a, lever_b;  ///< from the mass centres to the contact point
+  Vec<T, D> slip;              ///< tangential velocity of b on a there
+  Vec<T, D> point_a, point_b;  ///< velocity of the contact point itself less that of the mass centres
+};
+
+/// The sphere of a contact at one instant.
+template <class T, int D>
+struct SphereMotion {
+  Vec<T, D> shift, arm, velocity;
+};
+template <class T, int D>
+SphereMotion<T, D> sphere_motion(const SettingSphere<D>& sphere, const BodyMotion<T, D>& body) {
+  const auto swing = swung(body, sphere.arm);
+  const Vec<T, D> arm = lift<T>(sphere.arm) + swing;
+  return {body.shift + swing, arm, body.velocity + turned(body.spin, arm)};
+}
+
+/// `clock` is the time since the start; `a` is not looked at if the contact is with a plane.
+template <class T, int D>
+ContactMotion<T, D> contact_motion(const BodiesSetting<D>& setting, const SettingContact<D>& contact,
+                                   const BodyMotion<T, D>* a, const BodyMotion<T, D>& b, const T& clock) {
+  ContactMotion<T, D> c;
+  const auto& sphere_b = setting.sphere[contact.b];
+  const auto on_b = sphere_motion(sphere_b, b);
+  SphereMotion<T, D> on_a;
+  double radius_a = 0;
+  if (a) {
+    on_a = sphere_motion(setting.sphere[contact.a], *a);
+    radius_a = setting.sphere[contact.a].radius;
+  } else {
+    on_a.velocity = lift<T>(setting.plane_velocity[contact.plane]);
+    on_a.shift = clock * on_a.velocity;
+  }
+  const Vec<T, D> moved = on_b.shift - on_a.shift, relative = on_b.velocity - on_a.velocity;
+  const Vec<T, D> start = lift<T>(contact.apart);
+  if (a) {
+    const Vec<T, D> apart = start + moved;
+    const T distance = norm(apart);
+    c.normal = (1.0 / distance) * apart;
+    c.gap = contact.gap + dot(start + apart, moved) / (distance + contact.distance);
+    c.gap_rate = dot(c.normal, relative);
+    c.normal_rate = (1.0 / distance) * (relative - c.gap_rate * c.normal);
+  } else {
+    c.normal = start;
+    c.gap = contact.gap + dot(start, moved);
+    c.gap_rate = dot(start, relative);
+    c.normal_rate = lift<T>(Vec<double, D>{});
+  }
+  const double least = setting.smallest_indentation;
+  c.indentation = -c.gap > least ? T(-c.gap) : T(least);
+  const T depth = -c.gap > least ? T(-c.gap) : T(0.0);
+  const T inside = sphere_b.radius - contact.share * depth;
+  c.lever_b = on_b.arm - inside * c.normal;
+  const Vec<T, D> point = on_b.velocity - inside * c.normal_rate - T(contact.share * c.gap_rate) * c.normal;
+  c.point_b = point - b.velocity;
+  Vec<T, D> velocity = b.velocity + turned(b.spin, c.lever_b);
+  if (a) {
+    c.lever_a = on_a.arm + (radius_a - (1 - contact.share) * depth) * c.normal;
+    c.point_a = point - a->velocity;
+    velocity = velocity - a->velocity - turned(a->spin, c.lever_a);
+  } else {
+    velocity = velocity - on_a.velocity;
+  }
+  c.slip = velocity - dot(velocity, c.normal) * c.normal;
+  return c;
+}
+
+}  // namespace mariotte::model

@@ -1,0 +1,172 @@
+#include "mariotte/model/bodies/bodies_phase.hpp"
+
+#include <algorithm>
+
+namespace mariotte::model {
+
+using flow::Crossing;
+
+template <int D>
+BodiesPhase<D>::BodiesPhase(const BodiesSetting<D>& setting, Index touching)
+    : setting_(setting), touching_(touching), field_(setting), directional_(setting), sloped_(setting) {
+  layout_.bodies = std::ssize(setting.body);
+  if constexpr (D == 3)
+    for (const auto& body : setting.body)
+      free_flight_ = free_flight_ && (body.is_round || body.inertia[1] == body.inertia[2]);
+}
+
+namespace {
+
+template <int D>
+double damping_of(const SettingContact<D>& contact) {
+  const auto* power = contact::power_law(contact.law);
+  return power ? power->damping / (power->stiffness * contact.time) : 0;
+}
+
+}  // namespace
+
+template <int D>
+void BodiesPhase<D>::bind(const BodiesMode& mode) {
+  mode_ = &mode;
+  layout_.slots = std::ssize(mode.idle) + std::ssize(mode.closed);
+  crossing_.assign(guard_count(), Crossing::none);
+  set_magnitudes(setting_, layout_, mode, magnitude_);
+  // Without gravity what touches at rest stays so while nothing pushes.
+  const bool at_peace = mode.touching.empty() || norm(setting_.gravity) == 0;
+  ballistic_ = mode.closed.empty() && at_peace && free_flight_;
+  time_ = mode.closed.empty() ? setting_.time : infinity;
+  damping_ = 0;
+  for (Index c = 0; c < std::ssize(setting_.contact); ++c) crossing_[gap_guard(c)] = Crossing::falling;
+  for (const auto& one : mode.closed) {
+    const auto& contact = setting_.contact[one.contact];
+    const auto set = [&](SlotGuard guard, Crossing way) { crossing_[slot_guard(one.slot, guard)] = way; };
+    crossing_[gap_guard(one.contact)] = Crossing::none;
+    set(SlotGuard::open, Crossing::rising);
+    if (one.friction != Friction::none && !one.slack) set(SlotGuard::friction, Crossing::falling);
+    set(SlotGuard::turn, one.unloading ? Crossing::rising : Crossing::falling);
+    if (contact::dissipates(contact.law))
+      set(SlotGuard::load, one.slack ? Crossing::rising : Crossing::falling);
+    time_ = std::min(time_, contact.time);
+    damping_ = std::max(damping_, damping_of(contact));
+  }
+  for (Index k = 0; k < std::ssize(mode.touching); ++k) crossing_[parting_guard(k)] = Crossing::rising;
+}
+
+template <int D>
+void BodiesPhase<D>::derivative(ConstState x, State dx) const {
+  field_.evaluate(layout_, *mode_, x);
+  field_.rates(*mode_, x, dx);
+}
+
+/// Guards that start at zero or return to it have an offset as large as noise: they fire once they are
+/// beyond.
+template <int D>
+template <class T>
+T BodiesPhase<D>::friction_guard(const BodiesField<T, D>& field, const ClosedContact& mode,
+                                 const ContactForces<T, D>& c) const {
+  const auto& one = setting_.contact[mode.contact];
+  const double noise = setting_.slip_noise;
+  if (mode.friction == Friction::none || mode.slack) return T(1.0);
+  if (mode.friction == Friction::stick)
+    return one.tangential.friction * c.normal - norm(c.friction) + noise * one.force;
+  if (one.tangential.has_spring()) return field.yielding(mode, c) + noise * setting_.speed;
+  if constexpr (D == 2)
+    return dot(c.motion.slip, c.direction) + noise * setting_.speed;
+  else
+    return norm(c.motion.slip) - 10 * noise * setting_.speed;
+}
+
+template <int D>
+template <class T>
+T BodiesPhase<D>::load_guard(const ClosedContact& mode, const ContactForces<T, D>& c) const {
+  const auto& law = setting_.contact[mode.contact].law;
+  if (!contact::dissipates(law)) return T(1.0);
+  const T rate = -c.motion.gap_rate;
+  const auto load = contact::load(law, series::value_of(c.motion.indentation), series::value_of(rate));
+  if constexpr (std::is_same_v<T, double>)
+    return load.value;
+  else
+    return T::chain(c.motion.indentation, rate, load.value, load.by_indentation, load.by_rate);
+}
+
+template <int D>
+template <class T>
+void BodiesPhase<D>::all_guards(BodiesField<T, D>& field, std::span<const T> x, std::span<T> values) const {
+  field.evaluate(layout_, *mode_, x);
+  std::fill(values.begin(), values.end(), T(1.0));
+  const double noise = setting_.slip_noise * setting_.speed;
+  for (Index c = 0; c < std::ssize(setting_.contact); ++c)
+    if (crossing_[gap_guard(c)] != Crossing::none) values[gap_guard(c)] = field.motion(c).gap;
+  for (std::size_t i = 0; i < mode_->closed.size(); ++i) {
+    const auto& one = mode_->closed[i];
+    const auto& c = field.contact(i);
+    const auto set = [&](SlotGuard guard, const T& value) { values[slot_guard(one.slot, guard)] = value; };
+    set(SlotGuard::open, c.motion.gap);
+    set(SlotGuard::friction, friction_guard(field, one, c));
+    set(SlotGuard::turn, -c.motion.gap_rate + (one.unloading ? -noise : noise));
+    set(SlotGuard::load, load_guard(one, c));
+  }
+  for (Index k = 0; k < std::ssize(mode_->touching); ++k) {
+    const Index c = mode_->touching[k];
+    const double depth = setting_.gap_noise * setting_.contact[c].length;
+    const T gap = values[gap_guard(c)];
+    values[parting_guard(k)] = gap - depth;
+    values[gap_guard(c)] = gap + depth;
+  }
+}
+
+template <int D>
+void BodiesPhase<D>::guards(ConstState x, State values) const {
+  all_guards<double>(field_, x, values);
+}
+
+template <int D>
+void BodiesPhase<D>::guard_rates(ConstState x, ConstState dx, State rates) const {
+  using Along = series::Dual<double, 1>;
+  along_.resize(x.size());
+  along_values_.resize(rates.size());
+  for (std::size_t i = 0; i < x.size(); ++i) along_[i] = Along(x[i], {dx[i]});
+  all_guards<Along>(directional_, along_, along_values_);
+  for (std::size_t i = 0; i < rates.size(); ++i) rates[i] = along_values_[i].slope[0];
+}
+
+/// Dense, by columns: only contacts that damp strongly are followed with it.
+template <int D>
+std::vector<flow::Entry> BodiesPhase<D>::pattern() const {
+  std::vector<flow::Entry> entries;
+  for (Index column = 0; column < size(); ++column)
+    for (Index row = 0; row < size(); ++row) entries.push_back({row, column});
+  return entries;
+}
+
+template <int D>
+void BodiesPhase<D>::jacobian(ConstState x, State values) const {
+  using Sloped = series::Dual<double, columns>;
+  const Index n = size();
+  sloped_dx_.resize(n);
+  for (Index first = 0; first < n; first += columns) {
+    sloped_x_.assign(x.begin(), x.end());
+    const Index count = std::min<Index>(columns, n - first);
+    for (Index k = 0; k < count; ++k) sloped_x_[first + k].slope[k] = 1;
+    sloped_.evaluate(layout_, *mode_, std::span<const Sloped>(sloped_x_));
+    sloped_.rates(*mode_, std::span<const Sloped>(sloped_x_), std::span<Sloped>(sloped_dx_));
+    for (Index k = 0; k < count; ++k)
+      for (Index row = 0; row < n; ++row) values[(first + k) * n + row] = sloped_dx_[row].slope[k];
+  }
+}
+
+template <int D>
+std::string BodiesPhase<D>::component(Index index) const {
+  if (index >= layout_.clock()) return "contact";
+  const Index place = index % BodiesLayout<D>::body_size;
+  const char* kind = place < D                          ? "position"
+                     : place < D + layout_.attitude     ? "attitude"
+                     : place < 2 * D + layout_.attitude ? "velocity"
+                                                        : "spin";
+  return kind + std::string(" of body ") + std::to_string(index / BodiesLayout<D>::body_size + 1);
+}
+
+template class BodiesPhase<2>;
+template class BodiesPhase<3>;
+
+}  // namespace mariotte::model

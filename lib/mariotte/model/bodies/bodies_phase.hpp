@@ -1,0 +1,78 @@
+// One mode of bodies as what flows follow.
+#pragma once
+#include <array>
+#include <string>
+#include <vector>
+
+#include "mariotte/flow/free_motion.hpp"
+#include "mariotte/flow/problem.hpp"
+#include "mariotte/model/bodies/bodies_field.hpp"
+
+namespace mariotte::model {
+
+/// D = 2 or 3. Guards: four of each slot, the gap of each contact, then the parting of those that touch at
+/// rest.
+template <int D>
+class BodiesPhase final : public flow::Problem, public flow::FreeMotion {
+ public:
+  BodiesPhase(const BodiesSetting<D>& setting, Index touching);
+
+  /// Follow this mode from now on; it must outlive the phase's use.
+  void bind(const BodiesMode& mode);
+  const BodiesLayout<D>& layout() const { return layout_; }
+
+  Index size() const override { return layout_.size(); }
+  void derivative(ConstState x, State dx) const override;
+  Index guard_count() const override { return parting_guard(touching_); }
+  void guards(ConstState x, State values) const override;
+  void guard_rates(ConstState x, ConstState dx, State rates) const override;
+  std::span<const flow::Crossing> crossings() const override { return crossing_; }
+  std::span<const double> magnitudes() const override { return magnitude_; }
+  double time_scale() const override { return time_; }
+  std::vector<flow::Entry> pattern() const override;
+  void jacobian(ConstState x, State values) const override;
+  double damping_group() const override { return damping_; }
+  bool is_ballistic() const override { return ballistic_; }
+  void second_derivative(ConstState, State) const override {}
+  const flow::FreeMotion* free_motion() const override { return ballistic_ ? this : nullptr; }
+  flow::Accepted accept(ConstState) override { return flow::Accepted::unchanged; }
+  std::string component(Index index) const override;
+
+  double first_meeting(ConstState x, double limit, double window, std::vector<Index>& fired) const override;
+  void fly(ConstState x, double t, State result) const override;
+
+  Index slot_guard(Index slot, SlotGuard guard) const {
+    return slot * guards_per_slot + static_cast<Index>(guard);
+  }
+  Index gap_guard(Index contact) const { return layout_.slots * guards_per_slot + contact; }
+  Index parting_guard(Index k) const { return gap_guard(std::ssize(setting_.contact)) + k; }
+
+ private:
+  template <class T>
+  void all_guards(BodiesField<T, D>& field, std::span<const T> x, std::span<T> values) const;
+  template <class T>
+  T friction_guard(const BodiesField<T, D>& field, const ClosedContact& mode,
+                   const ContactForces<T, D>& c) const;
+  template <class T>
+  T load_guard(const ClosedContact& mode, const ContactForces<T, D>& c) const;
+  double meeting(ConstState x, Index contact, double limit) const;
+  double gap_bend(const BodyMotion<double, D>& body, Index i, const SettingSphere<D>& sphere) const;
+
+  const BodiesSetting<D>& setting_;
+  Index touching_;
+  const BodiesMode* mode_ = nullptr;
+  BodiesLayout<D> layout_;
+  bool ballistic_ = false, free_flight_ = true;
+  double time_ = 1, damping_ = 0;
+  std::vector<flow::Crossing> crossing_;
+  std::vector<double> magnitude_;
+
+  static constexpr int columns = 8;
+  mutable BodiesField<double, D> field_;
+  mutable BodiesField<series::Dual<double, 1>, D> directional_;
+  mutable BodiesField<series::Dual<double, columns>, D> sloped_;
+  mutable std::vector<series::Dual<double, 1>> along_, along_values_;
+  mutable std::vector<series::Dual<double, columns>> sloped_x_, sloped_dx_;
+};
+
+}  // namespace mariotte::model

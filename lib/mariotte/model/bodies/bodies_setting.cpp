@@ -1,0 +1,202 @@
+#include "mariotte/model/bodies/bodies_setting.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mariotte/core/scale.hpp"
+#include "mariotte/core/state_vectors.hpp"
+
+namespace mariotte::model {
+namespace {
+
+template <int D>
+SettingBody<D> body_of(const Body& body) {
+  SettingBody<D> one{.mass = body.mass, .inertia = {}, .attitude = {}, .is_round = true};
+  if constexpr (D == 2) {
+    one.inertia = {{body.inertia.e3}};
+    one.attitude = rotation({0, 0, 1}, body.angle);
+  } else {
+    const auto& j = body.inertia;
+    one.inertia = vec<3>(j);
+    one.attitude = normalized(body.attitude);
+    one.is_round = j.e1 == j.e2 && j.e2 == j.e3;
+  }
+  for (const auto& sphere : body.spheres)
+    one.reach = std::max(one.reach, norm(sphere.centre) + sphere.radius);
+  return one;
+}
+
+/// Index of the first sphere of each body in the list of all.
+std::vector<Index> first_spheres(const Bodies& bodies) {
+  std::vector<Index> first{0};
+  for (const auto& body : bodies.body) first.push_back(first.back() + std::ssize(body.spheres));
+  return first;
+}
+
+template <int D>
+void add_spheres(const Bodies& bodies, BodiesSetting<D>& setting) {
+  for (Index i = 0; i < std::ssize(bodies.body); ++i)
+    for (const auto& sphere : bodies.body[i].spheres)
+      setting.sphere.push_back({i, vec<D>(rotate(setting.body[i].attitude, sphere.centre)), sphere.radius});
+}
+
+template <int D>
+void add_contact(const Bodies& bodies, const BodyContact& contact, const std::vector<Index>& first,
+                 BodiesSetting<D>& setting) {
+  SettingContact<D> one{
+      .apart = {}, .law = contact.law, .tangential = contact.tangential, .share = contact.share};
+  if (one.tangential.friction == 0) one.tangential.law = TangentialLaw::none;
+  one.gap = start_gap(bodies, contact);
+  one.b = first[contact.b.owner] + contact.b.sphere;
+  if (contact.a.is_plane()) {
+    one.plane = contact.a.owner;
+    const auto& normal = bodies.plane[one.plane].normal;
+    one.apart = vec<D>((1 / norm(normal)) * normal);
+  } else {
+    one.a = first[contact.a.owner] + contact.a.sphere;
+    const auto centre = [&](Index sphere) {
+      return vec<D>(bodies.body[setting.sphere[sphere].body].position) + setting.sphere[sphere].arm;
+    };
+    one.apart = centre(one.b) - centre(one.a);
+    one.distance = norm(one.apart);
+  }
+  const double inverse = 1 / setting.body[contact.b.owner].mass +
+                         (contact.a.is_plane() ? 0 : 1 / setting.body[contact.a.owner].mass);
+  one.mass = 1 / inverse;
+  setting.contact.push_back(one);
+}
+
+/// Indentation in which a contact stores this energy.
+double natural_indentation(const contact::Law& law, double energy) {
+  const auto* power = contact::power_law(law);
+  return power ? natural_root(energy / power->stiffness, power->exponent)
+               : std::get<contact::SharedLaw>(law)->natural_indentation(energy);
+}
+
+/// Speed that gravity gives what is not at rest on a plane yet.
+template <int D>
+double falling_speed(const BodiesSetting<D>& setting) {
+  const double g = norm(setting.gravity);
+  double height = 0;
+  for (const auto& c : setting.contact) {
+    const auto& sphere = setting.sphere[c.b];
+    const auto& body = setting.body[sphere.body];
+    if (g == 0) break;
+    height = std::max(height, contact::static_indentation(c.law, body.mass * g));
+    if (c.plane < 0) continue;
+    height = std::max(height, c.gap);
+    if (norm(sphere.arm) > 0) height = std::max(height, 0.02 * body.reach);
+  }
+  return std::sqrt(2 * g * height);
+}
+
+template <int D>
+double reference_speed(const Bodies& bodies, const BodiesSetting<D>& setting) {
+  double speed = falling_speed(setting);
+  for (Index i = 0; i < std::ssize(bodies.body); ++i)
+    speed =
+        std::max({speed, norm(bodies.body[i].velocity), norm(bodies.body[i].spin) * setting.body[i].reach});
+  for (const auto& plane : bodies.plane) speed = std::max(speed, norm(plane.velocity));
+  return speed > 0 ? speed : 1;
+}
+
+template <int D>
+void set_natural_sizes(BodiesSetting<D>& setting) {
+  setting.length = setting.time = infinity;
+  for (auto& c : setting.contact) {
+    c.length = natural_indentation(c.law, c.mass * setting.speed * setting.speed);
+    c.time = c.length / setting.speed;
+    c.force = c.mass * setting.speed / c.time;
+    setting.length = std::min(setting.length, c.length);
+    setting.time = std::min(setting.time, c.time);
+  }
+  if (setting.contact.empty()) setting.length = setting.time = 1;
+  std::vector<double> push(setting.body.size(), 0);
+  for (const auto& c : setting.contact)
+    for (const Index sphere : {c.a, c.b}) {
+      if (sphere < 0) continue;
+      auto& most = push[setting.sphere[sphere].body];
+      most = std::max(most, std::min(1.0, 2 * c.mass / setting.body[setting.sphere[sphere].body].mass));
+    }
+  for (std::size_t i = 0; i < push.size(); ++i) setting.body[i].push = push[i] > 0 ? push[i] : 1;
+}
+
+}  // namespace
+
+template <int D>
+BodiesSetting<D> setting_of(const Bodies& bodies, double accuracy) {
+  BodiesSetting<D> setting;
+  setting.gravity = vec<D>(bodies.gravity);
+  for (const auto& body : bodies.body) setting.body.push_back(body_of<D>(body));
+  for (const auto& plane : bodies.plane) setting.plane_velocity.push_back(vec<D>(plane.velocity));
+  add_spheres(bodies, setting);
+  const auto first = first_spheres(bodies);
+  for (const auto& contact : bodies.contact) add_contact(bodies, contact, first, setting);
+  setting.speed = reference_speed(bodies, setting);
+  set_natural_sizes(setting);
+  setting.smallest_indentation = 1e-60 * setting.length;
+  setting.slip_noise = std::max(1e-13, 1e-3 * accuracy);
+  setting.gap_noise = std::max(1e-12, 1e-2 * accuracy);
+  return setting;
+}
+
+template <int D>
+std::vector<double> initial_state(const Bodies& bodies, const BodiesSetting<D>& setting) {
+  const BodiesLayout<D> at{.bodies = std::ssize(bodies.body), .slots = 0};
+  std::vector<double> x(at.size(), 0.0);
+  for (Index i = 0; i < at.bodies; ++i) {
+    const auto& body = bodies.body[i];
+    put(State(x), at.velocity(i), vec<D>(body.velocity));
+    if constexpr (D == 2) {
+      x[at.momentum(i)] = body.spin.e3;
+    } else {
+      const auto& one = setting.body[i];
+      const Vector3 w = rotate(conjugate(one.attitude), body.spin);
+      const Vector3 momentum{one.inertia[0] * w.e1, one.inertia[1] * w.e2, one.inertia[2] * w.e3};
+      put(State(x), at.momentum(i),
+          one.is_round ? one.inertia[0] * vec<3>(body.spin) : vec<3>(rotate(one.attitude, momentum)));
+      x[at.turn(i)] = 1;
+    }
+  }
+  return x;
+}
+
+template <int D>
+void set_magnitudes(const BodiesSetting<D>& setting, const BodiesLayout<D>& at, const BodiesMode& mode,
+                    std::vector<double>& magnitude) {
+  magnitude.assign(at.size(), 1.0);
+  const auto fill = [&](Index place, Index count, double size) {
+    std::fill_n(magnitude.begin() + place, count, size);
+  };
+  for (Index i = 0; i < at.bodies; ++i) {
+    const auto& body = setting.body[i];
+    const double reach = body.reach > 0 ? body.reach : setting.length;
+    double inertia = body.inertia[0];
+    for (int k = 0; k < turns(D); ++k) inertia = std::min(inertia, body.inertia[k]);
+    const double spin = body.push * setting.speed / reach;
+    fill(at.shift(i), D, setting.length);
+    fill(at.turn(i), at.attitude, setting.length / reach);
+    fill(at.velocity(i), D, body.push * setting.speed);
+    fill(at.momentum(i), turns(D), D == 2 ? spin : inertia * spin);
+  }
+  magnitude[at.clock()] = setting.time;
+  for (const auto& one : mode.closed) {
+    const auto& c = setting.contact[one.contact];
+    const bool as_force = c.tangential.law == TangentialLaw::mindlin && !one.unloading;
+    const double elastic = as_force ? c.force : c.length;
+    fill(at.spring(one.slot), at.tangents, one.friction == Friction::slip ? 1 : elastic);
+    fill(at.normal(one.slot), 1 + at.tangents, c.mass * setting.speed);
+    fill(at.losses(one.slot), 3, c.mass * setting.speed * setting.speed);
+  }
+}
+
+template BodiesSetting<2> setting_of(const Bodies&, double);
+template BodiesSetting<3> setting_of(const Bodies&, double);
+template std::vector<double> initial_state(const Bodies&, const BodiesSetting<2>&);
+template std::vector<double> initial_state(const Bodies&, const BodiesSetting<3>&);
+template void set_magnitudes(const BodiesSetting<2>&, const BodiesLayout<2>&, const BodiesMode&,
+                             std::vector<double>&);
+template void set_magnitudes(const BodiesSetting<3>&, const BodiesLayout<3>&, const BodiesMode&,
+                             std::vector<double>&);
+
+}  // namespace mariotte::model

@@ -1,0 +1,96 @@
+// What does not change during a run of bodies: features and gaps at the start, laws, places in the state.
+#pragma once
+#include <vector>
+
+#include "mariotte/model/bodies/bodies.hpp"
+#include "mariotte/model/bodies/bodies_mode.hpp"
+#include "mariotte/model/bodies/vec.hpp"
+
+namespace mariotte::model {
+
+/// A body, D = 2 or 3.
+template <int D>
+struct SettingBody {
+  double mass;
+  Vec<double, turns(D)> inertia;  ///< principal moments
+  Quaternion attitude;            ///< at the start
+  bool is_round;                  ///< all moments are equal
+  double reach = 0;               ///< to the farthest point of its spheres
+  double push = 1;  ///< largest velocity that a contact can give it, over that of the other body
+};
+
+/// A sphere at the start, axes of space.
+template <int D>
+struct SettingSphere {
+  Index body;
+  Vec<double, D> arm;  ///< from the mass centre
+  double radius;
+};
+
+/// A pair that may touch. Displacements since the start are the state, so that gaps lose no digits.
+template <int D>
+struct SettingContact {
+  Index plane = -1;              ///< or −1
+  Index a = -1, b = -1;          ///< spheres
+  Vec<double, D> apart;          ///< from a to b at the start; the normal of a plane
+  double distance = 0, gap = 0;  ///< at the start
+  contact::Law law;
+  Tangential tangential;
+  double share = 0.5;
+  // Natural sizes.
+  double mass = 1, length = 1, time = 1, force = 1;
+};
+
+/// Places in the state: bodies, the clock, slots of closed contacts.
+///   plane: per body y(2) φ v(2) ω;   slot: T or ξ, ∫f_n, ∫f_t, three losses
+///   space: per body y(3) p(4) v(3) H(3);   slot: T, ξ or e (3), ∫f_n, ∫f_t (3), three losses
+/// y is a displacement and p (φ) a turn since the start.
+template <int D>
+struct BodiesLayout {
+  static constexpr Index tangents = D == 2 ? 1 : 3;
+  static constexpr Index attitude = D == 2 ? 1 : 4;
+  static constexpr Index body_size = 2 * D + attitude + turns(D);
+  static constexpr Index slot_size = 2 * tangents + 4;
+
+  Index bodies = 0, slots = 0;
+
+  Index turn(Index i) const { return i * body_size + D; }
+  Index shift(Index i) const { return i * body_size; }
+  Index velocity(Index i) const { return turn(i) + attitude; }
+  Index momentum(Index i) const { return velocity(i) + D; }  ///< in the plane the spin
+  Index clock() const { return bodies * body_size; }
+  Index spring(Index slot) const { return clock() + 1 + slot * slot_size; }
+  Index normal(Index slot) const { return spring(slot) + tangents; }
+  Index tangential(Index slot) const { return normal(slot) + 1; }
+  Index losses(Index slot) const { return tangential(slot) + tangents; }  ///< friction, rescale, damper
+  Index size() const { return spring(slots); }
+};
+
+/// Everything together.
+template <int D>
+struct BodiesSetting {
+  Vec<double, D> gravity;
+  std::vector<SettingBody<D>> body;
+  std::vector<SettingSphere<D>> sphere;
+  std::vector<Vec<double, D>> plane_velocity;
+  std::vector<SettingContact<D>> contact;
+  double speed = 1;                      ///< what the accuracy is relative to
+  double length = 1, time = 1;           ///< shortest natural ones of all contacts
+  double smallest_indentation = 0;       ///< stands for 0 where a ratio of forces is wanted
+  double slip_noise = 0, gap_noise = 0;  ///< share of speed and length that is rounding
+};
+
+/// Of validated bodies; `accuracy` sets what counts as noise.
+template <int D>
+BodiesSetting<D> setting_of(const Bodies& bodies, double accuracy);
+
+/// The state at the start, without slots.
+template <int D>
+std::vector<double> initial_state(const Bodies& bodies, const BodiesSetting<D>& setting);
+
+/// Natural size of each component in a mode: an error of accuracy × size is what the user allows.
+template <int D>
+void set_magnitudes(const BodiesSetting<D>& setting, const BodiesLayout<D>& layout, const BodiesMode& mode,
+                    std::vector<double>& magnitude);
+
+}  // namespace mariotte::model

@@ -1,0 +1,65 @@
+// Bodies as the event loop sees them: modes, transitions and endings.
+#pragma once
+#include "mariotte/hybrid/system.hpp"
+#include "mariotte/model/bodies/bodies_phase.hpp"
+
+namespace mariotte::model {
+
+/// When a run is over.
+enum class Over { separated, at_time_limit };
+
+/// D = 2 or 3. Satisfies hybrid::HybridSystem.
+template <int D>
+class BodiesSystem {
+ public:
+  using Mode = BodiesMode;
+  using Change = BodiesChange;
+
+  /// Of validated bodies of that dimension.
+  BodiesSystem(const Bodies& bodies, double accuracy, Over over);
+  BodiesSystem(const BodiesSystem&) = delete;
+
+  const BodiesSetting<D>& setting() const { return setting_; }
+  /// As many slots as the state has.
+  BodiesLayout<D> layout(ConstState x) const;
+
+  void mode_at(std::vector<double>& x, Mode& mode, std::vector<Change>& changes) const;
+  void transition(Mode& mode, const std::vector<Index>& fired, std::vector<double>& x,
+                  std::vector<Change>& changes) const;
+  bool is_over(const Mode& mode, ConstState x, bool impacted) const;
+  hybrid::Ending ending(const Mode&) const { return hybrid::Ending::separated; }
+  void finish(Mode&, std::vector<Change>&) const {}
+  BodiesPhase<D>& problem(const Mode& mode);
+
+  /// What the state leads to in a mode; valid until the next call.
+  const BodiesField<double, D>& field(const Mode& mode, ConstState x) const;
+
+ private:
+  void close(Mode& mode, Index contact, std::vector<double>& x, BodyEvent event,
+             std::vector<Change>& changes) const;
+  void open(Mode& mode, std::size_t place, std::vector<double>& x, std::vector<Change>& changes) const;
+  void begin_friction(Mode& mode, std::size_t place, std::vector<double>& x,
+                      std::vector<Change>& changes) const;
+  void begin_from_rest(Mode& mode, std::size_t place, std::vector<double>& x, BodyEvent otherwise,
+                       std::vector<Change>& changes) const;
+  void slip_along(ClosedContact& one, const Vec<double, D>& direction, const Vec<double, D>& normal,
+                  std::vector<double>& x) const;
+  void pass_slot(SlotGuard guard, Mode& mode, std::size_t place, std::vector<double>& x,
+                 std::vector<Change>& changes) const;
+  void pass_friction(Mode& mode, std::size_t place, std::vector<double>& x,
+                     std::vector<Change>& changes) const;
+  void turn(ClosedContact& one, const ContactForces<double, D>& now, std::vector<double>& x,
+            std::vector<Change>& changes) const;
+  void hold_or_release(Mode& mode, std::vector<double>& x, std::vector<Change>& changes) const;
+  double& slot_value(const ClosedContact& one, std::vector<double>& x) const {
+    return x[layout(x).spring(one.slot)];
+  }
+  bool starts_in_stick(const SettingContact<D>& one, double slip, double approach) const;
+
+  BodiesSetting<D> setting_;
+  Over over_;
+  mutable BodiesField<double, D> field_;
+  mutable BodiesPhase<D> phase_;
+};
+
+}  // namespace mariotte::model
