@@ -143,6 +143,10 @@ void take_from(LawProblem&, scene::Law&, const model::Microbody&, const hybrid::
   throw UsageError("the multiple-impact law needs a [chain] or [network]", fault::law_incomplete);
 }
 
+void take_from(LawProblem&, scene::Law&, const model::Bodies&, const hybrid::Options&) {
+  throw UsageError("the multiple-impact law needs a [chain] or [network]", fault::law_incomplete);
+}
+
 void take_from(LawProblem&, scene::Law&, const scene::LawAlone&, const hybrid::Options&) {
   throw UsageError("give a scene, or --mass and --velocity", fault::law_incomplete);
 }

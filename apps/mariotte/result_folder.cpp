@@ -42,6 +42,10 @@ bool can_plot(const impact::BodyTrace& trace) {
   return trace.state.size() > 1;
 }
 
+bool can_plot(const impact::BodiesTrace& trace) {
+  return trace.time.size() > 1;
+}
+
 bool is_image(const report::Spacetime* waves) {
   return waves && waves->is_image();
 }
@@ -59,8 +63,12 @@ void add_energy(Texts& texts, const impact::ChainImpact& impact, const scene::Sc
 // Their samples are not turned into energies.
 void add_energy(Texts&, const impact::NetworkImpact&, const scene::Scene&, const report::TimeAxis&) {}
 void add_energy(Texts&, const impact::MicrobodyImpact&, const scene::Scene&, const report::TimeAxis&) {}
+void add_energy(Texts&, const impact::BodiesImpact&, const scene::Scene&, const report::TimeAxis&) {}
 
 report::RunPlot plot(const impact::ContactImpact& impact, const scene::Scene& scene) {
+  return report::plot(impact, scene.title, report::curve_names(scene), scene.figure);
+}
+report::RunPlot plot(const impact::BodiesImpact& impact, const scene::Scene& scene) {
   return report::plot(impact, scene.title, report::curve_names(scene), scene.figure);
 }
 report::RunPlot plot(const impact::MicrobodyImpact& impact, const scene::Scene& scene) {
@@ -128,6 +136,7 @@ bool can_trace(const scene::Scene& scene) {
       [](const model::Chain& chain) { return chain.mass.size(); },
       [](const model::Network& network) { return std::max(network.law.size(), network.velocity.size()); },
       [](const model::Microbody& body) { return body.law.size(); },
+      [](const model::Bodies& bodies) { return std::max(bodies.body.size(), bodies.contact.size()); },
       [](const scene::LawAlone& nothing) -> std::size_t { scene::refuse(nothing); }};
   return std::visit(size, scene.model) <= most_balls_traced;
 }
@@ -158,6 +167,11 @@ std::string write_result_folder(const std::filesystem::path& folder, const repor
 
 std::string write_result_folder(const std::filesystem::path& folder, const report::Json& more,
                                 const impact::MicrobodyImpact& impact, const scene::Scene& scene) {
+  return write(folder, more, impact, scene, nullptr);
+}
+
+std::string write_result_folder(const std::filesystem::path& folder, const report::Json& more,
+                                const impact::BodiesImpact& impact, const scene::Scene& scene) {
   return write(folder, more, impact, scene, nullptr);
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "mariotte/impact/bodies/bodies_impact.hpp"
 #include "mariotte/impact/chain/chain_impact.hpp"
 #include "mariotte/impact/microbody/microbody_impact.hpp"
 #include "mariotte/impact/network/network_impact.hpp"
@@ -31,5 +32,7 @@ std::string write_result_folder(const std::filesystem::path& folder, const repor
                                 const impact::NetworkImpact& impact, const scene::Scene& scene);
 std::string write_result_folder(const std::filesystem::path& folder, const report::Json& json,
                                 const impact::MicrobodyImpact& impact, const scene::Scene& scene);
+std::string write_result_folder(const std::filesystem::path& folder, const report::Json& json,
+                                const impact::BodiesImpact& impact, const scene::Scene& scene);
 
 }  // namespace mariotte::command

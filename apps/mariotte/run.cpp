@@ -48,6 +48,9 @@ std::string size_of(const model::Network& network) {
 std::string size_of(const model::Microbody&) {
   return "a body";
 }
+std::string size_of(const model::Bodies& bodies) {
+  return fmt::format("{} bodies", bodies.body.size());
+}
 
 /// The impact, watched; says what it took. One that is interrupted ends with what there is until then.
 template <class Model>
@@ -70,7 +73,7 @@ auto simulate(const Run& options, const Model& model, const scene::Scene& scene,
 report::Json resolved(const scene::Scene& scene) {
   if (!can_trace(scene)) return {};
   auto all = report::json(scene);
-  for (const auto* model : {"chain", "network"})
+  for (const auto* model : {"chain", "network", "bodies"})
     if (all.contains(model)) return std::move(all[model]);
   return {{"body", all["body"]}, {"surface", all["surface"]}, {"incidence", all["incidence"]}};
 }
@@ -179,6 +182,10 @@ int run_whole(const Run& options, const Model& model, const scene::Scene& scene,
 
 int run(const Run& options, const model::Microbody& body, const scene::Scene& scene) {
   return run_whole(options, body, scene, "body");
+}
+
+int run(const Run& options, const model::Bodies& bodies, const scene::Scene& scene) {
+  return run_whole(options, bodies, scene, "scene of bodies");
 }
 
 int run(const Run& options, const model::Network& network, const scene::Scene& scene) {

@@ -16,12 +16,27 @@ void warn_of_error(double estimated, double requested) {
                   estimated, requested));
 }
 
-void warn_of_nothing(const impact::ContactImpact& impact) {
+namespace {
+
+template <class Impact>
+void warn_if_nothing(const Impact& impact) {
   if (impact.events.empty() && impact.ending == hybrid::Ending::separated)
     warning("nothing collides: no contact ever closes");
 }
 
+}  // namespace
+
+void warn_of_nothing(const impact::ContactImpact& impact) {
+  warn_if_nothing(impact);
+}
+void warn_of_nothing(const impact::BodiesImpact& impact) {
+  warn_if_nothing(impact);
+}
+
 void warn_of_limits(const impact::ContactImpact& impact) {
+  for (const auto& one : report::warnings(impact.validity, "contact")) warning(one);
+}
+void warn_of_limits(const impact::BodiesImpact& impact) {
   for (const auto& one : report::warnings(impact.validity, "contact")) warning(one);
 }
 void warn_of_limits(const impact::MicrobodyImpact& impact) {

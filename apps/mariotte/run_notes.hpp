@@ -1,5 +1,6 @@
 // What a run says on stderr beside its result.
 #pragma once
+#include "mariotte/impact/bodies/bodies_impact.hpp"
 #include "mariotte/impact/chain/chain_impact.hpp"
 #include "mariotte/impact/microbody/microbody_impact.hpp"
 #include "mariotte/scene/scene.hpp"
@@ -17,11 +18,13 @@ void warn_of_error(const Impact& impact) {
 
 /// Balls that fly past each other are a slip more often than wanted.
 void warn_of_nothing(const impact::ContactImpact& impact);
+void warn_of_nothing(const impact::BodiesImpact& impact);
 inline void warn_of_nothing(const impact::MicrobodyImpact&) {}
 
 /// Where the model of a run does not hold.
 void warn_of_limits(const impact::ContactImpact& impact);
 void warn_of_limits(const impact::MicrobodyImpact& impact);
+void warn_of_limits(const impact::BodiesImpact& impact);
 
 /// Why a run ended early. A time limit and an interruption are the user's own wish, and only warned of.
 void tell_ending(hybrid::Ending ending, const std::string& message, const scene::Scene& scene);

@@ -57,6 +57,9 @@ const Contacts& contacts(const Impact& impact) {
   return std::visit(Overload{[](const Contacts& one) -> const Contacts& { return one; },
                              [](const Body&) -> const Contacts& {
                                throw py::attribute_error("a microbody has tips, not contacts");
+                             },
+                             [](const impact::BodiesImpact&) -> const Contacts& {
+                               throw py::attribute_error("bodies tell this by their keys, as in result[key]");
                              }},
                     impact.whole());
 }
@@ -78,6 +81,9 @@ py::array vector_view(const Vector3& vector, const py::object& self) {
 py::array velocity(const py::object& self) {
   return of_any(self.cast<const Impact&>(),
                 Overload{[&](const Body& one) { return vector_view(one.final.velocity, self); },
+                         [&](const impact::BodiesImpact&) -> py::array {
+                           throw py::attribute_error("bodies tell this by their keys, as in result[key]");
+                         },
                          [&](const auto& one) { return view(one.velocity, self); }});
 }
 
@@ -156,13 +162,13 @@ std::string trace_csv(const Impact& impact) {
 
 void save_hdf5(const Impact& impact, const std::string& path) {
   const auto traced = simulate(impact.box(), impact.options(), {.trace = true});
-  const auto* const one = std::visit(
-      Overload{[](const Contacts& contacts) { return &contacts; },
-               [](const Body&) -> const Contacts* {
-                 throw InvalidParameter("HDF5 holds traces of chains and networks; save the body's as .csv");
+  const auto trace = std::visit(
+      Overload{[](const Contacts& contacts) { return contacts.trace; },
+               [](const impact::BodiesImpact& one) { return contact_trace(one.trace, one.dimension); },
+               [](const Body&) -> impact::Trace {
+                 throw InvalidParameter("HDF5 holds traces of contacts; save the body's as .csv");
                }},
       traced);
-  const auto& trace = one->trace;
   const auto places = [](const auto& rows) {
     std::vector<Index> all(rows.empty() ? 0 : rows.front().size());
     std::iota(all.begin(), all.end(), 0);

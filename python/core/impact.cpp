@@ -23,6 +23,7 @@ scene::Impact simulate(const SceneBox& box, const hybrid::Options& options, impa
   return std::visit(Overload{[&](const model::Chain& chain) { return result(chain); },
                              [&](const model::Network& network) { return result(network); },
                              [&](const model::Microbody& body) { return result(body); },
+                             [&](const model::Bodies& bodies) { return result(bodies); },
                              [](const scene::LawAlone& nothing) -> scene::Impact { scene::refuse(nothing); }},
                     box.scene.model);
 }
@@ -56,7 +57,7 @@ void Impact::keep_ratios() {
     return;
   }
   std::visit(Overload{[&](const impact::ContactImpact& impact) { icr_ = or_nan(impact.icr); },
-                      [](const impact::MicrobodyImpact&) {}},
+                      [](const impact::MicrobodyImpact&) {}, [](const impact::BodiesImpact&) {}},
              *whole_);
 }
 

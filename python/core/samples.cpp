@@ -33,6 +33,10 @@ Samples with_shape(const scene::Scene& scene) {
                         samples.velocities = 3;
                         samples.contacts = body.impacts == 1 ? 1 : std::ssize(body.body.tips);
                       },
+                      [&](const model::Bodies& bodies) {
+                        samples.velocities = bodies.dimension * std::ssize(bodies.body);
+                        samples.contacts = std::ssize(bodies.contact);
+                      },
                       [&](const scene::LawAlone&) {},
                       [&](const auto& model) {
                         samples.velocities = std::ssize(model.velocity);
@@ -62,6 +66,16 @@ void add(const impact::BodyTrace& trace, Samples& samples) {
   if (!trace.gap.empty()) samples.contacts = std::ssize(trace.gap.front());
 }
 
+/// All components of all velocities.
+std::vector<double> velocities(const std::vector<impact::BodyEnd>& bodies, int dimension) {
+  std::vector<double> all;
+  for (const auto& body : bodies) {
+    append(all, {body.velocity.e1, body.velocity.e2});
+    if (dimension == 3) all.push_back(body.velocity.e3);
+  }
+  return all;
+}
+
 /// Puts samples where they were asked for; the first comes at the start, the last at the ending.
 struct Taker {
   const std::vector<double>& times;
@@ -82,12 +96,14 @@ struct Taker {
 };
 
 std::vector<double> velocity_at_end(const scene::Impact& impact) {
-  return std::visit(Overload{[](const impact::MicrobodyImpact& one) {
-                               const auto& v = one.final.velocity;
-                               return std::vector{v.e1, v.e2, v.e3};
-                             },
-                             [](const auto& one) { return one.velocity; }},
-                    impact);
+  return std::visit(
+      Overload{[](const impact::MicrobodyImpact& one) {
+                 const auto& v = one.final.velocity;
+                 return std::vector{v.e1, v.e2, v.e3};
+               },
+               [](const impact::BodiesImpact& one) { return velocities(one.body, one.dimension); },
+               [](const auto& one) { return one.velocity; }},
+      impact);
 }
 
 double largest(const std::vector<double>& values) {
@@ -119,7 +135,11 @@ Samples sample(const Impact& impact, const std::vector<double>& times) {
 Samples steps(const Impact& impact) {
   Samples samples = with_shape(impact.box().scene);
   const auto traced = simulate(impact.box(), impact.options(), {.trace = true});
-  std::visit([&](const auto& one) { add(one.trace, samples); }, traced);
+  std::visit(Overload{[&](const impact::BodiesImpact& one) {
+                        add(contact_trace(one.trace, one.dimension), samples);
+                      },
+                      [&](const auto& one) { add(one.trace, samples); }},
+             traced);
   return samples;
 }
 

@@ -19,7 +19,7 @@ using scene::Purpose;
 Purpose purpose_of(const scene::Document& document) {
   const auto* root = document.tree.table();
   const auto has = [&](const char* key) { return find(*root, key) != nullptr; };
-  const bool is_law = has("law") && !has("chain") && !has("network") && !has("body");
+  const bool is_law = has("law") && !has("chain") && !has("network") && !has("body") && !has("bodies");
   return is_law ? Purpose::law : Purpose::simulation;
 }
 
@@ -41,7 +41,7 @@ const char* kind(const SceneBox& box) {
   return std::visit(
       Overload{[](const model::Chain&) { return "chain"; }, [](const model::Network&) { return "network"; },
                [](const model::Microbody&) { return "microbody"; },
-               [](const scene::LawAlone&) { return "law"; }},
+               [](const model::Bodies&) { return "bodies"; }, [](const scene::LawAlone&) { return "law"; }},
       box.scene.model);
 }
 

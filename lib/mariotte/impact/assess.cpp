@@ -38,7 +38,8 @@ void assess_pressure(Validity& validity, double indentation, double stiffness, c
 }
 
 /// The longest period of a contact [s].
-double contact_time(const ContactHistory& contact, double end) {
+template <class History>
+double contact_time(const History& contact, double end) {
   double longest = 0;
   for (const auto& period : contact.periods)
     longest = std::max(longest, period.end.value_or(end) - period.start);
@@ -57,6 +58,17 @@ double hertz_stiffness(const contact::Law& law) {
   return exponent == hertz_exponent ? stiffness : 0;
 }
 
+/// Contact j of a result, which has this law.
+template <class History>
+void assess_contact(Validity& validity, const History& one, const contact::Law& law, const Touching& touching,
+                    Index j, double end) {
+  if (!(one.peak_indentation > 0) || !(touching.radius > 0)) return;
+  assess_depth(validity, one.peak_indentation, touching, j);
+  if (const double stiffness = hertz_stiffness(law); stiffness > 0)
+    assess_pressure(validity, one.peak_indentation, stiffness, touching, j);
+  least(validity.contact_time_ratio, contact_time(one, end) / touching.wave_travel, j);
+}
+
 template <class Impact>
 void refuse_depth(Impact& impact, const char* thing) {
   const auto& worst = impact.validity.indentation_ratio;
@@ -72,13 +84,17 @@ void refuse_depth(Impact& impact, const char* thing) {
 
 void assess(ContactImpact& impact, std::span<const contact::Law> laws, std::span<const Touching> touching) {
   impact.validity = {};
-  for (Index j = 0; j < std::ssize(touching); ++j) {
+  for (Index j = 0; j < std::ssize(touching); ++j)
+    assess_contact(impact.validity, impact.contacts[j], laws[j], touching[j], j, impact.time);
+  refuse_depth(impact, "contact");
+}
+
+void assess(BodiesImpact& impact, const model::Bodies& bodies, std::span<const Touching> touching) {
+  impact.validity = {};
+  for (Index j = 0; j < std::ssize(impact.contacts) && !touching.empty(); ++j) {
     const auto& one = impact.contacts[j];
-    if (!(one.peak_indentation > 0) || !(touching[j].radius > 0)) continue;
-    assess_depth(impact.validity, one.peak_indentation, touching[j], j);
-    if (const double stiffness = hertz_stiffness(laws[j]); stiffness > 0)
-      assess_pressure(impact.validity, one.peak_indentation, stiffness, touching[j], j);
-    least(impact.validity.contact_time_ratio, contact_time(one, impact.time) / touching[j].wave_travel, j);
+    assess_contact(impact.validity, one, bodies.contact[one.contact].law, touching[one.contact], j,
+                   impact.time);
   }
   refuse_depth(impact, "contact");
 }

@@ -16,4 +16,8 @@ void judge(impact::MicrobodyImpact& impact, const Scene& scene) {
   assess(impact, std::get<model::Microbody>(scene.model), scene.touching);
 }
 
+void judge(impact::BodiesImpact& impact, const Scene& scene) {
+  assess(impact, std::get<model::Bodies>(scene.model), scene.touching);
+}
+
 }  // namespace mariotte::scene

@@ -1,5 +1,6 @@
 // What a scene knows of its bodies, applied to a result.
 #pragma once
+#include "mariotte/impact/bodies/bodies_impact.hpp"
 #include "mariotte/impact/chain/chain_impact.hpp"
 #include "mariotte/impact/microbody/microbody_impact.hpp"
 #include "mariotte/impact/network/network_impact.hpp"
@@ -11,5 +12,6 @@ namespace mariotte::scene {
 void judge(impact::ChainImpact& impact, const Scene& scene);
 void judge(impact::NetworkImpact& impact, const Scene& scene);
 void judge(impact::MicrobodyImpact& impact, const Scene& scene);
+void judge(impact::BodiesImpact& impact, const Scene& scene);
 
 }  // namespace mariotte::scene

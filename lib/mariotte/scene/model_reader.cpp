@@ -1,6 +1,7 @@
 #include "mariotte/scene/model_reader.hpp"
 
 #include "mariotte/model/representable.hpp"
+#include "mariotte/scene/bodies_reader.hpp"
 #include "mariotte/scene/body_reader.hpp"
 #include "mariotte/scene/chain_reader.hpp"
 #include "mariotte/scene/network_reader.hpp"
@@ -66,25 +67,49 @@ ResolvedModel resolve_network(Source& source, const Field& root, const Field& ne
   return {std::move(resolved.network), std::move(resolved.radius), std::move(resolved.touching)};
 }
 
+/// Gravity brings bodies back to a plane for ever.
+void expect_end(const Source& source, const Field& root, const Field& bodies, const model::Bodies& model) {
+  const auto run = find(root, "run");
+  if (norm(model.gravity) == 0 || model.plane.empty()) return;
+  if (run && (find(*run, "until") || find(*run, "max_time"))) return;
+  reject(source, *find(bodies, "gravity"), fault::missing,
+         "bodies come back to their planes for ever; 'run.until' or 'run.max_time' is needed");
+}
+
+ResolvedModel resolve_bodies(Source& source, const Field& root, const Field& bodies) {
+  if (const auto field = gravity(root))
+    reject(source, *field, fault::misplaced, "of [bodies] is a vector, 'bodies.gravity'");
+  auto resolved = read_bodies(source, bodies);
+  expect_end(source, root, bodies, resolved.bodies);
+  try {
+    model::validate(resolved.bodies);
+  } catch (const InvalidParameter& error) {
+    reject(source, bodies, error.fault, error.what());
+  }
+  return {std::move(resolved.bodies), {}, std::move(resolved.touching)};
+}
+
 ResolvedModel resolve_body(Source& source, const Field& root) {
   auto resolved = read_microbody(source, root, find(root, "run"));
   expect_valid(source, root, {"body", "surface", "incidence", "run"}, resolved.body);
   return {std::move(resolved.body), {}, std::move(resolved.touching)};
 }
 
-void expect_body_alone(const Source& source, const Field& root, const Field& body, Purpose purpose) {
-  for (const auto* key : {"chain", "network", "law"})
-    if (const auto field = find(root, key))
+void expect_alone(const Source& source, const Field& root, const char* model, Purpose purpose) {
+  for (const auto* key : {"chain", "network", "law", "body"})
+    if (const auto field = find(root, key); field && key != std::string_view(model))
       reject(source, *field, fault::contradiction,
-             "a scene has a [body] or a [" + std::string(key) + "], not both");
+             "a scene has a [" + std::string(model) + "] or a [" + key + "], not both");
   if (purpose == Purpose::law)
-    reject(source, body, fault::no_model, "the multiple-impact law needs a [chain] or [network]");
+    reject(source, *find(root, model), fault::no_model,
+           "the multiple-impact law needs a [chain] or [network]");
 }
 
 }  // namespace
 
 void expect_one_model(const Source& source, const Field& root, Purpose purpose) {
-  if (const auto body = find(root, "body")) return expect_body_alone(source, root, *body, purpose);
+  if (find(root, "bodies")) expect_alone(source, root, "bodies", purpose);
+  if (find(root, "body")) return expect_alone(source, root, "body", purpose);
   for (const auto* key : {"surface", "incidence"})
     if (const auto field = find(root, key))
       reject(source, *field, fault::misplaced, "is for scenes of a [body]; there is none");
@@ -95,6 +120,7 @@ void expect_one_model(const Source& source, const Field& root, Purpose purpose) 
 
 ResolvedModel read_model(Source& source, const Field& root, const std::optional<Law>& law, Purpose purpose) {
   if (find(root, "body")) return resolve_body(source, root);
+  if (const auto bodies = find(root, "bodies")) return resolve_bodies(source, root, *bodies);
   if (const auto network = find(root, "network")) return resolve_network(source, root, *network);
   if (const auto chain = find(root, "chain")) return resolve_chain(source, root, *chain, purpose);
   if (purpose != Purpose::law || !law || law->mass.empty())

@@ -1,11 +1,11 @@
-// `[chain]`, `[network]` or `[body]` of a scene, or none where `[law]` stands alone.
+// `[chain]`, `[network]`, `[body]` or `[bodies]` of a scene, or none where `[law]` stands alone.
 #pragma once
 #include "mariotte/scene/field.hpp"
 #include "mariotte/scene/scene.hpp"
 
 namespace mariotte::scene {
 
-inline constexpr const char* no_model = "the scene has no [chain], [network] or [body]";
+inline constexpr const char* no_model = "the scene has no [chain], [network], [body] or [bodies]";
 
 /// Throws SceneError if the scene is of two models, or of one that the purpose has no use for.
 void expect_one_model(const Source& source, const Field& root, Purpose purpose);

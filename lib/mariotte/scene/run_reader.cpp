@@ -37,6 +37,7 @@ hybrid::Options read_run(Source& source, const Field& run, bool of_body) {
     if (find(run, "max_time"))
       reject(source, *field, fault::contradiction, "'max_time' is given, too; give one of them");
     options.max_time = number(source, *field, dimension::time, Domain::positive);
+    options.flies_on = true;
   }
   if (const auto field = find(run, "max_events")) options.max_events = whole(source, *field, 1, no_limit);
   if (const auto field = find(run, "flow")) options.flow = read_flow(source, *field);

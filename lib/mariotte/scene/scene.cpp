@@ -19,8 +19,9 @@
 namespace mariotte::scene {
 namespace {
 
-constexpr std::array<std::string_view, 11> keys{"title", "chain", "network", "run",       "sweep", "columns",
-                                                "law",   "body",  "surface", "incidence", "figure"};
+constexpr std::array<std::string_view, 12> keys{"title", "chain",   "network",   "bodies",
+                                                "run",   "sweep",   "columns",   "law",
+                                                "body",  "surface", "incidence", "figure"};
 
 /// The digest of the text alone is that of the file; a zero byte, which no scene holds, sets off each
 /// override.
@@ -35,7 +36,8 @@ Index events_of_wave(const Model& model) {
   return std::visit(
       Overload{[](const model::Chain& chain) { return 10 * std::ssize(chain.mass); },
                [](const model::Network&) { return Index{0}; },
-               [](const model::Microbody&) { return Index{0}; }, [](const LawAlone&) { return Index{0}; }},
+               [](const model::Microbody&) { return Index{0}; },
+               [](const model::Bodies&) { return Index{0}; }, [](const LawAlone&) { return Index{0}; }},
       model);
 }
 

@@ -8,6 +8,7 @@
 #include "mariotte/core/error.hpp"
 #include "mariotte/hybrid/options.hpp"
 #include "mariotte/impact/validity.hpp"
+#include "mariotte/model/bodies/bodies.hpp"
 #include "mariotte/model/chain/chain.hpp"
 #include "mariotte/model/microbody/microbody.hpp"
 #include "mariotte/model/network/network.hpp"
@@ -35,7 +36,7 @@ struct FileError : Error {
 struct LawAlone {};
 
 /// What a scene is of.
-using Model = std::variant<LawAlone, model::Chain, model::Network, model::Microbody>;
+using Model = std::variant<LawAlone, model::Chain, model::Network, model::Microbody, model::Bodies>;
 
 /// A model, and what is to be done with it.
 struct Scene {

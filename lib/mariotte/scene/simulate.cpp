@@ -14,6 +14,7 @@ Impact simulate(const Scene& scene, const impact::RunObserver& observers) {
   return std::visit(Overload{[&](const model::Chain& chain) { return result(chain); },
                              [&](const model::Network& network) { return result(network); },
                              [&](const model::Microbody& body) { return result(body); },
+                             [&](const model::Bodies& bodies) { return result(bodies); },
                              [](const LawAlone& nothing) -> Impact { refuse(nothing); }},
                     scene.model);
 }

@@ -15,10 +15,17 @@ using Run = hybrid::Trajectory<model::BodiesChange>;
 
 namespace {
 
+/// One change, as the run tells it.
+struct OneEvent {
+  double time;
+  Index contact;
+  BodyEvent event;
+};
+
 /// What touches at rest since the start is pressed or parts from then on, though that is told from rounding
 /// later.
-std::vector<BodiesEvent> events(const Run& run) {
-  std::vector<BodiesEvent> list;
+std::vector<OneEvent> events(const Run& run) {
+  std::vector<OneEvent> list;
   Index rested = -1;
   double told = -1;
   for (const auto& [time, change] : run.changes) {
@@ -30,7 +37,7 @@ std::vector<BodiesEvent> events(const Run& run) {
   return list;
 }
 
-void add_periods(const std::vector<BodiesEvent>& events, std::vector<BodyContactHistory>& contacts) {
+void add_periods(const std::vector<OneEvent>& events, std::vector<BodyContactHistory>& contacts) {
   for (const auto& [time, contact, event] : events) {
     auto& periods = contacts[contact].periods;
     if (event == BodyEvent::close || event == BodyEvent::touch) periods.push_back({time, std::nullopt});
@@ -39,8 +46,8 @@ void add_periods(const std::vector<BodiesEvent>& events, std::vector<BodyContact
   }
 }
 
-/// Keeps the contacts that were named and those that have closed, and counts events by them.
-void keep_used(Index named, BodiesImpact& impact) {
+/// Keeps the contacts that were named and those that have closed, and numbers events by them.
+void keep_used(Index named, const std::vector<OneEvent>& events, BodiesImpact& impact) {
   std::vector<Index> place(impact.contacts.size(), -1);
   std::vector<BodyContactHistory> kept;
   for (std::size_t c = 0; c < place.size(); ++c) {
@@ -49,13 +56,16 @@ void keep_used(Index named, BodiesImpact& impact) {
     kept.push_back(std::move(impact.contacts[c]));
   }
   impact.contacts = std::move(kept);
-  std::erase_if(impact.events, [&](const BodiesEvent& event) { return place[event.contact] < 0; });
-  for (auto& event : impact.events) event.contact = place[event.contact];
+  for (const auto& [time, contact, event] : events) {
+    if (place[contact] < 0) continue;
+    if (impact.events.empty() || impact.events.back().time != time) impact.events.push_back({.time = time});
+    impact.events.back().all[static_cast<std::size_t>(event)].push_back(place[contact]);
+  }
 }
 
 template <int D>
 BodiesImpact simulate_once(const model::Bodies& bodies, const hybrid::Options& options,
-                           const RunObserver& observers, Index named) {
+                           const RunObserver& observers) {
   using System = model::BodiesSystem<D>;
   const auto over = options.flies_on ? model::Over::at_time_limit : model::Over::separated;
   System system(bodies, options.accuracy, over);
@@ -71,14 +81,15 @@ BodiesImpact simulate_once(const model::Bodies& bodies, const hybrid::Options& o
   impact.dimension = D;
   impact.time = run.time;
   impact.body = bodies_at(bodies, system.setting(), run.state);
-  impact.events = events(run);
+  const auto told = events(run);
   impact.contacts = exchanged(system, workspace.mode, run.state);
-  add_periods(impact.events, impact.contacts);
+  add_periods(told, impact.contacts);
   for (std::size_t c = 0; c < impact.contacts.size(); ++c) {
     const auto& peak = watch.peaks()[c];
     impact.contacts[c].peak_force = peak.force;
     impact.contacts[c].peak_friction = peak.friction;
     impact.contacts[c].peak_indentation = peak.indentation;
+    impact.contacts[c].between = {name_of(bodies, bodies.contact[c].a), name_of(bodies, bodies.contact[c].b)};
   }
   balance(bodies, system, start, run.state, impact.contacts, impact);
   impact.flows = flow_uses(run.flows);
@@ -87,14 +98,14 @@ BodiesImpact simulate_once(const model::Bodies& bodies, const hybrid::Options& o
   const auto list =
       balances(system, workspace.mode, start, run.state, impact.contacts, impact, options.accuracy);
   pass_gate(list, impact.ending, impact.message);
-  keep_used(named, impact);
+  keep_used(bodies.named, told, impact);
   return impact;
 }
 
 BodiesImpact simulate_in(const model::Bodies& bodies, const hybrid::Options& options,
-                         const RunObserver& observers, Index named) {
-  return bodies.dimension == 2 ? simulate_once<2>(bodies, options, observers, named)
-                               : simulate_once<3>(bodies, options, observers, named);
+                         const RunObserver& observers) {
+  return bodies.dimension == 2 ? simulate_once<2>(bodies, options, observers)
+                               : simulate_once<3>(bodies, options, observers);
 }
 
 /// Largest difference of velocities and of spin × reach.
@@ -124,14 +135,12 @@ Passage passage(const BodiesImpact& impact) {
 }  // namespace
 
 BodiesImpact simulate(const model::Bodies& bodies, const hybrid::Options& options,
-                      const RunObserver& observers, Index named) {
+                      const RunObserver& observers) {
   model::validate(bodies);
   hybrid::validate(options);
-  auto impact = simulate_in(bodies, options, observers, named);
+  auto impact = simulate_in(bodies, options, observers);
   if (!observers.samplings.empty()) return impact;
-  const auto again = [&](const hybrid::Options& tighter) {
-    return simulate_in(bodies, tighter, observers, named);
-  };
+  const auto again = [&](const hybrid::Options& tighter) { return simulate_in(bodies, tighter, observers); };
   keep_promise(options, passage(impact), impact, again,
                [&](const auto& a, const auto& b) { return difference(bodies, a, b); });
   impact.requested_accuracy = options.accuracy;
@@ -142,7 +151,7 @@ double estimate_accuracy(const model::Bodies& bodies, const hybrid::Options& opt
                          const BodiesImpact& result) {
   auto tighter = options;
   tighter.accuracy = std::max(options.accuracy / 32, 16 * epsilon);
-  return difference(bodies, result, simulate_in(bodies, tighter, {}, 0));
+  return difference(bodies, result, simulate_in(bodies, tighter, {}));
 }
 
 }  // namespace mariotte::impact

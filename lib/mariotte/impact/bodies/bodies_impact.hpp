@@ -1,6 +1,7 @@
 // What bodies with friction do from start to separation: the quantities a researcher asks for, in the units
 // of the bodies.
 #pragma once
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,9 +33,10 @@ struct ContactLosses {
 
 /// What one contact did.
 struct BodyContactHistory {
-  Index contact = 0;           ///< in the list of the bodies, from 0
-  double normal_impulse = 0;   ///< ∫ f_n dt [N s]
-  Vector3 tangential_impulse;  ///< of b; in the plane e1 is along e_z × n [N s]
+  std::array<std::string, 2> between;  ///< names of a and b
+  Index contact = 0;                   ///< in the list of the bodies, from 0
+  double normal_impulse = 0;           ///< ∫ f_n dt [N s]
+  Vector3 tangential_impulse;          ///< of b; in the plane e1 is along e_z × n [N s]
   ContactLosses losses;
   double stored = 0;            ///< elastic energy left at the end [J]
   double peak_force = 0;        ///< largest f_n [N]
@@ -43,11 +45,12 @@ struct BodyContactHistory {
   std::vector<Period> periods;  ///< in order of time
 };
 
-/// What contacts say at one instant; they count from 0 in the list of results.
-struct BodiesEvent {
-  double time;  ///< [s]
-  Index contact;
-  model::BodyEvent event;
+/// What contacts do at one instant; they count from 0 in the list of results.
+struct BodiesEvents {
+  double time;                                                  ///< [s]
+  std::array<std::vector<Index>, model::body_events> all = {};  ///< by model::BodyEvent
+
+  const std::vector<Index>& of(model::BodyEvent event) const { return all[static_cast<std::size_t>(event)]; }
 };
 
 /// final + stored + losses − initial − work = residual [J].
@@ -69,6 +72,9 @@ struct BodiesTrace {
   std::vector<std::vector<Vector3>> slip;      ///< of b on a per contact [m/s]
 };
 
+/// Its velocities, body by body with all components, gaps and normal forces.
+Trace contact_trace(const BodiesTrace& trace, int dimension);
+
 /// All that a run of bodies leaves, in SI.
 struct BodiesImpact {
   hybrid::Ending ending = hybrid::Ending::separated;
@@ -77,7 +83,7 @@ struct BodiesImpact {
   double time = 0;  ///< of the ending [s]
   std::vector<BodyEnd> body;
   std::vector<BodyContactHistory> contacts;  ///< those that were named first, then all that have closed
-  std::vector<BodiesEvent> events;           ///< in order of time
+  std::vector<BodiesEvents> events;          ///< in order of time
   BodiesBalance energy;
   Vector3 momentum_residual;          ///< final − initial − impulses of planes and gravity [N s]
   Vector3 angular_momentum_residual;  ///< the same about the origin; zero unless there are planes [N m s]
@@ -89,10 +95,10 @@ struct BodiesImpact {
   BodiesTrace trace;
 };
 
-/// Simulate bodies until they separate for good, or a limit. The first `named` contacts are in the result
-/// even if they have not closed. Throws InvalidParameter for bodies, accuracy or flow that make no sense.
+/// Simulate bodies until they separate for good, or a limit. Throws InvalidParameter for bodies, accuracy or
+/// flow that make no sense, and Error where contacts that stick rigidly are redundant.
 BodiesImpact simulate(const model::Bodies& bodies, const hybrid::Options& options = {},
-                      const RunObserver& observers = {}, Index named = 0);
+                      const RunObserver& observers = {});
 
 /// Error of the final velocities, and of spin × reach, relative to the largest incident speed, from a second
 /// run at a tighter accuracy.

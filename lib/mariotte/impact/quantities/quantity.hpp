@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "mariotte/impact/bodies/bodies_impact.hpp"
 #include "mariotte/impact/chain/chain_impact.hpp"
 #include "mariotte/impact/chain/chain_solver.hpp"
 #include "mariotte/impact/microbody/microbody_impact.hpp"
@@ -61,6 +62,23 @@ struct Brief<MicrobodyImpact> {
   const BriefMicrobodyImpact& impact;
 };
 
+/// Bodies have no solver that is quicker than `simulate`.
+struct BodiesSolver {
+  BodiesImpact impact;
+  const BodiesImpact& solve(const model::Bodies& bodies, const hybrid::Options& options) {
+    return impact = simulate(bodies, options);
+  }
+};
+
+template <>
+struct Brief<BodiesImpact> {
+  using Solver = BodiesSolver;
+  static bool serves(const model::Bodies&) { return false; }
+
+  const model::Bodies& bodies;
+  const BodiesImpact& impact;
+};
+
 /// One entry of the list of an impact. `read` and `count` need indices that exist in the result; `brief` says
 /// that nothing is there.
 template <class Impact>
@@ -84,6 +102,8 @@ template <>
 const std::vector<Quantity<NetworkImpact>>& quantities();
 template <>
 const std::vector<Quantity<MicrobodyImpact>>& quantities();
+template <>
+const std::vector<Quantity<BodiesImpact>>& quantities();
 
 /// What it takes to know a quantity, from cheap to dear.
 enum class Cost { brief, whole, peaks };
@@ -97,5 +117,6 @@ Cost cost(const Quantity<Impact>& quantity) {
 ChainImpact unfilled(const model::Chain& chain);
 NetworkImpact unfilled(const model::Network& network);
 MicrobodyImpact unfilled(const model::Microbody& body);
+BodiesImpact unfilled(const model::Bodies& bodies);
 
 }  // namespace mariotte::impact

@@ -47,7 +47,7 @@ void check_inertia(const Bodies& bodies, const Body& body, const std::string& na
 
 void check_body(const Bodies& bodies, Index i) {
   const auto& body = bodies.body[i];
-  const auto name = numbered(body.name, "body", i);
+  const auto name = body_name(bodies, i);
   if (!is_positive(body.mass)) throw InvalidParameter(name + ": mass must be positive and finite");
   check_inertia(bodies, body, name);
   if (!is_finite(body.position) || !is_finite(body.velocity) || !is_finite(body.spin))
@@ -85,10 +85,14 @@ std::optional<TangentialLaw> tangential_law(std::string_view name) {
   return static_cast<TangentialLaw>(found - law_names.begin());
 }
 
+std::string body_name(const Bodies& bodies, Index i) {
+  return numbered(bodies.body[i].name, "body", i);
+}
+
 std::string name_of(const Bodies& bodies, const Feature& feature) {
   if (feature.is_plane()) return numbered(bodies.plane[feature.owner].name, "plane", feature.owner);
   const auto& body = bodies.body[feature.owner];
-  const auto name = numbered(body.name, "body", feature.owner);
+  const auto name = body_name(bodies, feature.owner);
   return body.spheres.size() == 1 ? name : name + "." + std::to_string(feature.sphere + 1);
 }
 

@@ -78,6 +78,7 @@ struct Bodies {
   std::vector<Body> body;
   std::vector<Plane> plane;
   std::vector<BodyContact> contact;
+  Index named = 0;  ///< so many of the first are in results even if they never close
 };
 
 /// "none", "rigid", "spring", "mindlin".
@@ -87,6 +88,9 @@ std::optional<TangentialLaw> tangential_law(std::string_view name);
 
 /// "rod", or "rod.2" if the body has several spheres; "body 1" and "plane 1" for what has no name.
 std::string name_of(const Bodies& bodies, const Feature& feature);
+
+/// "body 1" for one that has no name.
+std::string body_name(const Bodies& bodies, Index i);
 
 /// Gap of a contact at the start [m].
 double start_gap(const Bodies& bodies, const BodyContact& contact);

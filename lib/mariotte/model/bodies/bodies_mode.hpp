@@ -14,6 +14,7 @@ namespace mariotte::model {
 
 /// What a contact says at an event.
 enum class BodyEvent { close, open, touch, part, stick, slip, reverse, load, unload, slack, grip };
+inline constexpr std::size_t body_events = 11;
 
 /// How friction acts in a closed contact.
 enum class Friction { none, stick, slip };

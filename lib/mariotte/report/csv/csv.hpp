@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "mariotte/impact/bodies/bodies_impact.hpp"
 #include "mariotte/impact/chain/chain_impact.hpp"
 #include "mariotte/impact/microbody/microbody_impact.hpp"
 
@@ -30,5 +31,12 @@ std::string events_csv(const impact::MicrobodyImpact& impact);
 /// `time [s]`, position, velocity, spin and quaternion of the body, and of each tip its gap, normal force,
 /// friction and slip.
 std::string trace_csv(const impact::MicrobodyImpact& impact);
+
+/// `time [s]` and one column per kind of event, with the contacts as in the list of results, from 1.
+std::string events_csv(const impact::BodiesImpact& impact);
+
+/// `time [s]`; position, angle or quaternion, velocity and spin of each body; gap, normal force, friction and
+/// slip of each contact of the model.
+std::string trace_csv(const impact::BodiesImpact& impact);
 
 }  // namespace mariotte::report

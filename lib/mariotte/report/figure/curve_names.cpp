@@ -36,12 +36,26 @@ CurveNames names(const model::Network& network) {
   return names;
 }
 
+CurveNames names(const model::Bodies& bodies) {
+  CurveNames names;
+  names.dimension = bodies.dimension;
+  if (bodies.body.size() > most_named) return names;
+  for (Index i = 0; i < std::ssize(bodies.body); ++i)
+    for (int k = 0; k < bodies.dimension; ++k)
+      names.velocities.push_back(
+          fmt::format("{} {}", body_name(bodies, i), axis[static_cast<std::size_t>(k)]));
+  for (const auto& contact : bodies.contact)
+    names.contacts.push_back(fmt::format("{}–{}", name_of(bodies, contact.a), name_of(bodies, contact.b)));
+  return names;
+}
+
 }  // namespace
 
 CurveNames curve_names(const scene::Scene& scene) {
   return std::visit(Overload{[](const model::Chain& chain) { return names(chain); },
                              [](const model::Network& network) { return names(network); },
                              [](const model::Microbody&) { return CurveNames{}; },
+                             [](const model::Bodies& bodies) { return names(bodies); },
                              [](const scene::LawAlone&) { return CurveNames{}; }},
                     scene.model);
 }

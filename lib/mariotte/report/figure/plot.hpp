@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "mariotte/impact/bodies/bodies_impact.hpp"
 #include "mariotte/impact/chain/chain_impact.hpp"
 #include "mariotte/impact/microbody/microbody_impact.hpp"
 #include "mariotte/report/figure/curve_names.hpp"
@@ -29,6 +30,10 @@ RunPlot plot(const impact::ContactImpact& impact, const std::string& title, cons
 
 /// The forces on the tips of a body and the velocity of its mass centre; plot.csv has one line per sample.
 RunPlot plot(const impact::MicrobodyImpact& impact, const std::string& title,
+             const scene::Figure& figure = {});
+
+/// Velocities of bodies and normal forces of their contacts, drawn as those of a network.
+RunPlot plot(const impact::BodiesImpact& impact, const std::string& title, const CurveNames& names = {},
              const scene::Figure& figure = {});
 
 }  // namespace mariotte::report

@@ -2,6 +2,7 @@
 #pragma once
 #include <vector>
 
+#include "mariotte/impact/bodies/bodies_impact.hpp"
 #include "mariotte/impact/chain/chain_impact.hpp"
 #include "mariotte/impact/microbody/microbody_impact.hpp"
 
@@ -18,5 +19,6 @@ struct Window {
 /// (in images, which show no more, a hundredth), and a long flight before the first contact are left out.
 std::vector<Window> windows_of_action(const impact::Trace& trace);
 std::vector<Window> windows_of_action(const impact::BodyTrace& trace);
+std::vector<Window> windows_of_action(const impact::BodiesTrace& trace);
 
 }  // namespace mariotte::report

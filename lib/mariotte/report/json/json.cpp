@@ -9,15 +9,9 @@
 namespace mariotte::report {
 namespace {
 
-Json law(const contact::Law& law) {
-  Json object = {{"law", name(law)}};
-  for (const auto& parameter : parameters(law)) object[std::string(parameter.key)] = parameter.value;
-  return object;
-}
-
 Json chain(const model::Chain& chain) {
   return {{"mass", chain.mass},       {"velocity", chain.velocity},
-          {"gap", chain.gap},         {"contact", list(chain.law, law)},
+          {"gap", chain.gap},         {"contact", list(chain.law, law_json)},
           {"gravity", chain.gravity}, {"precompressed", chain.precompressed}};
 }
 
@@ -28,7 +22,7 @@ Json term(const Term& term) {
 Json network(const model::Network& network) {
   Json contacts = Json::array();
   for (std::size_t j = 0; j < network.law.size(); ++j) {
-    contacts.push_back(law(network.law[j]));
+    contacts.push_back(law_json(network.law[j]));
     contacts.back()["gap"] = network.gap[j];
     contacts.back()["direction"] = list(network.direction[j], term);
     if (const auto pair = balls_of(network, static_cast<Index>(j)))
@@ -42,6 +36,9 @@ Json network(const model::Network& network) {
 }
 
 const char* thing(const impact::ContactImpact&) {
+  return "contact";
+}
+const char* thing(const impact::BodiesImpact&) {
   return "contact";
 }
 const char* thing(const impact::MicrobodyImpact&) {
@@ -106,6 +103,12 @@ Json described(const scene::Scene& scene, const char* model, const Json& numbers
 
 }  // namespace
 
+Json law_json(const contact::Law& law) {
+  Json object = {{"law", name(law)}};
+  for (const auto& parameter : parameters(law)) object[std::string(parameter.key)] = parameter.value;
+  return object;
+}
+
 void write(JsonStream& out, const impact::ChainImpact& impact, const scene::Scene& scene, const Json& more) {
   result(out, impact, scene, more, "chain");
 }
@@ -118,6 +121,13 @@ void write(JsonStream& out, const impact::MicrobodyImpact& impact, const scene::
   result(out, impact, scene, more, "microbody");
 }
 
+void write(JsonStream& out, const impact::BodiesImpact& impact, const scene::Scene& scene, const Json& more) {
+  result(out, impact, scene, more, "bodies");
+}
+
+Json json(const impact::BodiesImpact& impact, const scene::Scene& scene) {
+  return parsed(impact, scene);
+}
 Json json(const impact::ChainImpact& impact, const scene::Scene& scene) {
   return parsed(impact, scene);
 }
@@ -133,6 +143,7 @@ Json json(const scene::Scene& scene) {
       Overload{[&](const model::Chain& one) { return described(scene, "chain", chain(one)); },
                [&](const model::Network& one) { return described(scene, "network", network(one)); },
                [&](const model::Microbody& one) { return json_of_body(one, scene); },
+               [&](const model::Bodies& one) { return json_of_bodies(one, scene); },
                [](const scene::LawAlone& nothing) -> Json { scene::refuse(nothing); }},
       scene.model);
 }

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "mariotte/impact/bodies/bodies_impact.hpp"
 #include "mariotte/impact/chain/chain_impact.hpp"
 #include "mariotte/impact/microbody/microbody_impact.hpp"
 #include "mariotte/impact/network/network_impact.hpp"
@@ -22,11 +23,14 @@ void write(JsonStream& out, const impact::NetworkImpact& impact, const scene::Sc
            const Json& more = Json::object());
 void write(JsonStream& out, const impact::MicrobodyImpact& impact, const scene::Scene& scene,
            const Json& more = Json::object());
+void write(JsonStream& out, const impact::BodiesImpact& impact, const scene::Scene& scene,
+           const Json& more = Json::object());
 
 /// The same as a tree, for results that are not large.
 Json json(const impact::ChainImpact& impact, const scene::Scene& scene);
 Json json(const impact::NetworkImpact& impact, const scene::Scene& scene);
 Json json(const impact::MicrobodyImpact& impact, const scene::Scene& scene);
+Json json(const impact::BodiesImpact& impact, const scene::Scene& scene);
 
 /// The scene as it was understood. An infinite mass, radius or limit is null.
 Json json(const scene::Scene& scene);

@@ -30,5 +30,10 @@ Json provenance_json(const std::string& scene_sha256);
 
 /// The scene of a body as it was understood.
 Json json_of_body(const model::Microbody& body, const scene::Scene& scene);
+/// The scene of bodies as it was understood.
+Json json_of_bodies(const model::Bodies& bodies, const scene::Scene& scene);
+
+/// A law by its name and numbers.
+Json law_json(const contact::Law& law);
 
 }  // namespace mariotte::report

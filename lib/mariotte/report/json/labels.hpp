@@ -15,7 +15,7 @@ inline constexpr std::array labels = {
           "how the run ended: `separated`, `captured`, `bound`, `time_limit`, `event_limit`, "
           "`interrupted`, `unsure`, `invalid` or `failed`"},
     Label{"title", "title of the scene"},
-    Label{"model", "`chain`, `network` or `microbody`"},
+    Label{"model", "`chain`, `network`, `microbody` or `bodies`"},
     Label{"message", "why the run ended so; left out if it ended by itself"},
     Label{"scene", "the model as it was understood, in SI units, of `mariotte run` and up to 1000 balls"},
     Label{"scene_text", "the scene file as it is, of `mariotte run` and up to 1000 balls"},

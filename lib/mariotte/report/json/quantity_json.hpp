@@ -74,12 +74,20 @@ class QuantityTree {
                        [&](const Node& one) { return is_there(one, place); });
   }
 
+  /// A number in some results and an array in others, as a spin in the plane and in space.
+  static bool is_scalar(const Node& node, const Place& place) {
+    return node.is_array() && node.quantity && node.quantity->read &&
+           !std::holds_alternative<impact::Omitted>(node.quantity->read(place.impact, place.at));
+  }
+
   static void write_member(const Node& node, const Place& place, std::size_t level) {
     if (node.inner.empty() && !is_there(node, place)) return;
     place.out.key(node.name);
     write_value(node, place, level);
   }
   static void write_value(const Node& node, const Place& place, std::size_t level) {
+    if (is_scalar(node, place))
+      return std::visit(ValueWriter{place.out}, node.quantity->read(place.impact, place.at));
     if (node.is_array()) return write_array(node.inner[0], place, level);
     if (node.inner.empty())
       return std::visit(ValueWriter{place.out}, node.quantity->read(place.impact, place.at));

@@ -19,5 +19,6 @@ namespace mariotte::report {
 Json motion(const impact::ChainImpact& impact, const scene::Scene& scene);
 Json motion(const impact::NetworkImpact& impact, const scene::Scene& scene);
 Json motion(const impact::MicrobodyImpact& impact, const scene::Scene& scene);
+Json motion(const impact::BodiesImpact& impact, const scene::Scene& scene);
 
 }  // namespace mariotte::report

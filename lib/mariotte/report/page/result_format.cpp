@@ -87,7 +87,9 @@ std::string result_format() {
   text += table(impact::quantities<impact::NetworkImpact>(),
                 [&](const auto& one) { return !has_same(chain, one); });
   text += "\n## Microbodies\n\nThe axis e1 is normal to the plane, e2 and e3 lie in it.\n\n";
-  return text + table(impact::quantities<impact::MicrobodyImpact>(), all);
+  text += table(impact::quantities<impact::MicrobodyImpact>(), all);
+  text += "\n## Bodies with friction\n\nVectors have two components in the plane and three in space.\n\n";
+  return text + table(impact::quantities<impact::BodiesImpact>(), all);
 }
 
 }  // namespace mariotte::report

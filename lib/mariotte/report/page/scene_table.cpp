@@ -147,6 +147,7 @@ std::string table(const scene::Scene& scene) {
   return std::visit(Overload{[&](const model::Chain& chain) { return table(chain, scene); },
                              [&](const model::Network& network) { return table(network, scene); },
                              [&](const model::Microbody& body) { return table_of_body(body, scene); },
+                             [&](const model::Bodies& bodies) { return table_of_bodies(bodies, scene); },
                              [](const scene::LawAlone& nothing) -> std::string { scene::refuse(nothing); }},
                     scene.model);
 }

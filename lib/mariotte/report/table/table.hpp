@@ -3,6 +3,7 @@
 #pragma once
 #include <string>
 
+#include "mariotte/impact/bodies/bodies_impact.hpp"
 #include "mariotte/impact/chain/chain_impact.hpp"
 #include "mariotte/impact/microbody/microbody_impact.hpp"
 #include "mariotte/impact/network/network_impact.hpp"
@@ -23,8 +24,13 @@ std::string table(const impact::MicrobodyImpact& impact, const scene::Scene& sce
 std::string table(const impact::NetworkImpact& impact, const scene::Scene& scene,
                   Detail detail = Detail::usual);
 
+/// Events, bodies, contacts, balances; in full as of a chain.
+std::string table(const impact::BodiesImpact& impact, const scene::Scene& scene,
+                  Detail detail = Detail::usual);
+
 /// The scene as it was understood, in SI units without prefixes.
 std::string table(const scene::Scene& scene);
 std::string table_of_body(const model::Microbody& body, const scene::Scene& scene);
+std::string table_of_bodies(const model::Bodies& bodies, const scene::Scene& scene);
 
 }  // namespace mariotte::report

@@ -140,6 +140,10 @@ class Expansion {
       else if (size > 0)
         keys.push_back(fmt::format("{}[*]", name));
     }
+    if constexpr (std::is_same_v<Model, model::Bodies>)
+      for (const auto* key : {"final.bodies[*].velocity[*]",
+                              model_.dimension == 2 ? "final.bodies[*].spin" : "final.bodies[*].spin[*]"})
+        keys.emplace_back(key);
     for (const auto* name : {"restitution.tip", "restitution.centre", "energy.final"})
       if (impact::find_quantity<Impact>(name)) keys.emplace_back(name);
     return keys;

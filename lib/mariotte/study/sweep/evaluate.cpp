@@ -66,7 +66,7 @@ class OfModel {
 
 class Evaluator {
  public:
-  explicit Evaluator(const std::vector<Column>& columns) : all_{columns, columns, columns} {}
+  explicit Evaluator(const std::vector<Column>& columns) : all_{columns, columns, columns, columns} {}
 
   Verdict operator()(const scene::Scene& scene, std::span<double> out) {
     return std::visit(Overload{[&]<class Model>(const Model& model) {
@@ -77,7 +77,9 @@ class Evaluator {
   }
 
  private:
-  std::tuple<OfModel<model::Chain>, OfModel<model::Network>, OfModel<model::Microbody>> all_;
+  std::tuple<OfModel<model::Chain>, OfModel<model::Network>, OfModel<model::Microbody>,
+             OfModel<model::Bodies>>
+      all_;
 };
 
 }  // namespace

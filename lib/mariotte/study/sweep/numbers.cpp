@@ -40,7 +40,7 @@ bool same_form(const scene::Model& a, const scene::Model& b) {
                  return other && same_form(chain, *other);
                },
                [](const model::Network&) { return false; }, [](const model::Microbody&) { return false; },
-               [](const scene::LawAlone&) { return false; }},
+               [](const model::Bodies&) { return false; }, [](const scene::LawAlone&) { return false; }},
       a);
 }
 
@@ -50,7 +50,7 @@ std::vector<double*> numbers(scene::Scene& scene) {
   using List = std::vector<double*>;
   return std::visit(Overload{[&](model::Chain& chain) { return numbers(chain, scene); },
                              [](model::Network&) { return List(); }, [](model::Microbody&) { return List(); },
-                             [](scene::LawAlone&) { return List(); }},
+                             [](model::Bodies&) { return List(); }, [](scene::LawAlone&) { return List(); }},
                     scene.model);
 }
 

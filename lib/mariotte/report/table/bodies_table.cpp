@@ -1,0 +1,142 @@
+#include <fmt/format.h>
+
+#include "mariotte/report/csv/columns.hpp"
+#include "mariotte/report/number.hpp"
+#include "mariotte/report/reason.hpp"
+#include "mariotte/report/table/background.hpp"
+#include "mariotte/report/table/balance_tables.hpp"
+#include "mariotte/report/table/quantity_table.hpp"
+#include "mariotte/report/table/table.hpp"
+
+namespace mariotte::report {
+namespace {
+
+using model::BodyEvent;
+
+std::string summary(const impact::BodiesImpact& impact, const scene::Scene& scene, const Display& time) {
+  std::string text = fmt::format("{} at {} {} · accuracy {:.3g} requested", ending_name(impact.ending, scene),
+                                 shown(time, impact.time), time.unit, impact.requested_accuracy);
+  if (impact.estimated_accuracy) text += fmt::format(", {:.1e} estimated", *impact.estimated_accuracy);
+  if (const auto why = reason(impact.ending, impact.message, scene); !why.empty()) text += "\n" + why;
+  return text + "\n";
+}
+
+std::string what(const impact::BodiesEvents& event) {
+  std::string text;
+  const auto add = [&](BodyEvent kind, const char* word) {
+    if (const auto& list = event.of(kind); !list.empty())
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", numbers(list), word);
+  };
+  add(BodyEvent::close, "closes");
+  add(BodyEvent::touch, "touches");
+  add(BodyEvent::part, "parts");
+  add(BodyEvent::stick, "sticks");
+  add(BodyEvent::slip, "slips");
+  add(BodyEvent::reverse, "slips back");
+  add(BodyEvent::load, "loads");
+  add(BodyEvent::unload, "unloads");
+  add(BodyEvent::slack, "goes slack");
+  add(BodyEvent::grip, "grips");
+  add(BodyEvent::open, "opens");
+  return text;
+}
+
+std::string events(const impact::BodiesImpact& impact, const Display& time) {
+  if (impact.events.empty()) return "\nEvents: none\n";
+  const auto row = [&](Index i) -> TableRow {
+    return {shown(time, impact.events[i].time), what(impact.events[i])};
+  };
+  return "\nEvents\n" + columns({"time [" + time.unit + "]", "contacts"}, std::ssize(impact.events), row);
+}
+
+std::string three(const Vector3& v, int dimension) {
+  return dimension == 2 ? fmt::format("{:.8g}, {:.8g}", v.e1, v.e2)
+                        : fmt::format("{:.8g}, {:.8g}, {:.8g}", v.e1, v.e2, v.e3);
+}
+std::string turn(const Vector3& v, int dimension) {
+  return dimension == 2 ? fmt::format("{:.8g}", v.e3) : three(v, 3);
+}
+
+std::string motion(const impact::BodiesImpact& impact, const model::Bodies& bodies) {
+  const int d = impact.dimension;
+  const auto row = [&](Index i) -> TableRow {
+    const auto& end = impact.body[i];
+    return {body_name(bodies, i), three(bodies.body[i].velocity, d), three(end.velocity, d),
+            turn(bodies.body[i].spin, d), turn(end.spin, d)};
+  };
+  return "\nBodies\n" +
+         columns({"", "velocity before [m/s]", "after [m/s]", "spin before [rad/s]", "after [rad/s]"},
+                 std::ssize(impact.body), row);
+}
+
+std::string contacts(const impact::BodiesImpact& impact) {
+  const auto row = [&](Index i) -> TableRow {
+    const auto& one = impact.contacts[i];
+    return {fmt::format("{}", i + 1),
+            fmt::format("{} – {}", one.between[0], one.between[1]),
+            fmt::format("{}", one.periods.size()),
+            fmt::format("{:.6g}", one.normal_impulse),
+            impact.dimension == 2 ? fmt::format("{:.6g}", one.tangential_impulse.e1)
+                                  : fmt::format("{:.6g}", norm(one.tangential_impulse)),
+            fmt::format("{:.5g}", one.peak_force),
+            fmt::format("{:.5g}", one.losses.friction),
+            fmt::format("{:.5g}", one.losses.rescale + one.losses.damper)};
+  };
+  return "\nContacts\n" + columns({"", "between", "periods", "∫ f_n dt [N s]", "∫ f_t dt", "peak f_n [N]",
+                                   "friction [J]", "other loss [J]"},
+                                  std::ssize(impact.contacts), row);
+}
+
+constexpr BalanceLine energies[] = {
+    {"kinetic before", "energy.initial"},       {"work of gravity and planes", "energy.work", true},
+    {"kinetic after", "energy.final"},          {"stored in contacts", "energy.stored", true},
+    {"dissipated", "energy.dissipated"},        {"  by friction", "energy.friction"},
+    {"  by rescaling", "energy.rescale", true}, {"  by dampers", "energy.damper", true}};
+
+}  // namespace
+
+std::string table(const impact::BodiesImpact& impact, const scene::Scene& scene, Detail detail) {
+  const auto time = display_for(std::vector{impact.time}, "s");
+  return heading(scene.title.empty() ? "Bodies with friction" : scene.title) + summary(impact, scene, time) +
+         events(impact, time) + motion(impact, std::get<model::Bodies>(scene.model)) + contacts(impact) +
+         balance_table("Energy", impact, energies, "energy.residual") +
+         (detail == Detail::full ? background(impact, "contact") : "");
+}
+
+std::string table_of_bodies(const model::Bodies& bodies, const scene::Scene& scene) {
+  const int d = bodies.dimension;
+  std::string text = (scene.title.empty() ? "Bodies with friction" : scene.title) + "\n";
+  text += fmt::format("{} dimensions · gravity {} m/s²\n\n", d, three(bodies.gravity, d));
+  const auto body = [&](Index i) -> TableRow {
+    const auto& one = bodies.body[i];
+    return {body_name(bodies, i),
+            fmt::format("{:.8g}", one.mass),
+            d == 2 ? fmt::format("{:.8g}", one.inertia.e3) : three(one.inertia, 3),
+            fmt::format("{}", one.spheres.size()),
+            three(one.position, d),
+            three(one.velocity, d),
+            turn(one.spin, d)};
+  };
+  text += columns(
+      {"", "mass [kg]", "inertia [kg m²]", "spheres", "position [m]", "velocity [m/s]", "spin [rad/s]"},
+      std::ssize(bodies.body), body);
+  const auto contact = [&](Index i) -> TableRow {
+    const auto& one = bodies.contact[i];
+    const auto* power = contact::power_law(one.law);
+    return {fmt::format("{}", i + 1),
+            fmt::format("{} – {}", name_of(bodies, one.a), name_of(bodies, one.b)),
+            std::string(name(one.law)),
+            power ? fmt::format("{:.8g}", power->stiffness) : "",
+            power ? fmt::format("{:.6g}", power->damping) : "",
+            name(one.tangential.law),
+            fmt::format("{:.6g}", one.tangential.friction),
+            one.tangential.has_spring() ? fmt::format("{:.8g}", one.tangential.stiffness) : "",
+            fmt::format("{:.8g}", start_gap(bodies, one))};
+  };
+  text += "\n" +
+          columns({"", "contact", "law", "k [N/mⁿ]", "c [N s/mⁿ]", "tangential", "μ", "k_t or κ", "gap [m]"},
+                  std::ssize(bodies.contact), contact);
+  return text + fmt::format("\naccuracy {:.3g} · flow {}\n", scene.run.accuracy, flow::name(scene.run.flow));
+}
+
+}  // namespace mariotte::report

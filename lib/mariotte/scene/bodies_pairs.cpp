@@ -1,0 +1,248 @@
+#include "mariotte/scene/bodies_pairs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mariotte/core/error.hpp"
+#include "mariotte/core/nearest.hpp"
+#include "mariotte/scene/contact_law.hpp"
+#include "mariotte/scene/touching.hpp"
+
+namespace mariotte::scene {
+
+using model::Feature;
+using model::TangentialLaw;
+
+namespace {
+
+constexpr auto all_pair_keys =
+    law_keys_and(std::array<std::string_view, 4>{"tangential", "friction", "share", "tangential_stiffness"});
+constexpr std::array<std::string_view, 4> tangential_names{"none", "rigid", "spring", "mindlin"};
+
+/// A pair and the table that speaks of it; none of those that [bodies] alone speaks of.
+struct Pair {
+  Feature a, b;
+  std::optional<Field> table = {};
+};
+
+/// Spheres of a body, or one of them, or a plane, by name or number.
+class Names {
+ public:
+  Names(const Source& source, const model::Bodies& model) : source_(source), model_(model) {}
+
+  std::vector<Feature> find(const Field& field) const {
+    if (std::holds_alternative<std::int64_t>(field.node->value))
+      return spheres(whole(source_, field, 1, std::ssize(model_.body)) - 1);
+    const auto word = text(source_, field);
+    std::vector<std::string> known;
+    for (Index i = 0; i < std::ssize(model_.body); ++i) {
+      const auto& name = model_.body[i].name;
+      for (const auto& whole : {name, "body " + std::to_string(i + 1)}) {
+        if (whole.empty()) continue;
+        known.push_back(whole);
+        if (word == whole) return spheres(i);
+        for (Index k = 0; k < std::ssize(model_.body[i].spheres); ++k)
+          if (word == whole + "." + std::to_string(k + 1)) return {{i, k}};
+      }
+    }
+    for (Index i = 0; i < std::ssize(model_.plane); ++i)
+      for (const auto& whole : {model_.plane[i].name, "plane " + std::to_string(i + 1)}) {
+        if (whole.empty()) continue;
+        known.push_back(whole);
+        if (word == whole) return {{i, -1}};
+      }
+    const std::vector<std::string_view> views(known.begin(), known.end());
+    reject(source_, field, fault::leads_nowhere,
+           "no body or plane has the name '" + word + "'" + suggestion(word, views));
+  }
+
+ private:
+  std::vector<Feature> spheres(Index body) const {
+    std::vector<Feature> list;
+    for (Index k = 0; k < std::ssize(model_.body[body].spheres); ++k) list.push_back({body, k});
+    return list;
+  }
+
+  const Source& source_;
+  const model::Bodies& model_;
+};
+
+double radius_of(const model::Bodies& model, const Feature& feature) {
+  return feature.is_plane() ? infinity : model.body[feature.owner].spheres[feature.sphere].radius;
+}
+
+bool can_touch(const model::Bodies& model, const Feature& a, const Feature& b) {
+  return a.is_plane() || (a.owner != b.owner && radius_of(model, a) + radius_of(model, b) > 0);
+}
+
+/// The pairs of one table; a plane goes first.
+void add_pairs(const Source& source, const Field& table, const model::Bodies& model,
+               std::vector<Pair>& pairs) {
+  const auto between = find(table, "between");
+  if (!between || !between->node->array())
+    reject(source, between ? *between : table, fault::missing,
+           "'between' is missing: the two that touch, as in between = [\"cue\", 2]");
+  expect_length(source, *between, between->node->array()->size(), 2);
+  const Names names(source, model);
+  auto left = names.find(element(*between, 0)), right = names.find(element(*between, 1));
+  if (right[0].is_plane()) std::swap(left, right);
+  if (right[0].is_plane()) reject(source, *between, fault::impossible, "two planes do not touch");
+  if (!left[0].is_plane() && left[0].owner == right[0].owner)
+    reject(source, *between, fault::impossible, "a body does not touch itself");
+  for (const auto& a : left)
+    for (const auto& b : right) {
+      if (!can_touch(model, a, b)) continue;
+      const auto same = [&](const Pair& one) {
+        return (one.a == a && one.b == b) || (one.a == b && one.b == a);
+      };
+      if (std::any_of(pairs.begin(), pairs.end(), same))
+        reject(source, *between, fault::contradiction,
+               name_of(model, a) + " and " + name_of(model, b) + " have been said before");
+      pairs.push_back({a, b, table});
+    }
+}
+
+/// All that the tables leave out.
+void add_others(const model::Bodies& model, std::vector<Pair>& pairs) {
+  const auto named = pairs;
+  const auto add = [&](const Feature& a, const Feature& b) {
+    const auto same = [&](const Pair& one) {
+      return (one.a == a && one.b == b) || (one.a == b && one.b == a);
+    };
+    if (can_touch(model, a, b) && std::none_of(named.begin(), named.end(), same)) pairs.push_back({a, b});
+  };
+  std::vector<Feature> spheres;
+  for (Index i = 0; i < std::ssize(model.body); ++i)
+    for (Index k = 0; k < std::ssize(model.body[i].spheres); ++k) spheres.push_back({i, k});
+  for (Index i = 0; i < std::ssize(model.plane); ++i)
+    for (const auto& sphere : spheres) add({i, -1}, sphere);
+  for (std::size_t i = 0; i < spheres.size(); ++i)
+    for (std::size_t j = i + 1; j < spheres.size(); ++j) add(spheres[i], spheres[j]);
+}
+
+/// A law that [bodies] says for all, with what it takes: a stiffness, or materials of everything.
+bool has_common_law(const Field& bodies, const Touchables& touchables) {
+  if (!find(bodies, "law")) return false;
+  if (find(bodies, "stiffness") || find(bodies, "loading_stiffness") || find(bodies, "effective_modulus") ||
+      find(bodies, "table"))
+    return true;
+  const auto known = [](const Ball& one) { return one.material && elastic(*one.material).has_value(); };
+  return std::all_of(touchables.body.begin(), touchables.body.end(), known) &&
+         std::all_of(touchables.plane.begin(), touchables.plane.end(), known);
+}
+
+/// κ = 8 G* √R* with 1/G* = Σ (2−ν)/G; a rigid partner has no term [Mindlin 1949].
+std::optional<double> mindlin_stiffness(const Ball& a, const Ball& b) {
+  double compliance = 0, curvature = 0;
+  for (const auto* ball : {&a, &b}) {
+    const auto one = elastic(ball->material.value_or(Material{}));
+    if (!one || !ball->radius || !(*ball->radius > 0)) return {};
+    compliance += (2 - one->poisson) * 2 * (1 + one->poisson) / one->young;
+    curvature += 1 / *ball->radius;
+  }
+  if (!(compliance > 0) || !(curvature > 0)) return {};
+  return 8 / (compliance * std::sqrt(curvature));
+}
+
+model::Tangential read_tangential(const Source& source, const LawTables& tables, Index contact, const Ball& a,
+                                  const Ball& b) {
+  const auto law = tables.find_for(contact, "tangential"), friction = tables.find_for(contact, "friction");
+  model::Tangential tangential;
+  if (!law && friction && number(source, *friction, dimension::none, Domain::not_negative) > 0)
+    reject(source, *friction, fault::missing,
+           "'tangential' is missing beside it: none, rigid, spring or mindlin");
+  if (!law) return tangential;
+  tangential.law = static_cast<TangentialLaw>(choice(source, *law, "tangential law", tangential_names));
+  if (tangential.law == TangentialLaw::none) return tangential;
+  if (!friction) reject(source, *law, fault::missing, "'friction' is missing beside it");
+  tangential.friction = number(source, *friction, dimension::none, Domain::not_negative);
+  if (!tangential.has_spring()) return tangential;
+  const bool grows = tangential.law == TangentialLaw::mindlin;
+  if (const auto field = tables.find_for(contact, "tangential_stiffness")) {
+    tangential.stiffness = number(source, *field, dimension::stiffness(grows ? 1.5 : 1), Domain::positive);
+    return tangential;
+  }
+  const auto stiffness = grows ? mindlin_stiffness(a, b) : std::nullopt;
+  if (!stiffness)
+    reject(source, *law, fault::no_stiffness,
+           "contact " + std::to_string(contact + 1) + " needs 'tangential_stiffness'" +
+               (grows ? ", or radius, young and poisson of both its bodies" : " [N/m]"));
+  tangential.stiffness = *stiffness;
+  return tangential;
+}
+
+void expect_followed(const Source& source, const Field& place, const contact::Law& law) {
+  if (contact::branched(law))
+    reject(source, place, fault::misplaced,
+           "law '" + std::string(name(law)) + "' has branches, which [bodies] does not follow");
+  if (contact::pulls(law))
+    reject(source, place, fault::misplaced,
+           "law '" + std::string(name(law)) + "' can pull, which [bodies] does not follow");
+}
+
+/// Speed at which the centres of two spheres, or of one and a plane, approach; not negative.
+double approach(const model::Bodies& model, const Pair& pair) {
+  const auto velocity = [&](const Feature& feature) {
+    return feature.is_plane() ? model.plane[feature.owner].velocity : model.body[feature.owner].velocity;
+  };
+  return norm(velocity(pair.b) - velocity(pair.a));
+}
+
+}  // namespace
+
+const std::vector<std::string_view> pair_keys(all_pair_keys.begin(), all_pair_keys.end());
+
+std::vector<impact::Touching> read_pairs(Source& source, const Field& bodies, const Touchables& touchables,
+                                         model::Bodies& model) {
+  std::vector<Pair> pairs;
+  const auto list = find(bodies, "contact");
+  if (list && !list->node->array())
+    reject(source, *list, fault::wrong_type, "write [[bodies.contact]], with two brackets");
+  auto keys = pair_keys;
+  keys.insert(keys.end(), {"between", "touching"});
+  for (Index i = 0; list && i < std::ssize(*list->node->array()); ++i) {
+    const auto table = element(*list, i);
+    expect_keys(source, table, keys);
+    add_pairs(source, table, model, pairs);
+  }
+  model.named = std::ssize(pairs);
+  if (has_common_law(bodies, touchables)) add_others(model, pairs);
+
+  LawTables tables{bodies, {}};
+  for (Index c = 0; c < model.named; ++c) tables.numbered.emplace(c, *pairs[c].table);
+  const auto ball = [&](const Feature& feature) {
+    Ball one = feature.is_plane() ? touchables.plane[feature.owner] : touchables.body[feature.owner];
+    one.radius = radius_of(model, feature);
+    return one;
+  };
+  Encounters encounters{
+      .reduced_mass = [&](Index c) { return reduced_mass(*ball(pairs[c].a).mass, *ball(pairs[c].b).mass); },
+      .speed = 0};
+  for (const auto& pair : pairs) encounters.speed = std::max(encounters.speed, approach(model, pair));
+  const auto rounding = find(bodies, "touching");
+  const double touching = rounding ? number(source, *rounding, dimension::length, Domain::not_negative) : 0;
+  std::vector<impact::Touching> known;
+  for (Index c = 0; c < std::ssize(pairs); ++c) {
+    const auto& pair = pairs[c];
+    const Ball a = ball(pair.a), b = ball(pair.b);
+    model::BodyContact contact{
+        .a = pair.a, .b = pair.b, .law = read_law(source, tables, c, {&a, &b}, encounters)};
+    expect_followed(source, tables.place_of(c), contact.law);
+    contact.tangential = read_tangential(source, tables, c, a, b);
+    if (const auto field = tables.find_for(c, "share")) {
+      contact.share = number(source, *field, dimension::none, Domain::not_negative);
+      if (contact.share > 1) reject(source, *field, fault::out_of_range, "must not be above 1");
+    }
+    if (pair.table)
+      if (const auto field = find(*pair.table, "touching")) contact.touching = boolean(source, *field);
+    contact.touching = contact.touching || std::abs(start_gap(model, contact)) <= touching;
+    if (start_gap(model, contact) < 0)
+      reject(source, tables.place_of(c), fault::overlap,
+             name_of(model, pair.a) + " and " + name_of(model, pair.b) + " overlap at the start");
+    model.contact.push_back(contact);
+    known.push_back(scene::touching(a, b));
+  }
+  return known;
+}
+
+}  // namespace mariotte::scene

@@ -1,0 +1,105 @@
+#include "mariotte/scene/bodies_reader.hpp"
+
+#include <algorithm>
+
+#include "mariotte/core/error.hpp"
+#include "mariotte/scene/bodies_pairs.hpp"
+#include "mariotte/scene/bodies_shapes.hpp"
+
+namespace mariotte::scene {
+namespace {
+
+constexpr std::array<std::string_view, 12> own_keys{"dimension", "gravity",  "material", "shape",
+                                                    "radius",    "diameter", "mass",     "density",
+                                                    "touching",  "body",     "plane",    "contact"};
+constexpr std::array<std::string_view, 5> plane_keys{"name", "point", "normal", "velocity", "material"};
+
+Field list_of(const Source& source, const Field& bodies, const char* key) {
+  const auto list = find(bodies, key);
+  if (!list) reject(source, bodies, fault::missing, "there is no [[bodies." + std::string(key) + "]]");
+  if (!list->node->array() || list->node->array()->empty())
+    reject(source, *list, fault::wrong_type, "write [[bodies." + std::string(key) + "]], with two brackets");
+  return *list;
+}
+
+/// As said, or as many as the first body's position has.
+int read_dimension(const Source& source, const Field& bodies) {
+  if (const auto field = find(bodies, "dimension")) return static_cast<int>(whole(source, *field, 2, 3));
+  const auto first = element(list_of(source, bodies, "body"), 0);
+  const auto position = first.node->table() ? find(first, "position") : std::nullopt;
+  return position && position->node->array() && position->node->array()->size() == 2 ? 2 : 3;
+}
+
+model::Plane read_plane(const Source& source, const Field& table, int dimension) {
+  expect_keys(source, table, plane_keys);
+  model::Plane plane;
+  const auto normal = find(table, "normal");
+  if (!normal) reject(source, table, fault::missing, "'normal' is missing");
+  plane.normal = read_coordinates(source, *normal, dimension::none, dimension);
+  const double length = norm(plane.normal);
+  if (!(length > 0)) reject(source, *normal, fault::out_of_range, "must not be zero");
+  plane.normal = (1 / length) * plane.normal;
+  if (const auto field = find(table, "name")) plane.name = text(source, *field);
+  if (const auto field = find(table, "point"))
+    plane.point = read_coordinates(source, *field, dimension::length, dimension);
+  if (const auto field = find(table, "velocity"))
+    plane.velocity = read_coordinates(source, *field, dimension::velocity, dimension);
+  return plane;
+}
+
+void read_planes(Source& source, const Field& bodies, model::Bodies& model, Touchables& touchables) {
+  if (!find(bodies, "plane")) return;
+  const auto list = list_of(source, bodies, "plane");
+  for (Index i = 0; i < std::ssize(*list.node->array()); ++i) {
+    const auto table = element(list, i);
+    model.plane.push_back(read_plane(source, table, model.dimension));
+    Ball plane{.mass = infinity, .radius = infinity, .material = {}, .velocity = {}};
+    auto material = find(table, "material");
+    if (!material) material = find(bodies, "material");
+    if (material) plane.material = read_material(source, *material);
+    touchables.plane.push_back(plane);
+  }
+}
+
+void expect_own_names(const Source& source, const Field& bodies, const model::Bodies& model) {
+  std::vector<std::string> names;
+  const auto list = find(bodies, "body");
+  for (Index i = 0; i < std::ssize(model.body); ++i) {
+    const auto& name = model.body[i].name;
+    if (name.empty()) continue;
+    if (std::find(names.begin(), names.end(), name) != names.end())
+      reject(source, element(*list, i), fault::contradiction,
+             "another body has the name '" + name + "', too");
+    names.push_back(name);
+  }
+}
+
+}  // namespace
+
+ResolvedBodies read_bodies(Source& source, const Field& bodies) {
+  auto keys = pair_keys;
+  keys.insert(keys.end(), own_keys.begin(), own_keys.end());
+  expect_keys(source, bodies, keys);
+  ResolvedBodies resolved;
+  auto& model = resolved.bodies;
+  model.dimension = read_dimension(source, bodies);
+  if (const auto field = find(bodies, "gravity"))
+    model.gravity = read_coordinates(source, *field, dimension::acceleration, model.dimension);
+  Touchables touchables;
+  const auto list = list_of(source, bodies, "body");
+  for (Index i = 0; i < std::ssize(*list.node->array()); ++i) {
+    auto shaped = read_shaped_body(source, element(list, i), bodies, model.dimension, i);
+    model.body.push_back(std::move(shaped.body));
+    touchables.body.push_back(std::move(shaped.ball));
+  }
+  expect_own_names(source, bodies, model);
+  read_planes(source, bodies, model, touchables);
+  resolved.touching = read_pairs(source, bodies, touchables, model);
+  if (model.contact.empty())
+    reject(source, bodies, fault::impossible,
+           "nothing can touch: [bodies] says no law with a stiffness or materials, and no [[bodies.contact]] "
+           "does");
+  return resolved;
+}
+
+}  // namespace mariotte::scene
