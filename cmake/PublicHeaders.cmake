@@ -20,11 +20,14 @@ set(MARIOTTE_PUBLIC_HEADERS
   flow/kind.hpp
   hybrid/ending.hpp
   hybrid/options.hpp
+  model/bodies/bodies.hpp
+  model/bodies/body_event.hpp
   model/chain/chain.hpp
   model/microbody/microbody.hpp
   model/microbody/rigid_body.hpp
   model/network/mass_matrix.hpp
   model/network/network.hpp
+  impact/bodies/bodies_impact.hpp
   impact/brief_impact.hpp
   impact/chain/chain_impact.hpp
   impact/chain/chain_solver.hpp

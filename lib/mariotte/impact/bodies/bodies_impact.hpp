@@ -9,7 +9,7 @@
 #include "mariotte/hybrid/options.hpp"
 #include "mariotte/impact/chain/chain_impact.hpp"
 #include "mariotte/model/bodies/bodies.hpp"
-#include "mariotte/model/bodies/bodies_mode.hpp"
+#include "mariotte/model/bodies/body_event.hpp"
 
 namespace mariotte::impact {
 

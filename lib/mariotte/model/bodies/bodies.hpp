@@ -19,23 +19,23 @@ struct BodySphere {
 
 /// One rigid body. In the plane vectors have no e3, and inertia.e3 is its moment about the mass centre.
 struct Body {
-  std::string name;
-  double mass = 0;                  ///< [kg]
-  Vector3 inertia;                  ///< principal moments, body axes [kg m²]
-  std::vector<BodySphere> spheres;  ///< by which it touches
-  Vector3 position;                 ///< of the mass centre [m]
-  Quaternion attitude;              ///< in space
-  double angle = 0;                 ///< in the plane [rad]
-  Vector3 velocity;                 ///< of the mass centre [m/s]
-  Vector3 spin;                     ///< space axes; in the plane e3 alone [rad/s]
+  std::string name = {};
+  double mass = 0;                       ///< [kg]
+  Vector3 inertia = {};                  ///< principal moments, body axes [kg m²]
+  std::vector<BodySphere> spheres = {};  ///< by which it touches
+  Vector3 position = {};                 ///< of the mass centre [m]
+  Quaternion attitude = {};              ///< in space
+  double angle = 0;                      ///< in the plane [rad]
+  Vector3 velocity = {};                 ///< of the mass centre [m/s]
+  Vector3 spin = {};                     ///< space axes; in the plane e3 alone [rad/s]
 };
 
 /// A plane that rests or moves; bodies are on the side to which its normal points.
 struct Plane {
-  std::string name;
-  Vector3 point;     ///< [m]
-  Vector3 normal;    ///< of length 1
-  Vector3 velocity;  ///< constant [m/s]
+  std::string name = {};
+  Vector3 point = {};     ///< [m]
+  Vector3 normal = {};    ///< of length 1
+  Vector3 velocity = {};  ///< constant [m/s]
 };
 
 /// How the friction of a contact grows: none; stick as a constraint; a spring of constant stiffness k_t
@@ -63,7 +63,7 @@ struct Feature {
 
 /// One pair of features that may touch. The normal points from a to b; a plane is always a.
 struct BodyContact {
-  Feature a, b;
+  Feature a = {}, b = {};
   contact::Law law = contact::Hertz{1};
   Tangential tangential = {};
   double share = 0.5;  ///< 0 ≤ s ≤ 1: forces act at c_b − (r_b − s δ) n
@@ -73,11 +73,11 @@ struct BodyContact {
 
 /// Bodies, planes and the pairs among them that may touch.
 struct Bodies {
-  int dimension = 3;  ///< 2 or 3
-  Vector3 gravity;    ///< [m/s²]
-  std::vector<Body> body;
-  std::vector<Plane> plane;
-  std::vector<BodyContact> contact;
+  int dimension = 3;     ///< 2 or 3
+  Vector3 gravity = {};  ///< [m/s²]
+  std::vector<Body> body = {};
+  std::vector<Plane> plane = {};
+  std::vector<BodyContact> contact = {};
   Index named = 0;  ///< so many of the first are in results even if they never close
 };
 

@@ -66,6 +66,7 @@ class BodiesField {
     const T approach = -c.motion.gap_rate;
     const T tangential = dot(c.motion.slip, c.direction);
     const double mu = one.tangential.friction;
+    if (is_past(c)) return tangential;
     T rate = tangential - mu * force_rate(mode, c) / c.spring;
     if (one.tangential.law == TangentialLaw::mindlin && mode.unloading)
       rate = rate + 0.5 * mu * (c.normal / c.spring) * (approach / c.motion.indentation);
@@ -143,6 +144,11 @@ class BodiesField {
   T depth_of(const SettingContact<D>& one, const ContactMotion<T, D>& c) const {
     const auto* power = contact::power_law(one.law);
     return power && power->exponent == 1 ? T(-c.gap) : c.indentation;
+  }
+
+  /// True beyond separation, where a step may look but nothing is kept: stiffnesses that grow with δ are 0.
+  bool is_past(const ContactForces<T, D>& c) const {
+    return !(c.motion.indentation > setting_.smallest_indentation);
   }
 
   /// ḟ_n, which for a damped contact depends on all accelerations.
@@ -243,8 +249,8 @@ class BodiesField {
       return T(mode.sign) * across(c.normal);
     else {
       Vector along = one.tangential.has_spring() ? tangential_state(mode, x, c.normal) : c.slip;
-      const bool undefined = !(dot(along, along) > 0.0);
-      if (mode.from_rest || undefined)
+      const double noise = mode.from_rest ? 100 * setting_.slip_noise * setting_.speed : 0;
+      if (!(dot(along, along) > noise * noise))
         for (int k = 0; k < 3; ++k) along[k] = mode.start.empty() ? T(0.0) : T(mode.start[k]);
       const T size = norm(along);
       return size > 0.0 ? (1.0 / size) * along : along;
@@ -349,7 +355,7 @@ class BodiesField {
 
   T friction_power(const ClosedContact& mode, const SettingContact<D>& one,
                    const ContactForces<T, D>& c) const {
-    if (mode.friction != Friction::slip || mode.slack) return T(0.0);
+    if (mode.friction != Friction::slip || mode.slack || is_past(c)) return T(0.0);
     if (!one.tangential.has_spring()) return -dot(c.friction, c.motion.slip);
     return one.tangential.friction * c.normal * yielding(mode, c);
   }
@@ -357,7 +363,7 @@ class BodiesField {
   /// T² |k̇_t|/2 k_t²: what changes of the stiffness cost, both ways.
   T rescale_power(const ClosedContact& mode, const SettingContact<D>& one,
                   const ContactForces<T, D>& c) const {
-    if (one.tangential.law != TangentialLaw::mindlin || mode.slack) return T(0.0);
+    if (one.tangential.law != TangentialLaw::mindlin || mode.slack || is_past(c)) return T(0.0);
     const T rate = mode.unloading ? c.motion.gap_rate : T(-c.motion.gap_rate);
     return 0.25 * (dot(c.friction, c.friction) / c.spring) * (rate / c.motion.indentation);
   }
@@ -378,10 +384,12 @@ class BodiesField {
   }
 
   /// ė = (u − (u·e) e)/|ξ|, where |ξ| is no shorter than what turns e within a millionth of the natural time:
-  /// earlier, e is the direction of slip to rounding.
+  /// earlier, e is the direction of slip to rounding. Forces that are too faint to matter do not end in a
+  /// root of the time.
   Vector turning_to_slip(const SettingContact<D>& one, const ContactForces<T, D>& c) const {
     const auto& u = c.motion.slip;
-    const T stretch = one.tangential.friction * c.normal / c.spring;
+    const double faint = 1e-7 * one.force;
+    const T stretch = (one.tangential.friction * (c.normal > faint ? c.normal : T(faint))) / c.spring;
     const T least = 1e-6 * one.time * norm(u);
     const T length = stretch > series::value_of(least) ? stretch : least;
     if (!(length > 0.0)) return lift<T>(Vec<double, D>{});

@@ -9,12 +9,9 @@
 #include <vector>
 
 #include "mariotte/core/types.hpp"
+#include "mariotte/model/bodies/body_event.hpp"
 
 namespace mariotte::model {
-
-/// What a contact says at an event.
-enum class BodyEvent { close, open, touch, part, stick, slip, reverse, load, unload, slack, grip };
-inline constexpr std::size_t body_events = 11;
 
 /// How friction acts in a closed contact.
 enum class Friction { none, stick, slip };
