@@ -1,6 +1,7 @@
 #include "impact.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "arrays.hpp"
 #include "interruption.hpp"
@@ -14,7 +15,7 @@
 namespace mariotte::python {
 
 scene::Impact simulate(const SceneBox& box, const hybrid::Options& options, impact::RunObserver observers) {
-  observers.progress = [interruption = Interruption()](const impact::Progress&) mutable { interruption(); };
+  observers.gives_up = [interruption = Interruption()]() mutable { return interruption(), false; };
   const auto result = [&](const auto& model) -> scene::Impact {
     auto impact = impact::simulate(model, options, observers);
     scene::judge(impact, box.scene);
@@ -35,12 +36,13 @@ Impact::Impact(SharedScene box, const hybrid::Options& options, bool until)
   keep_ratios();
 }
 
-/// The solver tells nobody how far it is, so it gets so few events that it is done before a hand has moved. It
-/// knows no indentations, so a chain that might end `invalid` is not for it.
+/// The solver tells nobody how far it is, so it gets so few events that it is done before a hand has moved,
+/// and no time limit, up to which a phase may last. It knows no indentations, so a chain that might end
+/// `invalid` is not for it.
 bool Impact::solve_quickly() {
   constexpr Index few = 1000;
   const auto* const chain = std::get_if<model::Chain>(&box_->scene.model);
-  if (!chain || impact::divides(options_, *chain)) return false;
+  if (!chain || impact::divides(options_, *chain) || std::isfinite(options_.max_time)) return false;
   if (!impact::stays_shallow(*chain, box_->scene.touching)) return false;
   auto quick = options_;
   quick.max_events = std::min(quick.max_events, few);

@@ -221,6 +221,17 @@ def test_ctrl_c_ends_a_run():
         mt.simulate(row)
 
 
+def test_ctrl_c_ends_a_phase_without_events():
+    cage = mt.Chain(mass=[math.inf, 1, math.inf], velocity=[0, 0.01, 0], law="hertz", stiffness=1, gap=-0.1,
+                    precompressed=True)
+    signal.signal(signal.SIGALRM, lambda *_: signal.raise_signal(signal.SIGINT))
+    signal.setitimer(signal.ITIMER_REAL, 0.3)
+    started = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        mt.simulate(cage, until=1e9)
+    assert time.monotonic() - started < 60
+
+
 def test_threads_share_a_scene(triplet):
     expected = mt.simulate(triplet).velocity.tolist()
     found = []

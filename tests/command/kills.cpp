@@ -103,6 +103,16 @@ BOOST_FIXTURE_TEST_CASE(an_interrupted_check_of_the_accuracy_is_no_success, Sess
   BOOST_TEST(support::has(stopped.err, "warning: interrupted"));
 }
 
+BOOST_FIXTURE_TEST_CASE(a_run_is_interrupted_within_a_phase_without_events, Session) {
+  write("cage.toml",
+        "[chain]\nmass = [inf, 1, inf]\nvelocity = [0, 0.01, 0]\nlaw = 'hertz'\nstiffness = 1\ngap = -0.1\n"
+        "precompressed = true\n[run]\nuntil = 1e9\n");
+  const auto stopped =
+      shell("\"$mariotte\" run cage.toml > table & run=$!; sleep 1; kill -s INT $run; wait $run");
+  BOOST_TEST(stopped.code == 130);
+  BOOST_TEST(support::has(content(folder / "table"), "interrupted at "));
+}
+
 BOOST_FIXTURE_TEST_CASE(a_disk_that_is_full_leaves_the_files_of_the_run_before, Session) {
   BOOST_TEST(mariotte("run three.toml --out out").code == 0);
   const auto before = content(folder / "out/trace.csv");

@@ -305,6 +305,19 @@ BOOST_AUTO_TEST_CASE(a_watcher_sees_each_phase_on_the_absolute_clock) {
   BOOST_TEST(recorder.end == 0.75);
 }
 
+BOOST_AUTO_TEST_CASE(a_run_is_given_up_within_a_phase_where_its_last_step_ends) {
+  struct Impatient : Recorder {
+    bool gives_up() const override { return end > 3; }
+  };
+  Impatient impatient;
+  const auto found = run(single(oscillator({2}, {Crossing::rising})), {0, 1}, {.max_time = 1e6}, &impatient);
+  BOOST_TEST((found.ending == Ending::interrupted));
+  BOOST_TEST(found.events == 0);
+  BOOST_TEST(found.time == impatient.end);
+  BOOST_TEST(found.time < 10);
+  BOOST_TEST(std::abs(found.state[0] - std::sin(found.time)) < 1e-8);
+}
+
 BOOST_AUTO_TEST_CASE(a_workspace_remembers_nothing_of_the_run_before) {
   hybrid::Workspace<ToySystem> workspace;
   auto fails = single(WithoutJacobian()), works = single(oscillator({0.5}, {Crossing::rising}));

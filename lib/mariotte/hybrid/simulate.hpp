@@ -4,7 +4,7 @@
 //   repeat
 //     if is_over(mode, x)              → its ending     asked before the first flow, too
 //     if events ≥ max_events           → event_limit
-//     if whoever looks on gives it up  → interrupted
+//     if whoever looks on gives it up  → interrupted    asked after every step, too
 //     flow ← the cheapest that mode admits
 //     follow it from t⁺ until a guard crosses, or max_time
 //     if the phase is too stiff for it → from there on by another
@@ -41,8 +41,27 @@ class PhaseObserver : public flow::StepObserver {
   virtual void begin_phase(double time, ConstState x) = 0;
   /// So many events have passed. May throw.
   virtual void passed(double /*time*/, Index /*events*/) {}
-  /// True gives the run up. Asked after every event.
+  /// True gives the run up. Asked after every event and every step.
   virtual bool gives_up() const { return false; }
+};
+
+/// Thrown out of a phase that is given up, with the end of its last step.
+struct GivenUp {
+  double duration;  ///< since the phase began
+  std::vector<double> state;
+};
+
+/// Hands steps on, and asks after each whether the run goes on.
+class AskingObserver final : public flow::StepObserver {
+ public:
+  explicit AskingObserver(PhaseObserver& observer) : observer_(observer) {}
+  void observe(const flow::Step& step) override {
+    observer_.observe(step);
+    if (observer_.gives_up()) throw GivenUp{step.end, {step.after.begin(), step.after.end()}};
+  }
+
+ private:
+  PhaseObserver& observer_;
 };
 
 /// What a run needs; kept from one run to the next, it allocates nothing after the first of its size.
@@ -66,31 +85,40 @@ inline void refuse_overflow(flow::Arrival& arrival, ConstState x) {
 }
 
 /// Follow the present phase to its end, by one flow or, where that gives up, by those that may take over.
+/// Nothing if whoever looks on gives the run up; state and time are then those of the last step.
 template <HybridSystem System>
-flow::Arrival follow_phase(System& system, const Options& options, Workspace<System>& workspace,
-                           CompensatedSum& time, PhaseObserver* observer) {
+std::optional<flow::Arrival> follow_phase(System& system, const Options& options,
+                                          Workspace<System>& workspace, CompensatedSum& time,
+                                          PhaseObserver* observer) {
   auto& [flows, mode, changes, fired, before, run] = workspace;
   auto& x = run.state;
   auto& problem = system.problem(mode);
   std::optional<flow::Choice> choice = flows.choose(problem, options.flow);
-  for (;;) {
-    if (observer) observer->begin_phase(time.value(), x);
-    fired.clear();
-    before.assign(x.begin(), x.end());
-    const flow::Request request{
-        .limit = options.max_time - time.value(), .accuracy = options.accuracy, .observer = observer};
-    auto arrival = choice->flow.follow(problem, x, request, fired);
-    refuse_overflow(arrival, x);
-    count(run.flows[static_cast<std::size_t>(choice->kind)], arrival);
-    const bool stiff = arrival.outcome == flow::Outcome::stiff;
-    const bool failed = arrival.outcome == flow::Outcome::failed;
-    if (!failed) time += arrival.duration;
-    if (!stiff && !failed) return arrival;
-    if (failed) x.assign(before.begin(), before.end());
-    const auto next = flows.instead_of(choice->kind, stiff, problem, options.flow);
-    if (!next) return arrival;
-    choice.emplace(*next);
-  }
+  std::optional<AskingObserver> asking;
+  if (observer) asking.emplace(*observer);
+  for (;;) try {
+      if (observer) observer->begin_phase(time.value(), x);
+      fired.clear();
+      before.assign(x.begin(), x.end());
+      const flow::Request request{.limit = options.max_time - time.value(),
+                                  .accuracy = options.accuracy,
+                                  .observer = asking ? &*asking : nullptr};
+      auto arrival = choice->flow.follow(problem, x, request, fired);
+      refuse_overflow(arrival, x);
+      count(run.flows[static_cast<std::size_t>(choice->kind)], arrival);
+      const bool stiff = arrival.outcome == flow::Outcome::stiff;
+      const bool failed = arrival.outcome == flow::Outcome::failed;
+      if (!failed) time += arrival.duration;
+      if (!stiff && !failed) return arrival;
+      if (failed) x.assign(before.begin(), before.end());
+      const auto next = flows.instead_of(choice->kind, stiff, problem, options.flow);
+      if (!next) return arrival;
+      choice.emplace(*next);
+    } catch (GivenUp& last) {
+      x = std::move(last.state);
+      time += last.duration;
+      return {};
+    }
 }
 
 /// Run a system from state x until an ending; the result stays in the workspace. Options are in the system's
@@ -127,9 +155,10 @@ const Trajectory<typename System::Change>& simulate(System& system, ConstState x
     if (observer && observer->gives_up()) return end(Ending::interrupted);
 
     auto arrival = follow_phase(system, options, workspace, time, observer);
-    if (arrival.outcome == flow::Outcome::limit) return end(Ending::time_limit);
-    if (arrival.outcome == flow::Outcome::never) return end(Ending::separated);
-    if (arrival.outcome == flow::Outcome::failed) return end(Ending::failed, std::move(arrival.message));
+    if (!arrival) return end(Ending::interrupted);
+    if (arrival->outcome == flow::Outcome::limit) return end(Ending::time_limit);
+    if (arrival->outcome == flow::Outcome::never) return end(Ending::separated);
+    if (arrival->outcome == flow::Outcome::failed) return end(Ending::failed, std::move(arrival->message));
     system.transition(mode, workspace.fired, x, changes);
   }
 }

@@ -39,8 +39,8 @@ struct RunObserver {
   /// Told after every event; may be empty. A run that is repeated at a tighter accuracy tells its way once
   /// more. What it throws ends the run and reaches the caller.
   std::function<void(const Progress&)> progress = {};
-  /// Asked after every event; may be empty. True ends the run as `interrupted`, with what there is until
-  /// then.
+  /// Asked after every event and step; may be empty. True ends the run as `interrupted`, with what there is
+  /// until then. What it throws reaches the caller.
   std::function<bool()> gives_up = {};
 };
 
