@@ -19,10 +19,19 @@ double Piece::place(double time, double end_time) const {
                             epsilon * end);
 }
 
-void PieceStep::at(double time, State x) const {
+void PieceStep::show(double place, State x) const {
   scratch_.resize(window_.lanes.count);
-  piece_.evaluate(piece_.place(time - start, duration_), scratch_);
+  piece_.evaluate(place, scratch_);
   write(window_, scratch_, x);
+}
+
+void PieceStep::at(double time, State x) const {
+  show(piece_.place(time - start, duration_), x);
+}
+
+void PieceStep::inside(double fraction, State x) const {
+  const bool is_time = !piece_.series || piece_.clock == Expansion::plain;
+  show(fraction * (is_time ? duration_ : piece_.end), x);
 }
 
 }  // namespace mariotte::flow::taylor

@@ -37,8 +37,11 @@ class PieceStep final : public Step {
   PieceStep(const Window& window, const Piece& piece, double duration, Values& scratch)
       : window_(window), piece_(piece), duration_(duration), scratch_(scratch) {}
   void at(double time, State x) const override;
+  void inside(double fraction, State x) const override;
 
  private:
+  void show(double place, State x) const;
+
   const Window& window_;
   const Piece& piece_;
   double duration_;

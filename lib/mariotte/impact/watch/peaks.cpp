@@ -1,5 +1,7 @@
 #include "mariotte/impact/watch/peaks.hpp"
 
+#include <cmath>
+
 #include "mariotte/core/bracket.hpp"
 
 namespace mariotte::impact {
@@ -12,15 +14,9 @@ void PeakObserver::begin(const model::ContactPhase& phase) {
   for (auto* workspace : {&inside_, &rate_, &rate_before_, &rate_after_}) workspace->resize(phase.size());
 }
 
-void PeakObserver::differentiate(ConstState x, State dx) const {
-  if (damped_) phase_->derivative(x, dx);
-}
-
-PeakObserver::Slopes PeakObserver::slopes(ConstState x, ConstState dx, Index j) const {
+double PeakObserver::force_slope(ConstState x, ConstState dx, Index j) const {
   const auto force = phase_->force(x, j);
-  const double speed = phase_->approach(x, j);
-  if (!phase_->is_damped(j)) return {speed, force.by_indentation * speed};
-  return {speed, force.by_indentation * speed + force.by_rate * phase_->approach(dx, j)};
+  return force.by_indentation * phase_->approach(x, j) + force.by_rate * phase_->approach(dx, j);
 }
 
 void PeakObserver::take(ConstState x, Index j) {
@@ -28,30 +24,45 @@ void PeakObserver::take(ConstState x, Index j) {
   raise(peaks_[j], now, all_peaks);
 }
 
-void PeakObserver::search(const flow::Step& step, Index j, double Slopes::*slope, const Slopes& before,
-                          const Slopes& after) {
-  if (!(before.*slope > 0 && after.*slope < 0)) return;
-  const auto slope_at = [&](double time) {
-    step.at(time, inside_);
-    differentiate(inside_, rate_);
-    return slopes(inside_, rate_, j).*slope;
+/// Where the slope is a millionth of its fall over the step, the value is the largest to 10⁻¹².
+template <class Slope>
+void PeakObserver::search(const flow::Step& step, Index j, double before, double after, Slope&& slope) {
+  constexpr double flat = 1e-6;
+  if (!(before > 0 && after < 0)) return;
+  const auto slope_at = [&](double fraction) {
+    step.inside(fraction, inside_);
+    const double value = slope(inside_);
+    return std::abs(value) <= flat * (before - after) ? 0 : value;
   };
-  const double time = locate_sign_change(slope_at, step.start, before.*slope, step.end, after.*slope,
-                                         1e-6 * (step.end - step.start));
-  step.at(time, inside_);
+  const double fraction = locate_sign_change(slope_at, 0, before, 1, after, flat);
+  step.inside(fraction, inside_);
   take(inside_, j);
 }
 
+void PeakObserver::search_indentation(const flow::Step& step, Index j) {
+  search(step, j, phase_->approach(step.before, j), phase_->approach(step.after, j),
+         [&](ConstState x) { return phase_->approach(x, j); });
+}
+
+void PeakObserver::search_force(const flow::Step& step, Index j) {
+  search(step, j, force_slope(step.before, rate_before_, j), force_slope(step.after, rate_after_, j),
+         [&](ConstState x) {
+           phase_->derivative(x, rate_);
+           return force_slope(x, rate_, j);
+         });
+}
+
 void PeakObserver::observe(const flow::Step& step) {
-  differentiate(step.before, rate_before_);
-  differentiate(step.after, rate_after_);
+  if (damped_) {
+    phase_->derivative(step.before, rate_before_);
+    phase_->derivative(step.after, rate_after_);
+  }
   for (Index j = 0; j < std::ssize(peaks_); ++j) {
     if (!contact::carries_force(phase_->mode()[j])) continue;
-    take(step.before, j);
+    if (step.start == 0) take(step.before, j);  // else the end of the step before
     take(step.after, j);
-    const auto before = slopes(step.before, rate_before_, j), after = slopes(step.after, rate_after_, j);
-    search(step, j, &Slopes::indentation, before, after);
-    if (phase_->is_damped(j)) search(step, j, &Slopes::force, before, after);
+    search_indentation(step, j);
+    if (phase_->is_damped(j)) search_force(step, j);
   }
 }
 

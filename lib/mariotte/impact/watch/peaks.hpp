@@ -26,7 +26,7 @@ void raise(Peaks& peaks, const Peaks& others, const std::array<double Peaks::*, 
 }
 
 /// Looks at each step for a maximum of δ or f: a slope that falls through zero. The maximum itself is flat,
-/// so a loose time is enough for a tight value.
+/// so a loose place is enough for a tight value.
 class PeakObserver {
  public:
   /// From now on look at the steps of this phase, all peaks forgotten; it must outlive the observation.
@@ -35,16 +35,13 @@ class PeakObserver {
   const std::vector<Peak>& peaks() const { return peaks_; }
 
  private:
-  struct Slopes {
-    double indentation;  ///< δ̇
-    double force;        ///< ḟ
-  };
-  /// `dx` is the derivative at x, needed only where a contact is damped.
-  Slopes slopes(ConstState x, ConstState dx, Index j) const;
-  void differentiate(ConstState x, State dx) const;
+  /// ḟ; `dx` is the derivative at x.
+  double force_slope(ConstState x, ConstState dx, Index j) const;
   void take(ConstState x, Index j);
-  void search(const flow::Step& step, Index j, double Slopes::*slope, const Slopes& before,
-              const Slopes& after);
+  template <class Slope>
+  void search(const flow::Step& step, Index j, double before, double after, Slope&& slope);
+  void search_indentation(const flow::Step& step, Index j);
+  void search_force(const flow::Step& step, Index j);
 
   const model::ContactPhase* phase_ = nullptr;
   std::vector<Peak> peaks_;
