@@ -55,9 +55,8 @@ std::string script(const Figure& figure, std::size_t first_block) {
   std::string plot = "plot";
   const auto curves = names(figure.rows, figure.curve);
   for (std::size_t i = 0; i < curves.size(); ++i)
-    plot += fmt::format(
-        "{} 'plot.csv' index {} using 1:2 with linespoints lw 2 ps 0.7 pt 7 lc {} title {} noenhanced",
-        i > 0 ? "," : "", first_block + i, i + 1, report::quoted(curves[i]));
+    plot += fmt::format("{} 'plot.csv' index {} using 1:2 with linespoints lt {} title {} noenhanced",
+                        i > 0 ? "," : "", first_block + i, i + 1, report::quoted(curves[i]));
   std::string text =
       fmt::format("\nset title {} noenhanced\nset xlabel {} noenhanced\nset ylabel '{}'\n",
                   report::quoted(figure.title), report::quoted(figure.along), label(figure.quantity));

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "mariotte/report/figure/gnuplot.hpp"
+#include "mariotte/report/figure/palette.hpp"
 #include "mariotte/report/page/files.hpp"
 
 namespace mariotte::work_precision {
@@ -42,14 +43,14 @@ std::string data(const std::vector<Row>& rows) {
   return text;
 }
 
-/// `auto` stands out; a family shares its dashes, and a method has its colour in every figure.
+/// `auto` stands out in black; a family shares its dashes, and a method has its colour and mark in every
+/// figure.
 std::string style(const Row& row, const std::vector<std::string>& methods) {
-  static constexpr const char* colours[] = {"#4171d6", "#c4391d", "#5fb94a", "#e0a11b", "#7d3c98", "#1fb5b0",
-                                            "#8c564b", "#e377c2", "#30123b", "#7f7f7f", "#a3b81b", "#17406d"};
+  using report::line_colours, report::line_marks;
   if (row.method == "auto") return "with linespoints lw 4 pt 7 dt 1 lc rgb 'black'";
   const auto at = std::find(methods.begin(), methods.end(), row.method) - methods.begin();
-  return fmt::format("with linespoints lw 2 pt {} dt {} lc rgb '{}'", 1 + at % 13,
-                     1 + static_cast<int>(row.family), colours[at % std::size(colours)]);
+  return fmt::format("with linespoints lw 2 pt {} dt {} lc rgb '{}'", line_marks[at % line_marks.size()],
+                     1 + static_cast<int>(row.family), line_colours[1 + at % (line_colours.size() - 1)]);
 }
 
 std::vector<std::string> method_names() {
