@@ -56,7 +56,7 @@ std::string points(const FitReport& report, const study::FitCurves& curves, std:
                    const std::string& title) {
   const Places places(report.measurements);
   const auto bars = report.measurements.weighted ? fmt::format(":(${})", places.deviation()) : std::string();
-  return fmt::format("'points.csv' every ::1 using {}:{}{} with {} lt {} pt 7 ps 0.7 {}",
+  return fmt::format("'points.csv' every ::1 using {}:{}{} with {} lt {} dt solid lw 1.5 {}",
                      places.abscissa(curves), of_curve(k, places.curve(), height), bars,
                      bars.empty() ? "points" : "yerrorbars", k + 1, title);
 }

@@ -91,12 +91,14 @@ std::string curves(const study::Design& design, const Columns& columns, const Fi
     draw.push_back(fmt::format("'plot.csv' using 1:{} with {} lt {} title {} noenhanced", places.back(),
                                style, draw.size() + 1, quoted(columns[column].key)));
   }
-  const auto* key = draw.size() > 1 ? "set key outside bottom center horizontal\n" : "unset key\n";
+  const bool several = draw.size() > 1;
+  const auto* key = several ? "set key outside right top vertical\n" : "unset key\n";
   return fmt::format("set ylabel {} noenhanced\n{}unset colorbox\n",
                      quoted(label(figure.key, columns[figure.columns[0]])), key) +
          range_settings(places, "y") +
          on_all_terminals(file_name(figure.key),
-                          unless_empty(fmt::format("plot {}", fmt::join(draw, ", \\\n  "))), one_column);
+                          unless_empty(fmt::format("plot {}", fmt::join(draw, ", \\\n  "))),
+                          several ? wide : one_column);
 }
 
 /// $lines, the lines of equal value; gnuplot writes them with blanks between columns, whatever it is asked.
