@@ -1,0 +1,146 @@
+// Slopes of scenes: of microspheres against numbers computed elsewhere in extended precision, and through the
+// formulas of a scene against the chain rule.
+#define BOOST_TEST_MODULE slopes of scenes
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "mariotte/report/json/sensitivity_json.hpp"
+#include "mariotte/study/sensitivity/scene_parameters.hpp"
+
+using namespace mariotte;
+using nlohmann::json;
+
+namespace {
+
+std::string number(const json& value) {
+  return value.dump();
+}
+
+/// A reference case as a scene.
+std::string scene_of(const json& c) {
+  const auto& in = c.at("inputs");
+  std::string text = "[body]\nshape = \"sphere\"\nradius = " + number(in.at("radius")) +
+                     "\ndensity = " + number(in.at("density")) +
+                     "\n[surface]\nstiffness = " + number(in.at("stiffness")) +
+                     "\nwork_of_adhesion = " + number(in.at("work_of_adhesion")) +
+                     "\nfriction = " + number(in.at("friction")) + "\n";
+  const std::pair<const char*, const char*> dampings[] = {{"zeta_hertz", "zeta_hertz"},
+                                                          {"zeta_adhesion", "zeta_adhesion"},
+                                                          {"C_H", "damping_hertz"},
+                                                          {"C_A", "damping_adhesion"}};
+  for (const auto& [name, key] : dampings)
+    if (in.contains(name)) text += std::string(key) + " = " + number(in.at(name)) + "\n";
+  return text + "[incidence]\nnormal_speed = " + number(in.at("normal_speed")) + "\ntangential_velocity = [0, " +
+         number(in.at("v3")) + "]\nspin = [0, " + number(in.at("w2")) + ", 0]\n";
+}
+
+impact::Sensitivity slopes_of(const std::string& text, const std::vector<std::string>& keys = {}) {
+  const auto document = scene::parse_document(text, "test");
+  return study::sensitivity(document, resolve(document), keys);
+}
+
+double slope(const impact::Sensitivity& slopes, const std::string& outcome, std::size_t parameter) {
+  for (const auto& one : slopes.outcome)
+    if (report::name_of(one) == outcome) return one.slope.at(parameter).value();
+  throw std::runtime_error("no outcome " + outcome);
+}
+
+constexpr const char* triplet = R"([chain]
+radius = ["10 mm", "12 mm", "9 mm"]
+material = { young = "210 GPa", poisson = 0.3, density = "7800 kg/m^3" }
+law = "hertz"
+velocity = ["1 m/s", 0, 0]
+gap = "1 um"
+)";
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(slopes_of_microspheres_are_those_of_the_references) {
+  std::ifstream in(std::string(MARIOTTE_TEST_DATA) + "/sensitivity/microspheres.json");
+  for (const auto& c : json::parse(in)) {
+    const auto found = slopes_of(scene_of(c));
+    const auto names = c.at("parameters").get<std::vector<std::string>>();
+    BOOST_TEST_REQUIRE(found.parameter.size() == names.size());
+    for (const auto& [outcome, reference] : c.at("derivative").items())
+      for (std::size_t k = 0; k < names.size(); ++k) BOOST_TEST_CONTEXT(outcome << " by " << names[k]) {
+          BOOST_TEST(found.parameter[k].name == names[k]);
+          const double expected = reference[k].get<double>();
+          // What is zero in exact numbers is so to rounding of the outcome over its parameter.
+          const double natural = std::abs(c.at("final").at(outcome).get<double>() / found.parameter[k].value);
+          BOOST_TEST(std::abs(slope(found, outcome, k) - expected) <= 1e-8 * std::abs(expected) + 1e-13 * natural);
+        }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_density_acts_through_masses_alone) {
+  const auto by_mass = slopes_of(triplet, {"mass"}), by_density = slopes_of(triplet, {"chain.material.density"});
+  for (const auto& outcome : by_density.outcome) {
+    double sum = 0, size = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double term = slope(by_mass, report::name_of(outcome), i) * by_mass.parameter[i].value / 7800;
+      sum += term;
+      size += std::abs(term);
+    }
+    BOOST_TEST(std::abs(outcome.slope[0].value() - sum) <= 1e-10 * size);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_stiffer_material_acts_through_stiffnesses_alone) {
+  const auto by_stiffness = slopes_of(triplet, {"contact"}), by_young = slopes_of(triplet, {"chain.material.young"});
+  for (const auto& outcome : by_young.outcome) {
+    double sum = 0, size = 0;
+    for (std::size_t j = 0; j < 2; ++j) {
+      const double term =
+          slope(by_stiffness, report::name_of(outcome), j) * by_stiffness.parameter[j].value / 210e9;
+      sum += term;
+      size += std::abs(term);
+    }
+    BOOST_TEST(std::abs(outcome.slope[0].value() - sum) <= 1e-10 * size);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_key_that_is_no_number_is_refused) {
+  BOOST_CHECK_THROW(slopes_of(triplet, {"chain.law"}), scene::SceneError);
+  BOOST_CHECK_THROW(slopes_of(triplet, {"chain.nothing"}), scene::SceneError);
+  BOOST_CHECK_THROW(slopes_of(triplet, {"chain.velocity[1]"}), scene::SceneError);  // zero: "velocity[1]" is known
+}
+
+BOOST_AUTO_TEST_CASE(a_symmetric_chain_has_no_slopes_of_its_time) {
+  const auto found = slopes_of("[chain]\nmass = 1\nballs = 3\nlaw = \"linear\"\nstiffness = 1\nvelocity = [1, 0, -1]\n");
+  for (const auto& outcome : found.outcome)
+    for (std::size_t k = 0; k < found.parameter.size(); ++k)
+      if (outcome.name == "time" && found.parameter[k].name == "contact[0].stiffness")
+        BOOST_TEST(!outcome.slope[k].has_value());
+  BOOST_TEST(!found.notes.empty());
+}
+
+BOOST_AUTO_TEST_CASE(a_network_that_is_a_chain_has_its_slopes) {
+  const std::string chain = R"([chain]
+mass = [1, 2, 1.5]
+law = "hertz"
+stiffness = [3, 4]
+velocity = [1, 0, -0.2]
+gap = [0.1, 0.2]
+)";
+  const std::string network = R"([network]
+mass = [1, 2, 1.5]
+velocity = [1, 0, -0.2]
+[[network.contact]]
+direction = [-1, 1, 0]
+gap = 0.1
+law = "hertz"
+stiffness = 3
+[[network.contact]]
+direction = [0, -1, 1]
+gap = 0.2
+law = "hertz"
+stiffness = 4
+)";
+  const auto one = slopes_of(chain), other = slopes_of(network);
+  BOOST_TEST_REQUIRE(one.outcome.size() == other.outcome.size());
+  for (std::size_t i = 0; i < one.outcome.size(); ++i)
+    for (std::size_t k = 0; k < one.parameter.size(); ++k)
+      BOOST_TEST(std::abs(one.outcome[i].slope[k].value() - other.outcome[i].slope[k].value()) <= 1e-10);
+}
