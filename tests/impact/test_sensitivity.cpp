@@ -155,6 +155,16 @@ BOOST_AUTO_TEST_CASE(slopes_are_those_of_differences_of_runs) {
   BOOST_TEST_MESSAGE("largest difference " << worst);
 }
 
+BOOST_AUTO_TEST_CASE(a_pair_with_a_gap_has_the_slopes_of_the_page) {
+  const model::Chain pair{.mass = {2, 3}, .law = {contact::Linear(5)}, .gap = {0.3}, .velocity = {1.5, 0}};
+  const auto found = sensitivity(pair, parameters(pair));
+  BOOST_TEST(std::abs(slope(found, "velocity", 0, "velocity[0]") + 0.2) < 1e-12);
+  BOOST_TEST(std::abs(slope(found, "time", 0, "velocity[0]") + 0.3 / 2.25) < 1e-12);
+  BOOST_TEST(std::abs(slope(found, "time", 0, "gap[0]") - 1 / 1.5) < 1e-12);
+  BOOST_TEST(std::abs(slope(found, "time", 0, "contact[0].stiffness") +
+                      std::numbers::pi * std::sqrt(1.2 / 5) / 10) < 1e-12);
+}
+
 BOOST_AUTO_TEST_CASE(a_pair_has_the_slopes_of_its_closed_form) {
   // v₁⁺ = v (m₁ − m₂)/(m₁ + m₂), and time t = π √(m*/k).
   const model::Chain pair{.mass = {2, 3}, .law = {contact::Linear(5)}, .gap = {0}, .velocity = {1.5, 0}};

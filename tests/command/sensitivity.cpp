@@ -1,0 +1,54 @@
+#define BOOST_TEST_MODULE command_sensitivity
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "session.hpp"
+
+using support::has;
+using support::Session;
+using Json = nlohmann::json;
+
+namespace {
+
+const std::string triplet = std::string("sensitivity ") + MARIOTTE_SCENES + "/triplet.toml ";
+const std::string sphere = std::string("sensitivity ") + MARIOTTE_SCENES + "/microsphere.toml ";
+
+}  // namespace
+
+BOOST_FIXTURE_TEST_CASE(json_has_a_column_per_parameter_beside_the_usual_result, Session) {
+  const auto run = mariotte(triplet + "--json");
+  BOOST_TEST(run.code == 0);
+  BOOST_TEST(run.err == "");
+  const auto result = Json::parse(run.out);
+  BOOST_TEST(result["ending"] == "separated");
+  BOOST_TEST(result["parameters"][0] == "mass[0]");
+  BOOST_TEST(result["parameters"].back() == "contact[1].stiffness");
+  const auto columns = result["parameters"].size();
+  const auto& slopes = result["derivative"];
+  BOOST_TEST(slopes["velocity"].size() == 3U);
+  BOOST_TEST(slopes["impulse"].size() == 2U);
+  BOOST_TEST(slopes["icr"].size() == 1U);
+  BOOST_TEST(slopes["time"].size() == columns);
+  for (const auto& row : slopes["velocity"]) BOOST_TEST(row.size() == columns);
+  // Velocities are homogeneous in velocities: ∂v/∂v₁ · v₁ = v, where the others rest.
+  for (int i = 0; i < 3; ++i) {
+    const double slope = slopes["velocity"][i][3], velocity = result["final"]["velocity"][i];
+    BOOST_TEST(std::abs(slope - velocity) < 1e-10);
+  }
+}
+
+BOOST_FIXTURE_TEST_CASE(outcomes_and_parameters_are_chosen, Session) {
+  const auto run = mariotte(triplet + "--of icr --to gap --to chain.radius --csv");
+  BOOST_TEST(run.code == 0);
+  BOOST_TEST(run.out.starts_with("outcome,unit,value,gap[0],gap[1],chain.radius\nicr[0],1,1.07682177037"));
+  BOOST_TEST(has(mariotte(sphere + "--of e_n --to zeta_hertz").out, "zeta_hertz"));
+}
+
+BOOST_FIXTURE_TEST_CASE(what_there_is_no_slope_of_or_by_is_told_so, Session) {
+  const auto outcome = mariotte(triplet + "--of speed");
+  BOOST_TEST(outcome.code == 2);
+  BOOST_TEST(has(outcome.err, "--of speed: no such outcome; there are velocity[0], "));
+  const auto parameter = mariotte(triplet + "--to chain.law");
+  BOOST_TEST(parameter.code == 3);
+  BOOST_TEST(has(parameter.err, "--to chain.law"));
+}
