@@ -1,14 +1,16 @@
-// Capture velocities and fits of a body's scene.
+// Capture velocities and fits of a body's scene, and slopes of any.
 #include <pybind11/stl.h>
 
 #include <nlohmann/json.hpp>
 
 #include "bindings.hpp"
 #include "interruption.hpp"
+#include "mariotte/report/json/sensitivity_json.hpp"
 #include "mariotte/report/table/fit_report.hpp"
 #include "mariotte/study/capture.hpp"
 #include "mariotte/study/fault.hpp"
 #include "mariotte/study/fit/fit.hpp"
+#include "mariotte/study/sensitivity/scene_parameters.hpp"
 #include "scene_box.hpp"
 
 namespace mariotte::python {
@@ -41,12 +43,29 @@ std::tuple<std::string, std::string> fit(const SceneBox& box, const std::string&
   return {report::text(report::json(report)), report::table(report)};
 }
 
+/// JSON with parameters, their values, outcomes by name and notes.
+std::string sensitivity(const SceneBox& box, const std::vector<std::string>& to) {
+  report::Json result = report::Json::object();
+  const auto found = study::sensitivity(box.document, box.scene, to);
+  report::add_slopes(found, result);
+  for (const auto& one : found.outcome) {
+    const report::Json value = one.value ? report::Json(*one.value) : report::Json(nullptr);
+    if (one.index)
+      result["values"][one.name].push_back(value);
+    else
+      result["values"][one.name] = value;
+  }
+  return report::text(result);
+}
+
 }  // namespace
 
 void add_studies(py::module_& module) {
   module.def("capture_velocity", &capture_velocity, py::arg("scene"), py::arg("tolerance"));
   module.def("fit", &fit, py::arg("scene"), py::arg("text"), py::arg("name"), py::arg("free"),
              py::arg("confidence"), py::call_guard<py::gil_scoped_release>());
+  module.def("sensitivity", &sensitivity, py::arg("scene"), py::arg("to"),
+             py::call_guard<py::gil_scoped_release>());
 }
 
 }  // namespace mariotte::python

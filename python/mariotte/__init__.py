@@ -10,6 +10,7 @@ from ._impact import (ChainImpact, ContactImpact, Ending, Energy, Event, Flow, I
                       NetworkImpact, Restitution, TipImpact, simulate)
 from ._laws import LawOutcome, multiple_impact_law, rival_laws, with_law
 from ._scene import Body, Chain, Network, Scene, load, parse
+from ._sensitivity import Sensitivity, sensitivity
 from ._studies import CaptureVelocity, Estimate, Fit, capture_velocity, fit
 from ._sweep import Solved, Sweep, solve, sweep
 from ._trajectory import Samples, Trajectory
@@ -17,7 +18,7 @@ from ._trajectory import Samples, Trajectory
 __all__ = [
     "Body", "CaptureVelocity", "Chain", "ChainImpact", "ContactImpact", "Ending", "Energy", "Error", "Estimate", "Event",
     "FileError", "Fit", "FitError", "Flow", "Impact", "InvalidParameter", "LawOutcome", "MicrobodyImpact", "Momentum",
-    "Network", "NetworkImpact", "Restitution", "Samples", "Scene", "SceneError", "Solved", "Sweep", "TipImpact",
+    "Network", "NetworkImpact", "Restitution", "Samples", "Scene", "SceneError", "Sensitivity", "Solved", "Sweep", "TipImpact",
     "Trajectory", "__version__", "capture_velocity", "fit", "load", "multiple_impact_law", "parse", "rival_laws",
-    "simulate", "solve", "sweep", "with_law",
+    "sensitivity", "simulate", "solve", "sweep", "with_law",
 ]

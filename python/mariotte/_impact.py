@@ -7,12 +7,13 @@ import html
 import json
 import math
 import os
-from typing import TYPE_CHECKING, Any, Dict, List, NamedTuple, Optional, Tuple, Type, Union
+from typing import TYPE_CHECKING, Any, Dict, List, NamedTuple, Optional, Sequence, Tuple, Type, Union
 
 import numpy.typing as npt
 
 from . import _core
 from ._scene import Array, Body, Chain, Network, Path, Result, Scene
+from ._sensitivity import Sensitivity, sensitivity
 from ._toml import plain
 from ._trajectory import Trajectory
 
@@ -134,6 +135,10 @@ class Impact:
     def velocity(self) -> Array:
         """At the end: of n balls [m/s] or degrees of freedom; of a body's mass centre, the normal one first."""
         return self._run.velocity
+
+    def sensitivity(self, to: Sequence[str] = ()) -> Sensitivity:
+        """Slopes of the outcome by these parameters of its scene, see :func:`sensitivity`."""
+        return sensitivity(self.scene, to)
 
     @property
     def energy(self) -> Energy:

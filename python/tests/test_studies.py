@@ -129,3 +129,27 @@ def test_numba_compiles_laws():
 
     pair = mt.Chain(mass=[1, 1], velocity=[1, 0], law="linear", stiffness=1)
     assert mt.simulate(mt.with_law(pair, force=force, stored_energy=energy)).velocity == pytest.approx([0, 1], abs=1e-9)
+
+
+def test_slopes_are_those_of_the_command(command_json):
+    expected = command_json("sensitivity", SCENES / "triplet.toml")
+    hit = mt.simulate(mt.load(SCENES / "triplet.toml"))
+    found = hit.sensitivity()
+    assert found.parameters == expected["parameters"] and found.notes == expected["notes"]
+    for outcome in found.outcomes:
+        np.testing.assert_array_equal(found.slopes(outcome), np.array(expected["derivative"][outcome]))
+    assert np.abs(found.value("velocity") - hit.velocity).max() < 1e-9
+
+
+def test_products_with_slopes_are_consistent():
+    found = mt.sensitivity(mt.load(SCENES / "triplet.toml"), ["mass", "velocity", "contact"])
+    change, weights = {"mass[1]": 1e-3, "velocity[0]": 0.1}, {"velocity": [1, -2, 0.5], "time": 3.0}
+    forward, backward = found.jvp(change), found.vjp(weights)
+    left = float(np.dot(weights["velocity"], forward["velocity"]) + weights["time"] * forward["time"])
+    right = sum(backward[name] * amount for name, amount in change.items())
+    assert abs(left - right) <= 1e-12 * abs(left)
+
+
+def test_slopes_by_what_is_no_number_are_refused():
+    with pytest.raises(mt.SceneError, match="--to chain.law"):
+        mt.sensitivity(mt.load(SCENES / "triplet.toml"), ["chain.law"])

@@ -32,8 +32,9 @@ std::string scene_of(const json& c) {
                                                           {"C_A", "damping_adhesion"}};
   for (const auto& [name, key] : dampings)
     if (in.contains(name)) text += std::string(key) + " = " + number(in.at(name)) + "\n";
-  return text + "[incidence]\nnormal_speed = " + number(in.at("normal_speed")) + "\ntangential_velocity = [0, " +
-         number(in.at("v3")) + "]\nspin = [0, " + number(in.at("w2")) + ", 0]\n";
+  return text + "[incidence]\nnormal_speed = " + number(in.at("normal_speed")) +
+         "\ntangential_velocity = [0, " + number(in.at("v3")) + "]\nspin = [0, " + number(in.at("w2")) +
+         ", 0]\n";
 }
 
 impact::Sensitivity slopes_of(const std::string& text, const std::vector<std::string>& keys = {}) {
@@ -69,13 +70,15 @@ BOOST_AUTO_TEST_CASE(slopes_of_microspheres_are_those_of_the_references) {
           const double expected = reference[k].get<double>();
           // What is zero in exact numbers is so to rounding of the outcome over its parameter.
           const double natural = std::abs(c.at("final").at(outcome).get<double>() / found.parameter[k].value);
-          BOOST_TEST(std::abs(slope(found, outcome, k) - expected) <= 1e-8 * std::abs(expected) + 1e-13 * natural);
+          BOOST_TEST(std::abs(slope(found, outcome, k) - expected) <=
+                     1e-8 * std::abs(expected) + 1e-13 * natural);
         }
   }
 }
 
 BOOST_AUTO_TEST_CASE(a_density_acts_through_masses_alone) {
-  const auto by_mass = slopes_of(triplet, {"mass"}), by_density = slopes_of(triplet, {"chain.material.density"});
+  const auto by_mass = slopes_of(triplet, {"mass"}),
+             by_density = slopes_of(triplet, {"chain.material.density"});
   for (const auto& outcome : by_density.outcome) {
     double sum = 0, size = 0;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -88,7 +91,8 @@ BOOST_AUTO_TEST_CASE(a_density_acts_through_masses_alone) {
 }
 
 BOOST_AUTO_TEST_CASE(a_stiffer_material_acts_through_stiffnesses_alone) {
-  const auto by_stiffness = slopes_of(triplet, {"contact"}), by_young = slopes_of(triplet, {"chain.material.young"});
+  const auto by_stiffness = slopes_of(triplet, {"contact"}),
+             by_young = slopes_of(triplet, {"chain.material.young"});
   for (const auto& outcome : by_young.outcome) {
     double sum = 0, size = 0;
     for (std::size_t j = 0; j < 2; ++j) {
@@ -104,11 +108,13 @@ BOOST_AUTO_TEST_CASE(a_stiffer_material_acts_through_stiffnesses_alone) {
 BOOST_AUTO_TEST_CASE(a_key_that_is_no_number_is_refused) {
   BOOST_CHECK_THROW(slopes_of(triplet, {"chain.law"}), scene::SceneError);
   BOOST_CHECK_THROW(slopes_of(triplet, {"chain.nothing"}), scene::SceneError);
-  BOOST_CHECK_THROW(slopes_of(triplet, {"chain.velocity[1]"}), scene::SceneError);  // zero: "velocity[1]" is known
+  BOOST_CHECK_THROW(slopes_of(triplet, {"chain.velocity[1]"}),
+                    scene::SceneError);  // zero: "velocity[1]" is known
 }
 
 BOOST_AUTO_TEST_CASE(a_symmetric_chain_has_no_slopes_of_its_time) {
-  const auto found = slopes_of("[chain]\nmass = 1\nballs = 3\nlaw = \"linear\"\nstiffness = 1\nvelocity = [1, 0, -1]\n");
+  const auto found =
+      slopes_of("[chain]\nmass = 1\nballs = 3\nlaw = \"linear\"\nstiffness = 1\nvelocity = [1, 0, -1]\n");
   for (const auto& outcome : found.outcome)
     for (std::size_t k = 0; k < found.parameter.size(); ++k)
       if (outcome.name == "time" && found.parameter[k].name == "contact[0].stiffness")

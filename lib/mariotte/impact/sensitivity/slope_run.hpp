@@ -2,9 +2,9 @@
 //
 //     τ_p = −(γ_x S⁻ + γ_p)/γ̇,    S⁺ = S⁻ + (f⁻ − f⁺) τ_p
 //
-// where τ_p is the slope of its time [Aizerman & Gantmacher 1958; Hiskens & Pai 2000]. S is at fixed time. Guards
-// of one instant move the state one after the other; to first order their order does not matter, since the
-// state is continuous and each changes the rates by its own force.
+// where τ_p is the slope of its time [Aizerman & Gantmacher 1958; Hiskens & Pai 2000]. S is at fixed time.
+// Guards of one instant move the state one after the other; to first order their order does not matter, since
+// the state is continuous and each changes the rates by its own force.
 #pragma once
 #include <string>
 #include <vector>

@@ -1,0 +1,92 @@
+"""Slopes of outcomes by the numbers of a scene."""
+
+from __future__ import annotations
+
+import json
+from typing import Any, Dict, List, Mapping, Sequence
+
+import numpy as np
+
+from . import _core
+from ._scene import Array, Scene
+
+
+class Sensitivity:
+    """How the outcome of a scene changes with its parameters, exactly and through every event."""
+
+    def __init__(self, found: Dict[str, Any]) -> None:
+        self._found = found
+
+    @property
+    def parameters(self) -> List[str]:
+        """Names of the P parameters, such as ``"mass[0]"``."""
+        return list(self._found["parameters"])
+
+    @property
+    def parameter_values(self) -> Array:
+        """P values [SI]."""
+        return np.array(self._found["parameter_values"])
+
+    @property
+    def outcomes(self) -> List[str]:
+        """Names: ``"velocity"``, ``"impulse"``, ``"icr"``, ``"time"``, or those of a body."""
+        return list(self._found["derivative"])
+
+    @property
+    def notes(self) -> List[str]:
+        """Where slopes are large, one-sided or missing, and why."""
+        return list(self._found["notes"])
+
+    def value(self, outcome: str) -> Array:
+        """The outcome itself [SI], of shape (n,), or () for one number; nan where it is undefined."""
+        return _numbers(self._found["values"][outcome])
+
+    def slopes(self, outcome: str) -> Array:
+        """Its slopes [SI], of shape (n, P), or (P,) for one number; nan where there is none."""
+        return _numbers(self._found["derivative"][outcome])
+
+    def jvp(self, change: Mapping[str, float]) -> Dict[str, Array]:
+        """Change of every outcome, to first order, where parameters change by so much [SI]."""
+        direction = np.array([change.get(name, 0.0) for name in self.parameters])
+        return {outcome: self.slopes(outcome) @ direction for outcome in self.outcomes}
+
+    def vjp(self, weights: Mapping[str, Any]) -> Dict[str, float]:
+        """Slopes of the weighted sum of outcomes by every parameter: weights have the shapes of the outcomes."""
+        total = sum((np.asarray(weight) @ self.slopes(outcome) if self.slopes(outcome).ndim > 1
+                     else float(weight) * self.slopes(outcome) for outcome, weight in weights.items()),
+                    np.zeros(len(self.parameters)))
+        return dict(zip(self.parameters, map(float, total)))
+
+    def __repr__(self) -> str:
+        return f"<mariotte.Sensitivity: {len(self.outcomes)} outcomes by {len(self.parameters)} parameters>"
+
+
+def sensitivity(scene: Scene[Any], to: Sequence[str] = ()) -> Sensitivity:
+    """Slopes of the outcome of a scene, exact through every event.
+
+    Parameters
+    ----------
+    scene : Chain, Network or Body
+        What is simulated.
+    to : sequence of str
+        Parameters: ``"mass"``, ``"contact[1].stiffness"`` or any number of the scene by its key; all numbers of the
+        model unless some are named.
+
+    Raises
+    ------
+    SceneError
+        For a parameter that is no number other than zero.
+
+    Examples
+    --------
+    >>> import mariotte as mt
+    >>> pair = mt.Chain(mass=[2, 3], velocity=[1.5, 0], law="linear", stiffness="5 N/m")
+    >>> slopes = mt.sensitivity(pair, to=["velocity"])
+    >>> slopes.slopes("velocity").round(9).tolist()
+    [[-0.2, 1.2], [0.8, 0.2]]
+    """
+    return Sensitivity(json.loads(_core.sensitivity(scene._box, list(to))))
+
+
+def _numbers(values: Any) -> Array:
+    return np.array(values, dtype=np.float64)
