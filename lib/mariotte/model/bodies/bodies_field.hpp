@@ -249,9 +249,11 @@ class BodiesField {
       return T(mode.sign) * across(c.normal);
     else {
       Vector along = one.tangential.has_spring() ? tangential_state(mode, x, c.normal) : c.slip;
-      const double noise = mode.from_rest ? 100 * setting_.slip_noise * setting_.speed : 0;
-      if (!(dot(along, along) > noise * noise))
-        for (int k = 0; k < 3; ++k) along[k] = mode.start.empty() ? T(0.0) : T(mode.start[k]);
+      // A slip from rest keeps its first direction until it has one of its own.
+      const double rest =
+          mode.from_rest || !(dot(along, along) > 0.0) ? 100 * setting_.slip_noise * setting_.speed : 0;
+      for (int k = 0; rest > 0 && k < 3 && !mode.start.empty(); ++k)
+        along[k] = along[k] + rest * mode.start[k];
       const T size = norm(along);
       return size > 0.0 ? (1.0 / size) * along : along;
     }

@@ -23,6 +23,8 @@ double damping_of(const SettingContact<D>& contact) {
   return power ? power->damping / (power->stiffness * contact.time) : 0;
 }
 
+constexpr double stiff_turning = 10;
+
 }  // namespace
 
 template <int D>
@@ -47,7 +49,8 @@ void BodiesPhase<D>::bind(const BodiesMode& mode) {
     if (contact::dissipates(contact.law))
       set(SlotGuard::load, one.slack ? Crossing::rising : Crossing::falling);
     time_ = std::min(time_, contact.time);
-    damping_ = std::max(damping_, damping_of(contact));
+    // The direction of a slip that has just left rest turns at once: as stiff as strong damping.
+    damping_ = std::max(damping_, one.from_rest ? stiff_turning : damping_of(contact));
   }
   for (Index k = 0; k < std::ssize(mode.touching); ++k) crossing_[parting_guard(k)] = Crossing::rising;
 }

@@ -32,6 +32,7 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion {
   std::vector<flow::Entry> pattern() const override;
   void jacobian(ConstState x, State values) const override;
   double damping_group() const override { return damping_; }
+  double least_load(double) const override { return infinity; }
   bool is_ballistic() const override { return ballistic_; }
   void second_derivative(ConstState, State) const override {}
   const flow::FreeMotion* free_motion() const override { return ballistic_ ? this : nullptr; }
