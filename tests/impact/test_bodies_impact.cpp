@@ -128,7 +128,8 @@ BOOST_AUTO_TEST_CASE(momentum_and_angular_momentum_stay_for_every_share) {
     for (const auto& law : {mindlin, spring, rigid}) {
       const auto impact = impact::simulate(meeting(law, share));
       BOOST_TEST(!impact.contacts[0].periods.empty());
-      BOOST_TEST(norm(impact.momentum_residual) <= 1e-15 * mass);
+      // Some hundred steps round; their errors partly cancel.
+      BOOST_TEST(norm(impact.momentum_residual) <= 64 * epsilon * mass);
       BOOST_TEST(norm(impact.angular_momentum_residual) <= 1e-13 * mass * radius);
       BOOST_TEST(std::abs(impact.energy.residual) <= 1e-10 * impact.energy.initial);
     }

@@ -146,15 +146,12 @@ List<I> balances() {
       {.is = {"energy.work", "J", "", "work of gravity and of moving planes"}, .read = energy<&One::work>},
       {.is = {"energy.residual", "J", "", "final + stored + dissipated − initial − work, the error"},
        .read = energy<&One::residual>},
-      {.is = {"momentum.residual[]", "N s", "",
-              "final − initial − impulses of planes and gravity, the error"},
-       .read = [](const I& r, Indices at) { return component(r.momentum_residual, at[0]); },
-       .count = components},
-      {.is = {"momentum.angular_residual[]", "N m s", "",
-              "the same of angular momentum about the origin, along the axes of space; 0 beside planes and "
-              "gravity"},
-       .read = [](const I& r, Indices at) { return component(r.angular_momentum_residual, at[0]); },
-       .count = fixed<3>},
+      {.is = {"momentum.residual", "N s", "",
+              "size of final − initial − impulses of planes and gravity, the error"},
+       .read = [](const I& r, Indices) -> Value { return norm(r.momentum_residual); }},
+      {.is = {"momentum.angular_residual", "N m s", "",
+              "the same of angular momentum about the origin; 0 beside planes and gravity"},
+       .read = [](const I& r, Indices) -> Value { return norm(r.angular_momentum_residual); }},
   };
 }
 
