@@ -15,5 +15,9 @@ namespace mariotte::impact {
 bool stays_shallow(const model::Chain& chain, std::span<const Touching> touching);
 bool stays_shallow(const model::Network& network, std::span<const Touching> touching);
 bool stays_shallow(const model::Microbody& body, std::span<const Touching> touching);
+/// Bodies with friction are always run as a whole, which tells.
+inline bool stays_shallow(const model::Bodies&, std::span<const Touching>) {
+  return false;
+}
 
 }  // namespace mariotte::impact

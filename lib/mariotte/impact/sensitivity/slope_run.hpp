@@ -189,7 +189,8 @@ SlopeRun<System> SlopeLoop<System, Variation>::follow(ConstState x0, const Slope
       break;
     }
     observer.end_phase();
-    auto arrival = hybrid::follow_phase(system_, options_, workspace_, time, &observer);
+    const auto arrival =  // its observer never gives it up
+        hybrid::follow_phase(system_, options_, workspace_, time, &observer).value();
     if (arrival.outcome != flow::Outcome::guard) {
       if (arrival.outcome == flow::Outcome::limit) {
         result.time.assign(variation_.columns(), 0.0);

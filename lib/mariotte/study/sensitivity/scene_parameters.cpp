@@ -116,6 +116,10 @@ impact::Sensitivity sensitivity(const Document& document, const scene::Scene& sc
       Overload{[&](const model::Chain& chain) { return of(chain, impact::parameters(chain)); },
                [&](const model::Network& network) { return of(network, impact::parameters(network)); },
                [&](const model::Microbody& body) { return of(body, body_parameters(document)); },
+               [](const model::Bodies&) -> impact::Sensitivity {
+                 throw scene::SceneError("[bodies]: slopes of bodies with friction are not known yet",
+                                         fault::no_model);
+               },
                [](const scene::LawAlone& nothing) -> impact::Sensitivity { scene::refuse(nothing); }},
       scene.model);
 }
