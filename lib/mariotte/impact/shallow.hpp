@@ -3,6 +3,7 @@
 #include <span>
 
 #include "mariotte/impact/validity.hpp"
+#include "mariotte/model/bodies/bodies.hpp"
 #include "mariotte/model/chain/chain.hpp"
 #include "mariotte/model/microbody/microbody.hpp"
 #include "mariotte/model/network/network.hpp"
