@@ -8,10 +8,12 @@
 namespace mariotte::impact {
 
 std::string grazing_note(const std::string& what, double speed, double time) {
-  char text[160];
-  std::snprintf(text, sizeof text,
-                "an event of %s at %.6g s is grazed: its guard crosses zero at %.2g of the natural speed",
-                what.c_str(), time, speed);
+  char text[200];
+  std::snprintf(
+      text, sizeof text,
+      "an event of %s at %.6g s is grazed: its guard crosses zero at %.2g of the natural speed, the "
+      "slowest of all",
+      what.c_str(), time, speed);
   return text + std::string("; slopes hold no further than about the square of that from here");
 }
 

@@ -22,8 +22,8 @@ void expect_few(Index components, Index parameters);
 /// Notes of a run; `name(guard)` says whose guard it is, `unit` is that of time [s].
 template <class System, class Name>
 void add_notes(const SlopeRun<System>& end, double unit, Name&& name, std::vector<std::string>& notes) {
-  for (const auto& one : end.delicate)
-    notes.push_back(grazing_note(name(one.guard), one.speed, one.time * unit));
+  if (const auto& one = end.delicate)
+    notes.push_back(grazing_note(name(one->guard), one->speed, one->time * unit));
   for (const auto& one : end.coincident)
     notes.push_back(coincidence_note(name(one.first), name(one.second), one.time * unit));
   if (std::find(end.time_is_shared.begin(), end.time_is_shared.end(), true) != end.time_is_shared.end())

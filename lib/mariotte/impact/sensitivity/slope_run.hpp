@@ -6,6 +6,7 @@
 // Guards of one instant move the state one after the other; to first order their order does not matter, since
 // the state is continuous and each changes the rates by its own force.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,12 +33,12 @@ template <class System>
 struct SlopeRun {
   hybrid::Trajectory<typename System::Change> run;
   typename System::Mode mode;
-  SlopeMatrix slopes;                ///< of the final state at fixed time
-  std::vector<double> rate;          ///< f at the end
-  std::vector<double> time;          ///< slopes of the time of the ending
-  std::vector<bool> time_is_shared;  ///< by parameter: guards that ended the run move apart in time
-  bool time_is_noise = false;        ///< what ended the run is within the noise, and no guard
-  std::vector<DelicateEvent> delicate;
+  SlopeMatrix slopes;                     ///< of the final state at fixed time
+  std::vector<double> rate;               ///< f at the end
+  std::vector<double> time;               ///< slopes of the time of the ending
+  std::vector<bool> time_is_shared;       ///< by parameter: guards that ended the run move apart in time
+  bool time_is_noise = false;             ///< what ended the run is within the noise, and no guard
+  std::optional<DelicateEvent> delicate;  ///< the slowest
   std::vector<CoincidentEvents> coincident;
 };
 
@@ -96,7 +97,9 @@ std::vector<double> SlopeLoop<System, Variation>::time_slopes(const Observer& ob
   for (Index c = 0; c < variation_.columns(); ++c)
     slopes[c] = -(slopes[c] + along(observer.slopes.column(c))) / crossing;
   const double speed = variation_.crossing_speed(guard, crossing);
-  if (speed < 1e-3) result.delicate.push_back({time, guard, speed});
+  constexpr double slow = 1e-6;  // errors of the run, 1e-12 of it, then are no more than its square
+  if (speed < slow && !(result.delicate && result.delicate->speed <= speed))
+    result.delicate = DelicateEvent{time, guard, speed};
   return slopes;
 }
 
