@@ -91,7 +91,6 @@ struct Collocation::Memory {
   double rate[stages];
   Matrix system, right, before, value, now;
   Matrix slope[stages];
-  Index pieces = 0;
 
   void find_active() {
     position.assign(size, -1);
@@ -207,7 +206,6 @@ struct Collocation::Memory {
     const bool solved = small ? divide() : sweep();
     if (!last && !(solved && is_resolved(slopes))) return false;
     for (int i = 0; i < stages; ++i) s += gauss.weight[i] * slope[i];
-    ++pieces;
     return true;
   }
 
@@ -238,10 +236,6 @@ Collocation::Collocation(std::vector<flow::Entry> pattern, std::span<const doubl
 }
 
 Collocation::~Collocation() = default;
-
-Index Collocation::pieces() const {
-  return memory_->pieces;
-}
 
 void Collocation::advance(LinearField& field, double start, double end, Edges edges, SlopeMatrix& slopes) {
   if (end > start && slopes.columns > 0) memory_->carry(field, start, end, edges, 0, 1, slopes, 0);

@@ -39,8 +39,6 @@ class Collocation {
 
   /// Carry slopes from `start` to `end`.
   void advance(LinearField& field, double start, double end, Edges edges, SlopeMatrix& slopes);
-  /// Pieces that were integrated so far.
-  Index pieces() const;
 
  private:
   struct Memory;

@@ -106,41 +106,51 @@ bool same(const Law& a, const Law& b) {
 template <class Topology>
 void ContactVariation<Topology>::find_terms(const std::vector<ShiftedModels<Scaled>>& shifted) {
   for (Index c = 0; c < columns_; ++c) {
-    const auto& [step, at] = shifted[c];
+    const auto& models = shifted[c];
+    const auto topology = [&](std::size_t k) { return Topology{models.at[k], layout_}; };
     for (Index i = 0; i < layout_.velocities(); ++i)
-      acceleration_(i, c) = stencil_slope(step, [&, step = step](std::size_t k) {
-        return Topology{at[k], layout_}.acceleration(i);
-      });
+      acceleration_(i, c) =
+          stencil_slope(models.step, [&](std::size_t k) { return topology(k).acceleration(i); });
     for (Index j = 0; j < layout_.contacts(); ++j) {
-      TermSlopes push, direction;
-      double most_push = 0, most_direction = 0;
-      for (std::size_t k = 0; k < stencil.size(); ++k) {
-        const Topology topology{at[k], layout_};
-        topology.for_each_push(j, [&](Index place, double change) {
-          push.add(place, stencil[k].weight * change);
-          most_push = std::max(most_push, std::abs(change));
-        });
-        topology.for_each_direction(j, [&](Index place, double coefficient) {
-          direction.add(place, stencil[k].weight * coefficient);
-          most_direction = std::max(most_direction, std::abs(coefficient));
-        });
-      }
-      push.take(c, step, most_push, contact_[j].push);
-      direction.take(c, step, most_direction, contact_[j].direction);
-      if (same(at.front().law[j], at.back().law[j])) continue;
-      LawSlope law{.column = c, .step = step, .shifted = {}};
-      for (const auto& moved : at) law.shifted.push_back(moved.law[j]);
-      if (power_law(model_.law[j])) {
-        const auto slope_of = [&](double contact::PowerLaw::*number) {
-          return by_law(law, [&](const Law& moved) { return power_law(moved)->*number; });
-        };
-        law.power = {.stiffness = slope_of(&contact::PowerLaw::stiffness),
-                     .damping = slope_of(&contact::PowerLaw::damping),
-                     .exponent = slope_of(&contact::PowerLaw::exponent)};
-      }
-      contact_[j].law.push_back(std::move(law));
+      find_directions(j, c, models);
+      if (!same(models.at.front().law[j], models.at.back().law[j])) find_law(j, c, models);
     }
   }
+}
+
+/// Slopes of what contact j pushes, and of what moves it.
+template <class Topology>
+void ContactVariation<Topology>::find_directions(Index j, Index c, const ShiftedModels<Scaled>& shifted) {
+  TermSlopes push, direction;
+  double most_push = 0, most_direction = 0;
+  for (std::size_t k = 0; k < stencil.size(); ++k) {
+    const Topology topology{shifted.at[k], layout_};
+    topology.for_each_push(j, [&](Index place, double change) {
+      push.add(place, stencil[k].weight * change);
+      most_push = std::max(most_push, std::abs(change));
+    });
+    topology.for_each_direction(j, [&](Index place, double coefficient) {
+      direction.add(place, stencil[k].weight * coefficient);
+      most_direction = std::max(most_direction, std::abs(coefficient));
+    });
+  }
+  push.take(c, shifted.step, most_push, contact_[j].push);
+  direction.take(c, shifted.step, most_direction, contact_[j].direction);
+}
+
+template <class Topology>
+void ContactVariation<Topology>::find_law(Index j, Index c, const ShiftedModels<Scaled>& shifted) {
+  LawSlope law{.column = c, .step = shifted.step, .shifted = {}};
+  for (const auto& moved : shifted.at) law.shifted.push_back(moved.law[j]);
+  if (power_law(model_.law[j])) {
+    const auto slope_of = [&](double contact::PowerLaw::*number) {
+      return by_law(law, [&](const Law& moved) { return power_law(moved)->*number; });
+    };
+    law.power = {.stiffness = slope_of(&contact::PowerLaw::stiffness),
+                 .damping = slope_of(&contact::PowerLaw::damping),
+                 .exponent = slope_of(&contact::PowerLaw::exponent)};
+  }
+  contact_[j].law.push_back(std::move(law));
 }
 
 template <class Topology>
@@ -154,34 +164,40 @@ double ContactVariation<Topology>::rate_slope(Index j, Index column, ConstState 
 template <class Topology>
 void ContactVariation<Topology>::source(ConstState x, const contact::ContactSet& mode, SlopeMatrix& b) const {
   b.clear();
-  const Topology topology{model_, layout_};
   for (Index c = 0; c < columns_; ++c)
     for (Index i = 0; i < layout_.velocities(); ++i) b(layout_.velocity[i], c) = acceleration_(i, c);
   for (Index j = 0; j < layout_.contacts(); ++j) {
-    const auto& own = contact_[j];
-    for (const auto& term : own.direction) b(layout_.gap[j], term.column) += term.slope * x[term.place];
-    if (!contact::carries_force(mode[j])) continue;
-    const double indentation = -x[layout_.gap[j]], rate = topology.approach(x, j);
-    const auto past = memory_of(mode, j);
-    const auto f = force_in(mode[j], model_.law[j], indentation, rate, past);
-    for (const auto& term : own.push) b(term.place, term.column) += term.slope * f.value;
-    const auto add = [&](Index c, double force_slope, double rate_slope) {
-      topology.for_each_push(j, [&](Index place, double change) { b(place, c) += change * force_slope; });
-      if (layout_.impulse[j] != model::ContactLayout::absent) b(layout_.impulse[j], c) += force_slope;
-      if (layout_.work[j] != model::ContactLayout::absent)
-        b(layout_.work[j], c) += force_slope * rate + f.value * rate_slope;
-    };
-    for (const auto& law : own.law)
-      add(law.column, law_force_slope(mode[j], model_.law[j], law, indentation, rate, past), 0);
-    if (!own.direction.empty())
-      for (Index c = 0; c < columns_; ++c)
-        if (const double turned = rate_slope(j, c, x); turned != 0) add(c, f.by_rate * turned, turned);
-    if (past.peak > 0) {
-      const double by_peak = memory_force_slope(mode[j], model_.law[j], indentation, rate, past);
-      for (Index c = 0; c < columns_; ++c)
-        if (peak_(c, j) != 0) add(c, by_peak * peak_(c, j), 0);
-    }
+    for (const auto& term : contact_[j].direction)
+      b(layout_.gap[j], term.column) += term.slope * x[term.place];
+    if (contact::carries_force(mode[j])) add_force(j, x, mode, b);
   }
+}
+
+/// What the force of contact j does as its law, its memory and its directions change.
+template <class Topology>
+void ContactVariation<Topology>::add_force(Index j, ConstState x, const contact::ContactSet& mode,
+                                           SlopeMatrix& b) const {
+  const Topology topology{model_, layout_};
+  const auto& own = contact_[j];
+  const auto& base = model_.law[j];
+  const double indentation = -x[layout_.gap[j]], rate = topology.approach(x, j);
+  const auto past = memory_of(mode, j);
+  const auto f = force_in(mode[j], base, indentation, rate, past);
+  const auto add = [&](Index c, double force_slope, double rate_slope) {
+    topology.for_each_push(j, [&](Index place, double change) { b(place, c) += change * force_slope; });
+    if (layout_.impulse[j] != model::ContactLayout::absent) b(layout_.impulse[j], c) += force_slope;
+    if (layout_.work[j] != model::ContactLayout::absent)
+      b(layout_.work[j], c) += force_slope * rate + f.value * rate_slope;
+  };
+  for (const auto& term : own.push) b(term.place, term.column) += term.slope * f.value;
+  for (const auto& law : own.law)
+    add(law.column, law_force_slope(mode[j], base, law, indentation, rate, past), 0);
+  for (Index c = 0; c < columns_ && !own.direction.empty(); ++c)
+    if (const double turned = rate_slope(j, c, x); turned != 0) add(c, f.by_rate * turned, turned);
+  if (!(past.peak > 0)) return;
+  const double by_peak = memory_force_slope(mode[j], base, indentation, rate, past);
+  for (Index c = 0; c < columns_; ++c)
+    if (peak_(c, j) != 0) add(c, by_peak * peak_(c, j), 0);
 }
 
 template <class Topology>

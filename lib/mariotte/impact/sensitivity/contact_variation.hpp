@@ -114,6 +114,9 @@ class ContactVariation {
 
  private:
   void find_terms(const std::vector<ShiftedModels<Scaled>>& shifted);
+  void find_directions(Index j, Index column, const ShiftedModels<Scaled>& shifted);
+  void find_law(Index j, Index column, const ShiftedModels<Scaled>& shifted);
+  void add_force(Index j, ConstState x, const contact::ContactSet& mode, SlopeMatrix& b) const;
   double rate_slope(Index j, Index column, ConstState x) const;
 
   const Scaled& model_;
