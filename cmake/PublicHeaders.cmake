@@ -43,6 +43,8 @@ set(MARIOTTE_PUBLIC_HEADERS
   impact/microbody/microbody_solver.hpp
   impact/network/network_impact.hpp
   impact/network/network_solver.hpp
+  impact/sensitivity/parameter.hpp
+  impact/sensitivity/sensitivity.hpp
   impact/validity.hpp
   impact/watch/observers.hpp)
 
