@@ -102,7 +102,7 @@ BOOST_FIXTURE_TEST_CASE(a_scene_with_a_law_needs_no_chain, Session) {
   BOOST_TEST(std::abs(answer["energy"]["ratio_centre"].get<double>() - 0.9) < 1e-14);
   BOOST_TEST(Json::parse(mariotte("law law.toml --set law.energy_ratio=1 --json").out)["energy"]["ratio"] ==
              1);
-  BOOST_TEST(has(mariotte("run law.toml").err, "the scene has no [chain], [network] or [body]"));
+  BOOST_TEST(has(mariotte("run law.toml").err, "the scene has no [chain], [network], [body] or [bodies]"));
   BOOST_TEST(mariotte("run law.toml").code == 3);
 }
 
