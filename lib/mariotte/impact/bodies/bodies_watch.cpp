@@ -1,6 +1,7 @@
 #include "mariotte/impact/bodies/bodies_watch.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -101,24 +102,35 @@ void BodiesObserver<D>::raise(ConstState x) {
 /// Within a step whose middle lies higher than the line between its ends, a force may have its maximum.
 template <int D>
 void BodiesObserver<D>::search(const flow::Step& step) {
+  using Forces = std::array<double, 2>;  // normal force, friction
   inside_.resize(step.before.size());
+  const auto of = [&](ConstState x, std::size_t k) -> Forces {
+    const auto& c = system_.field(mode_, x).contact(k);
+    return {c.normal, norm(c.friction)};
+  };
+  const auto all = [&](ConstState x) {
+    const auto& field = system_.field(mode_, x);
+    std::vector<Forces> samples;
+    for (std::size_t k = 0; k < mode_.closed.size(); ++k)
+      samples.push_back({field.contact(k).normal, norm(field.contact(k).friction)});
+    return samples;
+  };
+  step.inside(0.5, inside_);
+  const auto before = all(step.before), middle = all(inside_), after = all(step.after);
+  raise(step.after);
   for (std::size_t k = 0; k < mode_.closed.size(); ++k) {
     auto& peak = peaks_[mode_.closed[k].contact];
-    const auto normal = [&](ConstState x) { return system_.field(mode_, x).contact(k).normal; };
-    const auto friction = [&](ConstState x) { return norm(system_.field(mode_, x).contact(k).friction); };
-    const auto look = [&](double& most, const auto& quantity) {
+    for (const std::size_t which : {0, 1}) {
+      double& most = which == 0 ? peak.force : peak.friction;
+      most = std::max(most, middle[k][which]);
+      if (!(middle[k][which] > 0.5 * (before[k][which] + after[k][which]))) continue;
+      if (std::max({before[k][which], middle[k][which], after[k][which]}) <= 0.9 * most) continue;
       const auto at = [&](double share) {
         step.inside(share, inside_);
-        return quantity(inside_);
+        return of(inside_, k)[which];
       };
-      const double before = quantity(step.before), middle = at(0.5), after = quantity(step.after);
-      most = std::max({most, before, middle, after});
-      if (middle > 0.5 * (before + after) && std::max({before, middle, after}) > 0.9 * most)
-        most = std::max(most, highest(at, 0, 1));
-    };
-    look(peak.force, normal);
-    look(peak.friction, friction);
-    peak.indentation = std::max(peak.indentation, -system_.field(mode_, step.after).contact(k).motion.gap);
+      most = std::max(most, highest(at, 0, 1));
+    }
   }
 }
 
