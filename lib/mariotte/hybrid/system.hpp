@@ -19,8 +19,9 @@ namespace mariotte::hybrid {
 /// All but the last depend on their arguments alone; what changed is appended to `changes`.
 template <class S>
 concept HybridSystem = requires(S& system, const S& fixed, typename S::Mode& mode,
-                                const typename S::Mode& from, std::vector<double>& x, std::vector<Index>& fired,
-                                bool impacted, std::vector<typename S::Change>& changes) {
+                                const typename S::Mode& from, std::vector<double>& x,
+                                std::vector<Index>& fired, bool impacted,
+                                std::vector<typename S::Change>& changes) {
   { fixed.mode_at(x, mode, changes) } -> std::same_as<void>;
   { fixed.transition(mode, fired, x, changes) } -> std::same_as<void>;
   { fixed.is_over(from, x, impacted) } -> std::same_as<bool>;
