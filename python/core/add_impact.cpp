@@ -42,6 +42,7 @@ std::unique_ptr<Impact> simulate_scene(const SharedScene& box, std::optional<dou
   if (accuracy) options.accuracy = *accuracy;
   if (max_time) options.max_time = seconds(*max_time);
   if (until) options.max_time = seconds(*until);
+  if (until || max_time) options.flies_on = until.has_value();
   if (max_events) options.max_events = *max_events;
   if (flow) options.flow = flow::parse_kind(*flow);
   return std::make_unique<Impact>(box, options, until || (box->scene.until && !max_time));
