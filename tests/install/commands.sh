@@ -25,6 +25,7 @@ try sweep "$scenes/triplet_map.toml" --out sweep --no-figures --accuracy 1e-6
 try capture "$scenes/microsphere.toml" --tolerance 1e-2
 try restitution "$scenes/steel_pair.toml" --from 0.1 --to 1
 try modes "$scenes/pressed_row.toml"
+try sensitivity "$scenes/triplet.toml"
 try fit "$scenes/sphere_fit.toml" "$scenes/sphere_fit.csv"
 try explain S010
 try materials

@@ -180,10 +180,12 @@ BOOST_AUTO_TEST_CASE(energy_tells_whether_a_radius_can_be_reached) {
   BOOST_TEST((run(spring(9.99)).ending == hybrid::Ending::separated));
   BOOST_TEST((run(spring(10.01)).ending == hybrid::Ending::invalid));
   BOOST_TEST(!shallow(spring(1) + "gravity = 1\n"));
-  BOOST_TEST(shallow("[network]\nradius = 1\nmass = 1\nlaw = 'linear'\nstiffness = 50\n[[network.ball]]\n"
-                     "position = [0, 0]\nvelocity = [7.07, 0]\n[[network.ball]]\nposition = [2, 0]\n"));
-  BOOST_TEST(!shallow("[network]\nradius = 1\nmass = 1\nlaw = 'linear'\nstiffness = 50\n[[network.ball]]\n"
-                      "position = [0, 0]\nvelocity = [5, 5.1]\n[[network.ball]]\nposition = [2, 0]\n"));
+  BOOST_TEST(
+      shallow("[network]\nradius = 1\nmass = 1\nlaw = 'linear'\nstiffness = 50\n[[network.ball]]\n"
+              "position = [0, 0]\nvelocity = [7.07, 0]\n[[network.ball]]\nposition = [2, 0]\n"));
+  BOOST_TEST(
+      !shallow("[network]\nradius = 1\nmass = 1\nlaw = 'linear'\nstiffness = 50\n[[network.ball]]\n"
+               "position = [0, 0]\nvelocity = [5, 5.1]\n[[network.ball]]\nposition = [2, 0]\n"));
 }
 
 BOOST_AUTO_TEST_CASE(wells_of_adhesion_deepen_an_impact) {
