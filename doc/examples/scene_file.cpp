@@ -20,7 +20,8 @@ velocity = ["1 m/s", 0]
 /// One case per kind of result: a missing one does not compile.
 double duration(const scene::Impact& impact) {
   return std::visit(Overload{[](const impact::ContactImpact& contacts) { return contacts.time; },
-                             [](const impact::MicrobodyImpact& body) { return body.final.time; }},
+                             [](const impact::MicrobodyImpact& body) { return body.final.time; },
+                             [](const impact::BodiesImpact& bodies) { return bodies.time; }},
                     impact);
 }
 
