@@ -61,7 +61,7 @@ Law some_plastic(Dice& dice, double mass) {
   return make("thornton", numbers);
 }
 
-/// A contact that yields as it snaps in is refused: at contact radii below (5/4 s R)^{2/3}, s² = 2πw/E*.
+/// A law that yields at contact radii below (5/4 s R)^{2/3}, s² = 2πw/E*, gains energy: none of these.
 Law some_adhesive(Dice& dice, double mass) {
   auto numbers = some_sphere(dice, mass);
   const double e = numbers.effective_modulus, r = numbers.effective_radius, w = numbers.work_of_adhesion;

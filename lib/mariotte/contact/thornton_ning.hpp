@@ -30,16 +30,12 @@ struct ThorntonNing : AdhesiveStatement {
   double middle_pressure(double u) const {
     return 2 * curve.modulus / std::numbers::pi * (u * u / curve.radius - curve.s / (2 * u));
   }
-  /// Where the flatter curve, on which a contact unloads, would give back more than has been put in: the loss
-  /// begins as (16/15) u³/R − (4/3) s times what is positive. Snapping in has u³ = s R.
-  double least_yield_root() const { return std::cbrt(1.25 * curve.s * curve.radius); }
   void find_yield() {
-    const double least = least_yield_root();
+    const double least = std::cbrt(curve.s * curve.radius);  // it snaps in there
     const auto excess = [&](double u) { return middle_pressure(u) / pressure - 1; };
     if (!(excess(least) < 0))
       throw InvalidParameter(
-          "thornton-ning: yield_pressure is so small that the contact yields as it snaps in, where the law "
-          "would gain energy");
+          "thornton-ning: yield_pressure is so small that the contact yields as it snaps in");
     double high = 2 * least;
     while (excess(high) < 0) high *= 2;
     yield_root = locate_sign_change(excess, least, excess(least), high, excess(high), 0);

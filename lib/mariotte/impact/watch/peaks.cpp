@@ -24,17 +24,16 @@ void PeakObserver::take(ConstState x, Index j) {
   raise(peaks_[j], now, all_peaks);
 }
 
-/// Where the slope is a millionth of its fall over the step, the value is the largest to 10⁻¹².
+/// A millionth of the step is near enough: the value is flat there.
 template <class Slope>
 void PeakObserver::search(const flow::Step& step, Index j, double before, double after, Slope&& slope) {
-  constexpr double flat = 1e-6;
+  constexpr double near = 1e-6;
   if (!(before > 0 && after < 0)) return;
   const auto slope_at = [&](double fraction) {
     step.inside(fraction, inside_);
-    const double value = slope(inside_);
-    return std::abs(value) <= flat * (before - after) ? 0 : value;
+    return slope(inside_);
   };
-  const double fraction = locate_sign_change(slope_at, 0, before, 1, after, flat);
+  const double fraction = locate_sign_change(slope_at, 0, before, 1, after, near);
   step.inside(fraction, inside_);
   take(inside_, j);
 }
