@@ -161,7 +161,10 @@ template <class System, class Variation>
 SlopeRun<System> SlopeLoop<System, Variation>::follow(ConstState x0, const SlopeMatrix& start) {
   using hybrid::Ending;
   SlopeRun<System> result;
-  auto& [flows, mode, changes, fired, before_x, run] = workspace_;
+  auto& mode = workspace_.mode;
+  auto& changes = workspace_.changes;
+  const auto& fired = workspace_.fired;
+  auto& run = workspace_.run;
   run.state.assign(x0.begin(), x0.end());
   result.time.assign(variation_.columns(), 0.0);
   result.time_is_shared.assign(variation_.columns(), false);

@@ -57,7 +57,8 @@ HeldTogether held_together(const ContactState<Topology>& state, const contact::C
         {j, law, past, -state.gap(j), state.approach(j), model.reduced_mass[j] * topology.drive(j)});
   }
   const auto couplings = [&](Index j, std::vector<double>& row) {
-    for (const auto& [i, law, past, depth, rate, pull] : all.held) {
+    for (const auto& one : all.held) {
+      const Index i = one.contact;
       bool near = false;
       topology.for_each_near(j, [&](Index k) { near = near || k == i; });
       row.push_back(i == j ? 1 / model.reduced_mass[j] : near ? topology.coupling(j, i) : 0);
