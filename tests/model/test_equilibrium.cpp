@@ -59,7 +59,7 @@ BOOST_AUTO_TEST_CASE(a_column_under_its_wall_s_mirror_image_is_the_mirror_image)
 
 BOOST_AUTO_TEST_CASE(any_law_carries_its_force) {
   auto chain = column();
-  chain.law = {contact::Linear(1e6), contact::Viscoelastic(1e9, 10, 1.2),
+  chain.law = {contact::Linear(1e6), contact::Viscoelastic{1e9, 10, 1.2},
                std::make_shared<contact::HuntCrossley>(1e9, 0.1)};
   put_at_rest(chain);
   const auto force = static_forces(column());
