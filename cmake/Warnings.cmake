@@ -2,6 +2,9 @@
 function(mariotte_warnings target)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     target_compile_options(${target} PRIVATE -Wno-restrict)  # false alarm on "text" + string, GCC bug 105651
+    if(MARIOTTE_SANITIZE)  # its checks hide from the compiler what is initialised
+      target_compile_options(${target} PRIVATE -Wno-maybe-uninitialized)
+    endif()
   endif()
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
                          $<$<BOOL:${MARIOTTE_WERROR}>:-Werror>)
