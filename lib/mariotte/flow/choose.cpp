@@ -10,6 +10,7 @@
 #include "mariotte/flow/flight.hpp"
 #include "mariotte/flow/modal/modal.hpp"
 #include "mariotte/flow/pair/pair.hpp"
+#include "mariotte/flow/recorded/recorded_taylor.hpp"
 #include "mariotte/flow/taylor/taylor.hpp"
 #include "mariotte/flow/taylor/tip_taylor.hpp"
 
@@ -66,6 +67,7 @@ bool modes_pay(const SerialPhase& phase) {
 /// True unless another flow that admits the phase costs less.
 bool pays(Kind kind, const Problem& problem) {
   if (problem.tip()) return kind == Kind::taylor;
+  if (problem.recorded()) return kind == Kind::taylor && problem.damping_group() < stiff_for_taylor;
   const auto* row = problem.serial();
   const auto* linked = problem.linked();
   if (!row && !linked) return false;
@@ -86,6 +88,7 @@ std::unique_ptr<Flow> make(Kind kind, const Problem& problem) {
       return std::make_unique<Modal>();
     case Kind::taylor:
       if (problem.tip()) return std::make_unique<TipTaylor>();
+      if (problem.recorded()) return std::make_unique<RecordedTaylor>();
       return std::make_unique<Taylor>();
     case Kind::cvode_adams:
       return std::make_unique<Cvode>(CvodeMethod::adams, problem);
@@ -118,7 +121,9 @@ Choice Flows::choose(const Problem& problem, std::optional<Kind> requested) {
 std::optional<Choice> Flows::instead_of(Kind kind, bool stiff, const Problem& problem,
                                         std::optional<Kind> requested) {
   if (kind == Kind::ballistic || kind == Kind::cvode_adams || (requested && !stiff)) return std::nullopt;
-  const auto next = kind == Kind::cvode_bdf_klu ? Kind::cvode_adams : Kind::cvode_bdf_klu;
+  const bool adams =
+      kind == Kind::cvode_bdf_klu || (problem.recorded() && problem.damping_group() < stiff_for_adams);
+  const auto next = adams ? Kind::cvode_adams : Kind::cvode_bdf_klu;
   return Choice{next, get(next, problem)};
 }
 

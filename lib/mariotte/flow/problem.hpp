@@ -14,6 +14,7 @@ namespace mariotte::flow {
 enum class Crossing : signed char { falling = -1, none = 0, rising = 1 };
 
 class FreeMotion;
+class RecordedPhase;
 
 /// What an accepted step has done to the mode.
 enum class Accepted {
@@ -73,6 +74,8 @@ class Problem {
   /// The present mode as one tip of a symmetric body on a plane, or as such a body in free flight.
   virtual const TipPhase* tip() const { return nullptr; }
   virtual const FreePhase* free_body() const { return nullptr; }
+  /// The present mode if its field can be recorded.
+  virtual const RecordedPhase* recorded() const { return nullptr; }
   /// The present ballistic mode if it knows its own closed form.
   virtual const FreeMotion* free_motion() const { return nullptr; }
 

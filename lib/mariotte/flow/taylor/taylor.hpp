@@ -16,7 +16,7 @@ class Taylor final : public Flow {
   ~Taylor() override;
   /// True if the phase is a row of bodies, or contacts that link dofs in any way, none of which with strong
   /// damping touches at rest.
-  bool fits(const Problem& problem) const override { return !problem.tip(); }
+  bool fits(const Problem& problem) const override { return !problem.tip() && !problem.recorded(); }
   bool admits(const Problem& problem) override;
   Arrival follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) override;
 

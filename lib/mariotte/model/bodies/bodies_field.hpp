@@ -5,6 +5,7 @@
 
 #include "mariotte/model/bodies/bodies_mode.hpp"
 #include "mariotte/model/bodies/bodies_motion.hpp"
+#include "mariotte/model/bodies/law_numbers.hpp"
 #include "mariotte/model/bodies/linear_system.hpp"
 
 namespace mariotte::model {
@@ -67,9 +68,12 @@ class BodiesField {
     const T tangential = dot(c.motion.slip, c.direction);
     const double mu = one.tangential.friction;
     if (is_past(c)) return tangential;
-    T rate = tangential - mu * force_rate(mode, c) / c.spring;
+    T rate = tangential - mu * (is_proportional(one) && !mode.slack ? 1.5 * ratio(one) * approach
+                                                                    : force_rate(mode, c) / c.spring);
     if (one.tangential.law == TangentialLaw::mindlin && mode.unloading)
-      rate = rate + 0.5 * mu * (c.normal / c.spring) * (approach / c.motion.indentation);
+      rate = rate + 0.5 * mu *
+                        (is_proportional(one) ? ratio(one) * approach
+                                              : (c.normal / c.spring) * (approach / c.motion.indentation));
     return rate;
   }
 
@@ -132,44 +136,35 @@ class BodiesField {
     a.moment = a.moment - moment(c.lever_a, force);
   }
 
-  static T law_force(const contact::Law& law, const T& depth, const T& rate) {
-    const auto f = contact::smooth_force(law, series::value_of(depth), series::value_of(rate));
-    if constexpr (std::is_same_v<T, double>)
-      return f.value;
-    else
-      return T::chain(depth, rate, f.value, f.by_indentation, f.by_rate);
-  }
-
   /// Linear forces go on past zero, so that a step which reaches beyond separation meets no kink.
   T depth_of(const SettingContact<D>& one, const ContactMotion<T, D>& c) const {
     const auto* power = contact::power_law(one.law);
     return power && power->exponent == 1 ? T(-c.gap) : c.indentation;
   }
 
+  /// Elastic force and stiffness k_t of the same power of δ: f_n/k_t = ratio δ.
+  static bool is_proportional(const SettingContact<D>& one) {
+    const auto* power = contact::power_law(one.law);
+    return one.tangential.law == TangentialLaw::mindlin && power && power->exponent == 1.5 &&
+           power->damping == 0;
+  }
+  static double ratio(const SettingContact<D>& one) {
+    return contact::power_law(one.law)->stiffness / one.tangential.stiffness;
+  }
+
   /// True beyond separation, where a step may look but nothing is kept: stiffnesses that grow with δ are 0.
   bool is_past(const ContactForces<T, D>& c) const {
-    return !(c.motion.indentation > setting_.smallest_indentation);
+    return !is_recorded<T> && !(c.motion.indentation > setting_.smallest_indentation);
   }
 
   /// ḟ_n, which for a damped contact depends on all accelerations.
   T force_rate(const ClosedContact& mode, const ContactForces<T, D>& c) const {
     const auto& one = setting_.contact[mode.contact];
-    const T rate = -c.motion.gap_rate;
     if (mode.slack) return T(0.0);
-    const double depth = series::value_of(c.motion.indentation), speed = series::value_of(rate);
-    const auto f = contact::smooth_force(one.law, depth, speed);
-    if (!contact::dissipates(one.law)) return slope_by_indentation(one, c.motion.indentation) * rate;
-    return f.by_indentation * rate - f.by_rate * gap_acceleration(mode.contact, c.motion);
-  }
-
-  /// ∂f/∂δ of an undamped law with its own slopes where they are known.
-  static T slope_by_indentation(const SettingContact<D>& one, const T& depth) {
-    using std::sqrt;
-    if (const auto* power = contact::power_law(one.law)) {
-      if (power->exponent == 1) return T(power->stiffness);
-      if (power->exponent == 1.5) return 1.5 * power->stiffness * sqrt(depth);
-    }
-    return T(contact::smooth_force(one.law, series::value_of(depth), 0).by_indentation);
+    const T rate = -c.motion.gap_rate;
+    const auto slopes = law_slopes<T>(one.law, c.motion.indentation, rate);
+    if (!contact::dissipates(one.law)) return slopes.by_indentation * rate;
+    return slopes.by_indentation * rate - slopes.by_rate * gap_acceleration(mode.contact, c.motion);
   }
 
   T gap_acceleration(Index contact, const ContactMotion<T, D>& c) const {
@@ -194,8 +189,8 @@ class BodiesField {
     const auto& one = setting_.contact[mode.contact];
     c.motion = motion(mode.contact);
     const T depth = depth_of(one, c.motion), rate = -c.motion.gap_rate;
-    c.elastic = contact::dissipates(one.law) || mode.slack ? law_force(one.law, depth, T(0.0)) : T(0.0);
-    c.normal = mode.slack ? T(0.0) : law_force(one.law, depth, rate);
+    c.elastic = contact::dissipates(one.law) || mode.slack ? law_force<T>(one.law, depth, T(0.0)) : T(0.0);
+    c.normal = mode.slack ? T(0.0) : law_force<T>(one.law, depth, rate);
     c.friction = lift<T>(Vec<double, D>{});
     c.direction = c.friction;
     set_spring(one, c);
@@ -367,7 +362,7 @@ class BodiesField {
                   const ContactForces<T, D>& c) const {
     if (one.tangential.law != TangentialLaw::mindlin || mode.slack || is_past(c)) return T(0.0);
     const T rate = mode.unloading ? c.motion.gap_rate : T(-c.motion.gap_rate);
-    return 0.25 * (dot(c.friction, c.friction) / c.spring) * (rate / c.motion.indentation);
+    return 0.25 * ((dot(c.friction, c.friction) / c.spring) * rate / c.motion.indentation);
   }
 
   void put_spring_rate(const ClosedContact& mode, const SettingContact<D>& one, const ContactForces<T, D>& c,

@@ -54,16 +54,19 @@ Window near(const Vec<double, D>& apart, const Vec<double, D>& velocity, double 
 }  // namespace
 
 template <int D>
+void BodiesPhase<D>::fly(ConstState x, Index i, double t, State result) const {
+  for (int k = 0; k < D; ++k) {
+    const double g = setting_.gravity[k], v = x[layout_.velocity(i) + k];
+    result[layout_.shift(i) + k] = x[layout_.shift(i) + k] + t * (v + 0.5 * t * g);
+    result[layout_.velocity(i) + k] = v + t * g;
+  }
+  turn(layout_, setting_.body[i], x, i, t, result);
+}
+
+template <int D>
 void BodiesPhase<D>::fly(ConstState x, double t, State result) const {
   std::copy(x.begin(), x.end(), result.begin());
-  for (Index i = 0; i < layout_.bodies; ++i) {
-    for (int k = 0; k < D; ++k) {
-      const double g = setting_.gravity[k], v = x[layout_.velocity(i) + k];
-      result[layout_.shift(i) + k] += t * (v + 0.5 * t * g);
-      result[layout_.velocity(i) + k] = v + t * g;
-    }
-    turn(layout_, setting_.body[i], x, i, t, result);
-  }
+  for (Index i = 0; i < layout_.bodies; ++i) fly(x, i, t, result);
   result[layout_.clock()] += t;
 }
 
@@ -168,6 +171,8 @@ double BodiesPhase<D>::first_meeting(ConstState x, double limit, double window,
   return first;
 }
 
+template void BodiesPhase<2>::fly(ConstState, Index, double, State) const;
+template void BodiesPhase<3>::fly(ConstState, Index, double, State) const;
 template void BodiesPhase<2>::fly(ConstState, double, State) const;
 template void BodiesPhase<3>::fly(ConstState, double, State) const;
 template double BodiesPhase<2>::first_meeting(ConstState, double, double, std::vector<Index>&) const;

@@ -5,6 +5,7 @@
 #include "mariotte/core/state_vectors.hpp"
 #include "mariotte/model/bodies/bodies_setting.hpp"
 #include "mariotte/series/dual.hpp"
+#include "mariotte/series/tape.hpp"
 
 namespace mariotte::model {
 
@@ -80,6 +81,21 @@ struct ContactMotion {
   Vec<T, D> point_a, point_b;  ///< velocity of the contact point itself less that of the mass centres
 };
 
+/// Sets the indentation, and returns that by which levers are shorter.
+template <class T, int D>
+T set_indentation(const BodiesSetting<D>& setting, const SettingContact<D>&, ContactMotion<T, D>& c) {
+  const bool touches = -c.gap > setting.smallest_indentation;
+  c.indentation = touches ? T(-c.gap) : T(setting.smallest_indentation);
+  return touches ? c.indentation : T(0.0);
+}
+/// On a tape an indentation goes through zero as it is, and begins at zero to the last bit.
+template <int D>
+series::Traced set_indentation(const BodiesSetting<D>& setting, const SettingContact<D>& contact,
+                               ContactMotion<series::Traced, D>& c) {
+  const bool begins = std::abs(c.gap.value()) <= setting.onset_noise * contact.length && c.gap_rate < 0.0;
+  return c.indentation = begins ? at_onset(-c.gap) : -c.gap;
+}
+
 /// The sphere of a contact at one instant.
 template <class T, int D>
 struct SphereMotion {
@@ -123,9 +139,7 @@ ContactMotion<T, D> contact_motion(const BodiesSetting<D>& setting, const Settin
     c.gap_rate = dot(start, relative);
     c.normal_rate = lift<T>(Vec<double, D>{});
   }
-  const double least = setting.smallest_indentation;
-  c.indentation = -c.gap > least ? T(-c.gap) : T(least);
-  const T depth = -c.gap > least ? T(-c.gap) : T(0.0);
+  const T depth = set_indentation(setting, contact, c);
   const T inside = sphere_b.radius - contact.share * depth;
   c.lever_b = on_b.arm - inside * c.normal;
   const Vec<T, D> point = on_b.velocity - inside * c.normal_rate - T(contact.share * c.gap_rate) * c.normal;

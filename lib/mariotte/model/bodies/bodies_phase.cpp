@@ -8,7 +8,12 @@ using flow::Crossing;
 
 template <int D>
 BodiesPhase<D>::BodiesPhase(const BodiesSetting<D>& setting, Index touching)
-    : setting_(setting), touching_(touching), field_(setting), directional_(setting), sloped_(setting) {
+    : setting_(setting),
+      touching_(touching),
+      field_(setting),
+      directional_(setting),
+      sloped_(setting),
+      traced_(setting) {
   layout_.bodies = std::ssize(setting.body);
   if constexpr (D == 3)
     for (const auto& body : setting.body)
@@ -53,84 +58,15 @@ void BodiesPhase<D>::bind(const BodiesMode& mode) {
     damping_ = std::max(damping_, one.from_rest ? stiff_turning : damping_of(contact));
   }
   for (Index k = 0; k < std::ssize(mode.touching); ++k) crossing_[parting_guard(k)] = Crossing::rising;
+  recordable_ = !mode.closed.empty() && std::all_of(mode.closed.begin(), mode.closed.end(),
+                                                    [&](const auto& one) { return can_be_recorded(one); });
+  if (recordable_) find_followed();
 }
 
 template <int D>
 void BodiesPhase<D>::derivative(ConstState x, State dx) const {
   field_.evaluate(layout_, *mode_, x);
   field_.rates(*mode_, x, dx);
-}
-
-/// Guards that start at zero or return to it have an offset as large as noise: they fire once they are
-/// beyond.
-template <int D>
-template <class T>
-T BodiesPhase<D>::friction_guard(const BodiesField<T, D>& field, const ClosedContact& mode,
-                                 const ContactForces<T, D>& c) const {
-  const auto& one = setting_.contact[mode.contact];
-  const double noise = setting_.slip_noise;
-  if (mode.friction == Friction::none || mode.slack) return T(1.0);
-  if (mode.friction == Friction::stick)
-    return one.tangential.friction * c.normal - norm(c.friction) + noise * one.force;
-  if (one.tangential.has_spring()) return field.yielding(mode, c) + noise * setting_.speed;
-  if constexpr (D == 2)
-    return dot(c.motion.slip, c.direction) + noise * setting_.speed;
-  else
-    return norm(c.motion.slip) - 10 * noise * setting_.speed;
-}
-
-template <int D>
-template <class T>
-T BodiesPhase<D>::load_guard(const ClosedContact& mode, const ContactForces<T, D>& c) const {
-  const auto& law = setting_.contact[mode.contact].law;
-  if (!contact::dissipates(law)) return T(1.0);
-  const T rate = -c.motion.gap_rate;
-  const auto load = contact::load(law, series::value_of(c.motion.indentation), series::value_of(rate));
-  if constexpr (std::is_same_v<T, double>)
-    return load.value;
-  else
-    return T::chain(c.motion.indentation, rate, load.value, load.by_indentation, load.by_rate);
-}
-
-template <int D>
-template <class T>
-void BodiesPhase<D>::all_guards(BodiesField<T, D>& field, std::span<const T> x, std::span<T> values) const {
-  field.evaluate(layout_, *mode_, x);
-  std::fill(values.begin(), values.end(), T(1.0));
-  const double noise = setting_.slip_noise * setting_.speed;
-  for (Index c = 0; c < std::ssize(setting_.contact); ++c)
-    if (crossing_[gap_guard(c)] != Crossing::none) values[gap_guard(c)] = field.motion(c).gap;
-  for (std::size_t i = 0; i < mode_->closed.size(); ++i) {
-    const auto& one = mode_->closed[i];
-    const auto& c = field.contact(i);
-    const auto set = [&](SlotGuard guard, const T& value) { values[slot_guard(one.slot, guard)] = value; };
-    set(SlotGuard::open, c.motion.gap);
-    set(SlotGuard::friction, friction_guard(field, one, c));
-    set(SlotGuard::turn, -c.motion.gap_rate + (one.unloading ? -noise : noise));
-    set(SlotGuard::load, load_guard(one, c));
-  }
-  for (Index k = 0; k < std::ssize(mode_->touching); ++k) {
-    const Index c = mode_->touching[k];
-    const double depth = setting_.gap_noise * setting_.contact[c].length;
-    const T gap = values[gap_guard(c)];
-    values[parting_guard(k)] = gap - depth;
-    values[gap_guard(c)] = gap + depth;
-  }
-}
-
-template <int D>
-void BodiesPhase<D>::guards(ConstState x, State values) const {
-  all_guards<double>(field_, x, values);
-}
-
-template <int D>
-void BodiesPhase<D>::guard_rates(ConstState x, ConstState dx, State rates) const {
-  using Along = series::Dual<double, 1>;
-  along_.resize(x.size());
-  along_values_.resize(rates.size());
-  for (std::size_t i = 0; i < x.size(); ++i) along_[i] = Along(x[i], {dx[i]});
-  all_guards<Along>(directional_, along_, along_values_);
-  for (std::size_t i = 0; i < rates.size(); ++i) rates[i] = along_values_[i].slope[0];
 }
 
 /// Dense, by columns: only contacts that damp strongly are followed with it.

@@ -6,6 +6,7 @@
 
 #include "mariotte/flow/free_motion.hpp"
 #include "mariotte/flow/problem.hpp"
+#include "mariotte/flow/recorded/recorded_phase.hpp"
 #include "mariotte/model/bodies/bodies_field.hpp"
 
 namespace mariotte::model {
@@ -13,7 +14,7 @@ namespace mariotte::model {
 /// D = 2 or 3. Guards: four of each slot, the gap of each contact, then the parting of those that touch at
 /// rest.
 template <int D>
-class BodiesPhase final : public flow::Problem, public flow::FreeMotion {
+class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public flow::RecordedPhase {
  public:
   BodiesPhase(const BodiesSetting<D>& setting, Index touching);
 
@@ -36,11 +37,15 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion {
   bool is_ballistic() const override { return ballistic_; }
   void second_derivative(ConstState, State) const override {}
   const flow::FreeMotion* free_motion() const override { return ballistic_ ? this : nullptr; }
+  const flow::RecordedPhase* recorded() const override { return recordable_ ? this : nullptr; }
   flow::Accepted accept(ConstState) override { return flow::Accepted::unchanged; }
   std::string component(Index index) const override;
 
   double first_meeting(ConstState x, double limit, double window, std::vector<Index>& fired) const override;
   void fly(ConstState x, double t, State result) const override;
+
+  bool record(ConstState x, double accuracy, flow::Recording& recording) const override;
+  void fly_others(ConstState x, double t, State result) const override;
 
   Index slot_guard(Index slot, SlotGuard guard) const {
     return slot * guards_per_slot + static_cast<Index>(guard);
@@ -50,20 +55,26 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion {
 
  private:
   template <class T>
-  void all_guards(BodiesField<T, D>& field, std::span<const T> x, std::span<T> values) const;
+  void all_guards(BodiesField<T, D>& field, std::span<T> values) const;
   template <class T>
   T friction_guard(const BodiesField<T, D>& field, const ClosedContact& mode,
                    const ContactForces<T, D>& c) const;
   template <class T>
   T load_guard(const ClosedContact& mode, const ContactForces<T, D>& c) const;
   double meeting(ConstState x, Index contact, double limit) const;
+  void fly(ConstState x, Index body, double t, State result) const;
   double gap_bend(const BodyMotion<double, D>& body, Index i, const SettingSphere<D>& sphere) const;
 
   const BodiesSetting<D>& setting_;
   Index touching_;
   const BodiesMode* mode_ = nullptr;
   BodiesLayout<D> layout_;
-  bool ballistic_ = false, free_flight_ = true;
+  bool can_be_recorded(const ClosedContact& mode) const;
+  void find_followed();
+  void record_guards(flow::Recording& recording) const;
+  void record_contacts(flow::Recording& recording) const;
+
+  bool ballistic_ = false, free_flight_ = true, recordable_ = false;
   double time_ = 1, damping_ = 0;
   std::vector<flow::Crossing> crossing_;
   std::vector<double> magnitude_;
@@ -72,6 +83,10 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion {
   mutable BodiesField<double, D> field_;
   mutable BodiesField<series::Dual<double, 1>, D> directional_;
   mutable BodiesField<series::Dual<double, columns>, D> sloped_;
+  mutable BodiesField<series::Traced, D> traced_;
+  mutable std::vector<series::Traced> traced_x_, traced_dx_, traced_values_;
+  std::vector<char> is_followed_;  ///< by body: it touches another, or may meet one
+  std::vector<Index> followed_;    ///< components of the state
   mutable std::vector<series::Dual<double, 1>> along_, along_values_;
   mutable std::vector<series::Dual<double, columns>> sloped_x_, sloped_dx_;
 };

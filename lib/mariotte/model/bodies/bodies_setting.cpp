@@ -137,6 +137,7 @@ BodiesSetting<D> setting_of(const Bodies& bodies, double accuracy) {
   setting.smallest_indentation = 1e-60 * setting.length;
   setting.slip_noise = std::max(1e-13, 1e-3 * accuracy);
   setting.gap_noise = std::max(1e-12, 1e-2 * accuracy);
+  setting.onset_noise = 0.1 * accuracy;
   return setting;
 }
 

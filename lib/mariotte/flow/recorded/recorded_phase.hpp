@@ -1,0 +1,44 @@
+// What a flow by series needs of a phase whose field is recorded when the phase begins.
+#pragma once
+#include <vector>
+
+#include "mariotte/core/types.hpp"
+#include "mariotte/series/tape_series.hpp"
+
+namespace mariotte::flow {
+
+/// A guard on a tape; times `sign` it fires where it falls through zero.
+struct RecordedGuard {
+  Index guard;
+  int place;
+  double sign;
+};
+
+/// A contact with a force that has a root: its indentation δ and √δ on the tape, and the guard that opens it.
+struct RootedContact {
+  int depth, root;
+  Index open;
+  bool begins;  ///< δ is 0 now, and grows
+};
+
+/// Field and guards of one phase on a tape.
+struct Recording {
+  series::Tape tape;
+  std::vector<series::TapeState> state;
+  std::vector<Index> component;  ///< of the problem's state, for each of these
+  std::vector<RecordedGuard> guard;
+  std::vector<RootedContact> rooted;
+};
+
+/// A phase that can be recorded.
+class RecordedPhase {
+ public:
+  virtual ~RecordedPhase() = default;
+  /// Record field and guards of the present mode at x, where events within `accuracy` are one. False if the
+  /// field has no power series there.
+  virtual bool record(ConstState x, double accuracy, Recording& recording) const = 0;
+  /// Components that are not recorded move freely: their values after time t.
+  virtual void fly_others(ConstState x, double t, State result) const = 0;
+};
+
+}  // namespace mariotte::flow

@@ -1,0 +1,93 @@
+// What ends a mode of bodies, over any number.
+#include <algorithm>
+
+#include "mariotte/model/bodies/bodies_phase.hpp"
+
+namespace mariotte::model {
+
+using flow::Crossing;
+
+/// Guards that start at zero or return to it have an offset as large as noise: they fire once they are
+/// beyond.
+template <int D>
+template <class T>
+T BodiesPhase<D>::friction_guard(const BodiesField<T, D>& field, const ClosedContact& mode,
+                                 const ContactForces<T, D>& c) const {
+  const auto& one = setting_.contact[mode.contact];
+  const double noise = setting_.slip_noise;
+  if (mode.friction == Friction::none || mode.slack) return T(1.0);
+  if constexpr (is_recorded<T>) {  // without the root of a square
+    if (mode.friction == Friction::stick) {
+      const T cap = one.tangential.friction * c.normal + noise * one.force;
+      return cap * cap - dot(c.friction, c.friction);
+    }
+    const double rest = 10 * noise * setting_.speed;
+    if (D == 3 && !one.tangential.has_spring()) return dot(c.motion.slip, c.motion.slip) - rest * rest;
+  }
+  if (mode.friction == Friction::stick)
+    return one.tangential.friction * c.normal - norm(c.friction) + noise * one.force;
+  if (one.tangential.has_spring()) return field.yielding(mode, c) + noise * setting_.speed;
+  if constexpr (D == 2)
+    return dot(c.motion.slip, c.direction) + noise * setting_.speed;
+  else
+    return norm(c.motion.slip) - 10 * noise * setting_.speed;
+}
+
+template <int D>
+template <class T>
+T BodiesPhase<D>::load_guard(const ClosedContact& mode, const ContactForces<T, D>& c) const {
+  const auto& law = setting_.contact[mode.contact].law;
+  if (!contact::dissipates(law)) return T(1.0);
+  return law_load<T>(law, c.motion.indentation, -c.motion.gap_rate);
+}
+
+template <int D>
+template <class T>
+void BodiesPhase<D>::all_guards(BodiesField<T, D>& field, std::span<T> values) const {
+  std::fill(values.begin(), values.end(), T(1.0));
+  const double noise = setting_.slip_noise * setting_.speed;
+  for (Index c = 0; c < std::ssize(setting_.contact); ++c)
+    if (crossing_[gap_guard(c)] != Crossing::none) values[gap_guard(c)] = field.motion(c).gap;
+  for (std::size_t i = 0; i < mode_->closed.size(); ++i) {
+    const auto& one = mode_->closed[i];
+    const auto& c = field.contact(i);
+    const auto set = [&](SlotGuard guard, const T& value) { values[slot_guard(one.slot, guard)] = value; };
+    set(SlotGuard::open, c.motion.gap);
+    set(SlotGuard::friction, friction_guard(field, one, c));
+    set(SlotGuard::turn, -c.motion.gap_rate + (one.unloading ? -noise : noise));
+    set(SlotGuard::load, load_guard(one, c));
+  }
+  for (Index k = 0; k < std::ssize(mode_->touching); ++k) {
+    const Index c = mode_->touching[k];
+    const double depth = setting_.gap_noise * setting_.contact[c].length;
+    const T gap = values[gap_guard(c)];
+    values[parting_guard(k)] = gap - depth;
+    values[gap_guard(c)] = gap + depth;
+  }
+}
+
+template <int D>
+void BodiesPhase<D>::guards(ConstState x, State values) const {
+  field_.evaluate(layout_, *mode_, x);
+  all_guards<double>(field_, values);
+}
+
+template <int D>
+void BodiesPhase<D>::guard_rates(ConstState x, ConstState dx, State rates) const {
+  using Along = series::Dual<double, 1>;
+  along_.resize(x.size());
+  along_values_.resize(rates.size());
+  for (std::size_t i = 0; i < x.size(); ++i) along_[i] = Along(x[i], {dx[i]});
+  directional_.evaluate(layout_, *mode_, std::span<const Along>(along_));
+  all_guards<Along>(directional_, along_values_);
+  for (std::size_t i = 0; i < rates.size(); ++i) rates[i] = along_values_[i].slope[0];
+}
+
+template void BodiesPhase<2>::guards(ConstState, State) const;
+template void BodiesPhase<3>::guards(ConstState, State) const;
+template void BodiesPhase<2>::guard_rates(ConstState, ConstState, State) const;
+template void BodiesPhase<3>::guard_rates(ConstState, ConstState, State) const;
+template void BodiesPhase<2>::all_guards(BodiesField<series::Traced, 2>&, std::span<series::Traced>) const;
+template void BodiesPhase<3>::all_guards(BodiesField<series::Traced, 3>&, std::span<series::Traced>) const;
+
+}  // namespace mariotte::model

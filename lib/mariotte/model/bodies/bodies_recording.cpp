@@ -1,0 +1,101 @@
+// Field and guards of bodies in contact on a tape.
+#include "mariotte/model/bodies/bodies_phase.hpp"
+
+namespace mariotte::model {
+
+using series::Traced;
+
+/// Slip in space that has left rest only just, or whose spring turns into it at once, has no series.
+template <int D>
+bool BodiesPhase<D>::can_be_recorded(const ClosedContact& mode) const {
+  return model::can_be_recorded(setting_.contact[mode.contact].law) && !mode.from_rest;
+}
+
+/// Bodies that touch or may meet others; the rest fly freely.
+template <int D>
+void BodiesPhase<D>::find_followed() {
+  is_followed_.assign(layout_.bodies, !free_flight_);
+  const auto follow = [&](Index contact) {
+    const auto& c = setting_.contact[contact];
+    for (const Index sphere : {c.a, c.b})
+      if (sphere >= 0) is_followed_[setting_.sphere[sphere].body] = 1;
+  };
+  for (const auto& one : mode_->closed) follow(one.contact);
+  for (Index c = 0; c < std::ssize(setting_.contact); ++c)
+    if (crossing_[gap_guard(c)] != flow::Crossing::none) follow(c);
+  followed_.clear();
+  const auto add = [&](Index first, Index count) {
+    for (Index k = 0; k < count; ++k) followed_.push_back(first + k);
+  };
+  for (Index i = 0; i < layout_.bodies; ++i)
+    if (is_followed_[i]) add(layout_.shift(i), layout_.body_size);
+  add(layout_.clock(), 1);
+  for (const auto& one : mode_->closed) add(layout_.spring(one.slot), layout_.slot_size);
+}
+
+template <int D>
+bool BodiesPhase<D>::record(ConstState x, double, flow::Recording& recording) const {
+  auto& tape = recording.tape;
+  tape.clear();
+  recording.component = followed_;
+  recording.state.clear();
+  traced_x_.assign(x.begin(), x.end());
+  for (const Index i : followed_) {
+    const int place = tape.put({.op = series::TapeOp::state, .a = static_cast<int>(i)});
+    traced_x_[i] = Traced(tape, place, x[i]);
+    recording.state.push_back({.place = place});
+  }
+  traced_dx_.resize(x.size());
+  traced_.evaluate(layout_, *mode_, std::span<const Traced>(traced_x_));
+  traced_.rates(*mode_, std::span<const Traced>(traced_x_), std::span<Traced>(traced_dx_));
+  for (std::size_t i = 0; i < followed_.size(); ++i)
+    recording.state[i].rate = traced_dx_[followed_[i]].place_on(tape);
+  record_guards(recording);
+  record_contacts(recording);
+  return true;
+}
+
+template <int D>
+void BodiesPhase<D>::record_guards(flow::Recording& recording) const {
+  recording.guard.clear();
+  traced_values_.resize(guard_count());
+  all_guards<Traced>(traced_, traced_values_);
+  for (Index i = 0; i < guard_count(); ++i) {
+    if (crossing_[i] == flow::Crossing::none || traced_values_[i].is_constant()) continue;
+    const double sign = crossing_[i] == flow::Crossing::rising ? -1 : 1;
+    recording.guard.push_back({i, traced_values_[i].place_on(recording.tape), sign});
+  }
+}
+
+/// Contacts whose force or stiffness has a root.
+template <int D>
+void BodiesPhase<D>::record_contacts(flow::Recording& recording) const {
+  recording.rooted.clear();
+  for (std::size_t i = 0; i < mode_->closed.size(); ++i) {
+    const auto& one = setting_.contact[mode_->closed[i].contact];
+    const bool hertz = contact::power_law(one.law)->exponent == 1.5;
+    if (!hertz && one.tangential.law != TangentialLaw::mindlin) continue;
+    const auto& depth = traced_.contact(i).motion.indentation;
+    const int place = depth.place_on(recording.tape);
+    const bool begins = recording.tape[place].op == series::TapeOp::onset;
+    recording.rooted.push_back({place, sqrt(depth).place_on(recording.tape),
+                                slot_guard(mode_->closed[i].slot, SlotGuard::open), begins});
+  }
+}
+
+template <int D>
+void BodiesPhase<D>::fly_others(ConstState x, double t, State result) const {
+  for (Index i = 0; i < layout_.bodies; ++i)
+    if (!is_followed_[i]) fly(x, i, t, result);
+}
+
+template bool BodiesPhase<2>::record(ConstState, double, flow::Recording&) const;
+template bool BodiesPhase<3>::record(ConstState, double, flow::Recording&) const;
+template void BodiesPhase<2>::fly_others(ConstState, double, State) const;
+template void BodiesPhase<3>::fly_others(ConstState, double, State) const;
+template void BodiesPhase<2>::find_followed();
+template void BodiesPhase<3>::find_followed();
+template bool BodiesPhase<2>::can_be_recorded(const ClosedContact&) const;
+template bool BodiesPhase<3>::can_be_recorded(const ClosedContact&) const;
+
+}  // namespace mariotte::model

@@ -1,0 +1,80 @@
+// Contact laws over any number: plain, with slopes, or recorded.
+#pragma once
+#include <type_traits>
+
+#include "mariotte/contact/law.hpp"
+#include "mariotte/series/dual.hpp"
+#include "mariotte/series/tape.hpp"
+
+namespace mariotte::model {
+
+template <class T>
+inline constexpr bool is_recorded = std::is_same_v<T, series::Traced>;
+
+/// True of laws whose force is known on a tape: δⁿ⁻¹ (k δ + c δ̇) with n = 1 or 3/2.
+inline bool can_be_recorded(const contact::Law& law) {
+  const auto* power = contact::power_law(law);
+  return power && (power->exponent == 1 || power->exponent == 1.5);
+}
+
+/// δⁿ⁻¹ of a law that can be recorded.
+inline series::Traced recorded_width(const contact::PowerLaw& law, const series::Traced& depth) {
+  return law.exponent == 1 ? series::Traced(1.0) : sqrt(depth);
+}
+
+/// Force of either sign.
+template <class T>
+T law_force(const contact::Law& law, const T& depth, const T& rate) {
+  if constexpr (is_recorded<T>) {
+    const auto& one = *contact::power_law(law);
+    return recorded_width(one, depth) * (one.stiffness * depth + one.damping * rate);
+  } else {
+    const auto f = contact::smooth_force(law, series::value_of(depth), series::value_of(rate));
+    if constexpr (std::is_same_v<T, double>)
+      return f.value;
+    else
+      return T::chain(depth, rate, f.value, f.by_indentation, f.by_rate);
+  }
+}
+
+/// What has the sign of the force.
+template <class T>
+T law_load(const contact::Law& law, const T& depth, const T& rate) {
+  if constexpr (is_recorded<T>) {
+    const auto& one = *contact::power_law(law);
+    return one.stiffness * depth + one.damping * rate;
+  } else {
+    const auto load = contact::load(law, series::value_of(depth), series::value_of(rate));
+    if constexpr (std::is_same_v<T, double>)
+      return load.value;
+    else
+      return T::chain(depth, rate, load.value, load.by_indentation, load.by_rate);
+  }
+}
+
+/// Slopes of the force by indentation and by its rate. Values with slopes get those of an undamped linear or
+/// Hertz force as well; of others these are held.
+template <class T>
+struct LawSlopes {
+  T by_indentation, by_rate;
+};
+template <class T>
+LawSlopes<T> law_slopes(const contact::Law& law, const T& depth, const T& rate) {
+  using std::sqrt;
+  const auto* power = contact::power_law(law);
+  if constexpr (is_recorded<T>) {
+    const auto width = recorded_width(*power, depth);
+    auto slope = power->exponent * power->stiffness * width;
+    if (power->damping > 0 && power->exponent > 1)
+      slope = slope + (power->exponent - 1) * power->damping * width * (rate / depth);
+    return {slope, power->damping * width};
+  } else {
+    const auto f = contact::smooth_force(law, series::value_of(depth), series::value_of(rate));
+    LawSlopes<T> slopes{T(f.by_indentation), T(f.by_rate)};
+    if (power && power->damping == 0 && power->exponent == 1.5)
+      slopes.by_indentation = 1.5 * power->stiffness * sqrt(depth);
+    return slopes;
+  }
+}
+
+}  // namespace mariotte::model

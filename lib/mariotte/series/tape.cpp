@@ -1,0 +1,53 @@
+#include "mariotte/series/tape.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+
+namespace mariotte::series {
+namespace {
+
+std::size_t hash(const TapeNode& node) {
+  auto h = std::bit_cast<std::uint64_t>(node.number) * 0x9e3779b97f4a7c15u;
+  h ^= (static_cast<std::uint64_t>(node.a + 1) << 32) ^ static_cast<std::uint64_t>(node.b + 1);
+  h = (h ^ (h >> 29)) * 0xbf58476d1ce4e5b9u + static_cast<std::uint64_t>(node.op);
+  return static_cast<std::size_t>(h ^ (h >> 32));
+}
+
+constexpr std::size_t first_slots = 1024;
+
+}  // namespace
+
+void Tape::clear() {
+  nodes_.clear();
+  std::fill(slots_.begin(), slots_.end(), -1);
+}
+
+int Tape::append(const TapeNode& node) {
+  nodes_.push_back(node);
+  return static_cast<int>(nodes_.size()) - 1;
+}
+
+int Tape::put(const TapeNode& node) {
+  if (2 * nodes_.size() >= slots_.size()) grow();
+  const std::size_t mask = slots_.size() - 1;
+  std::size_t slot = hash(node) & mask;
+  for (; slots_[slot] >= 0; slot = (slot + 1) & mask)
+    if (nodes_[slots_[slot]] == node) return slots_[slot];
+  slots_[slot] = append(node);
+  if (node.op == TapeOp::sine) append({.op = TapeOp::cosine, .a = node.a});
+  return static_cast<int>(nodes_.size()) - (node.op == TapeOp::sine ? 2 : 1);
+}
+
+void Tape::grow() {
+  slots_.assign(std::max(first_slots, 2 * slots_.size()), -1);
+  const std::size_t mask = slots_.size() - 1;
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    if (nodes_[i].op == TapeOp::cosine) continue;
+    std::size_t slot = hash(nodes_[i]) & mask;
+    while (slots_[slot] >= 0) slot = (slot + 1) & mask;
+    slots_[slot] = static_cast<int>(i);
+  }
+}
+
+}  // namespace mariotte::series
