@@ -14,11 +14,14 @@ struct RecordedGuard {
   double sign;
 };
 
-/// A contact with a force that has a root: its indentation δ and √δ on the tape, and the guard that opens it.
-struct RootedContact {
-  int depth, root;
+/// A closed contact: its indentation δ on the tape, √δ if force or stiffness has that root, and the guard
+/// that opens it.
+struct RecordedContact {
+  int depth;
+  int root;  ///< or −1
   Index open;
-  bool begins;  ///< δ is 0 now, and grows
+  bool begins;        ///< δ is 0 now, and grows
+  double negligible;  ///< indentation from which what is left until it opens is below the accuracy
 };
 
 /// Field and guards of one phase on a tape.
@@ -27,7 +30,7 @@ struct Recording {
   std::vector<series::TapeState> state;
   std::vector<Index> component;  ///< of the problem's state, for each of these
   std::vector<RecordedGuard> guard;
-  std::vector<RootedContact> rooted;
+  std::vector<RecordedContact> contact;
 };
 
 /// A phase that can be recorded.

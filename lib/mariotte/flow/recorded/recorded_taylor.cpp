@@ -22,7 +22,10 @@ constexpr double share = 0.1;
 constexpr int onset_loss = 4;
 /// Last coefficients that bound a step: in τ only one in five differs from zero.
 constexpr int last_terms = 2, last_onset_terms = 5;
-constexpr Index step_limit = 3000, stall_limit = 50;
+/// So many steps, each shorter than this share of the natural time, lead towards a point that no series
+/// passes: the slip of a spring in space where its contact opens, or a slip that comes to rest.
+constexpr Index step_limit = 3000, stall_limit = 12;
+constexpr double short_step = 1e-3;
 
 int order_for(double accuracy) {
   if (accuracy > 1e-5) return 10;
@@ -96,29 +99,40 @@ struct End {
   bool lands = false;  ///< where the contact of the clock opens
 };
 
+/// Bound of what the series of a guard leaves out at a place.
+double tail(std::span<const double> row, double place) {
+  const std::size_t last = row.size() - 1;
+  return (std::abs(row[last]) * place + std::abs(row[last - 1])) *
+         std::pow(place, static_cast<double>(last - 1));
+}
+/// How far a guard moves until a place, by its terms.
+double change(std::span<const double> row, double place) {
+  double sum = 0, power = place;
+  for (std::size_t k = 1; k < row.size(); ++k, power *= place) sum += std::abs(row[k]) * power;
+  return sum;
+}
+/// Whether what its series leaves out could hide the fall of a guard that ends above zero, or move its root.
+bool is_doubtful(std::span<const double> row, std::optional<double> fired, double end) {
+  if (fired) return tail(row, *fired) > 1e-3 * change(row, *fired);
+  return std::abs(horner(row, end)) < 100 * tail(row, end);
+}
+
 /// First place at which a guard falls through zero. One that starts behind zero is measured from there,
 /// unless it goes on falling. Leading terms that are smaller than `rounding` of its change are zero.
 std::optional<double> fall(std::span<const double> row, double sign, double end, double rounding) {
   std::array<double, TapeSeries::stride> c, term;
-  double change = 0, power = 1;
+  double power = 1;
   for (std::size_t k = 0; k < row.size(); ++k, power *= end) {
     c[k] = sign * row[k];
     term[k] = std::abs(c[k] * power);
-    if (k > 0) change += term[k];
   }
-  if (!(change > 0)) return std::nullopt;
+  const double moves = change(row, end);
+  if (!(moves > 0)) return std::nullopt;
   std::size_t k = 0;
-  const auto is_zero = [&] { return term[k] <= rounding * change || (k == 0 && c[0] < 0); };
+  const auto is_zero = [&] { return term[k] <= rounding * moves || (k == 0 && c[0] < 0); };
   for (; k + 1 < row.size() && is_zero(); ++k) c[k] = 0;
   if (k > 0 && c[k] < 0) return 0.0;
   return first_fall({c.data(), row.size()}, end);
-}
-
-/// Whether a guard comes so near to zero at the end that what its series leaves out could hide its fall.
-bool is_doubtful(std::span<const double> row, double end) {
-  const std::size_t last = row.size() - 1;
-  const double tail = std::abs(row[last]) + std::abs(row[last - 1] / end);
-  return std::abs(horner(row, end)) < 100 * tail * std::pow(end, static_cast<double>(last));
 }
 
 /// Steps end a little earlier where a guard is in doubt, and so the next one tells.
@@ -130,14 +144,14 @@ End end_of_step(const Recording& recording, const TapeSeries& series, const Tape
   const auto look = [&](Index guard, int place, double sign) {
     const auto row = series.row(place);
     const auto fired = fall(row, sign, end.place, rounding);
-    if (fired && (end.guard < 0 || *fired < end.place))
+    if (is_doubtful(row, fired, end.place))
+      end = {shortened * fired.value_or(end.place)};
+    else if (fired)
       end = {*fired, guard};
-    else if (!fired && end.guard < 0 && is_doubtful(row, end.place))
-      end.place *= shortened;
   };
   const bool lands = clock.kind == TapeClock::Kind::root;
   Index open = -1;
-  for (const auto& one : recording.rooted)
+  for (const auto& one : recording.contact)
     if (lands && one.root == clock.root) look(open = one.open, one.root, 1);
   for (const auto& one : recording.guard)
     if (one.guard != open) look(one.guard, one.place, one.sign);
@@ -158,7 +172,10 @@ struct RecordedTaylor::Memory {
     seen.clear();
     clocks.clear();
     for (const auto& one : recording.guard) seen.push_back(one.place);
-    for (const auto& one : recording.rooted) clocks.push_back(one.root);
+    for (const auto& one : recording.contact) {
+      seen.push_back(one.depth);
+      if (one.root >= 0) clocks.push_back(one.root);
+    }
     series.prepare(recording.tape, recording.state, clocks, seen);
   }
 
@@ -169,17 +186,17 @@ struct RecordedTaylor::Memory {
 
   /// The clock of the contact that is nearest in time to where its root is singular.
   TapeClock clock(bool first) {
-    const auto begins = [](const RootedContact& one) { return one.begins; };
-    if (recording.rooted.empty()) return {};
-    if (first && std::any_of(recording.rooted.begin(), recording.rooted.end(), begins))
+    if (clocks.empty()) return {};
+    const auto begins = [](const RecordedContact& one) { return one.begins && one.root >= 0; };
+    if (first && std::any_of(recording.contact.begin(), recording.contact.end(), begins))
       return {.kind = TapeClock::Kind::onset};
     series.expand(values, 1, {});
     double nearest = infinity;
-    TapeClock chosen{.kind = TapeClock::Kind::root, .root = recording.rooted.front().root};
-    for (const auto& one : recording.rooted) {
+    TapeClock chosen{.kind = TapeClock::Kind::root, .root = clocks.front()};
+    for (const auto& one : recording.contact) {
       const auto depth = series.row(one.depth);
       const double left = depth[0] / std::abs(depth[1]);
-      if (left < nearest) nearest = left, chosen.root = one.root;
+      if (one.root >= 0 && left < nearest) nearest = left, chosen.root = one.root;
     }
     return chosen;
   }
@@ -203,6 +220,24 @@ struct RecordedTaylor::Memory {
       end.place = at;
       if (std::abs(at - from) <= 4 * epsilon * at) return;
     }
+  }
+
+  /// A contact that opens and is so shallow that it does nothing any more: the guard that opens it, after the
+  /// time that it still takes. No series passes the end of some of them.
+  std::optional<std::pair<Index, double>> opening() {
+    series.expand(values, 1, {});
+    for (const auto& one : recording.contact) {
+      const auto depth = series.row(one.depth);
+      if (depth[1] < 0 && depth[0] < one.negligible) return std::pair(one.open, -depth[0] / depth[1]);
+    }
+    return std::nullopt;
+  }
+
+  /// Along the tangent.
+  void move_on(const Problem& problem, double duration, State x) {
+    values.resize(x.size());
+    problem.derivative(x, values);
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] += duration * values[i];
   }
 
   static Arrival arrive(Outcome outcome, double time, Index steps, int order) {
@@ -250,9 +285,15 @@ struct RecordedTaylor::Memory {
         simultaneous.collect(problem, x, simultaneity_window(problem, request.accuracy), fired);
         return arrive(Outcome::guard, step.end, count, order);
       }
-      stalled += duration <= 2 * epsilon * step.end;
+      stalled = duration < short_step * problem.time_scale() ? stalled + 1 : 0;
     }
-    return arrive(Outcome::stiff, step.end, count - 1, usual);
+    load(x);
+    const auto opens = opening();
+    if (!opens || step.end + opens->second > request.limit)
+      return arrive(Outcome::stiff, step.end, count - 1, usual);
+    move_on(problem, opens->second, x);
+    fired.push_back(opens->first);
+    return arrive(Outcome::guard, step.end + opens->second, count - 1, usual);
   }
 };
 

@@ -72,7 +72,7 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   bool can_be_recorded(const ClosedContact& mode) const;
   void find_followed();
   void record_guards(flow::Recording& recording) const;
-  void record_contacts(flow::Recording& recording) const;
+  void record_contacts(double accuracy, flow::Recording& recording) const;
 
   bool ballistic_ = false, free_flight_ = true, recordable_ = false;
   double time_ = 1, damping_ = 0;

@@ -1,4 +1,6 @@
 // Field and guards of bodies in contact on a tape.
+#include <cmath>
+
 #include "mariotte/model/bodies/bodies_phase.hpp"
 
 namespace mariotte::model {
@@ -34,7 +36,7 @@ void BodiesPhase<D>::find_followed() {
 }
 
 template <int D>
-bool BodiesPhase<D>::record(ConstState x, double, flow::Recording& recording) const {
+bool BodiesPhase<D>::record(ConstState x, double accuracy, flow::Recording& recording) const {
   auto& tape = recording.tape;
   tape.clear();
   recording.component = followed_;
@@ -51,7 +53,7 @@ bool BodiesPhase<D>::record(ConstState x, double, flow::Recording& recording) co
   for (std::size_t i = 0; i < followed_.size(); ++i)
     recording.state[i].rate = traced_dx_[followed_[i]].place_on(tape);
   record_guards(recording);
-  record_contacts(recording);
+  record_contacts(accuracy, recording);
   return true;
 }
 
@@ -67,19 +69,22 @@ void BodiesPhase<D>::record_guards(flow::Recording& recording) const {
   }
 }
 
-/// Contacts whose force or stiffness has a root.
+/// What a contact still does at a depth δ before it opens is (δ/L)ⁿ⁺¹ of what it can do.
 template <int D>
-void BodiesPhase<D>::record_contacts(flow::Recording& recording) const {
-  recording.rooted.clear();
+void BodiesPhase<D>::record_contacts(double accuracy, flow::Recording& recording) const {
+  constexpr double share = 1e-3;
+  recording.contact.clear();
   for (std::size_t i = 0; i < mode_->closed.size(); ++i) {
     const auto& one = setting_.contact[mode_->closed[i].contact];
-    const bool hertz = contact::power_law(one.law)->exponent == 1.5;
-    if (!hertz && one.tangential.law != TangentialLaw::mindlin) continue;
+    const double exponent = contact::power_law(one.law)->exponent;
     const auto& depth = traced_.contact(i).motion.indentation;
     const int place = depth.place_on(recording.tape);
-    const bool begins = recording.tape[place].op == series::TapeOp::onset;
-    recording.rooted.push_back({place, sqrt(depth).place_on(recording.tape),
-                                slot_guard(mode_->closed[i].slot, SlotGuard::open), begins});
+    const bool has_root = exponent == 1.5 || one.tangential.law == TangentialLaw::mindlin;
+    recording.contact.push_back({.depth = place,
+                                 .root = has_root ? sqrt(depth).place_on(recording.tape) : -1,
+                                 .open = slot_guard(mode_->closed[i].slot, SlotGuard::open),
+                                 .begins = recording.tape[place].op == series::TapeOp::onset,
+                                 .negligible = one.length * std::pow(share * accuracy, 1 / (exponent + 1))});
   }
 }
 
