@@ -46,8 +46,12 @@ template <class T>
 void BodiesPhase<D>::all_guards(BodiesField<T, D>& field, std::span<T> values) const {
   std::fill(values.begin(), values.end(), T(1.0));
   const double noise = setting_.slip_noise * setting_.speed;
-  for (Index c = 0; c < std::ssize(setting_.contact); ++c)
-    if (crossing_[gap_guard(c)] != Crossing::none) values[gap_guard(c)] = field.motion(c).gap;
+  for (Index k = 0; k < watched_count(); ++k)
+    if (crossing_[gap_guard(k)] != Crossing::none) values[gap_guard(k)] = field.motion(watched(k)).gap;
+  for (Index i = 0; i < strays_; ++i) {
+    const auto gone = field.body(i).shift - lift<T>(vec_at<D>(ConstState(mode_->from), D * i));
+    values[stray_guard(i)] = 0.25 * setting_.skin * setting_.skin - dot(gone, gone);
+  }
   for (std::size_t i = 0; i < mode_->closed.size(); ++i) {
     const auto& one = mode_->closed[i];
     const auto& c = field.contact(i);

@@ -41,6 +41,8 @@ struct BodiesMode {
   std::vector<Index> touching;        ///< at rest at gap 0 since the start
   std::vector<Index> idle;            ///< slots that nobody uses
   std::vector<ContactTotals> totals;  ///< of periods that have ended, per contact
+  std::vector<Index> near;            ///< pairs that can meet before a body has gone half the skin
+  std::vector<double> from;           ///< places of the bodies when `near` was made; empty if it is not
 };
 
 /// Changes of one contact.

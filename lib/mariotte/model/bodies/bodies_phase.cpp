@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "mariotte/model/bodies/near_pairs.hpp"
+
 namespace mariotte::model {
 
 using flow::Crossing;
@@ -36,6 +38,8 @@ template <int D>
 void BodiesPhase<D>::bind(const BodiesMode& mode) {
   mode_ = &mode;
   layout_.slots = std::ssize(mode.idle) + std::ssize(mode.closed);
+  watches_near_ = watches_near(setting_, mode);
+  strays_ = watches_near_ ? layout_.bodies : 0;
   crossing_.assign(guard_count(), Crossing::none);
   set_magnitudes(setting_, layout_, mode, magnitude_);
   // Without gravity what touches at rest stays so while nothing pushes.
@@ -43,11 +47,14 @@ void BodiesPhase<D>::bind(const BodiesMode& mode) {
   ballistic_ = mode.closed.empty() && at_peace && free_flight_;
   time_ = mode.closed.empty() ? setting_.time : infinity;
   damping_ = 0;
-  for (Index c = 0; c < std::ssize(setting_.contact); ++c) crossing_[gap_guard(c)] = Crossing::falling;
+  std::vector<char> is_closed(setting_.contact.size(), 0);
+  for (const auto& one : mode.closed) is_closed[one.contact] = 1;
+  for (Index k = 0; k < watched_count(); ++k)
+    crossing_[gap_guard(k)] = is_closed[watched(k)] ? Crossing::none : Crossing::falling;
+  for (Index i = 0; i < strays_; ++i) crossing_[stray_guard(i)] = Crossing::falling;
   for (const auto& one : mode.closed) {
     const auto& contact = setting_.contact[one.contact];
     const auto set = [&](SlotGuard guard, Crossing way) { crossing_[slot_guard(one.slot, guard)] = way; };
-    crossing_[gap_guard(one.contact)] = Crossing::none;
     set(SlotGuard::open, Crossing::rising);
     if (one.friction != Friction::none && !one.slack) set(SlotGuard::friction, Crossing::falling);
     set(SlotGuard::turn, one.unloading ? Crossing::rising : Crossing::falling);

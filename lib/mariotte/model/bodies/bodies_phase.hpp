@@ -11,8 +11,8 @@
 
 namespace mariotte::model {
 
-/// D = 2 or 3. Guards: four of each slot, the gap of each contact, then the parting of those that touch at
-/// rest.
+/// D = 2 or 3. Guards: four of each slot, the gap of each contact that is watched, the parting of those that
+/// touch at rest, then how far bodies have gone since near pairs were listed.
 template <int D>
 class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public flow::RecordedPhase {
  public:
@@ -24,7 +24,7 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
 
   Index size() const override { return layout_.size(); }
   void derivative(ConstState x, State dx) const override;
-  Index guard_count() const override { return parting_guard(touching_); }
+  Index guard_count() const override { return stray_guard(strays_); }
   void guards(ConstState x, State values) const override;
   void guard_rates(ConstState x, ConstState dx, State rates) const override;
   std::span<const flow::Crossing> crossings() const override { return crossing_; }
@@ -50,8 +50,15 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   Index slot_guard(Index slot, SlotGuard guard) const {
     return slot * guards_per_slot + static_cast<Index>(guard);
   }
-  Index gap_guard(Index contact) const { return layout_.slots * guards_per_slot + contact; }
-  Index parting_guard(Index k) const { return gap_guard(std::ssize(setting_.contact)) + k; }
+  /// Of the k-th contact that is watched; all of them are, unless the mode has a list of near ones.
+  Index gap_guard(Index k) const { return layout_.slots * guards_per_slot + k; }
+  Index watched(Index k) const { return watches_near_ ? mode_->near[k] : k; }
+  Index watched_count() const {
+    return watches_near_ ? std::ssize(mode_->near) : std::ssize(setting_.contact);
+  }
+  Index parting_guard(Index k) const { return gap_guard(watched_count()) + k; }
+  /// Of body k, which leaves the place where near pairs were listed.
+  Index stray_guard(Index k) const { return parting_guard(touching_) + k; }
 
  private:
   template <class T>
@@ -68,6 +75,8 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   const BodiesSetting<D>& setting_;
   Index touching_;
   const BodiesMode* mode_ = nullptr;
+  bool watches_near_ = false;
+  Index strays_ = 0;
   BodiesLayout<D> layout_;
   bool can_be_recorded(const ClosedContact& mode) const;
   void find_followed();

@@ -23,8 +23,8 @@ void BodiesPhase<D>::find_followed() {
       if (sphere >= 0) is_followed_[setting_.sphere[sphere].body] = 1;
   };
   for (const auto& one : mode_->closed) follow(one.contact);
-  for (Index c = 0; c < std::ssize(setting_.contact); ++c)
-    if (crossing_[gap_guard(c)] != flow::Crossing::none) follow(c);
+  for (Index k = 0; k < watched_count(); ++k)
+    if (crossing_[gap_guard(k)] != flow::Crossing::none) follow(watched(k));
   followed_.clear();
   const auto add = [&](Index first, Index count) {
     for (Index k = 0; k < count; ++k) followed_.push_back(first + k);

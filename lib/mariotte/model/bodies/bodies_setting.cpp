@@ -121,6 +121,18 @@ void set_natural_sizes(BodiesSetting<D>& setting) {
   for (std::size_t i = 0; i < push.size(); ++i) setting.body[i].push = push[i] > 0 ? push[i] : 1;
 }
 
+/// Where there are many pairs, those are watched that are not far apart: a tenth of the smallest body, or
+/// many indentations.
+template <int D>
+double skin_of(const BodiesSetting<D>& setting) {
+  constexpr std::size_t few = 64;
+  if (setting.contact.size() <= few) return 0;
+  double least = infinity;
+  for (const auto& body : setting.body)
+    if (body.reach > 0) least = std::min(least, body.reach);
+  return std::max(0.1 * least, 20 * setting.length);
+}
+
 }  // namespace
 
 template <int D>
@@ -138,6 +150,7 @@ BodiesSetting<D> setting_of(const Bodies& bodies, double accuracy) {
   setting.slip_noise = std::max(1e-13, 1e-3 * accuracy);
   setting.gap_noise = std::max(1e-12, 1e-2 * accuracy);
   setting.onset_noise = 0.1 * accuracy;
+  setting.skin = skin_of(setting);
   return setting;
 }
 

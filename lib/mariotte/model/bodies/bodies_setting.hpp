@@ -78,6 +78,7 @@ struct BodiesSetting {
   double length = 1, time = 1;           ///< shortest natural ones of all contacts
   double smallest_indentation = 0;       ///< stands for 0 where a ratio of forces is wanted
   double slip_noise = 0, gap_noise = 0;  ///< share of speed and length that is rounding
+  double skin = 0;                       ///< gap up to which pairs are watched; 0: all are
   double onset_noise = 0;                ///< share of length within which contacts close together
 };
 

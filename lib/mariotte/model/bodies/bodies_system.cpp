@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mariotte/core/error.hpp"
+#include "mariotte/model/bodies/near_pairs.hpp"
 #include "mariotte/model/fault.hpp"
 
 namespace mariotte::model {
@@ -71,6 +72,7 @@ void BodiesSystem<D>::mode_at(std::vector<double>& x, Mode& mode, std::vector<Ch
   }
   for (const Index c : closing) close(mode, c, x, BodyEvent::close, changes);
   hold_or_release(mode, x, changes);
+  refresh_near(setting_, layout(x), x, mode);
 }
 
 template <int D>
@@ -239,20 +241,23 @@ void BodiesSystem<D>::pass_slot(SlotGuard guard, Mode& mode, std::size_t place, 
 template <int D>
 void BodiesSystem<D>::transition(Mode& mode, const std::vector<Index>& fired, std::vector<double>& x,
                                  std::vector<Change>& changes) const {
-  const auto at = layout(x);
-  const Index gaps = at.slots * guards_per_slot, partings = gaps + std::ssize(setting_.contact);
+  const Index gaps = phase_.gap_guard(0), partings = phase_.parting_guard(0), strays = phase_.stray_guard(0);
   const auto touching = mode.touching;
+  std::vector<Index> watched(phase_.watched_count());
+  for (std::size_t k = 0; k < watched.size(); ++k) watched[k] = phase_.watched(static_cast<Index>(k));
   auto sorted = fired;
   std::sort(sorted.begin(), sorted.end());
   std::vector<ClosedContact> closed = mode.closed;  // slots as they were
   for (const Index guard : sorted) {
-    if (guard >= partings) {
+    if (guard >= strays) {
+      mode.from.clear();
+    } else if (guard >= partings) {
       const Index contact = touching[guard - partings];
       std::erase(mode.touching, contact);
       changes.push_back({contact, BodyEvent::touch});
       changes.push_back({contact, BodyEvent::part});
     } else if (guard >= gaps) {
-      const Index contact = guard - gaps;
+      const Index contact = watched[guard - gaps];
       const bool rested = std::erase(mode.touching, contact) > 0;
       close(mode, contact, x, rested ? BodyEvent::touch : BodyEvent::close, changes);
     } else {
@@ -265,6 +270,7 @@ void BodiesSystem<D>::transition(Mode& mode, const std::vector<Index>& fired, st
     }
   }
   hold_or_release(mode, x, changes);
+  refresh_near(setting_, layout(x), x, mode);
 }
 
 /// What sticks rigidly may not hold any more when others have changed: the contact that is farthest beyond
