@@ -12,6 +12,7 @@
 #include "measure.hpp"
 #include "plots.hpp"
 #include "ratios.hpp"
+#include "slope_cost.hpp"
 
 namespace mariotte::work_precision {
 namespace {
@@ -24,6 +25,7 @@ struct Options {
   std::string csv;
   std::string plots;
   bool quick = false;
+  bool slopes = false;
   bool force = false;
 };
 
@@ -81,6 +83,10 @@ void draw(const Options& options, const std::vector<Row>& rows) {
 }
 
 int run(const Options& options) {
+  if (options.slopes) {
+    command::print(slope_cost((options.quick ? quick_effort() : full_effort()).patience));
+    return command::ExitCode::ok;
+  }
   const auto names = chosen_problems(options);
   refuse_to_overwrite(options.csv, options.force);
   if (!options.plots.empty()) prepare_plots(options.plots, names, options.force);
@@ -107,6 +113,7 @@ command::OptionList declare(Options& options) {
   return {{"--problem", &options.problems, "Only this problem; may be repeated", {.value = "NAME"}},
           {"--method", &options.methods, "Only this method; may be repeated", {.value = "NAME"}},
           {"--quick", &options.quick, "Coarse ladders and short timings: all within a minute"},
+          {"--slopes", &options.slopes, "Only what slopes of three balls cost, as multiples of a run"},
           {"--csv", &options.csv, "Write every point of the diagrams to this file", {.value = "FILE"}},
           {"--plots",
            &options.plots,

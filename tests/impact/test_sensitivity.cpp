@@ -40,6 +40,29 @@ double slope(const Sensitivity& s, const std::string& outcome, Index index, cons
   throw std::runtime_error("no slope of " + outcome + " by " + parameter);
 }
 
+/// A row of linear and Hertz contacts whose slopes are power series: some Hertz contacts touch, some are
+/// damped, some rows end at a wall.
+model::Chain random_row(std::mt19937& random) {
+  const auto between = [&](double low, double high) {
+    return std::uniform_real_distribution(low, high)(random);
+  };
+  const int balls = 3 + static_cast<int>(random() % 3);
+  const bool damped = random() % 2, ends_at_wall = random() % 3 == 0;
+  model::Chain chain;
+  for (int i = 0; i < balls; ++i) {
+    chain.mass.push_back(between(0.4, 2.5));
+    chain.velocity.push_back(i == 0 ? between(0.8, 1.5) : 0);
+    if (i == 0) continue;
+    const bool touches = random() % 2;
+    const double exponent = touches || random() % 2 ? 1.5 : 1;
+    chain.gap.push_back(touches ? 0 : between(0.02, 0.3));
+    chain.law.push_back(contact::PowerLaw{between(0.5, 4), damped ? between(0.02, 0.3) : 0, exponent});
+  }
+  if (ends_at_wall) chain.mass.back() = infinity;
+  if (!ends_at_wall && random() % 2) chain.gravity = 0.05;
+  return chain;
+}
+
 /// Random masses, speeds and gaps; laws without branches.
 model::Chain random_chain(std::mt19937& random) {
   const auto between = [&](double low, double high) {
@@ -175,4 +198,36 @@ BOOST_AUTO_TEST_CASE(a_pair_has_the_slopes_of_its_closed_form) {
   const double time = std::numbers::pi * std::sqrt(1.2 / 5);
   BOOST_TEST(std::abs(slope(found, "time", 0, "contact[0].stiffness") + time / 10) < 1e-12);
   BOOST_TEST(std::abs(slope(found, "time", 0, "gap[0]") - 1 / 1.5) < 1e-12);
+}
+
+BOOST_AUTO_TEST_CASE(power_series_have_the_slopes_of_collocation) {
+  std::mt19937 random(23);
+  int compared = 0;
+  for (int n = 0; n < 16; ++n) {
+    const auto chain = random_row(random);
+    auto by = parameters(chain);
+    std::erase_if(by, [](const auto& one) { return one.name.ends_with("exponent"); });
+    // Steps of CVODE have no series.
+    const auto found = sensitivity(chain, by, {.accuracy = 1e-10, .max_time = 6});
+    const auto other =
+        sensitivity(chain, by, {.accuracy = 1e-11, .max_time = 6, .flow = flow::Kind::cvode_adams});
+    BOOST_TEST_REQUIRE(found.outcome.size() == other.outcome.size());
+    if (found.ending != other.ending) continue;
+    for (std::size_t k = 0; k < found.outcome.size(); ++k) {
+      if (found.outcome[k].name != "velocity") continue;
+      const auto &own = found.outcome[k].slope, &reference = other.outcome[k].slope;
+      double most = 1;
+      for (const auto& one : reference) most = std::max(most, std::abs(one.value_or(0)));
+      for (std::size_t c = 0; c < by.size(); ++c) {
+        BOOST_TEST(own[c].has_value() == reference[c].has_value(),
+                   "slope of " << k << " by " << by[c].name << " of row " << n);
+        if (!own[c] || !reference[c]) continue;
+        ++compared;
+        BOOST_TEST(std::abs(*own[c] - *reference[c]) <= 1e-8 * most,
+                   "velocity " << k << " by " << by[c].name << " of row " << n << ": " << *own[c] << " and "
+                               << *reference[c]);
+      }
+    }
+  }
+  BOOST_TEST(compared > 300);
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "mariotte/flow/problem.hpp"
+#include "mariotte/flow/push_series.hpp"
 
 namespace mariotte::flow {
 
@@ -19,6 +20,8 @@ class Step {
   virtual void at(double time, State x) const = 0;
   /// State at a fraction of the step, from 0 to 1 in whatever clock it has: quicker where that is not time.
   virtual void inside(double fraction, State x) const { at(start + fraction * (end - start), x); }
+  /// Fill in the series of all contacts that carry force in this step; false if there are none.
+  virtual bool series(PushSeries&) const { return false; }
 };
 
 /// Sees every step of a flow; peaks, traces and pictures come from here.

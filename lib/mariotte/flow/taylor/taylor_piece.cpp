@@ -1,5 +1,7 @@
 #include "mariotte/flow/taylor/taylor_piece.hpp"
 
+#include <algorithm>
+
 #include "mariotte/core/bracket.hpp"
 #include "mariotte/flow/roots/polynomial.hpp"
 
@@ -32,6 +34,40 @@ void PieceStep::at(double time, State x) const {
 void PieceStep::inside(double fraction, State x) const {
   const bool is_time = !piece_.series || piece_.clock == Expansion::plain;
   show(fraction * (is_time ? duration_ : piece_.end), x);
+}
+
+/// Whether the series has the force of this contact.
+bool PieceStep::acts(int lane) const {
+  const auto& l = window_.lanes;
+  if (!window_.pushes(lane) || !(l.active[lane] > 0)) return false;
+  return piece_.start || lane == piece_.clock || l.indentation[lane] > 0 || !window_.is_sharp(lane);
+}
+
+bool PieceStep::series(PushSeries& push) const {
+  static_assert(order_limit <= most_orders);
+  if (window_.lanes.general) return false;
+  push.order = piece_.order;
+  push.end = piece_.end;
+  push.is_time = piece_.clock == Expansion::plain;
+  push.power = piece_.start ? piece_.start->power() : 0;
+  push.contact.clear();
+  for (int lane = 0; lane < window_.lanes.count; ++lane) {
+    if (!acts(lane)) continue;
+    auto& c = push.contact.emplace_back();
+    c.gap = window_.contact(lane).gap;
+    c.owns_clock = lane == piece_.clock;
+    c.is_curved = window_.is_sharp(lane);
+    if (piece_.start) {
+      piece_.start->coefficients(lane, c.depth, c.root);
+      continue;
+    }
+    piece_.series->coefficients(Quantity::indentation, lane, c.depth.data());
+    piece_.series->coefficients(Quantity::rate, lane, c.rate.data());
+    piece_.series->coefficients(Quantity::root, lane, c.root.data());
+  }
+  if (piece_.series)
+    piece_.series->coefficients(Quantity::clock, std::max(piece_.clock, 0), push.pace.data());
+  return true;
 }
 
 }  // namespace mariotte::flow::taylor

@@ -38,8 +38,10 @@ class PieceStep final : public Step {
       : window_(window), piece_(piece), duration_(duration), scratch_(scratch) {}
   void at(double time, State x) const override;
   void inside(double fraction, State x) const override;
+  bool series(PushSeries& push) const override;
 
  private:
+  bool acts(int lane) const;
   void show(double place, State x) const;
 
   const Window& window_;

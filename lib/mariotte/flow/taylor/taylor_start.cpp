@@ -97,6 +97,16 @@ double Start::expand(const Lanes& lanes, const Part* part, int order, double tol
   return rough_root(tolerance / std::max(last, 1e-300), power_ * order);
 }
 
+/// Those of pressed contacts begin with t^{7/2} = t z² and t^{7/4} = √t z.
+void Start::coefficients(int lane, std::span<double> indentation, std::span<double> root) const {
+  const auto& own = lane_[lane];
+  const int later = own.part == Part::pressed ? 1 : 0;
+  for (int k = 0; k <= order_; ++k) {
+    indentation[k] = k >= 2 * later ? own.indentation[k - 2 * later] : 0;
+    root[k] = k >= later ? own.root[k - later] : 0;
+  }
+}
+
 /// What a contact's own force takes away grows faster than what the others give: if a struck contact is still
 /// indented without what they give, or a pressed one by half of it, they have been all the while. An open gap
 /// has not closed if it would stay open with all pushes and without its own opening speed.

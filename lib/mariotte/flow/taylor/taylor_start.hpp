@@ -1,6 +1,7 @@
 // The first moments of Hertz contacts that all start undeformed: one power series instead of many graded
 // steps.
 #pragma once
+#include <span>
 #include <vector>
 
 #include "mariotte/flow/taylor/taylor_lanes.hpp"
@@ -21,6 +22,11 @@ class Start {
   /// Indentations and impulses at `time`, and margins, negative where no bound rules out that a guard fires
   /// before.
   void evaluate(double time, Values& values) const;
+
+  /// The power of t in z.
+  double power() const { return power_; }
+  /// Of δ/t and √(δ/t) as series in z, of a lane that takes part.
+  void coefficients(int lane, std::span<double> indentation, std::span<double> root) const;
 
  private:
   using Coefficients = std::array<double, order_limit + 1>;

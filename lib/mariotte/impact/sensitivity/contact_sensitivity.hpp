@@ -47,7 +47,7 @@ class ContactSensitivity {
         start_(layout_.size, std::ssize(by)) {
     initial_state(base, layout_, x0_);
     set_start();
-    ContactVariation<Topology> variation(base, layout_, models_);
+    ContactVariation<Topology> variation(base, layout_, models_, options.accuracy);
     end_ = SlopeLoop(system, variation, hybrid::scaled(options, base.scale)).follow(x0_, start_);
     for (const auto& one : by) result_.parameter.push_back({one.name, one.value});
   }

@@ -60,13 +60,15 @@ double memory_force_slope(contact::ContactMode mode, const Law& law, double inde
 
 template <class Topology>
 ContactVariation<Topology>::ContactVariation(const Scaled& model, const model::ContactLayout& layout,
-                                             const std::vector<ShiftedModels<Scaled>>& shifted)
+                                             const std::vector<ShiftedModels<Scaled>>& shifted,
+                                             double accuracy)
     : model_(model),
       layout_(layout),
       columns_(std::ssize(shifted)),
       contact_(layout.contacts()),
       acceleration_(layout.velocities(), columns_),
-      peak_(columns_, layout.contacts()) {
+      peak_(columns_, layout.contacts()),
+      push_slopes_(model, layout, contact_, acceleration_, natural_, accuracy) {
   for (const auto& one : shifted) natural_.push_back(1e-4 / one.step);
   find_terms(shifted);
 }
@@ -144,6 +146,10 @@ void ContactVariation<Topology>::find_law(Index j, Index c, const ShiftedModels<
   for (const auto& moved : shifted.at) law.shifted.push_back(moved.law[j]);
   if (power_law(model_.law[j])) {
     const auto slope_of = [&](double contact::PowerLaw::*number) {
+      const auto is_same = [&](const Law& moved) {
+        return power_law(moved)->*number == power_law(model_.law[j])->*number;
+      };
+      if (std::all_of(law.shifted.begin(), law.shifted.end(), is_same)) return 0.0;
       return by_law(law, [&](const Law& moved) { return power_law(moved)->*number; });
     };
     law.power = {.stiffness = slope_of(&contact::PowerLaw::stiffness),

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <vector>
 
+#include "mariotte/impact/sensitivity/contact_slope.hpp"
+#include "mariotte/impact/sensitivity/push_slopes.hpp"
 #include "mariotte/impact/sensitivity/slope_matrix.hpp"
 #include "mariotte/impact/sensitivity/stencil.hpp"
 #include "mariotte/model/contacts/contact_system.hpp"
@@ -19,26 +21,6 @@ template <class Scaled>
 struct ShiftedModels {
   double step;
   std::array<Scaled, stencil.size()> at;
-};
-
-/// Slopes of the force of one contact by one parameter: of a power law by its numbers, of others by the laws
-/// at the points of the stencil.
-struct LawSlope {
-  Index column;
-  double step = 0;
-  contact::PowerLaw power{0, 0, 0};  ///< slopes of k, c and n
-  std::vector<contact::Law> shifted;
-};
-
-/// Of one contact: what its law, its push and its approach do.
-struct ContactSlope {
-  struct Term {
-    Index place, column;
-    double slope;
-  };
-  std::vector<LawSlope> law;
-  std::vector<Term> push;       ///< of M⁻¹ Gᵀ
-  std::vector<Term> direction;  ///< of G
 };
 
 /// dk δⁿ + dc δⁿ⁻¹ δ̇ + dn ln δ · f: the force of a power law as its numbers change.
@@ -77,11 +59,15 @@ class ContactVariation {
   using Scaled = typename Topology::Model;
 
   ContactVariation(const Scaled& model, const model::ContactLayout& layout,
-                   const std::vector<ShiftedModels<Scaled>>& shifted);
+                   const std::vector<ShiftedModels<Scaled>>& shifted, double accuracy);
 
   Index columns() const { return columns_; }
   /// Slopes that are a hundredth of a state over its parameter.
   const std::vector<double>& natural_slopes() const { return natural_; }
+  /// Carry slopes along a step that is known as a formula; false if it is not.
+  bool advance(const flow::Step& step, const contact::ContactSet& mode, SlopeMatrix& slopes) const {
+    return push_slopes_.advance(step, mode, slopes);
+  }
   /// ∂f/∂p at a state.
   void source(ConstState x, const contact::ContactSet& mode, SlopeMatrix& b) const;
   /// ∂f/∂x.
@@ -126,6 +112,7 @@ class ContactVariation {
   std::vector<ContactSlope> contact_;
   SlopeMatrix acceleration_;  ///< by velocity and parameter
   SlopeMatrix peak_;          ///< by parameter and contact
+  mutable PushSlopes<Topology> push_slopes_;
 };
 
 }  // namespace mariotte::impact

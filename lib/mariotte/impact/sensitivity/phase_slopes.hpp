@@ -29,6 +29,8 @@ class PhaseSlopes final : public hybrid::PhaseObserver {
     phase_start_ = time;
   }
   void observe(const flow::Step& step) override {
+    if constexpr (requires { variation_.advance(step, mode_, slopes); })
+      if (variation_.advance(step, mode_, slopes)) return void(end_.reset());
     const auto end = end_of(step);
     Along field(*this, step);
     collocation_.advance(field, step.start, end.value_or(step.end),

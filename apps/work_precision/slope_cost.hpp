@@ -1,0 +1,12 @@
+// What slopes cost beside a run.
+#pragma once
+#include <string>
+
+#include "measuring/timing.hpp"
+
+namespace mariotte::work_precision {
+
+/// Lines of three balls: the time of a run, and that of all slopes and of one as multiples of it.
+std::string slope_cost(const measuring::Patience& patience);
+
+}  // namespace mariotte::work_precision

@@ -1,0 +1,57 @@
+// Slopes of velocities and displacements as power series in the clock of a step, four parameters at a time.
+#pragma once
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "mariotte/contact/power_law.hpp"
+#include "mariotte/flow/push_series.hpp"
+#include "mariotte/impact/sensitivity/contact_slope.hpp"
+#include "mariotte/impact/sensitivity/slope_matrix.hpp"
+
+namespace mariotte::impact {
+
+/// Keeps its memory from step to step.
+class PushExpansion {
+ public:
+  PushExpansion();
+  ~PushExpansion();
+  PushExpansion(const PushExpansion&) = delete;
+  PushExpansion& operator=(const PushExpansion&) = delete;
+
+  /// What the push of a contact gives a velocity, or a velocity to the gap.
+  struct Term {
+    Index velocity;
+    double coefficient;
+  };
+  /// A contact of the series, in its order. `depth` are the slopes of δ at the start.
+  struct Contact {
+    contact::PowerLaw law;
+    std::span<const Term> push, direction;
+    const ContactSlope* slope;
+    std::span<const double> depth;
+  };
+  /// What a step starts from; `number` is that of a velocity by its place.
+  struct Start {
+    std::span<const Contact> contacts;
+    const SlopeMatrix& velocity;
+    const SlopeMatrix& acceleration;
+    std::span<const Index> number;
+  };
+  /// Slopes at the end: by velocity its own and that of ∫ v dt, and by contact that of its impulse.
+  struct End {
+    SlopeMatrix &velocity, &displacement, &impulse;
+  };
+
+  /// Linear and Hertz contacts, damped or not, and slopes by any numbers but exponents and directions.
+  static bool knows(const contact::PowerLaw& law, const ContactSlope& slope);
+  /// False if the last terms of some column are more than `tolerance` of its velocities or of `natural`.
+  bool expand(const flow::PushSeries& series, const Start& start, double tolerance,
+              std::span<const double> natural, End end);
+
+ private:
+  struct Memory;
+  std::unique_ptr<Memory> memory_;
+};
+
+}  // namespace mariotte::impact

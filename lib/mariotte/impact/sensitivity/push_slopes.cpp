@@ -1,0 +1,240 @@
+#include "mariotte/impact/sensitivity/push_slopes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mariotte/model/chain/chain_topology.hpp"
+#include "mariotte/model/network/network_topology.hpp"
+
+namespace mariotte::impact {
+namespace {
+
+/// Of the accuracy of the run, which is better than what is asked for: what the last terms of a step may be.
+constexpr double share = 3;
+constexpr int most_halvings = 3;
+
+}  // namespace
+
+template <class Topology>
+PushSlopes<Topology>::PushSlopes(const Scaled& model, const model::ContactLayout& layout,
+                                 const std::vector<ContactSlope>& contacts, const SlopeMatrix& acceleration,
+                                 const std::vector<double>& natural, double accuracy)
+    : model_(model),
+      layout_(layout),
+      contact_(contacts),
+      acceleration_(acceleration),
+      natural_(natural),
+      accuracy_(accuracy),
+      reach_(layout.contacts()),
+      number_(layout.size, -1),
+      contact_at_(layout.size, -1) {
+  const Topology topology{model, layout};
+  for (Index v = 0; v < layout.velocities(); ++v) number_[layout.velocity[v]] = v;
+  for (Index j = 0; j < layout.contacts(); ++j) {
+    contact_at_[layout.gap[j]] = j;
+    auto& own = reach_[j];
+    topology.for_each_push(j, [&](Index place, double u) { own.push.push_back({number_[place], u}); });
+    topology.for_each_direction(j, [&](Index place, double g) {
+      own.direction.push_back({number_[place], g});
+    });
+    for (const auto& [v, u] : own.push)
+      for (const auto& [moved, g] : own.direction)
+        if (v == moved) own.mobility += u * g;
+  }
+}
+
+/// Rate of the gap of contact j along a motion of the velocities.
+template <class Topology>
+double PushSlopes<Topology>::along(Index j, const SlopeMatrix& motion, Index column) const {
+  double sum = 0;
+  for (const auto& [v, g] : reach_[j].direction) sum += g * motion(v, column);
+  return sum;
+}
+
+/// Contacts that push; false if some law or direction is not known here.
+template <class Topology>
+bool PushSlopes<Topology>::gather(const contact::ContactSet& mode) {
+  pushing_.clear();
+  for (Index j = 0; j < layout_.contacts(); ++j) {
+    if (!contact_[j].direction.empty()) return false;
+    if (!contact::carries_force(mode[j])) continue;
+    if (!power_law(model_.law[j])) return false;
+    pushing_.push_back(j);
+  }
+  return true;
+}
+
+/// Velocities and displacements without any push.
+template <class Topology>
+void PushSlopes<Topology>::fly(double duration, const SlopeMatrix& slopes) {
+  for (Index c = 0; c < slopes.columns; ++c)
+    for (Index v = 0; v < velocity_.rows; ++v) {
+      const double speed = slopes(layout_.velocity[v], c), gain = duration * acceleration_(v, c);
+      velocity_(v, c) = speed + gain;
+      displacement_(v, c) = duration * (speed + 0.5 * gain);
+    }
+}
+
+/// δ̈ = −κ δⁿ: with the slopes of κ and of the start, S_δ = a δ̇ + b (δ + (n−1)/2 t δ̇) + κ_p t δ̇/(2κ).
+template <class Topology>
+bool PushSlopes<Topology>::follow_alone(const flow::Step& step, Index j, const SlopeMatrix& slopes) {
+  const auto& law = *power_law(model_.law[j]);
+  const Topology topology{model_, layout_};
+  const double n = law.exponent, u = reach_[j].mobility, kappa = law.stiffness * u;
+  const double h = step.end - step.start;
+  const double depth = -step.before[layout_.gap[j]], last = -step.after[layout_.gap[j]];
+  if (law.damping != 0 || topology.drive(j) != 0 || depth < 0 || last < 0) return false;
+  const double rate = topology.approach(step.before, j), last_rate = topology.approach(step.after, j);
+  const double bend = -kappa * depth * contact::contact_width(n, depth);
+  const double last_bend = -kappa * last * contact::contact_width(n, last);
+  const double energy = 0.5 * (n + 1) * rate * rate - bend * depth;
+  const double impulse = (rate - last_rate) / u, travel = (depth + rate * h - last) / u;
+  if (!(energy > 0)) return false;
+  for (const auto& slope : contact_[j].law)
+    if (slope.power.exponent != 0 || slope.power.damping != 0) return false;
+  fly(h, slopes);
+  std::vector<double> by_mobility(slopes.columns), by_stiffness(slopes.columns);
+  for (const auto& term : contact_[j].push)
+    for (const auto& [v, g] : reach_[j].direction)
+      if (v == number_[term.place]) by_mobility[term.column] += g * term.slope;
+  for (const auto& slope : contact_[j].law) by_stiffness[slope.column] = slope.power.stiffness;
+  for (Index c = 0; c < slopes.columns; ++c) {
+    if (along(j, acceleration_, c) != 0) return false;
+    double start_rate = 0;
+    for (const auto& [v, g] : reach_[j].direction) start_rate -= g * slopes(layout_.velocity[v], c);
+    const double start_depth = -slopes(layout_.gap[j], c);
+    const double stretch = 0.5 * (by_stiffness[c] / law.stiffness + by_mobility[c] / u);
+    const double other = start_rate - rate * stretch;
+    const double a = (0.5 * (n + 1) * rate * start_depth - depth * other) / energy;
+    const double b = (rate * other - bend * start_depth) / energy;
+    const double end_depth =
+        a * last_rate + b * (last + 0.5 * (n - 1) * h * last_rate) + h * last_rate * stretch;
+    const double end_rate = a * last_bend + b * (0.5 * (n + 1) * last_rate + 0.5 * (n - 1) * h * last_bend) +
+                            (last_rate + h * last_bend) * stretch;
+    give(j, c, (start_rate - end_rate - by_mobility[c] * impulse) / u,
+         (start_depth + h * start_rate - end_depth - by_mobility[c] * travel) / u);
+  }
+  for (const auto& term : contact_[j].push) {
+    velocity_(number_[term.place], term.column) += term.slope * impulse;
+    displacement_(number_[term.place], term.column) += term.slope * travel;
+  }
+  return true;
+}
+
+/// An impulse, and its integral.
+template <class Topology>
+void PushSlopes<Topology>::give(Index j, Index column, double impulse, double travel) {
+  impulse_(j, column) = impulse;
+  for (const auto& [v, u] : reach_[j].push) {
+    velocity_(v, column) += u * impulse;
+    displacement_(v, column) += u * travel;
+  }
+}
+
+/// Nothing but the series of these contacts, to the end of their clock.
+template <class Topology>
+bool PushSlopes<Topology>::expand(const flow::PushSeries& series, const SlopeMatrix& slopes) {
+  fly(0, slopes);
+  start_ = velocity_;
+  depth_ = SlopeMatrix(slopes.columns, std::ssize(series.contact));
+  expanded_.clear();
+  for (std::size_t k = 0; k < series.contact.size(); ++k) {
+    const Index j = contact_at_[series.contact[k].gap];
+    for (Index c = 0; c < slopes.columns; ++c) {
+      depth_(c, k) = -slopes(layout_.gap[j], c);
+      if (series.power > 0 && along(j, acceleration_, c) != 0) return false;
+    }
+    expanded_.push_back(
+        {*power_law(model_.law[j]), reach_[j].push, reach_[j].direction, &contact_[j], depth_.column(k)});
+  }
+  impulse_given_ = SlopeMatrix(std::ssize(expanded_), slopes.columns);
+  return expansion_.expand(series, {expanded_, start_, acceleration_, number_}, share * accuracy_, natural_,
+                           {velocity_, displacement_, impulse_given_});
+}
+
+/// Slopes need shorter pieces than the motion where their last terms are too large.
+template <class Topology>
+bool PushSlopes<Topology>::carry(const flow::PushSeries& series, SlopeMatrix& slopes, int halvings) {
+  if (expand(series, slopes)) {
+    for (std::size_t k = 0; k < expanded_.size(); ++k)
+      for (Index c = 0; c < slopes.columns; ++c)
+        impulse_(contact_at_[series.contact[k].gap], c) = impulse_given_(k, c);
+    finish(slopes);
+    return true;
+  }
+  if (halvings == 0 || series.power > 0) return false;
+  const double middle = 0.5 * series.end;
+  return carry(part(series, 0, middle), slopes, halvings - 1) &&
+         carry(part(series, middle, series.end), slopes, halvings - 1);
+}
+
+template <class Topology>
+bool PushSlopes<Topology>::follow_series(const flow::Step& step, SlopeMatrix& slopes) {
+  if (!step.series(series_)) return false;
+  for (const auto& one : series_.contact)
+    if (!PushExpansion::knows(*power_law(model_.law[contact_at_[one.gap]]), contact_[contact_at_[one.gap]]))
+      return false;
+  moved_ = slopes;
+  if (!carry(series_, moved_, most_halvings) || !are_awake(step, slopes, moved_)) return false;
+  slopes = moved_;
+  return true;
+}
+
+/// Contacts so shallow that the flow leaves out their force must have no slope that matters, either.
+template <class Topology>
+bool PushSlopes<Topology>::are_awake(const flow::Step& step, const SlopeMatrix& before,
+                                     const SlopeMatrix& after) const {
+  for (const Index j : pushing_) {
+    const auto is_own = [&](const auto& one) { return contact_at_[one.gap] == j; };
+    if (std::any_of(series_.contact.begin(), series_.contact.end(), is_own)) continue;
+    const Index gap = layout_.gap[j];
+    const auto stiffness_at = [&](ConstState x) {
+      const double rate = Topology{model_, layout_}.approach(x, j);
+      return std::abs(contact::smooth_force(*power_law(model_.law[j]), -x[gap], rate).by_indentation);
+    };
+    const double stiffness = std::max(stiffness_at(step.before), stiffness_at(step.after));
+    const double gain = (step.end - step.start) * reach_[j].mobility * stiffness;
+    for (Index c = 0; c < after.columns; ++c) {
+      double largest = natural_[c];
+      for (Index v = 0; v < velocity_.rows; ++v) largest = std::max(largest, std::abs(velocity_(v, c)));
+      const double moved = std::max(std::abs(before(gap, c)), std::abs(after(gap, c)));
+      if (gain * moved > share * accuracy_ * largest) return false;
+    }
+  }
+  return true;
+}
+
+template <class Topology>
+void PushSlopes<Topology>::finish(SlopeMatrix& slopes) const {
+  for (Index c = 0; c < slopes.columns; ++c) {
+    for (Index v = 0; v < velocity_.rows; ++v) slopes(layout_.velocity[v], c) = velocity_(v, c);
+    for (Index j = 0; j < layout_.contacts(); ++j) {
+      slopes(layout_.gap[j], c) += along(j, displacement_, c);
+      if (layout_.impulse[j] != model::ContactLayout::absent) slopes(layout_.impulse[j], c) += impulse_(j, c);
+    }
+  }
+}
+
+template <class Topology>
+bool PushSlopes<Topology>::advance(const flow::Step& step, const contact::ContactSet& mode,
+                                   SlopeMatrix& slopes) {
+  if (!gather(mode)) return false;
+  if (velocity_.columns != slopes.columns) {
+    velocity_ = displacement_ = SlopeMatrix(layout_.velocities(), slopes.columns);
+    impulse_ = SlopeMatrix(layout_.contacts(), slopes.columns);
+  }
+  impulse_.clear();
+  if (pushing_.size() == 1 && follow_alone(step, pushing_[0], slopes)) {
+    finish(slopes);
+    return true;
+  }
+  if (!pushing_.empty()) return follow_series(step, slopes);
+  fly(step.end - step.start, slopes);
+  finish(slopes);
+  return true;
+}
+
+template class PushSlopes<model::ChainTopology>;
+template class PushSlopes<model::NetworkTopology>;
+
+}  // namespace mariotte::impact
