@@ -14,6 +14,7 @@ Command capture_command();
 Command restitution_command();
 Command modes_command();
 Command sensitivity_command();
+Command uncertainty_command();
 Command fit_command();
 Command demo_command();
 Command init_command();

@@ -33,25 +33,12 @@ int command_line(int argc, char** argv) noexcept {
                   .about = "Stiff, event-driven impacts: balls in a chain, microbodies on a plane.",
                   .footer = examples,
                   .version = "mariotte " + report::provenance().version};
-  program.commands = {run_command(),
-                      check_command(),
-                      law_command(),
-                      sweep_command(),
-                      capture_command(),
-                      restitution_command(),
-                      modes_command(),
-                      sensitivity_command(),
-                      fit_command(),
-                      report_command(),
-                      demo_command(),
-                      init_command(),
-                      reproduce_command(),
-                      study_command(),
-                      materials_command(),
-                      explain_command(),
-                      version_command(),
-                      man_command(program),
-                      completion_command(program)};
+  program.commands = {
+      run_command(),         check_command(),       law_command(),        sweep_command(),
+      capture_command(),     restitution_command(), modes_command(),      sensitivity_command(),
+      uncertainty_command(), fit_command(),         report_command(),     demo_command(),
+      init_command(),        reproduce_command(),   study_command(),      materials_command(),
+      explain_command(),     version_command(),     man_command(program), completion_command(program)};
   return run_program(program, argc, argv);
 }
 

@@ -26,6 +26,7 @@ try capture "$scenes/microsphere.toml" --tolerance 1e-2
 try restitution "$scenes/steel_pair.toml" --from 0.1 --to 1
 try modes "$scenes/pressed_row.toml"
 try sensitivity "$scenes/triplet.toml"
+try uncertainty "$scenes/triplet.toml" --set "chain.velocity[0]=1 +- 1 %" --samples 10
 try fit "$scenes/sphere_fit.toml" "$scenes/sphere_fit.csv"
 try explain S010
 try materials

@@ -105,23 +105,40 @@ std::vector<impact::Parameter<model::Microbody>> body_parameters(const Document&
   return list;
 }
 
-}  // namespace
-
-impact::Sensitivity sensitivity(const Document& document, const scene::Scene& scene,
-                                const std::vector<std::string>& keys) {
-  const auto of = [&](const auto& model, const auto& all) {
-    return impact::sensitivity(model, chosen(document, keys, all), scene.run);
-  };
+/// `of(model, parameters)` of a scene; those of a body are `parameters_of_body()`.
+template <class Of, class OfBody>
+impact::Sensitivity slopes_of(const scene::Scene& scene, Of&& of, OfBody&& parameters_of_body) {
   return std::visit(
       Overload{[&](const model::Chain& chain) { return of(chain, impact::parameters(chain)); },
                [&](const model::Network& network) { return of(network, impact::parameters(network)); },
-               [&](const model::Microbody& body) { return of(body, body_parameters(document)); },
+               [&](const model::Microbody& body) { return of(body, parameters_of_body()); },
                [](const model::Bodies&) -> impact::Sensitivity {
                  throw scene::SceneError("[bodies]: slopes of bodies with friction are not known yet",
                                          fault::no_model);
                },
                [](const scene::LawAlone& nothing) -> impact::Sensitivity { scene::refuse(nothing); }},
       scene.model);
+}
+
+}  // namespace
+
+impact::Sensitivity sensitivity(const Document& document, const scene::Scene& scene,
+                                const std::vector<std::string>& keys) {
+  return slopes_of(
+      scene,
+      [&](const auto& model, const auto& all) {
+        return impact::sensitivity(model, chosen(document, keys, all), scene.run);
+      },
+      [&] { return body_parameters(document); });
+}
+
+impact::Sensitivity outcomes(const scene::Scene& scene) {
+  return slopes_of(
+      scene,
+      [&]<class Model>(const Model& model, const std::vector<impact::Parameter<Model>>&) {
+        return impact::sensitivity(model, std::vector<impact::Parameter<Model>>{}, scene.run);
+      },
+      [] { return std::vector<impact::Parameter<model::Microbody>>{}; });
 }
 
 }  // namespace mariotte::study

@@ -14,4 +14,7 @@ namespace mariotte::study {
 impact::Sensitivity sensitivity(const scene::Document& document, const scene::Scene& scene,
                                 const std::vector<std::string>& keys);
 
+/// The same outcomes without slopes. Throws as `sensitivity`.
+impact::Sensitivity outcomes(const scene::Scene& scene);
+
 }  // namespace mariotte::study

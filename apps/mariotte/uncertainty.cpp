@@ -1,0 +1,64 @@
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "command.hpp"
+#include "command_line/exit_code.hpp"
+#include "command_line/terminal.hpp"
+#include "mariotte/report/json/propagation_json.hpp"
+#include "mariotte/report/reason.hpp"
+#include "run_notes.hpp"
+#include "scene_choice.hpp"
+
+namespace mariotte::command {
+namespace {
+
+struct Uncertain {
+  SceneChoice scene;
+  study::Samples samples;
+  bool json = false;
+};
+
+int uncertainty(const Uncertain& options) {
+  auto document = open(options.scene);
+  const auto inputs = study::take_uncertain_inputs(document);
+  if (inputs.empty())
+    throw UsageError(
+        options.scene.path +
+        ": no number of the scene has a deviation, as in \"10 mm ± 1 um\" or --set 'KEY=2 ± 1 %'");
+  const auto scene = resolve(options.scene, document);
+  const auto found = study::propagate(document, scene, inputs, options.samples);
+  print(options.json ? report::text(report::json(found)) : report::table(found, scene.title));
+  tell_ending(found.ending, "", scene);
+  return report::is_wanted(found.ending, scene) ? ExitCode::ok : exit_code(found.ending);
+}
+
+constexpr const char* examples = R"(Examples:
+  mariotte uncertainty triplet.toml --set 'chain.radius=10 mm ± 1 um'
+  mariotte uncertainty triplet.toml --set 'chain.velocity[0]=1 +- 1 %' --samples 1000 --seed 7
+  mariotte uncertainty measured.toml --json
+
+What stands behind ± (or +-) is a standard deviation, in units or in per cent. Deviations of outcomes are of
+first order, by the exact slopes of `mariotte sensitivity`; --samples adds runs with normally distributed inputs.
+)";
+
+}  // namespace
+
+Command uncertainty_command() {
+  auto options = std::make_shared<Uncertain>();
+  return {
+      .name = "uncertainty",
+      .about = "Tell how uncertain the outcome of a scene is whose numbers have deviations",
+      .footer = examples,
+      .options = joined(
+          {scene_options(options->scene),
+           run_options(options->scene),
+           {{"--samples",
+             &options->samples.count,
+             "Runs with random inputs, beside the first order",
+             {.value = "N", .check = Range{2, 1e9}}},
+            {"--seed", &options->samples.seed, "Of the random inputs", {.value = "N", .shows_default = true}},
+            {"--json", &options->json, "One JSON object on stdout"}}}),
+      .act = [options] { return uncertainty(*options); }};
+}
+
+}  // namespace mariotte::command

@@ -1,0 +1,87 @@
+#include "mariotte/study/propagation/uncertain_inputs.hpp"
+
+#include <cmath>
+#include <optional>
+
+#include "mariotte/core/quantity.hpp"
+#include "mariotte/scene/field.hpp"
+#include "mariotte/scene/key_path.hpp"
+
+namespace mariotte::study {
+namespace {
+
+using scene::Document;
+using scene::Node;
+
+/// A value with a deviation, both as text.
+struct Written {
+  std::string key, deviation;
+  scene::Place place;
+};
+
+std::string trimmed(const std::string& text) {
+  const auto first = text.find_first_not_of(' ');
+  return first == text.npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
+}
+
+/// "a ± b" and "a +- b".
+std::optional<std::pair<std::string, std::string>> split(const std::string& text) {
+  for (const std::string sign : {"±", "+-"})
+    if (const auto at = text.find(sign); at != text.npos)
+      return {{trimmed(text.substr(0, at)), trimmed(text.substr(at + sign.size()))}};
+  return std::nullopt;
+}
+
+void collect(Node& node, const std::string& key, std::vector<Written>& list) {
+  if (auto* text = std::get_if<std::string>(&node.value)) {
+    if (auto parts = split(*text)) {
+      list.push_back({key, parts->second, node.place});
+      *text = parts->first;
+    }
+  } else if (auto* array = node.array()) {
+    for (std::size_t i = 0; i < array->size(); ++i)
+      collect((*array)[i], key + "[" + std::to_string(i) + "]", list);
+  } else if (auto* table = node.table()) {
+    for (auto& entry : *table) collect(entry.node, key.empty() ? entry.key : key + "." + entry.key, list);
+  }
+}
+
+/// Per cent of the value, or a quantity of its dimension.
+double deviation_of(const Document& document, const Written& written, const Dimension& dimension,
+                    double value) {
+  const auto& text = written.deviation;
+  const bool relative = text.ends_with('%');
+  const Node node{relative ? trimmed(text.substr(0, text.size() - 1)) : text, written.place};
+  const double size = number(document.source, {&node, written.key}, relative ? dimension::none : dimension,
+                             scene::Domain::positive);
+  return relative ? 0.01 * size * std::abs(value) : size;
+}
+
+UncertainInput input_of(const Document& document, const Written& written,
+                        const scene::ReadingLog::Reading& reading) {
+  const scene::Field field{reading.node, written.key};
+  if (!reading.dimension)
+    reject(document.source, field, fault::wrong_type, "has a deviation but is not read as a number");
+  const double value = number(document.source, field, *reading.dimension, scene::Domain::finite);
+  if (value == 0)
+    reject(document.source, field, fault::wrong_type,
+           "is zero: with a deviation, its outcomes have slopes on one side only");
+  return {written.key, written.place, value, deviation_of(document, written, *reading.dimension, value)};
+}
+
+}  // namespace
+
+std::vector<UncertainInput> take_uncertain_inputs(Document& document) {
+  std::vector<Written> written;
+  collect(document.tree, "", written);
+  scene::ReadingLog watch;
+  for (const auto& one : written)
+    watch.readings.push_back({&locate(document.source, document.tree, one.key, one.place)});
+  resolve(document, scene::Purpose::simulation, &watch);
+  std::vector<UncertainInput> inputs;
+  for (std::size_t i = 0; i < written.size(); ++i)
+    inputs.push_back(input_of(document, written[i], watch.readings[i]));
+  return inputs;
+}
+
+}  // namespace mariotte::study

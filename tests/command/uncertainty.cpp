@@ -1,0 +1,46 @@
+#define BOOST_TEST_MODULE command_uncertainty
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "session.hpp"
+
+using support::has;
+using support::Session;
+using Json = nlohmann::json;
+
+namespace {
+
+const std::string triplet = std::string("uncertainty ") + MARIOTTE_SCENES + "/triplet.toml ";
+
+}  // namespace
+
+BOOST_FIXTURE_TEST_CASE(deviations_stand_beside_samples, Session) {
+  const auto run = mariotte(triplet + "--set 'chain.velocity[0]=1 ± 1 %' --samples 500 --seed 3 --json");
+  BOOST_TEST(run.code == 0);
+  const auto result = Json::parse(run.out);
+  BOOST_TEST(result["inputs"][0]["key"] == "chain.velocity[0]");
+  BOOST_TEST(result["samples"] == 500);
+  BOOST_TEST(result["seed"] == 3);
+  BOOST_TEST(result["others"] == 0);
+  for (const auto& outcome : result["outcomes"]) {
+    if (outcome["unit"] != "m/s") continue;
+    // Velocities are homogeneous in velocities.
+    const double value = outcome["value"], deviation = outcome["deviation"],
+                 sampled = outcome["sampled_deviation"];
+    BOOST_TEST(std::abs(deviation - 0.01 * std::abs(value)) < 1e-9);
+    BOOST_TEST(std::abs(sampled / deviation - 1) < 0.15);  // known to 3 %
+  }
+}
+
+BOOST_FIXTURE_TEST_CASE(the_table_names_inputs_and_outcomes, Session) {
+  const auto run = mariotte(triplet + "--set 'chain.velocity[0]=1 m/s +- 1 cm/s'");
+  BOOST_TEST(run.code == 0);
+  BOOST_TEST(has(run.out, "chain.velocity[0] = 1 ± 0.01"));
+  BOOST_TEST(has(run.out, "velocity[2]"));
+}
+
+BOOST_FIXTURE_TEST_CASE(a_scene_without_deviations_is_refused, Session) {
+  const auto run = mariotte(triplet);
+  BOOST_TEST(run.code == 2);
+  BOOST_TEST(has(run.err, "no number of the scene has a deviation"));
+}
