@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "mariotte/impact/microbody/microbody_impact.hpp"
+#include "mariotte/impact/sensitivity/sensitivity.hpp"
 #include "mariotte/scene/scene.hpp"
 #include "mariotte/study/sweep/batch.hpp"
 #include "mariotte/study/sweep/sweep_reader.hpp"
@@ -242,4 +243,36 @@ BOOST_AUTO_TEST_CASE(a_limit_keeps_the_numbers_that_were_reached) {
   BOOST_TEST(verdict.ending == "time_limit");
   BOOST_TEST(verdict.has_numbers());
   BOOST_TEST(numbers[0] == 0.5, boost::test_tools::tolerance(1e-14));
+}
+
+BOOST_AUTO_TEST_CASE(slopes_are_columns_beside_others) {
+  const auto scene = three();
+  const Keys keys = {"final.velocity[0]", "sensitivity.velocity[2].mass[0]",
+                     "sensitivity.time.contact[1].stiffness"};
+  BOOST_TEST(expanded(keys, scene) == keys, boost::test_tools::per_element());
+  const auto numbers = evaluated(keys, scene);
+  const auto& chain = std::get<model::Chain>(scene.model);
+  const auto slopes = impact::sensitivity(chain, impact::parameters(chain), scene.run);
+  const auto slope = [&](const char* outcome, Index index, const char* parameter) {
+    for (const auto& one : slopes.outcome)
+      for (std::size_t c = 0; c < slopes.parameter.size(); ++c)
+        if (one.name == outcome && one.index.value_or(0) == index && slopes.parameter[c].name == parameter)
+          return one.slope[c].value();
+    return 0.0;
+  };
+  BOOST_TEST(numbers[0] == evaluated({"final.velocity[0]"}, scene)[0]);
+  BOOST_TEST(numbers[1] == slope("velocity", 2, "mass[0]"), boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(numbers[2] == slope("time", 0, "contact[1].stiffness"), boost::test_tools::tolerance(1e-9));
+}
+
+BOOST_AUTO_TEST_CASE(slopes_that_a_scene_does_not_have_are_refused) {
+  const auto refused = [](const char* key, const scene::Scene& scene, const char* message) {
+    BOOST_CHECK_EXCEPTION(study::expand_columns({key}, scene), study::ColumnError, [&](const auto& error) {
+      return std::string(error.what()).find(message) != std::string::npos;
+    });
+  };
+  refused("sensitivity.velocity[3].mass[0]", three(), "this scene has no outcome 'velocity[3]'");
+  refused("sensitivity.velocity[0].mas[0]", three(), "did you mean 'mass[0]'?");
+  refused("sensitivity.velocity[0]", three(), "this scene has no parameter ''");
+  refused("sensitivity.e_n.radius", rod({}), "slopes are columns of chains and networks alone");
 }

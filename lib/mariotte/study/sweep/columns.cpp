@@ -9,6 +9,7 @@
 #include "mariotte/core/nearest.hpp"
 #include "mariotte/core/overload.hpp"
 #include "mariotte/impact/quantities/quantity_key.hpp"
+#include "mariotte/study/sweep/slope_columns.hpp"
 
 namespace mariotte::study {
 namespace {
@@ -74,11 +75,12 @@ class Expansion {
   using Impact = decltype(impact::unfilled(std::declval<const Model&>()));
 
  public:
-  Expansion(const Model& model, const hybrid::Options& run)
-      : model_(model), run_(run), result_(impact::unfilled(model)) {}
+  Expansion(const Model& model, const scene::Scene& scene)
+      : model_(model), scene_(scene), run_(scene.run), result_(impact::unfilled(model)) {}
 
   std::vector<Column> operator()(const std::vector<std::string>& keys) {
-    for (const auto& key : keys.empty() ? default_keys() : keys) expand(key, entry_of<Impact>(key));
+    for (const auto& key : keys.empty() ? default_keys() : keys)
+      is_slope(key) ? add_slope(key) : expand(key, entry_of<Impact>(key));
     return std::move(columns_);
   }
 
@@ -100,6 +102,12 @@ class Expansion {
     const auto& [pattern, unit, symbol, meaning] = quantity.is;
     if (!known_.insert(key).second) return;
     columns_.push_back({key, key.ends_with(".count") ? "1" : unit, symbol, meaning});
+  }
+
+  void add_slope(const std::string& key) {
+    expect_slope(key, scene_);
+    if (known_.insert(key).second)
+      columns_.push_back({key, "SI", "", "slope of an outcome by a number of the model"});
   }
 
   /// Throws BeyondEnd if the model is too small for the index.
@@ -150,6 +158,7 @@ class Expansion {
   }
 
   const Model& model_;
+  const scene::Scene& scene_;
   const hybrid::Options& run_;
   Impact result_;  ///< its lengths alone, until the scene has been run
   bool is_run_ = false;
@@ -161,7 +170,7 @@ class Expansion {
 
 std::vector<Column> expand_columns(const std::vector<std::string>& keys, const scene::Scene& scene) {
   using Columns = std::vector<Column>;
-  return std::visit(Overload{[&](const auto& model) { return Expansion(model, scene.run)(keys); },
+  return std::visit(Overload{[&](const auto& model) { return Expansion(model, scene)(keys); },
                              [](const scene::LawAlone& nothing) -> Columns { scene::refuse(nothing); }},
                     scene.model);
 }

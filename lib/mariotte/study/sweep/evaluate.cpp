@@ -9,6 +9,7 @@
 #include "mariotte/impact/quantities/quantity_key.hpp"
 #include "mariotte/impact/shallow.hpp"
 #include "mariotte/scene/judge.hpp"
+#include "mariotte/study/sweep/slope_columns.hpp"
 #include "mariotte/study/sweep/sweep_reader.hpp"
 
 namespace mariotte::study {
@@ -35,8 +36,9 @@ class OfModel {
       const auto key = impact::parse_key(column.key);
       entries_.push_back(key ? impact::find_entry<Impact>(*key) : Entry());
     }
-    is_brief_ = std::all_of(entries_.begin(), entries_.end(),
-                            [](const Entry& entry) { return entry && is_brief(*entry); });
+    is_brief_ = true;
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      if (!is_slope(columns[i].key)) is_brief_ = is_brief_ && entries_[i] && is_brief(*entries_[i]);
   }
 
   Verdict evaluate(const Model& model, const scene::Scene& scene, std::span<double> out) {
@@ -66,20 +68,27 @@ class OfModel {
 
 class Evaluator {
  public:
-  explicit Evaluator(const std::vector<Column>& columns) : all_{columns, columns, columns, columns} {}
+  explicit Evaluator(const std::vector<Column>& columns) : all_{columns, columns, columns, columns} {
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      if (is_slope(columns[i].key)) slopes_.push_back(slope_column(columns[i].key, i));
+  }
 
   Verdict operator()(const scene::Scene& scene, std::span<double> out) {
-    return std::visit(Overload{[&]<class Model>(const Model& model) {
-                                 return std::get<OfModel<Model>>(all_).evaluate(model, scene, out);
-                               },
-                               [](const scene::LawAlone& nothing) -> Verdict { scene::refuse(nothing); }},
-                      scene.model);
+    auto verdict =
+        std::visit(Overload{[&]<class Model>(const Model& model) {
+                              return std::get<OfModel<Model>>(all_).evaluate(model, scene, out);
+                            },
+                            [](const scene::LawAlone& nothing) -> Verdict { scene::refuse(nothing); }},
+                   scene.model);
+    if (!slopes_.empty() && verdict.has_numbers()) fill_slopes(scene, slopes_, out);
+    return verdict;
   }
 
  private:
   std::tuple<OfModel<model::Chain>, OfModel<model::Network>, OfModel<model::Microbody>,
              OfModel<model::Bodies>>
       all_;
+  std::vector<SlopeColumn> slopes_;
 };
 
 }  // namespace
