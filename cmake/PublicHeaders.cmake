@@ -23,6 +23,8 @@ set(MARIOTTE_PUBLIC_HEADERS
   model/bodies/bodies.hpp
   model/bodies/body_event.hpp
   model/chain/chain.hpp
+  model/drives/drive.hpp
+  model/drives/signal.hpp
   model/microbody/microbody.hpp
   model/microbody/rigid_body.hpp
   model/network/mass_matrix.hpp

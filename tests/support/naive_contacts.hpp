@@ -2,6 +2,7 @@
 // forces cut off at zero unless they adhere, from start to end. Good to about 1e-7.
 #pragma once
 #include <cmath>
+#include <functional>
 #include <vector>
 
 #include "mariotte/contact/law.hpp"
@@ -17,7 +18,8 @@ struct NaiveContacts {
   std::vector<ContactDirection> response;   ///< columns of M⁻¹Gᵀ
   std::vector<contact::Law> law;
   std::vector<double> gap, velocity;
-  std::vector<double> acceleration;  ///< by outside forces, per velocity
+  std::vector<double> acceleration;                       ///< by outside forces, per velocity
+  std::function<double(std::size_t, double)> given = {};  ///< of a velocity at a time, besides
 };
 
 /// What is asked for.
@@ -66,10 +68,13 @@ class NaiveField {
     return y;
   }
 
-  void operator()(const State& y, State& dy, double) const {
+  void operator()(const State& y, State& dy, double time) const {
     const auto m = depth_.size();
     const ConstState velocity(y.data() + m, velocities());
-    for (std::size_t i = 0; i < velocity.size(); ++i) dy[m + i] = contacts_.acceleration[i] / settings_.speed;
+    for (std::size_t i = 0; i < velocity.size(); ++i) {
+      const double given = contacts_.given ? contacts_.given(i, time) : 0;
+      dy[m + i] = (contacts_.acceleration[i] + given) / settings_.speed;
+    }
     for (std::size_t j = 0; j < m; ++j) {
       const double rate = settings_.speed * gap_rate(contacts_.direction[j], velocity);
       dy[j] = rate / depth_[j];

@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "mariotte/contact/memory.hpp"
+#include "mariotte/core/types.hpp"
 
 namespace mariotte::contact {
 
@@ -35,6 +36,7 @@ inline bool carries_force(ContactMode mode) {
 struct ContactSet : std::vector<ContactMode> {
   using std::vector<ContactMode>::vector;
   std::vector<Memory> memory;  ///< empty if no law remembers
+  std::vector<Index> piece;    ///< of each drive: the piece of its signal that holds
 };
 
 }  // namespace mariotte::contact

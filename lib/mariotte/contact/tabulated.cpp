@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mariotte/core/error.hpp"
+#include "mariotte/core/monotone_cubic.hpp"
 
 namespace mariotte::contact {
 namespace {
@@ -16,23 +17,13 @@ void expect_rising(const std::vector<LawPoint>& points) {
                              " does not rise: indentations and forces must grow from 0, and be finite");
 }
 
-/// Weighted harmonic means inside; at the ends the slope of a parabola, as long as that stays monotone.
-std::vector<double> monotone_slopes(const std::vector<LawPoint>& p) {
-  const std::size_t last = p.size() - 1;
-  const auto width = [&](std::size_t i) { return p[i + 1].indentation - p[i].indentation; };
-  const auto secant = [&](std::size_t i) { return (p[i + 1].force - p[i].force) / width(i); };
-  std::vector<double> slope(p.size(), secant(0));
-  if (last == 1) return slope;
-  for (std::size_t i = 1; i < last; ++i) {
-    const double left = 2 * width(i) + width(i - 1), right = width(i) + 2 * width(i - 1);
-    slope[i] = (left + right) / (left / secant(i - 1) + right / secant(i));
+std::vector<double> slopes(const std::vector<LawPoint>& points) {
+  std::vector<double> depth, force;
+  for (const auto& point : points) {
+    depth.push_back(point.indentation);
+    force.push_back(point.force);
   }
-  const auto end = [](double own, double next, double h, double other) {
-    return std::clamp(((2 * h + other) * own - h * next) / (h + other), 0.0, 3 * own);
-  };
-  slope[0] = end(secant(0), secant(1), width(0), width(1));
-  slope[last] = end(secant(last - 1), secant(last - 2), width(last - 1), width(last - 2));
-  return slope;
+  return monotone_slopes(depth, force);
 }
 
 }  // namespace
@@ -43,7 +34,7 @@ Tabulated::Tabulated(std::vector<LawPoint> points) : points_(std::move(points)) 
     throw InvalidParameter(
         "tabulated: the force must be 0 at the indentation 0, and there must be a point more");
   expect_rising(points_);
-  slope_ = monotone_slopes(points_);
+  slope_ = slopes(points_);
   energy_.assign(points_.size(), 0);
   for (std::size_t i = 1; i < points_.size(); ++i) {
     const double h = points_[i].indentation - points_[i - 1].indentation;

@@ -36,6 +36,21 @@ double kinetic(const DimensionlessChain& chain, const ChainLayout& layout, Const
   return 0.5 * sum_over_balls(chain, layout, x, [&](double v) { return (v - frame) * (v - frame); });
 }
 
+/// How far wall i has moved.
+double wall_displacement(const DimensionlessChain& chain, const ChainLayout& layout, Index i,
+                         const Interval& interval) {
+  for (const auto& drive : chain.drive)
+    for (const auto& [dof, coefficient] : drive.direction)
+      if (dof == i) return coefficient * integral(drive.signal, interval.time);
+  return interval.before[layout.velocity[i]] * interval.time;
+}
+
+double drive_work(const model::ContactLayout& layout, const Interval& interval) {
+  double work = 0;
+  for (const Index place : layout.drive_work) work += interval.after[place];
+  return work;
+}
+
 double strength(const DimensionlessChain& chain) {
   return *std::max_element(chain.gravity.begin(), chain.gravity.end(),
                            [](double a, double b) { return std::abs(a) < std::abs(b); });
@@ -51,7 +66,7 @@ double gravity_work(const DimensionlessChain& chain, const ChainLayout& layout, 
     const double total = mass(chain, layout, interval.before);
     return -gravity * (momentum(chain, layout, interval.before) * t - 0.5 * total * gravity * t * t);
   }
-  double displacement = interval.before[layout.velocity[wall]] * t, sum = 0;
+  double displacement = wall_displacement(chain, layout, wall, interval), sum = 0;
   const double from_wall = displacement;
   const auto widening = [&](Index j) {
     return interval.after[layout.gap[j]] - interval.before[layout.gap[j]];
@@ -67,7 +82,7 @@ double wall_work(const DimensionlessChain& chain, const ChainLayout& layout, con
                  const Interval& interval) {
   double work = 0;
   for (Index i = 0; i < layout.velocities(); ++i) {
-    if (!is_wall(chain, i)) continue;
+    if (!is_wall(chain, i) || model::prescribes(chain.drive, i)) continue;
     const double right = i < layout.contacts() ? p[i] : 0, left = i > 0 ? p[i - 1] : 0;
     work += interval.before[layout.velocity[i]] * (right - left);
   }
@@ -142,7 +157,8 @@ EnergyBalance energy_balance(const DimensionlessChain& chain, const ChainLayout&
   EnergyBalance balance;
   balance.initial = kinetic(chain, layout, interval.before) + stored_at_start(chain, layout, interval.before);
   balance.final = kinetic(chain, layout, interval.after);
-  balance.work = gravity_work(chain, layout, interval) + wall_work(chain, layout, p, interval);
+  balance.work = gravity_work(chain, layout, interval) + wall_work(chain, layout, p, interval) +
+                 drive_work(layout, interval);
   for (const auto& energy : contacts) {
     balance.stored += energy.stored;
     balance.dissipated += energy.dissipated;
@@ -165,6 +181,10 @@ MomentumBalance momentum_balance(const DimensionlessChain& chain, const ChainLay
     if (i < layout.contacts()) given += interval.after[layout.impulse[i]];
     if (i > 0) given -= interval.after[layout.impulse[i - 1]];
   }
+  for (const auto& drive : chain.drive)
+    if (drive.is_force)
+      for (const auto& term : drive.direction)
+        given += term.coefficient * integral(drive.signal, interval.time);
   balance.residual = balance.final - balance.initial - given;
   return balance;
 }

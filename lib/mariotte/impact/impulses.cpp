@@ -5,11 +5,21 @@
 namespace mariotte::impact {
 namespace {
 
+/// ∫ of the given force on ball i.
+double given_impulse(const model::DimensionlessChain& chain, Index i, double time) {
+  double sum = 0;
+  for (const auto& drive : chain.drive)
+    for (const auto& [ball, coefficient] : drive.direction)
+      if (drive.is_force && ball == i) sum += coefficient * integral(drive.signal, time);
+  return sum;
+}
+
 /// Momentum that ball i has lost to its contacts.
 double lost_momentum(const model::DimensionlessChain& chain, const model::ChainLayout& layout,
                      const Interval& interval, Index i) {
   const Index v = layout.velocity[i];
-  return chain.mass[i] * (interval.before[v] - interval.after[v] - chain.gravity[i] * interval.time);
+  return chain.mass[i] * (interval.before[v] - interval.after[v] - chain.gravity[i] * interval.time) +
+         given_impulse(chain, i, interval.time);
 }
 
 }  // namespace

@@ -9,15 +9,16 @@
 #include "mariotte/scene/balls.hpp"
 #include "mariotte/scene/contact_law.hpp"
 #include "mariotte/scene/contacts.hpp"
+#include "mariotte/scene/drive_reader.hpp"
 #include "mariotte/scene/error_list.hpp"
 #include "mariotte/scene/touching.hpp"
 
 namespace mariotte::scene {
 namespace {
 
-constexpr auto keys = law_keys_and(std::array<std::string_view, 17>{
+constexpr auto keys = law_keys_and(std::array<std::string_view, 18>{
     "precompression", "start", "diameter", "taper", "repeat", "balls", "mass", "radius", "material",
-    "velocity", "gap", "gravity", "wall", "wall_material", "ball", "contact", "precompressed"});
+    "velocity", "gap", "gravity", "wall", "wall_material", "ball", "contact", "precompressed", "drive"});
 
 double read_gravity(const Source& source, const Field& chain, const std::optional<Field>& of_run) {
   const auto own = find(chain, "gravity");
@@ -38,7 +39,8 @@ void expect_motion(const Source& source, const Field& chain, const model::Chain&
 void warn_of_rest(Source& source, const Field& chain, const model::Chain& model) {
   const auto zero = [](double value) { return value == 0; };
   const bool pressed = std::any_of(model.gap.begin(), model.gap.end(), [](double gap) { return gap < 0; });
-  if (model.gravity == 0 && !pressed && std::all_of(model.velocity.begin(), model.velocity.end(), zero))
+  if (model.gravity == 0 && !pressed && model.drive.empty() &&
+      std::all_of(model.velocity.begin(), model.velocity.end(), zero))
     warn(source, chain, "nothing moves: no velocity, no gravity, no compressed contact");
 }
 
@@ -82,6 +84,7 @@ ResolvedChain read_chain(Source& source, const Field& chain, const std::optional
   ErrorList errors;
   errors.attempt([&] {
     balls = read_balls(source, chain, layout);
+    model.drive = read_drives(source, chain, balls);
     for (const auto& ball : balls) {
       model.mass.push_back(*ball.mass);
       model.velocity.push_back(ball.velocity.value_or(0));

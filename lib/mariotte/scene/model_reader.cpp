@@ -44,34 +44,47 @@ std::optional<Field> gravity(const Field& root) {
   return run ? find(*run, "gravity") : std::nullopt;
 }
 
+bool has_limit(const Field& root) {
+  const auto run = find(root, "run");
+  return run && (find(*run, "until") || find(*run, "max_time"));
+}
+
 /// What holds a row together holds it for ever.
 void expect_limit(const Source& source, const Field& root, const Field& chain) {
-  const auto run = find(root, "run");
-  if (run && (find(*run, "until") || find(*run, "max_time"))) return;
+  if (has_limit(root)) return;
   const auto force = find(chain, "precompression");
   reject(source, force ? *force : *find(chain, "start"), fault::missing,
          "a row in equilibrium does not come apart; it needs 'run.until' or 'run.max_time'");
 }
 
+/// So does what drives it.
+void expect_limit_of_drive(const Source& source, const Field& root, const Field& whole) {
+  const auto drive = find(whole, "drive");
+  if (drive && !has_limit(root))
+    reject(source, *drive, fault::missing,
+           "what is driven never comes to an end; it needs 'run.until' or 'run.max_time'");
+}
+
 ResolvedModel resolve_chain(Source& source, const Field& root, const Field& chain, Purpose purpose) {
   auto resolved = read_chain(source, chain, gravity(root));
   if (resolved.at_rest && purpose != Purpose::rest) expect_limit(source, root, chain);
+  if (purpose != Purpose::rest) expect_limit_of_drive(source, root, chain);
   expect_valid(source, root, {"chain", "run"}, resolved.chain);
   return {std::move(resolved.chain), std::move(resolved.radius), std::move(resolved.touching)};
 }
 
-ResolvedModel resolve_network(Source& source, const Field& root, const Field& network) {
+ResolvedModel resolve_network(Source& source, const Field& root, const Field& network, Purpose purpose) {
   if (const auto field = gravity(root)) reject(source, *field, fault::misplaced, "does not act on networks");
   auto resolved = read_network(source, network);
+  if (purpose != Purpose::rest) expect_limit_of_drive(source, root, network);
   expect_valid(source, root, {"network"}, resolved.network);
   return {std::move(resolved.network), std::move(resolved.radius), std::move(resolved.touching)};
 }
 
 /// Gravity brings bodies back to a plane for ever.
 void expect_end(const Source& source, const Field& root, const Field& bodies, const model::Bodies& model) {
-  const auto run = find(root, "run");
   if (norm(model.gravity) == 0 || model.plane.empty()) return;
-  if (run && (find(*run, "until") || find(*run, "max_time"))) return;
+  if (has_limit(root)) return;
   reject(source, *find(bodies, "gravity"), fault::missing,
          "bodies come back to their planes for ever; 'run.until' or 'run.max_time' is needed");
 }
@@ -121,7 +134,7 @@ void expect_one_model(const Source& source, const Field& root, Purpose purpose) 
 ResolvedModel read_model(Source& source, const Field& root, const std::optional<Law>& law, Purpose purpose) {
   if (find(root, "body")) return resolve_body(source, root);
   if (const auto bodies = find(root, "bodies")) return resolve_bodies(source, root, *bodies);
-  if (const auto network = find(root, "network")) return resolve_network(source, root, *network);
+  if (const auto network = find(root, "network")) return resolve_network(source, root, *network, purpose);
   if (const auto chain = find(root, "chain")) return resolve_chain(source, root, *chain, purpose);
   if (purpose != Purpose::law || !law || law->mass.empty())
     reject(source, root.place(), fault::no_model, no_model);

@@ -6,14 +6,15 @@
 
 #include "mariotte/core/error.hpp"
 #include "mariotte/scene/contact_law.hpp"
+#include "mariotte/scene/drive_reader.hpp"
 #include "mariotte/scene/missed_meetings.hpp"
 #include "mariotte/scene/touching.hpp"
 
 namespace mariotte::scene {
 namespace {
 
-constexpr auto keys = law_keys_and(std::array<std::string_view, 8>{
-    "diameter", "ball", "mass", "radius", "material", "reach", "touching", "precompressed"});
+constexpr auto keys = law_keys_and(std::array<std::string_view, 9>{
+    "diameter", "ball", "mass", "radius", "material", "reach", "touching", "precompressed", "drive"});
 constexpr std::array<std::string_view, 6> ball_keys{"diameter", "position", "velocity",
                                                     "mass",     "radius",   "material"};
 
@@ -131,6 +132,7 @@ ResolvedNetwork read_ball_network(Source& source, const Field& network, bool pre
   ResolvedNetwork resolved{.network = model::free_balls(balls.ball), .radius = {}};
   auto& model = resolved.network;
   model.precompressed = precompressed;
+  read_drives(source, network, model);
   Pairs pairs;
   for (Index i = 0; i < std::ssize(balls.ball); ++i) {
     resolved.radius.push_back(balls.ball[i].radius);

@@ -5,13 +5,14 @@
 
 #include "mariotte/core/error.hpp"
 #include "mariotte/scene/contact_law.hpp"
+#include "mariotte/scene/drive_reader.hpp"
 #include "mariotte/scene/network_balls.hpp"
 
 namespace mariotte::scene {
 namespace {
 
-constexpr auto keys =
-    law_keys_and(std::array<std::string_view, 5>{"mass", "velocity", "contact", "gap", "precompressed"});
+constexpr auto keys = law_keys_and(
+    std::array<std::string_view, 6>{"mass", "velocity", "contact", "gap", "precompressed", "drive"});
 constexpr auto contact_keys = law_keys_and(std::array<std::string_view, 2>{"direction", "gap"});
 
 /// The diagonal, or all rows one after the other. Units are those of the dofs, which only the author
@@ -85,6 +86,7 @@ model::Network read_freedoms(const Source& source, const Field& network, bool pr
   model.precompressed = precompressed;
   model.velocity = numbers(source, *velocity, dimension::none, Domain::finite);
   model.mass = read_mass(source, *mass, model.velocity.size());
+  read_drives(source, network, model);
   const auto tables = read_tables(source, network);
   for (const auto& contact : tables.contacts)
     model.direction.push_back(read_direction(source, contact, model.velocity.size()));
@@ -100,7 +102,7 @@ model::Network read_freedoms(const Source& source, const Field& network, bool pr
 void warn_of_rest(Source& source, const Field& network, const model::Network& model) {
   const auto zero = [](double value) { return value == 0; };
   const bool pressed = std::any_of(model.gap.begin(), model.gap.end(), [](double gap) { return gap < 0; });
-  if (!pressed && std::all_of(model.velocity.begin(), model.velocity.end(), zero))
+  if (!pressed && model.drive.empty() && std::all_of(model.velocity.begin(), model.velocity.end(), zero))
     warn(source, network, "nothing moves: no velocity, no compressed contact");
 }
 

@@ -152,7 +152,7 @@ ChainImpact simulate_islands(const model::Chain& chain, const hybrid::Options& o
 ChainImpact simulate_once(const model::Chain& chain, const hybrid::Options& options,
                           const RunObserver& observers) {
   const auto balls = chain.mass.size();
-  return divides(options, chain) || (!observers.samplings.empty() && !holds_together(chain))
+  return divides(options, chain) || (!observers.samplings.empty() && !is_one_system(chain))
              ? simulate_islands(chain, options, observers)
              : simulate_whole(chain, tightened(options, balls), observers);
 }

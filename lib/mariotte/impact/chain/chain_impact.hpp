@@ -58,7 +58,7 @@ struct EnergyBalance {
   double dissipated = 0;            ///< Σ over contacts
   double plastic = 0;               ///< of it, by yielding
   double adhesion = 0;              ///< of it, where adhesion snapped in and gave way
-  double work = 0;                  ///< done on the balls by gravity and moving walls
+  double work = 0;                  ///< done on the balls by gravity, moving walls and drives
   double residual = 0;              ///< error of the balance
   std::optional<double> ratio_lab;  ///< kinetic energy ratio T⁺/T⁻ in the given frame; empty if T⁻ = 0
   std::optional<double> ratio_centre;  ///< the same relative to the mass centre; empty with walls, too
@@ -68,7 +68,7 @@ struct EnergyBalance {
 struct MomentumBalance {
   double initial = 0;
   double final = 0;
-  double residual = 0;  ///< final − initial − impulses of walls and gravity
+  double residual = 0;  ///< final − initial − impulses of walls, gravity and given forces
 };
 
 /// Samples of a run, one row per time; filled only on request.

@@ -8,11 +8,13 @@
 namespace mariotte::impact {
 namespace {
 
-double wall_work(const Configuration& before, const std::vector<double>& given) {
+double wall_work(const model::Network& network, const Configuration& before,
+                 const std::vector<double>& given) {
   if (before.mass.size() != given.size()) return 0;  // a full mass matrix has no walls
   double work = 0;
   for (std::size_t i = 0; i < given.size(); ++i)
-    if (std::isinf(before.mass[i])) work -= before.velocity[i] * given[i];
+    if (std::isinf(before.mass[i]) && !model::prescribes(network.drive, static_cast<Index>(i)))
+      work -= before.velocity[i] * given[i];
   return work;
 }
 
@@ -25,7 +27,7 @@ std::vector<double> impulses_of(const ContactImpact& impact) {
 }
 
 EnergyBalance energy_balance(const model::Network& network, const Configuration& before,
-                             const ContactImpact& impact) {
+                             const ContactImpact& impact, double drive_work) {
   EnergyBalance balance;
   balance.initial = kinetic_energy(before, before.velocity);
   balance.final = kinetic_energy(before, impact.velocity);
@@ -37,7 +39,7 @@ EnergyBalance energy_balance(const model::Network& network, const Configuration&
     balance.plastic += contact.plastic;
     balance.adhesion += contact.adhesion;
   }
-  balance.work = wall_work(before, generalised_impulse(before, impulses_of(impact)));
+  balance.work = drive_work + wall_work(network, before, generalised_impulse(before, impulses_of(impact)));
   balance.residual = balance.final + balance.stored + balance.dissipated - balance.initial - balance.work;
   const auto ratio = [&](auto energy) {
     return energy_ratio(energy(before, impact.velocity), energy(before, before.velocity));
@@ -47,8 +49,16 @@ EnergyBalance energy_balance(const model::Network& network, const Configuration&
   return balance;
 }
 
-double momentum_residual(const Configuration& before, const ContactImpact& impact) {
-  auto unexplained = velocity_change(before, impulses_of(impact));
+double momentum_residual(const model::Network& network, const Configuration& before,
+                         const ContactImpact& impact) {
+  auto given = before;
+  auto impulses = impulses_of(impact);
+  for (const auto& drive : network.drive) {
+    if (drive.quantity != model::Driven::force) continue;
+    given.contact.push_back(drive.direction);
+    impulses.push_back(integral(drive.signal, impact.time));
+  }
+  auto unexplained = velocity_change(given, impulses);
   for (std::size_t i = 0; i < unexplained.size(); ++i)
     unexplained[i] = impact.velocity[i] - before.velocity[i] - unexplained[i];
   const double energy =

@@ -8,11 +8,12 @@ namespace mariotte::impact {
 /// From velocities, impulses, stored and dissipated energies of the impact. `work` is that of moving walls,
 /// v · Gᵀp; `ratio_centre` compares relative energies, so walls do no harm.
 EnergyBalance energy_balance(const model::Network& network, const Configuration& before,
-                             const ContactImpact& impact);
+                             const ContactImpact& impact, double drive_work);
 
-/// What Gᵀp does not explain of the change of the velocities: √(T(v⁺ − v⁻ − M⁻¹Gᵀp)/T), T the larger of the
-/// kinetic energies before and after.
-double momentum_residual(const Configuration& before, const ContactImpact& impact);
+/// What Gᵀp and given forces do not explain of the change of the velocities: √(T(v⁺ − v⁻ − M⁻¹Gᵀp)/T), T the
+/// larger of the kinetic energies before and after.
+double momentum_residual(const model::Network& network, const Configuration& before,
+                         const ContactImpact& impact);
 
 /// p of all contacts.
 std::vector<double> impulses_of(const ContactImpact& impact);

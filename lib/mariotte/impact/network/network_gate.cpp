@@ -17,6 +17,19 @@ double rate(const NetworkOutcome& o, ConstState x, Index j) {
   return gap_rate(o.network.direction[j], x);
 }
 
+/// Gap rate before and after, without what drives prescribe: that is in their work.
+double free_rates(const NetworkOutcome& o, Index j) {
+  double sum = 0;
+  for (const auto& [dof, coefficient] : o.network.direction[j])
+    if (!model::prescribes(o.network.drive, dof))
+      sum += coefficient * (o.interval.before[dof] + o.interval.after[dof]);
+  return sum;
+}
+
+double given_impulse(const NetworkOutcome& o, Index k) {
+  return integral(o.network.drive[k].signal, o.interval.time);
+}
+
 /// Fastest approach of a contact.
 double approach(const NetworkOutcome& o) {
   double worst = 0;
@@ -29,18 +42,28 @@ struct Energy {
   double residual = 0, reached = 0, gain = 0;
 };
 
-/// Impulses change the kinetic energy, less the work of walls, by Σ p_j (ġ_j⁻ + ġ_j⁺)/2: the momentum balance
-/// is another matter.
+/// Impulses change the kinetic energy, less the work of walls, by Σ p_j (ġ_j⁻ + ġ_j⁺)/2, and those of given
+/// forces likewise: the momentum balance is another matter.
 Energy energy(const NetworkOutcome& o, const std::vector<ContactEnergy>& contacts) {
   const auto& d = o.network;
   Energy sum;
   for (Index j = 0; j < d.contacts(); ++j) {
     const double p = impulse(o, j), gap = o.interval.before[o.layout.gap[j]];
     const double initial = gap < 0 ? contact::stored_energy(d.law[j], -gap) : 0;
-    const double work = 0.5 * p * (rate(o, o.interval.before, j) + rate(o, o.interval.after, j));
+    const double work = 0.5 * p * free_rates(o, j);
     sum.residual += work + contacts[j].stored + contacts[j].dissipated - initial;
     sum.reached += initial + d.speed * (std::abs(p) + d.reduced_mass[j] * d.speed);
     sum.gain = std::max(sum.gain, gain(contacts[j]));
+  }
+  for (Index k = 0; k < o.layout.drives(); ++k) {
+    const auto& drive = d.drive[k];
+    const double done = o.interval.after[o.layout.drive_work[k]];
+    sum.residual -= done;
+    sum.reached += std::abs(done);
+    if (drive.is_force)
+      sum.residual +=
+          0.5 * given_impulse(o, k) *
+          (gap_rate(drive.direction, o.interval.before) + gap_rate(drive.direction, o.interval.after));
   }
   return sum;
 }
@@ -57,6 +80,9 @@ double NetworkGate::unexplained(const NetworkOutcome& o) {
       natural_[dof] +=
           std::abs(response) * (std::abs(impulse(o, j)) + o.network.reduced_mass[j] * o.network.speed);
     }
+  for (Index k = 0; k < o.layout.drives(); ++k)
+    for (const auto& [dof, response] : o.network.drive[k].response)
+      change_[dof] += o.network.drive[k].is_force ? response * given_impulse(o, k) : after[dof] - before[dof];
   double worst = 0;
   for (Index i = 0; i < o.layout.velocities(); ++i) {
     const double apart = std::abs(after[i] - before[i] - change_[i]);

@@ -104,8 +104,10 @@ NetworkImpact simulate_once(const model::Network& network, const hybrid::Options
   impact.impulse_direction = direction(p);
   impact.events = event_list(changes, scale.time);
   const auto before = configuration_of(network);
-  impact.energy = energy_balance(network, before, impact);
-  impact.momentum_residual = momentum_residual(before, impact);
+  double work = 0;
+  for (const Index place : at.drive_work) work += run.state[place] * scale.energy();
+  impact.energy = energy_balance(network, before, impact, work);
+  impact.momentum_residual = momentum_residual(network, before, impact);
   impact.bound_frequency = bound_frequencies(system, workspace.mode, run, scale);
   impact.flows = flow_uses(run.flows);
   if (watch.turning) impact.turning = watch.turning->largest();
@@ -127,6 +129,7 @@ NetworkImpact simulate(const model::Network& network, const hybrid::Options& opt
                        const RunObserver& observers) {
   model::validate(network);
   hybrid::validate(options);
+  model::expect_end(network, options.max_time);
   auto impact = simulate_once(network, options, observers);
   const auto again = [&](const hybrid::Options& tighter) {
     return simulate_once(network, tighter, observers);

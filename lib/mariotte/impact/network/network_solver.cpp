@@ -54,6 +54,7 @@ const BriefImpact& NetworkSolver::solve(const model::Network& network, const hyb
   auto& m = *memory_;
   model::validate(network);
   hybrid::validate(options);
+  model::expect_end(network, options.max_time);
   m.solve(network, options);
   const auto solve = [&](const hybrid::Options& tighter) { m.solve(network, tighter); };
   keep_promise(options, m.gone, m.impact, m.looser, solve, [&](const auto& a, const auto& b) {

@@ -6,6 +6,7 @@ namespace mariotte::impact {
 Sensitivity sensitivity(const model::Chain& chain, const std::vector<Parameter<model::Chain>>& by,
                         const hybrid::Options& asked) {
   model::validate(chain);
+  expect_no_drive(chain.drive);
   hybrid::validate(asked);
   model::expect_end(chain, asked.max_time);
   const auto options = for_slopes(asked);

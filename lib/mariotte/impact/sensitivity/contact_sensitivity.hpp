@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "mariotte/core/error.hpp"
 #include "mariotte/impact/impulses.hpp"
 #include "mariotte/impact/sensitivity/contact_variation.hpp"
 #include "mariotte/impact/sensitivity/notes.hpp"
@@ -10,6 +11,11 @@
 #include "mariotte/impact/sensitivity/slope_run.hpp"
 
 namespace mariotte::impact {
+
+/// Throws InvalidParameter if anything is driven.
+inline void expect_no_drive(const std::vector<model::Drive>& drives) {
+  if (!drives.empty()) throw InvalidParameter("slopes of what is driven are not computed");
+}
 
 /// Slopes ask for the second derivatives of what the run is computed from.
 inline hybrid::Options for_slopes(hybrid::Options options) {

@@ -224,6 +224,7 @@ void ContactVariation<Topology>::guard_slopes(Index i, ConstState x, const conta
       case GuardKind::yield:
         return -contact::branched(law)->yield_indentation(memory);
       case GuardKind::turn:
+      case GuardKind::kink:  // what is driven is refused
         return 0;
     }
     return 0;
@@ -254,6 +255,8 @@ double ContactVariation<Topology>::crossing_speed(Index i, double rate) const {
       const auto load = contact::load(model_.law[j], model_.length[j], 0);
       return std::abs(rate) * time / (load.by_indentation * model_.length[j] + load.by_rate * speed);
     }
+    case GuardKind::kink:
+      break;
   }
   return 1;
 }

@@ -16,6 +16,7 @@ void integrated_impulses(const model::DimensionlessNetwork&, const model::Contac
 Sensitivity sensitivity(const model::Network& network, const std::vector<Parameter<model::Network>>& by,
                         const hybrid::Options& asked) {
   model::validate(network);
+  expect_no_drive(network.drive);
   hybrid::validate(asked);
   const auto options = for_slopes(asked);
   model::NetworkSystem system(network, options.accuracy, std::isfinite(options.max_time));

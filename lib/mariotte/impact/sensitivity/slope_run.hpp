@@ -128,7 +128,7 @@ void SlopeLoop<System, Variation>::pass(Observer& observer, const typename Syste
   const auto& fired = workspace_.fired;
   result.time_is_noise = fired.empty();
   if (fired.empty()) return;
-  const auto& x = workspace_.run.state;
+  auto& x = workspace_.run.state;
   const double time = result.run.time;
   auto after_all = observer.slopes;
   std::vector<typename System::Change> ignored;

@@ -45,11 +45,11 @@ bool divides(const hybrid::Options& options, const model::Chain& chain) {
   const bool wanted =
       options.islands == hybrid::Islands::always ||
       (options.islands == hybrid::Islands::automatic && chain.mass.size() >= balls_for_islands);
-  return wanted && !holds_together(chain);
+  return wanted && !is_one_system(chain);
 }
 
-bool holds_together(const model::Chain& chain) {
-  return std::any_of(chain.law.begin(), chain.law.end(), contact::adheres);
+bool is_one_system(const model::Chain& chain) {
+  return !chain.drive.empty() || std::any_of(chain.law.begin(), chain.law.end(), contact::adheres);
 }
 
 ChainRun follow_whole(ChainSystem& system, ConstState start, const hybrid::Options& options,

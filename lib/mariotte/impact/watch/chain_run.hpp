@@ -27,7 +27,7 @@ hybrid::Options tightened(hybrid::Options options, std::size_t balls);
 /// Whether a chain of so many balls is divided.
 bool divides(const hybrid::Options& options, const model::Chain& chain);
 /// Adhesion may hold balls together for ever, which only the whole chain can tell.
-bool holds_together(const model::Chain& chain);
+bool is_one_system(const model::Chain& chain);
 
 /// The chain as one system. `options` are dimensionless.
 ChainRun follow_whole(model::ChainSystem& system, ConstState start, const hybrid::Options& options,

@@ -27,6 +27,15 @@ void validate_law(std::size_t j, const contact::PowerLaw& law) {
     reject("contact", j, "exponent must be finite and at least 1");
 }
 
+/// Where nothing tells how far the balls have fallen.
+void expect_wall(const Chain& chain) {
+  const auto is_force = [](const Drive& drive) { return drive.quantity == Driven::force; };
+  const auto is_wall = [](double mass) { return std::isinf(mass); };
+  if (chain.gravity != 0 && std::any_of(chain.drive.begin(), chain.drive.end(), is_force) &&
+      std::none_of(chain.mass.begin(), chain.mass.end(), is_wall))
+    throw InvalidParameter("a row on which gravity and a given force act needs a wall");
+}
+
 }  // namespace
 
 void validate_contact(std::size_t j, const contact::Law& law, double gap, bool precompressed,
@@ -59,10 +68,13 @@ void validate(const Chain& chain) {
     validate_contact(j, chain.law[j], chain.gap[j], chain.precompressed, "chain");
     expect_no_touch(j, chain.law[j], chain.gap[j], chain.velocity[j] - chain.velocity[j + 1]);
   }
+  validate_drives(chain.drive, chain.velocity, [&](Index i) { return std::isinf(chain.mass[i]); });
+  expect_wall(chain);
 }
 
 void expect_end(const Chain& chain, double max_time) {
   if (std::isfinite(max_time)) return;
+  expect_end(chain.drive, max_time);
   double fastest = -infinity;  // of the walls so far
   for (std::size_t i = 0; i < chain.mass.size(); ++i) {
     if (!std::isinf(chain.mass[i])) continue;

@@ -4,6 +4,7 @@
 
 #include "mariotte/contact/law.hpp"
 #include "mariotte/core/types.hpp"
+#include "mariotte/model/drives/drive.hpp"
 
 namespace mariotte::model {
 
@@ -16,15 +17,17 @@ struct Chain {
   std::vector<double> velocity;   ///< start velocities, n values [m/s]
   double gravity = 0;             ///< acceleration of every ball towards decreasing position [m/s²]
   bool precompressed = false;     ///< contacts may start indented
+  std::vector<Drive> drive = {};  ///< of walls, or forces on balls
 };
 
 /// Throws InvalidParameter, naming ball or contact (from 1), unless the chain is one that can be simulated:
 /// n ≥ 2, lengths match, masses positive and not NaN, everything else finite, stiffness > 0, damping ≥ 0,
-/// exponent ≥ 1, gaps ≥ 0 unless precompressed.
+/// exponent ≥ 1, gaps ≥ 0 unless precompressed; drives as `validate_drives` has it, and a wall or no gravity
+/// where one is a force.
 void validate(const Chain& chain);
 
-/// Throws InvalidParameter if a wall is driven towards another, which squeezes what is between them for ever,
-/// and no `max_time` [s] ends that.
+/// Throws InvalidParameter if there is a drive, or a wall moves towards another, which squeezes what is
+/// between them for ever, and no `max_time` [s] ends that.
 void expect_end(const Chain& chain, double max_time);
 
 /// ½ Σ m v² of the balls of finite mass at any velocities [J].

@@ -15,6 +15,7 @@ void make_layout(const DimensionlessChain& chain, ChainLayout& layout) {
     layout.impulse.push_back(wall ? layout.size++ : ChainLayout::absent);
   }
   number_guards(chain.law, layout);
+  add_drives(std::ssize(chain.drive), layout);
 }
 
 }  // namespace mariotte::model

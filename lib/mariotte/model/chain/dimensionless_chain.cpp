@@ -49,6 +49,10 @@ double reference_speed(const Chain& chain) {
     adhesion = std::max(adhesion, 2 * well_energy(chain.law[j]) / mass);
   }
   squared += adhesion;
+  for (const auto& drive : chain.drive) {
+    const double given = driven_speed(drive, 1 / chain.mass[drive.direction.front().dof]);
+    squared += given * given;
+  }
   if (squared > 0) return std::sqrt(squared);
   // Nothing moves unless gravity presses touching balls together: the speed gained over a static indentation.
   if (chain.gravity == 0) return 1;
@@ -67,6 +71,12 @@ void make_dimensionless(const Chain& chain, double accuracy, DimensionlessChain&
   scale_contacts({chain.law, chain.gap, chain.velocity}, reference_speed(chain), accuracy, d);
   scale_balls(chain, d);
   d.falls_back = pulls_back(chain);
+  d.drive.clear();
+  for (const auto& drive : chain.drive) {
+    auto response = drive.direction;
+    for (auto& [ball, coefficient] : response) coefficient /= chain.mass[ball];
+    d.drive.push_back(in_units(drive, std::move(response), d.scale));
+  }
   expect_representable(chain, d);
 }
 

@@ -6,8 +6,9 @@ namespace mariotte::model {
 
 void clear(ContactLayout& layout) {
   layout.size = 0;
+  layout.clock = ContactLayout::absent;
   for (auto* list : {&layout.velocity, &layout.gap, &layout.work, &layout.impulse, &layout.load_guard,
-                     &layout.branch_guard, &layout.guard_contact})
+                     &layout.branch_guard, &layout.guard_contact, &layout.drive_work})
     list->clear();
 }
 
@@ -20,6 +21,13 @@ void number_guards(const std::vector<contact::Law>& laws, ContactLayout& layout)
   for (Index j = 0; j < layout.contacts(); ++j) add(j, contact::goes_slack(laws[j]), 1, layout.load_guard);
   for (Index j = 0; j < layout.contacts(); ++j)
     add(j, contact::watches_turns(laws[j]), 2, layout.branch_guard);
+}
+
+void add_drives(Index drives, ContactLayout& layout) {
+  if (drives == 0) return;
+  layout.clock = layout.size++;
+  for (Index k = 0; k < drives; ++k) layout.drive_work.push_back(layout.size++);
+  layout.guard_contact.insert(layout.guard_contact.end(), drives, ContactLayout::absent);
 }
 
 void initial_state(const ScaledContacts& contacts, const ContactLayout& layout, std::vector<double>& x) {
@@ -37,9 +45,11 @@ std::string component_name(const ContactLayout& layout, Index component) {
     const auto place = std::find(places.begin(), places.end(), component);
     return place == places.end() ? "" : quantity + std::to_string(place - places.begin() + 1);
   };
-  for (const auto& name : {find(layout.velocity, "velocity "), find(layout.gap, "gap "),
-                           find(layout.work, "work "), find(layout.impulse, "impulse ")})
+  for (const auto& name :
+       {find(layout.velocity, "velocity "), find(layout.gap, "gap "), find(layout.work, "work "),
+        find(layout.impulse, "impulse "), find(layout.drive_work, "work of drive ")})
     if (!name.empty()) return name;
+  if (component == layout.clock) return "time";
   return "component " + std::to_string(component);
 }
 

@@ -35,6 +35,19 @@ struct ContactState {
     return gap(j) + level(contact::ContactMode::open, model().law[j], past(j), 0);
   }
   double approach(Index j) const { return topology.approach(x, j); }
+  /// δ̈ of contact j by outside forces and drives.
+  double drive(Index j) const {
+    double bend = topology.drive(j);
+    for (Index k = 0; k < topology.at.drives(); ++k) {
+      const auto& drive = model().drive[k];
+      const double change = value(drive.change.piece[set->piece[k]], x[topology.at.clock]);
+      for (const auto& [dof, coefficient] : drive.response)
+        topology.for_each_direction(j, [&](Index place, double g) {
+          if (place == topology.at.velocity[dof]) bend -= g * coefficient * change;
+        });
+    }
+    return bend;
+  }
   contact::Force load(Index j) const { return contact::load(model().law[j], -gap(j), approach(j)); }
 };
 
@@ -82,7 +95,7 @@ template <class Topology>
 bool is_loaded_again(const ContactState<Topology>& state, const contact::ContactSet& mode, Index j) {
   const auto load = state.load(j);
   if (!(load.value > 0)) return false;
-  double bend = state.topology.drive(j);
+  double bend = state.drive(j);
   state.topology.for_each_near(j, [&](Index i) {
     const auto f =
         force_in(mode[i], state.model().law[i], -state.gap(i), state.approach(i), memory_of(mode, i));
@@ -113,12 +126,13 @@ void press_near(const ContactState<Topology>& state, contact::ContactSet& mode, 
 }
 
 /// Contacts that carry force at 0+: indented ones, touching ones that approach or are driven together, and
-/// touching ones at rest that stand near one of these.
+/// touching ones at rest that stand near one of these; all of these where a drive may press any.
 template <class Topology>
 void contact_set_at(const ContactState<Topology>& state, contact::ContactSet& mode,
                     std::vector<ContactChange>& changes) {
   using contact::ContactMode;
   reset(mode, state.model().law);
+  mode.piece.assign(state.topology.at.drives(), 0);
   for (Index j = 0; j < state.contacts(); ++j) {
     const double gap = state.gap(j), approach = state.approach(j);
     const auto& law = state.model().law[j];
@@ -127,7 +141,7 @@ void contact_set_at(const ContactState<Topology>& state, contact::ContactSet& mo
       change(mode, j, ContactMode::slack, law, changes);
     else if (gap < 0 || (gap == 0 && approach > state.topology.rest_speed()))
       change(mode, j, ContactMode::closed, law, changes);
-    else if (rests(state, mode[j], j) && state.topology.drive(j) > 0)
+    else if (rests(state, mode[j], j) && (state.topology.drive(j) > 0 || !mode.piece.empty()))
       change(mode, j, ContactMode::touching, law, changes);
     if (gap < 0 && !mode.memory.empty()) start_indented(mode.memory[j], law, -gap, approach);
   }

@@ -26,10 +26,11 @@ class ContactSystem {
     contact_set_at(state(x), mode, changes);
   }
   /// What has fired, closed contacts that have faded by then, and touching ones that have left the noise.
-  void transition(Mode& mode, const std::vector<Index>& fired, ConstState x,
-                  std::vector<Change>& changes) const;
-  /// No contact carries force, and none comes together: a theorem of rows without outside forces. Or what
-  /// adhesion holds together stays so for ever, which ends a run without a time limit only.
+  /// Kinks of drives come before all: a prescribed velocity may jump there.
+  void transition(Mode& mode, const std::vector<Index>& fired, State x, std::vector<Change>& changes) const;
+  /// Never where there is a drive. No contact carries force, and none comes together: a theorem of rows
+  /// without outside forces. Or what adhesion holds together stays so for ever, which ends a run without a
+  /// time limit only.
   bool is_over(const Mode& mode, ConstState x, bool impacted) const;
   hybrid::Ending ending(const Mode& mode) const;
   /// Angular frequencies of what rings on at the ending `bound`; none at any other.
@@ -55,6 +56,8 @@ class ContactSystem {
   bool stay_ = false;  ///< what rings or falls back is followed up to the time limit
 
  private:
+  bool pass_kinks(Mode& mode, const std::vector<Index>& fired, State x) const;
+  void redirect(Mode& mode, Index j, ConstState x, std::vector<Change>& changes) const;
   void fire(Mode& mode, Index guard, ConstState x, std::vector<Change>& changes) const;
   void settle(Mode& mode, Index j, bool has_fired, ConstState x, std::vector<Change>& changes) const;
 };
@@ -64,6 +67,7 @@ void ContactSystem<Topology>::fire(Mode& mode, Index guard, ConstState x,
                                    std::vector<Change>& changes) const {
   const Index j = layout_.guard_contact[guard];
   const auto kind = layout_.kind(guard);
+  if (kind == GuardKind::kink) return;
   if (kind != GuardKind::gap && role(mode[j]) == flow::Role::open) return;  // its gap has opened at once
   const auto now = state(x, &mode);
   if (kind == GuardKind::yield) return yield(mode, j, changes);
@@ -87,9 +91,47 @@ void ContactSystem<Topology>::settle(Mode& mode, Index j, bool has_fired, ConstS
   }
 }
 
+/// Drives that have come to the end of a piece go on with the next. True if a velocity is prescribed anew.
 template <class Topology>
-void ContactSystem<Topology>::transition(Mode& mode, const std::vector<Index>& fired, ConstState x,
+bool ContactSystem<Topology>::pass_kinks(Mode& mode, const std::vector<Index>& fired, State x) const {
+  bool moves = false;
+  for (const Index guard : fired) {
+    if (layout_.kind(guard) != GuardKind::kink) continue;
+    const Index k = guard - layout_.kink_guard(0);
+    const auto& drive = model_.drive[k];
+    const auto& next = drive.signal.piece[++mode.piece[k]];
+    x[layout_.clock] = next.start;
+    if (drive.is_force) continue;
+    moves = true;
+    for (const auto& [dof, coefficient] : drive.direction)
+      x[layout_.velocity[dof]] = coefficient * value(next, next.start);
+  }
+  return moves;
+}
+
+/// What a jump of its rate does to contact j, no guard having crossed: it turns, or its load changes its
+/// sign.
+template <class Topology>
+void ContactSystem<Topology>::redirect(Mode& mode, Index j, ConstState x,
+                                       std::vector<Change>& changes) const {
+  using contact::ContactMode;
+  const auto now = state(x, &mode);
+  const auto& law = model_.law[j];
+  const double rate = now.approach(j);
+  if (mode[j] == ContactMode::closed && contact::watches_turns(law) &&
+      (mode.memory[j].recedes ? rate : -rate) > model_.noise_speed)
+    turn(mode, j, law, -now.gap(j), changes);
+  if (!contact::goes_slack(law) || !(now.gap(j) < 0)) return;
+  const double load = now.load(j).value;
+  if (mode[j] == ContactMode::closed && load < 0) change(mode, j, ContactMode::slack, law, changes);
+  if (mode[j] == ContactMode::slack && load > 0) change(mode, j, ContactMode::closed, law, changes);
+}
+
+template <class Topology>
+void ContactSystem<Topology>::transition(Mode& mode, const std::vector<Index>& fired, State x,
                                          std::vector<Change>& changes) const {
+  if (pass_kinks(mode, fired, x))
+    for (Index j = 0; j < layout_.contacts(); ++j) redirect(mode, j, x, changes);
   for (const Index guard : fired) fire(mode, guard, x, changes);
   for (Index j = 0; j < layout_.contacts(); ++j)
     if (mode[j] == contact::ContactMode::slack && is_loaded_again(state(x, &mode), mode, j))
@@ -103,6 +145,7 @@ void ContactSystem<Topology>::transition(Mode& mode, const std::vector<Index>& f
 
 template <class Topology>
 bool ContactSystem<Topology>::is_over(const Mode& mode, ConstState x, bool /*impacted*/) const {
+  if (layout_.drives() > 0) return false;
   const auto now = state(x, &mode);
   const auto is_closed = [](contact::ContactMode one) { return one == contact::ContactMode::closed; };
   if (std::any_of(mode.begin(), mode.end(), is_closed)) return !stay_ && is_bound(held_together(now, mode));

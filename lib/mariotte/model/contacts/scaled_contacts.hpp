@@ -6,6 +6,7 @@
 #include "mariotte/contact/law.hpp"
 #include "mariotte/core/scale.hpp"
 #include "mariotte/core/types.hpp"
+#include "mariotte/model/drives/drive.hpp"
 
 namespace mariotte::model {
 
@@ -22,6 +23,7 @@ struct ScaledContacts {
   std::vector<double> noise_depth;    ///< depth that a contact approached so slowly reaches
   double fade_speed_ratio = 1;        ///< speed at which a contact fades, relative to noise_speed
   double fade_depth_ratio = 1;        ///< depth at which it does, relative to noise_depth
+  std::vector<ScaledDrive> drive;     ///< their directions and responses name velocities by number
 
   Index contacts() const { return std::ssize(law); }
   /// Depth at which a contact that moves slowly fades, and twice of which takes it out of the noise.

@@ -34,10 +34,10 @@ class TopologyPhase final : public ContactPhase {
   std::vector<flow::Entry> pattern() const override;
   void jacobian(ConstState x, State values) const override;
   double damping_group() const override;
-  bool is_ballistic() const override { return active_ == 0 && !any_law_; }
+  bool is_ballistic() const override { return active_ == 0 && !needs_field_; }
   void second_derivative(ConstState x, State ddx) const override;
-  const flow::SerialPhase* serial() const override { return any_law_ ? nullptr : flows_.serial(); }
-  const flow::LinkedPhase* linked() const override { return any_law_ ? nullptr : flows_.linked(); }
+  const flow::SerialPhase* serial() const override { return needs_field_ ? nullptr : flows_.serial(); }
+  const flow::LinkedPhase* linked() const override { return needs_field_ ? nullptr : flows_.linked(); }
   flow::Accepted accept(ConstState x) override;
   std::string component(Index index) const override { return component_name(at(), index); }
 
@@ -68,17 +68,23 @@ class TopologyPhase final : public ContactPhase {
   double guard(ConstState x, Index i) const;
   double guard_rate(ConstState x, ConstState dx, Index i) const;
   double slow_turn(Index j) const;
+  const SignalPiece& piece(const Signal& signal, Index k) const { return signal.piece[(*mode_).piece[k]]; }
+  double next_kink(Index k) const;
+  void drive(ConstState x, State dx) const;
+  template <class Use>
+  void for_each_given(Use&& use) const;
   void watch(Index j);
   void find_magnitudes();
 
   Topology topology_;
   typename Topology::Flows flows_;
   std::vector<double> magnitudes_;
+  std::vector<Index> driver_;   ///< by place: the drive that prescribes this velocity, or absent
   std::vector<double> levels_;  ///< by contact: its gap guard is gap + level
   std::vector<flow::Crossing> crossings_;
   contact::ContactSet* mode_ = nullptr;
-  Index active_ = 0;      ///< contacts that carry force
-  bool any_law_ = false;  ///< a contact that is not open follows no power law
+  Index active_ = 0;          ///< contacts that carry force
+  bool needs_field_ = false;  ///< a contact that is not open follows no power law, or there is a drive
   double time_scale_ = 1;
 };
 

@@ -12,6 +12,10 @@ void TopologyPhase<Topology>::reset() {
   crossings_.assign(at().guard_contact.size(), flow::Crossing::none);
   levels_.assign(contacts(), 0.0);
   find_magnitudes();
+  driver_.assign(at().size, ContactLayout::absent);
+  for (Index k = 0; k < at().drives(); ++k)
+    if (!topology_.model.drive[k].is_force)
+      for (const auto& term : topology_.model.drive[k].direction) driver_[at().velocity[term.dof]] = k;
   flows_.reset(topology_);
 }
 
@@ -32,24 +36,28 @@ void TopologyPhase<Topology>::find_magnitudes() {
   }
   for (const Index place : at().velocity)
     if (size[place] == 0) size[place] = d.speed;
+  for (const Index place : at().drive_work) size[place] = d.speed * d.speed;
+  if (at().drives() > 0) size[at().clock] = *std::min_element(d.time.begin(), d.time.end());
 }
 
 template <class Topology>
 void TopologyPhase<Topology>::bind(contact::ContactSet& mode) {
   mode_ = &mode;
   active_ = 0;
-  any_law_ = false;
+  needs_field_ = at().drives() > 0;
   double shortest = infinity, any = infinity;
   for (Index j = 0; j < contacts(); ++j) {
     watch(j);
     const double time = topology_.model.time[j];
     any = std::min(any, time);
-    any_law_ |= role(mode[j]) != flow::Role::open && !power_law(law(j));
+    needs_field_ |= role(mode[j]) != flow::Role::open && !power_law(law(j));
     if (!contact::carries_force(mode[j])) continue;
     ++active_;
     shortest = std::min(shortest, time);
   }
   time_scale_ = active_ == 0 ? any : shortest;
+  for (Index k = 0; k < at().drives(); ++k)
+    crossings_[at().kink_guard(k)] = next_kink(k) < infinity ? flow::Crossing::rising : flow::Crossing::none;
 }
 
 template <class Topology>
@@ -79,6 +87,44 @@ void TopologyPhase<Topology>::derivative(ConstState x, State dx) const {
     if (has_work(j)) dx[at().work[j]] = f * rate;
     topology_.for_each_push(j, [&](Index place, double change) { dx[place] += change * f; });
   }
+  if (at().drives() > 0) drive(x, dx);
+}
+
+/// When the next piece of a drive's signal begins.
+template <class Topology>
+double TopologyPhase<Topology>::next_kink(Index k) const {
+  const auto& pieces = topology_.model.drive[k].signal.piece;
+  const auto next = static_cast<std::size_t>((*mode_).piece[k]) + 1;
+  return next < pieces.size() ? pieces[next].start : infinity;
+}
+
+/// use(k, j, place, g) for each term g of contact j in a velocity that drive k prescribes.
+template <class Topology>
+template <class Use>
+void TopologyPhase<Topology>::for_each_given(Use&& use) const {
+  for (Index j = 0; j < contacts(); ++j)
+    topology_.for_each_direction(j, [&](Index place, double g) {
+      if (driver_[place] != ContactLayout::absent) use(driver_[place], j, place, g);
+    });
+}
+
+/// Prescribed velocities change as they shall and their walls work against the forces of their contacts;
+/// given forces push, and work.
+template <class Topology>
+void TopologyPhase<Topology>::drive(ConstState x, State dx) const {
+  const double time = x[at().clock];
+  dx[at().clock] = 1;
+  for (Index k = 0; k < at().drives(); ++k) {
+    const auto& drive = topology_.model.drive[k];
+    const double change = value(piece(drive.change, k), time);
+    for (const auto& [dof, coefficient] : drive.response) dx[at().velocity[dof]] += coefficient * change;
+    if (drive.is_force)
+      for (const auto& [dof, coefficient] : drive.direction)
+        dx[at().drive_work[k]] += coefficient * change * x[at().velocity[dof]];
+  }
+  for_each_given([&](Index k, Index j, Index place, double g) {
+    dx[at().drive_work[k]] -= g * x[place] * force(x, j).value;
+  });
 }
 
 template <class Topology>
@@ -98,6 +144,8 @@ template <class Topology>
 double TopologyPhase<Topology>::guard(ConstState x, Index i) const {
   const Index j = at().guard_contact[i];
   switch (at().kind(i)) {
+    case GuardKind::kink:
+      return x[at().clock] - next_kink(i - at().kink_guard(0));
     case GuardKind::gap:
       return x[at().gap[j]] + level(j);
     case GuardKind::load:
@@ -115,13 +163,14 @@ void TopologyPhase<Topology>::guards(ConstState x, State values) const {
   // A masked guard stands on the side from which it cannot seem to have crossed when it is watched again.
   for (Index i = 0; i < guard_count(); ++i) {
     const auto kind = at().kind(i);
-    const double side = kind == GuardKind::gap || kind == GuardKind::yield ? -1 : 1;
+    const double side = kind == GuardKind::load || kind == GuardKind::turn ? 1 : -1;
     values[i] = crossings_[i] == flow::Crossing::none ? side : guard(x, i);
   }
 }
 
 template <class Topology>
 double TopologyPhase<Topology>::guard_rate(ConstState x, ConstState dx, Index i) const {
+  if (at().kind(i) == GuardKind::kink) return 1;
   const Index j = at().guard_contact[i];
   const double widening = dx[at().gap[j]];
   switch (at().kind(i)) {
@@ -135,6 +184,8 @@ double TopologyPhase<Topology>::guard_rate(ConstState x, ConstState dx, Index i)
       return -widening;
     case GuardKind::turn:
       return topology_.approach(dx, j);
+    case GuardKind::kink:
+      break;
   }
   return 0;
 }
@@ -162,6 +213,21 @@ std::vector<flow::Entry> TopologyPhase<Topology>::pattern() const {
     if (has_impulse(j)) force_on(at().impulse[j]);
     if (has_work(j)) force_on(at().work[j]);
   }
+  const Index clock = at().clock;
+  for (Index k = 0; k < at().drives(); ++k) {
+    const auto& drive = topology_.model.drive[k];
+    const Index work = at().drive_work[k];
+    for (const auto& term : drive.response) pattern.push_back({at().velocity[term.dof], clock});
+    if (!drive.is_force) continue;
+    pattern.push_back({work, clock});
+    for (const auto& term : drive.direction) pattern.push_back({work, at().velocity[term.dof]});
+  }
+  for_each_given([&](Index k, Index j, Index place, double) {
+    const Index work = at().drive_work[k];
+    pattern.push_back({work, place});
+    pattern.push_back({work, at().gap[j]});
+    topology_.for_each_direction(j, [&](Index other, double) { pattern.push_back({work, other}); });
+  });
   return pattern;
 }
 
@@ -181,6 +247,23 @@ void TopologyPhase<Topology>::jacobian(ConstState x, State values) const {
     if (has_impulse(j)) row(1, 0);
     if (has_work(j)) row(topology_.approach(x, j), f.value);
   }
+  for (Index k = 0; k < at().drives(); ++k) {
+    const auto& drive = topology_.model.drive[k];
+    const double time = x[at().clock], by_time = value(rate(piece(drive.change, k)), time);
+    for (const auto& term : drive.response) values[entry++] = term.coefficient * by_time;
+    if (!drive.is_force) continue;
+    double& by_clock = values[entry++] = 0;
+    for (const auto& [dof, coefficient] : drive.direction) {
+      by_clock += coefficient * by_time * x[at().velocity[dof]];
+      values[entry++] = coefficient * value(piece(drive.change, k), time);
+    }
+  }
+  for_each_given([&](Index, Index j, Index place, double g) {
+    const auto f = force(x, j);
+    values[entry++] = -g * f.value;
+    values[entry++] = g * x[place] * f.by_indentation;
+    topology_.for_each_direction(j, [&](Index, double h) { values[entry++] = g * x[place] * f.by_rate * h; });
+  });
 }
 
 template <class Topology>

@@ -11,7 +11,15 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-double reference_speed(const Network& network, const Numbers& mass) {
+/// M⁻¹ w of each drive; of no use where it prescribes a motion.
+std::vector<ContactDirection> pushes_of_drives(const Network& network) {
+  std::vector<ContactDirection> directions;
+  for (const auto& drive : network.drive) directions.push_back(drive.direction);
+  return responses(network.mass, directions, std::ssize(network.velocity));
+}
+
+double reference_speed(const Network& network, const Numbers& mass,
+                       const std::vector<ContactDirection>& pushes) {
   double squared = 0, adhesion = 0;
   for (const auto& direction : network.direction) {
     const double rate = gap_rate(direction, network.velocity);
@@ -23,6 +31,10 @@ double reference_speed(const Network& network, const Numbers& mass) {
       squared += 2 * std::max(0.0, contact::stored_energy(network.law[j], -network.gap[j])) / mass[j];
   }
   squared += adhesion;
+  for (std::size_t k = 0; k < network.drive.size(); ++k) {
+    const double given = driven_speed(network.drive[k], dot(network.drive[k].direction, pushes[k]));
+    squared += given * given;
+  }
   return squared > 0 ? std::sqrt(squared) : 1;
 }
 
@@ -66,8 +78,12 @@ void make_dimensionless(const Network& network, double accuracy, DimensionlessNe
   d.reduced_mass.clear();
   for (std::size_t j = 0; j < d.response.size(); ++j)
     d.reduced_mass.push_back(1 / dot(d.direction[j], d.response[j]));
-  scale_contacts({network.law, network.gap, network.velocity}, reference_speed(network, d.reduced_mass),
-                 accuracy, d);
+  const auto pushes = network.drive.empty() ? std::vector<ContactDirection>() : pushes_of_drives(network);
+  scale_contacts({network.law, network.gap, network.velocity},
+                 reference_speed(network, d.reduced_mass, pushes), accuracy, d);
+  d.drive.clear();
+  for (std::size_t k = 0; k < pushes.size(); ++k)
+    d.drive.push_back(in_units(network.drive[k], pushes[k], d.scale));
   scale_responses(d);
   expect_representable(network, d);
   find_near(d);

@@ -39,6 +39,13 @@ void validate(const Network& network) {
     validate_contact(j, network.law[j], network.gap[j], network.precompressed, "network");
     expect_no_touch(j, network.law[j], network.gap[j], gap_rate(network.direction[j], network.velocity));
   }
+  const bool diagonal = is_diagonal(network.mass, dofs);  // others have no walls
+  validate_drives(network.drive, network.velocity,
+                  [&](Index i) { return diagonal && std::isinf(network.mass[i]); });
+}
+
+void expect_end(const Network& network, double max_time) {
+  expect_end(network.drive, max_time);
 }
 
 Network as_network(const Chain& chain) {
@@ -49,7 +56,8 @@ Network as_network(const Chain& chain) {
                   .gap = chain.gap,
                   .velocity = chain.velocity,
                   .precompressed = chain.precompressed,
-                  .dimension = 1};
+                  .dimension = 1,
+                  .drive = chain.drive};
   for (Index j = 0; j < std::ssize(chain.law); ++j) network.direction.push_back({{j, -1}, {j + 1, 1}});
   return network;
 }

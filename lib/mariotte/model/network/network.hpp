@@ -22,10 +22,14 @@ struct Network {
   Index dimension = 0;  ///< of balls, whose coordinates are the dofs in turn; 0 for any other dofs
   /// Between the centres of the balls of each contact at the start, m values [m]; empty for other dofs.
   std::vector<double> distance = {};
+  std::vector<Drive> drive = {};  ///< of dofs of infinite mass, or forces on others
 };
 
 /// Throws InvalidParameter, naming the contact (from 1), unless the network is one that can be simulated.
 void validate(const Network& network);
+
+/// Throws InvalidParameter if the network is driven and no `max_time` [s] ends that.
+void expect_end(const Network& network, double max_time);
 
 /// A chain written as a network. Throws InvalidParameter if gravity acts on it.
 Network as_network(const Chain& chain);

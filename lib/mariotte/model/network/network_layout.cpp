@@ -10,6 +10,7 @@ void make_layout(const DimensionlessNetwork& network, ContactLayout& layout) {
   for (const auto& law : network.law)
     layout.work.push_back(contact::dissipates(law) ? layout.size++ : ContactLayout::absent);
   number_guards(network.law, layout);
+  add_drives(std::ssize(network.drive), layout);
 }
 
 }  // namespace mariotte::model

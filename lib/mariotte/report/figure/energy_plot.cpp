@@ -50,7 +50,7 @@ EnergyCourse energy_course(const impact::Trace& trace, const model::Chain& chain
     course.time.push_back(trace.time[k]);
     course.kinetic.push_back(kinetic_energy(chain, trace.velocity[k]));
     course.stored.push_back(stored(chain, trace.gap[k], trace.force[k]));
-    if (chain.gravity == 0)
+    if (chain.gravity == 0 && chain.drive.empty())
       course.lost.push_back(course.kinetic[0] + course.stored[0] - course.kinetic[k] - course.stored[k]);
   }
   return course;

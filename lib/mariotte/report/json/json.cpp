@@ -1,5 +1,7 @@
 #include "mariotte/report/json/json.hpp"
 
+#include <array>
+
 #include "mariotte/core/overload.hpp"
 #include "mariotte/report/json/json_parts.hpp"
 #include "mariotte/report/json/quantity_json.hpp"
@@ -9,14 +11,37 @@
 namespace mariotte::report {
 namespace {
 
-Json chain(const model::Chain& chain) {
-  return {{"mass", chain.mass},       {"velocity", chain.velocity},
-          {"gap", chain.gap},         {"contact", list(chain.law, law_json)},
-          {"gravity", chain.gravity}, {"precompressed", chain.precompressed}};
-}
-
 Json term(const Term& term) {
   return Json::array({term.dof, term.coefficient});
+}
+
+Json drive(const model::Drive& drive) {
+  const auto piece = [](const model::SignalPiece& p) -> Json {
+    return {{"start", p.start},
+            {"amplitude", p.amplitude},
+            {"angular_frequency", p.frequency},
+            {"phase", p.phase},
+            {"powers", p.power}};
+  };
+  constexpr std::array quantities{"position", "velocity", "force"};
+  return {{"quantity", quantities[static_cast<std::size_t>(drive.quantity)]},
+          {"direction", list(drive.direction, term)},
+          {"signal", list(drive.signal.piece, piece)}};
+}
+
+Json with_drives(Json model, const std::vector<model::Drive>& drives) {
+  if (!drives.empty()) model["drive"] = list(drives, drive);
+  return model;
+}
+
+Json chain(const model::Chain& chain) {
+  return with_drives({{"mass", chain.mass},
+                      {"velocity", chain.velocity},
+                      {"gap", chain.gap},
+                      {"contact", list(chain.law, law_json)},
+                      {"gravity", chain.gravity},
+                      {"precompressed", chain.precompressed}},
+                     chain.drive);
 }
 
 Json network(const model::Network& network) {
@@ -28,11 +53,12 @@ Json network(const model::Network& network) {
     if (const auto pair = balls_of(network, static_cast<Index>(j)))
       contacts.back()["balls"] = {pair->left + 1, pair->right + 1};
   }
-  return {{"mass", network.mass},
-          {"velocity", network.velocity},
-          {"dimension", network.dimension},
-          {"contact", contacts},
-          {"precompressed", network.precompressed}};
+  return with_drives({{"mass", network.mass},
+                      {"velocity", network.velocity},
+                      {"dimension", network.dimension},
+                      {"contact", contacts},
+                      {"precompressed", network.precompressed}},
+                     network.drive);
 }
 
 const char* thing(const impact::ContactImpact&) {

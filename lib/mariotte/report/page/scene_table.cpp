@@ -24,6 +24,7 @@ std::string heading(const model::Chain& chain, const scene::Scene& scene) {
   if (walls > 0) text += fmt::format(" and {} wall{}", walls, walls > 1 ? "s" : "");
   if (chain.gravity != 0) text += fmt::format(", gravity {} m/s²", number(chain.gravity));
   if (chain.precompressed) text += ", precompressed";
+  if (!chain.drive.empty()) text += ", driven";
   return text + "\n";
 }
 
@@ -135,7 +136,8 @@ std::string table(const model::Chain& chain, const scene::Scene& scene) {
 
 std::string table(const model::Network& network, const scene::Scene& scene) {
   return (scene.title.empty() ? "Contact network" : scene.title) + "\n" + size_of(network) +
-         (network.precompressed ? ", precompressed\n\n" : "\n\n") +
+         (network.precompressed ? ", precompressed" : "") +
+         (network.drive.empty() ? "\n\n" : ", driven\n\n") +
          (network.dimension > 0 ? placed_balls(network, scene) : dofs(network)) + "\n" +
          contacts(network.law, network.gap, contact_names(network)) + restitutions(network) +
          limits(scene.run);

@@ -17,6 +17,7 @@ bool is_power_law(const contact::Law& law) {
 
 std::vector<double*> numbers(model::Chain& chain, scene::Scene& scene) {
   std::vector<double*> all;
+  if (!chain.drive.empty()) return all;
   if (!std::all_of(chain.law.begin(), chain.law.end(), is_power_law)) return all;
   for (auto* values : {&chain.mass, &chain.velocity, &chain.gap, &scene.radius}) add(*values, all);
   for (auto& any : chain.law) {
@@ -29,8 +30,8 @@ std::vector<double*> numbers(model::Chain& chain, scene::Scene& scene) {
 
 bool same_form(const model::Chain& a, const model::Chain& b) {
   const auto same_law = [](const contact::Law& x, const contact::Law& y) { return x.index() == y.index(); };
-  return a.mass.size() == b.mass.size() && a.precompressed == b.precompressed &&
-         std::equal(a.law.begin(), a.law.end(), b.law.begin(), b.law.end(), same_law);
+  return a.mass.size() == b.mass.size() && a.precompressed == b.precompressed && a.drive.empty() &&
+         b.drive.empty() && std::equal(a.law.begin(), a.law.end(), b.law.begin(), b.law.end(), same_law);
 }
 
 bool same_form(const scene::Model& a, const scene::Model& b) {

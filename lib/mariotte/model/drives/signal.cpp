@@ -1,0 +1,155 @@
+#include "mariotte/model/drives/signal.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "mariotte/core/error.hpp"
+#include "mariotte/core/monotone_cubic.hpp"
+
+namespace mariotte::model {
+namespace {
+
+void expect_growing(const std::vector<SignalPoint>& points) {
+  if (points.size() < 2) throw InvalidParameter("a signal needs two points or more");
+  if (points.front().time != 0) throw InvalidParameter("a signal must begin at the time 0");
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (!std::isfinite(points[i].time + points[i].value) || (i > 0 && !(points[i].time > points[i - 1].time)))
+      throw InvalidParameter("point " + std::to_string(i + 1) +
+                             " of a signal: times must grow, and all be finite");
+}
+
+/// The cubic from a point to the next with slopes at both.
+SignalPiece cubic(const SignalPoint& from, const SignalPoint& to, double first, double last) {
+  const double h = to.time - from.time, secant = (to.value - from.value) / h;
+  return {.start = from.time,
+          .power = {from.value, first, (3 * secant - 2 * first - last) / h,
+                    (first + last - 2 * secant) / (h * h)}};
+}
+
+SignalPiece constant(const SignalPoint& point) {
+  return {.start = point.time, .power = {point.value, 0, 0, 0}};
+}
+
+/// ∫ of a piece from its start to a time.
+double integral(const SignalPiece& p, double time) {
+  const double s = time - p.start, middle = 0.5 * p.frequency * s;
+  const auto& c = p.power;
+  double sum = s * (c[0] + s * (c[1] / 2 + s * (c[2] / 3 + s * c[3] / 4)));
+  if (p.amplitude == 0) return sum;
+  // cos α − cos β as a product, which keeps its digits where the piece is short
+  const double width = middle == 0 ? s : s * std::sin(middle) / middle;
+  return sum + p.amplitude * width * std::sin(p.frequency * p.start + middle + p.phase);
+}
+
+double end_of(const Signal& signal, std::size_t i, double otherwise) {
+  return i + 1 < signal.piece.size() ? signal.piece[i + 1].start : otherwise;
+}
+
+}  // namespace
+
+Signal sine(double amplitude, double frequency, double phase) {
+  return {{{.amplitude = amplitude, .frequency = frequency, .phase = phase}}};
+}
+
+Signal half_sine(double amplitude, double duration) {
+  if (!(duration > 0) || !std::isfinite(duration))
+    throw InvalidParameter("a pulse needs a duration that is positive and finite");
+  return {{{.amplitude = amplitude, .frequency = std::numbers::pi / duration}, {.start = duration}}};
+}
+
+Signal straight_lines(const std::vector<SignalPoint>& points) {
+  expect_growing(points);
+  Signal signal;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const double slope = (points[i + 1].value - points[i].value) / (points[i + 1].time - points[i].time);
+    signal.piece.push_back({.start = points[i].time, .power = {points[i].value, slope, 0, 0}});
+  }
+  signal.piece.push_back(constant(points.back()));
+  return signal;
+}
+
+Signal smooth_curve(const std::vector<SignalPoint>& points) {
+  expect_growing(points);
+  std::vector<double> time, height;
+  for (const auto& point : points) {
+    time.push_back(point.time);
+    height.push_back(point.value);
+  }
+  const auto slope = monotone_slopes(time, height);
+  Signal signal;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i)
+    signal.piece.push_back(cubic(points[i], points[i + 1], slope[i], slope[i + 1]));
+  signal.piece.push_back(constant(points.back()));
+  return signal;
+}
+
+double value(const SignalPiece& p, double time) {
+  const double s = time - p.start;
+  const double sum = p.power[0] + s * (p.power[1] + s * (p.power[2] + s * p.power[3]));
+  return p.amplitude == 0 ? sum : sum + p.amplitude * std::sin(p.frequency * time + p.phase);
+}
+
+SignalPiece rate(const SignalPiece& p) {
+  return {.start = p.start,
+          .amplitude = p.amplitude * p.frequency,
+          .frequency = p.frequency,
+          .phase = p.phase + std::numbers::pi / 2,
+          .power = {p.power[1], 2 * p.power[2], 3 * p.power[3], 0}};
+}
+
+Signal rate(const Signal& signal) {
+  Signal result;
+  for (const auto& piece : signal.piece) result.piece.push_back(rate(piece));
+  return result;
+}
+
+Index piece_at(const Signal& signal, double time) {
+  const auto after = std::upper_bound(signal.piece.begin(), signal.piece.end(), time,
+                                      [](double t, const SignalPiece& p) { return t < p.start; });
+  return std::max<Index>(0, after - signal.piece.begin() - 1);
+}
+
+double integral(const Signal& signal, double time) {
+  double sum = 0;
+  for (std::size_t i = 0; i < signal.piece.size() && signal.piece[i].start < time; ++i)
+    sum += integral(signal.piece[i], std::min(time, end_of(signal, i, time)));
+  return sum;
+}
+
+double largest(const Signal& signal) {
+  double most = 0;
+  for (std::size_t i = 0; i < signal.piece.size(); ++i) {
+    const auto& p = signal.piece[i];
+    const auto end = end_of(signal, i, p.start);
+    most = std::max({most, std::abs(p.amplitude), std::abs(value(p, p.start)),
+                     std::abs(value(p, 0.5 * (p.start + end))), std::abs(value(p, end))});
+  }
+  return most;
+}
+
+double largest_integral(const Signal& signal) {
+  double most = 0;
+  for (const auto& p : signal.piece) {
+    most = std::max(most, std::abs(integral(signal, p.start)));
+    if (p.amplitude != 0) most = std::max(most, 2 * std::abs(p.amplitude) / p.frequency);
+  }
+  return most;
+}
+
+Signal scaled(Signal signal, double time, double value) {
+  for (auto& p : signal.piece) {
+    p.start /= time;
+    p.frequency *= time;
+    p.amplitude /= value;
+    double unit = value;
+    for (double& c : p.power) {
+      c /= unit;
+      unit /= time;
+    }
+  }
+  return signal;
+}
+
+}  // namespace mariotte::model

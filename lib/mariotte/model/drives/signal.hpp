@@ -1,0 +1,54 @@
+// Functions of time that are smooth but for kinks: what a drive prescribes.
+#pragma once
+#include <array>
+#include <vector>
+
+#include "mariotte/core/types.hpp"
+
+namespace mariotte::model {
+
+/// a sin(ω t + φ) + c₀ + c₁ s + c₂ s² + c₃ s³ with s = t − start.
+struct SignalPiece {
+  double start = 0;                  ///< from this time on [s]
+  double amplitude = 0;              ///< a, in the unit of the signal
+  double frequency = 0;              ///< ω ≥ 0 [rad/s]
+  double phase = 0;                  ///< φ [rad]
+  std::array<double, 4> power = {};  ///< c₀ to c₃
+};
+
+/// Pieces in order of time, at least one. The first starts at 0; the last goes on for ever.
+struct Signal {
+  std::vector<SignalPiece> piece;
+};
+
+/// A value at a time.
+struct SignalPoint {
+  double time;  ///< [s]
+  double value;
+};
+
+/// a sin(ω t + φ).
+Signal sine(double amplitude, double frequency, double phase);
+/// a sin(π t/T) for t < T, 0 from then on. Throws InvalidParameter unless T > 0.
+Signal half_sine(double amplitude, double duration);
+/// Straight lines, or the monotone cubic, through points; the last value stays. Throws InvalidParameter
+/// unless there are two points, times grow from 0, and all is finite.
+Signal straight_lines(const std::vector<SignalPoint>& points);
+Signal smooth_curve(const std::vector<SignalPoint>& points);
+
+/// Of a piece, at any time: it goes on smoothly beyond its ends.
+double value(const SignalPiece& piece, double time);
+/// The derivative of a piece, and of all of them.
+SignalPiece rate(const SignalPiece& piece);
+Signal rate(const Signal& signal);
+/// The piece that holds at a time.
+Index piece_at(const Signal& signal, double time);
+/// ∫ of the signal from 0 to a time.
+double integral(const Signal& signal, double time);
+/// About the largest size of the signal, and of its integral up to the last kink.
+double largest(const Signal& signal);
+double largest_integral(const Signal& signal);
+/// The same function in other units of time and value.
+Signal scaled(Signal signal, double time, double value);
+
+}  // namespace mariotte::model

@@ -1,0 +1,54 @@
+#include "mariotte/scene/table_columns.hpp"
+
+#include <filesystem>
+
+#include "mariotte/core/quantity.hpp"
+#include "mariotte/scene/csv_table.hpp"
+#include "mariotte/scene/scene.hpp"
+#include "mariotte/scene/text_file.hpp"
+
+namespace mariotte::scene {
+namespace {
+
+/// A column and the unit of its header, "name [unit]"; SI without one.
+struct Column {
+  std::size_t number;
+  std::string unit;
+};
+
+Column find_column(const Source& file, const std::vector<Cell>& header, const std::string& name) {
+  for (std::size_t i = 0; i < header.size(); ++i) {
+    const auto& text = header[i].text;
+    if (text == name) return {i, ""};
+    if (text.starts_with(name + " [") && text.ends_with(']'))
+      return {i, text.substr(name.size() + 2, text.size() - name.size() - 3)};
+  }
+  reject(file, header.front().place, fault::missing, "the column '" + name + "' is missing");
+}
+
+double value(const Source& file, const std::vector<Cell>& row, const Column& column,
+             const Dimension& dimension) {
+  const auto& cell = row[column.number];
+  try {
+    return parse_quantity(column.unit.empty() ? cell.text : cell.text + " " + column.unit, dimension);
+  } catch (const QuantityError& error) {
+    reject(file, cell.place, error.fault, error.what());
+  }
+}
+
+}  // namespace
+
+std::vector<std::pair<double, double>> read_columns(const Source& source, const Field& path,
+                                                    const ColumnName& first, const ColumnName& second) {
+  const auto name = std::filesystem::path(source.name).parent_path() / text(source, path);
+  const Source file{.name = name.string(), .origins = {}};
+  const auto table = parse_csv(file, read_text(file.name));
+  const auto left = find_column(file, table.header, first.name),
+             right = find_column(file, table.header, second.name);
+  std::vector<std::pair<double, double>> rows;
+  for (const auto& row : table.rows)
+    rows.emplace_back(value(file, row, left, first.dimension), value(file, row, right, second.dimension));
+  return rows;
+}
+
+}  // namespace mariotte::scene
