@@ -1,5 +1,6 @@
 #include "mariotte/contact/branched_law.hpp"
 
+#include <cmath>
 #include <utility>
 
 namespace mariotte::contact {
@@ -34,6 +35,13 @@ class ScaledBranches final : public BranchedLaw {
   }
   double plastic_loss(double peak) const override {
     return law_.plastic_loss(peak * scale_.length) / scale_.energy();
+  }
+  std::optional<ShiftedPower> power(const Memory& past) const override {
+    auto power = law_.power(stated(past));
+    if (!power) return power;
+    power->stiffness *= std::pow(scale_.length, power->exponent) / scale_.force();
+    power->origin /= scale_.length;
+    return power;
   }
   bool pulls() const override { return law_.pulls(); }
   bool adheres() const override { return law_.adheres(); }

@@ -1,10 +1,19 @@
 // A law with branches: it may pull, yield, remember and end at another indentation than it began.
 #pragma once
+#include <optional>
+
 #include "mariotte/contact/custom_law.hpp"
 #include "mariotte/contact/memory.hpp"
 #include "mariotte/core/types.hpp"
 
 namespace mariotte::contact {
+
+/// f = k (δ − δ₀)ⁿ without a damper: what many branches are.
+struct ShiftedPower {
+  double stiffness;  ///< k [N/m^n]
+  double exponent;   ///< n
+  double origin;     ///< δ₀ [m]
+};
 
 /// A law f(δ, δ̇) on each branch of what the contact remembers. The force is not cut off where it pulls. What
 /// ends a branch, and which comes next, is the automaton's [contact_set.hpp]; the law says where.
@@ -21,6 +30,8 @@ class BranchedLaw : public CustomLaw {
   virtual double opening_indentation(const Memory& past) const { return closing_indentation(past); }
   /// Indentation beyond which it yields [m]; infinite if it never does.
   virtual double yield_indentation(const Memory&) const { return infinity; }
+  /// The force of the present branch if it is such a power; flows with closed forms follow it.
+  virtual std::optional<ShiftedPower> power(const Memory&) const { return std::nullopt; }
   /// Energy lost to yielding up to an indentation of the plastic branch [J].
   virtual double plastic_loss(double /*peak*/) const { return 0; }
   /// True if the force can pull.

@@ -23,6 +23,7 @@ struct LawStatement {
   double closing_indentation(const Memory&) const { return 0; }
   double yield_indentation(const Memory&) const { return infinity; }
   double plastic_loss(double) const { return 0; }
+  std::optional<ShiftedPower> power(const Memory&) const { return std::nullopt; }
   bool adheres() const { return false; }
   bool pulls() const { return false; }
   bool watches_turns() const { return false; }
@@ -67,6 +68,7 @@ class StatedLaw final : public BranchedLaw {
     return past.peak > 0 ? past.peak : law_.yield_indentation(past);
   }
   double plastic_loss(double peak) const override { return law_.plastic_loss(peak); }
+  std::optional<ShiftedPower> power(const Memory& past) const override { return law_.power(past); }
   bool pulls() const override { return law_.pulls(); }
   bool adheres() const override { return law_.adheres(); }
   bool watches_turns() const override { return law_.watches_turns(); }

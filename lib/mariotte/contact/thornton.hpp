@@ -46,6 +46,11 @@ struct Thornton : YieldingStatement {
     if (!(left > 0.0)) return T(0.0);
     return hertz(dented ? radius / softening(past.peak) : radius) * (left * sqrt(left));
   }
+  std::optional<ShiftedPower> power(const Memory& past) const {
+    if (past.branch == Branch::plastic) return ShiftedPower{slope(), 1, limit() - yield_force() / slope()};
+    if (past.branch == Branch::elastic) return ShiftedPower{hertz(radius), 1.5, 0};
+    return ShiftedPower{hertz(radius / softening(past.peak)), 1.5, dent(past.peak)};
+  }
   double stored_energy(const Memory& past, double d) const {
     if (is_plastic(past, d, limit())) return 0.4 * plastic_force(d) * (d - dent(d));
     const bool dented = past.branch == Branch::unloading;

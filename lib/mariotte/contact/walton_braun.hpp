@@ -24,6 +24,10 @@ struct WaltonBraun : YieldingStatement {
     if (past.branch != Branch::unloading) return loading * indentation;
     return unloading * (indentation - T(dent(past.peak)));
   }
+  std::optional<ShiftedPower> power(const Memory& past) const {
+    if (past.branch != Branch::unloading) return ShiftedPower{loading, 1, 0};
+    return ShiftedPower{unloading, 1, dent(past.peak)};
+  }
   double stored_energy(const Memory& past, double d) const {
     const double peak = past.branch == Branch::unloading ? past.peak : d, left = d - dent(peak);
     return 0.5 * unloading * left * left;

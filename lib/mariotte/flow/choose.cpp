@@ -68,6 +68,7 @@ bool modes_pay(const SerialPhase& phase) {
 bool pays(Kind kind, const Problem& problem) {
   if (problem.tip()) return kind == Kind::taylor;
   if (problem.recorded()) return kind == Kind::taylor && problem.damping_group() < stiff_for_taylor;
+  if (kind == Kind::pair) return problem.branched_row();
   const auto* row = problem.serial();
   const auto* linked = problem.linked();
   if (!row && !linked) return false;

@@ -24,6 +24,8 @@ struct PhaseContact {
   double length;       ///< natural indentation
   double noise_depth;  ///< indentation that cannot be told from rounding
   double level = 0;
+  double origin = 0;        ///< indentation from which the power is taken; 0 but on branches of a law
+  Index branch_guard = -1;  ///< of the indentation at which it yields, before that of its turns; or −1
   Role role = Role::open;
 
   bool pushes() const { return role == Role::closed || role == Role::touching; }

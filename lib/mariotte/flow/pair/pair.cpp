@@ -21,11 +21,12 @@ class PairStep final : public Step {
   }
   void put(double time, const Indentation& now, State x) const {
     const double approach = origin_[phase_.left] - origin_[phase_.right];
-    const double deepened = now.value + origin_[phase_.gap], lost = approach - now.rate;
+    const double indentation = phase_.origin + now.value;
+    const double deepened = indentation + origin_[phase_.gap], lost = approach - now.rate;
     for (std::size_t i = 0; i < x.size(); ++i) x[i] = origin_[i] + time * free_rate(i, approach);
     x[phase_.left] = origin_[phase_.left] - phase_.left_share * lost;
     x[phase_.right] = origin_[phase_.right] + phase_.right_share * lost;
-    x[phase_.gap] = 0 - now.value;  // never −0
+    x[phase_.gap] = 0 - indentation;  // never −0
     if (phase_.left_gap >= 0) x[phase_.left_gap] += phase_.left_share * deepened;
     if (phase_.right_gap >= 0) x[phase_.right_gap] += phase_.right_share * deepened;
     const double m = phase_.law.reduced_mass;
@@ -76,7 +77,7 @@ ConcaveGap concave_gap(const PairPhase& phase, Index guard, double value, double
 }  // namespace
 
 bool Pair::admits(const Problem& problem) {
-  const auto* phase = problem.serial();
+  const auto* phase = problem.branched_row();
   phase_ = phase ? find_pair(*phase) : std::nullopt;
   return phase_.has_value();
 }
@@ -91,18 +92,44 @@ void Pair::begin(const Problem& problem, ConstState x) {
   problem.guard_rates(x, rate_, value_rate_);
 }
 
-/// The contact lets go, unless another gap closes before.
+bool Pair::is_of_branch(Index guard) const {
+  return phase_->branch_guard >= 0 && (guard == phase_->branch_guard || guard == phase_->branch_guard + 1);
+}
+
+/// What ends a branch that is loaded: it yields, if it comes so deep, or turns.
+std::optional<Pair::End> Pair::end_of_branch(const Problem& problem, const PairMotion& motion,
+                                             const Indentation& begin) const {
+  const Index yield = phase_->branch_guard, turn = yield + 1;
+  if (yield < 0 || problem.crossings()[turn] != Crossing::falling) return std::nullopt;
+  return std::visit(
+      [&](const auto& one) -> End {
+        // The guard of yield is δ less where that happens.
+        const double depth = begin.value - value_[yield];
+        const double time = problem.crossings()[yield] == Crossing::none ? infinity : one.reach(depth);
+        if (time < infinity) return {time, yield, {depth, one.at(time).rate}};
+        return {one.turn(), turn, {one.at(one.turn()).value, 0}};
+      },
+      motion);
+}
+
+/// The contact lets go, yields or turns, unless another gap closes before.
 Pair::End Pair::first_event(const Problem& problem, const PairMotion& motion,
                             const Indentation& begin) const {
   const PairPhase& phase = *phase_;
   const double opening = std::visit([](const auto& one) { return one.duration(); }, motion);
-  const auto last = std::visit([&](const auto& one) { return one.at(opening); }, motion);
-  End end{opening, phase.guard, last};
+  const auto at = [&](double time) {
+    return std::visit([&](const auto& one) { return one.at(time); }, motion);
+  };
+  End end{opening, phase.guard, at(opening)};
+  if (const auto branch = end_of_branch(problem, motion, begin); branch && branch->duration < opening)
+    end = *branch;
+  const auto last = end.last;
+  const double longest = end.duration;
   for (Index i = 0; i < problem.guard_count(); ++i) {
-    if (i == phase.guard || problem.crossings()[i] != Crossing::falling) continue;
+    if (i == phase.guard || is_of_branch(i) || problem.crossings()[i] != Crossing::falling) continue;
     const auto gap = concave_gap(phase, i, value_[i], value_rate_[i], begin.rate);
     // Touching bodies at rest elsewhere keep a gap of exactly zero: that is no crossing.
-    if (gap.value + gap.rate * opening + gap.coupling * (last.value - begin.value) >= 0) continue;
+    if (gap.value + gap.rate * longest + gap.coupling * (last.value - begin.value) >= 0) continue;
     const double time = std::max(0.0, std::visit([&](const auto& one) { return one.fall(gap); }, motion));
     if (time < end.duration) end = {time, i, last};
   }
@@ -112,15 +139,15 @@ Pair::End Pair::first_event(const Problem& problem, const PairMotion& motion,
 Arrival Pair::follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) {
   const PairPhase& phase = phase_.value();
   begin(problem, x);
-  const Indentation start{-x[phase.gap], x[phase.left] - x[phase.right]};
+  const Indentation start{-x[phase.gap] - phase.origin, x[phase.left] - x[phase.right]};
   const auto motion = make_pair_motion(phase.law, start);
   const auto end = first_event(problem, motion, start);
   const bool limited = request.limit < end.duration;
   const double duration = limited ? request.limit : end.duration;
 
   PairStep step(phase, motion, start_, rate_);
-  if (!limited && end.guard == phase.guard)
-    step.put(duration, end.opened, x);
+  if (!limited && (end.guard == phase.guard || is_of_branch(end.guard)))
+    step.put(duration, end.last, x);
   else
     step.at(duration, x);
   if (request.observer) show(step, duration, x, *request.observer);

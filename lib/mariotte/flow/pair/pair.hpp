@@ -20,9 +20,12 @@ class Pair final : public Flow {
   struct End {
     double duration;
     Index guard;
-    Indentation opened;  ///< of the pair where it lets go
+    Indentation last;  ///< of the pair, if its own guard ends the phase
   };
   void begin(const Problem& problem, ConstState x);
+  bool is_of_branch(Index guard) const;
+  std::optional<End> end_of_branch(const Problem& problem, const PairMotion& motion,
+                                   const Indentation& begin) const;
   End first_event(const Problem& problem, const PairMotion& motion, const Indentation& begin) const;
 
   std::optional<PairPhase> phase_;

@@ -93,6 +93,13 @@ Indentation HertzMotion::at(double elapsed) const {
   return found(from_y(locate_sign_change(late, -middle, -early - wanted, middle, early - wanted, epsilon)));
 }
 
+double HertzMotion::reach(double depth) const {
+  if (y_start_ >= 0 || !(depth < depth_)) return infinity;
+  auto place = from_ratio(depth / depth_);
+  place.y = -place.y;
+  return std::max(0.0, tau_ * (time(place) - start_time_));
+}
+
 double HertzMotion::value(const ConcaveGap& gap, const Place& place) const {
   return value_of(gap, tau_ * (time(place) - start_time_), depth_ * place.ratio - start_depth_);
 }
@@ -137,6 +144,11 @@ double LinearMotion::duration() const {
 }
 double LinearMotion::turn() const {
   return std::max(0.0, -angle_ / frequency_);
+}
+double LinearMotion::reach(double depth) const {
+  const double ratio = depth * frequency_ / speed_;
+  if (angle_ >= 0 || !(ratio < 1)) return infinity;
+  return std::max(0.0, (-std::acos(ratio) - angle_) / frequency_);
 }
 Indentation LinearMotion::at(double time) const {
   const double angle = angle_ + frequency_ * time;

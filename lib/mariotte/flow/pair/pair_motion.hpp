@@ -2,6 +2,8 @@
 #pragma once
 #include <variant>
 
+#include "mariotte/core/types.hpp"
+
 namespace mariotte::flow {
 
 /// A contact f = k δⁿ (undamped, n = 1 or 3/2) or f = k δ + c δ̇ between two bodies of reduced mass m*.
@@ -34,6 +36,7 @@ class HertzMotion {
   HertzMotion(const PairLaw& law, const Indentation& start);
   double duration() const { return tau_ * (full_ - start_time_); }
   double turn() const { return y_start_ < 0 ? -tau_ * start_time_ : 0; }  ///< time of largest indentation
+  double reach(double depth) const;  ///< when it is so deep on its way in; infinite if it never is
   Indentation at(double time) const;
   double fall(const ConcaveGap& gap) const;
 
@@ -57,6 +60,7 @@ class LinearMotion {
   LinearMotion(const PairLaw& law, const Indentation& start);
   double duration() const;
   double turn() const;
+  double reach(double depth) const;
   Indentation at(double time) const;
   double fall(const ConcaveGap& gap) const;
 
@@ -69,7 +73,8 @@ class DampedMotion {
  public:
   DampedMotion(const PairLaw& law, const Indentation& start);
   double duration() const { return duration_; }
-  double turn() const { return duration_; }  ///< not looked for: a step's observer finds both peaks
+  double turn() const { return duration_; }        ///< not looked for: a step's observer finds both peaks
+  double reach(double) const { return infinity; }  ///< no branch has a damper
   Indentation at(double time) const;
   double fall(const ConcaveGap& gap) const;
 

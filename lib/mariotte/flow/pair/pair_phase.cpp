@@ -36,6 +36,8 @@ std::optional<PairPhase> find_pair(const SerialPhase& phase) {
                    .work = c.work,
                    .impulse = c.impulse,
                    .guard = c.damping > 0 ? c.load_guard : c.guard,
+                   .branch_guard = c.branch_guard,
+                   .origin = c.origin,
                    .left_gap = before ? before->gap : -1,
                    .right_gap = after ? after->gap : -1,
                    .left_guard = before ? before->guard : -1,

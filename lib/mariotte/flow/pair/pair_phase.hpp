@@ -18,6 +18,8 @@ struct PairPhase {
   Index work;                     ///< ∫ f δ̇ dt
   Index impulse;                  ///< ∫ f dt
   Index guard;                    ///< that fires when the contact lets go
+  Index branch_guard;             ///< where it yields, before that of its turns
+  double origin;                  ///< δ less the indentation of the closed form
   Index left_gap, right_gap;      ///< gaps of the two bodies to their other neighbours
   Index left_guard, right_guard;  ///< guards of these gaps
 };

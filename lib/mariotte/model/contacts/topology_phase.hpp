@@ -38,6 +38,7 @@ class TopologyPhase final : public ContactPhase {
   void second_derivative(ConstState x, State ddx) const override;
   const flow::SerialPhase* serial() const override { return needs_field_ ? nullptr : flows_.serial(); }
   const flow::LinkedPhase* linked() const override { return needs_field_ ? nullptr : flows_.linked(); }
+  const flow::SerialPhase* branched_row() const override { return has_no_power_ ? nullptr : flows_.serial(); }
   flow::Accepted accept(ConstState x) override;
   std::string component(Index index) const override { return component_name(at(), index); }
 
@@ -74,6 +75,7 @@ class TopologyPhase final : public ContactPhase {
   template <class Use>
   void for_each_given(Use&& use) const;
   void watch(Index j);
+  bool follow_branch(Index j);
   void find_magnitudes();
 
   Topology topology_;
@@ -83,8 +85,9 @@ class TopologyPhase final : public ContactPhase {
   std::vector<double> levels_;  ///< by contact: its gap guard is gap + level
   std::vector<flow::Crossing> crossings_;
   contact::ContactSet* mode_ = nullptr;
-  Index active_ = 0;          ///< contacts that carry force
-  bool needs_field_ = false;  ///< a contact that is not open follows no power law, or there is a drive
+  Index active_ = 0;           ///< contacts that carry force
+  bool needs_field_ = false;   ///< a contact that is not open follows no power law, or there is a drive
+  bool has_no_power_ = false;  ///< likewise, and the contact is on no branch that is a power either
   double time_scale_ = 1;
 };
 

@@ -44,13 +44,16 @@ template <class Topology>
 void TopologyPhase<Topology>::bind(contact::ContactSet& mode) {
   mode_ = &mode;
   active_ = 0;
-  needs_field_ = at().drives() > 0;
+  needs_field_ = has_no_power_ = at().drives() > 0;
   double shortest = infinity, any = infinity;
   for (Index j = 0; j < contacts(); ++j) {
     watch(j);
     const double time = topology_.model.time[j];
     any = std::min(any, time);
-    needs_field_ |= role(mode[j]) != flow::Role::open && !power_law(law(j));
+    if (role(mode[j]) != flow::Role::open && !power_law(law(j))) {
+      needs_field_ = true;
+      has_no_power_ |= !follow_branch(j);
+    }
     if (!contact::carries_force(mode[j])) continue;
     ++active_;
     shortest = std::min(shortest, time);
@@ -58,6 +61,20 @@ void TopologyPhase<Topology>::bind(contact::ContactSet& mode) {
   time_scale_ = active_ == 0 ? any : shortest;
   for (Index k = 0; k < at().drives(); ++k)
     crossings_[at().kink_guard(k)] = next_kink(k) < infinity ? flow::Crossing::rising : flow::Crossing::none;
+}
+
+/// Tells the flows of the branch of closed contact j; false if it is no power.
+template <class Topology>
+bool TopologyPhase<Topology>::follow_branch(Index j) {
+  const auto* branches = contact::branched(law(j));
+  const auto power = branches ? branches->power(past(j)) : std::nullopt;
+  if (!power) return false;
+  auto& contact = flows_.contact(j);
+  contact.stiffness = power->stiffness;
+  contact.exponent = power->exponent;
+  contact.origin = power->origin;
+  contact.branch_guard = at().branch_guard[j];
+  return true;
 }
 
 template <class Topology>

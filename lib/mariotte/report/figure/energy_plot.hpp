@@ -14,7 +14,8 @@ struct EnergyCourse {
   std::vector<double> time;
   std::vector<double> kinetic;  ///< of the balls of finite mass
   std::vector<double> stored;   ///< in the contacts that carry force
-  std::vector<double> lost;     ///< what is missing; empty with gravity or drives, whose work the samples do not show
+  std::vector<double>
+      lost;  ///< what is missing; empty with gravity or drives, whose work the samples do not show
 };
 
 /// In flight under gravity between the samples, too, where energies are no lines.

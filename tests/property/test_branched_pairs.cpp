@@ -1,0 +1,109 @@
+// Contacts that yield, followed in closed form while they are alone, beside the same rows by CVODE.
+#define BOOST_TEST_MODULE property branched pairs
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <random>
+
+#include "mariotte/contact/stated_law.hpp"
+#include "mariotte/contact/thornton.hpp"
+#include "mariotte/contact/walton_braun.hpp"
+#include "mariotte/impact/chain/chain_impact.hpp"
+#include "mariotte/impact/network/network_impact.hpp"
+
+using namespace mariotte;
+
+namespace {
+
+contact::Law random_law(std::mt19937_64& random) {
+  const auto uniform = [&](double low, double high) {
+    return std::uniform_real_distribution(low, high)(random);
+  };
+  switch (std::uniform_int_distribution(0, 3)(random)) {
+    case 0:
+      return contact::state(contact::WaltonBraun(uniform(1, 2), uniform(2, 9)));
+    case 1:
+      return contact::Hertz(uniform(1, 4));
+    default:  // yields at about a third of what it can meet, or not at all
+      return contact::state(contact::Thornton(1, uniform(0.5, 2), uniform(0.05, 0.6)));
+  }
+}
+
+/// Few balls far apart: most of their contacts are alone.
+model::Chain random_row(std::mt19937_64& random) {
+  const auto uniform = [&](double low, double high) {
+    return std::uniform_real_distribution(low, high)(random);
+  };
+  model::Chain chain;
+  const int balls = std::uniform_int_distribution(2, 5)(random);
+  for (int i = 0; i < balls; ++i) {
+    chain.mass.push_back(uniform(0.3, 3));
+    chain.velocity.push_back(uniform(-1, 1));
+  }
+  for (int j = 0; j + 1 < balls; ++j) {
+    chain.gap.push_back(uniform(0, 1) < 0.3 ? 0 : uniform(0.1, 2));
+    chain.law.push_back(random_law(random));
+  }
+  if (uniform(0, 1) < 0.3) {
+    chain.mass.back() = infinity;
+    chain.velocity.back() = 0;
+  }
+  return chain;
+}
+
+Index phases_of(const impact::ContactImpact& impact, const char* flow) {
+  for (const auto& use : impact.flows)
+    if (use.name == flow) return use.phases;
+  return 0;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(closed_forms_of_branches_agree_with_cvode) {
+  std::mt19937_64 random(1986);
+  Index closed_forms = 0;
+  std::size_t yields = 0;
+  for (int n = 0; n < 400; ++n) {
+    const auto chain = random_row(random);
+    const auto own = impact::simulate(chain, {.accuracy = 1e-12});
+    const auto other = impact::simulate(chain, {.accuracy = 1e-12, .flow = flow::Kind::cvode_adams});
+    closed_forms += phases_of(own, "pair");
+    BOOST_TEST((own.ending == other.ending), "row " << n << ": " << own.message);
+    BOOST_TEST_REQUIRE(own.events.size() == other.events.size(), "row " << n);
+    for (std::size_t i = 0; i < own.events.size(); ++i) {
+      BOOST_TEST(
+          (own.events[i].open == other.events[i].open && own.events[i].close == other.events[i].close));
+      BOOST_TEST(
+          (own.events[i].yield == other.events[i].yield && own.events[i].unload == other.events[i].unload));
+      yields += own.events[i].yield.size();
+    }
+    for (std::size_t i = 0; i < chain.mass.size(); ++i)
+      BOOST_TEST(std::abs(own.velocity[i] - other.velocity[i]) < 1e-10,
+                 "row " << n << ", ball " << i << ": " << own.velocity[i] << ", " << other.velocity[i]);
+    for (std::size_t j = 0; j < chain.law.size(); ++j) {
+      BOOST_TEST(std::abs(own.contacts[j].plastic - other.contacts[j].plastic) < 1e-10);
+      BOOST_TEST(std::abs(own.contacts[j].permanent_indentation - other.contacts[j].permanent_indentation) <
+                 1e-10);
+      BOOST_TEST(std::abs(own.contacts[j].peak_force - other.contacts[j].peak_force) < 1e-9);
+    }
+    const auto network = impact::simulate(model::as_network(chain), {.accuracy = 1e-12});
+    for (std::size_t i = 0; i < chain.mass.size(); ++i)
+      BOOST_TEST(std::abs(own.velocity[i] - network.velocity[i]) < 1e-10, "row " << n);
+  }
+  BOOST_TEST(closed_forms > 1000);
+  BOOST_TEST(yields > 200u);
+}
+
+/// √(k₁/k₂), to the last digits and in three phases without a step of an integrator.
+BOOST_AUTO_TEST_CASE(a_pair_of_two_springs_takes_no_integration) {
+  for (const double speed : {1e-3, 1.0, 30.0}) {
+    const auto impact = impact::simulate(model::Chain{.mass = {1, 2},
+                                          .law = {contact::state(contact::WaltonBraun(3, 7))},
+                                          .gap = {0},
+                                          .velocity = {speed, 0}},
+                                         {});
+    BOOST_TEST((impact.velocity[1] - impact.velocity[0]) / speed == std::sqrt(3.0 / 7),
+               boost::test_tools::tolerance(1e-14));
+    BOOST_TEST(phases_of(impact, "cvode-adams") == 0);
+    BOOST_TEST(phases_of(impact, "pair") == 2);
+  }
+}
