@@ -97,9 +97,9 @@ BOOST_AUTO_TEST_CASE(closed_forms_of_branches_agree_with_cvode) {
 BOOST_AUTO_TEST_CASE(a_pair_of_two_springs_takes_no_integration) {
   for (const double speed : {1e-3, 1.0, 30.0}) {
     const auto impact = impact::simulate(model::Chain{.mass = {1, 2},
-                                          .law = {contact::state(contact::WaltonBraun(3, 7))},
-                                          .gap = {0},
-                                          .velocity = {speed, 0}},
+                                                      .law = {contact::state(contact::WaltonBraun(3, 7))},
+                                                      .gap = {0},
+                                                      .velocity = {speed, 0}},
                                          {});
     BOOST_TEST((impact.velocity[1] - impact.velocity[0]) / speed == std::sqrt(3.0 / 7),
                boost::test_tools::tolerance(1e-14));

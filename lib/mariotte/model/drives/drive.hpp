@@ -50,6 +50,7 @@ ScaledDrive in_units(const Drive& drive, ContactDirection response, const Scale&
 
 /// Checks one drive but for its walls.
 void validate_drive(const std::vector<Drive>& drives, std::size_t k, const std::vector<double>& velocity);
+/// Throws InvalidParameter of drive k (from 0).
 [[noreturn]] void reject_drive(std::size_t k, const char* rule);
 
 template <class IsWall>

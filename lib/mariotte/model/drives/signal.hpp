@@ -31,22 +31,25 @@ struct SignalPoint {
 Signal sine(double amplitude, double frequency, double phase);
 /// a sin(π t/T) for t < T, 0 from then on. Throws InvalidParameter unless T > 0.
 Signal half_sine(double amplitude, double duration);
-/// Straight lines, or the monotone cubic, through points; the last value stays. Throws InvalidParameter
+/// Straight lines through points; the last value stays. Throws InvalidParameter
 /// unless there are two points, times grow from 0, and all is finite.
 Signal straight_lines(const std::vector<SignalPoint>& points);
+/// The monotone cubic through points; else the same.
 Signal smooth_curve(const std::vector<SignalPoint>& points);
 
 /// Of a piece, at any time: it goes on smoothly beyond its ends.
 double value(const SignalPiece& piece, double time);
-/// The derivative of a piece, and of all of them.
+/// The derivative of a piece.
 SignalPiece rate(const SignalPiece& piece);
+/// The derivative of all pieces.
 Signal rate(const Signal& signal);
 /// The piece that holds at a time.
 Index piece_at(const Signal& signal, double time);
 /// ∫ of the signal from 0 to a time.
 double integral(const Signal& signal, double time);
-/// About the largest size of the signal, and of its integral up to the last kink.
+/// About the largest size of the signal.
 double largest(const Signal& signal);
+/// About the largest size of its integral, up to the last kink.
 double largest_integral(const Signal& signal);
 /// The same function in other units of time and value.
 Signal scaled(Signal signal, double time, double value);
