@@ -113,8 +113,10 @@ double change(std::span<const double> row, double place) {
 }
 /// Whether what its series leaves out could hide the fall of a guard that ends above zero, or move its root.
 bool is_doubtful(std::span<const double> row, std::optional<double> fired, double end) {
+  const double moves = change(row, end);
+  if (!(moves > 0) || fired == 0.0) return false;
   if (fired) return tail(row, *fired) > 1e-3 * change(row, *fired);
-  return std::abs(horner(row, end)) < 100 * tail(row, end);
+  return tail(row, end) > 1e-12 * moves && std::abs(horner(row, end)) < 100 * tail(row, end);
 }
 
 /// First place at which a guard falls through zero. One that starts behind zero is measured from there,
@@ -143,11 +145,12 @@ End end_of_step(const Recording& recording, const TapeSeries& series, const Tape
   End end{reach};
   const auto look = [&](Index guard, int place, double sign) {
     const auto row = series.row(place);
-    const auto fired = fall(row, sign, end.place, rounding);
-    if (is_doubtful(row, fired, end.place))
+    auto fired = fall(row, sign, end.place, rounding);
+    while (is_doubtful(row, fired, end.place)) {
       end = {shortened * fired.value_or(end.place)};
-    else if (fired)
-      end = {*fired, guard};
+      fired = fall(row, sign, end.place, rounding);
+    }
+    if (fired) end = {*fired, guard};
   };
   const bool lands = clock.kind == TapeClock::Kind::root;
   Index open = -1;

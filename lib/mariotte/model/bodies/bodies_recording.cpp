@@ -7,10 +7,13 @@ namespace mariotte::model {
 
 using series::Traced;
 
-/// Slip in space that has left rest only just, or whose spring turns into it at once, has no series.
+/// A slip in space that has left rest only just has no series. Nor has that of a Mindlin spring under a
+/// linear force: the rate at which it gives way has poles where the contact begins and ends.
 template <int D>
 bool BodiesPhase<D>::can_be_recorded(const ClosedContact& mode) const {
-  return model::can_be_recorded(setting_.contact[mode.contact].law) && !mode.from_rest;
+  const auto& one = setting_.contact[mode.contact];
+  if (!model::can_be_recorded(one.law) || mode.from_rest) return false;
+  return one.tangential.law != TangentialLaw::mindlin || contact::power_law(one.law)->exponent == 1.5;
 }
 
 /// Bodies that touch or may meet others; the rest fly freely.
@@ -79,9 +82,8 @@ void BodiesPhase<D>::record_contacts(double accuracy, flow::Recording& recording
     const double exponent = contact::power_law(one.law)->exponent;
     const auto& depth = traced_.contact(i).motion.indentation;
     const int place = depth.place_on(recording.tape);
-    const bool has_root = exponent == 1.5 || one.tangential.law == TangentialLaw::mindlin;
     recording.contact.push_back({.depth = place,
-                                 .root = has_root ? sqrt(depth).place_on(recording.tape) : -1,
+                                 .root = exponent == 1.5 ? sqrt(depth).place_on(recording.tape) : -1,
                                  .open = slot_guard(mode_->closed[i].slot, SlotGuard::open),
                                  .begins = recording.tape[place].op == series::TapeOp::onset,
                                  .negligible = one.length * std::pow(share * accuracy, 1 / (exponent + 1))});

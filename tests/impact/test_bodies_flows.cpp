@@ -1,0 +1,159 @@
+// Bodies in contact by series beside CVODE, which shares their field but neither clocks nor polynomials.
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "mariotte/impact/bodies/bodies_impact.hpp"
+
+using namespace mariotte;
+using model::TangentialLaw;
+
+namespace {
+
+class Scenes {
+ public:
+  explicit Scenes(unsigned seed) : random_(seed) {}
+
+  /// Three balls or rods that meet one after the other, with any friction.
+  model::Bodies next(int dimension) {
+    model::Bodies bodies{.dimension = dimension};
+    for (int i = 0; i < 3; ++i) bodies.body.push_back(body(i, dimension));
+    for (Index a = 0; a < 3; ++a)
+      for (Index b = a + 1; b < 3; ++b) join(a, b, bodies);
+    return bodies;
+  }
+  double in(double low, double high) { return std::uniform_real_distribution(low, high)(random_); }
+
+ private:
+  Vector3 vector(double size, int dimension) {
+    return {in(-size, size), in(-size, size), dimension == 3 ? in(-size, size) : 0};
+  }
+  model::Body body(int i, int dimension) {
+    constexpr double radius = 0.01, mass = 0.03;
+    const bool rod = in(0, 1) < 0.3;
+    const double moment = (rod ? 2 : 0.4) * mass * radius * radius;
+    model::Body one{.name = "", .mass = mass, .inertia = {moment, moment, moment}};
+    one.spheres = rod ? std::vector<model::BodySphere>{{{0.008, 0, 0}, radius}, {{-0.008, 0, 0}, radius}}
+                      : std::vector<model::BodySphere>{{{}, radius}};
+    one.position = {0.045 * i, 0.004 * in(-1, 1), 0};
+    one.velocity = vector(0.3, dimension) + Vector3{1.0 - i, 0, 0};
+    one.spin = dimension == 3 ? vector(60, 3) : Vector3{0, 0, in(-60, 60)};
+    return one;
+  }
+  model::Tangential tangential() {
+    switch (static_cast<int>(in(0, 4))) {
+      case 0:
+        return {};
+      case 1:
+        return {TangentialLaw::rigid, in(0.05, 0.6), 0};
+      case 2:
+        return {TangentialLaw::spring, in(0.05, 0.6), in(1e5, 1e6)};
+      default:
+        return {TangentialLaw::mindlin, in(0.05, 0.6), in(0.6e9, 1.4e9)};
+    }
+  }
+  contact::Law law() {
+    switch (static_cast<int>(in(0, 4))) {
+      case 0:
+        return contact::Linear(1e6);
+      case 1:
+        return contact::Viscoelastic{1e9, in(1e2, 1e4), 1.5};
+      default:
+        return contact::Hertz(1e9);
+    }
+  }
+  void join(Index a, Index b, model::Bodies& bodies) {
+    const auto friction = tangential();
+    const auto normal = law();
+    for (Index p = 0; p < std::ssize(bodies.body[a].spheres); ++p)
+      for (Index q = 0; q < std::ssize(bodies.body[b].spheres); ++q)
+        bodies.contact.push_back({.a = {a, p}, .b = {b, q}, .law = normal, .tangential = friction});
+  }
+
+  std::mt19937 random_;
+};
+
+hybrid::Options options(double accuracy, std::optional<flow::Kind> kind) {
+  hybrid::Options options;
+  options.accuracy = accuracy;
+  options.flow = kind;
+  return options;
+}
+
+double difference(const impact::BodiesImpact& a, const impact::BodiesImpact& b) {
+  double most = 0;
+  for (std::size_t i = 0; i < a.body.size(); ++i)
+    most = std::max(
+        {most, norm(a.body[i].velocity - b.body[i].velocity), 0.02 * norm(a.body[i].spin - b.body[i].spin)});
+  return most;
+}
+
+Index steps_of(const impact::BodiesImpact& impact, flow::Kind kind) {
+  Index steps = 0;
+  for (const auto& use : impact.flows)
+    if (use.name == flow::name(kind)) steps += use.steps;
+  return steps;
+}
+
+void compare(int dimension, unsigned seed, int count) {
+  Scenes scenes(seed);
+  int met = 0;
+  Index series = 0, cvode = 0;
+  for (int i = 0; i < count; ++i) {
+    const auto bodies = scenes.next(dimension);
+    const auto one = impact::simulate(bodies, options(1e-9, {}));
+    const auto two = impact::simulate(bodies, options(1e-9, flow::Kind::cvode_adams));
+    BOOST_TEST_CONTEXT("scene " << i) {
+      BOOST_CHECK(one.ending == two.ending);
+      BOOST_TEST(difference(one, two) < 1e-7);
+      BOOST_TEST(one.contacts.size() == two.contacts.size());
+    }
+    met += !one.contacts.empty();
+    series += steps_of(one, flow::Kind::taylor);
+    cvode += steps_of(two, flow::Kind::cvode_adams);
+  }
+  BOOST_TEST(2 * met > count);
+  BOOST_TEST(series < cvode / 3);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(series_agree_with_cvode_in_the_plane) {
+  compare(2, 1, 15);
+}
+
+BOOST_AUTO_TEST_CASE(series_agree_with_cvode_in_space) {
+  compare(3, 2, 8);
+}
+
+/// Fifteen balls have 105 pairs: only near ones are watched, and nothing is missed.
+BOOST_AUTO_TEST_CASE(pairs_that_are_far_apart_need_not_be_watched) {
+  Scenes scenes(3);
+  model::Bodies bodies{.dimension = 2};
+  constexpr double radius = 0.01, mass = 0.03, moment = 0.4 * mass * radius * radius;
+  for (int row = 0; row < 5; ++row)
+    for (int place = 0; place <= row; ++place) {
+      model::Body one{.name = "", .mass = mass, .inertia = {moment, moment, moment}};
+      one.spheres = {{{}, radius}};
+      one.position = {0.0176 * row, 0.0203 * (place - 0.5 * row) + 2e-4 * scenes.in(-1, 1), 0};
+      one.velocity = {row == 0 ? 2.0 : 0.0, row == 0 ? 0.1 : 0.0, 0};
+      bodies.body.push_back(one);
+    }
+  for (Index a = 0; a < std::ssize(bodies.body); ++a)
+    for (Index b = a + 1; b < std::ssize(bodies.body); ++b)
+      bodies.contact.push_back({.a = {a, 0},
+                                .b = {b, 0},
+                                .law = contact::Hertz(1e9),
+                                .tangential = {TangentialLaw::mindlin, 0.2, 1e9}});
+  auto few = bodies;  // those that stay far apart left out: all the others are watched all the time
+  std::erase_if(few.contact, [&](const auto& c) {
+    return norm(bodies.body[c.a.owner].position - bodies.body[c.b.owner].position) > 0.03;
+  });
+  BOOST_TEST(few.contact.size() <= 64u);
+  const auto one = impact::simulate(bodies, options(1e-8, {}));
+  const auto two = impact::simulate(few, options(1e-8, flow::Kind::cvode_adams));
+  BOOST_CHECK(one.ending == hybrid::Ending::separated);
+  BOOST_TEST(one.contacts.size() == two.contacts.size());
+  BOOST_TEST(difference(one, two) < 1e-5);
+}
