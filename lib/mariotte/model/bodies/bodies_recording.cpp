@@ -7,12 +7,13 @@ namespace mariotte::model {
 
 using series::Traced;
 
-/// A slip in space that has left rest only just has no series. Nor has that of a Mindlin spring under a
-/// linear force: the rate at which it gives way has poles where the contact begins and ends.
+/// A slip in space comes to rest, or turns ever faster towards the end of its contact, where no series goes.
+/// Nor has a series the slip of a Mindlin spring under a linear force: the rate at which it gives way has
+/// poles where the contact begins and ends.
 template <int D>
 bool BodiesPhase<D>::can_be_recorded(const ClosedContact& mode) const {
   const auto& one = setting_.contact[mode.contact];
-  if (!model::can_be_recorded(one.law) || mode.from_rest) return false;
+  if (!model::can_be_recorded(one.law) || (D == 3 && mode.friction == Friction::slip)) return false;
   return one.tangential.law != TangentialLaw::mindlin || contact::power_law(one.law)->exponent == 1.5;
 }
 
