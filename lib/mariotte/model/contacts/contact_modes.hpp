@@ -41,9 +41,9 @@ struct ContactState {
     for (Index k = 0; k < topology.at.drives(); ++k) {
       const auto& drive = model().drive[k];
       const double change = value(drive.change.piece[set->piece[k]], x[topology.at.clock]);
-      for (const auto& [dof, coefficient] : drive.response)
+      for (const auto& answer : drive.response)
         topology.for_each_direction(j, [&](Index place, double g) {
-          if (place == topology.at.velocity[dof]) bend -= g * coefficient * change;
+          if (place == topology.at.velocity[answer.dof]) bend -= g * answer.coefficient * change;
         });
     }
     return bend;

@@ -70,7 +70,7 @@ void validate_drive(const std::vector<Drive>& drives, std::size_t k, const std::
     if (dof < 0 || dof >= std::ssize(velocity)) reject_drive(k, "there is no such velocity");
     if (!std::isfinite(coefficient)) reject_drive(k, "its direction must be finite");
     if (drive.quantity == Driven::force) continue;
-    if (std::any_of(drives.begin(), drives.begin() + k, [&](const Drive& d) { return has(d, dof); }))
+    if (std::any_of(drives.begin(), drives.begin() + k, [&, i = dof](const Drive& d) { return has(d, i); }))
       reject_drive(k, "its velocity is prescribed by another drive, too");
     if (velocity[dof] != coefficient * start_velocity(drive))
       reject_drive(k, "a velocity at the start is not that of its drive");
