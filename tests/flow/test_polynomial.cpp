@@ -86,3 +86,12 @@ BOOST_AUTO_TEST_CASE(a_root_at_the_start_does_not_count) {
   BOOST_TEST(std::abs(*first_fall(rounded, 1) - 0.7) < 1e-14);
   BOOST_TEST(!first_fall(rounded, 0.5).has_value());
 }
+
+// Clocks: t = τ² stands still at its start, and x + x³ does not.
+BOOST_AUTO_TEST_CASE(a_clock_is_read_backwards) {
+  for (const std::vector<double>& clock :
+       {std::vector{0.0, 0.0, 1.0}, {0.0, 1.0, 0.0, 1.0}, {0.0, 1e-9, 0.0, 0.0, 1.0}})
+    for (const double place : {1e-9, 1e-3, 0.3, 0.999, 1.0})
+      BOOST_TEST(rise_to(clock, horner(clock, place), 1) == place, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(rise_to(std::vector{0.0, 1.0}, 3, 2) == 2);
+}

@@ -37,9 +37,8 @@ struct Recording {
 class RecordedPhase {
  public:
   virtual ~RecordedPhase() = default;
-  /// Record field and guards of the present mode at x, where events within `accuracy` are one. False if the
-  /// field has no power series there.
-  virtual bool record(ConstState x, double accuracy, Recording& recording) const = 0;
+  /// Record field and guards of the present mode at x, where events within `accuracy` are one.
+  virtual void record(ConstState x, double accuracy, Recording& recording) const = 0;
   /// Components that are not recorded move freely: their values after time t.
   virtual void fly_others(ConstState x, double t, State result) const = 0;
 };

@@ -145,4 +145,21 @@ std::optional<double> first_fall(std::span<const double> c, double end) {
   return search.first(from_powers(c, end), 0, end, 0);
 }
 
+double rise_to(std::span<const double> c, double value, double end) {
+  double low = 0, high = end, x = end;
+  for (int i = 0; i < 100; ++i) {
+    double here = 0, slope = 0;
+    for (std::size_t k = c.size(); k-- > 0;) {
+      slope = slope * x + here;
+      here = here * x + c[k];
+    }
+    (here > value ? high : low) = x;
+    double next = x - (here - value) / slope;
+    if (!(next > low && next < high)) next = 0.5 * (low + high);
+    if (std::abs(next - x) <= 4 * epsilon * end) return next;
+    x = next;
+  }
+  return x;
+}
+
 }  // namespace mariotte::flow

@@ -15,4 +15,7 @@ bool falls(std::span<const double> c, double end);
 /// at 0 itself does not count. Proven by subdivision of the Bernstein form; at most 32 coefficients.
 std::optional<double> first_fall(std::span<const double> c, double end);
 
+/// x in [0, end] at which Σ c[k] xᵏ, which grows from 0, comes to `value`; `end` if it does not.
+double rise_to(std::span<const double> c, double value, double end);
+
 }  // namespace mariotte::flow

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "mariotte/core/bracket.hpp"
 #include "mariotte/flow/roots/polynomial.hpp"
 
 namespace mariotte::flow::taylor {
@@ -17,8 +16,7 @@ double Piece::place(double time, double end_time) const {
   if (!(time < end_time)) return end;  // the end of a step, less its start, may be longer by rounding
   Coefficients c;
   const auto t = coefficients(Quantity::time, clock, c);
-  return locate_sign_change([&](double at) { return horner(t, at) - time; }, 0, -time, end, end_time - time,
-                            epsilon * end);
+  return rise_to(t, time, end);
 }
 
 void PieceStep::show(double place, State x) const {

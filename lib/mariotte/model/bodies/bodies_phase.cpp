@@ -67,7 +67,6 @@ void BodiesPhase<D>::bind(const BodiesMode& mode) {
   for (Index k = 0; k < std::ssize(mode.touching); ++k) crossing_[parting_guard(k)] = Crossing::rising;
   recordable_ = !mode.closed.empty() && std::all_of(mode.closed.begin(), mode.closed.end(),
                                                     [&](const auto& one) { return can_be_recorded(one); });
-  if (recordable_) find_followed();
 }
 
 template <int D>

@@ -44,7 +44,7 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   double first_meeting(ConstState x, double limit, double window, std::vector<Index>& fired) const override;
   void fly(ConstState x, double t, State result) const override;
 
-  bool record(ConstState x, double accuracy, flow::Recording& recording) const override;
+  void record(ConstState x, double accuracy, flow::Recording& recording) const override;
   void fly_others(ConstState x, double t, State result) const override;
 
   Index slot_guard(Index slot, SlotGuard guard) const {
@@ -79,7 +79,7 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   Index strays_ = 0;
   BodiesLayout<D> layout_;
   bool can_be_recorded(const ClosedContact& mode) const;
-  void find_followed();
+  void find_followed() const;
   void record_guards(flow::Recording& recording) const;
   void record_contacts(double accuracy, flow::Recording& recording) const;
 
@@ -94,8 +94,8 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   mutable BodiesField<series::Dual<double, columns>, D> sloped_;
   mutable BodiesField<series::Traced, D> traced_;
   mutable std::vector<series::Traced> traced_x_, traced_dx_, traced_values_;
-  std::vector<char> is_followed_;  ///< by body: it touches another, or may meet one
-  std::vector<Index> followed_;    ///< components of the state
+  mutable std::vector<char> is_followed_;  ///< by body: it touches another, or may meet one
+  mutable std::vector<Index> followed_;    ///< components of the state
   mutable std::vector<series::Dual<double, 1>> along_, along_values_;
   mutable std::vector<series::Dual<double, columns>> sloped_x_, sloped_dx_;
 };

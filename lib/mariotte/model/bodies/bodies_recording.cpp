@@ -19,7 +19,7 @@ bool BodiesPhase<D>::can_be_recorded(const ClosedContact& mode) const {
 
 /// Bodies that touch or may meet others; the rest fly freely.
 template <int D>
-void BodiesPhase<D>::find_followed() {
+void BodiesPhase<D>::find_followed() const {
   is_followed_.assign(layout_.bodies, !free_flight_);
   const auto follow = [&](Index contact) {
     const auto& c = setting_.contact[contact];
@@ -40,9 +40,10 @@ void BodiesPhase<D>::find_followed() {
 }
 
 template <int D>
-bool BodiesPhase<D>::record(ConstState x, double accuracy, flow::Recording& recording) const {
+void BodiesPhase<D>::record(ConstState x, double accuracy, flow::Recording& recording) const {
   auto& tape = recording.tape;
   tape.clear();
+  find_followed();
   recording.component = followed_;
   recording.state.clear();
   traced_x_.assign(x.begin(), x.end());
@@ -58,7 +59,6 @@ bool BodiesPhase<D>::record(ConstState x, double accuracy, flow::Recording& reco
     recording.state[i].rate = traced_dx_[followed_[i]].place_on(tape);
   record_guards(recording);
   record_contacts(accuracy, recording);
-  return true;
 }
 
 template <int D>
@@ -97,12 +97,10 @@ void BodiesPhase<D>::fly_others(ConstState x, double t, State result) const {
     if (!is_followed_[i]) fly(x, i, t, result);
 }
 
-template bool BodiesPhase<2>::record(ConstState, double, flow::Recording&) const;
-template bool BodiesPhase<3>::record(ConstState, double, flow::Recording&) const;
+template void BodiesPhase<2>::record(ConstState, double, flow::Recording&) const;
+template void BodiesPhase<3>::record(ConstState, double, flow::Recording&) const;
 template void BodiesPhase<2>::fly_others(ConstState, double, State) const;
 template void BodiesPhase<3>::fly_others(ConstState, double, State) const;
-template void BodiesPhase<2>::find_followed();
-template void BodiesPhase<3>::find_followed();
 template bool BodiesPhase<2>::can_be_recorded(const ClosedContact&) const;
 template bool BodiesPhase<3>::can_be_recorded(const ClosedContact&) const;
 

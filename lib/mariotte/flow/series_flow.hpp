@@ -1,0 +1,102 @@
+// The driver of flows that follow a phase by one power series after the other.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "mariotte/flow/flow.hpp"
+#include "mariotte/flow/roots/polynomial.hpp"
+
+namespace mariotte::flow {
+
+/// Share of the accuracy that the last terms of a step may spend: a phase takes about ten steps.
+inline constexpr double series_share = 0.1;
+
+/// Order that costs least at an accuracy; measured on the reference bodies.
+inline int series_order(double accuracy) {
+  if (accuracy > 1e-5) return 10;
+  if (accuracy > 3e-8) return 14;
+  return accuracy > 3e-12 ? 18 : 22;
+}
+
+/// Where a step ends in the clock of its series, and the guard that ends it.
+struct SeriesEnd {
+  double place;
+  Index guard = -1;
+};
+
+/// What may be left of a phase after so many steps, or so many in a row that get nowhere, is stiff.
+struct SeriesLimits {
+  Index steps, stalled;
+};
+
+/// A step of an expansion, with `time` and `state` as below.
+template <class Expansion>
+class SeriesStep final : public Step {
+ public:
+  explicit SeriesStep(const Expansion& expansion) : expansion_(expansion) {}
+  void at(double t, State x) const override {
+    const bool last = !(t < end);  // the end, less the start, may be longer by rounding
+    expansion_.state(last ? place_ : rise_to(expansion_.time(), t - start, place_), before, x);
+  }
+  void inside(double fraction, State x) const override { expansion_.state(fraction * place_, before, x); }
+  /// On to the next step, of this duration and place of the clock.
+  void go_on(double duration, double place, ConstState from, ConstState to) {
+    start = std::exchange(end, end + duration);
+    place_ = place;
+    before = from;
+    after = to;
+  }
+
+ private:
+  const Expansion& expansion_;
+  double place_ = 0;
+};
+
+inline bool is_finite(ConstState x) {
+  return std::all_of(x.begin(), x.end(), [](double value) { return std::isfinite(value); });
+}
+
+/// Follow a phase until a guard, the limit or what the expansion cannot pass (`stiff`). An expansion has
+///   before                    room for the state where the step begins;
+///   expand(x, first)          from x, in the first step or a later one: how far the series is good enough;
+///   end(reach, first, x)      where the step ends; x is room for states;
+///   time(), state(place, …)   the clock, and the state at a place of it;
+///   fire(guard, x, fired)     where a guard ends the phase;
+///   is_stalled(step), order().
+template <class Expansion>
+Arrival follow_by_series(Expansion& expansion, const SeriesLimits& limits, State x, const Request& request,
+                         std::vector<Index>& fired) {
+  SeriesStep<Expansion> step(expansion);
+  Index count = 0, stalled = 0;
+  const auto arrive = [&](Outcome outcome) {
+    return Arrival{outcome, step.end, count, count * expansion.order(), {}};
+  };
+  while (count < limits.steps && stalled < limits.stalled) {
+    const bool first = count++ == 0;
+    expansion.before.assign(x.begin(), x.end());
+    const double reach = expansion.expand(x, first);
+    if (!std::isfinite(reach)) return arrive(Outcome::stiff);
+    SeriesEnd end = expansion.end(reach, first, x);
+    double duration = horner(expansion.time(), end.place);
+    const bool limited = step.end + duration >= request.limit;
+    if (limited) {
+      duration = request.limit - step.end;
+      end = {rise_to(expansion.time(), duration, end.place)};
+    }
+    expansion.state(end.place, expansion.before, x);
+    if (!is_finite(x) || !(duration >= 0 && std::isfinite(duration))) {
+      std::ranges::copy(expansion.before, x.begin());
+      return arrive(Outcome::stiff);
+    }
+    if (end.guard >= 0) expansion.fire(end.guard, x, fired);
+    step.go_on(duration, end.place, expansion.before, x);
+    if (limited) step.end = request.limit;
+    if (request.observer) request.observer->observe(step);
+    if (limited || end.guard >= 0) return arrive(limited ? Outcome::limit : Outcome::guard);
+    stalled = expansion.is_stalled(step) ? stalled + 1 : 0;
+  }
+  return arrive(Outcome::stiff);
+}
+
+}  // namespace mariotte::flow
