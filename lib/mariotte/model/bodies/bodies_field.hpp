@@ -4,9 +4,8 @@
 #include <vector>
 
 #include "mariotte/model/bodies/bodies_mode.hpp"
-#include "mariotte/model/bodies/bodies_motion.hpp"
+#include "mariotte/model/bodies/bodies_stick.hpp"
 #include "mariotte/model/bodies/law_numbers.hpp"
-#include "mariotte/model/bodies/linear_system.hpp"
 
 namespace mariotte::model {
 
@@ -38,7 +37,7 @@ class BodiesField {
     stuck_.clear();
     for (std::size_t i = 0; i < closed_.size(); ++i) set_forces(mode.closed[i], x, closed_[i], i);
     accelerate();
-    if (!stuck_.empty()) hold_still();
+    if (!stuck_.empty()) set_stick();
   }
 
   const ContactForces<T, D>& contact(std::size_t i) const { return closed_[i]; }
@@ -219,14 +218,6 @@ class BodiesField {
     }
   }
 
-  /// e_z × n, in the plane.
-  static Vector across(const Vector& n) {
-    if constexpr (D == 2)
-      return {{-n[1], n[0]}};
-    else
-      return n;
-  }
-
   /// T, ξ or e of a slot as a vector in the tangent plane.
   Vector tangential_state(const ClosedContact& mode, std::span<const T> x, const Vector& normal) const {
     const Index at = layout_.spring(mode.slot);
@@ -254,70 +245,24 @@ class BodiesField {
     }
   }
 
-  /// Unit vectors along the tangent plane.
-  static std::array<Vector, D - 1> tangents(const Vector& n) {
-    if constexpr (D == 2)
-      return {across(n)};
-    else {
-      const int least =
-          n[0] * n[0] < series::value_of(n[1] * n[1]) && n[0] * n[0] < series::value_of(n[2] * n[2]) ? 0
-          : n[1] * n[1] < series::value_of(n[2] * n[2])                                              ? 1
-                                                                                                     : 2;
-      Vector axis = lift<T>(Vec<double, D>{});
-      axis[least] = T(1.0);
-      const Vector side = turned(n, axis);
-      const Vector one = (1.0 / norm(side)) * side;
-      return {one, turned(n, one)};
+  /// Friction of all contacts that stick rigidly.
+  void set_stick() {
+    still_.clear();
+    for (const auto& [place, contact] : stuck_) {
+      const auto& one = setting_.contact[contact];
+      const auto& c = closed_[place].motion;
+      const Index a = one.plane < 0 ? setting_.sphere[one.a].body : Index{-1};
+      still_.push_back({.tangents = tangents(c.normal),
+                        .side = {{{setting_.sphere[one.b].body, c.lever_b, 1.0}, {a, c.lever_a, -1.0}}},
+                        .slip_rate = slip_acceleration(contact, c)});
     }
-  }
-
-  /// Friction of all contacts that stick, from the condition that their slip stays: W f = −b.
-  void hold_still() {
-    constexpr int k = D - 1;
-    const std::size_t size = k * stuck_.size();
-    std::vector<std::array<Vector, k>> basis;
-    for (const auto& [place, contact] : stuck_) basis.push_back(tangents(closed_[place].motion.normal));
-    std::vector<T> matrix(size * size, T(0.0)), right(size);
-    for (std::size_t i = 0; i < stuck_.size(); ++i) {
-      const auto need = slip_acceleration(stuck_[i].contact, closed_[stuck_[i].place].motion);
-      for (int p = 0; p < k; ++p) {
-        right[k * i + p] = -dot(need, basis[i][p]);
-        for (std::size_t j = 0; j < stuck_.size(); ++j)
-          for (int q = 0; q < k; ++q)
-            matrix[(k * i + p) * size + k * j + q] = mobility(i, basis[i][p], j, basis[j][q]);
-      }
-    }
-    redundant_ = !solve_symmetric(std::span(matrix), std::span(right));
+    redundant_ = !hold_still<T, D>(setting_, body_, still_, holding_);
     for (std::size_t i = 0; i < stuck_.size(); ++i) {
       auto& c = closed_[stuck_[i].place];
-      for (int p = 0; p < k; ++p) c.friction = c.friction + right[k * i + p] * basis[i][p];
+      c.friction = c.friction + holding_[i];
       push(stuck_[i].contact, c.motion, c.friction);
     }
     accelerate();
-  }
-
-  /// Acceleration along `s` at stuck contact i by a unit force along `t` at stuck contact j.
-  T mobility(std::size_t i, const Vector& s, std::size_t j, const Vector& t) const {
-    T sum = T(0.0);
-    for (const auto& [body_i, lever_i, sign_i] : sides(i))
-      for (const auto& [body_j, lever_j, sign_j] : sides(j)) {
-        if (body_i != body_j || body_i < 0) continue;
-        const auto spin = eased(setting_.body[body_i], body_[body_i], moment(lever_j, t));
-        sum = sum + sign_i * sign_j *
-                        (T(1 / setting_.body[body_i].mass) * dot(s, t) + dot(s, turned(spin, lever_i)));
-      }
-    return sum;
-  }
-  struct Side {
-    Index body;
-    Vector lever;
-    double sign;
-  };
-  std::array<Side, 2> sides(std::size_t i) const {
-    const auto& one = setting_.contact[stuck_[i].contact];
-    const auto& c = closed_[stuck_[i].place].motion;
-    return {Side{setting_.sphere[one.b].body, c.lever_b, 1.0},
-            Side{one.plane < 0 ? setting_.sphere[one.a].body : Index{-1}, c.lever_a, -1.0}};
   }
 
   void put_body_rates(Index i, std::span<const T> x, std::span<T> dx) const {
@@ -415,6 +360,8 @@ class BodiesField {
   std::vector<Turn<T, D>> spin_rate_;
   std::vector<ContactForces<T, D>> closed_;
   std::vector<Stuck> stuck_;
+  std::vector<StuckContact<T, D>> still_;
+  std::vector<Vector> holding_;  ///< friction of each
   bool redundant_ = false;
 };
 

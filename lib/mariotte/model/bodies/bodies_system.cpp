@@ -11,14 +11,6 @@ namespace mariotte::model {
 namespace {
 
 template <int D>
-Vec<double, D> across(const Vec<double, D>& n) {
-  if constexpr (D == 2)
-    return {{-n[1], n[0]}};
-  else
-    return n;
-}
-
-template <int D>
 Index resting_contacts(const BodiesSetting<D>& setting) {
   return std::count_if(setting.contact.begin(), setting.contact.end(),
                        [](const auto& c) { return c.gap == 0; });
@@ -243,8 +235,6 @@ void BodiesSystem<D>::transition(Mode& mode, const std::vector<Index>& fired, st
                                  std::vector<Change>& changes) const {
   const Index gaps = phase_.gap_guard(0), partings = phase_.parting_guard(0), strays = phase_.stray_guard(0);
   const auto touching = mode.touching;
-  std::vector<Index> watched(phase_.watched_count());
-  for (std::size_t k = 0; k < watched.size(); ++k) watched[k] = phase_.watched(static_cast<Index>(k));
   auto sorted = fired;
   std::sort(sorted.begin(), sorted.end());
   std::vector<ClosedContact> closed = mode.closed;  // slots as they were
@@ -257,7 +247,7 @@ void BodiesSystem<D>::transition(Mode& mode, const std::vector<Index>& fired, st
       changes.push_back({contact, BodyEvent::touch});
       changes.push_back({contact, BodyEvent::part});
     } else if (guard >= gaps) {
-      const Index contact = watched[guard - gaps];
+      const Index contact = phase_.watched(guard - gaps);
       const bool rested = std::erase(mode.touching, contact) > 0;
       close(mode, contact, x, rested ? BodyEvent::touch : BodyEvent::close, changes);
     } else {

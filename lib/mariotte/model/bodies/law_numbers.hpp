@@ -22,34 +22,39 @@ inline series::Traced recorded_width(const contact::PowerLaw& law, const series:
   return law.exponent == 1 ? series::Traced(1.0) : sqrt(depth);
 }
 
+/// What has the sign of the force of a law that can be recorded.
+inline series::Traced recorded_load(const contact::PowerLaw& law, const series::Traced& depth,
+                                    const series::Traced& rate) {
+  return law.stiffness * depth + law.damping * rate;
+}
+
+/// What a law answers, with the slopes that T carries.
+template <class T>
+T answer(const contact::Force& f, const T& depth, const T& rate) {
+  if constexpr (std::is_same_v<T, double>)
+    return f.value;
+  else
+    return T::chain(depth, rate, f.value, f.by_indentation, f.by_rate);
+}
+
 /// Force of either sign.
 template <class T>
 T law_force(const contact::Law& law, const T& depth, const T& rate) {
   if constexpr (is_recorded<T>) {
     const auto& one = *contact::power_law(law);
-    return recorded_width(one, depth) * (one.stiffness * depth + one.damping * rate);
+    return recorded_width(one, depth) * recorded_load(one, depth, rate);
   } else {
-    const auto f = contact::smooth_force(law, series::value_of(depth), series::value_of(rate));
-    if constexpr (std::is_same_v<T, double>)
-      return f.value;
-    else
-      return T::chain(depth, rate, f.value, f.by_indentation, f.by_rate);
+    return answer(contact::smooth_force(law, series::value_of(depth), series::value_of(rate)), depth, rate);
   }
 }
 
 /// What has the sign of the force.
 template <class T>
 T law_load(const contact::Law& law, const T& depth, const T& rate) {
-  if constexpr (is_recorded<T>) {
-    const auto& one = *contact::power_law(law);
-    return one.stiffness * depth + one.damping * rate;
-  } else {
-    const auto load = contact::load(law, series::value_of(depth), series::value_of(rate));
-    if constexpr (std::is_same_v<T, double>)
-      return load.value;
-    else
-      return T::chain(depth, rate, load.value, load.by_indentation, load.by_rate);
-  }
+  if constexpr (is_recorded<T>)
+    return recorded_load(*contact::power_law(law), depth, rate);
+  else
+    return answer(contact::load(law, series::value_of(depth), series::value_of(rate)), depth, rate);
 }
 
 /// Slopes of the force by indentation and by its rate. Values with slopes get those of an undamped linear or
