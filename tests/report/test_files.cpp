@@ -1,4 +1,5 @@
 #define BOOST_TEST_MODULE report_files
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -35,6 +36,13 @@ BOOST_FIXTURE_TEST_CASE(a_file_that_cannot_be_written_is_named_and_leaves_nothin
   };
   BOOST_CHECK_EXCEPTION(report::write_file(path / "taken", "text"), report::FileError, names_it);
   BOOST_CHECK_THROW(report::write_file(path / "missing" / "a.txt", "text"), report::FileError);
+  BOOST_TEST(entries() == 1);
+}
+
+BOOST_FIXTURE_TEST_CASE(a_pipe_or_a_device_is_not_replaced, Folder) {
+  BOOST_REQUIRE(::mkfifo((path / "pipe").c_str(), 0600) == 0);
+  BOOST_CHECK_THROW(report::write_file(path / "pipe", "text"), report::FileError);
+  BOOST_TEST(fs::is_fifo(path / "pipe"));
   BOOST_TEST(entries() == 1);
 }
 

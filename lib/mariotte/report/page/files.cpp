@@ -19,6 +19,11 @@ namespace {
   throw FileError("cannot write " + path.string() + ": " + reason, kind);
 }
 
+void refuse_device(const std::filesystem::path& path) {
+  if (std::filesystem::is_other(std::filesystem::symlink_status(path)))
+    fail(path, "it is a device or a pipe, and would be replaced");
+}
+
 bool write_all(int file, std::string_view text) {
   while (!text.empty()) {
     const ssize_t written = ::write(file, text.data(), text.size());
@@ -66,11 +71,13 @@ void put_in_place(const std::filesystem::path& temporary, const std::filesystem:
   const int problem = errno;
   if (file >= 0) ::close(file);
   if (!flushed) fail(path, std::strerror(problem));
+  refuse_device(path);
   if (std::rename(temporary.c_str(), path.c_str()) != 0) fail(path, std::strerror(errno));
 }
 
 NewFile::NewFile(std::filesystem::path path, std::filesystem::path temporary)
     : path_(std::move(path)), temporary_(std::move(temporary)) {
+  refuse_device(path_);
   remove_abandoned(path_);
   ::unlink(temporary_.c_str());
   file_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);

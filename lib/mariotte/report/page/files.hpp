@@ -27,7 +27,8 @@ std::filesystem::path part_name(const std::filesystem::path& path);
 /// Remove hidden beginnings of a file at `path` that killed processes left.
 void remove_abandoned(const std::filesystem::path& path);
 
-/// Its move to `path`, flushed to the disk, replacing what was there. Throws FileError.
+/// Its move to `path`, flushed to the disk, replacing what was there, unless that is a device or a pipe.
+/// Throws FileError.
 void put_in_place(const std::filesystem::path& temporary, const std::filesystem::path& path);
 
 /// The same for a text that comes in parts, which need not fit into memory together.
