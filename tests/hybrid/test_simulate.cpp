@@ -240,6 +240,17 @@ BOOST_AUTO_TEST_CASE(a_phase_may_end_itself_without_a_guard) {
   BOOST_TEST(std::abs(found.time - found.state[0]) < 1e-10);  // the accuracy asked for
 }
 
+// A corridor so narrow that the clock does not tell how long it takes to cross.
+BOOST_AUTO_TEST_CASE(modes_that_end_at_once_for_ever_are_a_failure) {
+  ToySystem system{.phases = list(Ramp(1, {0}, {Crossing::rising}), Ramp(1, {1e-30}, {Crossing::rising}),
+                                  Ramp(-1, {0}, {Crossing::falling})),
+                   .next = [](Index mode, const auto&) { return mode == 1 ? Index{2} : Index{1}; }};
+  const auto found = run(system, {-1});
+  BOOST_TEST((found.ending == Ending::failed));
+  BOOST_TEST(found.message == "contacts change without end at one instant");
+  BOOST_TEST(found.time == 1);
+}
+
 BOOST_AUTO_TEST_CASE(a_failure_keeps_what_was_computed_before_the_phase_that_failed) {
   Toy broken(
       1, [](ConstState x, State dx) { dx[0] = x[0] > 1.5 ? std::nan("") : 1; }, 1,

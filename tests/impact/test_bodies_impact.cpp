@@ -231,8 +231,11 @@ BOOST_AUTO_TEST_CASE(without_friction_and_turning_balls_are_a_network) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(random_scenes_close_their_ledgers_and_gain_nothing) {
-  std::mt19937 random(5);
+namespace {
+
+/// Three balls that meet in the middle; slips stop, turn and start again while others hold.
+void check_rings(unsigned seed, double accuracy) {
+  std::mt19937 random(seed);
   const auto uniform = [&](double low, double high) {
     return std::uniform_real_distribution(low, high)(random);
   };
@@ -258,19 +261,28 @@ BOOST_AUTO_TEST_CASE(random_scenes_close_their_ledgers_and_gain_nothing) {
              .tangential = {law, uniform(0.05, 0.6), k_t},
              .share = uniform(0, 1)});
       }
-    const auto impact = impact::simulate(bodies, {.accuracy = 1e-9});
-    BOOST_TEST_CONTEXT("trial " << trial << ": " << impact.message) {
+    const auto impact = impact::simulate(bodies, {.accuracy = accuracy});
+    BOOST_TEST_CONTEXT("seed " << seed << ", trial " << trial << ": " << impact.message) {
       BOOST_TEST((impact.ending == hybrid::Ending::separated));
-      BOOST_TEST(std::abs(impact.energy.residual) <= 1e-7 * impact.energy.initial);
-      BOOST_TEST(impact.energy.final <= impact.energy.initial * (1 + 1e-9));
+      BOOST_TEST(std::abs(impact.energy.residual) <= 100 * accuracy * impact.energy.initial);
+      BOOST_TEST(impact.energy.final <= impact.energy.initial * (1 + accuracy));
+      BOOST_TEST(impact.events.size() < 50);
       for (const auto& contact : impact.contacts) {
-        const double least = -1e-10 * impact.energy.initial;
+        const double least = -0.1 * accuracy * impact.energy.initial;
         BOOST_TEST(contact.losses.friction >= least);
         BOOST_TEST(contact.losses.rescale >= least);
         BOOST_TEST(contact.losses.damper >= least);
       }
     }
   }
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(random_scenes_close_their_ledgers_and_gain_nothing) {
+  check_rings(5, 1e-9);
+  check_rings(11, 1e-8);
+  check_rings(13, 1e-8);
 }
 
 // Flat on two corners, only the sum of both frictions is determined.

@@ -67,7 +67,7 @@ bool modes_pay(const SerialPhase& phase) {
 /// True unless another flow that admits the phase costs less.
 bool pays(Kind kind, const Problem& problem) {
   if (problem.tip()) return kind == Kind::taylor;
-  if (problem.recorded()) return false;  // on request: not as well tried as CVODE
+  if (problem.recorded()) return kind == Kind::taylor;
   if (kind == Kind::pair) return problem.branched_row();
   const auto* row = problem.serial();
   const auto* linked = problem.linked();

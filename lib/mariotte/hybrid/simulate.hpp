@@ -11,6 +11,7 @@
 //     if the flow could not go on, or a number is not finite
 //                                      → from t⁺ by another, as long as there is one
 //                                      → failed         state and events until then are kept
+//     if mode after mode ends at once  → failed         contacts that chatter without end
 //     if the time limit came first     → time_limit
 //     if no guard can ever cross       → separated
 //     t ← t + duration                                  a compensated sum of local clocks
@@ -121,6 +122,9 @@ std::optional<flow::Arrival> follow_phase(System& system, const Options& options
     }
 }
 
+/// So many modes in turn that end at the instant at which they begin will go on to do so.
+inline constexpr Index most_at_once = 10000;
+
 /// Run a system from state x until an ending; the result stays in the workspace. Options are in the system's
 /// scales; `observer` may be null.
 template <HybridSystem System>
@@ -135,6 +139,7 @@ const Trajectory<typename System::Change>& simulate(System& system, ConstState x
   auto& x = run.state;
   x.assign(x0.begin(), x0.end());
   CompensatedSum time;
+  Index at_once = 0;
   const auto end = [&](Ending ending, std::string message = {}) -> const auto& {
     run.ending = ending;
     run.message = std::move(message);
@@ -154,11 +159,14 @@ const Trajectory<typename System::Change>& simulate(System& system, ConstState x
     if (run.events >= options.max_events) return end(Ending::event_limit);
     if (observer && observer->gives_up()) return end(Ending::interrupted);
 
+    const double began = time.value();
     auto arrival = follow_phase(system, options, workspace, time, observer);
     if (!arrival) return end(Ending::interrupted);
     if (arrival->outcome == flow::Outcome::limit) return end(Ending::time_limit);
     if (arrival->outcome == flow::Outcome::never) return end(Ending::separated);
     if (arrival->outcome == flow::Outcome::failed) return end(Ending::failed, std::move(arrival->message));
+    at_once = time.value() > began ? 0 : at_once + 1;
+    if (at_once > most_at_once) return end(Ending::failed, "contacts change without end at one instant");
     system.transition(mode, workspace.fired, x, changes);
   }
 }

@@ -31,7 +31,8 @@ bool is_doubtful(std::span<const double> row, std::optional<double> fired, doubl
 }
 
 /// First place at which a guard falls through zero. One that starts behind zero is measured from there,
-/// unless it goes on falling. Leading terms that are smaller than `rounding` of its change are zero.
+/// unless it goes on falling. Leading terms that are smaller than `rounding` of its change are zero, unless
+/// it falls from above: the noise that it is allowed then tells which way it went.
 std::optional<double> fall(std::span<const double> row, double sign, double end, double rounding) {
   std::array<double, TapeSeries::stride> c, term;
   double power = 1;
@@ -44,7 +45,10 @@ std::optional<double> fall(std::span<const double> row, double sign, double end,
   std::size_t k = 0;
   const auto is_zero = [&] { return term[k] <= rounding * moves || (k == 0 && c[0] < 0); };
   for (; k + 1 < row.size() && is_zero(); ++k) c[k] = 0;
-  if (k > 0 && c[k] < 0) return 0.0;
+  if (k > 0 && c[k] < 0) {
+    if (!(sign * row[0] > 0)) return 0.0;
+    for (std::size_t i = 0; i < k; ++i) c[i] = sign * row[i];
+  }
   return first_fall({c.data(), row.size()}, end);
 }
 

@@ -17,6 +17,8 @@ constexpr int last_terms = 2, last_onset_terms = 5;
 /// passes: the slip of a spring in space where its contact opens, or a slip that comes to rest.
 constexpr SeriesLimits limits{.steps = 3000, .stalled = 12};
 constexpr double short_step = 1e-3;
+/// Guards compare forces, whose series are an order less sharp than those of the state.
+constexpr double force_share = 0.1;
 
 /// Largest place at which none of the last `terms` of a component exceeds what it may.
 double step_length(const Recording& recording, const TapeSeries& series, ConstState magnitude,
@@ -64,7 +66,7 @@ struct RecordedTaylor::Memory {
     clock_ = clock(first);
     const bool onset = clock_.kind == TapeClock::Kind::onset;
     series.expand(values_, order() + (onset ? onset_loss : 0), clock_);
-    return step_length(recording, series, problem_->magnitudes(), accuracy_, order(),
+    return step_length(recording, series, problem_->magnitudes(), force_share * accuracy_, order(),
                        onset ? last_onset_terms : last_terms);
   }
 

@@ -229,17 +229,22 @@ class BodiesField {
     }
   }
 
+  /// A slip from rest keeps its first direction until it has one of its own.
+  Vector first_direction(const ClosedContact& mode, const Vector& slip) const {
+    const double rest = setting_.rest_speed();
+    Vector first;
+    for (int k = 0; k < D; ++k) first[k] = T(rest * mode.start[k]);
+    return (1.0 / (1.0 + 1 / (rest * rest) * dot(slip, slip))) * first;
+  }
+
   Vector slip_direction(const ClosedContact& mode, const SettingContact<D>& one, std::span<const T> x,
                         const ContactMotion<T, D>& c) const {
     if constexpr (D == 2)
       return T(mode.sign) * across(c.normal);
     else {
       Vector along = one.tangential.has_spring() ? tangential_state(mode, x, c.normal) : c.slip;
-      // A slip from rest keeps its first direction until it has one of its own.
-      const double rest =
-          mode.from_rest || !(dot(along, along) > 0.0) ? 100 * setting_.slip_noise * setting_.speed : 0;
-      for (int k = 0; rest > 0 && k < 3 && !mode.start.empty(); ++k)
-        along[k] = along[k] + rest * mode.start[k];
+      if (!mode.start.empty() && (mode.from_rest || !(dot(along, along) > 0.0)))
+        along = along + first_direction(mode, along);
       const T size = norm(along);
       return size > 0.0 ? (1.0 / size) * along : along;
     }

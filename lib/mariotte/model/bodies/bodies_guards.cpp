@@ -18,10 +18,12 @@ T BodiesPhase<D>::friction_guard(const BodiesField<T, D>& field, const ClosedCon
   if (mode.friction == Friction::none || mode.slack) return T(1.0);
   if constexpr (is_recorded<T>) {  // without the root of a square
     if (mode.friction == Friction::stick) {
-      const T cap = one.tangential.friction * c.normal + noise * one.force;
-      return cap * cap - dot(c.friction, c.friction);
+      const double offset = noise * one.force;
+      const T cap = one.tangential.friction * c.normal, left = cap * cap - dot(c.friction, c.friction);
+      if (!one.tangential.has_spring()) return left + offset * (2 * cap.value() + offset);
+      return left + 2 * noise * cap.value() * cap + offset * offset;
     }
-    const double rest = 10 * noise * setting_.speed;
+    const double rest = setting_.rest_speed();
     if (D == 3 && !one.tangential.has_spring()) return dot(c.motion.slip, c.motion.slip) - rest * rest;
   }
   if (mode.friction == Friction::stick)
@@ -30,7 +32,7 @@ T BodiesPhase<D>::friction_guard(const BodiesField<T, D>& field, const ClosedCon
   if constexpr (D == 2)
     return dot(c.motion.slip, c.direction) + noise * setting_.speed;
   else
-    return norm(c.motion.slip) - 10 * noise * setting_.speed;
+    return norm(c.motion.slip) - setting_.rest_speed();
 }
 
 template <int D>

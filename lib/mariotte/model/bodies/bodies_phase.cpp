@@ -30,9 +30,16 @@ double damping_of(const SettingContact<D>& contact) {
   return power ? power->damping / (power->stiffness * contact.time) : 0;
 }
 
-constexpr double stiff_turning = 10;
+/// The direction of a slip that has just left rest turns at once: as stiff as strong damping. What it is then
+/// must be known to this share of the accuracy.
+constexpr double stiff_turning = 10, turning_share = 0.01;
 
 }  // namespace
+
+template <int D>
+double BodiesPhase<D>::least_load(double accuracy) const {
+  return leaves_rest_ ? turning_share * accuracy * damping_ : infinity;
+}
 
 template <int D>
 void BodiesPhase<D>::bind(const BodiesMode& mode) {
@@ -47,6 +54,7 @@ void BodiesPhase<D>::bind(const BodiesMode& mode) {
   ballistic_ = mode.closed.empty() && at_peace && free_flight_;
   time_ = mode.closed.empty() ? setting_.time : infinity;
   damping_ = 0;
+  leaves_rest_ = false;
   std::vector<char> is_closed(setting_.contact.size(), 0);
   for (const auto& one : mode.closed) is_closed[one.contact] = 1;
   for (Index k = 0; k < watched_count(); ++k)
@@ -56,17 +64,34 @@ void BodiesPhase<D>::bind(const BodiesMode& mode) {
     const auto& contact = setting_.contact[one.contact];
     const auto set = [&](SlotGuard guard, Crossing way) { crossing_[slot_guard(one.slot, guard)] = way; };
     set(SlotGuard::open, Crossing::rising);
-    if (one.friction != Friction::none && !one.slack) set(SlotGuard::friction, Crossing::falling);
+    if (one.friction != Friction::none && !one.slack && !one.from_rest)
+      set(SlotGuard::friction, Crossing::falling);
     set(SlotGuard::turn, one.unloading ? Crossing::rising : Crossing::falling);
     if (contact::dissipates(contact.law))
       set(SlotGuard::load, one.slack ? Crossing::rising : Crossing::falling);
     time_ = std::min(time_, contact.time);
-    // The direction of a slip that has just left rest turns at once: as stiff as strong damping.
-    damping_ = std::max(damping_, one.from_rest ? stiff_turning : damping_of(contact));
+    damping_ = std::max({damping_, damping_of(contact), one.from_rest ? stiff_turning : 0});
+    leaves_rest_ = leaves_rest_ || one.from_rest;
   }
   for (Index k = 0; k < std::ssize(mode.touching); ++k) crossing_[parting_guard(k)] = Crossing::rising;
   recordable_ = !mode.closed.empty() && std::all_of(mode.closed.begin(), mode.closed.end(),
                                                     [&](const auto& one) { return can_be_recorded(one); });
+}
+
+/// A slip from rest may come to rest again once it has been twice as fast as what counts as rest.
+template <int D>
+flow::Accepted BodiesPhase<D>::accept(ConstState x) {
+  auto done = flow::Accepted::unchanged;
+  for (std::size_t i = 0; i < mode_->closed.size(); ++i) {
+    const auto& one = mode_->closed[i];
+    auto& watched = crossing_[slot_guard(one.slot, SlotGuard::friction)];
+    if (!one.from_rest || one.slack || watched != Crossing::none) continue;
+    if (done == flow::Accepted::unchanged) field_.evaluate(layout_, *mode_, x);
+    if (norm(field_.contact(i).motion.slip) < 2 * setting_.rest_speed()) continue;
+    watched = Crossing::falling;
+    done = flow::Accepted::rewatched;
+  }
+  return done;
 }
 
 template <int D>

@@ -33,12 +33,12 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   std::vector<flow::Entry> pattern() const override;
   void jacobian(ConstState x, State values) const override;
   double damping_group() const override { return damping_; }
-  double least_load(double) const override { return infinity; }
+  double least_load(double accuracy) const override;
   bool is_ballistic() const override { return ballistic_; }
   void second_derivative(ConstState, State) const override {}
   const flow::FreeMotion* free_motion() const override { return ballistic_ ? this : nullptr; }
   const flow::RecordedPhase* recorded() const override { return recordable_ ? this : nullptr; }
-  flow::Accepted accept(ConstState) override { return flow::Accepted::unchanged; }
+  flow::Accepted accept(ConstState x) override;
   std::string component(Index index) const override;
 
   double first_meeting(ConstState x, double limit, double window, std::vector<Index>& fired) const override;
@@ -83,7 +83,7 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   void record_guards(flow::Recording& recording) const;
   void record_contacts(double accuracy, flow::Recording& recording) const;
 
-  bool ballistic_ = false, free_flight_ = true, recordable_ = false;
+  bool ballistic_ = false, free_flight_ = true, recordable_ = false, leaves_rest_ = false;
   double time_ = 1, damping_ = 0;
   std::vector<flow::Crossing> crossing_;
   std::vector<double> magnitude_;

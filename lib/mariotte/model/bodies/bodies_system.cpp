@@ -63,6 +63,7 @@ void BodiesSystem<D>::mode_at(std::vector<double>& x, Mode& mode, std::vector<Ch
       mode.touching.push_back(c);
   }
   for (const Index c : closing) close(mode, c, x, BodyEvent::close, changes);
+  leave_rest(mode, x);
   hold_or_release(mode, x, changes);
   refresh_near(setting_, layout(x), x, mode);
 }
@@ -259,8 +260,19 @@ void BodiesSystem<D>::transition(Mode& mode, const std::vector<Index>& fired, st
                   changes);
     }
   }
+  leave_rest(mode, x);
   hold_or_release(mode, x, changes);
   refresh_near(setting_, layout(x), x, mode);
+}
+
+/// Slips that are under way have their own direction.
+template <int D>
+void BodiesSystem<D>::leave_rest(Mode& mode, ConstState x) const {
+  const auto left = [&](const ClosedContact& one) {
+    return one.from_rest && norm(field(mode, x).motion(one.contact).slip) > 2 * setting_.rest_speed();
+  };
+  for (auto& one : mode.closed)
+    if (left(one)) one.from_rest = false;
 }
 
 /// What sticks rigidly may not hold any more when others have changed: the contact that is farthest beyond

@@ -50,6 +50,7 @@ class BodiesSystem {
                      std::vector<Change>& changes) const;
   void turn(ClosedContact& one, const ContactForces<double, D>& now, std::vector<double>& x,
             std::vector<Change>& changes) const;
+  void leave_rest(Mode& mode, ConstState x) const;
   void hold_or_release(Mode& mode, std::vector<double>& x, std::vector<Change>& changes) const;
   double& slot_value(const ClosedContact& one, std::vector<double>& x) const {
     return x[layout(x).spring(one.slot)];
