@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <sstream>
 
 #include "mariotte/report/figure/gnuplot.hpp"
@@ -44,9 +46,20 @@ std::vector<std::string> lines(const std::string& text) {
   return all;
 }
 
-/// What gnuplot makes of a sweep with one row per point; the cells of every other point may differ.
-std::string drawn(const Design& design, const std::vector<study::Column>& columns, const std::string& cells,
-                  std::string others = "", const scene::Figure& options = {}) {
+/// What gnuplot made of a sweep, and its complaint.
+struct Drawing {
+  std::string svg;  ///< the first figure
+  std::string problem;
+};
+
+std::string content(const fs::path& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// Of a sweep with one row per point; the cells of every other point may differ.
+Drawing drawing(const Design& design, const std::vector<study::Column>& columns, const std::string& cells,
+                std::string others = "", const scene::Figure& options = {}) {
   if (others.empty()) others = cells;
   std::string folder = (fs::temp_directory_path() / "mariotte-XXXXXX").string();
   ::mkdtemp(folder.data());
@@ -57,11 +70,21 @@ std::string drawn(const Design& design, const std::vector<study::Column>& column
   const auto plot = report::sweep_plot(design, columns, "It's a title", options);
   report::write_file(fs::path(folder) / "plot.csv", data);
   report::write_file(fs::path(folder) / "plot.gp", plot.script);
-  auto problem = report::draw(folder, plot.figures);
+  Drawing made{.svg = {}, .problem = report::draw(folder, plot.figures)};
   for (const auto& figure : plot.figures)
-    if (problem.empty() && fs::file_size(fs::path(folder) / figure) < 1000) problem = figure + " is empty";
+    if (made.problem.empty() && fs::file_size(fs::path(folder) / figure) < 1000)
+      made.problem = figure + " is empty";
+  if (made.problem.empty()) made.svg = content(fs::path(folder) / plot.figures[2]);
   fs::remove_all(folder);
-  return problem == "gnuplot is not installed" ? "" : problem;
+  if (made.problem == "gnuplot is not installed") made.problem.clear();
+  return made;
+}
+
+using Columns = std::vector<study::Column>;
+
+std::string drawn(const Design& design, const Columns& columns, const std::string& cells,
+                  const std::string& others = "", const scene::Figure& options = {}) {
+  return drawing(design, columns, cells, others, options).problem;
 }
 
 }  // namespace
@@ -77,12 +100,23 @@ BOOST_AUTO_TEST_CASE(curves_of_one_quantity_share_a_figure_and_maps_do_not) {
   BOOST_TEST(report::sweep_plot(map(3, 3), columns, "").figures[3] == "sweep.icr_0.pdf");
 }
 
-BOOST_AUTO_TEST_CASE(axes_say_symbol_and_unit) {
-  const std::vector<study::Column> columns = {{"contacts[0].impulse", "N s", "p_j"}, {"icr[0]", "1", "α_j"}};
+BOOST_AUTO_TEST_CASE(axes_say_words_symbol_and_unit) {
+  const std::vector<study::Column> columns = {
+      {"contacts[0].impulse", "N s", "p_j"}, {"contacts[1].impulse", "N s", "p_j"}, {"icr[0]", "1", "α_j"}};
   const auto curves = report::sweep_plot(curve(5), columns, "").script;
-  BOOST_TEST(curves.find("set ylabel 'contacts.impulse  p_j [N s]'") != std::string::npos);
+  BOOST_TEST(curves.find("set ylabel sprintf('impulse p_j\u00a0[%sN s]', ") != std::string::npos, curves);
+  BOOST_TEST(curves.find("lt 2 title 'p_{2}'") != std::string::npos);
   const auto maps = report::sweep_plot(map(3, 3), columns, "").script;
-  BOOST_TEST(maps.find("set cblabel 'icr[0]  α_j'") != std::string::npos);
+  BOOST_TEST(maps.find("set cblabel sprintf('impulse p_{2}\u00a0[%sN s]', ") != std::string::npos);
+  BOOST_TEST(maps.find("set cblabel 'impulse correlation ratio α_{1}'") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(columns_of_ones_own_keep_their_name) {
+  const std::vector<study::Column> columns = {{.key = "my_ratio", .written = "my_ratio = icr[0]"},
+                                              {"sensitivity.velocity[2].mass[0]", "SI"}};
+  const auto curves = report::sweep_plot(curve(5), columns, "").script;
+  BOOST_TEST(curves.find("set ylabel 'my\\_ratio'") != std::string::npos, curves);
+  BOOST_TEST(curves.find("set ylabel 'sensitivity.velocity[2].mass[0]\u00a0[SI]'") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(what_has_no_figure_is_said) {
@@ -151,11 +185,39 @@ BOOST_AUTO_TEST_CASE(maps_have_contours_and_logarithmic_colours_on_demand) {
     BOOST_TEST(drawn(map(8, 9), {{"y"}}, "2,separated,", others, options) == "");
 }
 
-BOOST_AUTO_TEST_CASE(axes_have_the_unit_of_their_key) {
+BOOST_AUTO_TEST_CASE(axes_of_inputs_say_words_symbol_and_unit) {
   auto design = curve(3);
-  BOOST_TEST(report::axis_settings(design, 0, 'x').find("xlabel 'a' ") != std::string::npos);
-  design.parameters[0].unit = "m/s";
-  BOOST_TEST(report::axis_settings(design, 0, 'x').find("xlabel 'a [m/s]' ") != std::string::npos);
-  design.parameters[0].unit = "1";
-  BOOST_TEST(report::axis_settings(design, 0, 'x').find("xlabel 'a' ") != std::string::npos);
+  auto& one = design.parameters[0];
+  one.key = "chain.gap[1]";
+  BOOST_TEST(report::axis_settings(design, 0, 'x').find("xlabel 'gap g_{2}'\n") != std::string::npos);
+  one.unit = "1";
+  BOOST_TEST(report::axis_settings(design, 0, 'x').find("xlabel 'gap g_{2}'\n") != std::string::npos);
+  one.unit = "m";
+  one.range->to = 2e-6;
+  BOOST_TEST(report::axis_settings(design, 0, 'x').find("xlabel 'gap g_{2}\u00a0[µm]'\n") !=
+             std::string::npos);
+  BOOST_TEST(report::coordinate(design, 0, 1) == 1, boost::test_tools::tolerance(1e-12));
+  one.is_variable = true;
+  BOOST_TEST(report::axis_settings(design, 0, 'x').find("xlabel 'chain.gap[1]\u00a0[µm]'") !=
+             std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(numbers_below_a_narrow_range_leave_room_for_each_other) {
+  auto design = curve(3);
+  design.parameters[0].range = {.from = 9.9, .to = 10.1};
+  BOOST_TEST(report::axis_settings(design, 0, 'x').find("out 0.05\n") != std::string::npos);
+  BOOST_TEST(report::axis_settings(cloud(3), 0, 'x').find("xrange [0:1]\n") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(logarithmic_colours_have_several_ticks_at_round_values) {
+  const scene::Figure options{.window = {}, .logarithmic = true, .contours = 0};
+  const auto text = drawing(map(8, 9), {{"y"}}, "0.7,separated,", "3,separated,", options).svg;
+  BOOST_TEST((text.empty() || text.find(">2<") != std::string::npos), text);
+  BOOST_TEST((text.empty() || text.find(">1<") != std::string::npos), text);
+}
+
+BOOST_AUTO_TEST_CASE(values_have_a_prefix_that_suits_what_is_shown) {
+  const auto text =
+      drawing(curve(4), {{"contacts[0].impulse", "N s", "p_j"}}, "2e-6,separated,", "3e-6,separated,").svg;
+  BOOST_TEST((text.empty() || text.find("[µN s]") != std::string::npos), text);
 }

@@ -2,6 +2,7 @@
 #pragma once
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace mariotte::report {
 
@@ -17,9 +18,13 @@ struct Display {
   int decimals;      ///< digits after the point
 };
 
+/// Whether an SI prefix may stand before it: not before one of kilograms, of a power as "m^2", or of a rate
+/// "1/s".
+bool takes_prefix(std::string_view unit);
+
 /// A display with eight significant digits for the largest finite magnitude among `values`, and an SI prefix
-/// where that magnitude is below 0.1 or from 10⁴ on. Times in "s" get no prefix above one; without a unit
-/// values are of several, shown as they are in "SI".
+/// where that magnitude is below 0.1 or from 10⁴ on. Times in "s" get no prefix above one, "kg" are
+/// grams; without a unit values are of several, shown as they are in "SI".
 Display display_for(std::span<const double> values, const std::string& unit);
 
 /// `value` [SI] as the display shows it; a value too small for its decimals is shown as a power of ten.

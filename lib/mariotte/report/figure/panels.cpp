@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mariotte/report/figure/gnuplot.hpp"
+#include "mariotte/report/figure/ticks.hpp"
 #include "mariotte/report/figure/time_figure.hpp"
 
 namespace mariotte::report {
@@ -14,14 +15,6 @@ constexpr double bottom = 0.19, top = 0.82;       // parts of the sheet
 constexpr double pixels_of_tick = 52;             // a number below the axis, and some room
 constexpr double least_share = 0.6;               // of the widest panel
 
-/// 1, 2 or 5 times a power of ten, so that at most `most` steps fit into `span`.
-double step_of(double span, double most) {
-  const double least = span / std::max(1.0, most), decade = std::pow(10, std::floor(std::log10(least)));
-  for (const double digit : {1.0, 2.0, 5.0})
-    if (digit * decade >= least) return digit * decade;
-  return 10 * decade;
-}
-
 /// Numbers below the panels; the first has the numbers beside the vertical axis, the last the name of the
 /// horizontal one.
 std::string horizontal_axis(const Panel& panel, const TimeAxis& axis, double width) {
@@ -29,7 +22,7 @@ std::string horizontal_axis(const Panel& panel, const TimeAxis& axis, double wid
   return fmt::format(
       "set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\nset xrange [{:.10g}:{:.10g}]\n"
       "set xtics {:g}\n{}",
-      panel.left, panel.right, start, end, step_of(end - start, width / pixels_of_tick),
+      panel.left, panel.right, start, end, tick_step(end - start, width / pixels_of_tick),
       panel.is_last ? fmt::format("set xlabel 'time t [{}]' offset 0,0.6\n", axis.display.unit)
                     : "unset xlabel\n");
 }

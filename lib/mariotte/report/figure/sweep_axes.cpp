@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mariotte/report/figure/axis_names.hpp"
 #include "mariotte/report/figure/gnuplot.hpp"
+#include "mariotte/report/figure/ticks.hpp"
+#include "mariotte/report/number.hpp"
 
 namespace mariotte::report {
 namespace {
@@ -16,6 +19,7 @@ using study::Parameter;
 constexpr Index most_on_a_curve = 5000;
 constexpr Index most_along_a_map = 200;  // 40 000 pixels of a figure of some hundred thousand
 constexpr Index most_names = 12;
+constexpr double most_ticks = 5;  // below a map
 
 bool is_random(const Parameter& one) {
   return one.range && one.range->seed;
@@ -25,10 +29,20 @@ bool is_logarithmic(const Parameter& one) {
   return one.range && one.range->logarithmic && one.range->from > 0;
 }
 
+/// In the unit that suits what the axis shows.
+Display display_of(const Parameter& one) {
+  std::vector<double> ends;
+  if (one.range) ends = {one.range->from, one.range->to};
+  for (const auto& value : one.list)
+    if (const auto* number = std::get_if<double>(&value.value)) ends.push_back(*number);
+  if (one.unit.empty()) return {.factor = 1, .unit = "", .decimals = 0};
+  return display_for(ends, one.unit);
+}
+
 /// Decades of a range, and what is between if there are few; what is beyond its ends would widen the margin.
-std::string decades(const study::Range& range) {
-  const double least = std::log10(std::min(range.from, range.to)) - 1e-9;
-  const double most = std::log10(std::max(range.from, range.to)) + 1e-9;
+std::string decades(const study::Range& range, double scale) {
+  const double least = std::log10(scale * std::min(range.from, range.to)) - 1e-9;
+  const double most = std::log10(scale * std::max(range.from, range.to)) + 1e-9;
   const int count = static_cast<int>(most - least);
   std::string tics;
   for (int power = static_cast<int>(std::floor(least)); power <= most; power += 1 + count / 8)
@@ -46,19 +60,34 @@ Index step(const Design& design, const study::Axis& axis) {
   return (axis.count + most - 1) / most;
 }
 
-std::string name(const scene::Node& value, std::size_t position) {
-  if (const auto* number = std::get_if<double>(&value.value)) return fmt::format("{:g}", *number);
+std::string name(const scene::Node& value, std::size_t position, double factor) {
+  if (const auto* number = std::get_if<double>(&value.value)) return fmt::format("{:g}", factor * *number);
   if (const auto* text = std::get_if<std::string>(&value.value)) return *text;
   if (const auto* truth = std::get_if<bool>(&value.value)) return *truth ? "true" : "false";
   return std::to_string(position);
 }
 
-std::string names(const std::vector<scene::Node>& values) {
+std::string names(const std::vector<scene::Node>& values, double factor) {
   std::string tics;
   const std::size_t step = (values.size() + most_names - 1) / most_names;
   for (std::size_t k = 0; k < values.size(); k += step)
-    tics += fmt::format("{}{} {}", k > 0 ? ", " : "", quoted(name(values[k], k)), k);
+    tics += fmt::format("{}{} {}", k > 0 ? ", " : "", quoted(plain(name(values[k], k, factor))), k);
   return tics;
+}
+
+/// What stands along an axis, for gnuplot.
+std::string ticks(const Parameter& one, double factor, char axis) {
+  if (!one.range) return "(" + names(one.list, factor) + ")";
+  if (is_logarithmic(one)) return "(" + decades(*one.range, factor) + ")";
+  const double span = factor * std::abs(one.range->to - one.range->from) * (one.range->normal ? 3 : 1);
+  return axis == 'x' && span > 0 ? fmt::format("{:g}", tick_step(span, most_ticks)) : "autofreq";
+}
+
+/// Random points leave some of their range empty at its ends.
+std::string limits(const Parameter& one, double factor, char axis) {
+  if (!is_random(one) || one.range->normal || is_logarithmic(one)) return "";
+  const auto [least, most] = std::minmax(one.range->from, one.range->to);
+  return fmt::format("set {}range [{:.9g}:{:.9g}]\n", axis, factor * least, factor * most);
 }
 
 }  // namespace
@@ -97,17 +126,17 @@ double coordinate(const Design& design, std::size_t parameter, Index point) {
   const auto& one = design.parameters[parameter];
   if (!one.range)
     return static_cast<double>(position(design.axes[static_cast<std::size_t>(one.axis)], point));
-  const double value = number(design, parameter, point);
+  const double value = display_of(one).factor * number(design, parameter, point);
   return is_logarithmic(one) ? std::log10(value) : value;
 }
 
 std::string axis_settings(const Design& design, std::size_t parameter, char axis) {
   const auto& one = design.parameters[parameter];
-  const auto tics = is_logarithmic(one) ? decades(*one.range) : one.range ? "" : names(one.list);
-  const bool has_unit = !one.unit.empty() && one.unit != "1";
-  const auto label = has_unit ? fmt::format("{} [{}]", one.key, one.unit) : one.key;
-  return fmt::format("set {0}label {1} noenhanced\nset {0}tics nomirror out {2}\n", axis, quoted(label),
-                     tics.empty() ? "autofreq" : "(" + tics + ")");
+  const auto display = display_of(one);
+  const auto name = one.is_variable ? plain(one.key) : name_of_input(one.key);
+  return fmt::format("set {0}label {1}\nset {0}tics nomirror out {2}\nset autoscale {0}fix\n{3}", axis,
+                     quoted(with_unit(name, display.unit)), ticks(one, display.factor, axis),
+                     limits(one, display.factor, axis));
 }
 
 }  // namespace mariotte::report

@@ -20,8 +20,8 @@ bool is_drawn(const study::Design& design, Index point);
 /// Whether a drawn point of a map is the last one of its column.
 bool ends_column(const study::Design& design, Index point);
 
-/// Where a point stands along a parameter, in even steps: its value, the logarithm to base 10 of it, or the
-/// position in a list.
+/// Where a point stands along a parameter, in even steps: its value in the unit of the axis, the logarithm to
+/// base 10 of it, or the position in a list.
 double coordinate(const study::Design& design, std::size_t parameter, Index point);
 
 /// gnuplot's settings of an axis, 'x' or 'y': what it shows and what is written along it.

@@ -6,6 +6,7 @@
 
 #include "mariotte/report/figure/gnuplot.hpp"
 #include "mariotte/report/figure/sweep_axes.hpp"
+#include "mariotte/report/figure/value_axis.hpp"
 
 namespace mariotte::report {
 namespace {
@@ -46,38 +47,17 @@ std::string file_name(std::string key) {
   return "sweep." + key;
 }
 
-/// What stands beside the axis of these columns: key, symbol and unit.
-std::string label(const std::string& key, const study::Column& column) {
-  const auto symbol = column.symbol.empty() ? "" : fmt::format("  {}", column.symbol);
-  return key + symbol + (column.unit.empty() || column.unit == "1" ? "" : fmt::format(" [{}]", column.unit));
-}
-
 /// Position in plot.csv, from 1: the coordinates, the parameters, the columns.
 std::size_t place(const study::Design& design, std::size_t column) {
   return drawn_parameters(design).size() + design.parameters.size() + column + 1;
 }
 
-/// Takes the range of what is shown; that of the figure before would hide numbers from `stats`. Differences
-/// that are rounding are not magnified, and a figure without any number says so.
-std::string range_settings(const std::vector<std::size_t>& places, const char* axis) {
-  return fmt::format(R"(set autoscale {0}
-low = 1e300; high = -1e300
-do for [c in '{1}'] {{
-  undefine S_*
-  stats 'plot.csv' using (column(int(c))) name 'S' nooutput
-  if (exists('S_records')) {{ low = S_min < low ? S_min : low; high = S_max > high ? S_max : high }}
-}}
-size = abs(low) > abs(high) ? abs(low) : abs(high)
-margin = high - low > 1e-9 * size ? 0 : size > 0 ? 0.001 * size : 1
-if (margin > 0) {{ set {0}range [low-margin:high+margin] }}
-unset label
-if (low > high) {{ set label 'no numbers' at graph 0.5, 0.5 center }}
-)",
-                     axis, fmt::join(places, " "));
-}
-
-std::string unless_empty(const std::string& plot) {
-  return fmt::format("if (low > high) {{ plot [0:1] [0:1] 2 notitle }} else {{\n{}\n}}\n", plot);
+/// Without numbers, where the points stand: the axes and their numbers stay. `height` is what stands beside
+/// the horizontal coordinate.
+std::string unless_empty(const std::string& plot, const char* height) {
+  return fmt::format(
+      "if (low > high) {{ plot 'plot.csv' using 1:{} with dots lc rgb 'white' notitle }} else {{\n{}\n}}\n",
+      height, plot);
 }
 
 std::string curves(const study::Design& design, const Columns& columns, const Figure& figure) {
@@ -88,16 +68,16 @@ std::string curves(const study::Design& design, const Columns& columns, const Fi
   std::vector<std::size_t> places;
   for (const auto column : figure.columns) {
     places.push_back(place(design, column));
-    draw.push_back(fmt::format("'plot.csv' using 1:{} with {} lt {} title {} noenhanced", places.back(),
-                               style, draw.size() + 1, quoted(columns[column].key)));
+    draw.push_back(fmt::format("'plot.csv' using 1:{} with {} lt {} title {}", scaled(places.back()), style,
+                               draw.size() + 1, quoted(short_label(columns[column]))));
   }
   const bool several = draw.size() > 1;
   const auto* key = several ? "set key outside right top vertical\n" : "unset key\n";
-  return fmt::format("set ylabel {} noenhanced\n{}unset colorbox\n",
-                     quoted(label(figure.key, columns[figure.columns[0]])), key) +
-         range_settings(places, "y") +
+  const auto& column = columns[figure.columns[0]];
+  return fmt::format("{}unset colorbox\n", key) +
+         value_axis(places, several ? figure.key : column.key, column, "y") +
          on_all_terminals(file_name(figure.key),
-                          unless_empty(fmt::format("plot {}", fmt::join(draw, ", \\\n  "))),
+                          unless_empty(fmt::format("plot {}", fmt::join(draw, ", \\\n  ")), "(0)"),
                           several ? wide : one_column);
 }
 
@@ -124,20 +104,17 @@ constexpr const char* contour_lines =
 
 std::string surface(const study::Design& design, const Columns& columns, const Figure& figure,
                     const scene::Figure& options) {
-  const auto column = place(design, figure.columns[0]);
+  const auto& column = columns[figure.columns[0]];
+  const auto at = place(design, figure.columns[0]);
   const bool lined = options.contours > 0 && is_map(design);
   const auto* style = is_map(design) ? "image" : "points pt 7 ps 0.5 lc palette";
-  const auto data = fmt::format("'plot.csv' using 1:2:(valid({0}) ? column({0}) : NaN)", column);
+  const auto data = "'plot.csv' using 1:2:" + scaled(at);
   const auto plot = fmt::format("plot {} with {} notitle{}", data, style, lined ? contour_lines : "");
-  return fmt::format(
-             "unset key\nunset grid\nset autoscale fix\nset lmargin at screen 0.16\nset rmargin at screen "
-             "0.75\n"
-             "set cblabel {} noenhanced offset 1.2,0\n",
-             quoted(label(figure.key, columns[figure.columns[0]]))) +
-         range_settings({column}, "cb") +
-         (options.logarithmic ? "if (low > 0) { set logscale cb } else { unset logscale cb }\n" : "") +
-         (lined ? unless_empty(contour_table(data, options.contours)) : "") +
-         on_all_terminals(file_name(figure.key), unless_empty(plot), one_column);
+  return "unset key\nunset grid\nset cblabel offset 0.5,0\n"
+         "set rmargin at screen 0.72\n" +
+         value_axis({at}, column.key, column, "cb") + (options.logarithmic ? logarithmic_colours() : "") +
+         (lined ? "if (low <= high) {\n" + contour_table(data, options.contours) + "}\n" : "") +
+         on_all_terminals(file_name(figure.key), unless_empty(plot, "2"), one_column);
 }
 
 std::string axes(const study::Design& design) {

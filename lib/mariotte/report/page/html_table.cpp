@@ -45,11 +45,7 @@ Display display_of(const Json& values, const std::string& unit) {
   std::vector<double> numbers;
   collect(values, numbers);
   if (unit.empty() || unit == "1" || unit == "SI") return {.factor = 1, .unit = unit, .decimals = 0};
-  if (unit != "kg") return display_for(numbers, unit);
-  for (auto& number : numbers) number *= 1e3;  // "g" takes prefixes
-  auto display = display_for(numbers, "g");
-  display.factor *= 1e3;
-  return display;
+  return display_for(numbers, unit);
 }
 
 std::string words(std::string name) {

@@ -1,0 +1,136 @@
+#include "mariotte/report/figure/axis_names.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <vector>
+
+namespace mariotte::report {
+namespace {
+
+struct Word {
+  std::string_view key, words, symbol;
+};
+/// Keys that are not the words themselves, and symbols of what a scene says.
+constexpr std::array<Word, 19> dictionary{{
+    {"icr", "impulse correlation ratio", ""},
+    {"mass", "mass", "m"},
+    {"diameter", "diameter", "d"},
+    {"radius", "radius", "r"},
+    {"gap", "gap", "g"},
+    {"velocity", "initial velocity", "v⁻"},
+    {"spin", "initial spin", "ω⁻"},
+    {"angles", "angle", "α [rad], β [rad], γ [rad]"},
+    {"normal_speed", "incident normal speed", ""},
+    {"tangential_velocity", "tangential velocity", "v_2, v_3"},
+    {"stiffness", "stiffness", "k"},
+    {"damping", "damping", "c"},
+    {"exponent", "exponent", "n"},
+    {"young", "Young's modulus", "E"},
+    {"poisson", "Poisson's ratio", "ν"},
+    {"density", "density", "ρ"},
+    {"friction", "friction", "μ"},
+    {"zeta_hertz", "damping", "ζ_H"},
+    {"zeta_adhesion", "damping", "ζ_A"},
+}};
+
+const Word* find(std::string_view key) {
+  const auto* found =
+      std::find_if(dictionary.begin(), dictionary.end(), [&](const Word& one) { return one.key == key; });
+  return found == dictionary.end() ? nullptr : found;
+}
+
+/// A key taken apart: {"contacts", "peak_force"} and its indices, from 1.
+struct Path {
+  std::vector<std::string> names;
+  std::vector<int> numbers;
+
+  std::string number() const { return fmt::format("{}", fmt::join(numbers, ",")); }
+};
+
+Path path_of(const std::string& key) {
+  Path path{{""}, {}};
+  for (std::size_t i = 0; i < key.size(); ++i)
+    if (key[i] == '.')
+      path.names.emplace_back();
+    else if (key[i] == '[')
+      path.numbers.push_back(std::atoi(key.c_str() + i + 1) + 1), i = std::min(key.find(']', i), key.size());
+    else
+      path.names.back() += key[i];
+  return path;
+}
+
+std::string spaced(std::string text) {
+  std::replace(text.begin(), text.end(), '_', ' ');
+  return text;
+}
+
+/// "α_j" of number 2 is "α_{2}", "max f_n" is "max f_{n,2}", and of "α, β, γ" it is β.
+std::string numbered(std::string_view symbol, const Path& path) {
+  std::string text(symbol);
+  if (text.empty() || path.numbers.empty()) return text;
+  if (text.find(", ") != text.npos) {
+    for (int skipped = 1; skipped < path.numbers.back(); ++skipped) text.erase(0, text.find(", ") + 2);
+    return text.substr(0, text.find(", "));
+  }
+  const auto mark = text.find('_');
+  if (mark == text.npos) return fmt::format("{}_{{{}}}", text, path.number());
+  const char letter = text[mark + 1];
+  const auto before = letter == 'i' || letter == 'j' ? "" : fmt::format("{},", letter);
+  return text.replace(mark, 2, fmt::format("_{{{}{}}}", before, path.number()));
+}
+
+std::string words_of_result(const Path& path) {
+  const auto& first = path.names.front();
+  const auto last = spaced(path.names.back());
+  if (const auto* known = find(first)) return std::string(known->words);
+  if (first == "final") return "final " + last;
+  const bool qualifies = first == "energy" || first == "momentum" || first == "restitution";
+  return qualifies ? last + " " + first : last;
+}
+
+std::string joined(const std::string& words, const std::string& symbol, const Path& path) {
+  if (!symbol.empty()) return words + " " + symbol;
+  return path.numbers.empty() ? words : words + " " + path.number();
+}
+
+}  // namespace
+
+std::string plain(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (std::string_view("_^{}@&~\\").find(c) != std::string_view::npos) escaped += '\\';
+    escaped += c;
+  }
+  return escaped;
+}
+
+std::string name_of_result(const std::string& key, std::string_view symbol) {
+  const auto path = path_of(key);
+  return joined(words_of_result(path), numbered(symbol, path), path);
+}
+
+std::string short_name_of_result(const std::string& key, std::string_view symbol) {
+  return symbol.empty() ? name_of_result(key, symbol) : numbered(symbol, path_of(key));
+}
+
+std::string name_of_input(const std::string& key) {
+  const auto path = path_of(key);
+  const auto* known = find(path.names.back());
+  if (!known) return joined(spaced(path.names.back()), "", path);
+  return joined(std::string(known->words), numbered(known->symbol, path), path);
+}
+
+std::string with_unit(const std::string& name, const std::string& unit) {
+  if (unit.empty() || unit == "1") return name;
+  std::string text = unit;
+  for (auto power = text.find('^'); power != text.npos; power = text.find('^', power + 1)) {
+    text.insert(std::min(text.find_first_of(" /", power), text.size()), "}");
+    text.insert(power + 1, "{");
+  }
+  return fmt::format("{}\u00a0[{}]", name, text);  // browsers drop a blank after an index
+}
+
+}  // namespace mariotte::report

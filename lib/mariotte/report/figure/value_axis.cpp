@@ -1,0 +1,85 @@
+#include "mariotte/report/figure/value_axis.hpp"
+
+#include <fmt/format.h>
+
+#include "mariotte/report/figure/axis_names.hpp"
+#include "mariotte/report/figure/gnuplot.hpp"
+#include "mariotte/report/number.hpp"
+#include "mariotte/study/sweep/slope_columns.hpp"
+
+namespace mariotte::report {
+namespace {
+
+/// Whether the program knows no other name than the key.
+bool is_nameless(const study::Column& column) {
+  return !column.written.empty() || study::is_slope(column.key);
+}
+
+std::string label(const std::string& key, const study::Column& column) {
+  return is_nameless(column) ? plain(key) : name_of_result(key, column.symbol);
+}
+
+/// Brings what is shown, whose magnitude is `size`, into the unit that suits it; as `display_for` does.
+std::string prefix_settings(const std::string& name, const study::Column& column, const std::string& axis) {
+  if (!takes_prefix(column.unit))
+    return fmt::format("factor = 1.0\nset {}label {}\n", axis,
+                       quoted(with_unit(name, std::string(column.unit))));
+  return fmt::format(R"(steps = size == 0 || (size >= 0.1 && size < 1e4) ? 0 : floor(log10(size) / 3)
+steps = steps < -5 ? -5 : steps > {0} ? {0} : steps
+factor = 10.0 ** (-3 * steps)
+set {1}label sprintf({2}, steps == 0 ? '' : word('f p n µ m - k M G T', steps + 6))
+)",
+                     column.unit == "s" ? 0 : 4, axis,
+                     quoted(with_unit(name, "%s" + std::string(column.unit))));
+}
+
+}  // namespace
+
+std::string short_label(const study::Column& column) {
+  return is_nameless(column) ? plain(column.key) : short_name_of_result(column.key, column.symbol);
+}
+
+std::string value_axis(const std::vector<std::size_t>& places, const std::string& key,
+                       const study::Column& column, const std::string& axis) {
+  return fmt::format(R"(set autoscale {0}
+low = 1e300; high = -1e300
+do for [c in '{1}'] {{
+  undefine S_*
+  stats [*:*] [*:*] 'plot.csv' using (column(int(c))) name 'S' nooutput
+  if (exists('S_records')) {{ low = S_min < low ? S_min : low; high = S_max > high ? S_max : high }}
+}}
+size = low > high ? 0 : abs(low) > abs(high) ? abs(low) : abs(high)
+{2}margin = high - low > 1e-9 * size ? 0 : size > 0 ? 0.001 * size : 1
+if (margin > 0 && low <= high) {{ set {0}range [factor*(low-margin):factor*(high+margin)] }}
+unset label
+if (low > high) {{ set label 'no numbers' at graph 0.5, 0.5 center }}
+)",
+                     axis, fmt::join(places, " "), prefix_settings(label(key, column), column, axis));
+}
+
+std::string logarithmic_colours() {
+  return R"(set cbtics autofreq
+unset logscale cb
+if (low > 0) {
+  set logscale cb
+  least = factor * low; most = factor * high; step = 10.0 ** floor(log10(most - least + 1e-9 * most))
+  name(at) = at < 0.01 && most > 1000 * least ? gprintf('10^{%T}', at) : sprintf('%g', at)
+  tick(at) = at > 0.999 * least ? sprintf("%s'%s' %g", ticks eq '' ? '' : ', ', name(at), at) : ''
+  ticks = ''
+  if (most >= 5 * least) {
+    do for [p=floor(log10(least)):ceil(log10(most))] { do for [d in (most > 1000 * least ? '1' : '1 2 5')] {
+      ticks = ticks.tick(d * 10.0 ** p)
+    } }
+  } else {
+    do for [k=ceil(least/step):floor(most/step)] { ticks = ticks.tick(k * step) }
+  }
+  eval 'set cbtics out nomirror ('.ticks.')'
+}
+)";
+}
+
+std::string scaled(std::size_t place) {
+  return fmt::format("(valid({0}) ? factor*column({0}) : NaN)", place);
+}
+
+}  // namespace mariotte::report

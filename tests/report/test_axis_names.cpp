@@ -1,0 +1,43 @@
+#define BOOST_TEST_MODULE report_axis_names
+#include <boost/test/unit_test.hpp>
+
+#include "mariotte/report/figure/axis_names.hpp"
+#include "mariotte/report/figure/ticks.hpp"
+
+using namespace mariotte::report;
+
+BOOST_AUTO_TEST_CASE(results_have_words_and_a_symbol_with_numbers_from_1) {
+  BOOST_TEST(name_of_result("icr[0]", "α_j") == "impulse correlation ratio α_{1}");
+  BOOST_TEST(name_of_result("final.velocity[2]", "v_i") == "final velocity v_{3}");
+  BOOST_TEST(name_of_result("final.velocity", "v_i") == "final velocity v_i");
+  BOOST_TEST(name_of_result("contacts[1].peak_force", "max f_n") == "peak force max f_{n,2}");
+  BOOST_TEST(name_of_result("final.bodies[1].velocity[0]", "v") == "final velocity v_{2,1}");
+  BOOST_TEST(name_of_result("restitution.tip", "e_n") == "tip restitution e_n");
+  BOOST_TEST(name_of_result("energy.friction", "") == "friction energy");
+  BOOST_TEST(name_of_result("contacts[1].stored", "") == "stored 2");
+}
+
+BOOST_AUTO_TEST_CASE(a_legend_has_symbols_or_words_for_want_of_one) {
+  BOOST_TEST(short_name_of_result("final.velocity[2]", "v_i") == "v_{3}");
+  BOOST_TEST(short_name_of_result("contacts[1].stored", "") == "stored 2");
+}
+
+BOOST_AUTO_TEST_CASE(inputs_have_words_and_a_symbol_with_numbers_from_1) {
+  BOOST_TEST(name_of_input("chain.gap[1]") == "gap g_{2}");
+  BOOST_TEST(name_of_input("chain.contact[1].stiffness") == "stiffness k_{2}");
+  BOOST_TEST(name_of_input("chain.material.young") == "Young's modulus E");
+  BOOST_TEST(name_of_input("incidence.angles[1]") == "angle β [rad]");
+  BOOST_TEST(name_of_input("body.length_ratio") == "length ratio");
+}
+
+BOOST_AUTO_TEST_CASE(units_stand_in_brackets_with_their_powers_raised) {
+  BOOST_TEST(with_unit("k", "N/m^1.5") == "k\u00a0[N/m^{1.5}]");
+  BOOST_TEST(with_unit("c", "N s^2/m^1.5 s") == "c\u00a0[N s^{2}/m^{1.5} s]");
+  BOOST_TEST(with_unit("α", "1") == "α");
+  BOOST_TEST(plain("a_b^c") == "a\\_b\\^c");
+}
+
+BOOST_AUTO_TEST_CASE(ticks_stand_at_round_numbers_and_are_not_too_many) {
+  BOOST_TEST(tick_step(0.2, 5) == 0.05, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(tick_step(100, 10) == 10, boost::test_tools::tolerance(1e-12));
+}
