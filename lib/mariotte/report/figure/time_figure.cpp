@@ -16,7 +16,7 @@ namespace {
 constexpr double invisible = 0.004;                  // of the height of a figure
 constexpr std::size_t most_names = 3;                // of curves that coincide
 constexpr double line_height = 0.072, letter = 7.2;  // part of a panel's height, pixels
-constexpr double leader = 14;                        // pixels from the end of a curve to its name
+constexpr double gap = 14;                           // pixels from the end of a curve to its name
 
 using Group = std::vector<std::size_t>;
 
@@ -69,14 +69,19 @@ std::size_t letters(const std::string& text) {
          }));
 }
 
-/// A text in double quotes, in which \n ends a line; names are the program's own.
-std::string lines_of_text(const std::vector<std::string>& lines) {
-  return fmt::format("\"{}\"", fmt::join(lines, "\\n"));
+/// A label of a group's colour; names are the program's own.
+std::string label(const std::string& text, double x, double y, const char* side, std::size_t line) {
+  return fmt::format("set label '{}' at graph {:.4f}, graph {:.4f} {} front textcolor lt {}\n", text, x, y,
+                     side, line + 1);
 }
 
-/// A label of a group's colour.
-std::string label(const std::string& text, const std::string& place, std::size_t line) {
-  return fmt::format("set label {} at {} front textcolor lt {}\n", text, place, line + 1);
+/// From a curve to its name: thin and grey, unlike data.
+std::string leader(double x, double y, double to_x, double to_y) {
+  return fmt::format(
+      "set arrow from graph {:.4f}, graph {:.4f} to graph {:.4f}, graph {:.4f} nohead lc rgb '#9aa5b1' lw "
+      "0.7 "
+      "dt solid\n",
+      x, y, to_x, to_y);
 }
 
 /// Which groups are named beside the right end, and which above a peak.
@@ -102,7 +107,8 @@ double value_at(const TimeFigure& figure, const Curve& curve, double time) {
   return curve.value[i - 1] + part * (curve.value[i] - curve.value[i - 1]);
 }
 
-/// Names beside the ends of curves, joined to them by a piece of their line.
+/// Names beside the ends of curves, joined to them by leaders; each has a line of its own, since distances
+/// between lines of one label differ among terminals.
 std::string end_labels(const TimeFigure& figure, const std::vector<Group>& groups,
                        const std::vector<std::size_t>& named, const Range& range, const Panel& panel) {
   std::vector<double> wanted, space;
@@ -112,15 +118,15 @@ std::string end_labels(const TimeFigure& figure, const std::vector<Group>& group
     space.push_back(line_height * static_cast<double>(names(figure, groups[k]).size()));
   }
   const auto place = spread(wanted, space);
-  const double beside = 1 + leader / sheet_pixels(panel);
+  const double beside = 1 + gap / sheet_pixels(panel);
   std::string text;
   for (std::size_t i = 0; i < named.size(); ++i) {
     const auto lines = names(figure, groups[named[i]]);
-    const double first = place[i] + 0.5 * line_height * static_cast<double>(lines.size() - 1);
-    text += fmt::format("set arrow from graph 1, graph {:.4f} to graph {:.4f}, graph {:.4f} nohead lt {}\n",
-                        wanted[i], beside, place[i], named[i] + 1);
-    text += label(lines_of_text(lines), fmt::format("graph {:.4f}, graph {:.4f} left", beside + 0.01, first),
-                  named[i]);
+    text += leader(1, wanted[i], beside, place[i]);
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+      const double above = 0.5 * static_cast<double>(lines.size() - 1) - static_cast<double>(k);
+      text += label(lines[k], beside + 0.01, place[i] + above * line_height, "left", named[i]);
+    }
   }
   return text;
 }
@@ -148,15 +154,16 @@ std::string peak_labels(const TimeFigure& figure, const std::vector<Group>& grou
     if (at == figure.time.size() || (!panel.is_first && at != peak_of(figure, curve, whole))) continue;
     if (std::abs(curve.value[at]) < invisible * (range.most - range.least)) continue;
     const auto words = fmt::format("{}", fmt::join(names(figure, groups[k]), ", "));
-    const double wide = letter * static_cast<double>(letters(words) + 1) / sheet_pixels(panel);
+    const double wide = letter * (static_cast<double>(letters(words)) + 0.5) / sheet_pixels(panel);
     const double x = (figure.time[at] - window.start) / (window.end - window.start);
     const double y = range.place(curve.value[at]) + (curve.value[at] < 0 ? -1.2 * line_height : 0.02);
     const double left = std::clamp(x - 0.5 * wide, 0.0, std::max(0.0, 1 - wide));
     taken.push_back(free_place({left, y, wide, line_height}, taken));
-    text += label(lines_of_text({words}),
-                  fmt::format("graph {:.4f}, graph {:.4f} center", left + 0.5 * wide,
-                              taken.back().y + 0.5 * line_height),
-                  k);
+    const auto& box = taken.back();
+    if (std::abs(box.y - y) > 0.5 * line_height)
+      text +=
+          leader(x, range.place(curve.value[at]), left + 0.5 * wide, box.y > y ? box.y : box.y + line_height);
+    text += label(words, left + 0.5 * wide, box.y + 0.5 * line_height, "center", k);
   }
   return text;
 }
@@ -178,7 +185,7 @@ double margin_of(const TimeFigure& figure, const std::vector<Group>& groups,
   std::size_t most = 0;
   for (const auto k : named)
     for (const auto& name : names(figure, groups[k])) most = std::max(most, letters(name));
-  return most == 0 ? 26 : leader + 8 + letter * static_cast<double>(most);
+  return most == 0 ? 26 : gap + 8 + letter * static_cast<double>(most);
 }
 
 }  // namespace
