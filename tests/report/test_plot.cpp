@@ -1,7 +1,10 @@
 #define BOOST_TEST_MODULE report_plot
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 
+#include "mariotte/report/figure/event_marks.hpp"
 #include "mariotte/report/figure/plot.hpp"
 
 using namespace mariotte;
@@ -217,6 +220,29 @@ BOOST_AUTO_TEST_CASE(phases_are_shaded_between_events_the_darker_the_more_contac
   BOOST_TEST(!has(script, "rectangle from 40"));
   BOOST_TEST(has(script, "1–2 close}' at graph"));
   BOOST_TEST(has(script, "2 opens}' at graph"));
+}
+
+BOOST_AUTO_TEST_CASE(no_event_loses_its_words_events_that_are_near_share_them) {
+  auto impact = impact_of(trace_of(6));
+  impact.events = {{0, {}, {0, 1, 2, 3, 4}}, {2e-5, {2}, {}},    {2.01e-5, {1}, {}},
+                   {2.02e-5, {0}, {}},       {2.03e-5, {3}, {}}, {2.04e-5, {}, {0}}};
+  const auto script = report::plot(impact, "").script;
+  BOOST_TEST(has(script, "1–5 close}' at graph"));
+  BOOST_TEST(has(script, " 3 opens}' at graph"));
+  BOOST_TEST(has(script, " 1 closes, 1–2 4 open}' at graph"), script);
+}
+
+BOOST_AUTO_TEST_CASE(words_of_events_stay_off_the_numbers_of_the_axis_and_off_the_next_panel) {
+  auto impact = impact_of(trace_of(3));
+  impact.events = {{0, {}, {0}}, {5e-5, {0}, {}}};
+  const auto marks = [&](std::optional<double> room) {
+    return report::event_marks(impact.events, {1e6, "µs", 0}, {0, 5e-5}, 200, room);
+  };
+  const double half = 0.5 * 9 * 5.2 / 200;  // of "1 closes" and a blank, in lengths of the axis
+  BOOST_TEST(has(marks(0), fmt::format("closes}}' at graph {:.4f}", half)));
+  BOOST_TEST(has(marks(0), fmt::format("opens}}' at graph {:.4f}", 1 - 0.5 * 8 * 5.2 / 200)));
+  BOOST_TEST(has(marks(40), "opens}' at graph 1.0000"));
+  BOOST_TEST(!has(marks({}), "closes"));
 }
 
 BOOST_AUTO_TEST_CASE(many_events_are_ticks_without_words) {

@@ -13,7 +13,6 @@ namespace {
 
 constexpr std::size_t most_lines = 24;  // more would hide the curves; ticks do not
 constexpr double pixels_of_letter = 5.2;
-constexpr double right_of_axis = 22;  // pixels that words may use there
 constexpr int rows = 2;
 constexpr std::array shades = {"#f1f4f8", "#e6ecf3", "#dce4ee"};  // of one, two, three and more contacts
 
@@ -76,32 +75,78 @@ std::string lines(const Axis& axis, const std::vector<impact::Event>& shown) {
   return text;
 }
 
-std::string labels(const Axis& axis, const std::vector<impact::Event>& shown) {
-  std::vector<double> at, width;
-  for (const auto& event : shown) {
-    width.push_back(pixels_of_letter * static_cast<double>(report::width(words(event)) + 1) / axis.width);
-    at.push_back(std::min(axis.place(event.time), 1 + right_of_axis / axis.width - 0.5 * width.back()));
+/// Words on one event, or on several that have no room of their own: they stand over the middle of these.
+struct Words {
+  impact::Event event;
+  double first, last;  ///< places of the events
+
+  void add(const Words& next) {
+    const auto append = [](std::vector<Index>& list, const std::vector<Index>& more) {
+      list.insert(list.end(), more.begin(), more.end());
+      std::sort(list.begin(), list.end());
+      list.erase(std::unique(list.begin(), list.end()), list.end());
+    };
+    append(event.open, next.event.open);
+    append(event.close, next.event.close);
+    append(event.yield, next.event.yield);
+    append(event.unload, next.event.unload);
+    last = next.last;
   }
+};
+
+/// Where words are centred and how wide they are, in widths of the axis.
+struct Places {
+  std::vector<double> at, width;
+};
+
+/// Not before the axis, beside whose upper end stands a number, nor too far beyond its end.
+Places places(const Axis& axis, const std::vector<Words>& all, double room) {
+  Places places;
+  for (const auto& one : all) {
+    const double wide =
+        pixels_of_letter * static_cast<double>(report::width(words(one.event)) + 1) / axis.width;
+    const double most = 1 + room / axis.width - 0.5 * wide;
+    places.width.push_back(wide);
+    places.at.push_back(std::max(std::min(0.5 * (one.first + one.last), most), 0.5 * wide));
+  }
+  return places;
+}
+
+/// In which rows the words stand; those without room join the words before them.
+std::vector<int> arrange(const Axis& axis, double room, std::vector<Words>& all) {
+  const auto [at, width] = places(axis, all, room);
   const auto row = rows_of_words(at, width, rows);
+  const auto none = std::find(row.begin() + 1, row.end(), -1) - row.begin();
+  if (none == std::ssize(row)) return row;
+  all[static_cast<std::size_t>(none) - 1].add(all[static_cast<std::size_t>(none)]);
+  all.erase(all.begin() + none);
+  return arrange(axis, room, all);
+}
+
+std::string labels(const Axis& axis, const std::vector<impact::Event>& shown, double room) {
+  std::vector<Words> all;
+  for (const auto& event : shown) all.push_back({event, axis.place(event.time), axis.place(event.time)});
+  if (all.empty()) return "";
+  const auto row = arrange(axis, room, all);
+  const auto at = places(axis, all, room).at;
   std::string text;
-  for (std::size_t i = 0; i < shown.size(); ++i)
-    if (row[i] >= 0)
-      text += fmt::format(
-          "set label '{{/*0.75 {}}}' at graph {:.4f}, graph {:.3f} center textcolor rgb '#3b4550'\n",
-          words(shown[i]), at[i], 1.04 + 0.06 * row[i]);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    text += fmt::format(
+        "set label '{{/*0.75 {}}}' at graph {:.4f}, graph {:.3f} center textcolor rgb '#3b4550'\n",
+        words(all[i].event), at[i], 1.04 + 0.06 * row[i]);
   return text;
 }
 
 }  // namespace
 
 std::string event_marks(const std::vector<impact::Event>& events, const Display& time, const Window& window,
-                        double width, bool with_words) {
+                        double width, std::optional<double> room) {
   const Axis axis{time, window, width};
   std::vector<impact::Event> shown;
   std::copy_if(events.begin(), events.end(), std::back_inserter(shown),
                [&](const auto& event) { return axis.shows(event.time); });
   if (shown.size() > most_lines) return lines(axis, shown);
-  return shades_of(axis, events) + lines(axis, shown) + (with_words ? labels(axis, shown) : "");
+  return shades_of(axis, events) + lines(axis, shown) + (room ? labels(axis, shown, *room) : "");
 }
 
 }  // namespace mariotte::report

@@ -1,5 +1,6 @@
 // When contacts close and open, on the time axis of a figure.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,9 +11,10 @@
 namespace mariotte::report {
 
 /// gnuplot commands for a time axis that shows `window` and is `width` pixels long. Up to 24 events have
-/// lines and, where there is room, words in two rows above the figure; phases are shaded, the darker the more
-/// contacts are closed. Of more events there are ticks. `with_words` is false where there is no room above.
+/// lines and words in two rows above the figure, which may go `room` pixels beyond its right end; events too
+/// near to each other share their words, and without `room` there are none. Phases are shaded, the darker the
+/// more contacts are closed. Of more events there are ticks.
 std::string event_marks(const std::vector<impact::Event>& events, const Display& time, const Window& window,
-                        double width, bool with_words = true);
+                        double width, std::optional<double> room = {});
 
 }  // namespace mariotte::report

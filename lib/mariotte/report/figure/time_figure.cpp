@@ -17,6 +17,7 @@ constexpr double invisible = 0.004;                  // of the height of a figur
 constexpr std::size_t most_names = 3;                // of curves that coincide
 constexpr double line_height = 0.072, letter = 7.2;  // part of a panel's height, pixels
 constexpr double gap = 14;                           // pixels from the end of a curve to its name
+constexpr double beyond = 22;                        // pixels that words of events may use right of the axis
 
 using Group = std::vector<std::size_t>;
 
@@ -230,7 +231,8 @@ std::string script(const TimeFigure& figure, const TimeAxis& axis) {
                             display.factor * range.most);
     if (panel.is_first)
       text += fmt::format("set ylabel '{} [{}]' offset 1.2,0\n", figure.quantity, display.unit);
-    text += event_marks(axis.events, axis.display, panel.window, sheet_pixels(panel));
+    text +=
+        event_marks(axis.events, axis.display, panel.window, sheet_pixels(panel), panel.is_last ? beyond : 0);
     if (panel.is_last) text += end_labels(figure, groups, named.at_end, range, panel);
     return text + peak_labels(figure, groups, named.at_peak, range, panel) +
            plot(figure, groups, axis, display);
