@@ -74,4 +74,7 @@ BOOST_AUTO_TEST_CASE(a_fall_has_a_panel_beside_that_of_the_impact) {
   const auto script = report::energy_script(course, "", axis);
   BOOST_TEST(script.find("set xrange [0:") != std::string::npos);
   BOOST_TEST(script.find("set border 1\n") != std::string::npos);  // of the second panel
+  auto chosen = axis;
+  chosen.is_chosen = true;
+  BOOST_TEST(report::energy_script(course, "", chosen).find("set xrange [0:") == std::string::npos);
 }

@@ -135,6 +135,12 @@ BOOST_AUTO_TEST_CASE(a_window_of_ones_own_is_shown) {
   BOOST_TEST(count(script, "set xrange [10:20]\n") == 2 * terminals);
 }
 
+BOOST_AUTO_TEST_CASE(long_numbers_below_the_axis_are_fewer) {
+  const auto impact = impact_of(trace_of(2));
+  BOOST_TEST(has(report::plot(impact, "", {}, {.window = {{1e-6, 5e-6}}}).script, "set xtics 1\n"));
+  BOOST_TEST(has(report::plot(impact, "", {}, {.window = {{0.1429, 0.143}}}).script, "set xtics 5e-05\n"));
+}
+
 BOOST_AUTO_TEST_CASE(two_samples_make_an_axis) {
   auto trace = trace_of(2);
   trace.force = {{0}, {1}};

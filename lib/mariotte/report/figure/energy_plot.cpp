@@ -74,7 +74,7 @@ std::string energy_script(const EnergyCourse& course, const std::string& title, 
   add("kinetic", 2, course.kinetic);
   add("stored", 3, course.stored);
   if (!course.lost.empty()) add("dissipated", 4, course.lost);
-  if (const double start = axis.windows.front().start; start > 0)
+  if (const double start = axis.windows.front().start; start > 0 && !axis.is_chosen)
     axis.windows.insert(axis.windows.begin(), {0, start});
   return script(figure, axis);
 }

@@ -25,7 +25,7 @@ EnergyCourse energy_course(const impact::Trace& trace, const model::Chain& chain
 std::string energy_csv(const EnergyCourse& course);
 
 /// gnuplot commands that make the figure `energy` from it, to follow those of `plot`; if these leave out a
-/// flight before the first contact, it has a panel of its own.
+/// flight before the first contact that no user has left out, it has a panel of its own.
 std::string energy_script(const EnergyCourse& course, const std::string& title, TimeAxis axis);
 
 }  // namespace mariotte::report

@@ -10,10 +10,23 @@
 namespace mariotte::report {
 namespace {
 
-constexpr double left_margin = 80, between = 16;  // pixels
-constexpr double bottom = 0.19, top = 0.82;       // parts of the sheet
-constexpr double pixels_of_tick = 52;             // a number below the axis, and some room
-constexpr double least_share = 0.6;               // of the widest panel
+constexpr double left_margin = 80, between = 16;   // pixels
+constexpr double bottom = 0.19, top = 0.82;        // parts of the sheet
+constexpr double letter = 7.2, room_of_tick = 14;  // pixels, below the axis
+constexpr double least_share = 0.6;                // of the widest panel
+
+/// Pixels between numbers up to `most` at multiples of `step`.
+double pixels_of_tick(double most, double step) {
+  const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step))));
+  const auto longest = std::max<std::size_t>(4, fmt::format("{:.{}f}", most, decimals).size());
+  return letter * static_cast<double>(longest) + room_of_tick;
+}
+
+/// Of ticks that leave room for their numbers.
+double step_between(double start, double end, double width) {
+  const double step = tick_step(end - start, width / pixels_of_tick(end, end - start));
+  return tick_step(end - start, width / pixels_of_tick(end, step));
+}
 
 /// Numbers below the panels; the first has the numbers beside the vertical axis, the last the name of the
 /// horizontal one.
@@ -22,7 +35,7 @@ std::string horizontal_axis(const Panel& panel, const TimeAxis& axis, double wid
   return fmt::format(
       "set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\nset xrange [{:.10g}:{:.10g}]\n"
       "set xtics {:g}\n{}",
-      panel.left, panel.right, start, end, tick_step(end - start, width / pixels_of_tick),
+      panel.left, panel.right, start, end, step_between(start, end, width),
       panel.is_last ? fmt::format("set xlabel 'time t [{}]' offset 0,0.6\n", axis.display.unit)
                     : "unset xlabel\n");
 }

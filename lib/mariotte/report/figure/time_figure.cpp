@@ -194,7 +194,8 @@ double margin_of(const TimeFigure& figure, const std::vector<Group>& groups,
 TimeAxis time_axis(std::vector<Window> windows, std::vector<impact::Event> events,
                    const scene::Figure& figure) {
   if (figure.window) windows = {{(*figure.window)[0], (*figure.window)[1]}};
-  return {display_for(std::vector{windows.back().end}, "s"), windows, std::move(events)};
+  return {display_for(std::vector{windows.back().end}, "s"), windows, std::move(events),
+          figure.window.has_value()};
 }
 
 std::vector<Group> coincident(const TimeFigure& figure) {

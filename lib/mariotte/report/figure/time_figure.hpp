@@ -39,6 +39,7 @@ struct TimeAxis {
   Display display;
   std::vector<Window> windows;
   std::vector<impact::Event> events;
+  bool is_chosen = false;  ///< by a user, who wants to see nothing else
 };
 
 /// Over these windows, or over the one that a user wants.
