@@ -92,11 +92,31 @@ BOOST_AUTO_TEST_CASE(more_than_six_balls_in_the_plane_are_shown_by_their_speeds)
 BOOST_AUTO_TEST_CASE(colours_of_images_are_logarithmic_on_demand) {
   impact::ChainImpact impact;
   impact.trace = trace_of(14);
+  impact.trace.force[0][0] = 10;
   const auto even = report::plot(impact, "").script;
   const auto logarithmic = report::plot(impact, "", {}, {.window = {}, .logarithmic = true}).script;
   BOOST_TEST(!has(even, "set logscale cb"));
   BOOST_TEST(has(logarithmic, "set logscale cb"));
   BOOST_TEST(has(logarithmic, "set cblabel '|contact force f| [kN]'"));
+  BOOST_TEST(has(logarithmic, "set format cb '10^{%T}'"));
+  impact.trace.force[0][0] = 1e4;
+  impact.trace.velocity[0][0] = 0.5;
+  BOOST_TEST(
+      !has(report::plot(impact, "", {}, {.window = {}, .logarithmic = true}).script, "set logscale cb"));
+}
+
+BOOST_AUTO_TEST_CASE(colours_of_images_span_the_values_that_are_shown) {
+  auto impact = impact_of(trace_of(14));
+  const auto range = [&](double least, const scene::Figure& figure = {}) {
+    impact.trace.force[0][0] = least;
+    const auto script = report::plot(impact, "", {}, figure).script;
+    const auto at = script.find("cbrange", script.find("cblabel 'velocity"));
+    return script.substr(at, script.find('\n', at) - at);
+  };
+  BOOST_TEST(range(1.9e4) == "cbrange [19:20]");
+  BOOST_TEST(range(5e3) == "cbrange [0:20]");
+  BOOST_TEST(range(-5e3) == "cbrange [-5:20]");
+  BOOST_TEST(range(1e4, {.window = {{2.5e-5, 5e-5}}}) == "cbrange [15:20]");
 }
 
 BOOST_AUTO_TEST_CASE(a_faint_late_contact_does_not_stretch_the_axis) {

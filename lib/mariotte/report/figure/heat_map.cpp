@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mariotte/core/types.hpp"
 #include "mariotte/report/figure/event_marks.hpp"
 #include "mariotte/report/figure/gnuplot.hpp"
 
@@ -60,16 +61,45 @@ std::string block(const HeatMap& map, const Window& window) {
   return text + "\n\n";
 }
 
-/// Least and greatest of all values, of magnitudes if colours are logarithmic.
-std::pair<double, double> range(const HeatMap& map) {
-  double least = 0, most = 0;
-  for (const auto& row : map.value)
+/// What the colours stand for [SI].
+struct Colours {
+  double least = infinity, most = -infinity;
+  bool logarithmic = false;  ///< of magnitudes
+
+  void show(const std::vector<double>& row) {
     for (const double value : row) {
-      least = std::min(least, value);
-      most = std::max(most, value);
+      least = std::min(least, logarithmic ? std::abs(value) : value);
+      most = std::max(most, logarithmic ? std::abs(value) : value);
     }
-  if (map.logarithmic) return {decades * std::max(-least, most), std::max(-least, most)};
-  return {least, most > least ? most : least + 1};
+  }
+};
+
+/// Of all that the windows show.
+Colours range(const HeatMap& map, const TimeAxis& axis, bool logarithmic) {
+  Colours all{.logarithmic = logarithmic};
+  for (const auto& window : axis.windows) {
+    all.show(row_at(map, window.start));
+    all.show(row_at(map, window.end));
+    for (std::size_t i = 0; i < map.time.size(); ++i)
+      if (map.time[i] > window.start && map.time[i] < window.end) all.show(map.value[i]);
+  }
+  return all;
+}
+
+/// Four decades at most; in less than one, even colours, which begin at zero unless all is far from it.
+Colours colours(const HeatMap& map, const TimeAxis& axis) {
+  if (map.logarithmic) {
+    auto all = range(map, axis, true);
+    all.least = std::max(all.least, decades * all.most);
+    if (all.most >= 10 * all.least && all.most > 0) return all;
+  }
+  auto all = range(map, axis, false);
+  const double height = all.most - all.least;
+  if (all.least > 0 && all.least < height) all.least = 0;
+  if (all.most < 0 && -all.most < height) all.most = 0;
+  const double size = std::max(std::abs(all.least), std::abs(all.most));
+  if (height <= 1e-9 * size) all.most += size > 0 ? 0.001 * size : 1;
+  return all;
 }
 
 }  // namespace
@@ -81,17 +111,17 @@ std::string heat_map_data(const HeatMap& map, const TimeAxis& axis) {
 }
 
 std::string script(const HeatMap& map, const TimeAxis& axis, std::size_t first_block) {
-  const auto [least, most] = range(map);
-  const auto display = display_for(std::vector{least, most}, map.unit);
+  const auto shown = colours(map, axis);
+  const auto display = display_for(std::vector{shown.least, shown.most}, map.unit);
   const auto height = static_cast<double>(stride(map));
-  const auto bar = map.logarithmic ? fmt::format("|{}|", map.quantity) : map.quantity;
+  const auto bar = shown.logarithmic ? fmt::format("|{}|", map.quantity) : map.quantity;
   auto block = first_block;
   const auto all = panels(axis.windows, colour_bar);
   const auto inside = [&, count = map.value.front().size()](const Panel& panel) {
     const double length = cell_length(panel.window);
-    const auto value = map.logarithmic
-                           ? fmt::format("(abs($3)>{0:g}?{1:g}*abs($3):{1:g}*{0:g})", least, display.factor)
-                           : fmt::format("({:g}*$3)", display.factor);
+    const auto value = shown.logarithmic ? fmt::format("(abs($3)>{0:g}?{1:g}*abs($3):{1:g}*{0:g})",
+                                                       shown.least, display.factor)
+                                         : fmt::format("({:g}*$3)", display.factor);
     return fmt::format("set yrange [0.5:{}]\nset ylabel '{}' offset 1.2,0\n{}{}",
                        static_cast<double>(count) + 0.5, map.along,
                        panel.is_last ? "set colorbox\n" : "unset colorbox\n",
@@ -104,10 +134,10 @@ std::string script(const HeatMap& map, const TimeAxis& axis, std::size_t first_b
                0.5 * (1 + height), height, value);
   };
   return fmt::format("\n{}set cbrange [{:.6g}:{:.6g}]\nset cblabel '{} [{}]' offset 1.2,0\nunset grid\n",
-                     map.logarithmic ? "set logscale cb\n" : "", display.factor * least,
-                     display.factor * most, bar, display.unit) +
+                     shown.logarithmic ? "set logscale cb\nset format cb '10^{%T}'\n" : "",
+                     display.factor * shown.least, display.factor * shown.most, bar, display.unit) +
          on_panels(map.file, map.title, axis, all, inside) +
-         "unset logscale\nunset colorbox\nset ytics\nset grid\n";
+         "unset logscale\nset format cb\nunset colorbox\nset ytics\nset grid\n";
 }
 
 }  // namespace mariotte::report

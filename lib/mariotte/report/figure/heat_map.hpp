@@ -16,14 +16,15 @@ struct HeatMap {
   std::string unit;                        ///< SI
   std::vector<double> time;                ///< [s]
   std::vector<std::vector<double>> value;  ///< a row per time
-  bool logarithmic = false;                ///< four decades of magnitudes
+  bool logarithmic = false;                ///< four decades of magnitudes; even colours if all is within one
 };
 
 /// The cells of each panel as a block of numbers, one line per instant: of all values within a cell the one
 /// of the greatest magnitude, so that no thin pulse falls between cells.
 std::string heat_map_data(const HeatMap& map, const TimeAxis& axis);
 
-/// gnuplot commands that make the figure, to follow `script_head`; its blocks in plot.csv begin at `block`.
+/// gnuplot commands that make the figure in colours from the least to the greatest value that it shows, or
+/// from zero where that is near. They follow `script_head`; its blocks in plot.csv begin at `block`.
 std::string script(const HeatMap& map, const TimeAxis& axis, std::size_t block);
 
 }  // namespace mariotte::report
