@@ -99,6 +99,64 @@ BOOST_AUTO_TEST_CASE(a_run_of_a_chain_leads_with_a_sentence_and_its_balls) {
   BOOST_TEST(has(page, "<th>law</th><th>stiffness k [N/mⁿ]</th><th>gap [µm]</th>"));
 }
 
+BOOST_AUTO_TEST_CASE(bodies_with_friction_have_tables_with_units_before_and_after) {
+  const Json body = {{"name", "rod"}, {"mass", 0.5}, {"velocity", {1.5, -2.0}}, {"spin", 3.0}};
+  const Json contact = {{"between", {"floor", "rod.1"}},
+                        {"law", "hertz"},
+                        {"tangential", "mindlin"},
+                        {"friction", 0.25},
+                        {"gap", 0.0}};
+  const Json losses = {{"friction", 2e-5}, {"damper", 0.0}};
+  const Json result = {
+      {"model", "bodies"},
+      {"scene", {{"dimension", 2}, {"body", {body}}, {"contact", {contact}}}},
+      {"final", {{"time", 2e-6}, {"bodies", {{{"velocity", {-1.25, 2e-6}}, {"spin", 1e5}, {"angle", 0.5}}}}}},
+      {"contacts", {{{"between", {"floor", "rod.1"}}, {"peak_force", 2e4}, {"losses", losses}}}}};
+  const auto page = report::html(result, {});
+  for (const auto* part : {"Before and after", ">velocity x before [m/s]<", ">velocity y after [µm/s]<",
+                           ">spin after [krad/s]<", ">floor–rod.1<", ">mindlin<", ">angle φ [rad]<",
+                           ">peak force max f_n [kN]<", ">losses friction [µJ]<"})
+    BOOST_TEST(has(page, part), part);
+  BOOST_TEST(!has(page, "{&quot;"));
+}
+
+BOOST_AUTO_TEST_CASE(bodies_in_space_have_three_components) {
+  const Json body = {{"name", "ball"}, {"mass", 0.5}, {"velocity", {1, 2, 3}}, {"spin", {4, 5, 6}}};
+  const Json result = {{"model", "bodies"},
+                       {"scene", {{"dimension", 3}, {"body", {body}}, {"contact", Json::array()}}},
+                       {"final", {{"time", 1}, {"bodies", {body}}}}};
+  const auto page = report::html(result, {});
+  BOOST_TEST(has(page, ">velocity z after [m/s]<"));
+  BOOST_TEST(has(page, ">spin z before [rad/s]<"));
+}
+
+BOOST_AUTO_TEST_CASE(a_sweep_leads_with_a_sentence) {
+  Json result = {
+      {"points", 12},
+      {"failed", 0},
+      {"varied", {{{"key", "chain.mass[0]"}, {"axis", 0}}, {{"key", "chain.gap[1]"}, {"axis", 1}}}},
+      {"columns",
+       {{{"key", "chain.mass[0]"}, {"least", 1}, {"greatest", 2}},
+        {{"key", "icr[0]"}, {"least", 0.75}, {"greatest", 1.5}}}}};
+  BOOST_TEST(
+      has(report::html(result, {}),
+          "<p class=\"lead\">12 points vary chain.mass[0] and chain.gap[1]. All have a result. icr[0] lies "
+          "between 0.75 and 1.5.</p>"));
+  result["failed"] = 3;
+  result["columns"][1]["least"] = nullptr;
+  BOOST_TEST(has(report::html(result, {}), "chain.gap[1]. 3 have no result.</p>"));
+}
+
+BOOST_AUTO_TEST_CASE(headings_and_cards_are_words_and_short_numbers) {
+  const auto page = report::html({{"title", "t"},
+                                  {"shared_friction", false},
+                                  {"accuracy", {{"requested", 1e-10}, {"estimated", 7.800274e-13}}}},
+                                 {});
+  BOOST_TEST(!has(page, ">shared_friction<"));
+  BOOST_TEST(has(page, "two tips stuck at once and shared the least friction</h2>\n<p>no</p>"));
+  BOOST_TEST(has(page, "accuracy estimated<b>7.8e-13</b>"));
+}
+
 BOOST_AUTO_TEST_CASE(walls_and_planes_have_names_instead_of_infinite_numbers) {
   const double infinite = std::numeric_limits<double>::infinity();
   for (const Json& beyond : {Json(nullptr), Json(infinite)}) {

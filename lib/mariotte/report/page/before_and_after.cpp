@@ -44,29 +44,55 @@ std::string freedoms(const Json& before, const Json& after) {
                {{"velocity before", "SI", before["velocity"]}, {"velocity after", "SI", after["velocity"]}});
 }
 
-/// "1–2" of the balls that each contact joins; empty if it joins none.
+/// A member of all objects of a list.
+Json all_of(const Json& list, const char* name) {
+  auto values = Json::array();
+  for (const auto& one : list) values.push_back(one.value(name, Json(nullptr)));
+  return values;
+}
+
+/// Of numbers or vectors; null where a number has no such component.
+Json component(Json values, std::size_t k) {
+  for (auto& one : values) one = one.is_array() ? one[k] : k == 0 ? one : Json(nullptr);
+  return values;
+}
+
+/// One line per body with friction, with a column per component.
+std::string bodies(const Json& before, const Json& after) {
+  const auto& start = before["body"];
+  const auto& end = after["bodies"];
+  std::vector<Column> columns = {{"name", "", all_of(start, "name")}, {"mass", "kg", all_of(start, "mass")}};
+  for (const auto& [name, unit] : {std::pair{"velocity", "m/s"}, std::pair{"spin", "rad/s"}}) {
+    const auto count = start[0][name].is_array() ? start[0][name].size() : 1;
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto title = count > 1 ? fmt::format("{} {} ", name, axis[k]) : fmt::format("{} ", name);
+      columns.push_back({title + "before", unit, component(all_of(start, name), k)});
+      columns.push_back({title + "after", unit, component(all_of(end, name), k)});
+    }
+  }
+  return table("body", columns);
+}
+
+/// "1–2" or "floor–rod.1", what each contact joins; empty if it joins no balls.
 Json pairs(const Json& contacts) {
   auto names = Json::array();
   for (const auto& one : contacts)
-    names.push_back(one.contains("balls") ? Json(fmt::format("{}–{}", one["balls"][0].get<Index>(),
-                                                             one["balls"][1].get<Index>()))
-                                          : Json(nullptr));
-  return names;
+    for (const auto* key : {"balls", "between"})
+      if (one.contains(key)) names.push_back(inline_text(one[key][0]) + "–" + inline_text(one[key][1]));
+  return names.empty() ? Json(contacts.size(), nullptr) : names;
 }
 
 std::string contacts(const Json& scene) {
   const auto& list = scene["contact"];
-  const auto each = [&](const char* name) {
-    auto values = Json::array();
-    for (const auto& one : list) values.push_back(one.value(name, Json(nullptr)));
-    return values;
-  };
+  const auto each = [&](const char* name) { return all_of(list, name); };
   return "<h3>Contacts at the start</h3>\n" +
-         table("contact", {{"balls", "", pairs(list)},
+         table("contact", {{"between", "", pairs(list)},
                            {"law", "", each("law")},
                            {"stiffness k [N/mⁿ]", "", each("stiffness")},
                            {"damping [SI]", "", each("damping")},
                            {"exponent n", "", each("exponent")},
+                           {"friction", "", each("tangential")},
+                           {"coefficient μ", "", each("friction")},
                            {"gap", "m", scene.contains("gap") ? scene["gap"] : each("gap")}});
 }
 
@@ -80,7 +106,8 @@ std::string body(const Json& before, const Json& after) {
 }
 
 bool is_complete(const Json& result) {
-  return result.contains("scene") && result.contains("final") && result["final"].contains("velocity");
+  return result.contains("scene") && result.contains("final") &&
+         (result["final"].contains("velocity") || result["final"].contains("bodies"));
 }
 
 /// "Of 16.34 mJ of kinetic energy 99.5 % is left."
@@ -106,15 +133,45 @@ std::string fastest(const Json& result) {
                      quantity(most->get<double>(), "m/s"));
 }
 
+/// What is varied along the axes: "chain.mass[0] and chain.gap[1]".
+std::string axes(const Json& result) {
+  std::vector<std::string> keys;
+  for (const auto& one : result["varied"])
+    if (one.contains("axis")) keys.push_back(inline_text(one["key"]));
+  return fmt::format("{}", fmt::join(keys, " and "));
+}
+
+/// "icr[0] lies between 0.77 and 1.77" of the first column that is not varied.
+std::string outcome(const Json& result) {
+  const auto varied = all_of(result["varied"], "key");
+  for (const auto& one : result.value("columns", Json::array()))
+    if (std::find(varied.begin(), varied.end(), one["key"]) == varied.end() && one["least"].is_number())
+      return fmt::format(" {} lies between {:.4g} and {:.4g}.", inline_text(one["key"]),
+                         one["least"].get<double>(), one["greatest"].get<double>());
+  return "";
+}
+
+std::string lead_of_sweep(const Json& result) {
+  const auto failed = result.value("failed", Index{0});
+  const auto results = failed == 0 ? "All have a result." : fmt::format("{} have no result.", failed);
+  return fmt::format("{} points vary {}. {}{}", result.value("points", Index{0}), axes(result), results,
+                     outcome(result));
+}
+
+std::string paragraph(const std::string& lead) {
+  return "<p class=\"lead\">" + escaped(lead) + "</p>\n";
+}
+
 }  // namespace
 
 std::string lead(const Json& result) {
+  if (result.contains("varied")) return paragraph(lead_of_sweep(result));
   if (!result.contains("final") || !result["final"].contains("time") || !result.contains("events")) return "";
   const auto time = quantity(result["final"]["time"].get<double>(), "s");
   const bool is_over = result.value("ending", "") == "separated";
   const auto start = is_over ? "The last contact has opened after " + time + "."
                              : "The run ended (" + inline_text(result["ending"]) + ") after " + time + ".";
-  return "<p class=\"lead\">" + escaped(start + fastest(result) + energy(result)) + "</p>\n";
+  return paragraph(start + fastest(result) + energy(result));
 }
 
 std::string before_and_after(const Json& result) {
@@ -123,6 +180,7 @@ std::string before_and_after(const Json& result) {
   const auto& after = result["final"];
   const auto title = std::string("<h2>Before and after</h2>\n");
   if (result.value("model", "") == "microbody") return title + body(before["incidence"], after);
+  if (after.contains("bodies")) return title + bodies(before, after) + contacts(before);
   const auto dimension = before.value("dimension", std::size_t{1});
   return title + (dimension > 0 ? balls(before, after, dimension) : freedoms(before, after)) +
          contacts(before);

@@ -6,7 +6,7 @@
 
 namespace mariotte::report {
 
-/// What happened, in one or two sentences; empty for a result that is no run.
+/// What happened in a run, or what a sweep found, in one or two sentences; empty for other results.
 std::string lead(const Json& result);
 
 /// Masses, sizes and velocities of the bodies before and after, and the laws of their contacts; empty unless

@@ -42,7 +42,7 @@ pre { background: var(--soft); overflow-x: auto; padding: .75rem; }
 )";
 
 /// Parts of a result in the order of their interest; what is not among them comes after them.
-constexpr std::array<std::array<const char*, 2>, 20> sections{
+constexpr std::array<std::array<const char*, 2>, 23> sections{
     {{"warnings", "Warnings"},
      {"final", "Final state"},
      {"restitution", "Restitution"},
@@ -54,17 +54,20 @@ constexpr std::array<std::array<const char*, 2>, 20> sections{
      {"energy", "Energy"},
      {"momentum", "Momentum"},
      {"bound_frequency", "What rings on"},
+     {"rest", "Where it comes to rest"},
+     {"shared_friction", "Whether two tips stuck at once and shared the least friction"},
      {"turning", "Neglected: turning of contact directions [rad]"},
      {"validity", "Validity"},
      {"flows", "Flows"},
      {"skipped", "Not needed"},
      {"accuracy", "Accuracy"},
      {"varied", "What is varied"},
+     {"derived", "What follows from it"},
      {"columns", "Columns"},
      {"endings", "Endings"},
      {"reasons", "Why points have no numbers"}}};
-const std::set<std::string> elsewhere = {"ending", "title",  "model", "message",   "provenance",
-                                         "points", "failed", "scene", "scene_text"};
+const std::set<std::string> elsewhere = {"ending", "title",  "model", "message",    "provenance",
+                                         "points", "failed", "scene", "scene_text", "statistics"};
 
 constexpr const char* citations = R"(@software{mariotte,
   title   = {mariotte: a solver for stiff, event-driven impacts},
@@ -95,11 +98,15 @@ std::string card(const char* name, const std::string& value) {
   return fmt::format("<div>{}<b>{}</b></div>\n", name, escaped(value));
 }
 
+std::string two_digits(const Json& value) {
+  return value.is_number() ? fmt::format("{:.1e}", value.get<double>()) : inline_text(value);
+}
+
 /// A residual, as a share of what was there before where that is not zero.
 std::string residual(const Json& balance) {
   const double scale = std::abs(balance.value("initial", 0.0)),
                rest = std::abs(balance.value("residual", 0.0));
-  return scale > 0 ? fmt::format("{:.1e} of it", rest / scale) : fmt::format("{:.1e}", rest);
+  return scale > 0 ? two_digits(rest / scale) + " of it" : two_digits(rest);
 }
 
 std::string checks(const Json& result) {
@@ -111,7 +118,7 @@ std::string checks(const Json& result) {
     cards += card("final time", quantity(result["final"]["time"].get<double>(), "s"));
   if (result.contains("accuracy")) {
     cards += card("accuracy asked for", inline_text(result["accuracy"].value("requested", Json())));
-    cards += card("accuracy estimated", inline_text(result["accuracy"].value("estimated", Json())));
+    cards += card("accuracy estimated", two_digits(result["accuracy"].value("estimated", Json())));
   }
   for (const auto* balance : {"energy", "momentum"})
     if (result.contains(balance) && result[balance].is_object() && result[balance].contains("residual"))

@@ -25,6 +25,7 @@ const impact::Description* find(std::string_view path) {
 const impact::Description* find(const std::string& model, std::string_view path) {
   if (model == "chain") return find<impact::ChainImpact>(path);
   if (model == "network") return find<impact::NetworkImpact>(path);
+  if (model == "bodies") return find<impact::BodiesImpact>(path);
   return model == "microbody" ? find<impact::MicrobodyImpact>(path) : nullptr;
 }
 
@@ -49,7 +50,8 @@ Display display_of(const Json& values, const std::string& unit) {
 }
 
 std::string words(std::string name) {
-  std::replace(name.begin(), name.end(), '_', ' ');
+  const auto is_mark = [](char c) { return c == '_' || c == '.'; };
+  std::replace_if(name.begin(), name.end(), is_mark, ' ');
   return name;
 }
 
@@ -107,7 +109,20 @@ Column column(const std::string& name, const Key& key, Json values) {
   return {title, is ? std::string(is->unit) : "", std::move(values)};
 }
 
-std::string of_objects(const Json& list, const Key& key) {
+/// Members of members stand beside the others, as "losses.friction".
+Json flat(const Json& object) {
+  Json all;
+  for (const auto& [name, value] : object.items())
+    if (value.is_object())
+      for (const auto& [inner, number] : value.items()) all[name + "." + inner] = number;
+    else
+      all[name] = value;
+  return all;
+}
+
+std::string of_objects(const Json& nested, const Key& key) {
+  auto list = Json::array();
+  for (const auto& one : nested) list.push_back(flat(one));
   std::vector<std::string> names;
   for (const auto& one : list)
     for (const auto& [name, value] : one.items())
@@ -126,7 +141,7 @@ std::string of_members(const Json& object, const Key& key) {
   std::string rows, lists;
   for (const auto& [name, value] : object.items()) {
     const Key member{key.model, key.path + "." + name};
-    if (value.is_array() && value.size() > most_inline) {
+    if (value.is_array() && !value.empty() && (value.size() > most_inline || value.front().is_object())) {
       lists += "<h3>" + escaped(words(name)) + "</h3>\n" + table(value, member);
       continue;
     }

@@ -48,6 +48,7 @@ std::string base64(std::string_view bytes) {
 
 std::string inline_text(const Json& value) {
   if (value.is_null()) return "–";
+  if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
   if (value.is_string()) return value.get<std::string>();
   if (value.is_number_float()) return fmt::format("{:.8g}", value.get<double>());
   if (!value.is_array()) return value.dump(-1, ' ', false, Json::error_handler_t::replace);
