@@ -1,6 +1,7 @@
 #define BOOST_TEST_MODULE command_report
 #include <boost/test/unit_test.hpp>
 
+#include "pages.hpp"
 #include "session.hpp"
 
 using support::content;
@@ -44,26 +45,8 @@ BOOST_FIXTURE_TEST_CASE(a_page_of_an_earlier_run_is_not_left_beside_a_new_one, S
   BOOST_TEST(!fs::exists(folder / "out/report.html"));
 }
 
-namespace {
-
-/// One of its four points is no scene.
-std::string sweep_scene() {
-  std::string text = support::three_balls;
-  text.erase(text.find("gap = 0\n"), 8);
-  return text + R"(
-[[sweep]]
-key = "chain.precompressed"
-values = [false, true]
-[[sweep]]
-key = "chain.gap"
-values = [0, -0.125]
-)";
-}
-
-}  // namespace
-
 BOOST_FIXTURE_TEST_CASE(a_sweep_has_a_page_too, Session) {
-  write("sweep.toml", sweep_scene());
+  write("sweep.toml", support::sweep_of_four());
   BOOST_TEST(mariotte("sweep sweep.toml --out out --report --column 'icr[0]'").code == 0);
   const auto page = content(folder / "out/report.html");
   for (const auto* part : {"<b>4</b>", "<b>1</b>", "chain.gap", "0, -0.125", "icr[0]", "separated",
@@ -74,7 +57,7 @@ BOOST_FIXTURE_TEST_CASE(a_sweep_has_a_page_too, Session) {
 }
 
 BOOST_FIXTURE_TEST_CASE(the_command_on_the_page_of_a_sweep_makes_the_same_rows, Session) {
-  write("sweep.toml", sweep_scene());
+  write("sweep.toml", support::sweep_of_four());
   BOOST_TEST(mariotte("sweep sweep.toml --out out --accuracy 1e-7 --column 'final.velocity[*]'").code == 0);
   BOOST_TEST(mariotte("report out").code == 0);
   const auto page = content(folder / "out/report.html");
@@ -85,7 +68,7 @@ BOOST_FIXTURE_TEST_CASE(the_command_on_the_page_of_a_sweep_makes_the_same_rows, 
 }
 
 BOOST_FIXTURE_TEST_CASE(a_page_of_another_sweep_is_not_left_beside_a_new_one, Session) {
-  write("sweep.toml", sweep_scene());
+  write("sweep.toml", support::sweep_of_four());
   BOOST_TEST(mariotte("sweep sweep.toml --out out --report").code == 0);
   BOOST_TEST(mariotte("sweep sweep.toml --out out --force --accuracy 1e-7").code == 0);
   BOOST_TEST(!fs::exists(folder / "out/report.html"));
@@ -123,34 +106,4 @@ BOOST_FIXTURE_TEST_CASE(a_page_animates_the_run_with_its_own_data, Session) {
   if (shell("command -v node").code == 0) BOOST_TEST(shell("node --check script.js").code == 0);
   BOOST_TEST(mariotte("report out --force").code == 0);
   BOOST_TEST(content(folder / "out/report.html") == page);
-}
-
-// A browser is not among the packages the project needs; where there is one it has to be content.
-BOOST_FIXTURE_TEST_CASE(a_browser_has_nothing_to_complain_about, Session) {
-  if (shell("command -v chromium").code != 0) return;
-  write("sweep.toml", sweep_scene());
-  BOOST_TEST(mariotte("run three.toml --out out --report").code == 0);
-  BOOST_TEST(mariotte("sweep sweep.toml --out swept --report").code == 0);
-  for (const auto* page : {"out 1280", "out 400", "swept 1280", "swept 400"}) {
-    const std::string where = page, width = where.substr(where.find(' ') + 1);
-    const auto seen = shell(
-        "timeout 60 chromium --headless --no-sandbox --disable-gpu --enable-logging=stderr "
-        "--user-data-dir=profile --window-size=" +
-        width + ",1200 --screenshot=page.png \"file://$PWD/" + where.substr(0, where.find(' ')) +
-        "/report.html\"");
-    BOOST_TEST(seen.code == 0);
-    BOOST_TEST(!has(seen.err, "CONSOLE"));
-    BOOST_TEST(fs::file_size(folder / "page.png") > 10'000);
-  }
-}
-
-// The picture begins at the largest force; its script has drawn it when the clock tells the instant.
-BOOST_FIXTURE_TEST_CASE(a_browser_draws_the_moving_picture, Session) {
-  if (shell("command -v chromium").code != 0) return;
-  BOOST_TEST(mariotte("run three.toml --out out --report").code == 0);
-  const auto dom = shell(
-      "timeout 60 chromium --headless --no-sandbox --disable-gpu --user-data-dir=profile "
-      "--window-size=400,1200 --dump-dom \"file://$PWD/out/report.html\"");
-  BOOST_TEST(has(dom.out, "<output id=\"clock\">t = "));
-  BOOST_TEST(has(dom.out, "Arrows are forces; the longest is "));
 }

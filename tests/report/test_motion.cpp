@@ -108,5 +108,11 @@ BOOST_AUTO_TEST_CASE(a_fall_is_left_out_and_a_window_of_ones_own_is_shown) {
 BOOST_AUTO_TEST_CASE(what_has_no_places_has_no_moving_picture) {
   with<model::Network>("rocking_block.toml",
                        [](const Json& motion, const auto&, const auto&) { BOOST_TEST(motion.empty()); });
-  BOOST_TEST(report::animation({}) == "");
+  BOOST_TEST(report::animation({}, {{"points", 3}}) == "");
+  const Json row = {{"model", "chain"}, {"final", {{"velocity", std::vector<double>(200)}}}};
+  BOOST_TEST(report::animation({}, row).find("none of 200 bodies: of more than 100 each") !=
+             std::string::npos);
+  const Json other = {{"model", "network"}, {"final", {{"velocity", {1, 2}}}}};
+  BOOST_TEST(report::animation({}, other).find("<p>There is none of this run: it shows balls and bodies") !=
+             std::string::npos);
 }

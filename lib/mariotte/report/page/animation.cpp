@@ -1,8 +1,11 @@
 #include "mariotte/report/page/animation.hpp"
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 #include "mariotte/report/figure/palette.hpp"
+#include "mariotte/report/page/motion_frames.hpp"
 
 namespace mariotte::report {
 namespace {
@@ -206,10 +209,31 @@ std::string with_colours(Json motion) {
   return motion.dump();
 }
 
+/// Balls or bodies; 0 of what may be neither.
+std::size_t size(const Json& result) {
+  const auto& end = result["final"];
+  if (end.contains("bodies")) return end["bodies"].size();
+  return result.value("model", "") == "chain" && end.contains("velocity") ? end["velocity"].size() : 0;
+}
+
+/// Why there is no moving picture.
+std::string absence(const Json& result) {
+  const auto count = size(result);
+  const auto why =
+      count > most_discs
+          ? fmt::format(
+                "There is none of {} bodies: of more than {} each would be too small to be "
+                "seen move. The figures show all of them.",
+                count, most_discs)
+          : "There is none of this run: it shows balls and bodies whose places are known, over a run "
+            "that has a trace.";
+  return "<h2>Moving picture</h2>\n<p>" + why + "</p>\n";
+}
+
 }  // namespace
 
-std::string animation(const Json& motion) {
-  if (motion.empty()) return "";
+std::string animation(const Json& motion, const Json& result) {
+  if (motion.empty()) return result.contains("final") ? absence(result) : "";
   return markup + std::string("<script id=\"motion\" type=\"application/json\">") + with_colours(motion) +
          "</script>\n<script>" + script + "</script>\n";
 }

@@ -6,7 +6,8 @@
 
 namespace mariotte::report {
 
-/// A section of a page with the motion as data, and the script that draws it; empty without motion.
-std::string animation(const Json& motion);
+/// A section of a page with the motion as data, and the script that draws it; without motion it says why a
+/// run has none, and is empty for other results.
+std::string animation(const Json& motion, const Json& result);
 
 }  // namespace mariotte::report

@@ -202,7 +202,7 @@ std::string html(const Json& result, const std::vector<Picture>& pictures, const
       fmt::format("<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<h1>{}</h1>\n", name, style, name);
   page += lead(result) + checks(result);
   if (result.contains("message")) page += "<p>" + escaped(inline_text(result["message"])) + "</p>\n";
-  return page + animation(motion) + figures(pictures) + before_and_after(result) + tables(result) +
+  return page + animation(motion, result) + figures(pictures) + before_and_after(result) + tables(result) +
          origin(result) + "</body>\n</html>\n";
 }
 
