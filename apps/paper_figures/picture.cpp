@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <set>
+
 #include "mariotte/report/figure/gnuplot.hpp"
 
 namespace mariotte::paper_figures {
@@ -20,12 +23,32 @@ const char* kind(Style style) {
   return "lines";
 }
 
-/// A line of its own colour and dashes; or one of a family, in the colours of a map.
-std::string look(const Curve& curve, std::size_t position) {
+/// Curves before this one that differ from it in colour, of a family; those of one colour share their marks.
+std::size_t position_in_family(const std::vector<Curve>& curves, std::size_t position) {
+  std::set<double> colours;
+  for (std::size_t i = 0; i < position; ++i)
+    if (curves[i].colour && curves[i].colour != curves[position].colour) colours.insert(*curves[i].colour);
+  return colours.size();
+}
+
+/// A line of its own colour and dashes.
+std::string own(const Curve& curve, std::size_t position) {
+  return fmt::format("{} lt {}{}", kind(curve.style), position + 1,
+                     curve.style == Style::dashed ? " dt (12,4)" : "");
+}
+
+/// A line of a family, in the colours of a map and with marks here and there.
+std::string of_family(const Curve& curve, std::size_t position) {
   constexpr double brightest = 0.88;  // of the map; what is brighter is pale on white
-  const auto* dashes = curve.style == Style::dashed ? " dt (12,4)" : " dt solid";
-  if (!curve.colour) return fmt::format("lt {}{}", position + 1, curve.style == Style::dashed ? dashes : "");
-  return fmt::format("lt 1 lc palette fraction {:.3f}{}", brightest * *curve.colour, dashes);
+  constexpr std::size_t marks = 8;
+  return fmt::format("linespoints lt {} pi {} ps 1.4 lc palette fraction {:.3f} dt {}", position + 1,
+                     std::max<std::size_t>(1, curve.x.size() / marks), brightest * *curve.colour,
+                     curve.style == Style::dashed ? "(12,4)" : "solid");
+}
+
+std::string look(const std::vector<Curve>& curves, std::size_t position) {
+  const auto& curve = curves[position];
+  return curve.colour ? of_family(curve, position_in_family(curves, position)) : own(curve, position);
 }
 
 std::string title(const Curve& curve) {
@@ -52,8 +75,8 @@ std::string plot_script(const Picture& picture, const std::string& name) {
   text += "unset colorbox\nset cbrange [0:1]\n";
   std::string plot = "plot";
   for (std::size_t i = 0; i < picture.curves.size(); ++i)
-    plot += fmt::format("{} 'plot.csv' index {} using 1:2 with {} {} {}", i > 0 ? "," : "", i,
-                        kind(picture.curves[i].style), look(picture.curves[i], i), title(picture.curves[i]));
+    plot += fmt::format("{} 'plot.csv' index {} using 1:2 with {} {}", i > 0 ? "," : "", i,
+                        look(picture.curves, i), title(picture.curves[i]));
   return text + report::on_all_terminals(name, plot + "\n", report::wide);
 }
 

@@ -55,3 +55,23 @@ BOOST_AUTO_TEST_CASE(data_have_a_named_block_per_curve_in_full_precision) {
   BOOST_TEST(has(script, "'plot.csv' index 1 using 1:2 with points"));
   BOOST_TEST(has(script, "set output folder.'one.svg'"));
 }
+
+BOOST_AUTO_TEST_CASE(lines_of_a_family_have_marks_beside_their_colours) {
+  const Picture picture{"t",
+                        "x",
+                        "y",
+                        "",
+                        {{"42", Style::line, {0, 1}, {0, 1}, 0.42},
+                         {"", Style::dashed, {0, 1}, {0, 1}, 0.42},
+                         {"45", Style::line, {0, 1}, {0, 1}, 0.45}}};
+  const auto script = plot_script(picture, "one");
+  BOOST_TEST(has(
+      script,
+      "index 0 using 1:2 with linespoints lt 1 pi 1 ps 1.4 lc palette fraction 0.370 dt solid title '42'"));
+  BOOST_TEST(
+      has(script,
+          "index 1 using 1:2 with linespoints lt 1 pi 1 ps 1.4 lc palette fraction 0.370 dt (12,4) notitle"));
+  BOOST_TEST(has(
+      script,
+      "index 2 using 1:2 with linespoints lt 2 pi 1 ps 1.4 lc palette fraction 0.396 dt solid title '45'"));
+}
