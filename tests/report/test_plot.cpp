@@ -255,7 +255,7 @@ BOOST_AUTO_TEST_CASE(no_event_loses_its_words_events_that_are_near_share_them) {
   const auto script = report::plot(impact, "").script;
   BOOST_TEST(has(script, "1–5 close}' at graph"));
   BOOST_TEST(has(script, " 3 opens}' at graph"));
-  BOOST_TEST(has(script, " 1 closes, 1–2 4 open}' at graph"), script);
+  BOOST_TEST(has(script, " 1–2 4 open, 1 closes}' at graph"), script);
 }
 
 BOOST_AUTO_TEST_CASE(words_of_events_stay_off_the_numbers_of_the_axis_and_off_the_next_panel) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string_view>
 
 #include "mariotte/report/csv/columns.hpp"
 #include "mariotte/report/figure/label_places.hpp"
@@ -24,20 +25,6 @@ struct Axis {
   double place(double instant) const { return (instant - window.start) / (window.end - window.start); }
   bool shows(double instant) const { return instant >= window.start && instant <= window.end; }
 };
-
-/// "1–2 close", "3 closes, 1 opens".
-std::string words(const impact::Event& event) {
-  std::string text;
-  const auto say = [&](const std::vector<Index>& contacts, const char* verb) {
-    if (contacts.empty()) return;
-    text += (text.empty() ? "" : ", ") + numbers(contacts) + verb + (contacts.size() > 1 ? "" : "s");
-  };
-  say(event.close, " close");
-  say(event.open, " open");
-  say(event.yield, " yield");
-  say(event.unload, " unload");
-  return text;
-}
 
 std::string shade(const Axis& axis, double from, double to, std::size_t closed) {
   from = std::max(from, axis.window.start);
@@ -75,22 +62,42 @@ std::string lines(const Axis& axis, const std::vector<impact::Event>& shown) {
   return text;
 }
 
+/// "1–2 close"
+struct Change {
+  const char* verb;
+  std::vector<Index> contacts;
+};
+
+std::vector<Change> changes(const impact::Event& event) {
+  std::vector<Change> all = {
+      {"close", event.close}, {"open", event.open}, {"yield", event.yield}, {"unload", event.unload}};
+  std::erase_if(all, [](const Change& one) { return one.contacts.empty(); });
+  return all;
+}
+
 /// Words on one event, or on several that have no room of their own: they stand over the middle of these.
 struct Words {
-  impact::Event event;
-  double first, last;  ///< places of the events
+  std::vector<Change> changes;  ///< in the order of time
+  double first, last;           ///< places of the events
 
+  /// Contacts that do the same in turn are told together.
   void add(const Words& next) {
-    const auto append = [](std::vector<Index>& list, const std::vector<Index>& more) {
-      list.insert(list.end(), more.begin(), more.end());
+    for (const auto& [verb, contacts] : next.changes) {
+      if (changes.empty() || changes.back().verb != std::string_view(verb)) changes.push_back({verb, {}});
+      auto& list = changes.back().contacts;
+      list.insert(list.end(), contacts.begin(), contacts.end());
       std::sort(list.begin(), list.end());
       list.erase(std::unique(list.begin(), list.end()), list.end());
-    };
-    append(event.open, next.event.open);
-    append(event.close, next.event.close);
-    append(event.yield, next.event.yield);
-    append(event.unload, next.event.unload);
+    }
     last = next.last;
+  }
+  /// "3 closes, 1–2 open"
+  std::string text() const {
+    std::string all;
+    for (const auto& [verb, contacts] : changes)
+      all += fmt::format("{}{} {}{}", all.empty() ? "" : ", ", numbers(contacts), verb,
+                         contacts.size() > 1 ? "" : "s");
+    return all;
   }
 };
 
@@ -103,8 +110,7 @@ struct Places {
 Places places(const Axis& axis, const std::vector<Words>& all, double room) {
   Places places;
   for (const auto& one : all) {
-    const double wide =
-        pixels_of_letter * static_cast<double>(report::width(words(one.event)) + 1) / axis.width;
+    const double wide = pixels_of_letter * static_cast<double>(report::width(one.text()) + 1) / axis.width;
     const double most = 1 + room / axis.width - 0.5 * wide;
     places.width.push_back(wide);
     places.at.push_back(std::max(std::min(0.5 * (one.first + one.last), most), 0.5 * wide));
@@ -125,7 +131,8 @@ std::vector<int> arrange(const Axis& axis, double room, std::vector<Words>& all)
 
 std::string labels(const Axis& axis, const std::vector<impact::Event>& shown, double room) {
   std::vector<Words> all;
-  for (const auto& event : shown) all.push_back({event, axis.place(event.time), axis.place(event.time)});
+  for (const auto& event : shown)
+    all.push_back({changes(event), axis.place(event.time), axis.place(event.time)});
   if (all.empty()) return "";
   const auto row = arrange(axis, room, all);
   const auto at = places(axis, all, room).at;
@@ -133,7 +140,7 @@ std::string labels(const Axis& axis, const std::vector<impact::Event>& shown, do
   for (std::size_t i = 0; i < all.size(); ++i)
     text += fmt::format(
         "set label '{{/*0.75 {}}}' at graph {:.4f}, graph {:.3f} center textcolor rgb '#3b4550'\n",
-        words(all[i].event), at[i], 1.04 + 0.06 * row[i]);
+        all[i].text(), at[i], 1.04 + 0.06 * row[i]);
   return text;
 }
 
