@@ -248,6 +248,24 @@ BOOST_AUTO_TEST_CASE(phases_are_shaded_between_events_the_darker_the_more_contac
   BOOST_TEST(has(script, "2 opens}' at graph"));
 }
 
+BOOST_AUTO_TEST_CASE(bodies_that_touch_at_rest_close_if_they_are_pressed) {
+  using model::BodyEvent;
+  impact::BodiesImpact impact;
+  impact.dimension = 2;
+  for (const double time : {0.0, 5e-5}) {
+    impact.trace.time.push_back(time);
+    impact.trace.body.emplace_back(4);
+    impact.trace.gap.emplace_back(3, 0.0);
+    impact.trace.force.emplace_back(3, 2e4);
+  }
+  impact::BodiesEvents start{.time = 0};
+  start.all[static_cast<std::size_t>(BodyEvent::close)] = {1};
+  start.all[static_cast<std::size_t>(BodyEvent::touch)] = {0, 2};
+  start.all[static_cast<std::size_t>(BodyEvent::part)] = {2};
+  impact.events = {start};
+  BOOST_TEST(has(report::plot(impact, "").script, " 1–2 close}"));
+}
+
 BOOST_AUTO_TEST_CASE(no_event_loses_its_words_events_that_are_near_share_them) {
   auto impact = impact_of(trace_of(6));
   impact.events = {{0, {}, {0, 1, 2, 3, 4}}, {2e-5, {2}, {}},    {2.01e-5, {1}, {}},
