@@ -1,0 +1,145 @@
+#include "mariotte/report/figure/curve_labels.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mariotte/report/csv/columns.hpp"
+#include "mariotte/report/figure/gnuplot.hpp"
+#include "mariotte/report/figure/label_places.hpp"
+
+namespace mariotte::report {
+namespace {
+
+constexpr std::size_t most_names = 3;                // of curves that coincide
+constexpr double line_height = 0.072, letter = 7.2;  // part of a panel's height, pixels
+constexpr double gap = 14;                           // pixels from the end of a curve to its name
+
+bool is_flat(const Curve& curve, double height) {
+  return std::all_of(curve.value.begin(), curve.value.end(),
+                     [&](double value) { return std::abs(value) < invisible * height; });
+}
+
+/// Names of a group, one per line or all in one.
+std::vector<std::string> names(const TimeFigure& figure, const Group& group) {
+  std::vector<std::string> all;
+  for (std::size_t k = 0; k < std::min(group.size(), most_names); ++k)
+    all.push_back(figure.curves[group[k]].name);
+  if (group.size() > most_names) all.back() = fmt::format("and {} more", group.size() - most_names + 1);
+  return all;
+}
+
+/// Letters of enhanced text that are seen.
+std::size_t letters(const std::string& text) {
+  return width(text) - static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+           return c == '{' || c == '}' || c == '_';
+         }));
+}
+
+/// A label of a group's colour; names are the program's own.
+std::string label(const std::string& text, double x, double y, const char* side, std::size_t line) {
+  return fmt::format("set label '{}' at graph {:.4f}, graph {:.4f} {} front textcolor lt {}\n", text, x, y,
+                     side, line + 1);
+}
+
+/// From a curve to its name: thin and grey, unlike data.
+std::string leader(double x, double y, double to_x, double to_y) {
+  return fmt::format(
+      "set arrow from graph {:.4f}, graph {:.4f} to graph {:.4f}, graph {:.4f} nohead lc rgb '#9aa5b1' lw "
+      "0.7 "
+      "dt solid\n",
+      x, y, to_x, to_y);
+}
+
+double value_at(const TimeFigure& figure, const Curve& curve, double time) {
+  const auto next = std::lower_bound(figure.time.begin(), figure.time.end(), time);
+  const auto i = static_cast<std::size_t>(next - figure.time.begin());
+  if (i == 0 || i == figure.time.size()) return curve.value[i == 0 ? 0 : i - 1];
+  const double part = (time - figure.time[i - 1]) / (figure.time[i] - figure.time[i - 1]);
+  return curve.value[i - 1] + part * (curve.value[i] - curve.value[i - 1]);
+}
+
+/// Where a curve is farthest from zero within a window: position of the sample.
+std::size_t peak_of(const TimeFigure& figure, const Curve& curve, const Window& window) {
+  std::size_t most = figure.time.size();
+  for (std::size_t i = 0; i < figure.time.size(); ++i)
+    if (figure.time[i] >= window.start && figure.time[i] <= window.end &&
+        (most == figure.time.size() || std::abs(curve.value[i]) > std::abs(curve.value[most])))
+      most = i;
+  return most;
+}
+
+}  // namespace
+
+double sheet_pixels(const Panel& panel) {
+  return (panel.right - panel.left) * one_column.width;
+}
+
+Naming naming(const TimeFigure& figure, const std::vector<Group>& groups, const Range& range) {
+  Naming all;
+  for (std::size_t k = 0; k < groups.size(); ++k) {
+    const bool peak = figure.names == Names::at_peak &&
+                      !is_flat(figure.curves[groups[k].front()], range.most - range.least);
+    (peak ? all.at_peak : all.at_end).push_back(k);
+  }
+  return all;
+}
+
+std::string end_labels(const TimeFigure& figure, const std::vector<Group>& groups,
+                       const std::vector<std::size_t>& named, const Range& range, const Panel& panel) {
+  std::vector<double> wanted, space;
+  for (const auto k : named) {
+    const auto& curve = figure.curves[groups[k].front()];
+    wanted.push_back(range.place(value_at(figure, curve, panel.window.end)));
+    space.push_back(line_height * static_cast<double>(names(figure, groups[k]).size()));
+  }
+  const auto place = spread(wanted, space);
+  const double beside = 1 + gap / sheet_pixels(panel);
+  std::string text;
+  for (std::size_t i = 0; i < named.size(); ++i) {
+    const auto lines = names(figure, groups[named[i]]);
+    text += leader(1, wanted[i], beside, place[i]);
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+      const double above = 0.5 * static_cast<double>(lines.size() - 1) - static_cast<double>(k);
+      text += label(lines[k], beside + 0.01, place[i] + above * line_height, "left", named[i]);
+    }
+  }
+  return text;
+}
+
+std::string peak_labels(const TimeFigure& figure, const std::vector<Group>& groups,
+                        const std::vector<std::size_t>& named, const Range& range, const Panel& panel) {
+  const auto& window = panel.window;
+  const Window whole{figure.time.front(), figure.time.back()};
+  std::vector<Box> taken;
+  std::string text;
+  for (const auto k : named) {
+    const auto& curve = figure.curves[groups[k].front()];
+    const auto at = peak_of(figure, curve, window);
+    if (at == figure.time.size() || (!panel.is_first && at != peak_of(figure, curve, whole))) continue;
+    if (std::abs(curve.value[at]) < invisible * (range.most - range.least)) continue;
+    const auto words = fmt::format("{}", fmt::join(names(figure, groups[k]), ", "));
+    const double length = letter * (static_cast<double>(letters(words)) + 0.5) / sheet_pixels(panel);
+    const double x = (figure.time[at] - window.start) / (window.end - window.start);
+    const double y = range.place(curve.value[at]) + (curve.value[at] < 0 ? -1.2 * line_height : 0.02);
+    const double left = std::clamp(x - 0.5 * length, 0.0, std::max(0.0, 1 - length));
+    taken.push_back(free_place({left, y, length, line_height}, taken));
+    const auto& box = taken.back();
+    if (std::abs(box.y - y) > 0.5 * line_height)
+      text += leader(x, range.place(curve.value[at]), left + 0.5 * length,
+                     box.y > y ? box.y : box.y + line_height);
+    text += label(words, left + 0.5 * length, box.y + 0.5 * line_height, "center", k);
+  }
+  return text;
+}
+
+double margin_of(const TimeFigure& figure, const std::vector<Group>& groups,
+                 const std::vector<std::size_t>& named) {
+  std::size_t most = 0;
+  for (const auto k : named)
+    for (const auto& name : names(figure, groups[k])) most = std::max(most, letters(name));
+  return most == 0 ? 26 : gap + 8 + letter * static_cast<double>(most);
+}
+
+}  // namespace mariotte::report
