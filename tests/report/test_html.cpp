@@ -144,7 +144,7 @@ BOOST_AUTO_TEST_CASE(a_sweep_leads_with_a_sentence) {
           "between 0.75 and 1.5.</p>"));
   result["failed"] = 3;
   result["columns"][1]["least"] = nullptr;
-  BOOST_TEST(has(report::html(result, {}), "chain.gap[1]. 3 have no result.</p>"));
+  BOOST_TEST(has(report::html(result, {}), "chain.gap[1]. 3 without a result.</p>"));
 }
 
 BOOST_AUTO_TEST_CASE(headings_and_cards_are_words_and_short_numbers) {

@@ -11,6 +11,7 @@
 #include "mariotte/report/page/before_and_after.hpp"
 #include "mariotte/report/page/html_table.hpp"
 #include "mariotte/report/page/html_text.hpp"
+#include "mariotte/report/page/lead.hpp"
 
 namespace mariotte::report {
 namespace {
