@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <regex>
 #include <sstream>
 
 #include "mariotte/report/figure/gnuplot.hpp"
@@ -220,4 +221,18 @@ BOOST_AUTO_TEST_CASE(values_have_a_prefix_that_suits_what_is_shown) {
   const auto text =
       drawing(curve(4), {{"contacts[0].impulse", "N s", "p_j"}}, "2e-6,separated,", "3e-6,separated,").svg;
   BOOST_TEST((text.empty() || text.find("[µN s]") != std::string::npos), text);
+}
+
+BOOST_AUTO_TEST_CASE(labels_beside_a_map_are_within_its_sheet) {
+  const auto text =
+      drawing(map(4, 3), {{"icr[0]", "1", "α_j"}}, "0.99265,separated,", "0.99635,separated,").svg;
+  const std::regex turned(R"(translate\(([0-9.-]+),[0-9.-]+\) rotate\(270)");
+  std::vector<double> places;
+  for (std::sregex_iterator one(text.begin(), text.end(), turned), end; one != end; ++one)
+    places.push_back(std::stod((*one)[1]));
+  BOOST_TEST((text.empty() || places.size() == 2));
+  for (const double place : places) {
+    BOOST_TEST(place > 13);  // the height of letters
+    BOOST_TEST(place < report::one_column.width - 4);
+  }
 }
