@@ -12,9 +12,9 @@
 namespace mariotte::report {
 namespace {
 
-constexpr std::size_t most_names = 3;                // of curves that coincide
-constexpr double line_height = 0.072, letter = 7.2;  // part of a panel's height, pixels
-constexpr double gap = 14;                           // pixels from the end of a curve to its name
+constexpr std::size_t most_names = 3;  // of curves that coincide
+constexpr double line_height = 0.072;  // of a panel
+constexpr double gap = 14;             // pixels from the end of a curve to its name
 
 bool is_flat(const Curve& curve, double height) {
   return std::all_of(curve.value.begin(), curve.value.end(),
@@ -120,7 +120,7 @@ std::string peak_labels(const TimeFigure& figure, const std::vector<Group>& grou
     if (at == figure.time.size() || (!panel.is_first && at != peak_of(figure, curve, whole))) continue;
     if (std::abs(curve.value[at]) < invisible * (range.most - range.least)) continue;
     const auto words = fmt::format("{}", fmt::join(names(figure, groups[k]), ", "));
-    const double length = letter * (static_cast<double>(letters(words)) + 0.5) / sheet_pixels(panel);
+    const double length = letter_width * (static_cast<double>(letters(words)) + 0.5) / sheet_pixels(panel);
     const double x = (figure.time[at] - window.start) / (window.end - window.start);
     const double y = range.place(curve.value[at]) + (curve.value[at] < 0 ? -1.2 * line_height : 0.02);
     const double left = std::clamp(x - 0.5 * length, 0.0, std::max(0.0, 1 - length));
@@ -139,7 +139,7 @@ double margin_of(const TimeFigure& figure, const std::vector<Group>& groups,
   std::size_t most = 0;
   for (const auto k : named)
     for (const auto& name : names(figure, groups[k])) most = std::max(most, letters(name));
-  return most == 0 ? 26 : gap + 8 + letter * static_cast<double>(most);
+  return most == 0 ? 26 : gap + 8 + letter_width * static_cast<double>(most);
 }
 
 }  // namespace mariotte::report

@@ -17,6 +17,7 @@ struct Sheet {
   int width;
   int height;
 };
+inline constexpr double letter_width = 7.2;      ///< mean, in these pixels
 inline constexpr Sheet one_column = {450, 320};  ///< beside others of a page, or in a journal's column
 inline constexpr Sheet wide = {680, 420};        ///< with a legend beside it
 

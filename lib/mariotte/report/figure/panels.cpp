@@ -10,16 +10,16 @@
 namespace mariotte::report {
 namespace {
 
-constexpr double left_margin = 80, between = 16;   // pixels
-constexpr double bottom = 0.19, top = 0.82;        // parts of the sheet
-constexpr double letter = 7.2, room_of_tick = 14;  // pixels, below the axis
-constexpr double least_share = 0.6;                // of the widest panel
+constexpr double left_margin = 80, between = 16;  // pixels
+constexpr double bottom = 0.19, top = 0.82;       // parts of the sheet
+constexpr double room_of_tick = 14;               // pixels beside a number below the axis
+constexpr double least_share = 0.6;               // of the widest panel
 
 /// Pixels between numbers up to `most` at multiples of `step`.
 double pixels_of_tick(double most, double step) {
   const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step))));
   const auto longest = std::max<std::size_t>(4, fmt::format("{:.{}f}", most, decimals).size());
-  return letter * static_cast<double>(longest) + room_of_tick;
+  return letter_width * static_cast<double>(longest) + room_of_tick;
 }
 
 /// Of ticks that leave room for their numbers.
