@@ -75,6 +75,32 @@ BOOST_AUTO_TEST_CASE(contact_time_is_that_of_hertz) {
   BOOST_TEST(run(pair("1 m/s")).validity.contact_time_ratio->value == time / travel, tolerance(1e-4));
 }
 
+// The wave of four balls is cut off in its second contact, which would last as long as the first.
+BOOST_AUTO_TEST_CASE(a_contact_that_is_not_over_has_no_contact_time) {
+  const std::string four =
+      "[chain]\nradius = 5e-3\nmaterial = 'steel'\nvelocity = [1, 0, 0, 0]\nlaw = 'hertz'\ngap = 1e-6\n";
+  const auto whole = run(four), first = run(four + "[run]\nmax_time = 10e-6\n");
+  BOOST_TEST(first.contacts[0].periods.size() == 1u);
+  BOOST_TEST(!first.validity.contact_time_ratio);
+  const double apart = *whole.contacts[0].periods[0].end;
+  const auto cut = run(four + "[run]\nmax_time = " + std::to_string(1e6 * apart + 1) + "e-6\n");
+  BOOST_TEST(!cut.contacts[1].periods.back().end);
+  BOOST_REQUIRE(cut.validity.contact_time_ratio);
+  BOOST_TEST(cut.validity.contact_time_ratio->contact == 0);
+  BOOST_TEST(cut.validity.contact_time_ratio->value >= whole.validity.contact_time_ratio->value);
+}
+
+BOOST_AUTO_TEST_CASE(a_microbody_that_is_still_in_contact_has_no_contact_time) {
+  const auto ratio = [](const std::string& limit) {
+    const auto scene =
+        scene::read(MARIOTTE_SCENES "/microsphere.toml",
+                    {"body.material='steel'", "surface.material='steel'", "run.max_time=" + limit});
+    return std::get<impact::MicrobodyImpact>(simulate(scene)).validity.contact_time_ratio;
+  };
+  BOOST_REQUIRE(ratio("1"));
+  BOOST_TEST(!ratio("1e-9"));
+}
+
 BOOST_AUTO_TEST_CASE(an_indentation_beyond_the_radius_is_refused_by_name) {
   const auto impact = run(pair("5000 m/s", "'polystyrene'"));
   BOOST_TEST((impact.ending == hybrid::Ending::invalid));

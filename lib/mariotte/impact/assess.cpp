@@ -37,13 +37,22 @@ void assess_pressure(Validity& validity, double indentation, double stiffness, c
         contact);
 }
 
-/// The longest period of a contact [s].
+/// From closing to opening [s]; not finite if it is not over.
+template <class Period>
+double duration(const Period& period) {
+  return period.end.value_or(infinity) - period.start;
+}
+
+/// The longest period of a contact [s]; not finite if it is not over at the end of the run.
 template <class History>
 double contact_time(const History& contact, double end) {
-  double longest = 0;
-  for (const auto& period : contact.periods)
-    longest = std::max(longest, period.end.value_or(end) - period.start);
-  return longest;
+  double longest = 0, known = infinity;
+  for (const auto& period : contact.periods) {
+    if (period.end.value_or(end) - period.start <= longest) continue;
+    longest = period.end.value_or(end) - period.start;
+    known = duration(period);
+  }
+  return known;
 }
 
 /// Stiffness of a law with Hertz's exponent; 0 of any other [N/m^{3/2}].
@@ -108,8 +117,7 @@ void assess(MicrobodyImpact& impact, const model::Microbody& body, std::span<con
     largest(validity.adhesion_damping, law.damping_adhesion * speed, one.tip);
     assess_depth(validity, one.peak_indentation, touching[one.tip], one.tip);
     assess_pressure(validity, one.peak_indentation, law.stiffness, touching[one.tip], one.tip);
-    least(validity.contact_time_ratio,
-          (one.end.value_or(impact.final.time) - one.start) / touching[one.tip].wave_travel, one.tip);
+    least(validity.contact_time_ratio, duration(one) / touching[one.tip].wave_travel, one.tip);
     if (!(law.adhesion > 0)) continue;
     largest(validity.adhesion_ratio, contact::rest_indentation(law) / touching[one.tip].radius, one.tip);
     least(validity.tabor_number, contact::tabor_number(law, touching[one.tip].radius), one.tip);
