@@ -54,10 +54,13 @@ void read_column(Source& source, const Field& field, Index cell, std::span<Ball>
     for (auto& ball : balls) ball.*member = value;
     return;
   }
-  for (Index i = 0; i < cell; ++i) {
-    const auto value = read(source, element(field, i));
-    for (Index k = i; k < std::ssize(balls); k += cell) balls[k].*member = value;
-  }
+  ErrorList errors;
+  for (Index i = 0; i < cell; ++i)
+    errors.attempt_one_of_many([&] {
+      const auto value = read(source, element(field, i));
+      for (Index k = i; k < std::ssize(balls); k += cell) balls[k].*member = value;
+    });
+  errors.raise();
 }
 
 /// Radii get smaller, or larger, from one ball, or cell, to the next.
@@ -104,16 +107,25 @@ Index numbered(const Source& source, const Field& table, const Layout& layout, s
   return i;
 }
 
+void read_override(Source& source, const Field& table, Ball& ball) {
+  ErrorList errors;
+  errors.attempt([&] { read_properties(source, table, ball); });
+  if (const auto field = find(table, "velocity"))
+    errors.attempt([&] { ball.velocity = read_velocity(source, *field); });
+  errors.raise();
+}
+
 void read_overrides(Source& source, const Field& list, const Layout& layout, std::vector<Ball>& balls) {
   if (!list.node->array()) reject(source, list, fault::wrong_type, "write [[chain.ball]], with two brackets");
   std::vector<bool> seen(balls.size());
-  for (Index i = 0; i < static_cast<Index>(list.node->array()->size()); ++i) {
-    const auto table = element(list, i);
-    expect_keys(source, table, override_keys);
-    auto& ball = balls[numbered(source, table, layout, seen)];
-    read_properties(source, table, ball);
-    if (const auto field = find(table, "velocity")) ball.velocity = read_velocity(source, *field);
-  }
+  ErrorList errors;
+  for (Index i = 0; i < static_cast<Index>(list.node->array()->size()); ++i)
+    errors.attempt_one_of_many([&] {
+      const auto table = element(list, i);
+      expect_keys(source, table, override_keys);
+      read_override(source, table, balls[numbered(source, table, layout, seen)]);
+    });
+  errors.raise();
 }
 
 /// Walls are of wall_material, else of the chain's one material; else, if empty, of their neighbour's.
@@ -141,11 +153,13 @@ void add_walls(Source& source, const Field& chain, const Layout& layout, std::ve
 }  // namespace
 
 void read_properties(Source& source, const Field& table, Ball& ball) {
-  expect_one_size(source, table);
-  if (const auto field = find(table, "diameter")) ball.radius = read_diameter(source, *field);
-  if (const auto field = find(table, "mass")) ball.mass = read_mass(source, *field);
-  if (const auto field = find(table, "radius")) ball.radius = read_radius(source, *field);
-  if (const auto field = find(table, "material")) ball.material = read_material(source, *field);
+  ErrorList errors;
+  errors.attempt([&] { expect_one_size(source, table); });
+  each_key([&](std::string_view key, auto member, auto read) {
+    const auto field = key == "velocity" ? std::nullopt : find(table, key);
+    if (field) errors.attempt([&] { ball.*member = read(source, *field); });
+  });
+  errors.raise();
 }
 
 double solid_sphere(const Source& source, const Field& table, const Ball& ball, Index i) {
@@ -163,10 +177,13 @@ double solid_sphere(const Source& source, const Field& table, const Ball& ball, 
 std::vector<Ball> read_balls(Source& source, const Field& chain, const Layout& layout) {
   std::vector<Ball> balls(layout.balls());
   const auto listed = std::span(balls).subspan(layout.left ? 1 : 0, layout.listed);
-  read_columns(source, chain, layout, listed);
-  taper(source, chain, layout, listed);
-  if (const auto list = find(chain, "ball")) read_overrides(source, *list, layout, balls);
-  add_walls(source, chain, layout, balls);
+  ErrorList errors;
+  errors.attempt([&] { read_columns(source, chain, layout, listed); });
+  errors.attempt([&] { taper(source, chain, layout, listed); });
+  if (const auto list = find(chain, "ball"))
+    errors.attempt([&] { read_overrides(source, *list, layout, balls); });
+  errors.attempt([&] { add_walls(source, chain, layout, balls); });
+  errors.raise();
   for (Index i = 0; i < layout.balls(); ++i)
     if (!balls[i].mass) balls[i].mass = solid_sphere(source, chain, balls[i], i);
   return balls;

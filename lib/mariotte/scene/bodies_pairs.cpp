@@ -6,6 +6,7 @@
 #include "mariotte/core/error.hpp"
 #include "mariotte/core/nearest.hpp"
 #include "mariotte/scene/contact_law.hpp"
+#include "mariotte/scene/error_list.hpp"
 #include "mariotte/scene/touching.hpp"
 
 namespace mariotte::scene {
@@ -171,6 +172,12 @@ model::Tangential read_tangential(const Source& source, const LawTables& tables,
   return tangential;
 }
 
+double read_share(const Source& source, const Field& field) {
+  const double share = number(source, field, dimension::none, Domain::not_negative);
+  if (share > 1) reject(source, field, fault::out_of_range, "must not be above 1");
+  return share;
+}
+
 void expect_followed(const Source& source, const Field& place, const contact::Law& law) {
   if (contact::branched(law))
     reject(source, place, fault::misplaced,
@@ -188,6 +195,49 @@ double approach(const model::Bodies& model, const Pair& pair) {
   return norm(velocity(pair.b) - velocity(pair.a));
 }
 
+/// Its law, friction, share, and whether its table says that it touches.
+model::BodyContact read_contact(const Source& source, const LawTables& tables, Index c, const Pair& pair,
+                                const BallPair& balls, Encounters& encounters) {
+  model::BodyContact contact{.a = pair.a, .b = pair.b, .law = {}};
+  ErrorList errors;
+  errors.attempt([&] {
+    contact.law = read_law(source, tables, c, balls, encounters);
+    expect_followed(source, tables.place_of(c), contact.law);
+  });
+  errors.attempt([&] { contact.tangential = read_tangential(source, tables, c, *balls.left, *balls.right); });
+  if (const auto field = tables.find_for(c, "share"))
+    errors.attempt([&] { contact.share = read_share(source, *field); });
+  if (const auto field = pair.table ? find(*pair.table, "touching") : std::nullopt)
+    errors.attempt([&] { contact.touching = boolean(source, *field); });
+  errors.raise();
+  return contact;
+}
+
+/// Closes a contact whose gap is rounding; refuses overlap.
+void close_within(const Source& source, const Field& place, double touching, const model::Bodies& model,
+                  model::BodyContact& contact) {
+  contact.touching = contact.touching || std::abs(start_gap(model, contact)) <= touching;
+  if (start_gap(model, contact) < 0)
+    reject(source, place, fault::overlap,
+           name_of(model, contact.a) + " and " + name_of(model, contact.b) + " overlap at the start");
+}
+
+std::vector<Field> contact_tables(const Source& source, const Field& bodies) {
+  const auto list = find(bodies, "contact");
+  if (!list) return {};
+  if (!list->node->array())
+    reject(source, *list, fault::wrong_type, "write [[bodies.contact]], with two brackets");
+  std::vector<Field> tables;
+  for (Index i = 0; i < std::ssize(*list->node->array()); ++i) tables.push_back(element(*list, i));
+  return tables;
+}
+
+void expect_contact_keys(const Source& source, const Field& table) {
+  auto keys = pair_keys;
+  keys.insert(keys.end(), {"between", "touching"});
+  expect_keys(source, table, keys);
+}
+
 }  // namespace
 
 const std::vector<std::string_view> pair_keys(all_pair_keys.begin(), all_pair_keys.end());
@@ -195,16 +245,14 @@ const std::vector<std::string_view> pair_keys(all_pair_keys.begin(), all_pair_ke
 std::vector<impact::Touching> read_pairs(Source& source, const Field& bodies, const Touchables& touchables,
                                          model::Bodies& model) {
   std::vector<Pair> pairs;
-  const auto list = find(bodies, "contact");
-  if (list && !list->node->array())
-    reject(source, *list, fault::wrong_type, "write [[bodies.contact]], with two brackets");
-  auto keys = pair_keys;
-  keys.insert(keys.end(), {"between", "touching"});
-  for (Index i = 0; list && i < std::ssize(*list->node->array()); ++i) {
-    const auto table = element(*list, i);
-    expect_keys(source, table, keys);
-    add_pairs(source, table, model, pairs);
-  }
+  ErrorList errors;
+  for (const auto& table : contact_tables(source, bodies))
+    errors.attempt([&] {
+      expect_contact_keys(source, table);
+      add_pairs(source, table, model, pairs);
+    });
+  if (!errors.empty()) errors.attempt([&] { check_pairs(source, bodies); });
+  errors.raise();
   model.named = std::ssize(pairs);
   if (has_common_law(bodies, touchables)) add_others(model, pairs);
 
@@ -222,27 +270,26 @@ std::vector<impact::Touching> read_pairs(Source& source, const Field& bodies, co
   const auto rounding = find(bodies, "touching");
   const double touching = rounding ? number(source, *rounding, dimension::length, Domain::not_negative) : 0;
   std::vector<impact::Touching> known;
-  for (Index c = 0; c < std::ssize(pairs); ++c) {
-    const auto& pair = pairs[c];
-    const Ball a = ball(pair.a), b = ball(pair.b);
-    model::BodyContact contact{
-        .a = pair.a, .b = pair.b, .law = read_law(source, tables, c, {&a, &b}, encounters)};
-    expect_followed(source, tables.place_of(c), contact.law);
-    contact.tangential = read_tangential(source, tables, c, a, b);
-    if (const auto field = tables.find_for(c, "share")) {
-      contact.share = number(source, *field, dimension::none, Domain::not_negative);
-      if (contact.share > 1) reject(source, *field, fault::out_of_range, "must not be above 1");
-    }
-    if (pair.table)
-      if (const auto field = find(*pair.table, "touching")) contact.touching = boolean(source, *field);
-    contact.touching = contact.touching || std::abs(start_gap(model, contact)) <= touching;
-    if (start_gap(model, contact) < 0)
-      reject(source, tables.place_of(c), fault::overlap,
-             name_of(model, pair.a) + " and " + name_of(model, pair.b) + " overlap at the start");
-    model.contact.push_back(contact);
-    known.push_back(scene::touching(a, b));
-  }
+  for (Index c = 0; c < std::ssize(pairs); ++c)
+    errors.attempt_one_of_many([&] {
+      const auto& pair = pairs[c];
+      const Ball a = ball(pair.a), b = ball(pair.b);
+      auto contact = read_contact(source, tables, c, pair, {&a, &b}, encounters);
+      close_within(source, tables.place_of(c), touching, model, contact);
+      model.contact.push_back(std::move(contact));
+      known.push_back(scene::touching(a, b));
+    });
+  errors.raise();
   return known;
+}
+
+void check_pairs(const Source& source, const Field& bodies) {
+  const LawTables tables{bodies, contact_tables(source, bodies)};
+  ErrorList errors;
+  for (const auto& table : tables.contacts) errors.attempt([&] { expect_contact_keys(source, table); });
+  if (find(bodies, "law")) errors.attempt([&] { check_laws(source, {bodies, {}}, 1); });
+  errors.attempt([&] { check_laws(source, tables, std::ssize(tables.contacts)); });
+  errors.raise();
 }
 
 }  // namespace mariotte::scene

@@ -18,6 +18,9 @@ struct Touchables {
 std::vector<impact::Touching> read_pairs(Source& source, const Field& bodies, const Touchables& touchables,
                                          model::Bodies& model);
 
+/// Throws SceneError for what laws and their tables have wrong, whatever the bodies are.
+void check_pairs(const Source& source, const Field& bodies);
+
 /// Keys of laws, of [bodies] and of [[bodies.contact]].
 extern const std::vector<std::string_view> pair_keys;
 

@@ -5,6 +5,7 @@
 #include "mariotte/core/error.hpp"
 #include "mariotte/scene/bodies_pairs.hpp"
 #include "mariotte/scene/bodies_shapes.hpp"
+#include "mariotte/scene/error_list.hpp"
 
 namespace mariotte::scene {
 namespace {
@@ -30,35 +31,60 @@ int read_dimension(const Source& source, const Field& bodies) {
   return position && position->node->array() && position->node->array()->size() == 2 ? 2 : 3;
 }
 
+Vector3 read_normal(const Source& source, const Field& table, int dimension) {
+  const auto field = find(table, "normal");
+  if (!field) reject(source, table, fault::missing, "'normal' is missing");
+  const auto normal = read_coordinates(source, *field, dimension::none, dimension);
+  const double length = norm(normal);
+  if (!(length > 0)) reject(source, *field, fault::out_of_range, "must not be zero");
+  return (1 / length) * normal;
+}
+
 model::Plane read_plane(const Source& source, const Field& table, int dimension) {
-  expect_keys(source, table, plane_keys);
   model::Plane plane;
-  const auto normal = find(table, "normal");
-  if (!normal) reject(source, table, fault::missing, "'normal' is missing");
-  plane.normal = read_coordinates(source, *normal, dimension::none, dimension);
-  const double length = norm(plane.normal);
-  if (!(length > 0)) reject(source, *normal, fault::out_of_range, "must not be zero");
-  plane.normal = (1 / length) * plane.normal;
-  if (const auto field = find(table, "name")) plane.name = text(source, *field);
-  if (const auto field = find(table, "point"))
-    plane.point = read_coordinates(source, *field, dimension::length, dimension);
-  if (const auto field = find(table, "velocity"))
-    plane.velocity = read_coordinates(source, *field, dimension::velocity, dimension);
+  ErrorList errors;
+  const auto part = [&](const char* key, auto&& read) {
+    if (const auto field = find(table, key)) errors.attempt([&] { read(*field); });
+  };
+  errors.attempt([&] { expect_keys(source, table, plane_keys); });
+  errors.attempt([&] { plane.normal = read_normal(source, table, dimension); });
+  part("name", [&](const Field& field) { plane.name = text(source, field); });
+  part("point", [&](const Field& field) {
+    plane.point = read_coordinates(source, field, dimension::length, dimension);
+  });
+  part("velocity", [&](const Field& field) {
+    plane.velocity = read_coordinates(source, field, dimension::velocity, dimension);
+  });
+  errors.raise();
   return plane;
 }
 
 void read_planes(Source& source, const Field& bodies, model::Bodies& model, Touchables& touchables) {
   if (!find(bodies, "plane")) return;
   const auto list = list_of(source, bodies, "plane");
+  ErrorList errors;
   for (Index i = 0; i < std::ssize(*list.node->array()); ++i) {
     const auto table = element(list, i);
-    model.plane.push_back(read_plane(source, table, model.dimension));
+    errors.attempt_one_of_many([&] { model.plane.push_back(read_plane(source, table, model.dimension)); });
     Ball plane{.mass = infinity, .radius = infinity, .material = {}, .velocity = {}};
     auto material = find(table, "material");
     if (!material) material = find(bodies, "material");
-    if (material) plane.material = read_material(source, *material);
+    if (material) errors.attempt_one_of_many([&] { plane.material = read_material(source, *material); });
     touchables.plane.push_back(plane);
   }
+  errors.raise();
+}
+
+void read_list(Source& source, const Field& bodies, model::Bodies& model, Touchables& touchables) {
+  const auto list = list_of(source, bodies, "body");
+  ErrorList errors;
+  for (Index i = 0; i < std::ssize(*list.node->array()); ++i)
+    errors.attempt_one_of_many([&] {
+      auto shaped = read_shaped_body(source, element(list, i), bodies, model.dimension, i);
+      model.body.push_back(std::move(shaped.body));
+      touchables.body.push_back(std::move(shaped.ball));
+    });
+  errors.raise();
 }
 
 void expect_own_names(const Source& source, const Field& bodies, const model::Bodies& model) {
@@ -74,26 +100,37 @@ void expect_own_names(const Source& source, const Field& bodies, const model::Bo
   }
 }
 
+/// Gravity, bodies and planes.
+Touchables read_touchables(Source& source, const Field& bodies, model::Bodies& model) {
+  Touchables touchables;
+  ErrorList errors;
+  if (const auto field = find(bodies, "gravity"))
+    errors.attempt(
+        [&] { model.gravity = read_coordinates(source, *field, dimension::acceleration, model.dimension); });
+  errors.attempt([&] {
+    read_list(source, bodies, model, touchables);
+    expect_own_names(source, bodies, model);
+  });
+  errors.attempt([&] { read_planes(source, bodies, model, touchables); });
+  errors.raise();
+  return touchables;
+}
+
 }  // namespace
 
 ResolvedBodies read_bodies(Source& source, const Field& bodies) {
   auto keys = pair_keys;
   keys.insert(keys.end(), own_keys.begin(), own_keys.end());
-  expect_keys(source, bodies, keys);
+  if (!bodies.node->table()) expect_keys(source, bodies, keys);  // says that it is no table
   ResolvedBodies resolved;
   auto& model = resolved.bodies;
-  model.dimension = read_dimension(source, bodies);
-  if (const auto field = find(bodies, "gravity"))
-    model.gravity = read_coordinates(source, *field, dimension::acceleration, model.dimension);
+  ErrorList errors;
+  errors.attempt([&] { expect_keys(source, bodies, keys); });
   Touchables touchables;
-  const auto list = list_of(source, bodies, "body");
-  for (Index i = 0; i < std::ssize(*list.node->array()); ++i) {
-    auto shaped = read_shaped_body(source, element(list, i), bodies, model.dimension, i);
-    model.body.push_back(std::move(shaped.body));
-    touchables.body.push_back(std::move(shaped.ball));
-  }
-  expect_own_names(source, bodies, model);
-  read_planes(source, bodies, model, touchables);
+  if (errors.attempt([&] { model.dimension = read_dimension(source, bodies); }))
+    errors.attempt([&] { touchables = read_touchables(source, bodies, model); });
+  if (!errors.empty()) errors.attempt([&] { check_pairs(source, bodies); });
+  errors.raise();
   resolved.touching = read_pairs(source, bodies, touchables, model);
   if (model.contact.empty())
     reject(source, bodies, fault::impossible,

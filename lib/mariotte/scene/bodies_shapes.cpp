@@ -7,6 +7,7 @@
 
 #include "mariotte/core/error.hpp"
 #include "mariotte/model/microbody/rigid_body.hpp"
+#include "mariotte/scene/error_list.hpp"
 
 namespace mariotte::scene {
 namespace {
@@ -74,10 +75,15 @@ double ball_volume(double radius) {
 }
 
 void read_ball(const Reader& read, const std::optional<Material>& material, model::Body& body) {
-  read.expect_none("ball", {"spheres", "length", "size"});
-  const auto radius = read.radius();
-  if (!radius) read.required("radius");
-  body.mass = read.mass(ball_volume(*radius), material);
+  ErrorList errors;
+  std::optional<double> radius;
+  errors.attempt([&] { read.expect_none("ball", {"spheres", "length", "size"}); });
+  errors.attempt([&] {
+    radius = read.radius();
+    if (!radius) read.required("radius");
+  });
+  errors.attempt([&] { body.mass = read.mass(ball_volume(radius.value_or(0)), material); });
+  errors.raise();
   const double moment = 0.4 * body.mass * *radius * *radius;
   body.inertia = {moment, moment, moment};
   body.spheres = {{{}, *radius}};
@@ -172,16 +178,36 @@ void read_attitude(const Reader& read, model::Body& body) {
   body.attitude = normalized(all);
 }
 
-void read_motion(const Reader& read, model::Body& body) {
-  body.position = read_coordinates(read.source, read.required("position"), dimension::length, read.dimension);
-  if (const auto field = read.own("velocity"))
-    body.velocity = read_coordinates(read.source, *field, dimension::velocity, read.dimension);
+void read_spin(const Reader& read, model::Body& body) {
   const auto spin = read.own("spin");
   if (!spin) return;
   if (read.dimension == 2)
     body.spin.e3 = number(read.source, *spin, spin_dimension, Domain::finite);
   else
     body.spin = read_vector(read.source, *spin, spin_dimension);
+}
+
+void read_motion(const Reader& read, model::Body& body, ErrorList& errors) {
+  const auto vector = [&](const Field& field, const Dimension& dimension) {
+    return read_coordinates(read.source, field, dimension, read.dimension);
+  };
+  errors.attempt([&] { body.position = vector(read.required("position"), dimension::length); });
+  if (const auto field = read.own("velocity"))
+    errors.attempt([&] { body.velocity = vector(*field, dimension::velocity); });
+  errors.attempt([&] { read_spin(read, body); });
+}
+
+void read_shape(const Reader& read, const std::optional<Material>& material, model::Body& body) {
+  const auto shape = read.any("shape");
+  const auto kind = shape ? shapes[choice(read.source, *shape, "shape", shapes)] : shapes[0];
+  if (kind == "ball")
+    read_ball(read, material, body);
+  else if (kind == "block")
+    read_block(read, material, body);
+  else if (kind == "custom")
+    read_custom(read, body);
+  else
+    read_capped(read, kind == "rod", material, body);
 }
 
 }  // namespace
@@ -194,26 +220,23 @@ Vector3 read_coordinates(const Source& source, const Field& field, const Dimensi
 }
 
 ShapedBody read_shaped_body(Source& source, const Field& table, const Field& bodies, int dimension, Index i) {
-  expect_keys(source, table, keys);
+  if (!table.node->table()) expect_keys(source, table, keys);  // says that it is no table
   ShapedBody shaped;
   auto& body = shaped.body;
   Reader read{source, table, bodies, dimension, "body " + std::to_string(i + 1)};
-  if (const auto field = read.own("name")) read.name = body.name = text(source, *field);
-  if (const auto field = read.any("material")) shaped.ball.material = read_material(source, *field);
-  const auto& material = shaped.ball.material;
-  const auto shape = read.any("shape");
-  const auto kind = shape ? shapes[choice(source, *shape, "shape", shapes)] : shapes[0];
-  if (kind == "ball")
-    read_ball(read, material, body);
-  else if (kind == "block")
-    read_block(read, material, body);
-  else if (kind == "custom")
-    read_custom(read, body);
-  else
-    read_capped(read, kind == "rod", material, body);
-  read_inertia(read, body);
-  read_attitude(read, body);
-  read_motion(read, body);
+  ErrorList errors;
+  errors.attempt([&] { expect_keys(source, table, keys); });
+  errors.attempt([&] {
+    if (const auto field = read.own("name")) read.name = body.name = text(source, *field);
+  });
+  const bool known = errors.attempt([&] {
+    if (const auto field = read.any("material")) shaped.ball.material = read_material(source, *field);
+  });
+  if (known) errors.attempt([&] { read_shape(read, shaped.ball.material, body); });
+  errors.attempt([&] { read_inertia(read, body); });
+  errors.attempt([&] { read_attitude(read, body); });
+  read_motion(read, body, errors);
+  errors.raise();
   shaped.ball.mass = body.mass;
   return shaped;
 }

@@ -41,21 +41,31 @@ std::string hint_at_radians(const Vector3& angles) {
   return most > 2 * std::numbers::pi ? " (a bare number is in radians; \"42 deg\" is in degrees)" : "";
 }
 
+void read_tangential(const Source& source, const Field& field, model::Microbody& body) {
+  if (!field.node->array() || field.node->array()->size() != 2)
+    reject(source, field, fault::wrong_length, "expected an array of two values, along e2 and e3");
+  body.velocity.e2 = number(source, element(field, 0), dimension::velocity, Domain::finite);
+  body.velocity.e3 = number(source, element(field, 1), dimension::velocity, Domain::finite);
+}
+
+void read_angles(Source& source, const Field& field, model::Microbody& body) {
+  const Vector3 angles = read_vector(source, field, dimension::none);
+  if (const auto hint = hint_at_radians(angles); !hint.empty())
+    warn(source, field, "more than a full turn" + hint);
+  body.attitude = from_euler({angles.e1, angles.e2, angles.e3});
+}
+
 void read_incidence(Source& source, const Field& incidence, model::Microbody& body) {
-  body.velocity = {-read_speed(source, incidence), 0, 0};
-  if (const auto field = find(incidence, "tangential_velocity")) {
-    if (!field->node->array() || field->node->array()->size() != 2)
-      reject(source, *field, fault::wrong_length, "expected an array of two values, along e2 and e3");
-    body.velocity.e2 = number(source, element(*field, 0), dimension::velocity, Domain::finite);
-    body.velocity.e3 = number(source, element(*field, 1), dimension::velocity, Domain::finite);
-  }
-  if (const auto field = find(incidence, "angles")) {
-    const Vector3 angles = read_vector(source, *field, dimension::none);
-    if (const auto hint = hint_at_radians(angles); !hint.empty())
-      warn(source, *field, "more than a full turn" + hint);
-    body.attitude = from_euler({angles.e1, angles.e2, angles.e3});
-  }
-  if (const auto field = find(incidence, "spin")) body.spin = read_vector(source, *field, spin_dimension);
+  ErrorList errors;
+  const auto part = [&](const char* key, auto&& read) {
+    if (const auto field = find(incidence, key)) errors.attempt([&] { read(*field); });
+  };
+  errors.attempt([&] { expect_keys(source, incidence, incidence_keys); });
+  errors.attempt([&] { body.velocity.e1 = -read_speed(source, incidence); });
+  part("tangential_velocity", [&](const Field& field) { read_tangential(source, field, body); });
+  part("angles", [&](const Field& field) { read_angles(source, field, body); });
+  part("spin", [&](const Field& field) { body.spin = read_vector(source, field, spin_dimension); });
+  errors.raise();
 }
 
 void read_run_of_body(const Source& source, const std::optional<Field>& run, model::Microbody& body) {
@@ -101,12 +111,10 @@ ResolvedBody read_microbody(Source& source, const Field& root, const std::option
   ErrorList errors;
   Shape shape;
   model::Microbody body;
-  errors.attempt([&] { shape = read_shape(source, *find(root, "body")); });
+  const bool shaped = errors.attempt([&] { shape = read_shape(source, *find(root, "body")); });
   errors.attempt([&] { expect_surface_keys(source, surface); });
-  errors.attempt([&] {
-    expect_keys(source, incidence, incidence_keys);
-    read_incidence(source, incidence, body);
-  });
+  const bool moves = errors.attempt([&] { read_incidence(source, incidence, body); });
+  if (!shaped || !moves) errors.attempt([&] { check_surface(source, surface); });
   errors.attempt([&] { read_run_of_body(source, run, body); });
   errors.raise();
   body.body = shape.body;

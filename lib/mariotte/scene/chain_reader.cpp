@@ -74,28 +74,40 @@ std::vector<double> radii(const std::vector<Ball>& balls) {
   return result;
 }
 
+/// Balls, drives and laws. Returns the balls. Drives and laws are read whatever the balls have wrong.
+std::vector<Ball> read_parts(Source& source, const Field& chain, const Layout& layout, model::Chain& model) {
+  std::vector<Ball> balls;
+  ErrorList errors;
+  const bool known = errors.attempt([&] { balls = read_balls(source, chain, layout); });
+  if (!known) balls.assign(layout.balls(), Ball{.mass = 1, .radius = {}, .material = {}, .velocity = {}});
+  errors.attempt([&] { model.drive = read_drives(source, chain, balls); });
+  if (!known) errors.attempt([&] { check_laws(source, chain, layout); });
+  if (known) errors.attempt([&] { model.law = read_laws(source, chain, layout, balls); });
+  errors.raise();
+  for (const auto& ball : balls) {
+    model.mass.push_back(*ball.mass);
+    model.velocity.push_back(ball.velocity.value_or(0));
+  }
+  return balls;
+}
+
 }  // namespace
 
 ResolvedChain read_chain(Source& source, const Field& chain, const std::optional<Field>& gravity) {
-  expect_keys(source, chain, keys);
-  const auto layout = read_layout(source, chain);
+  if (!chain.node->table()) expect_keys(source, chain, keys);  // says that it is no table
   model::Chain model;
   std::vector<Ball> balls;
   ErrorList errors;
-  errors.attempt([&] {
-    balls = read_balls(source, chain, layout);
-    model.drive = read_drives(source, chain, balls);
-    for (const auto& ball : balls) {
-      model.mass.push_back(*ball.mass);
-      model.velocity.push_back(ball.velocity.value_or(0));
-    }
-    model.law = read_laws(source, chain, layout, balls);
-  });
-  errors.attempt([&] {
-    if (const auto field = find(chain, "precompressed")) model.precompressed = boolean(source, *field);
-    model.gap = read_gaps(source, chain, layout, model.precompressed);
-  });
+  errors.attempt([&] { expect_keys(source, chain, keys); });
   errors.attempt([&] { model.gravity = read_gravity(source, chain, gravity); });
+  Layout layout;
+  if (errors.attempt([&] { layout = read_layout(source, chain); })) {
+    errors.attempt([&] { balls = read_parts(source, chain, layout, model); });
+    errors.attempt([&] {
+      if (const auto field = find(chain, "precompressed")) model.precompressed = boolean(source, *field);
+      model.gap = read_gaps(source, chain, layout, model.precompressed);
+    });
+  }
   errors.raise();
   expect_motion(source, chain, model);
   const bool at_rest = start_at_rest(source, chain, model);

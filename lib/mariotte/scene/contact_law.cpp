@@ -5,6 +5,7 @@
 
 #include "mariotte/contact/named_laws.hpp"
 #include "mariotte/core/error.hpp"
+#include "mariotte/scene/error_list.hpp"
 #include "mariotte/scene/law_table.hpp"
 
 namespace mariotte::scene {
@@ -180,20 +181,24 @@ double read_number(const Source& source, const LawTables& tables, Index contact,
 }
 
 /// Every number but a damping.
-contact::LawNumbers read_numbers(const Source& source, const LawTables& tables, Index contact,
-                                 const Field& law_field, const NamedLaw& law, const BallPair& pair) {
-  contact::LawNumbers numbers{.exponent = read_exponent(source, tables, contact, law)};
+void read_numbers(const Source& source, const LawTables& tables, Index contact, const Field& law_field,
+                  const NamedLaw& law, const BallPair& pair, contact::LawNumbers& numbers) {
+  numbers.exponent = read_exponent(source, tables, contact, law);
+  ErrorList errors;
   for (const auto& key : law.keys) {
     if (key.key == "damping" || key.key == "exponent") continue;
-    numbers.*key.number = key.key == "stiffness"
-                              ? read_stiffness(source, tables, contact, law_field, numbers.exponent, pair)
-                              : read_number(source, tables, contact, law_field, key, numbers.exponent, pair);
+    errors.attempt([&] {
+      numbers.*key.number =
+          key.key == "stiffness"
+              ? read_stiffness(source, tables, contact, law_field, numbers.exponent, pair)
+              : read_number(source, tables, contact, law_field, key, numbers.exponent, pair);
+    });
   }
-  if (!law.has_table) return numbers;
+  errors.raise();
+  if (!law.has_table) return;
   const auto table = tables.find_for(contact, "table");
   if (!table) reject(source, law_field, fault::missing, name_of(contact) + " needs 'table', a CSV file");
   numbers.points = read_law_table(source, *table);
-  return numbers;
 }
 
 /// Whether the force is cut off where it would pull, which is usual.
@@ -223,6 +228,11 @@ void expect_own_keys(const Source& source, const LawTables& tables, Index contac
   }
 }
 
+void expect_use_of_at(const Source& source, const LawTables& tables, Index contact) {
+  if (const auto at = tables.find_for(contact, "at"); at && !tables.find_for(contact, "restitution"))
+    reject(source, *at, fault::misplaced, "has no effect without 'restitution'");
+}
+
 }  // namespace
 
 contact::Law read_law(const Source& source, const LawTables& tables, Index contact, const BallPair& pair,
@@ -232,18 +242,35 @@ contact::Law read_law(const Source& source, const LawTables& tables, Index conta
     reject(source, tables.place_of(contact), fault::missing,
            "'law' is missing (" + contact::names_of_laws() + ")");
   const auto& law = read_name(source, *field);
-  expect_own_keys(source, tables, contact, law);
-  if (const auto at = tables.find_for(contact, "at"); at && !tables.find_for(contact, "restitution"))
-    reject(source, *at, fault::misplaced, "has no effect without 'restitution'");
-  auto numbers = read_numbers(source, tables, contact, *field, law, pair);
-  const LawChoice choice{law, read_uncut(source, tables, contact, law)};
-  const auto restitution = find_restitution(source, tables, contact);
-  numbers.damping = restitution
-                        ? solve_damping(source, tables, contact, *restitution, choice, numbers, encounters)
-                        : read_damping(source, tables, contact, *field, law, numbers);
+  ErrorList errors;
+  errors.attempt([&] { expect_own_keys(source, tables, contact, law); });
+  errors.attempt([&] { expect_use_of_at(source, tables, contact); });
+  contact::LawNumbers numbers;
+  LawChoice choice{law};
+  const bool known =
+      errors.attempt([&] { read_numbers(source, tables, contact, *field, law, pair, numbers); });
+  errors.attempt([&] { choice.uncut = read_uncut(source, tables, contact, law); });
+  errors.attempt([&] {
+    const auto restitution = find_restitution(source, tables, contact);
+    if (!restitution)
+      numbers.damping = read_damping(source, tables, contact, *field, law, numbers);
+    else if (known)
+      numbers.damping = solve_damping(source, tables, contact, *restitution, choice, numbers, encounters);
+  });
+  errors.raise();
   return choice.make(numbers);
 } catch (const InvalidParameter& error) {
   reject(source, tables.place_of(contact), error.fault, error.what());
+}
+
+void check_laws(const Source& source, const LawTables& tables, Index count) {
+  const Material material{.young = 1, .poisson = 0.3, .density = 1, .yield_strength = {}};
+  const Ball sphere{.mass = 1, .radius = 1, .material = material, .velocity = {}};
+  Encounters encounters{.reduced_mass = [](Index) { return 1.0; }, .speed = 1};
+  ErrorList errors;
+  for (Index j = 0; j < count; ++j)
+    errors.attempt_one_of_many([&] { read_law(source, tables, j, {&sphere, &sphere}, encounters); });
+  errors.raise();
 }
 
 }  // namespace mariotte::scene

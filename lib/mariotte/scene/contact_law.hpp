@@ -76,4 +76,7 @@ struct Encounters {
 contact::Law read_law(const Source& source, const LawTables& tables, Index contact, const BallPair& pair,
                       Encounters& encounters);
 
+/// Throws SceneError for what the first laws have wrong, whatever they are between.
+void check_laws(const Source& source, const LawTables& tables, Index count);
+
 }  // namespace mariotte::scene

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "mariotte/scene/contact_law.hpp"
+#include "mariotte/scene/error_list.hpp"
 
 namespace mariotte::scene {
 namespace {
@@ -28,8 +29,11 @@ LawTables read_tables(const Source& source, const Field& chain, const Layout& la
   if (!list->node->array())
     reject(source, *list, fault::wrong_type, "write [[chain.contact]], with two brackets");
   const auto count = static_cast<Index>(list->node->array()->size());
+  ErrorList errors;
   for (Index j = 0; j < count; ++j)
-    expect_keys(source, tables.contacts.emplace_back(element(*list, j)), contact_keys);
+    errors.attempt(
+        [&] { expect_keys(source, tables.contacts.emplace_back(element(*list, j)), contact_keys); });
+  errors.raise();
   const auto has_number = [](const Field& table) { return find(table, "number").has_value(); };
   if (std::none_of(tables.contacts.begin(), tables.contacts.end(), has_number)) {
     if (count != 1) expect_per_contact(source, *list, layout);
@@ -39,6 +43,17 @@ LawTables read_tables(const Source& source, const Field& chain, const Layout& la
     if (const auto j = numbered(source, table, layout); !tables.numbered.emplace(j, table).second)
       reject(source, *find(table, "number"), fault::contradiction,
              "contact " + std::to_string(j + 1) + " was given before");
+  return tables;
+}
+
+/// With one value per contact where [chain] has an array.
+LawTables read_sized_tables(const Source& source, const Field& chain, const Layout& layout) {
+  auto tables = read_tables(source, chain, layout);
+  ErrorList errors;
+  for (const auto key : law_keys)
+    if (const auto field = find(chain, key); field && field->node->array())
+      errors.attempt([&] { expect_per_contact(source, *field, layout); });
+  errors.raise();
   return tables;
 }
 
@@ -61,18 +76,23 @@ double read_gap(const Source& source, const Field& field, bool precompressed) {
 
 std::vector<contact::Law> read_laws(const Source& source, const Field& chain, const Layout& layout,
                                     std::span<const Ball> balls) {
-  const auto tables = read_tables(source, chain, layout);
-  for (const auto key : law_keys)
-    if (const auto field = find(chain, key); field && field->node->array())
-      expect_per_contact(source, *field, layout);
+  const auto tables = read_sized_tables(source, chain, layout);
   Encounters encounters{
       .reduced_mass = [&](Index j) { return reduced_mass(*balls[j].mass, *balls[j + 1].mass); },
       .speed = largest_approach(balls)};
   std::vector<contact::Law> result;
   result.reserve(layout.contacts());
+  ErrorList errors;
   for (Index j = 0; j < layout.contacts(); ++j)
-    result.push_back(read_law(source, tables, j, {&balls[j], &balls[j + 1]}, encounters));
+    errors.attempt_one_of_many([&] {
+      result.push_back(read_law(source, tables, j, {&balls[j], &balls[j + 1]}, encounters));
+    });
+  errors.raise();
   return result;
+}
+
+void check_laws(const Source& source, const Field& chain, const Layout& layout) {
+  check_laws(source, read_sized_tables(source, chain, layout), layout.contacts());
 }
 
 std::vector<double> read_gaps(const Source& source, const Field& chain, const Layout& layout,
@@ -84,8 +104,10 @@ std::vector<double> read_gaps(const Source& source, const Field& chain, const La
   expect_per_contact(source, *field, layout);
   std::vector<double> gaps;
   gaps.reserve(layout.contacts());
+  ErrorList errors;
   for (Index j = 0; j < layout.contacts(); ++j)
-    gaps.push_back(read_gap(source, element(*field, j), precompressed));
+    errors.attempt_one_of_many([&] { gaps.push_back(read_gap(source, element(*field, j), precompressed)); });
+  errors.raise();
   return gaps;
 }
 

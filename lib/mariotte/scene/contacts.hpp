@@ -13,6 +13,9 @@ namespace mariotte::scene {
 std::vector<contact::Law> read_laws(const Source& source, const Field& chain, const Layout& layout,
                                     std::span<const Ball> balls);
 
+/// Throws SceneError for what the laws alone have wrong, whatever the balls are.
+void check_laws(const Source& source, const Field& chain, const Layout& layout);
+
 /// Start gaps [m], 0 where the scene says nothing. Throws SceneError.
 std::vector<double> read_gaps(const Source& source, const Field& chain, const Layout& layout,
                               bool precompressed);

@@ -7,6 +7,7 @@
 #include "mariotte/core/error.hpp"
 #include "mariotte/scene/contact_law.hpp"
 #include "mariotte/scene/drive_reader.hpp"
+#include "mariotte/scene/error_list.hpp"
 #include "mariotte/scene/missed_meetings.hpp"
 #include "mariotte/scene/touching.hpp"
 
@@ -32,7 +33,8 @@ std::vector<double> read_coordinates(const Source& source, const Field& field, c
   return values;
 }
 
-model::Ball place(const Source& source, const Field& table, const Ball& body, Index i) {
+void place(const Source& source, const Field& table, Index i, PlacedBalls& balls) {
+  auto& body = balls.body[i];
   const auto position = find(table, "position"), velocity = find(table, "velocity");
   if (!position) reject(source, table, fault::missing, "'position' is missing");
   if (!body.radius)
@@ -49,7 +51,15 @@ model::Ball place(const Source& source, const Field& table, const Ball& body, In
     ball.velocity = read_coordinates(source, *velocity, dimension::velocity);
     expect_length(source, *velocity, ball.velocity.size(), ball.position.size());
   }
-  return ball;
+  body.mass = ball.mass;
+  balls.ball.push_back(std::move(ball));
+}
+
+void read_ball(Source& source, const Field& table, Ball& body) {
+  ErrorList errors;
+  errors.attempt([&] { expect_keys(source, table, ball_keys); });
+  errors.attempt([&] { read_properties(source, table, body); });
+  errors.raise();
 }
 
 PlacedBalls read_placed(Source& source, const Field& network) {
@@ -57,19 +67,19 @@ PlacedBalls read_placed(Source& source, const Field& network) {
   if (!list.node->array())
     reject(source, list, fault::wrong_type, "write [[network.ball]], with two brackets");
   Ball common;
-  read_properties(source, network, common);
   PlacedBalls balls;
+  ErrorList errors;
+  const bool known = errors.attempt([&] { read_properties(source, network, common); });
   for (Index i = 0; i < std::ssize(*list.node->array()); ++i) {
     const auto& table = balls.table.emplace_back(element(list, i));
-    expect_keys(source, table, ball_keys);
     auto& body = balls.body.emplace_back(common);
-    read_properties(source, table, body);
-    balls.ball.push_back(place(source, table, body, i));
-    body.mass = balls.ball[i].mass;
-    if (balls.ball[i].position.size() != balls.ball[0].position.size())
-      expect_length(source, *find(table, "position"), balls.ball[i].position.size(),
-                    balls.ball[0].position.size());
+    const bool own = errors.attempt_one_of_many([&] { read_ball(source, table, body); });
+    if (known && own) errors.attempt_one_of_many([&] { place(source, table, i, balls); });
   }
+  errors.raise();
+  for (std::size_t i = 0; i < balls.ball.size(); ++i)
+    expect_length(source, *find(balls.table[i], "position"), balls.ball[i].position.size(),
+                  balls.ball[0].position.size());
   return balls;
 }
 
@@ -107,9 +117,22 @@ void read_laws(const Source& source, const LawTables& tables, const PlacedBalls&
                               return reduced_mass(balls.ball[i].mass, balls.ball[j].mass);
                             },
                         .speed = largest_approach(model)};
-  for (const auto& [i, j] : pairs)
-    model.law.push_back(
-        read_law(source, tables, std::ssize(model.law), {&balls.body[i], &balls.body[j]}, encounters));
+  ErrorList errors;
+  for (const auto& pair : pairs)
+    errors.attempt_one_of_many([&] {
+      model.law.push_back(read_law(source, tables, std::ssize(model.law),
+                                   {&balls.body[pair.first], &balls.body[pair.second]}, encounters));
+    });
+  errors.raise();
+}
+
+void expect_one_law(const Source& source, const Field& network) {
+  ErrorList errors;
+  for (const auto key : law_keys)
+    if (const auto field = find(network, key); field && field->node->array())
+      errors.attempt(
+          [&] { reject(source, *field, fault::misplaced, "must be one value for all contacts of balls"); });
+  errors.raise();
 }
 
 void warn_of_missed_meetings(Source& source, const PlacedBalls& balls, double reach) {
@@ -122,13 +145,18 @@ void warn_of_missed_meetings(Source& source, const PlacedBalls& balls, double re
 }  // namespace
 
 ResolvedNetwork read_ball_network(Source& source, const Field& network, bool precompressed) {
-  expect_keys(source, network, keys);
-  for (const auto key : law_keys)
-    if (const auto field = find(network, key); field && field->node->array())
-      reject(source, *field, fault::misplaced, "must be one value for all contacts of balls");
-  const auto balls = read_placed(source, network);
-  const double touching = read_distance(source, network, "touching", 0);
-  const double reach = read_distance(source, network, "reach", 0.01 * smallest_radius(balls.ball));
+  const LawTables tables{network, {}};
+  PlacedBalls balls;
+  double touching = 0, reach = 0;
+  ErrorList errors;
+  errors.attempt([&] { expect_keys(source, network, keys); });
+  errors.attempt([&] { expect_one_law(source, network); });
+  errors.attempt([&] { touching = read_distance(source, network, "touching", 0); });
+  if (!errors.attempt([&] { balls = read_placed(source, network); }))
+    errors.attempt([&] { check_laws(source, tables, 1); });
+  errors.attempt(
+      [&] { reach = read_distance(source, network, "reach", 0.01 * smallest_radius(balls.ball)); });
+  errors.raise();
   ResolvedNetwork resolved{.network = model::free_balls(balls.ball), .radius = {}};
   auto& model = resolved.network;
   model.precompressed = precompressed;
@@ -150,7 +178,7 @@ ResolvedNetwork read_ball_network(Source& source, const Field& network, bool pre
       model.distance.push_back(distance);
     }
   }
-  read_laws(source, {network, {}}, balls, pairs, model);
+  read_laws(source, tables, balls, pairs, model);
   for (const auto& [i, j] : pairs) resolved.touching.push_back(scene::touching(balls.body[i], balls.body[j]));
   warn_of_missed_meetings(source, balls, reach);
   if (model.law.empty())

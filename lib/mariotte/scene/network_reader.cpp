@@ -6,6 +6,7 @@
 #include "mariotte/core/error.hpp"
 #include "mariotte/scene/contact_law.hpp"
 #include "mariotte/scene/drive_reader.hpp"
+#include "mariotte/scene/error_list.hpp"
 #include "mariotte/scene/network_balls.hpp"
 
 namespace mariotte::scene {
@@ -60,11 +61,15 @@ LawTables read_tables(const Source& source, const Field& network) {
   const auto list = find(network, "contact");
   if (!list->node->array())
     reject(source, *list, fault::wrong_type, "write [[network.contact]], with two brackets");
+  ErrorList errors;
   for (Index j = 0; j < std::ssize(*list->node->array()); ++j)
-    expect_keys(source, tables.contacts.emplace_back(element(*list, j)), contact_keys);
+    errors.attempt(
+        [&] { expect_keys(source, tables.contacts.emplace_back(element(*list, j)), contact_keys); });
   for (const auto key : law_keys_and(std::array<std::string_view, 1>{"gap"}))
     if (const auto field = find(network, key); field && field->node->array())
-      expect_length(source, *field, field->node->array()->size(), tables.contacts.size());
+      errors.attempt(
+          [&] { expect_length(source, *field, field->node->array()->size(), tables.contacts.size()); });
+  errors.raise();
   return tables;
 }
 
@@ -77,25 +82,48 @@ double mass_of(const Source& source, const LawTables& tables, const model::Netwo
   }
 }
 
-model::Network read_freedoms(const Source& source, const Field& network, bool precompressed) {
-  expect_keys(source, network, keys);
+void read_motion(const Source& source, const Field& network, model::Network& model) {
   const auto mass = find(network, "mass"), velocity = find(network, "velocity");
   if (!mass || !velocity)
     reject(source, network, fault::missing, "'mass' and 'velocity' are needed beside [[network.contact]]");
-  model::Network model;
-  model.precompressed = precompressed;
   model.velocity = numbers(source, *velocity, dimension::none, Domain::finite);
   model.mass = read_mass(source, *mass, model.velocity.size());
   read_drives(source, network, model);
-  const auto tables = read_tables(source, network);
+}
+
+/// Directions, laws and gaps.
+void read_contacts(const Source& source, const LawTables& tables, model::Network& model) {
+  ErrorList errors;
   for (const auto& contact : tables.contacts)
-    model.direction.push_back(read_direction(source, contact, model.velocity.size()));
+    errors.attempt(
+        [&] { model.direction.push_back(read_direction(source, contact, model.velocity.size())); });
+  if (!errors.empty()) errors.attempt([&] { check_laws(source, tables, std::ssize(tables.contacts)); });
+  errors.raise();
   Encounters encounters{.reduced_mass = [&](Index j) { return mass_of(source, tables, model, j); },
                         .speed = largest_approach(model)};
   for (Index j = 0; j < std::ssize(tables.contacts); ++j) {
-    model.law.push_back(read_law(source, tables, j, {nullptr, nullptr}, encounters));
-    model.gap.push_back(read_gap(source, tables, j, precompressed));
+    errors.attempt_one_of_many([&] {
+      model.law.push_back(read_law(source, tables, j, {nullptr, nullptr}, encounters));
+    });
+    errors.attempt_one_of_many(
+        [&] { model.gap.push_back(read_gap(source, tables, j, model.precompressed)); });
   }
+  errors.raise();
+}
+
+model::Network read_freedoms(const Source& source, const Field& network, bool precompressed) {
+  model::Network model;
+  model.precompressed = precompressed;
+  LawTables tables{network, {}};
+  ErrorList errors;
+  errors.attempt([&] { expect_keys(source, network, keys); });
+  const bool moves = errors.attempt([&] { read_motion(source, network, model); });
+  const bool listed = errors.attempt([&] { tables = read_tables(source, network); });
+  if (moves && listed)
+    errors.attempt([&] { read_contacts(source, tables, model); });
+  else if (listed)
+    errors.attempt([&] { check_laws(source, tables, std::ssize(tables.contacts)); });
+  errors.raise();
   return model;
 }
 

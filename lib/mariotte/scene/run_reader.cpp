@@ -3,6 +3,7 @@
 #include <array>
 
 #include "mariotte/core/error.hpp"
+#include "mariotte/scene/error_list.hpp"
 
 namespace mariotte::scene {
 namespace {
@@ -25,26 +26,36 @@ std::optional<flow::Kind> read_flow(const Source& source, const Field& field) tr
   reject(source, field, problem.fault, problem.what());
 }
 
+void read_until(const Source& source, const Field& run, const Field& until, hybrid::Options& options) {
+  if (find(run, "max_time"))
+    reject(source, until, fault::contradiction, "'max_time' is given, too; give one of them");
+  options.max_time = number(source, until, dimension::time, Domain::positive);
+  options.flies_on = true;
+}
+
 }  // namespace
 
 hybrid::Options read_run(Source& source, const Field& run, bool of_body) {
-  expect_keys(source, run, keys);
+  if (!run.node->table()) expect_keys(source, run, keys);  // says that it is no table
   hybrid::Options options;
-  if (const auto field = find(run, "accuracy")) options.accuracy = read_accuracy(source, *field);
-  if (const auto field = find(run, "max_time"))
-    options.max_time = number(source, *field, dimension::time, Domain::positive_or_infinite);
-  if (const auto field = find(run, "until")) {
-    if (find(run, "max_time"))
-      reject(source, *field, fault::contradiction, "'max_time' is given, too; give one of them");
-    options.max_time = number(source, *field, dimension::time, Domain::positive);
-    options.flies_on = true;
+  ErrorList errors;
+  const auto part = [&](const char* key, auto&& read) {
+    if (const auto field = find(run, key)) errors.attempt([&] { read(*field); });
+  };
+  errors.attempt([&] { expect_keys(source, run, keys); });
+  part("accuracy", [&](const Field& field) { options.accuracy = read_accuracy(source, field); });
+  part("max_time", [&](const Field& field) {
+    options.max_time = number(source, field, dimension::time, Domain::positive_or_infinite);
+  });
+  part("until", [&](const Field& field) { read_until(source, run, field, options); });
+  part("max_events", [&](const Field& field) { options.max_events = whole(source, field, 1, no_limit); });
+  part("flow", [&](const Field& field) { options.flow = read_flow(source, field); });
+  if (!of_body) {
+    for (const auto* key : {"impacts", "after_capture"})
+      if (const auto field = find(run, key)) warn(source, *field, "has no effect without a [body]");
+    part("impacts", [&](const Field& field) { whole(source, field, 1, no_limit); });
   }
-  if (const auto field = find(run, "max_events")) options.max_events = whole(source, *field, 1, no_limit);
-  if (const auto field = find(run, "flow")) options.flow = read_flow(source, *field);
-  if (of_body) return options;
-  for (const auto* key : {"impacts", "after_capture"})
-    if (const auto field = find(run, key)) warn(source, *field, "has no effect without a [body]");
-  if (const auto field = find(run, "impacts")) whole(source, *field, 1, no_limit);
+  errors.raise();
   return options;
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "mariotte/core/error.hpp"
+#include "mariotte/scene/error_list.hpp"
 
 namespace mariotte::scene {
 namespace {
@@ -90,12 +91,21 @@ model::RigidBody read_rigid_body(Source& source, const Field& body, const std::o
   if (shape == "custom") return read_custom(source, body);
   expect_none(source, body, shape, {"mass", "inertia", "tips"});
   if (shape == "sphere") expect_none(source, body, shape, {"length_ratio"});
-  const auto found = find_radius(source, body);
-  const double radius = found ? *found : read_radius(source, required(source, body, "radius"));
-  if (!density) reject(source, body, fault::missing, "'density' is missing, and no material gives it");
+  double radius = 0, ratio = 0;
+  ErrorList errors;
+  errors.attempt([&] {
+    const auto found = find_radius(source, body);
+    radius = found ? *found : read_radius(source, required(source, body, "radius"));
+  });
+  errors.attempt([&] {
+    if (shape == "sphere") return;
+    ratio = number(source, required(source, body, "length_ratio"), dimension::none, Domain::not_negative);
+  });
+  errors.attempt([&] {
+    if (!density) reject(source, body, fault::missing, "'density' is missing, and no material gives it");
+  });
+  errors.raise();
   if (shape == "sphere") return model::sphere(radius, *density);
-  const double ratio =
-      number(source, required(source, body, "length_ratio"), dimension::none, Domain::not_negative);
   if (shape == "dumbbell") return model::dumbbell(radius, ratio, *density);
   return model::rod(radius, ratio, *density);
 }
@@ -103,11 +113,15 @@ model::RigidBody read_rigid_body(Source& source, const Field& body, const std::o
 }  // namespace
 
 Shape read_shape(Source& source, const Field& body) {
-  expect_keys(source, body, keys);
   Shape shape;
-  if (const auto field = find(body, "material")) shape.material = read_material(source, *field);
-  shape.density = find_density(source, body, shape.material);
-  shape.body = read_rigid_body(source, body, shape.density);
+  ErrorList errors;
+  errors.attempt([&] { expect_keys(source, body, keys); });
+  const bool known = errors.attempt([&] {
+    if (const auto field = find(body, "material")) shape.material = read_material(source, *field);
+    shape.density = find_density(source, body, shape.material);
+  });
+  errors.attempt([&] { shape.body = read_rigid_body(source, body, known ? shape.density : 1); });
+  errors.raise();
   return shape;
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "mariotte/core/error.hpp"
+#include "mariotte/scene/error_list.hpp"
 #include "mariotte/scene/restitution.hpp"
 
 namespace mariotte::scene {
@@ -120,14 +121,32 @@ void expect_surface_keys(const Source& source, const Field& surface) {
 std::optional<Material> read_surface(Source& source, const Field& surface, const Shape& shape, double speed,
                                      model::Microbody& body) {
   std::optional<Material> plane;
-  if (const auto material = find(surface, "material")) plane = read_material(source, *material);
-  if (const auto law = find(surface, "law")) choice(source, *law, "law", laws);
+  ErrorList errors;
+  const auto part = [&](const char* key, auto&& read) {
+    const auto field = find(surface, key);
+    return !field || errors.attempt([&] { read(*field); });
+  };
+  const bool known = part("material", [&](const Field& field) { plane = read_material(source, field); });
+  part("law", [&](const Field& field) { choice(source, field, "law", laws); });
   for (const auto& tip : shape.body.tips)
-    body.law.push_back(read_law(source, surface, tip.radius, shape, plane, speed));
-  body.friction = {optional_number(source, surface, "friction", dimension::none, Domain::not_negative, 0)};
-  if (const auto lever = find(surface, "lever"))
-    body.lever = choice(source, *lever, "lever", levers) == 0 ? model::Lever::radius : model::Lever::indented;
+    if (known)
+      errors.attempt([&] { body.law.push_back(read_law(source, surface, tip.radius, shape, plane, speed)); });
+  part("friction", [&](const Field& field) {
+    body.friction = {number(source, field, dimension::none, Domain::not_negative)};
+  });
+  part("lever", [&](const Field& field) {
+    const bool radius = choice(source, field, "lever", levers) == 0;
+    body.lever = radius ? model::Lever::radius : model::Lever::indented;
+  });
+  errors.raise();
   return plane;
+}
+
+void check_surface(Source& source, const Field& surface) {
+  constexpr Material material{.young = 1, .poisson = 0.3, .density = 1, .yield_strength = {}};
+  Source silent = source;  // what there is to warn of is said when the surface is read for its body
+  model::Microbody body;
+  read_surface(silent, surface, {model::sphere(1, 1), 1, material}, 1, body);
 }
 
 }  // namespace mariotte::scene

@@ -13,4 +13,7 @@ void expect_surface_keys(const Source& source, const Field& surface);
 std::optional<Material> read_surface(Source& source, const Field& surface, const Shape& shape, double speed,
                                      model::Microbody& body);
 
+/// Throws SceneError for what the surface has wrong, whatever strikes it.
+void check_surface(Source& source, const Field& surface);
+
 }  // namespace mariotte::scene
