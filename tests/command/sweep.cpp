@@ -41,7 +41,8 @@ BOOST_FIXTURE_TEST_CASE(a_row_is_what_run_says_of_that_point, Session) {
   const auto rows = lines(content(folder / "out/sweep.csv"));
   BOOST_TEST_REQUIRE(rows.size() == 7);
   BOOST_TEST(rows[0] ==
-             "chain.velocity[2],chain.mass[1],final.velocity[0],final.velocity[1],final.velocity[2],icr[0],"
+             "chain.velocity[2] [m/s],chain.mass[1] [kg],final.velocity[0] [m/s],final.velocity[1] [m/s],"
+             "final.velocity[2] [m/s],icr[0],"
              "ending,reason");
   const auto run = nlohmann::json::parse(
       mariotte("run few.toml --json --set 'chain.velocity[2]=-0.5' --set 'chain.mass[1]=2'").out);
@@ -156,7 +157,7 @@ BOOST_FIXTURE_TEST_CASE(a_random_design_with_expressions_is_the_same_on_any_thre
              three = mariotte(sweep + " --out three --threads 3");
   BOOST_TEST(has(one.out, "mean   deviation"));
   BOOST_TEST(lines(content(folder / "one/sweep.csv"))[0] ==
-             "chain.diameter[1],chain.material.young,gain,ending,reason");
+             "chain.diameter[1] [m],chain.material.young [Pa],gain,ending,reason");
   for (const char* file : {"sweep.csv", "sweep.json"})
     BOOST_TEST((content(folder / "one" / file) == content(folder / "three" / file)), file);
   const auto statistics = nlohmann::json::parse(content(folder / "one/sweep.json"))["statistics"];

@@ -22,6 +22,15 @@ BOOST_AUTO_TEST_CASE(statistics_are_those_of_the_sample) {
   BOOST_TEST(all[1].q25 == 17.5);
 }
 
+BOOST_AUTO_TEST_CASE(statistics_are_named_by_the_key_alone) {
+  report::ColumnStatistics columns("x [m/s^2],icr[0],y,ending,reason");
+  columns.add("1,2,3,separated,\n");
+  const auto all = columns.statistics();
+  BOOST_TEST(all[0].key == "x");
+  BOOST_TEST(all[1].key == "icr[0]");
+  BOOST_TEST(all[2].key == "y");
+}
+
 BOOST_AUTO_TEST_CASE(a_column_without_numbers_has_no_statistics) {
   report::ColumnStatistics columns("x,ending,reason");
   columns.add(",failed,why\n");

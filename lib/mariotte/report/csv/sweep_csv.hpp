@@ -7,8 +7,11 @@
 
 namespace mariotte::report {
 
-/// The varied keys, the columns, then `ending,reason`.
+/// The varied keys and the columns, each with its unit in brackets, then `ending,reason`.
 std::string sweep_header(const study::Design& design, const std::vector<study::Column>& columns);
+
+/// A cell of the header without its unit.
+std::string key_of_column(const std::string& name);
 
 /// Appends the first cells of a point's row, what it gives to the varied keys, each with a comma after it.
 void append_parameters(const study::Design& design, Index point, std::string& text);

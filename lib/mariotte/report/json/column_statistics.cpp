@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "mariotte/report/csv/csv_cell.hpp"
+#include "mariotte/report/csv/sweep_csv.hpp"
 #include "mariotte/report/json/json_parts.hpp"
 
 namespace mariotte::report {
@@ -57,6 +58,7 @@ Json or_null(double value) {
 ColumnStatistics::ColumnStatistics(std::string_view header) {
   split(header, keys_);
   keys_.resize(keys_.size() - std::min<std::size_t>(keys_.size(), 2));
+  for (auto& key : keys_) key = key_of_column(key);
   numbers_.resize(keys_.size());
 }
 

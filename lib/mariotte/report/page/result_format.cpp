@@ -23,8 +23,13 @@ SI units and have 17 significant digits. A number that is undefined is `null`.
 Each key with a unit is also a [column of a sweep](sweeps.md#columns): `contacts[1].impulse`. A column may have
 `[*]` for all indices. `.count` after an array is its length: `events.count`.
 
-`sweep.csv` has the bare keys as its header, so that scripts find them. `sweep.h5` has `units`,
-`symbol` and `long_name` as attributes of every column, and figures show symbol and unit.
+Columns of `sweep.csv` are named by key and unit, `final.velocity[0] [m/s]`, as those of `trace.csv` are by symbol
+and unit; pure numbers and words have no brackets. `sweep.h5` has the bare keys, with `units`, `symbol` and
+`long_name` as attributes, and figures show symbol and unit.
+
+CSV files begin with their header: comments before it would be taken for it by spreadsheets, by pandas and by
+`csv.DictReader`. What made them – version, scene with its digest, overrides – is `provenance` in
+`result.json` or `sweep.json` of the same folder; HDF5 files have it as attributes of the file.
 
 The last column of a table says what a number costs at each point of a sweep. Where there is no unit, it is the
 cost of `.count`:
