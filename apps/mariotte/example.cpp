@@ -1,5 +1,7 @@
 #include "example.hpp"
 
+#include <fmt/ranges.h>
+
 #include "command_line/exit_code.hpp"
 #include "example_scenes.hpp"
 #include "mariotte/core/nearest.hpp"
@@ -18,9 +20,10 @@ std::string example(const std::string& name) {
     if (name == one.name) return one.text;
     names.emplace_back(one.name);
   }
-  throw UsageError(
-      "no example is called '" + name + "'" + suggestion(name, names) + " (mariotte demo --list lists them)",
-      fault::unknown_argument);
+  auto hint = suggestion(name, names);
+  if (hint.empty()) hint = fmt::format(" (nearest: {})", fmt::join(nearest_few(name, names, 3), ", "));
+  throw UsageError(fmt::format("no example is called '{}'{} (mariotte demo --list lists them)", name, hint),
+                   fault::unknown_argument);
 }
 
 }  // namespace mariotte::command

@@ -113,7 +113,14 @@ BOOST_FIXTURE_TEST_CASE(materials_lists_values_and_their_sources, Session) {
 BOOST_FIXTURE_TEST_CASE(a_key_in_the_wrong_table_is_told_where_it_belongs, Session) {
   BOOST_TEST(has(mariotte("check three.toml --set chain.accuracy=1e-6").err, "(it belongs to [run])"));
   BOOST_TEST(has(mariotte("check three.toml --set chain.friction=0.1").err,
-                 "(friction acts on a [body] only: surface.friction)"));
+                 "(friction acts between [bodies], or on a [body]: surface.friction)"));
+  BOOST_TEST(has(mariotte("check three.toml --set chain.until=1").err, "(it belongs to [run])"));
+  BOOST_TEST(has(mariotte("check three.toml --set chain.young=1e9").err, "(it belongs to a material: "));
+  for (const char* text :
+       {"[chain]\nangles = [0, 0, 0]\n", "[body]\nangles = [0, 0, 0]\n[surface]\n[incidence]\n"}) {
+    write("angles.toml", text);
+    BOOST_TEST(has(mariotte("check angles.toml").err, "(it belongs to [incidence], beside a [body])"));
+  }
 }
 
 BOOST_FIXTURE_TEST_CASE(a_wrong_word_is_told_the_choices, Session) {
@@ -197,6 +204,8 @@ BOOST_FIXTURE_TEST_CASE(demo_lists_and_runs_its_examples, Session) {
   const auto unknown = mariotte("demo triplett");
   BOOST_TEST(unknown.code == 2);
   BOOST_TEST(has(unknown.err, "did you mean 'triplet'?"));
+  BOOST_TEST(has(mariotte("demo foo").err, "no example is called 'foo' (nearest: "));
+  BOOST_TEST(has(mariotte("init cradle").err, "newton_cradle_5"));
 }
 
 BOOST_FIXTURE_TEST_CASE(init_writes_a_scene_to_start_from, Session) {

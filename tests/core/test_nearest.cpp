@@ -33,6 +33,13 @@ BOOST_AUTO_TEST_CASE(a_word_unlike_all_others_has_no_neighbour) {
   BOOST_TEST(nearest(std::string(100000, 's'), keys).empty());
 }
 
+BOOST_AUTO_TEST_CASE(the_nearest_few_hold_the_word_first) {
+  constexpr std::array<std::string_view, 4> names{"triplet", "y_chain", "bernoulli", "tapered_chain"};
+  const auto few = mariotte::nearest_few("chain", names, 3);
+  BOOST_TEST(few == (std::vector<std::string_view>{"y_chain", "tapered_chain", "triplet"}),
+             boost::test_tools::per_element());
+}
+
 BOOST_AUTO_TEST_CASE(a_suggestion_is_ready_to_append) {
   BOOST_TEST(mariotte::suggestion("gpa", keys) == " (did you mean 'gap'?)");
   BOOST_TEST(mariotte::suggestion("colour", keys).empty());

@@ -1,7 +1,7 @@
 #include "mariotte/core/nearest.hpp"
 
 #include <algorithm>
-#include <vector>
+#include <utility>
 
 namespace mariotte {
 namespace {
@@ -51,6 +51,21 @@ std::string_view nearest(std::string_view word, std::span<const std::string_view
     }
   }
   return best;
+}
+
+std::vector<std::string_view> nearest_few(std::string_view word, std::span<const std::string_view> candidates,
+                                          std::size_t count) {
+  std::vector<std::pair<int, std::string_view>> ranked;
+  for (const auto candidate : candidates) {
+    const bool holds = candidate.find(word) != candidate.npos || word.find(candidate) != word.npos;
+    ranked.emplace_back(holds ? 0 : distance(word.substr(0, longest), candidate), candidate);
+  }
+  std::stable_sort(ranked.begin(), ranked.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<std::string_view> names;
+  for (const auto& one : ranked)
+    if (names.size() < count) names.push_back(one.second);
+  return names;
 }
 
 std::string suggestion(std::string_view word, std::span<const std::string_view> candidates) {

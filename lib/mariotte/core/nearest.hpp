@@ -3,12 +3,18 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace mariotte {
 
 /// The candidate with the fewest edits (insert, delete, replace, swap of neighbours; a changed case is half
 /// an edit) from `word`, or "" if even that one is too far to be meant. The first wins among equals.
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates);
+
+/// The candidates that may be meant, at most `count`, likeliest first: those that hold the word or that it
+/// holds, then those with the fewest edits, however many.
+std::vector<std::string_view> nearest_few(std::string_view word, std::span<const std::string_view> candidates,
+                                          std::size_t count);
 
 /// " (did you mean 'stiffness'?)", or "" if nothing is near.
 std::string suggestion(std::string_view word, std::span<const std::string_view> candidates);

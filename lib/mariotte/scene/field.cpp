@@ -1,6 +1,7 @@
 #include "mariotte/scene/field.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "mariotte/core/nearest.hpp"
@@ -60,9 +61,26 @@ std::string one_of(std::span<const std::string_view> known) {
 
 /// Keys that people look for in another table than theirs.
 std::string elsewhere(std::string_view key) {
-  for (const auto* of_run : {"accuracy", "max_time", "max_events", "flow"})
-    if (key == of_run) return " (it belongs to [run])";
-  if (key == "friction") return " (friction acts on a [body] only: surface.friction)";
+  struct Home {
+    std::string_view key, hint;
+  };
+  constexpr std::string_view run = " (it belongs to [run])",
+                             material =
+                                 " (it belongs to a material: material = { young = \"210 GPa\", ... })";
+  constexpr std::array homes{
+      Home{"accuracy", run},
+      Home{"max_time", run},
+      Home{"max_events", run},
+      Home{"flow", run},
+      Home{"until", run},
+      Home{"young", material},
+      Home{"poisson", material},
+      Home{"density", material},
+      Home{"yield_strength", material},
+      Home{"angles", " (it belongs to [incidence], beside a [body])"},
+      Home{"friction", " (friction acts between [bodies], or on a [body]: surface.friction)"}};
+  for (const auto& home : homes)
+    if (key == home.key) return std::string(home.hint);
   return "";
 }
 
@@ -91,12 +109,12 @@ Field element(const Field& array, Index index) {
 void expect_keys(const Source& source, const Field& table, std::span<const std::string_view> known) {
   if (!table.node->table()) wrong_type(source, table, "a table");
   ErrorList errors;
-  for (const auto& [key, place, value] : *table.node->table())
-    if (std::find(known.begin(), known.end(), key) == known.end())
+  for (const auto& entry : *table.node->table())
+    if (std::find(known.begin(), known.end(), entry.key) == known.end())
       errors.attempt([&] {
-        const auto hint = elsewhere(key), path = joined(table.path, key);
-        reject(source, place, fault::unknown_key,
-               "unknown key '" + path + "'" + (hint.empty() ? suggestion(key, known) : hint), path);
+        const auto hint = elsewhere(entry.key), path = joined(table.path, entry.key);
+        reject(source, entry.place, fault::unknown_key,
+               "unknown key '" + path + "'" + (hint.empty() ? suggestion(entry.key, known) : hint), path);
       });
   errors.raise();
 }

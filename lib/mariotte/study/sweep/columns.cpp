@@ -38,7 +38,7 @@ std::string with_indices(std::string_view pattern, const std::vector<std::string
   return key;
 }
 
-/// The nearest key that leads to a number.
+/// The nearest key that leads to a number; one that ends like `key` is nearer than any misspelling.
 template <class Impact>
 std::string suggestion(const std::string& key) {
   const auto indices = indices_in(key);
@@ -48,6 +48,8 @@ std::string suggestion(const std::string& key) {
     if (one.count)
       known.push_back(with_indices(one.is.key.substr(0, one.is.key.size() - 2), indices) + ".count");
   }
+  for (const auto& name : known)
+    if (name.ends_with("." + key)) return " (did you mean '" + name + "'?)";
   const std::vector<std::string_view> names(known.begin(), known.end());
   return mariotte::suggestion(key, names);
 }
