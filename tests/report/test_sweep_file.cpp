@@ -59,16 +59,6 @@ std::vector<std::string> texts(const H5::H5File& file, const char* name) {
   return values;
 }
 
-std::vector<std::string> words(const H5::H5File& file, const char* name) {
-  const auto table = file.openDataSet(name);
-  const auto type = table.getStrType();
-  std::string bytes(table.getInMemDataSize(), ' ');
-  table.read(bytes.data(), type);
-  std::vector<std::string> values;
-  for (std::size_t at = 0; at < bytes.size(); at += type.getSize()) values.emplace_back(bytes.c_str() + at);
-  return values;
-}
-
 std::string attribute(const H5::H5File& file, const char* dataset, const char* name) {
   const auto found = file.openDataSet(dataset).openAttribute(name);
   std::string text;
@@ -102,7 +92,7 @@ BOOST_FIXTURE_TEST_CASE(every_column_is_a_dataset_of_its_name, Folder) {
   BOOST_TEST(!file.openDataSet("chain.mass[1]").attrExists("units"));
   using Texts = std::vector<std::string>;
   BOOST_TEST(texts(file, "law") == (Texts{"soft", "hä, rd", "soft"}), same);
-  BOOST_TEST(words(file, "ending") == (Texts{"separated", "failed", "max_time"}), same);
+  BOOST_TEST(texts(file, "ending") == (Texts{"separated", "failed", "max_time"}), same);
   BOOST_TEST(texts(file, "reason") == (Texts{"", "stuck, at 2", ""}), same);
   std::array<std::int64_t, 2> shape{};
   file.openAttribute("shape").read(H5::PredType::NATIVE_INT64, shape.data());

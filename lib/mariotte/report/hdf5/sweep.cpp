@@ -69,32 +69,6 @@ class TextColumn final : public Column {
   std::vector<std::string> pending_;
 };
 
-/// One of few words.
-class WordColumn final : public Column {
- public:
-  WordColumn(const H5::H5File& file, const std::string& name)
-      : type_(H5::PredType::C_S1, longest_word), rows_(file, name, type_) {}
-  void add(const std::string& cell) override {
-    if (cell.size() > longest_word) throw FileError("\"" + cell + "\" is too long for a word of HDF5");
-    pending_ += cell;
-    pending_.resize(++count_ * longest_word);
-  }
-  void write() override {
-    rows_.append(pending_.data(), count_, type_);
-    pending_.clear();
-    count_ = 0;
-  }
-
-  const H5::DataSet& dataset() const override { return rows_.dataset(); }
-
- private:
-  static constexpr std::size_t longest_word = 24;
-  H5::StrType type_;
-  hdf5::Rows rows_;
-  std::string pending_;
-  std::size_t count_ = 0;
-};
-
 /// How many points lie along each axis.
 void write_shape(const H5::H5File& file, const study::Design& design) {
   std::vector<std::int64_t> counts;
@@ -115,8 +89,7 @@ class Hdf5Sweep final : public SweepFile {
       for (const auto& parameter : design.parameters)
         add_column({.key = parameter.key, .unit = parameter.unit}, is_numeric(parameter));
       for (const auto& column : columns) add_column(column, true);
-      columns_.push_back(std::make_unique<WordColumn>(target_.file(), "ending"));
-      add_column({"reason"}, false);
+      for (const char* words : {"ending", "reason"}) add_column({words}, false);
       points_ = std::make_unique<hdf5::Rows>(target_.file(), "point", H5::PredType::STD_I64LE);
       hdf5::make_axis(points_->dataset(), "point");
       for (const auto& column : columns_) hdf5::attach(column->dataset(), 0, points_->dataset());
