@@ -31,10 +31,11 @@ std::string table() {
     const auto& one = all[static_cast<std::size_t>(i)];
     return {std::string(one.name), fmt::format("{:g}", one.young.value / 1e9),
             fmt::format("{:g}", one.poisson.value), fmt::format("{:g}", one.density.value),
-            one.yield_strength ? fmt::format("{:g}", one.yield_strength->value / 1e6) : ""};
+            one.yield_strength ? fmt::format("{:g}", one.yield_strength->value / 1e6) : "–"};
   };
   return report::columns({"material", "young [GPa]", "poisson", "density [kg/m³]", "yield strength [MPa]"},
-                         std::ssize(all), row);
+                         std::ssize(all), row) +
+         "\n–: brittle, or the stress at which it yields is not known; runs are not checked against yield\n";
 }
 
 std::string sources() {
