@@ -88,6 +88,21 @@ BOOST_FIXTURE_TEST_CASE(check_prints_the_restitution_of_damped_contacts, Session
   BOOST_TEST(has(check.out, "contact  e at 0.2 m/s  e at 2 m/s  e at 20 m/s\n"));
   BOOST_TEST(has(check.out, "  0.95000000  "));
   BOOST_TEST(!has(mariotte("check three.toml").out, "e at"));
+
+  write("sphere.toml",
+        "[body]\nshape = \"sphere\"\nradius = 1e-3\ndensity = 1000\n[surface]\nstiffness = \"1 GPa\"\n"
+        "restitution = 0.8\n[incidence]\nnormal_speed = 3\n");
+  const auto sphere = mariotte("check sphere.toml").out;
+  BOOST_TEST(has(sphere, "Restitution of each tip alone\n  tip  e at 0.3 m/s  e at 3 m/s  e at 30 m/s\n"));
+  BOOST_TEST(has(sphere, "  0.80000000  "));
+
+  write("bodies.toml",
+        "[bodies]\ndimension = 2\nradius = 0.01\nmass = 1\nlaw = \"viscoelastic\"\nstiffness = 1e9\n"
+        "restitution = 0.7\n[[bodies.body]]\nposition = [0, 0.01]\nvelocity = [0, -2]\n"
+        "[[bodies.plane]]\nnormal = [0, 1]\n");
+  const auto bodies = mariotte("check bodies.toml").out;
+  BOOST_TEST(has(bodies, "contact  e at 0.2 m/s  e at 2 m/s  e at 20 m/s\n"));
+  BOOST_TEST(has(bodies, "  0.70000000  "));
 }
 
 BOOST_FIXTURE_TEST_CASE(version_says_what_the_program_can_use, Session) {

@@ -20,6 +20,18 @@ double simulated(impact::ChainSolver& solver, const contact::Law& law, const Enc
   return impact.ending == hybrid::Ending::bound ? 0 : -impact.velocity[0] / encounter.speed;
 }
 
+/// A sphere that strikes its plane head on.
+double simulated(impact::MicrobodySolver& solver, const contact::BrachDunn& law, double radius,
+                 const Encounter& encounter) {
+  model::Microbody sphere;
+  sphere.body = model::sphere(radius, 1);
+  sphere.body = model::sphere(radius, encounter.reduced_mass / sphere.body.mass);
+  sphere.velocity = {-encounter.speed, 0, 0};
+  sphere.law = {law};
+  const auto& impact = solver.solve(sphere, {.accuracy = 1e-12});
+  return impact.ending == hybrid::Ending::captured ? 0 : impact.tip_velocity / encounter.speed;
+}
+
 /// The damping at which `restitution(damping)`, which falls from `undamped`, is the one that is wanted.
 template <class Restitution>
 std::optional<double> solve(double wanted, double undamped, double unit, Restitution&& restitution) {
@@ -102,6 +114,11 @@ double restitution(const contact::Law& law, const Encounter& encounter) {
   return simulated(solver, law, encounter);
 }
 
+double restitution(const contact::BrachDunn& law, double radius, const Encounter& encounter) {
+  impact::MicrobodySolver solver;
+  return simulated(solver, law, radius, encounter);
+}
+
 std::optional<double> DampingSolver::damping(const LawChoice& law, const contact::LawNumbers& numbers,
                                              double restitution, const Encounter& encounter) {
   if (!law.law.find("stiffness")) return stated_damping(law, numbers, restitution, encounter);
@@ -119,17 +136,11 @@ std::optional<double> DampingSolver::damping(const LawChoice& law, const contact
 std::optional<double> hertz_damping(const contact::Surface& surface, double radius, double damping_adhesion,
                                     double restitution, double mass, double speed) {
   impact::MicrobodySolver solver;
-  model::Microbody sphere;
-  sphere.body = model::sphere(radius, 1);
-  const double density = mass / sphere.body.mass;
-  sphere.body = model::sphere(radius, density);
-  sphere.velocity = {-speed, 0, 0};
-  const auto simulated = [&](double damping) {
-    sphere.law = {contact::brach_dunn(surface, radius, damping, damping_adhesion)};
-    const auto& impact = solver.solve(sphere, {.accuracy = 1e-12});
-    return impact.ending == hybrid::Ending::captured ? 0 : impact.tip_velocity / speed;
+  const auto of_damping = [&](double damping) {
+    return simulated(solver, contact::brach_dunn(surface, radius, damping, damping_adhesion), radius,
+                     {.reduced_mass = mass, .speed = speed});
   };
-  return solve(restitution, simulated(0), 1 / speed, simulated);
+  return solve(restitution, of_damping(0), 1 / speed, of_damping);
 }
 
 bool depends_on_speed(const contact::NamedLaw& law, double exponent) {

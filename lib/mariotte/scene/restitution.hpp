@@ -34,6 +34,9 @@ double largest_approach(const model::Network& network);
 /// e of a contact between bodies that nothing else touches.
 double restitution(const contact::Law& law, const Encounter& encounter);
 
+/// e of a sphere that strikes a plane head on; its mass is the reduced one.
+double restitution(const contact::BrachDunn& law, double radius, const Encounter& encounter);
+
 /// A law by its name, and whether it is cut off where its force would pull.
 struct LawChoice {
   const contact::NamedLaw& law;

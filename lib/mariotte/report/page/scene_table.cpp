@@ -6,6 +6,7 @@
 #include "mariotte/core/overload.hpp"
 #include "mariotte/report/csv/columns.hpp"
 #include "mariotte/report/table/network_table.hpp"
+#include "mariotte/report/table/restitution_table.hpp"
 #include "mariotte/report/table/table.hpp"
 #include "mariotte/scene/restitution.hpp"
 
@@ -96,31 +97,17 @@ std::string placed_balls(const model::Network& network, const scene::Scene& scen
   return columns(header, std::ssize(network.velocity) / d, row);
 }
 
-/// e of a contact alone; a dash for speeds beyond what double precision can carry.
-std::string restitution(const contact::Law& law, const scene::Encounter& encounter) try {
-  return fmt::format("{:.8f}", scene::restitution(law, encounter));
-} catch (const InvalidParameter&) {
-  return "–";
-}
-
-/// What pairs alone would do at the speed of the scene and beside it, where that is not simply elastic.
+/// What pairs alone would do, where that is not simply elastic.
 template <class Model>
 std::string restitutions(const Model& model) {
   if (std::none_of(model.law.begin(), model.law.end(),
                    [](const auto& law) { return contact::dissipates(law); }))
     return "";
-  const double approach = scene::largest_approach(model), speed = approach > 0 ? approach : 1;
-  TableRow header = {"contact"};
-  for (const double factor : {0.1, 1.0, 10.0})
-    header.push_back(fmt::format("e at {:.4g} m/s", factor * speed));
-  const auto row = [&](Index j) {
-    TableRow cells = {fmt::format("{}", j + 1)};
-    for (const double factor : {0.1, 1.0, 10.0})
-      cells.push_back(restitution(model.law[static_cast<std::size_t>(j)],
-                                  {.reduced_mass = scene::reduced_mass(model, j), .speed = factor * speed}));
-    return cells;
-  };
-  return "\nRestitution of each contact alone\n" + columns(header, std::ssize(model.law), row);
+  return restitution_table(
+      "contact", std::ssize(model.law), scene::largest_approach(model), [&](Index j, double speed) {
+        return scene::restitution(model.law[j],
+                                  {.reduced_mass = scene::reduced_mass(model, j), .speed = speed});
+      });
 }
 
 std::string limits(const hybrid::Options& run) {

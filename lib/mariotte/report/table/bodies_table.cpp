@@ -1,12 +1,16 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "mariotte/report/csv/columns.hpp"
 #include "mariotte/report/number.hpp"
 #include "mariotte/report/reason.hpp"
 #include "mariotte/report/table/background.hpp"
 #include "mariotte/report/table/balance_tables.hpp"
 #include "mariotte/report/table/quantity_table.hpp"
+#include "mariotte/report/table/restitution_table.hpp"
 #include "mariotte/report/table/table.hpp"
+#include "mariotte/scene/restitution.hpp"
 
 namespace mariotte::report {
 namespace {
@@ -87,11 +91,27 @@ std::string contacts(const impact::BodiesImpact& impact) {
                                   std::ssize(impact.contacts), row);
 }
 
-constexpr BalanceLine energies[] = {
-    {"kinetic before", "energy.initial"},       {"work of gravity and planes", "energy.work", true},
-    {"kinetic after", "energy.final"},          {"stored in contacts", "energy.stored", true},
-    {"dissipated", "energy.dissipated"},        {"  by friction", "energy.friction"},
-    {"  by rescaling", "energy.rescale", true}, {"  by dampers", "energy.damper", true}};
+/// What damped pairs alone would do, as if their bodies were balls.
+std::string restitutions(const model::Bodies& bodies) {
+  double speed = 0;
+  bool damped = false;
+  const auto of = [&](const model::Feature& one) {
+    return one.is_plane() ? bodies.plane[one.owner].velocity : bodies.body[one.owner].velocity;
+  };
+  const auto mass = [&](const model::Feature& one) {
+    return one.is_plane() ? infinity : bodies.body[one.owner].mass;
+  };
+  for (const auto& contact : bodies.contact) {
+    speed = std::max(speed, norm(of(contact.b) - of(contact.a)));
+    damped = damped || contact::dissipates(contact.law);
+  }
+  if (!damped) return "";
+  return restitution_table("contact", std::ssize(bodies.contact), speed, [&](Index i, double at) {
+    const auto& one = bodies.contact[i];
+    return scene::restitution(one.law,
+                              {.reduced_mass = scene::reduced_mass(mass(one.a), mass(one.b)), .speed = at});
+  });
+}
 
 }  // namespace
 
@@ -135,7 +155,8 @@ std::string table_of_bodies(const model::Bodies& bodies, const scene::Scene& sce
   };
   text += "\n" +
           columns({"", "contact", "law", "k [N/mⁿ]", "c [N s/mⁿ]", "tangential", "μ", "k_t or κ", "gap [m]"},
-                  std::ssize(bodies.contact), contact);
+                  std::ssize(bodies.contact), contact) +
+          restitutions(bodies);
   return text + fmt::format("\naccuracy {:.3g} · flow {}\n", scene.run.accuracy, flow::name(scene.run.flow));
 }
 

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -9,7 +10,9 @@
 #include "mariotte/report/table/background.hpp"
 #include "mariotte/report/table/balance_tables.hpp"
 #include "mariotte/report/table/quantity_table.hpp"
+#include "mariotte/report/table/restitution_table.hpp"
 #include "mariotte/report/table/table.hpp"
+#include "mariotte/scene/restitution.hpp"
 
 namespace mariotte::report {
 namespace {
@@ -111,6 +114,18 @@ constexpr BalanceLine energies[] = {{"before", "energy.initial"},
                                     {"  by adhesion damping", "energy.adhesion_damping"},
                                     {"  by friction", "energy.friction"}};
 
+/// What damped tips would do if they were spheres of the body's mass that strike head on.
+std::string restitutions(const model::Microbody& body) {
+  const auto damped = [](const contact::BrachDunn& law) {
+    return law.damping_hertz > 0 || law.damping_adhesion > 0;
+  };
+  if (std::none_of(body.law.begin(), body.law.end(), damped)) return "";
+  return restitution_table("tip", std::ssize(body.law), -body.velocity.e1, [&](Index i, double speed) {
+    return scene::restitution(body.law[i], body.body.tips[i].radius,
+                              {.reduced_mass = body.body.mass, .speed = speed});
+  });
+}
+
 }  // namespace
 
 std::string table(const impact::MicrobodyImpact& impact, const scene::Scene& scene, Detail detail) {
@@ -144,6 +159,7 @@ std::string table_of_body(const model::Microbody& body, const scene::Scene& scen
   text += "\n" + columns({"tip", "centre [m]", "radius [m]", "√r K [N/m^1.5]", "2πf₀√r [N/m^0.5]",
                           "C_H [s/m]", "C_A [s/m]"},
                          std::ssize(body.body.tips), row);
+  text += restitutions(body);
   text += fmt::format("\nvelocity {} m/s · spin {} rad/s\n", three(body.velocity), three(body.spin));
   text += fmt::format("angles {:.10g}, {:.10g}, {:.10g} deg · friction {:.10g} · gravity {:.10g} m/s²\n",
                       angles.alpha / degree, angles.beta / degree, angles.gamma / degree,
