@@ -40,7 +40,7 @@ struct Run {
 };
 
 std::string size_of(const model::Chain& chain) {
-  return fmt::format("{} balls", chain.mass.size());
+  return report::size_of(chain);
 }
 std::string size_of(const model::Network& network) {
   return report::size_of(network);

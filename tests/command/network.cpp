@@ -74,6 +74,9 @@ BOOST_FIXTURE_TEST_CASE(out_holds_samples_of_every_degree_of_freedom, Networks) 
   for (const char* name : {"result.json", "events.csv", "plot.csv", "plot.gp"})
     BOOST_TEST(fs::file_size(folder / "results" / name) > 0, name);
   BOOST_TEST(has(support::content(folder / "results/plot.gp"), "degree of freedom 1"));
+  BOOST_TEST(mariotte("run oblique.toml --out balls").code == 0);
+  BOOST_TEST(
+      support::content(folder / "balls/trace.csv").starts_with("time [s],v1x [m/s],v1y [m/s],v2x [m/s]"));
 }
 
 BOOST_FIXTURE_TEST_CASE(accuracy_can_be_estimated, Networks) {

@@ -20,6 +20,12 @@ BOOST_AUTO_TEST_CASE(trace_has_a_named_column_with_unit_for_every_ball_and_conta
              "0.10000000000000001,1,2,3,4,5,0.33333333333333331,7\n");
 }
 
+BOOST_AUTO_TEST_CASE(velocities_of_balls_in_the_plane_name_ball_and_axis) {
+  BOOST_TEST(report::trace_header({0, 1, 2, 3}, {}, "m/s", 2) ==
+             "time [s],v1x [m/s],v1y [m/s],v2x [m/s],v2y [m/s]\n");
+  BOOST_TEST(report::trace_header({5}, {0}, "m/s", 3) == "time [s],v2z [m/s],gap1 [m],force1 [N]\n");
+}
+
 BOOST_AUTO_TEST_CASE(an_empty_trace_is_a_header_alone) {
   const auto text = report::trace_csv(support::three_balls_impact());
   BOOST_TEST(text.find('\n') == text.size() - 1);

@@ -79,6 +79,7 @@ struct Trace {
   std::vector<std::vector<double>> force;     ///< rows of m values [N]
   std::string moving = "ball";                ///< what has a velocity
   std::string velocity_unit = "m/s";          ///< empty where units differ
+  Index dimension = 1;                        ///< velocities that each of these has
 };
 
 /// What every model made of contacts has to tell: n velocities, m contacts.

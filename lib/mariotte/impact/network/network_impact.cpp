@@ -73,6 +73,7 @@ std::vector<Skipped> skipped(const NetworkSystem& system, const ContactRun& run,
 Trace named(Trace trace, const model::Network& network) {
   trace.moving = moving(network);
   trace.velocity_unit = velocity_unit(network);
+  trace.dimension = std::max<Index>(1, network.dimension);
   return trace;
 }
 

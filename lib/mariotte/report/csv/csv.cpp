@@ -22,6 +22,16 @@ std::string names(std::string_view symbol, const std::vector<Index>& places, std
   return text;
 }
 
+/// Of velocities; balls that have several of them name their axes.
+std::string velocity_names(std::string_view symbol, const std::vector<Index>& places, std::string_view unit,
+                           Index dimension) {
+  if (dimension == 1) return names(symbol, places, unit);
+  std::string text;
+  for (const Index place : places)
+    text += fmt::format(",{}{}{} [{}]", symbol, place / dimension + 1, "xyz"[place % dimension], unit);
+  return text;
+}
+
 std::vector<Index> all(std::size_t count) {
   std::vector<Index> places(count);
   std::iota(places.begin(), places.end(), 0);
@@ -46,10 +56,10 @@ std::string events_csv(const impact::ContactImpact& impact) {
 }
 
 std::string trace_header(const std::vector<Index>& balls, const std::vector<Index>& contacts,
-                         const std::string& velocity_unit) {
+                         const std::string& velocity_unit, Index dimension) {
   const auto& [time, velocity, gap, force] = impact::sampled;
   return fmt::format("{} [{}]", time.symbol, time.unit) +
-         names(velocity.symbol, balls, velocity_unit.empty() ? "SI" : velocity_unit) +
+         velocity_names(velocity.symbol, balls, velocity_unit.empty() ? "SI" : velocity_unit, dimension) +
          names(gap.symbol, contacts, gap.unit) + names(force.symbol, contacts, force.unit) + "\n";
 }
 
@@ -64,8 +74,8 @@ std::string trace_row(double time, const std::vector<double>& velocity, const st
 
 std::string trace_csv(const impact::ContactImpact& impact) {
   const auto& trace = impact.trace;
-  std::string text =
-      trace_header(all(impact.velocity.size()), all(impact.contacts.size()), trace.velocity_unit);
+  std::string text = trace_header(all(impact.velocity.size()), all(impact.contacts.size()),
+                                  trace.velocity_unit, trace.dimension);
   for (std::size_t row = 0; row < trace.time.size(); ++row)
     text += trace_row(trace.time[row], trace.velocity[row], trace.gap[row], trace.force[row]);
   return text;

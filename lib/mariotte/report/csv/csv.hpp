@@ -15,12 +15,13 @@ namespace mariotte::report {
 std::string events_csv(const impact::ContactImpact& impact);
 
 /// `time [s],v1 [m/s],…,gap1 [m],…,force1 [N],…`: one row per sample; a gap is negative in contact.
-/// Velocities of dofs of any kind are in "SI".
+/// Velocities of balls in the plane or in space are `v1x [m/s],v1y [m/s],…`; those of dofs of any kind are in
+/// "SI".
 std::string trace_csv(const impact::ContactImpact& impact);
 
 /// The lines that such a table is made of, for chosen balls and contacts.
 std::string trace_header(const std::vector<Index>& balls, const std::vector<Index>& contacts,
-                         const std::string& velocity_unit = "m/s");
+                         const std::string& velocity_unit = "m/s", Index dimension = 1);
 std::string trace_row(double time, const std::vector<double>& velocity, const std::vector<double>& gap,
                       const std::vector<double>& force);
 

@@ -18,11 +18,8 @@ std::string number(double value) {
 }
 
 std::string heading(const model::Chain& chain, const scene::Scene& scene) {
-  const Index walls =
-      std::count_if(chain.mass.begin(), chain.mass.end(), [](double mass) { return std::isinf(mass); });
   std::string text = scene.title.empty() ? "Chain" : scene.title;
-  text += fmt::format("\n{} balls", chain.mass.size() - static_cast<std::size_t>(walls));
-  if (walls > 0) text += fmt::format(" and {} wall{}", walls, walls > 1 ? "s" : "");
+  text += "\n" + size_of(chain);
   if (chain.gravity != 0) text += fmt::format(", gravity {} m/s²", number(chain.gravity));
   if (chain.precompressed) text += ", precompressed";
   if (!chain.drive.empty()) text += ", driven";

@@ -53,7 +53,7 @@ std::string balls(const impact::ChainImpact& impact, const model::Chain& chain) 
   const auto velocity = display_for(all, "m/s");
   const auto row = [&](Index i) -> TableRow {
     const auto k = static_cast<std::size_t>(i);
-    return {fmt::format("{}", i + 1), shown(velocity, chain.velocity[k]),
+    return {std::isinf(chain.mass[k]) ? "wall" : fmt::format("{}", i + 1), shown(velocity, chain.velocity[k]),
             shown(velocity, impact.velocity[k])};
   };
   return "\nBalls\n" +
@@ -121,12 +121,21 @@ std::string head(const impact::ContactImpact& impact, const scene::Scene& scene,
 
 }  // namespace
 
+std::string size_of(const model::Chain& chain) {
+  const auto walls =
+      std::count_if(chain.mass.begin(), chain.mass.end(), [](double mass) { return std::isinf(mass); });
+  const auto counted = [](Index count, const char* thing) {
+    return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
+  };
+  const auto balls = counted(std::ssize(chain.mass) - walls, "ball");
+  return walls > 0 ? balls + " and " + counted(walls, "wall") : balls;
+}
+
 std::string table(const impact::ChainImpact& impact, const scene::Scene& scene, Detail detail) {
   const auto& chain = std::get<model::Chain>(scene.model);
-  return head(impact, scene, "Chain of balls", fmt::format("{} balls", impact.velocity.size())) +
-         balls(impact, chain) + pair(impact, chain) + contacts(impact, time_display(impact), {}) +
-         ratios(impact) + energy_table(impact) + momentum_table(impact, chain) +
-         (detail == Detail::full ? background(impact, "contact") : "");
+  return head(impact, scene, "Chain of balls", size_of(chain)) + balls(impact, chain) + pair(impact, chain) +
+         contacts(impact, time_display(impact), {}) + ratios(impact) + energy_table(impact) +
+         momentum_table(impact, chain) + (detail == Detail::full ? background(impact, "contact") : "");
 }
 
 std::string table(const impact::NetworkImpact& impact, const scene::Scene& scene, Detail detail) {

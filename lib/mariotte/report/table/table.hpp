@@ -28,6 +28,9 @@ std::string table(const impact::NetworkImpact& impact, const scene::Scene& scene
 std::string table(const impact::BodiesImpact& impact, const scene::Scene& scene,
                   Detail detail = Detail::usual);
 
+/// "3 balls and 1 wall".
+std::string size_of(const model::Chain& chain);
+
 /// The scene as it was understood, in SI units without prefixes.
 std::string table(const scene::Scene& scene);
 std::string table_of_body(const model::Microbody& body, const scene::Scene& scene);
