@@ -198,6 +198,34 @@ BOOST_FIXTURE_TEST_CASE(a_pair_prints_the_restitution_it_had, Session) {
   const double e = std::stod(drop.substr(drop.find("restitution ") + 12));
   BOOST_TEST(std::abs(e - 0.5) < 1e-5);  // gravity takes 2e-6 of the speed during the contact
   BOOST_TEST(!has(mariotte("run three.toml").out, "restitution"));
+
+  write("two.toml",
+        "[network]\nradius = 0.01\nmass = 1\nlaw = \"viscoelastic\"\nexponent = 1\nstiffness = 1e9\n"
+        "restitution = 0.7\n[[network.ball]]\nposition = [0, 0]\nvelocity = [2, 0]\n"
+        "[[network.ball]]\nposition = [0.02, 0]\n");
+  const auto two = mariotte("run two.toml").out;
+  BOOST_TEST(has(two, "approach [m/s]                 2.0000000\n"));
+  BOOST_TEST(has(two, "restitution                 0.7000000000\n"));
+
+  write("sphere.toml",
+        "[bodies]\ndimension = 2\nradius = 0.01\nmass = 1\nlaw = \"viscoelastic\"\nexponent = 1\n"
+        "stiffness = 1e9\nrestitution = 0.7\n[[bodies.body]]\nposition = [0, 0.01]\nvelocity = [1, -2]\n"
+        "[[bodies.plane]]\nnormal = [0, 1]\n");
+  const auto sphere = mariotte("run sphere.toml").out;
+  BOOST_TEST(has(sphere, "approach [m/s]                 2.0000000\n"));
+  BOOST_TEST(has(sphere, "restitution                 0.7000000000\n"));
+}
+
+BOOST_FIXTURE_TEST_CASE(every_contact_prints_how_fast_its_balls_first_met, Session) {
+  write("drop.toml",
+        "[chain]\nballs = 2\nmass = 1\nwall = \"left\"\ngap = [0.1, 0.2]\ngravity = 9.81\nlaw = "
+        "\"linear\"\nstiffness = 1e9\n[run]\nmax_time = 0.5\n");
+  const auto drop = mariotte("run drop.toml");
+  BOOST_TEST(has(drop.out, "  meets [m/s]  "));
+  BOOST_TEST(has(drop.out, "1.40071"));  // √(2 g 0.1)
+  const auto contact = nlohmann::json::parse(mariotte("run drop.toml --json").out)["contacts"][0];
+  BOOST_TEST(std::abs(contact["approach_speed"].get<double>() - std::sqrt(2 * 9.81 * 0.1)) < 1e-9);
+  BOOST_TEST(contact["separation_speed"].get<double>() > 1.4);
 }
 
 BOOST_FIXTURE_TEST_CASE(an_end_that_is_wanted_is_no_limit, Session) {

@@ -80,6 +80,21 @@ BOOST_AUTO_TEST_CASE(rigid_stick_leaves_five_sevenths) {
 }
 
 // u' = u cos(π √(7 k_t/2k)) of a linear pair that never slips.
+BOOST_AUTO_TEST_CASE(a_ball_that_falls_meets_the_plane_as_fast_as_it_must) {
+  auto bodies = strike(0, rigid, contact::Viscoelastic{.stiffness = 1e6, .damping = 50, .exponent = 1});
+  bodies.body[0].velocity = {};
+  bodies.body[0].position.e2 += 0.1;
+  bodies.contact[0].touching = false;
+  bodies.gravity = {0, -9.81, 0};
+  const auto impact = impact::simulate(bodies, {.max_time = 0.2});
+  const auto& [approach, separation] = impact.contacts[0].meeting;
+  BOOST_TEST(impact.contacts[0].periods.size() == 1u);
+  check_near(*approach, std::sqrt(2 * 9.81 * 0.1), 1e-9);
+  const double flight = impact.time - *impact.contacts[0].periods[0].end;
+  check_near(*separation, impact.body[0].velocity.e2 + 9.81 * flight, 1e-9);
+  BOOST_TEST(*separation < *approach);
+}
+
 BOOST_AUTO_TEST_CASE(linear_springs_turn_the_slip_by_the_ratio_of_their_periods) {
   const double k = 1e6, angle = 0.2;
   for (const double ratio : {0.1, 2.0 / 7, 0.5}) {

@@ -128,6 +128,55 @@ BOOST_AUTO_TEST_CASE(a_dropped_ball_ends_after_its_first_bounce_or_goes_on_to_th
   BOOST_TEST(std::abs(longer.energy.residual) < 1e-8);
 }
 
+// Two balls that touch fall on a wall from 1 m: the lower meets it at √(2 g h), and the upper, which has been
+// in touch from the start, meets the lower at no speed.
+BOOST_AUTO_TEST_CASE(contacts_know_how_fast_their_balls_met_and_parted) {
+  auto chain = bouncing();
+  const auto impact = impact::simulate(chain);
+  const auto& speeds = impact.contacts[0].meeting;
+  const double fall = std::sqrt(2 * 9.81);
+  BOOST_TEST(std::abs(*speeds.approach - fall) < 1e-9);
+  BOOST_TEST(*speeds.separation < *speeds.approach);
+  BOOST_TEST(std::abs(*speeds.separation -
+                      (impact.velocity[1] + 9.81 * (impact.time - *impact.contacts[0].periods[0].end))) <
+             1e-9);
+  chain.mass.push_back(1);
+  chain.velocity.push_back(0);
+  chain.gap.push_back(0);
+  chain.law.push_back(hertz);
+  const auto two = impact::simulate(chain, {.max_time = 1});
+  BOOST_TEST(std::abs(*two.contacts[0].meeting.approach - fall) < 1e-9);
+  BOOST_TEST(std::abs(two.contacts[1].meeting.approach.value_or(0)) < 1e-9);
+}
+
+BOOST_AUTO_TEST_CASE(contacts_that_never_meet_or_start_indented_have_no_speed_of_approach) {
+  const auto apart = impact::simulate(equal_masses({hertz, hertz}, {1, 0, 9}));
+  BOOST_TEST(*apart.contacts[0].meeting.approach == 1);
+  BOOST_TEST(!apart.contacts[1].meeting.approach);
+  BOOST_TEST(!apart.contacts[1].meeting.separation);
+  auto pressed = equal_masses({hertz}, {0, 0});
+  pressed.gap = {-0.1};
+  pressed.precompressed = true;
+  const auto impact = impact::simulate(pressed);
+  BOOST_TEST(!impact.contacts[0].meeting.approach);
+  BOOST_TEST(std::abs(*impact.contacts[0].meeting.separation - (impact.velocity[1] - impact.velocity[0])) <
+             1e-10);
+}
+
+BOOST_AUTO_TEST_CASE(islands_know_the_same_speeds_as_one_system) {
+  auto chain = equal_chain(60);
+  for (std::size_t j = 0; j < chain.gap.size(); ++j) chain.gap[j] = j % 2 == 0 ? 0.1 : 0.3;
+  const auto islands = impact::simulate(chain), whole = impact::simulate(chain, {.flow = flow::Kind::taylor});
+  for (std::size_t j = 0; j < chain.gap.size(); ++j) {
+    BOOST_REQUIRE(islands.contacts[j].meeting.approach);
+    BOOST_TEST(std::abs(*islands.contacts[j].meeting.approach - *whole.contacts[j].meeting.approach) < 1e-8,
+               j);
+    BOOST_TEST(
+        std::abs(*islands.contacts[j].meeting.separation - *whole.contacts[j].meeting.separation) < 1e-8, j);
+  }
+  BOOST_TEST(*islands.contacts[0].meeting.approach == 1, boost::test_tools::tolerance(1e-12));
+}
+
 BOOST_AUTO_TEST_CASE(limits_keep_what_was_computed) {
   const auto impact = impact::simulate(equal_chain(5), {.max_events = 2});
   BOOST_TEST((impact.ending == Ending::event_limit));

@@ -202,6 +202,21 @@ BOOST_AUTO_TEST_CASE(peaks_are_those_of_the_chain_model) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(speeds_at_which_bodies_meet_and_part_are_those_of_the_chain_model) {
+  std::mt19937_64 random(31);
+  for (int i = 0; i < 20; ++i) {
+    const auto chain = plain_chain(random, i);
+    const auto as_chain = simulate(chain);
+    const auto as_network = simulate(model::as_network(chain));
+    for (std::size_t j = 0; j < chain.law.size(); ++j) {
+      const auto &one = as_chain.contacts[j].meeting, &other = as_network.contacts[j].meeting;
+      if (as_chain.contacts[j].periods.size() != as_network.contacts[j].periods.size()) continue;
+      BOOST_TEST(std::abs(one.approach.value_or(-1) - other.approach.value_or(-1)) < 1e-7, i << " " << j);
+      BOOST_TEST(std::abs(one.separation.value_or(-1) - other.separation.value_or(-1)) < 1e-7, i << " " << j);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(the_estimate_of_the_error_is_within_what_was_asked) {
   const auto network = test::rack(3, 0);
   const auto run = simulate(network, {.accuracy = 1e-8});

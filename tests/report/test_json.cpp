@@ -35,8 +35,9 @@ BOOST_AUTO_TEST_CASE(result_has_the_promised_keys_in_order) {
 BOOST_AUTO_TEST_CASE(parts_of_the_result_have_the_promised_keys) {
   const auto result = example();
   check_keys(result["final"], {"time", "velocity", "gap"});
-  check_keys(result["contacts"][0], {"impulse", "peak_force", "peak_indentation", "periods", "stored",
-                                     "dissipated", "plastic_work", "adhesion_loss", "permanent_indentation"});
+  check_keys(result["contacts"][0],
+             {"impulse", "peak_force", "peak_indentation", "approach_speed", "separation_speed", "periods",
+              "stored", "dissipated", "plastic_work", "adhesion_loss", "permanent_indentation"});
   check_keys(result["events"][0], {"time", "open", "close", "yield", "unload", "stick", "slip", "capture"});
   check_keys(result["energy"], {"initial", "final", "stored", "dissipated", "plastic_work", "adhesion_loss",
                                 "work", "residual", "ratio_lab", "ratio_centre"});

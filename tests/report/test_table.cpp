@@ -35,7 +35,8 @@ std::pair<impact::ChainImpact, scene::Scene> long_chain(std::size_t balls) {
                                      .peak_force = 12345.678,
                                      .peak_indentation = 1.2345678e-5,
                                      .dissipated = 1.2345678e-6,
-                                     .periods = {{0, 1e-4}, {1.2345678e-4, 1.2345678e-3}, {1.23e-3, {}}}});
+                                     .periods = {{0, 1e-4}, {1.2345678e-4, 1.2345678e-3}, {1.23e-3, {}}},
+                                     .meeting = {1.2345678, 1.2345678}});
   impact.icr.assign(balls - 2, 1.0768);
   impact.events.assign(3 * balls, {.time = 1e-4, .open = {0, 1, 2}, .close = {5, 7, 8}});
   return {impact, scene};

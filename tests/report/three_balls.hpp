@@ -27,8 +27,13 @@ inline mariotte::impact::ChainImpact three_balls_impact() {
   impact.time = 4;
   impact.velocity = {0.1, 0.2, 0};
   impact.gap = {0.5, -1e-3};
-  impact.contacts = {{.impulse = 0.9, .peak_force = 1.5, .peak_indentation = 0.75, .periods = {{0, 3.0}}},
-                     {.impulse = 0.7, .stored = 0.25, .dissipated = 0.125, .periods = {{0.5, {}}}}};
+  impact.contacts = {
+      {.impulse = 0.9,
+       .peak_force = 1.5,
+       .peak_indentation = 0.75,
+       .periods = {{0, 3.0}},
+       .meeting = {1.0, 0.5}},
+      {.impulse = 0.7, .stored = 0.25, .dissipated = 0.125, .periods = {{0.5, {}}}, .meeting = {}}};
   impact.icr = {std::nullopt};
   impact.impulse_direction = {0.8, 0.6};
   impact.events = {{.time = 0, .open = {}, .close = {0}}, {.time = 0.5, .open = {0}, .close = {1}}};

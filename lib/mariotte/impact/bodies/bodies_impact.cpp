@@ -20,6 +20,7 @@ struct OneEvent {
   double time;
   Index contact;
   BodyEvent event;
+  double approach;
 };
 
 /// What touches at rest since the start is pressed or parts from then on, though that is told from rounding
@@ -31,18 +32,28 @@ std::vector<OneEvent> events(const Run& run) {
   for (const auto& [time, change] : run.changes) {
     if (change.event == BodyEvent::touch) rested = change.contact, told = time;
     const bool from_start = change.contact == rested && time == told;
-    list.push_back({from_start ? 0 : time, change.contact, change.event});
+    list.push_back({from_start ? 0 : time, change.contact, change.event, change.approach});
   }
   std::stable_sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
   return list;
 }
 
 void add_periods(const std::vector<OneEvent>& events, std::vector<BodyContactHistory>& contacts) {
-  for (const auto& [time, contact, event] : events) {
+  for (const auto& [time, contact, event, approach] : events) {
     auto& periods = contacts[contact].periods;
-    if (event == BodyEvent::close || event == BodyEvent::touch) periods.push_back({time, std::nullopt});
-    if (event == BodyEvent::open) periods.back().end = time;
-    if (event == BodyEvent::part) periods.pop_back();
+    auto& meeting = contacts[contact].meeting;
+    if (event == BodyEvent::close || event == BodyEvent::touch) {
+      periods.push_back({time, std::nullopt});
+      if (periods.size() == 1) meeting.approach = approach;
+    }
+    if (event == BodyEvent::open) {
+      periods.back().end = time;
+      if (periods.size() == 1) meeting.separation = -approach;
+    }
+    if (event == BodyEvent::part) {
+      periods.pop_back();
+      if (periods.empty()) meeting = {};
+    }
   }
 }
 
@@ -56,7 +67,7 @@ void keep_used(Index named, const std::vector<OneEvent>& events, BodiesImpact& i
     kept.push_back(std::move(impact.contacts[c]));
   }
   impact.contacts = std::move(kept);
-  for (const auto& [time, contact, event] : events) {
+  for (const auto& [time, contact, event, approach] : events) {
     if (place[contact] < 0) continue;
     if (impact.events.empty() || impact.events.back().time != time) impact.events.push_back({.time = time});
     impact.events.back().all[static_cast<std::size_t>(event)].push_back(place[contact]);

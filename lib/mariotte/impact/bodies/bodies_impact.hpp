@@ -43,6 +43,7 @@ struct BodyContactHistory {
   double peak_friction = 0;     ///< largest |f_t| [N]
   double peak_indentation = 0;  ///< [m]
   std::vector<Period> periods;  ///< in order of time
+  MeetingSpeeds meeting;
 };
 
 /// What contacts do at one instant; they count from 0 in the list of results.

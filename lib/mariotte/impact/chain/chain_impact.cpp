@@ -65,8 +65,9 @@ std::vector<ContactHistory> histories(const DimensionlessChain& chain, const Cha
         .plastic = energies[j].plastic * scale.energy(),
         .adhesion = energies[j].adhesion * scale.energy(),
         .permanent_indentation = energies[j].dent * scale.length,
-        .periods = {}};
-  add_periods(contacts, chain_run.run.changes, scale.time);
+        .periods = {},
+        .meeting = {}};
+  add_periods(contacts, chain_run.run.changes, scale);
   return contacts;
 }
 

@@ -20,6 +20,12 @@ struct Period {
   std::optional<double> end;
 };
 
+/// How fast two bodies came together and parted, at the ends of the first period of their contact [m/s].
+struct MeetingSpeeds {
+  std::optional<double> approach;    ///< empty if they never met, or were indented from the start
+  std::optional<double> separation;  ///< empty if they did not part
+};
+
 /// What one contact did.
 struct ContactHistory {
   double impulse = 0;                ///< p = ∫ f dt [N s]
@@ -31,6 +37,7 @@ struct ContactHistory {
   double adhesion = 0;               ///< of it, where adhesion snapped in and gave way [J]
   double permanent_indentation = 0;  ///< depth of the dent, where the contact closes again [m]
   std::vector<Period> periods;       ///< in order of time
+  MeetingSpeeds meeting;
 };
 
 /// One instant at which the set of force-carrying contacts changes, or the branch of one; contacts count

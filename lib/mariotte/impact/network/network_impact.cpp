@@ -55,7 +55,7 @@ std::vector<ContactHistory> histories(const NetworkSystem& system, const contact
     contacts[j].peak_force = peaks[j].force * scale.force();
     contacts[j].peak_indentation = peaks[j].indentation * scale.length;
   }
-  add_periods(contacts, changes, scale.time);
+  add_periods(contacts, changes, scale);
   for (auto& contact : contacts)
     if (contact.periods.empty()) contact.impulse = 0;
   return contacts;

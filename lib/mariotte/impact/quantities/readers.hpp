@@ -23,6 +23,11 @@ template <auto array, auto member>
 inline constexpr auto of_element =
     [](const auto& r, Indices at) -> Value { return value((r.*array)[at[0]].*member); };
 
+/// How fast the two of a contact met, or parted.
+template <auto contacts, auto member>
+inline constexpr auto meeting =
+    [](const auto& r, Indices at) -> Value { return value((r.*contacts)[at[0]].meeting.*member); };
+
 template <auto array>
 inline constexpr auto size_of = [](const auto& r, Indices) -> Count { return std::ssize(r.*array); };
 /// Of an array that every element has.

@@ -37,11 +37,18 @@ std::vector<Event> event_list(const ContactChanges& changes, double unit) {
   return list;
 }
 
-void add_periods(std::vector<ContactHistory>& contacts, const ContactChanges& changes, double unit) {
+void add_periods(std::vector<ContactHistory>& contacts, const ContactChanges& changes, const Scale& scale) {
   for (const auto& [time, change] : changes) {
     auto& periods = contacts[change.contact].periods;
-    if (starts_force(change)) periods.push_back({.start = time * unit, .end = std::nullopt});
-    if (ends_force(change)) periods.back().end = time * unit;
+    auto& meeting = contacts[change.contact].meeting;
+    const double approach = change.approach * scale.velocity;
+    if (starts_force(change)) {
+      periods.push_back({.start = time * scale.time, .end = std::nullopt});
+      if (periods.size() == 1 && approach >= 0) meeting.approach = approach;
+    }
+    if (!ends_force(change)) continue;
+    periods.back().end = time * scale.time;
+    if (periods.size() == 1) meeting.separation = -approach;
   }
 }
 

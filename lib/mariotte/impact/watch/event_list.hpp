@@ -18,8 +18,8 @@ using ContactChanges = std::vector<hybrid::Timed<model::ContactChange>>;
 /// of time.
 std::vector<Event> event_list(const ContactChanges& changes, double unit);
 
-/// Appends the periods of each contact.
-void add_periods(std::vector<ContactHistory>& contacts, const ContactChanges& changes, double unit);
+/// Appends the periods of each contact, and how fast its bodies met and parted.
+void add_periods(std::vector<ContactHistory>& contacts, const ContactChanges& changes, const Scale& scale);
 
 /// Without contacts that touched at rest and were let go before they left the noise: these never closed,
 /// unless they are among those that were `felt`. A strong damper gives an impulse within the noise of

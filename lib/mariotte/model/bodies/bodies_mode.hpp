@@ -49,6 +49,7 @@ struct BodiesMode {
 struct BodiesChange {
   Index contact;
   BodyEvent event;
+  double approach = 0;  ///< −ġ where it closes or opens
 };
 
 /// Guards of a closed contact.

@@ -86,7 +86,8 @@ void BodiesSystem<D>::close(Mode& mode, Index contact, std::vector<double>& x, B
                                       [](const ClosedContact& c, Index i) { return c.contact < i; });
   const std::size_t index = place - mode.closed.begin();
   mode.closed.insert(place, one);
-  changes.push_back({contact, event});
+  const double approach = event == BodyEvent::close ? -field(mode, x).motion(contact).gap_rate : 0;
+  changes.push_back({contact, event, approach});
   begin_friction(mode, index, x, changes);
 }
 
@@ -95,6 +96,7 @@ void BodiesSystem<D>::open(Mode& mode, std::size_t place, std::vector<double>& x
                            std::vector<Change>& changes) const {
   const auto one = mode.closed[place];
   const auto at = layout(x);
+  const double approach = -field(mode, x).motion(one.contact).gap_rate;
   auto& totals = mode.totals[one.contact];
   totals.normal += x[at.normal(one.slot)];
   for (Index k = 0; k < at.tangents; ++k) totals.tangential[k] += x[at.tangential(one.slot) + k];
@@ -105,7 +107,7 @@ void BodiesSystem<D>::open(Mode& mode, std::size_t place, std::vector<double>& x
   std::fill_n(x.begin() + at.spring(one.slot), at.slot_size, 0.0);
   mode.idle.push_back(one.slot);
   mode.closed.erase(mode.closed.begin() + static_cast<Index>(place));
-  changes.push_back({one.contact, BodyEvent::open});
+  changes.push_back({one.contact, BodyEvent::open, approach});
 }
 
 /// By leading terms: whether T grows more slowly than its cap. Both are compared shortly after the start.

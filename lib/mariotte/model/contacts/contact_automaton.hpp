@@ -14,6 +14,7 @@ struct ContactChange {
   contact::ContactMode after;
   contact::Branch branch_before = contact::Branch::elastic;
   contact::Branch branch_after = contact::Branch::elastic;
+  double approach = 0;  ///< δ̇ at that instant; nan where the contact has been indented from the start
 };
 
 /// Put contact j into a mode and note it, if that is new. A law with branches begins on one of them, and

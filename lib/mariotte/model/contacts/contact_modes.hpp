@@ -13,6 +13,7 @@
 //                            use(place of a velocity, coefficient) for the terms of G_j and of M⁻¹ G_jᵀ
 #pragma once
 #include <cmath>
+#include <limits>
 
 #include "mariotte/model/contacts/contact_automaton.hpp"
 #include "mariotte/model/contacts/contact_layout.hpp"
@@ -125,6 +126,15 @@ void press_near(const ContactState<Topology>& state, contact::ContactSet& mode, 
   for (; next < changes.size(); ++next) state.topology.for_each_near(changes[next].contact, press);
 }
 
+/// Tells the changes from `first` on how fast their contacts approach.
+template <class Topology>
+void tell_approach(const ContactState<Topology>& state, std::size_t first,
+                   std::vector<ContactChange>& changes) {
+  for (; first < changes.size(); ++first)
+    if (auto& one = changes[first]; one.after != contact::ContactMode::touching)
+      one.approach = state.approach(one.contact);
+}
+
 /// Contacts that carry force at 0+: indented ones, touching ones that approach or are driven together, and
 /// touching ones at rest that stand near one of these; all of these where a drive may press any.
 template <class Topology>
@@ -147,6 +157,9 @@ void contact_set_at(const ContactState<Topology>& state, contact::ContactSet& mo
   }
   for (Index j = 0; j < state.contacts(); ++j)
     if (contact::carries_force(mode[j])) press_near(state, mode, j, changes);
+  tell_approach(state, 0, changes);
+  for (auto& one : changes)
+    if (state.gap(one.contact) < 0) one.approach = std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace mariotte::model

@@ -130,6 +130,7 @@ void ContactSystem<Topology>::redirect(Mode& mode, Index j, ConstState x,
 template <class Topology>
 void ContactSystem<Topology>::transition(Mode& mode, const std::vector<Index>& fired, State x,
                                          std::vector<Change>& changes) const {
+  const auto known = changes.size();
   if (pass_kinks(mode, fired, x))
     for (Index j = 0; j < layout_.contacts(); ++j) redirect(mode, j, x, changes);
   for (const Index guard : fired) fire(mode, guard, x, changes);
@@ -141,6 +142,7 @@ void ContactSystem<Topology>::transition(Mode& mode, const std::vector<Index>& f
                        [&](Index guard) { return layout_.guard_contact[guard] == j; });
   };
   for (Index j = 0; j < layout_.contacts(); ++j) settle(mode, j, has_fired(j), x, changes);
+  tell_approach(state(x, &mode), known, changes);
 }
 
 template <class Topology>

@@ -55,12 +55,19 @@ void Islands::close_due() {
     if (is_inside(j)) continue;
     if (balls_.is_due(j, now_, options_.accuracy)) {
       absorb_owners(j);
-      change(mode, j, after(balls_.state(), j, mode[j], false), chain_.law[j], changes_);
+      pass(j);
     }
     if (!contact::carries_force(mode[j])) continue;
     press(j, 1);
     press(j, -1);
   }
+}
+
+void Islands::pass(Index j) {
+  auto& mode = balls_.modes();
+  const auto known = changes_.size();
+  change(mode, j, after(balls_.state(), j, mode[j], false), chain_.law[j], changes_);
+  tell_approach(balls_.state(), known, changes_);
 }
 
 void Islands::press(Index from, Index direction) {

@@ -94,8 +94,7 @@ void Islands::meet(Index j) {
   balls_.move_ball(j + 1, now_);
   balls_.touch(j);
   auto& mode = balls_.modes();
-  if (mode[j] != ContactMode::touching)
-    change(mode, j, after(balls_.state(), j, mode[j], false), chain_.law[j], changes_);
+  if (mode[j] != ContactMode::touching) pass(j);
   cut();
 }
 

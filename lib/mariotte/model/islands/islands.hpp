@@ -67,6 +67,7 @@ class Islands {
   void absorb_owners(Index contact);
   void cut();
   void close_due();
+  void pass(Index j);
   void press(Index from, Index direction);
   Index find_owner_in_the_way() const;
   void form_groups();

@@ -7,6 +7,7 @@
 #include "mariotte/report/reason.hpp"
 #include "mariotte/report/table/background.hpp"
 #include "mariotte/report/table/balance_tables.hpp"
+#include "mariotte/report/table/pair_speeds.hpp"
 #include "mariotte/report/table/quantity_table.hpp"
 #include "mariotte/report/table/restitution_table.hpp"
 #include "mariotte/report/table/table.hpp"
@@ -91,6 +92,31 @@ std::string contacts(const impact::BodiesImpact& impact) {
                                   std::ssize(impact.contacts), row);
 }
 
+/// How fast the two of each contact first met and parted; of the only one that has closed also their ratio.
+std::string meetings(const impact::BodiesImpact& impact) {
+  std::vector<Index> met;
+  for (Index i = 0; i < std::ssize(impact.contacts); ++i)
+    if (!impact.contacts[i].periods.empty()) met.push_back(i);
+  if (met.empty()) return "";
+  const auto& first = impact.contacts[met[0]];
+  if (met.size() == 1) return pair_table(first.meeting, first.periods.size());
+  const auto speed = [](const std::optional<double>& one) {
+    return one ? fmt::format("{:.6g}", *one) : std::string("–");
+  };
+  const auto row = [&](Index i) -> TableRow {
+    const auto& [approach, separation] = impact.contacts[met[i]].meeting;
+    return {fmt::format("{}", met[i] + 1), speed(approach), speed(separation)};
+  };
+  return "\nFirst meetings\n" +
+         columns({"contact", "approach [m/s]", "separation [m/s]"}, std::ssize(met), row);
+}
+
+constexpr BalanceLine energies[] = {
+    {"kinetic before", "energy.initial"},       {"work of gravity and planes", "energy.work", true},
+    {"kinetic after", "energy.final"},          {"stored in contacts", "energy.stored", true},
+    {"dissipated", "energy.dissipated"},        {"  by friction", "energy.friction"},
+    {"  by rescaling", "energy.rescale", true}, {"  by dampers", "energy.damper", true}};
+
 /// What damped pairs alone would do, as if their bodies were balls.
 std::string restitutions(const model::Bodies& bodies) {
   double speed = 0;
@@ -119,7 +145,7 @@ std::string table(const impact::BodiesImpact& impact, const scene::Scene& scene,
   const auto time = display_for(std::vector{impact.time}, "s");
   return heading(scene.title.empty() ? "Bodies with friction" : scene.title) + summary(impact, scene, time) +
          events(impact, time) + motion(impact, std::get<model::Bodies>(scene.model)) + contacts(impact) +
-         balance_table("Energy", impact, energies, "energy.residual") +
+         meetings(impact) + balance_table("Energy", impact, energies, "energy.residual") +
          (detail == Detail::full ? background(impact, "contact") : "");
 }
 

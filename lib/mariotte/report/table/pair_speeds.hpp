@@ -1,18 +1,12 @@
-// How fast two bodies came together and parted.
+// With which speeds a pair came and went, in words.
 #pragma once
-#include <optional>
+#include <string>
 
 #include "mariotte/impact/chain/chain_impact.hpp"
 
 namespace mariotte::report {
 
-/// Of two balls, or a ball and a wall, at the instants at which their contact closes and opens [m/s].
-struct PairSpeeds {
-  double approach = 0;
-  double separation = 0;
-};
-
-/// Empty unless the chain is a pair that has met once, in flight, and parted.
-std::optional<PairSpeeds> pair_speeds(const impact::ChainImpact& impact, const model::Chain& chain);
+/// Speeds of approach and separation and their ratio; "" unless the two have met once, in flight, and parted.
+std::string pair_table(const impact::MeetingSpeeds& speeds, std::size_t periods);
 
 }  // namespace mariotte::report

@@ -1,6 +1,7 @@
 // Quantities in tables: units and numbers come from the list of what a result says.
 #pragma once
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,7 +19,7 @@ struct NumberColumn {
   std::vector<double> values = {};
 
   std::string head() const { return name + " [" + display.unit + "]"; }
-  std::string cell(Index row) const { return shown(display, values[row]); }
+  std::string cell(Index row) const { return std::isnan(values[row]) ? "–" : shown(display, values[row]); }
 };
 
 /// Of a member that all elements of an array have, "contacts[].impulse", with so many digits less than usual.

@@ -61,16 +61,13 @@ std::string balls(const impact::ChainImpact& impact, const model::Chain& chain) 
                  std::ssize(impact.velocity), row);
 }
 
-std::string periods(const impact::ContactHistory& contact, const Display& time, std::size_t most) {
-  std::string text;
-  const std::size_t count = contact.periods.size();
-  for (std::size_t i = 0; i < std::min(count, most); ++i) {
-    const auto& period = contact.periods[i];
-    text += fmt::format("{}{:.5g}–{}", i > 0 ? ", " : "", time.factor * period.start,
-                        period.end ? fmt::format("{:.5g}", time.factor * *period.end) : "");
-  }
-  if (count > most) text += fmt::format(" +{}", count - most);
-  return count == 0 ? "never" : text;
+/// The first one, and how many more.
+std::string periods(const impact::ContactHistory& contact, const Display& time) {
+  if (contact.periods.empty()) return "never";
+  const auto& [start, end] = contact.periods.front();
+  const auto more = contact.periods.size() - 1;
+  return fmt::format("{:.5g}–{}{}", time.factor * start, end ? fmt::format("{:.5g}", time.factor * *end) : "",
+                     more > 0 ? fmt::format(" +{}", more) : "");
 }
 
 /// `name` tells what each contact joins, where that is not clear.
@@ -79,12 +76,13 @@ std::string contacts(const Impact& impact, const Display& time, const std::vecto
   const NumberColumn numbers[] = {number_column("impulse", "contacts[].impulse", impact),
                                   number_column("peak force", "contacts[].peak_force", impact, 2),
                                   number_column("indentation", "contacts[].peak_indentation", impact, 2),
+                                  number_column("meets", "contacts[].approach_speed", impact, 2),
                                   number_column("dissip.", "contacts[].dissipated", impact, 2)};
   const auto row = [&](Index j) {
     TableRow cells = {fmt::format("{}", j + 1)};
     if (!name.empty()) cells.push_back(name[j]);
     for (const auto& column : numbers) cells.push_back(column.cell(j));
-    cells.push_back(periods(impact.contacts[j], time, name.empty() ? 2 : 1));
+    cells.push_back(periods(impact.contacts[j], time));
     return cells;
   };
   TableRow header = {"contact"};
@@ -103,14 +101,10 @@ std::string ratios(const impact::ContactImpact& impact) {
   return "\nImpulse correlation ratios\n" + columns({"contacts", "α"}, std::ssize(impact.icr), row);
 }
 
-/// A ball and a wall or two balls that have met once: with which speeds they came and went.
-std::string pair(const impact::ChainImpact& impact, const model::Chain& chain) {
-  const auto speeds = pair_speeds(impact, chain);
-  if (!speeds) return "";
-  const auto display = display_for(std::vector{speeds->approach, speeds->separation}, "m/s");
-  return "\nPair\n" + line("approach [" + display.unit + "]", shown(display, speeds->approach)) +
-         line("separation [" + display.unit + "]", shown(display, speeds->separation)) +
-         line("restitution", fmt::format("{:.10f}", speeds->separation / speeds->approach));
+/// Of the only contact.
+std::string pair(const impact::ContactImpact& impact) {
+  if (impact.contacts.size() != 1) return "";
+  return pair_table(impact.contacts[0].meeting, impact.contacts[0].periods.size());
 }
 
 std::string head(const impact::ContactImpact& impact, const scene::Scene& scene, const char* otherwise,
@@ -133,7 +127,7 @@ std::string size_of(const model::Chain& chain) {
 
 std::string table(const impact::ChainImpact& impact, const scene::Scene& scene, Detail detail) {
   const auto& chain = std::get<model::Chain>(scene.model);
-  return head(impact, scene, "Chain of balls", size_of(chain)) + balls(impact, chain) + pair(impact, chain) +
+  return head(impact, scene, "Chain of balls", size_of(chain)) + balls(impact, chain) + pair(impact) +
          contacts(impact, time_display(impact), {}) + ratios(impact) + energy_table(impact) +
          momentum_table(impact, chain) + (detail == Detail::full ? background(impact, "contact") : "");
 }
@@ -141,8 +135,8 @@ std::string table(const impact::ChainImpact& impact, const scene::Scene& scene, 
 std::string table(const impact::NetworkImpact& impact, const scene::Scene& scene, Detail detail) {
   const auto& network = std::get<model::Network>(scene.model);
   return head(impact, scene, "Contact network", size_of(network)) + motion_table(network, impact.velocity) +
-         contacts(impact, time_display(impact), contact_names(network)) + direction_table(impact) +
-         energy_table(impact) + momentum_table(impact) + neglected_table(impact) +
+         pair(impact) + contacts(impact, time_display(impact), contact_names(network)) +
+         direction_table(impact) + energy_table(impact) + momentum_table(impact) + neglected_table(impact) +
          (detail == Detail::full ? background(impact, "contact") : "");
 }
 
