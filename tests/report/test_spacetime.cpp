@@ -22,10 +22,11 @@ int feed(report::Spacetime& image, double crossing_time, double end) {
   return taken;
 }
 
-std::vector<double> first_column(const std::string& matrix) {
+/// The velocities of the first ball, which are times here.
+std::vector<double> first_ball(const std::string& matrix) {
   std::vector<double> values;
-  for (std::size_t at = 0; at < matrix.size(); at = matrix.find('\n', at) + 1)
-    values.push_back(std::stod(matrix.substr(at)));
+  for (auto at = matrix.find('\n') + 1; at < matrix.size(); at = matrix.find('\n', at) + 1)
+    values.push_back(std::stod(matrix.substr(matrix.find(',', at) + 1)));
   return values;
 }
 
@@ -42,7 +43,7 @@ BOOST_AUTO_TEST_CASE(balls_of_a_very_long_chain_are_evenly_spaced) {
 BOOST_AUTO_TEST_CASE(rows_stay_evenly_spaced_and_few) {
   report::Spacetime image(60);
   feed(image, 1e5, 3e5);
-  const auto times = first_column(image.data());
+  const auto times = first_ball(image.data());
   BOOST_TEST(times.size() <= 1000u);
   BOOST_TEST(times.size() > 500u);
   const double interval = times[1] - times[0];
@@ -53,7 +54,7 @@ BOOST_AUTO_TEST_CASE(rows_stay_evenly_spaced_and_few) {
 BOOST_AUTO_TEST_CASE(what_comes_after_the_waves_is_not_in_the_image) {
   report::Spacetime image(60);
   feed(image, 50, 1e9);
-  BOOST_TEST(first_column(image.data()).back() <= 200);
+  BOOST_TEST(first_ball(image.data()).back() <= 200);
 }
 
 BOOST_AUTO_TEST_CASE(two_samples_make_no_image) {
@@ -67,6 +68,10 @@ BOOST_AUTO_TEST_CASE(the_script_draws_what_the_data_hold) {
   feed(image, 100, 100);
   const auto script = image.script("It's a wave");
   BOOST_TEST(script.find("'It''s a wave'") != std::string::npos);
-  BOOST_TEST(script.find("(1+3*$1)") != std::string::npos);
+  BOOST_TEST(script.find("plot 'spacetime.csv' nonuniform matrix with image") != std::string::npos);
+  const auto data = image.data();
+  BOOST_TEST(data.starts_with("time [s],1,4,7,"));
+  BOOST_TEST(data.find(",1198\n0,0,0,") != std::string::npos);
+  BOOST_TEST(data.find("\n0.25,0.25,0.25,") != std::string::npos);
   BOOST_TEST(script.find("spacetime.png") != std::string::npos);
 }

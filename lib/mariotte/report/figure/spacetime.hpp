@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "mariotte/impact/watch/observers.hpp"
+#include "mariotte/report/number.hpp"
 
 namespace mariotte::report {
 
@@ -16,13 +17,16 @@ class Spacetime {
   impact::Sampling sampling();
   /// Too few samples make no image.
   bool is_image() const { return rows_.size() > 2; }
-  /// `spacetime.csv`: a matrix of velocities [m/s], one row per time, one column per chosen ball.
+  /// `spacetime.csv`: a matrix of velocities [m/s], one row per time, one column per chosen ball, with the
+  /// numbers of the balls, from 1, as its head, and times in the unit of the picture before each row.
   std::string data() const;
   /// gnuplot commands that make `spacetime`.png and .svg from it, to follow `script_head`.
   std::string script(const std::string& title) const;
 
  private:
   double take(const impact::Sample& sample);
+  double end() const;
+  Display time_display() const;
 
   std::size_t balls_, stride_;
   double interval_ = 0;
