@@ -43,17 +43,28 @@ py::dict rival_laws(const Values& mass, const Values& velocity, double restituti
   return all;
 }
 
-/// A law that somebody else has compiled: functions of C by their addresses.
+/// A reference that any thread may let go, even after the interpreter has ended.
+std::shared_ptr<const void> keep(py::object one) {
+  return {new py::object(std::move(one)), [](const py::object* kept) {
+            if (!Py_IsInitialized()) return;
+            const py::gil_scoped_acquire lock;
+            delete kept;
+          }};
+}
+
+/// A law that somebody else has compiled: functions of C by their addresses, which live as long as `owner`.
 class ForeignLaw final : public contact::CustomLaw {
  public:
   using ForceOf = void (*)(double indentation, double rate, double* force_and_slopes);
   using EnergyOf = double (*)(double indentation);
 
-  ForeignLaw(std::string name, std::uintptr_t force, std::uintptr_t energy, bool dissipates)
+  ForeignLaw(std::string name, std::uintptr_t force, std::uintptr_t energy, bool dissipates,
+             std::shared_ptr<const void> owner)
       : name_(std::move(name)),
         force_(reinterpret_cast<ForceOf>(force)),
         energy_(reinterpret_cast<EnergyOf>(energy)),
-        dissipates_(dissipates) {}
+        dissipates_(dissipates),
+        owner_(std::move(owner)) {}
 
   std::string_view name() const override { return name_; }
   contact::Force force(double indentation, double rate) const override {
@@ -69,13 +80,16 @@ class ForeignLaw final : public contact::CustomLaw {
   ForceOf force_;
   EnergyOf energy_;
   bool dissipates_;
+  std::shared_ptr<const void> owner_;
 };
 
 /// The scene with this law at the contacts, from 0.
 SharedScene with_law(const SceneBox& box, const std::string& name, std::uintptr_t force,
-                     std::uintptr_t energy, bool dissipates, const std::vector<Index>& contacts) {
+                     std::uintptr_t energy, bool dissipates, const std::vector<Index>& contacts,
+                     py::object owner) {
   auto made = std::make_shared<SceneBox>(box);
-  const auto law = std::make_shared<const ForeignLaw>(name, force, energy, dissipates);
+  const auto law =
+      std::make_shared<const ForeignLaw>(name, force, energy, dissipates, keep(std::move(owner)));
   auto* const chain = std::get_if<model::Chain>(&made->scene.model);
   auto* const network = std::get_if<model::Network>(&made->scene.model);
   if (!chain && !network) throw InvalidParameter("only contacts of chains and networks take a law");
@@ -97,7 +111,7 @@ void add_laws(py::module_& module) {
   module.def("rival_laws", &rival_laws, py::arg("mass"), py::arg("velocity"), py::arg("restitution"),
              py::arg("stiffness"), py::arg("exponent"), py::arg("direction"));
   module.def("with_law", &with_law, py::arg("scene"), py::arg("name"), py::arg("force"), py::arg("energy"),
-             py::arg("dissipates"), py::arg("contacts"));
+             py::arg("dissipates"), py::arg("contacts"), py::arg("owner"));
 }
 
 }  // namespace mariotte::python

@@ -123,5 +123,5 @@ def rival_laws(
     direction: List[float]
 ) -> Dict[str, _Outcome]: ...
 def with_law(
-    scene: Scene, name: str, force: int, energy: int, dissipates: bool, contacts: List[int]
+    scene: Scene, name: str, force: int, energy: int, dissipates: bool, contacts: List[int], owner: object
 ) -> Scene: ...

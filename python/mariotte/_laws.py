@@ -124,20 +124,25 @@ def with_law(scene: S, *, force: Function, stored_energy: Function, name: str = 
     """
     places = range(len(scene.gap)) if contacts is None else contacts
     made = type(scene)._of(_core.with_law(scene._box, name, _address(force), _address(stored_energy), dissipates,
-                                          list(places)))
+                                          list(places), (force, stored_energy)))
     assert isinstance(made, type(scene))
-    made._kept = (force, stored_energy)
     return made
 
 
 def _address(function: Function) -> int:
-    if isinstance(function, int):
+    if isinstance(function, int) and function:
         return function
     if hasattr(function, "address"):  # numba.cfunc
         return int(function.address)
     import ctypes
 
-    return ctypes.cast(function, ctypes.c_void_p).value or 0
+    try:
+        address = ctypes.cast(function, ctypes.c_void_p).value
+    except ctypes.ArgumentError:
+        address = None
+    if not address:
+        raise TypeError(f"a contact law needs compiled functions: {function!r} is none")
+    return address
 
 
 def _list(numbers: Optional[Sequence[float]]) -> "list[float]":

@@ -28,10 +28,9 @@ class Scene(Generic[Result]):
     their text, so that other processes can simulate them.
     """
 
-    __slots__ = ("_box", "_kept")
+    __slots__ = ("_box",)
     _kinds: ClassVar[Dict[str, Type["Scene[Any]"]]] = {}
     _box: _core.Scene
-    _kept: Any  # functions that its contact laws call
 
     def __init_subclass__(cls, *, kind: str = "") -> None:
         if kind:

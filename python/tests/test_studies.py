@@ -1,9 +1,11 @@
 """Capture, fits and laws: what the command answers."""
 
 import ctypes
+import gc
 import math
 import shutil
 import subprocess
+import weakref
 
 import numpy as np
 import pytest
@@ -133,6 +135,37 @@ def test_numba_compiles_laws():
 
 def test_slopes_are_those_of_the_command(command_json):
     expected = command_json("sensitivity", SCENES / "triplet.toml")
+def test_laws_of_a_scene_outlive_the_scenes_it_was_made_from():
+    force_of = ctypes.CFUNCTYPE(None, ctypes.c_double, ctypes.c_double, ctypes.POINTER(ctypes.c_double))
+    energy_of = ctypes.CFUNCTYPE(ctypes.c_double, ctypes.c_double)
+    alive = []
+
+    def functions():
+        @force_of
+        def force(depth, rate, out):
+            out[0], out[1], out[2] = 1e9 * depth**2, 2e9 * depth, 0
+
+        alive.append(weakref.ref(force))
+        return dict(force=force, stored_energy=energy_of(lambda depth: 1e9 * depth**3 / 3))
+
+    triplet = mt.Chain(mass=[1, 1, 1], velocity=[1, 0, 0], law="linear", stiffness=1)
+    both = mt.with_law(mt.with_law(triplet, **functions(), contacts=[0]), **functions(), contacts=[1])
+    gc.collect()
+    assert all(one() for one in alive)
+    hit = mt.simulate(both)
+    assert hit.velocity.sum() == pytest.approx(1, abs=1e-9)
+    del both, hit
+    mt.simulate(triplet)  # the solver of short chains holds the last one
+    gc.collect()
+    assert not any(one() for one in alive)
+
+
+@pytest.mark.parametrize("function", [0, None, lambda depth, rate, out: None])
+def test_what_is_not_compiled_is_no_law(function, triplet):
+    with pytest.raises(TypeError, match="compiled"):
+        mt.with_law(triplet, force=function, stored_energy=function)
+
+
     hit = mt.simulate(mt.load(SCENES / "triplet.toml"))
     found = hit.sensitivity()
     assert found.parameters == expected["parameters"] and found.notes == expected["notes"]
