@@ -91,6 +91,7 @@ class Crew {
       : chains_(chains), rows_(rows), results_(results) {}
 
   void run(int threads) {
+    if (threads < 1) throw InvalidParameter("chains need at least one thread", fault::out_of_range);
     working_ = threads;
     std::vector<std::jthread> workers;
     for (int i = 0; i < threads; ++i) workers.emplace_back([this] { work(); });

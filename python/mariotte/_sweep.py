@@ -167,7 +167,7 @@ def sweep(scene: Scene[Any], axes: Optional[Axes] = None, *, columns: Sequence[s
     listed = _axes(scene, axes or {})
     if isinstance(scene, Chain) and any(key.startswith("chain.gap[") for key, _, _ in listed):
         scene = scene.replace({"chain.gap": scene.gap})  # one value for all contacts, or none, has no elements
-    made = _core.sweep(scene._box, listed, [_full(column) for column in columns], threads or _cores())
+    made = _core.sweep(scene._box, listed, [_full(column) for column in columns], _workers(threads))
     return Sweep(scene, made)
 
 
@@ -224,7 +224,7 @@ def solve(mass: npt.ArrayLike, stiffness: npt.ArrayLike, velocity: npt.ArrayLike
     rows = max(one.shape[0] for one in (speeds, masses, *contacts))
     k, g, c = (_spread(one, rows, balls - 1) for one in contacts)
     return Solved(*_core.solve(rows, _spread(masses, rows, balls), k, _spread(speeds, rows, balls), g, c, law, exponent,
-                               accuracy, threads or _cores()))
+                               accuracy, _workers(threads)))
 
 
 def _spread(array: Array, rows: int, length: int) -> Array:
@@ -236,7 +236,9 @@ def _full(column: str) -> str:
     return _MEMBERS.get(column, column)
 
 
-def _cores() -> int:
+def _workers(threads: Optional[int]) -> int:
+    if threads is not None:
+        return threads
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 

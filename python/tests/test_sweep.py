@@ -83,6 +83,14 @@ def test_threads_do_not_change_a_bit(triplet):
     assert one.table.tobytes() == four.table.tobytes()
 
 
+@pytest.mark.parametrize("threads", [0, -1])
+def test_work_needs_a_thread(threads, triplet):
+    with pytest.raises(mt.InvalidParameter, match="at least one thread"):
+        mt.sweep(triplet, AXES, columns=["velocity"], threads=threads)
+    with pytest.raises(mt.InvalidParameter, match="at least one thread"):
+        mt.solve(1, [1, 1], [1, 0, 0], threads=threads)
+
+
 def test_ctrl_c_ends_a_sweep(triplet):
     signal.signal(signal.SIGALRM, lambda *_: signal.raise_signal(signal.SIGINT))
     signal.setitimer(signal.ITIMER_REAL, 0.3)

@@ -131,6 +131,7 @@ Keep make_rows(const AppendRows& append_rows, Journal& journal) {
 
 Progress run(const Sweep& sweep, Dealer dealer, int threads, const std::function<Keep()>& make_keep,
              const Watch& watch) {
+  if (threads < 1) throw InvalidParameter("a sweep needs at least one thread", fault::out_of_range);
   const auto slots = find_slots(sweep.document, sweep.design);
   Crew crew(std::move(dealer));
   crew.working = threads;
