@@ -9,9 +9,8 @@ import math
 import os
 from typing import TYPE_CHECKING, Any, Dict, List, NamedTuple, Optional, Sequence, Tuple, Type, Union
 
-import numpy.typing as npt
-
 from . import _core
+from ._numbers import Numbers
 from ._scene import Array, Body, Chain, Network, Path, Result, Scene
 from ._sensitivity import Sensitivity, sensitivity
 from ._toml import plain
@@ -166,7 +165,7 @@ class Impact:
         """Velocities, gaps and forces at any time of the run."""
         return Trajectory(self)
 
-    def force(self, t: npt.ArrayLike) -> Array:
+    def force(self, t: Numbers) -> Array:
         """Of the contacts, or the normal force of the tips, at times `t`: ``trajectory.force(t)`` [N]."""
         return self.trajectory.force(t)
 

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from typing import Any, Dict, NamedTuple, Optional, Sequence, TypeVar, Union
 
-import numpy as np
-
 from . import _core
+from ._numbers import Numbers, listed
 from ._scene import Array, Chain, Network
 
 S = TypeVar("S", Chain, Network)
@@ -25,18 +24,18 @@ class LawOutcome(NamedTuple):
     least_energy_ratio: float  #: of the multiple-impact law: below it there is no real outcome
 
 
-def multiple_impact_law(mass: Sequence[float], velocity: Sequence[float], *, icr: Optional[Sequence[float]] = None,
-                        direction: Optional[Sequence[float]] = None, energy_ratio: float = 1.0,
+def multiple_impact_law(mass: Numbers, velocity: Numbers, *, icr: Optional[Numbers] = None,
+                        direction: Optional[Numbers] = None, energy_ratio: float = 1.0,
                         frame: str = "given") -> LawOutcome:
     """Apply the multiple-impact law to balls on a line [Acary 2003, appendix A].
 
     Parameters
     ----------
-    mass, velocity : sequence of float
+    mass, velocity : array_like
         Of n balls from left to right [kg], [m/s]; an infinite mass is a wall.
-    icr : sequence of float
+    icr : array_like
         Ratios of neighbouring impulses, n − 2 values; or else
-    direction : sequence of float
+    direction : array_like
         the impulses up to their size, n − 1 values.
     energy_ratio : float
         T⁺/T⁻ ≥ 0.
@@ -58,25 +57,24 @@ def multiple_impact_law(mass: Sequence[float], velocity: Sequence[float], *, icr
         raise TypeError("give icr or direction")
     if frame not in ("given", "mass-centre"):
         raise ValueError(f"frame must be given or mass-centre, not {frame}")
-    along = _core.direction_of_ratios(_list(icr)) if icr is not None else _list(direction)
-    return LawOutcome(*_core.multiple_impact_law(_list(mass), _list(velocity), along, energy_ratio,
+    along = _core.direction_of_ratios(listed(icr)) if icr is not None else listed(direction)
+    return LawOutcome(*_core.multiple_impact_law(listed(mass, "kg"), listed(velocity, "m/s"), along, energy_ratio,
                                                  frame == "mass-centre"))
 
 
-def rival_laws(mass: Sequence[float], velocity: Sequence[float], *, restitution: float = 1.0,
-               stiffness: Sequence[float] = (), exponent: float = 1.5,
-               direction: Sequence[float] = ()) -> Dict[str, LawOutcome]:
+def rival_laws(mass: Numbers, velocity: Numbers, *, restitution: float = 1.0, stiffness: Numbers = (),
+               exponent: float = 1.5, direction: Numbers = ()) -> Dict[str, LawOutcome]:
     """What the usual impact laws answer, by name: Newton, Poisson, Moreau, sequential collisions and others.
 
     Parameters
     ----------
-    mass, velocity : sequence of float
+    mass, velocity : array_like
         Of n balls from left to right [kg], [m/s].
     restitution : float
         e of every contact, 0 ≤ e ≤ 1.
-    stiffness, exponent : sequence of float, float
+    stiffness, exponent : array_like, float
         Of the distribution law of Liu, Zhao and Brogliato, one per contact; equal ones if there are none.
-    direction : sequence of float
+    direction : array_like
         Impulses up to their size, for the law of Ceanga and Hurmuzlu.
 
     Examples
@@ -85,7 +83,8 @@ def rival_laws(mass: Sequence[float], velocity: Sequence[float], *, restitution:
     >>> mt.rival_laws([1, 1, 1], [1, 0, 0])["by-event"].velocity
     array([0., 0., 1.])
     """
-    made = _core.rival_laws(_list(mass), _list(velocity), restitution, _list(stiffness), exponent, _list(direction))
+    made = _core.rival_laws(listed(mass, "kg"), listed(velocity, "m/s"), restitution, listed(stiffness), exponent,
+                            listed(direction))
     return {name: LawOutcome(*outcome) for name, outcome in made.items()}
 
 
@@ -143,8 +142,3 @@ def _address(function: Function) -> int:
     if not address:
         raise TypeError(f"a contact law needs compiled functions: {function!r} is none")
     return address
-
-
-def _list(numbers: Optional[Sequence[float]]) -> "list[float]":
-    made: "list[float]" = np.asarray(numbers, dtype=np.float64).tolist()
-    return made

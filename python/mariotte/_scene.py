@@ -6,16 +6,13 @@ import json
 import os
 from typing import TYPE_CHECKING, Any, ClassVar, Dict, Generic, List, Mapping, Optional, Tuple, Type, TypeVar, Union
 
-import numpy as np
-import numpy.typing as npt
-
 from . import _core
+from ._numbers import Array
 from ._toml import table, toml
 
 if TYPE_CHECKING:
     from ._impact import ChainImpact, MicrobodyImpact, NetworkImpact
 
-Array = npt.NDArray[np.float64]
 Path = Union[str, "os.PathLike[str]"]
 S = TypeVar("S", bound="Scene[Any]")
 Result = TypeVar("Result")

@@ -10,6 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
+from ._numbers import Numbers, numbers
 from ._scene import Array, Chain, Path, Scene
 from ._toml import plain
 
@@ -180,8 +181,8 @@ class Solved(NamedTuple):
     ending: Endings  #: numbers of :class:`mariotte.Ending`, of shape (N,)
 
 
-def solve(mass: npt.ArrayLike, stiffness: npt.ArrayLike, velocity: npt.ArrayLike, *, gap: npt.ArrayLike = 0.0,
-          damping: npt.ArrayLike = 0.0, law: str = "hertz", exponent: float = 1.5, accuracy: float = 1e-10,
+def solve(mass: Numbers, stiffness: Numbers, velocity: Numbers, *, gap: Numbers = 0.0,
+          damping: Numbers = 0.0, law: str = "hertz", exponent: float = 1.5, accuracy: float = 1e-10,
           threads: Optional[int] = None) -> Solved:
     """Solve N chains of n balls at once, for Monte Carlo or an optimiser of your own.
 
@@ -217,10 +218,10 @@ def solve(mass: npt.ArrayLike, stiffness: npt.ArrayLike, velocity: npt.ArrayLike
     >>> many.velocity.shape, (many.velocity[:, 2] / speed).std().round(9)
     ((1000, 3), 0.0)
     """
-    speeds = np.atleast_2d(np.asarray(velocity, dtype=np.float64))
-    masses = np.atleast_2d(np.asarray(mass, dtype=np.float64))
+    speeds = np.atleast_2d(numbers(velocity, "m/s"))
+    masses = np.atleast_2d(numbers(mass, "kg"))
     balls = max(speeds.shape[-1], masses.shape[-1])
-    contacts = [np.atleast_2d(np.asarray(one, dtype=np.float64)) for one in (stiffness, gap, damping)]
+    contacts = [np.atleast_2d(one) for one in (numbers(stiffness), numbers(gap, "m"), numbers(damping))]
     rows = max(one.shape[0] for one in (speeds, masses, *contacts))
     k, g, c = (_spread(one, rows, balls - 1) for one in contacts)
     return Solved(*_core.solve(rows, _spread(masses, rows, balls), k, _spread(speeds, rows, balls), g, c, law, exponent,

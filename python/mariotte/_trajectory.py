@@ -5,9 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
-from ._scene import Array
+from ._numbers import Array, Numbers, numbers
 
 if TYPE_CHECKING:
     from ._impact import Impact
@@ -42,24 +41,24 @@ class Trajectory:
     def __init__(self, impact: "Impact") -> None:
         self._impact = impact
 
-    def at(self, t: npt.ArrayLike) -> "Samples":
+    def at(self, t: Numbers) -> "Samples":
         """All of it at times `t` of any shape, in one run: (…, n) and (…, m)."""
-        times = np.asarray(t, dtype=np.float64)
+        times = numbers(t, "s")
         if times.size and not (times.min() >= 0 and times.max() <= self._impact.time):
             raise ValueError(f"times lie between 0 and {self._impact.time} s, the end of the run")
         order, back = np.unique(times, return_inverse=True)
         _, *rows = self._impact._run.sample(order)
         return Samples(times, *(one[back].reshape(*times.shape, one.shape[1]) for one in rows))
 
-    def velocity(self, t: npt.ArrayLike) -> Array:
+    def velocity(self, t: Numbers) -> Array:
         """At times `t` of any shape: (…, n) [m/s]."""
         return self.at(t).velocity
 
-    def gap(self, t: npt.ArrayLike) -> Array:
+    def gap(self, t: Numbers) -> Array:
         """At times `t` of any shape: (…, m) [m]."""
         return self.at(t).gap
 
-    def force(self, t: npt.ArrayLike) -> Array:
+    def force(self, t: Numbers) -> Array:
         """At times `t` of any shape: (…, m) [N]."""
         return self.at(t).force
 

@@ -63,6 +63,23 @@ def test_the_law_is_that_of_the_command(command_json):
     assert found.status == expected["status"] == "admissible" and found.ratio_lab == pytest.approx(0.9, rel=1e-14)
 
 
+def test_laws_take_arrays_and_quantities():
+    unit = pytest.importorskip("pint").UnitRegistry()
+    mass, velocity = [1, 2, 1] * unit.gram, np.array([100, 0, 0]) * unit.cm / unit.s
+    law = mt.multiple_impact_law(np.array([1e-3, 2e-3, 1e-3]), np.array([1, 0, 0]), icr=np.array([1.1]))
+    assert mt.multiple_impact_law(mass, velocity, icr=[1.1]).velocity == pytest.approx(law.velocity, rel=1e-12)
+    rivals = mt.rival_laws([1e-3, 2e-3, 1e-3], [1, 0, 0])
+    for name, one in mt.rival_laws(mass, velocity).items():
+        assert one.velocity == pytest.approx(rivals[name].velocity, rel=1e-12, abs=1e-15)
+    with pytest.raises(TypeError, match="convert"):
+        mt.rival_laws(mass, mass)
+
+
+def test_a_table_of_numbers_is_no_row():
+    with pytest.raises(ValueError, match="one row"):
+        mt.multiple_impact_law([[1, 1]], [1, 0], direction=[1])
+
+
 def test_an_outcome_that_is_not_real_is_told():
     found = mt.multiple_impact_law([1, 1], [1, 0], direction=[1], energy_ratio=0.1)
     assert found.status == "complex" and found.reason and found.velocity.size == 0
@@ -118,23 +135,6 @@ def test_a_scene_with_a_law_of_c_stays_here(compiled, triplet):
         mt.with_law(triplet, force=compiled.cone, stored_energy=compiled.energy, contacts=[2])
 
 
-def test_numba_compiles_laws():
-    numba = pytest.importorskip("numba")
-
-    @numba.cfunc("void(float64, float64, CPointer(float64))")
-    def force(depth, rate, out):
-        out[0], out[1], out[2] = 1e9 * depth**2, 2e9 * depth, 0.0
-
-    @numba.cfunc("float64(float64)")
-    def energy(depth):
-        return 1e9 * depth**3 / 3
-
-    pair = mt.Chain(mass=[1, 1], velocity=[1, 0], law="linear", stiffness=1)
-    assert mt.simulate(mt.with_law(pair, force=force, stored_energy=energy)).velocity == pytest.approx([0, 1], abs=1e-9)
-
-
-def test_slopes_are_those_of_the_command(command_json):
-    expected = command_json("sensitivity", SCENES / "triplet.toml")
 def test_laws_of_a_scene_outlive_the_scenes_it_was_made_from():
     force_of = ctypes.CFUNCTYPE(None, ctypes.c_double, ctypes.c_double, ctypes.POINTER(ctypes.c_double))
     energy_of = ctypes.CFUNCTYPE(ctypes.c_double, ctypes.c_double)
@@ -166,6 +166,23 @@ def test_what_is_not_compiled_is_no_law(function, triplet):
         mt.with_law(triplet, force=function, stored_energy=function)
 
 
+def test_numba_compiles_laws():
+    numba = pytest.importorskip("numba")
+
+    @numba.cfunc("void(float64, float64, CPointer(float64))")
+    def force(depth, rate, out):
+        out[0], out[1], out[2] = 1e9 * depth**2, 2e9 * depth, 0.0
+
+    @numba.cfunc("float64(float64)")
+    def energy(depth):
+        return 1e9 * depth**3 / 3
+
+    pair = mt.Chain(mass=[1, 1], velocity=[1, 0], law="linear", stiffness=1)
+    assert mt.simulate(mt.with_law(pair, force=force, stored_energy=energy)).velocity == pytest.approx([0, 1], abs=1e-9)
+
+
+def test_slopes_are_those_of_the_command(command_json):
+    expected = command_json("sensitivity", SCENES / "triplet.toml")
     hit = mt.simulate(mt.load(SCENES / "triplet.toml"))
     found = hit.sensitivity()
     assert found.parameters == expected["parameters"] and found.notes == expected["notes"]

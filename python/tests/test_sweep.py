@@ -126,3 +126,16 @@ def test_a_row_without_sense_is_named():
         mt.solve(1, 1, [1, 0], law="magic")
     with pytest.raises(ValueError):
         mt.solve(np.ones((2, 3)), 1, np.ones((2, 4)))
+
+
+def test_quantities_are_converted():
+    unit = pytest.importorskip("pint").UnitRegistry()
+    mass, speed = [1000, 2000] * unit.gram, np.array([[100, 0], [200, 0]]) * unit.cm / unit.s
+    k, gap = 1e9 * unit.newton / unit.meter**1.5, [1 * unit.mm]
+    there = mt.solve(mass, k, speed, gap=gap)
+    here = mt.solve([1, 2], 1e9, [[1, 0], [2, 0]], gap=1e-3)
+    assert there.velocity == pytest.approx(here.velocity, rel=1e-12)
+    assert there.time == pytest.approx(here.time, rel=1e-9)
+    for wrong in (lambda: mt.solve([1, 2] * unit.second, k, speed), lambda: mt.solve(mass, k, mass)):
+        with pytest.raises(TypeError, match="convert"):
+            wrong()

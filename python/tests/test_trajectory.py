@@ -71,3 +71,10 @@ def test_the_largest_sample_is_the_peak(triplet):
     fine = hit.force(np.linspace(0, hit.time, 2000))
     assert fine.max(axis=0) == pytest.approx(hit.peak_force, rel=1e-5)
     assert (fine.max(axis=0) <= hit.peak_force * (1 + 1e-9)).all()
+
+
+def test_times_may_be_quantities(triplet):
+    unit = pytest.importorskip("pint").UnitRegistry()
+    hit = mt.simulate(triplet)
+    t = np.array([0.2, 0.5]) * hit.time
+    assert hit.force(1e6 * t * unit.microsecond) == pytest.approx(hit.force(t), rel=1e-9)

@@ -1,0 +1,43 @@
+"""What Python counts as numbers: arrays, and quantities of pint, which become SI."""
+
+from __future__ import annotations
+
+from typing import Any, List, Protocol, Sequence, Union
+
+import numpy as np
+import numpy.typing as npt
+
+Array = npt.NDArray[np.float64]
+
+
+class Quantity(Protocol):
+    """A number or an array with a unit, as those of pint."""
+
+    def to(self, unit: str) -> Any: ...
+    def to_base_units(self) -> Any: ...
+
+
+#: What an array can be made of.
+Numbers = Union[npt.ArrayLike, Quantity, Sequence[Quantity]]
+
+
+def numbers(values: Numbers, unit: str = "") -> Array:
+    """An array in SI units. `unit` says what quantities are converted to, where only one dimension makes sense."""
+    return np.asarray(_magnitude(values, unit), dtype=np.float64)
+
+
+def listed(values: Numbers, unit: str = "") -> List[float]:
+    """The same of one dimension, as a list."""
+    row = numbers(values, unit)
+    if row.ndim != 1:
+        raise ValueError(f"one row of numbers is expected, not an array of shape {row.shape}")
+    made: List[float] = row.tolist()
+    return made
+
+
+def _magnitude(values: Any, unit: str) -> Any:
+    if hasattr(values, "to_base_units"):
+        return (values.to(unit) if unit else values.to_base_units()).magnitude
+    if isinstance(values, (list, tuple)):
+        return [_magnitude(one, unit) for one in values]
+    return values
