@@ -10,8 +10,9 @@ import os
 from typing import TYPE_CHECKING, Any, Dict, List, NamedTuple, Optional, Sequence, Tuple, Type, Union
 
 from . import _core
-from ._numbers import Numbers
-from ._scene import Array, Body, Chain, Network, Path, Result, Scene
+from ._events import Event, TipImpact, event, tip_impact
+from ._numbers import Array, Numbers
+from ._scene import Body, Chain, Network, Path, Result, Scene
 from ._sensitivity import Sensitivity, sensitivity
 from ._toml import plain
 from ._trajectory import Trajectory
@@ -56,19 +57,6 @@ class Momentum(NamedTuple):
     residual: float  #: final − initial − impulses of walls and gravity
 
 
-class Event(NamedTuple):
-    """What changes at one instant; contacts or tips count from 0."""
-
-    time: float  #: [s]
-    open: Tuple[int, ...]
-    close: Tuple[int, ...]
-    stick: Tuple[int, ...]
-    slip: Tuple[int, ...]
-    capture: Tuple[int, ...]
-    push: Tuple[int, ...]  #: whose force turns positive
-    pull: Tuple[int, ...]  #: whose force turns negative
-
-
 class Flow(NamedTuple):
     """What one method did in a run."""
 
@@ -83,22 +71,6 @@ class Restitution(NamedTuple):
 
     tip: float
     centre: float  #: of the mass centre
-
-
-class TipImpact(NamedTuple):
-    """One contact of one tip, from touch to separation."""
-
-    tip: int  #: from 0
-    start: float  #: [s]
-    end: float  #: [s]; nan if it does not separate
-    normal_velocity_in: float  #: of the tip [m/s]
-    normal_velocity_out: float
-    centre_velocity_in: float  #: of the mass centre, along the normal [m/s]
-    centre_velocity_out: float
-    slip_out: Tuple[float, float]  #: of the contact point along e2, e3 [m/s]
-    peak_force: float  #: largest push [N]
-    peak_pull: float  #: largest pull, ≥ 0 [N]
-    peak_indentation: float  #: [m]
 
 
 class Impact:
@@ -153,7 +125,7 @@ class Impact:
     @property
     def events(self) -> List[Event]:
         """Instants at which contacts or friction change, in order of time."""
-        return [_event(one) for one in self.json()["events"]]
+        return [event(one) for one in self.json()["events"]]
 
     @property
     def flows(self) -> List[Flow]:
@@ -329,7 +301,7 @@ class MicrobodyImpact(Impact):
     @property
     def impacts(self) -> List[TipImpact]:
         """Contacts of the tips, in order of time."""
-        return [_tip_impact(one) for one in self.json()["impacts"]]
+        return [tip_impact(one) for one in self.json()["impacts"]]
 
 
 _IMPACTS: Dict[Type[Scene[Any]], Type[Impact]] = {Chain: ChainImpact, Network: NetworkImpact, Body: MicrobodyImpact}
@@ -381,19 +353,4 @@ def simulate(scene: Scene[Result], *, accuracy: Optional[float] = None, until: O
 
 
 def _simulated(scene: Scene[Any], options: Tuple[Any, ...]) -> Any:
-    return _IMPACTS.get(type(scene), Impact)(scene, _core.simulate(scene._box, *options), options)
-
-
-def _from_zero(numbers: List[int]) -> Tuple[int, ...]:
-    return tuple(number - 1 for number in numbers)
-
-
-def _event(one: Dict[str, Any]) -> Event:
-    signs = one.get("force_sign", [])
-    one = {**one, "push": [i for i in signs if i > 0], "pull": [-i for i in signs if i < 0]}
-    return Event(one["time"], **{name: _from_zero(one[name]) for name in Event._fields[1:]})
-
-
-def _tip_impact(one: Dict[str, Any]) -> TipImpact:
-    end = math.nan if one["end"] is None else one["end"]
-    return TipImpact(**{**one, "tip": one["tip"] - 1, "end": end, "slip_out": tuple(one["slip_out"])})
+    return Impact._of.get(type(scene), Impact)(scene, _core.simulate(scene._box, *options), options)

@@ -108,6 +108,23 @@ def test_contacts_of_events_count_from_zero(triplet):
     assert periods[1][0, 1] == events[2].time
 
 
+def test_contacts_that_yield_say_so_in_events():
+    hit = mt.simulate(mt.load(SCENES / "steel_pair.toml"))
+    assert [one.yields for one in hit.events] == [(), (0,), (), ()] and [one.unload for one in hit.events][2] == (0,)
+
+
+def test_contacts_tell_what_has_yielded():
+    hit = mt.simulate(mt.load(SCENES / "steel_pair.toml"))
+    assert hit.plastic_work == pytest.approx(hit.dissipated) and hit.permanent_indentation[0] > 0
+    assert hit.adhesion_loss.tolist() == [0]
+
+
+def test_an_impact_that_does_not_end_has_an_empty_end():
+    (one,) = mt.simulate(mt.load(SCENES / "captured_sphere.toml")).impacts
+    assert one.tip == 0 and one.start == 0 and one.peak_force > 0 and one.normal_velocity_in < 0
+    assert np.isnan([one.end, one.normal_velocity_out, one.centre_velocity_out, *one.slip_out]).all()
+
+
 def test_a_ratio_without_impulse_is_nan():
     hit = mt.simulate(mt.Chain(mass=[1, 1, 1], velocity=[1, 0, 5], law="hertz", stiffness=1, gap=[0, 1]))
     assert np.isnan(hit.icr).all() and hit["icr[0]"] != hit["icr[0]"]
