@@ -6,7 +6,7 @@
 
 #include "arrays.hpp"
 #include "bindings.hpp"
-#include "impact.hpp"
+#include "impact_arrays.hpp"
 #include "mariotte/core/overload.hpp"
 #include "mariotte/core/quantity.hpp"
 #include "mariotte/impact/quantities/quantity_key.hpp"
@@ -22,7 +22,6 @@ namespace mariotte::python {
 namespace {
 
 using Contacts = impact::ContactImpact;
-using History = impact::ContactHistory;
 using Body = impact::MicrobodyImpact;
 
 /// A number of seconds, or text with a unit.
@@ -54,68 +53,9 @@ auto of_any(const Impact& impact, Of of) {
   return impact.brief() ? of(*impact.brief()) : std::visit(of, impact.whole());
 }
 
-const Contacts& contacts(const Impact& impact) {
-  return std::visit(Overload{[](const Contacts& one) -> const Contacts& { return one; },
-                             [](const Body&) -> const Contacts& {
-                               throw py::attribute_error("a microbody has tips, not contacts");
-                             },
-                             [](const impact::BodiesImpact&) -> const Contacts& {
-                               throw py::attribute_error("bodies tell this by their keys, as in result[key]");
-                             }},
-                    impact.whole());
-}
-
-const Body& body(const Impact& impact) {
-  if (const auto* const one = std::get_if<Body>(&impact.whole())) return *one;
-  throw py::attribute_error("this is the result of contacts, not of a microbody");
-}
-
 double time(const Impact& impact) {
   return of_any(impact, Overload{[](const Body& one) { return one.final.time; },
                                  [](const auto& one) { return one.time; }});
-}
-
-py::array vector_view(const Vector3& vector, const py::object& self) {
-  return view(&vector.e1, {3}, {sizeof(double)}, self);
-}
-
-py::array velocity(const py::object& self) {
-  return of_any(self.cast<const Impact&>(),
-                Overload{[&](const Body& one) { return vector_view(one.final.velocity, self); },
-                         [&](const impact::BodiesImpact&) -> py::array {
-                           throw py::attribute_error("bodies tell this by their keys, as in result[key]");
-                         },
-                         [&](const auto& one) { return view(one.velocity, self); }});
-}
-
-py::array impulse(const py::object& self) {
-  const auto& impact = self.cast<const Impact&>();
-  return impact.brief() ? view(impact.brief()->impulse, self)
-                        : view(contacts(impact).contacts, &History::impulse, self);
-}
-
-template <class Member>
-auto array_of(Member member) {
-  return
-      [member](const py::object& self) { return view(contacts(self.cast<const Impact&>()).*member, self); };
-}
-template <double History::*member>
-py::array of_history(const py::object& self) {
-  return view(contacts(self.cast<const Impact&>()).contacts, member, self);
-}
-template <Vector3 impact::BodyState::*member>
-py::array of_body(const py::object& self) {
-  return vector_view(body(self.cast<const Impact&>()).final.*member, self);
-}
-
-py::list periods(const Impact& impact) {
-  py::list all;
-  for (const auto& contact : contacts(impact).contacts) {
-    std::vector<double> ends;
-    for (const auto& [start, end] : contact.periods) ends.insert(ends.end(), {start, or_nan(end)});
-    all.append(owned(std::move(ends), {std::ssize(contact.periods), 2}));
-  }
-  return all;
 }
 
 /// One number of the result by its key.
@@ -210,8 +150,9 @@ std::string to_cite(const Impact& impact) {
 }  // namespace
 
 void add_impact(py::module_& module) {
-  py::class_<Impact>(module, "Impact")
-      .def_property_readonly("ending",
+  py::class_<Impact> type(module, "Impact");
+  add_arrays(type);
+  type.def_property_readonly("ending",
                              [](const Impact& impact) {
                                return static_cast<int>(of_any(impact, [](auto& one) { return one.ending; }));
                              })
@@ -219,19 +160,6 @@ void add_impact(py::module_& module) {
           "message",
           [](const Impact& impact) { return of_any(impact, [](auto& one) { return one.message; }); })
       .def_property_readonly("time", &time)
-      .def_property_readonly("velocity", &velocity)
-      .def_property_readonly("impulse", &impulse)
-      .def_property_readonly(
-          "icr", [](const py::object& self) { return view(self.cast<const Impact&>().icr(), self); })
-      .def_property_readonly("gap", array_of(&Contacts::gap))
-      .def_property_readonly("impulse_direction", array_of(&Contacts::impulse_direction))
-      .def_property_readonly("peak_force", &of_history<&History::peak_force>)
-      .def_property_readonly("peak_indentation", &of_history<&History::peak_indentation>)
-      .def_property_readonly("stored", &of_history<&History::stored>)
-      .def_property_readonly("dissipated", &of_history<&History::dissipated>)
-      .def_property_readonly("periods", &periods)
-      .def_property_readonly("position", &of_body<&impact::BodyState::position>)
-      .def_property_readonly("spin", &of_body<&impact::BodyState::spin>)
       .def("number", &number, py::arg("key"))
       .def("json", [](const Impact& impact) { return report::json_text(impact.whole(), impact.scene()); })
       .def("sample", &sample_at, py::arg("times"))

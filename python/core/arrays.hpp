@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mariotte/core/types.hpp"
+#include "mariotte/core/vector3.hpp"
 
 namespace mariotte::python {
 
@@ -33,6 +34,23 @@ py::array view(const std::vector<Number>& numbers, const py::handle& owner) {
 template <class Element>
 py::array view(const std::vector<Element>& elements, double Element::*member, const py::handle& owner) {
   const double* const first = elements.empty() ? nullptr : &(elements.front().*member);
+  return view(first, {std::ssize(elements)}, {sizeof(Element)}, owner);
+}
+
+/// One row per element: as many components of a vector of it as the dimension has.
+template <class Element>
+py::array view(const std::vector<Element>& elements, Vector3 Element::*member, int dimension,
+               const py::handle& owner) {
+  const double* const first = elements.empty() ? nullptr : &(elements.front().*member).e1;
+  return view(first, {std::ssize(elements), dimension}, {sizeof(Element), sizeof(double)}, owner);
+}
+
+/// The same of a spin, which in the plane is one number.
+template <class Element>
+py::array view_of_spins(const std::vector<Element>& elements, Vector3 Element::*member, int dimension,
+                        const py::handle& owner) {
+  if (dimension == 3) return view(elements, member, dimension, owner);
+  const double* const first = elements.empty() ? nullptr : &(elements.front().*member).e3;
   return view(first, {std::ssize(elements)}, {sizeof(Element)}, owner);
 }
 

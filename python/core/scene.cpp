@@ -53,8 +53,31 @@ py::array of_contacts(const py::object& self, Get get) {
   return view(get(std::get<model::Network>(model)), self);
 }
 
+const model::Bodies* bodies(const py::object& self) {
+  return std::get_if<model::Bodies>(&self.cast<const SceneBox&>().scene.model);
+}
+
 py::array mass(const py::object& self) {
+  if (const auto* const many = bodies(self)) return view(many->body, &model::Body::mass, self);
   return view(std::get<model::Chain>(self.cast<const SceneBox&>().scene.model).mass, self);
+}
+
+py::array velocity(const py::object& self) {
+  if (const auto* const many = bodies(self))
+    return view(many->body, &model::Body::velocity, many->dimension, self);
+  return of_contacts(
+      self, [](const auto& model) -> auto& { return model.velocity; });
+}
+
+template <Vector3 model::Body::*member>
+py::array of_bodies(const py::object& self) {
+  const auto& many = std::get<model::Bodies>(self.cast<const SceneBox&>().scene.model);
+  return view(many.body, member, many.dimension, self);
+}
+
+py::array spin(const py::object& self) {
+  const auto& many = std::get<model::Bodies>(self.cast<const SceneBox&>().scene.model);
+  return view_of_spins(many.body, &model::Body::spin, many.dimension, self);
 }
 
 std::string json_text(const SceneBox& box) {
@@ -75,11 +98,11 @@ void add_scene(py::module_& module) {
       .def_property_readonly("accuracy", [](const SceneBox& box) { return box.scene.run.accuracy; })
       .def_readonly("foreign", &SceneBox::foreign)
       .def_property_readonly("mass", &mass)
-      .def_property_readonly("velocity",
-                             [](const py::object& self) {
-                               return of_contacts(
-                                   self, [](const auto& m) -> auto& { return m.velocity; });
-                             })
+      .def_property_readonly("velocity", &velocity)
+      .def_property_readonly("position", &of_bodies<&model::Body::position>)
+      .def_property_readonly("spin", &spin)
+      .def_property_readonly(
+          "dimension", [](const SceneBox& box) { return std::get<model::Bodies>(box.scene.model).dimension; })
       .def_property_readonly("gap",
                              [](const py::object& self) {
                                return of_contacts(

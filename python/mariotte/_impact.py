@@ -7,7 +7,7 @@ import html
 import json
 import math
 import os
-from typing import TYPE_CHECKING, Any, Dict, List, NamedTuple, Optional, Sequence, Tuple, Type, Union
+from typing import TYPE_CHECKING, Any, ClassVar, Dict, List, NamedTuple, Optional, Sequence, Tuple, Type, Union
 
 from . import _core
 from ._events import Event, TipImpact, event, tip_impact
@@ -81,6 +81,11 @@ class Impact:
     """
 
     __slots__ = ("scene", "_run", "_options")
+    _of: ClassVar[Dict[Type[Scene[Any]], Type["Impact"]]] = {}
+
+    def __init_subclass__(cls, *, of: Optional[Type[Scene[Any]]] = None) -> None:
+        if of:
+            Impact._of[of] = cls
 
     def __init__(self, scene: Scene[Any], run: _core.Impact, options: Tuple[Any, ...]) -> None:
         self.scene = scene
@@ -104,7 +109,8 @@ class Impact:
 
     @property
     def velocity(self) -> Array:
-        """At the end: of n balls [m/s] or degrees of freedom; of a body's mass centre, the normal one first."""
+        """At the end: of n balls [m/s] or degrees of freedom; of mass centres of bodies, of a microbody the normal one
+        first."""
         return self._run.velocity
 
     def sensitivity(self, to: Sequence[str] = ()) -> Sensitivity:
@@ -246,13 +252,28 @@ class ContactImpact(Impact):
         return self._run.dissipated
 
     @property
+    def plastic_work(self) -> Array:
+        """Of it, what m contacts have lost by yielding [J]."""
+        return self._run.plastic_work
+
+    @property
+    def adhesion_loss(self) -> Array:
+        """Of it, what m contacts have lost where adhesion snapped in and gave way [J]."""
+        return self._run.adhesion_loss
+
+    @property
+    def permanent_indentation(self) -> Array:
+        """Depth of the dent at which each of m contacts closes again [m]."""
+        return self._run.permanent_indentation
+
+    @property
     def periods(self) -> List[Array]:
         """Per contact an array of shape (k, 2): start and end of its k periods of force [s]; nan for an end that
         never came."""
         return self._run.periods
 
 
-class ChainImpact(ContactImpact):
+class ChainImpact(ContactImpact, of=Chain):
     """The impact of a :class:`Chain`.
 
     Examples
@@ -272,13 +293,13 @@ class ChainImpact(ContactImpact):
         return Momentum(*(self[f"momentum.{name}"] for name in Momentum._fields))
 
 
-class NetworkImpact(ContactImpact):
+class NetworkImpact(ContactImpact, of=Network):
     """The impact of a :class:`Network`."""
 
     __slots__ = ()
 
 
-class MicrobodyImpact(Impact):
+class MicrobodyImpact(Impact, of=Body):
     """The impact of a :class:`Body`. e1 is normal to the plane; e2 and e3 lie in it."""
 
     __slots__ = ()
@@ -302,9 +323,6 @@ class MicrobodyImpact(Impact):
     def impacts(self) -> List[TipImpact]:
         """Contacts of the tips, in order of time."""
         return [tip_impact(one) for one in self.json()["impacts"]]
-
-
-_IMPACTS: Dict[Type[Scene[Any]], Type[Impact]] = {Chain: ChainImpact, Network: NetworkImpact, Body: MicrobodyImpact}
 
 
 def simulate(scene: Scene[Result], *, accuracy: Optional[float] = None, until: Optional[Time] = None,
@@ -332,7 +350,7 @@ def simulate(scene: Scene[Result], *, accuracy: Optional[float] = None, until: O
 
     Returns
     -------
-    ChainImpact, NetworkImpact or MicrobodyImpact
+    ChainImpact, NetworkImpact, MicrobodyImpact or BodiesImpact
         Ending, time, velocities, impulses and their ratios of a chain of less than 48 balls are known at once; all
         else is computed when it is asked for.
 

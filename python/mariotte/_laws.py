@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any, Dict, NamedTuple, Optional, Sequence, TypeVar, Union
 
 from . import _core
-from ._numbers import Numbers, listed
-from ._scene import Array, Chain, Network
+from ._numbers import Array, Numbers, listed
+from ._scene import Chain, Network
 
 S = TypeVar("S", Chain, Network)
 Function = Union[int, Any]  # an address, or what has one
@@ -57,7 +57,7 @@ def multiple_impact_law(mass: Numbers, velocity: Numbers, *, icr: Optional[Numbe
         raise TypeError("give icr or direction")
     if frame not in ("given", "mass-centre"):
         raise ValueError(f"frame must be given or mass-centre, not {frame}")
-    along = _core.direction_of_ratios(listed(icr)) if icr is not None else listed(direction)
+    along = listed(direction) if direction is not None else _core.direction_of_ratios(listed(() if icr is None else icr))
     return LawOutcome(*_core.multiple_impact_law(listed(mass, "kg"), listed(velocity, "m/s"), along, energy_ratio,
                                                  frame == "mass-centre"))
 

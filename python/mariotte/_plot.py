@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, Dict, Optional, Tuple
 
 import numpy as np
 
-from ._scene import Array
+from ._numbers import Array
 
 if TYPE_CHECKING:
     from ._impact import Impact
@@ -59,7 +59,8 @@ class ImpactPlot:
     def velocities(self, ax: Optional[Any] = None) -> Any:
         """Velocities over time."""
         samples = self._impact.trajectory.steps()
-        return self._curves(samples.time, samples.velocity, samples.force, "velocity v", "m/s", "ball", ax)
+        velocity = samples.velocity.reshape(len(samples.time), -1)
+        return self._curves(samples.time, velocity, samples.force, "velocity v", "m/s", "ball", ax)
 
     def energy(self, ax: Optional[Any] = None) -> Any:
         """Kinetic, stored and lost energy of a chain over time."""

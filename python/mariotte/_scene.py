@@ -11,6 +11,7 @@ from ._numbers import Array
 from ._toml import table, toml
 
 if TYPE_CHECKING:
+    from ._bodies import BodiesImpact
     from ._impact import ChainImpact, MicrobodyImpact, NetworkImpact
 
 Path = Union[str, "os.PathLike[str]"]
@@ -21,8 +22,8 @@ Result = TypeVar("Result")
 class Scene(Generic[Result]):
     """What was written, resolved to SI values and checked; it does not change.
 
-    Made by :class:`Chain`, :class:`Network`, :class:`Body`, :func:`load` and :func:`parse`. Scenes are pickled as
-    their text, so that other processes can simulate them.
+    Made by :class:`Chain`, :class:`Network`, :class:`Body`, :class:`Bodies`, :func:`load` and :func:`parse`. Scenes are
+    pickled as their text, so that other processes can simulate them.
     """
 
     __slots__ = ("_box",)
@@ -238,6 +239,64 @@ class Body(Scene["MicrobodyImpact"], kind="microbody"):
         _set_text(self, "Body", tables, {"title": title})
 
 
+class Bodies(Scene["BodiesImpact"], kind="bodies"):
+    """n bodies and planes that touch with friction, in the plane or in space.
+
+    Parameters
+    ----------
+    title : str, optional
+        Heads tables and figures.
+    run : dict, optional
+        Keys of ``[run]``, such as ``accuracy``.
+    **keys
+        Keys of ``[bodies]`` in a scene file; `body`, `plane` and `contact` are lists of tables.
+
+    Raises
+    ------
+    SceneError
+        For keys and values that make no sense.
+
+    Examples
+    --------
+    >>> import mariotte as mt
+    >>> pair = mt.Bodies(dimension=2, radius="10 mm", material="steel", law="hertz", tangential="mindlin", friction=0.2,
+    ...                  body=[{"position": [0, 0], "velocity": [1, 0], "spin": 50}, {"position": ["2 cm", 0]}])
+    >>> mt.simulate(pair).velocity.round(4)
+    array([[ 0.    , -0.0897],
+           [ 1.    ,  0.0897]])
+    """
+
+    __slots__ = ()
+
+    def __init__(self, *, title: Optional[str] = None, run: Optional[Mapping[str, Any]] = None, **keys: Any) -> None:
+        _set_text(self, "Bodies", {"bodies": keys, "run": run or {}}, {"title": title})
+
+    @property
+    def dimension(self) -> int:
+        """2 in the plane, 3 in space."""
+        return self._box.dimension
+
+    @property
+    def mass(self) -> Array:
+        """Of n bodies [kg]. Read-only."""
+        return self._box.mass
+
+    @property
+    def position(self) -> Array:
+        """Of the mass centres at the start, of shape (n, 2) or (n, 3) [m]. Read-only."""
+        return self._box.position
+
+    @property
+    def velocity(self) -> Array:
+        """Of the mass centres before the impact, of shape (n, 2) or (n, 3) [m/s]. Read-only."""
+        return self._box.velocity
+
+    @property
+    def spin(self) -> Array:
+        """Before the impact, of shape (n,) in the plane, or (n, 3), space axes [rad/s]. Read-only."""
+        return self._box.spin
+
+
 def load(path: Path, *, replace: Optional[Mapping[str, Any]] = None) -> Scene[Any]:
     """Read a scene file.
 
@@ -251,7 +310,7 @@ def load(path: Path, *, replace: Optional[Mapping[str, Any]] = None) -> Scene[An
     Returns
     -------
     Scene
-        A :class:`Chain`, :class:`Network` or :class:`Body`.
+        A :class:`Chain`, :class:`Network`, :class:`Body` or :class:`Bodies`.
 
     Raises
     ------

@@ -8,7 +8,8 @@ from typing import Any, Dict, List, Mapping, Sequence
 import numpy as np
 
 from . import _core
-from ._scene import Array, Scene
+from ._numbers import Array
+from ._scene import Scene
 
 
 class Sensitivity:

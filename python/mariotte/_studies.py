@@ -9,7 +9,8 @@ from typing import Any, Dict, List, Mapping, NamedTuple, Sequence, Union
 import numpy as np
 
 from . import _core
-from ._scene import Array, Body, Path
+from ._numbers import Array
+from ._scene import Body, Path
 
 
 class CaptureVelocity(NamedTuple):

@@ -3,30 +3,24 @@
 from __future__ import annotations
 
 import os
-import re
 from typing import Any, Dict, Iterator, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._numbers import Numbers, numbers
-from ._scene import Array, Chain, Path, Scene
+from ._columns import extents, key_of_result, key_of_scene, matches
+from ._numbers import Array, Numbers, numbers
+from ._scene import Chain, Path, Scene
 from ._toml import plain
 
 Axes = Mapping[Union[str, Tuple[str, ...]], Any]
 Endings = npt.NDArray[np.uint8]
 
-_TABLES = ("chain", "network", "body", "surface", "incidence", "run", "law")
-_MEMBERS = {"velocity": "final.velocity[*]", "gap": "final.gap[*]", "time": "final.time", "icr": "icr[*]",
-            "impulse_direction": "impulse_direction[*]",
-            **{name: f"contacts[*].{name}"
-               for name in ("impulse", "peak_force", "peak_indentation", "stored", "dissipated")}}
-
 
 class Sweep(Mapping[str, Array]):
-    """Numbers over a grid of values; ``grid[column]`` has the shape of the grid, and a last axis if the column
-    stands for several numbers.
+    """Numbers over a grid of values; ``grid[column]`` has the shape of the grid, and more axes if the column stands
+    for several numbers.
 
     Columns are views of one table with a row per point, read-only. Where a point has no number stands nan; `ending`
     and `reasons` say why.
@@ -78,14 +72,13 @@ class Sweep(Mapping[str, Array]):
         return self._run.reasons
 
     def __getitem__(self, column: str) -> Array:
-        places = self._places(column)
-        if not places:
+        found = self._matches(column)
+        if not found:
             raise KeyError(f"{column} is no column of this sweep: {', '.join(self)}")
-        if "*" not in _full(column):
-            return self.table[:, places[0]].reshape(self.shape)
+        places, shape = list(found), [*self.shape, *extents(found.values())]
         if places == list(range(places[0], places[-1] + 1)):
-            return self.table[:, places[0] : places[-1] + 1].reshape(*self.shape, len(places))
-        return self.table[:, places].reshape(*self.shape, len(places))
+            return self.table[:, places[0] : places[-1] + 1].reshape(shape)
+        return self.table[:, places].reshape(shape)
 
     def __iter__(self) -> Iterator[str]:
         return (key for key, _, _, _ in self._run.columns)
@@ -112,11 +105,10 @@ class Sweep(Mapping[str, Array]):
     def keys_of(self, column: str) -> List[str]:
         """Keys of the columns that a name stands for: ``velocity`` is ``final.velocity[0]``, …"""
         keys = list(self)
-        return [keys[place] for place in self._places(column)]
+        return [keys[place] for place in self._matches(column)]
 
-    def _places(self, column: str) -> List[int]:
-        pattern = re.escape(_full(column)).replace(r"\*", r"\d+")
-        return [place for place, key in enumerate(self) if re.fullmatch(pattern, key)]
+    def _matches(self, column: str) -> Dict[int, Tuple[int, ...]]:
+        return matches(key_of_result(self.scene, column), self)
 
 
 def sweep(scene: Scene[Any], axes: Optional[Axes] = None, *, columns: Sequence[str] = (),
@@ -168,7 +160,8 @@ def sweep(scene: Scene[Any], axes: Optional[Axes] = None, *, columns: Sequence[s
     listed = _axes(scene, axes or {})
     if isinstance(scene, Chain) and any(key.startswith("chain.gap[") for key, _, _ in listed):
         scene = scene.replace({"chain.gap": scene.gap})  # one value for all contacts, or none, has no elements
-    made = _core.sweep(scene._box, listed, [_full(column) for column in columns], _workers(threads))
+    keys = [key_of_result(scene, column) for column in columns]
+    made = _core.sweep(scene._box, listed, keys, _workers(threads))
     return Sweep(scene, made)
 
 
@@ -233,10 +226,6 @@ def _spread(array: Array, rows: int, length: int) -> Array:
     return np.ascontiguousarray(np.broadcast_to(array, (1 if array.shape[0] == 1 else rows, length)))
 
 
-def _full(column: str) -> str:
-    return _MEMBERS.get(column, column)
-
-
 def _workers(threads: Optional[int]) -> int:
     if threads is not None:
         return threads
@@ -249,13 +238,8 @@ def _axes(scene: Scene[Any], axes: Axes) -> List[Tuple[str, List[Any], bool]]:
         together = (keys,) if isinstance(keys, str) else keys
         columns = (values,) if isinstance(keys, str) else values
         for place, (key, column) in enumerate(zip(together, columns)):
-            listed.append((_key(scene, key), _values(column), place > 0))
+            listed.append((key_of_scene(scene, key), _values(column), place > 0))
     return listed
-
-
-def _key(scene: Scene[Any], key: str) -> str:
-    first = re.split(r"[.\[]", key)[0]
-    return key if first in _TABLES else f"{scene._box.kind}.{key}"
 
 
 def _values(values: Any) -> List[Any]:

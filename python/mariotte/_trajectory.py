@@ -16,7 +16,7 @@ class Samples(NamedTuple):
     """A row per time."""
 
     time: Array  #: of shape (T,) [s]
-    velocity: Array  #: of shape (T, n): balls [m/s], degrees of freedom, or a body's mass centre
+    velocity: Array  #: of shape (T, n): balls [m/s], degrees of freedom, a body's mass centre; (T, n, d) of bodies
     gap: Array  #: of shape (T, m): contacts or tips, negative in contact [m]
     force: Array  #: of shape (T, m) [N]
 
@@ -42,13 +42,14 @@ class Trajectory:
         self._impact = impact
 
     def at(self, t: Numbers) -> "Samples":
-        """All of it at times `t` of any shape, in one run: (…, n) and (…, m)."""
+        """All of it at times `t` of any shape, in one run: (…, n) or, of bodies, (…, n, d), and (…, m)."""
         times = numbers(t, "s")
         if times.size and not (times.min() >= 0 and times.max() <= self._impact.time):
             raise ValueError(f"times lie between 0 and {self._impact.time} s, the end of the run")
         order, back = np.unique(times, return_inverse=True)
-        _, *rows = self._impact._run.sample(order)
-        return Samples(times, *(one[back].reshape(*times.shape, one.shape[1]) for one in rows))
+        _, velocity, gap, force = self._impact._run.sample(order)
+        velocity = velocity.reshape(len(order), *self._impact.velocity.shape)
+        return Samples(times, *(one[back].reshape(*times.shape, *one.shape[1:]) for one in (velocity, gap, force)))
 
     def velocity(self, t: Numbers) -> Array:
         """At times `t` of any shape: (…, n) [m/s]."""
@@ -64,4 +65,5 @@ class Trajectory:
 
     def steps(self) -> Samples:
         """At the times of its steps, as many as make a picture."""
-        return Samples(*self._impact._run.steps())
+        time, velocity, gap, force = self._impact._run.steps()
+        return Samples(time, velocity.reshape(len(time), *self._impact.velocity.shape), gap, force)

@@ -20,7 +20,8 @@ def test_keywords_make_the_scene_that_a_file_makes():
 
 
 def test_a_file_is_loaded_as_what_it_is():
-    kinds = {"triplet": mt.Chain, "rocking_block": mt.Network, "microsphere": mt.Body}
+    kinds = {"triplet": mt.Chain, "rocking_block": mt.Network, "microsphere": mt.Body,
+             "oblique_sphere": mt.Bodies}
     assert {name: type(mt.load(SCENES / f"{name}.toml")) for name in kinds} == kinds
 
 

@@ -64,6 +64,17 @@ def test_words_and_units_are_values(triplet):
     assert grid["time"].shape == (2, 2) and grid["time"][0, 1] > grid["time"][0, 0]
 
 
+def test_keys_of_a_body_need_no_table():
+    grid = mt.sweep(mt.load(SCENES / "microsphere.toml"), {"radius": ["2 um", "3 um"]}, columns=["velocity", "spin"])
+    assert list(grid.axes) == ["body.radius"] and grid["velocity"].shape == grid["spin"].shape == (2, 3)
+
+
+def test_a_law_is_a_key_of_the_chain(triplet):
+    grid = mt.sweep(mt.Chain(mass=[1, 1], velocity=[1, 0], law="hertz", stiffness=1), {"law": ["hertz"]},
+                    columns=["time"])
+    assert list(grid.axes) == ["chain.law"] and np.isfinite(grid["time"]).all()
+
+
 def test_points_without_sense_are_told(triplet):
     grid = mt.sweep(triplet, {"gap[0]": [0, -1e-9], "precompressed": [False, True]}, columns=["time"])
     assert (grid.ending == mt.Ending.rejected).tolist() == [[False, False], [True, False]]

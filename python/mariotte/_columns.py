@@ -1,0 +1,56 @@
+"""Names of what a sweep varies and computes: shorter ones for keys of scenes and of results."""
+
+from __future__ import annotations
+
+import re
+from typing import Any, Dict, Iterable, List, Tuple
+
+from ._scene import Bodies, Scene
+
+#: Tables of a scene; the name of the first may be left out.
+_TABLES = {"chain": ("chain", "run", "law"), "network": ("network", "run"), "bodies": ("bodies", "run"),
+           "microbody": ("body", "surface", "incidence", "run"), "law": ("law",)}
+_OF_CONTACTS = {"velocity": "final.velocity[*]", "gap": "final.gap[*]", "icr": "icr[*]",
+                "impulse_direction": "impulse_direction[*]",
+                **{name: f"contacts[*].{name}"
+                   for name in ("impulse", "peak_force", "peak_indentation", "stored", "dissipated", "plastic_work",
+                                "adhesion_loss", "permanent_indentation")}}
+_OF_MICROBODIES = {name: f"final.{name}[*]" for name in ("position", "velocity", "spin")}
+
+
+def key_of_scene(scene: Scene[Any], key: str) -> str:
+    """``velocity[0]`` of a chain is ``chain.velocity[0]``."""
+    tables = _TABLES[scene._box.kind]
+    first = re.split(r"[.\[]", key)[0]
+    return key if first in tables and first != key else f"{tables[0]}.{key}"
+
+
+def key_of_result(scene: Scene[Any], member: str) -> str:
+    """``velocity`` of a chain is ``final.velocity[*]``."""
+    return "final.time" if member == "time" else _members(scene).get(member, member)
+
+
+def matches(pattern: str, keys: Iterable[str]) -> Dict[int, Tuple[int, ...]]:
+    """What stands for the stars of a pattern, by the places of the keys that fit it."""
+    form = re.compile(re.escape(pattern).replace(r"\*", r"(\d+)"))
+    fits = ((place, form.fullmatch(key)) for place, key in enumerate(keys))
+    return {place: tuple(map(int, one.groups())) for place, one in fits if one}
+
+
+def extents(indices: Iterable[Tuple[int, ...]]) -> List[int]:
+    """How many values each index takes."""
+    return [len(set(along)) for along in zip(*indices)]
+
+
+def _members(scene: Scene[Any]) -> Dict[str, str]:
+    if isinstance(scene, Bodies):
+        return _of_bodies(components="[*]" if scene.dimension == 3 else "")
+    return _OF_MICROBODIES if scene._box.kind == "microbody" else _OF_CONTACTS
+
+
+def _of_bodies(components: str) -> Dict[str, str]:
+    ends = ("position[*]", "velocity[*]", "angle", "quaternion[*]", f"spin{components}")
+    contacts = ("normal_impulse", f"tangential_impulse{components}", "peak_force", "peak_friction", "peak_indentation",
+                "stored")
+    keys = [f"final.bodies[*].{name}" for name in ends] + [f"contacts[*].{name}" for name in contacts]
+    return {key.rsplit(".", 1)[1].replace("[*]", ""): key for key in keys}
