@@ -66,6 +66,8 @@ def sensitivity(scene: Scene[Any], to: Sequence[str] = ()) -> Sensitivity:
     """Slopes of the outcome of a scene, exact through every event.
 
     Parameters
+    Other threads of Python run meanwhile; Ctrl-C ends it.
+
     ----------
     scene : Chain, Network or Body
         What is simulated.

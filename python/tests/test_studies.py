@@ -4,7 +4,9 @@ import ctypes
 import gc
 import math
 import shutil
+import signal
 import subprocess
+import time
 import weakref
 
 import numpy as np
@@ -202,4 +204,14 @@ def test_products_with_slopes_are_consistent():
 
 def test_slopes_by_what_is_no_number_are_refused():
     with pytest.raises(mt.SceneError, match="--to chain.law"):
-        mt.sensitivity(mt.load(SCENES / "triplet.toml"), ["chain.law"])
+        mt.sensitivity(mt.load(SCENES / "triplet.toml"), to=["chain.law"])
+
+
+def test_ctrl_c_ends_slopes():
+    row = mt.Chain(balls=100, mass=1, law="hertz", stiffness=1, ball=[{"number": 1, "velocity": 1}])
+    signal.signal(signal.SIGALRM, lambda *_: signal.raise_signal(signal.SIGINT))
+    signal.setitimer(signal.ITIMER_REAL, 0.3)
+    started = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        mt.sensitivity(row)  # of some minutes
+    assert time.monotonic() - started < 60

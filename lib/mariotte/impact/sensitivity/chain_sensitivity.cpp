@@ -4,7 +4,7 @@
 namespace mariotte::impact {
 
 Sensitivity sensitivity(const model::Chain& chain, const std::vector<Parameter<model::Chain>>& by,
-                        const hybrid::Options& asked) {
+                        const hybrid::Options& asked, const SlopeWatch& watch) {
   model::validate(chain);
   expect_no_drive(chain.drive);
   hybrid::validate(asked);
@@ -13,7 +13,7 @@ Sensitivity sensitivity(const model::Chain& chain, const std::vector<Parameter<m
   model::ChainSystem system;
   system.reset(chain, options.accuracy, std::isfinite(options.max_time));
   ContactSensitivity<model::ChainSystem, model::ChainTopology, decltype(&impulses)> run(
-      system, system.chain(), by, options, &impulses);
+      system, system.chain(), by, options, watch, &impulses);
   return run.take();
 }
 

@@ -24,10 +24,11 @@ inline hybrid::Options for_slopes(hybrid::Options options) {
 }
 
 template <class Scaled, class Model>
-std::vector<ShiftedModels<Scaled>> shifted_models(const Scaled& base,
-                                                  const std::vector<Parameter<Model>>& by) {
+std::vector<ShiftedModels<Scaled>> shifted_models(const Scaled& base, const std::vector<Parameter<Model>>& by,
+                                                  const SlopeWatch& watch) {
   std::vector<ShiftedModels<Scaled>> list;
   for (const auto& one : by) {
+    watch();
     auto& models = list.emplace_back();
     models.step = one.step;
     models.at.fill(base);
@@ -45,16 +46,16 @@ class ContactSensitivity {
 
   template <class Model>
   ContactSensitivity(System& system, const Scaled& base, const std::vector<Parameter<Model>>& by,
-                     const hybrid::Options& options, Impulses impulses)
+                     const hybrid::Options& options, const SlopeWatch& watch, Impulses impulses)
       : base_(base),
         layout_(expect_few_of(system.layout(), std::ssize(by))),
-        models_(shifted_models(base, by)),
+        models_(shifted_models(base, by, watch)),
         impulses_(impulses),
         start_(layout_.size, std::ssize(by)) {
     initial_state(base, layout_, x0_);
     set_start();
     ContactVariation<Topology> variation(base, layout_, models_, options.accuracy);
-    end_ = SlopeLoop(system, variation, hybrid::scaled(options, base.scale)).follow(x0_, start_);
+    end_ = SlopeLoop(system, variation, hybrid::scaled(options, base.scale), watch).follow(x0_, start_);
     for (const auto& one : by) result_.parameter.push_back({one.name, one.value});
   }
 

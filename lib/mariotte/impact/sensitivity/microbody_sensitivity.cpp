@@ -48,12 +48,13 @@ Readings read(const DimensionlessMicrobody& body, const model::MicrobodyLayout& 
 class BodySlopes {
  public:
   BodySlopes(const Microbody& body, const std::vector<Parameter<Microbody>>& by,
-             const hybrid::Options& options)
+             const hybrid::Options& options, const SlopeWatch& watch)
       : system_(body, std::max(1e-14, 0.01 * options.accuracy), /*balance=*/false, {.force_signs = false}),
         layout_(system_.layout()),
         x0_(initial_state(system_.body(), layout_)),
         start_(layout_.size, std::ssize(by)) {
     for (const auto& one : by) {
+      watch();
       result_.parameter.push_back({one.name, one.value});
       auto& bodies = shifted_.emplace_back();
       bodies.step = one.step;
@@ -64,7 +65,7 @@ class BodySlopes {
     MicrobodyVariation variation(system_, shifted_);
     auto run_options = hybrid::scaled(options, system_.body().scale);
     run_options.accuracy = system_.accuracy();
-    end_ = SlopeLoop(system_, variation, run_options).follow(x0_, start_);
+    end_ = SlopeLoop(system_, variation, run_options, watch).follow(x0_, start_);
   }
 
   Sensitivity take() {
@@ -150,10 +151,10 @@ class BodySlopes {
 }  // namespace
 
 Sensitivity sensitivity(const Microbody& body, const std::vector<Parameter<Microbody>>& by,
-                        const hybrid::Options& options) {
+                        const hybrid::Options& options, const SlopeWatch& watch) {
   model::validate(body);
   hybrid::validate(options);
-  return BodySlopes(body, by, options).take();
+  return BodySlopes(body, by, options, watch).take();
 }
 
 }  // namespace mariotte::impact

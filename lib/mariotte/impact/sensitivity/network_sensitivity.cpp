@@ -14,14 +14,14 @@ void integrated_impulses(const model::DimensionlessNetwork&, const model::Contac
 }  // namespace
 
 Sensitivity sensitivity(const model::Network& network, const std::vector<Parameter<model::Network>>& by,
-                        const hybrid::Options& asked) {
+                        const hybrid::Options& asked, const SlopeWatch& watch) {
   model::validate(network);
   expect_no_drive(network.drive);
   hybrid::validate(asked);
   const auto options = for_slopes(asked);
   model::NetworkSystem system(network, options.accuracy, std::isfinite(options.max_time));
   ContactSensitivity<model::NetworkSystem, model::NetworkTopology, decltype(&integrated_impulses)> run(
-      system, system.network(), by, options, &integrated_impulses);
+      system, system.network(), by, options, watch, &integrated_impulses);
   return run.take();
 }
 

@@ -1,6 +1,7 @@
 // Slopes along one phase: the variational equation S' = f_x S + f_p on every step that a flow has taken.
 #pragma once
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -13,11 +14,13 @@ namespace mariotte::impact {
 template <class Variation, class Mode>
 class PhaseSlopes final : public hybrid::PhaseObserver {
  public:
-  PhaseSlopes(const flow::Problem& problem, const Variation& variation, const Mode& mode, double accuracy)
+  PhaseSlopes(const flow::Problem& problem, const Variation& variation, const Mode& mode, double accuracy,
+              const std::function<void()>& watch)
       : slopes(problem.size(), variation.columns()),
         problem_(problem),
         variation_(variation),
         mode_(mode),
+        watch_(watch),
         collocation_(problem.pattern(), problem.magnitudes(), variation.natural_slopes(), accuracy) {}
 
   /// A flow that gives up may have gone back to where the phase began.
@@ -29,6 +32,7 @@ class PhaseSlopes final : public hybrid::PhaseObserver {
     phase_start_ = time;
   }
   void observe(const flow::Step& step) override {
+    watch_();
     if constexpr (requires { variation_.advance(step, mode_, slopes); })
       if (variation_.advance(step, mode_, slopes)) return void(end_.reset());
     const auto end = end_of(step);
@@ -91,6 +95,7 @@ class PhaseSlopes final : public hybrid::PhaseObserver {
   const flow::Problem& problem_;
   const Variation& variation_;
   const Mode& mode_;
+  const std::function<void()>& watch_;
   Collocation collocation_;
   SlopeMatrix at_start_;
   std::vector<double> value_, rate_, dx_;  ///< of guards, and of the state

@@ -1,5 +1,6 @@
 // Exact slopes of the outcome of an impact by its parameters, through every event.
 #pragma once
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +14,9 @@
 #include "mariotte/model/network/network.hpp"
 
 namespace mariotte::impact {
+
+/// Called at every step of a run with slopes; what it throws reaches the caller.
+using SlopeWatch = std::function<void()>;
 
 /// One outcome and its slopes by every parameter [unit of the outcome / unit of the parameter].
 struct OutcomeSlopes {
@@ -45,14 +49,17 @@ std::vector<Parameter<model::Network>> parameters(const model::Network& network)
 
 /// Slopes of final velocities, impulses, their ratios and the time of the ending. Throws InvalidParameter as
 /// `simulate`.
-Sensitivity sensitivity(const model::Chain& chain, const std::vector<Parameter<model::Chain>>& by,
-                        const hybrid::Options& options = {});
+Sensitivity sensitivity(
+    const model::Chain& chain, const std::vector<Parameter<model::Chain>>& by,
+    const hybrid::Options& options = {}, const SlopeWatch& watch = [] {});
 /// The same; ratios are those of contacts in their order.
-Sensitivity sensitivity(const model::Network& network, const std::vector<Parameter<model::Network>>& by,
-                        const hybrid::Options& options = {});
+Sensitivity sensitivity(
+    const model::Network& network, const std::vector<Parameter<model::Network>>& by,
+    const hybrid::Options& options = {}, const SlopeWatch& watch = [] {});
 /// Slopes of the velocity of the mass centre along the normal, of v3 and of the spin about e2, of the contact
 /// time and of the restitution of the tip.
-Sensitivity sensitivity(const model::Microbody& body, const std::vector<Parameter<model::Microbody>>& by,
-                        const hybrid::Options& options = {});
+Sensitivity sensitivity(
+    const model::Microbody& body, const std::vector<Parameter<model::Microbody>>& by,
+    const hybrid::Options& options = {}, const SlopeWatch& watch = [] {});
 
 }  // namespace mariotte::impact

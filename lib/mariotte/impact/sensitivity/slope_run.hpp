@@ -6,6 +6,7 @@
 // Guards of one instant move the state one after the other; to first order their order does not matter, since
 // the state is continuous and each changes the rates by its own force.
 #pragma once
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,11 +44,13 @@ struct SlopeRun {
 };
 
 /// `System` with its mode and `Variation`, which gives f_p and γ_p and is told what contacts remember.
+/// `watch` is called at every step.
 template <class System, class Variation>
 class SlopeLoop {
  public:
-  SlopeLoop(System& system, Variation& variation, const hybrid::Options& options)
-      : system_(system), variation_(variation), options_(options) {}
+  SlopeLoop(System& system, Variation& variation, const hybrid::Options& options,
+            const std::function<void()>& watch)
+      : system_(system), variation_(variation), options_(options), watch_(watch) {}
 
   SlopeRun<System> follow(ConstState x0, const SlopeMatrix& start);
 
@@ -79,6 +82,7 @@ class SlopeLoop {
   System& system_;
   Variation& variation_;
   hybrid::Options options_;
+  const std::function<void()>& watch_;
   hybrid::Workspace<System> workspace_;
 };
 
@@ -179,7 +183,7 @@ SlopeRun<System> SlopeLoop<System, Variation>::follow(ConstState x0, const Slope
   };
 
   system_.mode_at(run.state, mode, changes);
-  Observer observer(system_.problem(mode), variation_, mode, options_.accuracy);
+  Observer observer(system_.problem(mode), variation_, mode, options_.accuracy, watch_);
   observer.slopes = start;
   start_events(observer, result);
   for (;;) {

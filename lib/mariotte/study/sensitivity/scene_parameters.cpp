@@ -123,11 +123,11 @@ impact::Sensitivity slopes_of(const scene::Scene& scene, Of&& of, OfBody&& param
 }  // namespace
 
 impact::Sensitivity sensitivity(const Document& document, const scene::Scene& scene,
-                                const std::vector<std::string>& keys) {
+                                const std::vector<std::string>& keys, const impact::SlopeWatch& watch) {
   return slopes_of(
       scene,
       [&](const auto& model, const auto& all) {
-        return impact::sensitivity(model, chosen(document, keys, all), scene.run);
+        return impact::sensitivity(model, chosen(document, keys, all), scene.run, watch);
       },
       [&] { return body_parameters(document); });
 }
