@@ -6,6 +6,7 @@
 
 #include "arrays.hpp"
 #include "bindings.hpp"
+#include "errors.hpp"
 #include "impact_arrays.hpp"
 #include "mariotte/core/overload.hpp"
 #include "mariotte/core/quantity.hpp"
@@ -38,12 +39,15 @@ std::unique_ptr<Impact> simulate_scene(const SharedScene& box, std::optional<dou
                                        std::optional<Index> max_events,
                                        const std::optional<std::string>& flow) {
   auto options = box->scene.run;
-  if (accuracy) options.accuracy = *accuracy;
-  if (max_time) options.max_time = seconds(*max_time);
-  if (until) options.max_time = seconds(*until);
+  const auto put = [&](const char* key, const auto& value, const auto& act) {
+    if (value) of_option(key, [&] { act(*value), validate(options); });
+  };
+  put("accuracy", accuracy, [&](double one) { options.accuracy = one; });
+  put("max_time", max_time, [&](const Time& one) { options.max_time = seconds(one); });
+  put("until", until, [&](const Time& one) { options.max_time = seconds(one); });
   if (until || max_time) options.flies_on = until.has_value();
-  if (max_events) options.max_events = *max_events;
-  if (flow) options.flow = flow::parse_kind(*flow);
+  put("max_events", max_events, [&](Index one) { options.max_events = one; });
+  put("flow", flow, [&](const std::string& one) { options.flow = flow::parse_kind(one); });
   return std::make_unique<Impact>(box, options, until || (box->scene.until && !max_time));
 }
 

@@ -1,4 +1,6 @@
 // Exceptions of C++ as those of mariotte/_errors.py.
+#include "errors.hpp"
+
 #include "bindings.hpp"
 #include "mariotte/core/quantity.hpp"
 #include "mariotte/report/page/files.hpp"
@@ -11,15 +13,14 @@ namespace {
 
 namespace py = pybind11;
 
-py::object make(const char* type, const Error& error) {
+template <class... More>
+py::object make(const char* type, const Error& error, const More&... more) {
   const auto classes = py::module_::import("mariotte._errors");
-  return classes.attr(type)(error.what(), std::string(error.fault.code));
+  return classes.attr(type)(error.what(), std::string(error.fault.code), more...);
 }
 
 py::object make(const scene::SceneError& error) {
-  auto made = make("SceneError", error);
-  made.attr("place") = error.place;
-  made.attr("key") = error.key;
+  auto made = make("SceneError", error, error.key, error.place);
   py::list more;
   for (const auto& one : error.more) more.append(make(one));
   made.attr("more") = more;
@@ -35,15 +36,17 @@ void translate(std::exception_ptr thrown) try {
 } catch (const scene::SceneError& error) {
   raise(make(error));
 } catch (const scene::FileError& error) {
-  raise(make("FileError", error));
+  raise(make("file_error", error, error.number, error.path));
 } catch (const report::FileError& error) {
-  raise(make("FileError", error));
+  raise(make("file_error", error, error.number, error.path));
 } catch (const study::FitError& error) {
   raise(make("FitError", error));
+} catch (const WrongOption& error) {
+  raise(make("InvalidParameter", error, error.key, error.place));
 } catch (const InvalidParameter& error) {
   raise(make("InvalidParameter", error));
 } catch (const study::ColumnError& error) {
-  raise(make("InvalidParameter", error));
+  raise(make("InvalidParameter", error, "columns"));
 } catch (const QuantityError& error) {
   raise(make("InvalidParameter", error));
 } catch (const Error& error) {

@@ -10,6 +10,7 @@
 
 #include "arrays.hpp"
 #include "bindings.hpp"
+#include "errors.hpp"
 #include "interruption.hpp"
 #include "mariotte/contact/named_laws.hpp"
 #include "mariotte/core/error.hpp"
@@ -81,7 +82,8 @@ void solve_row(const Chains& chains, Index row, model::Chain& chain, impact::Cha
   chains.put(row, chain);
   results.keep(row, solver.solve(chain, chains.options));
 } catch (const InvalidParameter& error) {
-  throw InvalidParameter("row " + std::to_string(row) + ": " + error.what(), error.fault);
+  const auto place = "row " + std::to_string(row);
+  throw WrongOption(InvalidParameter(place + ": " + error.what(), error.fault), "", place);
 }
 
 /// Threads that take rows until none is left; the calling one waits, and looks for Ctrl-C.
@@ -91,7 +93,8 @@ class Crew {
       : chains_(chains), rows_(rows), results_(results) {}
 
   void run(int threads) {
-    if (threads < 1) throw InvalidParameter("chains need at least one thread", fault::out_of_range);
+    if (threads < 1)
+      throw WrongOption(InvalidParameter("chains need at least one thread", fault::out_of_range), "threads");
     working_ = threads;
     std::vector<std::jthread> workers;
     for (int i = 0; i < threads; ++i) workers.emplace_back([this] { work(); });
@@ -155,19 +158,21 @@ const contact::NamedLaw& law_of(const std::string& name) {
 py::tuple solve(Index rows, const Numbers& mass, const Numbers& stiffness, const Numbers& velocity,
                 const Numbers& gap, const Numbers& damping, const std::string& law, double exponent,
                 double accuracy, int threads) {
-  const auto& named = law_of(law);
+  const contact::NamedLaw* named = nullptr;
+  of_option("law", [&] { named = &law_of(law); });
   const Chains chains{Rows(mass),
                       Rows(stiffness),
                       Rows(velocity),
                       Rows(gap),
                       Rows(damping),
-                      named,
-                      named.exponent.value_or(exponent),
+                      *named,
+                      named->exponent.value_or(exponent),
                       {.accuracy = accuracy}};
   const Index balls = chains.mass.length;
   Results results(rows, balls);
   {
     const py::gil_scoped_release unlocked;
+    of_option("accuracy", [&] { validate(chains.options); });
     Crew(chains, rows, results).run(threads);
   }
   return py::make_tuple(owned(std::move(results.velocity), {rows, balls}),

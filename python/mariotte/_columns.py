@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from typing import Any, Dict, Iterable, List, Tuple
+from typing import Any, Dict, Iterable, List, Sequence, Tuple, Union
 
 from ._scene import Bodies, Scene
 
@@ -28,6 +28,11 @@ def key_of_scene(scene: Scene[Any], key: str) -> str:
 def key_of_result(scene: Scene[Any], member: str) -> str:
     """``velocity`` of a chain is ``final.velocity[*]``."""
     return "final.time" if member == "time" else _members(scene).get(member, member)
+
+
+def names(given: Union[str, Sequence[str]]) -> List[str]:
+    """Several names; one alone needs no list."""
+    return [given] if isinstance(given, str) else list(given)
 
 
 def matches(pattern: str, keys: Iterable[str]) -> Dict[int, Tuple[int, ...]]:

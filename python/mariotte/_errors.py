@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import List
+import errno
+from typing import Any, List, Tuple
 
 
 class Error(Exception):
@@ -23,14 +24,14 @@ class Error(Exception):
 
 
 class SceneError(Error, ValueError):
-    """A scene that was refused.
+    """A scene that was refused, or options with which it cannot be run.
 
     Attributes
     ----------
     place : str
-        Where it is wrong: ``file:line:column``, or ``--set KEY`` of a value that was replaced.
+        Where it is wrong: ``file:line:column``, ``--set KEY`` of a value that was replaced, or ``row 3`` of arrays.
     key : str
-        The key that is wrong, such as ``chain.radius``; empty if none is.
+        The key or the option that is wrong, such as ``chain.radius``; empty if none is.
     more : list of SceneError
         What else is wrong with the scene.
 
@@ -44,17 +45,41 @@ class SceneError(Error, ValueError):
     S022 chain.stiffness
     """
 
-    place: str = ""
-    key: str = ""
-    more: List["SceneError"] = []
+    def __init__(self, message: str, code: str, key: str = "", place: str = "") -> None:
+        super().__init__(message, code)
+        self.key = key
+        self.place = place
+        self.more: List[SceneError] = []
+
+
+class InvalidParameter(SceneError):
+    """An option outside its domain, such as an accuracy of 0, a column that no result has, or a row of arrays."""
 
 
 class FileError(Error, OSError):
-    """A file that could not be read or written."""
+    """A file that could not be read or written, with `errno` and `filename` as far as they are known.
+
+    One that is not there is a :class:`FileNotFoundError`, too.
+    """
+
+    def __init__(self, message: str, code: str, number: int = 0, path: str = "") -> None:
+        OSError.__init__(self, number or None, message, path or None)
+        self.code = code
+
+    def __str__(self) -> str:
+        return f"{self.strerror} [{self.code}]"
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return type(self), (self.strerror, self.code, self.errno or 0, self.filename or "")
 
 
-class InvalidParameter(Error, ValueError):
-    """A parameter outside its domain, such as an accuracy of 0."""
+class MissingFile(FileError, FileNotFoundError):
+    """A file or a folder that is not there."""
+
+
+def file_error(message: str, code: str, number: int, path: str) -> FileError:
+    """The exception for this errno."""
+    return (MissingFile if number == errno.ENOENT else FileError)(message, code, number, path)
 
 
 class FitError(Error):

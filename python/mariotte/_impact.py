@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Dict, List, NamedTuple, Optiona
 
 from . import _core
 from ._events import Event, TipImpact, event, tip_impact
-from ._numbers import Array, Numbers
+from ._numbers import Array, Numbers, number
 from ._scene import Body, Chain, Network, Path, Result, Scene
 from ._sensitivity import Sensitivity, sensitivity
 from ._toml import plain
@@ -36,6 +36,12 @@ class Ending(enum.IntEnum):
     invalid = 7  #: it came to an end, but beyond where any contact law holds
     failed = 8  #: a flow could not go on; what was computed until then is kept
     rejected = 9  #: of a point of a sweep: its values together are no scene
+
+    def __str__(self) -> str:
+        return self.name
+
+    def __format__(self, spec: str) -> str:
+        return format(int(self) if spec.endswith("d") else self.name, spec)
 
 
 class Energy(NamedTuple):
@@ -113,9 +119,9 @@ class Impact:
         first."""
         return self._run.velocity
 
-    def sensitivity(self, to: Sequence[str] = ()) -> Sensitivity:
+    def sensitivity(self, *, to: Union[str, Sequence[str]] = ()) -> Sensitivity:
         """Slopes of the outcome by these parameters of its scene, see :func:`sensitivity`."""
-        return sensitivity(self.scene, to)
+        return sensitivity(self.scene, to=to)
 
     @property
     def energy(self) -> Energy:
@@ -366,7 +372,10 @@ def simulate(scene: Scene[Result], *, accuracy: Optional[float] = None, until: O
     >>> mt.simulate(pair, until="1 us").ending
     <Ending.time_limit: 3>
     """
-    result: Result = _simulated(scene, (accuracy, plain(until), plain(max_time), max_events, flow))
+    if until is not None and max_time is not None:
+        raise TypeError("give until, the end that is wanted, or max_time, a limit")
+    tight = None if accuracy is None else number(accuracy, "accuracy")
+    result: Result = _simulated(scene, (tight, plain(until), plain(max_time), max_events, flow))
     return result
 
 

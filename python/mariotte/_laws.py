@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import Any, Dict, NamedTuple, Optional, Sequence, TypeVar, Union
 
 from . import _core
-from ._numbers import Array, Numbers, listed
-from ._scene import Chain, Network
+from ._numbers import Array, Numbers, listed, number
+from ._scene import Chain, Network, Scene
 
-S = TypeVar("S", Chain, Network)
+S = TypeVar("S", bound=Scene[Any])
 Function = Union[int, Any]  # an address, or what has one
 
 
@@ -57,9 +57,10 @@ def multiple_impact_law(mass: Numbers, velocity: Numbers, *, icr: Optional[Numbe
         raise TypeError("give icr or direction")
     if frame not in ("given", "mass-centre"):
         raise ValueError(f"frame must be given or mass-centre, not {frame}")
-    along = listed(direction) if direction is not None else _core.direction_of_ratios(listed(() if icr is None else icr))
-    return LawOutcome(*_core.multiple_impact_law(listed(mass, "kg"), listed(velocity, "m/s"), along, energy_ratio,
-                                                 frame == "mass-centre"))
+    ratios = () if icr is None else icr
+    along = listed(direction) if direction is not None else _core.direction_of_ratios(listed(ratios))
+    return LawOutcome(*_core.multiple_impact_law(listed(mass, "kg"), listed(velocity, "m/s"), along,
+                                                 number(energy_ratio, "energy_ratio"), frame == "mass-centre"))
 
 
 def rival_laws(mass: Numbers, velocity: Numbers, *, restitution: float = 1.0, stiffness: Numbers = (),
@@ -83,8 +84,8 @@ def rival_laws(mass: Numbers, velocity: Numbers, *, restitution: float = 1.0, st
     >>> mt.rival_laws([1, 1, 1], [1, 0, 0])["by-event"].velocity
     array([0., 0., 1.])
     """
-    made = _core.rival_laws(listed(mass, "kg"), listed(velocity, "m/s"), restitution, listed(stiffness), exponent,
-                            listed(direction))
+    made = _core.rival_laws(listed(mass, "kg"), listed(velocity, "m/s"), number(restitution, "restitution"),
+                            listed(stiffness), number(exponent, "exponent"), listed(direction))
     return {name: LawOutcome(*outcome) for name, outcome in made.items()}
 
 
@@ -121,11 +122,17 @@ def with_law(scene: S, *, force: Function, stored_energy: Function, name: str = 
     >>> mt.simulate(mt.with_law(pair, force=cone, stored_energy=energy)).velocity.round(9)
     array([0., 1.])
     """
-    places = range(len(scene.gap)) if contacts is None else contacts
+    places = range(_contacts(scene)) if contacts is None else contacts
     made = type(scene)._of(_core.with_law(scene._box, name, _address(force), _address(stored_energy), dissipates,
                                           list(places), (force, stored_energy)))
     assert isinstance(made, type(scene))
     return made
+
+
+def _contacts(scene: Scene[Any]) -> int:
+    if isinstance(scene, (Chain, Network)):
+        return len(scene.gap)
+    raise TypeError(f"only contacts of chains and networks take a law, and {scene!r} has none")
 
 
 def _address(function: Function) -> int:

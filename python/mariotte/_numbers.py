@@ -35,6 +35,13 @@ def listed(values: Numbers, unit: str = "") -> List[float]:
     return made
 
 
+def number(value: Any, what: str) -> float:
+    """One number; text is none."""
+    if isinstance(value, (str, bytes)):
+        raise TypeError(f"{what} is a number, not {value!r}")
+    return float(value)
+
+
 def _magnitude(values: Any, unit: str) -> Any:
     if hasattr(values, "to_base_units"):
         return (values.to(unit) if unit else values.to_base_units()).magnitude

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import json
-from typing import Any, Dict, List, Mapping, Sequence
+from typing import Any, Dict, List, Mapping, Sequence, Union
 
 import numpy as np
 
 from . import _core
+from ._columns import names
 from ._numbers import Array
 from ._scene import Scene
 
@@ -62,16 +63,16 @@ class Sensitivity:
         return f"<mariotte.Sensitivity: {len(self.outcomes)} outcomes by {len(self.parameters)} parameters>"
 
 
-def sensitivity(scene: Scene[Any], to: Sequence[str] = ()) -> Sensitivity:
+def sensitivity(scene: Scene[Any], *, to: Union[str, Sequence[str]] = ()) -> Sensitivity:
     """Slopes of the outcome of a scene, exact through every event.
 
-    Parameters
     Other threads of Python run meanwhile; Ctrl-C ends it.
 
+    Parameters
     ----------
     scene : Chain, Network or Body
         What is simulated.
-    to : sequence of str
+    to : str or sequence of str
         Parameters: ``"mass"``, ``"contact[1].stiffness"`` or any number of the scene by its key; all numbers of the
         model unless some are named.
 
@@ -88,7 +89,7 @@ def sensitivity(scene: Scene[Any], to: Sequence[str] = ()) -> Sensitivity:
     >>> slopes.slopes("velocity").round(9).tolist()
     [[-0.2, 1.2], [0.8, 0.2]]
     """
-    return Sensitivity(json.loads(_core.sensitivity(scene._box, list(to))))
+    return Sensitivity(json.loads(_core.sensitivity(scene._box, names(to))))
 
 
 def _numbers(values: Any) -> Array:

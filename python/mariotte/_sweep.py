@@ -9,8 +9,8 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._columns import extents, key_of_result, key_of_scene, matches
-from ._numbers import Array, Numbers, numbers
+from ._columns import extents, key_of_result, key_of_scene, matches, names
+from ._numbers import Array, Numbers, number, numbers
 from ._scene import Chain, Path, Scene
 from ._toml import plain
 
@@ -111,7 +111,7 @@ class Sweep(Mapping[str, Array]):
         return matches(key_of_result(self.scene, column), self)
 
 
-def sweep(scene: Scene[Any], axes: Optional[Axes] = None, *, columns: Sequence[str] = (),
+def sweep(scene: Scene[Any], axes: Optional[Axes] = None, *, columns: Union[str, Sequence[str]] = (),
           accuracy: Optional[float] = None, threads: Optional[int] = None) -> Sweep:
     """Simulate a scene for all values of some of its keys.
 
@@ -125,7 +125,7 @@ def sweep(scene: Scene[Any], axes: Optional[Axes] = None, *, columns: Sequence[s
         Values by key, an axis of the grid each, the last one the fastest. The name of the model may be left out:
         ``velocity[0]`` is ``chain.velocity[0]``. A tuple of keys with a tuple of arrays moves together along one
         axis. If it is left out, the scene says by ``[[sweep]]`` what is varied.
-    columns : sequence of str
+    columns : str or sequence of str
         What to compute: members of results, such as ``velocity``, or keys of their JSON, such as
         ``contacts[1].peak_force`` and ``events.count``. Without any those that say most.
     accuracy : float, optional
@@ -155,12 +155,12 @@ def sweep(scene: Scene[Any], axes: Optional[Axes] = None, *, columns: Sequence[s
     1.076822
     """
     if accuracy is not None:
-        scene = scene.replace({"run.accuracy": accuracy})
+        scene = scene.replace({"run.accuracy": number(accuracy, "accuracy")})
     scene._expect_text()
     listed = _axes(scene, axes or {})
     if isinstance(scene, Chain) and any(key.startswith("chain.gap[") for key, _, _ in listed):
         scene = scene.replace({"chain.gap": scene.gap})  # one value for all contacts, or none, has no elements
-    keys = [key_of_result(scene, column) for column in columns]
+    keys = [key_of_result(scene, column) for column in names(columns)]
     made = _core.sweep(scene._box, listed, keys, _workers(threads))
     return Sweep(scene, made)
 
@@ -217,8 +217,8 @@ def solve(mass: Numbers, stiffness: Numbers, velocity: Numbers, *, gap: Numbers 
     contacts = [np.atleast_2d(one) for one in (numbers(stiffness), numbers(gap, "m"), numbers(damping))]
     rows = max(one.shape[0] for one in (speeds, masses, *contacts))
     k, g, c = (_spread(one, rows, balls - 1) for one in contacts)
-    return Solved(*_core.solve(rows, _spread(masses, rows, balls), k, _spread(speeds, rows, balls), g, c, law, exponent,
-                               accuracy, _workers(threads)))
+    return Solved(*_core.solve(rows, _spread(masses, rows, balls), k, _spread(speeds, rows, balls), g, c, law,
+                               number(exponent, "exponent"), number(accuracy, "accuracy"), _workers(threads)))
 
 
 def _spread(array: Array, rows: int, length: int) -> Array:
@@ -237,12 +237,23 @@ def _axes(scene: Scene[Any], axes: Axes) -> List[Tuple[str, List[Any], bool]]:
     for keys, values in axes.items():
         together = (keys,) if isinstance(keys, str) else keys
         columns = (values,) if isinstance(keys, str) else values
+        if len(together) != len(columns):
+            raise ValueError(f"{len(together)} keys move together, by {len(columns)} rows of values: {keys}")
         for place, (key, column) in enumerate(zip(together, columns)):
-            listed.append((key_of_scene(scene, key), _values(column), place > 0))
+            listed.append((key_of_scene(scene, key), _values(key, column), place > 0))
     return listed
 
 
-def _values(values: Any) -> List[Any]:
+def _values(key: str, values: Any) -> List[Any]:
     values = plain(values)
+    if isinstance(values, str) or getattr(values, "ndim", 1) != 1 or not hasattr(values, "__iter__"):
+        raise ValueError(f"the values of {key} are not one row: {values!r}")
     listed: List[Any] = values.tolist() if hasattr(values, "tolist") else list(values)
-    return [plain(one.item() if hasattr(one, "item") else one) for one in listed]
+    return [_value(one) for one in listed]
+
+
+def _value(one: Any) -> Any:
+    one = plain(one)
+    if isinstance(one, np.floating):  # however long
+        return float(one)
+    return one.item() if hasattr(one, "item") else one

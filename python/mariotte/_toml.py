@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 import json
+import numbers
 from typing import Any, Mapping
 
 
 def toml(value: Any) -> str:
     """One value: a number, text, true or false, a list, a table, an array of NumPy or a quantity of pint."""
     value = plain(value)
-    if hasattr(value, "tolist"):  # arrays and numbers of NumPy
-        return toml(value.tolist())
     if isinstance(value, bool):
         return "true" if value else "false"
-    if isinstance(value, (int, float)):
-        return repr(value)
+    if isinstance(value, numbers.Integral):
+        return repr(int(value))
+    if isinstance(value, numbers.Real):  # of NumPy, too, however long
+        return repr(float(value))
+    if hasattr(value, "tolist"):  # arrays, and truth of NumPy
+        return toml(value.tolist())
     if isinstance(value, str):
         return json.dumps(value, ensure_ascii=False)
     if isinstance(value, Mapping):

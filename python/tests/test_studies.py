@@ -194,7 +194,7 @@ def test_slopes_are_those_of_the_command(command_json):
 
 
 def test_products_with_slopes_are_consistent():
-    found = mt.sensitivity(mt.load(SCENES / "triplet.toml"), ["mass", "velocity", "contact"])
+    found = mt.sensitivity(mt.load(SCENES / "triplet.toml"), to=["mass", "velocity", "contact"])
     change, weights = {"mass[1]": 1e-3, "velocity[0]": 0.1}, {"velocity": [1, -2, 0.5], "time": 3.0}
     forward, backward = found.jvp(change), found.vjp(weights)
     left = float(np.dot(weights["velocity"], forward["velocity"]) + weights["time"] * forward["time"])

@@ -8,7 +8,8 @@ namespace mariotte::report {
 namespace {
 
 [[noreturn]] void refuse(const std::filesystem::path& path) {
-  throw FileError("cannot write " + path.string() + ": built without HDF5; CSV is written without it");
+  throw FileError("cannot write " + path.string() + ": built without HDF5; CSV is written without it",
+                  fault::unwritable, path.string());
 }
 
 }  // namespace

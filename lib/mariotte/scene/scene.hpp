@@ -29,7 +29,11 @@ struct SceneError : Error {
 
 /// A file that could not be read; what() names it.
 struct FileError : Error {
-  explicit FileError(const std::string& what) : Error(what, fault::unreadable) {}
+  explicit FileError(const std::string& what, std::string file = {}, int problem = 0)
+      : Error(what, fault::unreadable), path(std::move(file)), number(problem) {}
+
+  std::string path;  ///< of the file, if it is known
+  int number;        ///< errno, if the system said why; else 0
 };
 
 /// Instead of a model, in a scene with [law] alone: the law has masses and velocities of its own.

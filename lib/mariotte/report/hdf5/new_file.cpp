@@ -26,7 +26,8 @@ NewFile::~NewFile() {
 }
 
 void NewFile::fail(const std::string& reason) const {
-  throw FileError("cannot write " + path_.string() + ": " + reason);
+  throw FileError("cannot write " + path_.string() + ": " + reason, fault::unwritable, path_.string(),
+                  problem_);
 }
 
 void NewFile::guarded(const std::function<void()>& action) const {

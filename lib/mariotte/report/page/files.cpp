@@ -14,14 +14,18 @@
 namespace mariotte::report {
 namespace {
 
-[[noreturn]] void fail(const std::filesystem::path& path, const std::string& reason,
-                       Fault kind = fault::unwritable) {
-  throw FileError("cannot write " + path.string() + ": " + reason, kind);
+[[noreturn]] void fail(const std::filesystem::path& path, const std::string& reason, Fault kind, int number) {
+  throw FileError("cannot write " + path.string() + ": " + reason, kind, path.string(), number);
+}
+
+/// `number` is an errno.
+[[noreturn]] void fail(const std::filesystem::path& path, int number) {
+  fail(path, std::strerror(number), fault::unwritable, number);
 }
 
 void refuse_device(const std::filesystem::path& path) {
   if (std::filesystem::is_other(std::filesystem::symlink_status(path)))
-    fail(path, "it is a device or a pipe, and would be replaced");
+    fail(path, "it is a device or a pipe, and would be replaced", fault::unwritable, EEXIST);
 }
 
 bool write_all(int file, std::string_view text) {
@@ -70,9 +74,9 @@ void put_in_place(const std::filesystem::path& temporary, const std::filesystem:
   const bool flushed = file >= 0 && ::fsync(file) == 0;
   const int problem = errno;
   if (file >= 0) ::close(file);
-  if (!flushed) fail(path, std::strerror(problem));
+  if (!flushed) fail(path, problem);
   refuse_device(path);
-  if (std::rename(temporary.c_str(), path.c_str()) != 0) fail(path, std::strerror(errno));
+  if (std::rename(temporary.c_str(), path.c_str()) != 0) fail(path, errno);
 }
 
 NewFile::NewFile(std::filesystem::path path, std::filesystem::path temporary)
@@ -104,7 +108,7 @@ std::filesystem::path NewFile::leave() {
 }
 
 void NewFile::fail(int problem) const {
-  report::fail(path_, std::strerror(problem));
+  report::fail(path_, problem);
 }
 
 void write_file(const std::filesystem::path& path, const std::string& text) {
@@ -117,11 +121,11 @@ void prepare_folder(const std::filesystem::path& folder, const std::vector<std::
                     bool overwrite) {
   std::error_code problem;
   std::filesystem::create_directories(folder, problem);
-  if (problem) fail(folder, problem.message());
-  if (::access(folder.c_str(), W_OK | X_OK) != 0) fail(folder, std::strerror(errno));
+  if (problem) fail(folder, problem.value());
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) fail(folder, errno);
   for (const auto& name : names)
     if (!overwrite && std::filesystem::exists(std::filesystem::symlink_status(folder / name)))
-      fail(folder / name, "it exists already (--force overwrites)", fault::exists);
+      fail(folder / name, "it exists already (--force overwrites)", fault::exists, EEXIST);
 }
 
 void remove_unfinished(const std::filesystem::path& folder, const std::vector<std::string>& names) {
@@ -137,7 +141,7 @@ void remove_files(const std::filesystem::path& folder, const std::vector<std::st
   std::error_code problem;
   for (const auto& name : names) {
     std::filesystem::remove(folder / name, problem);
-    if (problem) fail(folder / name, problem.message());
+    if (problem) fail(folder / name, problem.value());
   }
 }
 

@@ -12,7 +12,12 @@ namespace mariotte::report {
 
 /// A file that could not be written; what() names it and says why.
 struct FileError : Error {
-  explicit FileError(const std::string& what, Fault kind = fault::unwritable) : Error(what, kind) {}
+  explicit FileError(const std::string& what, Fault kind = fault::unwritable, std::string file = {},
+                     int problem = 0)
+      : Error(what, kind), path(std::move(file)), number(problem) {}
+
+  std::string path;  ///< of the file, if it is known
+  int number;        ///< errno, if the system said why; else 0
 };
 
 /// Write `text` under a temporary name beside `path`, flush it to the disk and rename it to `path`, replacing

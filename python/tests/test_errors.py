@@ -1,0 +1,107 @@
+"""What is wrong with a call is told by its option, its row or its file."""
+
+import errno
+import os
+import pickle
+
+import numpy as np
+import pytest
+
+import mariotte as mt
+
+
+@pytest.mark.parametrize("options, key", [({"accuracy": 0}, "accuracy"), ({"max_events": 0}, "max_events"),
+                                          ({"max_time": "1 kg"}, "max_time"), ({"until": -1}, "until"),
+                                          ({"flow": "magic"}, "flow"), ({"flow": "ballistic"}, "flow")])
+def test_an_option_is_named(options, key, triplet):
+    with pytest.raises(mt.SceneError) as caught:
+        mt.simulate(triplet, **options)
+    assert isinstance(caught.value, mt.InvalidParameter) and (caught.value.key, caught.value.place) == (key, "")
+
+
+def test_columns_rows_and_laws_are_named(triplet):
+    cases = [(lambda: mt.sweep(triplet, {"velocity[0]": [1]}, columns="colour"), ("columns", "")),
+             (lambda: mt.solve([[1, 1], [1, -1]], 1, [1, 0]), ("", "row 1")),
+             (lambda: mt.solve(1, 1, [1, 0], law="magic"), ("law", "")),
+             (lambda: mt.solve(1, 1, [1, 0], accuracy=2), ("accuracy", "")),
+             (lambda: mt.solve(1, 1, [1, 0], threads=0), ("threads", ""))]
+    for call, expected in cases:
+        with pytest.raises(mt.SceneError) as caught:
+            call()
+        assert (caught.value.key, caught.value.place) == expected
+
+
+def test_errors_travel_to_other_processes(triplet):
+    with pytest.raises(mt.SceneError) as caught:
+        mt.simulate(triplet, accuracy=0)
+    again = pickle.loads(pickle.dumps(caught.value))
+    assert type(again) is mt.InvalidParameter and (str(again), again.key) == (str(caught.value), "accuracy")
+
+
+def test_text_is_no_number(triplet):
+    for call in (lambda: mt.simulate(triplet, accuracy="1e-9"), lambda: mt.solve(1, 1, [1, 0], accuracy="1e-9"),
+                 lambda: mt.sweep(triplet, {"velocity[0]": [1]}, accuracy="1e-9")):
+        with pytest.raises(TypeError, match="accuracy is a number, not '1e-9'"):
+            call()
+
+
+def test_an_end_is_wanted_or_a_limit(triplet):
+    with pytest.raises(TypeError, match="until.*max_time"):
+        mt.simulate(triplet, until=1e-3, max_time=1e-4)
+
+
+@pytest.mark.parametrize("values", [1.0, "1", np.ones((2, 2)), np.float64(1)])
+def test_what_is_varied_is_one_row(values, triplet):
+    with pytest.raises(ValueError, match=r"values of velocity\[0\] are not one row"):
+        mt.sweep(triplet, {"velocity[0]": values}, columns="time")
+
+
+def test_keys_that_move_together_have_a_row_each(triplet):
+    with pytest.raises(ValueError, match="2 keys .* 1 rows"):
+        mt.sweep(triplet, {("velocity[0]", "velocity[1]"): ([1, 2],)}, columns="time")
+
+
+def test_one_name_needs_no_list(triplet):
+    grid = mt.sweep(triplet, {"velocity[0]": [1]}, columns="time")
+    assert list(grid) == ["final.time"]
+    assert mt.sensitivity(triplet, to="mass").parameters == ["mass[0]", "mass[1]", "mass[2]"]
+    with pytest.raises(TypeError):
+        mt.sensitivity(triplet, "mass")
+
+
+def test_long_numbers_of_numpy_are_numbers(triplet):
+    mass = np.array([1, 2], dtype=np.longdouble)
+    pair = mt.Chain(mass=mass, velocity=[np.longdouble(1), 0], law="hertz", stiffness=np.float32(4))
+    assert pair.mass.tolist() == [1, 2] and pair.velocity.tolist() == [1, 0]
+    assert mt.sweep(triplet, {"velocity[0]": mass}, columns="time")["time"].shape == (2,)
+
+
+def test_endings_are_words():
+    assert f"{mt.Ending.captured}" == str(mt.Ending.captured) == "captured"
+    assert f"{mt.Ending.captured:>10}" == "  captured" and f"{mt.Ending.captured:d}" == "1"
+
+
+def test_a_missing_file_is_one_of_python(tmp_path, triplet):
+    missing, folder = tmp_path / "none.toml", tmp_path / "none" / "hit.json"
+    for call, path in ((lambda: mt.load(missing), missing), (lambda: mt.simulate(triplet).save(folder), folder)):
+        with pytest.raises(FileNotFoundError) as caught:
+            call()
+        assert isinstance(caught.value, mt.FileError) and caught.value.code.startswith("F")
+        assert (caught.value.errno, caught.value.filename) == (errno.ENOENT, str(path))
+        assert str(path) in str(caught.value)
+        again = pickle.loads(pickle.dumps(caught.value))
+        assert (type(again), str(again), again.filename) == (type(caught.value), str(caught.value), str(path))
+
+
+def test_a_folder_is_no_file(tmp_path):
+    with pytest.raises(mt.FileError) as caught:
+        mt.load(tmp_path)
+    assert caught.value.errno == errno.EISDIR and not isinstance(caught.value, FileNotFoundError)
+
+
+@pytest.mark.skipif(os.geteuid() == 0, reason="root may read everything")
+def test_a_file_that_may_not_be_read_says_so(tmp_path):
+    (tmp_path / "hidden.toml").touch(mode=0)
+    with pytest.raises(mt.FileError) as caught:
+        mt.load(tmp_path / "hidden.toml")
+    assert caught.value.errno == errno.EACCES
