@@ -13,6 +13,7 @@
 #include "mariotte/impact/quantities/quantity_key.hpp"
 #include "mariotte/report/figure/energy_plot.hpp"
 #include "mariotte/report/json/json.hpp"
+#include "mariotte/report/json/json_parts.hpp"
 #include "mariotte/report/page/files.hpp"
 #include "mariotte/report/page/html.hpp"
 #include "mariotte/report/text.hpp"
@@ -119,7 +120,9 @@ void save_hdf5(const Impact& impact, const std::string& path) {
     std::iota(all.begin(), all.end(), 0);
     return all;
   };
-  const auto file = report::new_hdf5_trace(path, places(trace.velocity), places(trace.gap));
+  auto attributes = origin(impact.box());
+  attributes.emplace_back("run", report::options(impact.options()).dump());
+  const auto file = report::new_hdf5_trace(path, places(trace.velocity), places(trace.gap), attributes);
   for (std::size_t row = 0; row < trace.time.size(); ++row)
     file->add({.time = trace.time[row],
                .velocity = trace.velocity[row],

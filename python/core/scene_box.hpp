@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "mariotte/report/attributes.hpp"
 #include "mariotte/scene/document.hpp"
 
 namespace mariotte::python {
@@ -14,6 +15,9 @@ struct SceneBox {
   scene::Scene scene;
   bool foreign = false;  ///< has contact laws that no text can say
 };
+
+/// Where files of its numbers come from, as those of the command tell it.
+report::Attributes origin(const SceneBox& box);
 
 using SharedScene = std::shared_ptr<const SceneBox>;
 

@@ -37,12 +37,14 @@ std::uint8_t number_of(const std::string& ending) {
 
 class Sweep {
  public:
-  explicit Sweep(study::SweepPlan plan)
+  Sweep(study::SweepPlan plan, report::Attributes origin)
       : plan_(std::move(plan)),
+        origin_(std::move(origin)),
         table_(static_cast<std::size_t>(plan_.design.points()) * plan_.columns.size()),
         ending_(static_cast<std::size_t>(plan_.design.points())) {}
 
   const study::SweepPlan& plan() const { return plan_; }
+  const report::Attributes& origin() const { return origin_; }
   const std::vector<double>& table() const { return table_; }
   const std::vector<std::uint8_t>& ending() const { return ending_; }
   const std::map<Index, std::string>& reasons() const { return reasons_; }
@@ -99,6 +101,7 @@ class Sweep {
   }
 
   study::SweepPlan plan_;
+  report::Attributes origin_;
   std::vector<double> table_;
   std::vector<std::uint8_t> ending_;
   std::map<Index, std::string> reasons_;
@@ -139,7 +142,7 @@ std::unique_ptr<Sweep> sweep(const SceneBox& box, const std::vector<Axis>& axes,
   auto document = box.document;
   put_axes(document, axes);
   const py::gil_scoped_release unlocked;
-  auto made = std::make_unique<Sweep>(study::read_sweep(std::move(document), columns));
+  auto made = std::make_unique<Sweep>(study::read_sweep(std::move(document), columns), origin(box));
   made->compute(threads);
   return made;
 }
@@ -183,7 +186,7 @@ void save_csv(const Sweep& sweep, const std::string& path) {
 }
 
 void save_hdf5(const Sweep& sweep, const std::string& path) {
-  const auto file = report::new_hdf5_sweep(path, sweep.plan().design, sweep.plan().columns);
+  const auto file = report::new_hdf5_sweep(path, sweep.plan().design, sweep.plan().columns, sweep.origin());
   sweep.write([&](const std::string& rows) { file->add(rows); });
   file->commit();
 }

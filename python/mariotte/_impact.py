@@ -164,10 +164,11 @@ class Impact:
         """Write the result as the command does: all of it as JSON if the name ends in .json, else the trace, as HDF5
         (.h5, .hdf5) or CSV, one row per step."""
         name = os.fspath(path)
-        if name.endswith((".h5", ".hdf5")):
+        ending = os.path.splitext(name)[1].lower()
+        if ending in (".h5", ".hdf5"):
             self._run.save_hdf5(name)
         else:
-            _core.write_file(name, self._run.json() if name.endswith(".json") else self._run.trace_csv())
+            _core.write_file(name, self._run.json() if ending == ".json" else self._run.trace_csv())
 
     def cite(self) -> str:
         """What to cite, as BibTeX: this version of mariotte with this scene, and the papers of the model.

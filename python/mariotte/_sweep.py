@@ -92,7 +92,7 @@ class Sweep(Mapping[str, Array]):
     def save(self, path: Path) -> None:
         """Write all points, as CSV or, if the name ends in .h5 or .hdf5, as HDF5, as the command does."""
         name = os.fspath(path)
-        save = self._run.save_hdf5 if name.endswith((".h5", ".hdf5")) else self._run.save_csv
+        save = self._run.save_hdf5 if name.lower().endswith((".h5", ".hdf5")) else self._run.save_csv
         save(name)
 
     @property

@@ -30,6 +30,20 @@ def test_hdf5_starts_like_hdf5(tmp_path, triplet):
         assert (tmp_path / name).read_bytes()[:8] == b"\x89HDF\r\n\x1a\n"
 
 
+@pytest.mark.parametrize("name", ["hit.h5", "hit.HDF5"])
+def test_hdf5_says_where_it_comes_from(name, tmp_path, triplet):
+    moved = triplet.replace({"chain.velocity[0]": 2.0})
+    try:
+        mt.simulate(moved, accuracy=1e-7).save(tmp_path / f"run_{name}")
+        mt.sweep(moved, {"velocity[1]": [0, -1]}, columns="time").save(tmp_path / f"sweep_{name}")
+    except mt.FileError as error:
+        pytest.skip(str(error))
+    words = ["scene_sha256", moved.sha256, "overrides", "chain.velocity[0]=2.0", "sundials", "compiler", mt.__version__]
+    for kind, more in (("run", ['"accuracy":1e-07']), ("sweep", [])):
+        text = (tmp_path / f"{kind}_{name}").read_bytes()
+        assert text.startswith(b"\x89HDF") and [word for word in words + more if word.encode() not in text] == []
+
+
 def test_a_folder_that_is_not_there_is_a_file_error(tmp_path, triplet):
     with pytest.raises(mt.FileError):
         mt.simulate(triplet).save(tmp_path / "none" / "hit.json")
