@@ -4,13 +4,18 @@ from __future__ import annotations
 
 import json
 import os
-from typing import Any, Dict, List, Mapping, NamedTuple, Sequence, Union
+from typing import Any, Dict, List, Mapping, NamedTuple, Sequence, Tuple, Union
 
 import numpy as np
 
 from . import _core
-from ._numbers import Array
-from ._scene import Body, Path
+from ._columns import names
+from ._numbers import Array, Numbers, number, numbers
+from ._scene import Path, Scene
+
+
+#: One value per measurement; cells may be text with a unit.
+Column = Union[Numbers, Sequence[Any]]
 
 
 class CaptureVelocity(NamedTuple):
@@ -29,7 +34,7 @@ class CaptureVelocity(NamedTuple):
         return self.value
 
 
-def capture_velocity(body: Body, *, tolerance: float = 1e-9) -> CaptureVelocity:
+def capture_velocity(body: Scene[Any], *, tolerance: float = 1e-9) -> CaptureVelocity:
     """Find the normal speed below which a body does not come off the plane again.
 
     Parameters
@@ -41,6 +46,8 @@ def capture_velocity(body: Body, *, tolerance: float = 1e-9) -> CaptureVelocity:
 
     Raises
     ------
+    SceneError
+        For a scene of anything else.
     Error
         If no speed within a factor of a million parts capture from separation (code R003).
 
@@ -53,7 +60,7 @@ def capture_velocity(body: Body, *, tolerance: float = 1e-9) -> CaptureVelocity:
     >>> round(mt.capture_velocity(sphere).value, 6)
     1.310359
     """
-    return CaptureVelocity(*_core.capture_velocity(body._box, tolerance))
+    return CaptureVelocity(*_core.capture_velocity(body._box, number(tolerance, "tolerance")))
 
 
 class Estimate(NamedTuple):
@@ -80,7 +87,7 @@ class Fit:
 
     @property
     def values(self) -> Dict[str, float]:
-        """By key of the scene [SI]; ``body.replace(fit.values)`` is the fitted body."""
+        """By key of the scene [SI]; ``scene.replace(fit.values)`` is the fitted one."""
         return {key: one.value for key, one in self.estimates.items()}
 
     @property
@@ -90,12 +97,12 @@ class Fit:
 
     @property
     def measured(self) -> Array:
-        """Restitution, one per measurement."""
+        """What was measured, one per measurement [SI]."""
         return self._of_rows("measured")
 
     @property
     def predicted(self) -> Array:
-        """Restitution with the fitted values, one per measurement."""
+        """The same with the fitted values, one per measurement [SI]."""
         return self._of_rows("predicted")
 
     @property
@@ -126,18 +133,19 @@ class Fit:
         return np.array([one[name] for one in self._report["measurements"]], dtype=np.float64)
 
 
-def fit(body: Body, data: Union[Path, Mapping[str, Sequence[Any]]], *,
-        free: Sequence[str] = ("surface.zeta_hertz", "surface.zeta_adhesion"), confidence: float = 0.95) -> Fit:
-    """Find values of a body's scene from measured restitution.
+def fit(scene: Scene[Any], data: Union[Path, Mapping[str, Column]], *,
+        free: Union[str, Sequence[str]] = ("surface.zeta_hertz", "surface.zeta_adhesion"),
+        confidence: float = 0.95) -> Fit:
+    """Find values of a scene from what was measured: of a body, a chain or a network.
 
     Parameters
     ----------
-    body : Body
+    scene : Body, Chain or Network
         All that is known; values of the free keys are where the search starts.
     data : path or dict
         A CSV file, or columns of one length by name: ``speed``, ``diameter`` or any key of the scene,
-        ``restitution`` (of the tip) or ``restitution.centre``, and ``deviation`` if it is known.
-    free : sequence of str
+        ``restitution`` or any other key of the result that was measured, and ``deviation`` if it is known.
+    free : str or sequence of str
         Keys whose values are to be found.
     confidence : float
         Of the intervals.
@@ -164,7 +172,7 @@ def fit(body: Body, data: Union[Path, Mapping[str, Sequence[Any]]], *,
         text, name = _csv(data).encode(), "<data>"
     else:
         text, name = _core.read_text(os.fspath(data)), os.fspath(data)
-    report, table = _core.fit(body._box, text, name, list(free), confidence)
+    report, table = _core.fit(scene._box, text, name, names(free), number(confidence, "confidence"))
     return Fit(json.loads(report), table)
 
 
@@ -172,8 +180,18 @@ def _estimate(*, key: str, start: float, value: float, standard_error: float, in
     return Estimate(value, standard_error, interval[0], interval[1], start)
 
 
-def _csv(columns: Mapping[str, Sequence[Any]]) -> str:
-    rows: List[str] = [",".join(columns)]
-    rows += [",".join(one if isinstance(one, str) else repr(float(one)) for one in row)
-             for row in zip(*columns.values())]
-    return "\n".join(rows) + "\n"
+def _csv(columns: Mapping[str, Column]) -> str:
+    header, cells = zip(*(_cells(name, column) for name, column in columns.items())) if columns else ((), ())
+    lengths = {name: len(column) for name, column in zip(header, cells)}
+    if len(set(lengths.values())) > 1:
+        raise ValueError(f"columns have different lengths: {lengths}")
+    return "\n".join([",".join(header), *map(",".join, zip(*cells))]) + "\n"
+
+
+def _cells(name: str, column: Any) -> Tuple[str, List[str]]:
+    """Header and cells as text; quantities bring their units, and become SI."""
+    if hasattr(column, "to_base_units"):
+        name, column = name.split("[")[0].strip(), numbers(column)
+    if isinstance(column, str) or np.ndim(column) != 1:
+        raise ValueError(f"the column {name} is not one row of values")
+    return name, [one if isinstance(one, str) else repr(number(one, name)) for one in column]

@@ -52,6 +52,33 @@ def test_arrays_are_measurements_too():
     assert mt.fit(scene, dict(zip(names, columns))).values == mt.fit(scene, data).values
 
 
+def test_chains_are_fitted_too():
+    pair = mt.load(SCENES / "measured_restitution.toml")
+    truth = pair.replace({"chain.restitution": 0.8})
+    speeds = np.array([0.5, 1.0, 2.0])
+    measured = mt.sweep(truth, {"velocity[0]": speeds}, columns="velocity")["velocity"][:, -1]
+    found = mt.fit(pair, {"chain.velocity[0]": speeds, "final.velocity[1]": measured}, free="chain.restitution")
+    assert found.values["chain.restitution"] == pytest.approx(0.8, rel=1e-6)
+    assert found.measured.tolist() == measured.tolist()
+
+
+def test_quantities_are_measurements_too():
+    unit = pytest.importorskip("pint").UnitRegistry()
+    sphere = mt.load(SCENES / "sphere_fit.toml")
+    speeds, e = [2.0, 4.0, 8.0], [0.6, 0.8, 0.85]
+    there = mt.fit(sphere, {"speed [m/s]": 100 * np.array(speeds) * unit.cm / unit.s, "restitution": e},
+                   free="surface.zeta_hertz")
+    assert there.values == pytest.approx(mt.fit(sphere, {"speed": speeds, "restitution": e},
+                                                free="surface.zeta_hertz").values, rel=1e-9)
+
+
+@pytest.mark.parametrize("columns", [{"speed": [1, 2, 3], "restitution": [0.8, 0.9]}, {"speed": 1, "restitution": 0.8},
+                                     {"speed": "123", "restitution": "456"}])
+def test_columns_are_rows_of_one_length(columns):
+    with pytest.raises(ValueError, match="lengths|not one row"):
+        mt.fit(mt.load(SCENES / "sphere_fit.toml"), columns)
+
+
 def test_measurements_that_say_nothing_are_a_fit_error():
     sphere = mt.load(SCENES / "sphere_fit.toml")
     with pytest.raises((mt.FitError, mt.SceneError)):
