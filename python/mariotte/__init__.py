@@ -1,16 +1,17 @@
 """Fast, exact impacts of ball chains, networks, microbodies and bodies with friction.
 
-Make a scene with :class:`Chain`, :class:`Network`, :class:`Body`, :class:`Bodies` or :func:`load`, and :func:`simulate` it. Numbers are
-in SI units, text may carry a unit, and indices count from 0.
+Make a scene with :class:`Chain`, :class:`Network`, :class:`Body`, :class:`Bodies` or :func:`load`, and
+:func:`simulate` it. Numbers are in SI units, text may carry a unit, and indices count from 0.
 """
 
 from ._core import version as __version__
 from ._errors import Error, FileError, FitError, InvalidParameter, SceneError
 from ._bodies import BodiesImpact, Losses
 from ._events import Event, TipImpact
-from ._impact import (ChainImpact, ContactImpact, Ending, Energy, Flow, Impact, MicrobodyImpact, Momentum, NetworkImpact,
-                      Restitution, simulate)
+from ._impact import (ChainImpact, ContactImpact, Ending, Energy, Flow, Impact, MicrobodyImpact, Momentum,
+                      NetworkImpact, Restitution, simulate)
 from ._laws import LawOutcome, multiple_impact_law, rival_laws, with_law
+from ._numbers import Array
 from ._scene import Bodies, Body, Chain, Network, Scene, load, parse
 from ._sensitivity import Sensitivity, sensitivity
 from ._studies import CaptureVelocity, Estimate, Fit, capture_velocity, fit
@@ -18,9 +19,10 @@ from ._sweep import Solved, Sweep, solve, sweep
 from ._trajectory import Samples, Trajectory
 
 __all__ = [
-    "Bodies", "BodiesImpact", "Body", "CaptureVelocity", "Chain", "ChainImpact", "ContactImpact", "Ending", "Energy",
-    "Error", "Estimate", "Event", "FileError", "Fit", "FitError", "Flow", "Impact", "InvalidParameter", "LawOutcome",
-    "Losses", "MicrobodyImpact", "Momentum", "Network", "NetworkImpact", "Restitution", "Samples", "Scene", "SceneError",
-    "Sensitivity", "Solved", "Sweep", "TipImpact", "Trajectory", "__version__", "capture_velocity", "fit", "load",
-    "multiple_impact_law", "parse", "rival_laws", "sensitivity", "simulate", "solve", "sweep", "with_law",
+    "Array", "Bodies", "BodiesImpact", "Body", "CaptureVelocity", "Chain", "ChainImpact", "ContactImpact", "Ending",
+    "Energy", "Error", "Estimate", "Event", "FileError", "Fit", "FitError", "Flow", "Impact", "InvalidParameter",
+    "LawOutcome", "Losses", "MicrobodyImpact", "Momentum", "Network", "NetworkImpact", "Restitution", "Samples",
+    "Scene", "SceneError", "Sensitivity", "Solved", "Sweep", "TipImpact", "Trajectory", "__version__",
+    "capture_velocity", "fit", "load", "multiple_impact_law", "parse", "rival_laws", "sensitivity", "simulate", "solve",
+    "sweep", "with_law",
 ]

@@ -14,6 +14,12 @@ def run(name):
     return runpy.run_path(f"{ROOT}/doc/python/{name}.py")
 
 
+def test_a_script_of_a_user_runs():
+    made = runpy.run_path(os.path.join(os.path.dirname(__file__), "user_script.py"))
+    assert made["speeds"].shape == (20, 20, 5) and made["slopes"].shape == (5, 5)
+    assert made["same"].velocity.tolist() == made["law"].velocity.tolist()
+
+
 def test_all_balls_of_the_cradle_move():
     made = run("newtons_cradle")
     assert made["hit"].velocity == pytest.approx([-0.0710850, -0.0302738, -0.0144636, 0.1270450, 0.9887774], abs=1e-6)

@@ -195,6 +195,11 @@ def test_what_is_not_compiled_is_no_law(function, triplet):
         mt.with_law(triplet, force=function, stored_energy=function)
 
 
+def test_bodies_take_no_law():
+    with pytest.raises(TypeError, match="has none"):
+        mt.with_law(mt.load(SCENES / "microsphere.toml"), force=1, stored_energy=1)
+
+
 def test_numba_compiles_laws():
     numba = pytest.importorskip("numba")
 
