@@ -2,20 +2,24 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Dict, Optional, Tuple
+from typing import TYPE_CHECKING, Any, List, Optional, Tuple
 
 import numpy as np
 
-from ._numbers import Array
+from . import _core
+from ._curves import Curves, Window, line_style
+from ._figure import draw_curves, make_panels
+from ._image import draw_image
+from ._numbers import Array, Numbers, numbers
+from ._scene import Body, Bodies, Chain, Scene
 
 if TYPE_CHECKING:
+    from ._events import Event
     from ._impact import Impact
     from ._sweep import Sweep
 
-
-# Okabe & Ito (2008) without their yellow; dashes have another period, so that 28 lines differ.
-_COLOURS = ("#000000", "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9")
-_DASHES = ("-", (0, (6, 2)), (0, (1.5, 1.5)), (0, (6, 1.5, 1.5, 1.5)))
+_MOST_CURVES = 12  # more are an image
+_AXES = "xyz"
 
 
 def _axes(ax: Any) -> Any:
@@ -27,88 +31,128 @@ def _axes(ax: Any) -> Any:
     return plt.subplots(layout="constrained")[1]
 
 
-def _line(place: int) -> Dict[str, Any]:
-    """How the line of this number is drawn."""
-    return {"color": _COLOURS[place % len(_COLOURS)], "linestyle": _DASHES[place % len(_DASHES)]}
-
-
 def _labelled(name: str, unit: str, symbol: str = "") -> str:
     """What stands beside an axis: name, symbol and unit."""
     return name + (f"  {symbol}" if symbol else "") + (f" [{unit}]" if unit not in ("", "1") else "")
 
 
-def _unit_of(longest: float, unit: str) -> Tuple[float, str]:
-    """A factor and a unit with prefix in which a length of time or a force has few digits."""
-    for factor, prefix in ((1.0, ""), (1e3, "m"), (1e6, "µ"), (1e9, "n")):
-        if longest * factor >= 1:
-            return factor, prefix + unit
-    return 1e12, "p" + unit
-
-
 class ImpactPlot:
-    """Figures of a run. Each takes axes to draw into, or makes a figure, and returns the axes."""
+    """Figures of a run. Each takes axes to draw into, or makes a figure, and returns the axes.
+
+    Long flights between impacts are left out: then a figure of its own has several panels. What is returned are the
+    first axes, and ``ax.figure.axes`` has all.
+    """
 
     def __init__(self, impact: "Impact") -> None:
         self._impact = impact
 
     def forces(self, ax: Optional[Any] = None) -> Any:
-        """Forces of contacts or tips over time, phases apart by a line at each event."""
+        """Forces of contacts or tips over time; an image of more than twelve."""
         samples = self._impact.trajectory.steps()
-        return self._curves(samples.time, samples.force, samples.force, "contact force f", "N", "contact", ax)
+        friction, windows, logarithmic, _, _ = _core.picture(self._impact._run)
+        names = names_of_contacts(self._impact.scene, samples.force.shape[1])
+        values, quantity = samples.force, "contact force f"
+        if isinstance(self._impact.scene, Body):
+            values, names = _with_friction(values, friction)
+            quantity = "force on a tip F"
+        curves = Curves(quantity, "N", names, True, samples.time, values)
+        return self._draw(curves, windows, "contact j", logarithmic, ax)
 
     def velocities(self, ax: Optional[Any] = None) -> Any:
-        """Velocities over time."""
+        """Velocities over time; an image of more than twelve, of speeds in the plane and in space."""
         samples = self._impact.trajectory.steps()
-        velocity = samples.velocity.reshape(len(samples.time), -1)
-        return self._curves(samples.time, velocity, samples.force, "velocity v", "m/s", "ball", ax)
+        _, windows, logarithmic, moving, unit = _core.picture(self._impact._run)
+        values = samples.velocity.reshape(len(samples.time), -1)
+        dimension = dimension_of(self._impact.scene)
+        names, quantity = names_of_velocities(self._impact.scene, moving, values.shape[1]), "velocity v"
+        if isinstance(self._impact.scene, Body):
+            quantity = "velocity of centre v"
+        elif dimension > 1 and values.shape[1] > _MOST_CURVES:
+            values, quantity = np.linalg.norm(values.reshape(len(values), -1, dimension), axis=2), "speed v"
+            names = [f"{moving} {i}" for i in range(values.shape[1])]
+        curves = Curves(quantity, unit, names, False, samples.time, values)
+        return self._draw(curves, windows, "ball i", logarithmic, ax)
 
     def energy(self, ax: Optional[Any] = None) -> Any:
-        """Kinetic, stored and lost energy of a chain over time."""
+        """Kinetic, stored and dissipated energy of a chain over time."""
         time, *energies = self._impact._run.energy_course()
-        ax = _axes(ax)
-        factor, unit = _unit_of(time[-1], "s")
-        scale, energy_unit = _unit_of(max(float(one.max(initial=0)) for one in energies), "J")
-        for place, (energy, name) in enumerate(zip(energies, ("kinetic", "stored", "lost"))):
-            if energy.size:
-                ax.plot(factor * time, scale * energy, label=name, **_line(place))
-        return self._finish(ax, f"time t [{unit}]", f"energy [{energy_unit}]")
+        windows = list(_core.picture(self._impact._run)[1])
+        if windows[0][0] > 0:
+            windows.insert(0, (0.0, windows[0][0]))
+        named = [(name, one) for name, one in zip(("kinetic", "stored", "dissipated"), energies) if one.size]
+        curves = Curves("energy E", "J", [name for name, _ in named], False, time,
+                        np.stack([one for _, one in named], axis=1))
+        return self._draw(curves, windows, "", False, ax)
 
-    def waves(self, ax: Optional[Any] = None, *, rows: int = 500, until: Optional[float] = None) -> Any:
+    def waves(self, ax: Optional[Any] = None, *, rows: int = 500, until: Optional[Numbers] = None) -> Any:
         """Velocity over ball and time as an image, for long chains; `until` a time [s]."""
-        end = self._impact.time if until is None else until
+        end = self._impact.time if until is None else float(numbers(until, "s"))
         velocity = self._impact.trajectory.velocity(np.linspace(0, end, rows))
         ax = _axes(ax)
-        factor, unit = _unit_of(end, "s")
-        image = ax.imshow(velocity, aspect="auto", origin="lower",
+        factor, unit = _core.display([end], "s")
+        scale, velocity_unit = _core.display([float(velocity.min()), float(velocity.max())], "m/s")
+        image = ax.imshow(scale * velocity, aspect="auto", origin="lower",
                           extent=(-0.5, velocity.shape[1] - 0.5, 0, factor * end))
-        ax.figure.colorbar(image, label="velocity v [m/s]")
-        return self._finish(ax, "ball i", f"time t [{unit}]", legend=False)
-
-    def _curves(self, time: Array, values: Array, force: Array, name: str, unit: str, of: str, ax: Any) -> Any:
-        ax = _axes(ax)
-        factor, time_unit = _unit_of(time[-1], "s")
-        scale, value_unit = _unit_of(float(np.abs(values).max(initial=0)), unit) if unit == "N" else (1.0, unit)
-        for place in range(values.shape[1]):
-            ax.plot(factor * time, scale * values[:, place], label=f"{of} {place}", **_line(place))
-        for event in self._impact.events:
-            ax.axvline(factor * event.time, color="0.85", linewidth=0.8, zorder=0)
-        start, end = _window(time, force)
-        ax.set_xlim(factor * start, factor * end)
-        return self._finish(ax, f"time t [{time_unit}]", f"{name} [{value_unit}]", legend=values.shape[1] <= 12)
-
-    def _finish(self, ax: Any, x: str, y: str, *, legend: bool = True) -> Any:
-        ax.set(xlabel=x, ylabel=y, title=self._impact.scene.title)
-        if legend:
-            ax.legend()
+        ax.figure.colorbar(image, label=f"velocity v [{velocity_unit}]")
+        ax.set(xlabel="ball i", ylabel=f"time t [{unit}]", title=self._impact.scene.title)
         return ax
 
+    def _draw(self, curves: Curves, windows: List[Window], along: str, logarithmic: bool, ax: Any) -> Any:
+        axes, windows = make_panels(ax, windows, self._impact.scene.title)
+        if curves.values.shape[1] > _MOST_CURVES:
+            draw_image(axes, windows, curves, along, self._marks(), logarithmic)
+        else:
+            draw_curves(axes, windows, curves, self._marks())
+        return axes[0]
 
-def _window(time: Array, force: Array) -> Tuple[float, float]:
-    """From soon before the first force above a thousandth of the largest until soon after the last."""
-    active = np.abs(force).max(axis=1)
-    pushing = time[active > 1e-3 * active.max()] if active.max() > 0 else time
-    margin = 0.05 * (pushing[-1] - pushing[0])
-    return max(float(time[0]), float(pushing[0] - margin)), min(float(time[-1]), float(pushing[-1] + margin))
+    def _marks(self) -> "List[Event]":
+        """Events that part phases: contacts close, open, or change their branch. Those of bodies that have touched from
+        the start close when they are pressed."""
+        events = self._impact.events
+        if isinstance(self._impact.scene, Bodies):
+            events = [event._replace(close=tuple(sorted({*event.close, *event.touch} - {*event.part})), unload=())
+                      for event in events]
+        return [event for event in events if event.close or event.open or event.yields or event.unload]
+
+
+def dimension_of(scene: Scene[Any]) -> int:
+    """Velocities of a ball that follow each other."""
+    if isinstance(scene, Bodies):
+        return scene.dimension
+    return max(1, int(scene.json()["network"]["dimension"])) if scene._box.kind == "network" else 1
+
+
+def names_of_velocities(scene: Scene[Any], moving: str, count: int) -> List[str]:
+    """Of the curves, from 0; bodies have names."""
+    if isinstance(scene, Body):
+        return ["normal", "along $e_2$", "along $e_3$"]
+    if isinstance(scene, Chain):
+        return ["wall" if np.isinf(mass) else f"ball {i}" for i, mass in enumerate(scene.mass)]
+    dimension = dimension_of(scene)
+    if isinstance(scene, Bodies):
+        bodies = [one["name"] or f"body {i + 1}" for i, one in enumerate(scene.json()["bodies"]["body"])]
+        return [f"{name} {axis}" for name in bodies for axis in _AXES[:dimension]]
+    in_space = scene.json()["network"]["dimension"] > 0
+    return [f"ball {i // dimension} {_AXES[i % dimension]}" if in_space else f"{moving} {i}" for i in range(count)]
+
+
+def names_of_contacts(scene: Scene[Any], count: int) -> List[str]:
+    """Of the curves, from 0, with the two that touch where they are known."""
+    if isinstance(scene, Bodies):
+        return ["–".join(one["between"]) for one in scene.json()["bodies"]["contact"]]
+    pairs = [""] * count
+    if scene._box.kind == "network":
+        balls = [one.get("balls") for one in scene.json()["network"]["contact"]]
+        pairs = [f" ({pair[0] - 1}–{pair[1] - 1})" if pair else "" for pair in balls]
+    return [f"$f_{{{j}}}${pair}" for j, pair in enumerate(pairs)]
+
+
+def _with_friction(normal: Array, friction: Array) -> Tuple[Array, List[str]]:
+    """Three forces per tip, and their names."""
+    rows, tips = normal.shape
+    forces = np.concatenate([normal[:, :, None], friction.reshape(rows, tips, 2)], axis=2)
+    names = [f"tip {i} {direction}" for i in range(tips) for direction in ("normal", "$e_2$", "$e_3$")]
+    return forces.reshape(rows, 3 * tips), names
 
 
 class SweepPlot:
@@ -131,12 +175,13 @@ class SweepPlot:
         ax = _axes(ax)
         names = self._sweep.keys_of(column)
         for place, (name, curve) in enumerate(zip(names, values.reshape(len(values), -1).T)):
-            ax.plot(axis[1], curve, label=name, **_line(place))
+            ax.plot(axis[1], curve, label=name, **line_style(place))
         if len(names) > 1:
             ax.legend()
         if _is_logarithmic(axis[1]):
             ax.set_xscale("log")
-        ax.set(xlabel=self._label(axis[0]), ylabel=self._label(names[0], column if len(names) > 1 else ""), title=self._sweep.scene.title)
+        ax.set(xlabel=self._label(axis[0]), ylabel=self._label(names[0], column if len(names) > 1 else ""),
+               title=self._sweep.scene.title)
         return ax
 
     def _label(self, key: str, name: str = "") -> str:

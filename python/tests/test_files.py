@@ -69,7 +69,7 @@ def cradle():
 def test_forces_are_drawn_per_contact(cradle):
     ax = cradle.plot.forces()
     curves = [line for line in ax.lines if not line.get_label().startswith("_")]
-    assert [line.get_label() for line in curves] == [f"contact {j}" for j in range(4)]
+    assert [line.get_label() for line in curves] == [f"$f_{{{j}}}$" for j in range(4)]
     largest = [line.get_ydata().max() for line in curves]
     assert largest == pytest.approx(cradle.peak_force, rel=1e-2)
     assert ax.get_xlabel() == "time t [µs]" and ax.get_title() == "Five steel balls"
@@ -89,12 +89,80 @@ def test_lines_differ_without_colour(cradle):
     assert len({str(line.get_linestyle()) + str(line._unscaled_dash_pattern) for line in lines[:4]}) == 4
 
 
+def drawn(name):
+    pytest.importorskip("matplotlib.pyplot").close("all")
+    return mt.simulate(mt.load(SCENES / f"{name}.toml"))
+
+
+def words(ax):
+    return [text.get_text() for text in ax.texts]
+
+
+def shades(ax):
+    return [tuple(one.get_facecolor()) for one in ax.patches if one.get_zorder() < 0]
+
+
+def test_phases_are_shaded_and_named(cradle):
+    ax = cradle.plot.forces()
+    assert {"0–3 close", "0 opens", "1 opens", "2 opens"} <= set(words(ax))
+    assert len(shades(ax)) == 4 and len(set(shades(ax))) == 3
+    assert {"$f_{0}$", "$f_{3}$"} <= set(words(ax))
+    assert {"ball 0", "ball 4"} <= set(words(cradle.plot.velocities()))
+
+
+def test_contacts_of_bodies_close_where_they_are_pressed():
+    assert "0–3 close" in words(drawn("cradle_with_friction").plot.velocities())
+
+
+def test_long_flights_are_left_out():
+    rod = drawn("microrod")
+    first, second = rod.plot.forces().figure.axes
+    assert first.get_xlim()[1] < second.get_xlim()[0]
+    assert first.get_ylabel().startswith("force on a tip F") and second.get_xlabel() == "time t [µs]"
+    import matplotlib.pyplot as plt
+
+    one = plt.subplots()[1]
+    assert rod.plot.forces(one) is one and len(one.figure.axes) == 1
+
+
+def test_curves_of_a_microbody_say_what_they_are():
+    rod = drawn("microrod")
+    labels = [line.get_label() for line in rod.plot.forces().lines if not line.get_label().startswith("_")]
+    assert sorted(labels) == sorted(f"tip {i} {way}" for i in (0, 1) for way in ("normal", "$e_2$", "$e_3$"))
+    assert {"normal", "along $e_2$", "along $e_3$"} <= set(words(rod.plot.velocities().figure.axes[-1]))
+
+
+def test_balls_of_a_network_have_axes():
+    labels = {line.get_label() for line in drawn("y_chain").plot.velocities().lines}
+    assert {"ball 0 x", "ball 0 y"} <= labels
+
+
+def test_many_curves_are_an_image():
+    rack = drawn("rack_of_fifteen")
+    forces, velocities = rack.plot.forces(), rack.plot.velocities()
+    assert forces.images[0].get_array().shape[0] == len(rack.impulse)
+    assert forces.images[0].get_array().max() == pytest.approx(rack.peak_force.max(), rel=1e-2)
+    speeds = np.asarray(velocities.images[0].get_array())
+    assert speeds.shape[0] == len(rack.velocity) // 2
+    assert speeds[:, -1] == pytest.approx(np.hypot(rack.velocity[::2], rack.velocity[1::2]), abs=1e-2)
+    assert velocities.figure.axes[1].get_ylabel() == "speed v [m/s]"
+
+
+def test_a_scene_says_what_its_figures_show():
+    pytest.importorskip("matplotlib")
+    text = (SCENES / "newton_cradle_5.toml").read_text()
+    ax = mt.simulate(mt.parse(text + '\n[figure]\nwindow = ["10 us", "50 us"]\n')).plot.velocities()
+    assert ax.get_xlim() == pytest.approx((10, 50))
+
+
 def test_waves_are_an_image():
     pytest.importorskip("matplotlib")
     row = mt.Chain(balls=60, mass=1, law="hertz", stiffness=1, ball=[{"number": 1, "velocity": 1}])
     hit = mt.simulate(row, until=30)
     image = hit.plot.waves(rows=50).images[0].get_array()
     assert image.shape == (50, 60) and image[0, 0] == 1
+    unit = pytest.importorskip("pint").UnitRegistry()
+    assert hit.plot.waves(until=20_000 * unit.ms).get_ylim() == (0, 20)
 
 
 def test_sweeps_are_curves_or_maps(triplet):

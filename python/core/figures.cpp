@@ -1,0 +1,90 @@
+// What figures of a run show, and where their words go; matplotlib draws them.
+#include <pybind11/stl.h>
+
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "impact.hpp"
+#include "mariotte/core/overload.hpp"
+#include "mariotte/report/figure/label_places.hpp"
+#include "mariotte/report/figure/time_figure.hpp"
+#include "mariotte/report/figure/window.hpp"
+#include "mariotte/report/number.hpp"
+
+namespace mariotte::python {
+namespace {
+
+/// Friction along e2 and e3 of each tip, a row per sample; no columns for others.
+py::array friction(const scene::Impact& traced) {
+  const auto* const body = std::get_if<impact::MicrobodyImpact>(&traced);
+  if (!body) return owned(std::vector<double>(), {0, 0});
+  const auto& rows = body->trace.friction;
+  std::vector<double> all;
+  for (const auto& row : rows)
+    for (const auto& force : row) all.insert(all.end(), {force.e2, force.e3});
+  const py::ssize_t columns = rows.empty() ? 0 : 2 * std::ssize(rows.front());
+  return owned(std::move(all), {std::ssize(rows), columns});
+}
+
+/// Where forces can be seen, what moves, and in which unit.
+struct Seen {
+  std::vector<report::Window> windows;
+  std::string moving, unit;
+};
+
+Seen seen(const scene::Impact& traced) {
+  return std::visit(
+      Overload{[](const impact::ContactImpact& one) {
+                 return Seen{report::windows_of_action(one.trace), one.trace.moving, one.trace.velocity_unit};
+               },
+               [](const auto& one) {
+                 return Seen{report::windows_of_action(one.trace), "body", "m/s"};
+               }},
+      traced);
+}
+
+/// Friction of tips, start and end of every panel [s], whether images are logarithmic, what moves, and its
+/// unit.
+py::tuple picture(const Impact& impact) {
+  std::optional<scene::Impact> traced;
+  {
+    const py::gil_scoped_release unlocked;
+    traced = simulate(impact.box(), impact.options(), {.trace = true});
+  }
+  const auto& figure = impact.box().scene.figure;
+  const auto [windows, moving, unit] = seen(*traced);
+  py::list panels;
+  for (const auto& [start, end] : report::time_axis(windows, {}, figure).windows)
+    panels.append(py::make_tuple(start, end));
+  return py::make_tuple(friction(*traced), panels, figure.logarithmic, moving, unit);
+}
+
+using Rectangle = std::tuple<double, double, double, double>;
+
+report::Box box(const Rectangle& one) {
+  const auto& [x, y, width, height] = one;
+  return {x, y, width, height};
+}
+
+Rectangle free_place(const Rectangle& wanted, const std::vector<Rectangle>& taken) {
+  std::vector<report::Box> boxes;
+  for (const auto& one : taken) boxes.push_back(box(one));
+  const auto place = report::free_place(box(wanted), boxes);
+  return {place.x, place.y, place.width, place.height};
+}
+
+std::pair<double, std::string> display(const std::vector<double>& values, const std::string& unit) {
+  const auto shown = report::display_for(values, unit);
+  return {shown.factor, shown.unit};
+}
+
+}  // namespace
+
+void add_figures(py::module_& module) {
+  module.def("picture", &picture, py::arg("impact"));
+  module.def("spread", &report::spread, py::arg("wanted"), py::arg("space"));
+  module.def("free_place", &free_place, py::arg("wanted"), py::arg("taken"));
+  module.def("rows_of_words", &report::rows_of_words, py::arg("at"), py::arg("width"), py::arg("rows"));
+  module.def("display", &display, py::arg("values"), py::arg("unit"));
+}
+
+}  // namespace mariotte::python

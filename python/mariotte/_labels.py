@@ -1,0 +1,105 @@
+"""Words of a figure over time: what happens at events, and what curves are called."""
+
+from __future__ import annotations
+
+from typing import Any, List, Sequence, Tuple
+
+import numpy as np
+
+from . import _core
+from ._curves import INVISIBLE, Curves, Window, line_style
+from ._events import Event
+
+_SMALL = 7.0  # points of the words of events
+_LINE = 0.072  # height of a name, as part of that of a panel
+
+
+def write_words(ax: Any, window: Window, events: Sequence[Event]) -> None:
+    """What happens, in two rows above the panel, where there is room."""
+    texts = [_words(event) for event in events]
+    widths = [_width(ax, len(text) + 1, _SMALL) for text in texts]
+    at = [min((event.time - window[0]) / (window[1] - window[0]), 1.05 - 0.5 * width)
+          for event, width in zip(events, widths)]
+    rows = _core.rows_of_words(at, widths, 2)
+    for text, x, row in zip(texts, at, rows):
+        if row >= 0:
+            ax.text(x, 1.015 + 0.04 * row, text, transform=ax.transAxes, size=_SMALL, color="#3b4550", ha="center")
+    if max(rows, default=-1) >= 0 and ax.get_title():
+        ax.set_title(ax.get_title(), pad=12 + 10 * max(rows))
+
+
+def _words(event: Event) -> str:
+    """As "0–1 close", or "2 closes, 0 opens"."""
+    verbs = ((event.close, "close"), (event.open, "open"), (event.yields, "yield"), (event.unload, "unload"))
+    return ", ".join(f"{_ranges(places)} {verb}{'' if len(places) > 1 else 's'}" for places, verb in verbs if places)
+
+
+def _ranges(places: Sequence[int]) -> str:
+    """As "0–3, 5"."""
+    runs: List[List[int]] = []
+    for place in places:
+        if runs and place == runs[-1][-1] + 1:
+            runs[-1].append(place)
+        else:
+            runs.append([place])
+    return ", ".join(f"{run[0]}–{run[-1]}" if len(run) > 1 else str(run[0]) for run in runs)
+
+
+def _width(ax: Any, letters: int, size: float) -> float:
+    """Of a text, as part of the width of a panel, before the figure is laid out."""
+    place = ax.get_subplotspec()
+    shares = place.get_gridspec().get_width_ratios() if place else [1.0]
+    own = float(shares[place.colspan.start] / sum(shares)) if place else 1.0
+    return 0.55 * size * letters / (0.8 * 72 * float(ax.figure.get_figwidth()) * own)
+
+
+def name_curves(axes: Sequence[Any], windows: Sequence[Window], curves: Curves, groups: List[List[int]],
+                span: Tuple[float, float]) -> None:
+    """Names above the peaks, or beside the right ends of curves that have none."""
+    height = span[1] - span[0]
+    flat = [place for place, group in enumerate(groups)
+            if not curves.at_peak or np.abs(curves.values[:, group[0]]).max(initial=0) < INVISIBLE * height]
+    _name_ends(axes[-1], windows[-1][1], curves, [(place, groups[place]) for place in flat], span)
+    for ax, window in zip(axes, windows):
+        named = [(place, group) for place, group in enumerate(groups) if place not in flat]
+        _name_peaks(ax, window, curves, named, span, first=ax is axes[0])
+
+
+def _names(curves: Curves, group: List[int]) -> List[str]:
+    names = [curves.names[k] for k in group]
+    return names if len(names) <= 3 else [*names[:2], f"and {len(names) - 2} more"]
+
+
+def _name_ends(ax: Any, end: float, curves: Curves, named: List[Tuple[int, List[int]]],
+               span: Tuple[float, float]) -> None:
+    wanted = [(float(np.interp(end, curves.time, curves.values[:, group[0]])) - span[0]) / (span[1] - span[0])
+              for _, group in named]
+    places = _core.spread(wanted, [_LINE * len(_names(curves, group)) for _, group in named])
+    for (place, group), at, beside in zip(named, wanted, places):
+        style = line_style(place)
+        ax.annotate("\n".join(_names(curves, group)), xy=(1, at), xytext=(1.05, beside), xycoords="axes fraction",
+                    color=style["color"], va="center", annotation_clip=False,
+                    arrowprops={"arrowstyle": "-", "color": style["color"], "linestyle": style["linestyle"],
+                                "shrinkA": 1, "shrinkB": 0, "relpos": (0, 0.5)})
+
+
+def _name_peaks(ax: Any, window: Window, curves: Curves, named: List[Tuple[int, List[int]]],
+                span: Tuple[float, float], first: bool) -> None:
+    shown = (curves.time >= window[0]) & (curves.time <= window[1])
+    taken: List[Tuple[float, float, float, float]] = []
+    for place, group in named:
+        sizes = np.abs(curves.values[:, group[0]])
+        here = int(np.argmax(np.where(shown, sizes, -1)))
+        if sizes[here] < INVISIBLE * (span[1] - span[0]) or not shown[here]:
+            continue
+        if not first and here != int(np.argmax(sizes)):
+            continue
+        text = ", ".join(_names(curves, group))
+        width = _width(ax, len(text.replace("$", "").replace("_", "").replace("{", "").replace("}", "")) + 1, 10)
+        x = (curves.time[here] - window[0]) / (window[1] - window[0])
+        y = (curves.values[here, group[0]] - span[0]) / (span[1] - span[0])
+        left = min(max(x - 0.5 * width, 0.0), max(0.0, 1 - width))
+        taken.append(_core.free_place((left, y + (-1.2 * _LINE if curves.values[here, group[0]] < 0 else 0.02), width,
+                                       _LINE), taken))
+        ax.text(left + 0.5 * width, taken[-1][1] + 0.5 * _LINE, text, transform=ax.transAxes, ha="center", va="center",
+                color=line_style(place)["color"])
