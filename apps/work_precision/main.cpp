@@ -8,6 +8,7 @@
 #include "command_line/exit_code.hpp"
 #include "command_line/program.hpp"
 #include "command_line/terminal.hpp"
+#include "friction_cost.hpp"
 #include "mariotte/report/page/files.hpp"
 #include "measure.hpp"
 #include "plots.hpp"
@@ -26,6 +27,7 @@ struct Options {
   std::string plots;
   bool quick = false;
   bool slopes = false;
+  bool friction = false;
   bool force = false;
 };
 
@@ -83,10 +85,10 @@ void draw(const Options& options, const std::vector<Row>& rows) {
 }
 
 int run(const Options& options) {
-  if (options.slopes) {
-    command::print(slope_cost((options.quick ? quick_effort() : full_effort()).patience));
-    return command::ExitCode::ok;
-  }
+  const auto patience = (options.quick ? quick_effort() : full_effort()).patience;
+  if (options.slopes) command::print(slope_cost(patience));
+  if (options.friction) command::print(friction_cost(patience));
+  if (options.slopes || options.friction) return command::ExitCode::ok;
   const auto names = chosen_problems(options);
   refuse_to_overwrite(options.csv, options.force);
   if (!options.plots.empty()) prepare_plots(options.plots, names, options.force);
@@ -114,6 +116,7 @@ command::OptionList declare(Options& options) {
           {"--method", &options.methods, "Only this method; may be repeated", {.value = "NAME"}},
           {"--quick", &options.quick, "Coarse ladders and short timings: all within a minute"},
           {"--slopes", &options.slopes, "Only what slopes of three balls cost, as multiples of a run"},
+          {"--friction", &options.friction, "Only what bodies with friction cost, by series and by CVODE"},
           {"--csv", &options.csv, "Write every point of the diagrams to this file", {.value = "FILE"}},
           {"--plots",
            &options.plots,

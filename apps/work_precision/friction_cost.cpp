@@ -1,0 +1,104 @@
+#include "friction_cost.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "mariotte/impact/bodies/bodies_impact.hpp"
+
+namespace mariotte::work_precision {
+namespace {
+
+using model::Bodies;
+using model::TangentialLaw;
+
+constexpr double radius = 0.01, mass = 0.033, stiffness = 1e10;
+
+struct Case {
+  const char* name;
+  Bodies bodies;
+};
+
+model::Body ball(const Vector3& position, const Vector3& velocity, double spin) {
+  const double moment = 0.4 * mass * radius * radius;
+  return {.mass = mass,
+          .inertia = {moment, moment, moment},
+          .spheres = {{{}, radius}},
+          .position = position,
+          .velocity = velocity,
+          .spin = {0, 0, spin}};
+}
+
+model::BodyContact contact(const model::Feature& a, Index b, const model::Tangential& tangential) {
+  return {.a = a, .b = {b, 0}, .law = contact::Hertz(stiffness), .tangential = tangential};
+}
+
+Bodies oblique_sphere(const model::Tangential& tangential) {
+  Bodies bodies{.dimension = 2};
+  bodies.body = {ball({0, 1.1 * radius, 0}, {0.7, -1, 0}, 20)};
+  bodies.plane = {{.normal = {0, 1, 0}}};
+  bodies.contact = {contact({0, -1}, 0, tangential)};
+  return bodies;
+}
+
+/// One ball strikes a triangle of others with spin, all pairs with friction.
+Bodies balls(int rows, const model::Tangential& tangential) {
+  Bodies bodies{.dimension = 2};
+  for (int row = 0; row < rows; ++row)
+    for (int place = 0; place <= row; ++place)
+      bodies.body.push_back(ball({1.78 * radius * row, 2.06 * radius * (place - 0.5 * row), 0}, {}, 0));
+  bodies.body.push_back(ball({-2.5 * radius, 0.1 * radius, 0}, {2, 0.2, 0}, -60));
+  for (Index b = 1; b < std::ssize(bodies.body); ++b)
+    for (Index a = 0; a < b; ++a) bodies.contact.push_back(contact({a, 0}, b, tangential));
+  return bodies;
+}
+
+std::vector<Case> cases() {
+  const model::Tangential mindlin{TangentialLaw::mindlin, 0.2, 0.8 * stiffness};
+  return {{"oblique sphere, Mindlin", oblique_sphere(mindlin)},
+          {"oblique sphere, rigid", oblique_sphere({TangentialLaw::rigid, 0.2, 0})},
+          {"two balls, Mindlin", balls(1, mindlin)},
+          {"rack of 6, Mindlin", balls(3, mindlin)}};
+}
+
+double difference(const impact::BodiesImpact& a, const impact::BodiesImpact& b) {
+  double most = 0;
+  for (std::size_t i = 0; i < a.body.size(); ++i)
+    most = std::max({most, norm(a.body[i].velocity - b.body[i].velocity),
+                     radius * norm(a.body[i].spin - b.body[i].spin)});
+  return most;
+}
+
+struct Cost {
+  double seconds, error;
+};
+
+Cost cost(const Bodies& bodies, const hybrid::Options& options, const impact::BodiesImpact& truth,
+          const measuring::Patience& patience) {
+  const auto run = [&] { impact::simulate(bodies, options); };
+  return {measuring::least_seconds(run, measuring::timed(run), patience),
+          difference(impact::simulate(bodies, options), truth)};
+}
+
+std::string line(const Case& c, double accuracy, const impact::BodiesImpact& truth,
+                 const measuring::Patience& patience) {
+  const auto series = cost(c.bodies, {.accuracy = accuracy}, truth, patience);
+  const auto adams = cost(c.bodies, {.accuracy = accuracy, .flow = flow::Kind::cvode_adams}, truth, patience);
+  return fmt::format("{:<24}  {:>8.0e}  {:>9.1f}  {:>8.1e}  {:>9.1f}  {:>8.1e}  {:>5.1f}\n", c.name, accuracy,
+                     1e6 * series.seconds, series.error, 1e6 * adams.seconds, adams.error,
+                     adams.seconds / series.seconds);
+}
+
+}  // namespace
+
+std::string friction_cost(const measuring::Patience& patience) {
+  std::string text = fmt::format("{:<24}  {:>8}  {:>9}  {:>8}  {:>9}  {:>8}  {:>5}\n", "bodies with friction",
+                                 "accuracy", "auto/µs", "error", "Adams/µs", "error", "ratio");
+  for (const auto& c : cases()) {
+    const auto truth = impact::simulate(c.bodies, {.accuracy = 1e-11, .flow = flow::Kind::cvode_adams});
+    for (const double accuracy : {1e-6, 1e-8, 1e-10}) text += line(c, accuracy, truth, patience);
+  }
+  return text;
+}
+
+}  // namespace mariotte::work_precision
