@@ -321,6 +321,15 @@ BOOST_AUTO_TEST_CASE(redundant_rigid_stick_is_refused_by_name) {
   });
 }
 
+BOOST_AUTO_TEST_CASE(bodies_that_nothing_can_touch_fly_on) {
+  model::Bodies bodies{.dimension = 2};
+  bodies.body = {ball({0, 0, 0}, {1, 0.5, 0}, {0, 0, 3})};
+  const auto impact = impact::simulate(bodies);
+  BOOST_TEST((impact.ending == hybrid::Ending::separated));
+  BOOST_TEST(impact.body[0].velocity.e1 == 1);
+  BOOST_TEST(impact.energy.residual == 0);
+}
+
 BOOST_AUTO_TEST_CASE(overlaps_are_refused_by_name) {
   auto bodies = meeting(mindlin);
   bodies.body[1].position = {0.01, 0, 0};

@@ -20,7 +20,9 @@ void check(const std::vector<Index>& places, Index count, const char* what) {
 DueSamplings::DueSamplings(const RunObserver& observers, const Scale& scale, Index velocities,
                            std::span<const double> contact_times)
     : observers_(observers), scale_(scale), next_(observers.samplings.size()) {
-  sample_.natural_time = *std::min_element(contact_times.begin(), contact_times.end()) * scale.time;
+  sample_.natural_time = std::accumulate(contact_times.begin(), contact_times.end(), infinity,
+                                         [](double a, double b) { return std::min(a, b); }) *
+                         scale.time;
   sample_.crossing_time = std::accumulate(contact_times.begin(), contact_times.end(), 0.0) * scale.time;
   for (const auto& sampling : observers.samplings) {
     check(sampling.velocities, velocities, "velocity");
