@@ -71,6 +71,10 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   double meeting(ConstState x, Index contact, double limit) const;
   void fly(ConstState x, Index body, double t, State result) const;
   double gap_bend(const BodyMotion<double, D>& body, Index i, const SettingSphere<D>& sphere) const;
+  bool can_be_recorded(const ClosedContact& mode) const;
+  void find_followed() const;
+  void record_guards(flow::Recording& recording) const;
+  void record_contacts(double accuracy, flow::Recording& recording) const;
 
   const BodiesSetting<D>& setting_;
   Index touching_;
@@ -78,11 +82,6 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   bool watches_near_ = false;
   Index strays_ = 0;
   BodiesLayout<D> layout_;
-  bool can_be_recorded(const ClosedContact& mode) const;
-  void find_followed() const;
-  void record_guards(flow::Recording& recording) const;
-  void record_contacts(double accuracy, flow::Recording& recording) const;
-
   bool ballistic_ = false, free_flight_ = true, recordable_ = false, leaves_rest_ = false;
   double time_ = 1, damping_ = 0;
   std::vector<flow::Crossing> crossing_;
