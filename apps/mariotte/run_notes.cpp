@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "command_line/exit_code.hpp"
 #include "command_line/terminal.hpp"
 #include "mariotte/report/reason.hpp"
@@ -9,11 +11,16 @@
 
 namespace mariotte::command {
 
-void warn_of_error(double estimated, double requested) {
-  warning(
-      fmt::format("velocities may be wrong by {:.1e} of the largest speed, where {:g} was asked: "
-                  "contacts close so often that errors grow",
-                  estimated, requested));
+void warn_of_error(double estimated, double requested, const char* why) {
+  warning(fmt::format("velocities may be wrong by {:.1e} of the largest speed, where {:g} was asked: {}",
+                      estimated, requested, why));
+}
+
+const char* why_inaccurate(const impact::BodiesImpact& impact) {
+  const bool again = std::any_of(impact.contacts.begin(), impact.contacts.end(),
+                                 [](const auto& contact) { return contact.periods.size() > 1; });
+  return again ? "contacts close so often that errors grow"
+               : "indentations are so small beside the way to the first contact that digits are lost";
 }
 
 namespace {

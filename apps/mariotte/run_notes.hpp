@@ -7,13 +7,20 @@
 
 namespace mariotte::command {
 
-void warn_of_error(double estimated, double requested);
+void warn_of_error(double estimated, double requested, const char* why);
+
+/// Why an estimate is larger than what was asked.
+template <class Impact>
+const char* why_inaccurate(const Impact&) {
+  return "contacts close so often that errors grow";
+}
+const char* why_inaccurate(const impact::BodiesImpact& impact);
 
 /// Where the promise of an accuracy could not be kept.
 template <class Impact>
 void warn_of_error(const Impact& impact) {
   if (impact.estimated_accuracy && *impact.estimated_accuracy > impact.requested_accuracy)
-    warn_of_error(*impact.estimated_accuracy, impact.requested_accuracy);
+    warn_of_error(*impact.estimated_accuracy, impact.requested_accuracy, why_inaccurate(impact));
 }
 
 /// Balls that fly past each other are a slip more often than wanted.

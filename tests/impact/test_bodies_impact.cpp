@@ -337,3 +337,26 @@ BOOST_AUTO_TEST_CASE(overlaps_are_refused_by_name) {
     return std::string(error.what()).find("body 1 and body 2 overlap") != std::string::npos;
   });
 }
+
+BOOST_AUTO_TEST_CASE(what_is_slow_and_far_away_says_how_many_digits_are_left) {
+  const auto far = [](double gap, double speed) {
+    auto bodies = strike(0.5, mindlin);
+    bodies.contact[0].touching = false;
+    bodies.body[0].position.e2 = radius + gap;
+    bodies.body[0].velocity = speed * bodies.body[0].velocity;
+    return bodies;
+  };
+  hybrid::Options options;
+  options.accuracy = 1e-9;
+  const auto near = impact::simulate(far(0, 1e-9), options);
+  BOOST_TEST(!near.estimated_accuracy.has_value());
+  for (const auto kind : {std::optional<flow::Kind>(), std::optional(flow::Kind::cvode_adams)}) {
+    options.flow = kind;
+    const auto impact = impact::simulate(far(1e-4, 1e-9), options);
+    BOOST_TEST_REQUIRE(impact.estimated_accuracy.has_value());
+    BOOST_TEST(*impact.estimated_accuracy > options.accuracy);
+    const double apart = norm(impact.body[0].velocity - near.body[0].velocity);
+    BOOST_TEST(apart < *impact.estimated_accuracy * 1e-9);
+  }
+  BOOST_CHECK_THROW(impact::simulate(far(1, 1e-10), options), Error);
+}

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mariotte/core/error.hpp"
 #include "mariotte/impact/bodies/bodies_balance.hpp"
 #include "mariotte/impact/bodies/bodies_watch.hpp"
 #include "mariotte/impact/flow_uses.hpp"
 #include "mariotte/impact/promise.hpp"
+#include "mariotte/model/fault.hpp"
 
 namespace mariotte::impact {
 
@@ -143,17 +145,35 @@ Passage passage(const BodiesImpact& impact) {
   return gone;
 }
 
+/// What double precision can give: displacements to where bodies touch have been rounded.
+/// \throws Error  if hardly a digit of an indentation would be left
+double attainable_accuracy(const model::Bodies& bodies) {
+  constexpr double useless = 1e-6;
+  const double rounding = bodies.dimension == 2 ? model::setting_of<2>(bodies, 1).rounding
+                                                : model::setting_of<3>(bodies, 1).rounding;
+  if (rounding > useless)
+    throw Error("indentations are too small beside the gaps at the start: start nearer to the impact",
+                fault::unrepresentable);
+  return rounding;
+}
+
 }  // namespace
 
 BodiesImpact simulate(const model::Bodies& bodies, const hybrid::Options& options,
                       const RunObserver& observers) {
   model::validate(bodies);
   hybrid::validate(options);
-  auto impact = simulate_in(bodies, options, observers);
+  const double attainable = attainable_accuracy(bodies);
+  const auto run = [&](hybrid::Options possible) {
+    possible.accuracy = std::max(possible.accuracy, attainable);
+    return simulate_in(bodies, possible, observers);
+  };
+  auto impact = run(options);
   if (!observers.samplings.empty()) return impact;
-  const auto again = [&](const hybrid::Options& tighter) { return simulate_in(bodies, tighter, observers); };
-  keep_promise(options, passage(impact), impact, again,
+  keep_promise(options, passage(impact), impact, run,
                [&](const auto& a, const auto& b) { return difference(bodies, a, b); });
+  if (attainable > options.accuracy)
+    impact.estimated_accuracy = std::max(attainable, impact.estimated_accuracy.value_or(0));
   impact.requested_accuracy = options.accuracy;
   return impact;
 }

@@ -121,6 +121,15 @@ void set_natural_sizes(BodiesSetting<D>& setting) {
   for (std::size_t i = 0; i < push.size(); ++i) setting.body[i].push = push[i] > 0 ? push[i] : 1;
 }
 
+/// Displacements are counted from the start: what a body goes before it touches leaves an indentation fewer
+/// digits.
+template <int D>
+double rounding_of(const BodiesSetting<D>& setting) {
+  double farthest = 0;
+  for (const auto& c : setting.contact) farthest = std::max(farthest, c.gap / c.length);
+  return 16 * epsilon * farthest;
+}
+
 /// Where there are many pairs, those are watched that are not far apart: a tenth of the smallest body, or
 /// many indentations.
 template <int D>
@@ -147,9 +156,10 @@ BodiesSetting<D> setting_of(const Bodies& bodies, double accuracy) {
   setting.speed = reference_speed(bodies, setting);
   set_natural_sizes(setting);
   setting.smallest_indentation = 1e-60 * setting.length;
-  setting.slip_noise = std::max(1e-13, 1e-3 * accuracy);
-  setting.gap_noise = std::max(1e-12, 1e-2 * accuracy);
-  setting.onset_noise = 0.1 * accuracy;
+  setting.rounding = rounding_of(setting);
+  setting.slip_noise = std::max({1e-13, 1e-3 * accuracy, setting.rounding});
+  setting.gap_noise = std::max({1e-12, 1e-2 * accuracy, setting.rounding});
+  setting.onset_noise = std::max(0.1 * accuracy, setting.rounding);
   setting.skin = skin_of(setting);
   return setting;
 }
