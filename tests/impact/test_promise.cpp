@@ -35,21 +35,25 @@ model::Chain rattling(unsigned seed) {
 
 BOOST_AUTO_TEST_CASE(tighter_runs_are_asked_for_as_the_difference_says) {
   using impact::next_accuracy;
-  BOOST_TEST(next_accuracy(1e-8, 1e-8, std::nullopt).value() < 1e-9);
-  BOOST_TEST(next_accuracy(1e-8, 1e-8, 1e-6).value() < 1e-11);
-  BOOST_TEST(!next_accuracy(1e-15, 16 * epsilon, 1e-12));
+  constexpr double attainable = 16 * epsilon;
+  BOOST_TEST(next_accuracy(1e-8, 1e-8, std::nullopt, attainable).value() < 1e-9);
+  BOOST_TEST(next_accuracy(1e-8, 1e-8, 1e-6, attainable).value() < 1e-11);
+  BOOST_TEST(!next_accuracy(1e-15, attainable, 1e-12, attainable));
+  BOOST_TEST(next_accuracy(1e-8, 1e-8, 1e-6, 2e-9).value() == 2e-9);
+  BOOST_TEST(!next_accuracy(1e-8, 2e-9, 1e-6, 2e-9));
 }
 
 BOOST_AUTO_TEST_CASE(runs_stop_when_two_agree) {
   int runs = 0;
-  const auto last = impact::keep_promise(
-      {.accuracy = 1e-8}, [&](const hybrid::Options&) { return std::optional(++runs < 2 ? 1e-6 : 1e-9); });
+  const auto last = impact::keep_promise({.accuracy = 1e-8}, 16 * epsilon, [&](const hybrid::Options&) {
+    return std::optional(++runs < 2 ? 1e-6 : 1e-9);
+  });
   BOOST_TEST(runs == 2);
   BOOST_TEST(last.value() == 1e-9);
 }
 
 BOOST_AUTO_TEST_CASE(a_run_that_fails_leaves_the_one_before) {
-  BOOST_TEST(!impact::keep_promise({.accuracy = 1e-8},
+  BOOST_TEST(!impact::keep_promise({.accuracy = 1e-8}, 16 * epsilon,
                                    [](const hybrid::Options&) { return std::optional<double>(); }));
 }
 

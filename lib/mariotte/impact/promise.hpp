@@ -28,6 +28,7 @@ struct Passage {
   Index harmless = 0;  ///< periods up to which none magnifies the errors of another
   Index periods = 0;   ///< of contact, of all contacts together
   Index steps = 0;     ///< of series and closed forms; CVODE's are shorter and count a thirtieth
+  double attainable = 16 * epsilon;  ///< accuracy beyond which rounding leaves no run
 };
 
 /// Adds the steps of a flow.
@@ -57,11 +58,12 @@ inline bool may_have_erred(const Passage& passage) {
 }
 
 /// Accuracy of the next run after one at `now`, which differs from the one before by `difference`; empty if
-/// double precision has no more to give.
-inline std::optional<double> next_accuracy(double wanted, double now, std::optional<double> difference) {
-  constexpr double share = 1.0 / 32, floor = 16 * epsilon;
+/// double precision has no more to give than what is `attainable`.
+inline std::optional<double> next_accuracy(double wanted, double now, std::optional<double> difference,
+                                           double attainable) {
+  constexpr double share = 1.0 / 32;
   const double excess = difference ? std::clamp(wanted / *difference, 1e-6, 1.0) : 1;
-  const double next = std::max(floor, share * excess * now);
+  const double next = std::max(attainable, share * excess * now);
   return next <= 0.5 * now ? std::optional(next) : std::nullopt;
 }
 
@@ -87,17 +89,17 @@ inline bool may_replace(hybrid::Ending looser, hybrid::Ending tighter) {
 /// by how much its velocities differ from those of the run before, or nothing if it may not replace it.
 /// Returns the last difference; empty if no tighter run succeeded.
 template <class Run>
-std::optional<double> keep_promise(const hybrid::Options& asked, Run&& run) {
+std::optional<double> keep_promise(const hybrid::Options& asked, double attainable, Run&& run) {
   std::optional<double> last;
   auto tighter = asked;
-  auto accuracy = next_accuracy(asked.accuracy, asked.accuracy, last);
+  auto accuracy = next_accuracy(asked.accuracy, asked.accuracy, last, attainable);
   while (accuracy) {
     tighter.accuracy = *accuracy;
     const std::optional<double> apart = run(tighter);
     if (!apart) break;
     last = apart;
     if (*last <= asked.accuracy) break;
-    accuracy = next_accuracy(asked.accuracy, *accuracy, last);
+    accuracy = next_accuracy(asked.accuracy, *accuracy, last, attainable);
   }
   return last;
 }
@@ -120,7 +122,7 @@ void keep_promise(const hybrid::Options& asked, const Passage& gone, Impact& imp
   impact.estimated_accuracy.reset();
   if (!may_have_erred(gone) || impact.ending == hybrid::Ending::interrupted) return;
   impact.estimated_accuracy =
-      keep_promise(asked, [&](const hybrid::Options& options) -> std::optional<double> {
+      keep_promise(asked, gone.attainable, [&](const hybrid::Options& options) -> std::optional<double> {
         auto tighter = again(options);
         if (!may_replace(impact.ending, tighter.ending)) return std::nullopt;
         const double difference = apart(impact, tighter);
@@ -135,13 +137,14 @@ void keep_promise(const hybrid::Options& asked, const Passage& gone, Brief& impa
                   Solve&& solve, Apart&& apart) {
   impact.estimated_accuracy.reset();
   if (!may_have_erred(gone)) return;
-  const auto estimate = keep_promise(asked, [&](const hybrid::Options& options) -> std::optional<double> {
-    looser = impact;
-    solve(options);
-    if (may_replace(looser.ending, impact.ending)) return apart(impact, looser);
-    std::swap(impact, looser);
-    return std::nullopt;
-  });
+  const auto estimate =
+      keep_promise(asked, gone.attainable, [&](const hybrid::Options& options) -> std::optional<double> {
+        looser = impact;
+        solve(options);
+        if (may_replace(looser.ending, impact.ending)) return apart(impact, looser);
+        std::swap(impact, looser);
+        return std::nullopt;
+      });
   impact.estimated_accuracy = estimate;
 }
 

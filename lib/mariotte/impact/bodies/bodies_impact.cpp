@@ -137,9 +137,10 @@ double difference(const model::Bodies& bodies, const BodiesImpact& a, const Bodi
   return speed > 0 ? most / speed : most;
 }
 
-Passage passage(const BodiesImpact& impact) {
-  Passage gone{
-      .contacts = std::ssize(impact.contacts), .harmless = std::ssize(impact.contacts), .periods = 0};
+Passage passage(const BodiesImpact& impact, double attainable) {
+  Passage gone{.contacts = std::ssize(impact.contacts),
+               .harmless = std::ssize(impact.contacts),
+               .attainable = std::max(attainable, 16 * epsilon)};
   for (const auto& contact : impact.contacts) gone.periods += std::ssize(contact.periods);
   count_steps(gone, impact.flows);
   return gone;
@@ -164,13 +165,12 @@ BodiesImpact simulate(const model::Bodies& bodies, const hybrid::Options& option
   model::validate(bodies);
   hybrid::validate(options);
   const double attainable = attainable_accuracy(bodies);
-  const auto run = [&](hybrid::Options possible) {
-    possible.accuracy = std::max(possible.accuracy, attainable);
-    return simulate_in(bodies, possible, observers);
-  };
-  auto impact = run(options);
+  auto possible = options;
+  possible.accuracy = std::max(options.accuracy, attainable);
+  const auto run = [&](const hybrid::Options& tighter) { return simulate_in(bodies, tighter, observers); };
+  auto impact = run(possible);
   if (!observers.samplings.empty()) return impact;
-  keep_promise(options, passage(impact), impact, run,
+  keep_promise(possible, passage(impact, attainable), impact, run,
                [&](const auto& a, const auto& b) { return difference(bodies, a, b); });
   if (attainable > options.accuracy)
     impact.estimated_accuracy = std::max(attainable, impact.estimated_accuracy.value_or(0));

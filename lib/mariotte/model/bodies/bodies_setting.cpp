@@ -159,6 +159,7 @@ BodiesSetting<D> setting_of(const Bodies& bodies, double accuracy) {
   setting.rounding = rounding_of(setting);
   setting.slip_noise = std::max({1e-13, 1e-3 * accuracy, setting.rounding});
   setting.gap_noise = std::max({1e-12, 1e-2 * accuracy, setting.rounding});
+  setting.faint = std::max(1e-7, 0.03 * std::sqrt(accuracy));
   setting.onset_noise = std::max(0.1 * accuracy, setting.rounding);
   setting.skin = skin_of(setting);
   return setting;
@@ -188,6 +189,7 @@ std::vector<double> initial_state(const Bodies& bodies, const BodiesSetting<D>& 
 template <int D>
 void set_magnitudes(const BodiesSetting<D>& setting, const BodiesLayout<D>& at, const BodiesMode& mode,
                     std::vector<double>& magnitude) {
+  constexpr double turning = 30;  // of e, which CVODE knows far better than its forces need
   magnitude.assign(at.size(), 1.0);
   const auto fill = [&](Index place, Index count, double size) {
     std::fill_n(magnitude.begin() + place, count, size);
@@ -208,7 +210,7 @@ void set_magnitudes(const BodiesSetting<D>& setting, const BodiesLayout<D>& at, 
     const auto& c = setting.contact[one.contact];
     const bool as_force = c.tangential.law == TangentialLaw::mindlin && !one.unloading;
     const double elastic = as_force ? c.force : c.length;
-    fill(at.spring(one.slot), at.tangents, one.friction == Friction::slip ? 1 : elastic);
+    fill(at.spring(one.slot), at.tangents, one.friction == Friction::slip ? turning : elastic);
     fill(at.normal(one.slot), 1 + at.tangents, c.mass * setting.speed);
     fill(at.losses(one.slot), 3, c.mass * setting.speed * setting.speed);
   }

@@ -80,6 +80,7 @@ struct BodiesSetting {
   double slip_noise = 0, gap_noise = 0;  ///< share of speed and length that is rounding
   double skin = 0;                       ///< gap up to which pairs are watched; 0: all are
   double onset_noise = 0;                ///< share of length within which contacts close together
+  double faint = 0;                      ///< share of force below which its direction does not matter
   double rounding = 0;                   ///< share of length that is lost on the way to the first contacts
 
   /// Slip in space below which a rigid contact is at rest.
