@@ -302,8 +302,9 @@ class BodiesField {
 
   T friction_power(const ClosedContact& mode, const SettingContact<D>& one,
                    const ContactForces<T, D>& c) const {
-    if (mode.friction != Friction::slip || mode.slack || is_past(c)) return T(0.0);
+    if (mode.friction != Friction::slip || mode.slack) return T(0.0);
     if (!one.tangential.has_spring()) return -dot(c.friction, c.motion.slip);
+    if (is_past(c)) return T(0.0);
     return one.tangential.friction * c.normal * yielding(mode, c);
   }
 
@@ -330,14 +331,13 @@ class BodiesField {
     }
   }
 
-  /// ė = (u − (u·e) e)/|ξ|, where |ξ| is no shorter than what turns e within a millionth of the natural time:
-  /// earlier, e is the direction of slip to rounding. Forces that are too faint to matter do not end in a
-  /// root of the time.
+  /// ė = (u − (u·e) e)/|ξ|, where |ξ| is no shorter than what a force too faint to matter has: as that fades,
+  /// e would turn ever faster, and by rounding.
   Vector turning_to_slip(const SettingContact<D>& one, const ContactForces<T, D>& c) const {
     const auto& u = c.motion.slip;
-    const double faint = 1e-7 * one.force;
+    const double faint = setting_.faint * one.force;
     const T stretch = (one.tangential.friction * (c.normal > faint ? c.normal : T(faint))) / c.spring;
-    const T least = 1e-6 * one.time * norm(u);
+    const T least = 10 * setting_.faint * one.time * norm(u);
     const T length = stretch > series::value_of(least) ? stretch : least;
     if (!(length > 0.0)) return lift<T>(Vec<double, D>{});
     return (1.0 / length) * (u - dot(u, c.direction) * c.direction);

@@ -168,6 +168,7 @@ void BodiesSystem<D>::begin_from_rest(Mode& mode, std::size_t place, std::vector
   const double needed = norm(now.friction), cap = c.tangential.friction * now.normal;
   if (needed <=
       cap + setting_.slip_noise * c.force * (now.normal > 0 ? now.normal / (now.normal + c.force) : 1)) {
+    one.from_rest = false;
     changes.push_back({one.contact, BodyEvent::stick});
     return;
   }
@@ -187,6 +188,26 @@ void BodiesSystem<D>::turn(ClosedContact& one, const ContactForces<double, D>& n
   if (!mindlin || one.friction != Friction::stick || one.slack) return;
   const double factor = one.unloading ? 1 / now.spring : now.spring;  // T to ξ, or back
   for (Index k = 0; k < BodiesLayout<D>::tangents; ++k) x[layout(x).spring(one.slot) + k] *= factor;
+}
+
+/// A spring that slipped `before` may hold at once: where another contact closes with a damper, forces and so
+/// the rate of yielding jump, and where a contact turns at hardly any depth, its stiffness grows that
+/// quickly.
+template <int D>
+void BodiesSystem<D>::stop_yielding(const std::vector<ClosedContact>& before, Mode& mode,
+                                    std::vector<double>& x, std::vector<Change>& changes) const {
+  const auto slips = [&](const ClosedContact& one) {
+    return one.friction == Friction::slip && !one.slack &&
+           setting_.contact[one.contact].tangential.has_spring();
+  };
+  for (std::size_t i = 0; i < mode.closed.size(); ++i) {
+    const auto& one = mode.closed[i];
+    const auto same = [&](const ClosedContact& other) { return other.slot == one.slot && slips(other); };
+    if (!slips(one) || std::none_of(before.begin(), before.end(), same)) continue;
+    const auto& now = field(mode, x);
+    if (now.yielding(one, now.contact(i)) < -setting_.slip_noise * setting_.speed)
+      pass_friction(mode, i, x, changes);
+  }
 }
 
 template <int D>
@@ -240,7 +261,7 @@ void BodiesSystem<D>::transition(Mode& mode, const std::vector<Index>& fired, st
   const auto touching = mode.touching;
   auto sorted = fired;
   std::sort(sorted.begin(), sorted.end());
-  std::vector<ClosedContact> closed = mode.closed;  // slots as they were
+  const auto before = mode.closed;
   for (const Index guard : sorted) {
     if (guard >= strays) {
       mode.from.clear();
@@ -262,6 +283,7 @@ void BodiesSystem<D>::transition(Mode& mode, const std::vector<Index>& fired, st
                   changes);
     }
   }
+  stop_yielding(before, mode, x, changes);
   leave_rest(mode, x);
   hold_or_release(mode, x, changes);
   refresh_near(setting_, layout(x), x, mode);

@@ -48,13 +48,12 @@ class BodiesSystem {
                  std::vector<Change>& changes) const;
   void pass_friction(Mode& mode, std::size_t place, std::vector<double>& x,
                      std::vector<Change>& changes) const;
+  void stop_yielding(const std::vector<ClosedContact>& before, Mode& mode, std::vector<double>& x,
+                     std::vector<Change>& changes) const;
   void turn(ClosedContact& one, const ContactForces<double, D>& now, std::vector<double>& x,
             std::vector<Change>& changes) const;
   void leave_rest(Mode& mode, ConstState x) const;
   void hold_or_release(Mode& mode, std::vector<double>& x, std::vector<Change>& changes) const;
-  double& slot_value(const ClosedContact& one, std::vector<double>& x) const {
-    return x[layout(x).spring(one.slot)];
-  }
   bool starts_in_stick(const SettingContact<D>& one, double slip, double approach) const;
 
   BodiesSetting<D> setting_;
