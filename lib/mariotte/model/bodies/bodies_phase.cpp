@@ -33,6 +33,7 @@ double damping_of(const SettingContact<D>& contact) {
 /// The direction of a slip that has just left rest turns at once: as stiff as strong damping. What it is then
 /// must be known to this share of the accuracy.
 constexpr double stiff_turning = 10, turning_share = 0.01;
+constexpr Index most_steps_at_rest = 2000;
 
 }  // namespace
 
@@ -55,6 +56,7 @@ void BodiesPhase<D>::bind(const BodiesMode& mode) {
   time_ = mode.closed.empty() ? setting_.time : infinity;
   damping_ = 0;
   leaves_rest_ = false;
+  steps_at_rest_ = 0;
   std::vector<char> is_closed(setting_.contact.size(), 0);
   for (const auto& one : mode.closed) is_closed[one.contact] = 1;
   for (Index k = 0; k < watched_count(); ++k)
@@ -78,7 +80,8 @@ void BodiesPhase<D>::bind(const BodiesMode& mode) {
                                                     [&](const auto& one) { return can_be_recorded(one); });
 }
 
-/// A slip from rest may come to rest again once it has been twice as fast as what counts as rest.
+/// A slip from rest may come to rest again once it has been twice as fast as what counts as rest. One that
+/// stays at rest for so many steps is held there by friction: the transition looks at it again.
 template <int D>
 flow::Accepted BodiesPhase<D>::accept(ConstState x) {
   auto done = flow::Accepted::unchanged;
@@ -87,7 +90,10 @@ flow::Accepted BodiesPhase<D>::accept(ConstState x) {
     auto& watched = crossing_[slot_guard(one.slot, SlotGuard::friction)];
     if (!one.from_rest || one.slack || watched != Crossing::none) continue;
     if (done == flow::Accepted::unchanged) field_.evaluate(layout_, *mode_, x);
-    if (norm(field_.contact(i).motion.slip) < 2 * setting_.rest_speed()) continue;
+    if (norm(field_.contact(i).motion.slip) < 2 * setting_.rest_speed()) {
+      if (++steps_at_rest_ > most_steps_at_rest) return flow::Accepted::ended;
+      continue;
+    }
     watched = Crossing::falling;
     done = flow::Accepted::rewatched;
   }

@@ -83,6 +83,7 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   Index strays_ = 0;
   BodiesLayout<D> layout_;
   bool ballistic_ = false, free_flight_ = true, recordable_ = false, leaves_rest_ = false;
+  Index steps_at_rest_ = 0;  ///< of slips that have not left it
   double time_ = 1, damping_ = 0;
   std::vector<flow::Crossing> crossing_;
   std::vector<double> magnitude_;

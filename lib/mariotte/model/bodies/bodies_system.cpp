@@ -16,6 +16,9 @@ Index resting_contacts(const BodiesSetting<D>& setting) {
                        [](const auto& c) { return c.gap == 0; });
 }
 
+/// Share of the cap below which what sticks goes on to stick, whatever a guard has said.
+constexpr double certain = 0.999;
+
 /// Slots that are made at once; more are added when so many contacts are closed together.
 constexpr Index first_slots = 12;
 
@@ -190,6 +193,15 @@ void BodiesSystem<D>::turn(ClosedContact& one, const ContactForces<double, D>& n
   for (Index k = 0; k < BodiesLayout<D>::tangents; ++k) x[layout(x).spring(one.slot) + k] *= factor;
 }
 
+/// Contacts that part beyond gap 0, where another guard has fired within rounding of their end.
+template <int D>
+void BodiesSystem<D>::open_parted(Mode& mode, std::vector<double>& x, std::vector<Change>& changes) const {
+  for (std::size_t i = mode.closed.size(); i-- > 0;) {
+    const auto now = field(mode, x).motion(mode.closed[i].contact);
+    if (now.gap >= 0 && now.gap_rate > setting_.slip_noise * setting_.speed) open(mode, i, x, changes);
+  }
+}
+
 /// A spring that slipped `before` may hold at once: where another contact closes with a damper, forces and so
 /// the rate of yielding jump, and where a contact turns at hardly any depth, its stiffness grows that
 /// quickly.
@@ -218,7 +230,8 @@ void BodiesSystem<D>::pass_friction(Mode& mode, std::size_t place, std::vector<d
   const auto now = field(mode, x).contact(place);
   if (one.friction == Friction::stick) {
     const double size = norm(now.friction);
-    if (size == 0) return;
+    // A loose series may take for a root what is none.
+    if (size == 0 || size < certain * c.tangential.friction * now.normal) return;
     slip_along(one, (-1 / size) * now.friction, now.motion.normal, x);
     one.from_rest = D == 3 && !c.tangential.has_spring();
     changes.push_back({one.contact, BodyEvent::slip});
@@ -283,8 +296,10 @@ void BodiesSystem<D>::transition(Mode& mode, const std::vector<Index>& fired, st
                   changes);
     }
   }
+  open_parted(mode, x, changes);
   stop_yielding(before, mode, x, changes);
   leave_rest(mode, x);
+  if (fired.empty()) stay_at_rest(mode, x, changes);
   hold_or_release(mode, x, changes);
   refresh_near(setting_, layout(x), x, mode);
 }
@@ -297,6 +312,13 @@ void BodiesSystem<D>::leave_rest(Mode& mode, ConstState x) const {
   };
   for (auto& one : mode.closed)
     if (left(one)) one.from_rest = false;
+}
+
+/// Slips that friction does not let leave rest stick.
+template <int D>
+void BodiesSystem<D>::stay_at_rest(Mode& mode, std::vector<double>& x, std::vector<Change>& changes) const {
+  for (std::size_t i = 0; i < mode.closed.size(); ++i)
+    if (mode.closed[i].from_rest) begin_from_rest(mode, i, x, BodyEvent::reverse, changes);
 }
 
 /// What sticks rigidly may not hold any more when others have changed: the contact that is farthest beyond

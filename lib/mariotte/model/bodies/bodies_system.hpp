@@ -48,11 +48,13 @@ class BodiesSystem {
                  std::vector<Change>& changes) const;
   void pass_friction(Mode& mode, std::size_t place, std::vector<double>& x,
                      std::vector<Change>& changes) const;
+  void open_parted(Mode& mode, std::vector<double>& x, std::vector<Change>& changes) const;
   void stop_yielding(const std::vector<ClosedContact>& before, Mode& mode, std::vector<double>& x,
                      std::vector<Change>& changes) const;
   void turn(ClosedContact& one, const ContactForces<double, D>& now, std::vector<double>& x,
             std::vector<Change>& changes) const;
   void leave_rest(Mode& mode, ConstState x) const;
+  void stay_at_rest(Mode& mode, std::vector<double>& x, std::vector<Change>& changes) const;
   void hold_or_release(Mode& mode, std::vector<double>& x, std::vector<Change>& changes) const;
   bool starts_in_stick(const SettingContact<D>& one, double slip, double approach) const;
 
