@@ -15,6 +15,7 @@ std::vector<Family> families(const std::vector<std::string>& kinds) {
   add("networks", network_families);
   add("bodies", body_families);
   add("laws", law_families);
+  add("friction", friction_families);
   return list;
 }
 

@@ -19,8 +19,9 @@ std::vector<Family> chain_families();
 std::vector<Family> network_families();
 std::vector<Family> body_families();
 std::vector<Family> law_families();
+std::vector<Family> friction_families();
 
-/// All families of the kinds "chains", "networks", "bodies", "laws".
+/// All families of the kinds "chains", "networks", "bodies", "laws", "friction".
 std::vector<Family> families(const std::vector<std::string>& kinds);
 
 /// Place in the list of the family that scene `number` is drawn from: they take turns.

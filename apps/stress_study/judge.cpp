@@ -54,7 +54,7 @@ void take_deviation(const Trial& trial, const Trial& best, const Measure& measur
 
 void take_balance(const Trial& trial, Judgement& judgement) {
   const double imbalance = trial.found.imbalance - trial.found.rounding;
-  if (imbalance <= tolerated * trial.accuracy) return;
+  if (imbalance <= tolerated * std::max(trial.accuracy, trial.found.estimate)) return;
   judgement.findings.push_back(
       fmt::format("{}: a balance does not close: {:.3g} of the energy", trial.name, imbalance));
 }

@@ -17,6 +17,8 @@
 namespace mariotte::stress_study {
 namespace {
 
+const std::vector<std::string> all_kinds = {"chains", "networks", "bodies", "laws", "friction"};
+
 struct CommandLine {
   double seconds = 60;
   std::uint64_t seed = 1;
@@ -24,7 +26,7 @@ struct CommandLine {
   std::int64_t only = -1;
   std::string folder;
   int workers = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  std::vector<std::string> kinds = {"chains", "networks", "bodies", "laws"};
+  std::vector<std::string> kinds = all_kinds;
   bool verbose = false;
 };
 
@@ -60,8 +62,8 @@ command::OptionList declare(CommandLine& line) {
       {"--only", &line.only, "Number of the one scene to examine"},
       {"--kinds",
        &line.kinds,
-       "Some of chains, networks, bodies, laws",
-       {.check = command::OneOf{{"chains", "networks", "bodies", "laws"}}, .between_commas = true}},
+       "Some of chains, networks, bodies, laws, friction",
+       {.check = command::OneOf{all_kinds}, .between_commas = true}},
       {"--threads", &line.workers, "Scenes examined at once", {.check = command::Range{1, 256}}},
       {"--out",
        &line.folder,

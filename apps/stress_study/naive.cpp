@@ -1,4 +1,5 @@
 #include "run.hpp"
+#include "support/naive_bodies.hpp"
 #include "support/naive_body.hpp"
 #include "support/naive_chain.hpp"
 
@@ -37,6 +38,20 @@ std::optional<Found> follow(const Body& scene, const test::NaiveSettings& settin
                 w = (norm(body.body.tips[0].centre) + body.body.tips[0].radius) * field.spin(y);
   Found found{.ending = hybrid::Ending::time_limit, .time = settings.end};
   found.value = {v.e1 + body.gravity * settings.end, v.e2, v.e3, w.e1, w.e2, w.e3};
+  for (double& value : found.value) value /= settings.speed;
+  return found;
+}
+
+/// A step costs little: so many for one of the others.
+constexpr Index steps_for_one = 20;
+
+std::optional<Found> follow(const Group& scene, const test::NaiveSettings& settings) {
+  if (!test::NaiveBodies::can_follow(scene.bodies)) return {};
+  test::NaiveBodies run(scene.bodies, settings.speed, settings.effort);
+  if (!run.follow(settings.end, steps_for_one * settings.effort.most_steps)) return {};
+  Found found{.ending = hybrid::Ending::time_limit, .time = settings.end};
+  for (std::size_t i = 0; i < run.bodies().size(); ++i)
+    add_motion(scene, i, run.bodies()[i].velocity, run.bodies()[i].spin, found);
   for (double& value : found.value) value /= settings.speed;
   return found;
 }

@@ -66,6 +66,23 @@ void disturb(Body& scene, double speed, Noise& noise) {
   (void)speed;
 }
 
+void disturb(Group& scene, double speed, Noise& noise) {
+  for (auto& body : scene.bodies.body) {
+    const double change = 1 + noise();
+    body.mass *= change;
+    body.inertia = change * body.inertia;
+    for (Vector3* part : {&body.velocity, &body.spin})
+      for (double* v : {&part->e1, &part->e2, &part->e3}) noise.scale(*v);
+    if (body.spheres.size() > 1) body.angle += noise();
+  }
+  for (auto& contact : scene.bodies.contact) {
+    disturb(contact.law, noise);
+    noise.scale(contact.tangential.friction);
+    noise.scale(contact.tangential.stiffness);
+  }
+  (void)speed;
+}
+
 }  // namespace
 
 Scene perturbed(const Scene& scene, double size, std::uint64_t direction) {

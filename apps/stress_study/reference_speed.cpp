@@ -56,6 +56,18 @@ double speed_of(const Body& scene) {
   return std::max(norm(body.velocity), norm(body.velocity + turning));
 }
 
+/// Of surfaces, and what gravity adds on the way to the first contact.
+double speed_of(const Group& scene) {
+  double fastest = 0, height = 0;
+  for (const auto& body : scene.bodies.body)
+    for (const auto& sphere : body.spheres)
+      fastest =
+          std::max(fastest, norm(body.velocity) + norm(body.spin) * (norm(sphere.centre) + sphere.radius));
+  for (const auto& contact : scene.bodies.contact)
+    height = std::max(height, model::start_gap(scene.bodies, contact));
+  return std::sqrt(fastest * fastest + 2 * norm(scene.bodies.gravity) * height);
+}
+
 }  // namespace
 
 double reference_speed(const Model& model) {

@@ -31,6 +31,17 @@ std::vector<Contact> contacts_of(const Body&) {
   return {};
 }
 
+std::vector<Contact> contacts_of(const Group& scene) {
+  std::vector<Contact> list;
+  for (const auto& contact : scene.bodies.contact) {
+    const auto mobility = [&](const model::Feature& one) {
+      return one.is_plane() ? 0 : 1 / scene.bodies.body[static_cast<std::size_t>(one.owner)].mass;
+    };
+    list.push_back({contact.law, mobility(contact.a) + mobility(contact.b)});
+  }
+  return list;
+}
+
 std::vector<Contact> contacts_of(const Model& model) {
   return std::visit([](const auto& one) { return contacts_of(one); }, model);
 }
@@ -89,7 +100,8 @@ std::vector<std::string> special_flows(const Scene& scene, double end) {
                                return flows;
                              },
                              [&](const model::Network&) { return is_quick() ? Names{"modal"} : Names{}; },
-                             [](const Body&) { return Names{"taylor"}; }},
+                             [](const Body&) { return Names{"taylor"}; },
+                             [](const Group&) { return Names{"cvode-adams"}; }},
                     scene.model);
 }
 

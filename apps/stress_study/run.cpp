@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "mariotte/core/error.hpp"
+#include "mariotte/impact/bodies/bodies_impact.hpp"
 #include "mariotte/impact/chain/chain_solver.hpp"
 #include "mariotte/impact/microbody/microbody_impact.hpp"
 #include "mariotte/impact/microbody/microbody_solver.hpp"
@@ -126,7 +127,40 @@ void run(const Body& scene, const hybrid::Options& options, bool balances, doubl
   found.imbalance = std::max(std::abs(energy.residual), -losses) / energy_at_stake(scene, energy.initial);
 }
 
+double reach(const model::Body& body) {
+  double most = 0;
+  for (const auto& sphere : body.spheres) most = std::max(most, norm(sphere.centre) + sphere.radius);
+  return most;
+}
+
+void run(const Group& scene, const hybrid::Options& options, bool, double speed, Found& found) {
+  const auto& bodies = scene.bodies;
+  const auto impact = impact::simulate(bodies, options);
+  add_ending(impact, found);
+  found.time = impact.time;
+  double mass = 0;
+  for (std::size_t i = 0; i < bodies.body.size(); ++i) {
+    add_motion(scene, i, impact.body[i].velocity, impact.body[i].spin, found);
+    mass += bodies.body[i].mass;
+  }
+  found.periods.assign(bodies.contact.size(), 0);
+  found.impulse.assign(bodies.contact.size(), 0);
+  double gained = std::abs(impact.energy.residual);
+  for (const auto& contact : impact.contacts) {
+    found.periods[static_cast<std::size_t>(contact.contact)] = std::ssize(contact.periods);
+    found.impulse[static_cast<std::size_t>(contact.contact)] = contact.normal_impulse / (mass * speed);
+    gained = std::max({gained, -contact.losses.friction, -contact.losses.rescale, -contact.losses.damper});
+  }
+  found.imbalance = gained / (mass * speed * speed);
+}
+
 }  // namespace
+
+void add_motion(const Group& scene, std::size_t body, const Vector3& velocity, const Vector3& spin,
+                Found& found) {
+  const Vector3 v = velocity - found.time * scene.bodies.gravity, w = reach(scene.bodies.body[body]) * spin;
+  found.value.insert(found.value.end(), {v.e1, v.e2, v.e3, w.e1, w.e2, w.e3});
+}
 
 std::string name(const Method& method) {
   return fmt::format("{} at {:.0e}", method.flow, method.accuracy);

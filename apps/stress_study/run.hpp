@@ -43,6 +43,10 @@ inline constexpr Index most_events = 5000;
 /// Run it. What the library throws is a result, too.
 Found run(const Scene& scene, const Method& method);
 
+/// Motion of one body less what gravity has given to it, its spin as a speed of its surface.
+void add_motion(const Group& scene, std::size_t body, const Vector3& velocity, const Vector3& spin,
+                Found& found);
+
 /// The same by a simulator that shares nothing with the library, until `end` [s]; empty if it has no way to
 /// follow the scene or would need too many steps.
 std::optional<Found> run_naively(const Scene& scene, double end, const test::Effort& effort);

@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "mariotte/core/types.hpp"
+#include "mariotte/model/bodies/bodies.hpp"
 #include "mariotte/model/chain/chain.hpp"
 #include "mariotte/model/microbody/microbody.hpp"
 #include "mariotte/model/network/network.hpp"
@@ -16,8 +17,14 @@ struct Body {
   std::string text;
 };
 
+/// Bodies with friction, likewise.
+struct Group {
+  model::Bodies bodies;
+  std::string text;
+};
+
 /// What can be run, perturbed, followed naively and written down.
-using Model = std::variant<model::Chain, model::Network, Body>;
+using Model = std::variant<model::Chain, model::Network, Body, Group>;
 
 /// A model with its time limit.
 struct Scene {

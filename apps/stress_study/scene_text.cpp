@@ -69,7 +69,7 @@ std::string text(const Scene& scene, double accuracy, const std::string& notes) 
   if (scene.max_time < infinity) run += "max_time = " + exact(scene.max_time) + "\n";
   return all + std::visit(Overload{[&](const model::Chain& chain) { return run + tables(chain); },
                                    [&](const model::Network& network) { return run + tables(network); },
-                                   [](const Body& body) { return body.text; }},
+                                   [](const auto& read) { return read.text; }},
                           scene.model);
 }
 

@@ -3,6 +3,7 @@
 #include <boost/test/unit_test.hpp>
 #include <numbers>
 
+#include "support/naive_bodies.hpp"
 #include "support/naive_body.hpp"
 #include "support/naive_chain.hpp"
 #include "support/reference_laws.hpp"
@@ -85,6 +86,40 @@ BOOST_AUTO_TEST_CASE(a_sphere_without_damping_loses_nothing) {
   Index steps = 0;
   BOOST_TEST_REQUIRE(test::follow_naively(field, y, 1e-6, {}, steps));
   BOOST_TEST(std::abs(field.velocity(y).e1 - 5) < 5e-7);
+}
+
+/// A ball of mass 1 and radius 1 that strikes a plane at speed 1 downwards and 2 along it.
+model::Bodies sliding_ball(model::TangentialLaw law) {
+  model::Bodies bodies{.dimension = 2};
+  bodies.body = {{.mass = 1,
+                  .inertia = {0.4, 0.4, 0.4},
+                  .spheres = {{{}, 1}},
+                  .position = {0, 1, 0},
+                  .velocity = {2, -1, 0}}};
+  bodies.plane = {{.normal = {0, 1, 0}}};
+  bodies.contact = {{.a = {0, -1},
+                     .b = {0, 0},
+                     .law = contact::Hertz{1e6},
+                     .tangential = {law, 0.1, 1e6},
+                     .share = 0,
+                     .touching = true}};
+  return bodies;
+}
+
+BOOST_AUTO_TEST_CASE(a_ball_that_slides_loses_what_friction_takes) {
+  const auto bodies = sliding_ball(model::TangentialLaw::mindlin);
+  test::NaiveBodies run(bodies, 2, {});
+  BOOST_TEST_REQUIRE(run.follow(0.1, 100000));
+  const auto& ball = run.bodies()[0];
+  BOOST_TEST(std::abs(ball.velocity.e2 - 1) < 1e-4);
+  BOOST_TEST(std::abs(ball.velocity.e1 - (2 - 0.1 * 2)) < 1e-3);
+  BOOST_TEST(std::abs(ball.spin.e3 + 2.5 * 0.1 * 2) < 2e-3);
+  BOOST_TEST(!test::NaiveBodies(bodies, 2, {}).follow(0.1, 5));
+}
+
+BOOST_AUTO_TEST_CASE(friction_without_a_spring_is_not_followed_naively) {
+  BOOST_TEST(test::NaiveBodies::can_follow(sliding_ball(model::TangentialLaw::spring)));
+  BOOST_TEST(!test::NaiveBodies::can_follow(sliding_ball(model::TangentialLaw::rigid)));
 }
 
 BOOST_AUTO_TEST_CASE(a_run_of_too_many_steps_is_not_complete) {
