@@ -137,11 +137,13 @@ double difference(const model::Bodies& bodies, const BodiesImpact& a, const Bodi
   return speed > 0 ? most / speed : most;
 }
 
+/// A contact that is pressed again before it has opened counts as closed again.
 Passage passage(const BodiesImpact& impact, double attainable) {
   Passage gone{.contacts = std::ssize(impact.contacts),
                .harmless = std::ssize(impact.contacts),
                .attainable = std::max(attainable, 16 * epsilon)};
   for (const auto& contact : impact.contacts) gone.periods += std::ssize(contact.periods);
+  for (const auto& event : impact.events) gone.periods += std::ssize(event.of(BodyEvent::load));
   count_steps(gone, impact.flows);
   return gone;
 }
