@@ -1,13 +1,15 @@
 #include "acary.hpp"
 #include "cheng.hpp"
 #include "figure.hpp"
+#include "kharaz.hpp"
 
 namespace mariotte::paper_figures {
 
 const std::vector<Figure>& figures() {
   static const auto all = [] {
     auto list = acary_forces();
-    for (const auto& more : {acary_ratios(), acary_law(), cheng_spheres(), cheng_shapes(), cheng_histories()})
+    for (const auto& more :
+         {acary_ratios(), acary_law(), cheng_spheres(), cheng_shapes(), cheng_histories(), kharaz_oblique()})
       list.insert(list.end(), more.begin(), more.end());
     return list;
   }();

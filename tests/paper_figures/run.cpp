@@ -12,8 +12,8 @@ BOOST_FIXTURE_TEST_CASE(every_figure_of_the_papers_passes, Session) {
   const auto run = mariotte("reproduce all --out figures");
   BOOST_TEST(run.code == 0, run.out);
   BOOST_TEST(!has(run.out, "FAIL"));
-  for (const char* name :
-       {"acary-1a", "acary-1h", "acary-2a", "acary-2b", "acary-3a", "acary-3b", "cheng-7", "cheng-15"})
+  for (const char* name : {"acary-1a", "acary-1h", "acary-2a", "acary-2b", "acary-3a", "acary-3b", "cheng-7",
+                           "cheng-15", "kharaz-spin"})
     for (const char* file : {"plot.csv", "plot.gp", "checks.csv"})
       BOOST_TEST(fs::is_regular_file(folder / "figures" / name / file), name << "/" << file);
 }
