@@ -44,6 +44,8 @@ class BodiesSystem {
                        std::vector<Change>& changes) const;
   void slip_along(ClosedContact& one, const Vec<double, D>& direction, const Vec<double, D>& normal,
                   std::vector<double>& x) const;
+  void pass_guard(Index guard, const std::vector<Index>& touching, Mode& mode, std::vector<double>& x,
+                  std::vector<Change>& changes) const;
   void pass_slot(SlotGuard guard, Mode& mode, std::size_t place, std::vector<double>& x,
                  std::vector<Change>& changes) const;
   void pass_friction(Mode& mode, std::size_t place, std::vector<double>& x,
