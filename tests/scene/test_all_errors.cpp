@@ -96,6 +96,41 @@ until = 1
         {"chain.ball[0].mass", "chain.ball[0].velocity", "chain.ball[1].radius", "chain.drive.end"});
 }
 
+BOOST_AUTO_TEST_CASE(of_a_chain_whose_number_of_balls_or_walls_is_wrong) {
+  const std::string rest = R"(
+radius = "5 kg"
+material = "steal"
+velocity = ["fast", 0, 0]
+gap = [0, "1 s"]
+law = "herz"
+wall_material = "stel"
+[[chain.ball]]
+number = 2
+radius = -1
+[[chain.contact]]
+number = 1
+stiffness = "x"
+)";
+  const auto expected = [](Keys keys) {
+    const Keys of_rest = {"chain.ball[0].radius", "chain.gap[1]", "chain.law",
+                          "chain.material",       "chain.radius", "chain.velocity[0]"};
+    keys.insert(keys.end(), of_rest.begin(), of_rest.end());
+    std::sort(keys.begin(), keys.end());
+    return keys;
+  };
+  check("[chain]\nwall = 'up'" + rest, expected({"chain.wall"}));
+  check("[chain]\nballs = 1.5" + rest, expected({"chain.balls"}));
+  check("[chain]\nrepeat = 0" + rest, expected({"chain.repeat"}));
+  check("[chain]\nwall = 'up'\nballs = 'many'" + rest, expected({"chain.balls", "chain.wall"}));
+}
+
+BOOST_AUTO_TEST_CASE(what_depends_on_a_wrong_number_of_balls_is_not_told) {
+  check(
+      "[chain]\nballs = 'x'\nmass = [1, 1, 1]\nvelocity = [1, 0]\ngap = [0, 0, 0]\nlaw = 'hertz'\nstiffness "
+      "= 1\n",
+      {"chain.balls"});
+}
+
 BOOST_AUTO_TEST_CASE(of_a_network_by_its_mass_matrix) {
   check(R"([network]
 mass = [1, 1]

@@ -91,6 +91,11 @@ std::vector<Ball> read_parts(Source& source, const Field& chain, const Layout& l
   return balls;
 }
 
+void read_indentations(const Source& source, const Field& chain, const Layout& layout, model::Chain& model) {
+  if (const auto field = find(chain, "precompressed")) model.precompressed = boolean(source, *field);
+  model.gap = read_gaps(source, chain, layout, model.precompressed);
+}
+
 }  // namespace
 
 ResolvedChain read_chain(Source& source, const Field& chain, const std::optional<Field>& gravity) {
@@ -101,12 +106,17 @@ ResolvedChain read_chain(Source& source, const Field& chain, const std::optional
   errors.attempt([&] { expect_keys(source, chain, keys); });
   errors.attempt([&] { model.gravity = read_gravity(source, chain, gravity); });
   Layout layout;
+  const auto read_rest = [&] {
+    ErrorList of_rest;
+    of_rest.attempt([&] { balls = read_parts(source, chain, layout, model); });
+    of_rest.attempt([&] { read_indentations(source, chain, layout, model); });
+    of_rest.raise();
+  };
   if (errors.attempt([&] { layout = read_layout(source, chain); })) {
-    errors.attempt([&] { balls = read_parts(source, chain, layout, model); });
-    errors.attempt([&] {
-      if (const auto field = find(chain, "precompressed")) model.precompressed = boolean(source, *field);
-      model.gap = read_gaps(source, chain, layout, model.precompressed);
-    });
+    errors.attempt(read_rest);
+  } else {
+    layout = guess_layout(chain);
+    errors.attempt_on_a_guess(read_rest);
   }
   errors.raise();
   expect_motion(source, chain, model);

@@ -34,6 +34,16 @@ class ErrorList {
     return false;
   }
 
+  /// The same, where a part that this one needs is wrong and was guessed: an error of a value by itself
+  /// stays, but not one of how many there are.
+  template <class Read>
+  void attempt_on_a_guess(Read&& read) {
+    ErrorList guessed;
+    guessed.attempt(read);
+    for (const auto& error : guessed.errors_)
+      if (is_of_value(error)) add(error);
+  }
+
   bool empty() const { return errors_.empty(); }
 
   /// Throws the first error, with the others as its `more`, if there are any. What is missing from a table
@@ -57,6 +67,12 @@ class ErrorList {
       const auto same = [&](const SceneError& known) { return std::string_view(known.what()) == one.what(); };
       if (std::none_of(errors_.begin(), errors_.end(), same)) errors_.push_back(std::move(one));
     }
+  }
+  static bool is_of_value(const SceneError& error) {
+    for (const auto& kind : {fault::no_quantity, fault::unknown_unit, fault::wrong_dimension,
+                             fault::out_of_range, fault::unknown_word, fault::unknown_key, fault::wrong_type})
+      if (error.fault.code == kind.code) return !error.key.ends_with(".number");
+    return false;
   }
   static bool is_missing(const SceneError& error) {
     for (const auto& kind : {fault::missing, fault::no_mass, fault::no_stiffness})

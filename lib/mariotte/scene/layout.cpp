@@ -1,6 +1,9 @@
 #include "mariotte/scene/layout.hpp"
 
+#include <algorithm>
 #include <array>
+
+#include "mariotte/scene/error_list.hpp"
 
 namespace mariotte::scene {
 namespace {
@@ -33,6 +36,13 @@ std::optional<Index> infer_contacts(const Field& chain) {
   return tells ? std::optional(size(*contacts)) : std::nullopt;
 }
 
+/// Balls by the first array of their properties.
+std::optional<Index> infer_balls(const Field& chain) {
+  for (const auto key : per_ball)
+    if (const auto array = find_array(chain, key)) return size(*array);
+  return {};
+}
+
 /// Balls that are repeated: as many as the first array of their properties has.
 Index count_cell(const Source& source, const Field& chain, const Field& repeat) {
   if (find(chain, "balls"))
@@ -44,10 +54,26 @@ Index count_cell(const Source& source, const Field& chain, const Field& repeat) 
 
 Index count_balls(const Source& source, const Field& chain, Index walls) {
   if (const auto balls = find(chain, "balls")) return whole(source, *balls, 1, most_balls);
-  for (const auto key : per_ball)
-    if (const auto array = find_array(chain, key)) return size(*array);
+  if (const auto balls = infer_balls(chain)) return *balls;
   if (const auto contacts = infer_contacts(chain)) return *contacts + 1 - walls;
   reject(source, chain, fault::missing, "how many balls? Give 'balls', or an array with one value per ball");
+}
+
+void read_walls(const Source& source, const Field& chain, Layout& layout) {
+  const auto wall = find(chain, "wall");
+  if (!wall) return;
+  const auto side = sides[choice(source, *wall, "wall", sides)];
+  layout.left = side != "right";
+  layout.right = side != "left";
+}
+
+void read_counts(const Source& source, const Field& chain, Layout& layout) {
+  if (const auto repeat = find(chain, "repeat")) {
+    layout.cell = count_cell(source, chain, *repeat);
+    layout.listed = layout.cell * whole(source, *repeat, 1, most_balls);
+  } else {
+    layout.cell = layout.listed = count_balls(source, chain, layout.left + layout.right);
+  }
 }
 
 void expect_size(const Source& source, const Field& array, Index wanted, const std::string& things) {
@@ -61,21 +87,20 @@ void expect_size(const Source& source, const Field& array, Index wanted, const s
 
 Layout read_layout(const Source& source, const Field& chain) {
   Layout layout;
-  if (const auto wall = find(chain, "wall")) {
-    const auto side = sides[choice(source, *wall, "wall", sides)];
-    layout.left = side != "right";
-    layout.right = side != "left";
-  }
-  if (const auto repeat = find(chain, "repeat")) {
-    layout.cell = count_cell(source, chain, *repeat);
-    layout.listed = layout.cell * whole(source, *repeat, 1, most_balls);
-  } else {
-    layout.cell = layout.listed = count_balls(source, chain, layout.left + layout.right);
-  }
+  ErrorList errors;
+  errors.attempt([&] { read_walls(source, chain, layout); });
+  errors.attempt([&] { read_counts(source, chain, layout); });
+  errors.raise();
   if (layout.listed < 1 || layout.balls() < 2 || layout.listed > most_balls)
     reject(source, chain, fault::out_of_range,
            "a chain has from two balls (or a ball and a wall) to ten million");
   return layout;
+}
+
+Layout guess_layout(const Field& chain) {
+  const Index by_contacts = infer_contacts(chain).value_or(1) + 1;
+  const Index balls = std::max<Index>(2, infer_balls(chain).value_or(by_contacts));
+  return {.cell = balls, .listed = balls};
 }
 
 void expect_per_ball(const Source& source, const Field& array, const Layout& layout) {

@@ -18,6 +18,9 @@ struct Layout {
 /// From `balls`, `repeat` and `wall`; without `balls`, from the first array that tells. Throws SceneError.
 Layout read_layout(const Source& source, const Field& chain);
 
+/// By arrays alone, where those keys are wrong, so that the rest can be looked at.
+Layout guess_layout(const Field& chain);
+
 /// Rejects an array that has not one value per listed ball, per ball of a cell, or per contact.
 void expect_per_ball(const Source& source, const Field& array, const Layout& layout);
 void expect_per_cell(const Source& source, const Field& array, const Layout& layout);
