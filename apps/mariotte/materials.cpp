@@ -35,7 +35,7 @@ std::string table() {
   };
   return report::columns({"material", "young [GPa]", "poisson", "density [kg/m³]", "yield strength [MPa]"},
                          std::ssize(all), row) +
-         "\n–: brittle, or the stress at which it yields is not known; runs are not checked against yield\n";
+         "\n–: brittle, it breaks before it yields; runs are not checked against yield\n";
 }
 
 std::string sources() {
@@ -45,6 +45,7 @@ std::string sources() {
     each_value(material, [&](const char* key, const Sourced& value) {
       text += fmt::format("  {}: {}\n", key, value.source);
     });
+    if (!material.yield_strength) text += "  yield_strength: none, it is brittle\n";
   }
   return text;
 }

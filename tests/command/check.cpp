@@ -117,7 +117,9 @@ BOOST_FIXTURE_TEST_CASE(materials_lists_values_and_their_sources, Session) {
   BOOST_TEST(has(table.out, "steel          203"));
   BOOST_TEST(has(table.out, "  yield_strength: "));
   BOOST_TEST(has(table.out, "70     0.23             2400                     –\n"));
-  BOOST_TEST(has(table.out, "\n–: brittle, or the stress at which it yields is not known"));
+  BOOST_TEST(has(table.out, "polystyrene          2.9      0.4             1050                    83\n"));
+  BOOST_TEST(has(table.out, "\n–: brittle, it breaks before it yields"));
+  BOOST_TEST(has(table.out, "\n  yield_strength: none, it is brittle\n"));
   const auto list = nlohmann::json::parse(mariotte("materials --json").out);
   BOOST_TEST(list.size() >= 8u);
   for (const auto& [name, material] : list.items())

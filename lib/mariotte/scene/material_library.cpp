@@ -40,7 +40,10 @@ constexpr NamedMaterial materials[] = {
      .young = {2.9e9, make_it_from},
      .poisson = {0.4, make_it_from},
      .density = {1050, "ASTM D792 value of GP-PS (DX, Polystyrene Specifications)"},
-     .yield_strength = {}},
+     .yield_strength =
+         Sourced{83e6,
+                 "Modern Plastics Encyclopedia 99: compressive strength, rupture or yield, 83 to 90 MPa; "
+                 "in tension it breaks first"}},
     {.name = "stainless-steel",
      .kind = "austenitic stainless steel AISI 316, annealed",
      .young = {193e9, asm_316},
