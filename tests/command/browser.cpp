@@ -64,6 +64,41 @@ constexpr const char* reader = R"(<pre id="told"></pre><script>
 })();
 </script>)";
 
+/// Copies one number, one line and two lines of the first table.
+constexpr const char* copyist = R"(<pre id="told"></pre><script>
+(function () {
+  const rows = document.querySelectorAll('table')[0].rows;
+  function copied(first, last) {
+    const range = document.createRange();
+    range.setStart(first.firstChild, 0);
+    range.setEnd(last.firstChild, last.firstChild.length);
+    getSelection().removeAllRanges();
+    getSelection().addRange(range);
+    const event = new ClipboardEvent('copy', {clipboardData: new DataTransfer(), cancelable: true});
+    document.dispatchEvent(event);
+    return event.clipboardData.getData('text/plain');
+  }
+  const end = row => row.cells[row.cells.length - 1];
+  document.getElementById('told').textContent = JSON.stringify({
+    number: copied(end(rows[1]), end(rows[1])),
+    line: copied(rows[1].cells[0], end(rows[1])),
+    lines: copied(rows[0].cells[0], end(rows[2])),
+    title: copied(document.querySelector('h1'), document.querySelector('h1')),
+  });
+})();
+</script>)";
+
+/// What a script tells that is added to a page.
+nlohmann::json told(Session& session, const std::string& file, const std::string& script,
+                    const std::string& options) {
+  auto page = content(session.folder / file);
+  session.write("used.html", page.insert(page.rfind("</body>"), script));
+  const auto dom = session.shell(chromium + options + " --dump-dom \"file://$PWD/used.html\"");
+  const std::string opening = "<pre id=\"told\">";
+  const auto from = dom.out.find(opening) + opening.size();
+  return nlohmann::json::parse(dom.out.substr(from, dom.out.find("</pre>", from) - from), nullptr, false);
+}
+
 }  // namespace
 
 BOOST_TEST_GLOBAL_FIXTURE(Browser);
@@ -94,14 +129,8 @@ BOOST_FIXTURE_TEST_CASE(a_browser_draws_the_moving_picture, Session) {
 // One pass takes 8 s.
 BOOST_FIXTURE_TEST_CASE(the_moving_picture_plays_pauses_and_is_dragged, Session) {
   BOOST_TEST(mariotte("run three.toml --out out --report").code == 0);
-  auto page = content(folder / "out/report.html");
-  write("used.html", page.insert(page.rfind("</body>"), reader));
-  const auto dom = shell(
-      chromium + "--virtual-time-budget=60000 --window-size=900,1200 --dump-dom \"file://$PWD/used.html\"");
-  const std::string opening = "<pre id=\"told\">";
-  const auto from = dom.out.find(opening) + opening.size();
   const auto told =
-      nlohmann::json::parse(dom.out.substr(from, dom.out.find("</pre>", from) - from), nullptr, false);
+      ::told(*this, "out/report.html", reader, "--virtual-time-budget=60000 --window-size=900,1200");
   BOOST_TEST_REQUIRE(told.is_object());
   BOOST_TEST(told["start"] == 0);
   BOOST_TEST(told["word_playing"] == "Pause");
@@ -112,4 +141,18 @@ BOOST_FIXTURE_TEST_CASE(the_moving_picture_plays_pauses_and_is_dragged, Session)
   BOOST_TEST(told["hovered"] == told["dragged"]);
   BOOST_TEST(told["ended"] == 1);
   BOOST_TEST(told["word_ended"] == "Play");
+}
+
+// Four digits are shown; the page's tables say units above.
+BOOST_FIXTURE_TEST_CASE(copied_numbers_have_all_digits, Session) {
+  BOOST_TEST(mariotte("run three.toml --out out --report").code == 0);
+  const auto told = ::told(*this, "out/report.html", copyist, "--window-size=900,1200");
+  BOOST_TEST_REQUIRE(told.is_object());
+  const auto result = nlohmann::json::parse(content(folder / "out/result.json"));
+  const auto digits = [&](std::size_t ball) { return result["final"]["velocity"][ball].dump(); };
+  BOOST_TEST(told["number"] == digits(0));
+  BOOST_TEST(told["title"] == "Three balls");
+  BOOST_TEST(told["line"] == "1\t1000\t1\t" + digits(0));
+  BOOST_TEST(told["lines"] == "ball\tmass [g]\tvelocity before [m/s]\tvelocity after [m/s]\n1\t1000\t1\t" +
+                                  digits(0) + "\n2\t1000\t0\t" + digits(1));
 }

@@ -9,6 +9,7 @@
 
 #include "mariotte/report/page/animation.hpp"
 #include "mariotte/report/page/before_and_after.hpp"
+#include "mariotte/report/page/copied_digits.hpp"
 #include "mariotte/report/page/html_table.hpp"
 #include "mariotte/report/page/html_text.hpp"
 #include "mariotte/report/page/lead.hpp"
@@ -204,7 +205,7 @@ std::string html(const Json& result, const std::vector<Picture>& pictures, const
   page += lead(result) + checks(result);
   if (result.contains("message")) page += "<p>" + escaped(inline_text(result["message"])) + "</p>\n";
   return page + animation(motion, result) + figures(pictures) + before_and_after(result) + tables(result) +
-         origin(result) + "</body>\n</html>\n";
+         origin(result) + copied_digits + "</body>\n</html>\n";
 }
 
 }  // namespace mariotte::report

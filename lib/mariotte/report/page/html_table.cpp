@@ -61,21 +61,33 @@ std::string heading(const Column& column, const Display& display) {
   return column.name + (has_unit ? " [" + display.unit + "]" : "");
 }
 
-std::string digits(const Json& value, double factor) {
-  if (value.is_number_float()) return fmt::format("{:.4g}", factor * value.get<double>());
-  if (!value.is_array()) return inline_text(value);
-  std::string text;
-  for (std::size_t i = 0; i < std::min(value.size(), most_inline); ++i) {
-    const auto inner = digits(value[i], factor);
-    text += (text.empty() ? "" : ", ") + (value[i].is_array() ? "[" + inner + "]" : inner);
+enum class Digits { four, all };
+
+std::string text(const Json& value, double factor, Digits digits) {
+  if (value.is_number_float()) {
+    const double shown = factor * value.get<double>();
+    return digits == Digits::all ? fmt::format("{}", shown) : fmt::format("{:.4g}", shown);
   }
-  return value.size() > most_inline ? fmt::format("{}, … ({} in all)", text, value.size()) : text;
+  if (!value.is_array()) return inline_text(value);
+  const auto count = digits == Digits::all ? value.size() : std::min(value.size(), most_inline);
+  std::string list;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto inner = text(value[i], factor, digits);
+    list += (list.empty() ? "" : ", ") + (value[i].is_array() ? "[" + inner + "]" : inner);
+  }
+  return count < value.size() ? fmt::format("{}, … ({} in all)", list, value.size()) : list;
+}
+
+bool has_more_digits(const Json& value) {
+  return value.is_number_float() ||
+         (value.is_array() && std::any_of(value.begin(), value.end(), has_more_digits));
 }
 
 std::string cell(const Json& value, double factor) {
-  const auto title = value.is_number_float() ? fmt::format(" title=\"{}\"", exact(value.get<double>())) : "";
+  const auto title =
+      has_more_digits(value) ? fmt::format(" title=\"{}\"", escaped(text(value, factor, Digits::all))) : "";
   return fmt::format("<td{}{}>{}</td>", value.is_number() ? " class=\"n\"" : "", title,
-                     escaped(digits(value, factor)));
+                     escaped(text(value, factor, Digits::four)));
 }
 
 std::string framed(const std::string& rows) {
