@@ -153,10 +153,16 @@ void finish_trace(const RunningTrace& trace, hybrid::Ending ending) {
   note(fmt::format("the rows until the interruption are in {}", trace.file->leave().string()));
 }
 
+/// What a trace says of itself.
+report::Attributes origin(const Run& options, const scene::Scene& scene) {
+  auto all = report::attributes(provenance(options, scene));
+  all.emplace_back("title", scene.title);
+  return all;
+}
+
 int run(const Run& options, const model::Chain& chain, const scene::Scene& scene) {
   const auto balls = chain.mass.size();
-  const auto trace =
-      start_trace(options.trace, balls, options.force, report::attributes(provenance(options, scene)));
+  const auto trace = start_trace(options.trace, balls, options.force, origin(options, scene));
   std::optional<report::Spacetime> waves;
   if (!options.out.empty() && !can_trace(scene)) waves.emplace(balls);
   impact::RunObserver observers{.trace = !options.out.empty() && can_trace(scene)};

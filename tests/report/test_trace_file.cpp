@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
+#include <nlohmann/json.hpp>
 
 #include "mariotte/report/page/files.hpp"
 #include "mariotte/report/trace_file.hpp"
@@ -54,6 +55,29 @@ BOOST_FIXTURE_TEST_CASE(rows_of_csv_are_there_as_soon_as_they_are_added, Killed)
       text.starts_with("time [s],v1 [m/s],v5 [m/s],v10 [m/s],gap3 [m],gap8 [m],force3 [N],force8 [N]\n0,"));
   BOOST_TEST(std::count(text.begin(), text.end(), '\n') == 1001);
   BOOST_TEST(text.ends_with('\n'));
+}
+
+BOOST_FIXTURE_TEST_CASE(a_csv_trace_is_described_beside_it, Folder) {
+  const auto trace = report::new_trace_file(path / "wave.csv", balls, contacts, {{"version", "0.1.0"}});
+  trace->add(sample(0));
+  trace->commit();
+  const auto all = nlohmann::json::parse(content(path / "wave.csv-metadata.json"));
+  BOOST_TEST(all["@context"] == "http://www.w3.org/ns/csvw");
+  BOOST_TEST(all["url"] == "wave.csv");
+  BOOST_TEST(all["notes"] == nlohmann::json::parse(R"([{"version": "0.1.0"}])"));
+  const auto& columns = all["tableSchema"]["columns"];
+  BOOST_TEST_REQUIRE(columns.size() == 8);
+  BOOST_TEST(columns[0]["titles"] == "time [s]");
+  BOOST_TEST(columns[3] == nlohmann::json::parse(R"({"titles": "v10 [m/s]", "name": "v10",
+      "datatype": "number", "schema:unitText": "m/s", "dc:description": "velocity of the ball"})"));
+  BOOST_TEST(columns[7]["name"] == "force8");
+  BOOST_TEST(columns[7]["schema:unitText"] == "N");
+}
+
+BOOST_FIXTURE_TEST_CASE(a_csv_trace_that_is_left_is_described_as_well, Folder) {
+  const auto left = report::new_trace_file(path / "wave.csv", balls, contacts)->leave();
+  const auto all = nlohmann::json::parse(content(left.string() + "-metadata.json"));
+  BOOST_TEST(all["url"] == left.filename().string());
 }
 
 BOOST_FIXTURE_TEST_CASE(a_trace_that_is_not_committed_leaves_nothing, Folder) {
