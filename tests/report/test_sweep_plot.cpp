@@ -9,6 +9,7 @@
 #include <regex>
 #include <sstream>
 
+#include "mariotte/report/figure/drawn_axes.hpp"
 #include "mariotte/report/figure/gnuplot.hpp"
 #include "mariotte/report/figure/sweep_axes.hpp"
 #include "mariotte/report/figure/sweep_plot.hpp"
@@ -38,6 +39,20 @@ Design cloud(Index count) {
   return {.parameters = {ranged("a", 0, {.from = 0, .to = 1, .seed = 1}),
                          ranged("b", 0, {.from = 0, .to = 1, .seed = 1})},
           .axes = {{.count = count, .stride = 1}}};
+}
+
+study::Parameter listed(const std::string& key, Index axis, const std::vector<double>& values) {
+  study::Parameter one{.key = key, .axis = axis};
+  for (const double value : values) one.list.emplace_back().value = value;
+  return one;
+}
+
+/// A short list beside a range, whichever is the slower one.
+Design family(bool list_first) {
+  const Index slow = list_first ? 0 : 1, count = list_first ? 3 : 20;
+  return {.parameters = {listed("surface.friction", slow, {0, 0.15, 0.7}),
+                         ranged("b", 1 - slow, {.from = 0, .to = 1})},
+          .axes = {{.count = count, .stride = 60 / count}, {.count = 60 / count, .stride = 1}}};
 }
 
 std::vector<std::string> lines(const std::string& text) {
@@ -169,6 +184,43 @@ BOOST_AUTO_TEST_CASE(gnuplot_draws_every_kind_of_sweep) {
   listed.parameters[0].range.reset();
   listed.parameters[0].list = {{.value = "it's", .place = {}}, {.value = true, .place = {}}};
   BOOST_TEST(drawn(listed, {{"x"}}, "1,separated,") == "");
+}
+
+BOOST_AUTO_TEST_CASE(a_short_list_beside_another_axis_is_a_curve_per_value) {
+  for (const bool list_first : {true, false}) {
+    const auto design = family(list_first);
+    const auto text = report::sweep_plot(design, {{"y", "N", "y"}}, "").script;
+    BOOST_TEST(text.find("set xlabel 'b'") != std::string::npos, text);
+    BOOST_TEST(text.find("vertical title 'friction μ'") != std::string::npos, text);
+    BOOST_TEST(text.find("using 1:($2 == 1 ? ") != std::string::npos);
+    BOOST_TEST(text.find("title '0.15'") != std::string::npos);
+    BOOST_TEST(text.find("with image") == std::string::npos);
+    BOOST_TEST((text.find("smooth unique") == std::string::npos) == list_first);
+    const auto svg = drawing(design, {{"y", "N", "y"}}, "2,separated,", "1,separated,").svg;
+    BOOST_TEST((svg.empty() || svg.find(">0.15<") != std::string::npos));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(an_axis_of_one_point_is_not_drawn) {
+  for (const auto& design : {map(1, 9), map(9, 1)}) {
+    const auto text = report::sweep_plot(design, {{"y"}}, "").script;
+    BOOST_TEST(text.find("with image") == std::string::npos);
+    BOOST_TEST(text.find("with linespoints") != std::string::npos);
+    BOOST_TEST(drawn(design, {{"y"}}, "2,separated,", "1,separated,") == "");
+  }
+  BOOST_TEST(report::drawn_parameters(map(1, 9)).front() == 1u);
+  BOOST_TEST(drawn(map(1, 1), {{"y"}}, "2,separated,") == "");
+}
+
+BOOST_AUTO_TEST_CASE(a_list_of_numbers_is_to_scale_and_joined_where_they_rise) {
+  Design design = curve(3);
+  design.parameters[0] = listed("chain.gap[0]", 0, {1e-6, 2e-6, 5e-6});
+  design.parameters[0].unit = "m";
+  BOOST_TEST(report::coordinate(design, 0, 2) == 5, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(report::axis_settings(design, 0, 'x').find("nomirror out autofreq\n") != std::string::npos);
+  BOOST_TEST(report::sweep_plot(design, {{"y"}}, "").script.find("with linespoints") != std::string::npos);
+  std::swap(design.parameters[0].list[0], design.parameters[0].list[1]);
+  BOOST_TEST(report::sweep_plot(design, {{"y"}}, "").script.find("with points") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(maps_have_contours_and_logarithmic_colours_on_demand) {

@@ -16,9 +16,10 @@ struct SweepPlot {
   std::string shortfall;             ///< why not all columns are drawn; empty if they are
 };
 
-/// One axis makes a curve per column, those of one quantity in one figure. Two make a map per column; if one
-/// of them is random, or random values of several keys go along one axis, a cloud of points in its colours.
-/// `figure` asks for contours and logarithmic colours of maps; a column that is not positive keeps even ones.
+/// One axis makes a curve per column, those of one quantity in one figure; two, of which one is a short list,
+/// a curve per value of the list. Other two make a map per column; if one of them is random, or random values
+/// of several keys go along one axis, a cloud of points in its colours. `figure` asks for contours and
+/// logarithmic colours of maps; a column that is not positive keeps even ones.
 SweepPlot sweep_plot(const study::Design& design, const std::vector<study::Column>& columns,
                      const std::string& title, const scene::Figure& figure = {});
 

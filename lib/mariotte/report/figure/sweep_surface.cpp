@@ -1,0 +1,49 @@
+#include <fmt/format.h>
+
+#include "mariotte/report/figure/drawn_axes.hpp"
+#include "mariotte/report/figure/gnuplot.hpp"
+#include "mariotte/report/figure/sweep_figure.hpp"
+#include "mariotte/report/figure/value_axis.hpp"
+
+namespace mariotte::report {
+namespace {
+
+/// $lines, the lines of equal value; gnuplot writes them with blanks between columns, whatever it is asked.
+std::string contour_table(const std::string& data, Index contours) {
+  return fmt::format(
+             "set contour base\nunset surface\nset cntrparam levels auto {}\nset table $contours\n"
+             "splot {} notitle\nunset table\nunset contour\nset surface\n",
+             contours, data) +
+         R"(set print $lines
+do for [i=1:|$contours|] {
+  line = $contours[i]
+  if (words(line) == 3) { print word(line, 1).','.word(line, 2).','.word(line, 3) } else { print '' }
+}
+unset print
+set style textbox opaque noborder margins 0.5, 0.5
+)";
+}
+/// White in black, with the value of each.
+constexpr const char* contour_lines =
+    ", \\\n  $lines using 1:2 with lines lc rgb 'black' lw 2.5 dt solid notitle"
+    ", \\\n  $lines using 1:2 with lines lc rgb 'white' lw 1 dt solid notitle"
+    ", \\\n  $lines using 1:2:(sprintf('{/*0.8 %.3g}', $3)) every 1000::8 with labels boxed notitle";
+
+}  // namespace
+
+std::string surface(const study::Design& design, const Columns& columns, const SweepFigure& figure,
+                    const scene::Figure& options) {
+  const auto& column = columns[figure.columns[0]];
+  const auto at = place(design, figure.columns[0]);
+  const bool lined = options.contours > 0 && is_map(design);
+  const auto* style = is_map(design) ? "image" : "points pt 7 ps 0.5 lc palette";
+  const auto data = "'plot.csv' using 1:2:" + scaled(at);
+  const auto plot = fmt::format("plot {} with {} notitle{}", data, style, lined ? contour_lines : "");
+  return "unset key\nunset grid\nset cblabel offset 0.5,0\n"
+         "set rmargin at screen 0.72\n" +
+         value_axis({at}, column.key, column, "cb") + (options.logarithmic ? logarithmic_colours() : "") +
+         (lined ? "if (low <= high) {\n" + contour_table(data, options.contours) + "}\n" : "") +
+         on_all_terminals(file_name(figure), unless_empty(plot, "2"), one_column);
+}
+
+}  // namespace mariotte::report
