@@ -24,17 +24,19 @@ void PeakObserver::take(ConstState x, Index j) {
   raise(peaks_[j], now, all_peaks);
 }
 
-/// A millionth of the step is near enough: the value is flat there.
+/// A slope of a millionth of its fall over the step is near enough: the value is flat there.
 template <class Slope>
 void PeakObserver::search(const flow::Step& step, Index j, double before, double after, Slope&& slope) {
   constexpr double near = 1e-6;
   if (!(before > 0 && after < 0)) return;
+  double last = -1;  // fraction at which `inside_` is the state
   const auto slope_at = [&](double fraction) {
-    step.inside(fraction, inside_);
-    return slope(inside_);
+    step.inside(last = fraction, inside_);
+    const double value = slope(inside_);
+    return std::abs(value) < near * (before - after) ? 0 : value;
   };
   const double fraction = locate_sign_change(slope_at, 0, before, 1, after, near);
-  step.inside(fraction, inside_);
+  if (fraction != last) step.inside(fraction, inside_);
   take(inside_, j);
 }
 
