@@ -4,24 +4,31 @@
 
 namespace mariotte {
 
-/// Time in [low, high] at which f changes sign, to `tolerance` in time; regula falsi with the Illinois rule.
-/// f(low) and f(high) are given and must not have the same sign.
+/// Time in [low, high] at which f changes sign, to `tolerance` in time; regula falsi with the Illinois rule,
+/// which takes turns with halving where it is not quick. f(low) and f(high) are given and must not have the
+/// same sign.
 template <class Function>
 double locate_sign_change(Function&& f, double low, double f_low, double high, double f_high,
                           double tolerance) {
-  for (int i = 0; i < 60 && high - low > tolerance; ++i) {
-    const double middle = high - f_high * (high - low) / (f_high - f_low);
+  constexpr int quick = 8, most = 120;  // steps
+  bool high_moved = false, low_moved = false;
+  for (int i = 0; i < most && high - low > tolerance; ++i) {
+    const bool halves = i >= quick && i % 2 == 0;
+    const double middle = halves ? low + 0.5 * (high - low) : high - f_high * (high - low) / (f_high - f_low);
     const double value = f(middle);
     if (value == 0) return middle;
-    if ((value > 0) == (f_high > 0)) {
-      f_low /= 2;  // the other end has stayed: halve its weight
+    const bool moves_high = (value > 0) == (f_high > 0);
+    if (moves_high) {
+      if (high_moved) f_low /= 2;  // the other end has stayed: halve its weight
       high = middle;
       f_high = value;
     } else {
-      f_high /= 2;
+      if (low_moved) f_high /= 2;
       low = middle;
       f_low = value;
     }
+    high_moved = moves_high;
+    low_moved = !moves_high;
   }
   return std::abs(f_low) < std::abs(f_high) ? low : high;
 }

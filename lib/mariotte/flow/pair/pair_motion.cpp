@@ -33,7 +33,7 @@ double fall_in_time(const Motion& motion, const ConcaveGap& gap, double duration
   const auto value = [&](double time) { return value_of(gap, time, motion.at(time).value - start); };
   const double first = rate(0), last = rate(duration);
   const double top =
-      first > 0 && last < 0 ? locate_sign_change(rate, 0, first, duration, last, 1e-3 * duration) : 0;
+      first > 0 && last < 0 ? locate_sign_change(rate, 0, first, duration, last, epsilon * duration) : 0;
   const double highest = value(top), lowest = value(duration);
   if (!(highest > 0)) return top;
   return locate_sign_change(value, top, highest, duration, lowest, epsilon * duration);

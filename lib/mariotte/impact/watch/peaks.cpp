@@ -1,5 +1,6 @@
 #include "mariotte/impact/watch/peaks.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "mariotte/core/bracket.hpp"
@@ -20,11 +21,12 @@ double PeakObserver::force_slope(ConstState x, ConstState dx, Index j) const {
 }
 
 void PeakObserver::take(ConstState x, Index j) {
-  const Peak now{.force = phase_->force(x, j).value, .indentation = -phase_->gap(x, j)};
-  raise(peaks_[j], now, all_peaks);
+  const double depth = -phase_->gap(x, j);
+  if (depth <= peaks_[j].indentation && !phase_->is_damped(j)) return;  // nor is the force larger
+  raise(peaks_[j], Peak{.force = phase_->force(x, j).value, .indentation = depth}, all_peaks);
 }
 
-/// A slope of a millionth of its fall over the step is near enough: the value is flat there.
+/// A slope of a millionth of that at both ends of the step is near enough: the value is flat there.
 template <class Slope>
 void PeakObserver::search(const flow::Step& step, Index j, double before, double after, Slope&& slope) {
   constexpr double near = 1e-6;
@@ -33,7 +35,7 @@ void PeakObserver::search(const flow::Step& step, Index j, double before, double
   const auto slope_at = [&](double fraction) {
     step.inside(last = fraction, inside_);
     const double value = slope(inside_);
-    return std::abs(value) < near * (before - after) ? 0 : value;
+    return std::abs(value) < near * std::min(before, -after) ? 0 : value;
   };
   const double fraction = locate_sign_change(slope_at, 0, before, 1, after, near);
   if (fraction != last) step.inside(fraction, inside_);
