@@ -13,6 +13,7 @@ BOOST_AUTO_TEST_CASE(results_have_words_and_a_symbol_with_numbers_from_1) {
   BOOST_TEST(name_of_result("contacts[1].peak_force", "max f_n") == "peak force max f_{n,2}");
   BOOST_TEST(name_of_result("final.bodies[1].velocity[0]", "v") == "final velocity v_{2,1}");
   BOOST_TEST(name_of_result("restitution.tip", "e_n") == "tip restitution e_n");
+  BOOST_TEST(name_of_result("restitution.centre", "e_nm") == "centre restitution e_{nm}");
   BOOST_TEST(name_of_result("energy.friction", "") == "friction energy");
   BOOST_TEST(name_of_result("contacts[1].stored", "") == "stored 2");
 }
@@ -28,6 +29,18 @@ BOOST_AUTO_TEST_CASE(inputs_have_words_and_a_symbol_with_numbers_from_1) {
   BOOST_TEST(name_of_input("chain.material.young") == "Young's modulus E");
   BOOST_TEST(name_of_input("incidence.angles[1]") == "angle β [rad]");
   BOOST_TEST(name_of_input("body.length_ratio") == "length ratio");
+}
+
+BOOST_AUTO_TEST_CASE(slopes_are_quotients_of_symbols) {
+  BOOST_TEST(name_of_slope("sensitivity.velocity[2].mass[0]") == "∂v_{3}/∂m_{1}");
+  BOOST_TEST(name_of_slope("sensitivity.time.contact[1].stiffness") == "∂t/∂k_{2}");
+  BOOST_TEST(name_of_slope("sensitivity.icr[0].gravity") == "∂α_{1}/∂gravity");
+}
+
+BOOST_AUTO_TEST_CASE(names_of_greek_letters_are_letters) {
+  BOOST_TEST(greek("kappa") == "κ");
+  BOOST_TEST(greek("alpha_12") == "α_{12}");
+  BOOST_TEST(greek("my_ratio") == "my\\_ratio");
 }
 
 BOOST_AUTO_TEST_CASE(units_stand_in_brackets_with_their_powers_raised) {

@@ -129,10 +129,11 @@ BOOST_AUTO_TEST_CASE(axes_say_words_symbol_and_unit) {
 
 BOOST_AUTO_TEST_CASE(columns_of_ones_own_keep_their_name) {
   const std::vector<study::Column> columns = {{.key = "my_ratio", .written = "my_ratio = icr[0]"},
-                                              {"sensitivity.velocity[2].mass[0]", "SI"}};
+                                              {"sensitivity.velocity[2].mass[0]", "kg^-1 m s^-1"}};
   const auto curves = report::sweep_plot(curve(5), columns, "").script;
   BOOST_TEST(curves.find("set ylabel 'my\\_ratio'") != std::string::npos, curves);
-  BOOST_TEST(curves.find("set ylabel 'sensitivity.velocity[2].mass[0]\u00a0[SI]'") != std::string::npos);
+  BOOST_TEST(curves.find("set ylabel 'slope ∂v_{3}/∂m_{1}\u00a0[kg^{-1} m s^{-1}]'") != std::string::npos,
+             curves);
 }
 
 BOOST_AUTO_TEST_CASE(what_has_no_figure_is_said) {

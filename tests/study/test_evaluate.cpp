@@ -251,6 +251,8 @@ BOOST_AUTO_TEST_CASE(slopes_are_columns_beside_others) {
   const Keys keys = {"final.velocity[0]", "sensitivity.velocity[2].mass[0]",
                      "sensitivity.time.contact[1].stiffness"};
   BOOST_TEST(expanded(keys, scene) == keys, boost::test_tools::per_element());
+  BOOST_TEST(study::expand_columns(keys, scene)[1].unit == "kg^-1 m s^-1");
+  BOOST_TEST(study::expand_columns({"sensitivity.icr[0].velocity[0]"}, scene)[0].unit == "s/m");
   const auto numbers = evaluated(keys, scene);
   const auto& chain = std::get<model::Chain>(scene.model);
   const auto slopes = impact::sensitivity(chain, impact::parameters(chain), scene.run);

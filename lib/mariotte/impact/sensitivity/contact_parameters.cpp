@@ -13,42 +13,48 @@ std::string numbered(const char* name, std::size_t i) {
 template <class Model>
 using List = std::vector<Parameter<Model>>;
 
+using Known = std::optional<Dimension>;
+
 /// The elements of a list of the model, each with the step that its value asks for.
 template <class Model, class Step>
 void add_elements(const Model& model, std::vector<double> Model::*list, const char* name, Step&& step,
-                  List<Model>& parameters) {
+                  const Known& dimension, List<Model>& parameters) {
   for (std::size_t i = 0; i < (model.*list).size(); ++i) {
     const double value = (model.*list)[i];
     if (std::isinf(value)) continue;
-    parameters.push_back({numbered(name, i), value, step(value), [model, list, i](double moved) {
-                            auto other = model;
-                            (other.*list)[i] = moved;
-                            return other;
-                          }});
+    const auto moved_to = [model, list, i](double moved) {
+      auto other = model;
+      (other.*list)[i] = moved;
+      return other;
+    };
+    parameters.push_back({numbered(name, i), value, step(value), moved_to, dimension});
   }
 }
 
 template <class Model>
 void add_laws(const Model& model, List<Model>& parameters) {
   for (std::size_t j = 0; j < model.law.size(); ++j)
-    for (auto& number : law_parameters(model.law[j]))
-      parameters.push_back({numbered("contact", j) + "." + number.key, number.value, number.step,
-                            [model, j, law = std::move(number.law)](double moved) {
-                              auto other = model;
-                              other.law[j] = law(moved);
-                              return other;
-                            }});
+    for (auto& number : law_parameters(model.law[j])) {
+      const auto moved_to = [model, j, law = std::move(number.law)](double moved) {
+        auto other = model;
+        other.law[j] = law(moved);
+        return other;
+      };
+      parameters.push_back(
+          {numbered("contact", j) + "." + number.key, number.value, number.step, moved_to, number.dimension});
+    }
 }
 
 /// Velocities and gaps are the state at the start, which is linear in them.
 template <class Model>
-List<Model> common(const Model& model, bool has_masses) {
+List<Model> common(const Model& model, bool has_masses, bool has_balls) {
   const auto share = [](double value) { return 0.01 * value; };
   const auto unit = [](double) { return 1.0; };
+  const auto of_balls = [&](const Dimension& dimension) { return has_balls ? Known(dimension) : Known(); };
   List<Model> list;
-  if (has_masses) add_elements(model, &Model::mass, "mass", share, list);
-  add_elements(model, &Model::velocity, "velocity", unit, list);
-  add_elements(model, &Model::gap, "gap", unit, list);
+  if (has_masses) add_elements(model, &Model::mass, "mass", share, of_balls(dimension::mass), list);
+  add_elements(model, &Model::velocity, "velocity", unit, of_balls(dimension::velocity), list);
+  add_elements(model, &Model::gap, "gap", unit, dimension::length, list);
   add_laws(model, list);
   return list;
 }
@@ -56,19 +62,20 @@ List<Model> common(const Model& model, bool has_masses) {
 }  // namespace
 
 std::vector<Parameter<model::Chain>> parameters(const model::Chain& chain) {
-  auto list = common(chain, true);
-  if (chain.gravity != 0)
-    list.push_back({"gravity", chain.gravity, std::abs(chain.gravity), [chain](double moved) {
-                      auto other = chain;
-                      other.gravity = moved;
-                      return other;
-                    }});
+  auto list = common(chain, true, true);
+  if (chain.gravity == 0) return list;
+  const auto moved_to = [chain](double moved) {
+    auto other = chain;
+    other.gravity = moved;
+    return other;
+  };
+  list.push_back({"gravity", chain.gravity, std::abs(chain.gravity), moved_to, dimension::acceleration});
   return list;
 }
 
 std::vector<Parameter<model::Network>> parameters(const model::Network& network) {
   const bool diagonal = model::is_diagonal(network.mass, std::ssize(network.velocity));
-  return common(network, diagonal);
+  return common(network, diagonal, network.dimension > 0);
 }
 
 }  // namespace mariotte::impact

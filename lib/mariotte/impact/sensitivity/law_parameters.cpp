@@ -46,13 +46,14 @@ std::vector<LawParameterChoice> law_parameters(const Law& law) {
     // Lengths of a micrometre to the power n change by e^{14 dn}.
     const double step =
         number.key == "exponent" ? 1e-3 * std::min(1.0, number.value - 1) : 0.01 * number.value;
-    list.push_back(
-        {std::string(number.key), number.value, step, [=, start = numbers(*known, law)](double value) {
-           auto moved = start;
-           moved.*(key->number) = value;
-           auto made = known->make(moved);
-           return is_uncut ? contact::uncut(std::move(made)) : made;
-         }});
+    const auto moved_to = [=, start = numbers(*known, law)](double value) {
+      auto moved = start;
+      moved.*(key->number) = value;
+      auto made = known->make(moved);
+      return is_uncut ? contact::uncut(std::move(made)) : made;
+    };
+    const double power = known->exponent.value_or(numbers(*known, law).exponent);
+    list.push_back({std::string(number.key), number.value, step, moved_to, key->dimension(power)});
   }
   return list;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mariotte/contact/law.hpp"
+#include "mariotte/core/dimension.hpp"
 
 namespace mariotte::impact {
 
@@ -14,6 +15,7 @@ struct LawParameterChoice {
   double value;
   double step;
   std::function<contact::Law(double)> law;
+  Dimension dimension;
 };
 
 /// All that have slopes on both sides: a damping of 0 and an exponent of 1 have none, and the exponent of a

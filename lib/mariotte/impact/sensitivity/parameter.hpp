@@ -1,18 +1,22 @@
 // What an outcome is differentiated by.
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "mariotte/core/dimension.hpp"
 
 namespace mariotte::impact {
 
 /// A number that a model is made from. The model is an analytic function of it near its value.
 template <class Model>
 struct Parameter {
-  std::string name;                    ///< as "mass[0]" or "contact[1].stiffness"
-  double value;                        ///< in the units of the model
-  double step;                         ///< distance within which the model exists at least four times
-  std::function<Model(double)> model;  ///< of any value so near
+  std::string name;                         ///< as "mass[0]" or "contact[1].stiffness"
+  double value;                             ///< in the units of the model
+  double step;                              ///< distance within which the model exists at least four times
+  std::function<Model(double)> model;       ///< of any value so near
+  std::optional<Dimension> dimension = {};  ///< empty where it is not known, as of degrees of freedom
 };
 
 }  // namespace mariotte::impact

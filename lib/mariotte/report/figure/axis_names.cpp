@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace mariotte::report {
@@ -36,10 +38,10 @@ constexpr std::array<Word, 19> dictionary{{
     {"zeta_adhesion", "damping", "ζ_A"},
 }};
 
-const Word* find(std::string_view key) {
-  const auto* found =
-      std::find_if(dictionary.begin(), dictionary.end(), [&](const Word& one) { return one.key == key; });
-  return found == dictionary.end() ? nullptr : found;
+const Word* find(std::span<const Word> words, std::string_view key) {
+  const auto found =
+      std::find_if(words.begin(), words.end(), [&](const Word& one) { return one.key == key; });
+  return found == words.end() ? nullptr : &*found;
 }
 
 /// A key taken apart: {"contacts", "peak_force"} and its indices, from 1.
@@ -67,10 +69,19 @@ std::string spaced(std::string text) {
   return text;
 }
 
+/// "e_nm" is "e_{nm}": gnuplot takes one letter else.
+std::string with_braces(std::string text) {
+  const auto mark = text.find('_');
+  if (mark == text.npos || mark + 2 >= text.size() || text[mark + 1] == '{') return text;
+  const auto end = std::min(text.find_first_of(" ,", mark), text.size());
+  if (end > mark + 2) text.insert(end, "}").insert(mark + 1, "{");
+  return text;
+}
+
 /// "α_j" of number 2 is "α_{2}", "max f_n" is "max f_{n,2}", and of "α, β, γ" it is β.
 std::string numbered(std::string_view symbol, const Path& path) {
   std::string text(symbol);
-  if (text.empty() || path.numbers.empty()) return text;
+  if (text.empty() || path.numbers.empty()) return with_braces(text);
   if (text.find(", ") != text.npos) {
     for (int skipped = 1; skipped < path.numbers.back(); ++skipped) text.erase(0, text.find(", ") + 2);
     return text.substr(0, text.find(", "));
@@ -85,7 +96,7 @@ std::string numbered(std::string_view symbol, const Path& path) {
 std::string words_of_result(const Path& path) {
   const auto& first = path.names.front();
   const auto last = spaced(path.names.back());
-  if (const auto* known = find(first)) return std::string(known->words);
+  if (const auto* known = find(dictionary, first)) return std::string(known->words);
   if (first == "final") return "final " + last;
   const bool qualifies = first == "energy" || first == "momentum" || first == "restitution";
   return qualifies ? last + " " + first : last;
@@ -107,6 +118,30 @@ std::string plain(const std::string& text) {
   return escaped;
 }
 
+std::string greek(const std::string& name) {
+  constexpr std::array<std::pair<std::string_view, const char*>, 16> letters{{{"alpha", "α"},
+                                                                              {"beta", "β"},
+                                                                              {"gamma", "γ"},
+                                                                              {"delta", "δ"},
+                                                                              {"epsilon", "ε"},
+                                                                              {"zeta", "ζ"},
+                                                                              {"eta", "η"},
+                                                                              {"theta", "θ"},
+                                                                              {"kappa", "κ"},
+                                                                              {"lambda", "λ"},
+                                                                              {"mu", "μ"},
+                                                                              {"nu", "ν"},
+                                                                              {"rho", "ρ"},
+                                                                              {"sigma", "σ"},
+                                                                              {"tau", "τ"},
+                                                                              {"omega", "ω"}}};
+  const auto mark = std::min(name.find('_'), name.size());
+  for (const auto& [word, letter] : letters)
+    if (name.substr(0, mark) == word)
+      return mark == name.size() ? letter : fmt::format("{}_{{{}}}", letter, plain(name.substr(mark + 1)));
+  return plain(name);
+}
+
 std::string name_of_result(const std::string& key, std::string_view symbol) {
   const auto path = path_of(key);
   return joined(words_of_result(path), numbered(symbol, path), path);
@@ -118,9 +153,21 @@ std::string short_name_of_result(const std::string& key, std::string_view symbol
 
 std::string name_of_input(const std::string& key) {
   const auto path = path_of(key);
-  const auto* known = find(path.names.back());
+  const auto* known = find(dictionary, path.names.back());
   if (!known) return joined(spaced(path.names.back()), "", path);
   return joined(std::string(known->words), numbered(known->symbol, path), path);
+}
+
+std::string name_of_slope(const std::string& key) {
+  constexpr std::array<Word, 4> outcomes{
+      {{"velocity", "", "v"}, {"impulse", "", "p"}, {"icr", "", "α"}, {"time", "", "t"}}};
+  const auto dot = key.find('.', key.find('.') + 1);
+  const auto outcome = path_of(key.substr(0, dot)), parameter = path_of(key.substr(dot + 1));
+  const auto* of = find(outcomes, outcome.names.back());
+  const auto* by = find(dictionary, parameter.names.back());
+  const auto by_words = joined(spaced(parameter.names.back()), "", parameter);
+  return fmt::format("∂{}/∂{}", of ? numbered(of->symbol, outcome) : outcome.names.back(),
+                     by && !by->symbol.empty() ? numbered(by->symbol, parameter) : by_words);
 }
 
 std::string with_unit(const std::string& name, const std::string& unit) {

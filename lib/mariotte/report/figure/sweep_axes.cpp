@@ -106,7 +106,7 @@ std::string axis_settings(const Design& design, std::size_t parameter, char axis
 }
 
 std::string axis_name(const Parameter& one) {
-  return with_unit(one.is_variable ? plain(one.key) : name_of_input(one.key), display_of(one).unit);
+  return with_unit(one.is_variable ? greek(one.key) : name_of_input(one.key), display_of(one).unit);
 }
 
 std::vector<std::string> value_names(const Parameter& one) {

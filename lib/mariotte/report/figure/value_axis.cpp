@@ -10,33 +10,33 @@
 namespace mariotte::report {
 namespace {
 
-/// Whether the program knows no other name than the key.
-bool is_nameless(const study::Column& column) {
-  return !column.written.empty() || study::is_slope(column.key);
+/// Whether a user has named it.
+bool is_own(const study::Column& column) {
+  return !column.written.empty();
 }
 
 std::string label(const std::string& key, const study::Column& column) {
-  return is_nameless(column) ? plain(key) : name_of_result(key, column.symbol);
+  if (study::is_slope(column.key)) return "slope " + name_of_slope(key);
+  return is_own(column) ? greek(key) : name_of_result(key, column.symbol);
 }
 
 /// Brings what is shown, whose magnitude is `size`, into the unit that suits it; as `display_for` does.
 std::string prefix_settings(const std::string& name, const study::Column& column, const std::string& axis) {
   if (!takes_prefix(column.unit))
-    return fmt::format("factor = 1.0\nset {}label {}\n", axis,
-                       quoted(with_unit(name, std::string(column.unit))));
+    return fmt::format("factor = 1.0\nset {}label {}\n", axis, quoted(with_unit(name, column.unit)));
   return fmt::format(R"(steps = size == 0 || (size >= 0.1 && size < 1e4) ? 0 : floor(log10(size) / 3)
 steps = steps < -5 ? -5 : steps > {0} ? {0} : steps
 factor = 10.0 ** (-3 * steps)
 set {1}label sprintf({2}, steps == 0 ? '' : word('f p n µ m - k M G T', steps + 6))
 )",
-                     column.unit == "s" ? 0 : 4, axis,
-                     quoted(with_unit(name, "%s" + std::string(column.unit))));
+                     column.unit == "s" ? 0 : 4, axis, quoted(with_unit(name, "%s" + column.unit)));
 }
 
 }  // namespace
 
 std::string short_label(const study::Column& column) {
-  return is_nameless(column) ? plain(column.key) : short_name_of_result(column.key, column.symbol);
+  if (study::is_slope(column.key)) return name_of_slope(column.key);
+  return is_own(column) ? greek(column.key) : short_name_of_result(column.key, column.symbol);
 }
 
 std::string value_axis(const std::vector<std::size_t>& places, const std::string& key,

@@ -103,13 +103,14 @@ class Expansion {
   void add(const std::string& key, const Quantity<Impact>& quantity) {
     const auto& [pattern, unit, symbol, meaning] = quantity.is;
     if (!known_.insert(key).second) return;
-    columns_.push_back({key, key.ends_with(".count") ? "1" : unit, symbol, meaning});
+    columns_.push_back({key, std::string(key.ends_with(".count") ? "1" : unit), symbol, meaning});
   }
 
   void add_slope(const std::string& key) {
     expect_slope(key, scene_);
     if (known_.insert(key).second)
-      columns_.push_back({key, "SI", "", "slope of an outcome by a number of the model"});
+      columns_.push_back(
+          {key, unit_of_slope(key, scene_), "", "slope of an outcome by a number of the model"});
   }
 
   /// Throws BeyondEnd if the model is too small for the index.

@@ -23,7 +23,7 @@ struct BeyondEnd : ColumnError {
 /// One column, and what it is of.
 struct Column {
   std::string key;                ///< "icr[0]"
-  std::string_view unit = {};     ///< SI; "1" for a pure number
+  std::string unit = {};          ///< SI; "1" for a pure number, "SI" where it is not known
   std::string_view symbol = {};   ///< may be empty
   std::string_view meaning = {};  ///< one line
   std::string written = {};       ///< "name = expression" of one that is computed from others; else empty

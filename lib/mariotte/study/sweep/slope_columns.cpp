@@ -41,6 +41,21 @@ std::string name_of(const impact::OutcomeSlopes& outcome) {
   return outcome.index ? fmt::format("{}[{}]", outcome.name, *outcome.index) : outcome.name;
 }
 
+Dimension difference(const Dimension& a, const Dimension& b) {
+  return {.kg = a.kg - b.kg, .m = a.m - b.m, .s = a.s - b.s};
+}
+
+/// Of "velocity[2]".
+template <class Model>
+std::optional<Dimension> dimension_of(const std::string& outcome, const Model& model) {
+  if (outcome == "time") return dimension::time;
+  if (outcome.starts_with("icr")) return dimension::none;
+  if (outcome.starts_with("impulse")) return dimension::damping(0);
+  if constexpr (std::is_same_v<Model, model::Network>)
+    if (model.dimension == 0) return {};
+  return dimension::velocity;
+}
+
 }  // namespace
 
 bool is_slope(std::string_view key) {
@@ -68,6 +83,22 @@ void expect_slope(const std::string& key, const scene::Scene& scene) {
         }
       },
       scene.model);
+}
+
+std::string unit_of_slope(const std::string& key, const scene::Scene& scene) {
+  const auto wanted = slope_column(key, 0);
+  std::string unit = "SI";
+  std::visit(
+      [&]<class Model>(const Model& model) {
+        if constexpr (has_parameters<Model>) {
+          const auto outcome = dimension_of(wanted.outcome, model);
+          for (const auto& one : impact::parameters(model))
+            if (one.name == wanted.parameter && one.dimension && outcome)
+              unit = unit_of(difference(*outcome, *one.dimension));
+        }
+      },
+      scene.model);
+  return unit;
 }
 
 void fill_slopes(const scene::Scene& scene, const std::vector<SlopeColumn>& columns, std::span<double> out) {

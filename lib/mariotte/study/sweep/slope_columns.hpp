@@ -21,6 +21,9 @@ bool is_slope(std::string_view key);
 /// Throws ColumnError if this model has no such outcome, or no such parameter.
 void expect_slope(const std::string& key, const scene::Scene& scene);
 
+/// That of the outcome by that of the parameter, "kg^-1 m s^-1"; "SI" where one of them is not known.
+std::string unit_of_slope(const std::string& key, const scene::Scene& scene);
+
 /// Of a key that is a slope.
 SlopeColumn slope_column(std::string_view key, std::size_t column);
 
