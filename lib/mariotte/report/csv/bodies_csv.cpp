@@ -84,11 +84,12 @@ std::string events_csv(const impact::BodiesImpact& impact) {
 std::string trace_csv(const impact::BodiesImpact& impact) {
   const auto& trace = impact.trace;
   const bool plane = impact.dimension == 2;
-  std::string text = header(impact.body.size(), trace.gap.empty() ? 0 : trace.gap[0].size(), plane);
+  std::string text = header(impact.body.size(), impact.contacts.size(), plane);
   for (std::size_t row = 0; row < trace.time.size(); ++row) {
     text += exact(trace.time[row]);
     for (const auto& body : trace.body[row]) append(text, body, plane);
-    for (std::size_t c = 0; c < trace.gap[row].size(); ++c) {
+    for (const auto& contact : impact.contacts) {
+      const auto c = static_cast<std::size_t>(contact.contact);
       append(text, {trace.gap[row][c], trace.force[row][c]});
       append(text, trace.friction[row][c], plane);
       append(text, trace.slip[row][c], plane);

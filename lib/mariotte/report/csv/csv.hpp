@@ -37,7 +37,7 @@ std::string trace_csv(const impact::MicrobodyImpact& impact);
 std::string events_csv(const impact::BodiesImpact& impact);
 
 /// `time [s]`; position, angle or quaternion, velocity and spin of each body; gap, normal force, friction and
-/// slip of each contact of the model.
+/// slip of each contact, with the contacts as in the list of results.
 std::string trace_csv(const impact::BodiesImpact& impact);
 
 }  // namespace mariotte::report

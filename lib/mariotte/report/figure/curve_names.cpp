@@ -36,6 +36,13 @@ CurveNames names(const model::Network& network) {
   return names;
 }
 
+/// "rod.1", or "2" of a body without a name.
+std::string short_name(const model::Bodies& bodies, const model::Feature& feature) {
+  const auto name = name_of(bodies, feature);
+  constexpr std::string_view unnamed = "body ";
+  return name.starts_with(unnamed) ? name.substr(unnamed.size()) : name;
+}
+
 CurveNames names(const model::Bodies& bodies) {
   CurveNames names;
   names.dimension = bodies.dimension;
@@ -45,7 +52,8 @@ CurveNames names(const model::Bodies& bodies) {
       names.velocities.push_back(
           fmt::format("{} {}", body_name(bodies, i), axis[static_cast<std::size_t>(k)]));
   for (const auto& contact : bodies.contact)
-    names.contacts.push_back(fmt::format("{}–{}", name_of(bodies, contact.a), name_of(bodies, contact.b)));
+    names.contacts.push_back(
+        fmt::format("{}–{}", short_name(bodies, contact.a), short_name(bodies, contact.b)));
   return names;
 }
 

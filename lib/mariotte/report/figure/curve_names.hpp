@@ -9,8 +9,9 @@ namespace mariotte::report {
 
 struct CurveNames {
   std::vector<std::string> velocities;  ///< "ball 2", "wall", "ball 3 x"; or empty: numbers tell all
-  std::vector<std::string> contacts;    ///< "f_{4} (1–3)", in gnuplot's enhanced text; or empty
-  Index dimension = 1;                  ///< velocities of a ball that follow each other
+  /// "f_{4} (1–3)", in gnuplot's enhanced text; of bodies "floor–rod" for all that may touch; or empty
+  std::vector<std::string> contacts;
+  Index dimension = 1;  ///< velocities of a ball that follow each other
 };
 
 /// Of a chain with walls and of balls in the plane or in space; empty for others, and for scenes of so many
