@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import List, NamedTuple, Tuple
 
-from ._impact import Impact
+from ._impact import WithContacts
 from ._numbers import Array
 from ._scene import Bodies
 
@@ -17,7 +17,7 @@ class Losses(NamedTuple):
     damper: Array  #: by dampers of the normal laws
 
 
-class BodiesImpact(Impact, of=Bodies):
+class BodiesImpact(WithContacts, of=Bodies):
     """The impact of n :class:`Bodies` with m contacts: those that the scene names, then all others that have closed.
 
     Examples
@@ -75,32 +75,11 @@ class BodiesImpact(Impact, of=Bodies):
         return self._run.tangential_impulse
 
     @property
-    def peak_force(self) -> Array:
-        """Largest normal force of m contacts [N]."""
-        return self._run.peak_force
-
-    @property
     def peak_friction(self) -> Array:
         """Of m contacts [N]."""
         return self._run.peak_friction
 
     @property
-    def peak_indentation(self) -> Array:
-        """Of m contacts [m]."""
-        return self._run.peak_indentation
-
-    @property
-    def stored(self) -> Array:
-        """Elastic energy of m contacts at the end [J]."""
-        return self._run.stored
-
-    @property
     def losses(self) -> Losses:
         """Energy that m contacts have lost [J]."""
         return Losses(*self._run.losses)
-
-    @property
-    def periods(self) -> List[Array]:
-        """Per contact an array of shape (k, 2): start and end of its k periods [s]; nan for an end that never
-        came."""
-        return self._run.periods

@@ -213,7 +213,34 @@ class Impact:
         return _simulated, (self.scene, self._options)
 
 
-class ContactImpact(Impact):
+class WithContacts(Impact):
+    """A result with m contacts, of whatever touches."""
+
+    __slots__ = ()
+
+    @property
+    def peak_force(self) -> Array:
+        """Largest normal force of m contacts [N]."""
+        return self._run.peak_force
+
+    @property
+    def peak_indentation(self) -> Array:
+        """Of m contacts [m]."""
+        return self._run.peak_indentation
+
+    @property
+    def stored(self) -> Array:
+        """Elastic energy of m contacts at the end [J]."""
+        return self._run.stored
+
+    @property
+    def periods(self) -> List[Array]:
+        """Per contact an array of shape (k, 2): start and end of its k periods of force [s]; nan for an end that
+        never came."""
+        return self._run.periods
+
+
+class ContactImpact(WithContacts):
     """Of m contacts between n balls, or of n degrees of freedom."""
 
     __slots__ = ()
@@ -239,21 +266,6 @@ class ContactImpact(Impact):
         return self._run.gap
 
     @property
-    def peak_force(self) -> Array:
-        """Of m contacts [N]."""
-        return self._run.peak_force
-
-    @property
-    def peak_indentation(self) -> Array:
-        """Of m contacts [m]."""
-        return self._run.peak_indentation
-
-    @property
-    def stored(self) -> Array:
-        """Elastic energy of m contacts at the end [J]."""
-        return self._run.stored
-
-    @property
     def dissipated(self) -> Array:
         """Energy that m contacts have lost [J]."""
         return self._run.dissipated
@@ -272,12 +284,6 @@ class ContactImpact(Impact):
     def permanent_indentation(self) -> Array:
         """Depth of the dent at which each of m contacts closes again [m]."""
         return self._run.permanent_indentation
-
-    @property
-    def periods(self) -> List[Array]:
-        """Per contact an array of shape (k, 2): start and end of its k periods of force [s]; nan for an end that
-        never came."""
-        return self._run.periods
 
 
 class ChainImpact(ContactImpact, of=Chain):

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, List, Optional, Tuple
 import numpy as np
 
 from . import _core
+from ._bodies import BodiesImpact
 from ._curves import Curves, Window, line_style
 from ._figure import draw_curves, make_panels
 from ._image import draw_image
@@ -50,8 +51,8 @@ class ImpactPlot:
         """Forces of contacts or tips over time; an image of more than twelve."""
         samples = self._impact.trajectory.steps()
         friction, windows, logarithmic, _, _ = _core.picture(self._impact._run)
-        names = names_of_contacts(self._impact.scene, samples.force.shape[1])
-        values, quantity = samples.force, "contact force f"
+        values, quantity = _acting(self._impact, samples.force), "contact force f"
+        names = names_of_contacts(self._impact, values.shape[1])
         if isinstance(self._impact.scene, Body):
             values, names = _with_friction(values, friction)
             quantity = "force on a tip F"
@@ -136,11 +137,20 @@ def names_of_velocities(scene: Scene[Any], moving: str, count: int) -> List[str]
     return [f"ball {i // dimension} {_AXES[i % dimension]}" if in_space else f"{moving} {i}" for i in range(count)]
 
 
-def names_of_contacts(scene: Scene[Any], count: int) -> List[str]:
+def _acting(impact: "Impact", force: Array) -> Array:
+    """Of bodies, which may touch anywhere, the contacts of the result in its order, as events count them."""
+    if not isinstance(impact, BodiesImpact):
+        return force
+    pairs = [tuple(one["between"]) for one in impact.scene.json()["bodies"]["contact"]]
+    return force[:, [pairs.index(pair) for pair in impact.between]]
+
+
+def names_of_contacts(impact: "Impact", count: int) -> List[str]:
     """Of the curves, from 0, with the two that touch where they are known."""
-    if isinstance(scene, Bodies):
-        return ["–".join(one["between"]) for one in scene.json()["bodies"]["contact"]]
+    scene = impact.scene
     pairs = [""] * count
+    if isinstance(impact, BodiesImpact):
+        pairs = [f" ({'–'.join(pair)})" for pair in impact.between]
     if scene._box.kind == "network":
         balls = [one.get("balls") for one in scene.json()["network"]["contact"]]
         pairs = [f" ({pair[0] - 1}–{pair[1] - 1})" if pair else "" for pair in balls]

@@ -109,3 +109,12 @@ def test_figures_have_a_curve_per_contact_and_component(ball):
     assert hit.plot.forces().lines[0].get_ydata().max() == pytest.approx(hit.peak_force[0], rel=1e-2)
     ends = [line.get_ydata()[-1] for line in hit.plot.velocities().lines[:2]]
     assert ends == pytest.approx(hit.velocity[0], abs=1e-9)
+
+
+def test_curves_name_the_contacts_that_events_count():
+    pytest.importorskip("matplotlib")
+    hit = mt.simulate(mt.load(SCENES / "rocking_with_friction.toml"))
+    labels = [line.get_label() for line in hit.plot.forces().figure.axes[0].lines]
+    named = [label for label in labels if label.startswith("$f")]
+    assert named == ["$f_{0}$ (floor–block.1)", "$f_{1}$ (floor–block.3)"]
+    assert (1,) in [event.close for event in hit.events] and hit.between[1] == ("floor", "block.3")
