@@ -39,6 +39,7 @@ BOOST_AUTO_TEST_CASE(only_units_that_take_a_prefix_get_one) {
   BOOST_TEST(shown_alone(1e-5, "m^2") == "0.00001000 m^2");
   BOOST_TEST(shown_alone(2e-5, "1/s") == "0.00002000 1/s");
   BOOST_TEST(shown_alone(2e-5, "kg") == "20.000000 mg");
+  BOOST_TEST(shown_alone(2, "kg") == "2.0000000 kg");
   BOOST_TEST(shown_alone(3e6, "N/m^1.5") == "3.0000000 MN/m^1.5");
 }
 

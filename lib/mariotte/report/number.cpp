@@ -23,15 +23,20 @@ double largest_magnitude(std::span<const double> values) {
   return largest;
 }
 
+// Whether no prefix is wanted.
+bool has_plain_size(double largest) {
+  return largest == 0 || (largest >= 0.1 && largest < 1e4);
+}
+
 // Position in `prefixes` that brings `largest` into [1, 1000).
 int prefix_for(double largest, const std::string& unit) {
-  if (!takes_prefix(unit) || largest == 0 || (largest >= 0.1 && largest < 1e4)) return no_prefix;
+  if (!takes_prefix(unit) || has_plain_size(largest)) return no_prefix;
   const int thousands = static_cast<int>(std::floor(std::log10(largest) / 3));
   const int last = unit == "s" ? no_prefix : static_cast<int>(prefixes.size()) - 1;
   return std::clamp(no_prefix + thousands, 0, last);
 }
 
-/// That of kilograms is part of the unit.
+/// The prefix of kilograms is part of the unit.
 Display display_of_mass(double largest) {
   auto display = display_for(std::vector{1e3 * largest}, "g");
   display.factor *= 1e3;
@@ -61,7 +66,7 @@ void append_exact(double value, std::string& text) {
 
 Display display_for(std::span<const double> values, const std::string& unit) {
   const double largest = largest_magnitude(values);
-  if (unit == "kg") return display_of_mass(largest);
+  if (unit == "kg" && !has_plain_size(largest)) return display_of_mass(largest);
   const int prefix = prefix_for(largest, unit);
   const double factor = std::pow(10.0, 3 * (no_prefix - prefix));
   const int whole_digits = largest > 0 ? static_cast<int>(std::floor(std::log10(largest * factor))) + 1 : 1;

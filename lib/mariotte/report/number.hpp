@@ -23,8 +23,8 @@ struct Display {
 bool takes_prefix(std::string_view unit);
 
 /// A display with eight significant digits for the largest finite magnitude among `values`, and an SI prefix
-/// where that magnitude is below 0.1 or from 10⁴ on. Times in "s" get no prefix above one, "kg" are
-/// grams; without a unit values are of several, shown as they are in "SI".
+/// where that magnitude is below 0.1 or from 10⁴ on. Times in "s" get no prefix above one, small or
+/// large "kg" are grams; without a unit values are of several, shown as they are in "SI".
 Display display_for(std::span<const double> values, const std::string& unit);
 
 /// `value` [SI] as the display shows it; a value too small for its decimals is shown as a power of ten.
