@@ -75,8 +75,8 @@ Reproduction make(const Panel& panel) {
   Reproduction result;
   result.picture = {.title = fmt::format("{} contacts, κ = {}, v₃ = {}: {}", linear ? "linear" : "Hertz",
                                          panel.triplet.ratio, panel.triplet.third_velocity, panel.shows),
-                    .x_label = linear ? "time / (m/k)^{1/2}" : "time / (m^2/k^2v_1)^{1/5}",
-                    .y_label = linear ? "force / v_1(mk)^{1/2}" : "force / m^{3/5}k^{2/5}v_1^{6/5}",
+                    .x_label = linear ? "time t / (m/k)^{1/2}" : "time t / (m^2/k^2v_1)^{1/5}",
+                    .y_label = linear ? "force f / v_1(mk)^{1/2}" : "force f / m^{3/5}k^{2/5}v_1^{6/5}",
                     .commands = "set tmargin 4.5\nset title offset 0,1.3\n" +
                                 report::event_marks(impact.events, {1, "", 3}, {0, impact.time}, 470),
                     .curves = {}};

@@ -109,7 +109,7 @@ Reproduction figure(const std::string& quantity, const std::string& letter, cons
         {fmt::format("{}_{} simulated", letter, i + 1), Style::points, simulations.ratio, column(points, i)});
   result.picture.title = quantity + " by the multiple-impact law, e = 1";
   result.picture.x_label = "α = p_1 / p_2";
-  result.picture.y_label = quantity + (letter == "v" ? " / v_1^-" : " / mv_1^-");
+  result.picture.y_label = quantity + (letter == "v" ? " v^+ / v_1^-" : " p / mv_1^-");
   result.checks = checks();
   result.checks.push_back(on_the_curves(simulated()));
   result.claims = {

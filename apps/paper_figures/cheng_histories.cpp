@@ -68,7 +68,7 @@ Picture picture(const std::vector<History>& all, Quantity solid, Quantity dashed
         {fmt::format("β = {}°", one.tilt), Style::line, one.time, column(one, solid), colour});
     if (dashed) picture.curves.push_back({"", Style::dashed, one.time, column(one, dashed), colour});
   }
-  picture.x_label = "time [ns]";
+  picture.x_label = "time t [ns]";
   return picture;
 }
 
@@ -202,7 +202,7 @@ Claim tip_rebound(const std::vector<History>& all) {
 
 Reproduction centre_velocities(double friction) {
   const auto all = histories(friction);
-  auto result = made(all, friction, picture(all, centre_normal, centre_tangential), "velocity [m/s]",
+  auto result = made(all, friction, picture(all, centre_normal, centre_tangential), "velocity v [m/s]",
                      "mass centre, normal (—) and tangential (- -)");
   result.claims = {contact_time(all)};
   return result;
@@ -210,14 +210,14 @@ Reproduction centre_velocities(double friction) {
 
 Reproduction tip_normal_velocities() {
   const auto all = histories(0.7);
-  auto result = made(all, 0.7, picture(all, tip_normal), "velocity [m/s]", "tip, normal");
+  auto result = made(all, 0.7, picture(all, tip_normal), "velocity v [m/s]", "tip, normal");
   result.claims = {tip_rebound(all), no_slip(), rolling(all)};
   return result;
 }
 
 Reproduction tip_velocities() {
   const auto all = histories(0.15);
-  auto result = made(all, 0.15, picture(all, tip_normal, tip_slip), "velocity [m/s]",
+  auto result = made(all, 0.15, picture(all, tip_normal, tip_slip), "velocity v [m/s]",
                      "tip, normal (—) and tangential (- -)");
   result.claims = {tip_rebound(all), reversal()};
   return result;
@@ -225,7 +225,7 @@ Reproduction tip_velocities() {
 
 Reproduction forces() {
   const auto all = histories(0.15);
-  auto result = made(all, 0.15, picture(all, normal_force), "force [µN]", "normal force");
+  auto result = made(all, 0.15, picture(all, normal_force), "normal force F_n [µN]", "normal force");
   result.claims = {pulls_at_both_ends(all)};
   return result;
 }

@@ -163,7 +163,7 @@ Reproduction dumbbells() {
   auto result = against(all.lines, all.names);
   result.picture.title = "two hemispheres on a massless rod, 2 m/s";
   result.picture.x_label = "length ratio ρ_r = L/r";
-  result.picture.y_label = "restitution";
+  result.picture.y_label = "restitution e_n, e_{nm}";
   bool above = true;
   for (const auto& line : all.lines)
     for (std::size_t i = 0; i < line.x.size(); ++i)
@@ -184,7 +184,7 @@ Reproduction rods() {
   auto result = against(all.lines, all.names);
   result.picture.title = "rods with hemispherical ends, 2 m/s";
   result.picture.x_label = "length ratio ρ_r = L/r";
-  result.picture.y_label = "restitution";
+  result.picture.y_label = "restitution e_n, e_{nm}";
   const auto turn = [&](double friction) {
     return turning_point({.tilt = 45, .friction = friction, .speed = 2}, &Strike::length_ratio, 1, 50);
   };
@@ -213,7 +213,7 @@ Reproduction tilts() {
   auto result = against(lines, names);
   result.picture.title = "rods at 5 m/s, μ = 0.15";
   result.picture.x_label = "tilt β [°]";
-  result.picture.y_label = "restitution";
+  result.picture.y_label = "restitution e_n, e_{nm}";
   const auto turn = [](double friction) {
     return turning_point({.friction = friction}, &Strike::tilt, 1, 89);
   };

@@ -60,8 +60,8 @@ Agreement compare(double radius) {
 Reproduction make() {
   Reproduction result;
   result.picture = {.title = "spheres of ammonium fluorescein on silicon",
-                    .x_label = "incident normal speed [m/s]",
-                    .y_label = "e_n",
+                    .x_label = "incident normal speed v_n [m/s]",
+                    .y_label = "restitution e_n",
                     .commands = "set logscale x\nset xrange [0.5:30]\n",
                     .curves = {}};
   std::vector<double> capture;

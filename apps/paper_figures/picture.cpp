@@ -33,8 +33,10 @@ std::size_t position_in_family(const std::vector<Curve>& curves, std::size_t pos
 
 /// A line of its own colour and dashes.
 std::string own(const Curve& curve, std::size_t position) {
-  return fmt::format("{} lt {}{}", kind(curve.style), position + 1,
-                     curve.style == Style::dashed ? " dt (12,4)" : "");
+  const auto* more = curve.style == Style::dashed   ? " dt (12,4)"
+                     : curve.style == Style::points ? " ps 1.4"
+                                                    : "";
+  return fmt::format("{} lt {}{}", kind(curve.style), position + 1, more);
 }
 
 /// A line of a family, in the colours of a map and with marks here and there.

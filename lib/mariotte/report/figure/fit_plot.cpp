@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "mariotte/report/csv/csv_cell.hpp"
+#include "mariotte/report/figure/axis_names.hpp"
 #include "mariotte/report/figure/gnuplot.hpp"
 #include "mariotte/report/number.hpp"
 
@@ -16,7 +17,7 @@ constexpr const char* fit_figure = "fit";
 constexpr const char* residuals_figure = "residuals";
 
 std::string axis_name(const std::string& key) {
-  return key == "incidence.normal_speed" ? "incident normal speed [m/s]" : key + " [SI]";
+  return key == "incidence.normal_speed" ? "incident normal speed v_n [m/s]" : name_of_input(key) + " [SI]";
 }
 
 /// Between the ends of the curves, with tics at 1, 2, 3, 5 and 7 of every decade.
@@ -56,18 +57,26 @@ std::string points(const FitReport& report, const study::FitCurves& curves, std:
                    const std::string& title) {
   const Places places(report.measurements);
   const auto bars = report.measurements.weighted ? fmt::format(":(${})", places.deviation()) : std::string();
-  return fmt::format("'points.csv' every ::1 using {}:{}{} with {} lt {} dt solid lw 1.5 {}",
+  return fmt::format("'points.csv' every ::1 using {}:{}{} with {} lt {} dt solid lw 1.5 ps 1.6 {}",
                      places.abscissa(curves), of_curve(k, places.curve(), height), bars,
                      bars.empty() ? "points" : "yerrorbars", k + 1, title);
 }
 
+/// Micrometres are written as tables of measurements have them, "um".
 std::string title_of(const study::FitCurve& curve) {
-  return fmt::format("title {} noenhanced", quoted(curve.name.empty() ? "fit" : curve.name));
+  auto name = curve.name.empty() ? "fit" : curve.name;
+  if (name.ends_with(" um")) name.replace(name.size() - 2, 1, "µ");
+  return fmt::format("title {} noenhanced", quoted(name));
 }
 
 /// Restitution wherever it was measured, or a key of a result.
 std::string quantity_of(const study::Measurements& measurements) {
   return measurements.quantity.starts_with("restitution") ? "restitution" : measurements.quantity;
+}
+
+std::string label_of(const study::Measurements& measurements) {
+  const auto quantity = quantity_of(measurements);
+  return quantity == "restitution" ? "restitution e" : plain(quantity);
 }
 
 std::string measured_plot(const FitReport& report, const study::FitCurves& curves) {
@@ -104,10 +113,10 @@ std::string fit_script(const FitReport& report, const study::FitCurves& curves) 
   const auto key = report.measurements.settings[curves.setting].key;
   const auto head = report.title.empty() ? std::string("Fit") : report.title;
   return script_head() +
-         fmt::format("set xlabel {} noenhanced\n{}", quoted(axis_name(key)),
+         fmt::format("set xlabel {}\n{}", quoted(axis_name(key)),
                      curves.logarithmic ? logarithmic_axis(curves) : "") +
-         fmt::format("\nset title {} noenhanced\nset ylabel {} noenhanced\n", quoted(head),
-                     quoted(quantity_of(report.measurements))) +
+         fmt::format("\nset title {} noenhanced\nset ylabel {}\n", quoted(head),
+                     quoted(label_of(report.measurements))) +
          on_all_terminals(fit_figure, measured_plot(report, curves), wide) +
          fmt::format("\nset title {} noenhanced\nset ylabel 'measured − predicted'\n",
                      quoted(head + ": residuals")) +
