@@ -42,6 +42,14 @@ BOOST_AUTO_TEST_CASE(a_word_goes_above_those_that_take_its_place_or_else_below) 
   BOOST_TEST(report::free_place(box, {{0, 0.5, 1, 0.5}}).y <= 0.4);
 }
 
+BOOST_AUTO_TEST_CASE(a_word_leaves_curves_free_by_the_shortest_way) {
+  const report::Box box{0.2, 0.5, 0.3, 0.1};
+  const auto beside = report::free_place(box, {}, {{0.2, 0, 0.02, 1}});
+  BOOST_TEST((beside.y == 0.5 && beside.x > 0.22 && beside.x < 0.3));
+  BOOST_TEST(report::free_place(box, {}, {{0, 0.52, 1, 0.01}}).y > 0.53);
+  BOOST_TEST(report::free_place(box, {}, {{0, 0, 1, 1}}).y == 0.5);  // there is no such place
+}
+
 BOOST_AUTO_TEST_CASE(words_of_events_never_cover_each_other_at_any_number) {
   for (const int count : {1, 2, 10, 100, 10'000}) {
     std::vector<double> at, width(static_cast<std::size_t>(count), 0.1);

@@ -6,6 +6,7 @@
 
 #include "mariotte/report/figure/event_marks.hpp"
 #include "mariotte/report/figure/plot.hpp"
+#include "mariotte/report/figure/time_figure.hpp"
 
 using namespace mariotte;
 
@@ -161,6 +162,14 @@ BOOST_AUTO_TEST_CASE(long_numbers_below_the_axis_are_fewer) {
   BOOST_TEST(has(report::plot(impact, "", {}, {.window = {{0.1429, 0.143}}}).script, "set xtics 5e-05\n"));
 }
 
+BOOST_AUTO_TEST_CASE(a_panel_has_two_numbers_at_least) {
+  const report::TimeAxis axis{{1e3, "ms", 0}, {{18.346e-3, 18.414e-3}, {33.826e-3, 33.894e-3}}, {}};
+  const auto script = report::on_panels("f", "", axis, report::panels(axis.windows, 130),
+                                        [](const report::Panel&) { return "plot 0\n"; });
+  BOOST_TEST(has(script, "set xtics 0.05\n"));  // 18.35 and 18.4
+  BOOST_TEST(has(script, "set xtics 33.84,0.04\n"));
+}
+
 BOOST_AUTO_TEST_CASE(two_samples_make_an_axis) {
   auto trace = trace_of(2);
   trace.force = {{0}, {1}};
@@ -274,6 +283,17 @@ BOOST_AUTO_TEST_CASE(no_event_loses_its_words_events_that_are_near_share_them) {
   BOOST_TEST(has(script, "1–5 close}' at graph"));
   BOOST_TEST(has(script, " 3 opens}' at graph"));
   BOOST_TEST(has(script, " 1–2 4 open, 1 closes}' at graph"), script);
+}
+
+BOOST_AUTO_TEST_CASE(words_of_many_changes_are_the_first_and_the_last) {
+  auto impact = impact_of(trace_of(3));
+  for (int i = 0; i < 6; ++i) impact.events.push_back({2e-5 + 1e-8 * i, {i % 2}, {1 - i % 2}});
+  const auto marks = [&](double width) {
+    return report::event_marks(impact.events, {1e6, "µs", 0}, {0, 5e-5}, width, 20);
+  };
+  BOOST_TEST(has(marks(200), "1 closes … 2 opens}"), marks(200));
+  BOOST_TEST(count(marks(200), " closes") == 2u);
+  BOOST_TEST(!has(marks(40), "closes"));  // wider than the panel
 }
 
 BOOST_AUTO_TEST_CASE(words_of_events_stay_off_the_numbers_of_the_axis_and_off_the_next_panel) {

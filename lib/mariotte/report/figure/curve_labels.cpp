@@ -70,6 +70,24 @@ std::size_t peak_of(const TimeFigure& figure, const Curve& curve, const Window& 
   return most;
 }
 
+/// What the curves cover of a panel, in steps.
+std::vector<Box> covered(const TimeFigure& figure, const std::vector<Group>& groups, const Range& range,
+                         const Window& window) {
+  constexpr int steps = 150;
+  std::vector<Box> all;
+  for (const auto& group : groups) {
+    const auto height = [&](int step) {
+      const double time = window.start + (window.end - window.start) * step / steps;
+      return range.place(value_at(figure, figure.curves[group.front()], time));
+    };
+    for (int step = 0; step < steps; ++step) {
+      const auto [low, high] = std::minmax({height(step), height(step + 1)});
+      all.push_back({1.0 * step / steps, low, 1.0 / steps, high - low + 1e-9});
+    }
+  }
+  return all;
+}
+
 }  // namespace
 
 double sheet_pixels(const Panel& panel) {
@@ -112,6 +130,7 @@ std::string peak_labels(const TimeFigure& figure, const std::vector<Group>& grou
                         const std::vector<std::size_t>& named, const Range& range, const Panel& panel) {
   const auto& window = panel.window;
   const Window whole{figure.time.front(), figure.time.back()};
+  const auto curves = covered(figure, groups, range, window);
   std::vector<Box> taken;
   std::string text;
   for (const auto k : named) {
@@ -124,12 +143,12 @@ std::string peak_labels(const TimeFigure& figure, const std::vector<Group>& grou
     const double x = (figure.time[at] - window.start) / (window.end - window.start);
     const double y = range.place(curve.value[at]) + (curve.value[at] < 0 ? -1.2 * line_height : 0.02);
     const double left = std::clamp(x - 0.5 * length, 0.0, std::max(0.0, 1 - length));
-    taken.push_back(free_place({left, y, length, line_height}, taken));
+    taken.push_back(free_place({left, y, length, line_height}, taken, curves));
     const auto& box = taken.back();
-    if (std::abs(box.y - y) > 0.5 * line_height)
-      text += leader(x, range.place(curve.value[at]), left + 0.5 * length,
-                     box.y > y ? box.y : box.y + line_height);
-    text += label(words, left + 0.5 * length, box.y + 0.5 * line_height, "center", k);
+    const double middle = box.x + 0.5 * length;
+    if (std::abs(box.y - y) > 0.5 * line_height || std::abs(box.x - left) > 0.3 * length)
+      text += leader(x, range.place(curve.value[at]), middle, box.y > y ? box.y : box.y + line_height);
+    text += label(words, middle, box.y + 0.5 * line_height, "center", k);
   }
   return text;
 }

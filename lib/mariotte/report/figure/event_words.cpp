@@ -13,11 +13,16 @@ namespace {
 
 constexpr double pixels_of_letter = 5.2;
 constexpr int rows = 2;
+constexpr std::size_t most_told = 3;  // changes of several events told together
 
 /// "1–2 close"
 struct Change {
   const char* verb;
   std::vector<Index> contacts;
+
+  std::string text() const {
+    return fmt::format("{} {}{}", numbers(contacts), verb, contacts.size() > 1 ? "" : "s");
+  }
 };
 
 std::vector<Change> changes(const impact::Event& event) {
@@ -43,12 +48,11 @@ struct Words {
     }
     last = next.last;
   }
-  /// "3 closes, 1–2 open"
+  /// "3 closes, 1–2 open"; of many the first and the last.
   std::string text() const {
+    if (changes.size() > most_told) return changes.front().text() + " … " + changes.back().text();
     std::string all;
-    for (const auto& [verb, contacts] : changes)
-      all += fmt::format("{}{} {}{}", all.empty() ? "" : ", ", numbers(contacts), verb,
-                         contacts.size() > 1 ? "" : "s");
+    for (const auto& one : changes) all += (all.empty() ? "" : ", ") + one.text();
     return all;
   }
 };
@@ -92,7 +96,8 @@ std::string event_words(const std::vector<impact::Event>& events, const Window& 
   }
   if (all.empty()) return "";
   const auto row = arrange(width, room, all);
-  const auto at = places(all, width, room).at;
+  const auto [at, wide] = places(all, width, room);
+  if (*std::max_element(wide.begin(), wide.end()) > 1 + room / width) return "";  // lines alone mark them
   std::string text;
   for (std::size_t i = 0; i < all.size(); ++i)
     text += fmt::format(

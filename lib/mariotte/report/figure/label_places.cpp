@@ -1,7 +1,9 @@
 #include "mariotte/report/figure/label_places.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <optional>
 
 namespace mariotte::report {
 namespace {
@@ -56,6 +58,22 @@ Box free_place(Box box, const std::vector<Box>& taken) {
     for (auto moved = box; moved.y + moved.height <= 1 && moved.y >= 0; moved.y += step * box.height)
       if (is_free(moved, taken)) return moved;
   return box;
+}
+
+Box free_place(const Box& box, const std::vector<Box>& taken, const std::vector<Box>& curves) {
+  auto all = taken;
+  all.insert(all.end(), curves.begin(), curves.end());
+  std::optional<Box> best;
+  const auto way = [&](const Box& one) {
+    return std::hypot((one.x - box.x) / box.width, (one.y - box.y) / box.height);
+  };
+  for (const double shift : {0.0, 0.25, -0.25, 0.5, -0.5}) {
+    auto moved = box;
+    moved.x = std::clamp(box.x + shift * box.width, 0.0, std::max(0.0, 1 - box.width));
+    moved = free_place(moved, all);
+    if (is_free(moved, all) && (!best || way(moved) < way(*best))) best = moved;
+  }
+  return best ? *best : free_place(box, taken);
 }
 
 std::vector<int> rows_of_words(const std::vector<double>& at, const std::vector<double>& width, int rows) {

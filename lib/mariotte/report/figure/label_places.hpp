@@ -20,6 +20,10 @@ struct Box {
 /// `box`, or the nearest place above it, within height 1, or else below it, that is free of `taken`.
 Box free_place(Box box, const std::vector<Box>& taken);
 
+/// The same with a shift of up to half its width to a side, within 0 … 1, where that is the shorter way; free
+/// of `curves`, too, if there is such a place.
+Box free_place(const Box& box, const std::vector<Box>& taken, const std::vector<Box>& curves);
+
 /// Which of several rows, one above the other, holds each word centred at `at` that is `width` wide: 0 is the
 /// lowest; −1 means that no row has room. Words come in the order of `at`.
 std::vector<int> rows_of_words(const std::vector<double>& at, const std::vector<double>& width, int rows);

@@ -28,14 +28,29 @@ double step_between(double start, double end, double width) {
   return tick_step(end - start, width / pixels_of_tick(end, step));
 }
 
+/// The first number and the step of gnuplot's ticks. Where a panel has room for one number only, two near its
+/// ends say how long it is.
+std::string ticks(double start, double end, double width) {
+  double step = step_between(start, end, width);
+  if (std::ceil(start / step) + 1 <= end / step) return fmt::format("{:g}", step);
+  for (int finer = 0; finer < 3; ++finer) {
+    step = tick_step(0.3 * step, 1);
+    const double first = step * std::ceil(start / step), last = step * std::floor(end / step);
+    const double apart = width * (last - first) / (end - start);
+    if (last > first && apart > pixels_of_tick(end, step) - room_of_tick)
+      return fmt::format("{:.10g},{:.10g}", first, last - first);
+  }
+  return fmt::format("{:g}", step_between(start, end, width));
+}
+
 /// Numbers below the panels; the first has the numbers beside the vertical axis, the last the name of the
 /// horizontal one.
 std::string horizontal_axis(const Panel& panel, const TimeAxis& axis, double width) {
   const double start = axis.display.factor * panel.window.start, end = axis.display.factor * panel.window.end;
   return fmt::format(
       "set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\nset xrange [{:.10g}:{:.10g}]\n"
-      "set xtics {:g}\n{}",
-      panel.left, panel.right, start, end, step_between(start, end, width),
+      "set xtics {}\n{}",
+      panel.left, panel.right, start, end, ticks(start, end, width),
       panel.is_last ? fmt::format("set xlabel 'time t [{}]' offset 0,0.6\n", axis.display.unit)
                     : "unset xlabel\n");
 }
