@@ -67,6 +67,11 @@ struct Session {
   Outcome mariotte(const std::string& arguments) const { return shell("\"$mariotte\" " + arguments); }
 };
 
+/// Whether a command line without sense was refused, with an error and no result.
+inline bool is_refused(const Outcome& run) {
+  return run.code == 2 && run.out.empty() && run.err.starts_with("mariotte: error: ");
+}
+
 inline bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
