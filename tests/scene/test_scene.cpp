@@ -199,6 +199,22 @@ BOOST_AUTO_TEST_CASE(one_contact_table_stands_for_all_and_leans_on_the_chain) {
   BOOST_TEST(contact::stiffness(chain(scene).law[1]) == 4);
 }
 
+BOOST_AUTO_TEST_CASE(contacts_of_equal_balls_are_equal_and_others_are_not) {
+  const auto scene = scene::parse(
+      "[chain]\nradius = ['1 mm', '1 mm', '1 mm', '2 mm', '2 mm', '2 mm']\nlaw = 'hertz'\nmaterial = "
+      "['steel', "
+      "'steel', 'steel', 'steel', 'steel', 'glass']\nvelocity = [1, 0, 0, 0, 0, 0]\n",
+      "s.toml");
+  std::vector<double> stiffness;
+  for (const auto& law : std::get<model::Chain>(scene.model).law)
+    stiffness.push_back(contact::stiffness(law));
+  const double root = std::sqrt(2.0);
+  BOOST_TEST(stiffness[1] == stiffness[0]);
+  BOOST_TEST(stiffness[2] / stiffness[0] == std::sqrt(4.0 / 3), boost::test_tools::tolerance(1e-14));
+  BOOST_TEST(stiffness[3] / stiffness[0] == root, boost::test_tools::tolerance(1e-14));
+  BOOST_TEST(stiffness[4] < stiffness[3]);
+}
+
 BOOST_AUTO_TEST_CASE(a_damped_contact_takes_its_stiffness_from_materials) {
   auto text = five_balls + "damping = 100";
   text.replace(text.find("\"hertz\""), 7, "\"viscoelastic\"");

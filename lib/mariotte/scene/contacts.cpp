@@ -65,6 +65,21 @@ double largest_approach(std::span<const Ball> balls) {
   return most;
 }
 
+/// Whether all contacts are said to have the same law.
+bool are_common(const LawTables& tables) {
+  const auto is_array = [&](std::string_view key) {
+    const auto field = find(tables.whole, key);
+    return field && field->node->array();
+  };
+  return tables.numbered.empty() && tables.contacts.size() <= 1 &&
+         std::none_of(law_keys.begin(), law_keys.end(), is_array);
+}
+
+/// Whether balls make the same law with others.
+bool are_alike(const Ball& a, const Ball& b) {
+  return a.mass == b.mass && a.radius == b.radius && a.material == b.material;
+}
+
 double read_gap(const Source& source, const Field& field, bool precompressed) {
   const double gap = number(source, field, dimension::length, Domain::finite);
   if (gap < 0 && !precompressed)
@@ -82,10 +97,16 @@ std::vector<contact::Law> read_laws(const Source& source, const Field& chain, co
       .speed = largest_approach(balls)};
   std::vector<contact::Law> result;
   result.reserve(layout.contacts());
+  const bool common = are_common(tables);
+  const auto is_as_before = [&](Index j) {  // rows are long
+    return common && std::ssize(result) == j && j > 0 && are_alike(balls[j - 1], balls[j]) &&
+           are_alike(balls[j], balls[j + 1]);
+  };
   ErrorList errors;
   for (Index j = 0; j < layout.contacts(); ++j)
     errors.attempt_one_of_many([&] {
-      result.push_back(read_law(source, tables, j, {&balls[j], &balls[j + 1]}, encounters));
+      result.push_back(is_as_before(j) ? result.back()
+                                       : read_law(source, tables, j, {&balls[j], &balls[j + 1]}, encounters));
     });
   errors.raise();
   return result;

@@ -14,6 +14,8 @@ struct Material {
   std::optional<double> poisson;         ///< ν; 0 for a rigid body, where it has no effect
   std::optional<double> density;         ///< ρ [kg/m³]
   std::optional<double> yield_strength;  ///< Y [Pa]; empty, too, for what does not yield
+
+  bool operator==(const Material&) const = default;
 };
 
 /// Throws SceneError; warns of values that look like a slip in the unit.

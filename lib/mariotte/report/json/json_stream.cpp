@@ -1,8 +1,8 @@
 #include "mariotte/report/json/json_stream.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "mariotte/report/number.hpp"
 
@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::size_t piece = 1 << 16;
 
-bool is_plain(char c) {
-  return c >= ' ' && c <= '~' && c != '"' && c != '\\';
+std::string in_marks(const JsonStream::Value& text) {
+  return text.dump(-1, ' ', false, JsonStream::Value::error_handler_t::replace);
 }
 
 }  // namespace
@@ -45,12 +45,12 @@ void JsonStream::close() {
 }
 
 void JsonStream::key(std::string_view name) {
+  ready_key(in_marks(name) + ": ");
+}
+
+void JsonStream::ready_key(std::string_view text) {
   entry(false);
-  if (std::all_of(name.begin(), name.end(), is_plain))  // nearly all are, and there are millions
-    ((text_ += '"') += name) += '"';
-  else
-    scalar(name);
-  text_ += ": ";
+  text_ += text;
   after_key_ = true;
 }
 
@@ -71,7 +71,7 @@ void JsonStream::whole(std::int64_t value) {
 }
 
 void JsonStream::scalar(const Value& value) {
-  text_ += value.dump(-1, ' ', false, Value::error_handler_t::replace);
+  text_ += in_marks(value);
 }
 
 void JsonStream::value(const Value& value) {

@@ -25,6 +25,8 @@ class JsonStream {
   void open_array() { open(false); }
   void close();  ///< whatever is open; after the outermost, all is taken
   void key(std::string_view name);
+  /// The same, in its marks already: "\"name\": ".
+  void ready_key(std::string_view text);
   void number(double value);
   void whole(std::int64_t value);
   void value(const Value& value);  ///< with all that is in it

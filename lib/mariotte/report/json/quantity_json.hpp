@@ -2,6 +2,7 @@
 #pragma once
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -38,6 +39,7 @@ class QuantityTree {
  private:
   struct Node {
     std::string_view name = {};
+    std::string member = {};  ///< "\"name\": "
     const impact::Quantity<Impact>* quantity = nullptr;
     std::vector<Node> inner = {};
 
@@ -62,7 +64,7 @@ class QuantityTree {
   static Node& child(Node& node, std::string_view name) {
     for (auto& one : node.inner)
       if (one.name == name) return one;
-    return node.inner.emplace_back(Node{.name = name});
+    return node.inner.emplace_back(Node{.name = name, .member = '"' + std::string(name) + "\": "});
   }
 
   /// Whether a result has it, or anything in it.
@@ -82,7 +84,7 @@ class QuantityTree {
 
   static void write_member(const Node& node, const Place& place, std::size_t level) {
     if (node.inner.empty() && !is_there(node, place)) return;
-    place.out.key(node.name);
+    place.out.ready_key(node.member);
     write_value(node, place, level);
   }
   static void write_value(const Node& node, const Place& place, std::size_t level) {
