@@ -58,10 +58,14 @@ std::string exact(double value) {
 }
 
 void append_exact(double value, std::string& text) {
-  std::array<char, 32> digits;
+  append_rounded(value, 17, text);
+}
+
+void append_rounded(double value, int digits, std::string& text) {
+  std::array<char, 32> letters;
   const auto [end, problem] =
-      std::to_chars(digits.begin(), digits.end(), value, std::chars_format::general, 17);
-  text += std::isnan(value) ? "nan" : std::string_view(digits.begin(), end);
+      std::to_chars(letters.begin(), letters.end(), value, std::chars_format::general, digits);
+  text += std::isnan(value) ? "nan" : std::string_view(letters.begin(), end);
 }
 
 Display display_for(std::span<const double> values, const std::string& unit) {

@@ -10,6 +10,8 @@ namespace mariotte::report {
 std::string exact(double value);
 /// The same, at the end of a text.
 void append_exact(double value, std::string& text);
+/// With so many significant digits.
+void append_rounded(double value, int digits, std::string& text);
 
 /// How the numbers of one column or axis are shown: multiplied by `factor`, in `unit`, with `decimals`.
 struct Display {

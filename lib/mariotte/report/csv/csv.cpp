@@ -10,10 +10,10 @@
 namespace mariotte::report {
 namespace {
 
-std::string from_one(const std::vector<Index>& positions) {
-  std::vector<Index> counted;
-  for (const Index position : positions) counted.push_back(position + 1);
-  return fmt::format("{}", fmt::join(counted, " "));
+void append_from_one(const std::vector<Index>& positions, std::string& text) {
+  text += ',';
+  for (std::size_t k = 0; k < positions.size(); ++k)
+    (text += k > 0 ? " " : "") += std::to_string(positions[k] + 1);
 }
 
 std::string names(std::string_view symbol, const std::vector<Index>& places, std::string_view unit) {
@@ -39,7 +39,7 @@ std::vector<Index> all(std::size_t count) {
 }
 
 void append(std::string& text, const std::vector<double>& values) {
-  for (const double value : values) text.append(",").append(exact(value));
+  for (const double value : values) append_exact(value, text += ',');
 }
 
 }  // namespace
@@ -48,9 +48,11 @@ std::string events_csv(const impact::ContactImpact& impact) {
   const bool yields = has_branches(impact.events);
   std::string text = yields ? "time [s],open,close,yield,unload\n" : "time [s],open,close\n";
   for (const auto& event : impact.events) {
-    text += fmt::format("{},{},{}", exact(event.time), from_one(event.open), from_one(event.close));
-    if (yields) text += fmt::format(",{},{}", from_one(event.yield), from_one(event.unload));
-    text += "\n";
+    append_exact(event.time, text);
+    for (const auto* contacts : {&event.open, &event.close}) append_from_one(*contacts, text);
+    if (yields)
+      for (const auto* contacts : {&event.yield, &event.unload}) append_from_one(*contacts, text);
+    text += '\n';
   }
   return text;
 }

@@ -43,9 +43,9 @@ std::string Spacetime::data() const {
   for (std::size_t i = 0; i < balls_; i += stride_) text += fmt::format(",{}", i + 1);
   text += "\n";
   for (std::size_t k = 0; k < rows_.size(); ++k) {
-    text += fmt::format("{:.10g}", time.factor * interval_ * static_cast<double>(k));
-    for (const double velocity : rows_[k]) text += fmt::format(",{:.6g}", velocity);
-    text += "\n";
+    append_rounded(time.factor * interval_ * static_cast<double>(k), 10, text);
+    for (const double velocity : rows_[k]) append_rounded(velocity, 6, text += ',');
+    text += '\n';
   }
   return text;
 }
