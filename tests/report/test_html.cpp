@@ -125,7 +125,7 @@ BOOST_AUTO_TEST_CASE(bodies_with_friction_have_tables_with_units_before_and_afte
   const auto page = report::html(result, {});
   for (const auto* part : {"Before and after", ">velocity x before [m/s]<", ">velocity y after [µm/s]<",
                            ">spin after [krad/s]<", ">floor–rod.1<", ">mindlin<", ">angle φ [rad]<",
-                           ">peak force max f_n [kN]<", ">losses friction [µJ]<"})
+                           ">peak force max f<sub>n</sub> [kN]<", ">losses friction [µJ]<"})
     BOOST_TEST(has(page, part), part);
   BOOST_TEST(!has(page, "{&quot;"));
 }
@@ -191,7 +191,9 @@ BOOST_AUTO_TEST_CASE(columns_have_symbols_and_units_and_are_left_out_if_empty) {
                                       {"peak_force", 1007.04},
                                       {"periods", Json::array({Json::array({0.0, 6.9e-5})})}}});
   const auto table = report::table(contacts, {"chain", "contacts"});
-  BOOST_TEST(has(table, "<th>impulse p_j [mN s]</th><th>peak force max f_j [N]</th><th>periods [µs]</th>"));
+  BOOST_TEST(has(
+      table,
+      "<th>impulse p<sub>j</sub> [mN s]</th><th>peak force max f<sub>j</sub> [N]</th><th>periods [µs]</th>"));
   BOOST_TEST(has(table, ">34.99</td>"));
   BOOST_TEST(has(table, "[0, 69]"));
   const Json events = Json::array({{{"time", 0.0}, {"open", {1}}, {"stick", Json::array()}}});

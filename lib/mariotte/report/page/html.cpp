@@ -25,6 +25,7 @@ h2 { font-size: 1.2rem; border-bottom: 1px solid var(--line); margin: 2rem 0 .5r
 h3 { font-size: 1rem; margin: 1rem 0 .25rem; }
 .wide { overflow-x: auto; }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
+sub { line-height: 0; }
 th, td { border-bottom: 1px solid var(--soft); padding: .15rem .75rem .15rem 0; text-align: left; }
 td.n { text-align: right; white-space: nowrap; }
 .lead { font-size: 1.15rem; }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 
 #include "mariotte/impact/quantities/quantity.hpp"
 #include "mariotte/report/number.hpp"
@@ -55,10 +56,16 @@ std::string words(std::string name) {
   return name;
 }
 
+/// "f_nm [N]" with its index below.
+std::string typeset(const std::string& text) {
+  static const std::regex index("_([[:alnum:]]+)");
+  return std::regex_replace(escaped(text), index, "<sub>$1</sub>");
+}
+
 /// "peak force max f_j [kN]"
 std::string heading(const Column& column, const Display& display) {
   const bool has_unit = !display.unit.empty() && display.unit != "1";
-  return column.name + (has_unit ? " [" + display.unit + "]" : "");
+  return "<th>" + typeset(column.name + (has_unit ? " [" + display.unit + "]" : "")) + "</th>";
 }
 
 enum class Digits { four, all };
@@ -159,7 +166,7 @@ std::string of_members(const Json& object, const Key& key) {
     }
     const auto one = column(name, member, value);
     const auto display = display_of(value, one.unit);
-    rows += "<tr><th>" + escaped(heading(one, display)) + "</th>" + cell(value, display.factor) + "</tr>\n";
+    rows += "<tr>" + heading(one, display) + cell(value, display.factor) + "</tr>\n";
   }
   return (rows.empty() ? "" : framed(rows)) + lists;
 }
@@ -173,7 +180,7 @@ std::string table(const std::string& head, const std::vector<Column>& columns) {
   for (const auto& one : columns) {
     if (is_empty(one.values)) continue;
     const auto display = display_of(one.values, one.unit);
-    header += "<th>" + escaped(heading(one, display)) + "</th>";
+    header += heading(one, display);
     factor.push_back(display.factor);
     shown.push_back(&one);
   }
