@@ -20,10 +20,11 @@ class TraceFile {
 };
 
 /// Samples of these balls and contacts (from 0) into `path`: HDF5 if its name ends in .h5 or .hdf5, else the
-/// CSV of `trace_csv`, beside which stands its `trace_metadata`. HDF5 files hold the tables `time` [s] (one value per sample), `velocity` [m/s] (one
-/// row per sample, one column per ball), `gap` [m] and `force` [N] (one column per contact), and the numbers
-/// of the columns, from 1, as `ball` and `contact`. These three and `time` are the axes of the tables;
-/// tables have attributes `units` and `long_name`, and the file those of `origin`. Throws FileError.
+/// CSV of `trace_csv`, beside which stands its `trace_metadata`. HDF5 files hold the tables `time` [s] (one
+/// value per sample), `velocity` [m/s] (one row per sample, one column per ball), `gap` [m] and `force` [N]
+/// (one column per contact), and the numbers of the columns, from 1, as `ball` and `contact`. These three and
+/// `time` are the axes of the tables; tables have attributes `units` and `long_name`, and the file those of
+/// `origin`. Throws FileError.
 std::unique_ptr<TraceFile> new_trace_file(const std::filesystem::path& path, const std::vector<Index>& balls,
                                           const std::vector<Index>& contacts, const Attributes& origin = {});
 
