@@ -124,6 +124,25 @@ stiffness = "x"
   check("[chain]\nwall = 'up'\nballs = 'many'" + rest, expected({"chain.balls", "chain.wall"}));
 }
 
+BOOST_AUTO_TEST_CASE(of_an_array_of_the_wrong_length) {
+  check("[chain]\nmass = [1, 1]\nvelocity = [1, 'fast', 0]\nlaw = 'hertz'\nstiffness = 1\n",
+        {"chain.velocity", "chain.velocity[1]"});
+}
+
+BOOST_AUTO_TEST_CASE(of_bodies_whose_dimension_is_wrong) {
+  check(
+      "[bodies]\ndimension = 4\nlaw = 'herz'\ngravity = [0, 'x']\n[[bodies.body]]\nradius = '1 s'\nmass = "
+      "1\nposition = [0, 0]\n",
+      {"bodies.body[0].radius", "bodies.dimension", "bodies.gravity[1]", "bodies.law"});
+}
+
+BOOST_AUTO_TEST_CASE(of_a_microbody_of_unknown_shape) {
+  check(
+      "[body]\nshape = 'rd'\nradius = '1 s'\nlength_ratio = 'x'\ndensity = 1000\n[surface]\nlaw = "
+      "'brach'\nstiffness = 1\nfriction = 'x'\n[incidence]\nnormal_speed = 1\n",
+      {"body.length_ratio", "body.radius", "body.shape", "surface.friction", "surface.law"});
+}
+
 BOOST_AUTO_TEST_CASE(what_depends_on_a_wrong_number_of_balls_is_not_told) {
   check(
       "[chain]\nballs = 'x'\nmass = [1, 1, 1]\nvelocity = [1, 0]\ngap = [0, 0, 0]\nlaw = 'hertz'\nstiffness "

@@ -63,6 +63,15 @@ void read_column(Source& source, const Field& field, Index cell, std::span<Ball>
   errors.raise();
 }
 
+/// Rejects an array of the wrong length, and what its values have wrong then.
+void expect_column(Source& source, const Field& array, auto expect_length, auto read) {
+  ErrorList errors;
+  if (errors.attempt(expect_length)) return;
+  for (Index i = 0; i < std::ssize(*array.node->array()); ++i)
+    errors.attempt_one_of_many([&] { read(source, element(array, i)); });
+  errors.raise();
+}
+
 /// Radii get smaller, or larger, from one ball, or cell, to the next.
 void taper(Source& source, const Field& chain, const Layout& layout, std::span<Ball> balls) {
   const auto field = find(chain, "taper");
@@ -84,7 +93,10 @@ void read_columns(Source& source, const Field& chain, const Layout& layout, std:
     if (field)
       errors.attempt([&] {
         const bool repeats = key != std::string_view("velocity");
-        if (field->node->array()) (repeats ? expect_per_cell : expect_per_ball)(source, *field, layout);
+        if (field->node->array())
+          expect_column(
+              source, *field, [&] { (repeats ? expect_per_cell : expect_per_ball)(source, *field, layout); },
+              read);
         read_column(source, *field, repeats ? layout.cell : layout.listed, balls, member, read);
       });
   });

@@ -23,12 +23,16 @@ Field list_of(const Source& source, const Field& bodies, const char* key) {
   return *list;
 }
 
-/// As said, or as many as the first body's position has.
-int read_dimension(const Source& source, const Field& bodies) {
-  if (const auto field = find(bodies, "dimension")) return static_cast<int>(whole(source, *field, 2, 3));
+/// As many as the first body's position has.
+int guess_dimension(const Source& source, const Field& bodies) {
   const auto first = element(list_of(source, bodies, "body"), 0);
   const auto position = first.node->table() ? find(first, "position") : std::nullopt;
   return position && position->node->array() && position->node->array()->size() == 2 ? 2 : 3;
+}
+
+int read_dimension(const Source& source, const Field& bodies) {
+  if (const auto field = find(bodies, "dimension")) return static_cast<int>(whole(source, *field, 2, 3));
+  return guess_dimension(source, bodies);
 }
 
 Vector3 read_normal(const Source& source, const Field& table, int dimension) {
@@ -129,6 +133,11 @@ ResolvedBodies read_bodies(Source& source, const Field& bodies) {
   Touchables touchables;
   if (errors.attempt([&] { model.dimension = read_dimension(source, bodies); }))
     errors.attempt([&] { touchables = read_touchables(source, bodies, model); });
+  else
+    errors.attempt_on_a_guess([&] {
+      model.dimension = guess_dimension(source, bodies);
+      read_touchables(source, bodies, model);
+    });
   if (!errors.empty()) errors.attempt([&] { check_pairs(source, bodies); });
   errors.raise();
   resolved.touching = read_pairs(source, bodies, touchables, model);

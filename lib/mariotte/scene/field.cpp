@@ -53,7 +53,7 @@ const char* objection(double value, Domain domain) {
 }
 
 std::string one_of(std::span<const std::string_view> known) {
-  if (known.size() < 2) return "";
+  if (known.size() == 1) return " (it can only be '" + std::string(known.front()) + "')";
   std::string text;
   for (const auto word : known) text += (text.empty() ? " (one of: " : ", ") + std::string(word);
   return text + ")";

@@ -86,8 +86,8 @@ model::RigidBody read_custom(Source& source, const Field& body) {
   return custom;
 }
 
-model::RigidBody read_rigid_body(Source& source, const Field& body, const std::optional<double>& density) {
-  const auto shape = shapes[choice(source, required(source, body, "shape"), "shape", shapes)];
+model::RigidBody read_as(Source& source, const Field& body, std::string_view shape,
+                         const std::optional<double>& density) {
   if (shape == "custom") return read_custom(source, body);
   expect_none(source, body, shape, {"mass", "inertia", "tips"});
   if (shape == "sphere") expect_none(source, body, shape, {"length_ratio"});
@@ -108,6 +108,21 @@ model::RigidBody read_rigid_body(Source& source, const Field& body, const std::o
   if (shape == "sphere") return model::sphere(radius, *density);
   if (shape == "dumbbell") return model::dumbbell(radius, ratio, *density);
   return model::rod(radius, ratio, *density);
+}
+
+/// By the keys that it has.
+std::string_view guess_shape(const Field& body) {
+  return find(body, "tips") ? "custom" : find(body, "length_ratio") ? "rod" : "sphere";
+}
+
+model::RigidBody read_rigid_body(Source& source, const Field& body, const std::optional<double>& density) {
+  std::string_view shape;
+  ErrorList errors;
+  if (!errors.attempt(
+          [&] { shape = shapes[choice(source, required(source, body, "shape"), "shape", shapes)]; }))
+    errors.attempt_on_a_guess([&] { read_as(source, body, guess_shape(body), density); });
+  errors.raise();
+  return read_as(source, body, shape, density);
 }
 
 }  // namespace
