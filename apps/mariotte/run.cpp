@@ -220,6 +220,8 @@ With --out DIR: result.json, events.csv, trace.csv, energy.csv, plot.csv, plot.g
 velocities and energy as pdf, png and svg, of more than twelve balls as images; of more than 1000 balls
 spacetime.csv and its image instead. With --report also report.html, all of it in one page with a moving
 picture, made from motion.json.
+
+With --trace FILE as CSV also FILE-metadata.json: units, meanings, scene and version, as CSV on the Web has them.
 )";
 
 OptionList declare(Run& options) {
