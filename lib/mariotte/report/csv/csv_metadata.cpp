@@ -1,7 +1,5 @@
 #include "mariotte/report/csv/csv_metadata.hpp"
 
-#include <algorithm>
-
 #include "mariotte/impact/quantities/description.hpp"
 #include "mariotte/report/csv/csv_cell.hpp"
 #include "mariotte/report/csv/sweep_csv.hpp"
@@ -9,18 +7,17 @@
 namespace mariotte::report {
 namespace {
 
-/// Of "v5 [m/s]".
+/// Of "v5 [m/s]", a column of samples.
 Json column(const std::string& title) {
   const auto name = key_of_column(title);
-  const auto is_named = [symbol = name.substr(0, name.find_first_of("0123456789"))](const auto& is) {
-    return is.symbol == symbol || is.key == symbol;
-  };
-  const auto& is = *std::find_if(impact::sampled.begin(), impact::sampled.end(), is_named);
-  return {{"titles", title},
-          {"name", name},
-          {"datatype", "number"},
-          {"schema:unitText", is.unit},
-          {"dc:description", is.meaning}};
+  Json made = {{"titles", title}, {"name", name}, {"datatype", "number"}};
+  const auto symbol = name.substr(0, name.find_first_of("0123456789"));
+  for (const auto& is : impact::sampled)
+    if (is.symbol == symbol || is.key == symbol) {
+      made["schema:unitText"] = is.unit;
+      made["dc:description"] = is.meaning;
+    }
+  return made;
 }
 
 }  // namespace

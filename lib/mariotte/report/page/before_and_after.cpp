@@ -81,8 +81,16 @@ Json pairs(const Json& contacts) {
   return names.empty() ? Json(contacts.size(), nullptr) : names;
 }
 
-std::string contacts(const Json& scene) {
-  const auto& list = scene["contact"];
+/// Of bodies, which may touch anywhere, the contacts of the result, in the order that numbers them.
+Json acting(const Json& all, const Json& contacts) {
+  auto some = Json::array();
+  for (const auto& one : contacts)
+    for (const auto& candidate : all)
+      if (candidate.value("between", Json()) == one.value("between", Json())) some.push_back(candidate);
+  return some;
+}
+
+std::string contacts(const Json& scene, const Json& list) {
   const auto each = [&](const char* name) { return all_of(list, name); };
   return "<h3>Contacts at the start</h3>\n" +
          table("contact", {{"between", "", pairs(list)},
@@ -117,10 +125,12 @@ std::string before_and_after(const Json& result) {
   const auto& after = result["final"];
   const auto title = std::string("<h2>Before and after</h2>\n");
   if (result.value("model", "") == "microbody") return title + body(before["incidence"], after);
-  if (after.contains("bodies")) return title + bodies(before, after) + contacts(before);
+  if (after.contains("bodies"))
+    return title + bodies(before, after) +
+           contacts(before, acting(before["contact"], result.value("contacts", Json::array())));
   const auto dimension = before.value("dimension", std::size_t{1});
   return title + (dimension > 0 ? balls(before, after, dimension) : freedoms(before, after)) +
-         contacts(before);
+         contacts(before, before["contact"]);
 }
 
 }  // namespace mariotte::report
