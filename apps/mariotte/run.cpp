@@ -221,7 +221,8 @@ velocities and energy as pdf, png and svg, of more than twelve balls as images; 
 spacetime.csv and its image instead. With --report also report.html, all of it in one page with a moving
 picture, made from motion.json.
 
-With --trace FILE as CSV also FILE-metadata.json: units, meanings, scene and version, as CSV on the Web has them.
+With --trace FILE as CSV also FILE-metadata.json: units and meanings of its columns, scene and version, in
+the form of CSV on the Web.
 )";
 
 OptionList declare(Run& options) {
