@@ -52,6 +52,11 @@ BOOST_AUTO_TEST_CASE(runs_stop_when_two_agree) {
   BOOST_TEST(last.value() == 1e-9);
 }
 
+BOOST_AUTO_TEST_CASE(two_runs_that_are_the_same_say_nothing) {
+  BOOST_TEST(!impact::keep_promise({.accuracy = 1e-8}, 16 * epsilon,
+                                   [](const hybrid::Options&) { return std::optional(0.0); }));
+}
+
 BOOST_AUTO_TEST_CASE(a_run_that_fails_leaves_the_one_before) {
   BOOST_TEST(!impact::keep_promise({.accuracy = 1e-8}, 16 * epsilon,
                                    [](const hybrid::Options&) { return std::optional<double>(); }));

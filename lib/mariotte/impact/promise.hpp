@@ -87,7 +87,7 @@ inline bool may_replace(hybrid::Ending looser, hybrid::Ending tighter) {
 
 /// Run tighter until two runs agree within the accuracy that is `asked` for: `run(options)` runs and returns
 /// by how much its velocities differ from those of the run before, or nothing if it may not replace it.
-/// Returns the last difference; empty if no tighter run succeeded.
+/// Returns the last difference; empty if no tighter run succeeded, or told anything new.
 template <class Run>
 std::optional<double> keep_promise(const hybrid::Options& asked, double attainable, Run&& run) {
   std::optional<double> last;
@@ -96,7 +96,7 @@ std::optional<double> keep_promise(const hybrid::Options& asked, double attainab
   while (accuracy) {
     tighter.accuracy = *accuracy;
     const std::optional<double> apart = run(tighter);
-    if (!apart) break;
+    if (!apart || *apart == 0) break;  // the same to the last bit: the flow has no more to give
     last = apart;
     if (*last <= asked.accuracy) break;
     accuracy = next_accuracy(asked.accuracy, *accuracy, last, attainable);
