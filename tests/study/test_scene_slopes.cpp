@@ -6,7 +6,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "mariotte/impact/sensitivity/stencil.hpp"
 #include "mariotte/report/json/sensitivity_json.hpp"
+#include "mariotte/report/number.hpp"
 #include "mariotte/study/sensitivity/scene_parameters.hpp"
 
 using namespace mariotte;
@@ -46,6 +48,20 @@ double slope(const impact::Sensitivity& slopes, const std::string& outcome, std:
   for (const auto& one : slopes.outcome)
     if (report::name_of(one) == outcome) return one.slope.at(parameter).value();
   throw std::runtime_error("no outcome " + outcome);
+}
+
+/// How far a slope, times its number, is from differences of order eight of runs at 10⁻¹⁴.
+double deviation(const std::string& text, const std::string& outcome, const std::string& key) {
+  const auto found = slopes_of(text, {key});
+  const double value = found.parameter.front().value;
+  double expected = 0;
+  for (const auto& point : impact::stencil) {
+    const auto moved = key + "=" + report::exact(value * (1 + 1e-3 * point.offset));
+    const auto document = scene::parse_document(text, "test", {moved, "run.accuracy=1e-12"});
+    for (const auto& one : study::outcomes(resolve(document)).outcome)
+      if (report::name_of(one) == outcome) expected += point.weight * one.value.value() / 1e-3;
+  }
+  return std::abs(slope(found, outcome, 0) * value - expected);
 }
 
 constexpr const char* triplet = R"([chain]
@@ -149,4 +165,39 @@ stiffness = 4
   for (std::size_t i = 0; i < one.outcome.size(); ++i)
     for (std::size_t k = 0; k < one.parameter.size(); ++k)
       BOOST_TEST(std::abs(one.outcome[i].slope[k].value() - other.outcome[i].slope[k].value()) <= 1e-10);
+}
+
+// The last steps before a tip lets go end close to a root of its force, or meet it; slip and stick change in
+// between.
+BOOST_AUTO_TEST_CASE(slopes_of_rods_that_slip_stick_and_let_go_are_those_of_differences) {
+  const std::string surface = "[surface]\nstiffness = 1740000000\n", run = "[run]\naccuracy = 1e-8\n";
+  const std::string rod =
+      run +
+      "[body]\nshape = \"rod\"\nradius = 1.1236650010516209e-06\nlength_ratio = 0.77389814457114481\n"
+      "density = 1350\n" +
+      surface +
+      "work_of_adhesion = 0.040331726028021306\nzeta_hertz = 0.35613227358715238\nfriction = "
+      "0.39466424936619665\n[incidence]\nnormal_speed = 1.4504306548980674\ntangential_velocity = [0, "
+      "-1.8143831217310806]\nangles = [0, 0.82642233784175856, 0]\n";
+  const std::string dumbbell =
+      run +
+      "[body]\nshape = \"dumbbell\"\nradius = 2.4780262005563198e-06\nlength_ratio = "
+      "11.549124911265427\ndensity = 1350\n" +
+      surface +
+      "work_of_adhesion = 0.022296306480016348\nzeta_hertz = 1.1330870577232497\nzeta_adhesion = "
+      "0.14936109705555323\nfriction = 1.3597621025252731\n[incidence]\nnormal_speed = "
+      "5.1100587191366191\nangles = [0, 0.26377794972106727, 0]\n";
+  BOOST_TEST(deviation(rod, "normal_velocity", "body.radius") < 1e-7);
+  BOOST_TEST(deviation(rod, "normal_velocity", "surface.stiffness") < 1e-7);
+  BOOST_TEST(deviation(dumbbell, "normal_velocity", "surface.stiffness") < 1e-7);
+}
+
+// A row that lies on a wall: nothing closes with a speed, and no force jumps.
+BOOST_AUTO_TEST_CASE(a_row_at_rest_on_a_wall_has_slopes) {
+  const std::string row =
+      "[run]\nuntil = 0.02\naccuracy = 1e-10\n[chain]\nmass = [\"inf\", 0.01, 0.02]\nlaw = \"hertz\"\n"
+      "stiffness = 1e7\nvelocity = [0, 0, 0]\ngravity = 9.81\ngap = [0, 0]\n";
+  for (const char* velocity : {"velocity[1]", "velocity[2]"})
+    for (const char* key : {"chain.mass[1]", "chain.gravity", "chain.stiffness"})
+      BOOST_TEST(deviation(row, velocity, key) < 1e-8);
 }

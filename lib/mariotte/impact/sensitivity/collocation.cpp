@@ -8,8 +8,10 @@ namespace mariotte::impact {
 namespace {
 
 constexpr int stages = 8;
-constexpr int most_halvings = 6;
-constexpr Index largest_division = 480;  ///< beyond it sweeps cost less than a division
+constexpr int tail_length = 4;
+constexpr int most_halvings = 10;
+constexpr int most_halvings_at_root = 5;  ///< nearer to it the indentation is rounding
+constexpr Index largest_division = 480;   ///< beyond it sweeps cost less than a division
 constexpr int most_sweeps = 60;
 
 using Matrix = Eigen::MatrixXd;
@@ -29,11 +31,11 @@ std::pair<double, double> legendre(int k, double x) {
 }
 
 /// Gauss points of [0, 1], weights, ∫₀^{c_i} of the Lagrange polynomials, and of a function at the points its
-/// two highest Legendre coefficients.
+/// four highest Legendre coefficients.
 struct Gauss {
   Node point, weight;
   Stages integral;
-  Eigen::Matrix<double, 2, stages> tail;
+  Eigen::Matrix<double, tail_length, stages> tail;
 
   Gauss() {
     Stages values, integrals;  // of P_k at the points, by k
@@ -57,7 +59,7 @@ struct Gauss {
     for (int k = 0; k < stages; ++k)
       for (int i = 0; i < stages; ++i) coefficients(k, i) = (2 * k + 1) * weight[i] * values(i, k);
     integral = integrals * coefficients;
-    tail = coefficients.bottomRows<2>();
+    tail = coefficients.bottomRows<tail_length>();
   }
 };
 const Gauss gauss;
@@ -68,12 +70,16 @@ struct Moment {
 };
 
 Moment moment(Edges edges, double u) {
-  const double v = 1 - u, fourth = u * u * u * u;
-  if (edges.begins && edges.ends)
-    return {fourth * (5 - 4 * u), v * v * (10 + v * (-20 + v * (15 - 4 * v))), 20 * u * u * u * v};
-  if (edges.begins) return {fourth, 1 - fourth, 4 * u * u * u};
-  if (edges.ends) return {1 - v * v, v * v, 2 * v};
-  return {u, v, 1};
+  Moment now{u, 1 - u, 1};
+  if (edges.beyond < infinity) {  // the root of the time until the force has its root falls evenly
+    const double beyond = edges.begins ? edges.beyond / 4 : edges.beyond;
+    const double first = std::sqrt(1 + beyond), last = std::sqrt(beyond), fall = 1 / (first + last);
+    const double root = first - fall * u;
+    now = {fall * u * (first + root), fall * (1 - u) * (root + last), 2 * root * fall};
+  }
+  if (!edges.begins) return now;
+  const double x = now.past, square = x * x;
+  return {square * square, now.left * (1 + x) * (1 + square), 4 * x * square * now.rate};
 }
 
 }  // namespace
@@ -81,15 +87,16 @@ Moment moment(Edges edges, double u) {
 struct Collocation::Memory {
   std::vector<flow::Entry> pattern;
   Eigen::VectorXd magnitude;
-  std::vector<double> natural;
-  double tolerance;
+  Eigen::RowVectorXd natural;
+  double accuracy;
   Index size, columns;
   std::vector<Index> active;    ///< components that rates depend on
   std::vector<Index> position;  ///< of a component among them, or −1
   std::vector<double> jacobian[stages];
   SlopeMatrix source[stages];
   double rate[stages];
-  Matrix system, right, before, value, now;
+  Matrix system, right, value, now;
+  Matrix coefficient[tail_length];
   Matrix slope[stages];
 
   void find_active() {
@@ -175,25 +182,32 @@ struct Collocation::Memory {
     return false;
   }
 
-  /// Whether the points resolve the rates: what the interpolant has in its highest orders.
-  bool is_resolved(const SlopeMatrix& slopes) {
+  /// Largest coefficients of the interpolants of the rates, relative to the slopes of their column: of the
+  /// two orders before the last two, and of these.
+  std::pair<double, double> tails(const SlopeMatrix& slopes) {
     const Eigen::Map<const Matrix> s(slopes.values.data(), size, columns);
-    right = Matrix::Zero(size, columns);
-    before = Matrix::Zero(size, columns);
+    for (auto& part : coefficient) part.setZero(size, columns);
+    const auto unit = magnitude.cwiseInverse().asDiagonal();
+    Eigen::RowVectorXd reach = (unit * s).cwiseAbs().colwise().maxCoeff();
     for (int i = 0; i < stages; ++i) {
-      right += gauss.tail(0, i) * slope[i];
-      before += gauss.tail(1, i) * slope[i];
+      reach = reach.cwiseMax((unit * slope[i]).cwiseAbs().colwise().maxCoeff());
+      for (int k = 0; k < tail_length; ++k) coefficient[k] += gauss.tail(k, i) * slope[i];
     }
-    for (Index c = 0; c < columns; ++c) {
-      double most = 0, reach = natural[c];
-      for (Index r = 0; r < size; ++r) {
-        most = std::max(most, (std::abs(right(r, c)) + std::abs(before(r, c))) / magnitude[r]);
-        reach = std::max(reach, std::abs(s(r, c)) / magnitude[r]);
-        for (int i = 0; i < stages; ++i) reach = std::max(reach, std::abs(slope[i](r, c)) / magnitude[r]);
-      }
-      if (most > tolerance * reach) return false;
+    double size_of[tail_length];
+    for (int k = 0; k < tail_length; ++k) {
+      const Eigen::RowVectorXd most = (unit * coefficient[k]).cwiseAbs().colwise().maxCoeff();
+      size_of[k] = most.cwiseQuotient(reach.cwiseMax(natural)).maxCoeff();
     }
-    return true;
+    return {size_of[0] + size_of[1], size_of[2] + size_of[3]};
+  }
+
+  /// Whether the points resolve the rates. Gauss' formula has twice the order of its interpolant, so its
+  /// error is the coefficient so far beyond the last ones, if they go on to fall as they do. Next to a root
+  /// they are small but fall slowly.
+  bool is_resolved(const SlopeMatrix& slopes) {
+    const auto [before, last] = tails(slopes);
+    const double fall = last < before ? last / before : 1;
+    return last <= 3 * std::sqrt(accuracy) && last * std::pow(fall, 0.5 * stages) <= 10 * accuracy;
   }
 
   bool solve_piece(LinearField& field, double start, double end, Edges edges, double u, double width,
@@ -211,7 +225,8 @@ struct Collocation::Memory {
 
   void carry(LinearField& field, double start, double end, Edges edges, double u, double width,
              SlopeMatrix& slopes, int depth) {
-    if (solve_piece(field, start, end, edges, u, width, slopes, depth == most_halvings)) return;
+    const int most = edges.beyond == 0 ? most_halvings_at_root : most_halvings;
+    if (solve_piece(field, start, end, edges, u, width, slopes, depth == most)) return;
     carry(field, start, end, edges, u, width / 2, slopes, depth + 1);
     carry(field, start, end, edges, u + width / 2, width / 2, slopes, depth + 1);
   }
@@ -224,10 +239,9 @@ Collocation::Collocation(std::vector<flow::Entry> pattern, std::span<const doubl
   m.pattern = std::move(pattern);
   m.size = std::ssize(magnitudes);
   m.columns = std::ssize(sizes);
-  m.natural.assign(sizes.begin(), sizes.end());
+  m.natural = Eigen::Map<const Eigen::RowVectorXd>(sizes.data(), m.columns);
   m.magnitude = Eigen::Map<const Eigen::VectorXd>(magnitudes.data(), m.size);
-  // The error of Gauss' formula has twice the order of its interpolant.
-  m.tolerance = 3 * std::sqrt(accuracy);
+  m.accuracy = accuracy;
   m.find_active();
   for (int i = 0; i < stages; ++i) {
     m.jacobian[i].resize(m.pattern.size());

@@ -2,8 +2,8 @@
 //
 // Forces are not smooth where a contact begins or ends, δ^{n−1} ~ t^{n−1}. So time is a polynomial of the
 // clock u there. At a beginning, which is met exactly, t ~ u⁴, in which square and fourth roots are smooth.
-// At an end the time left is ~ (1 − u)², so that no point is so near that rounding of the indentation
-// matters. What the points do not resolve is halved.
+// Towards an end the root of the time left falls evenly, so that no point is so near that rounding of the
+// indentation matters. What the points do not resolve is halved.
 #pragma once
 #include <memory>
 #include <vector>
@@ -21,9 +21,11 @@ class LinearField {
   virtual void at(double time, double left, std::span<double> jacobian, SlopeMatrix& source) = 0;
 };
 
-/// Whether a phase begins or ends with a step: forces may have roots there.
+/// Whether a phase begins with a step, and where it will end, in lengths of the step beyond its end: forces
+/// may have roots there.
 struct Edges {
-  bool begins, ends;
+  bool begins;
+  double beyond = infinity;
 };
 
 /// Keeps its memory from piece to piece.

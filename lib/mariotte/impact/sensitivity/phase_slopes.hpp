@@ -35,10 +35,10 @@ class PhaseSlopes final : public hybrid::PhaseObserver {
     watch_();
     if constexpr (requires { variation_.advance(step, mode_, slopes); })
       if (variation_.advance(step, mode_, slopes)) return void(end_.reset());
-    const auto end = end_of(step);
+    const double beyond = find_end(step);
     Along field(*this, step);
-    collocation_.advance(field, step.start, end.value_or(step.end),
-                         {.begins = step.start == 0, .ends = end.has_value()}, slopes);
+    collocation_.advance(field, step.start, end_.value_or(step.end),
+                         {.begins = step.start == 0, .beyond = beyond}, slopes);
   }
   /// What comes next is another phase, even if it begins at the same time.
   void end_phase() { phase_start_ = -1; }
@@ -62,9 +62,10 @@ class PhaseSlopes final : public hybrid::PhaseObserver {
     std::vector<double> x_;
   };
 
-  /// A step ends a little before or behind the guard that ends it. Where a contact lets go its force has a
-  /// root there, whose unbounded slope the clock has to meet.
-  std::optional<double> end_of(const flow::Step& step) {
+  /// How far beyond the step a guard will be met, in lengths of the step. One that ends the phase is met a
+  /// little before or behind the end of the step: a contact that lets go has the root of its force there,
+  /// whose unbounded slope the clock has to meet.
+  double find_end(const flow::Step& step) {
     const auto guards = static_cast<std::size_t>(problem_.guard_count());
     value_.resize(guards);
     rate_.resize(guards);
@@ -72,18 +73,26 @@ class PhaseSlopes final : public hybrid::PhaseObserver {
     problem_.guards(step.after, value_);
     problem_.derivative(step.after, dx_);
     problem_.guard_rates(step.after, dx_, rate_);
+    end_.reset();
     const double length = step.end - step.start;
+    double beyond = infinity;
     for (std::size_t i = 0; i < guards; ++i) {
       const auto sign = static_cast<double>(problem_.crossings()[i]);
-      const double past = value_[i] / rate_[i];
-      if (sign * rate_[i] > 0 && past > -1e-11 * length && past < 1e-3 * length) {
-        last_.resize(step.after.size());
-        for (std::size_t k = 0; k < last_.size(); ++k) last_[k] = step.after[k] - past * dx_[k];
-        variation_.meet(static_cast<Index>(i), mode_, last_);
-        return end_ = step.end - past;
-      }
+      const double past = value_[i] / rate_[i] / length;
+      if (!(sign * rate_[i] > 0 && past < 1e-3)) continue;
+      if (past > -1e-11) return meet(step, static_cast<Index>(i), past * length);
+      if (past > -1) beyond = std::min(beyond, -past);
     }
-    return end_ = std::nullopt;
+    return beyond;
+  }
+
+  /// The state where guard i has been met, so much before the end of the step.
+  double meet(const flow::Step& step, Index i, double past) {
+    last_.resize(step.after.size());
+    for (std::size_t k = 0; k < last_.size(); ++k) last_[k] = step.after[k] - past * dx_[k];
+    variation_.meet(i, mode_, last_);
+    end_ = step.end - past;
+    return 0;
   }
 
   /// So near to the end of a phase that rounding is as much as the bend of the motion, this is straight.

@@ -117,6 +117,10 @@ void SlopeLoop<System, Variation>::start_events(Observer& observer, SlopeRun<Sys
     const auto after = rates(closed);
     workspace_.mode = open;
     const auto before = rates(workspace_.mode);
+    if (before == after) {  // no force jumps, however slowly it closes
+      workspace_.mode = closed;
+      continue;
+    }
     const auto tau = time_slopes(observer, guard, before, 0, result);
     for (Index c = 0; c < variation_.columns(); ++c)
       for (std::size_t r = 0; r < before.size(); ++r)
@@ -154,7 +158,8 @@ void SlopeLoop<System, Variation>::pass(Observer& observer, const typename Syste
     }
     const auto next = rates(mode);
     for (Index c = 0; c < variation_.columns(); ++c)
-      for (std::size_t r = 0; r < next.size(); ++r) after_all(r, c) += (rate[r] - next[r]) * tau[c];
+      for (std::size_t r = 0; r < next.size(); ++r)
+        if (const double jump = rate[r] - next[r]; jump != 0) after_all(r, c) += jump * tau[c];
     variation_.remember(fired[k], before, mode, observer.slopes, rate, tau);
   }
   observer.slopes = after_all;
