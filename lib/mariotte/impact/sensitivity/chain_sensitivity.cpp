@@ -2,6 +2,55 @@
 #include "mariotte/model/chain/chain_system.hpp"
 
 namespace mariotte::impact {
+namespace {
+
+/// Impulses from momentum, which masses and gravity change.
+class ChainImpulses {
+ public:
+  ChainImpulses(const model::DimensionlessChain& chain, const model::ChainLayout& layout, Index columns)
+      : layout_(layout),
+        chain_(chain),
+        mass_(layout.velocities(), columns),
+        gravity_(layout.velocities(), columns) {}
+
+  void set(Index c, const ShiftedModels<model::DimensionlessChain>& models) {
+    step_.push_back(models.step);
+    const auto &low = models.at.front(), &high = models.at.back();
+    if (low.mass == high.mass && low.gravity == high.gravity) return;
+    for (Index i = 0; i < mass_.rows; ++i) {
+      if (chain_.inverse_mass[i] == 0) continue;
+      mass_(i, c) = stencil_slope(models.step, [&](std::size_t k) { return models.at[k].mass[i]; });
+      gravity_(i, c) = stencil_slope(models.step, [&](std::size_t k) { return models.at[k].gravity[i]; });
+    }
+  }
+  void at(const Interval& interval, std::vector<double>& p) const { impulses(chain_, layout_, interval, p); }
+  /// They are linear in masses, and in gravity: a central difference is exact.
+  void add_slopes(Index c, const Interval& interval, std::vector<double>& p) const {
+    const auto is_zero = [](double slope) { return slope == 0; };
+    const auto mass = mass_.column(c), gravity = gravity_.column(c);
+    if (std::all_of(mass.begin(), mass.end(), is_zero) &&
+        std::all_of(gravity.begin(), gravity.end(), is_zero))
+      return;
+    auto moved = chain_;
+    std::vector<double> part;
+    for (const double by : {step_[c], -step_[c]}) {
+      for (Index i = 0; i < mass_.rows; ++i) {
+        moved.mass[i] = chain_.mass[i] + by * mass[i];
+        moved.gravity[i] = chain_.gravity[i] + by * gravity[i];
+      }
+      impulses(moved, layout_, interval, part);
+      for (std::size_t j = 0; j < p.size(); ++j) p[j] += part[j] / (2 * by);
+    }
+  }
+
+ private:
+  const model::ChainLayout& layout_;
+  const model::DimensionlessChain& chain_;
+  SlopeMatrix mass_, gravity_;
+  std::vector<double> step_;  ///< by parameter
+};
+
+}  // namespace
 
 Sensitivity sensitivity(const model::Chain& chain, const std::vector<Parameter<model::Chain>>& by,
                         const hybrid::Options& asked, const SlopeWatch& watch) {
@@ -12,8 +61,8 @@ Sensitivity sensitivity(const model::Chain& chain, const std::vector<Parameter<m
   const auto options = for_slopes(asked);
   model::ChainSystem system;
   system.reset(chain, options.accuracy, std::isfinite(options.max_time));
-  ContactSensitivity<model::ChainSystem, model::ChainTopology, decltype(&impulses)> run(
-      system, system.chain(), by, options, watch, &impulses);
+  ContactSensitivity<model::ChainSystem, model::ChainTopology, ChainImpulses> run(system, system.chain(), by,
+                                                                                  options, watch);
   return run.take();
 }
 

@@ -23,22 +23,23 @@ inline hybrid::Options for_slopes(hybrid::Options options) {
   return options;
 }
 
-template <class Scaled, class Model>
-std::vector<ShiftedModels<Scaled>> shifted_models(const Scaled& base, const std::vector<Parameter<Model>>& by,
-                                                  const SlopeWatch& watch) {
-  std::vector<ShiftedModels<Scaled>> list;
-  for (const auto& one : by) {
+/// `use(c, models)` of the models around each parameter, one after the other in the same memory.
+template <class Scaled, class Model, class Use>
+void for_each_shifted(const Scaled& base, const std::vector<Parameter<Model>>& by, const SlopeWatch& watch,
+                      Use&& use) {
+  ShiftedModels<Scaled> models;
+  models.at.fill(base);
+  for (std::size_t c = 0; c < by.size(); ++c) {
     watch();
-    auto& models = list.emplace_back();
-    models.step = one.step;
-    models.at.fill(base);
+    models.step = by[c].step;
     for (std::size_t k = 0; k < stencil.size(); ++k)
-      restate(one.model(one.value + stencil[k].offset * one.step), models.at[k]);
+      restate(by[c].model(by[c].value + stencil[k].offset * models.step), models.at[k]);
+    use(static_cast<Index>(c), models);
   }
-  return list;
 }
 
-/// A contact system with the models around it. `Impulses(model, layout, interval, p)` fills p.
+/// A contact system with its slopes. `Impulses` sees the models around each parameter; `at(interval, p)`
+/// fills p, and `add_slopes(c, interval, p)` adds what masses and gravity do at fixed states.
 template <class System, class Topology, class Impulses>
 class ContactSensitivity {
  public:
@@ -46,15 +47,18 @@ class ContactSensitivity {
 
   template <class Model>
   ContactSensitivity(System& system, const Scaled& base, const std::vector<Parameter<Model>>& by,
-                     const hybrid::Options& options, const SlopeWatch& watch, Impulses impulses)
+                     const hybrid::Options& options, const SlopeWatch& watch)
       : base_(base),
         layout_(expect_few_of(system.layout(), std::ssize(by))),
-        models_(shifted_models(base, by, watch)),
-        impulses_(impulses),
+        impulses_(base, layout_, std::ssize(by)),
         start_(layout_.size, std::ssize(by)) {
     initial_state(base, layout_, x0_);
-    set_start();
-    ContactVariation<Topology> variation(base, layout_, models_, options.accuracy);
+    ContactVariation<Topology> variation(base, layout_, std::ssize(by), options.accuracy);
+    for_each_shifted(base, by, watch, [&](Index c, const ShiftedModels<Scaled>& models) {
+      set_start(c, models);
+      variation.set(c, models);
+      impulses_.set(c, models);
+    });
     end_ = SlopeLoop(system, variation, hybrid::scaled(options, base.scale), watch).follow(x0_, start_);
     for (const auto& one : by) result_.parameter.push_back({one.name, one.value});
   }
@@ -82,34 +86,22 @@ class ContactSensitivity {
   double slope(Index place, Index c) const { return end_.slopes(place, c) + end_.rate[place] * end_.time[c]; }
 
   /// The work of a contact that starts indented is its stored energy.
-  void set_start() {
-    std::array<std::vector<double>, stencil.size()> x;
-    for (Index c = 0; c < columns(); ++c) {
-      for (std::size_t k = 0; k < stencil.size(); ++k) initial_state(models_[c].at[k], layout_, x[k]);
-      for (Index r = 0; r < start_.rows; ++r)
-        start_(r, c) = stencil_slope(models_[c].step, [&](std::size_t k) { return x[k][r]; });
-    }
+  void set_start(Index c, const ShiftedModels<Scaled>& models) {
+    for (std::size_t k = 0; k < stencil.size(); ++k) initial_state(models.at[k], layout_, moved_[k]);
+    for (Index r = 0; r < start_.rows; ++r)
+      start_(r, c) = stencil_slope(models.step, [&](std::size_t k) { return moved_[k][r]; });
   }
 
-  /// Impulses where parameter c has moved by so much.
-  void impulses_at(const Scaled& model, Index c, double by, std::vector<double>& p) const {
-    std::vector<double> before = x0_, after = end_.run.state;
-    for (Index r = 0; r < layout_.size; ++r) {
-      before[r] += by * start_(r, c);
-      after[r] += by * slope(r, c);
-    }
-    impulses_(model, layout_, {before, after, end_.run.time + by * end_.time[c]}, p);
-  }
-
-  /// Impulses are products of masses and velocities at most, which the stencil differentiates exactly.
+  /// At fixed masses and gravity impulses are linear in both states and the time between.
   SlopeMatrix impulse_slopes(const std::vector<Index>& periods) const {
     SlopeMatrix slopes(layout_.contacts(), columns());
-    std::array<std::vector<double>, stencil.size()> p;
+    std::vector<double> after(layout_.size), p;
     for (Index c = 0; c < columns(); ++c) {
-      const auto& [step, at] = models_[c];
-      for (std::size_t k = 0; k < stencil.size(); ++k) impulses_at(at[k], c, stencil[k].offset * step, p[k]);
+      for (Index r = 0; r < layout_.size; ++r) after[r] = slope(r, c);
+      impulses_.at({start_.column(c), after, end_.time[c]}, p);
+      impulses_.add_slopes(c, {x0_, end_.run.state, end_.run.time}, p);
       for (Index j = 0; j < layout_.contacts(); ++j)
-        if (periods[j] > 0) slopes(j, c) = stencil_slope(step, [&](std::size_t k) { return p[k][j]; });
+        if (periods[j] > 0) slopes(j, c) = p[j];
     }
     return slopes;
   }
@@ -134,7 +126,7 @@ class ContactSensitivity {
     const double unit = base_.scale.momentum();
     std::vector<double> p;
     std::vector<Index> periods;
-    impulses_(base_, layout_, {x0_, end_.run.state, end_.run.time}, p);
+    impulses_.at({x0_, end_.run.state, end_.run.time}, p);
     count_periods(end_.run.changes, layout_.contacts(), periods);
     clear_untouched(periods, p);
     const auto slopes = impulse_slopes(periods);
@@ -158,9 +150,9 @@ class ContactSensitivity {
 
   const Scaled& base_;
   const model::ContactLayout& layout_;
-  std::vector<ShiftedModels<Scaled>> models_;
   Impulses impulses_;
   SlopeMatrix start_;
+  std::array<std::vector<double>, stencil.size()> moved_;
   std::vector<double> x0_;
   SlopeRun<System> end_;
   Sensitivity result_;

@@ -60,18 +60,15 @@ double memory_force_slope(contact::ContactMode mode, const Law& law, double inde
 
 template <class Topology>
 ContactVariation<Topology>::ContactVariation(const Scaled& model, const model::ContactLayout& layout,
-                                             const std::vector<ShiftedModels<Scaled>>& shifted,
-                                             double accuracy)
+                                             Index columns, double accuracy)
     : model_(model),
       layout_(layout),
-      columns_(std::ssize(shifted)),
+      columns_(columns),
+      natural_(columns),
       contact_(layout.contacts()),
       acceleration_(layout.velocities(), columns_),
       peak_(columns_, layout.contacts()),
-      push_slopes_(model, layout, contact_, acceleration_, natural_, accuracy) {
-  for (const auto& one : shifted) natural_.push_back(1e-4 / one.step);
-  find_terms(shifted);
-}
+      push_slopes_(model, layout, contact_, acceleration_, natural_, accuracy) {}
 
 namespace {
 
@@ -106,18 +103,30 @@ bool same(const Law& a, const Law& b) {
 }  // namespace
 
 template <class Topology>
-void ContactVariation<Topology>::find_terms(const std::vector<ShiftedModels<Scaled>>& shifted) {
-  for (Index c = 0; c < columns_; ++c) {
-    const auto& models = shifted[c];
-    const auto topology = [&](std::size_t k) { return Topology{models.at[k], layout_}; };
-    for (Index i = 0; i < layout_.velocities(); ++i)
-      acceleration_(i, c) =
-          stencil_slope(models.step, [&](std::size_t k) { return topology(k).acceleration(i); });
-    for (Index j = 0; j < layout_.contacts(); ++j) {
-      find_directions(j, c, models);
-      if (!same(models.at.front().law[j], models.at.back().law[j])) find_law(j, c, models);
-    }
+void ContactVariation<Topology>::set(Index c, const ShiftedModels<Scaled>& shifted) {
+  natural_[c] = 1e-4 / shifted.step;
+  for (Index i = 0; i < layout_.velocities(); ++i)
+    acceleration_(i, c) = stencil_slope(shifted.step, [&](std::size_t k) {
+      return Topology{shifted.at[k], layout_}.acceleration(i);
+    });
+  for (Index j = 0; j < layout_.contacts(); ++j) {
+    if (!has_same_directions(j, shifted)) find_directions(j, c, shifted);
+    if (!same(shifted.at.front().law[j], shifted.at.back().law[j])) find_law(j, c, shifted);
   }
+}
+
+template <class Topology>
+bool ContactVariation<Topology>::has_same_directions(Index j, const ShiftedModels<Scaled>& shifted) {
+  const auto list = [&](const Scaled& one, std::vector<double>& coefficients) {
+    const Topology topology{one, layout_};
+    const auto add = [&](Index, double coefficient) { coefficients.push_back(coefficient); };
+    coefficients.clear();
+    topology.for_each_push(j, add);
+    topology.for_each_direction(j, add);
+  };
+  list(shifted.at.front(), first_);
+  list(shifted.at.back(), last_);
+  return first_ == last_;
 }
 
 /// Slopes of what contact j pushes, and of what moves it.

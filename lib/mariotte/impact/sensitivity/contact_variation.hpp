@@ -58,8 +58,9 @@ class ContactVariation {
  public:
   using Scaled = typename Topology::Model;
 
-  ContactVariation(const Scaled& model, const model::ContactLayout& layout,
-                   const std::vector<ShiftedModels<Scaled>>& shifted, double accuracy);
+  ContactVariation(const Scaled& model, const model::ContactLayout& layout, Index columns, double accuracy);
+  /// Every parameter once, in their order.
+  void set(Index column, const ShiftedModels<Scaled>& shifted);
 
   Index columns() const { return columns_; }
   /// Slopes that are a hundredth of a state over its parameter.
@@ -99,7 +100,7 @@ class ContactVariation {
   void settle(Index i, const contact::ContactSet& before, State x) const;
 
  private:
-  void find_terms(const std::vector<ShiftedModels<Scaled>>& shifted);
+  bool has_same_directions(Index j, const ShiftedModels<Scaled>& shifted);
   void find_directions(Index j, Index column, const ShiftedModels<Scaled>& shifted);
   void find_law(Index j, Index column, const ShiftedModels<Scaled>& shifted);
   void add_force(Index j, ConstState x, const contact::ContactSet& mode, SlopeMatrix& b) const;
@@ -110,8 +111,9 @@ class ContactVariation {
   Index columns_;
   std::vector<double> natural_;
   std::vector<ContactSlope> contact_;
-  SlopeMatrix acceleration_;  ///< by velocity and parameter
-  SlopeMatrix peak_;          ///< by parameter and contact
+  SlopeMatrix acceleration_;          ///< by velocity and parameter
+  SlopeMatrix peak_;                  ///< by parameter and contact
+  std::vector<double> first_, last_;  ///< coefficients of a contact in two models
   mutable PushSlopes<Topology> push_slopes_;
 };
 

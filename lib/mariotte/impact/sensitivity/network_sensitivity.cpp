@@ -5,11 +5,21 @@ namespace mariotte::impact {
 namespace {
 
 /// A network integrates its impulses.
-void integrated_impulses(const model::DimensionlessNetwork&, const model::ContactLayout& layout,
-                         const Interval& interval, std::vector<double>& p) {
-  p.clear();
-  for (const Index place : layout.impulse) p.push_back(interval.after[place] - interval.before[place]);
-}
+class NetworkImpulses {
+ public:
+  NetworkImpulses(const model::DimensionlessNetwork&, const model::ContactLayout& layout, Index)
+      : layout_(layout) {}
+
+  void set(Index, const ShiftedModels<model::DimensionlessNetwork>&) {}
+  void at(const Interval& interval, std::vector<double>& p) const {
+    p.clear();
+    for (const Index place : layout_.impulse) p.push_back(interval.after[place] - interval.before[place]);
+  }
+  void add_slopes(Index, const Interval&, std::vector<double>&) const {}
+
+ private:
+  const model::ContactLayout& layout_;
+};
 
 }  // namespace
 
@@ -20,8 +30,8 @@ Sensitivity sensitivity(const model::Network& network, const std::vector<Paramet
   hybrid::validate(asked);
   const auto options = for_slopes(asked);
   model::NetworkSystem system(network, options.accuracy, std::isfinite(options.max_time));
-  ContactSensitivity<model::NetworkSystem, model::NetworkTopology, decltype(&integrated_impulses)> run(
-      system, system.network(), by, options, watch, &integrated_impulses);
+  ContactSensitivity<model::NetworkSystem, model::NetworkTopology, NetworkImpulses> run(
+      system, system.network(), by, options, watch);
   return run.take();
 }
 
