@@ -1,4 +1,5 @@
-// Slopes of velocities and displacements as power series in the clock of a step, four parameters at a time.
+// Slopes of velocities and displacements as power series in the clock of a step, up to twelve parameters at a
+// time. Compiled once per instruction set.
 #pragma once
 #include <memory>
 #include <span>
@@ -14,10 +15,7 @@ namespace mariotte::impact {
 /// Keeps its memory from step to step.
 class PushExpansion {
  public:
-  PushExpansion();
-  ~PushExpansion();
-  PushExpansion(const PushExpansion&) = delete;
-  PushExpansion& operator=(const PushExpansion&) = delete;
+  virtual ~PushExpansion() = default;
 
   /// What the push of a contact gives a velocity, or a velocity to the gap.
   struct Term {
@@ -45,13 +43,21 @@ class PushExpansion {
 
   /// Linear and Hertz contacts, damped or not, and slopes by any numbers but exponents and directions.
   static bool knows(const contact::PowerLaw& law, const ContactSlope& slope);
-  /// False if the last terms of some column are more than `tolerance` of its velocities or of `natural`.
-  bool expand(const flow::PushSeries& series, const Start& start, double tolerance,
-              std::span<const double> natural, End end);
-
- private:
-  struct Memory;
-  std::unique_ptr<Memory> memory_;
+  /// What the last terms of a column may be: `tolerance` of its velocities or of its natural size.
+  struct Bound {
+    double tolerance;
+    std::span<const double> natural;
+  };
+  /// How far along its clock the series reaches before last terms are too large; slopes are those there. 0 if
+  /// that is nowhere.
+  virtual double expand(const flow::PushSeries& series, const Start& start, const Bound& bound, End end) = 0;
 };
+
+/// With the widest vectors that this machine has.
+std::unique_ptr<PushExpansion> make_push_expansion();
+/// For processors with AVX2 and FMA.
+std::unique_ptr<PushExpansion> make_avx2_push_expansion();
+/// For any processor.
+std::unique_ptr<PushExpansion> make_baseline_push_expansion();
 
 }  // namespace mariotte::impact

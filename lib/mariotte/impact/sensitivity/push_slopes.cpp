@@ -10,8 +10,8 @@ namespace mariotte::impact {
 namespace {
 
 /// Of the accuracy of the run, which is better than what is asked for: what the last terms of a step may be.
-constexpr double share = 3;
-constexpr int most_halvings = 3;
+constexpr double share = 10;
+constexpr int most_pieces = 8;
 
 }  // namespace
 
@@ -131,9 +131,9 @@ void PushSlopes<Topology>::give(Index j, Index column, double impulse, double tr
   }
 }
 
-/// Nothing but the series of these contacts, to the end of their clock.
+/// Nothing but the series of these contacts, as far along their clock as it holds; 0 if that is nowhere.
 template <class Topology>
-bool PushSlopes<Topology>::expand(const flow::PushSeries& series, const SlopeMatrix& slopes) {
+double PushSlopes<Topology>::expand(const flow::PushSeries& series, const SlopeMatrix& slopes) {
   fly(0, slopes);
   start_ = velocity_;
   depth_ = SlopeMatrix(slopes.columns, std::ssize(series.contact));
@@ -142,30 +142,27 @@ bool PushSlopes<Topology>::expand(const flow::PushSeries& series, const SlopeMat
     const Index j = contact_at_[series.contact[k].gap];
     for (Index c = 0; c < slopes.columns; ++c) {
       depth_(c, k) = -slopes(layout_.gap[j], c);
-      if (series.power > 0 && along(j, acceleration_, c) != 0) return false;
+      if (series.power > 0 && along(j, acceleration_, c) != 0) return 0;
     }
     expanded_.push_back(
         {*power_law(model_.law[j]), reach_[j].push, reach_[j].direction, &contact_[j], depth_.column(k)});
   }
   impulse_given_ = SlopeMatrix(std::ssize(expanded_), slopes.columns);
-  return expansion_.expand(series, {expanded_, start_, acceleration_, number_}, share * accuracy_, natural_,
-                           {velocity_, displacement_, impulse_given_});
+  return expansion_->expand(series, {expanded_, start_, acceleration_, number_},
+                            {share * accuracy_, natural_}, {velocity_, displacement_, impulse_given_});
 }
 
 /// Slopes need shorter pieces than the motion where their last terms are too large.
 template <class Topology>
-bool PushSlopes<Topology>::carry(const flow::PushSeries& series, SlopeMatrix& slopes, int halvings) {
-  if (expand(series, slopes)) {
-    for (std::size_t k = 0; k < expanded_.size(); ++k)
-      for (Index c = 0; c < slopes.columns; ++c)
-        impulse_(contact_at_[series.contact[k].gap], c) = impulse_given_(k, c);
-    finish(slopes);
-    return true;
-  }
-  if (halvings == 0 || series.power > 0) return false;
-  const double middle = 0.5 * series.end;
-  return carry(part(series, 0, middle), slopes, halvings - 1) &&
-         carry(part(series, middle, series.end), slopes, halvings - 1);
+bool PushSlopes<Topology>::carry(const flow::PushSeries& series, SlopeMatrix& slopes, int pieces) {
+  const double reached = expand(series, slopes);
+  if (reached == 0) return false;
+  for (std::size_t k = 0; k < expanded_.size(); ++k)
+    for (Index c = 0; c < slopes.columns; ++c)
+      impulse_(contact_at_[series.contact[k].gap], c) = impulse_given_(k, c);
+  finish(slopes);
+  if (reached == series.end) return true;
+  return pieces > 1 && carry(part(series, reached, series.end), slopes, pieces - 1);
 }
 
 template <class Topology>
@@ -175,7 +172,7 @@ bool PushSlopes<Topology>::follow_series(const flow::Step& step, SlopeMatrix& sl
     if (!PushExpansion::knows(*power_law(model_.law[contact_at_[one.gap]]), contact_[contact_at_[one.gap]]))
       return false;
   moved_ = slopes;
-  if (!carry(series_, moved_, most_halvings) || !are_awake(step, slopes, moved_)) return false;
+  if (!carry(series_, moved_, most_pieces) || !are_awake(step, slopes, moved_)) return false;
   slopes = moved_;
   return true;
 }

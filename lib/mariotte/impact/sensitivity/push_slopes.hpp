@@ -48,8 +48,8 @@ class PushSlopes {
   bool gather(const contact::ContactSet& mode);
   bool follow_alone(const flow::Step& step, Index j, const SlopeMatrix& slopes);
   bool follow_series(const flow::Step& step, SlopeMatrix& slopes);
-  bool carry(const flow::PushSeries& series, SlopeMatrix& slopes, int halvings);
-  bool expand(const flow::PushSeries& series, const SlopeMatrix& slopes);
+  bool carry(const flow::PushSeries& series, SlopeMatrix& slopes, int pieces);
+  double expand(const flow::PushSeries& series, const SlopeMatrix& slopes);
   bool are_awake(const flow::Step& step, const SlopeMatrix& before, const SlopeMatrix& after) const;
   void fly(double duration, const SlopeMatrix& slopes);
   void give(Index j, Index column, double impulse, double travel);
@@ -70,7 +70,7 @@ class PushSlopes {
   SlopeMatrix start_, depth_, impulse_given_, moved_;
   std::vector<PushExpansion::Contact> expanded_;
   flow::PushSeries series_;
-  PushExpansion expansion_;
+  std::unique_ptr<PushExpansion> expansion_ = make_push_expansion();
 };
 
 }  // namespace mariotte::impact
