@@ -231,3 +231,22 @@ BOOST_AUTO_TEST_CASE(power_series_have_the_slopes_of_collocation) {
   }
   BOOST_TEST(compared > 300);
 }
+
+// Newton's cradle: balls that stay at rest touch again as soon as their masses differ.
+BOOST_AUTO_TEST_CASE(balls_that_go_on_together_have_slopes_of_one_side) {
+  const auto strike = [](double mass) {
+    const model::Chain row{.mass = {1, mass, 1},
+                           .law = {contact::Hertz(1), contact::Hertz(1)},
+                           .gap = {0.5, 5},
+                           .velocity = {1, 0, 0}};
+    return sensitivity(row, parameters(row));
+  };
+  const auto equal = strike(1), other = strike(0.8);
+  const auto tells = [](const Sensitivity& one) {
+    return std::any_of(one.notes.begin(), one.notes.end(), [](const std::string& note) {
+      return note.find("slopes hold on the side where they part") != std::string::npos;
+    });
+  };
+  BOOST_TEST(tells(equal));
+  BOOST_TEST(!tells(other));
+}

@@ -59,6 +59,7 @@ class ContactSensitivity {
       variation.set(c, models);
       impulses_.set(c, models);
     });
+    natural_ = variation.natural_slopes();
     end_ = SlopeLoop(system, variation, hybrid::scaled(options, base.scale), watch).follow(x0_, start_);
     for (const auto& one : by) result_.parameter.push_back({one.name, one.value});
   }
@@ -73,6 +74,7 @@ class ContactSensitivity {
         end_, base_.scale.time,
         [&](Index guard) { return "contact " + std::to_string(layout_.guard_contact[guard] + 1); },
         result_.notes);
+    add_near_closings();
     leave_out_unbounded(result_);
     return std::move(result_);
   }
@@ -104,6 +106,22 @@ class ContactSensitivity {
         if (periods[j] > 0) slopes(j, c) = p[j];
     }
     return slopes;
+  }
+
+  /// Open contacts whose balls go on together: they close again as soon as some number moves.
+  void add_near_closings() {
+    constexpr double slow = 1e-6;
+    if (end_.run.ending != hybrid::Ending::separated) return;
+    const Topology topology{base_, layout_};
+    for (Index j = 0; j < layout_.contacts(); ++j) {
+      const double speed = topology.approach(end_.run.state, j);
+      double moved = 0;
+      for (Index c = 0; c < columns(); ++c)
+        moved = std::max(moved, std::abs(topology.approach(end_.slopes.column(c), j)) / natural_[c]);
+      if (!contact::carries_force(end_.mode[j]) && std::abs(speed) < slow * base_.speed && moved > slow)
+        result_.notes.push_back(
+            near_closing_note("contact " + std::to_string(j + 1), std::abs(speed) * base_.scale.velocity));
+    }
   }
 
   template <class Slope>
@@ -152,6 +170,7 @@ class ContactSensitivity {
   const model::ContactLayout& layout_;
   Impulses impulses_;
   SlopeMatrix start_;
+  std::vector<double> natural_;  ///< slopes that are a hundredth of a state over its parameter
   std::array<std::vector<double>, stencil.size()> moved_;
   std::vector<double> x0_;
   SlopeRun<System> end_;

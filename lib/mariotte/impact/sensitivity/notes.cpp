@@ -35,6 +35,13 @@ std::string coincidence_note(const std::string& first, const std::string& second
   return text + std::string("; slopes of velocities hold on both sides as far as forces have no jumps there");
 }
 
+std::string near_closing_note(const std::string& what, double speed) {
+  char text[160];
+  std::snprintf(text, sizeof text, "%s ends with %.2g m/s between its balls, and parameters move that",
+                what.c_str(), speed);
+  return text + std::string(": where they approach it closes again; slopes hold on the side where they part");
+}
+
 void leave_out_unbounded(Sensitivity& slopes) {
   bool found = false;
   for (auto& outcome : slopes.outcome)

@@ -12,6 +12,7 @@ namespace mariotte::impact {
 /// "contact 2 crosses at 1.2e-05 of the natural speed at 3.5 s: …".
 std::string grazing_note(const std::string& what, double speed, double time);
 std::string coincidence_note(const std::string& first, const std::string& second, double time);
+std::string near_closing_note(const std::string& what, double speed);
 std::string shared_ending_note();
 std::string noise_ending_note();
 /// Slopes that are no numbers are left out; a note says so.
