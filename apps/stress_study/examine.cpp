@@ -5,6 +5,7 @@
 
 #include "measuring/timing.hpp"
 #include "rivals.hpp"
+#include "slopes.hpp"
 
 namespace mariotte::stress_study {
 namespace {
@@ -184,7 +185,9 @@ Verdict examine(const std::vector<Family>& list, std::uint64_t seed, std::uint64
   announce("drawing");
   const double start = measuring::cpu_seconds();
   const auto scene = scene_of(list, seed, number);
-  auto verdict = Examination(scene, number, announce, spare).verdict();
+  auto verdict = list[family_of(list, number)].slopes
+                     ? examine_slopes(slope_subject(scene, Dice(~seed, number)), number, announce)
+                     : Examination(scene, number, announce, spare).verdict();
   verdict.cost = measuring::cpu_seconds() - start;
   return verdict;
 }

@@ -4,6 +4,16 @@
 
 namespace mariotte::stress_study {
 
+std::vector<Family> slope_families() {
+  auto list = families({"chains", "networks", "bodies", "laws"});
+  std::erase_if(list, [](const Family& family) { return family.every > 1; });  // those that take long
+  for (auto& family : list) {
+    family.name = "slopes, " + family.name;
+    family.slopes = true;
+  }
+  return list;
+}
+
 std::vector<Family> families(const std::vector<std::string>& kinds) {
   std::vector<Family> list;
   const auto add = [&](const char* kind, auto&& make) {
@@ -16,6 +26,7 @@ std::vector<Family> families(const std::vector<std::string>& kinds) {
   add("bodies", body_families);
   add("laws", law_families);
   add("friction", friction_families);
+  add("slopes", slope_families);
   return list;
 }
 

@@ -13,6 +13,7 @@ struct Family {
   std::string name;
   Scene (*draw)(Dice&);
   std::uint64_t every = 1;  ///< its turns that it takes; the others go to families that take all
+  bool slopes = false;      ///< examine slopes by its numbers instead of runs
 };
 
 std::vector<Family> chain_families();
@@ -21,7 +22,10 @@ std::vector<Family> body_families();
 std::vector<Family> law_families();
 std::vector<Family> friction_families();
 
-/// All families of the kinds "chains", "networks", "bodies", "laws", "friction".
+/// The families of all kinds, of which slopes are examined.
+std::vector<Family> slope_families();
+
+/// All families of the kinds "chains", "networks", "bodies", "laws", "friction", "slopes".
 std::vector<Family> families(const std::vector<std::string>& kinds);
 
 /// Place in the list of the family that scene `number` is drawn from: they take turns.

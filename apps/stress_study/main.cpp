@@ -17,7 +17,9 @@
 namespace mariotte::stress_study {
 namespace {
 
-const std::vector<std::string> all_kinds = {"chains", "networks", "bodies", "laws", "friction"};
+/// Those that are drawn unless others are asked for, and all that there are.
+const std::vector<std::string> usual_kinds = {"chains", "networks", "bodies", "laws", "friction"};
+const std::vector<std::string> known_kinds = {"chains", "networks", "bodies", "laws", "friction", "slopes"};
 
 struct CommandLine {
   double seconds = 60;
@@ -26,7 +28,7 @@ struct CommandLine {
   std::int64_t only = -1;
   std::string folder;
   int workers = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  std::vector<std::string> kinds = all_kinds;
+  std::vector<std::string> kinds = usual_kinds;
   bool verbose = false;
 };
 
@@ -38,6 +40,8 @@ within 1, 10, 100 times what was asked; scenes that the naive simulator could fo
 of contact periods differ; runs refused by name, failed, without an end; runs of a flow asked for by name that
 came to no end, which is no fault; runs slower than 100 times the median;
 CPU time a scene costs; the worst deviation over what was asked, and in which scene; scenes with anything unexplained.
+
+--kinds slopes compares slopes by numbers of the scenes with differences of runs instead.
 
 Examples:
   stress_study --seconds 60
@@ -62,8 +66,8 @@ command::OptionList declare(CommandLine& line) {
       {"--only", &line.only, "Number of the one scene to examine"},
       {"--kinds",
        &line.kinds,
-       "Some of chains, networks, bodies, laws, friction",
-       {.check = command::OneOf{all_kinds}, .between_commas = true}},
+       "Some of chains, networks, bodies, laws, friction, slopes",
+       {.check = command::OneOf{known_kinds}, .between_commas = true}},
       {"--threads", &line.workers, "Scenes examined at once", {.check = command::Range{1, 256}}},
       {"--out",
        &line.folder,

@@ -1,0 +1,21 @@
+// Slopes by differences of order eight of runs, with steps of several lengths.
+#pragma once
+#include <vector>
+
+#include "slope_subject.hpp"
+
+namespace mariotte::stress_study {
+
+/// What outcomes are compared with: the speed, the largest impulse, their own value. Zero of those that
+/// follow from others.
+std::vector<double> outcome_sizes(const impact::Sensitivity& slopes, double speed);
+
+/// Slopes in natural units, and by how much those of two steps differ. Empty if no step leaves the run what
+/// it is.
+struct Differences {
+  std::vector<double> slope, doubt;
+};
+Differences differences(const Probe& probe, const impact::Sensitivity& base,
+                        const std::vector<double>& sizes);
+
+}  // namespace mariotte::stress_study

@@ -1,0 +1,34 @@
+// A scene as something to differentiate: its numbers, its slopes, and its outcomes where one of them has
+// moved.
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "dice.hpp"
+#include "mariotte/impact/sensitivity/sensitivity.hpp"
+#include "scene.hpp"
+
+namespace mariotte::stress_study {
+
+/// A number of a scene.
+struct Probe {
+  std::string name;
+  double value;
+  double unit;  ///< by how much it moves results by their own size, about
+  double step;  ///< longest distance of the points of a stencil
+  std::function<impact::Sensitivity(double value)> outcomes = {};  ///< without slopes, as exact as can be
+  std::function<impact::Sensitivity(double value)> slopes = {};    ///< by all probes, likewise
+};
+
+/// A few numbers of a scene, chosen at random, and the slopes by these at an accuracy.
+struct SlopeSubject {
+  double speed;  ///< that velocities are relative to
+  std::vector<Probe> probes = {};
+  std::function<impact::Sensitivity(double accuracy)> slopes = {};
+};
+
+/// Numbers that can move both ways: gaps of contacts that touch are left out.
+SlopeSubject slope_subject(const Scene& scene, Dice dice);
+
+}  // namespace mariotte::stress_study

@@ -1,0 +1,135 @@
+#include "slopes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "differences.hpp"
+#include "measuring/timing.hpp"
+
+namespace mariotte::stress_study {
+namespace {
+
+using impact::Sensitivity;
+
+/// Differences of which more than this share of the slope is uncertain cannot tell anything.
+constexpr double most_doubt = 1e-3;
+/// By how much of their units numbers are moved to tell how slopes follow.
+constexpr double perturbation = 1e-6;
+
+/// Slopes by one number in natural units; what has none is not a number.
+std::vector<double> column(const Sensitivity& slopes, std::size_t c, double unit,
+                           const std::vector<double>& sizes) {
+  std::vector<double> list;
+  for (std::size_t i = 0; i < slopes.outcome.size(); ++i)
+    list.push_back(slopes.outcome[i].slope[c].value_or(std::nan("")) * unit / sizes[i]);
+  return list;
+}
+
+double largest(const std::vector<double>& list) {
+  double most = 1;
+  for (const double one : list)
+    if (std::isfinite(one)) most = std::max(most, std::abs(one));
+  return most;
+}
+
+class SlopeExamination {
+ public:
+  SlopeExamination(const SlopeSubject& subject, std::uint64_t number, const Announce& announce)
+      : subject_(subject), announce_(announce) {
+    verdict_.scene = number;
+  }
+
+  Verdict verdict() {
+    for (const double accuracy : accuracies) {
+      announce_(fmt::format("slopes at {:.0e}", accuracy));
+      const double start = measuring::cpu_seconds();
+      slopes_.push_back(subject_.slopes(accuracy));
+      verdict_.seconds = measuring::cpu_seconds() - start;
+    }
+    sizes_ = outcome_sizes(slopes_.back(), subject_.speed);
+    for (std::size_t c = 0; c < subject_.probes.size(); ++c) {
+      announce_("differences by " + subject_.probes[c].name);
+      compare(c, differences(subject_.probes[c], slopes_.back(), sizes_));
+    }
+    return verdict_;
+  }
+
+ private:
+  std::vector<double> own_column(const Sensitivity& slopes, std::size_t c) const {
+    return column(slopes, c, subject_.probes[c].unit, sizes_);
+  }
+  void find(const std::string& what) {
+    if (slopes_.back().notes.empty())
+      verdict_.findings.push_back(what);
+    else
+      ++verdict_.refusals;
+  }
+
+  void compare(std::size_t c, const Differences& expected) {
+    const auto best = own_column(slopes_.back(), c);
+    const double size = largest(best);
+    for (std::size_t i = 0; i < best.size(); ++i) {
+      const auto& outcome = slopes_.back().outcome[i];
+      if (!(sizes_[i] > 0) || !outcome.value) continue;
+      const auto what =
+          fmt::format("{}[{}] by {}", outcome.name, outcome.index.value_or(0), subject_.probes[c].name);
+      if (std::isnan(best[i]))
+        find(what + " has no slope, and no note says why");
+      else if (!expected.slope.empty())
+        compare_one(what, c, i, expected, size);
+    }
+  }
+
+  /// Deviations count that differences can tell, and that the scene does not amplify.
+  void compare_one(const std::string& what, std::size_t c, std::size_t i, const Differences& expected,
+                   double size) {
+    const double doubt = expected.doubt[i];
+    if (!(doubt <= most_doubt * size)) return;
+    verdict_.naive = true;
+    for (std::size_t k = 0; k < accuracies.size(); ++k) {
+      const double own = own_column(slopes_[k], c)[i];
+      const double error = std::max(0.0, std::abs(own - expected.slope[i]) - tolerated * doubt) / size;
+      verdict_.error[k] = std::max(verdict_.error[k], error / accuracies[k]);
+      verdict_.worst = std::max(verdict_.worst, error / accuracies[k]);
+      if (error <= tolerated * accuracies[k]) continue;
+      const double growth = amplification(c)[i] / size;
+      if (error <= tolerated * accuracies[k] * growth) continue;
+      find(fmt::format(
+          "{} is {:.12g} at {:.0e}, differences {:.12g} ± {:.1e}; perturbations grow {:.2g} times", what, own,
+          accuracies[k], expected.slope[i], doubt, growth));
+    }
+  }
+
+  /// By how much slopes by number c move with the numbers of the scene.
+  const std::vector<double>& amplification(std::size_t c) {
+    auto& known = amplification_[c];
+    if (!known.empty()) return known;
+    const auto before = own_column(subject_.slopes(tight), c);
+    known.assign(before.size(), 0.0);
+    for (const auto& probe : subject_.probes) {
+      announce_("slopes" + std::string(perturbed_mark));
+      const auto after = own_column(probe.slopes(probe.value + perturbation * probe.unit), c);
+      for (std::size_t i = 0; i < std::min(after.size(), known.size()); ++i)
+        known[i] = std::max(known[i], std::abs(after[i] - before[i]) / perturbation);
+    }
+    return known;
+  }
+
+  const SlopeSubject& subject_;
+  const Announce& announce_;
+  std::vector<Sensitivity> slopes_;
+  std::vector<double> sizes_;
+  std::map<std::size_t, std::vector<double>> amplification_;  ///< by number and outcome
+  Verdict verdict_;
+};
+
+}  // namespace
+
+Verdict examine_slopes(const SlopeSubject& subject, std::uint64_t number, const Announce& announce) {
+  return SlopeExamination(subject, number, announce).verdict();
+}
+
+}  // namespace mariotte::stress_study

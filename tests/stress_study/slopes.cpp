@@ -1,0 +1,83 @@
+// Wrong slopes are seen, right and explained ones are not reported.
+#define BOOST_TEST_MODULE stress_study_slopes
+#include "slopes.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "differences.hpp"
+
+using namespace mariotte;
+using namespace mariotte::stress_study;
+
+namespace {
+
+const Scene three_balls{.model = model::Chain{.mass = {1, 2, 1.5},
+                                              .law = {contact::Hertz{1}, contact::Hertz{2}},
+                                              .gap = {0.1, 0.2},
+                                              .velocity = {1, 0, 0}}};
+
+/// An outcome eᵖ of a number p, whose slope is eᵖ times this.
+SlopeSubject exponential(double factor, std::vector<std::string> notes = {}) {
+  const auto outcome = [=](double p, double by) {
+    impact::Sensitivity slopes;
+    slopes.ending = hybrid::Ending::separated;
+    slopes.parameter = {{"p", p}};
+    slopes.outcome = {{"velocity", 0, "m/s", std::exp(p), {by * std::exp(p)}}};
+    slopes.notes = notes;
+    return slopes;
+  };
+  SlopeSubject subject{.speed = 1};
+  subject.probes.push_back({"p", 0.5, 1, 0.01, [=](double p) { return outcome(p, factor); },
+                            [=](double p) { return outcome(p, factor); }});
+  subject.slopes = [=](double) { return outcome(0.5, factor); };
+  return subject;
+}
+
+Verdict examined(const SlopeSubject& subject) {
+  return examine_slopes(subject, 0, [](const std::string&) {});
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(differences_have_ten_digits_and_know_it) {
+  const auto subject = exponential(1);
+  const auto found = differences(subject.probes[0], subject.slopes(1e-10), {1});
+  BOOST_TEST_REQUIRE(found.slope.size() == 1u);
+  BOOST_TEST(std::abs(found.slope[0] - std::exp(0.5)) < 1e-10);
+  BOOST_TEST(found.doubt[0] < 1e-10);
+}
+
+BOOST_AUTO_TEST_CASE(right_slopes_leave_no_findings) {
+  BOOST_TEST(examined(exponential(1)).findings.empty());
+  const auto verdict = examined(slope_subject(three_balls, Dice(1, 1)));
+  BOOST_TEST(verdict.naive);
+  BOOST_TEST(verdict.findings.empty());
+  BOOST_TEST(verdict.worst < 1);
+}
+
+BOOST_AUTO_TEST_CASE(a_wrong_slope_is_found_unless_a_note_says_why) {
+  const auto wrong = examined(exponential(1.001));
+  BOOST_TEST(!wrong.findings.empty());
+  BOOST_TEST(wrong.worst > 1e5);
+  const auto noted = examined(exponential(1.001, {"grazed"}));
+  BOOST_TEST(noted.findings.empty());
+  BOOST_TEST(noted.refusals > 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_missing_slope_is_found_unless_a_note_says_why) {
+  BOOST_TEST(!examined(exponential(NAN)).findings.empty());
+  BOOST_TEST(examined(exponential(NAN, {"captured"})).findings.empty());
+}
+
+BOOST_AUTO_TEST_CASE(numbers_that_move_one_way_only_are_left_out) {
+  auto touching = three_balls;
+  auto& chain = std::get<model::Chain>(touching.model);
+  chain.gap = {0, 0};
+  for (std::uint64_t n = 0; n < 40; ++n)
+    for (const auto& one : slope_subject(touching, Dice(2, n)).probes) {
+      BOOST_TEST(!one.name.starts_with("gap"));
+      BOOST_TEST(one.name != "velocity[1]");
+      BOOST_TEST(one.name != "velocity[2]");
+    }
+}
