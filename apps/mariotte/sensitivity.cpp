@@ -5,7 +5,10 @@
 #include "command.hpp"
 #include "command_line/exit_code.hpp"
 #include "command_line/terminal.hpp"
+#include "mariotte/report/figure/gnuplot.hpp"
+#include "mariotte/report/figure/tornado.hpp"
 #include "mariotte/report/json/sensitivity_json.hpp"
+#include "mariotte/report/page/files.hpp"
 #include "mariotte/report/reason.hpp"
 #include "mariotte/scene/simulate.hpp"
 #include "mariotte/study/sensitivity/scene_parameters.hpp"
@@ -20,6 +23,8 @@ struct Slopes {
   std::vector<std::string> of, to;
   bool json = false;
   bool csv = false;
+  std::string out;
+  bool force = false;
 };
 
 /// "velocity" asks for all of them, "velocity[1]" for one.
@@ -49,7 +54,26 @@ report::Json json(const impact::Sensitivity& slopes, const scene::Scene& scene) 
   return result;
 }
 
+std::vector<std::string> file_names() {
+  auto names = report::tornado_figures();
+  names.insert(names.end(), {"slopes.csv", "bars.csv", "plot.gp"});
+  return names;
+}
+
+/// Slopes and their picture; a note if there is none.
+void write_folder(const std::filesystem::path& folder, const impact::Sensitivity& slopes,
+                  const std::string& title) {
+  report::write_file(folder / "slopes.csv", report::csv(slopes));
+  const auto script = report::tornado_script(slopes, title);
+  if (script.empty()) return note("no picture: no relative slope is known");
+  report::write_file(folder / "bars.csv", report::tornado_csv(slopes));
+  report::write_file(folder / "plot.gp", script);
+  if (const auto problem = report::draw(folder, report::tornado_figures()); !problem.empty())
+    note(problem + "; data and script are in " + (folder / "plot.gp").string());
+}
+
 int sensitivity(const Slopes& options) {
+  if (!options.out.empty()) report::prepare_folder(options.out, file_names(), options.force);
   const auto document = open(options.scene);
   const auto scene = resolve(options.scene, document);
   auto slopes = study::sensitivity(document, scene, options.to);
@@ -58,6 +82,7 @@ int sensitivity(const Slopes& options) {
     print(report::text(json(slopes, scene)));
   else
     print(options.csv ? report::csv(slopes) : report::table(slopes, scene.title));
+  if (!options.out.empty()) write_folder(options.out, slopes, scene.title);
   tell_ending(slopes.ending, slopes.message, scene);
   return report::is_wanted(slopes.ending, scene) ? ExitCode::ok : exit_code(slopes.ending);
 }
@@ -67,6 +92,7 @@ constexpr const char* examples = R"(Examples:
   mariotte sensitivity triplet.toml --of icr --to contact --to gap
   mariotte sensitivity triplet.toml --to chain.radius --to chain.material.young --csv
   mariotte sensitivity microsphere.toml --json
+  mariotte sensitivity triplet.toml --of velocity --out slopes
 
 Slopes are exact through every event, not differences of runs: doc/sensitivity.md says how. Without --to they
 are by every mass, velocity, gap and number of a law; of a body by what its scene gives.
@@ -92,7 +118,12 @@ Command sensitivity_command() {
                            "repeated",
                            {.value = "KEY", .takes_one = true}},
                           {"--json", &options->json, "One JSON object on stdout"},
-                          {"--csv", &options->csv, "A table for other programs", {.excludes = {"--json"}}}}}),
+                          {"--csv", &options->csv, "A table for other programs", {.excludes = {"--json"}}},
+                          {"--out",
+                           &options->out,
+                           "Write slopes.csv and a picture of relative slopes into this folder",
+                           {.value = "DIR"}},
+                          {"--force", &options->force, "Overwrite files of an earlier call"}}}),
       .act = [options] { return sensitivity(*options); }};
 }
 

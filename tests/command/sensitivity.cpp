@@ -52,3 +52,12 @@ BOOST_FIXTURE_TEST_CASE(what_there_is_no_slope_of_or_by_is_told_so, Session) {
   BOOST_TEST(parameter.code == 3);
   BOOST_TEST(has(parameter.err, "--to chain.law"));
 }
+
+BOOST_FIXTURE_TEST_CASE(slopes_and_their_picture_are_written_into_a_folder, Session) {
+  const auto out = (folder / "slopes").string();
+  BOOST_TEST(mariotte(triplet + "--out " + out).code == 0);
+  for (const char* name : {"slopes.csv", "bars.csv", "plot.gp"})
+    BOOST_TEST(std::filesystem::exists(folder / "slopes" / name), name);
+  BOOST_TEST(mariotte(triplet + "--out " + out).code != 0);
+  BOOST_TEST(mariotte(triplet + "--force --out " + out).code == 0);
+}

@@ -1,0 +1,140 @@
+#include "mariotte/report/figure/tornado.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "mariotte/report/csv/csv_cell.hpp"
+#include "mariotte/report/figure/axis_names.hpp"
+#include "mariotte/report/figure/gnuplot.hpp"
+#include "mariotte/report/figure/palette.hpp"
+#include "mariotte/report/figure/ticks.hpp"
+#include "mariotte/report/number.hpp"
+
+namespace mariotte::report {
+namespace {
+
+constexpr const char* figure = "tornado";
+constexpr std::size_t most_bars = 8, most_panels = 12;
+constexpr int head_height = 74, bar_height = 20;  ///< of a panel, in pixels of the screen
+
+struct Panel {
+  std::string name;
+  std::vector<RelativeSlope> bars;
+};
+
+std::string words_for(const impact::OutcomeSlopes& outcome) {
+  struct Word {
+    std::string_view name, words, symbol;
+  };
+  constexpr std::array<Word, 13> words{{{"velocity", "final velocity", "v"},
+                                        {"impulse", "impulse", "p"},
+                                        {"icr", "impulse correlation ratio", "α"},
+                                        {"time", "time of the ending", "t"},
+                                        {"normal_velocity", "final velocity", "v_1"},
+                                        {"v2", "final velocity", "v_2"},
+                                        {"v3", "final velocity", "v_3"},
+                                        {"w1", "final spin", "ω_1"},
+                                        {"w2", "final spin", "ω_2"},
+                                        {"w3", "final spin", "ω_3"},
+                                        {"e_n", "restitution of the tip", "e_n"},
+                                        {"e_nm", "restitution of the mass centre", "e_{nm}"},
+                                        {"contact_time", "contact time", "t"}}};
+  const auto* found =
+      std::find_if(words.begin(), words.end(), [&](const Word& one) { return one.name == outcome.name; });
+  if (found == words.end()) return plain(outcome.name);
+  if (!outcome.index) return fmt::format("{} {}", found->words, found->symbol);
+  return fmt::format("{} {}_{{{}}}", found->words, found->symbol, *outcome.index + 1);
+}
+
+std::vector<Panel> panels(const impact::Sensitivity& slopes) {
+  std::vector<Panel> list;
+  for (const auto& outcome : slopes.outcome) {
+    auto bars = relative_slopes(slopes, outcome);
+    if (bars.empty() || list.size() == most_panels) continue;
+    bars.resize(std::min(bars.size(), most_bars));
+    list.push_back({words_for(outcome), std::move(bars)});
+  }
+  return list;
+}
+
+/// Bars from the top, with the names of their parameters, and room on both sides of zero.
+std::string commands(const Panel& panel, std::size_t number, std::size_t places) {
+  std::string tics;
+  double least = 0, most = 0;
+  for (std::size_t i = 0; i < panel.bars.size(); ++i) {
+    tics += fmt::format("{}{} -{}", i ? ", " : "", quoted(name_of_input(panel.bars[i].parameter)), i + 1);
+    least = std::min(least, panel.bars[i].value);
+    most = std::max(most, panel.bars[i].value);
+  }
+  const double length = most - least, room = 0.08 * length;
+  return fmt::format(
+      "set title {} offset 0,-0.4\nset xtics {:.4g}\nset ytics ({})\nset xrange [{:.4g}:{:.4g}]\nset yrange "
+      "[-{}.6:-0.4]\n"
+      "plot 'bars.csv' every ::1 using (($1=={} && $3<0) ? $3/2 : NaN):(-$2):($3):(0):(-$2-0.34):(-$2+0.34) "
+      "with boxxyerror lc rgb '{}' notitle, \\\n"
+      "  '' every ::1 using (($1=={} && $3>0) ? $3/2 : NaN):(-$2):(0):($3):(-$2-0.34):(-$2+0.34) "
+      "with boxxyerror lc rgb '{}' notitle\n",
+      quoted(panel.name), tick_step(length, 3), tics, least - room, most + room, places, number,
+      line_colours[2], number, line_colours[1]);
+}
+
+}  // namespace
+
+std::vector<RelativeSlope> relative_slopes(const impact::Sensitivity& slopes,
+                                           const impact::OutcomeSlopes& outcome) {
+  std::vector<RelativeSlope> bars;
+  if (!outcome.value || *outcome.value == 0) return bars;
+  double longest = 0;
+  for (std::size_t c = 0; c < slopes.parameter.size(); ++c) {
+    const auto& slope = outcome.slope[c];
+    const double relative = slope.value_or(0) * slopes.parameter[c].value / *outcome.value;
+    bars.push_back({slopes.parameter[c].name, relative});
+    longest = std::max(longest, std::abs(relative));
+  }
+  std::erase_if(bars, [&](const RelativeSlope& bar) { return !(std::abs(bar.value) > 1e-6 * longest); });
+  std::stable_sort(bars.begin(), bars.end(), [](const RelativeSlope& a, const RelativeSlope& b) {
+    return std::abs(a.value) > std::abs(b.value);
+  });
+  return bars;
+}
+
+std::string tornado_csv(const impact::Sensitivity& slopes) {
+  std::string text = "panel,place,slope [% per %],parameter\n";
+  const auto list = panels(slopes);
+  for (std::size_t k = 0; k < list.size(); ++k)
+    for (std::size_t i = 0; i < list[k].bars.size(); ++i)
+      text += fmt::format("{},{},{},{}\n", k + 1, i + 1, exact(list[k].bars[i].value),
+                          cell(list[k].bars[i].parameter));
+  return text;
+}
+
+std::string tornado_script(const impact::Sensitivity& slopes, const std::string& title) {
+  const auto list = panels(slopes);
+  if (list.empty()) return "";
+  std::size_t most = 0;
+  for (const auto& panel : list) most = std::max(most, panel.bars.size());
+  const std::size_t columns = list.size() > 1 ? 2 : 1, rows = (list.size() + columns - 1) / columns;
+  std::string plot = fmt::format(
+      "set multiplot layout {},{} title {} noenhanced\n", rows, columns,
+      quoted((title.empty() ? "Sensitivity" : title) + ": % of the outcome per % of the parameter"));
+  for (std::size_t k = 0; k < list.size(); ++k) plot += commands(list[k], k + 1, most);
+  const auto height = static_cast<int>(rows) * (head_height + bar_height * static_cast<int>(most)) + 30;
+  return script_head() +
+         "set style fill solid noborder\nset xzeroaxis\nset arrow from 0, graph 0 to 0, graph 1 nohead lc "
+         "rgb "
+         "'#555555'\nunset key\nset grid xtics noytics\nset xtics nomirror\nset minussign\nset lmargin "
+         "19\nset rmargin 3\nset border 1\n"
+         "set ytics scale 0\n" +
+         on_all_terminals(figure, plot + "unset multiplot\n",
+                          {columns > 1 ? wide.width : one_column.width, height});
+}
+
+std::vector<std::string> tornado_figures() {
+  return files_of_figure(figure);
+}
+
+}  // namespace mariotte::report
