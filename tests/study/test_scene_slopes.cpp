@@ -201,3 +201,33 @@ BOOST_AUTO_TEST_CASE(a_row_at_rest_on_a_wall_has_slopes) {
     for (const char* key : {"chain.mass[1]", "chain.gravity", "chain.stiffness"})
       BOOST_TEST(deviation(row, velocity, key) < 1e-8);
 }
+
+BOOST_AUTO_TEST_CASE(a_slip_in_space_that_starts_from_rest_is_told) {
+  const auto tells = [](const std::string& text) {
+    const auto notes = slopes_of(text, {"body.radius"}).notes;
+    return std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
+      return note.find("slip in space starts from rest") != std::string::npos;
+    });
+  };
+  const std::string spatial =
+      "[body]\n"
+      "shape = \"rod\"\n"
+      "radius = 7.5305662963596477e-06\n"
+      "length_ratio = 4.3471940996362699\n"
+      "density = 1350\n"
+      "[surface]\n"
+      "law = \"brach-dunn\"\n"
+      "stiffness = 1740000000\n"
+      "work_of_adhesion = 0\n"
+      "damping_hertz = 0.014408130230289015\n"
+      "friction = 0.64904786481809218\n"
+      "[incidence]\n"
+      "normal_speed = 0.40733999077262845\n"
+      "tangential_velocity = [0.2928070896458696, 0.051933157143530799]\n"
+      "angles = [-0.58044440764670213, -0.54566866183123952, 0.20575780568946822]\n"
+      "spin = [4490.2991585846521, -7381.551049952167, 922.46050174802747]\n";
+  BOOST_TEST(tells(spatial));
+  auto without = spatial;
+  without.replace(without.find("friction = "), 11, "friction = 0 # ");
+  BOOST_TEST(!tells(without));
+}

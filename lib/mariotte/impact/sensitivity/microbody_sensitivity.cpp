@@ -66,6 +66,7 @@ class BodySlopes {
     auto run_options = hybrid::scaled(options, system_.body().scale);
     run_options.accuracy = system_.accuracy();
     end_ = SlopeLoop(system_, variation, run_options, watch).follow(x0_, start_);
+    if (variation.slips_from_rest()) result_.notes.push_back(slip_from_rest_note());
   }
 
   Sensitivity take() {

@@ -153,6 +153,14 @@ double MicrobodyVariation::crossing_speed(Index i, double rate) const {
   return 1;
 }
 
+void MicrobodyVariation::remember(Index, const MicrobodyMode&, const MicrobodyMode& after, const SlopeMatrix&,
+                                  ConstState, std::span<const double>) {
+  if (system_.body().motion != flow::TipPhase::Motion::spatial || base_.friction.coefficient == 0) return;
+  for (Index i = 0; i < system_.layout().tips; ++i)
+    slips_from_rest_ |=
+        after.tip[i].contact == TipContact::sliding && after.tip[i].start != model::SlipStart::moving;
+}
+
 void MicrobodyVariation::meet(Index i, const MicrobodyMode&, State x) const {
   if (i >= model::escape_guard(system_.layout().tips)) return;
   if (static_cast<TipGuard>(i % model::guards_per_tip) == TipGuard::gap)

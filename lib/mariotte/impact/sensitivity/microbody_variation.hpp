@@ -35,8 +35,10 @@ class MicrobodyVariation {
   void open_at_start(model::MicrobodyMode&, Index) const {}
   void meet(Index i, const model::MicrobodyMode& mode, State x) const;
   void settle(Index i, const model::MicrobodyMode& before, State x) const { meet(i, before, x); }
-  void remember(Index, const model::MicrobodyMode&, const model::MicrobodyMode&, const SlopeMatrix&,
-                ConstState, std::span<const double>) {}
+  /// Notices slips in space that start from rest.
+  void remember(Index i, const model::MicrobodyMode& before, const model::MicrobodyMode& after,
+                const SlopeMatrix& slopes, ConstState rate, std::span<const double> time);
+  bool slips_from_rest() const { return slips_from_rest_; }
 
  private:
   model::Mechanics mechanics(const model::DimensionlessMicrobody& body) const;
@@ -51,6 +53,7 @@ class MicrobodyVariation {
   const std::vector<ShiftedBodies>& shifted_;
   model::DimensionlessMicrobody base_;
   std::vector<double> natural_;
+  bool slips_from_rest_ = false;
 };
 
 }  // namespace mariotte::impact

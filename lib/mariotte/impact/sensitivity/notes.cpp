@@ -17,6 +17,12 @@ std::string grazing_note(const std::string& what, double speed, double time) {
   return text + std::string("; slopes hold no further than about the square of that from here");
 }
 
+std::string slip_from_rest_note() {
+  return "a slip in space starts from rest: its direction is known no better than rounding at first, so "
+         "slopes "
+         "are not resolved there and may be wrong";
+}
+
 std::string shared_ending_note() {
   return "several contacts end the run at one instant, and parameters draw their times apart: the time of "
          "the "

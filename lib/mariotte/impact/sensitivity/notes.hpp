@@ -13,6 +13,7 @@ namespace mariotte::impact {
 std::string grazing_note(const std::string& what, double speed, double time);
 std::string coincidence_note(const std::string& first, const std::string& second, double time);
 std::string near_closing_note(const std::string& what, double speed);
+std::string slip_from_rest_note();
 std::string shared_ending_note();
 std::string noise_ending_note();
 /// Slopes that are no numbers are left out; a note says so.

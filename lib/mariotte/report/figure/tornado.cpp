@@ -78,7 +78,7 @@ std::string commands(const Panel& panel, std::size_t number, std::size_t places)
       "with boxxyerror lc rgb '{}' notitle, \\\n"
       "  '' every ::1 using (($1=={} && $3>0) ? $3/2 : NaN):(-$2):(0):($3):(-$2-0.34):(-$2+0.34) "
       "with boxxyerror lc rgb '{}' notitle\n",
-      quoted(panel.name), tick_step(length, 3), tics, least - room, most + room, places, number,
+      quoted(panel.name), tick_step(length, 4), tics, least - room, most + room, places, number,
       line_colours[2], number, line_colours[1]);
 }
 
