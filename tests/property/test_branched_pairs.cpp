@@ -1,4 +1,5 @@
-// Contacts that yield, followed in closed form while they are alone, beside the same rows by CVODE.
+// Contacts that yield, followed in closed form while they are alone and by series among others, beside the
+// same rows by CVODE.
 #define BOOST_TEST_MODULE property branched pairs
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -9,6 +10,7 @@
 #include "mariotte/contact/walton_braun.hpp"
 #include "mariotte/impact/chain/chain_impact.hpp"
 #include "mariotte/impact/network/network_impact.hpp"
+#include "support/networks.hpp"
 
 using namespace mariotte;
 
@@ -50,6 +52,24 @@ model::Chain random_row(std::mt19937_64& random) {
   return chain;
 }
 
+/// Balls that touch or nearly do, struck from both ends: many push at a time, some with a damper.
+model::Chain crowded_row(std::mt19937_64& random) {
+  auto chain = random_row(random);
+  const auto uniform = [&](double low, double high) {
+    return std::uniform_real_distribution(low, high)(random);
+  };
+  chain.mass.push_back(uniform(0.3, 3));
+  chain.velocity.push_back(-uniform(0, 1));
+  chain.law.push_back(random_law(random));
+  chain.gap.push_back(0);
+  chain.mass[0] = 1;
+  chain.velocity[0] = 1;
+  for (auto& gap : chain.gap) gap = uniform(0, 1) < 0.5 ? 0 : uniform(0, 0.3);
+  if (uniform(0, 1) < 0.3)
+    chain.law.back() = contact::Viscoelastic{.stiffness = 2, .damping = uniform(0.01, 0.4), .exponent = 1.5};
+  return chain;
+}
+
 Index phases_of(const impact::ContactImpact& impact, const char* flow) {
   for (const auto& use : impact.flows)
     if (use.name == flow) return use.phases;
@@ -57,6 +77,30 @@ Index phases_of(const impact::ContactImpact& impact, const char* flow) {
 }
 
 }  // namespace
+
+/// Same events, velocities, losses and peaks; how often contacts yield.
+std::size_t compare(const model::Chain& chain, const impact::ChainImpact& own,
+                    const impact::ChainImpact& other, int n) {
+  std::size_t yields = 0;
+  BOOST_TEST((own.ending == other.ending), "row " << n << ": " << own.message);
+  BOOST_TEST_REQUIRE(own.events.size() == other.events.size(), "row " << n);
+  for (std::size_t i = 0; i < own.events.size(); ++i) {
+    const auto &one = own.events[i], &same = other.events[i];
+    BOOST_TEST((one.open == same.open && one.close == same.close), "row " << n);
+    BOOST_TEST((one.yield == same.yield && one.unload == same.unload), "row " << n);
+    yields += one.yield.size();
+  }
+  for (std::size_t i = 0; i < chain.mass.size(); ++i)
+    BOOST_TEST(std::abs(own.velocity[i] - other.velocity[i]) < 1e-10,
+               "row " << n << ", ball " << i << ": " << own.velocity[i] << ", " << other.velocity[i]);
+  for (std::size_t j = 0; j < chain.law.size(); ++j) {
+    const auto &one = own.contacts[j], &same = other.contacts[j];
+    BOOST_TEST(std::abs(one.plastic - same.plastic) < 1e-10);
+    BOOST_TEST(std::abs(one.permanent_indentation - same.permanent_indentation) < 1e-10);
+    BOOST_TEST(std::abs(one.peak_force - same.peak_force) < 1e-9);
+  }
+  return yields;
+}
 
 BOOST_AUTO_TEST_CASE(closed_forms_of_branches_agree_with_cvode) {
   std::mt19937_64 random(1986);
@@ -67,30 +111,45 @@ BOOST_AUTO_TEST_CASE(closed_forms_of_branches_agree_with_cvode) {
     const auto own = impact::simulate(chain, {.accuracy = 1e-12});
     const auto other = impact::simulate(chain, {.accuracy = 1e-12, .flow = flow::Kind::cvode_adams});
     closed_forms += phases_of(own, "pair");
-    BOOST_TEST((own.ending == other.ending), "row " << n << ": " << own.message);
-    BOOST_TEST_REQUIRE(own.events.size() == other.events.size(), "row " << n);
-    for (std::size_t i = 0; i < own.events.size(); ++i) {
-      BOOST_TEST(
-          (own.events[i].open == other.events[i].open && own.events[i].close == other.events[i].close));
-      BOOST_TEST(
-          (own.events[i].yield == other.events[i].yield && own.events[i].unload == other.events[i].unload));
-      yields += own.events[i].yield.size();
-    }
-    for (std::size_t i = 0; i < chain.mass.size(); ++i)
-      BOOST_TEST(std::abs(own.velocity[i] - other.velocity[i]) < 1e-10,
-                 "row " << n << ", ball " << i << ": " << own.velocity[i] << ", " << other.velocity[i]);
-    for (std::size_t j = 0; j < chain.law.size(); ++j) {
-      BOOST_TEST(std::abs(own.contacts[j].plastic - other.contacts[j].plastic) < 1e-10);
-      BOOST_TEST(std::abs(own.contacts[j].permanent_indentation - other.contacts[j].permanent_indentation) <
-                 1e-10);
-      BOOST_TEST(std::abs(own.contacts[j].peak_force - other.contacts[j].peak_force) < 1e-9);
-    }
+    yields += compare(chain, own, other, n);
     const auto network = impact::simulate(model::as_network(chain), {.accuracy = 1e-12});
     for (std::size_t i = 0; i < chain.mass.size(); ++i)
       BOOST_TEST(std::abs(own.velocity[i] - network.velocity[i]) < 1e-10, "row " << n);
   }
   BOOST_TEST(closed_forms > 1000);
   BOOST_TEST(yields > 200u);
+}
+
+BOOST_AUTO_TEST_CASE(series_of_branches_agree_with_cvode) {
+  std::mt19937_64 random(1997);
+  Index series = 0;
+  std::size_t yields = 0;
+  for (int n = 0; n < 150; ++n) {
+    const auto chain = crowded_row(random);
+    const auto own = impact::simulate(chain, {.accuracy = 1e-12});
+    const auto other = impact::simulate(chain, {.accuracy = 1e-12, .flow = flow::Kind::cvode_adams});
+    series += phases_of(own, "taylor");
+    BOOST_TEST(phases_of(own, "cvode-adams") == 0, "row " << n);
+    yields += compare(chain, own, other, n);
+    const auto islands = impact::simulate(chain, {.accuracy = 1e-12, .islands = hybrid::Islands::always});
+    for (std::size_t i = 0; i < chain.mass.size(); ++i)
+      BOOST_TEST(std::abs(own.velocity[i] - islands.velocity[i]) < 1e-10, "row " << n);
+  }
+  BOOST_TEST(series > 1000);
+  BOOST_TEST(yields > 200u);
+}
+
+BOOST_AUTO_TEST_CASE(series_of_branches_in_networks_agree_with_cvode) {
+  for (const double pressure : {0.08, 0.15, 0.4}) {
+    const auto network =
+        test::with_law(test::one_on_two(), contact::state(contact::Thornton(1, 0.5, pressure)));
+    const auto own = impact::simulate(network, {.accuracy = 1e-12});
+    const auto other = impact::simulate(network, {.accuracy = 1e-12, .flow = flow::Kind::cvode_adams});
+    BOOST_TEST(own.contacts[0].plastic > 0);
+    BOOST_TEST(phases_of(own, "cvode-adams") == 0);
+    for (std::size_t i = 0; i < own.velocity.size(); ++i)
+      BOOST_TEST(std::abs(own.velocity[i] - other.velocity[i]) < 1e-10);
+  }
 }
 
 /// √(k₁/k₂), to the last digits and in three phases without a step of an integrator.

@@ -15,7 +15,7 @@
 //
 //   elastic, unloading → plastic    the indentation rises to where the contact yields
 //   plastic            → unloading  the rate of indentation falls through 0
-//   any branch                      the rate falls or rises through 0: the contact recedes or loads
+//   any branch, if it adheres       the rate falls or rises through 0: the contact recedes or loads
 #pragma once
 #include <vector>
 

@@ -30,6 +30,11 @@ bool dissipates(const Law& law) {
   return with(law, [](const auto& one) { return dissipates(one); });
 }
 
+bool is_damped(const Law& law) {
+  const auto* branches = branched(law);
+  return branches ? branches->is_damped() : dissipates(law);
+}
+
 bool pulls(const Law& law) {
   const auto* branches = branched(law);
   return branches && branches->pulls();

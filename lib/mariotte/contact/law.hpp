@@ -51,6 +51,8 @@ inline Force load(const Law& law, double indentation, double rate) {
 double stored_energy(const Law& law, double indentation);
 /// True if the contact loses energy: it may go slack, and the work put into it is integrated.
 bool dissipates(const Law& law);
+/// True if the force depends on the rate.
+bool is_damped(const Law& law);
 /// True if the contact can be indented without force: its damper may take all of it.
 inline bool goes_slack(const Law& law) {
   return dissipates(law) && !branched(law);

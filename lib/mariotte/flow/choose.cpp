@@ -68,8 +68,8 @@ bool modes_pay(const SerialPhase& phase) {
 bool pays(Kind kind, const Problem& problem) {
   if (problem.tip()) return kind == Kind::taylor;
   if (problem.recorded()) return kind == Kind::taylor;
-  if (kind == Kind::pair) return problem.branched_row();
   const auto* row = problem.serial();
+  if (kind == Kind::pair) return row;
   const auto* linked = problem.linked();
   if (!row && !linked) return false;
   if (kind == Kind::modal) return row ? modes_pay(*row) : modes_pay(*linked);

@@ -24,8 +24,12 @@ struct PhaseContact {
   double length;       ///< natural indentation
   double noise_depth;  ///< indentation that cannot be told from rounding
   double level = 0;
-  double origin = 0;        ///< indentation from which the power is taken; 0 but on branches of a law
-  Index branch_guard = -1;  ///< of the indentation at which it yields, before that of its turns; or −1
+  // Of a branch of a law; as here for any other contact.
+  double origin = 0;         ///< indentation from which the power is taken
+  Index branch_guard = -1;   ///< of the indentation at which it yields, before that of its turns; or −1
+  double yields = infinity;  ///< indentation at which it does, where that is watched
+  double turn_side = 0;      ///< sign that δ̇ is to keep but for `turn_speed`, or 0
+  double turn_speed = 0;
   Role role = Role::open;
 
   bool pushes() const { return role == Role::closed || role == Role::touching; }

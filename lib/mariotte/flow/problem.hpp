@@ -68,8 +68,6 @@ class Problem {
 
   /// The present mode as a series of bodies, if it is one; follows every change of the mode.
   virtual const SerialPhase* serial() const { return nullptr; }
-  /// The same where closed contacts may follow branches that are powers of δ − origin, undamped.
-  virtual const SerialPhase* branched_row() const { return serial(); }
   /// The present mode as contacts that link dofs in any way, if it is that and no series.
   virtual const LinkedPhase* linked() const { return nullptr; }
 

@@ -28,9 +28,11 @@ struct Watched {
   Wave wave;
 };
 
-/// All forces are those of linear contacts.
+/// All forces are those of linear contacts from δ = 0 on.
 bool is_linear(const std::vector<PhaseContact>& contacts) {
-  const auto is_straight = [](const auto& c) { return c.role == Role::open || c.exponent == 1; };
+  const auto is_straight = [](const auto& c) {
+    return c.role == Role::open || (c.exponent == 1 && c.branch_guard < 0);
+  };
   return std::all_of(contacts.begin(), contacts.end(), is_straight);
 }
 

@@ -77,7 +77,7 @@ ConcaveGap concave_gap(const PairPhase& phase, Index guard, double value, double
 }  // namespace
 
 bool Pair::admits(const Problem& problem) {
-  const auto* phase = problem.branched_row();
+  const auto* phase = problem.serial();
   phase_ = phase ? find_pair(*phase) : std::nullopt;
   return phase_.has_value();
 }
@@ -96,18 +96,20 @@ bool Pair::is_of_branch(Index guard) const {
   return phase_->branch_guard >= 0 && (guard == phase_->branch_guard || guard == phase_->branch_guard + 1);
 }
 
-/// What ends a branch that is loaded: it yields, if it comes so deep, or turns.
+/// What ends a branch: the contact yields, if it comes so deep, or turns, where that is watched.
 std::optional<Pair::End> Pair::end_of_branch(const Problem& problem, const PairMotion& motion,
                                              const Indentation& begin) const {
   const Index yield = phase_->branch_guard, turn = yield + 1;
-  if (yield < 0 || problem.crossings()[turn] != Crossing::falling) return std::nullopt;
+  if (yield < 0) return std::nullopt;
   return std::visit(
-      [&](const auto& one) -> End {
+      [&](const auto& one) -> std::optional<End> {
         // The guard of yield is δ less where that happens.
         const double depth = begin.value - value_[yield];
         const double time = problem.crossings()[yield] == Crossing::none ? infinity : one.reach(depth);
-        if (time < infinity) return {time, yield, {depth, one.at(time).rate}};
-        return {one.turn(), turn, {one.at(one.turn()).value, 0}};
+        if (time < infinity) return End{time, yield, {depth, one.at(time).rate}};
+        if (problem.crossings()[turn] != Crossing::falling) return std::nullopt;
+        const auto [parting, there] = one.recede(phase_->turn_speed);
+        return End{parting, turn, there};
       },
       motion);
 }

@@ -100,6 +100,12 @@ double HertzMotion::reach(double depth) const {
   return std::max(0.0, tau_ * (time(place) - start_time_));
 }
 
+Reached HertzMotion::recede(double speed) const {
+  if (!(speed < speed_)) return {infinity, {}};
+  const auto place = from_y(speed / speed_);
+  return {std::max(0.0, tau_ * (time(place) - start_time_)), {depth_ * place.ratio, -speed}};
+}
+
 double HertzMotion::value(const ConcaveGap& gap, const Place& place) const {
   return value_of(gap, tau_ * (time(place) - start_time_), depth_ * place.ratio - start_depth_);
 }
@@ -149,6 +155,11 @@ double LinearMotion::reach(double depth) const {
   const double ratio = depth * frequency_ / speed_;
   if (angle_ >= 0 || !(ratio < 1)) return infinity;
   return std::max(0.0, (-std::acos(ratio) - angle_) / frequency_);
+}
+Reached LinearMotion::recede(double speed) const {
+  if (!(speed < speed_)) return {infinity, {}};
+  const double time = std::max(0.0, (std::asin(speed / speed_) - angle_) / frequency_);
+  return {time, at(time)};
 }
 Indentation LinearMotion::at(double time) const {
   const double angle = angle_ + frequency_ * time;

@@ -20,6 +20,12 @@ struct Indentation {
   double rate;   ///< δ̇
 };
 
+/// The indentation that is reached after a time; infinite if it never is.
+struct Reached {
+  double time;
+  Indentation there;
+};
+
 /// A gap elsewhere while the contact is closed: g(t) = value + rate t + share (δ(t) − δ(0)) with share ≥ 0.
 /// As long as the contact pushes δ is concave, and so is g: it falls through zero once at most, and it does
 /// so exactly when it is not positive at the end.
@@ -36,7 +42,8 @@ class HertzMotion {
   HertzMotion(const PairLaw& law, const Indentation& start);
   double duration() const { return tau_ * (full_ - start_time_); }
   double turn() const { return y_start_ < 0 ? -tau_ * start_time_ : 0; }  ///< time of largest indentation
-  double reach(double depth) const;  ///< when it is so deep on its way in; infinite if it never is
+  double reach(double depth) const;    ///< when it is so deep on its way in; infinite if it never is
+  Reached recede(double speed) const;  ///< where it parts so fast
   Indentation at(double time) const;
   double fall(const ConcaveGap& gap) const;
 
@@ -61,6 +68,7 @@ class LinearMotion {
   double duration() const;
   double turn() const;
   double reach(double depth) const;
+  Reached recede(double speed) const;
   Indentation at(double time) const;
   double fall(const ConcaveGap& gap) const;
 
@@ -75,6 +83,7 @@ class DampedMotion {
   double duration() const { return duration_; }
   double turn() const { return duration_; }        ///< not looked for: a step's observer finds both peaks
   double reach(double) const { return infinity; }  ///< no branch has a damper
+  Reached recede(double) const { return {infinity, start_}; }
   Indentation at(double time) const;
   double fall(const ConcaveGap& gap) const;
 

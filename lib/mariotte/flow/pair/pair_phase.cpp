@@ -37,6 +37,7 @@ std::optional<PairPhase> find_pair(const SerialPhase& phase) {
                    .impulse = c.impulse,
                    .guard = c.damping > 0 ? c.load_guard : c.guard,
                    .branch_guard = c.branch_guard,
+                   .turn_speed = c.turn_speed,
                    .origin = c.origin,
                    .left_gap = before ? before->gap : -1,
                    .right_gap = after ? after->gap : -1,

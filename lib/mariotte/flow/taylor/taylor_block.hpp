@@ -102,6 +102,7 @@ class Block : RowQuantities {
     store(p, values.impulse + first_);
     store(bound(depths, side, of(lanes_->level), loss, place), values.margin + first_);
     if (damped_) evaluate_damped(place, values);
+    if (lanes_->branched) evaluate_branches(place, values);
   }
   double time_at(double place) const {
     if (!clocked_) return place;
@@ -230,6 +231,20 @@ class Block : RowQuantities {
     }
     store(w, values.work + first_);
     store(bound(loads, side, LaneVector<N>(0.0), loss, place), values.load_margin + first_);
+  }
+
+  void evaluate_branches(double place, Values& values) const {
+    const auto &depths = row_[indentation], &rates = row_[rate];
+    const auto below = -of(lanes_->yield_side), side = of(lanes_->turn_side);
+    auto loss = loss_of(below * depths[order_]), rate_loss = loss_of(side * rates[order_]);
+    for (int k = order_ - 1; k >= 4; --k) {
+      loss = place * loss + loss_of(below * depths[k]);
+      rate_loss = place * rate_loss + loss_of(side * rates[k]);
+    }
+    const auto yields = bound(depths, below, of(lanes_->yield_level), loss, place),
+               turns = bound(rates, side, of(lanes_->turn_level), rate_loss, place);
+    store(each<N>([&](int i) { return least(yields.part[i], turns.part[i]); }),
+          values.branch_margin + first_);
   }
 
   const Lanes* lanes_ = nullptr;

@@ -29,13 +29,14 @@ bool LaneTable::reserve(int lanes) {
   return true;
 }
 
-Lanes::Lanes() : table_(13) {
+Lanes::Lanes() : table_(17) {
   resize(0);
 }
 
 void Lanes::resize(int lanes) {
-  double** const rows[] = {&indentation, &rate,  &active, &stiffness, &damping,   &power, &left,
-                           &right,       &drive, &side,   &level,     &load_side, &weight};
+  double** const rows[] = {&indentation, &rate,        &active,    &stiffness,  &damping, &power,
+                           &left,        &right,       &drive,     &side,       &level,   &load_side,
+                           &yield_side,  &yield_level, &turn_side, &turn_level, &weight};
   const bool moved = table_.reserve(lanes);
   int i = 0;
   for (double** row : rows) {
@@ -45,14 +46,15 @@ void Lanes::resize(int lanes) {
   count = lanes;
 }
 
-Values::Values() : table_(5) {
+Values::Values() : table_(6) {
   resize(0);
 }
 
 void Values::resize(int lanes) {
   if (!table_.reserve(lanes)) return;
   int i = 0;
-  for (double** row : {&indentation, &impulse, &work, &margin, &load_margin}) *row = table_.row(i++);
+  for (double** row : {&indentation, &impulse, &work, &margin, &load_margin, &branch_margin})
+    *row = table_.row(i++);
 }
 
 std::size_t size_for(const Lanes& lanes) {

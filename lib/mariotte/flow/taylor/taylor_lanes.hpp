@@ -32,9 +32,10 @@ class Lanes {
   void resize(int lanes);
 
   int count = 0;
-  bool damped = false;   ///< some damping is not zero
-  bool general = false;  ///< some exponent is neither 1 nor 3/2
-  bool linked = false;   ///< `links` says what lanes do to each other; else they are a row
+  bool damped = false;    ///< some damping is not zero
+  bool general = false;   ///< some exponent is neither 1 nor 3/2
+  bool branched = false;  ///< some yield or turn is watched
+  bool linked = false;    ///< `links` says what lanes do to each other; else they are a row
   Links links;
   double* indentation;  ///< δ; negative where open
   double* rate;         ///< δ̇
@@ -48,7 +49,11 @@ class Lanes {
   double* side;         ///< sign that δ is to keep, 0 where nobody watches
   double* level;        ///< depth to which an open contact may reach
   double* load_side;    ///< sign that the load k δ + c δ̇ is to keep, or 0
-  double* weight;       ///< 1/natural length
+  double* yield_side;   ///< 1 where δ is watched for a yield, else 0
+  double* yield_level;  ///< there: δ where it yields
+  double* turn_side;    ///< sign that δ̇ is to keep but for the level, or 0
+  double* turn_level;
+  double* weight;  ///< 1/natural length
 };
 
 /// What an expansion gives at one place of its clock.
@@ -66,7 +71,8 @@ class Values {
   /// divided by the place for what starts at zero. Negative where a guard may have fired.
   double* margin;
   double* load_margin;
-  double time;  ///< since the start of the series
+  double* branch_margin;  ///< likewise of yields and turns, if branched: the lower of the two
+  double time;            ///< since the start of the series
 };
 
 /// What is evaluated of a contact, δ, δ̇, k δ + c δ̇ and δᵖ, and of the clock.

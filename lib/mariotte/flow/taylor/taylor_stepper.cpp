@@ -87,8 +87,9 @@ bool Stepper::finds_struck() {
   bool any = false;
   for (int j = 0; j < l.count; ++j) {
     if (l.drive[j] != 0) return false;
-    if (window.contact(j).role == Role::open) continue;
-    if (l.indentation[j] != 0 || !window.is_sharp(j)) return false;
+    const auto& c = window.contact(j);
+    if (c.role == Role::open) continue;
+    if (l.indentation[j] != 0 || !window.is_sharp(j) || c.branch_guard >= 0) return false;
     if (!is_struck(j)) continue;
     parts_[j] = Start::Part::struck;
     any = true;
@@ -264,6 +265,16 @@ void Stepper::search(const Piece& piece, Quantity quantity, int lane, double sid
   if (place && *place < fall.place) fall = {guard, lane, *place};
 }
 
+/// Where a branch ends: the contact yields or turns.
+void Stepper::search_branch(const Piece& piece, int lane, Fall& fall) const {
+  const auto& l = window.lanes;
+  const Index yields = window.contact(lane).branch_guard, turns = yields + 1;
+  if (l.yield_side[lane] > 0)
+    search(piece, Quantity::indentation, lane, -1, l.yield_level[lane], yields, fall);
+  if (l.turn_side[lane] != 0)
+    search(piece, Quantity::rate, lane, l.turn_side[lane], l.turn_level[lane], turns, fall);
+}
+
 /// End the piece where the root of an indentation passes zero. A contact that comes to δ = 0 and turns there
 /// goes on as √δ = |t|, and its series as t: beyond, the contact would pull.
 void Stepper::end_at_turn(Piece& piece, int lane) {
@@ -290,6 +301,7 @@ Fall Stepper::first_fall(Piece& piece) {
       search(piece, Quantity::indentation, j, l.side[j], l.level[j], c.guard, fall);
     if (l.load_side[j] != 0 && values_.load_margin[j] < 0)
       search(piece, Quantity::load, j, l.load_side[j], 0, c.load_guard, fall);
+    if (l.branched && values_.branch_margin[j] < 0) search_branch(piece, j, fall);
   }
   if (piece.lands && fall.guard < 0) {  // a damped contact that comes down to δ = 0 has lost its load, too
     const auto& c = window.contact(piece.clock);
@@ -313,8 +325,9 @@ void Stepper::advance(const Piece& piece, const Fall& fall) {
   if (piece.clock != Expansion::plain) watch(window, piece.clock);
   if (fall.guard < 0) return;
   if (piece.lands && fall.lane == piece.clock) l.indentation[fall.lane] = 0;
-  if (fall.guard == window.contact(fall.lane).guard)
-    l.indentation[fall.lane] = l.side[fall.lane] < 0 ? l.level[fall.lane] : 0;
+  const auto& c = window.contact(fall.lane);
+  if (fall.guard == c.guard) l.indentation[fall.lane] = 0 - l.side[fall.lane] * l.level[fall.lane];
+  if (fall.guard == c.branch_guard) l.indentation[fall.lane] = l.yield_level[fall.lane];
 }
 
 }  // namespace mariotte::flow::taylor

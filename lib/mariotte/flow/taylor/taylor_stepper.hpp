@@ -65,6 +65,7 @@ class Stepper {
   void wake_gently(Piece& piece);
   std::optional<double> waking(const Piece& piece, int lane) const;
   void wake_in_start(Piece& piece, int lane);
+  void search_branch(const Piece& piece, int lane, Fall& fall) const;
   void search(const Piece& piece, Quantity quantity, int lane, double side, double level, Index guard,
               Fall& fall) const;
 

@@ -44,6 +44,18 @@ void write_velocities(const Window& w, const Values& values, State x) {
   add_impulses(w, values, x);
 }
 
+/// Elastic energy of a contact that pushes without a damper.
+double stored_energy(const PhaseContact& c, double indentation) {
+  if (c.work < 0 || !c.pushes() || !(indentation > 0)) return 0;
+  const double n = c.exponent;
+  const double width = n == 1 ? 1 : n == 1.5 ? std::sqrt(indentation) : std::pow(indentation, n - 1);
+  return c.stiffness * width * indentation * indentation / (n + 1);
+}
+/// What has been put into such a contact since the window was placed.
+double gained(const Window& w, int lane, double indentation) {
+  return stored_energy(w.contact(lane), indentation) - w.stored[lane];
+}
+
 double rate_in(const Window& w, int lane) {
   return w.row ? w.velocity[lane] - w.velocity[lane + 1] : -gap_rate(w.network->direction[lane], w.velocity);
 }
@@ -60,8 +72,8 @@ void begin(Window& w, std::span<const PhaseContact> contacts) {
   w.contacts = contacts;
   auto& l = w.lanes;
   l.resize(static_cast<int>(contacts.size()));
-  l.damped = l.general = false;
-  for (auto* row : {&w.wake, &w.impulse, &w.work}) row->assign(contacts.size(), 0);
+  l.damped = l.general = l.branched = false;
+  for (auto* row : {&w.wake, &w.impulse, &w.work, &w.stored}) row->assign(contacts.size(), 0);
   w.outside_time = infinity;
 }
 
@@ -69,12 +81,13 @@ void fill(Window& w, int lane, double rate) {
   const auto& c = w.contact(lane);
   auto& l = w.lanes;
   l.rate[lane] = rate;
-  l.indentation[lane] = settled(c, -w.x[c.gap], rate);
+  l.indentation[lane] = settled(c, -w.x[c.gap] - c.origin, rate);
   l.stiffness[lane] = c.stiffness;
   l.damping[lane] = c.damping;
   l.power[lane] = c.exponent - 1;
   l.weight[lane] = 1 / c.length;
   w.wake[lane] = wake_depth(c, w.speed);
+  w.stored[lane] = stored_energy(c, l.indentation[lane]);
   l.damped |= c.damping > 0;
   l.general |= c.exponent != 1 && c.exponent != 1.5;
   watch(w, lane);
@@ -85,18 +98,33 @@ void link(Window& w, const Coupling& coupling) {
   w.lanes.links = {coupling.first.data(), coupling.near.data(), coupling.weight.data()};
 }
 
+namespace {
+
+void watch_branch(const PhaseContact& c, int lane, Lanes& l) {
+  const bool yields = c.branch_guard >= 0 && c.yields < infinity;
+  l.yield_side[lane] = yields ? 1 : 0;
+  l.yield_level[lane] = yields ? c.yields - c.origin : 0;
+  l.turn_side[lane] = c.branch_guard >= 0 ? c.turn_side : 0;
+  l.turn_level[lane] = c.turn_speed;
+  l.branched |= c.branch_guard >= 0;
+}
+
+}  // namespace
+
 void watch(Window& w, int lane) {
   const auto& c = w.contact(lane);
   auto& l = w.lanes;
   const bool damped = c.load_guard >= 0;
   l.side[lane] = l.load_side[lane] = 0;
   l.level[lane] = c.level;
+  watch_branch(c, lane, l);
   switch (c.role) {
     case Role::open:
       l.side[lane] = -1;
       break;
     case Role::closed:
       (damped ? l.load_side : l.side)[lane] = 1;
+      l.level[lane] = c.origin - c.level;
       break;
     case Role::slack:
       l.side[lane] = 1;
@@ -128,9 +156,10 @@ void write(const Window& w, State x) {
   write_outside(w, w.time - w.since, x);
   for (int lane = 0; lane < w.lanes.count; ++lane) {
     const auto& c = w.contact(lane);
-    x[c.gap] = 0 - w.lanes.indentation[lane];  // never −0
+    x[c.gap] = 0 - (c.origin + w.lanes.indentation[lane]);  // never −0
     if (c.impulse >= 0) x[c.impulse] = w.x[c.impulse] + w.impulse[lane];
-    if (c.work >= 0) x[c.work] = w.x[c.work] + w.work[lane];
+    if (c.work >= 0)
+      x[c.work] = w.x[c.work] + (w.lanes.damped ? w.work[lane] : gained(w, lane, w.lanes.indentation[lane]));
   }
   for (std::size_t i = 0; i < w.velocity.size(); ++i)
     x[w.row ? w.row->body[w.first + i].velocity : static_cast<Index>(i)] = w.velocity[i];
@@ -140,9 +169,11 @@ void write(const Window& w, const Values& values, State x) {
   write_outside(w, w.time + values.time - w.since, x);
   for (int lane = 0; lane < w.lanes.count; ++lane) {
     const auto& c = w.contact(lane);
-    x[c.gap] = 0 - values.indentation[lane];
+    x[c.gap] = 0 - (c.origin + values.indentation[lane]);
     if (c.impulse >= 0) x[c.impulse] = w.x[c.impulse] + w.impulse[lane] + values.impulse[lane];
-    if (c.work >= 0) x[c.work] = w.x[c.work] + w.work[lane] + values.work[lane];
+    if (c.work >= 0)
+      x[c.work] = w.x[c.work] + (w.lanes.damped ? w.work[lane] + values.work[lane]
+                                                : gained(w, lane, values.indentation[lane]));
   }
   write_velocities(w, values, x);
 }

@@ -29,6 +29,7 @@ class ChainFlows {
   bool is_at_edge(Index j) const;
 
   flow::PhaseContact& contact(Index j) { return serial_.contact[j]; }
+  const flow::PhaseContact& contact(Index j) const { return serial_.contact[j]; }
   const flow::SerialPhase* serial() const { return &serial_; }
   const flow::LinkedPhase* linked() const { return nullptr; }
 

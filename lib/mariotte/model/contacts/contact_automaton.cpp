@@ -46,7 +46,9 @@ void change(contact::ContactSet& mode, Index j, ContactMode after, const contact
 }
 
 void yield(contact::ContactSet& mode, Index j, std::vector<ContactChange>& changes) {
-  const auto before = std::exchange(mode.memory[j].branch, Branch::plastic);
+  auto& past = mode.memory[j];
+  const auto before = std::exchange(past.branch, Branch::plastic);
+  past.recedes = false;
   note(mode, j, before, changes);
 }
 
@@ -134,8 +136,9 @@ namespace {
 Watched watched_closed(const contact::BranchedLaw& law, const contact::Memory& past) {
   Watched watched{Crossing::rising, Crossing::none};
   if (!law.watches_turns()) return watched;
-  watched.turn = past.recedes ? Crossing::rising : Crossing::falling;
-  const bool can_yield = !past.recedes && past.branch != contact::Branch::plastic;
+  const bool plastic = past.branch == contact::Branch::plastic, turns = plastic || law.adheres();
+  if (turns) watched.turn = past.recedes ? Crossing::rising : Crossing::falling;
+  const bool can_yield = !plastic && !(turns && past.recedes);
   if (can_yield && law.yield_indentation(past) < infinity) watched.yield = Crossing::rising;
   return watched;
 }

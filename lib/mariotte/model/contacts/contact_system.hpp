@@ -118,8 +118,8 @@ void ContactSystem<Topology>::redirect(Mode& mode, Index j, ConstState x,
   const auto now = state(x, &mode);
   const auto& law = model_.law[j];
   const double rate = now.approach(j);
-  if (mode[j] == ContactMode::closed && contact::watches_turns(law) &&
-      (mode.memory[j].recedes ? rate : -rate) > model_.noise_speed)
+  const auto turns = watched(mode[j], law, now.past(j)).turn;
+  if (turns != flow::Crossing::none && static_cast<double>(turns) * rate > model_.noise_speed)
     turn(mode, j, law, -now.gap(j), changes);
   if (!contact::goes_slack(law) || !(now.gap(j) < 0)) return;
   const double load = now.load(j).value;

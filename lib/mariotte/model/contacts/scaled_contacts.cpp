@@ -12,7 +12,7 @@ class NaturalLength {
  public:
   double operator()(const contact::Law& law, double mass, double speed) {
     const auto* power = power_law(law);
-    if (!power) return std::get<contact::SharedLaw>(law)->natural_indentation(0.5 * mass * speed * speed);
+    if (!power) return of_other(*std::get<contact::SharedLaw>(law), 0.5 * mass * speed * speed);
     const double q = mass * speed * speed / power->stiffness;
     if (q != q_ || power->exponent != exponent_) length_ = natural_root(q, power->exponent);
     q_ = q;
@@ -21,7 +21,17 @@ class NaturalLength {
   }
 
  private:
-  double q_ = 0, exponent_ = 0, length_ = 0;  ///< of the last answer: contacts of a model are mostly alike
+  double of_other(const contact::CustomLaw& law, double energy) {
+    if (other_ != &law || energy != energy_) other_length_ = law.natural_indentation(energy);
+    other_ = &law;
+    energy_ = energy;
+    return other_length_;
+  }
+
+  // Of the last answers: contacts of a model are mostly alike.
+  double q_ = 0, exponent_ = 0, length_ = 0;
+  const contact::CustomLaw* other_ = nullptr;
+  double energy_ = 0, other_length_ = 0;
 };
 
 std::size_t quickest_contact(const std::vector<contact::Law>& law, const std::vector<double>& mass,
@@ -62,6 +72,14 @@ contact::Law scaled(const contact::Law& law, const Scale& scale, const contact::
                            .exponent = power->exponent};
 }
 
+/// Contact j in these units; contacts that share a law go on sharing it.
+contact::Law scaled(const StatedContacts& stated, std::size_t j, const Scale& scale,
+                    const contact::Law& reference, const std::vector<contact::Law>& done) {
+  const auto shared = [&](std::size_t i) { return std::get_if<contact::SharedLaw>(&stated.law[i]); };
+  if (j > 0 && shared(j) && shared(j - 1) && *shared(j) == *shared(j - 1)) return done.back();
+  return scaled(stated.law[j], scale, reference);
+}
+
 }  // namespace
 
 void scale_contacts(const StatedContacts& stated, double speed, double accuracy, ScaledContacts& d) {
@@ -78,7 +96,7 @@ void scale_contacts(const StatedContacts& stated, double speed, double accuracy,
   d.law.clear();
   for (const double v : stated.velocity) d.velocity.push_back(v / d.scale.velocity);
   for (std::size_t j = 0; j < stated.law.size(); ++j) {
-    const auto& law = d.law.emplace_back(scaled(stated.law[j], d.scale, stated.law[quickest]));
+    const auto& law = d.law.emplace_back(scaled(stated, j, d.scale, stated.law[quickest], d.law));
     d.gap.push_back(stated.gap[j] / d.scale.length);
     d.reduced_mass[j] /= d.scale.mass;
     d.length.push_back(natural_length(law, d.reduced_mass[j], d.speed));
@@ -101,7 +119,7 @@ double noise_share(double accuracy) {
 }
 
 double damping_group(const ScaledContacts& scaled, Index j) {
-  if (!contact::dissipates(scaled.law[j])) return 0;
+  if (!contact::is_damped(scaled.law[j])) return 0;
   const double slope = contact::smooth_force(scaled.law[j], scaled.length[j], 0).by_rate;
   return slope * scaled.time[j] / scaled.reduced_mass[j];
 }

@@ -7,7 +7,8 @@
 namespace mariotte::model {
 
 /// Contacts bound to a mode; `bind` moves them on to the next. Topology::Flows is what the flows that need
-/// more than a field see of them, as long as every contact that is not open follows a power law.
+/// more than a field see of them, as long as every contact that is not open follows a power law or a branch
+/// that is a power.
 template <class Topology>
 class TopologyPhase final : public ContactPhase {
  public:
@@ -38,7 +39,6 @@ class TopologyPhase final : public ContactPhase {
   void second_derivative(ConstState x, State ddx) const override;
   const flow::SerialPhase* serial() const override { return needs_field_ ? nullptr : flows_.serial(); }
   const flow::LinkedPhase* linked() const override { return needs_field_ ? nullptr : flows_.linked(); }
-  const flow::SerialPhase* branched_row() const override { return has_no_power_ ? nullptr : flows_.serial(); }
   flow::Accepted accept(ConstState x) override;
   std::string component(Index index) const override { return component_name(at(), index); }
 
@@ -49,12 +49,13 @@ class TopologyPhase final : public ContactPhase {
   double gap(ConstState x, Index j) const override { return x[at().gap[j]]; }
   double approach(ConstState x, Index j) const override { return topology_.approach(x, j); }
   contact::Force force(ConstState x, Index j) const override {
-    return force_in((*mode_)[j], law(j), -x[at().gap[j]], topology_.approach(x, j), past(j));
+    return force(-x[at().gap[j]], topology_.approach(x, j), j);
   }
   bool is_damped(Index j) const override { return has_work(j); }
   bool pulls(Index j) const override { return contact::pulls(law(j)); }
 
  private:
+  contact::Force force(double indentation, double rate, Index j) const;
   const ContactLayout& at() const { return topology_.at; }
   const contact::Law& law(Index j) const { return topology_.model.law[j]; }
   bool has_work(Index j) const { return at().work[j] != ContactLayout::absent; }
@@ -85,9 +86,8 @@ class TopologyPhase final : public ContactPhase {
   std::vector<double> levels_;  ///< by contact: its gap guard is gap + level
   std::vector<flow::Crossing> crossings_;
   contact::ContactSet* mode_ = nullptr;
-  Index active_ = 0;           ///< contacts that carry force
-  bool needs_field_ = false;   ///< a contact that is not open follows no power law, or there is a drive
-  bool has_no_power_ = false;  ///< likewise, and the contact is on no branch that is a power either
+  Index active_ = 0;          ///< contacts that carry force
+  bool needs_field_ = false;  ///< a contact that is not open follows no power, or there is a drive
   double time_scale_ = 1;
 };
 

@@ -44,16 +44,13 @@ template <class Topology>
 void TopologyPhase<Topology>::bind(contact::ContactSet& mode) {
   mode_ = &mode;
   active_ = 0;
-  needs_field_ = has_no_power_ = at().drives() > 0;
+  needs_field_ = at().drives() > 0;
   double shortest = infinity, any = infinity;
   for (Index j = 0; j < contacts(); ++j) {
     watch(j);
     const double time = topology_.model.time[j];
     any = std::min(any, time);
-    if (role(mode[j]) != flow::Role::open && !power_law(law(j))) {
-      needs_field_ = true;
-      has_no_power_ |= !follow_branch(j);
-    }
+    if (!power_law(law(j))) needs_field_ |= !follow_branch(j);
     if (!contact::carries_force(mode[j])) continue;
     ++active_;
     shortest = std::min(shortest, time);
@@ -63,13 +60,16 @@ void TopologyPhase<Topology>::bind(contact::ContactSet& mode) {
     crossings_[at().kink_guard(k)] = next_kink(k) < infinity ? flow::Crossing::rising : flow::Crossing::none;
 }
 
-/// Tells the flows of the branch of closed contact j; false if it is no power.
+/// Tells the flows of the branch of contact j, unless it is open; false if it is no power.
 template <class Topology>
 bool TopologyPhase<Topology>::follow_branch(Index j) {
+  auto& contact = flows_.contact(j);
+  contact.origin = 0;
+  contact.branch_guard = -1;
+  if (contact.role == flow::Role::open) return true;
   const auto* branches = contact::branched(law(j));
   const auto power = branches ? branches->power(past(j)) : std::nullopt;
   if (!power) return false;
-  auto& contact = flows_.contact(j);
   contact.stiffness = power->stiffness;
   contact.exponent = power->exponent;
   contact.origin = power->origin;
@@ -89,6 +89,20 @@ void TopologyPhase<Topology>::watch(Index j) {
   if (!watches_turns(j)) return;
   crossings_[at().branch_guard[j]] = yield;
   crossings_[at().branch_guard[j] + 1] = turn;
+  contact.yields =
+      yield == flow::Crossing::none ? infinity : contact::branched(law(j))->yield_indentation(past(j));
+  contact.turn_side = -static_cast<double>(turn);
+  contact.turn_speed = topology_.model.noise_speed;
+}
+
+/// Of contact j; a branch that is a power is asked for nothing else.
+template <class Topology>
+contact::Force TopologyPhase<Topology>::force(double indentation, double rate, Index j) const {
+  const auto& c = flows_.contact(j);
+  if (c.branch_guard < 0) return force_in((*mode_)[j], law(j), indentation, rate, past(j));
+  const contact::PowerLaw power{.stiffness = c.stiffness, .exponent = c.exponent};
+  const double depth = indentation - c.origin;
+  return c.role == flow::Role::closed ? smooth_force(power, depth, rate) : contact::force(power, depth, rate);
 }
 
 template <class Topology>
@@ -99,7 +113,7 @@ void TopologyPhase<Topology>::derivative(ConstState x, State dx) const {
     const double rate = topology_.approach(x, j);
     dx[at().gap[j]] = -rate;
     if (!contact::carries_force((*mode_)[j])) continue;
-    const double f = force_in((*mode_)[j], law(j), -x[at().gap[j]], rate, past(j)).value;
+    const double f = force(-x[at().gap[j]], rate, j).value;
     if (has_impulse(j)) dx[at().impulse[j]] = f;
     if (has_work(j)) dx[at().work[j]] = f * rate;
     topology_.for_each_push(j, [&](Index place, double change) { dx[place] += change * f; });

@@ -38,8 +38,10 @@ bool is_active(const ChainState& state, ContactMode mode, Index j) {
 
 Index margin_of_rows(const DimensionlessChain& chain) {
   const auto has_no_waking_depth = [](const contact::Law& law) {
-    const auto* power = power_law(law);
-    return !power || power->exponent == 1;
+    if (const auto* power = power_law(law)) return power->exponent == 1;
+    const auto* branches = contact::branched(law);
+    const auto fresh = branches ? branches->power({}) : std::nullopt;
+    return !fresh || fresh->exponent == 1;
   };
   return std::any_of(chain.law.begin(), chain.law.end(), has_no_waking_depth) ? 10 : 2;
 }

@@ -22,6 +22,9 @@ class NetworkFlows {
   flow::PhaseContact& contact(Index j) {
     return row_.empty() ? linked_.contact[j] : serial_.contact[row_[j]];
   }
+  const flow::PhaseContact& contact(Index j) const {
+    return row_.empty() ? linked_.contact[j] : serial_.contact[row_[j]];
+  }
   const flow::SerialPhase* serial() const { return row_.empty() ? nullptr : &serial_; }
   const flow::LinkedPhase* linked() const { return row_.empty() ? &linked_ : nullptr; }
 
