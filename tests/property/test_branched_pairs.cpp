@@ -1,12 +1,14 @@
-// Contacts that yield, followed in closed form while they are alone and by series among others, beside the
-// same rows by CVODE.
+// Contacts that yield or adhere, followed in closed form while they are alone and by series among others,
+// beside the same rows by CVODE.
 #define BOOST_TEST_MODULE property branched pairs
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <random>
 
+#include "mariotte/contact/jkr.hpp"
 #include "mariotte/contact/stated_law.hpp"
 #include "mariotte/contact/thornton.hpp"
+#include "mariotte/contact/thornton_ning.hpp"
 #include "mariotte/contact/walton_braun.hpp"
 #include "mariotte/impact/chain/chain_impact.hpp"
 #include "mariotte/impact/network/network_impact.hpp"
@@ -137,6 +139,47 @@ BOOST_AUTO_TEST_CASE(series_of_branches_agree_with_cvode) {
   }
   BOOST_TEST(series > 1000);
   BOOST_TEST(yields > 200u);
+}
+
+/// A little slower or faster than what adhesion holds, so that some contacts hold for a while.
+model::Chain sticky_row(std::mt19937_64& random) {
+  const auto uniform = [&](double low, double high) {
+    return std::uniform_real_distribution(low, high)(random);
+  };
+  model::Chain chain;
+  const int balls = std::uniform_int_distribution(2, 5)(random);
+  const bool yields = uniform(0, 1) < 0.5;
+  for (int i = 0; i < balls; ++i) {
+    chain.mass.push_back(uniform(0.5, 2));
+    chain.velocity.push_back(1 - 2.0 * i / (balls - 1) + uniform(-0.2, 0.2));
+  }
+  for (int j = 0; j + 1 < balls; ++j) {
+    chain.gap.push_back(uniform(0.01, 0.3));
+    const double radius = uniform(0.5, 2), work = uniform(0.0005, 0.01);
+    chain.law.push_back(yields ? contact::state(contact::ThorntonNing(1, radius, uniform(0.3, 0.6), work))
+                               : contact::state(contact::Jkr(1, radius, work, uniform(0, 0.05))));
+  }
+  return chain;
+}
+
+// Until a time at which what is bound rings, too.
+BOOST_AUTO_TEST_CASE(series_of_adhesive_branches_agree_with_cvode) {
+  std::mt19937_64 random(1971);
+  Index series = 0;
+  std::size_t yields = 0;
+  for (int n = 0; n < 100; ++n) {
+    const auto chain = sticky_row(random);
+    const auto own = impact::simulate(chain, {.accuracy = 1e-11, .max_time = 12});
+    const auto other =
+        impact::simulate(chain, {.accuracy = 1e-12, .max_time = 12, .flow = flow::Kind::cvode_adams});
+    series += phases_of(own, "taylor");
+    BOOST_TEST(phases_of(own, "cvode-adams") == 0, "row " << n);
+    yields += compare(chain, own, other, n);
+    for (std::size_t j = 0; j < chain.law.size(); ++j)
+      BOOST_TEST(std::abs(own.contacts[j].adhesion - other.contacts[j].adhesion) < 1e-10);
+  }
+  BOOST_TEST(series > 500);
+  BOOST_TEST(yields > 20u);
 }
 
 BOOST_AUTO_TEST_CASE(series_of_branches_in_networks_agree_with_cvode) {

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "mariotte/contact/jkr.hpp"
+#include "mariotte/contact/walton_braun.hpp"
 #include "mariotte/flow/choose.hpp"
 #include "mariotte/model/chain/chain_system.hpp"
 #include "mariotte/model/microbody/microbody_system.hpp"
@@ -86,6 +88,8 @@ inline std::vector<PhaseCase> chain_phases() {
   const contact::Hertz hertz{1}, stiff{2};
   const contact::Linear soft{1}, hard{3};
   const contact::Viscoelastic lossy{.stiffness = 1, .damping = 0.2, .exponent = 1.5};
+  const auto yielding = contact::state(contact::WaltonBraun(1, 2)),
+             sticky = contact::state(contact::Jkr(1, 1, 0.003, 0.1));
   const auto of = [](model::Chain chain, std::vector<double> gap = {}, double gravity = 0) {
     if (!gap.empty()) chain.gap = gap;
     chain.gravity = gravity;
@@ -108,6 +112,8 @@ inline std::vector<PhaseCase> chain_phases() {
       {"damped Hertz row", {taylor}, of(equal_masses({lossy, lossy}, {1, 0, -0.7}))},
       {"linear row struck from both sides", {modal, taylor}, of(equal_masses({soft, soft}, {1, 0, -1}))},
       {"Hertz row struck from both sides", {taylor}, of(equal_masses({hertz, hertz}, {1, 0, -1}))},
+      {"row of two springs", {taylor}, of(equal_masses({yielding, yielding}, {1, 0, -0.7}))},
+      {"adhesive row", {taylor}, of(equal_masses({sticky, sticky}, {1, 0, -0.7}))},
   };
 }
 

@@ -43,6 +43,19 @@ class ScaledBranches final : public BranchedLaw {
     power->origin /= scale_.length;
     return power;
   }
+  /// u in the root of the unit of length.
+  std::optional<WidthBranch> width_branch(const Memory& past) const override {
+    auto branch = law_.width_branch(stated(past));
+    if (!branch) return branch;
+    const double width = std::sqrt(scale_.length);
+    branch->curve.radius /= scale_.length;
+    branch->curve.s /= width;
+    branch->curve.origin /= scale_.length;
+    double unit = 1 / scale_.force();
+    for (double& push : branch->push) push *= std::exchange(unit, unit * width);
+    branch->damping *= scale_.length * scale_.velocity / scale_.force();
+    return branch;
+  }
   bool pulls() const override { return law_.pulls(); }
   bool adheres() const override { return law_.adheres(); }
   bool watches_turns() const override { return law_.watches_turns(); }

@@ -5,6 +5,7 @@
 #include "mariotte/contact/custom_law.hpp"
 #include "mariotte/contact/memory.hpp"
 #include "mariotte/core/types.hpp"
+#include "mariotte/core/width_branch.hpp"
 
 namespace mariotte::contact {
 
@@ -32,6 +33,8 @@ class BranchedLaw : public CustomLaw {
   virtual double yield_indentation(const Memory&) const { return infinity; }
   /// The force of the present branch if it is such a power; flows with closed forms follow it.
   virtual std::optional<ShiftedPower> power(const Memory&) const { return std::nullopt; }
+  /// The present branch if it is a polynomial in the root of a contact radius; series follow it.
+  virtual std::optional<WidthBranch> width_branch(const Memory&) const { return std::nullopt; }
   /// Energy lost to yielding up to an indentation of the plastic branch [J].
   virtual double plastic_loss(double /*peak*/) const { return 0; }
   /// True if the force can pull.

@@ -7,7 +7,6 @@
 // 7.09 (w⁵R⁴/E*²)^{1/3} there [Thornton & Ning 1998, Powder Technol 99:154]. For soft, large bodies with much
 // adhesion [Johnson & Greenwood 1997, JCIS 192:326].
 #pragma once
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -22,10 +21,14 @@ struct AdhesiveCurve {
   double s;         ///< √(2πw/E*) [√m]
   double dent = 0;  ///< δ of the same load on the curve less that on this one [m]
 
+  WidthCurve width() const { return {.radius = radius, .s = s, .origin = dent}; }
   /// Where it lets go, dδ/du = 0.
-  double last() const { return std::cbrt(s * radius / 4); }
-  double indentation(double u) const { return dent + u * (u * u * u / radius - s); }
+  double last() const { return width().last(); }
+  double indentation(double u) const { return width().indentation(u); }
   double last_indentation() const { return dent - 3 * std::pow(last(), 4) / radius; }
+  WidthBranch branch() const {
+    return {.curve = width(), .push = {0, 0, 0, -2 * modulus * s, 0, 0, 4.0 / 3.0 * modulus / radius}};
+  }
 
   template <class T>
   T force(const T& u) const {
@@ -38,26 +41,13 @@ struct AdhesiveCurve {
     return modulus * std::pow(u, 4) * ((8.0 / 15.0) * q * q - (4.0 / 3.0) * s * q + 0.5 * s * s);
   }
   /// u of an indentation on the branch that holds; that of the end beyond it.
-  double root(double indentation) const;
+  double root(double indentation) const { return width().root(indentation); }
   template <class T>
   T root(const T& indentation) const {
-    const double u = root(indentation.value), slope = 4 * u * u * u / radius - s;
+    const double u = root(indentation.value), slope = width().slope(u);
     return T::chain(indentation, u, slope > 0 ? 1 / slope : 0);
   }
 };
-
-/// With u = u_f (1 + e): 6e² + 4e³ + e⁴ = 3 + (δ − δ_p) R/u_f⁴. Newton from above, where it cannot miss.
-inline double AdhesiveCurve::root(double indentation) const {
-  const double end = last(), excess = 3 + (indentation - dent) * radius / std::pow(end, 4);
-  if (!(excess > 0)) return end;
-  double e = std::min(std::sqrt(excess / 6), std::sqrt(std::sqrt(excess)));
-  for (int i = 0; i < 50; ++i) {
-    const double step = (e * e * (6 + e * (4 + e)) - excess) / (e * (12 + e * (12 + 4 * e)));
-    e -= step;
-    if (!(step > 4 * epsilon * e)) break;
-  }
-  return end * (1 + e);
-}
 
 struct Jkr : AdhesiveStatement {
   static constexpr std::string_view name = "jkr";
@@ -78,6 +68,11 @@ struct Jkr : AdhesiveStatement {
   }
   double stored_energy(const Memory&, double indentation) const {
     return curve.energy(curve.root(indentation));
+  }
+  std::optional<WidthBranch> width_branch(const Memory&) const {
+    auto branch = curve.branch();
+    branch.damping = damping;
+    return branch;
   }
   double opening_indentation(const Memory&) const { return curve.last_indentation(); }
   bool is_damped() const { return damping > 0; }

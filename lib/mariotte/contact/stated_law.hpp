@@ -24,6 +24,7 @@ struct LawStatement {
   double yield_indentation(const Memory&) const { return infinity; }
   double plastic_loss(double) const { return 0; }
   std::optional<ShiftedPower> power(const Memory&) const { return std::nullopt; }
+  std::optional<WidthBranch> width_branch(const Memory&) const { return std::nullopt; }
   bool adheres() const { return false; }
   bool pulls() const { return false; }
   bool watches_turns() const { return false; }
@@ -69,6 +70,9 @@ class StatedLaw final : public BranchedLaw {
   }
   double plastic_loss(double peak) const override { return law_.plastic_loss(peak); }
   std::optional<ShiftedPower> power(const Memory& past) const override { return law_.power(past); }
+  std::optional<WidthBranch> width_branch(const Memory& past) const override {
+    return law_.width_branch(past);
+  }
   bool pulls() const override { return law_.pulls(); }
   bool adheres() const override { return law_.adheres(); }
   bool watches_turns() const override { return law_.watches_turns(); }

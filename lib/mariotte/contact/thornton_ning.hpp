@@ -65,6 +65,13 @@ struct ThorntonNing : AdhesiveStatement {
     const auto now = curve_of(past);
     return now.force(now.root(indentation));
   }
+  std::optional<WidthBranch> width_branch(const Memory& past) const {
+    if (past.branch != Branch::plastic) return curve_of(past).branch();
+    const double area = yield_root * yield_root, e = curve.modulus, first = std::numbers::pi * pressure;
+    return WidthBranch{.curve = curve.width(),
+                       .push = {4.0 / 3.0 * e * area * area * area / curve.radius - first * area * area,
+                                -2 * e * curve.s * area, 0, 0, first}};
+  }
   double stored_energy(const Memory& past, double indentation) const {
     if (is_plastic(past, indentation, yield_indentation(past))) {
       const double u = curve.root(indentation);

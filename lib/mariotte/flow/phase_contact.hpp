@@ -1,6 +1,7 @@
 // A contact as the flows see it that need more than a field.
 #pragma once
 #include "mariotte/core/types.hpp"
+#include "mariotte/core/width_branch.hpp"
 
 namespace mariotte::flow {
 
@@ -30,6 +31,7 @@ struct PhaseContact {
   double yields = infinity;  ///< indentation at which it does, where that is watched
   double turn_side = 0;      ///< sign that δ̇ is to keep but for `turn_speed`, or 0
   double turn_speed = 0;
+  const WidthBranch* width = nullptr;  ///< the force, where it is that and no power
   Role role = Role::open;
 
   bool pushes() const { return role == Role::closed || role == Role::touching; }

@@ -21,7 +21,7 @@ std::optional<PairPhase> find_pair(const SerialPhase& phase) {
   const Index j = only_closed(phase);
   if (j < 0) return std::nullopt;
   const auto& c = phase.contact[j];
-  const bool closed_form = c.exponent == 1 || (c.exponent == 1.5 && c.damping == 0);
+  const bool closed_form = !c.width && (c.exponent == 1 || (c.exponent == 1.5 && c.damping == 0));
   if (!closed_form || has_acceleration(phase)) return std::nullopt;
   const auto &left = phase.body[j], &right = phase.body[j + 1];
   const auto* before = j > 0 ? &phase.contact[j - 1] : nullptr;

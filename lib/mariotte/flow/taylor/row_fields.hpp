@@ -89,6 +89,55 @@ struct RowField : RowQuantities {
   }
 };
 
+/// Branches that are polynomials in u: with φ = dδ/du, u' = g δ̇/φ, and the clock g = φ of a lane.
+struct WidthQuantities : RowQuantities {
+  enum { width = states, width_states, growth = width_states, width_rows };
+  enum {
+    steepness,  ///< φ = steepness u³ − pull
+    pull,
+    push0,
+    push1,
+    push3,
+    push4,
+    push6,
+    loss,
+    owner,  ///< 1 where φ is the clock, else 0
+    other,  ///< 1 − owner
+    width_parameters
+  };
+};
+
+/// The caller gives the coefficients of δ̇, as of linked contacts, and those of the clock from `growth` = φ'.
+template <Pace pace>
+struct WidthField : WidthQuantities {
+  enum { states = width_states, rows = width_rows, parameters = width_parameters };
+  static constexpr bool is_uniform(int row) { return row == clock || row == time; }
+
+  template <class T>
+  static constexpr auto rates(const std::array<T, states>& x, const std::array<T, parameters>& p) {
+    std::array<T, rows> row{};
+    const T square = x[width] * x[width], cube = square * x[width], quick = square * x[rate];
+    const T inner = p[push3] + p[push4] * x[width] + p[push6] * cube;
+    const T force = p[push0] + x[width] * (p[push1] + square * inner) + p[loss] * quick;
+    const T slope = p[steepness] * cube - p[pull];
+    row[growth] = 3.0 * (p[steepness] * quick);
+    if constexpr (pace == Pace::landing) {
+      const T travel = x[rate] * x[clock], push = force * x[clock];
+      row[indentation] = travel;
+      row[width] = p[other] * (travel / (p[other] * slope + p[owner])) + p[owner] * x[rate];
+      row[impulse] = push;
+      row[work] = push * x[rate];
+      row[time] = x[clock];
+    } else {
+      row[indentation] = x[rate];
+      row[width] = x[rate] / slope;
+      row[impulse] = force;
+      row[work] = force * x[rate];
+    }
+    return row;
+  }
+};
+
 /// Contacts without force, moved from outside.
 template <Pace pace>
 struct StillField : RowQuantities {

@@ -55,7 +55,8 @@ void fill(Window& w, int lane) {
   fill(w, lane, rate(phase, w.x, j));
 }
 
-/// Rows with more contacts than a row of lanes holds are expanded as contacts linked in any way.
+/// Rows with more contacts than a row of lanes holds, or with branches that are no powers, are expanded as
+/// contacts linked in any way.
 void couple(Window& w) {
   auto& l = w.lanes;
   l.linked = false;
@@ -98,7 +99,7 @@ void place(Window& w, const SerialPhase& phase, State x, double time) {
   for (int body = 0; body <= w.lanes.count; ++body) w.velocity[body] = x[phase.body[from + body].velocity];
   find_outside(w);
   w.lanes.linked = false;
-  if (w.lanes.count > row_limit) couple(w);
+  if (w.lanes.count > row_limit || w.lanes.widened) couple(w);
 }
 
 bool has_outgrown(const Window& w) {

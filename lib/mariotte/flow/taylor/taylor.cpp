@@ -43,6 +43,17 @@ bool may_pull(const LinkedPhase& phase) {
   });
 }
 
+/// Branches that are no powers have a series of their own, from the start of a contact on: either all
+/// contacts that push have one, or none.
+bool are_alike(const std::vector<PhaseContact>& contacts) {
+  const auto pushes = [](const PhaseContact& c) { return c.pushes(); };
+  const auto is_wide = [](const PhaseContact& c) { return c.pushes() && c.width; };
+  const auto begins = [](const PhaseContact& c) { return c.role == Role::touching && c.width; };
+  const auto wide = std::count_if(contacts.begin(), contacts.end(), is_wide);
+  return wide == 0 || (wide == std::count_if(contacts.begin(), contacts.end(), pushes) &&
+                       std::none_of(contacts.begin(), contacts.end(), begins));
+}
+
 }  // namespace
 
 struct Taylor::Memory {
@@ -101,7 +112,9 @@ Taylor::Taylor() : memory_(std::make_unique<Memory>()) {}
 Taylor::~Taylor() = default;
 
 bool Taylor::admits(const Problem& problem) {
-  return problem.serial() || (problem.linked() && !may_pull(*problem.linked()));
+  if (const auto* row = problem.serial()) return are_alike(row->contact);
+  const auto* linked = problem.linked();
+  return linked && !may_pull(*linked) && are_alike(linked->contact);
 }
 
 Arrival Taylor::follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) {

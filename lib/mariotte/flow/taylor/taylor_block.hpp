@@ -57,14 +57,24 @@ class Block : RowQuantities {
   /// Run `use` on the series that the lanes need.
   template <class Use>
   void with_series(Use&& use) {
-    if constexpr (given == Given::from_outside)
+    if constexpr (given == Given::from_outside) {
       if (still_) return clocked_ ? use(made(still_landing_)) : use(made(still_plain_));
+      if (lanes_->widened) return clocked_ ? use(made(width_landing_)) : use(made(width_plain_));
+    }
     if (lanes_->general)
       use(made(general_));
     else if (clocked_)
       damped_ ? use(made(damped_landing_)) : use(made(landing_));
     else
       damped_ ? use(made(damped_plain_)) : use(made(plain_));
+  }
+  /// Order 0 of that series, and order 1 of its states.
+  void begin(auto& series) {
+    if constexpr (std::is_same_v<decltype(&series), decltype(width_plain_.get())> ||
+                  std::is_same_v<decltype(&series), decltype(width_landing_.get())>)
+      series.begin(width_states(), width_parameters());
+    else
+      series.begin(start_, parameters_);
   }
   const std::array<LaneVector<N>, states>& start_states() const { return start_; }
   const std::array<LaneVector<N>, parameters>& parameter_values() const { return parameters_; }
@@ -84,6 +94,8 @@ class Block : RowQuantities {
                                    weight.part[i] * magnitude(row_[indentation][k].part[i])));
     for (int i = 0; damped_ && i < N; ++i)
       most = largest(most, mobility_.part[i] * magnitude(row_[work][k].part[i]));
+    for (int i = 0; lanes_->widened && !still_ && i < N; ++i)
+      most = largest(most, width_weight_.part[i] * magnitude(row_[WidthQuantities::width][k].part[i]));
     double largest_part = most[0];
     for (int i = 1; i < width; ++i) largest_part = most[i] > largest_part ? most[i] : largest_part;
     return largest_part;
@@ -103,6 +115,7 @@ class Block : RowQuantities {
     store(bound(depths, side, of(lanes_->level), loss, place), values.margin + first_);
     if (damped_) evaluate_damped(place, values);
     if (lanes_->branched) evaluate_branches(place, values);
+    if (lanes_->widened && !still_) evaluate_widths(place, values);
   }
   double time_at(double place) const {
     if (!clocked_) return place;
@@ -233,6 +246,46 @@ class Block : RowQuantities {
     store(bound(loads, side, LaneVector<N>(0.0), loss, place), values.load_margin + first_);
   }
 
+  using WidthStart = std::array<LaneVector<N>, WidthField<Pace::plain>::states>;
+  using WidthNumbers = std::array<LaneVector<N>, WidthField<Pace::plain>::parameters>;
+
+  WidthStart width_states() const {
+    WidthStart start;
+    for (int i = 0; i < states; ++i) start[i] = start_[i];
+    start[WidthQuantities::width] = of(lanes_->width);
+    return start;
+  }
+  /// One without force has φ = 1.
+  WidthNumbers width_parameters() {
+    using Q = WidthQuantities;
+    WidthNumbers p;
+    for (auto& one : p) one = LaneVector<N>(0.0);
+    p[Q::owner] = parameters_[chosen];
+    p[Q::other] = parameters_[free];
+    width_weight_ = LaneVector<N>(0.0);
+    for (int lane = 0; lane < size; ++lane) {
+      const int i = lane / width, k = lane % width;
+      const auto* branch = first_ + lane < lanes_->count ? lanes_->branch[first_ + lane] : nullptr;
+      p[Q::pull].part[i][k] = branch ? branch->curve.s : -1;
+      if (!branch) continue;
+      width_weight_.part[i][k] = 1 / lanes_->width[first_ + lane];
+      p[Q::steepness].part[i][k] = 4 / branch->curve.radius;
+      p[Q::push0].part[i][k] = branch->push[0];
+      p[Q::push1].part[i][k] = branch->push[1];
+      p[Q::push3].part[i][k] = branch->push[3];
+      p[Q::push4].part[i][k] = branch->push[4];
+      p[Q::push6].part[i][k] = branch->push[6];
+      p[Q::loss].part[i][k] = branch->damping;
+    }
+    return p;
+  }
+  void evaluate_widths(double place, Values& values) const {
+    const auto& widths = row_[WidthQuantities::width];
+    auto u = widths[order_];
+    for (int k = order_ - 1; k >= 0; --k) u = place * u + widths[k];
+    store(u, values.width + first_);
+  }
+
   void evaluate_branches(double place, Values& values) const {
     const auto &depths = row_[indentation], &rates = row_[rate];
     const auto below = -of(lanes_->yield_side), side = of(lanes_->turn_side);
@@ -253,13 +306,16 @@ class Block : RowQuantities {
   bool damped_ = false, clocked_ = false, still_ = false;
   std::array<LaneVector<N>, states> start_ = {};  ///< impulse, work and time start from zero
   std::array<LaneVector<N>, parameters> parameters_;
-  LaneVector<N> mobility_;  ///< 1/m*
+  LaneVector<N> mobility_;      ///< 1/m*
+  LaneVector<N> width_weight_;  ///< 1/u
   std::array<LaneVector<N>, order_limit + 2>* row_ = nullptr;
   Own<Pace::plain, false> plain_;
   Own<Pace::plain, true> damped_plain_;
   Own<Pace::landing, false> landing_;
   Own<Pace::landing, true> damped_landing_;
   Own<Pace::general, true> general_;
+  Of<WidthField<Pace::plain>> width_plain_;
+  Of<WidthField<Pace::landing>> width_landing_;
   Of<StillField<Pace::plain>> still_plain_;
   Of<StillField<Pace::landing>> still_landing_;
 };

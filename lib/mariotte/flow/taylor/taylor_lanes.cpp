@@ -29,14 +29,14 @@ bool LaneTable::reserve(int lanes) {
   return true;
 }
 
-Lanes::Lanes() : table_(17) {
+Lanes::Lanes() : table_(18) {
   resize(0);
 }
 
 void Lanes::resize(int lanes) {
-  double** const rows[] = {&indentation, &rate,        &active,    &stiffness,  &damping, &power,
-                           &left,        &right,       &drive,     &side,       &level,   &load_side,
-                           &yield_side,  &yield_level, &turn_side, &turn_level, &weight};
+  double** const rows[] = {&indentation, &rate,       &width,       &active,    &stiffness,  &damping,
+                           &power,       &left,       &right,       &drive,     &side,       &level,
+                           &load_side,   &yield_side, &yield_level, &turn_side, &turn_level, &weight};
   const bool moved = table_.reserve(lanes);
   int i = 0;
   for (double** row : rows) {
@@ -46,14 +46,14 @@ void Lanes::resize(int lanes) {
   count = lanes;
 }
 
-Values::Values() : table_(6) {
+Values::Values() : table_(7) {
   resize(0);
 }
 
 void Values::resize(int lanes) {
   if (!table_.reserve(lanes)) return;
   int i = 0;
-  for (double** row : {&indentation, &impulse, &work, &margin, &load_margin, &branch_margin})
+  for (double** row : {&indentation, &impulse, &work, &width, &margin, &load_margin, &branch_margin})
     *row = table_.row(i++);
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <memory>
 
+#include "mariotte/core/width_branch.hpp"
 #include "mariotte/flow/taylor/lane_table.hpp"
 
 namespace mariotte::flow::taylor {
@@ -36,22 +37,25 @@ class Lanes {
   bool general = false;   ///< some exponent is neither 1 nor 3/2
   bool branched = false;  ///< some yield or turn is watched
   bool linked = false;    ///< `links` says what lanes do to each other; else they are a row
+  bool widened = false;   ///< the forces are those of `branch`, not powers
   Links links;
-  double* indentation;  ///< δ; negative where open
-  double* rate;         ///< δ̇
-  double* active;       ///< 1 where the contact carries force, else 0
-  double* stiffness;    ///< k
-  double* damping;      ///< c
-  double* power;        ///< p = n − 1 of the force δᵖ (k δ + c δ̇)
-  double* left;         ///< 1/m of body j; if linked, 1/m* of the contact
-  double* right;        ///< 1/m of body j+1; if linked, 0
-  double* drive;        ///< δ̈ from outside forces
-  double* side;         ///< sign that δ is to keep, 0 where nobody watches
-  double* level;        ///< depth to which an open contact may reach
-  double* load_side;    ///< sign that the load k δ + c δ̇ is to keep, or 0
-  double* yield_side;   ///< 1 where δ is watched for a yield, else 0
-  double* yield_level;  ///< there: δ where it yields
-  double* turn_side;    ///< sign that δ̇ is to keep but for the level, or 0
+  const WidthBranch* const* branch = nullptr;  ///< of each lane, if widened; null of one without force
+  double* indentation;                         ///< δ; negative where open
+  double* rate;                                ///< δ̇
+  double* width;                               ///< u of its branch
+  double* active;                              ///< 1 where the contact carries force, else 0
+  double* stiffness;                           ///< k
+  double* damping;                             ///< c
+  double* power;                               ///< p = n − 1 of the force δᵖ (k δ + c δ̇)
+  double* left;                                ///< 1/m of body j; if linked, 1/m* of the contact
+  double* right;                               ///< 1/m of body j+1; if linked, 0
+  double* drive;                               ///< δ̈ from outside forces
+  double* side;                                ///< sign that δ is to keep, 0 where nobody watches
+  double* level;                               ///< depth to which an open contact may reach
+  double* load_side;                           ///< sign that the load k δ + c δ̇ is to keep, or 0
+  double* yield_side;                          ///< 1 where δ is watched for a yield, else 0
+  double* yield_level;                         ///< there: δ where it yields
+  double* turn_side;                           ///< sign that δ̇ is to keep but for the level, or 0
   double* turn_level;
   double* weight;  ///< 1/natural length
 };
@@ -67,6 +71,7 @@ class Values {
   double* indentation;
   double* impulse;  ///< ∫ f dt
   double* work;     ///< ∫ f δ̇ dt, if damped
+  double* width;    ///< u, if widened
   /// Lower bounds, from the start to that place, of side × δ + level and of load_side × load, if damped;
   /// divided by the place for what starts at zero. Negative where a guard may have fired.
   double* margin;
@@ -79,7 +84,8 @@ class Values {
 enum class Quantity { indentation, rate, load, root, clock, time };
 
 /// Series of all lanes in a clock σ. Plain: t = σ. Of a lane c: dt = √δ_c dσ, in which onset (δ_c = 0,
-/// δ̇_c > 0) and separation of c are ordinary points; for windows without general exponents.
+/// δ̇_c > 0) and separation of c are ordinary points; for windows without general exponents. If widened:
+/// dt = (dδ/du) dσ, in which the end of c is one.
 class Expansion {
  public:
   static constexpr int plain = -1;

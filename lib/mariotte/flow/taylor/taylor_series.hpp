@@ -8,7 +8,10 @@
 namespace mariotte::flow::taylor::MARIOTTE_INSTRUCTION_SET {
 
 inline double pace_start(const Lanes& lanes, int owner) {
-  return owner == Expansion::plain ? 0 : __builtin_sqrt(lanes.indentation[owner]);
+  if (owner == Expansion::plain) return 0;
+  if (!lanes.widened) return __builtin_sqrt(lanes.indentation[owner]);
+  const double u = lanes.width[owner];
+  return 4 * u * u * u / lanes.branch[owner]->curve.radius - lanes.branch[owner]->curve.s;
 }
 
 template <int N>
@@ -48,7 +51,7 @@ class LinkedSeries final : public Expansion {
     find_pushes();
     for (auto& block : blocks_) {
       block.start(lanes, order, clock, pace_start(lanes, clock));
-      block.with_series([&](auto& series) { series.begin(block.start_states(), block.parameter_values()); });
+      block.with_series([&](auto& series) { block.begin(series); });
     }
     accelerate(0);
     for (int k = 1; k < order; ++k) {
@@ -111,13 +114,18 @@ class LinkedSeries final : public Expansion {
     for (std::size_t i = 0; i < blocks_.size(); ++i)
       blocks_[i].coefficient(RowQuantities::rate, k + 1) = bend_[i];
     if (clock_ == plain) return;
-    const LaneVector<parts> quickening(0.5 * share * of_owner(k));
+    const LaneVector<parts> quickening(share * growth_of_owner(k));
     for (auto& block : blocks_) block.coefficient(RowQuantities::clock, k + 1) = quickening;
   }
   double clock_of(int k) const {
     return clock_ == plain ? k == 0 : blocks_[0].at(RowQuantities::clock, k, 0);
   }
-  double of_owner(int k) const { return blocks_[clock_ / Part::size].at(RowQuantities::rate, k, clock_); }
+  /// Of the rate of the clock.
+  double growth_of_owner(int k) const {
+    const auto& block = blocks_[clock_ / Part::size];
+    return lanes_->widened ? block.at(WidthQuantities::growth, k, clock_)
+                           : 0.5 * block.at(RowQuantities::rate, k, clock_);
+  }
 
   struct Push {
     int on, by;

@@ -132,6 +132,7 @@ int Stepper::choose_clock() const {
   const auto& l = window.lanes;
   int clock = Expansion::plain;
   if (l.general) return clock;
+  if (l.widened) return narrowest();
   double soonest = landing_share(window) * last_time;
   for (int j = 0; j < l.count; ++j) {
     if (!window.is_sharp(j) || window.contact(j).role != Role::closed) continue;
@@ -141,6 +142,20 @@ int Stepper::choose_clock() const {
     clock = j;
   }
   return clock;
+}
+
+/// The lane whose contact is nearest to its smallest radius: of the points that no series in time passes, its
+/// end is the nearest, and an ordinary one in its clock.
+int Stepper::narrowest() const {
+  const auto& l = window.lanes;
+  int found = Expansion::plain;
+  double least = infinity;
+  for (int j = 0; j < l.count; ++j) {
+    if (!l.branch[j]) continue;
+    const double share = l.width[j] / l.branch[j]->curve.last();
+    if (share < least) least = share, found = j;
+  }
+  return found;
 }
 
 /// Where the last coefficients come to the tolerance, but no further than a safe share of the radius of

@@ -52,6 +52,7 @@ class Stepper {
   bool finds_pressed();
   std::optional<Piece> start_piece();
   int choose_clock() const;
+  int narrowest() const;
   Piece series_piece();
   void land(Piece& piece);
   void end_at_turn(Piece& piece, int lane);

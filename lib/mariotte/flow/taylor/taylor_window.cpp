@@ -12,6 +12,7 @@ namespace {
 /// rounding may have left it beside.
 double settled(const PhaseContact& c, double indentation, double rate) {
   if (c.role == Role::open) return std::min(indentation, c.level);
+  if (c.width) return indentation;
   if (c.role == Role::touching && c.exponent != 1) return indentation;  // drawn apart a little, without force
   const bool onset = c.role == Role::closed && rate > 0 && indentation <= 16 * epsilon * c.length;
   return onset ? 0 : std::max(indentation, 0.0);
@@ -72,7 +73,9 @@ void begin(Window& w, std::span<const PhaseContact> contacts) {
   w.contacts = contacts;
   auto& l = w.lanes;
   l.resize(static_cast<int>(contacts.size()));
-  l.damped = l.general = l.branched = false;
+  l.damped = l.general = l.branched = l.widened = false;
+  w.branch.assign(contacts.size(), nullptr);
+  l.branch = w.branch.data();
   for (auto* row : {&w.wake, &w.impulse, &w.work, &w.stored}) row->assign(contacts.size(), 0);
   w.outside_time = infinity;
 }
@@ -88,7 +91,10 @@ void fill(Window& w, int lane, double rate) {
   l.weight[lane] = 1 / c.length;
   w.wake[lane] = wake_depth(c, w.speed);
   w.stored[lane] = stored_energy(c, l.indentation[lane]);
-  l.damped |= c.damping > 0;
+  l.damped |= c.damping > 0 || c.width;
+  l.widened |= c.width != nullptr;
+  w.branch[lane] = c.width;
+  l.width[lane] = c.width ? c.width->curve.root(l.indentation[lane]) : 1;
   l.general |= c.exponent != 1 && c.exponent != 1.5;
   watch(w, lane);
 }
@@ -146,6 +152,7 @@ void advance(Window& w, const Values& values) {
     add_impulses(w, values, w.velocity);
   for (int lane = 0; lane < l.count; ++lane) {
     l.indentation[lane] = values.indentation[lane];
+    if (w.branch[lane]) l.width[lane] = values.width[lane];
     l.rate[lane] = rate_in(w, lane);
     w.impulse[lane] += values.impulse[lane];
     if (l.damped) w.work[lane] += values.work[lane];

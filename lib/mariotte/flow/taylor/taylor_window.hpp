@@ -25,8 +25,9 @@ struct Window {
   std::vector<double> wake;           ///< indentation below which a contact's force is left out
   std::vector<double> impulse, work;  ///< since `since`
   std::vector<double> stored;         ///< elastic energy at `since`
-  double outside_time = infinity;     ///< when the first of the gaps outside closes
-  Index outside = -1;                 ///< that contact
+  std::vector<const WidthBranch*> branch;  ///< of each lane
+  double outside_time = infinity;          ///< when the first of the gaps outside closes
+  Index outside = -1;                      ///< that contact
 
   const PhaseContact& contact(int lane) const { return contacts[lane]; }
   /// Of lane's contact the force is a function with a branch point at δ = 0.

@@ -66,9 +66,19 @@ bool TopologyPhase<Topology>::follow_branch(Index j) {
   auto& contact = flows_.contact(j);
   contact.origin = 0;
   contact.branch_guard = -1;
+  contact.width = nullptr;
   if (contact.role == flow::Role::open) return true;
   const auto* branches = contact::branched(law(j));
-  const auto power = branches ? branches->power(past(j)) : std::nullopt;
+  if (!branches) return false;
+  if (const auto width = branches->width_branch(past(j))) {
+    widths_.resize(contacts());
+    contact.width = &(widths_[j] = *width);
+    contact.stiffness = contact.damping = 0;
+    contact.exponent = 1;
+    contact.branch_guard = at().branch_guard[j];
+    return true;
+  }
+  const auto power = branches->power(past(j));
   if (!power) return false;
   contact.stiffness = power->stiffness;
   contact.exponent = power->exponent;
@@ -99,7 +109,7 @@ void TopologyPhase<Topology>::watch(Index j) {
 template <class Topology>
 contact::Force TopologyPhase<Topology>::force(double indentation, double rate, Index j) const {
   const auto& c = flows_.contact(j);
-  if (c.branch_guard < 0) return force_in((*mode_)[j], law(j), indentation, rate, past(j));
+  if (c.branch_guard < 0 || c.width) return force_in((*mode_)[j], law(j), indentation, rate, past(j));
   const contact::PowerLaw power{.stiffness = c.stiffness, .exponent = c.exponent};
   const double depth = indentation - c.origin;
   return c.role == flow::Role::closed ? smooth_force(power, depth, rate) : contact::force(power, depth, rate);
