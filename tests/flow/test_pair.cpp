@@ -25,7 +25,7 @@ auto ask(const flow::PairMotion& motion, Visit&& visit) {
   return std::visit(visit, motion);
 }
 double duration(const flow::PairMotion& motion) {
-  return ask(motion, [](const auto& one) { return one.duration(); });
+  return ask(motion, [](const auto& one) { return one.opening().time; });
 }
 Indentation at(const flow::PairMotion& motion, double time) {
   return ask(motion, [&](const auto& one) { return one.at(time); });

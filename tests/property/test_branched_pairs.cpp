@@ -182,6 +182,29 @@ BOOST_AUTO_TEST_CASE(series_of_adhesive_branches_agree_with_cvode) {
   BOOST_TEST(yields > 20u);
 }
 
+/// Alone and undamped: two phases without a step of an integrator, at the instants that CVODE finds, and the
+/// restitution √(1 − v_c²/v²).
+BOOST_AUTO_TEST_CASE(a_lone_adhesive_contact_has_a_closed_form) {
+  for (const double work : {1e-4, 0.003, 0.02})
+    for (const double speed : {1.001, 1.5, 20.0}) {
+      const double lost = 7.0921959718639584 * std::cbrt(std::pow(work, 5) * std::pow(1.3, 4) / (0.7 * 0.7));
+      const double least = std::sqrt(2 * lost * (1 + 0.5)), v = speed * least;
+      const model::Chain chain{.mass = {1, 2},
+                               .law = {contact::state(contact::Jkr(0.7, 1.3, work, 0))},
+                               .gap = {0.2},
+                               .velocity = {v, 0}};
+      const auto own = impact::simulate(chain, {.accuracy = 1e-12});
+      const auto other = impact::simulate(chain, {.accuracy = 1e-13, .flow = flow::Kind::cvode_adams});
+      BOOST_TEST(phases_of(own, "pair") == 2);
+      BOOST_TEST((own.velocity[1] - own.velocity[0]) / v == std::sqrt(1 - 1 / (speed * speed)),
+                 boost::test_tools::tolerance(1e-8));
+      BOOST_TEST(std::abs(own.velocity[0] - other.velocity[0]) < 1e-9 * v);
+      BOOST_TEST_REQUIRE(own.events.size() == other.events.size());
+      for (std::size_t i = 0; i < own.events.size(); ++i)
+        BOOST_TEST(own.events[i].time == other.events[i].time, boost::test_tools::tolerance(1e-8));
+    }
+}
+
 BOOST_AUTO_TEST_CASE(series_of_branches_in_networks_agree_with_cvode) {
   for (const double pressure : {0.08, 0.15, 0.4}) {
     const auto network =

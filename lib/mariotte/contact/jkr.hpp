@@ -25,7 +25,7 @@ struct AdhesiveCurve {
   /// Where it lets go, dδ/du = 0.
   double last() const { return width().last(); }
   double indentation(double u) const { return width().indentation(u); }
-  double last_indentation() const { return dent - 3 * std::pow(last(), 4) / radius; }
+  double last_indentation() const { return width().indentation(last()); }
   WidthBranch branch() const {
     return {.curve = width(), .push = {0, 0, 0, -2 * modulus * s, 0, 0, 4.0 / 3.0 * modulus / radius}};
   }
@@ -38,7 +38,7 @@ struct AdhesiveCurve {
   /// ∫ f dδ along the curve from a = 0.
   double energy(double u) const {
     const double q = u * u * u / radius;
-    return modulus * std::pow(u, 4) * ((8.0 / 15.0) * q * q - (4.0 / 3.0) * s * q + 0.5 * s * s);
+    return modulus * (u * u) * (u * u) * ((8.0 / 15.0) * q * q - (4.0 / 3.0) * s * q + 0.5 * s * s);
   }
   /// u of an indentation on the branch that holds; that of the end beyond it.
   double root(double indentation) const { return width().root(indentation); }

@@ -1,6 +1,7 @@
 #include "mariotte/flow/pair/pair.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace mariotte::flow {
 namespace {
@@ -104,9 +105,9 @@ std::optional<Pair::End> Pair::end_of_branch(const Problem& problem, const PairM
   return std::visit(
       [&](const auto& one) -> std::optional<End> {
         // The guard of yield is δ less where that happens.
-        const double depth = begin.value - value_[yield];
-        const double time = problem.crossings()[yield] == Crossing::none ? infinity : one.reach(depth);
-        if (time < infinity) return End{time, yield, {depth, one.at(time).rate}};
+        if (problem.crossings()[yield] != Crossing::none)
+          if (const auto yields = one.reach(begin.value - value_[yield]); yields.time < infinity)
+            return End{yields.time, yield, yields.there};
         if (problem.crossings()[turn] != Crossing::falling) return std::nullopt;
         const auto [parting, there] = one.recede(phase_->turn_speed);
         return End{parting, turn, there};
@@ -114,17 +115,17 @@ std::optional<Pair::End> Pair::end_of_branch(const Problem& problem, const PairM
       motion);
 }
 
+Pair::End Pair::opening(const PairMotion& motion) const {
+  const auto [duration, last] = std::visit([](const auto& one) { return one.opening(); }, motion);
+  return {duration, phase_->guard, last};
+}
+
 /// The contact lets go, yields or turns, unless another gap closes before.
 Pair::End Pair::first_event(const Problem& problem, const PairMotion& motion,
                             const Indentation& begin) const {
   const PairPhase& phase = *phase_;
-  const double opening = std::visit([](const auto& one) { return one.duration(); }, motion);
-  const auto at = [&](double time) {
-    return std::visit([&](const auto& one) { return one.at(time); }, motion);
-  };
-  End end{opening, phase.guard, at(opening)};
-  if (const auto branch = end_of_branch(problem, motion, begin); branch && branch->duration < opening)
-    end = *branch;
+  const auto branch = end_of_branch(problem, motion, begin);
+  End end = branch && branch->duration < infinity ? *branch : opening(motion);
   const auto last = end.last;
   const double longest = end.duration;
   for (Index i = 0; i < problem.guard_count(); ++i) {
@@ -144,6 +145,7 @@ Arrival Pair::follow(Problem& problem, State x, const Request& request, std::vec
   const Indentation start{-x[phase.gap] - phase.origin, x[phase.left] - x[phase.right]};
   const auto motion = make_pair_motion(phase.law, start);
   const auto end = first_event(problem, motion, start);
+  if (!std::isfinite(end.duration)) return {.outcome = Outcome::failed, .message = "it is held together"};
   const bool limited = request.limit < end.duration;
   const double duration = limited ? request.limit : end.duration;
 

@@ -26,6 +26,7 @@ class Pair final : public Flow {
   bool is_of_branch(Index guard) const;
   std::optional<End> end_of_branch(const Problem& problem, const PairMotion& motion,
                                    const Indentation& begin) const;
+  End opening(const PairMotion& motion) const;
   End first_event(const Problem& problem, const PairMotion& motion, const Indentation& begin) const;
 
   std::optional<PairPhase> phase_;

@@ -93,11 +93,11 @@ Indentation HertzMotion::at(double elapsed) const {
   return found(from_y(locate_sign_change(late, -middle, -early - wanted, middle, early - wanted, epsilon)));
 }
 
-double HertzMotion::reach(double depth) const {
-  if (y_start_ >= 0 || !(depth < depth_)) return infinity;
+Reached HertzMotion::reach(double depth) const {
+  if (y_start_ >= 0 || !(depth < depth_)) return {infinity, {}};
   auto place = from_ratio(depth / depth_);
   place.y = -place.y;
-  return std::max(0.0, tau_ * (time(place) - start_time_));
+  return {std::max(0.0, tau_ * (time(place) - start_time_)), {depth, -speed_ * place.y}};
 }
 
 Reached HertzMotion::recede(double speed) const {
@@ -151,10 +151,11 @@ double LinearMotion::duration() const {
 double LinearMotion::turn() const {
   return std::max(0.0, -angle_ / frequency_);
 }
-double LinearMotion::reach(double depth) const {
+Reached LinearMotion::reach(double depth) const {
   const double ratio = depth * frequency_ / speed_;
-  if (angle_ >= 0 || !(ratio < 1)) return infinity;
-  return std::max(0.0, (-std::acos(ratio) - angle_) / frequency_);
+  if (angle_ >= 0 || !(ratio < 1)) return {infinity, {}};
+  const double time = std::max(0.0, (-std::acos(ratio) - angle_) / frequency_);
+  return {time, {depth, at(time).rate}};
 }
 Reached LinearMotion::recede(double speed) const {
   if (!(speed < speed_)) return {infinity, {}};
@@ -215,6 +216,7 @@ double DampedMotion::fall(const ConcaveGap& gap) const {
 }
 
 PairMotion make_pair_motion(const PairLaw& law, const Indentation& start) {
+  if (law.width) return WidthMotion(*law.width, law.reduced_mass, start);
   if (law.damping > 0) return DampedMotion(law, start);
   if (law.exponent == 1) return LinearMotion(law, start);
   return HertzMotion(law, start);

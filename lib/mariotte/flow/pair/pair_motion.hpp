@@ -2,37 +2,18 @@
 #pragma once
 #include <variant>
 
-#include "mariotte/core/types.hpp"
+#include "mariotte/flow/pair/indentation.hpp"
+#include "mariotte/flow/pair/width_motion.hpp"
 
 namespace mariotte::flow {
 
 /// A contact f = k δⁿ (undamped, n = 1 or 3/2) or f = k δ + c δ̇ between two bodies of reduced mass m*.
 struct PairLaw {
-  double stiffness;     ///< k
-  double damping;       ///< c, 0 unless n = 1
-  double exponent;      ///< n
-  double reduced_mass;  ///< m*
-};
-
-/// Indentation and its rate at one time.
-struct Indentation {
-  double value;  ///< δ
-  double rate;   ///< δ̇
-};
-
-/// The indentation that is reached after a time; infinite if it never is.
-struct Reached {
-  double time;
-  Indentation there;
-};
-
-/// A gap elsewhere while the contact is closed: g(t) = value + rate t + share (δ(t) − δ(0)) with share ≥ 0.
-/// As long as the contact pushes δ is concave, and so is g: it falls through zero once at most, and it does
-/// so exactly when it is not positive at the end.
-struct ConcaveGap {
-  double value;
-  double rate;
-  double coupling;
+  double stiffness;                    ///< k
+  double damping;                      ///< c, 0 unless n = 1
+  double exponent;                     ///< n
+  double reduced_mass;                 ///< m*
+  const WidthBranch* width = nullptr;  ///< the force, where it is that
 };
 
 /// δ̈ = −(k/m*) δ^{3/2}. With y = −δ̇/w∞ and w∞² = δ̇² + (4/5)(k/m*) δ^{5/2}:
@@ -42,8 +23,9 @@ class HertzMotion {
   HertzMotion(const PairLaw& law, const Indentation& start);
   double duration() const { return tau_ * (full_ - start_time_); }
   double turn() const { return y_start_ < 0 ? -tau_ * start_time_ : 0; }  ///< time of largest indentation
-  double reach(double depth) const;    ///< when it is so deep on its way in; infinite if it never is
+  Reached reach(double depth) const;   ///< where it is so deep on its way in
   Reached recede(double speed) const;  ///< where it parts so fast
+  Reached opening() const { return {duration(), at(duration())}; }
   Indentation at(double time) const;
   double fall(const ConcaveGap& gap) const;
 
@@ -67,8 +49,9 @@ class LinearMotion {
   LinearMotion(const PairLaw& law, const Indentation& start);
   double duration() const;
   double turn() const;
-  double reach(double depth) const;
+  Reached reach(double depth) const;
   Reached recede(double speed) const;
+  Reached opening() const { return {duration(), at(duration())}; }
   Indentation at(double time) const;
   double fall(const ConcaveGap& gap) const;
 
@@ -81,9 +64,10 @@ class DampedMotion {
  public:
   DampedMotion(const PairLaw& law, const Indentation& start);
   double duration() const { return duration_; }
-  double turn() const { return duration_; }        ///< not looked for: a step's observer finds both peaks
-  double reach(double) const { return infinity; }  ///< no branch has a damper
+  double turn() const { return duration_; }  ///< not looked for: a step's observer finds both peaks
+  Reached reach(double) const { return {infinity, start_}; }  ///< no branch has a damper
   Reached recede(double) const { return {infinity, start_}; }
+  Reached opening() const { return {duration(), at(duration())}; }
   Indentation at(double time) const;
   double fall(const ConcaveGap& gap) const;
 
@@ -100,7 +84,7 @@ class DampedMotion {
 };
 
 /// A pair by whichever closed form it has.
-using PairMotion = std::variant<HertzMotion, LinearMotion, DampedMotion>;
+using PairMotion = std::variant<HertzMotion, LinearMotion, DampedMotion, WidthMotion>;
 
 /// The closed form of this law.
 PairMotion make_pair_motion(const PairLaw& law, const Indentation& start);

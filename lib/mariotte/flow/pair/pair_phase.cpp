@@ -15,19 +15,24 @@ Index only_closed(const SerialPhase& phase) {
   return found;
 }
 
+/// Where a contact pulls, other gaps may close at any time: it must be the only one.
+bool has_closed_form(const SerialPhase& phase, const PhaseContact& c) {
+  if (has_acceleration(phase)) return false;
+  if (c.width) return c.width->damping == 0 && phase.contact.size() == 1;
+  return c.exponent == 1 || (c.exponent == 1.5 && c.damping == 0);
+}
+
 }  // namespace
 
 std::optional<PairPhase> find_pair(const SerialPhase& phase) {
   const Index j = only_closed(phase);
-  if (j < 0) return std::nullopt;
+  if (j < 0 || !has_closed_form(phase, phase.contact[j])) return std::nullopt;
   const auto& c = phase.contact[j];
-  const bool closed_form = !c.width && (c.exponent == 1 || (c.exponent == 1.5 && c.damping == 0));
-  if (!closed_form || has_acceleration(phase)) return std::nullopt;
   const auto &left = phase.body[j], &right = phase.body[j + 1];
   const auto* before = j > 0 ? &phase.contact[j - 1] : nullptr;
   const auto* after = j + 1 < std::ssize(phase.contact) ? &phase.contact[j + 1] : nullptr;
   const double mass = 1 / (left.inverse_mass + right.inverse_mass);
-  return PairPhase{.law = {c.stiffness, c.damping, c.exponent, mass},
+  return PairPhase{.law = {c.stiffness, c.damping, c.exponent, mass, c.width},
                    .left_share = mass * left.inverse_mass,
                    .right_share = mass * right.inverse_mass,
                    .left = left.velocity,

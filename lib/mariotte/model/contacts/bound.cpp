@@ -34,7 +34,7 @@ double where_positive(Function&& f, double low, double step) {
     before = high;
     high = low + (step *= 2);
   }
-  return locate_sign_change(f, before, f(before), high, f(high), 4 * epsilon * std::abs(high));
+  return locate_sign_change(f, before, f(before), high, f(high), 1e-14 * (high - low));
 }
 
 Well well_of(const HeldContact& c) {
@@ -73,6 +73,12 @@ double range(const HeldContact& c, const Well& well, double energy) {
   return top - well.opening;
 }
 
+/// A contact with the energy that its own rate needs at least, if others give it none: quickly told.
+bool could_open(const HeldContact& c, double reduced_mass) {
+  const double energy = potential(c, c.indentation) + 0.5 * reduced_mass * c.rate * c.rate;
+  return !(energy < potential(c, c.law->opening_indentation(c.past)));
+}
+
 }  // namespace
 
 double well_energy(const contact::Law& law) {
@@ -87,6 +93,8 @@ bool is_bound(const HeldTogether& all) {
   if (n == 0) return false;
   const auto is_pressed = [](const HeldContact& c) { return c.pull != 0; };
   if (n > 1 && std::any_of(all.held.begin(), all.held.end(), is_pressed)) return false;
+  for (Index j = 0; j < n; ++j)
+    if (could_open(all.held[j], 1 / all.coupling[j * n + j])) return false;
   const MatrixXd a = matrix(all);
   const Eigen::CompleteOrthogonalDecomposition<MatrixXd> solver(a);
   VectorXd rate(n);

@@ -133,6 +133,12 @@ flow::Role role(ContactMode mode) {
 
 namespace {
 
+/// The law may still yield from this branch on.
+bool yields(const contact::Law& law, const contact::Memory& past) {
+  const auto* branches = branched(law);
+  return branches && past.branch != Branch::plastic && branches->yield_indentation(past) < infinity;
+}
+
 Watched watched_closed(const contact::BranchedLaw& law, const contact::Memory& past) {
   Watched watched{Crossing::rising, Crossing::none};
   if (!law.watches_turns()) return watched;
@@ -153,7 +159,7 @@ Watched watched(ContactMode mode, const contact::Law& law, const contact::Memory
     case ContactMode::slack:
       return {Crossing::rising, Crossing::rising};
     case ContactMode::touching:
-      return {Crossing::none, Crossing::none};
+      return {Crossing::none, Crossing::none, yields(law, past) ? Crossing::rising : Crossing::none};
     case ContactMode::closed:
       if (const auto* branches = branched(law)) return watched_closed(*branches, past);
       if (!dissipates(law)) break;
