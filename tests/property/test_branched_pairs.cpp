@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "mariotte/contact/dmt.hpp"
 #include "mariotte/contact/jkr.hpp"
 #include "mariotte/contact/stated_law.hpp"
 #include "mariotte/contact/thornton.hpp"
@@ -148,7 +149,7 @@ model::Chain sticky_row(std::mt19937_64& random) {
   };
   model::Chain chain;
   const int balls = std::uniform_int_distribution(2, 5)(random);
-  const bool yields = uniform(0, 1) < 0.5;
+  const bool yields = uniform(0, 1) < 0.5, hard = uniform(0, 1) < 0.3;
   for (int i = 0; i < balls; ++i) {
     chain.mass.push_back(uniform(0.5, 2));
     chain.velocity.push_back(1 - 2.0 * i / (balls - 1) + uniform(-0.2, 0.2));
@@ -156,8 +157,11 @@ model::Chain sticky_row(std::mt19937_64& random) {
   for (int j = 0; j + 1 < balls; ++j) {
     chain.gap.push_back(uniform(0.01, 0.3));
     const double radius = uniform(0.5, 2), work = uniform(0.0005, 0.01);
-    chain.law.push_back(yields ? contact::state(contact::ThorntonNing(1, radius, uniform(0.3, 0.6), work))
-                               : contact::state(contact::Jkr(1, radius, work, uniform(0, 0.05))));
+    if (hard)
+      chain.law.push_back(contact::state(contact::Dmt(1, radius, work, j % 2 * uniform(0, 0.1))));
+    else
+      chain.law.push_back(yields ? contact::state(contact::ThorntonNing(1, radius, uniform(0.3, 0.6), work))
+                                 : contact::state(contact::Jkr(1, radius, work, uniform(0, 0.05))));
   }
   return chain;
 }
@@ -205,6 +209,23 @@ BOOST_AUTO_TEST_CASE(a_lone_adhesive_contact_has_a_closed_form) {
     }
 }
 
+/// What is held rings between two turns, which is left to the series.
+BOOST_AUTO_TEST_CASE(a_held_contact_rings_as_with_cvode) {
+  for (const double speed : {0.01, 0.04, 0.1}) {
+    const model::Chain chain{.mass = {1, 2},
+                             .law = {contact::state(contact::Jkr(0.7, 1.3, 0.01, 0))},
+                             .gap = {0.01},
+                             .velocity = {speed, 0}};
+    const auto own = impact::simulate(chain, {.accuracy = 1e-11, .max_time = 40});
+    const auto other =
+        impact::simulate(chain, {.accuracy = 1e-13, .max_time = 40, .flow = flow::Kind::cvode_adams});
+    BOOST_TEST(phases_of(own, "pair") > 1);
+    BOOST_TEST(phases_of(own, "taylor") > 1);
+    for (std::size_t i = 0; i < chain.mass.size(); ++i)
+      BOOST_TEST(std::abs(own.velocity[i] - other.velocity[i]) < 1e-10);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(series_of_branches_in_networks_agree_with_cvode) {
   for (const double pressure : {0.08, 0.15, 0.4}) {
     const auto network =
@@ -216,6 +237,22 @@ BOOST_AUTO_TEST_CASE(series_of_branches_in_networks_agree_with_cvode) {
     for (std::size_t i = 0; i < own.velocity.size(); ++i)
       BOOST_TEST(std::abs(own.velocity[i] - other.velocity[i]) < 1e-10);
   }
+}
+
+/// A contact that touches at rest yields long before its own step ends, at loose accuracy, too.
+BOOST_AUTO_TEST_CASE(what_touches_yields_on_time) {
+  const auto thornton = [](double modulus, double radius, double pressure) {
+    return contact::state(contact::Thornton(modulus, radius, pressure));
+  };
+  const model::Chain chain{.mass = {1, 1, 1, 1, 1},
+                           .law = {thornton(0.5, 1.2, 0.11), contact::state(contact::WaltonBraun(0.38, 10.7)),
+                                   thornton(0.3, 2.04, 0.005), thornton(1.5, 2.9, 0.34)},
+                           .gap = {0, 0, 0, 0},
+                           .velocity = {1, 0, 0, 0, 0}};
+  const auto loose = impact::simulate(chain, {.accuracy = 1e-6}),
+             tight = impact::simulate(chain, {.accuracy = 1e-12});
+  for (std::size_t i = 0; i < chain.mass.size(); ++i)
+    BOOST_TEST(std::abs(loose.velocity[i] - tight.velocity[i]) < 1e-6);
 }
 
 /// √(k₁/k₂), to the last digits and in three phases without a step of an integrator.

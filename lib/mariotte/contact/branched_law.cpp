@@ -41,6 +41,8 @@ class ScaledBranches final : public BranchedLaw {
     if (!power) return power;
     power->stiffness *= std::pow(scale_.length, power->exponent) / scale_.force();
     power->origin /= scale_.length;
+    power->damping *= std::pow(scale_.length, power->exponent) / scale_.momentum();
+    power->pull /= scale_.force();
     return power;
   }
   /// u in the root of the unit of length.

@@ -9,11 +9,13 @@
 
 namespace mariotte::contact {
 
-/// f = k (δ − δ₀)ⁿ without a damper: what many branches are.
+/// f = (δ − δ₀)ⁿ⁻¹ (k (δ − δ₀) + c δ̇) − P: what many branches are.
 struct ShiftedPower {
-  double stiffness;  ///< k [N/m^n]
-  double exponent;   ///< n
-  double origin;     ///< δ₀ [m]
+  double stiffness;    ///< k [N/m^n]
+  double exponent;     ///< n
+  double origin;       ///< δ₀ [m]
+  double damping = 0;  ///< c [N s/m^n]
+  double pull = 0;     ///< P [N]
 };
 
 /// A law f(δ, δ̇) on each branch of what the contact remembers. The force is not cut off where it pulls. What

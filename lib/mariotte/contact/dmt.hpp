@@ -33,6 +33,9 @@ struct Dmt : AdhesiveStatement {
   double stored_energy(const Memory&, double d) const {
     return d > 0 ? (0.4 * stiffness() * d * std::sqrt(d) - pull()) * d : 0;
   }
+  std::optional<ShiftedPower> power(const Memory&) const {
+    return ShiftedPower{stiffness(), 1.5, 0, damping, pull()};
+  }
   bool is_damped() const { return damping > 0; }
   std::vector<LawParameter> parameters() const {
     return {{"effective_modulus", modulus},

@@ -31,6 +31,7 @@ struct PhaseContact {
   double yields = infinity;  ///< indentation at which it does, where that is watched
   double turn_side = 0;      ///< sign that δ̇ is to keep but for `turn_speed`, or 0
   double turn_speed = 0;
+  double pull = 0;                     ///< constant, outside of the power
   const WidthBranch* width = nullptr;  ///< the force, where it is that and no power
   Role role = Role::open;
 

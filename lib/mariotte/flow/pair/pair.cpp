@@ -105,9 +105,11 @@ std::optional<Pair::End> Pair::end_of_branch(const Problem& problem, const PairM
   return std::visit(
       [&](const auto& one) -> std::optional<End> {
         // The guard of yield is δ less where that happens.
-        if (problem.crossings()[yield] != Crossing::none)
-          if (const auto yields = one.reach(begin.value - value_[yield]); yields.time < infinity)
-            return End{yields.time, yield, yields.there};
+        if (problem.crossings()[yield] != Crossing::none) {
+          const auto yields = one.reach(begin.value - value_[yield]);
+          const bool is_noise = !(yields.there.rate > phase_->yield_speed);
+          if (yields.time < infinity && !is_noise) return End{yields.time, yield, yields.there};
+        }
         if (problem.crossings()[turn] != Crossing::falling) return std::nullopt;
         const auto [parting, there] = one.recede(phase_->turn_speed);
         return End{parting, turn, there};

@@ -1,5 +1,8 @@
 #include "mariotte/flow/pair/pair_phase.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace mariotte::flow {
 namespace {
 
@@ -19,6 +22,7 @@ Index only_closed(const SerialPhase& phase) {
 bool has_closed_form(const SerialPhase& phase, const PhaseContact& c) {
   if (has_acceleration(phase)) return false;
   if (c.width) return c.width->damping == 0 && phase.contact.size() == 1;
+  if (c.pull != 0) return false;
   return c.exponent == 1 || (c.exponent == 1.5 && c.damping == 0);
 }
 
@@ -43,6 +47,7 @@ std::optional<PairPhase> find_pair(const SerialPhase& phase) {
                    .guard = c.damping > 0 ? c.load_guard : c.guard,
                    .branch_guard = c.branch_guard,
                    .turn_speed = c.turn_speed,
+                   .yield_speed = std::max(c.turn_speed, 4 * std::sqrt(epsilon) * phase.speed),
                    .origin = c.origin,
                    .left_gap = before ? before->gap : -1,
                    .right_gap = after ? after->gap : -1,

@@ -20,6 +20,7 @@ struct PairPhase {
   Index guard;                    ///< that fires when the contact lets go
   Index branch_guard;             ///< where it yields, before that of its turns
   double turn_speed;              ///< at which it has turned
+  double yield_speed;             ///< below which energy does not tell a yield from the turn
   double origin;                  ///< δ less the indentation of the closed form
   Index left_gap, right_gap;      ///< gaps of the two bodies to their other neighbours
   Index left_guard, right_guard;  ///< guards of these gaps

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -36,17 +37,22 @@ struct GaussRule {
   }
 };
 
-/// By two rules that agree, on halves where they do not.
+/// By two rules that agree, on halves where they do not; not a number if they never do, as where a motion
+/// begins at a turn in its well.
 template <class Function>
 double integral(Function&& f, double from, double to, double tolerance, int halvings = 12) {
   static const GaussRule<16> coarse;
   static const GaussRule<24> fine;
   const double sum = fine(f, from, to);
-  if (!(std::abs(sum - coarse(f, from, to)) > tolerance) || halvings == 0) return sum;
+  if (std::abs(sum - coarse(f, from, to)) <= tolerance) return sum;
+  if (halvings == 0) return std::numeric_limits<double>::quiet_NaN();
   const double middle = 0.5 * (from + to);
   return integral(f, from, middle, 0.5 * tolerance, halvings - 1) +
          integral(f, middle, to, 0.5 * tolerance, halvings - 1);
 }
+
+/// Share of u* within which the rate tells better than u* − u how far the turn is.
+constexpr double near = 1e-4;
 
 }  // namespace
 
@@ -63,13 +69,15 @@ WidthMotion::WidthMotion(const WidthBranch& branch, double reduced_mass, const I
   find_top(square, begin);
   double above = 0;  // P/(u* − u) by Horner's scheme
   for (int k = degree; k > 0; --k) quotient_[k - 1] = -(above = above * top_ + square[k]);
-  y_start_ = std::copysign(std::sqrt(std::max(0.0, top_ - begin)), -start.rate);
+  const double below = std::max(0.0, top_ - begin);
+  y_start_ = std::copysign(std::sqrt(below), -start.rate);
+  if (below < near * top_) y_start_ = -start.rate / speed_over_y(y_start_);  // the difference is rounding
   y_end_ = std::sqrt(top_ - curve_.last());
 }
 
-/// From beyond, where P is negative and falls, by Newton's method.
+/// From beyond, where P is negative and falls, by Newton's method. At the start itself P may be rounding.
 void WidthMotion::find_top(const std::array<double, degree + 1>& square, double begin) {
-  double u = begin;
+  double u = 1.25 * begin;
   for (int i = 0; i < 200 && !(horner(square, u) < 0); ++i) u *= 1.25;
   for (int i = 0; i < 60; ++i) {
     double value = 0, slope = 0;
@@ -106,7 +114,7 @@ Reached WidthMotion::reach(double depth) const {
   const double u = curve_.root(depth);
   if (y_start_ >= 0 || !(u < top_)) return {infinity, {}};
   const double y = -std::sqrt(top_ - u);
-  return {std::max(0.0, time(y_start_, y)), {depth, there(y).rate}};
+  return {time(y_start_, std::max(y, y_start_)), {depth, there(y).rate}};
 }
 
 /// The speed is of the size of rounding, and so is y.

@@ -31,6 +31,7 @@ void place(Window& w, const LinkedPhase& phase, State x, double time) {
   }
   w.velocity.assign(x.begin(), x.begin() + phase.dofs);
   link(w, phase.coupling);
+  settle(w);
 }
 
 }  // namespace mariotte::flow::taylor

@@ -100,6 +100,7 @@ void place(Window& w, const SerialPhase& phase, State x, double time) {
   find_outside(w);
   w.lanes.linked = false;
   if (w.lanes.count > row_limit || w.lanes.widened) couple(w);
+  settle(w);
 }
 
 bool has_outgrown(const Window& w) {

@@ -18,13 +18,33 @@ double settled(const PhaseContact& c, double indentation, double rate) {
   return onset ? 0 : std::max(indentation, 0.0);
 }
 
+/// What a contact that pushes stores, but for what the series count as work: all of it without dampers.
+double stored_energy(const Window& w, int lane, double indentation) {
+  const auto& c = w.contact(lane);
+  if (c.work < 0 || !c.pushes()) return 0;
+  const double pulled = c.pull * indentation;
+  if (w.lanes.damped || !(indentation > 0)) return -pulled;
+  const double n = c.exponent;
+  const double width = n == 1 ? 1 : n == 1.5 ? std::sqrt(indentation) : std::pow(indentation, n - 1);
+  return c.stiffness * width * indentation * indentation / (n + 1) - pulled;
+}
+/// Put into a contact since the window was placed, and since its time as `values` say.
+double work_of(const Window& w, int lane, double indentation, double more) {
+  return (w.lanes.damped ? w.work[lane] + more : 0) + stored_energy(w, lane, indentation) - w.stored[lane];
+}
+/// Impulse of a contact; the series do not count a constant pull.
+double impulse_of(const Window& w, const Values& values, int lane) {
+  const auto& c = w.contact(lane);
+  return values.impulse[lane] - (c.pushes() ? c.pull * values.time : 0);
+}
+
 /// Velocities of a row's bodies where the series says `values`: use(place in the window, velocity).
 template <class Use>
 void velocities_of_row(const Window& w, const Values& values, Use&& use) {
   double push = 0;
   for (int lane = 0; lane <= w.lanes.count; ++lane) {
     const auto& body = w.row->body[w.first + lane];
-    const double force = lane < w.lanes.count ? values.impulse[lane] : 0;
+    const double force = lane < w.lanes.count ? impulse_of(w, values, lane) : 0;
     use(lane, w.velocity[lane] + (body.inverse_mass * (push - force) + body.acceleration * values.time));
     push = force;
   }
@@ -32,9 +52,9 @@ void velocities_of_row(const Window& w, const Values& values, Use&& use) {
 
 void add_impulses(const Window& w, const Values& values, State velocity) {
   for (int lane = 0; lane < w.lanes.count; ++lane) {
-    if (values.impulse[lane] == 0) continue;
-    for (const auto& [dof, change] : w.network->response[lane])
-      velocity[dof] += change * values.impulse[lane];
+    const double impulse = impulse_of(w, values, lane);
+    if (impulse == 0) continue;
+    for (const auto& [dof, change] : w.network->response[lane]) velocity[dof] += change * impulse;
   }
 }
 
@@ -45,18 +65,6 @@ void write_velocities(const Window& w, const Values& values, State x) {
   add_impulses(w, values, x);
 }
 
-/// Elastic energy of a contact that pushes without a damper.
-double stored_energy(const PhaseContact& c, double indentation) {
-  if (c.work < 0 || !c.pushes() || !(indentation > 0)) return 0;
-  const double n = c.exponent;
-  const double width = n == 1 ? 1 : n == 1.5 ? std::sqrt(indentation) : std::pow(indentation, n - 1);
-  return c.stiffness * width * indentation * indentation / (n + 1);
-}
-/// What has been put into such a contact since the window was placed.
-double gained(const Window& w, int lane, double indentation) {
-  return stored_energy(w.contact(lane), indentation) - w.stored[lane];
-}
-
 double rate_in(const Window& w, int lane) {
   return w.row ? w.velocity[lane] - w.velocity[lane + 1] : -gap_rate(w.network->direction[lane], w.velocity);
 }
@@ -65,6 +73,7 @@ double rate_in(const Window& w, int lane) {
 
 double wake_depth(const PhaseContact& c, double speed) {
   if (c.exponent == 1) return -infinity;
+  if (c.pull > 0) return 0;  // it has force from the start
   const double strain = c.damping * speed / (c.stiffness * c.length);
   return 0.5 * c.noise_depth / (1 + strain);
 }
@@ -90,13 +99,23 @@ void fill(Window& w, int lane, double rate) {
   l.power[lane] = c.exponent - 1;
   l.weight[lane] = 1 / c.length;
   w.wake[lane] = wake_depth(c, w.speed);
-  w.stored[lane] = stored_energy(c, l.indentation[lane]);
   l.damped |= c.damping > 0 || c.width;
   l.widened |= c.width != nullptr;
   w.branch[lane] = c.width;
   l.width[lane] = c.width ? c.width->curve.root(l.indentation[lane]) : 1;
   l.general |= c.exponent != 1 && c.exponent != 1.5;
   watch(w, lane);
+}
+
+void settle(Window& w) {
+  auto& l = w.lanes;
+  for (int lane = 0; lane < l.count; ++lane) {
+    w.stored[lane] = stored_energy(w, lane, l.indentation[lane]);
+    for_each_felt(l, lane, [&](int other, double weight) {
+      const auto& c = w.contact(other);
+      if (c.pushes()) l.drive[lane] -= weight * c.pull;
+    });
+  }
 }
 
 void link(Window& w, const Coupling& coupling) {
@@ -154,7 +173,7 @@ void advance(Window& w, const Values& values) {
     l.indentation[lane] = values.indentation[lane];
     if (w.branch[lane]) l.width[lane] = values.width[lane];
     l.rate[lane] = rate_in(w, lane);
-    w.impulse[lane] += values.impulse[lane];
+    w.impulse[lane] += impulse_of(w, values, lane);
     if (l.damped) w.work[lane] += values.work[lane];
   }
 }
@@ -165,8 +184,7 @@ void write(const Window& w, State x) {
     const auto& c = w.contact(lane);
     x[c.gap] = 0 - (c.origin + w.lanes.indentation[lane]);  // never −0
     if (c.impulse >= 0) x[c.impulse] = w.x[c.impulse] + w.impulse[lane];
-    if (c.work >= 0)
-      x[c.work] = w.x[c.work] + (w.lanes.damped ? w.work[lane] : gained(w, lane, w.lanes.indentation[lane]));
+    if (c.work >= 0) x[c.work] = w.x[c.work] + work_of(w, lane, w.lanes.indentation[lane], 0);
   }
   for (std::size_t i = 0; i < w.velocity.size(); ++i)
     x[w.row ? w.row->body[w.first + i].velocity : static_cast<Index>(i)] = w.velocity[i];
@@ -177,10 +195,8 @@ void write(const Window& w, const Values& values, State x) {
   for (int lane = 0; lane < w.lanes.count; ++lane) {
     const auto& c = w.contact(lane);
     x[c.gap] = 0 - (c.origin + values.indentation[lane]);
-    if (c.impulse >= 0) x[c.impulse] = w.x[c.impulse] + w.impulse[lane] + values.impulse[lane];
-    if (c.work >= 0)
-      x[c.work] = w.x[c.work] + (w.lanes.damped ? w.work[lane] + values.work[lane]
-                                                : gained(w, lane, values.indentation[lane]));
+    if (c.impulse >= 0) x[c.impulse] = w.x[c.impulse] + w.impulse[lane] + impulse_of(w, values, lane);
+    if (c.work >= 0) x[c.work] = w.x[c.work] + work_of(w, lane, values.indentation[lane], values.work[lane]);
   }
   write_velocities(w, values, x);
 }

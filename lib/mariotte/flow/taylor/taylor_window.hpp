@@ -24,7 +24,7 @@ struct Window {
   std::vector<double> velocity;       ///< of bodies first, first + 1, … of a row, of all dofs of a network
   std::vector<double> wake;           ///< indentation below which a contact's force is left out
   std::vector<double> impulse, work;  ///< since `since`
-  std::vector<double> stored;         ///< elastic energy at `since`
+  std::vector<double> stored;         ///< at `since`
   std::vector<const WidthBranch*> branch;  ///< of each lane
   double outside_time = infinity;          ///< when the first of the gaps outside closes
   Index outside = -1;                      ///< that contact

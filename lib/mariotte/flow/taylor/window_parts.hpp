@@ -15,6 +15,9 @@ void begin(Window& window, std::span<const PhaseContact> contacts);
 /// Fill a lane from its contact, which has the rate δ̇, and the window's state.
 void fill(Window& window, int lane, double rate);
 
+/// Once all lanes are filled and linked: what pulls drives all that feel it.
+void settle(Window& window);
+
 /// Lanes do to each other what `coupling` says, which must last as long as they.
 void link(Window& window, const Coupling& coupling);
 

@@ -64,7 +64,7 @@ void TopologyPhase<Topology>::bind(contact::ContactSet& mode) {
 template <class Topology>
 bool TopologyPhase<Topology>::follow_branch(Index j) {
   auto& contact = flows_.contact(j);
-  contact.origin = 0;
+  contact.origin = contact.damping = contact.pull = 0;
   contact.branch_guard = -1;
   contact.width = nullptr;
   if (contact.role == flow::Role::open) return true;
@@ -73,14 +73,16 @@ bool TopologyPhase<Topology>::follow_branch(Index j) {
   if (const auto width = branches->width_branch(past(j))) {
     widths_.resize(contacts());
     contact.width = &(widths_[j] = *width);
-    contact.stiffness = contact.damping = 0;
+    contact.stiffness = 0;
     contact.exponent = 1;
     contact.branch_guard = at().branch_guard[j];
     return true;
   }
   const auto power = branches->power(past(j));
-  if (!power) return false;
+  if (!power || (power->pull > 0 && contact.role == flow::Role::touching)) return false;
   contact.stiffness = power->stiffness;
+  contact.damping = power->damping;
+  contact.pull = power->pull;
   contact.exponent = power->exponent;
   contact.origin = power->origin;
   contact.branch_guard = at().branch_guard[j];
@@ -110,9 +112,12 @@ template <class Topology>
 contact::Force TopologyPhase<Topology>::force(double indentation, double rate, Index j) const {
   const auto& c = flows_.contact(j);
   if (c.branch_guard < 0 || c.width) return force_in((*mode_)[j], law(j), indentation, rate, past(j));
-  const contact::PowerLaw power{.stiffness = c.stiffness, .exponent = c.exponent};
+  const contact::PowerLaw power{.stiffness = c.stiffness, .damping = c.damping, .exponent = c.exponent};
   const double depth = indentation - c.origin;
-  return c.role == flow::Role::closed ? smooth_force(power, depth, rate) : contact::force(power, depth, rate);
+  if (c.role != flow::Role::closed) return contact::force(power, depth, rate);
+  auto f = smooth_force(power, depth, rate);
+  f.value -= c.pull;
+  return f;
 }
 
 template <class Topology>
