@@ -85,6 +85,28 @@ BOOST_DATA_TEST_CASE(stored_energy_is_the_integral_of_the_force_off_the_plastic_
   });
 }
 
+/// What flows with closed forms and series follow is the law's own force, in other units as well.
+BOOST_DATA_TEST_CASE(a_branch_that_is_a_power_or_a_polynomial_has_the_force_of_its_law, every_law) {
+  const auto other_units = in_units(law_at(sample), std::get<SharedLaw>(laws[sample]),
+                                    Scale{.mass = 2, .velocity = 0.5, .length = 0.3, .time = 0.6});
+  for (const auto* law : {&law_at(sample), other_units->branched()})
+    for_each_state(*law, [&](const Memory& past, double d) {
+      const double rate = -0.2, f = law->force(past, d, rate).value;
+      if (const auto power = law->power(past)) {
+        const double depth = d - power->origin, width = std::pow(depth, power->exponent - 1);
+        const double g = width * (power->stiffness * depth + power->damping * rate) - power->pull;
+        BOOST_TEST(std::abs(g - f) <= 1e-13 * (1 + std::abs(f)));
+      }
+      if (const auto branch = law->width_branch(past)) {
+        const double u = branch->curve.root(d);
+        double g = branch->damping * u * u * rate, power = 1;
+        for (const double push : branch->push) g += push * power, power *= u;
+        BOOST_TEST(std::abs(branch->curve.indentation(u) - d) <= 1e-14 * (1 + std::abs(d)));
+        BOOST_TEST(std::abs(g - f) <= 1e-13 * (1 + std::abs(f)));
+      }
+    });
+}
+
 /// What the plastic branch takes up is stored or lost.
 BOOST_DATA_TEST_CASE(plastic_work_is_what_is_not_stored, every_law) {
   const auto& law = law_at(sample);
