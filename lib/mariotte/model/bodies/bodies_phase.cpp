@@ -80,24 +80,44 @@ void BodiesPhase<D>::bind(const BodiesMode& mode) {
                                                     [&](const auto& one) { return can_be_recorded(one); });
 }
 
+template <int D>
+flow::Accepted BodiesPhase<D>::accept(ConstState x) {
+  const auto& closed = mode_->closed;
+  const auto looks = [](const auto& one) {
+    return one.friction == Friction::slip && !one.slack && (D == 3 || one.from_rest);
+  };
+  if (std::none_of(closed.begin(), closed.end(), looks)) return flow::Accepted::unchanged;
+  field_.evaluate(layout_, *mode_, x);
+  auto done = flow::Accepted::unchanged;
+  for (std::size_t i = 0; i < closed.size() && done != flow::Accepted::ended; ++i) {
+    if (!looks(closed[i])) continue;
+    if (D == 3) weigh_direction(i);
+    if (closed[i].from_rest) done = std::max(done, leave_rest(i));
+  }
+  return done;
+}
+
+/// As the force fades, so does what an error of the direction of its friction does; its rate, the inverse of
+/// the force, is known ever worse.
+template <int D>
+void BodiesPhase<D>::weigh_direction(std::size_t i) {
+  const auto& one = mode_->closed[i];
+  const double full = setting_.contact[one.contact].force;
+  const double faded = 0.1 * full / std::max(field_.contact(i).normal, setting_.faint * full);
+  std::fill_n(magnitude_.begin() + layout_.spring(one.slot), layout_.tangents,
+              direction_magnitude * std::max(1.0, faded));
+}
+
 /// A slip from rest may come to rest again once it has been twice as fast as what counts as rest. One that
 /// stays at rest for so many steps is held there by friction: the transition looks at it again.
 template <int D>
-flow::Accepted BodiesPhase<D>::accept(ConstState x) {
-  auto done = flow::Accepted::unchanged;
-  for (std::size_t i = 0; i < mode_->closed.size(); ++i) {
-    const auto& one = mode_->closed[i];
-    auto& watched = crossing_[slot_guard(one.slot, SlotGuard::friction)];
-    if (!one.from_rest || one.slack || watched != Crossing::none) continue;
-    if (done == flow::Accepted::unchanged) field_.evaluate(layout_, *mode_, x);
-    if (norm(field_.contact(i).motion.slip) < 2 * setting_.rest_speed()) {
-      if (++steps_at_rest_ > most_steps_at_rest) return flow::Accepted::ended;
-      continue;
-    }
-    watched = Crossing::falling;
-    done = flow::Accepted::rewatched;
-  }
-  return done;
+flow::Accepted BodiesPhase<D>::leave_rest(std::size_t i) {
+  auto& watched = crossing_[slot_guard(mode_->closed[i].slot, SlotGuard::friction)];
+  if (watched != Crossing::none) return flow::Accepted::unchanged;
+  if (norm(field_.contact(i).motion.slip) < 2 * setting_.rest_speed())
+    return ++steps_at_rest_ > most_steps_at_rest ? flow::Accepted::ended : flow::Accepted::unchanged;
+  watched = Crossing::falling;
+  return flow::Accepted::rewatched;
 }
 
 template <int D>

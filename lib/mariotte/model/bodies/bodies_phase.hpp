@@ -72,6 +72,8 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   void fly(ConstState x, Index body, double t, State result) const;
   double gap_bend(const BodyMotion<double, D>& body, Index i, const SettingSphere<D>& sphere) const;
   bool can_be_recorded(const ClosedContact& mode) const;
+  void weigh_direction(std::size_t closed);
+  flow::Accepted leave_rest(std::size_t closed);
   void find_followed() const;
   void record_guards(flow::Recording& recording) const;
   void record_contacts(double accuracy, flow::Recording& recording) const;

@@ -189,7 +189,6 @@ std::vector<double> initial_state(const Bodies& bodies, const BodiesSetting<D>& 
 template <int D>
 void set_magnitudes(const BodiesSetting<D>& setting, const BodiesLayout<D>& at, const BodiesMode& mode,
                     std::vector<double>& magnitude) {
-  constexpr double turning = 30;  // of e, which CVODE knows far better than its forces need
   magnitude.assign(at.size(), 1.0);
   const auto fill = [&](Index place, Index count, double size) {
     std::fill_n(magnitude.begin() + place, count, size);
@@ -210,7 +209,7 @@ void set_magnitudes(const BodiesSetting<D>& setting, const BodiesLayout<D>& at, 
     const auto& c = setting.contact[one.contact];
     const bool as_force = c.tangential.law == TangentialLaw::mindlin && !one.unloading;
     const double elastic = as_force ? c.force : c.length;
-    fill(at.spring(one.slot), at.tangents, one.friction == Friction::slip ? turning : elastic);
+    fill(at.spring(one.slot), at.tangents, one.friction == Friction::slip ? direction_magnitude : elastic);
     fill(at.normal(one.slot), 1 + at.tangents, c.mass * setting.speed);
     fill(at.losses(one.slot), 3, c.mass * setting.speed * setting.speed);
   }

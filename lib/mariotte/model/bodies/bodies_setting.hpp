@@ -95,6 +95,9 @@ BodiesSetting<D> setting_of(const Bodies& bodies, double accuracy);
 template <int D>
 std::vector<double> initial_state(const Bodies& bodies, const BodiesSetting<D>& setting);
 
+/// Of the direction e of a slip: CVODE knows it far better than its forces need.
+inline constexpr double direction_magnitude = 30;
+
 /// Natural size of each component in a mode: an error of accuracy × size is what the user allows.
 template <int D>
 void set_magnitudes(const BodiesSetting<D>& setting, const BodiesLayout<D>& layout, const BodiesMode& mode,
