@@ -76,6 +76,31 @@ BOOST_AUTO_TEST_CASE(a_slack_contact_pushes_again_though_its_load_never_crosses_
     }
 }
 
+// A contact creeps apart by itself, its load but rounding, when the ball behind it is struck: gently at
+// first.
+BOOST_AUTO_TEST_CASE(a_creeping_contact_that_is_slack_pushes_when_its_ball_is_struck) {
+  const auto law = [](double stiffness, double damping, double exponent) -> contact::Law {
+    return contact::Viscoelastic{.stiffness = stiffness, .damping = damping, .exponent = exponent};
+  };
+  const model::Chain chain{
+      .mass = {0.86109508052885531, 0.019626733410813724, 1.2029642451828209, 0.002866735570710187,
+               1.0743345974517902},
+      .law = {law(0.84085105301427454, 1.0396010901287691, 1.3480994199454446),
+              law(0.48307531807549953, 516215.73794586828, 2.5475882803302552),
+              law(2.5479691955213943, 124330.04496370252, 1), law(2.3361399329594486, 10.796864350409264, 3)},
+      .gap = {0.26860743640274803, 0.27336320705633449, 0, 0.17994015993640594},
+      .velocity = {0.3340083038917494, 0.057007858063889749, 0.031172440212457131, -0.49499560266224307,
+                   -0.75149076687757765}};
+  const std::vector<double> expected = {-0.3138243532461, -0.1272383025038, -0.1272382963413,
+                                        -0.1272382962174, -0.0524814868083};
+  impact::ChainSolver solver;
+  for (const char* flow : {"auto", "pair", "taylor", "cvode-bdf-dense", "cvode-bdf-klu"}) {
+    const auto& impact = solver.solve(chain, {.accuracy = 1e-10, .flow = flow::parse_kind(flow)});
+    BOOST_TEST((impact.ending == hybrid::Ending::separated), impact.message);
+    BOOST_TEST(test::difference(impact.velocity, expected) < 1e-10, flow);
+  }
+}
+
 // The closed form of a pair starts with a load that rounding has made negative.
 BOOST_AUTO_TEST_CASE(a_load_that_has_vanished_but_for_rounding_lets_go) {
   const auto law = [](double damping) -> contact::Law {

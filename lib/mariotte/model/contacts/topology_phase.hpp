@@ -63,6 +63,7 @@ class TopologyPhase final : public ContactPhase {
   bool watches_turns(Index j) const { return at().branch_guard[j] != ContactLayout::absent; }
   contact::Memory past(Index j) const { return memory_of(*mode_, j); }
   bool has_impulse(Index j) const { return at().impulse[j] != ContactLayout::absent; }
+  double clear_load(ConstState x, Index j) const;
   contact::Force load(ConstState x, Index j) const {
     return contact::load(law(j), -x[at().gap[j]], topology_.approach(x, j));
   }

@@ -186,6 +186,15 @@ double TopologyPhase<Topology>::slow_turn(Index j) const {
   return past(j).recedes ? -slow : slow;
 }
 
+/// A slack contact pushes again once its load is clear of what rounding of the velocities makes of it: where
+/// it has vanished, that may be positive, and would never rise through zero.
+template <class Topology>
+double TopologyPhase<Topology>::clear_load(ConstState x, Index j) const {
+  const auto own = load(x, j);
+  if ((*mode_)[j] != contact::ContactMode::slack) return own.value;
+  return own.value - 16 * epsilon * topology_.model.speed * std::abs(own.by_rate);
+}
+
 template <class Topology>
 double TopologyPhase<Topology>::guard(ConstState x, Index i) const {
   const Index j = at().guard_contact[i];
@@ -195,7 +204,7 @@ double TopologyPhase<Topology>::guard(ConstState x, Index i) const {
     case GuardKind::gap:
       return x[at().gap[j]] + level(j);
     case GuardKind::load:
-      return load(x, j).value;
+      return clear_load(x, j);
     case GuardKind::yield:
       return -x[at().gap[j]] - contact::branched(law(j))->yield_indentation(past(j));
     case GuardKind::turn:
