@@ -93,7 +93,8 @@ BOOST_AUTO_TEST_CASE(rest_within_a_step_is_not_stepped_over) {
             .velocity = {-0.54161886001767479, 0.032053692277907511, 0.083221076876952182}}));
 }
 
-// Errors of hundreds of steps add up: such a body is run again, tighter.
+// Errors of hundreds of steps add up: such a body is run again, tighter. At 1e-10 both runs are as tight as
+// series of creeping contacts get: they are the same, and say nothing.
 BOOST_AUTO_TEST_CASE(a_body_that_creeps_for_long_keeps_the_accuracy) {
   const auto body = slim({.body = model::rod(3.6808646114047367e-06, 2.982692676681479, density),
                           .adhesion = 0.018294160076615221,
@@ -103,10 +104,11 @@ BOOST_AUTO_TEST_CASE(a_body_that_creeps_for_long_keeps_the_accuracy) {
                           .velocity = {-1.1169815952117299, 0, 0},
                           .angles = {0, 1.4895031498246203, 0}});
   expect_same_at_every_accuracy(body);
-  const auto impact = impact::simulate(body, {.accuracy = 1e-10});
+  const auto impact = impact::simulate(body, {.accuracy = 1e-9});
   BOOST_TEST_REQUIRE(impact.estimated_accuracy.has_value());
-  BOOST_TEST(*impact.estimated_accuracy <= 1e-10);
-  BOOST_TEST(impact.requested_accuracy == 1e-10);
+  BOOST_TEST(*impact.estimated_accuracy <= 1e-9);
+  BOOST_TEST(impact.requested_accuracy == 1e-9);
+  BOOST_TEST(!impact::simulate(body, {.accuracy = 1e-10}).estimated_accuracy);
 }
 
 // Friction turns with the sign of a load that is small against errors of the damper.
