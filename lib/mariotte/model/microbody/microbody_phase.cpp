@@ -28,7 +28,7 @@ flow::SymmetricBody symmetric_part(const DimensionlessMicrobody& body) {
 
 /// Slip below this is none: a hundredth of what may be wrong anyway.
 double noise_of_slip(const DimensionlessMicrobody& body, double accuracy) {
-  return std::max(0.01 * accuracy * body.speed, 64 * epsilon * std::max(body.speed, 1 / body.time));
+  return std::max(0.01 * accuracy * body.speed, 256 * epsilon * std::max(body.speed, 1 / body.time));
 }
 
 /// Rounding of the friction that sticking needs, which comes from forces and accelerations of natural size.
@@ -187,7 +187,8 @@ double MicrobodyPhase::unrest(ConstState x) const {
   std::vector<double> ahead(x.begin(), x.end()), rate(x.size());
   derivative(x, rate);
   for (std::size_t k = 0; k < ahead.size(); ++k) ahead[k] += 0.1 * body_.time * rate[k];
-  const double blurred = normal_damping_group() * accuracy_ / body_.time;
+  const double blurred =
+      normal_damping_group() * flow::resolving_accuracy(*this, accuracy_, 64 * epsilon) / body_.time;
   const double soon = (fastest(ahead) - blurred) / (2 * tip_.rest_speed) - 1;
   const double natural = body_.body.mass / (body_.time * body_.time);
   return std::max({now, soon, std::min(mechanics_.lifting_energy(x) / natural, imbalance(x, fastest(x)))});
@@ -285,12 +286,13 @@ void MicrobodyPhase::second_derivative(ConstState, State ddx) const {
 }
 
 /// Of a body that swings about its tip also what would, over the time D/v of a swing, change velocities by
-/// the accuracy: friction turns with the sign of the load. D is from the mass centre to the tip.
+/// the accuracy: friction turns with the sign of the load; and what would blur its rest. D is from the mass
+/// centre to the tip.
 double MicrobodyPhase::least_load(double accuracy) const {
   const double creeping = Problem::least_load(accuracy);
   if (!can_swing(body_)) return creeping;
   const double swing = norm(body_.body.tips[0].centre) / body_.speed;
-  return std::min(creeping, accuracy * body_.time / swing);
+  return std::min({creeping, accuracy * body_.time / swing, 0.1 * tip_.rest_speed * body_.time});
 }
 
 /// Slip that has grown so far has a direction of its own, in which friction turns with it. Earlier, rounding
