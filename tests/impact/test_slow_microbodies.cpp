@@ -96,6 +96,17 @@ BOOST_AUTO_TEST_CASE(a_slip_in_space_ends_at_the_tightest_accuracy) {
   expect_same_at_every_accuracy(body);
 }
 
+// It leaves with what is left of the much larger speed that adhesion gives it on the way.
+BOOST_AUTO_TEST_CASE(a_body_slow_beside_its_well_keeps_the_accuracy_of_its_own_speed) {
+  expect_same_at_every_accuracy(
+      slim({.body = model::dumbbell(7.4296784776215512e-07, 4.3401203734169886, density),
+            .adhesion = 0.077148752602239745,
+            .zeta_hertz = 0,
+            .zeta_adhesion = 0,
+            .friction = 1.3353836821231293,
+            .velocity = {-0.0040139120431435674, -0.002112007693256584, -0.00044537537742232882}}));
+}
+
 // A tip that turns where its forces balance rests at its turn, which is a small part of a step.
 BOOST_AUTO_TEST_CASE(rest_at_a_turn_is_not_stepped_over) {
   auto body = slim({.body = model::dumbbell(2.0533968653449297e-06, 1.4339153642017615, density),

@@ -140,7 +140,7 @@ DimensionlessMicrobody restated(const Microbody& body, const DimensionlessMicrob
 double reachable_accuracy(const DimensionlessMicrobody& body, double asked) {
   constexpr double coarsest = 0.1;
   const double in_the_well = 1 / (body.time * body.speed);
-  return std::max(asked, std::min(64 * epsilon * in_the_well, coarsest));
+  return std::max(asked / in_the_well, std::min(64 * epsilon * in_the_well, coarsest));
 }
 
 }  // namespace mariotte::model

@@ -40,8 +40,9 @@ DimensionlessMicrobody dimensionless(const Microbody& body);
 /// in any way: what starts in a plane is not taken to stay there.
 DimensionlessMicrobody restated(const Microbody& body, const DimensionlessMicrobody& base);
 
-/// The accuracy asked for, but no finer than rounding: a slow body is made much faster by the well of
-/// adhesion, and errors of that speed are no smaller.
+/// The accuracy that steps need. The well of adhesion makes a slow body much faster, and its own speed is
+/// what is left of that: it keeps the accuracy asked for if the larger speed is as much more accurate. No
+/// finer than rounding of the larger speed.
 double reachable_accuracy(const DimensionlessMicrobody& body, double asked);
 
 }  // namespace mariotte::model
