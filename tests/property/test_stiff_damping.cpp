@@ -101,6 +101,35 @@ BOOST_AUTO_TEST_CASE(a_creeping_contact_that_is_slack_pushes_when_its_ball_is_st
   }
 }
 
+// Two slow balls between fast ones: what is rounding of the fast ones is none of theirs.
+BOOST_AUTO_TEST_CASE(slow_balls_among_fast_ones_close_and_open_a_few_times) {
+  const std::vector<contact::Law> half = {
+      contact::Viscoelastic{
+          .stiffness = 404.26751224197528, .damping = 0.051762067112120475, .exponent = 1.6484198088926214},
+      contact::Viscoelastic{.stiffness = 4.7446296344718881, .damping = 0, .exponent = 2},
+      contact::Viscoelastic{
+          .stiffness = 1.5324059912037331e-05, .damping = 2.4677633278642192e-08, .exponent = 3},
+      contact::Viscoelastic{.stiffness = 0.00060654201433523456,
+                            .damping = 0.043443157714494897,
+                            .exponent = 2.7090626569376974}};
+  model::Chain chain{
+      .mass = {34.018686418929484, 6.1220185821179394, 12.233869746456932, 11.400613920154244,
+               705.18962325216592, 11.400613920154244, 12.233869746456932, 6.1220185821179394,
+               34.018686418929484},
+      .law = half,
+      .gap = {0, 210668.6645034141, 196417.42754450851, 294168.9939699081, 294168.9939699081,
+              196417.42754450851, 210668.6645034141, 0},
+      .velocity = {23462941.317596033, 14515987.323729215, -18007288.059202071, 22445550.75360848, 0,
+                   -22445550.75360848, 18007288.059202071, -14515987.323729215, -23462941.317596033}};
+  chain.law.insert(chain.law.end(), half.rbegin(), half.rend());
+  impact::ChainSolver solver;
+  for (const double accuracy : {1e-8, 1e-10, 1e-12}) {
+    const auto& impact = solver.solve(chain, {.accuracy = accuracy});
+    BOOST_TEST((impact.ending == hybrid::Ending::separated), impact.message);
+    BOOST_TEST(impact.events < 100);
+  }
+}
+
 // The closed form of a pair starts with a load that rounding has made negative.
 BOOST_AUTO_TEST_CASE(a_load_that_has_vanished_but_for_rounding_lets_go) {
   const auto law = [](double damping) -> contact::Law {

@@ -192,7 +192,9 @@ template <class Topology>
 double TopologyPhase<Topology>::clear_load(ConstState x, Index j) const {
   const auto own = load(x, j);
   if ((*mode_)[j] != contact::ContactMode::slack) return own.value;
-  return own.value - 16 * epsilon * topology_.model.speed * std::abs(own.by_rate);
+  double size = 0;
+  topology_.for_each_direction(j, [&](Index place, double g) { size += std::abs(g * x[place]); });
+  return own.value - 16 * epsilon * size * std::abs(own.by_rate);
 }
 
 template <class Topology>
