@@ -21,7 +21,7 @@ Law make(const char* name, const LawNumbers& numbers) {
 /// How firmly bodies may adhere: work lost by a contact of Johnson, Kendall & Roberts over m* v²/2 at v = 1.
 double some_adhesion(Dice& dice, const LawNumbers& numbers, double mass) {
   const double lost = dice.between(1e-4, 2) * mass / 2, r = numbers.effective_radius;
-  return std::pow(std::pow(lost / 7.0934, 3) * std::pow(numbers.effective_modulus, 2) / std::pow(r, 4), 0.2);
+  return std::pow(std::pow(lost / 7.0922, 3) * std::pow(numbers.effective_modulus, 2) / std::pow(r, 4), 0.2);
 }
 
 /// A pressure that elastic balls reach at a depth.
