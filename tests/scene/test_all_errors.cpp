@@ -96,6 +96,23 @@ until = 1
         {"chain.ball[0].mass", "chain.ball[0].velocity", "chain.ball[1].radius", "chain.drive.end"});
 }
 
+BOOST_AUTO_TEST_CASE(of_a_single_ball_that_the_chain_does_not_have) {
+  const std::string rest = R"(
+radius = 1
+material = "steel"
+law = "hertz"
+[[chain.ball]]
+number = 5
+mas = 1
+radius = -1
+velocity = "y"
+)";
+  const Keys of_ball = {"chain.ball[0].mas", "chain.ball[0].radius", "chain.ball[0].velocity"};
+  check("[chain]\nballs = 6" + rest, of_ball);
+  check("[chain]\nballs = 3" + rest, {of_ball[0], "chain.ball[0].number", of_ball[1], of_ball[2]});
+  check("[chain]\nballs = 'x'" + rest, {of_ball[0], of_ball[1], of_ball[2], "chain.balls"});
+}
+
 BOOST_AUTO_TEST_CASE(of_a_chain_whose_number_of_balls_or_walls_is_wrong) {
   const std::string rest = R"(
 radius = "5 kg"

@@ -119,11 +119,16 @@ Index numbered(const Source& source, const Field& table, const Layout& layout, s
   return i;
 }
 
-void read_override(Source& source, const Field& table, Ball& ball) {
+/// A table of one ball; what it says is read whatever ball it is about.
+void read_override(Source& source, const Field& table, const Layout& layout, std::vector<bool>& seen,
+                   std::vector<Ball>& balls) {
+  Ball unknown, *ball = &unknown;
   ErrorList errors;
-  errors.attempt([&] { read_properties(source, table, ball); });
+  errors.attempt([&] { expect_keys(source, table, override_keys); });
+  errors.attempt([&] { ball = &balls[numbered(source, table, layout, seen)]; });
+  errors.attempt([&] { read_properties(source, table, *ball); });
   if (const auto field = find(table, "velocity"))
-    errors.attempt([&] { ball.velocity = read_velocity(source, *field); });
+    errors.attempt([&] { ball->velocity = read_velocity(source, *field); });
   errors.raise();
 }
 
@@ -132,11 +137,7 @@ void read_overrides(Source& source, const Field& list, const Layout& layout, std
   std::vector<bool> seen(balls.size());
   ErrorList errors;
   for (Index i = 0; i < static_cast<Index>(list.node->array()->size()); ++i)
-    errors.attempt_one_of_many([&] {
-      const auto table = element(list, i);
-      expect_keys(source, table, override_keys);
-      read_override(source, table, balls[numbered(source, table, layout, seen)]);
-    });
+    errors.attempt_one_of_many([&] { read_override(source, element(list, i), layout, seen, balls); });
   errors.raise();
 }
 
