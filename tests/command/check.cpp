@@ -131,6 +131,11 @@ BOOST_FIXTURE_TEST_CASE(a_key_in_the_wrong_table_is_told_where_it_belongs, Sessi
                  "(friction acts between [bodies], or on a [body]: surface.friction)"));
   BOOST_TEST(has(mariotte("check three.toml --set chain.until=1").err, "(it belongs to [run])"));
   BOOST_TEST(has(mariotte("check three.toml --set chain.young=1e9").err, "(it belongs to a material: "));
+  BOOST_TEST(
+      has(mariotte("check three.toml --set chain.impacts=2").err, "(it belongs to [run], beside a [body])"));
+  BOOST_TEST(
+      has(mariotte("check three.toml --set chain.columns=icr").err, "(it belongs above the first table)"));
+  BOOST_TEST(has(mariotte("check three.toml --set run.gap=0").err, "(it belongs to [chain]: gap = "));
   for (const char* text :
        {"[chain]\nangles = [0, 0, 0]\n", "[body]\nangles = [0, 0, 0]\n[surface]\n[incidence]\n"}) {
     write("angles.toml", text);

@@ -66,13 +66,18 @@ std::string elsewhere(std::string_view key) {
   };
   constexpr std::string_view run = " (it belongs to [run])",
                              material =
-                                 " (it belongs to a material: material = { young = \"210 GPa\", ... })";
+                                 " (it belongs to a material: material = { young = \"210 GPa\", ... })",
+                             top = " (it belongs above the first table)";
   constexpr std::array homes{
       Home{"accuracy", run},
       Home{"max_time", run},
       Home{"max_events", run},
       Home{"flow", run},
       Home{"until", run},
+      Home{"impacts", " (it belongs to [run], beside a [body])"},
+      Home{"title", top},
+      Home{"columns", top},
+      Home{"gap", " (it belongs to [chain]: gap = [0, \"1 um\"] has one value per contact)"},
       Home{"young", material},
       Home{"poisson", material},
       Home{"density", material},
