@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <span>
 
 #include "mariotte/core/nearest.hpp"
 #include "mariotte/core/overload.hpp"
@@ -19,15 +20,21 @@ using impact::Quantity;
 
 constexpr Index most_elements = 16;  // of a longer array the ends stand for all, unless asked
 
-/// What stands between the brackets of a key, one after the other, however wrong.
+bool is_index(std::string_view text) {
+  return text == "*" || text.find_first_not_of("0123456789") == text.npos;
+}
+
+/// What stands between the brackets of a key, one after the other; empty where it is no index.
 std::vector<std::string> indices_in(std::string_view key) {
   std::vector<std::string> all;
-  for (auto open = key.find('['); open != key.npos; open = key.find('[', open + 1))
-    all.emplace_back(key.substr(open + 1, key.find_first_of("].", open) - open - 1));
+  for (auto open = key.find('['); open != key.npos; open = key.find('[', open + 1)) {
+    const auto text = key.substr(open + 1, key.find_first_of("].", open) - open - 1);
+    all.emplace_back(is_index(text) ? text : "");
+  }
   return all;
 }
 
-/// A pattern with these indices, 0 where they are too few.
+/// A pattern with these indices, 0 where there is none.
 std::string with_indices(std::string_view pattern, const std::vector<std::string>& indices) {
   std::string key;
   std::size_t used = 0;
@@ -38,20 +45,37 @@ std::string with_indices(std::string_view pattern, const std::vector<std::string
   return key;
 }
 
-/// The nearest key that leads to a number; one that ends like `key` is nearer than any misspelling.
+/// The keys that lead to numbers, with these indices.
 template <class Impact>
-std::string suggestion(const std::string& key) {
-  const auto indices = indices_in(key);
+std::vector<std::string> known_keys(const std::vector<std::string>& indices) {
   std::vector<std::string> known;
   for (const auto& one : impact::quantities<Impact>()) {
     if (!one.is.unit.empty()) known.push_back(with_indices(one.is.key, indices));
     if (one.count)
       known.push_back(with_indices(one.is.key.substr(0, one.is.key.size() - 2), indices) + ".count");
   }
+  return known;
+}
+
+/// The name whose part after the first dot is nearest to a key.
+std::string suggestion_by_end(std::string_view key, std::span<const std::string_view> names) {
+  std::vector<std::string_view> ends;
+  for (const auto name : names) ends.push_back(name.substr(name.find('.') + 1));
+  const auto end = nearest(key, ends);
+  if (end.empty()) return "";
+  const auto which = std::find(ends.begin(), ends.end(), end) - ends.begin();
+  return fmt::format(" (did you mean '{}'?)", names[static_cast<std::size_t>(which)]);
+}
+
+/// The nearest key that leads to a number; one that ends like `key` is nearer than any misspelling.
+template <class Impact>
+std::string suggestion(const std::string& key) {
+  const auto known = known_keys<Impact>(indices_in(key));
   for (const auto& name : known)
     if (name.ends_with("." + key)) return " (did you mean '" + name + "'?)";
   const std::vector<std::string_view> names(known.begin(), known.end());
-  return mariotte::suggestion(key, names);
+  const auto whole = mariotte::suggestion(key, names);
+  return whole.empty() ? suggestion_by_end(key, names) : whole;
 }
 
 /// Of a key that is a number of some result of this kind. Throws ColumnError.
