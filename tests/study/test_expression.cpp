@@ -98,8 +98,10 @@ BOOST_AUTO_TEST_CASE(what_an_expression_cannot_mean_is_refused_where_it_stands) 
   const std::string axis = "[[sweep]]\nkey = 'chain.velocity[0]'\nvalues = [1, 2]\n";
   BOOST_TEST(
       has(rejection(axis + derive + "'2 * ('\n"), "s.toml:15:14: sweep[1].expression: cannot read '2 * ('"));
-  BOOST_TEST(has(rejection(axis + derive + "'2 * chain.mas[0]'\n"), "'chain.mas[0]' is no number"));
-  BOOST_TEST(has(rejection(axis + derive + "'kapa'\n"), "'kapa'"));
+  BOOST_TEST(has(rejection(axis + derive + "'2 * chain.mas[0]'\n"),
+                 "'chain.mas[0]' is no number that the scene gives (did you mean 'chain.mass[0]'?)"));
+  BOOST_TEST(has(rejection("[[sweep]]\nvariable = 'kappa'\nvalues = [1]\n" + derive + "'kapa'\n"),
+                 "did you mean 'kappa'?"));
   BOOST_TEST(has(rejection(derive + "'2'\n"), "no table says what is varied"));
   BOOST_TEST(has(rejection(axis + derive + "'2'\nfrom = 1\n"), "does not go with 'expression'"));
   BOOST_TEST(has(rejection("[[sweep]]\nvariable = '2x'\nvalues = [1]\n"), "letters, digits"));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "mariotte/core/nearest.hpp"
 #include "mariotte/scene/field.hpp"
 #include "mariotte/scene/key_path.hpp"
 
@@ -24,8 +25,29 @@ bool is_inside(const std::string& key, const std::string& whole) {
          (key[whole.size()] == '.' || key[whole.size()] == '[');
 }
 
-/// A number as the scene reader takes it [SI].
-double given(const std::string& name, scene::Document document) try {
+/// The keys of all values of a scene that are no tables or arrays.
+void add_keys(const scene::Node& node, const std::string& key, std::vector<std::string>& keys) {
+  if (const auto* const table = node.table())
+    for (const auto& entry : *table)
+      add_keys(entry.node, key.empty() ? entry.key : key + "." + entry.key, keys);
+  else if (const auto* const array = node.array())
+    for (std::size_t i = 0; i < array->size(); ++i)
+      add_keys((*array)[i], key + "[" + std::to_string(i) + "]", keys);
+  else
+    keys.push_back(key);
+}
+
+/// What a name that stands for nothing was meant to be.
+std::string suggestion(const std::string& name, const scene::Document& document, const Design& design) {
+  std::vector<std::string> keys;
+  for (const auto& one : design.parameters) keys.push_back(one.key);
+  for (const auto& one : design.derived) keys.push_back(one.key);
+  add_keys(document.tree, "", keys);
+  return mariotte::suggestion(name, std::vector<std::string_view>(keys.begin(), keys.end()));
+}
+
+/// A number as the scene reader takes it [SI]; empty if the scene gives none.
+std::optional<double> given(const std::string& name, scene::Document document) try {
   scene::Node& node = locate(document.source, document.tree, name, {});
   scene::ReadingLog watch{.readings = {{.node = &node, .dimension = {}}}};
   try {
@@ -33,10 +55,10 @@ double given(const std::string& name, scene::Document document) try {
   } catch (const scene::SceneError&) {  // told elsewhere
   }
   const auto& dimension = watch.readings[0].dimension;
-  if (!dimension) throw ExpressionError("'" + name + "' is no number that the scene gives");
+  if (!dimension) return {};
   return number(document.source, {&node, name}, *dimension, scene::Domain::any);
-} catch (const scene::SceneError& error) {
-  throw ExpressionError("'" + name + "' is no number that the scene gives");
+} catch (const scene::SceneError&) {
+  return {};
 }
 
 }  // namespace
@@ -58,7 +80,11 @@ Term input_term(const std::string& name, const scene::Document& document, const 
   for (const auto& one : design.parameters)
     if (is_inside(name, one.key) || is_inside(one.key, name))
       throw ExpressionError("'" + name + "' and '" + one.key + "', which is varied, overlap");
-  return {.value = given(name, document)};
+  const auto value = given(name, document);
+  if (!value)
+    throw ExpressionError("'" + name + "' is no number that the scene gives" +
+                          suggestion(name, document, design));
+  return {.value = *value};
 }
 
 Formula read_formula(const std::string& text, const scene::Document& document, const Design& design) {
