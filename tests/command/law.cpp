@@ -173,4 +173,6 @@ BOOST_FIXTURE_TEST_CASE(flags_without_sense_give_code_2, Session) {
         "law --mass 1,1 --velocity 1,0 --icr 1 --direction 1 --energy-ratio 1",
         "law --mass 1,1 --velocity 1,0 --direction 1 --energy-ratio 1 --frame lab"})
     BOOST_TEST(support::is_refused(mariotte(arguments)), arguments);
+  const auto ratios = mariotte("law --mass 1,1,1 --velocity 1,0,0 --icr 1.5,2 --energy-ratio 1");
+  BOOST_TEST(has(ratios.err, "one value per contact (2), got 3; of ratios there is one less"));
 }

@@ -13,11 +13,7 @@ using Numbers = std::vector<double>;
 
 void validate(const Configuration& c, const CorrelationLaw& law) {
   validate(c, law.restitution);
-  if (law.direction.size() != c.contact.size())
-    throw InvalidParameter("the impulse direction needs one value per contact");
-  const auto finite = [](double r) { return std::isfinite(r); };
-  if (!std::all_of(law.direction.begin(), law.direction.end(), finite))
-    throw InvalidParameter("the impulse direction must be finite");
+  validate_direction(c, law.direction);
 }
 
 /// Energy that can be given back, between two values of s at which gaps turn: it changes by

@@ -65,6 +65,15 @@ void validate(const Configuration& c, const Numbers& restitution) {
     if (!(e >= 0 && e <= 1)) throw InvalidParameter("a coefficient of restitution must lie between 0 and 1");
 }
 
+void validate_direction(const Configuration& c, const Numbers& direction) {
+  if (direction.size() != c.contact.size())
+    throw InvalidParameter("the impulse direction needs one value per contact (" +
+                           std::to_string(c.contact.size()) + "), got " + std::to_string(direction.size()) +
+                           "; of ratios there is one less");
+  for (const double r : direction)
+    if (!std::isfinite(r)) throw InvalidParameter("the impulse direction must be finite");
+}
+
 const char* name(LawStatus status) {
   switch (status) {
     case LawStatus::admissible:

@@ -42,6 +42,9 @@ LawOutcome outcome_of(const Configuration& configuration, std::vector<double> im
 /// 0 ≤ e ≤ 1, per contact.
 void validate(const Configuration& configuration, const std::vector<double>& restitution);
 
+/// Throws InvalidParameter unless a direction of impulses has one finite value per contact.
+void validate_direction(const Configuration& configuration, const std::vector<double>& direction);
+
 /// "admissible", "tensile_impulse", "penetrating_velocity", "complex", "no_impact", "unfinished".
 const char* name(LawStatus status);
 

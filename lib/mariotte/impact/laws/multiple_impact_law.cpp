@@ -40,12 +40,8 @@ struct SizeEquation {
 
 void validate(const Configuration& c, const LawParameters& parameters) {
   validate(c);
-  const auto finite = [](double value) { return std::isfinite(value); };
-  if (parameters.direction.size() != c.contact.size())
-    throw InvalidParameter("the impulse direction needs one value per contact");
-  if (!std::all_of(parameters.direction.begin(), parameters.direction.end(), finite))
-    throw InvalidParameter("the impulse direction must be finite");
-  if (!(parameters.energy_ratio >= 0) || !finite(parameters.energy_ratio))
+  validate_direction(c, parameters.direction);
+  if (!(parameters.energy_ratio >= 0) || !std::isfinite(parameters.energy_ratio))
     throw InvalidParameter("the energy ratio must be finite and not negative");
 }
 
