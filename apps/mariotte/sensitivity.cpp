@@ -46,25 +46,28 @@ void keep_wanted(impact::Sensitivity& slopes, const std::vector<std::string>& of
   std::erase_if(slopes.outcome, [&](const auto& one) { return !is_wanted(one, of); });
 }
 
-/// The usual result of a run, and the slopes.
-report::Json json(const impact::Sensitivity& slopes, const scene::Scene& scene) {
+/// The usual result of a run with what it takes to repeat it, and the slopes.
+report::Json json(const impact::Sensitivity& slopes, const scene::Scene& scene, const SceneChoice& choice) {
   auto result =
       std::visit([&](const auto& impact) { return report::json(impact, scene); }, scene::simulate(scene));
+  result["provenance"]["scene"] = choice.path;
+  result["provenance"]["overrides"] = choice.set;
   report::add_slopes(slopes, result);
   return result;
 }
 
 std::vector<std::string> file_names() {
   auto names = report::tornado_figures();
-  names.insert(names.end(), {"slopes.csv", "bars.csv", "plot.gp"});
+  names.insert(names.end(), {"slopes.csv", "result.json", "bars.csv", "plot.gp"});
   return names;
 }
 
-/// Slopes and their picture; a note if there is none.
-void write_folder(const std::filesystem::path& folder, const impact::Sensitivity& slopes,
-                  const std::string& title) {
+/// Slopes, what they are of, and their picture; a note if there is none.
+void write_folder(const Slopes& options, const impact::Sensitivity& slopes, const scene::Scene& scene) {
+  const std::filesystem::path folder = options.out;
   report::write_file(folder / "slopes.csv", report::csv(slopes));
-  const auto script = report::tornado_script(slopes, title);
+  report::write_file(folder / "result.json", report::text(json(slopes, scene, options.scene)));
+  const auto script = report::tornado_script(slopes, scene.title);
   if (script.empty()) return note("no picture: no relative slope is known");
   report::write_file(folder / "bars.csv", report::tornado_csv(slopes));
   report::write_file(folder / "plot.gp", script);
@@ -79,10 +82,10 @@ int sensitivity(const Slopes& options) {
   auto slopes = study::sensitivity(document, scene, options.to);
   keep_wanted(slopes, options.of);
   if (options.json)
-    print(report::text(json(slopes, scene)));
+    print(report::text(json(slopes, scene, options.scene)));
   else
     print(options.csv ? report::csv(slopes) : report::table(slopes, scene.title));
-  if (!options.out.empty()) write_folder(options.out, slopes, scene.title);
+  if (!options.out.empty()) write_folder(options, slopes, scene);
   tell_ending(slopes.ending, slopes.message, scene);
   return report::is_wanted(slopes.ending, scene) ? ExitCode::ok : exit_code(slopes.ending);
 }
@@ -95,7 +98,8 @@ constexpr const char* examples = R"(Examples:
   mariotte sensitivity triplet.toml --of velocity --out slopes
 
 Slopes are exact through every event, not differences of runs: doc/sensitivity.md says how. Without --to they
-are by every mass, velocity, gap and number of a law; of a body by what its scene gives.
+are by every mass, velocity, gap and number of a law; of a body by what its scene gives. What made the slopes,
+scene and version, is in the JSON; --csv alone is the table and nothing else.
 )";
 
 }  // namespace
@@ -121,7 +125,7 @@ Command sensitivity_command() {
                           {"--csv", &options->csv, "A table for other programs", {.excludes = {"--json"}}},
                           {"--out",
                            &options->out,
-                           "Write slopes.csv and a picture of relative slopes into this folder",
+                           "Write slopes.csv, result.json and a picture of relative slopes into this folder",
                            {.value = "DIR"}},
                           {"--force", &options->force, "Overwrite files of an earlier call"}}}),
       .act = [options] { return sensitivity(*options); }};

@@ -58,6 +58,11 @@ BOOST_FIXTURE_TEST_CASE(slopes_and_their_picture_are_written_into_a_folder, Sess
   BOOST_TEST(mariotte(triplet + "--out " + out).code == 0);
   for (const char* name : {"slopes.csv", "bars.csv", "plot.gp"})
     BOOST_TEST(std::filesystem::exists(folder / "slopes" / name), name);
+  const auto result = Json::parse(support::content(folder / "slopes" / "result.json"));
+  BOOST_TEST(result["provenance"]["scene_sha256"].get<std::string>().size() == 64u);
+  BOOST_TEST(std::string(result["provenance"]["scene"]).ends_with("triplet.toml"));
+  BOOST_TEST(result["provenance"]["overrides"].empty());
+  BOOST_TEST(result["derivative"]["velocity"].size() == 3u);
   BOOST_TEST(mariotte(triplet + "--out " + out).code != 0);
   BOOST_TEST(mariotte(triplet + "--force --out " + out).code == 0);
 }

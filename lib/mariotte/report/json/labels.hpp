@@ -27,8 +27,9 @@ inline constexpr std::array labels = {
     Label{"provenance.sundials", "version of SUNDIALS"},
     Label{"provenance.compiler", "compiler of the program"},
     Label{"provenance.build_type", "CMake's build type of the program"},
-    Label{"provenance.scene", "scene file, of `mariotte run`"},
-    Label{"provenance.overrides[]", "what `--set` and the like have changed, of `mariotte run`"},
+    Label{"provenance.scene", "scene file, of `mariotte run` and `sensitivity`"},
+    Label{"provenance.overrides[]",
+          "what `--set` and the like have changed, of `mariotte run` and `sensitivity`"},
 };
 
 }  // namespace mariotte::report
