@@ -11,6 +11,7 @@
 #include "mariotte/core/overload.hpp"
 #include "mariotte/core/quantity.hpp"
 #include "mariotte/impact/quantities/quantity_key.hpp"
+#include "mariotte/report/csv/csv_metadata.hpp"
 #include "mariotte/report/figure/energy_plot.hpp"
 #include "mariotte/report/json/json.hpp"
 #include "mariotte/report/json/json_parts.hpp"
@@ -101,9 +102,22 @@ py::tuple steps_of(const Impact& impact) {
   return looked(impact, [&] { return steps(impact); });
 }
 
-/// All samples of a step each, as the command writes them.
-std::string trace_csv(const Impact& impact) {
-  return report::trace_text(simulate(impact.box(), impact.options(), {.trace = true}));
+/// Where a file of the impact comes from.
+report::Attributes origin(const Impact& impact) {
+  auto attributes = origin(impact.box());
+  attributes.emplace_back("run", report::options(impact.options()).dump());
+  return attributes;
+}
+
+/// All samples of a step each, as the command writes them, and beside them what they are.
+void save_csv(const Impact& impact, const std::string& path) {
+  const auto trace = report::trace_text(simulate(impact.box(), impact.options(), {.trace = true}));
+  report::write_file(path, trace);
+  const bool of_balls = std::holds_alternative<model::Chain>(impact.box().scene.model);
+  const std::span<const impact::Description> known(impact::sampled.data(),
+                                                   of_balls ? impact::sampled.size() : 0);
+  const auto name = std::filesystem::path(path).filename().string();
+  report::write_file(report::metadata_name(path), report::trace_metadata(name, trace, origin(impact), known));
 }
 
 void save_hdf5(const Impact& impact, const std::string& path) {
@@ -120,9 +134,7 @@ void save_hdf5(const Impact& impact, const std::string& path) {
     std::iota(all.begin(), all.end(), 0);
     return all;
   };
-  auto attributes = origin(impact.box());
-  attributes.emplace_back("run", report::options(impact.options()).dump());
-  const auto file = report::new_hdf5_trace(path, places(trace.velocity), places(trace.gap), attributes);
+  const auto file = report::new_hdf5_trace(path, places(trace.velocity), places(trace.gap), origin(impact));
   for (std::size_t row = 0; row < trace.time.size(); ++row)
     file->add({.time = trace.time[row],
                .velocity = trace.velocity[row],
@@ -172,7 +184,7 @@ void add_impact(py::module_& module) {
       .def("sample", &sample_at, py::arg("times"))
       .def("steps", &steps_of)
       .def("energy_course", &energy_course)
-      .def("trace_csv", &trace_csv, py::call_guard<py::gil_scoped_release>())
+      .def("save_csv", &save_csv, py::arg("path"), py::call_guard<py::gil_scoped_release>())
       .def("save_hdf5", &save_hdf5, py::arg("path"), py::call_guard<py::gil_scoped_release>())
       .def("to_cite", &to_cite)
       .def("table", [](const Impact& impact) { return report::table_text(impact.whole(), impact.scene()); });

@@ -162,13 +162,14 @@ class Impact:
 
     def save(self, path: Path) -> None:
         """Write the result as the command does: all of it as JSON if the name ends in .json, else the trace, as HDF5
-        (.h5, .hdf5) or CSV, one row per step."""
+        (.h5, .hdf5) or CSV, one row per step. Beside a CSV its name with ``-metadata.json`` tells where it comes from,
+        with unit and meaning of each column."""
         name = os.fspath(path)
         ending = os.path.splitext(name)[1].lower()
-        if ending in (".h5", ".hdf5"):
-            self._run.save_hdf5(name)
+        if ending == ".json":
+            _core.write_file(name, self._run.json())
         else:
-            _core.write_file(name, self._run.json() if ending == ".json" else self._run.trace_csv())
+            (self._run.save_hdf5 if ending in (".h5", ".hdf5") else self._run.save_csv)(name)
 
     def cite(self) -> str:
         """What to cite, as BibTeX: this version of mariotte with this scene, and the papers of the model.

@@ -19,6 +19,26 @@ def test_files_are_those_of_the_command(command, tmp_path, triplet):
     assert json.loads((tmp_path / "result.json").read_text()) == hit.json()
 
 
+def test_a_trace_as_csv_has_its_units_and_origin_beside_it(tmp_path, triplet):
+    moved = triplet.replace({"chain.velocity[0]": 2.0})
+    mt.simulate(moved, accuracy=1e-7).save(tmp_path / "trace.csv")
+    about = json.loads((tmp_path / "trace.csv-metadata.json").read_text())
+    columns = {column["name"]: column for column in about["tableSchema"]["columns"]}
+    assert list(columns)[:2] == ["time", "v1"] and about["url"] == "trace.csv"
+    assert (columns["v3"]["schema:unitText"], columns["v3"]["dc:description"]) == ("m/s", "velocity of the ball")
+    (origin,) = about["notes"]
+    assert origin["scene_sha256"] == moved.sha256 and "chain.velocity[0]=2.0" in origin["overrides"]
+    assert json.loads(origin["run"])["accuracy"] == 1e-7
+
+
+def test_columns_of_a_body_have_units(tmp_path):
+    mt.simulate(mt.load(SCENES / "microsphere.toml")).save(tmp_path / "trace.csv")
+    columns = json.loads((tmp_path / "trace.csv-metadata.json").read_text())["tableSchema"]["columns"]
+    units = {column["name"]: column.get("schema:unitText") for column in columns}
+    assert (units["time"], units["spin1"], units["qw"], units["normal_force1"]) == ("s", "rad/s", None, "N")
+    assert [column for column in columns if "dc:description" in column] == []
+
+
 def test_hdf5_starts_like_hdf5(tmp_path, triplet):
     hit = mt.simulate(triplet)
     try:
