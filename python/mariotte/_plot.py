@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from ._sweep import Sweep
 
 _MOST_CURVES = 12  # more are an image
+_MOST_OF_A_FAMILY = 7  # values of a sweep that have a curve each; of more there is a map
 _AXES = "xyz"
 
 
@@ -172,13 +173,15 @@ class SweepPlot:
         self._sweep = sweep
 
     def __call__(self, column: str, ax: Optional[Any] = None) -> Any:
-        """Curves along one axis, or a map of a single number over two; returns the axes."""
+        """Curves along one axis; of a single number over two axes a map, or a curve per value of one that has no more
+        than seven. Returns the axes."""
         values = self._sweep[column]
         axes = list(self._sweep.axes.items())
         if len(self._sweep.shape) == 1:
             return self._curves(column, values, axes[0], ax)
         if values.ndim == 2:
-            return self._map(column, values, axes, ax)
+            short = [axis for axis in (0, 1) if 0 < len(self._along(axis)[1]) <= _MOST_OF_A_FAMILY]
+            return self._family(column, values, short[0], ax) if short else self._map(column, values, ax)
         raise ValueError(f"{column} has the shape {values.shape}: a figure shows one axis, or one number over two")
 
     def _curves(self, column: str, values: Array, axis: Tuple[str, Array], ax: Any) -> Any:
@@ -199,7 +202,20 @@ class SweepPlot:
         symbol = self._sweep.symbols.get(key, "") if name in ("", key) else ""
         return _labelled(name or key, self._sweep.units[key], symbol)
 
-    def _map(self, column: str, values: Array, axes: Any, ax: Any) -> Any:
+    def _family(self, column: str, values: Array, short: int, ax: Any) -> Any:
+        """A curve along one axis for each value of the short one."""
+        ax = _axes(ax)
+        (each, per_curve), (key, along) = self._along(short), self._along(1 - short)
+        for place, (name, curve) in enumerate(zip(_told_apart(per_curve), np.moveaxis(values, short, 0))):
+            ax.plot(along, curve, label=name, **line_style(place))
+        ax.legend(title=self._label(each))
+        if _is_logarithmic(along):
+            ax.set_xscale("log")
+        ax.set(xlabel=self._label(key), ylabel=self._label(self._sweep.keys_of(column)[0]),
+               title=self._sweep.scene.title)
+        return ax
+
+    def _map(self, column: str, values: Array, ax: Any) -> Any:
         ax = _axes(ax)
         rows, columns = (self._along(axis) for axis in (0, 1))
         image = ax.pcolormesh(columns[1], rows[1], values, shading="nearest")
@@ -221,3 +237,12 @@ def _is_logarithmic(values: Array) -> bool:
     if len(values) < 3 or values.min() <= 0:
         return False
     return bool(np.ptp(np.diff(np.log(values))) < 1e-6 and np.ptp(np.diff(values)) > 1e-6 * np.ptp(values))
+
+
+def _told_apart(values: Array) -> List[str]:
+    """Numbers with three digits, or as many more as it takes."""
+    for digits in range(3, 17):
+        names = [f"{value:.{digits}g}" for value in values]
+        if len(set(names)) == len(set(values.tolist())):
+            break
+    return names

@@ -97,7 +97,8 @@ class Sweep(Mapping[str, Array]):
 
     @property
     def plot(self) -> Any:
-        """Figures: ``grid.plot(column)`` draws curves along one axis, and a map over two."""
+        """Figures: ``grid.plot(column)`` draws curves along one axis, and over two a map, or a curve per value of a short
+        one."""
         from ._plot import SweepPlot
 
         return SweepPlot(self)

@@ -194,8 +194,30 @@ def test_sweeps_are_curves_or_maps(triplet):
     assert ax.get_xlabel() == "chain.velocity[0] [m/s]" and ax.get_ylabel() == "final.time  t [s]"
     balls = mt.sweep(triplet, {"velocity[0]": speeds}, columns=["velocity"]).plot("velocity")
     assert [line.get_label() for line in balls.lines] == [f"final.velocity[{i}]" for i in range(3)]
-    both = mt.sweep(triplet, {"velocity[0]": speeds, "velocity[2]": [-1, 0, 0.05]}, columns=["icr[0]", "velocity"])
-    assert both.plot("icr[0]").collections[0].get_array().size == 15
+    both = mt.sweep(triplet, {"velocity[0]": np.geomspace(0.1, 10, 8), "velocity[2]": np.linspace(-1, 0, 9)},
+                    columns=["icr[0]", "velocity"])
+    assert both.plot("icr[0]").collections[0].get_array().size == 72
     assert both.plot("icr[0]").get_ylabel() == "chain.velocity[0] [m/s]"
     with pytest.raises(ValueError, match="shape"):
         both.plot("velocity")
+
+
+@pytest.mark.parametrize("short_first", [True, False])
+def test_sweeps_over_a_short_list_have_a_curve_per_value(triplet, short_first):
+    pytest.importorskip("matplotlib")
+    short, long = ("velocity[2]", [-1, 0, 0.0005]), ("velocity[0]", np.geomspace(0.1, 10, 9))
+    grid = mt.sweep(triplet, dict([short, long] if short_first else [long, short]), columns=["icr[0]"])
+    ax = grid.plot("icr[0]")
+    rows = grid["icr[0]"] if short_first else grid["icr[0]"].T
+    assert [line.get_ydata().tolist() for line in ax.lines] == rows.tolist()
+    assert [line.get_label() for line in ax.lines] == ["-1", "0", "0.0005"]
+    assert ax.get_legend().get_title().get_text() == "chain.velocity[2] [m/s]"
+    assert (ax.get_xlabel(), ax.get_xscale()) == ("chain.velocity[0] [m/s]", "log")
+    assert not ax.collections
+
+
+def test_values_that_are_near_have_the_digits_that_tell_them_apart(triplet):
+    pytest.importorskip("matplotlib")
+    near = mt.sweep(triplet, {"velocity[0]": np.linspace(1, 2, 8), "velocity[2]": [0.5, 0.50001]},
+                    columns="time").plot("time")
+    assert [line.get_label() for line in near.lines] == ["0.5", "0.50001"]
