@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING, Any, List, Optional, Tuple
 
 import numpy as np
@@ -35,6 +36,7 @@ def _axes(ax: Any) -> Any:
 
 def _labelled(name: str, unit: str, symbol: str = "") -> str:
     """What stands beside an axis: name, symbol and unit."""
+    symbol = re.sub(r"_(\w+)", r"$_{\1}$", symbol)
     return name + (f"  {symbol}" if symbol else "") + (f" [{unit}]" if unit not in ("", "1") else "")
 
 

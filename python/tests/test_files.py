@@ -198,6 +198,7 @@ def test_sweeps_are_curves_or_maps(triplet):
                     columns=["icr[0]", "velocity"])
     assert both.plot("icr[0]").collections[0].get_array().size == 72
     assert both.plot("icr[0]").get_ylabel() == "chain.velocity[0] [m/s]"
+    assert both.plot("icr[0]").figure.axes[1].get_ylabel() == "icr[0]  α$_{j}$"
     with pytest.raises(ValueError, match="shape"):
         both.plot("velocity")
 
