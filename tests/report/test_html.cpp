@@ -203,6 +203,19 @@ BOOST_AUTO_TEST_CASE(columns_have_symbols_and_units_and_are_left_out_if_empty) {
   BOOST_TEST(!has(report::table(events, {"chain", "events"}), "stick"));
 }
 
+BOOST_AUTO_TEST_CASE(columns_of_zeros_are_named_below) {
+  const auto contact = [](double impulse) {
+    return Json{{"impulse", impulse}, {"stored", 0.0}, {"plastic_work", -0.0}, {"peak_force", impulse}};
+  };
+  const auto table = report::table(Json::array({contact(0), contact(2)}), {"chain", "contacts"});
+  BOOST_TEST(count(table, "<th>") == 3);
+  BOOST_TEST(has(table, "<p>Zero in every line: stored, plastic work.</p>"));
+  BOOST_TEST(has(table, ">0</td>"));
+  const Json start = Json::array({{{"time", 0.0}, {"close", {1}}}});
+  BOOST_TEST(!has(report::table(start, {"chain", "events"}), "Zero"));
+  BOOST_TEST(has(report::table(Json::array({-0.0, 1.0}), {}), ">0</td>"));
+}
+
 BOOST_AUTO_TEST_CASE(a_long_table_is_cut_in_the_middle) {
   Json list = Json::array();
   for (int i = 0; i < 1000; ++i) list.push_back(i);

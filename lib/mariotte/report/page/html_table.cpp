@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <regex>
 
 #include "mariotte/impact/quantities/quantity.hpp"
@@ -72,7 +73,7 @@ enum class Digits { four, all };
 
 std::string text(const Json& value, double factor, Digits digits) {
   if (value.is_number_float()) {
-    const double shown = factor * value.get<double>();
+    const double shown = factor * value.get<double>() + 0.0;  // of -0 that makes 0
     return digits == Digits::all ? fmt::format("{}", shown) : fmt::format("{:.4g}", shown);
   }
   if (!value.is_array()) return inline_text(value);
@@ -121,6 +122,13 @@ bool is_empty(const Json& values) {
                      [](const Json& one) { return one.is_null() || (one.is_array() && one.empty()); });
 }
 
+/// Whether a column is zero in every line, and no instant.
+bool is_zero(const Column& one) {
+  return one.unit != "s" && std::all_of(one.values.begin(), one.values.end(), [](const Json& value) {
+           return value.is_number_float() && value.get<double>() == 0;
+         });
+}
+
 Column column(const std::string& name, const Key& key, Json values) {
   const auto* is = description(key);
   auto title = words(name);
@@ -139,6 +147,17 @@ Json flat(const Json& object) {
   return all;
 }
 
+/// A table; what is zero in every line is named below it.
+std::string without_zeros(std::vector<Column> columns) {
+  const auto zero = std::stable_partition(columns.begin(), columns.end(), std::not_fn(is_zero));
+  std::string names;
+  for (auto one = zero; one != columns.end(); ++one)
+    names += (names.empty() ? "" : ", ") + typeset(one->name);
+  columns.erase(zero, columns.end());
+  return (columns.empty() ? "" : table("#", columns)) +
+         (names.empty() ? "" : "<p>Zero in every line: " + names + ".</p>\n");
+}
+
 std::string of_objects(const Json& nested, const Key& key) {
   auto list = Json::array();
   for (const auto& one : nested) list.push_back(flat(one));
@@ -152,7 +171,7 @@ std::string of_objects(const Json& nested, const Key& key) {
     for (const auto& one : list) values.push_back(one.value(name, Json(nullptr)));
     columns.push_back(column(name, {key.model, key.path + "[]." + name}, std::move(values)));
   }
-  return table("#", columns);
+  return without_zeros(std::move(columns));
 }
 
 /// Members that are lists of one length stand side by side, the others one below the other.

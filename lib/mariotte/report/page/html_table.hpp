@@ -14,8 +14,9 @@ struct Key {
 };
 
 /// Any value as a table: one line per member of an object, per object of a list, or per number. Columns with
-/// nothing in them are left out. Numbers have four digits and a unit that suits them; all digits of a number
-/// in that unit are its title, which browsers show under the pointer and `copied_digits` copies.
+/// nothing in them are left out, and those of objects with nothing but zeros are named below. Numbers have
+/// four digits and a unit that suits them; all digits of a number in that unit are its title, which browsers
+/// show under the pointer and `copied_digits` copies.
 std::string table(const Json& value, const Key& key = {});
 
 /// A column of a table of one's own.
