@@ -88,6 +88,7 @@ BOOST_AUTO_TEST_CASE(scene_table_names_walls_laws_and_limits) {
   for (const char* part :
        {"2 balls and 1 wall", "plane", "hertz", "viscoelastic", "time limit none", "flow auto"})
     BOOST_TEST(has(text, part), part);
+  BOOST_TEST(!has(text, "other numbers"));
 }
 
 BOOST_AUTO_TEST_CASE(consecutive_numbers_are_joined) {

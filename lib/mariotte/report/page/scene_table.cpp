@@ -41,32 +41,41 @@ std::string balls(const model::Chain& chain, const scene::Scene& scene) {
   return columns(header, std::ssize(chain.mass), row);
 }
 
-/// The name of a law; one that has no columns of its own adds its numbers.
-std::string law_cell(const contact::Law& law) {
-  std::string text(name(law));
-  if (power_law(law)) return text;
-  for (const auto& parameter : parameters(law))
-    text += fmt::format(" {} {}", parameter.key, number(parameter.value));
-  return text;
+/// A contact as its columns show it. Damping that is not c of a power law stands with the other numbers,
+/// since its unit is another.
+TableRow contact_row(const std::string& name, const contact::Law& law, double gap) {
+  std::string stiffness, damping, exponent, others;
+  for (const auto& [key, value] : parameters(law))
+    if (key == "stiffness")
+      stiffness = number(value);
+    else if (key == "exponent")
+      exponent = number(value);
+    else if (power_law(law))
+      damping = number(value);
+    else
+      others += fmt::format("{}{} {}", others.empty() ? "" : ", ", key, number(value));
+  return {name, std::string(contact::name(law)), stiffness, damping, exponent, number(gap), others};
 }
 
 std::string contacts(const std::vector<contact::Law>& laws, const std::vector<double>& gaps,
                      const std::vector<std::string>& names) {
-  const auto row = [&](Index j) -> TableRow {
-    const auto& law = laws[static_cast<std::size_t>(j)];
-    const auto* power = power_law(law);
-    const auto name = names.empty() ? fmt::format("{}", j + 1)
-                                    : fmt::format("{} ({})", j + 1, names[static_cast<std::size_t>(j)]);
-    return {name,
-            law_cell(law),
-            power ? number(power->stiffness) : "",
-            power ? number(power->damping) : "",
-            power ? number(power->exponent) : "",
-            number(gaps[static_cast<std::size_t>(j)])};
-  };
-  return columns({names.empty() ? "contact" : "contact (balls)", "law", "stiffness k [N/mⁿ]",
-                  "damping c [N s/mⁿ]", "exponent n", "gap [m]"},
-                 std::ssize(laws), row);
+  TableRow header = {names.empty() ? "contact" : "contact (balls)",
+                     "law",
+                     "stiffness k [N/mⁿ]",
+                     "damping c [N s/mⁿ]",
+                     "exponent n",
+                     "gap [m]",
+                     "other numbers [SI]"};
+  if (std::all_of(laws.begin(), laws.end(), [](const auto& law) { return power_law(law); }))
+    header.pop_back();
+  return columns(header, std::ssize(laws), [&](Index j) {
+    const auto at = static_cast<std::size_t>(j);
+    auto row =
+        contact_row(names.empty() ? fmt::format("{}", j + 1) : fmt::format("{} ({})", j + 1, names[at]),
+                    laws[at], gaps[at]);
+    row.resize(header.size());
+    return row;
+  });
 }
 
 /// One line per dof.
