@@ -1,5 +1,7 @@
 #include "mariotte/scene/network_balls.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -135,6 +137,22 @@ void expect_one_law(const Source& source, const Field& network) {
   errors.raise();
 }
 
+/// Says how far the nearest two are apart, since a `reach` of so much would do.
+[[noreturn]] void reject_lonely(const Source& source, const Field& network,
+                                const std::vector<model::Ball>& balls) {
+  double least = infinity;
+  std::string nearest;
+  for (Index j = 1; j < std::ssize(balls); ++j)
+    for (Index i = 0; i < j; ++i)
+      if (const double gap = model::ball_contact(balls, i, j).gap; gap < least) {
+        least = gap;
+        nearest = fmt::format("; the nearest, {} and {}, are {:.4g} m apart", i + 1, j + 1, gap);
+      }
+  reject(source, network, fault::impossible,
+         "no two balls are within 'reach' of each other, by default a hundredth of the smallest radius" +
+             nearest);
+}
+
 void warn_of_missed_meetings(Source& source, const PlacedBalls& balls, double reach) {
   for (const auto& [i, j] : missed_meetings(balls.ball, reach))
     warn(source, balls.table[j],
@@ -181,9 +199,7 @@ ResolvedNetwork read_ball_network(Source& source, const Field& network, bool pre
   read_laws(source, tables, balls, pairs, model);
   for (const auto& [i, j] : pairs) resolved.touching.push_back(scene::touching(balls.body[i], balls.body[j]));
   warn_of_missed_meetings(source, balls, reach);
-  if (model.law.empty())
-    reject(source, network, fault::impossible,
-           "no two balls are within 'reach' of each other, by default a hundredth of the smallest radius");
+  if (model.law.empty()) reject_lonely(source, network, balls.ball);
   return resolved;
 }
 
