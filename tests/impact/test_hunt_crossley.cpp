@@ -3,6 +3,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "mariotte/contact/hunt_crossley.hpp"
+#include "mariotte/contact/tsuji.hpp"
 #include "mariotte/core/error.hpp"
 #include "mariotte/impact/chain/chain_impact.hpp"
 
@@ -42,9 +43,32 @@ BOOST_AUTO_TEST_CASE(restitution_and_duration_are_those_of_the_closed_form) {
     const double e = (impact.velocity[1] - impact.velocity[0]) / pair.speed;
     BOOST_TEST(std::abs(e - pair.restitution) < 1e-9);
     BOOST_TEST(std::abs(impact.time / pair.time - 1) < 1e-8);
+    BOOST_TEST(impact.flows.at(0).name == "taylor");
     const double mass = 1 / (1 / pair.left + 1 / pair.right);
     BOOST_TEST(std::abs(impact.energy.dissipated / (0.5 * mass * pair.speed * pair.speed * (1 - e * e)) - 1) <
                1e-8);
+  }
+}
+
+// Struck from both sides.
+BOOST_AUTO_TEST_CASE(rows_of_any_dampers_are_those_that_cvode_follows) {
+  const auto grown = [](double n) { return std::make_shared<contact::HuntCrossley>(1, 0.7, n); };
+  const auto even = std::make_shared<contact::Tsuji>(1, 0.4);
+  const contact::Viscoelastic lossy{.stiffness = 1, .damping = 0.3, .exponent = 1.25};
+  const std::vector<std::vector<contact::Law>> rows = {
+      {grown(1), grown(1), grown(1)},          {grown(1.5), contact::Hertz{2}, grown(1)},
+      {grown(1.3), lossy, contact::Linear{1}}, {even, even, even},
+      {contact::Hertz{1}, even, lossy},        {even, grown(1.5), contact::Linear{3}}};
+  for (const auto& law : rows) {
+    const model::Chain chain{
+        .mass = {1, 0.1, 1, 0.3}, .law = law, .gap = {0, 0.02, 0}, .velocity = {1, 0.2, 0, -2}};
+    const auto series = impact::simulate(chain, {.accuracy = 1e-11});
+    const auto steps = impact::simulate(chain, {.accuracy = 1e-12, .flow = flow::Kind::cvode_adams});
+    for (const auto& flow : series.flows) BOOST_TEST(!flow.name.starts_with("cvode"));
+    BOOST_TEST(series.events.size() == steps.events.size());
+    for (std::size_t i = 0; i < chain.mass.size(); ++i)
+      BOOST_TEST(std::abs(series.velocity[i] - steps.velocity[i]) < 1e-10);
+    BOOST_TEST(std::abs(series.energy.residual) < 1e-10);
   }
 }
 

@@ -6,7 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "mariotte/contact/hunt_crossley.hpp"
 #include "mariotte/contact/jkr.hpp"
+#include "mariotte/contact/tsuji.hpp"
 #include "mariotte/contact/walton_braun.hpp"
 #include "mariotte/flow/choose.hpp"
 #include "mariotte/model/chain/chain_system.hpp"
@@ -90,6 +92,9 @@ inline std::vector<PhaseCase> chain_phases() {
   const contact::Viscoelastic lossy{.stiffness = 1, .damping = 0.2, .exponent = 1.5};
   const auto yielding = contact::state(contact::WaltonBraun(1, 2)),
              sticky = contact::state(contact::Jkr(1, 1, 0.003, 0.1));
+  const contact::Law growing = std::make_shared<contact::HuntCrossley>(1, 0.2),
+                     growing_line = std::make_shared<contact::HuntCrossley>(1, 0.2, 1),
+                     even = std::make_shared<contact::Tsuji>(1, 0.2);
   const auto of = [](model::Chain chain, std::vector<double> gap = {}, double gravity = 0) {
     if (!gap.empty()) chain.gap = gap;
     chain.gravity = gravity;
@@ -110,6 +115,12 @@ inline std::vector<PhaseCase> chain_phases() {
        of(equal_masses({damper(1, 0.3), damper(3, 0.1)}, {1, 0, -0.7}))},
       {"Hertz row", {taylor}, of(equal_masses({hertz, stiff}, {1, 0, -0.7}))},
       {"damped Hertz row", {taylor}, of(equal_masses({lossy, lossy}, {1, 0, -0.7}))},
+      {"pair of Hunt and Crossley", {taylor}, of(equal_masses({growing_line}, {1, 0}))},
+      {"row of Hunt and Crossley", {taylor}, of(equal_masses({growing, growing}, {1, 0, -0.7}))},
+      {"row of Tsuji", {taylor}, of(equal_masses({even, even}, {1, 0, -0.7}))},
+      {"row of all dampers",
+       {taylor},
+       of(equal_masses({even, growing, lossy, soft}, {1, 0.8, 0.2, 0, -0.7}))},
       {"linear row struck from both sides", {modal, taylor}, of(equal_masses({soft, soft}, {1, 0, -1}))},
       {"Hertz row struck from both sides", {taylor}, of(equal_masses({hertz, hertz}, {1, 0, -1}))},
       {"row of two springs", {taylor}, of(equal_masses({yielding, yielding}, {1, 0, -0.7}))},
@@ -134,6 +145,8 @@ inline std::vector<PhaseCase> other_phases() {
       {"linear network", {modal, taylor}, of(contact::Linear{1})},
       {"damped linear network", {modal, taylor}, of(damper(1, 0.3))},
       {"Hertz network", {taylor}, of(contact::Hertz{1})},
+      {"network of Hunt and Crossley", {taylor}, of(std::make_shared<contact::HuntCrossley>(1, 0.2))},
+      {"network of Tsuji", {taylor}, of(std::make_shared<contact::Tsuji>(1, 0.2))},
       {"sphere",
        {taylor},
        [=] {

@@ -51,6 +51,14 @@ class ScaledLaw final : public CustomLaw {
   double natural_indentation(double energy) const override {
     return law_->natural_indentation(energy * scale_.energy()) / scale_.length;
   }
+  std::optional<DampedPower> powers() const override {
+    auto powers = law_->powers();
+    if (!powers) return powers;
+    const double n = powers->exponent, q = damping_exponent(powers->grows, n), unit = scale_.force();
+    powers->stiffness *= std::pow(scale_.length, n) / unit;
+    powers->damping *= std::pow(scale_.length, q) * scale_.velocity / unit;
+    return powers;
+  }
   std::vector<LawParameter> parameters() const override { return law_->parameters(); }
 
  private:

@@ -1,10 +1,12 @@
 // A contact law that the library does not know: its force, its energy and its name are all that is asked for.
 #pragma once
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <vector>
 
 #include "mariotte/contact/force.hpp"
+#include "mariotte/core/damping.hpp"
 #include "mariotte/core/scale.hpp"
 
 namespace mariotte::contact {
@@ -15,10 +17,19 @@ struct LawParameter {
   double value;
 };
 
+/// f = k δⁿ + c δ^q δ̇.
+struct DampedPower {
+  double stiffness;  ///< k [N/m^n]
+  double exponent;   ///< n
+  double damping;    ///< c [N s/m^(q+1)]
+  Damping grows;     ///< q, by n
+};
+
 class BranchedLaw;
 
-/// A law f(δ, δ̇) without memory, in SI units. CVODE follows it; the flows with closed forms and series do
-/// not. Objects are shared by contacts and threads, so they must not change.
+/// A law f(δ, δ̇) without memory, in SI units. CVODE follows it; of the flows with closed forms and series,
+/// these follow it which can follow its powers. Objects are shared by contacts and threads, so they must not
+/// change.
 class CustomLaw {
  public:
   virtual ~CustomLaw() = default;
@@ -36,6 +47,8 @@ class CustomLaw {
   virtual Force load(double indentation, double rate) const { return force(indentation, rate); }
   /// Indentation [m] at which an energy [J] is stored; found by bisection unless the law knows better.
   virtual double natural_indentation(double energy) const;
+  /// The force if it is a sum of such powers.
+  virtual std::optional<DampedPower> powers() const { return std::nullopt; }
   /// Numbers of the law for results.
   virtual std::vector<LawParameter> parameters() const { return {}; }
   /// The law itself if it has branches, which only the library's own have.

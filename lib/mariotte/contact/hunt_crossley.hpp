@@ -38,6 +38,12 @@ class HuntCrossley final : public CustomLaw {
   Force load(double /*indentation*/, double rate) const override {
     return {.value = 1 + damping_ * rate, .by_indentation = 0, .by_rate = damping_};
   }
+  std::optional<DampedPower> powers() const override {
+    return DampedPower{.stiffness = spring_.stiffness,
+                       .exponent = spring_.exponent,
+                       .damping = damping_ * spring_.stiffness,
+                       .grows = Damping::as_force};
+  }
   std::vector<LawParameter> parameters() const override {
     return {{"stiffness", spring_.stiffness}, {"damping", damping_}, {"exponent", spring_.exponent}};
   }

@@ -9,12 +9,22 @@
 
 namespace mariotte::contact {
 
-/// The law of one contact. Flows with closed forms and series are made for power laws; CVODE follows any.
+/// The law of one contact. Flows with closed forms and series are made for powers; CVODE follows any.
 using Law = std::variant<PowerLaw, SharedLaw>;
 
 /// The power law, or null if it is another one.
 inline const PowerLaw* power_law(const Law& law) {
   return std::get_if<PowerLaw>(&law);
+}
+
+/// The force if it is a sum of powers.
+inline std::optional<DampedPower> powers(const Law& law) {
+  if (const auto* power = power_law(law))
+    return DampedPower{.stiffness = power->stiffness,
+                       .exponent = power->exponent,
+                       .damping = power->damping,
+                       .grows = Damping::as_slope};
+  return std::get<SharedLaw>(law)->powers();
 }
 
 /// The law if it has branches, or null.

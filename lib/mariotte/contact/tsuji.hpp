@@ -37,6 +37,12 @@ class Tsuji final : public CustomLaw {
             .by_indentation = 1.25 * spring_.stiffness * width,
             .by_rate = damping_};
   }
+  std::optional<DampedPower> powers() const override {
+    return DampedPower{.stiffness = spring_.stiffness,
+                       .exponent = spring_.exponent,
+                       .damping = damping_,
+                       .grows = Damping::as_root};
+  }
   std::vector<LawParameter> parameters() const override {
     return {{"stiffness", spring_.stiffness}, {"damping", damping_}};
   }

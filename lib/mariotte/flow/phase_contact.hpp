@@ -1,5 +1,8 @@
 // A contact as the flows see it that need more than a field.
 #pragma once
+#include <cmath>
+
+#include "mariotte/core/damping.hpp"
 #include "mariotte/core/types.hpp"
 #include "mariotte/core/width_branch.hpp"
 
@@ -13,17 +16,18 @@ enum class Role : signed char {
   slack      ///< indented without force
 };
 
-/// f = δ^{n−1} (k δ + c δ̇), and where its quantities stand in the state. A contact of another law is open,
+/// f = k δⁿ + c δ^q δ̇, and where its quantities stand in the state. A contact of another law is open,
 /// and has no numbers.
 struct PhaseContact {
   Index gap;
   Index work;        ///< ∫ f δ̇ dt, or −1
   Index impulse;     ///< ∫ f dt, or −1
   Index guard;       ///< of the gap
-  Index load_guard;  ///< of k δ + c δ̇, or −1
+  Index load_guard;  ///< of k δ^{n−q} + c δ̇, or −1
   double stiffness, damping, exponent;
-  double length;       ///< natural indentation
-  double noise_depth;  ///< indentation that cannot be told from rounding
+  Damping grows = Damping::as_slope;  ///< q
+  double length;                      ///< natural indentation
+  double noise_depth;                 ///< indentation that cannot be told from rounding
   double level = 0;
   // Of a branch of a law; as here for any other contact.
   double origin = 0;         ///< indentation from which the power is taken
@@ -35,6 +39,14 @@ struct PhaseContact {
   const WidthBranch* width = nullptr;  ///< the force, where it is that and no power
   Role role = Role::open;
 
+  bool is_linear() const { return exponent == 1 && (damping == 0 || grows == Damping::as_slope); }
+  /// Its load may be positive still where its indentation ends; that of any other falls before, or with it.
+  bool opens_loaded() const { return load_guard < 0 || grows == Damping::as_force; }
+  /// Its damping over its elastic force, indented by its length, at a rate.
+  double damping_share(double rate) const {
+    if (damping == 0) return 0;
+    return damping * rate / (stiffness * std::pow(length, exponent - damping_exponent(grows, exponent)));
+  }
   bool pushes() const { return role == Role::closed || role == Role::touching; }
   /// Indentation from which a contact touched at rest is watched: out of the noise.
   double loaded() const { return 2 * noise_depth; }

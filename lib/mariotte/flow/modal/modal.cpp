@@ -31,7 +31,7 @@ struct Watched {
 /// All forces are those of linear contacts from δ = 0 on.
 bool is_linear(const std::vector<PhaseContact>& contacts) {
   const auto is_straight = [](const auto& c) {
-    return c.role == Role::open || (c.exponent == 1 && c.branch_guard < 0);
+    return c.role == Role::open || (c.is_linear() && c.branch_guard < 0);
   };
   return std::all_of(contacts.begin(), contacts.end(), is_straight);
 }

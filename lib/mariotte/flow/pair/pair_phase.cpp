@@ -23,7 +23,7 @@ bool has_closed_form(const SerialPhase& phase, const PhaseContact& c) {
   if (has_acceleration(phase)) return false;
   if (c.width) return c.width->damping == 0 && phase.contact.size() == 1;
   if (c.pull != 0) return false;
-  return c.exponent == 1 || (c.exponent == 1.5 && c.damping == 0);
+  return c.is_linear() || (c.exponent == 1.5 && c.damping == 0);
 }
 
 }  // namespace

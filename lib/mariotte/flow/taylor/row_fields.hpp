@@ -1,7 +1,7 @@
 // The fields of contacts side by side; a number holds many contacts. With the rate of the clock g = dt/dσ
 // and, in a row, the inverse masses u of the bodies to both sides:
 //
-//   λ = k δ + c δ̇            load
+//   λ = (k + l s) δ + (c + h δ) δ̇
 //   s = δᵖ                    1 where p = 0
 //   f = s λ                   force
 //   δ' = g δ̇
@@ -10,7 +10,8 @@
 //   w' = g f δ̇                work
 //
 // What is not `curved`, for it is linear, open or has no depth yet, has the root of 1. Without damping the
-// stiffness is in the strength and the couplings, λ = δ. Contacts that are linked in another way than in a
+// stiffness is in the strength and the couplings, λ = δ. Where λ/δ is without δ, as of k + h δ̇, it is the
+// load, else λ is. Contacts that are linked in another way than in a
 // row may stand in several numbers: who has all forces of an order gives the coefficients of δ̇ and of the
 // clock.
 #pragma once
@@ -21,10 +22,12 @@ namespace mariotte::flow::taylor {
 
 /// Rows and parameters of all fields.
 struct RowQuantities {
-  enum { indentation, rate, impulse, work, clock, time, states, root = states, rows };
+  enum { indentation, rate, impulse, work, clock, time, states, root = states, rows, stretch = rows };
   enum {
     stiffness,
+    steepening,
     damping,
+    stiffening,
     power,
     curved,  ///< 1 where δᵖ has to be found, else 0
     level,   ///< 1 − curved
@@ -42,20 +45,25 @@ struct RowQuantities {
 /// Time, the clock dt = √δ_c dσ of a lane c, and time for any exponents.
 enum class Pace { plain, landing, general };
 
+/// What λ is made of: δ alone, with k δ + c δ̇, or with all terms; that with l only at a general pace.
+enum class Terms { elastic, viscous, mixed };
+
 /// Who knows the forces that accelerate a contact: its neighbours in the row, or the caller.
 enum class Given { by_neighbours, from_outside };
 
 /// Maps 0 and 1 give the value of the left and the right neighbour, map 2 that of lane c.
-template <Pace pace, bool damped, Given given>
+template <Pace pace, Terms terms, Given given>
 struct RowField : RowQuantities {
+  static constexpr bool has_stretch = pace == Pace::general && terms == Terms::mixed;
+  static constexpr int rows = RowQuantities::rows + has_stretch;
   static constexpr bool is_uniform(int row) { return row == clock || row == time; }
 
   template <class T>
   static constexpr auto rates(const std::array<T, states>& x, const std::array<T, parameters>& p) {
     std::array<T, rows> row{};
     row[root] = power_of_depth(x, p);
-    const T load = damped ? T(p[stiffness] * x[indentation] + p[damping] * x[rate]) : x[indentation];
-    const T force = paced(x, row[root] * load);
+    if constexpr (has_stretch) row[stretch] = row[root] * x[indentation];
+    const T force = paced(x, row[root] * load(x, p, row));
     row[indentation] = paced(x, x[rate]);
     if constexpr (given == Given::by_neighbours) {
       row[rate] = p[from_left] * map<0>(force) + p[from_right] * map<1>(force) - p[own] * force;
@@ -63,12 +71,22 @@ struct RowField : RowQuantities {
       if constexpr (pace == Pace::landing) row[clock] = 0.5 * map<2>(x[rate]);
     }
     row[impulse] = p[strength] * force;
-    if constexpr (damped) row[work] = p[strength] * (force * x[rate]);
+    if constexpr (terms != Terms::elastic) row[work] = p[strength] * (force * x[rate]);
     if constexpr (pace == Pace::landing) row[time] = x[clock];
     return row;
   }
 
  private:
+  template <class T>
+  static constexpr T load(const std::array<T, states>& x, const std::array<T, parameters>& p,
+                          const std::array<T, rows>& row) {
+    if constexpr (terms == Terms::elastic) return x[indentation];
+    if constexpr (terms == Terms::viscous) return p[stiffness] * x[indentation] + p[damping] * x[rate];
+    const T elastic = p[stiffness] * x[indentation],
+            damper = p[damping] * x[rate] + p[stiffening] * (x[indentation] * x[rate]);
+    if constexpr (has_stretch) return elastic + p[steepening] * row[stretch] + damper;
+    return elastic + damper;
+  }
   template <class T>
   static constexpr T power_of_depth(const std::array<T, states>& x, const std::array<T, parameters>& p) {
     using std::pow, std::sqrt;

@@ -39,19 +39,22 @@ bool concerns_problem(const Window& w) {
 /// by c δⁿ: too much where damping is strong.
 bool may_pull(const LinkedPhase& phase) {
   return std::any_of(phase.contact.begin(), phase.contact.end(), [&](const PhaseContact& c) {
-    return c.role == Role::touching && c.damping * phase.speed > 0.5 * c.stiffness * c.length;
+    return c.role == Role::touching && c.damping_share(phase.speed) > 0.5;
   });
 }
 
 /// Branches that are no powers have a series of their own, from the start of a contact on: either all
-/// contacts that push have one, or none.
+/// contacts that push have one, or none. No series of theirs has powers of other depths.
 bool are_alike(const std::vector<PhaseContact>& contacts) {
   const auto pushes = [](const PhaseContact& c) { return c.pushes(); };
   const auto is_wide = [](const PhaseContact& c) { return c.pushes() && c.width; };
-  const auto begins = [](const PhaseContact& c) { return c.role == Role::touching && c.width; };
+  const auto is_other = [](const PhaseContact& c) {
+    return (c.role == Role::touching && c.width) ||
+           (c.role == Role::slack && c.damping > 0 && c.grows == Damping::as_root);
+  };
   const auto wide = std::count_if(contacts.begin(), contacts.end(), is_wide);
   return wide == 0 || (wide == std::count_if(contacts.begin(), contacts.end(), pushes) &&
-                       std::none_of(contacts.begin(), contacts.end(), begins));
+                       std::none_of(contacts.begin(), contacts.end(), is_other));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Taylor series of high order for contacts of linear, Hertz and viscoelastic law: the explicit flow.
+// Taylor series of high order for contacts whose force is a sum of powers: the explicit flow.
 #pragma once
 #include <memory>
 #include <vector>

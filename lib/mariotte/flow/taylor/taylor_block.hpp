@@ -38,11 +38,13 @@ class Block : RowQuantities {
     start_[indentation] = of(lanes.indentation);
     start_[rate] = of(lanes.rate);
     p[stiffness] = of(lanes.stiffness);
+    p[steepening] = of(lanes.steepening);
     p[damping] = of(lanes.damping);
+    p[stiffening] = of(lanes.stiffening);
     p[power] = of(lanes.power);
     p[drive] = of(lanes.drive);
     divide();
-    still_ = is_still();
+    still_ = is_still() && !has_stretch();
     const auto left = of(lanes.left), right = of(lanes.right);
     mobility_ = left + right;
     if (!damped_) p[strength] = p[strength] * p[stiffness];
@@ -62,7 +64,9 @@ class Block : RowQuantities {
       if (lanes_->widened) return clocked_ ? use(made(width_landing_)) : use(made(width_plain_));
     }
     if (lanes_->general)
-      use(made(general_));
+      lanes_->mixed ? use(made(general_mixed_)) : use(made(general_));
+    else if (lanes_->mixed)
+      clocked_ ? use(made(mixed_landing_)) : use(made(mixed_plain_));
     else if (clocked_)
       damped_ ? use(made(damped_landing_)) : use(made(landing_));
     else
@@ -159,7 +163,7 @@ class Block : RowQuantities {
       case Quantity::rate:
         return at(rate, k, lane);
       case Quantity::load:
-        return lanes_->stiffness[lane] * at(indentation, k, lane) + lanes_->damping[lane] * at(rate, k, lane);
+        return load_of(k).part[(lane - first_) / width][(lane - first_) % width];
       case Quantity::root:
         return k < order_ ? at(root, k, lane) : 0;
       case Quantity::clock:
@@ -176,16 +180,17 @@ class Block : RowQuantities {
     return each<N>([&](int i) { return largest(-a.part[i], Vec{}); });
   }
 
-  /// Which contacts push, and which of them have a curved force. One at zero depth has none yet, unless it
-  /// owns the clock.
+  /// Which contacts push, and which of them, or of those whose load is watched for its rise, have a curved
+  /// force. One at zero depth has none yet, unless it owns the clock.
   void divide() {
     auto& p = parameters_;
-    const auto push = of(lanes_->active);
+    const auto push = of(lanes_->active), rises = loss_of(of(lanes_->load_side));
     p[chosen] = LaneVector<N>(0.0);
     if (clocked_ && owner_ >= 0 && owner_ < size) p[chosen].part[owner_ / width][owner_ % width] = 1;
     p[free] = LaneVector<N>(1.0) - p[chosen];
     for (int i = 0; i < N; ++i) {
-      const auto sharp = p[power].part[i] * push.part[i] != Vec{};
+      const auto bent = push.part[i] + rises.part[i] * p[steepening].part[i];
+      const auto sharp = p[power].part[i] * bent != Vec{};
       const auto deep = start_[indentation].part[i] > Vec{}, owner = p[chosen].part[i] != Vec{};
       p[curved].part[i] = sharp & deep & ~owner ? splat(1) : Vec{};
       p[level].part[i] = splat(1) - p[curved].part[i];
@@ -205,8 +210,8 @@ class Block : RowQuantities {
   using Maps = std::conditional_t<given == Given::by_neighbours, RowMaps, series::NoMaps>;
   template <class Field>
   using Of = std::unique_ptr<series::Series<Field, order_limit, LaneVector<N>, Maps>>;
-  template <Pace pace, bool damped>
-  using Own = Of<RowField<pace, damped, given>>;
+  template <Pace pace, Terms terms>
+  using Own = Of<RowField<pace, terms, given>>;
   template <class Series>
   Series& made(std::unique_ptr<Series>& series) {
     if (!series) series = std::make_unique<Series>();
@@ -231,11 +236,25 @@ class Block : RowQuantities {
     });
   }
 
+  bool has_stretch() const { return lanes_->general && lanes_->mixed && !lanes_->widened; }
+  /// Coefficient k of the loads, but for the last one of l δᵖ δ.
+  LaneVector<N> load_of(int k) const {
+    const auto& p = parameters_;
+    const auto viscous = p[stiffness] * row_[indentation][k] + p[damping] * row_[rate][k];
+    if (!lanes_->mixed) return viscous;
+    const bool stretches = has_stretch() && k < order_;
+    return each<N>([&](int i) {
+      const auto multiplied =
+          p[stiffening].part[i] * row_[rate][k].part[i] + (k == 0 ? p[stiffness].part[i] : Vec{});
+      const auto stretched = stretches ? p[steepening].part[i] * row_[stretch][k].part[i] : Vec{};
+      return p[stiffening].part[i] > Vec{} ? multiplied : viscous.part[i] + stretched;
+    });
+  }
+
   void evaluate_damped(double place, Values& values) const {
     LaneVector<N> loads[order_limit + 1];
-    const auto &depths = row_[indentation], &rates = row_[rate], &works = row_[work];
-    const auto spring = parameters_[stiffness], damper = parameters_[damping];
-    for (int k = 0; k <= order_; ++k) loads[k] = spring * depths[k] + damper * rates[k];
+    const auto& works = row_[work];
+    for (int k = 0; k <= order_; ++k) loads[k] = load_of(k);
     const auto side = of(lanes_->load_side);
     auto w = works[order_], loss = loss_of(side * loads[order_]);
     for (int k = order_ - 1; k >= 0; --k) {
@@ -309,11 +328,14 @@ class Block : RowQuantities {
   LaneVector<N> mobility_;      ///< 1/m*
   LaneVector<N> width_weight_;  ///< 1/u
   std::array<LaneVector<N>, order_limit + 2>* row_ = nullptr;
-  Own<Pace::plain, false> plain_;
-  Own<Pace::plain, true> damped_plain_;
-  Own<Pace::landing, false> landing_;
-  Own<Pace::landing, true> damped_landing_;
-  Own<Pace::general, true> general_;
+  Own<Pace::plain, Terms::elastic> plain_;
+  Own<Pace::plain, Terms::viscous> damped_plain_;
+  Own<Pace::plain, Terms::mixed> mixed_plain_;
+  Own<Pace::landing, Terms::elastic> landing_;
+  Own<Pace::landing, Terms::viscous> damped_landing_;
+  Own<Pace::landing, Terms::mixed> mixed_landing_;
+  Own<Pace::general, Terms::viscous> general_;
+  Own<Pace::general, Terms::mixed> general_mixed_;
   Of<WidthField<Pace::plain>> width_plain_;
   Of<WidthField<Pace::landing>> width_landing_;
   Of<StillField<Pace::plain>> still_plain_;

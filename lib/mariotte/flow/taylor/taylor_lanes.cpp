@@ -29,14 +29,15 @@ bool LaneTable::reserve(int lanes) {
   return true;
 }
 
-Lanes::Lanes() : table_(18) {
+Lanes::Lanes() : table_(20) {
   resize(0);
 }
 
 void Lanes::resize(int lanes) {
-  double** const rows[] = {&indentation, &rate,       &width,       &active,    &stiffness,  &damping,
-                           &power,       &left,       &right,       &drive,     &side,       &level,
-                           &load_side,   &yield_side, &yield_level, &turn_side, &turn_level, &weight};
+  double** const rows[] = {&indentation, &rate,        &width,      &active,     &stiffness,
+                           &steepening,  &damping,     &stiffening, &power,      &left,
+                           &right,       &drive,       &side,       &level,      &load_side,
+                           &yield_side,  &yield_level, &turn_side,  &turn_level, &weight};
   const bool moved = table_.reserve(lanes);
   int i = 0;
   for (double** row : rows) {

@@ -34,7 +34,8 @@ class Lanes {
 
   int count = 0;
   bool damped = false;    ///< some damping is not zero
-  bool general = false;   ///< some exponent is neither 1 nor 3/2
+  bool mixed = false;     ///< some load is not k δ + c δ̇
+  bool general = false;   ///< some power p is neither 0 nor 1/2
   bool branched = false;  ///< some yield or turn is watched
   bool linked = false;    ///< `links` says what lanes do to each other; else they are a row
   bool widened = false;   ///< the forces are those of `branch`, not powers
@@ -45,14 +46,16 @@ class Lanes {
   double* width;                               ///< u of its branch
   double* active;                              ///< 1 where the contact carries force, else 0
   double* stiffness;                           ///< k
+  double* steepening;                          ///< l
   double* damping;                             ///< c
-  double* power;                               ///< p = n − 1 of the force δᵖ (k δ + c δ̇)
+  double* stiffening;                          ///< h, with which there is no c
+  double* power;                               ///< p of the force δᵖ ((k + l δᵖ) δ + (c + h δ) δ̇)
   double* left;                                ///< 1/m of body j; if linked, 1/m* of the contact
   double* right;                               ///< 1/m of body j+1; if linked, 0
   double* drive;                               ///< δ̈ from outside forces
   double* side;                                ///< sign that δ is to keep, 0 where nobody watches
   double* level;                               ///< depth to which an open contact may reach
-  double* load_side;                           ///< sign that the load k δ + c δ̇ is to keep, or 0
+  double* load_side;                           ///< sign that the load is to keep, or 0
   double* yield_side;                          ///< 1 where δ is watched for a yield, else 0
   double* yield_level;                         ///< there: δ where it yields
   double* turn_side;                           ///< sign that δ̇ is to keep but for the level, or 0
@@ -80,7 +83,7 @@ class Values {
   double time;            ///< since the start of the series
 };
 
-/// What is evaluated of a contact, δ, δ̇, k δ + c δ̇ and δᵖ, and of the clock.
+/// What is evaluated of a contact, δ, δ̇, what has the sign of its force, and δᵖ, and of the clock.
 enum class Quantity { indentation, rate, load, root, clock, time };
 
 /// Series of all lanes in a clock σ. Plain: t = σ. Of a lane c: dt = √δ_c dσ, in which onset (δ_c = 0,

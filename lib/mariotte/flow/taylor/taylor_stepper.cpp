@@ -179,6 +179,7 @@ Piece Stepper::series_piece() {
   for (int j = 0; j < l.count; ++j) {
     l.active[j] = window.pushes(j) && (j == piece.clock || l.indentation[j] > window.wake[j]);
     if (window.network) doze(j);
+    if (l.steepening[j] > 0) listen(j);
   }
   piece.series->expand(l, piece.order, piece.clock);
   const double end = reach(*piece.series, piece.clock != Expansion::plain && l.indentation[piece.clock] == 0);
@@ -205,6 +206,13 @@ void Stepper::doze(int lane) {
   if (window.contact(lane).role != Role::touching || !window.is_sharp(lane)) return;
   l.side[lane] = l.active[lane] > 0 ? 0 : -1;
   l.level[lane] = late * window.wake[lane];
+}
+
+/// A slack contact whose load has a power of δ is watched for it only where its own force would be heard.
+void Stepper::listen(int lane) {
+  auto& l = window.lanes;
+  if (window.contact(lane).role != Role::slack) return;
+  l.load_side[lane] = l.indentation[lane] > window.wake[lane] ? -1 : 0;
 }
 
 bool Stepper::dozes(int lane) const {
@@ -318,9 +326,9 @@ Fall Stepper::first_fall(Piece& piece) {
       search(piece, Quantity::load, j, l.load_side[j], 0, c.load_guard, fall);
     if (l.branched && values_.branch_margin[j] < 0) search_branch(piece, j, fall);
   }
-  if (piece.lands && fall.guard < 0) {  // a damped contact that comes down to δ = 0 has lost its load, too
+  if (piece.lands && fall.guard < 0) {  // one that comes down to δ = 0 may have lost its load, too
     const auto& c = window.contact(piece.clock);
-    fall = {c.load_guard < 0 ? c.guard : c.load_guard, piece.clock, piece.end};
+    fall = {c.opens_loaded() ? c.guard : c.load_guard, piece.clock, piece.end};
   }
   if (fall.guard >= 0) end_at(fall, piece);
   return fall;

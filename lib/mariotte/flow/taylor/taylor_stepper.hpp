@@ -61,6 +61,7 @@ class Stepper {
   double reach(const Expansion& series, bool fresh) const;
   Expansion& expansion();
   void doze(int lane);
+  void listen(int lane);
   bool dozes(int lane) const;
   bool cannot_be_late(const Piece& piece, int lane) const;
   void wake_gently(Piece& piece);

@@ -74,36 +74,48 @@ double rate_in(const Window& w, int lane) {
 double wake_depth(const PhaseContact& c, double speed) {
   if (c.exponent == 1) return -infinity;
   if (c.pull > 0) return 0;  // it has force from the start
-  const double strain = c.damping * speed / (c.stiffness * c.length);
-  return 0.5 * c.noise_depth / (1 + strain);
+  return 0.5 * c.noise_depth / (1 + c.damping_share(speed));
 }
 
 void begin(Window& w, std::span<const PhaseContact> contacts) {
   w.contacts = contacts;
   auto& l = w.lanes;
   l.resize(static_cast<int>(contacts.size()));
-  l.damped = l.general = l.branched = l.widened = false;
+  l.damped = l.mixed = l.general = l.branched = l.widened = false;
   w.branch.assign(contacts.size(), nullptr);
   l.branch = w.branch.data();
   for (auto* row : {&w.wake, &w.impulse, &w.work, &w.stored}) row->assign(contacts.size(), 0);
   w.outside_time = infinity;
 }
 
+namespace {
+
+void fill_law(Lanes& l, int lane, const PhaseContact& c) {
+  const bool as_force = c.damping > 0 && c.grows == Damping::as_force,
+             as_root = c.damping > 0 && c.grows == Damping::as_root;
+  l.stiffness[lane] = as_root ? 0 : c.stiffness;
+  l.steepening[lane] = as_root ? c.stiffness : 0;
+  l.damping[lane] = as_force ? 0 : c.damping;
+  l.stiffening[lane] = as_force ? c.damping : 0;
+  l.power[lane] = as_root ? damping_exponent(c.grows, c.exponent) : c.exponent - 1;
+  l.mixed |= as_force || as_root;
+  l.general |= as_root || (l.power[lane] != 0 && l.power[lane] != 0.5);
+}
+
+}  // namespace
+
 void fill(Window& w, int lane, double rate) {
   const auto& c = w.contact(lane);
   auto& l = w.lanes;
   l.rate[lane] = rate;
   l.indentation[lane] = settled(c, -w.x[c.gap] - c.origin, rate);
-  l.stiffness[lane] = c.stiffness;
-  l.damping[lane] = c.damping;
-  l.power[lane] = c.exponent - 1;
+  fill_law(l, lane, c);
   l.weight[lane] = 1 / c.length;
   w.wake[lane] = wake_depth(c, w.speed);
   l.damped |= c.damping > 0 || c.width;
   l.widened |= c.width != nullptr;
   w.branch[lane] = c.width;
   l.width[lane] = c.width ? c.width->curve.root(l.indentation[lane]) : 1;
-  l.general |= c.exponent != 1 && c.exponent != 1.5;
   watch(w, lane);
 }
 
@@ -148,7 +160,8 @@ void watch(Window& w, int lane) {
       l.side[lane] = -1;
       break;
     case Role::closed:
-      (damped ? l.load_side : l.side)[lane] = 1;
+      l.load_side[lane] = damped ? 1 : 0;
+      l.side[lane] = c.opens_loaded() ? 1 : 0;
       l.level[lane] = c.origin - c.level;
       break;
     case Role::slack:

@@ -5,11 +5,12 @@
 
 namespace mariotte::model {
 
-/// Open so far. A law that is no power law is no force at all: these flows follow such a contact while it is
-/// open only.
+/// Open so far. A law that is no sum of powers is no force at all: these flows follow such a contact while it
+/// is open only.
 inline flow::PhaseContact phase_contact(const ScaledContacts& model, const ContactLayout& at, Index j) {
-  const auto* power = power_law(model.law[j]);
-  const auto law = power ? *power : contact::PowerLaw{.stiffness = 0, .exponent = 1};
+  const auto law = powers(model.law[j])
+                       .value_or(contact::DampedPower{
+                           .stiffness = 0, .exponent = 1, .damping = 0, .grows = Damping::as_slope});
   return {.gap = at.gap[j],
           .work = at.work[j],
           .impulse = at.impulse[j],
@@ -18,6 +19,7 @@ inline flow::PhaseContact phase_contact(const ScaledContacts& model, const Conta
           .stiffness = law.stiffness,
           .damping = law.damping,
           .exponent = law.exponent,
+          .grows = law.grows,
           .length = model.length[j],
           .noise_depth = model.fading_depth(j)};
 }

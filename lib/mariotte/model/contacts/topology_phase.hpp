@@ -7,8 +7,8 @@
 namespace mariotte::model {
 
 /// Contacts bound to a mode; `bind` moves them on to the next. Topology::Flows is what the flows that need
-/// more than a field see of them, as long as every contact that is not open follows a power law or a branch
-/// that is a power.
+/// more than a field see of them, as long as every contact that is not open follows a law or a branch that
+/// is a sum of powers.
 template <class Topology>
 class TopologyPhase final : public ContactPhase {
  public:

@@ -60,16 +60,17 @@ void TopologyPhase<Topology>::bind(contact::ContactSet& mode) {
     crossings_[at().kink_guard(k)] = next_kink(k) < infinity ? flow::Crossing::rising : flow::Crossing::none;
 }
 
-/// Tells the flows of the branch of contact j, unless it is open; false if it is no power.
+/// Tells the flows of the branch of contact j, unless it is open; false if it, or a law without branches, is
+/// no power.
 template <class Topology>
 bool TopologyPhase<Topology>::follow_branch(Index j) {
   auto& contact = flows_.contact(j);
+  const auto* branches = contact::branched(law(j));
+  if (!branches) return contact.role == flow::Role::open || contact.stiffness > 0;
   contact.origin = contact.damping = contact.pull = 0;
   contact.branch_guard = -1;
   contact.width = nullptr;
   if (contact.role == flow::Role::open) return true;
-  const auto* branches = contact::branched(law(j));
-  if (!branches) return false;
   if (const auto width = branches->width_branch(past(j))) {
     widths_.resize(contacts());
     contact.width = &(widths_[j] = *width);
