@@ -9,6 +9,7 @@
 #include "command_line/program.hpp"
 #include "command_line/terminal.hpp"
 #include "friction_cost.hpp"
+#include "law_cost.hpp"
 #include "mariotte/report/page/files.hpp"
 #include "measure.hpp"
 #include "plots.hpp"
@@ -28,6 +29,7 @@ struct Options {
   bool quick = false;
   bool slopes = false;
   bool friction = false;
+  bool laws = false;
   bool force = false;
 };
 
@@ -88,7 +90,8 @@ int run(const Options& options) {
   const auto patience = (options.quick ? quick_effort() : full_effort()).patience;
   if (options.slopes) command::print(slope_cost(patience));
   if (options.friction) command::print(friction_cost(patience));
-  if (options.slopes || options.friction) return command::ExitCode::ok;
+  if (options.laws) command::print(law_cost(patience));
+  if (options.slopes || options.friction || options.laws) return command::ExitCode::ok;
   const auto names = chosen_problems(options);
   refuse_to_overwrite(options.csv, options.force);
   if (!options.plots.empty()) prepare_plots(options.plots, names, options.force);
@@ -117,6 +120,7 @@ command::OptionList declare(Options& options) {
           {"--quick", &options.quick, "Coarse ladders and short timings: all within a minute"},
           {"--slopes", &options.slopes, "Only what slopes of three balls cost, as multiples of a run"},
           {"--friction", &options.friction, "Only what bodies with friction cost, by series and by CVODE"},
+          {"--laws", &options.laws, "Only what a pair of each named law costs, and by CVODE"},
           {"--csv", &options.csv, "Write every point of the diagrams to this file", {.value = "FILE"}},
           {"--plots",
            &options.plots,

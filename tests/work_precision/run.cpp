@@ -145,6 +145,22 @@ BOOST_FIXTURE_TEST_CASE(files_are_not_overwritten_unless_forced, Session) {
   BOOST_TEST(support::content(folder / "points.csv") != "mine");
 }
 
+BOOST_FIXTURE_TEST_CASE(pairs_of_every_law_part_alike_by_either_flow, Session) {
+  const auto run = mariotte("--quick --laws");
+  BOOST_TEST(run.code == 0);
+  std::istringstream lines(run.out);
+  std::string line;
+  int count = 0;
+  for (std::getline(lines, line); std::getline(lines, line); ++count) {
+    std::istringstream numbers(line.substr(line.find("  ")));
+    double accuracy, time, adams, ratio, difference;
+    numbers >> accuracy >> time >> adams >> ratio >> difference;
+    BOOST_TEST_REQUIRE(!numbers.fail());
+    BOOST_TEST(difference <= 2 * accuracy, line);
+  }
+  BOOST_TEST(count == 24);
+}
+
 BOOST_FIXTURE_TEST_CASE(bodies_with_friction_are_as_accurate_as_asked_by_either_flow, Session) {
   const auto run = mariotte("--quick --friction");
   BOOST_TEST(run.code == 0);
