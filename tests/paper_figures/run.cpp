@@ -8,6 +8,16 @@ using support::content;
 using support::has;
 using support::Session;
 
+namespace {
+
+/// The line of a picture that says which gnuplot drew it.
+std::string version(const std::string& svg) {
+  const auto begin = svg.find("Produced by GNUPLOT");
+  return begin == svg.npos ? "" : svg.substr(begin, svg.find('<', begin) - begin);
+}
+
+}  // namespace
+
 BOOST_FIXTURE_TEST_CASE(every_figure_of_the_papers_passes, Session) {
   const auto run = mariotte("reproduce all --out figures");
   BOOST_TEST(run.code == 0, run.out);
@@ -25,6 +35,20 @@ BOOST_FIXTURE_TEST_CASE(one_figure_shows_every_check, Session) {
   BOOST_TEST(has(run.out, "5 of 5 checks pass; figures are in figures"));
   BOOST_TEST(entries("figures") == 1);
   BOOST_TEST(content(folder / "figures/acary-2b/checks.csv").starts_with("quantity,computed,expected,"));
+}
+
+// Byte by byte where the same gnuplot draws.
+BOOST_FIXTURE_TEST_CASE(pictures_of_laws_are_those_of_the_pages, Session) {
+  for (const char* quantity : {"forces", "restitution"})
+    for (const char* family : {"damped", "plastic", "adhesive"}) {
+      const auto name = std::string("law-") + quantity + "-" + family;
+      BOOST_TEST(mariotte("reproduce " + name).code == 0);
+      const auto shown = content(fs::path(MARIOTTE_IMAGES) / (name + ".svg"));
+      BOOST_TEST(!version(shown).empty(), name);
+      const auto drawn = folder / "figures" / name / (name + ".svg");
+      if (fs::exists(drawn) && version(content(drawn)) == version(shown))
+        BOOST_TEST((content(drawn) == shown), name << " has changed");
+    }
 }
 
 BOOST_FIXTURE_TEST_CASE(figures_of_an_earlier_run_stay_unless_forced, Session) {
