@@ -22,22 +22,39 @@ bool used(const impact::ChainImpact& impact, const std::string& flow) {
   return std::any_of(impact.flows.begin(), impact.flows.end(), [&](const auto& f) { return f.name == flow; });
 }
 
+/// What loads have beside k δ: nothing, c δ̇, or other dampers as well, without and with powers of δ.
+enum class Load { elastic, viscous, multiplied, steep };
+constexpr Load loads[] = {Load::elastic, Load::viscous, Load::multiplied, Load::steep};
+
+/// Dampers of every kind, one after the other.
+void mix_dampers(Lanes& lanes, Load load) {
+  lanes.mixed = true;
+  lanes.general = load == Load::steep;
+  for (int j = 0; j < lanes.count; ++j) {
+    if (j % 3 == 0) std::swap(lanes.damping[j], lanes.stiffening[j]);
+    if (j % 3 != 1 || load != Load::steep) continue;
+    std::swap(lanes.stiffness[j], lanes.steepening[j]);
+    lanes.power[j] = 0.25;
+  }
+}
+
 /// Contacts of any law, indentation and rate, all pushing.
-Lanes random_lanes(int count, std::mt19937& random, bool damped) {
+Lanes random_lanes(int count, std::mt19937& random, Load load) {
   std::uniform_real_distribution<double> unit(0, 1);
   Lanes lanes;
   lanes.resize(count);
-  lanes.damped = damped;
+  lanes.damped = load != Load::elastic;
   for (int j = 0; j < count; ++j) {
     lanes.indentation[j] = 0.1 + unit(random);
     lanes.rate[j] = 2 * unit(random) - 1;
     lanes.active[j] = lanes.weight[j] = lanes.side[j] = lanes.load_side[j] = 1;
     lanes.stiffness[j] = 0.5 + unit(random);
-    lanes.damping[j] = damped ? unit(random) : 0;
+    lanes.damping[j] = lanes.damped ? unit(random) : 0;
     lanes.power[j] = unit(random) < 0.7 ? 0.5 : 0;
     lanes.left[j] = 0.5 + unit(random);
     lanes.right[j] = 0.5 + unit(random);
   }
+  if (load == Load::multiplied || load == Load::steep) mix_dampers(lanes, load);
   return lanes;
 }
 
@@ -60,10 +77,10 @@ double size_of_terms(const Expansion& series, Quantity quantity, int lane, int o
 
 BOOST_AUTO_TEST_CASE(the_series_satisfies_the_equations_of_motion) {
   std::mt19937 random(7);
-  for (const bool damped : {false, true}) {
-    const auto lanes = random_lanes(7, random, damped);
+  for (const auto load : loads) {
+    const auto lanes = random_lanes(7, random, load);
     for (const int clock : {Expansion::plain, 3}) {
-      if (clock >= 0 && lanes.power[clock] == 0) continue;
+      if (clock >= 0 && (lanes.power[clock] == 0 || lanes.general)) continue;
       const auto series = make_expansion(1);
       constexpr int order = 18;
       series->expand(lanes, order, clock);
@@ -72,9 +89,10 @@ BOOST_AUTO_TEST_CASE(the_series_satisfies_the_equations_of_motion) {
       double force[9] = {};
       for (int j = 0; j < 7; ++j) {
         const double depth = polynomial(*series, Quantity::indentation, j, order, at);
-        const double load =
-            lanes.stiffness[j] * depth + lanes.damping[j] * polynomial(*series, Quantity::rate, j, order, at);
-        force[j + 1] = (lanes.power[j] > 0 ? std::sqrt(depth) : 1) * load;
+        const double rate = polynomial(*series, Quantity::rate, j, order, at),
+                     root = std::pow(depth, lanes.power[j]);
+        force[j + 1] = root * ((lanes.stiffness[j] + lanes.steepening[j] * root) * depth +
+                               (lanes.damping[j] + lanes.stiffening[j] * depth) * rate);
       }
       const double g = polynomial(*series, Quantity::clock, 0, order, at);
       for (int j = 0; j < 7; ++j) {
@@ -96,13 +114,14 @@ BOOST_AUTO_TEST_CASE(every_instruction_set_gives_the_same_series) {
   std::mt19937 random(3);
   for (std::size_t size = 0; size < lane_sizes.size(); ++size) {
     const int count = lane_sizes[size] - 1;
-    for (const bool damped : {false, true}) {
-      const auto lanes = random_lanes(count, random, damped);
+    for (const auto load : loads) {
+      const auto lanes = random_lanes(count, random, load);
       const auto best = make_expansion(size), baseline = make_baseline_expansion(size);
       Values a, b;
       a.resize(count);
       b.resize(count);
-      for (const int clock : {Expansion::plain, lanes.power[1] > 0 ? 1 : Expansion::plain}) {
+      for (const int clock :
+           {Expansion::plain, lanes.power[1] > 0 && !lanes.general ? 1 : Expansion::plain}) {
         best->expand(lanes, 16, clock);
         baseline->expand(lanes, 16, clock);
         best->evaluate(0.1, a);
@@ -121,7 +140,7 @@ BOOST_AUTO_TEST_CASE(every_instruction_set_gives_the_same_series) {
 BOOST_AUTO_TEST_CASE(margins_are_lower_bounds) {
   std::mt19937 random(11);
   for (int i = 0; i < 200; ++i) {
-    const auto lanes = random_lanes(4, random, true);
+    const auto lanes = random_lanes(4, random, loads[1 + i % 3]);
     const auto series = make_expansion(0);
     series->expand(lanes, 14, Expansion::plain);
     const double end = 0.01 * (1 + i % 60);
