@@ -130,6 +130,35 @@ BOOST_AUTO_TEST_CASE(slow_balls_among_fast_ones_close_and_open_a_few_times) {
   }
 }
 
+// Contacts that creep are pressed gently: at first their loads are smaller than rounding makes them.
+BOOST_AUTO_TEST_CASE(creeping_contacts_that_are_pressed_gently_close_once) {
+  const auto law = [](double damping) -> contact::Law {
+    return contact::Viscoelastic{.stiffness = 1, .damping = damping, .exponent = 1.5};
+  };
+  const double a = 0.032793122376252815, b = 0.012138095429851203, c = 24082.68478746539,
+               d = 0.016492458150956645;
+  const model::Chain chain{
+      .mass = {2.8586548915218448, 0.39326800929293015, 2.6221666991128667, 0.90656716091553291,
+               0.25335214723695609, 0.90656716091553291, 2.6221666991128667, 0.39326800929293015,
+               2.8586548915218448},
+      .law = {law(a), law(b), law(c), law(d), law(d), law(c), law(b), law(a)},
+      .gap = {0.77324338771667933, 0, 0, 0, 0, 0, 0, 0.77324338771667933},
+      .velocity = {0.69670189141967853, -0.018566719527258524, -0.48471294706181967, 0.72599688177859711, 0,
+                   -0.72599688177859711, 0.48471294706181967, 0.018566719527258524, -0.69670189141967853}};
+  const std::vector<double> expected = {
+      -0.52662011324782, -0.40031747067613, -0.38945090863599, -0.38945076126526, 0,
+      0.38945076126526,  0.38945090863599,  0.40031747067613,  0.52662011324782};
+  impact::ChainSolver solver;
+  for (const double accuracy : {1e-8, 1e-10, 1e-12}) {
+    const auto& impact = solver.solve(chain, {.accuracy = accuracy});
+    BOOST_TEST((impact.ending == hybrid::Ending::separated), impact.message);
+    BOOST_TEST(test::difference(impact.velocity, expected) < 10 * accuracy);
+    BOOST_TEST(impact.events < 100);
+  }
+  const auto& exact = solver.solve(chain, {.accuracy = 1e-10, .flow = flow::Kind::cvode_bdf_klu});
+  BOOST_TEST(test::difference(exact.velocity, expected) < 1e-9);
+}
+
 // The closed form of a pair starts with a load that rounding has made negative.
 BOOST_AUTO_TEST_CASE(a_load_that_has_vanished_but_for_rounding_lets_go) {
   const auto law = [](double damping) -> contact::Law {

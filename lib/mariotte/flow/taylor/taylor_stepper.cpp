@@ -323,7 +323,7 @@ Fall Stepper::first_fall(Piece& piece) {
     if (l.side[j] != 0 && !dozes(j) && values_.margin[j] < 0)
       search(piece, Quantity::indentation, j, l.side[j], l.level[j], c.guard, fall);
     if (l.load_side[j] != 0 && values_.load_margin[j] < 0)
-      search(piece, Quantity::load, j, l.load_side[j], 0, c.load_guard, fall);
+      search(piece, Quantity::load, j, l.load_side[j], load_noise(window, j), c.load_guard, fall);
     if (l.branched && values_.branch_margin[j] < 0) search_branch(piece, j, fall);
   }
   if (piece.lands && fall.guard < 0) {  // one that comes down to δ = 0 may have lost its load, too

@@ -191,6 +191,16 @@ void advance(Window& w, const Values& values) {
   }
 }
 
+double load_noise(const Window& w, int lane) {
+  const auto& l = w.lanes;
+  double size = 0;
+  if (w.row)
+    size = std::abs(w.velocity[lane]) + std::abs(w.velocity[lane + 1]);
+  else
+    for (const auto& [dof, g] : w.network->direction[lane]) size += std::abs(g * w.velocity[dof]);
+  return 16 * epsilon * (l.damping[lane] + l.stiffening[lane] * std::abs(l.indentation[lane])) * size;
+}
+
 void write(const Window& w, State x) {
   write_outside(w, w.time - w.since, x);
   for (int lane = 0; lane < w.lanes.count; ++lane) {
