@@ -13,15 +13,18 @@ namespace {
 
 using Keys = std::vector<std::string>;
 
-/// The keys of all errors, sorted.
+/// The keys of all errors, sorted; the errors are in the order of the file.
 Keys wrong(const std::string& text) {
   Keys keys;
   try {
     scene::parse(text, "f");
   } catch (const scene::SceneError& error) {
     keys.push_back(error.key);
+    auto last = std::pair(error.line, error.column);
     for (const auto& one : error.more) {
       BOOST_TEST(one.place.starts_with("f:"), one.what());
+      BOOST_TEST((last <= std::pair(one.line, one.column)), one.what());
+      last = {one.line, one.column};
       keys.push_back(one.key);
     }
   }

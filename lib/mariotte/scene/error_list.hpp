@@ -2,6 +2,7 @@
 // their errors are thrown together.
 #pragma once
 #include <algorithm>
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -46,11 +47,13 @@ class ErrorList {
 
   bool empty() const { return errors_.empty(); }
 
-  /// Throws the first error, with the others as its `more`, if there are any. What is missing from a table
-  /// with an unknown key may be misspelt there, and is not told.
+  /// Throws the first error in the order of the file, with the others as its `more`, if there are any. What
+  /// is missing from a table with an unknown key may be misspelt there, and is not told.
   void raise() {
     if (errors_.empty()) return;
     std::erase_if(errors_, [&](const SceneError& error) { return is_missing(error) && is_misspelt(error); });
+    std::stable_sort(errors_.begin(), errors_.end(),
+                     [](const SceneError& a, const SceneError& b) { return rank(a) < rank(b); });
     SceneError first = errors_.front();
     first.more.assign(errors_.begin() + 1, errors_.end());
     throw first;
@@ -67,6 +70,10 @@ class ErrorList {
       const auto same = [&](const SceneError& known) { return std::string_view(known.what()) == one.what(); };
       if (std::none_of(errors_.begin(), errors_.end(), same)) errors_.push_back(std::move(one));
     }
+  }
+  /// Where it stands in the file; what is not the file's comes before it, and what concerns all of it after.
+  static std::array<int, 3> rank(const SceneError& error) {
+    return {error.key.empty(), error.line, error.column};
   }
   static bool is_of_value(const SceneError& error) {
     for (const auto& kind : {fault::no_quantity, fault::unknown_unit, fault::wrong_dimension,

@@ -77,6 +77,7 @@ std::string elsewhere(std::string_view key) {
       Home{"impacts", " (it belongs to [run], beside a [body])"},
       Home{"title", top},
       Home{"columns", top},
+      Home{"law", " (it belongs to the contacts: [chain], [network] or [bodies])"},
       Home{"gap", " (it belongs to [chain]: gap = [0, \"1 um\"] has one value per contact)"},
       Home{"young", material},
       Home{"poisson", material},

@@ -23,6 +23,7 @@ struct SceneError : Error {
   SceneError(const std::string& what, Fault kind) : Error(what, kind) {}
 
   std::string place = {};             ///< "file:line:column" or "--set KEY"; empty if nothing was written
+  int line = 0, column = 0;           ///< the same as numbers; 0 if it is not in the file
   std::string key = {};               ///< that leads to it, as "chain.radius"; empty if none does
   std::vector<SceneError> more = {};  ///< what else is wrong, without a `more` of its own
 };

@@ -1,5 +1,7 @@
 #include "mariotte/scene/source.hpp"
 
+#include <tuple>
+
 #include "mariotte/scene/scene.hpp"
 
 namespace mariotte::scene {
@@ -40,6 +42,7 @@ void reject(const Source& source, const Place& place, Fault fault, const std::st
             const std::string& key) {
   SceneError error(where(source, place) + ": " + presentable(message), fault);
   error.place = where(source, place);
+  if (place.origin < 0) std::tie(error.line, error.column) = std::tie(place.line, place.column);
   error.key = key;
   throw error;
 }
