@@ -162,11 +162,12 @@ BOOST_AUTO_TEST_CASE(a_sweep_leads_with_a_sentence) {
 
 BOOST_AUTO_TEST_CASE(headings_and_cards_are_words_and_short_numbers) {
   const auto page = report::html({{"title", "t"},
-                                  {"shared_friction", false},
+                                  {"shared_friction", true},
                                   {"accuracy", {{"requested", 1e-10}, {"estimated", 7.800274e-13}}}},
                                  {});
   BOOST_TEST(!has(page, ">shared_friction<"));
-  BOOST_TEST(has(page, "two tips stuck at once and shared the least friction</h2>\n<p>no</p>"));
+  BOOST_TEST(has(page, "Two tips stuck at once and shared the least friction</h2>\n<p>yes</p>"));
+  BOOST_TEST(!has(report::html({{"shared_friction", false}}, {}), "stuck at once"));
   BOOST_TEST(has(page, "accuracy estimated<b>7.8e-13</b>"));
 }
 

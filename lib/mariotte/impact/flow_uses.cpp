@@ -12,4 +12,8 @@ std::vector<FlowUse> flow_uses(const std::array<hybrid::FlowCount, flow::kinds.s
   return uses;
 }
 
+std::string phases(Index count) {
+  return std::to_string(count) + (count == 1 ? " phase" : " phases");
+}
+
 }  // namespace mariotte::impact

@@ -1,6 +1,7 @@
-// From the counts of a run to what its result tells of the flows.
+// From the counts of a run to what its result tells of the flows, and in its words.
 #pragma once
 #include <array>
+#include <string>
 #include <vector>
 
 #include "mariotte/hybrid/trajectory.hpp"
@@ -10,5 +11,8 @@ namespace mariotte::impact {
 
 /// Flows that followed at least one phase; counts by flow::Kind.
 std::vector<FlowUse> flow_uses(const std::array<hybrid::FlowCount, flow::kinds.size()>& counts);
+
+/// "1 phase", "12 phases".
+std::string phases(Index count);
 
 }  // namespace mariotte::impact

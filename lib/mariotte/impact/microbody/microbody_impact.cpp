@@ -142,7 +142,7 @@ std::vector<Skipped> skipped(const MicrobodySystem& system, const model::Microbo
   if (d.law[0].damping_hertz == 0 && d.law[0].damping_adhesion == 0)
     list.push_back({"dissipation of the contact", "no damping"});
   if (const Index flights = used(flow::Kind::ballistic))
-    list.push_back({"integration of free flight", std::to_string(flights) + " phases in closed form"});
+    list.push_back({"integration of free flight", phases(flights) + " in closed form"});
   if (d.tips() < body.body.tips.size())
     list.push_back({"the other tip", "only the first impact was asked for"});
   if (!trace) list.push_back({"trace", "not asked for"});

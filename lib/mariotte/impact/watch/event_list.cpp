@@ -1,8 +1,8 @@
 #include "mariotte/impact/watch/event_list.hpp"
 
 #include <algorithm>
-#include <string>
 
+#include "mariotte/impact/flow_uses.hpp"
 #include "mariotte/impact/impulses.hpp"
 
 namespace mariotte::impact {
@@ -69,11 +69,11 @@ std::vector<Skipped> skipped_by_flows(const ContactRun& run) {
   const auto used = [&](flow::Kind kind) { return run.flows[static_cast<std::size_t>(kind)].phases; };
   std::vector<Skipped> list;
   if (const Index flights = used(flow::Kind::ballistic))
-    list.push_back({"free flight", std::to_string(flights) + " phases in closed form, not integrated"});
+    list.push_back({"free flight", phases(flights) + " in closed form, not integrated"});
   if (const Index pairs = used(flow::Kind::pair))
-    list.push_back({"single contacts", std::to_string(pairs) + " phases in closed form, not integrated"});
+    list.push_back({"single contacts", phases(pairs) + " in closed form, not integrated"});
   if (const Index modal = used(flow::Kind::modal))
-    list.push_back({"linear contacts", std::to_string(modal) + " phases by natural modes, not integrated"});
+    list.push_back({"linear contacts", phases(modal) + " by natural modes, not integrated"});
   if (used(flow::Kind::cvode_bdf_dense) + used(flow::Kind::cvode_bdf_band) +
           used(flow::Kind::cvode_bdf_klu) ==
       0)

@@ -58,7 +58,7 @@ constexpr std::array<std::array<const char*, 2>, 23> sections{
      {"momentum", "Momentum"},
      {"bound_frequency", "What rings on"},
      {"rest", "Where it comes to rest"},
-     {"shared_friction", "Whether two tips stuck at once and shared the least friction"},
+     {"shared_friction", "Two tips stuck at once and shared the least friction"},
      {"turning", "Neglected: turning of contact directions [rad]"},
      {"validity", "Validity"},
      {"flows", "Flows"},
@@ -142,7 +142,7 @@ std::string tables(const Json& result) {
   const auto model = result.value("model", "");
   std::set<std::string> done = elsewhere;
   for (const auto& [key, title] : sections)
-    if (done.insert(key).second && result.contains(key) && !result[key].empty())
+    if (done.insert(key).second && result.contains(key) && !result[key].empty() && result[key] != Json(false))
       text += section(title, table(result[key], {model, key}));
   for (const auto& [key, value] : result.items())
     if (!done.contains(key) && !value.empty()) text += section(key, table(value, {model, key}));
