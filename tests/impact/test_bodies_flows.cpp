@@ -162,3 +162,21 @@ BOOST_AUTO_TEST_CASE(pairs_that_are_far_apart_need_not_be_watched) {
   BOOST_TEST(one.contacts.size() == two.contacts.size());
   BOOST_TEST(difference(one, two) < 1e-5);
 }
+
+/// Forces are polynomials of the steps, and their peaks roots of slopes; CVODE's are looked for.
+BOOST_AUTO_TEST_CASE(peaks_of_forces_are_those_of_cvode) {
+  for (const int dimension : {2, 3}) {
+    Scenes scenes(5);
+    for (int i = 0; i < 12; ++i) {
+      const auto bodies = scenes.next(dimension);
+      const auto one = impact::simulate(bodies, options(1e-9, flow::Kind::taylor));
+      const auto two = impact::simulate(bodies, options(1e-9, flow::Kind::cvode_adams));
+      BOOST_TEST_CONTEXT("scene " << i << " in " << dimension << "D")
+      for (std::size_t c = 0; c < one.contacts.size(); ++c) {
+        const auto &a = one.contacts[c], &b = two.contacts[c];
+        BOOST_TEST(std::abs(a.peak_force - b.peak_force) <= 1e-5 * b.peak_force);
+        BOOST_TEST(std::abs(a.peak_friction - b.peak_friction) <= 1e-5 * b.peak_force);
+      }
+    }
+  }
+}

@@ -8,6 +8,13 @@
 
 namespace mariotte::flow {
 
+/// Forces of a closed contact as polynomials in the clock of a step, from 0 to `end`.
+struct ForceSeries {
+  std::span<const double> normal, friction;
+  bool is_square = false;  ///< of friction
+  double end = 0;
+};
+
 /// A dense piece of trajectory, valid during the call that hands it out.
 class Step {
  public:
@@ -22,6 +29,8 @@ class Step {
   virtual void inside(double fraction, State x) const { at(start + fraction * (end - start), x); }
   /// Fill in the series of all contacts that carry force in this step; false if there are none.
   virtual bool series(PushSeries&) const { return false; }
+  /// Fill in the forces of all closed contacts, in the order of the phase; false if they are not known.
+  virtual bool forces(std::vector<ForceSeries>&) const { return false; }
 };
 
 /// Sees every step of a flow; peaks, traces and pictures come from here.

@@ -40,6 +40,14 @@ class SeriesStep final : public Step {
     expansion_.state(last ? place_ : rise_to(expansion_.time(), t - start, place_), before, x);
   }
   void inside(double fraction, State x) const override { expansion_.state(fraction * place_, before, x); }
+  bool forces(std::vector<ForceSeries>& list) const override {
+    list.clear();
+    if constexpr (requires { expansion_.add_forces(place_, list); }) {
+      expansion_.add_forces(place_, list);
+      return true;
+    }
+    return false;
+  }
   /// On to the next step, of this duration and place of the clock.
   void go_on(double duration, double place, ConstState from, ConstState to) {
     start = std::exchange(end, end + duration);

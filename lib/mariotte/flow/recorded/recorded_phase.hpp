@@ -20,8 +20,10 @@ struct RecordedContact {
   int depth;
   int root;  ///< or −1
   Index open;
-  bool begins;        ///< δ is 0 now, and grows
-  double negligible;  ///< indentation from which what is left until it opens is below the accuracy
+  int normal, friction;  ///< forces
+  bool is_square;        ///< of friction
+  bool begins;           ///< δ is 0 now, and grows
+  double negligible;     ///< indentation from which what is left until it opens is below the accuracy
 };
 
 /// Field and guards of one phase on a tape.

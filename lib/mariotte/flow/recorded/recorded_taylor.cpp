@@ -52,7 +52,7 @@ struct RecordedTaylor::Memory {
     clocks_.clear();
     for (const auto& one : recording.guard) seen_.push_back(one.place);
     for (const auto& one : recording.contact) {
-      seen_.push_back(one.depth);
+      for (const int place : {one.depth, one.normal, one.friction}) seen_.push_back(place);
       if (one.root >= 0) clocks_.push_back(one.root);
     }
     series.prepare(recording.tape, recording.state, clocks_, seen_);
@@ -86,6 +86,11 @@ struct RecordedTaylor::Memory {
   void fire(Index guard, ConstState x, std::vector<Index>& fired) {
     fired.push_back(guard);
     simultaneous_.collect(*problem_, x, simultaneity_window(*problem_, asked_), fired);
+  }
+
+  void add_forces(double end, std::vector<ForceSeries>& list) const {
+    for (const auto& one : recording.contact)
+      list.push_back({series.row(one.normal), series.row(one.friction), one.is_square, end});
   }
 
   bool is_stalled(const Step& step) const {

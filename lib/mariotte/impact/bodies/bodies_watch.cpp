@@ -5,7 +5,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "mariotte/core/bracket.hpp"
 #include "mariotte/core/scale.hpp"
+#include "mariotte/flow/roots/polynomial.hpp"
 #include "mariotte/impact/watch/highest.hpp"
 
 namespace mariotte::impact {
@@ -40,6 +42,19 @@ struct Reading {
     return 0;
   }
 };
+
+/// Largest size that a polynomial has where its slope is zero; 0 if it only rises or falls.
+double summit(std::span<const double> row, double end) {
+  constexpr double loose = 1e-6;
+  const auto slope = [&](double place) {
+    double sum = 0;
+    for (std::size_t k = row.size(); k-- > 1;) sum = sum * place + static_cast<double>(k) * row[k];
+    return sum;
+  };
+  const double low = loose * end, high = (1 - loose) * end, first = slope(low), last = slope(high);
+  if (!(first * last < 0)) return 0;
+  return std::abs(flow::horner(row, locate_sign_change(slope, low, first, high, last, loose * end)));
+}
 
 double wrapped(double angle) {
   const double rest = std::remainder(angle, 2 * std::numbers::pi);
@@ -99,9 +114,22 @@ void BodiesObserver<D>::raise(ConstState x) {
   }
 }
 
-/// Within a step whose middle lies higher than the line between its ends, a force may have its maximum.
 template <int D>
 void BodiesObserver<D>::search(const flow::Step& step) {
+  raise(step.after);
+  if (!step.forces(forces_)) return sample_forces(step);
+  for (std::size_t k = 0; k < mode_.closed.size(); ++k) {
+    auto& peak = peaks_[mode_.closed[k].contact];
+    const auto& one = forces_[k];
+    peak.force = std::max(peak.force, summit(one.normal, one.end));
+    const double friction = summit(one.friction, one.end);
+    peak.friction = std::max(peak.friction, one.is_square ? std::sqrt(friction) : friction);
+  }
+}
+
+/// Within a step whose middle lies higher than the line between its ends, a force may have its maximum.
+template <int D>
+void BodiesObserver<D>::sample_forces(const flow::Step& step) {
   using Forces = std::array<double, 2>;  // normal force, friction
   inside_.resize(step.before.size());
   const auto of = [&](ConstState x, std::size_t k) -> Forces {
@@ -117,7 +145,6 @@ void BodiesObserver<D>::search(const flow::Step& step) {
   };
   step.inside(0.5, inside_);
   const auto before = all(step.before), middle = all(inside_), after = all(step.after);
-  raise(step.after);
   for (std::size_t k = 0; k < mode_.closed.size(); ++k) {
     auto& peak = peaks_[mode_.closed[k].contact];
     for (const std::size_t which : {0, 1}) {

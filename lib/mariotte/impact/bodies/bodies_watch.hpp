@@ -36,6 +36,7 @@ class BodiesObserver final : public hybrid::PhaseObserver {
  private:
   void raise(ConstState x);
   void search(const flow::Step& step);
+  void sample_forces(const flow::Step& step);
   void sample(double time, ConstState x);
 
   const model::Bodies& bodies_;
@@ -45,6 +46,7 @@ class BodiesObserver final : public hybrid::PhaseObserver {
   DueSamplings due_;
   double start_ = 0;
   std::vector<double> inside_;
+  std::vector<flow::ForceSeries> forces_;
   std::vector<ContactPeaks> peaks_;
   BodiesTrace trace_;
 };

@@ -73,6 +73,18 @@ void BodiesPhase<D>::record_guards(flow::Recording& recording) const {
   }
 }
 
+namespace {
+
+/// Along e_z × n in the plane; its square in space.
+Traced friction_size(const ContactForces<Traced, 2>& c) {
+  return dot(c.friction, across(c.motion.normal));
+}
+Traced friction_size(const ContactForces<Traced, 3>& c) {
+  return dot(c.friction, c.friction);
+}
+
+}  // namespace
+
 /// What a contact still does at a depth δ before it opens is (δ/L)ⁿ⁺¹ of what it can do.
 template <int D>
 void BodiesPhase<D>::record_contacts(double accuracy, flow::Recording& recording) const {
@@ -81,11 +93,15 @@ void BodiesPhase<D>::record_contacts(double accuracy, flow::Recording& recording
   for (std::size_t i = 0; i < mode_->closed.size(); ++i) {
     const auto& one = setting_.contact[mode_->closed[i].contact];
     const double exponent = contact::power_law(one.law)->exponent;
-    const auto& depth = traced_.contact(i).motion.indentation;
+    const auto& now = traced_.contact(i);
+    const auto& depth = now.motion.indentation;
     const int place = depth.place_on(recording.tape);
     recording.contact.push_back({.depth = place,
                                  .root = exponent == 1.5 ? sqrt(depth).place_on(recording.tape) : -1,
                                  .open = slot_guard(mode_->closed[i].slot, SlotGuard::open),
+                                 .normal = now.normal.place_on(recording.tape),
+                                 .friction = friction_size(now).place_on(recording.tape),
+                                 .is_square = D == 3,
                                  .begins = recording.tape[place].op == series::TapeOp::onset,
                                  .negligible = one.length * std::pow(share * accuracy, 1 / (exponent + 1))});
   }
