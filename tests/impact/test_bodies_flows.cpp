@@ -163,6 +163,42 @@ BOOST_AUTO_TEST_CASE(pairs_that_are_far_apart_need_not_be_watched) {
   BOOST_TEST(difference(one, two) < 1e-5);
 }
 
+/// A pair that touches at rest, far away, makes a phase of many contacts of each.
+BOOST_AUTO_TEST_CASE(one_contact_of_balls_goes_as_among_many) {
+  Scenes scenes(4);
+  int met = 0;
+  for (int i = 0; i < 40; ++i) {
+    auto bodies = scenes.next(2);
+    for (auto& body : bodies.body) body.spheres = {{{}, 0.01}};
+    std::erase_if(bodies.contact, [](const auto& c) { return c.a.sphere > 0 || c.b.sphere > 0; });
+    for (auto& contact : bodies.contact) contact.law = contact::Hertz(1e9);
+    const auto one = impact::simulate(bodies, options(1e-12, flow::Kind::taylor));
+    for (const double place : {1.0, 1.02}) {
+      bodies.body.push_back(bodies.body[0]);
+      bodies.body.back().position = {place, 1, 0};
+      bodies.body.back().velocity = bodies.body.back().spin = {};
+    }
+    bodies.contact.push_back({.a = {3, 0}, .b = {4, 0}, .law = contact::Hertz(1e9), .touching = true});
+    const auto two = impact::simulate(bodies, options(1e-12, flow::Kind::taylor));
+    BOOST_TEST_CONTEXT("scene " << i) {
+      BOOST_TEST(one.events.size() == two.events.size());
+      for (std::size_t k = 0; k < one.body.size(); ++k) {
+        BOOST_TEST(norm(one.body[k].velocity - two.body[k].velocity) < 1e-11);
+        BOOST_TEST(0.02 * norm(one.body[k].spin - two.body[k].spin) < 1e-11);
+      }
+      for (std::size_t c = 0; c < one.contacts.size(); ++c) {
+        const auto &a = one.contacts[c], &b = two.contacts[c];
+        BOOST_TEST(std::abs(a.peak_force - b.peak_force) <= 1e-7 * b.peak_force);
+        BOOST_TEST(std::abs(a.peak_friction - b.peak_friction) <= 1e-7 * b.peak_force);
+        BOOST_TEST(std::abs(a.losses.friction - b.losses.friction) < 1e-13);
+        BOOST_TEST(std::abs(a.losses.rescale - b.losses.rescale) < 1e-13);
+        met += !a.periods.empty();
+      }
+    }
+  }
+  BOOST_TEST(met > 20);
+}
+
 /// Forces are polynomials of the steps, and their peaks roots of slopes; CVODE's are looked for.
 BOOST_AUTO_TEST_CASE(peaks_of_forces_are_those_of_cvode) {
   for (const int dimension : {2, 3}) {

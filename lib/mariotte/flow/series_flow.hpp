@@ -65,20 +65,23 @@ inline bool is_finite(ConstState x) {
   return std::all_of(x.begin(), x.end(), [](double value) { return std::isfinite(value); });
 }
 
-/// Follow a phase until a guard, the limit or what the expansion cannot pass (`stiff`). An expansion has
+/// Follow a phase until a guard, the limit or what the expansion cannot pass (`stiff`), on from where another
+/// expansion has come `so_far`. An expansion has
 ///   before                    room for the state where the step begins;
 ///   expand(x, first)          from x, in the first step or a later one: how far the series is good enough;
 ///   end(reach, first, x)      where the step ends; x is room for states;
 ///   time(), state(place, …)   the clock, and the state at a place of it;
 ///   fire(guard, x, fired)     where a guard ends the phase;
+///   add_forces(end, list)     if it knows forces: those of closed contacts;
 ///   is_stalled(step), order().
 template <class Expansion>
 Arrival follow_by_series(Expansion& expansion, const SeriesLimits& limits, State x, const Request& request,
-                         std::vector<Index>& fired) {
+                         std::vector<Index>& fired, const Arrival& so_far = {}) {
   SeriesStep<Expansion> step(expansion);
+  step.end = so_far.duration;
   Index count = 0, stalled = 0;
   const auto arrive = [&](Outcome outcome) {
-    return Arrival{outcome, step.end, count, count * expansion.order(), {}};
+    return Arrival{outcome, step.end, so_far.steps + count, so_far.rhs + count * expansion.order(), {}};
   };
   while (count < limits.steps && stalled < limits.stalled) {
     const bool first = count++ == 0;

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "mariotte/core/types.hpp"
+#include "mariotte/flow/balls/ball_phase.hpp"
 #include "mariotte/series/tape_series.hpp"
 
 namespace mariotte::flow {
@@ -43,6 +44,8 @@ class RecordedPhase {
   virtual void record(ConstState x, double accuracy, Recording& recording) const = 0;
   /// Components that are not recorded move freely: their values after time t.
   virtual void fly_others(ConstState x, double t, State result) const = 0;
+  /// The present mode if its field is compiled.
+  virtual BallPhase* balls() const { return nullptr; }
 };
 
 }  // namespace mariotte::flow

@@ -1,5 +1,6 @@
 #include "mariotte/flow/recorded/recorded_taylor.hpp"
 
+#include "mariotte/flow/balls/ball_taylor.hpp"
 #include "mariotte/flow/recorded/recorded_guards.hpp"
 #include "mariotte/flow/roots/simultaneous.hpp"
 
@@ -38,6 +39,7 @@ double step_length(const Recording& recording, const TapeSeries& series, ConstSt
 
 /// What `follow_by_series` drives.
 struct RecordedTaylor::Memory {
+  BallTaylor balls;
   Recording recording;
   TapeSeries series;
   std::vector<double> before;
@@ -174,8 +176,13 @@ RecordedTaylor::~RecordedTaylor() = default;
 
 Arrival RecordedTaylor::follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) {
   auto& memory = *memory_;
+  Arrival so_far;
+  if (auto* balls = problem.recorded()->balls()) {
+    so_far = memory.balls.follow(problem, *balls, x, request, fired);
+    if (so_far.outcome != Outcome::stiff) return so_far;
+  }
   memory.begin(problem, x, request.accuracy);
-  auto arrival = follow_by_series(memory, limits, x, request, fired);
+  auto arrival = follow_by_series(memory, limits, x, request, fired, so_far);
   if (arrival.outcome != Outcome::stiff) return arrival;
   const auto opens = memory.opening(x);
   if (!opens || arrival.duration + opens->second > request.limit) return arrival;

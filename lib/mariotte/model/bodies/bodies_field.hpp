@@ -3,6 +3,7 @@
 #pragma once
 #include <vector>
 
+#include "mariotte/core/mindlin.hpp"
 #include "mariotte/model/bodies/bodies_mode.hpp"
 #include "mariotte/model/bodies/bodies_stick.hpp"
 #include "mariotte/model/bodies/law_numbers.hpp"
@@ -67,12 +68,11 @@ class BodiesField {
     const T tangential = dot(c.motion.slip, c.direction);
     const double mu = one.tangential.friction;
     if (is_past(c)) return tangential;
-    T rate = tangential - mu * (is_proportional(one) && !mode.slack ? 1.5 * ratio(one) * approach
-                                                                    : force_rate(mode, c) / c.spring);
+    if (is_proportional(one) && !mode.slack)
+      return mindlin_yielding(tangential, mu * ratio(one), approach, mode.unloading);
+    T rate = tangential - mu * (force_rate(mode, c) / c.spring);
     if (one.tangential.law == TangentialLaw::mindlin && mode.unloading)
-      rate = rate + 0.5 * mu *
-                        (is_proportional(one) ? ratio(one) * approach
-                                              : (c.normal / c.spring) * (approach / c.motion.indentation));
+      rate = rate + 0.5 * mu * ((c.normal / c.spring) * (approach / c.motion.indentation));
     return rate;
   }
 

@@ -1,4 +1,6 @@
 // Free flight of bodies: closed forms, and meetings that cannot be missed.
+#include "mariotte/model/bodies/bodies_flight.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -54,19 +56,20 @@ Window near(const Vec<double, D>& apart, const Vec<double, D>& velocity, double 
 }  // namespace
 
 template <int D>
-void BodiesPhase<D>::fly(ConstState x, Index i, double t, State result) const {
+void fly(const BodiesSetting<D>& setting, const BodiesLayout<D>& at, ConstState x, Index i, double t,
+         State result) {
   for (int k = 0; k < D; ++k) {
-    const double g = setting_.gravity[k], v = x[layout_.velocity(i) + k];
-    result[layout_.shift(i) + k] = x[layout_.shift(i) + k] + t * (v + 0.5 * t * g);
-    result[layout_.velocity(i) + k] = v + t * g;
+    const double g = setting.gravity[k], v = x[at.velocity(i) + k];
+    result[at.shift(i) + k] = x[at.shift(i) + k] + t * (v + 0.5 * t * g);
+    result[at.velocity(i) + k] = v + t * g;
   }
-  turn(layout_, setting_.body[i], x, i, t, result);
+  turn(at, setting.body[i], x, i, t, result);
 }
 
 template <int D>
 void BodiesPhase<D>::fly(ConstState x, double t, State result) const {
   std::copy(x.begin(), x.end(), result.begin());
-  for (Index i = 0; i < layout_.bodies; ++i) fly(x, i, t, result);
+  for (Index i = 0; i < layout_.bodies; ++i) model::fly(setting_, layout_, x, i, t, result);
   result[layout_.clock()] += t;
 }
 
@@ -171,8 +174,8 @@ double BodiesPhase<D>::first_meeting(ConstState x, double limit, double window,
   return first;
 }
 
-template void BodiesPhase<2>::fly(ConstState, Index, double, State) const;
-template void BodiesPhase<3>::fly(ConstState, Index, double, State) const;
+template void fly(const BodiesSetting<2>&, const BodiesLayout<2>&, ConstState, Index, double, State);
+template void fly(const BodiesSetting<3>&, const BodiesLayout<3>&, ConstState, Index, double, State);
 template void BodiesPhase<2>::fly(ConstState, double, State) const;
 template void BodiesPhase<3>::fly(ConstState, double, State) const;
 template double BodiesPhase<2>::first_meeting(ConstState, double, double, std::vector<Index>&) const;

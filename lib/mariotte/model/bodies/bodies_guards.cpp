@@ -20,7 +20,7 @@ T BodiesPhase<D>::friction_guard(const BodiesField<T, D>& field, const ClosedCon
     if (mode.friction == Friction::stick) {
       const double offset = noise * one.force;
       const T cap = one.tangential.friction * c.normal, left = cap * cap - dot(c.friction, c.friction);
-      const double least = std::max(noise, 0.1 * setting_.faint) * one.force;
+      const double least = setting_.faint_stick() * one.force;
       if (!one.tangential.has_spring()) return left + 2 * offset * cap + least * least;
       return left + 2 * noise * cap.value() * cap + offset * offset;
     }

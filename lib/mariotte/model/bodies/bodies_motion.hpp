@@ -88,12 +88,17 @@ T set_indentation(const BodiesSetting<D>& setting, const SettingContact<D>&, Con
   c.indentation = touches ? T(-c.gap) : T(setting.smallest_indentation);
   return touches ? c.indentation : T(0.0);
 }
+/// Whether a contact has just closed.
+template <int D>
+bool begins(const BodiesSetting<D>& setting, const SettingContact<D>& contact, double gap, double gap_rate) {
+  return std::abs(gap) <= setting.onset_noise * contact.length && gap_rate < 0;
+}
 /// On a tape an indentation goes through zero as it is, and begins at zero to the last bit.
 template <int D>
 series::Traced set_indentation(const BodiesSetting<D>& setting, const SettingContact<D>& contact,
                                ContactMotion<series::Traced, D>& c) {
-  const bool begins = std::abs(c.gap.value()) <= setting.onset_noise * contact.length && c.gap_rate < 0.0;
-  return c.indentation = begins ? at_onset(-c.gap) : -c.gap;
+  const bool closes = begins(setting, contact, c.gap.value(), c.gap_rate.value());
+  return c.indentation = closes ? at_onset(-c.gap) : -c.gap;
 }
 
 /// The sphere of a contact at one instant.

@@ -17,6 +17,7 @@ BodiesPhase<D>::BodiesPhase(const BodiesSetting<D>& setting, Index touching)
       sloped_(setting),
       traced_(setting) {
   layout_.bodies = std::ssize(setting.body);
+  if constexpr (D == 2) balls_.emplace(setting);
   if constexpr (D == 3)
     for (const auto& body : setting.body)
       free_flight_ = free_flight_ && (body.is_round || body.inertia[1] == body.inertia[2]);
@@ -78,6 +79,15 @@ void BodiesPhase<D>::bind(const BodiesMode& mode) {
   for (Index k = 0; k < std::ssize(mode.touching); ++k) crossing_[parting_guard(k)] = Crossing::rising;
   recordable_ = !mode.closed.empty() && std::all_of(mode.closed.begin(), mode.closed.end(),
                                                     [&](const auto& one) { return can_be_recorded(one); });
+  find_balls();
+}
+
+template <int D>
+void BodiesPhase<D>::find_balls() {
+  is_balls_ = balls_ && balls_->admits(*mode_);
+  if (!is_balls_) return;
+  if constexpr (D == 2)
+    balls_->bind(*mode_, layout_, magnitude_, slot_guard(mode_->closed.front().slot, SlotGuard::open));
 }
 
 template <int D>

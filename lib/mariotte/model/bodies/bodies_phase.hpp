@@ -1,12 +1,14 @@
 // One mode of bodies as what flows follow.
 #pragma once
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "mariotte/flow/free_motion.hpp"
 #include "mariotte/flow/problem.hpp"
 #include "mariotte/flow/recorded/recorded_phase.hpp"
+#include "mariotte/model/bodies/bodies_balls.hpp"
 #include "mariotte/model/bodies/bodies_field.hpp"
 
 namespace mariotte::model {
@@ -46,6 +48,7 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
 
   void record(ConstState x, double accuracy, flow::Recording& recording) const override;
   void fly_others(ConstState x, double t, State result) const override;
+  flow::BallPhase* balls() const override { return is_balls_ ? &*balls_ : nullptr; }
 
   Index slot_guard(Index slot, SlotGuard guard) const {
     return slot * guards_per_slot + static_cast<Index>(guard);
@@ -69,11 +72,11 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   template <class T>
   T load_guard(const ClosedContact& mode, const ContactForces<T, D>& c) const;
   double meeting(ConstState x, Index contact, double limit) const;
-  void fly(ConstState x, Index body, double t, State result) const;
   double gap_bend(const BodyMotion<double, D>& body, Index i, const SettingSphere<D>& sphere) const;
   bool can_be_recorded(const ClosedContact& mode) const;
   void weigh_direction(std::size_t closed);
   flow::Accepted leave_rest(std::size_t closed);
+  void find_balls();
   void find_followed() const;
   void record_guards(flow::Recording& recording) const;
   void record_contacts(double accuracy, flow::Recording& recording) const;
@@ -89,6 +92,9 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   double time_ = 1, damping_ = 0;
   std::vector<flow::Crossing> crossing_;
   std::vector<double> magnitude_;
+
+  bool is_balls_ = false;
+  mutable std::optional<BodiesBalls> balls_;  ///< in the plane
 
   static constexpr int columns = 8;
   mutable BodiesField<double, D> field_;

@@ -1,6 +1,7 @@
 // Field and guards of bodies in contact on a tape.
 #include <cmath>
 
+#include "mariotte/model/bodies/bodies_flight.hpp"
 #include "mariotte/model/bodies/bodies_phase.hpp"
 
 namespace mariotte::model {
@@ -110,7 +111,7 @@ void BodiesPhase<D>::record_contacts(double accuracy, flow::Recording& recording
 template <int D>
 void BodiesPhase<D>::fly_others(ConstState x, double t, State result) const {
   for (Index i = 0; i < layout_.bodies; ++i)
-    if (!is_followed_[i]) fly(x, i, t, result);
+    if (!is_followed_[i]) model::fly(setting_, layout_, x, i, t, result);
 }
 
 template void BodiesPhase<2>::record(ConstState, double, flow::Recording&) const;

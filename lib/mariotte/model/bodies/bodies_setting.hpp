@@ -1,5 +1,6 @@
 // What does not change during a run of bodies: features and gaps at the start, laws, places in the state.
 #pragma once
+#include <algorithm>
 #include <vector>
 
 #include "mariotte/model/bodies/bodies.hpp"
@@ -85,6 +86,8 @@ struct BodiesSetting {
 
   /// Slip in space below which a rigid contact is at rest.
   double rest_speed() const { return 100 * slip_noise * speed; }
+  /// Share of force by which a rigid contact may exceed its cap where that has faded.
+  double faint_stick() const { return std::max(slip_noise, 0.1 * faint); }
 };
 
 /// Of validated bodies; `accuracy` sets what counts as noise.

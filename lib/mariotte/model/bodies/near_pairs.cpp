@@ -12,18 +12,20 @@ bool has_strayed(const BodiesSetting<D>& setting, const BodiesLayout<D>& at, Con
   return false;
 }
 
-/// Whatever the bodies' attitudes, the gap is no smaller than that of balls around them.
-template <int D>
-bool is_near(const BodiesSetting<D>& setting, const BodiesLayout<D>& at, ConstState x,
-             const SettingContact<D>& c) {
-  if (c.plane >= 0) return true;
-  const auto &a = setting.sphere[c.a], &b = setting.sphere[c.b];
-  const auto centre = [&](const SettingSphere<D>& s) { return vec_at<D>(x, at.shift(s.body)) - s.arm; };
-  const double apart = norm(c.apart + centre(b) - centre(a));
-  return apart < setting.body[a.body].reach + setting.body[b.body].reach + setting.skin;
-}
-
 }  // namespace
+
+template <int D>
+double least_gap(const BodiesSetting<D>& setting, const BodiesLayout<D>& at, ConstState x,
+                 const SettingContact<D>& c) {
+  const auto centre = [&](const SettingSphere<D>& s) { return vec_at<D>(x, at.shift(s.body)) - s.arm; };
+  const auto& b = setting.sphere[c.b];
+  if (c.plane >= 0) {
+    const auto moved = centre(b) - x[at.clock()] * setting.plane_velocity[c.plane];
+    return c.gap + b.radius + dot(c.apart, moved) - setting.body[b.body].reach;
+  }
+  const auto& a = setting.sphere[c.a];
+  return norm(c.apart + centre(b) - centre(a)) - setting.body[a.body].reach - setting.body[b.body].reach;
+}
 
 template <int D>
 void refresh_near(const BodiesSetting<D>& setting, const BodiesLayout<D>& at, ConstState x,
@@ -35,9 +37,14 @@ void refresh_near(const BodiesSetting<D>& setting, const BodiesLayout<D>& at, Co
     mode.from.insert(mode.from.end(), x.begin() + at.shift(i), x.begin() + at.shift(i) + D);
   mode.near.clear();
   for (Index c = 0; c < std::ssize(setting.contact); ++c)
-    if (is_near(setting, at, x, setting.contact[c])) mode.near.push_back(c);
+    if (setting.contact[c].plane >= 0 || least_gap(setting, at, x, setting.contact[c]) < setting.skin)
+      mode.near.push_back(c);
 }
 
+template double least_gap(const BodiesSetting<2>&, const BodiesLayout<2>&, ConstState,
+                          const SettingContact<2>&);
+template double least_gap(const BodiesSetting<3>&, const BodiesLayout<3>&, ConstState,
+                          const SettingContact<3>&);
 template void refresh_near(const BodiesSetting<2>&, const BodiesLayout<2>&, ConstState, BodiesMode&);
 template void refresh_near(const BodiesSetting<3>&, const BodiesLayout<3>&, ConstState, BodiesMode&);
 

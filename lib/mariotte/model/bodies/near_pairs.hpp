@@ -4,6 +4,11 @@
 
 namespace mariotte::model {
 
+/// Whatever the bodies' attitudes, a gap is no smaller than that of balls around them.
+template <int D>
+double least_gap(const BodiesSetting<D>& setting, const BodiesLayout<D>& at, ConstState x,
+                 const SettingContact<D>& contact);
+
 /// Make the list anew where it is missing, or a body has gone too far since. Contacts with planes are always
 /// near.
 template <int D>

@@ -1,0 +1,12 @@
+// Guards that are polynomials in the clock of a step.
+#pragma once
+#include "mariotte/flow/series_flow.hpp"
+
+namespace mariotte::flow {
+
+/// End a step where a guard falls through zero; `row` times `sign` are its coefficients. One that starts
+/// within `rounding` of its change starts at zero. Where its series cannot tell, the step ends earlier,
+/// without a guard.
+void look(Index guard, std::span<const double> row, double sign, double rounding, SeriesEnd& end);
+
+}  // namespace mariotte::flow
