@@ -30,7 +30,7 @@ struct Slopes {
 /// "velocity" asks for all of them, "velocity[1]" for one.
 bool is_wanted(const impact::OutcomeSlopes& outcome, const std::vector<std::string>& of) {
   return of.empty() || std::any_of(of.begin(), of.end(), [&](const auto& name) {
-           return name == outcome.name || name == report::name_of(outcome);
+           return name == outcome.name || name == impact::name_of(outcome);
          });
 }
 
@@ -40,7 +40,7 @@ void keep_wanted(impact::Sensitivity& slopes, const std::vector<std::string>& of
                      [&](const auto& one) { return is_wanted(one, {name}); }))
       throw UsageError("--of " + name + ": no such outcome; there are " + [&] {
         std::string names;
-        for (const auto& one : slopes.outcome) names += (names.empty() ? "" : ", ") + report::name_of(one);
+        for (const auto& one : slopes.outcome) names += (names.empty() ? "" : ", ") + impact::name_of(one);
         return names;
       }());
   std::erase_if(slopes.outcome, [&](const auto& one) { return !is_wanted(one, of); });

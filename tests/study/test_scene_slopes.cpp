@@ -46,7 +46,7 @@ impact::Sensitivity slopes_of(const std::string& text, const std::vector<std::st
 
 double slope(const impact::Sensitivity& slopes, const std::string& outcome, std::size_t parameter) {
   for (const auto& one : slopes.outcome)
-    if (report::name_of(one) == outcome) return one.slope.at(parameter).value();
+    if (impact::name_of(one) == outcome) return one.slope.at(parameter).value();
   throw std::runtime_error("no outcome " + outcome);
 }
 
@@ -59,7 +59,7 @@ double deviation(const std::string& text, const std::string& outcome, const std:
     const auto moved = key + "=" + report::exact(value * (1 + 1e-3 * point.offset));
     const auto document = scene::parse_document(text, "test", {moved, "run.accuracy=1e-12"});
     for (const auto& one : study::outcomes(resolve(document)).outcome)
-      if (report::name_of(one) == outcome) expected += point.weight * one.value.value() / 1e-3;
+      if (impact::name_of(one) == outcome) expected += point.weight * one.value.value() / 1e-3;
   }
   return std::abs(slope(found, outcome, 0) * value - expected);
 }
@@ -98,7 +98,7 @@ BOOST_AUTO_TEST_CASE(a_density_acts_through_masses_alone) {
   for (const auto& outcome : by_density.outcome) {
     double sum = 0, size = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-      const double term = slope(by_mass, report::name_of(outcome), i) * by_mass.parameter[i].value / 7800;
+      const double term = slope(by_mass, impact::name_of(outcome), i) * by_mass.parameter[i].value / 7800;
       sum += term;
       size += std::abs(term);
     }
@@ -113,7 +113,7 @@ BOOST_AUTO_TEST_CASE(a_stiffer_material_acts_through_stiffnesses_alone) {
     double sum = 0, size = 0;
     for (std::size_t j = 0; j < 2; ++j) {
       const double term =
-          slope(by_stiffness, report::name_of(outcome), j) * by_stiffness.parameter[j].value / 210e9;
+          slope(by_stiffness, impact::name_of(outcome), j) * by_stiffness.parameter[j].value / 210e9;
       sum += term;
       size += std::abs(term);
     }

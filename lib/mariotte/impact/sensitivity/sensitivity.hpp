@@ -27,6 +27,11 @@ struct OutcomeSlopes {
   std::vector<std::optional<double>> slope = {};  ///< empty where there is none
 };
 
+/// "velocity[0]", or "time".
+inline std::string name_of(const OutcomeSlopes& outcome) {
+  return outcome.index ? outcome.name + "[" + std::to_string(*outcome.index) + "]" : outcome.name;
+}
+
 /// What a parameter is.
 struct ParameterValue {
   std::string name;

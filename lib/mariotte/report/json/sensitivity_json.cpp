@@ -10,10 +10,6 @@
 
 namespace mariotte::report {
 
-std::string name_of(const impact::OutcomeSlopes& outcome) {
-  return outcome.index ? fmt::format("{}[{}]", outcome.name, *outcome.index) : outcome.name;
-}
-
 void add_slopes(const impact::Sensitivity& slopes, Json& result) {
   Json names = Json::array(), values = Json::array(), derivative = Json::object();
   for (const auto& [name, value] : slopes.parameter) {

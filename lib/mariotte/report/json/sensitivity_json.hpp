@@ -17,7 +17,4 @@ std::string table(const impact::Sensitivity& slopes, const std::string& title);
 /// `outcome,value,unit`, then a column per parameter.
 std::string csv(const impact::Sensitivity& slopes);
 
-/// "velocity[0]", or "time".
-std::string name_of(const impact::OutcomeSlopes& outcome);
-
 }  // namespace mariotte::report

@@ -10,9 +10,7 @@ namespace {
 
 UncertainOutcome first_order(const impact::OutcomeSlopes& outcome,
                              const std::vector<UncertainInput>& inputs) {
-  UncertainOutcome result{
-      outcome.index ? outcome.name + "[" + std::to_string(*outcome.index) + "]" : outcome.name, outcome.unit,
-      outcome.value, 0.0};
+  UncertainOutcome result{name_of(outcome), outcome.unit, outcome.value, 0.0};
   double variance = 0;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     const auto& slope = outcome.slope[i];

@@ -37,10 +37,6 @@ void expect_known(const std::string& key, const char* what, const std::string& n
       fmt::format("'{}': this scene has no {} '{}'{}", key, what, name, suggestion(name, names)));
 }
 
-std::string name_of(const impact::OutcomeSlopes& outcome) {
-  return outcome.index ? fmt::format("{}[{}]", outcome.name, *outcome.index) : outcome.name;
-}
-
 Dimension difference(const Dimension& a, const Dimension& b) {
   return {.kg = a.kg - b.kg, .m = a.m - b.m, .s = a.s - b.s};
 }
