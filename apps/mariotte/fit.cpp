@@ -19,6 +19,7 @@ struct Options {
   std::string data;
   std::vector<std::string> free;
   double confidence = 0.95;
+  bool differences = false;
   std::string out;
   bool json = false;
   bool force = false;
@@ -59,6 +60,7 @@ int fit(const Options& options) try {
   const auto scene = resolve(options.scene, document);
   const auto free = free_keys(options, scene);
   study::FitModel model(std::move(document), free, study::read_measurements(options.data));
+  if (options.differences) model.leave_out_slopes();
   if (!options.out.empty()) prepare_fit_folder(options.out, options.force);
   return finish(options, scene, model, study::fit(model, free, options.confidence));
 } catch (const study::FitError& problem) {
@@ -90,7 +92,8 @@ OptionList declare(Options& options) {
         {"--confidence",
          &options.confidence,
          "Of the intervals",
-         {.check = Range{0.01, 0.9999}, .shows_default = true}}},
+         {.check = Range{0.01, 0.9999}, .shows_default = true}},
+        {"--differences", &options.differences, "Slopes by differences of runs alone, to compare"}},
        run_options(options.scene),
        {{"--out", &options.out, "Write result files and figures into this folder", {.value = "DIR"}},
         {"--json", &options.json, "One JSON object on stdout instead of the table"},

@@ -109,7 +109,8 @@ BOOST_AUTO_TEST_CASE(intervals_cover_the_truth_as_often_as_they_say) {
   for (const double deviation : {0.01, 0.05}) {
     int hertz = 0, adhesion = 0;
     for (int seed = 0; seed < seeds; ++seed) {
-      const auto fit = fitted(sphere, noisy(measured, deviation, static_cast<std::uint64_t>(seed)), dampings);
+      const auto fit =
+          fitted(sphere, noisy(measured, deviation, static_cast<std::uint64_t>(seed)), dampings, true);
       hertz += covers(fit.estimates[0], 1.5);
       adhesion += covers(fit.estimates[1], 0.5);
     }
@@ -117,6 +118,18 @@ BOOST_AUTO_TEST_CASE(intervals_cover_the_truth_as_often_as_they_say) {
       BOOST_TEST(std::abs(hertz - 0.95 * seeds) < allowed);
       BOOST_TEST(std::abs(adhesion - 0.95 * seeds) < allowed);
     }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(errors_follow_from_exact_slopes_as_from_differences) {
+  const auto measured = noisy(exact(sphere, true_dampings, speeds_and_diameters), 0.01, 7);
+  const auto exact = fitted(sphere, measured, dampings), other = fitted(sphere, measured, dampings, true);
+  BOOST_TEST(exact.runs_with_slopes == 24);
+  BOOST_TEST(exact.runs < other.runs);
+  BOOST_TEST(other.runs_with_slopes == 0);
+  for (std::size_t i = 0; i < 2; ++i) {
+    BOOST_TEST(exact.estimates[i].value == other.estimates[i].value);
+    BOOST_TEST(std::abs(exact.estimates[i].standard_error / other.estimates[i].standard_error - 1) < 1e-6);
   }
 }
 

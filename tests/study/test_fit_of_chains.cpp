@@ -85,3 +85,20 @@ BOOST_AUTO_TEST_CASE(what_a_result_does_not_have_is_refused) {
     BOOST_CHECK_THROW(fitted(row(1), measured, {"chain.stiffness"}), Error);
   }
 }
+
+BOOST_AUTO_TEST_CASE(exact_slopes_save_runs_and_find_the_same) {
+  std::string text = "speed,final.time\n";
+  for (const double v : {0.5, 1.0, 1.5, 2.0}) {
+    auto chain = chain_of(row(3e6));
+    chain.velocity[0] = v;
+    text += fmt::format("{},{:.17g}\n", v, impact::simulate(chain).time * (1 + 0.01 * std::sin(9 * v)));
+  }
+  const auto measured = study::parse_measurements(text, "data.csv");
+  const auto exact = fitted(row(1e6), measured, {"chain.stiffness"}),
+             other = fitted(row(1e6), measured, {"chain.stiffness"}, true);
+  BOOST_TEST(exact.runs < 0.85 * static_cast<double>(other.runs));
+  BOOST_TEST(exact.runs_with_slopes > 0);
+  BOOST_TEST(other.runs_with_slopes == 0);
+  BOOST_TEST(worst(exact, other.values()) < 1e-8);
+  BOOST_TEST(std::abs(exact.estimates[0].standard_error / other.estimates[0].standard_error - 1) < 1e-6);
+}

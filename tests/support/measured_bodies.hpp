@@ -69,8 +69,9 @@ inline study::Measurements noisy(study::Measurements measured, double deviation,
 }
 
 inline study::Fit fitted(const std::string& scene, const study::Measurements& measured,
-                         const std::vector<std::string>& free) {
+                         const std::vector<std::string>& free, bool differences = false) {
   study::FitModel model(scene::parse_document(scene, "scene.toml"), free, measured);
+  if (differences) model.leave_out_slopes();
   return study::fit(model, free);
 }
 

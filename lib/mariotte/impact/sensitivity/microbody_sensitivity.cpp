@@ -66,7 +66,8 @@ class BodySlopes {
     auto run_options = hybrid::scaled(options, system_.body().scale);
     run_options.accuracy = system_.accuracy();
     end_ = SlopeLoop(system_, variation, run_options, watch).follow(x0_, start_);
-    if (variation.slips_from_rest()) result_.notes.push_back(slip_from_rest_note());
+    result_.in_doubt = variation.slips_from_rest();
+    if (result_.in_doubt) result_.notes.push_back(slip_from_rest_note());
   }
 
   Sensitivity take() {

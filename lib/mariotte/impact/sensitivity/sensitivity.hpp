@@ -45,6 +45,7 @@ struct Sensitivity {
   std::vector<ParameterValue> parameter;
   std::vector<OutcomeSlopes> outcome;
   std::vector<std::string> notes;  ///< where slopes are large, one-sided or missing, and why
+  bool in_doubt = false;           ///< a note says that slopes may be wrong
 };
 
 /// The numbers of a chain: masses, velocities, gaps, numbers of its laws, and gravity if it acts.

@@ -31,7 +31,7 @@ std::string summary(const FitReport& report) {
     text += fmt::format(
         "they scatter {:.3g} times as much as their deviations say (χ² {:.4g}, {} degrees of freedom)\n",
         scatter(fit), fit.chi_square, fit.degrees_of_freedom);
-  return text;
+  return text + fmt::format("{} runs, {} of them with exact slopes\n", fit.runs, fit.runs_with_slopes);
 }
 
 std::string values(const study::Fit& fit) {
@@ -129,6 +129,7 @@ Json json(const FitReport& report) {
           {"chi_square", fit.chi_square},
           {"degrees_of_freedom", fit.degrees_of_freedom},
           {"runs", fit.runs},
+          {"runs_with_slopes", fit.runs_with_slopes},
           {"measurements", rows},
           {"provenance", provenance_json(sha256)}};
 }

@@ -15,7 +15,7 @@ namespace {
 
 using Values = std::vector<double>;
 
-// Slopes by differences have some six digits; keys whose effects differ by less cannot be told apart.
+// Differences have some six digits; keys whose effects differ by less cannot be told apart.
 constexpr double slope_tolerance = 1e-5;
 
 void expect_enough(const Measurements& measurements, std::size_t values) {
@@ -102,7 +102,7 @@ Fit fit(FitModel& model, const std::vector<std::string>& free, double confidence
   expect_separation(problem, start);
   const auto found = minimise({.count = static_cast<Index>(problem.count()),
                                .residuals = [&](auto x, auto r) { problem.residuals(x, r); },
-                               .slopes = [&](auto x, auto columns) { problem.slopes(x, columns); }},
+                               .slopes = [&](auto x, auto columns) { problem.search_slopes(x, columns); }},
                               start);
   const auto values = problem.values(found.x);
   Values columns(problem.count() * free.size());
@@ -117,6 +117,7 @@ Fit fit(FitModel& model, const std::vector<std::string>& free, double confidence
   fit.correlation = known.correlation;
   estimate(model, free, values, known, fit);
   fit.runs = model.runs();
+  fit.runs_with_slopes = model.runs_with_slopes();
   return fit;
 }
 

@@ -51,9 +51,10 @@ void FitModel::name_settings(const scene::Scene& scene) {
 void FitModel::expect_quantity(const scene::Scene& scene) {
   auto& quantity = measurements_.quantity;
   const auto* chain = std::get_if<model::Chain>(&scene.model);
+  is_body_ = std::holds_alternative<model::Microbody>(scene.model);
+  if (quantity == "restitution" && is_body_) quantity = "restitution.tip";
   std::vector<std::string> keys = {quantity};
   if (quantity == "restitution") {
-    if (std::holds_alternative<model::Microbody>(scene.model)) return void(quantity = "restitution.tip");
     if (!chain || chain->mass.size() != 2)
       throw scene::SceneError(
           document_.source.name + ": only a body, or two balls of a [chain], have a restitution",
@@ -62,6 +63,7 @@ void FitModel::expect_quantity(const scene::Scene& scene) {
   }
   evaluate_ = make_evaluate(expand_columns(keys, scene));
   columns_.resize(keys.size());
+  outcomes_ = outcomes_of(keys, scene);
 }
 
 void FitModel::find_start(const std::vector<std::string>& free) {
@@ -132,11 +134,18 @@ Prediction FitModel::of_row(std::size_t row, std::span<const double> values) try
   throw Error(place_of(measurements_.file, measurements_.rows[row].place) + ": " + error.what(), error.fault);
 }
 
-Prediction FitModel::at(const std::vector<Node>& settings, std::span<const double> values) {
+void FitModel::set_free(std::size_t i, double value) {
+  locate(document_.source, document_.tree, free_[i], free_places_[i]).value = value;
+}
+
+scene::Scene FitModel::scene_at(const std::vector<Node>& settings, std::span<const double> values) {
   set(settings);
-  for (std::size_t i = 0; i < free_.size(); ++i)
-    locate(document_.source, document_.tree, free_[i], free_places_[i]).value = values[i];
-  const auto scene = resolve(document_);
+  for (std::size_t i = 0; i < free_.size(); ++i) set_free(i, values[i]);
+  return resolve(document_);
+}
+
+Prediction FitModel::at(const std::vector<Node>& settings, std::span<const double> values) {
+  const auto scene = scene_at(settings, values);
   const auto* body = std::get_if<model::Microbody>(&scene.model);
   const auto prediction = body && measurements_.quantity.starts_with("restitution")
                               ? of_body(*body, scene.run)
@@ -146,10 +155,8 @@ Prediction FitModel::at(const std::vector<Node>& settings, std::span<const doubl
   return prediction;
 }
 
-Prediction FitModel::of_body(model::Microbody body, const hybrid::Options& options) {
-  body.impacts = 1;
-  body.after_capture = model::AfterCapture::stop;
-  const auto& end = solver_.solve(body, options);
+Prediction FitModel::of_body(const model::Microbody& body, const hybrid::Options& options) {
+  const auto& end = solver_.solve(first_impact(body), options);
   if (end.ending == hybrid::Ending::captured) return {.value = 0, .captured = true};
   if (end.ending != hybrid::Ending::separated)
     throw Error(std::string("the run ended with ") + hybrid::name(end.ending) + ": " + end.message);

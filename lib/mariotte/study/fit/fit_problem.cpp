@@ -61,21 +61,30 @@ void FitProblem::residuals(std::span<const double> x, std::span<double> r) const
 }
 
 void FitProblem::slopes(std::span<const double> x, std::span<double> columns) const {
-  const auto here = predicted(x);
-  for (std::size_t j = 0; j < x.size(); ++j) {
-    const auto less = predicted(moved(x, j, -step_)), more = predicted(moved(x, j, step_));
-    for (std::size_t row = 0; row < count(); ++row)
+  fill(x, columns, true);
+}
+
+void FitProblem::search_slopes(std::span<const double> x, std::span<double> columns) const {
+  fill(x, columns, model_.searches_by_slopes());
+}
+
+void FitProblem::fill(std::span<const double> x, std::span<double> columns, bool exact) const {
+  const auto at = values(x);
+  for (std::size_t row = 0; row < count(); ++row) {
+    const auto known = exact ? model_.slopes_of_row(row, at) : Slopes(x.size());
+    for (std::size_t j = 0; j < x.size(); ++j)
       columns[j * count() + row] =
-          -slope(less[row], here[row], more[row]) / model_.measurements().rows[row].deviation;
+          -(known[j] ? *known[j] * at[j] : difference(row, x, j)) / model_.measurements().rows[row].deviation;
   }
 }
 
-double FitProblem::slope(const Prediction& less, const Prediction& here, const Prediction& more) const {
+double FitProblem::difference(std::size_t row, std::span<const double> x, std::size_t j) const {
+  const auto predicted = [&](double step) { return model_.of_row(row, values(moved(x, j, step))); };
+  const auto less = predicted(-step_), more = predicted(step_);
+  if (!less.captured && !more.captured) return (more.value - less.value) / (2 * step_);
+  const auto here = predicted(0);
   if (here.captured || (less.captured && more.captured)) return 0;
-  const auto& low = less.captured ? here : less;
-  const auto& high = more.captured ? here : more;
-  const double width = less.captured || more.captured ? step_ : 2 * step_;
-  return (high.value - low.value) / width;
+  return (less.captured ? more.value - here.value : here.value - less.value) / step_;
 }
 
 double FitProblem::sum_of_squares(std::span<const double> x) const {
