@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "family.hpp"
+#include "friction_contacts.hpp"
 #include "mariotte/report/number.hpp"
 #include "mariotte/scene/scene.hpp"
 
@@ -14,42 +15,12 @@ using report::exact;
 using std::numbers::pi;
 using Components = std::vector<double>;
 
-constexpr double radius = 0.01, mass = 0.03, speed = 1;
+constexpr double radius = ball_radius, mass = ball_mass, speed = ball_speed;
 
 std::string array(const Components& values) {
   std::string all;
   for (const double value : values) all += (all.empty() ? "" : ", ") + exact(value);
   return "[" + all + "]";
-}
-
-/// What holds for every contact: sizes follow from how deep a ball would indent at the speed of the scene.
-struct Contacts {
-  double depth, time;  ///< natural ones
-  std::string text;
-};
-
-std::string tangential(Dice& dice, double stiffness, double exponent, double depth, bool may_be_rigid) {
-  const double ratio = dice.uniform(0.2, 1.6),
-               friction = dice.chance(0.2) ? dice.between(0.5, 3) : dice.uniform(0.02, 0.6);
-  const auto words = [&](const char* law) {
-    return fmt::format("tangential = \"{}\"\nfriction = {}\n", law, exact(friction));
-  };
-  const double kind = dice.uniform(0, 1);
-  if (kind < 0.1) return "tangential = \"none\"\n";
-  if (kind < 0.35 && may_be_rigid) return words("rigid");
-  const double secant = ratio * stiffness * std::pow(depth, exponent - 1);
-  if (kind < 0.6) return words("spring") + fmt::format("tangential_stiffness = {}\n", exact(secant));
-  return words("mindlin") + fmt::format("tangential_stiffness = {}\n", exact(secant / std::sqrt(depth)));
-}
-
-Contacts some_contacts(Dice& dice, bool may_be_rigid = true) {
-  const double depth = radius * dice.between(1e-5, 3e-3), exponent = dice.chance(0.7) ? 1.5 : 1;
-  const double stiffness = mass * speed * speed / std::pow(depth, exponent + 1);
-  const double damping = dice.chance(0.6) ? 0 : dice.between(0.01, 1) * stiffness * depth / speed;
-  auto text = fmt::format("law = \"viscoelastic\"\nexponent = {}\nstiffness = {}\ndamping = {}\nshare = {}\n",
-                          exact(exponent), exact(stiffness), exact(damping), dice.pick({0, 0.5, 1}));
-  text += tangential(dice, stiffness, exponent, depth, may_be_rigid);
-  return {depth, depth / speed, text};
 }
 
 /// One body, its mass centre at `position`.
@@ -130,7 +101,7 @@ Scene two_balls(Dice& dice) {
 
 /// Balls that touch in a row, struck obliquely.
 Scene struck_row(Dice& dice) {
-  const auto contacts = some_contacts(dice);
+  const auto contacts = some_contacts(dice, {.adhesion = false});
   const double angle = dice.uniform(-0.6, 0.6);
   std::string text =
       body(dice, {0, 0}, {speed * std::cos(angle), speed * std::sin(angle)}, some_spin(dice), ball);
@@ -144,7 +115,7 @@ Scene struck_row(Dice& dice) {
 
 /// Three balls in space that come together at about one instant.
 Scene ring(Dice& dice) {
-  const auto contacts = some_contacts(dice);
+  const auto contacts = some_contacts(dice, {.adhesion = false});
   std::string text;
   for (int i = 0; i < 3; ++i) {
     const double way = 2 * pi / 3 * i, far = 2 / std::sqrt(3.0) * radius + radius * dice.between(1e-4, 1e-2);
@@ -157,7 +128,7 @@ Scene ring(Dice& dice) {
 
 /// Something long that falls on a floor with one end first, and hits it again.
 Scene dropped(Dice& dice) {
-  const auto contacts = some_contacts(dice);
+  const auto contacts = some_contacts(dice, {.adhesion = false});
   const std::string gravity = dice.chance(0.5) ? "gravity = [0, -9.81]\n" : "";
   const Components velocity{speed * dice.uniform(-1, 1), -speed * dice.uniform(0.1, 1)};
   return scene_of(
@@ -168,7 +139,7 @@ Scene dropped(Dice& dice) {
 
 /// A ball on a floor under gravity, pushed or spun, which another one may strike.
 Scene on_the_floor(Dice& dice) {
-  const auto contacts = some_contacts(dice, false);
+  const auto contacts = some_contacts(dice, {.rigid = false, .adhesion = false});
   std::string text = "gravity = [0, -9.81]\n" +
                      body(dice, {0, radius}, {speed * dice.uniform(0, 1), 0}, some_spin(dice), ball);
   const bool struck = dice.chance(0.5);
@@ -181,7 +152,7 @@ Scene on_the_floor(Dice& dice) {
 
 /// A ball between a resting floor and a wall that moves.
 Scene moving_wall(Dice& dice) {
-  const auto contacts = some_contacts(dice, false);
+  const auto contacts = some_contacts(dice, {.rigid = false, .adhesion = false});
   const auto wall = fmt::format("[[bodies.plane]]\npoint = [{}, 0]\nnormal = [-1, 0]\nvelocity = [{}, {}]\n",
                                 exact(1.5 * radius), exact(-speed * dice.uniform(0, 1)),
                                 exact(speed * dice.uniform(-1, 1)));

@@ -61,10 +61,9 @@ Law some_plastic(Dice& dice, double mass) {
   return make("thornton", numbers);
 }
 
-/// A law that yields at contact radii below (5/4 s R)^{2/3}, s² = 2πw/E*, gains energy: none of these.
 Law some_adhesive(Dice& dice, double mass) {
   auto numbers = some_sphere(dice, mass);
-  const double e = numbers.effective_modulus, r = numbers.effective_radius, w = numbers.work_of_adhesion;
+  const double e = numbers.effective_modulus, r = numbers.effective_radius;
   const int kind = dice.whole(0, 2);
   if (kind == 0) {
     numbers.damping = dice.pick({0, dice.between(1e-3, 1) * e * std::sqrt(mass / (e * r))});
@@ -74,11 +73,9 @@ Law some_adhesive(Dice& dice, double mass) {
     numbers.damping = dice.pick({0, dice.between(1e-3, 1) * std::sqrt(mass * e * r)});
     return make("dmt", numbers);
   }
-  const double snap = std::cbrt(2 * pi * w * r * r / e * 25 / 16);
-  const double least = std::max(0.0, 2 * e * snap / (pi * r) - std::sqrt(2 * w * e / (pi * snap)));
   const Law elastic = contact::Hertz{4.0 / 3 * e * std::sqrt(r)};
-  numbers.yield_pressure =
-      least + pressure_at(dice.between(1e-3, 2) * natural_depth(elastic, 1 / mass, 1), numbers);
+  numbers.yield_pressure = least_yield_pressure(numbers) +
+                           pressure_at(dice.between(1e-3, 2) * natural_depth(elastic, 1 / mass, 1), numbers);
   return make("thornton-ning", numbers);
 }
 

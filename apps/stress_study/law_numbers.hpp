@@ -1,6 +1,8 @@
 // Laws that scenes name, as lists of numbers.
 #pragma once
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "mariotte/contact/named_laws.hpp"
 
@@ -10,6 +12,15 @@ namespace mariotte::stress_study {
 inline const contact::NamedLaw& named_law(std::string_view name) {
   return *std::find_if(contact::named_laws.begin(), contact::named_laws.end(),
                        [&](const contact::NamedLaw& one) { return one.name == name; });
+}
+
+/// Pressure above which a contact that yields and adheres has passed its snap-in: one that yields at contact
+/// radii below (5/4 s R)^{2/3}, s² = 2πw/E*, gains energy.
+inline double least_yield_pressure(const contact::LawNumbers& numbers) {
+  using std::numbers::pi;
+  const double e = numbers.effective_modulus, r = numbers.effective_radius, w = numbers.work_of_adhesion;
+  const double snap = std::cbrt(2 * pi * w * r * r / e * 25 / 16);
+  return std::max(0.0, 2 * e * snap / (pi * r) - std::sqrt(2 * w * e / (pi * snap)));
 }
 
 /// The same law after `change(key, value)` of each of its numbers.

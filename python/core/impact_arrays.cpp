@@ -96,16 +96,16 @@ py::array tangential_impulse(const py::object& self) {
   return view(first, {std::ssize(bodies.contacts)}, {sizeof(BodyHistory)}, self);
 }
 
-/// By slip, by Mindlin's law and by dampers.
+/// In the order of `impact::each_loss`.
 py::tuple losses(const py::object& self) {
   const auto& contacts = whole<Bodies>(self.cast<const Impact&>()).contacts;
-  const auto one = [&](double impact::ContactLosses::*member) {
+  const auto one = [&](double impact::ContactLosses::*member) -> py::array {
     const double* const first = contacts.empty() ? nullptr : &(contacts.front().losses.*member);
     return view(first, {std::ssize(contacts)}, {sizeof(BodyHistory)}, self);
   };
-  using impact::ContactLosses;
-  return py::make_tuple(one(&ContactLosses::friction), one(&ContactLosses::rescale),
-                        one(&ContactLosses::damper));
+  py::tuple all(impact::each_loss.size());
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = one(impact::each_loss[i]);
+  return all;
 }
 
 py::list between(const Impact& impact) {

@@ -23,7 +23,7 @@ class Event(NamedTuple):
     unload: Places = ()  #: contacts whose indentation begins to fall
     load: Places = ()  #: contacts of bodies whose indentation grows again
     reverse: Places = ()  #: rigid contacts of bodies whose slip turns round
-    slack: Places = ()  #: contacts of bodies whose damper takes all of the force
+    slack: Places = ()  #: contacts of bodies whose damper takes all of the force, or that begin to pull
     grip: Places = ()  #: contacts of bodies that push again after that
     touch: Places = ()  #: contacts of bodies at rest at gap 0 that are pressed or part
     part: Places = ()  #: of these, those that part without a force

@@ -125,10 +125,6 @@ BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused_by_name) {
   check_refused(pair + "[[bodies.body]]\nposition = [0, \"5 mm\"]\n", "overlap at the start");
   check_refused(pair + "[[bodies.body]]\nposition = [1, 0]\nquaternion = [1, 0, 0, 0]\n", "is for space");
   check_refused(pair + "[run]\ngravity = 9.81\n", "'bodies.gravity'");
-  check_refused(pair +
-                    "[[bodies.contact]]\nbetween = [1, 2]\nlaw = \"jkr\"\neffective_modulus = 1e9\n"
-                    "effective_radius = 0.01\nwork_of_adhesion = 1\n",
-                "does not follow");
 }
 
 BOOST_AUTO_TEST_CASE(bodies_that_come_back_need_a_time_limit) {
@@ -137,4 +133,16 @@ BOOST_AUTO_TEST_CASE(bodies_that_come_back_need_a_time_limit) {
   text.insert(text.find("law"), "gravity = [0, -9.81]\n");
   check_refused(text, "'run.until' or 'run.max_time' is needed");
   BOOST_TEST(read(text + "[run]\nuntil = 1\n").gravity.e2 == -9.81);
+}
+
+BOOST_AUTO_TEST_CASE(laws_that_yield_and_adhere_are_read) {
+  auto text = pair;
+  text.replace(text.find("law = \"hertz\"\nstiffness = 1e9\ntangential = \"mindlin\""), 52,
+               "law = \"jkr\"\neffective_modulus = 1e9\neffective_radius = 5e-3\nwork_of_adhesion = 0.1\n"
+               "tangential = \"spring\"");
+  check_refused(text, "adhere, and may stay together for ever");
+  const auto bodies = read(text + "[run]\nuntil = 1\n");
+  BOOST_TEST(contact::adheres(bodies.contact[0].law));
+  text.replace(text.find("\"spring\""), 8, "\"mindlin\"");
+  check_refused(text, "beside the law 'jkr' friction is rigid or a spring");
 }

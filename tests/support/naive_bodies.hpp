@@ -58,6 +58,7 @@ class NaiveBodies {
     double offset;         ///< of the gap, so that what touches does so to the last bit
     Vector3 tangential{};  ///< T or k ξ, against the slip of b
     Vector3 normal{};
+    NaiveMemory past{};
     double depth = 0;
     double gap = 0;
   };
@@ -139,7 +140,8 @@ class NaiveBodies {
     const auto a = side(one.pair.a, b, normal);
     one.gap = dot(normal, b.centre - a.centre) - a.radius - b.radius - one.offset;
     const double depth = -one.gap;
-    if (depth <= 0) {
+    one.past = {.peak = std::max(one.past.peak, depth), .attached = one.law.adheres(one.past, depth)};
+    if (depth <= 0 && !one.past.attached) {
       one.tangential = {};
       one.depth = 0;
       return;
@@ -148,7 +150,7 @@ class NaiveBodies {
     const Vector3 lever_a = a.arm + (a.radius - (1 - one.pair.share) * depth) * normal;
     const Vector3 relative = b.velocity + cross(b.spin, lever_b) - a.velocity -
                              (one.pair.a.is_plane() ? Vector3{} : cross(a.spin, lever_a));
-    const double force = one.law.force({}, depth, -dot(relative, normal));
+    const double force = one.law.force(one.past, depth, -dot(relative, normal));
     grow(one, normal, depth, force, relative, a.spin + b.spin, step);
     const Vector3 push = force * normal - one.tangential;
     add(one.pair.b, push, lever_b);
@@ -173,7 +175,7 @@ class NaiveBodies {
     const double stiffness = mindlin ? law.stiffness * std::sqrt(middle) : law.stiffness;
     const Vector3 slip = relative - dot(relative, normal) * normal;
     one.tangential = one.tangential + (stiffness * step) * slip;
-    const double size = norm(one.tangential), limit = law.friction * force;
+    const double size = norm(one.tangential), limit = law.friction * std::max(0.0, force);
     if (size > limit) one.tangential = (limit / size) * one.tangential;
     one.normal = normal;
     one.depth = depth;

@@ -80,6 +80,35 @@ class ScaledBranches final : public BranchedLaw {
 
 }  // namespace
 
+void begin(Memory& past, const BranchedLaw& law) {
+  past.recedes = false;
+  const double from = law.closing_indentation(past);
+  if (past.peak > 0)
+    past.branch = Branch::unloading;
+  else
+    past.branch = law.yield_indentation(past) <= from ? Branch::plastic : Branch::elastic;
+  past.adhesion_loss -= law.stored_energy(past, from);
+}
+
+void end(Memory& past, const BranchedLaw& law) {
+  past.adhesion_loss += law.stored_energy(past, law.opening_indentation(past));
+}
+
+void yield(Memory& past) {
+  past.branch = Branch::plastic;
+  past.recedes = false;
+}
+
+void turn(Memory& past, const BranchedLaw& law, double indentation) {
+  past.recedes = !past.recedes;
+  if (past.recedes && past.branch == Branch::plastic) {
+    past.branch = Branch::unloading;
+    past.peak = indentation;
+  } else if (!past.recedes && indentation >= law.yield_indentation(past)) {
+    past.branch = Branch::plastic;
+  }
+}
+
 SharedLaw in_units(const BranchedLaw& law, const SharedLaw& owner, const Scale& scale) {
   return std::make_shared<ScaledBranches>(law, owner, scale);
 }

@@ -55,6 +55,13 @@ class BranchedLaw : public CustomLaw {
   const BranchedLaw* branched() const final { return this; }
 };
 
+/// What a contact remembers changes where it begins and ends, with what adhesion gives and takes there; where
+/// it has reached the indentation at which it yields; and where its rate of indentation changes its sign.
+void begin(Memory& past, const BranchedLaw& law);
+void end(Memory& past, const BranchedLaw& law);
+void yield(Memory& past);
+void turn(Memory& past, const BranchedLaw& law, double indentation);
+
 /// Lost to yielding so far by a contact at this indentation [J].
 inline double plastic_loss(const BranchedLaw& law, const Memory& past, double indentation) {
   const double depth = past.branch == Branch::plastic ? indentation : past.peak;

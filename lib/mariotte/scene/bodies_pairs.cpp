@@ -178,15 +178,6 @@ double read_share(const Source& source, const Field& field) {
   return share;
 }
 
-void expect_followed(const Source& source, const Field& place, const contact::Law& law) {
-  if (contact::branched(law))
-    reject(source, place, fault::misplaced,
-           "law '" + std::string(name(law)) + "' has branches, which [bodies] does not follow");
-  if (contact::pulls(law))
-    reject(source, place, fault::misplaced,
-           "law '" + std::string(name(law)) + "' can pull, which [bodies] does not follow");
-}
-
 /// Speed at which the centres of two spheres, or of one and a plane, approach; not negative.
 double approach(const model::Bodies& model, const Pair& pair) {
   const auto velocity = [&](const Feature& feature) {
@@ -200,10 +191,7 @@ model::BodyContact read_contact(const Source& source, const LawTables& tables, I
                                 const BallPair& balls, Encounters& encounters) {
   model::BodyContact contact{.a = pair.a, .b = pair.b, .law = {}};
   ErrorList errors;
-  errors.attempt([&] {
-    contact.law = read_law(source, tables, c, balls, encounters);
-    expect_followed(source, tables.place_of(c), contact.law);
-  });
+  errors.attempt([&] { contact.law = read_law(source, tables, c, balls, encounters); });
   errors.attempt([&] { contact.tangential = read_tangential(source, tables, c, *balls.left, *balls.right); });
   if (const auto field = tables.find_for(c, "share"))
     errors.attempt([&] { contact.share = read_share(source, *field); });

@@ -96,6 +96,7 @@ ResolvedModel resolve_bodies(Source& source, const Field& root, const Field& bod
   expect_end(source, root, bodies, resolved.bodies);
   try {
     model::validate(resolved.bodies);
+    model::expect_end(resolved.bodies, has_limit(root) ? 0 : infinity);
   } catch (const InvalidParameter& error) {
     reject(source, bodies, error.fault, error.what());
   }

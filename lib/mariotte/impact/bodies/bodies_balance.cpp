@@ -46,6 +46,21 @@ Vector3 impulse(const model::Bodies& bodies, const BodyContactHistory& contact) 
   return contact.normal_impulse * normal + along;
 }
 
+/// What the law of a contact remembers as lost.
+void add_remembered(const contact::Law& law, const contact::Memory& past, double depth,
+                    ContactLosses& losses) {
+  const auto* branches = contact::branched(law);
+  if (!branches) return;
+  losses.plastic += contact::plastic_loss(*branches, past, depth);
+  losses.adhesion += past.adhesion_loss;
+}
+
+double stored(const contact::Law& law, const contact::Memory& past, double indentation) {
+  const auto* branches = contact::branched(law);
+  return branches ? branches->stored_energy(past, indentation)
+                  : contact::stored_energy(law, std::max(0.0, indentation));
+}
+
 }  // namespace
 
 template <int D>
@@ -60,6 +75,7 @@ std::vector<BodyContactHistory> exchanged(const model::BodiesSystem<D>& system, 
     list[c].normal_impulse = totals.normal;
     std::copy(totals.tangential.begin(), totals.tangential.end(), along[c].begin());
     list[c].losses = {totals.friction, totals.rescale, totals.damper};
+    add_remembered(system.setting().contact[c].law, memory_of(mode, list[c].contact), 0, list[c].losses);
   }
   const auto& field = system.field(mode, x);
   for (std::size_t k = 0; k < mode.closed.size(); ++k) {
@@ -74,7 +90,9 @@ std::vector<BodyContactHistory> exchanged(const model::BodiesSystem<D>& system, 
     history.losses.rescale += x[loss + 1];
     history.losses.damper += x[loss + 2];
     const double depth = std::max(0.0, -now.motion.gap);
-    history.stored = contact::stored_energy(contact.law, depth);
+    history.stored = stored(contact.law, one.past, -now.motion.gap);
+    history.losses.plastic = history.losses.adhesion = 0;
+    add_remembered(contact.law, one.past, depth, history.losses);
     if (contact.tangential.has_spring() && depth > 0)
       history.stored += 0.5 * dot(now.friction, now.friction) / now.spring;
   }
@@ -99,9 +117,7 @@ void balance(const model::Bodies& bodies, const model::BodiesSystem<D>& system, 
   }
   for (const auto& contact : contacts) {
     energy.stored += contact.stored;
-    energy.losses.friction += contact.losses.friction;
-    energy.losses.rescale += contact.losses.rescale;
-    energy.losses.damper += contact.losses.damper;
+    for (const auto loss : each_loss) energy.losses.*loss += contact.losses.*loss;
     if (!bodies.contact[contact.contact].a.is_plane()) continue;
     const Vector3 one = impulse(bodies, contact);
     given = given + one;
@@ -137,13 +153,17 @@ std::vector<Balance> balances(const model::BodiesSystem<D>& system, const model:
       {"the momentum balance [N s]", norm(impact.momentum_residual), slack * 2 * natural / setting.speed}};
   double least = 0, lowest = 0;
   for (const auto& contact : contacts)
-    least = std::min({least, contact.losses.friction, contact.losses.rescale, contact.losses.damper});
+    for (const auto loss : each_loss) least = std::min(least, contact.losses.*loss);
   list.push_back({"a loss, which is below 0 [J],", least, slack * natural});
   const auto& field = system.field(mode, end);
   std::vector<bool> is_closed(contacts.size());
   for (const auto& one : mode.closed) is_closed[one.contact] = true;
   for (std::size_t c = 0; c < contacts.size(); ++c)
-    if (!is_closed[c]) lowest = std::min(lowest, field.motion(static_cast<Index>(c)).gap);
+    if (!is_closed[c]) {
+      const Index i = static_cast<Index>(c);
+      const double dent = model::closing_depth(setting.contact[c].law, memory_of(mode, i));
+      lowest = std::min(lowest, field.motion(i).gap + dent);
+    }
   list.push_back({"the gap of an open contact [m]", lowest, slack * setting.length});
   return list;
 }

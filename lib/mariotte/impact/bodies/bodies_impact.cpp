@@ -166,6 +166,7 @@ BodiesImpact simulate(const model::Bodies& bodies, const hybrid::Options& option
                       const RunObserver& observers) {
   model::validate(bodies);
   hybrid::validate(options);
+  model::expect_end(bodies, options.max_time);
   const double attainable = attainable_accuracy(bodies);
   auto possible = options;
   possible.accuracy = std::max(options.accuracy, attainable);

@@ -27,9 +27,14 @@ struct ContactLosses {
   double friction = 0;  ///< by slip
   double rescale = 0;   ///< by Mindlin's law, whose stiffness falls on unloading
   double damper = 0;    ///< by dampers of the normal laws
+  double plastic = 0;   ///< by yielding
+  double adhesion = 0;  ///< where adhesive contacts snap in and let go
 
-  double total() const { return friction + rescale + damper; }
+  double total() const { return friction + rescale + damper + plastic + adhesion; }
 };
+inline constexpr std::array each_loss = {&ContactLosses::friction, &ContactLosses::rescale,
+                                         &ContactLosses::damper, &ContactLosses::plastic,
+                                         &ContactLosses::adhesion};
 
 /// What one contact did.
 struct BodyContactHistory {

@@ -31,6 +31,19 @@ double radius_of(const Bodies& bodies, const Feature& feature) {
   return bodies.body[feature.owner].spheres[feature.sphere].radius;
 }
 
+/// Speed at which the two come nearer.
+double approach(const Bodies& bodies, const BodyContact& contact) {
+  const auto velocity = [&](const Feature& feature) {
+    const auto& body = bodies.body[feature.owner];
+    return body.velocity + cross(body.spin, centre_of(bodies, feature) - body.position);
+  };
+  const bool is_plane = contact.a.is_plane();
+  const auto& plane = bodies.plane;
+  const Vector3 apart =
+      is_plane ? plane[contact.a.owner].normal : centre_of(bodies, contact.b) - centre_of(bodies, contact.a);
+  return dot(apart, (is_plane ? plane[contact.a.owner].velocity : velocity(contact.a)) - velocity(contact.b));
+}
+
 void check_inertia(const Bodies& bodies, const Body& body, const std::string& name) {
   const auto& [a, b, c] = body.inertia;
   if (bodies.dimension == 2) {
@@ -64,6 +77,9 @@ void check_contact(const Bodies& bodies, const BodyContact& contact) {
     throw InvalidParameter(name + ": friction must be at least 0");
   if (tangential.has_spring() && !is_positive(tangential.stiffness))
     throw InvalidParameter(name + ": the tangential stiffness must be positive and finite");
+  if (tangential.law == TangentialLaw::mindlin && contact::branched(contact.law))
+    throw InvalidParameter(name + ": Mindlin's stiffness is that of a Hertz contact; beside the law '" +
+                           std::string(contact::name(contact.law)) + "' friction is rigid or a spring");
   if (!(contact.share >= 0 && contact.share <= 1))
     throw InvalidParameter(name + ": share must be between 0 and 1");
   if (!contact.a.is_plane() && radius_of(bodies, contact.a) + radius_of(bodies, contact.b) == 0)
@@ -71,6 +87,9 @@ void check_contact(const Bodies& bodies, const BodyContact& contact) {
   if (start_gap(bodies, contact) < 0)
     throw InvalidParameter(name + " overlap at the start, by " + std::to_string(-start_gap(bodies, contact)) +
                            " m; say touching = true if that is rounding");
+  if (contact::adheres(contact.law) && start_gap(bodies, contact) == 0 && !(approach(bodies, contact) > 0))
+    throw InvalidParameter(name +
+                           " touch at rest and adhere: whether they have snapped in is open; leave a gap");
 }
 
 }  // namespace
@@ -106,6 +125,14 @@ double start_gap(const Bodies& bodies, const BodyContact& contact) {
       is_plane ? dot(bodies.plane[contact.a.owner].normal, centre - other) : norm(centre - other);
   const double gap = apart - radii, rounding = 16 * epsilon * (norm(centre) + norm(other) + radii);
   return gap < 0 && gap > -rounding ? 0 : gap;
+}
+
+void expect_end(const Bodies& bodies, double max_time) {
+  if (max_time < infinity) return;
+  for (const auto& contact : bodies.contact)
+    if (contact::adheres(contact.law))
+      throw InvalidParameter(name_of(bodies, contact.a) + " and " + name_of(bodies, contact.b) +
+                             " adhere, and may stay together for ever: give the run an end");
 }
 
 void validate(const Bodies& bodies) {

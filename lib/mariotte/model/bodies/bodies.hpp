@@ -98,4 +98,7 @@ double start_gap(const Bodies& bodies, const BodyContact& contact);
 /// Throws InvalidParameter unless masses, moments, radii, laws and motion make sense, and no pair overlaps.
 void validate(const Bodies& bodies);
 
+/// Throws InvalidParameter if bodies may adhere for ever and no `max_time` [s] ends that.
+void expect_end(const Bodies& bodies, double max_time);
+
 }  // namespace mariotte::model

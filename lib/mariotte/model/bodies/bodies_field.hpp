@@ -135,10 +135,11 @@ class BodiesField {
     a.moment = a.moment - moment(c.lever_a, force);
   }
 
-  /// Linear forces go on past zero, so that a step which reaches beyond separation meets no kink.
+  /// Linear forces, and those with branches, go on past zero, so that a step which reaches beyond separation
+  /// meets no kink.
   T depth_of(const SettingContact<D>& one, const ContactMotion<T, D>& c) const {
     const auto* power = contact::power_law(one.law);
-    return power && power->exponent == 1 ? T(-c.gap) : c.indentation;
+    return contact::branched(one.law) || (power && power->exponent == 1) ? T(-c.gap) : c.indentation;
   }
 
   /// Elastic force and stiffness k_t of the same power of δ: f_n/k_t = ratio δ.
@@ -161,7 +162,7 @@ class BodiesField {
     const auto& one = setting_.contact[mode.contact];
     if (mode.slack) return T(0.0);
     const T rate = -c.motion.gap_rate;
-    const auto slopes = law_slopes<T>(one.law, c.motion.indentation, rate);
+    const auto slopes = law_slopes<T>(one.law, mode.past, c.motion.indentation, rate);
     if (!contact::dissipates(one.law)) return slopes.by_indentation * rate;
     return slopes.by_indentation * rate - slopes.by_rate * gap_acceleration(mode.contact, c.motion);
   }
@@ -188,8 +189,10 @@ class BodiesField {
     const auto& one = setting_.contact[mode.contact];
     c.motion = motion(mode.contact);
     const T depth = depth_of(one, c.motion), rate = -c.motion.gap_rate;
-    c.elastic = contact::dissipates(one.law) || mode.slack ? law_force<T>(one.law, depth, T(0.0)) : T(0.0);
-    c.normal = mode.slack ? T(0.0) : law_force<T>(one.law, depth, rate);
+    const bool lets_go = mode.slack && !contact::pulls(one.law);
+    c.elastic =
+        contact::dissipates(one.law) || lets_go ? law_force<T>(one.law, mode.past, depth, T(0.0)) : T(0.0);
+    c.normal = lets_go ? T(0.0) : law_force<T>(one.law, mode.past, depth, rate);
     c.friction = lift<T>(Vec<double, D>{});
     c.direction = c.friction;
     set_spring(one, c);

@@ -100,17 +100,18 @@ double BodiesPhase<D>::meeting(ConstState x, Index contact, double limit) const 
   const double arm_b = norm(sphere_b.arm), arm_a = is_plane ? 0 : norm(setting_.sphere[c.a].arm);
   const double fall = is_plane ? dot(now.normal, setting_.gravity) : 0;
   const bool turns_a = !is_plane && arm_a > 0 && norm(a.spin) > 0, turns_b = arm_b > 0 && norm(b.spin) > 0;
-  double gap = std::max(now.gap, 0.0);
+  const double dent = closing_depth(contact);
+  double gap = std::max(now.gap + dent, 0.0);
   if (std::find(mode_->touching.begin(), mode_->touching.end(), contact) != mode_->touching.end()) {
     if (now.gap_rate > -setting_.slip_noise * setting_.speed) return infinity;
     gap = std::max(now.gap + setting_.gap_noise * c.length, 0.0);
   }
   if (is_plane && !turns_b) return flow::first_crossing(flow::Crossing::falling, gap, now.gap_rate, fall);
 
-  const double radii = sphere_b.radius + (is_plane ? 0 : setting_.sphere[c.a].radius);
+  const double radii = sphere_b.radius + (is_plane ? 0 : setting_.sphere[c.a].radius) - dent;
   const Vec<double, D> relative = b.velocity - (is_plane ? setting_.plane_velocity[c.plane] : a.velocity);
   if (!turns_a && !turns_b) {
-    const double distance = radii + now.gap, slope = distance * now.gap_rate, ends = gap * (distance + radii);
+    const double distance = radii + gap, slope = distance * now.gap_rate, ends = gap * (distance + radii);
     const double speed = dot(relative, relative), square = slope * slope - speed * ends;
     return slope < 0 && square >= 0 ? ends / (std::sqrt(square) - slope) : infinity;
   }
@@ -121,14 +122,14 @@ double BodiesPhase<D>::meeting(ConstState x, Index contact, double limit) const 
   if (is_plane) {
     bend += std::abs(fall);
     const double reach = arm_b;
-    const double centre = now.gap - dot(now.normal, sphere_motion(sphere_b, b).arm);
+    const double centre = now.gap + dent - dot(now.normal, sphere_motion(sphere_b, b).arm);
     const double rate = dot(now.normal, relative);
     if (rate >= 0 && fall >= 0 && centre > reach) return infinity;
     if (fall == 0 && rate < 0 && centre > reach) window.first = (centre - reach) / -rate;
     if (fall == 0 && rate > 0) window.last = (reach - centre) / rate;
   } else {
     const auto on_a = sphere_motion(setting_.sphere[c.a], a), on_b = sphere_motion(sphere_b, b);
-    const Vec<double, D> spheres = (now.gap + radii) * now.normal;
+    const Vec<double, D> spheres = (now.gap + dent + radii) * now.normal;
     const Vec<double, D> centres = spheres - on_b.arm + on_a.arm;
     window = near<D>(centres, relative, radii + arm_a + arm_b);
     const double across = norm(relative) + norm(a.spin) * arm_a + norm(b.spin) * arm_b;
@@ -147,7 +148,7 @@ double BodiesPhase<D>::meeting(ConstState x, Index contact, double limit) const 
     const auto there_b = motion_of(setting_.body[body_b], layout_, ConstState(flown), body_b);
     if (!is_plane) a = motion_of(setting_.body[body_a], layout_, ConstState(flown), body_a);
     const auto there = contact_motion(setting_, c, is_plane ? nullptr : &a, there_b, flown[layout_.clock()]);
-    const double h = std::max(there.gap, 0.0), slope = there.gap_rate;
+    const double h = std::max(there.gap + dent, 0.0), slope = there.gap_rate;
     const double root = std::sqrt(slope * slope + 2 * bend * h);
     const double ahead = slope > 0 ? (slope + root) / bend : 2 * h / (root - slope);
     if (slope <= 0 && left && ahead <= least * std::max(t, setting_.time)) return t;

@@ -13,11 +13,15 @@ constexpr double certain = 0.999;
 
 }  // namespace
 
-/// By leading terms: whether T grows more slowly than its cap. Both are compared shortly after the start.
+/// By leading terms: whether T grows more slowly than its cap. Both are compared shortly after the start, or
+/// after an adhesive contact begins to push.
 template <int D>
-bool BodiesSystem<D>::starts_in_stick(const SettingContact<D>& one, double slip, double approach) const {
-  const double soon = 1e-10 * one.time, depth = approach * soon;
-  const double cap = one.tangential.friction * contact::smooth_force(one.law, depth, approach).value;
+bool BodiesSystem<D>::starts_in_stick(const SettingContact<D>& one, const contact::Memory& past,
+                                      const ContactMotion<double, D>& now) const {
+  const double soon = 1e-10 * one.time, approach = -now.gap_rate, depth = approach * soon,
+               slip = norm(now.slip);
+  const double from = contact::branched(one.law) ? -now.gap : 0;
+  const double cap = one.tangential.friction * smooth_force(one.law, past, from + depth, approach).value;
   const double grown = one.tangential.law == TangentialLaw::spring
                            ? one.tangential.stiffness * slip * soon
                            : 2.0 / 3.0 * one.tangential.stiffness * std::sqrt(depth) * slip * soon;
@@ -35,7 +39,7 @@ void BodiesSystem<D>::begin_friction(Mode& mode, std::size_t place, std::vector<
   const double slip = norm(now.slip);
   const bool moves = slip > 100 * epsilon * setting_.speed;
   if (!c.tangential.has_spring() && !moves) return begin_from_rest(mode, place, x, BodyEvent::slip, changes);
-  const bool sticks = c.tangential.has_spring() && (!moves || starts_in_stick(c, slip, -now.gap_rate));
+  const bool sticks = c.tangential.has_spring() && (!moves || starts_in_stick(c, one.past, now));
   one.friction = sticks ? Friction::stick : Friction::slip;
   one.from_rest = false;
   if (sticks)

@@ -40,7 +40,8 @@ template <int D>
 template <class T>
 T BodiesPhase<D>::load_guard(const ClosedContact& mode, const ContactForces<T, D>& c) const {
   const auto& law = setting_.contact[mode.contact].law;
-  if (!contact::dissipates(law)) return T(1.0);
+  if (contact::pulls(law)) return c.normal;
+  if (!contact::goes_slack(law)) return T(1.0);
   return law_load<T>(law, c.motion.indentation, -c.motion.gap_rate);
 }
 
@@ -50,7 +51,8 @@ void BodiesPhase<D>::all_guards(BodiesField<T, D>& field, std::span<T> values) c
   std::fill(values.begin(), values.end(), T(1.0));
   const double noise = setting_.slip_noise * setting_.speed;
   for (Index k = 0; k < watched_count(); ++k)
-    if (crossing_[gap_guard(k)] != Crossing::none) values[gap_guard(k)] = field.motion(watched(k)).gap;
+    if (crossing_[gap_guard(k)] != Crossing::none)
+      values[gap_guard(k)] = field.motion(watched(k)).gap + closing_depth(watched(k));
   for (Index i = 0; i < strays_; ++i) {
     const auto gone = field.body(i).shift - lift<T>(vec_at<D>(ConstState(mode_->from), D * i));
     values[stray_guard(i)] = 0.25 * setting_.skin * setting_.skin - dot(gone, gone);
@@ -59,10 +61,13 @@ void BodiesPhase<D>::all_guards(BodiesField<T, D>& field, std::span<T> values) c
     const auto& one = mode_->closed[i];
     const auto& c = field.contact(i);
     const auto set = [&](SlotGuard guard, const T& value) { values[slot_guard(one.slot, guard)] = value; };
-    set(SlotGuard::open, c.motion.gap);
+    const auto& law = setting_.contact[one.contact].law;
+    set(SlotGuard::open, c.motion.gap + opening_depth(law, one.past));
     set(SlotGuard::friction, friction_guard(field, one, c));
     set(SlotGuard::turn, -c.motion.gap_rate + (one.unloading ? -noise : noise));
     set(SlotGuard::load, load_guard(one, c));
+    if (crossing_[slot_guard(one.slot, SlotGuard::yield)] != Crossing::none)
+      set(SlotGuard::yield, c.motion.gap + yield_depth(law, one.past));
   }
   for (Index k = 0; k < std::ssize(mode_->touching); ++k) {
     const Index c = mode_->touching[k];

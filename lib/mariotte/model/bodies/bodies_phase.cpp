@@ -70,8 +70,11 @@ void BodiesPhase<D>::bind(const BodiesMode& mode) {
     if (one.friction != Friction::none && !one.slack && !one.from_rest)
       set(SlotGuard::friction, Crossing::falling);
     set(SlotGuard::turn, one.unloading ? Crossing::rising : Crossing::falling);
-    if (contact::dissipates(contact.law))
+    if (contact::goes_slack(contact.law) || contact::pulls(contact.law))
       set(SlotGuard::load, one.slack ? Crossing::rising : Crossing::falling);
+    if (one.past.branch != contact::Branch::plastic && !one.unloading &&
+        yield_depth(contact.law, one.past) < infinity)
+      set(SlotGuard::yield, Crossing::falling);
     time_ = std::min(time_, contact.time);
     damping_ = std::max({damping_, damping_of(contact), one.from_rest ? stiff_turning : 0});
     leaves_rest_ = leaves_rest_ || one.from_rest;

@@ -13,7 +13,7 @@
 
 namespace mariotte::model {
 
-/// D = 2 or 3. Guards: four of each slot, the gap of each contact that is watched, the parting of those that
+/// D = 2 or 3. Guards: five of each slot, the gap of each contact that is watched, the parting of those that
 /// touch at rest, then how far bodies have gone since near pairs were listed.
 template <int D>
 class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public flow::RecordedPhase {
@@ -72,6 +72,10 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   template <class T>
   T load_guard(const ClosedContact& mode, const ContactForces<T, D>& c) const;
   double meeting(ConstState x, Index contact, double limit) const;
+  /// Depth at which a contact that is open closes.
+  double closing_depth(Index contact) const {
+    return model::closing_depth(setting_.contact[contact].law, memory_of(*mode_, contact));
+  }
   double gap_bend(const BodyMotion<double, D>& body, Index i, const SettingSphere<D>& sphere) const;
   bool can_be_recorded(const ClosedContact& mode) const;
   void weigh_direction(std::size_t closed);

@@ -49,6 +49,9 @@ void BodiesSystem<D>::mode_at(std::vector<double>& x, Mode& mode, std::vector<Ch
   mode = {};
   mode.totals.resize(setting_.contact.size());
   for (auto& totals : mode.totals) totals.tangential.assign(BodiesLayout<D>::tangents, 0.0);
+  const bool remembers = std::any_of(setting_.contact.begin(), setting_.contact.end(),
+                                     [](const auto& one) { return contact::branched(one.law); });
+  mode.memory.assign(remembers ? setting_.contact.size() : 0, {});
   const double noise = 16 * epsilon * setting_.speed;
   std::vector<Index> closing;
   for (Index c = 0; c < std::ssize(setting_.contact); ++c) {
@@ -76,7 +79,8 @@ void BodiesSystem<D>::close(Mode& mode, Index contact, std::vector<double>& x, B
     at.slots = slots;
     x.resize(at.size(), 0.0);
   }
-  ClosedContact one{.contact = contact, .slot = mode.idle.back(), .start = {}};
+  ClosedContact one{
+      .contact = contact, .slot = mode.idle.back(), .past = memory_of(mode, contact), .start = {}};
   mode.idle.pop_back();
   std::fill_n(x.begin() + at.spring(one.slot), at.slot_size, 0.0);
   const auto place = std::lower_bound(mode.closed.begin(), mode.closed.end(), contact,
@@ -85,7 +89,17 @@ void BodiesSystem<D>::close(Mode& mode, Index contact, std::vector<double>& x, B
   mode.closed.insert(place, one);
   const double approach = event == BodyEvent::close ? -field(mode, x).motion(contact).gap_rate : 0;
   changes.push_back({contact, event, approach});
-  begin_friction(mode, index, x, changes);
+  begin_branch(mode.closed[index], field(mode, x).motion(contact));
+  if (!mode.closed[index].slack) begin_friction(mode, index, x, changes);
+}
+
+/// One that snaps in pulls at first.
+template <int D>
+void BodiesSystem<D>::begin_branch(ClosedContact& one, const ContactMotion<double, D>& now) const {
+  const auto* law = contact::branched(setting_.contact[one.contact].law);
+  if (!law) return;
+  contact::begin(one.past, *law);
+  one.slack = law->pulls() && law->force(one.past, -now.gap, -now.gap_rate).value < 0;
 }
 
 template <int D>
@@ -94,6 +108,10 @@ void BodiesSystem<D>::open(Mode& mode, std::size_t place, std::vector<double>& x
   const auto one = mode.closed[place];
   const auto at = layout(x);
   const double approach = -field(mode, x).motion(one.contact).gap_rate;
+  if (const auto* law = contact::branched(setting_.contact[one.contact].law)) {
+    mode.memory[one.contact] = one.past;
+    contact::end(mode.memory[one.contact], *law);
+  }
   auto& totals = mode.totals[one.contact];
   totals.normal += x[at.normal(one.slot)];
   for (Index k = 0; k < at.tangents; ++k) totals.tangential[k] += x[at.tangential(one.slot) + k];
@@ -112,6 +130,8 @@ void BodiesSystem<D>::turn(ClosedContact& one, const ContactForces<double, D>& n
                            std::vector<Change>& changes) const {
   const bool mindlin = setting_.contact[one.contact].tangential.law == TangentialLaw::mindlin;
   one.unloading = !one.unloading;
+  if (const auto* law = contact::branched(setting_.contact[one.contact].law))
+    contact::turn(one.past, *law, -now.motion.gap);
   changes.push_back({one.contact, one.unloading ? BodyEvent::unload : BodyEvent::load});
   if (!mindlin || one.friction != Friction::stick || one.slack) return;
   const double factor = one.unloading ? 1 / now.spring : now.spring;  // T to ξ, or back
@@ -123,7 +143,10 @@ template <int D>
 void BodiesSystem<D>::open_parted(Mode& mode, std::vector<double>& x, std::vector<Change>& changes) const {
   for (std::size_t i = mode.closed.size(); i-- > 0;) {
     const auto now = field(mode, x).motion(mode.closed[i].contact);
-    if (now.gap >= 0 && now.gap_rate > setting_.slip_noise * setting_.speed) open(mode, i, x, changes);
+    const auto& one = mode.closed[i];
+    const double depth = opening_depth(setting_.contact[one.contact].law, one.past);
+    if (now.gap + depth >= 0 && now.gap_rate > setting_.slip_noise * setting_.speed)
+      open(mode, i, x, changes);
   }
 }
 
@@ -142,6 +165,10 @@ void BodiesSystem<D>::pass_slot(SlotGuard guard, Mode& mode, std::size_t place, 
       one.slack = !one.slack;
       changes.push_back({one.contact, one.slack ? BodyEvent::slack : BodyEvent::grip});
       if (!one.slack) begin_friction(mode, place, x, changes);
+      return;
+    case SlotGuard::yield:
+      contact::yield(one.past);
+      changes.push_back({one.contact, BodyEvent::yield});
   }
 }
 

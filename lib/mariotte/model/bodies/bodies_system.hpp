@@ -38,6 +38,7 @@ class BodiesSystem {
   void close(Mode& mode, Index contact, std::vector<double>& x, BodyEvent event,
              std::vector<Change>& changes) const;
   void open(Mode& mode, std::size_t place, std::vector<double>& x, std::vector<Change>& changes) const;
+  void begin_branch(ClosedContact& one, const ContactMotion<double, D>& now) const;
   void begin_friction(Mode& mode, std::size_t place, std::vector<double>& x,
                       std::vector<Change>& changes) const;
   void begin_from_rest(Mode& mode, std::size_t place, std::vector<double>& x, BodyEvent otherwise,
@@ -58,7 +59,8 @@ class BodiesSystem {
   void leave_rest(Mode& mode, ConstState x) const;
   void stay_at_rest(Mode& mode, std::vector<double>& x, std::vector<Change>& changes) const;
   void hold_or_release(Mode& mode, std::vector<double>& x, std::vector<Change>& changes) const;
-  bool starts_in_stick(const SettingContact<D>& one, double slip, double approach) const;
+  bool starts_in_stick(const SettingContact<D>& one, const contact::Memory& past,
+                       const ContactMotion<double, D>& now) const;
 
   BodiesSetting<D> setting_;
   Over over_;

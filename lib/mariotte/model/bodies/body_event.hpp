@@ -5,8 +5,8 @@
 namespace mariotte::model {
 
 /// What a contact says at an event.
-enum class BodyEvent { close, open, touch, part, stick, slip, reverse, load, unload, slack, grip };
+enum class BodyEvent { close, open, touch, part, stick, slip, reverse, load, unload, slack, grip, yield };
 /// How many there are.
-inline constexpr std::size_t body_events = 11;
+inline constexpr std::size_t body_events = 12;
 
 }  // namespace mariotte::model

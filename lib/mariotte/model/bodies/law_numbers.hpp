@@ -2,6 +2,7 @@
 #pragma once
 #include <type_traits>
 
+#include "mariotte/contact/branched_law.hpp"
 #include "mariotte/contact/law.hpp"
 #include "mariotte/series/dual.hpp"
 #include "mariotte/series/tape.hpp"
@@ -37,14 +38,35 @@ T answer(const contact::Force& f, const T& depth, const T& rate) {
     return T::chain(depth, rate, f.value, f.by_indentation, f.by_rate);
 }
 
+/// The force before it is cut off, on the present branch if the law has some.
+inline contact::Force smooth_force(const contact::Law& law, const contact::Memory& past, double depth,
+                                   double rate) {
+  const auto* branches = contact::branched(law);
+  return branches ? branches->force(past, depth, rate) : contact::smooth_force(law, depth, rate);
+}
+
+/// Depth at which an open contact closes, a closed one opens, and one yields.
+inline double closing_depth(const contact::Law& law, const contact::Memory& past) {
+  const auto* branches = contact::branched(law);
+  return branches ? branches->closing_indentation(past) : 0;
+}
+inline double opening_depth(const contact::Law& law, const contact::Memory& past) {
+  const auto* branches = contact::branched(law);
+  return branches ? branches->opening_indentation(past) : 0;
+}
+inline double yield_depth(const contact::Law& law, const contact::Memory& past) {
+  const auto* branches = contact::branched(law);
+  return branches ? branches->yield_indentation(past) : infinity;
+}
+
 /// Force of either sign.
 template <class T>
-T law_force(const contact::Law& law, const T& depth, const T& rate) {
+T law_force(const contact::Law& law, const contact::Memory& past, const T& depth, const T& rate) {
   if constexpr (is_recorded<T>) {
     const auto& one = *contact::power_law(law);
     return recorded_width(one, depth) * recorded_load(one, depth, rate);
   } else {
-    return answer(contact::smooth_force(law, series::value_of(depth), series::value_of(rate)), depth, rate);
+    return answer(smooth_force(law, past, series::value_of(depth), series::value_of(rate)), depth, rate);
   }
 }
 
@@ -64,7 +86,7 @@ struct LawSlopes {
   T by_indentation, by_rate;
 };
 template <class T>
-LawSlopes<T> law_slopes(const contact::Law& law, const T& depth, const T& rate) {
+LawSlopes<T> law_slopes(const contact::Law& law, const contact::Memory& past, const T& depth, const T& rate) {
   using std::sqrt;
   const auto* power = contact::power_law(law);
   if constexpr (is_recorded<T>) {
@@ -74,7 +96,7 @@ LawSlopes<T> law_slopes(const contact::Law& law, const T& depth, const T& rate) 
       slope = slope + (power->exponent - 1) * power->damping * width * (rate / depth);
     return {slope, power->damping * width};
   } else {
-    const auto f = contact::smooth_force(law, series::value_of(depth), series::value_of(rate));
+    const auto f = smooth_force(law, past, series::value_of(depth), series::value_of(rate));
     LawSlopes<T> slopes{T(f.by_indentation), T(f.by_rate)};
     if (power && power->damping == 0 && power->exponent == 1.5)
       slopes.by_indentation = 1.5 * power->stiffness * sqrt(depth);

@@ -1,7 +1,6 @@
 #include "mariotte/model/contacts/contact_automaton.hpp"
 
 #include <algorithm>
-#include <utility>
 
 namespace mariotte::model {
 
@@ -10,21 +9,6 @@ using contact::ContactMode;
 using flow::Crossing;
 
 namespace {
-
-void begin(contact::Memory& past, const contact::BranchedLaw& law) {
-  past.recedes = false;
-  const double from = law.closing_indentation(past);
-  if (past.peak > 0)
-    past.branch = Branch::unloading;
-  else
-    past.branch = law.yield_indentation(past) <= from ? Branch::plastic : Branch::elastic;
-  past.adhesion_loss -= law.stored_energy(past, from);
-}
-
-void end(contact::Memory& past, const contact::BranchedLaw& law, ContactMode before) {
-  if (before != ContactMode::closed) return;
-  past.adhesion_loss += law.stored_energy(past, law.opening_indentation(past));
-}
 
 void note(const contact::ContactSet& mode, Index j, Branch before, std::vector<ContactChange>& changes) {
   changes.push_back({j, mode[j], mode[j], before, mode.memory[j].branch});
@@ -39,30 +23,22 @@ void change(contact::ContactSet& mode, Index j, ContactMode after, const contact
   if (const auto* branches = branched(law)) {
     auto& past = mode.memory[j];
     if (!carries_force(mode[j]) && carries_force(after)) begin(past, *branches);
-    if (carries_force(mode[j]) && !carries_force(after)) end(past, *branches, mode[j]);
+    if (mode[j] == ContactMode::closed && !carries_force(after)) end(past, *branches);
   }
   changes.push_back({j, mode[j], after, before, memory_of(mode, j).branch});
   mode[j] = after;
 }
 
 void yield(contact::ContactSet& mode, Index j, std::vector<ContactChange>& changes) {
-  auto& past = mode.memory[j];
-  const auto before = std::exchange(past.branch, Branch::plastic);
-  past.recedes = false;
+  const auto before = mode.memory[j].branch;
+  yield(mode.memory[j]);
   note(mode, j, before, changes);
 }
 
 void turn(contact::ContactSet& mode, Index j, const contact::Law& law, double indentation,
           std::vector<ContactChange>& changes) {
-  auto& past = mode.memory[j];
-  const auto before = past.branch;
-  past.recedes = !past.recedes;
-  if (past.recedes && past.branch == Branch::plastic) {
-    past.branch = Branch::unloading;
-    past.peak = indentation;
-  } else if (!past.recedes && indentation >= branched(law)->yield_indentation(past)) {
-    past.branch = Branch::plastic;
-  }
+  const auto before = mode.memory[j].branch;
+  turn(mode.memory[j], *branched(law), indentation);
   note(mode, j, before, changes);
 }
 

@@ -19,7 +19,7 @@ constexpr std::array columns = {Column{"close", BodyEvent::close},     Column{"o
                                 Column{"reverse", BodyEvent::reverse}, Column{"load", BodyEvent::load},
                                 Column{"unload", BodyEvent::unload},   Column{"slack", BodyEvent::slack},
                                 Column{"grip", BodyEvent::grip},       Column{"touch", BodyEvent::touch},
-                                Column{"part", BodyEvent::part}};
+                                Column{"part", BodyEvent::part},       Column{"yield", BodyEvent::yield}};
 
 /// "x1 [m],y1 [m]" for names with their unit and one thing.
 std::string names(std::initializer_list<const char*> all, std::size_t which, const char* unit) {

@@ -42,6 +42,7 @@ std::string what(const impact::BodiesEvents& event) {
   add(BodyEvent::unload, "unloads");
   add(BodyEvent::slack, "goes slack");
   add(BodyEvent::grip, "grips");
+  add(BodyEvent::yield, "yields");
   add(BodyEvent::open, "opens");
   return text;
 }
@@ -85,7 +86,7 @@ std::string contacts(const impact::BodiesImpact& impact) {
                                   : fmt::format("{:.6g}", norm(one.tangential_impulse)),
             fmt::format("{:.5g}", one.peak_force),
             fmt::format("{:.5g}", one.losses.friction),
-            fmt::format("{:.5g}", one.losses.rescale + one.losses.damper)};
+            fmt::format("{:.5g}", one.losses.total() - one.losses.friction)};
   };
   return "\nContacts\n" + columns({"", "between", "periods", "∫ f_n dt [N s]", "∫ f_t dt", "peak f_n [N]",
                                    "friction [J]", "other loss [J]"},
@@ -115,7 +116,8 @@ constexpr BalanceLine energies[] = {
     {"kinetic before", "energy.initial"},       {"work of gravity and planes", "energy.work", true},
     {"kinetic after", "energy.final"},          {"stored in contacts", "energy.stored", true},
     {"dissipated", "energy.dissipated"},        {"  by friction", "energy.friction"},
-    {"  by rescaling", "energy.rescale", true}, {"  by dampers", "energy.damper", true}};
+    {"  by rescaling", "energy.rescale", true}, {"  by dampers", "energy.damper", true},
+    {"  by yielding", "energy.plastic", true},  {"  by adhesion", "energy.adhesion", true}};
 
 /// What damped pairs alone would do, as if their bodies were balls.
 std::string restitutions(const model::Bodies& bodies) {
