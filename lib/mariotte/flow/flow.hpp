@@ -8,9 +8,9 @@
 
 namespace mariotte::flow {
 
-/// Forces of a closed contact as polynomials in the clock of a step, from 0 to `end`.
+/// Forces of a closed contact, and its indentation, as polynomials in the clock of a step, from 0 to `end`.
 struct ForceSeries {
-  std::span<const double> normal, friction;
+  std::span<const double> normal, friction, depth;
   bool is_square = false;  ///< of friction
   double end = 0;
 };

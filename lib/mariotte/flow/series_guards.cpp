@@ -5,71 +5,67 @@
 namespace mariotte::flow {
 namespace {
 
-constexpr std::size_t most_terms = 32;
+/// A guard over one step: terms c[k] endᵏ, which is its polynomial over [0, 1].
+struct Terms {
+  std::array<double, 32> at;
+  std::size_t count;
+  double moves = 0;  ///< how far it goes, at most
+  double end = 0;    ///< where it comes to
 
-/// Bound of what the series of a guard leaves out at a place.
-double tail(std::span<const double> row, double place) {
-  const std::size_t last = row.size() - 1;
-  return (std::abs(row[last]) * place + std::abs(row[last - 1])) *
-         std::pow(place, static_cast<double>(last - 1));
-}
-
-/// How far a guard moves until a place, by its terms.
-double change(std::span<const double> row, double place) {
-  double sum = 0, power = place;
-  for (std::size_t k = 1; k < row.size(); ++k, power *= place) sum += std::abs(row[k]) * power;
-  return sum;
-}
-
-/// Whether what its series leaves out could hide the fall of a guard that ends above zero, or move its root.
-bool is_doubtful(std::span<const double> row, std::optional<double> fired, double end) {
-  const double moves = change(row, end);
-  if (!(moves > 0) || fired == 0.0) return false;
-  if (fired) return tail(row, *fired) > 1e-3 * change(row, *fired);
-  return tail(row, end) > 1e-12 * moves && std::abs(horner(row, end)) < 100 * tail(row, end);
-}
-
-/// First place at which a guard falls through zero. One that starts behind zero is measured from there,
-/// unless it goes on falling. Leading terms that are smaller than `rounding` of its change are zero, unless
-/// it falls from above: the noise that it is allowed then tells which way it went.
-std::optional<double> fall(std::span<const double> row, double sign, double end, double rounding) {
-  std::array<double, most_terms> c, term;
-  double power = 1;
-  for (std::size_t k = 0; k < row.size(); ++k, power *= end) {
-    c[k] = sign * row[k];
-    term[k] = std::abs(c[k] * power);
+  Terms(std::span<const double> row, double sign, double place) : count(row.size()) {
+    double power = sign;
+    end = at[0] = sign * row[0];
+    for (std::size_t k = 1; k < count; ++k) {
+      at[k] = row[k] * (power *= place);
+      moves += std::abs(at[k]);
+      end += at[k];
+    }
   }
-  const double moves = change(row, end);
-  if (!(moves > 0)) return std::nullopt;
+  std::span<const double> all() const { return {at.data(), count}; }
+  /// Bound of what the series leaves out at the end.
+  double tail() const { return std::abs(at[count - 1]) + std::abs(at[count - 2]); }
+};
+
+/// Whether what its series leaves out could hide the fall of a guard that ends above zero.
+bool may_hide_fall(const Terms& terms) {
+  return terms.tail() > 1e-12 * terms.moves && std::abs(terms.end) < 100 * terms.tail();
+}
+
+/// Whether it could move the root at which a step ends.
+bool may_move_root(const Terms& terms) {
+  return terms.tail() > 1e-3 * terms.moves;
+}
+
+/// First share of the step at which a guard falls through zero. One that starts behind zero is measured from
+/// there, unless it goes on falling. Leading terms that are smaller than `rounding` of its change are zero,
+/// unless it falls from above: the noise that it is allowed then tells which way it went.
+std::optional<double> fall(const Terms& terms, double rounding) {
+  const auto& c = terms.at;
   std::size_t k = 0;
-  const auto is_zero = [&] { return term[k] <= rounding * moves || (k == 0 && c[0] < 0); };
-  for (; k + 1 < row.size() && is_zero(); ++k) c[k] = 0;
-  if (k > 0 && c[k] < 0) {
-    if (!(sign * row[0] > 0)) return 0.0;
-    for (std::size_t i = 0; i < k; ++i) c[i] = sign * row[i];
-  }
-  return first_fall({c.data(), row.size()}, end);
-}
-
-/// Whether a guard is so far above zero that its terms cannot bring it there.
-bool is_far(std::span<const double> row, double sign, double end) {
-  constexpr double margin = 1.01;
-  return sign * row[0] > margin * change(row, end);
+  const auto is_zero = [&] { return std::abs(c[k]) <= rounding * terms.moves || (k == 0 && c[0] < 0); };
+  while (k + 1 < terms.count && is_zero()) ++k;
+  if (k > 0 && c[k] < 0 && !(c[0] > 0)) return 0.0;
+  return first_fall(c[k] < 0 ? terms.all() : terms.all().subspan(k), 1);
 }
 
 /// Steps end a little earlier where a guard is in doubt, and so the next one tells.
 constexpr double shortened = 0.7;
+/// A guard that is farther above zero than it goes, by this factor, is not near it.
+constexpr double far = 1.01;
 
 }  // namespace
 
 void look(Index guard, std::span<const double> row, double sign, double rounding, SeriesEnd& end) {
-  if (is_far(row, sign, end.place)) return;
-  auto fired = fall(row, sign, end.place, rounding);
-  while (is_doubtful(row, fired, end.place)) {
-    end = {shortened * fired.value_or(end.place)};
-    fired = fall(row, sign, end.place, rounding);
+  for (;;) {
+    const Terms terms(row, sign, end.place);
+    if (!(terms.moves > 0) || terms.at[0] > far * terms.moves) return;
+    const auto share = fall(terms, rounding);
+    const double place = share ? *share * end.place : end.place;
+    const bool doubtful = !share ? may_hide_fall(terms) : *share > 0 && may_move_root({row, sign, place});
+    if (share && !doubtful) end = {place, guard};
+    if (!doubtful) return;
+    end = {shortened * place};
   }
-  if (fired) end = {*fired, guard};
 }
 
 }  // namespace mariotte::flow

@@ -53,7 +53,8 @@ struct BallMotion {
     lost,        ///< by slip
     rescaled,    ///< in a stick on loading, the work against friction instead
     states,
-    force = states,  ///< f_n
+    depth = states,  ///< δ
+    force,           ///< f_n
     friction,        ///< f_t, of the cap where it slips
     watched,  ///< of a slip its speed, or the rate at which it yields; of a rigid stick cap² − f_t²
     rows
@@ -99,6 +100,7 @@ struct BallField : BallMotion {
     std::array<T, rows> row{};
     const T depth = x[root] * x[root], push = p[stiffness] * (depth * depth);
     const T turning = pair ? x[along] / (p[radii] - depth) : T(0.0), turns = x[root] * turning;
+    row[BallMotion::depth] = depth;
     row[force] = p[stiffness] * (x[root] * depth);
     const T spins = p[share_a] * x[spin_a] + p[share_b] * x[spin_b];
     const T slip = x[along] - p[radius_a] * x[spin_a] - p[radius_b] * x[spin_b] + depth * spins;

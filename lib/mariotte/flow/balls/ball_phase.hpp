@@ -13,8 +13,9 @@ struct BallContact {
   Grip grip = Grip::none;
   bool pair = false;  ///< of two balls
   bool unloading = false;
+  bool is_alone = false;  ///< there are no other contacts
   std::array<double, BallMotion::parameters> parameter = {};
-  std::array<double, BallMotion::states> magnitude = {};
+  std::array<double, BallMotion::states> weight = {};        ///< 1/size of each: what errors are relative to
   Index open = -1, friction = -1, turn = -1;                 ///< guards
   double rate_noise = 0;                                     ///< of approach and slip
   double force_share = 0, force_noise = 0, faint_force = 0;  ///< by which friction may exceed its cap

@@ -74,7 +74,8 @@ class BallTaylor::Expansion {
   }
 
   void add_forces(double end, std::vector<ForceSeries>& list) const {
-    list.push_back({series_[BallMotion::force], series_[BallMotion::friction], false, end});
+    list.push_back(
+        {series_[BallMotion::force], series_[BallMotion::friction], series_[BallMotion::depth], false, end});
   }
 
   bool is_stalled(const Step& step) const { return step.end - step.start < shortest_; }
@@ -95,7 +96,7 @@ class BallTaylor::Expansion {
     for (int k = order(); k > order() - terms; --k) {
       double size = 0;
       for (int i = 0; i < BallMotion::states; ++i)
-        size = std::max(size, std::abs(series_[i][k]) / contact_->magnitude[i]);
+        size = std::max(size, std::abs(series_[i][k]) * contact_->weight[i]);
       if (size > 0) step = std::min(step, std::pow(series_share * force_share * accuracy_ / size, 1.0 / k));
     }
     return step;
@@ -103,6 +104,7 @@ class BallTaylor::Expansion {
 
   /// As much of a step as surely closes no other contact; no number if that is hardly any.
   double clear_length(ConstState x, double step) const {
+    if (contact_->is_alone) return step;
     for (int i = 0; i <= most_halvings; ++i, step *= 0.5) {
       const double speed = most(series_[BallMotion::approach], step) + most(series_[BallMotion::along], step);
       if (phase_->is_clear(x, most(time(), step), speed)) return step;

@@ -92,7 +92,8 @@ struct RecordedTaylor::Memory {
 
   void add_forces(double end, std::vector<ForceSeries>& list) const {
     for (const auto& one : recording.contact)
-      list.push_back({series.row(one.normal), series.row(one.friction), one.is_square, end});
+      list.push_back(
+          {series.row(one.normal), series.row(one.friction), series.row(one.depth), one.is_square, end});
   }
 
   bool is_stalled(const Step& step) const {

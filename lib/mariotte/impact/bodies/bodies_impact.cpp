@@ -69,6 +69,7 @@ void keep_used(Index named, const std::vector<OneEvent>& events, BodiesImpact& i
     kept.push_back(std::move(impact.contacts[c]));
   }
   impact.contacts = std::move(kept);
+  impact.events.reserve(events.size());
   for (const auto& [time, contact, event, approach] : events) {
     if (place[contact] < 0) continue;
     if (impact.events.empty() || impact.events.back().time != time) impact.events.push_back({.time = time});

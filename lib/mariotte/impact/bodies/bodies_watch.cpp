@@ -1,13 +1,11 @@
 #include "mariotte/impact/bodies/bodies_watch.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "mariotte/core/bracket.hpp"
 #include "mariotte/core/scale.hpp"
-#include "mariotte/flow/roots/polynomial.hpp"
 #include "mariotte/impact/watch/highest.hpp"
 
 namespace mariotte::impact {
@@ -43,17 +41,28 @@ struct Reading {
   }
 };
 
-/// Largest size that a polynomial has where its slope is zero; 0 if it only rises or falls.
-double summit(std::span<const double> row, double end) {
+struct ValueAndSlope {
+  double value, slope;
+};
+ValueAndSlope at(std::span<const double> row, double place) {
+  ValueAndSlope sum{0, 0};
+  for (std::size_t k = row.size(); k-- > 0;) {
+    sum.slope = sum.slope * place + sum.value;
+    sum.value = sum.value * place + row[k];
+  }
+  return sum;
+}
+
+/// Largest size of a polynomial that has one maximum at most.
+double largest(std::span<const double> row, double end) {
   constexpr double loose = 1e-6;
-  const auto slope = [&](double place) {
-    double sum = 0;
-    for (std::size_t k = row.size(); k-- > 1;) sum = sum * place + static_cast<double>(k) * row[k];
-    return sum;
-  };
-  const double low = loose * end, high = (1 - loose) * end, first = slope(low), last = slope(high);
-  if (!(first * last < 0)) return 0;
-  return std::abs(flow::horner(row, locate_sign_change(slope, low, first, high, last, loose * end)));
+  const double low = loose * end;
+  const auto first = at(row, low), last = at(row, end);
+  const double ends = std::max(std::abs(row[0]), std::abs(last.value));
+  if (!(first.slope * last.slope < 0)) return ends;
+  const auto slope = [&](double place) { return at(row, place).slope; };
+  const double top = locate_sign_change(slope, low, first.slope, end, last.slope, low);
+  return std::max(ends, std::abs(at(row, top).value));
 }
 
 double wrapped(double angle) {
@@ -98,63 +107,57 @@ BodiesObserver<D>::BodiesObserver(const model::Bodies& bodies, const model::Bodi
 template <int D>
 void BodiesObserver<D>::begin_phase(double time, ConstState x) {
   start_ = time;
-  raise(x);
   if (observers_.trace) sample(time, x);  // friction may jump at events: one sample before, one after
 }
 
 template <int D>
-void BodiesObserver<D>::raise(ConstState x) {
-  const auto& field = system_.field(mode_, x);
+void BodiesObserver<D>::search(const flow::Step& step) {
+  if (mode_.closed.empty()) return;
+  if (!step.forces(forces_)) return sample_forces(step);
   for (std::size_t k = 0; k < mode_.closed.size(); ++k) {
-    auto& peak = peaks_[mode_.closed[k].contact];
-    const auto& c = field.contact(k);
-    peak.force = std::max(peak.force, c.normal);
-    peak.friction = std::max(peak.friction, norm(c.friction));
-    peak.indentation = std::max(peak.indentation, -c.motion.gap);
+    const auto& one = forces_[k];
+    const double friction = largest(one.friction, one.end);
+    raise(k, {largest(one.normal, one.end), one.is_square ? std::sqrt(friction) : friction,
+              largest(one.depth, one.end)});
   }
 }
 
 template <int D>
-void BodiesObserver<D>::search(const flow::Step& step) {
-  raise(step.after);
-  if (!step.forces(forces_)) return sample_forces(step);
+void BodiesObserver<D>::raise(std::size_t closed, const ContactPeaks& now) {
+  auto& peak = peaks_[mode_.closed[closed].contact];
+  peak.force = std::max(peak.force, now.force);
+  peak.friction = std::max(peak.friction, now.friction);
+  peak.indentation = std::max(peak.indentation, now.indentation);
+}
+
+template <int D>
+void BodiesObserver<D>::read(ConstState x, std::vector<ContactPeaks>& list) const {
+  const auto& field = system_.field(mode_, x);
+  list.clear();
   for (std::size_t k = 0; k < mode_.closed.size(); ++k) {
-    auto& peak = peaks_[mode_.closed[k].contact];
-    const auto& one = forces_[k];
-    peak.force = std::max(peak.force, summit(one.normal, one.end));
-    const double friction = summit(one.friction, one.end);
-    peak.friction = std::max(peak.friction, one.is_square ? std::sqrt(friction) : friction);
+    const auto& c = field.contact(k);
+    list.push_back({c.normal, norm(c.friction), -c.motion.gap});
   }
 }
 
 /// Within a step whose middle lies higher than the line between its ends, a force may have its maximum.
 template <int D>
 void BodiesObserver<D>::sample_forces(const flow::Step& step) {
-  using Forces = std::array<double, 2>;  // normal force, friction
   inside_.resize(step.before.size());
-  const auto of = [&](ConstState x, std::size_t k) -> Forces {
-    const auto& c = system_.field(mode_, x).contact(k);
-    return {c.normal, norm(c.friction)};
-  };
-  const auto all = [&](ConstState x) {
-    const auto& field = system_.field(mode_, x);
-    std::vector<Forces> samples;
-    for (std::size_t k = 0; k < mode_.closed.size(); ++k)
-      samples.push_back({field.contact(k).normal, norm(field.contact(k).friction)});
-    return samples;
-  };
   step.inside(0.5, inside_);
-  const auto before = all(step.before), middle = all(inside_), after = all(step.after);
+  read(step.before, before_);
+  read(inside_, middle_);
+  read(step.after, after_);
   for (std::size_t k = 0; k < mode_.closed.size(); ++k) {
-    auto& peak = peaks_[mode_.closed[k].contact];
-    for (const std::size_t which : {0, 1}) {
-      double& most = which == 0 ? peak.force : peak.friction;
-      most = std::max(most, middle[k][which]);
-      if (!(middle[k][which] > 0.5 * (before[k][which] + after[k][which]))) continue;
-      if (std::max({before[k][which], middle[k][which], after[k][which]}) <= 0.9 * most) continue;
+    for (const auto* list : {&before_, &middle_, &after_}) raise(k, (*list)[k]);
+    for (const auto which : {&ContactPeaks::force, &ContactPeaks::friction}) {
+      double& most = peaks_[mode_.closed[k].contact].*which;
+      const double first = before_[k].*which, half = middle_[k].*which, last = after_[k].*which;
+      if (!(half > 0.5 * (first + last)) || std::max({first, half, last}) <= 0.9 * most) continue;
       const auto at = [&](double share) {
         step.inside(share, inside_);
-        return of(inside_, k)[which];
+        read(inside_, within_);
+        return within_[k].*which;
       };
       most = std::max(most, highest(at, 0, 1));
     }

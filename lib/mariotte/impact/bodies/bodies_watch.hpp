@@ -34,7 +34,8 @@ class BodiesObserver final : public hybrid::PhaseObserver {
   BodiesTrace take_trace() { return std::move(trace_); }
 
  private:
-  void raise(ConstState x);
+  void raise(std::size_t closed, const ContactPeaks& now);
+  void read(ConstState x, std::vector<ContactPeaks>& list) const;
   void search(const flow::Step& step);
   void sample_forces(const flow::Step& step);
   void sample(double time, ConstState x);
@@ -47,6 +48,7 @@ class BodiesObserver final : public hybrid::PhaseObserver {
   double start_ = 0;
   std::vector<double> inside_;
   std::vector<flow::ForceSeries> forces_;
+  std::vector<ContactPeaks> before_, middle_, after_, within_;  ///< of closed contacts
   std::vector<ContactPeaks> peaks_;
   BodiesTrace trace_;
 };

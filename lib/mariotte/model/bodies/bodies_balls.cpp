@@ -51,11 +51,12 @@ void BodiesBalls::bind(const BodiesMode& mode, const BodiesLayout<2>& layout,
   share_a_ = a_ < 0 ? 0 : one_->mass / setting_.body[a_].mass;
   contact_ = {.grip = grip_of(closed, one_->tangential.law), .pair = a_ >= 0, .unloading = closed.unloading};
   const auto guard = [&](SlotGuard which) { return first_guard + static_cast<Index>(which); };
+  contact_.is_alone = setting_.contact.size() == 1;
   contact_.open = guard(SlotGuard::open);
   contact_.turn = guard(SlotGuard::turn);
   if (contact_.grip != Grip::none) contact_.friction = guard(SlotGuard::friction);
   set_numbers();
-  set_magnitudes(magnitude);
+  set_weights(magnitude);
 }
 
 void BodiesBalls::set_numbers() {
@@ -91,8 +92,8 @@ void BodiesBalls::set_numbers() {
 }
 
 /// Those of the state, where they are the same; relative motion is that of the body that moves less.
-void BodiesBalls::set_magnitudes(std::span<const double> magnitude) {
-  auto& m = contact_.magnitude;
+void BodiesBalls::set_weights(std::span<const double> magnitude) {
+  auto& m = contact_.weight;
   const Index a = a_ < 0 ? b_ : a_;
   m[BallMotion::root] = std::sqrt(one_->length);
   m[BallMotion::approach] = m[BallMotion::along] =
@@ -107,23 +108,22 @@ void BodiesBalls::set_magnitudes(std::span<const double> magnitude) {
   m[BallMotion::normal] = magnitude[layout_.normal(slot_)];
   m[BallMotion::tangential] = magnitude[layout_.tangential(slot_)];
   m[BallMotion::lost] = m[BallMotion::rescaled] = magnitude[layout_.losses(slot_)];
+  for (auto& one : m) one = 1 / one;
 }
 
 BodiesBalls::Motion BodiesBalls::begin(ConstState x, bool may_close) {
-  const auto b = motion_of(setting_.body[b_], layout_, x, b_);
-  BodyMotion<double, 2> a{};
-  if (a_ >= 0) a = motion_of(setting_.body[a_], layout_, x, a_);
-  const auto c = contact_motion(setting_, *one_, a_ < 0 ? nullptr : &a, b, x[layout_.clock()]);
+  const auto c = contact_motion(setting_, layout_, *one_, x);
+  const auto velocity = vec_at<2>(x, layout_.velocity(b_));
+  const auto other = a_ < 0 ? setting_.plane_velocity[one_->plane] : vec_at<2>(x, layout_.velocity(a_));
   normal_ = c.normal;
-  const auto other = a_ < 0 ? setting_.plane_velocity[one_->plane] : a.velocity;
-  common_ = a_ < 0 ? other : share_a_ * b.velocity + share_b_ * a.velocity;
+  common_ = a_ < 0 ? other : share_a_ * velocity + share_b_ * other;
   start_ = {};
   if (!(may_close && begins(setting_, *one_, c.gap, c.gap_rate)))
     start_[BallMotion::root] = std::sqrt(std::max(-c.gap, 0.0));
   start_[BallMotion::approach] = -c.gap_rate;
-  start_[BallMotion::along] = dot(b.velocity - other, across(c.normal));
-  start_[BallMotion::spin_a] = a.spin[0];
-  start_[BallMotion::spin_b] = b.spin[0];
+  start_[BallMotion::along] = dot(velocity - other, across(c.normal));
+  start_[BallMotion::spin_a] = a_ < 0 ? 0 : x[layout_.momentum(a_)];
+  start_[BallMotion::spin_b] = x[layout_.momentum(b_)];
   start_[BallMotion::spring] = x[layout_.spring(slot_)];
   return start_;
 }

@@ -23,7 +23,7 @@ class BodiesBalls final : public flow::BallPhase {
 
  private:
   void set_numbers();
-  void set_magnitudes(std::span<const double> magnitude);
+  void set_weights(std::span<const double> magnitude);
   void move_body(Index body, double share, const Vec<double, 2>& gone, const Vec<double, 2>& relative,
                  const Motion& motion, State x) const;
   void move_slot(const Motion& motion, State x) const;

@@ -35,7 +35,7 @@ void BodiesSystem<D>::begin_friction(Mode& mode, std::size_t place, std::vector<
   const auto& c = setting_.contact[one.contact];
   one.friction = Friction::none;
   if (c.tangential.law == TangentialLaw::none) return;
-  const auto now = field(mode, x).motion(one.contact);
+  const auto now = motion(one.contact, x);
   const double slip = norm(now.slip);
   const bool moves = slip > 100 * epsilon * setting_.speed;
   if (!c.tangential.has_spring() && !moves) return begin_from_rest(mode, place, x, BodyEvent::slip, changes);
@@ -137,7 +137,7 @@ void BodiesSystem<D>::pass_friction(Mode& mode, std::size_t place, std::vector<d
 template <int D>
 void BodiesSystem<D>::leave_rest(Mode& mode, ConstState x) const {
   const auto left = [&](const ClosedContact& one) {
-    return one.from_rest && norm(field(mode, x).motion(one.contact).slip) > 2 * setting_.rest_speed();
+    return one.from_rest && norm(motion(one.contact, x).slip) > 2 * setting_.rest_speed();
   };
   for (auto& one : mode.closed)
     if (left(one)) one.from_rest = false;
@@ -155,21 +155,23 @@ void BodiesSystem<D>::stay_at_rest(Mode& mode, std::vector<double>& x, std::vect
 template <int D>
 void BodiesSystem<D>::hold_or_release(Mode& mode, std::vector<double>& x,
                                       std::vector<Change>& changes) const {
+  const auto holds = [&](const ClosedContact& one) {
+    return one.friction == Friction::stick && !one.slack &&
+           !setting_.contact[one.contact].tangential.has_spring();
+  };
   for (std::size_t round = 0; round <= mode.closed.size(); ++round) {
+    if (std::none_of(mode.closed.begin(), mode.closed.end(), holds)) return;
     const auto& field = this->field(mode, x);
     std::size_t worst = mode.closed.size();
     double most = 1;
-    bool any = false;
     for (std::size_t i = 0; i < mode.closed.size(); ++i) {
-      const auto& one = mode.closed[i];
-      const auto& c = setting_.contact[one.contact];
-      if (one.friction != Friction::stick || one.slack || c.tangential.has_spring()) continue;
-      any = true;
+      const auto& c = setting_.contact[mode.closed[i].contact];
+      if (!holds(mode.closed[i])) continue;
       const double size = norm(field.contact(i).friction);
       const double cap = c.tangential.friction * field.contact(i).normal + 2 * setting_.slip_noise * c.force;
       if (size > most * cap) most = size / cap, worst = i;
     }
-    if (any && field.is_redundant())
+    if (field.is_redundant())
       throw Error(
           "contacts that stick rigidly are redundant: how they share friction is indeterminate; give "
           "them a tangential law 'spring' or 'mindlin'",

@@ -51,13 +51,18 @@ Vec<T, 3> eased(const SettingBody<3>& body, const BodyMotion<T, 3>& motion, cons
 }
 
 template <class T>
-BodyMotion<T, 2> motion_of(const SettingBody<2>&, const BodiesLayout<2>& at, std::span<const T> x, Index i) {
-  using std::cos, std::sin;
+BodyMotion<T, 2> motion_of(const SettingBody<2>& body, const BodiesLayout<2>& at, std::span<const T> x,
+                           Index i) {
+  using std::sin;
+  BodyMotion<T, 2> motion{.shift = vec_at<2>(x, at.shift(i)),
+                          .velocity = vec_at<2>(x, at.velocity(i)),
+                          .spin = vec_at<1>(x, at.momentum(i)),
+                          .turn = {.w = T(0.0), .x = T(0.0), .y = T(0.0), .z = T(0.0)}};
+  if (!body.has_arms) return motion;
   const T half = sin(0.5 * x[at.turn(i)]);
-  return {.shift = vec_at<2>(x, at.shift(i)),
-          .velocity = vec_at<2>(x, at.velocity(i)),
-          .spin = vec_at<1>(x, at.momentum(i)),
-          .turn = {.w = -2.0 * (half * half), .x = T(0.0), .y = T(0.0), .z = sin(x[at.turn(i)])}};
+  motion.turn.w = -2.0 * (half * half);
+  motion.turn.z = sin(x[at.turn(i)]);
+  return motion;
 }
 template <class T>
 BodyMotion<T, 3> motion_of(const SettingBody<3>& body, const BodiesLayout<3>& at, std::span<const T> x,
@@ -159,6 +164,20 @@ ContactMotion<T, D> contact_motion(const BodiesSetting<D>& setting, const Settin
   }
   c.slip = velocity - dot(velocity, c.normal) * c.normal;
   return c;
+}
+
+/// That of a contact in a state.
+template <int D>
+ContactMotion<double, D> contact_motion(const BodiesSetting<D>& setting, const BodiesLayout<D>& at,
+                                        const SettingContact<D>& contact, ConstState x) {
+  const auto motion = [&](Index sphere) {
+    const Index i = setting.sphere[sphere].body;
+    return motion_of(setting.body[i], at, x, i);
+  };
+  const auto b = motion(contact.b);
+  if (contact.plane >= 0) return contact_motion<double, D>(setting, contact, nullptr, b, x[at.clock()]);
+  const auto a = motion(contact.a);
+  return contact_motion(setting, contact, &a, b, x[at.clock()]);
 }
 
 }  // namespace mariotte::model

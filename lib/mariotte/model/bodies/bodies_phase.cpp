@@ -58,15 +58,13 @@ void BodiesPhase<D>::bind(const BodiesMode& mode) {
   damping_ = 0;
   leaves_rest_ = false;
   steps_at_rest_ = 0;
-  std::vector<char> is_closed(setting_.contact.size(), 0);
-  for (const auto& one : mode.closed) is_closed[one.contact] = 1;
-  for (Index k = 0; k < watched_count(); ++k)
-    crossing_[gap_guard(k)] = is_closed[watched(k)] ? Crossing::none : Crossing::falling;
+  std::fill_n(crossing_.begin() + gap_guard(0), watched_count(), Crossing::falling);
   for (Index i = 0; i < strays_; ++i) crossing_[stray_guard(i)] = Crossing::falling;
   for (const auto& one : mode.closed) {
     const auto& contact = setting_.contact[one.contact];
     const auto set = [&](SlotGuard guard, Crossing way) { crossing_[slot_guard(one.slot, guard)] = way; };
     set(SlotGuard::open, Crossing::rising);
+    if (const Index k = place_watched(one.contact); k >= 0) crossing_[gap_guard(k)] = Crossing::none;
     if (one.friction != Friction::none && !one.slack && !one.from_rest)
       set(SlotGuard::friction, Crossing::falling);
     set(SlotGuard::turn, one.unloading ? Crossing::rising : Crossing::falling);

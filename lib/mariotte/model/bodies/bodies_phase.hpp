@@ -1,5 +1,6 @@
 // One mode of bodies as what flows follow.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -56,6 +57,12 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   /// Of the k-th contact that is watched; all of them are, unless the mode has a list of near ones.
   Index gap_guard(Index k) const { return layout_.slots * guards_per_slot + k; }
   Index watched(Index k) const { return watches_near_ ? mode_->near[k] : k; }
+  /// Place of a contact among them, or −1.
+  Index place_watched(Index contact) const {
+    if (!watches_near_) return contact;
+    const auto place = std::lower_bound(mode_->near.begin(), mode_->near.end(), contact);
+    return place != mode_->near.end() && *place == contact ? place - mode_->near.begin() : Index{-1};
+  }
   Index watched_count() const {
     return watches_near_ ? std::ssize(mode_->near) : std::ssize(setting_.contact);
   }

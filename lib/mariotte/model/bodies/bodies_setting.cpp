@@ -21,8 +21,10 @@ SettingBody<D> body_of(const Body& body) {
     one.attitude = normalized(body.attitude);
     one.is_round = j.e1 == j.e2 && j.e2 == j.e3;
   }
-  for (const auto& sphere : body.spheres)
+  for (const auto& sphere : body.spheres) {
     one.reach = std::max(one.reach, norm(sphere.centre) + sphere.radius);
+    one.has_arms = one.has_arms || norm(sphere.centre) > 0;
+  }
   return one;
 }
 

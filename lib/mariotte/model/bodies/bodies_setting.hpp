@@ -17,6 +17,7 @@ struct SettingBody {
   Quaternion attitude;            ///< at the start
   bool is_round;                  ///< all moments are equal
   double reach = 0;               ///< to the farthest point of its spheres
+  bool has_arms = false;          ///< a sphere is not at the mass centre: contacts feel how it has turned
   double push = 1;  ///< largest velocity that a contact can give it, over that of the other body
 };
 

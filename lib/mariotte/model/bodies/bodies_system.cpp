@@ -1,6 +1,7 @@
 #include "mariotte/model/bodies/bodies_system.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "mariotte/model/bodies/near_pairs.hpp"
 
@@ -56,7 +57,7 @@ void BodiesSystem<D>::mode_at(std::vector<double>& x, Mode& mode, std::vector<Ch
   std::vector<Index> closing;
   for (Index c = 0; c < std::ssize(setting_.contact); ++c) {
     if (setting_.contact[c].gap > 0) continue;
-    const double rate = field(mode, x).motion(c).gap_rate;
+    const double rate = motion(c, x).gap_rate;
     if (rate < -noise)
       closing.push_back(c);
     else if (rate <= noise)
@@ -87,9 +88,9 @@ void BodiesSystem<D>::close(Mode& mode, Index contact, std::vector<double>& x, B
                                       [](const ClosedContact& c, Index i) { return c.contact < i; });
   const std::size_t index = place - mode.closed.begin();
   mode.closed.insert(place, one);
-  const double approach = event == BodyEvent::close ? -field(mode, x).motion(contact).gap_rate : 0;
+  const double approach = event == BodyEvent::close ? -motion(contact, x).gap_rate : 0;
   changes.push_back({contact, event, approach});
-  begin_branch(mode.closed[index], field(mode, x).motion(contact));
+  begin_branch(mode.closed[index], motion(contact, x));
   if (!mode.closed[index].slack) begin_friction(mode, index, x, changes);
 }
 
@@ -107,7 +108,7 @@ void BodiesSystem<D>::open(Mode& mode, std::size_t place, std::vector<double>& x
                            std::vector<Change>& changes) const {
   const auto one = mode.closed[place];
   const auto at = layout(x);
-  const double approach = -field(mode, x).motion(one.contact).gap_rate;
+  const double approach = -motion(one.contact, x).gap_rate;
   if (const auto* law = contact::branched(setting_.contact[one.contact].law)) {
     mode.memory[one.contact] = one.past;
     contact::end(mode.memory[one.contact], *law);
@@ -126,15 +127,15 @@ void BodiesSystem<D>::open(Mode& mode, std::size_t place, std::vector<double>& x
 }
 
 template <int D>
-void BodiesSystem<D>::turn(ClosedContact& one, const ContactForces<double, D>& now, std::vector<double>& x,
-                           std::vector<Change>& changes) const {
-  const bool mindlin = setting_.contact[one.contact].tangential.law == TangentialLaw::mindlin;
+void BodiesSystem<D>::turn(ClosedContact& one, std::vector<double>& x, std::vector<Change>& changes) const {
+  const auto& friction = setting_.contact[one.contact].tangential;
   one.unloading = !one.unloading;
   if (const auto* law = contact::branched(setting_.contact[one.contact].law))
-    contact::turn(one.past, *law, -now.motion.gap);
+    contact::turn(one.past, *law, -motion(one.contact, x).gap);
   changes.push_back({one.contact, one.unloading ? BodyEvent::unload : BodyEvent::load});
-  if (!mindlin || one.friction != Friction::stick || one.slack) return;
-  const double factor = one.unloading ? 1 / now.spring : now.spring;  // T to ξ, or back
+  if (friction.law != TangentialLaw::mindlin || one.friction != Friction::stick || one.slack) return;
+  const double spring = friction.stiffness * std::sqrt(motion(one.contact, x).indentation);
+  const double factor = one.unloading ? 1 / spring : spring;  // T to ξ, or back
   for (Index k = 0; k < BodiesLayout<D>::tangents; ++k) x[layout(x).spring(one.slot) + k] *= factor;
 }
 
@@ -142,7 +143,7 @@ void BodiesSystem<D>::turn(ClosedContact& one, const ContactForces<double, D>& n
 template <int D>
 void BodiesSystem<D>::open_parted(Mode& mode, std::vector<double>& x, std::vector<Change>& changes) const {
   for (std::size_t i = mode.closed.size(); i-- > 0;) {
-    const auto now = field(mode, x).motion(mode.closed[i].contact);
+    const auto now = motion(mode.closed[i].contact, x);
     const auto& one = mode.closed[i];
     const double depth = opening_depth(setting_.contact[one.contact].law, one.past);
     if (now.gap + depth >= 0 && now.gap_rate > setting_.slip_noise * setting_.speed)
@@ -160,7 +161,7 @@ void BodiesSystem<D>::pass_slot(SlotGuard guard, Mode& mode, std::size_t place, 
     case SlotGuard::friction:
       return pass_friction(mode, place, x, changes);
     case SlotGuard::turn:
-      return turn(one, field(mode, x).contact(place), x, changes);
+      return turn(one, x, changes);
     case SlotGuard::load:
       one.slack = !one.slack;
       changes.push_back({one.contact, one.slack ? BodyEvent::slack : BodyEvent::grip});

@@ -33,6 +33,10 @@ class BodiesSystem {
 
   /// What the state leads to in a mode; valid until the next call.
   const BodiesField<double, D>& field(const Mode& mode, ConstState x) const;
+  /// How a contact moves, whatever the mode.
+  ContactMotion<double, D> motion(Index contact, ConstState x) const {
+    return contact_motion(setting_, layout(x), setting_.contact[contact], x);
+  }
 
  private:
   void close(Mode& mode, Index contact, std::vector<double>& x, BodyEvent event,
@@ -54,8 +58,7 @@ class BodiesSystem {
   void open_parted(Mode& mode, std::vector<double>& x, std::vector<Change>& changes) const;
   void stop_yielding(const std::vector<ClosedContact>& before, Mode& mode, std::vector<double>& x,
                      std::vector<Change>& changes) const;
-  void turn(ClosedContact& one, const ContactForces<double, D>& now, std::vector<double>& x,
-            std::vector<Change>& changes) const;
+  void turn(ClosedContact& one, std::vector<double>& x, std::vector<Change>& changes) const;
   void leave_rest(Mode& mode, ConstState x) const;
   void stay_at_rest(Mode& mode, std::vector<double>& x, std::vector<Change>& changes) const;
   void hold_or_release(Mode& mode, std::vector<double>& x, std::vector<Change>& changes) const;
