@@ -48,4 +48,11 @@ void BallSeries::expand(const BallContact& contact, const BallPhase::Motion& sta
   (Which());
 }
 
+BallPhase::Motion BallSeries::at(double place) const {
+  BallPhase::Motion sum = {};
+  for (int k = order_; k >= 0; --k)
+    for (int i = 0; i < BallMotion::states; ++i) sum[i] = sum[i] * place + row_[i][k];
+  return sum;
+}
+
 }  // namespace mariotte::flow

@@ -19,6 +19,8 @@ class BallSeries {
   std::span<const double> operator[](int row) const {
     return {row_[row].data(), static_cast<std::size_t>(order_) + 1};
   }
+  /// All states at a place.
+  BallPhase::Motion at(double place) const;
 
  private:
   struct Memory;

@@ -56,11 +56,7 @@ class BallTaylor::Expansion {
     return end;
   }
 
-  void state(double place, ConstState from, State x) const {
-    BallPhase::Motion motion;
-    for (int i = 0; i < BallMotion::states; ++i) motion[i] = horner(series_[i], place);
-    phase_->move(from, motion, x);
-  }
+  void state(double place, ConstState from, State x) const { phase_->move(from, series_.at(place), x); }
 
   /// With it, what falls through zero within rounding of its place.
   void fire(Index guard, ConstState, std::vector<Index>& fired) {

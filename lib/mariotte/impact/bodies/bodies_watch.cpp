@@ -53,15 +53,17 @@ ValueAndSlope at(std::span<const double> row, double place) {
   return sum;
 }
 
-/// Largest size of a polynomial that has one maximum at most.
+/// Largest size of a polynomial that has one maximum at most. Slopes are told a little inside: at an end
+/// where it is flat, rounding has the sign.
 double largest(std::span<const double> row, double end) {
   constexpr double loose = 1e-6;
-  const double low = loose * end;
-  const auto first = at(row, low), last = at(row, end);
-  const double ends = std::max(std::abs(row[0]), std::abs(last.value));
-  if (!(first.slope * last.slope < 0)) return ends;
+  const double low = loose * end, high = end - low;
+  const double first = at(row.first(std::min<std::size_t>(row.size(), 4)), low).slope;
+  const auto last = at(row, high);
+  const double ends = std::max(std::abs(row[0]), std::abs(last.value + low * last.slope));
+  if (!(first * last.slope < 0)) return ends;
   const auto slope = [&](double place) { return at(row, place).slope; };
-  const double top = locate_sign_change(slope, low, first.slope, end, last.slope, low);
+  const double top = locate_sign_change(slope, low, first, high, last.slope, low);
   return std::max(ends, std::abs(at(row, top).value));
 }
 
