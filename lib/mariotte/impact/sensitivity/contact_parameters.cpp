@@ -1,4 +1,5 @@
 #include <cmath>
+#include <memory>
 
 #include "mariotte/impact/sensitivity/law_parameters.hpp"
 #include "mariotte/impact/sensitivity/sensitivity.hpp"
@@ -13,17 +14,21 @@ std::string numbered(const char* name, std::size_t i) {
 template <class Model>
 using List = std::vector<Parameter<Model>>;
 
+/// By all parameters of a model: each moves a copy.
+template <class Model>
+using Shared = std::shared_ptr<const Model>;
+
 using Known = std::optional<Dimension>;
 
 /// The elements of a list of the model, each with the step that its value asks for.
 template <class Model, class Step>
-void add_elements(const Model& model, std::vector<double> Model::*list, const char* name, Step&& step,
+void add_elements(const Shared<Model>& model, std::vector<double> Model::*list, const char* name, Step&& step,
                   const Known& dimension, List<Model>& parameters) {
-  for (std::size_t i = 0; i < (model.*list).size(); ++i) {
-    const double value = (model.*list)[i];
+  for (std::size_t i = 0; i < ((*model).*list).size(); ++i) {
+    const double value = ((*model).*list)[i];
     if (std::isinf(value)) continue;
     const auto moved_to = [model, list, i](double moved) {
-      auto other = model;
+      auto other = *model;
       (other.*list)[i] = moved;
       return other;
     };
@@ -32,11 +37,11 @@ void add_elements(const Model& model, std::vector<double> Model::*list, const ch
 }
 
 template <class Model>
-void add_laws(const Model& model, List<Model>& parameters) {
-  for (std::size_t j = 0; j < model.law.size(); ++j)
-    for (auto& number : law_parameters(model.law[j])) {
+void add_laws(const Shared<Model>& model, List<Model>& parameters) {
+  for (std::size_t j = 0; j < model->law.size(); ++j)
+    for (auto& number : law_parameters(model->law[j])) {
       const auto moved_to = [model, j, law = std::move(number.law)](double moved) {
-        auto other = model;
+        auto other = *model;
         other.law[j] = law(moved);
         return other;
       };
@@ -47,7 +52,7 @@ void add_laws(const Model& model, List<Model>& parameters) {
 
 /// Velocities and gaps are the state at the start, which is linear in them.
 template <class Model>
-List<Model> common(const Model& model, bool has_masses, bool has_balls) {
+List<Model> common(const Shared<Model>& model, bool has_masses, bool has_balls) {
   const auto share = [](double value) { return 0.01 * value; };
   const auto unit = [](double) { return 1.0; };
   const auto of_balls = [&](const Dimension& dimension) { return has_balls ? Known(dimension) : Known(); };
@@ -62,10 +67,11 @@ List<Model> common(const Model& model, bool has_masses, bool has_balls) {
 }  // namespace
 
 std::vector<Parameter<model::Chain>> parameters(const model::Chain& chain) {
-  auto list = common(chain, true, true);
+  const auto shared = std::make_shared<const model::Chain>(chain);
+  auto list = common(shared, true, true);
   if (chain.gravity == 0) return list;
-  const auto moved_to = [chain](double moved) {
-    auto other = chain;
+  const auto moved_to = [shared](double moved) {
+    auto other = *shared;
     other.gravity = moved;
     return other;
   };
@@ -75,7 +81,7 @@ std::vector<Parameter<model::Chain>> parameters(const model::Chain& chain) {
 
 std::vector<Parameter<model::Network>> parameters(const model::Network& network) {
   const bool diagonal = model::is_diagonal(network.mass, std::ssize(network.velocity));
-  return common(network, diagonal, network.dimension > 0);
+  return common(std::make_shared<const model::Network>(network), diagonal, network.dimension > 0);
 }
 
 }  // namespace mariotte::impact
