@@ -118,7 +118,7 @@ command::OptionList declare(Options& options) {
   return {{"--problem", &options.problems, "Only this problem; may be repeated", {.value = "NAME"}},
           {"--method", &options.methods, "Only this method; may be repeated", {.value = "NAME"}},
           {"--quick", &options.quick, "Coarse ladders and short timings: all within a minute"},
-          {"--slopes", &options.slopes, "Only what slopes of three balls cost, as multiples of a run"},
+          {"--slopes", &options.slopes, "Only what slopes of three balls and of rows cost, as multiples of a run"},
           {"--friction", &options.friction, "Only what bodies with friction cost, by series and by CVODE"},
           {"--laws", &options.laws, "Only what a pair of each named law costs, and by CVODE"},
           {"--csv", &options.csv, "Write every point of the diagrams to this file", {.value = "FILE"}},

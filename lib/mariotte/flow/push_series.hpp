@@ -11,8 +11,8 @@ inline constexpr int most_orders = 20;
 /// Coefficients by order.
 using PushPolynomial = std::array<double, most_orders + 1>;
 
-/// Contacts of power laws with n = 1 or 3/2 in a clock σ that starts at 0:
-///   dt/dσ = `pace`,   δ, δ̇ and δⁿ⁻¹ are polynomials of σ.
+/// Contacts of power laws in a clock σ that starts at 0:
+///   dt/dσ = `pace`,   δ, δ̇ and, with n = 1 or 3/2, δⁿ⁻¹ are polynomials of σ.
 /// Or, where contacts start from δ = 0 (`power` > 0), in z = t^power:
 ///   δ = t Σ d_k zᵏ,   √δ = √t Σ r_k zᵏ.
 struct PushSeries {
@@ -22,12 +22,15 @@ struct PushSeries {
     bool is_curved = false;  ///< n = 3/2
     PushPolynomial depth, rate, root;
   };
-  int order = 0;        ///< of δ and δ̇; the root is known to one less
-  double end = 0;       ///< of σ, or of t
-  double power = 0;     ///< of t in z
-  bool is_time = true;  ///< σ is time
+  int order = 0;          ///< of δ and δ̇; the root is known to one less
+  double end = 0;         ///< of σ, or of t
+  double power = 0;       ///< of t in z
+  bool is_time = true;    ///< σ is time
+  bool has_roots = true;  ///< all exponents are 1 or 3/2
   PushPolynomial pace;
   std::vector<Contact> contact;
+  std::vector<Contact>
+      dozing;  ///< so shallow that their force is left out: depths and rates; none at a start
 };
 
 /// The same motion from `begin` to `end` of σ, which starts again at 0. Not for those with a power.

@@ -43,29 +43,39 @@ bool PieceStep::acts(int lane) const {
 
 bool PieceStep::series(PushSeries& push) const {
   static_assert(order_limit <= most_orders);
-  if (window_.lanes.general || window_.lanes.mixed || window_.lanes.widened) return false;
+  if (window_.lanes.mixed || window_.lanes.widened) return false;
   push.order = piece_.order;
   push.end = piece_.end;
   push.is_time = piece_.clock == Expansion::plain;
+  push.has_roots = !window_.lanes.general;
   push.power = piece_.start ? piece_.start->power() : 0;
   push.contact.clear();
-  for (int lane = 0; lane < window_.lanes.count; ++lane) {
-    if (!acts(lane)) continue;
-    auto& c = push.contact.emplace_back();
-    c.gap = window_.contact(lane).gap;
-    c.owns_clock = lane == piece_.clock;
-    c.is_curved = window_.is_sharp(lane);
-    if (piece_.start) {
-      piece_.start->coefficients(lane, c.depth, c.root);
-      continue;
-    }
-    piece_.series->coefficients(Quantity::indentation, lane, c.depth.data());
-    piece_.series->coefficients(Quantity::rate, lane, c.rate.data());
-    piece_.series->coefficients(Quantity::root, lane, c.root.data());
-  }
+  push.dozing.clear();
+  for (int lane = 0; lane < window_.lanes.count; ++lane)
+    if (acts(lane))
+      fill_force(lane, push.contact.emplace_back());
+    else if (window_.pushes(lane) && piece_.series)
+      fill_motion(lane, push.dozing.emplace_back());
   if (piece_.series)
     piece_.series->coefficients(Quantity::clock, std::max(piece_.clock, 0), push.pace.data());
   return true;
+}
+
+void PieceStep::fill_force(int lane, PushSeries::Contact& c) const {
+  fill_motion(lane, c);
+  if (piece_.start)
+    piece_.start->coefficients(lane, c.depth, c.root);
+  else
+    piece_.series->coefficients(Quantity::root, lane, c.root.data());
+}
+
+void PieceStep::fill_motion(int lane, PushSeries::Contact& c) const {
+  c.gap = window_.contact(lane).gap;
+  c.owns_clock = lane == piece_.clock;
+  c.is_curved = window_.is_sharp(lane);
+  if (!piece_.series) return;
+  piece_.series->coefficients(Quantity::indentation, lane, c.depth.data());
+  piece_.series->coefficients(Quantity::rate, lane, c.rate.data());
 }
 
 }  // namespace mariotte::flow::taylor

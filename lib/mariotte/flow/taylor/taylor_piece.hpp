@@ -43,6 +43,8 @@ class PieceStep final : public Step {
  private:
   bool acts(int lane) const;
   void show(double place, State x) const;
+  void fill_force(int lane, PushSeries::Contact& contact) const;
+  void fill_motion(int lane, PushSeries::Contact& contact) const;
 
   const Window& window_;
   const Piece& piece_;

@@ -2,67 +2,18 @@
 
 #include <Eigen/Dense>
 #include <cmath>
-#include <numbers>
+
+#include "mariotte/impact/sensitivity/gauss.hpp"
 
 namespace mariotte::impact {
 namespace {
 
-constexpr int stages = 8;
-constexpr int tail_length = 4;
 constexpr int most_halvings = 10;
 constexpr int most_halvings_at_root = 5;  ///< nearer to it the indentation is rounding
 constexpr Index largest_division = 480;   ///< beyond it sweeps cost less than a division
 constexpr int most_sweeps = 60;
 
 using Matrix = Eigen::MatrixXd;
-using Stages = Eigen::Matrix<double, stages, stages>;
-using Node = Eigen::Matrix<double, stages, 1>;
-
-/// P_k and its slope at x.
-std::pair<double, double> legendre(int k, double x) {
-  double before = 1, now = x;
-  if (k == 0) return {1, 0};
-  for (int i = 2; i <= k; ++i) {
-    const double next = ((2 * i - 1) * x * now - (i - 1) * before) / i;
-    before = now;
-    now = next;
-  }
-  return {now, k * (x * now - before) / (x * x - 1)};
-}
-
-/// Gauss points of [0, 1], weights, ∫₀^{c_i} of the Lagrange polynomials, and of a function at the points its
-/// four highest Legendre coefficients.
-struct Gauss {
-  Node point, weight;
-  Stages integral;
-  Eigen::Matrix<double, tail_length, stages> tail;
-
-  Gauss() {
-    Stages values, integrals;  // of P_k at the points, by k
-    for (int i = 0; i < stages; ++i) {
-      double x = -std::cos(std::numbers::pi * (i + 0.75) / (stages + 0.5));
-      for (int n = 0; n < 50; ++n) {
-        const auto [p, slope] = legendre(stages, x);
-        x -= p / slope;
-      }
-      const double slope = legendre(stages, x).second;
-      point[i] = 0.5 * (1 + x);
-      weight[i] = 1 / ((1 - x * x) * slope * slope);
-      for (int k = 0; k < stages; ++k) {
-        values(i, k) = legendre(k, x).first;
-        integrals(i, k) = k == 0 ? 0.5 * (x + 1)
-                                 : 0.5 * (legendre(k + 1, x).first - legendre(k - 1, x).first) / (2 * k + 1);
-      }
-    }
-    // Coefficients of an interpolant are (2k + 1) Σ_i b_i P_k(x_i) f(x_i).
-    Stages coefficients;
-    for (int k = 0; k < stages; ++k)
-      for (int i = 0; i < stages; ++i) coefficients(k, i) = (2 * k + 1) * weight[i] * values(i, k);
-    integral = integrals * coefficients;
-    tail = coefficients.bottomRows<tail_length>();
-  }
-};
-const Gauss gauss;
 
 /// Time as a fraction of a step, and its rate, where the clock stands at u.
 struct Moment {
@@ -141,12 +92,12 @@ struct Collocation::Memory {
         const Index row = position[pattern[e].row], column = position[pattern[e].column];
         if (row < 0 || jacobian[j][e] == 0) continue;
         const double factor = rate[j] * jacobian[j][e];
-        for (int i = 0; i < stages; ++i) system(i * m + row, j * m + column) -= gauss.integral(i, j) * factor;
+        for (int i = 0; i < stages; ++i) system(i * m + row, j * m + column) -= gauss.integral[i][j] * factor;
       }
       const auto b = source_at(j);
       for (Index k = 0; k < m; ++k)
         for (int i = 0; i < stages; ++i)
-          right.row(i * m + k) += gauss.integral(i, j) * rate[j] * b.row(active[k]);
+          right.row(i * m + k) += gauss.integral[i][j] * rate[j] * b.row(active[k]);
     }
     value = system.partialPivLu().solve(right);
     for (int i = 0; i < stages; ++i) set_slope(i, value.middleRows(i * m, m));
@@ -165,7 +116,7 @@ struct Collocation::Memory {
       for (int i = 0; i < stages; ++i) {
         right = now;
         for (int j = 0; j < stages; ++j)
-          for (Index k = 0; k < m; ++k) right.row(k) += gauss.integral(i, j) * slope[j].row(active[k]);
+          for (Index k = 0; k < m; ++k) right.row(k) += gauss.integral[i][j] * slope[j].row(active[k]);
         for (Index k = 0; k < m; ++k) {
           const double unit = magnitude[active[k]];
           change = std::max(change, (right.row(k) - value.row(i * m + k)).cwiseAbs().maxCoeff() / unit);
@@ -191,7 +142,7 @@ struct Collocation::Memory {
     Eigen::RowVectorXd reach = (unit * s).cwiseAbs().colwise().maxCoeff();
     for (int i = 0; i < stages; ++i) {
       reach = reach.cwiseMax((unit * slope[i]).cwiseAbs().colwise().maxCoeff());
-      for (int k = 0; k < tail_length; ++k) coefficient[k] += gauss.tail(k, i) * slope[i];
+      for (int k = 0; k < tail_length; ++k) coefficient[k] += gauss.tail[k][i] * slope[i];
     }
     double size_of[tail_length];
     for (int k = 0; k < tail_length; ++k) {
@@ -201,13 +152,9 @@ struct Collocation::Memory {
     return {size_of[0] + size_of[1], size_of[2] + size_of[3]};
   }
 
-  /// Whether the points resolve the rates. Gauss' formula has twice the order of its interpolant, so its
-  /// error is the coefficient so far beyond the last ones, if they go on to fall as they do. Next to a root
-  /// they are small but fall slowly.
-  bool is_resolved(const SlopeMatrix& slopes) {
+  bool resolves(const SlopeMatrix& slopes) {
     const auto [before, last] = tails(slopes);
-    const double fall = last < before ? last / before : 1;
-    return last <= 3 * std::sqrt(accuracy) && last * std::pow(fall, 0.5 * stages) <= 10 * accuracy;
+    return is_resolved(before, last, accuracy);
   }
 
   bool solve_piece(LinearField& field, double start, double end, Edges edges, double u, double width,
@@ -218,7 +165,7 @@ struct Collocation::Memory {
     for (std::size_t k = 0; k < active.size(); ++k) now.row(k) = s.row(active[k]);
     const bool small = std::ssize(active) * stages <= largest_division;
     const bool solved = small ? divide() : sweep();
-    if (!last && !(solved && is_resolved(slopes))) return false;
+    if (!last && !(solved && resolves(slopes))) return false;
     for (int i = 0; i < stages; ++i) s += gauss.weight[i] * slope[i];
     return true;
   }

@@ -63,8 +63,9 @@ void leave_out_unbounded(Sensitivity& slopes) {
 void expect_few(Index components, Index parameters) {
   constexpr Index most = 200'000;
   if (components * parameters <= most) return;
-  throw InvalidParameter("slopes of " + std::to_string(components) + " components by " +
-                         std::to_string(parameters) + " parameters are too many; choose parameters");
+  throw InvalidParameter(
+      "slopes of " + std::to_string(components) + " components by " + std::to_string(parameters) +
+      " parameters are too many; choose parameters, or of a row of power laws one velocity");
 }
 
 }  // namespace mariotte::impact

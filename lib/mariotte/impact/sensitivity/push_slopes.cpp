@@ -167,7 +167,7 @@ bool PushSlopes<Topology>::carry(const flow::PushSeries& series, SlopeMatrix& sl
 
 template <class Topology>
 bool PushSlopes<Topology>::follow_series(const flow::Step& step, SlopeMatrix& slopes) {
-  if (!step.series(series_)) return false;
+  if (!step.series(series_) || !series_.has_roots) return false;
   for (const auto& one : series_.contact)
     if (!PushExpansion::knows(*power_law(model_.law[contact_at_[one.gap]]), contact_[contact_at_[one.gap]]))
       return false;

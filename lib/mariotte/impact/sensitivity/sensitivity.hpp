@@ -45,6 +45,7 @@ struct Sensitivity {
   std::vector<ParameterValue> parameter;
   std::vector<OutcomeSlopes> outcome;
   std::vector<std::string> notes;  ///< where slopes are large, one-sided or missing, and why
+  bool is_swept_back = false;      ///< from its one outcome, through the run
   bool in_doubt = false;           ///< a note says that slopes may be wrong
 };
 

@@ -1,0 +1,204 @@
+#include "mariotte/impact/sensitivity/adjoint/motion_record.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mariotte/core/error.hpp"
+
+namespace mariotte::impact {
+
+using flow::PushPolynomial;
+using flow::PushSeries;
+
+namespace {
+
+constexpr int most_halvings = 10;
+
+Nodes values(const PushPolynomial& p, int order, const Nodes& place) {
+  Nodes sum;
+  sum.fill(p[order]);
+  for (int k = order - 1; k >= 0; --k)
+    for (int i = 0; i < stages; ++i) sum[i] = sum[i] * place[i] + p[k];
+  return sum;
+}
+
+/// Of the interpolant of a function, two coefficients among the highest.
+double tail(const Nodes& function, int first) {
+  double size = 0;
+  for (const int n : {first, first + 1}) {
+    double sum = 0;
+    for (int i = 0; i < stages; ++i) sum += gauss.tail[n][i] * function[i];
+    size += std::abs(sum);
+  }
+  return size;
+}
+
+template <class T>
+void append(std::vector<T>& to, const std::vector<T>& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+template <class T>
+std::size_t size_of(const std::vector<T>& list) {
+  return list.size() * sizeof(T);
+}
+
+}  // namespace
+
+std::size_t MotionRecord::bytes() const {
+  return size_of(stretch) + size_of(piece) + size_of(contact) + size_of(rate) + size_of(closing);
+}
+
+/// Where Gauss points stand in a series: polynomials of `argument`, times `unit`, and dt/du.
+struct MotionRecorder::Places {
+  Nodes argument, unit, pace;
+};
+
+/// Where contacts start from δ = 0 roots of u⁴ are smooth.
+MotionRecorder::Places MotionRecorder::places(double begin, double width) const {
+  Places at;
+  for (int i = 0; i < stages; ++i) {
+    const double u = begin + width * gauss.point[i], end = series_.end;
+    const bool starts = series_.power > 0;
+    at.unit[i] = starts ? end * u * u * u * u : 1;
+    at.argument[i] = starts ? std::pow(at.unit[i], series_.power) : end * u;
+    at.pace[i] = width * end * (starts ? 4 * u * u * u : 1);
+  }
+  if (series_.power > 0 || series_.is_time) return at;
+  const auto clock = values(series_.pace, series_.order, at.argument);
+  for (int i = 0; i < stages; ++i) at.pace[i] *= clock[i];
+  return at;
+}
+
+void MotionRecorder::begin(const model::ChainSystem& slice, Index first, Instant start) {
+  slice_ = &slice;
+  seen_.stretch.assign(
+      1, {.first = first, .last = first + slice.layout().contacts(), .start = start, .end = start});
+  seen_.piece.clear();
+  drop(0, 0);
+  seen_.closing.clear();
+  end_ = 0;
+}
+
+void MotionRecorder::observe(const flow::Step& step) {
+  watch_();
+  if (!(step.end > step.start)) return;
+  if (seen_.piece.empty()) note_closings(step.before);
+  if (!step.series(series_))
+    throw InvalidParameter(
+        "slopes are computed backwards where series follow all of a row, which they do not");
+  end_ = step.end;
+  add(step, 0, 1, 0);
+}
+
+void MotionRecorder::keep() {
+  auto& stretch = seen_.stretch.front();
+  if (seen_.piece.empty()) return;
+  stretch.end = stretch.start + end_;
+  stretch.pieces = std::ssize(seen_.piece);
+  stretch.closings = std::ssize(seen_.closing);
+  append(all_.stretch, seen_.stretch);
+  append(all_.piece, seen_.piece);
+  append(all_.contact, seen_.contact);
+  append(all_.rate, seen_.rate);
+  append(all_.closing, seen_.closing);
+}
+
+/// A linear damped contact begins with the force c δ̇.
+void MotionRecorder::note_closings(ConstState x) {
+  const auto& layout = slice_->layout();
+  for (Index j = 0; j < layout.contacts(); ++j) {
+    const auto& contact = slice_->phase().flows().contact(j);
+    const double rate = x[layout.velocity[j]] - x[layout.velocity[j + 1]];
+    const bool begins =
+        contact.role == flow::Role::closed && rate > 0 && -x[layout.gap[j]] <= 16 * epsilon * contact.length;
+    if (begins && contact.exponent == 1 && contact.damping > 0)
+      seen_.closing.push_back(seen_.stretch.front().first + j);
+  }
+}
+
+Index MotionRecorder::number_of(Index gap) const {
+  const auto& places = slice_->layout().gap;
+  return seen_.stretch.front().first + (std::lower_bound(places.begin(), places.end(), gap) - places.begin());
+}
+
+void MotionRecorder::add_contact(const PushSeries::Contact& contact, const Places& places) {
+  const Index j = number_of(contact.gap);
+  auto depth = values(contact.depth, series_.order, places.argument);
+  for (int i = 0; i < stages; ++i) depth[i] *= places.unit[i];
+  seen_.contact.push_back({.number = j, .depth = depth});
+  if (law(j).damping > 0) seen_.rate.push_back(values(contact.rate, series_.order, places.argument));
+}
+
+void MotionRecorder::drop(std::size_t contacts, std::size_t rates) {
+  seen_.contact.resize(contacts);
+  seen_.rate.resize(rates);
+}
+
+/// Whether what a dozing contact does is so little that it counts to first order only.
+bool MotionRecorder::is_shallow(const PushSeries::Contact& contact) const {
+  const auto& power = law(number_of(contact.gap));
+  return power.damping == 0 && power.exponent >= 1.5;
+}
+
+/// Whether the points resolve what the contacts that have been added last do to each other.
+bool MotionRecorder::is_resolved(const MotionRecord::Piece& piece) const {
+  const auto& inverse_mass = slice_->chain().inverse_mass;
+  const double duration = total(piece.pace);
+  auto rate = seen_.rate.end();
+  for (auto own = seen_.contact.end(); own != seen_.contact.end() - piece.contacts;) {
+    const Index j = (--own)->number - seen_.stretch.front().first;
+    const auto& power = law(own->number);
+    const double share = duration * (inverse_mass[j] + inverse_mass[j + 1]);
+    Nodes stiffness;
+    const Nodes rates = power.damping == 0 ? Nodes{} : *--rate;
+    for (int i = 0; i < stages; ++i)
+      stiffness[i] = piece.pace[i] * contact::smooth_force(power, own->depth[i], rates[i]).by_indentation;
+    if (!impact::is_resolved(share * tail(stiffness, 0), share * tail(stiffness, 2), accuracy_)) return false;
+  }
+  return true;
+}
+
+/// Where a series starts from δ = 0 it says nothing of contacts so shallow that their force is left out.
+void MotionRecorder::add_dozing(const flow::Step& step, const Places& places) {
+  const auto& layout = slice_->layout();
+  std::vector<double> x(layout.size);
+  const auto first = seen_.contact.size();
+  for (Index j = 0; j < layout.contacts(); ++j) {
+    const auto is_own = [&](const auto& one) { return one.gap == layout.gap[j]; };
+    const auto& all = series_.contact;
+    const Index number = seen_.stretch.front().first + j;
+    if (!slice_->phase().flows().contact(j).pushes() || std::any_of(all.begin(), all.end(), is_own)) continue;
+    seen_.contact.push_back({.number = number, .depth = {}});
+    if (law(number).damping > 0) seen_.rate.push_back({});
+  }
+  for (int i = 0; i < stages && first < seen_.contact.size(); ++i) {
+    step.at(step.start + places.unit[i], x);
+    for (auto own = seen_.contact.begin() + first; own != seen_.contact.end(); ++own)
+      own->depth[i] = -x[layout.gap[own->number - seen_.stretch.front().first]];
+  }
+}
+
+/// The step from `begin` on, `width` of it.
+void MotionRecorder::add(const flow::Step& step, double begin, double width, int halvings) {
+  const auto at = places(begin, width);
+  MotionRecord::Piece piece{.pace = at.pace};
+  const auto contacts = seen_.contact.size(), rates = seen_.rate.size();
+  for (const auto& contact : series_.contact) add_contact(contact, at);
+  for (const auto& contact : series_.dozing)
+    if (!is_shallow(contact)) add_contact(contact, at);
+  piece.contacts = static_cast<Index>(seen_.contact.size() - contacts);
+  if (halvings < most_halvings && !is_resolved(piece)) {
+    drop(contacts, rates);
+    add(step, begin, width / 2, halvings + 1);
+    return add(step, begin + width / 2, width / 2, halvings + 1);
+  }
+  for (const auto& contact : series_.dozing)
+    if (is_shallow(contact)) add_contact(contact, at);
+  if (series_.power > 0) add_dozing(step, at);
+  piece.shallow = static_cast<Index>(seen_.contact.size() - contacts) - piece.contacts;
+  piece.contacts += piece.shallow;
+  seen_.piece.push_back(piece);
+}
+
+}  // namespace mariotte::impact

@@ -1,0 +1,26 @@
+// Collocation in eight Gauss points of [0, 1], and whether they resolve what they are asked for.
+#pragma once
+
+namespace mariotte::impact {
+
+inline constexpr int stages = 8;
+inline constexpr int tail_length = 4;
+
+/// Points, weights b, ∫₀^{c_i} of the Lagrange polynomials, and of a function at the points its four highest
+/// Legendre coefficients.
+struct Gauss {
+  double point[stages], weight[stages];
+  double integral[stages][stages];
+  double tail[tail_length][stages];
+
+  Gauss();
+};
+extern const Gauss gauss;
+
+/// From the highest coefficients of an interpolant relative to the function: those of the two orders before
+/// the last two, and of these. Gauss' formula has twice the order of its interpolant, so its error is the
+/// coefficient so far beyond the last ones, if they go on to fall as they do. Next to a root they are small
+/// but fall slowly.
+bool is_resolved(double before, double last, double accuracy);
+
+}  // namespace mariotte::impact

@@ -1,0 +1,168 @@
+// Slopes of one outcome of a row by all its numbers, swept back: against slopes that run forward, and against
+// what units and time demand.
+#define BOOST_TEST_MODULE adjoint
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "mariotte/core/error.hpp"
+#include "mariotte/impact/sensitivity/adjoint/adjoint.hpp"
+
+using namespace mariotte;
+
+namespace {
+
+using contact::PowerLaw;
+
+constexpr hybrid::Options usual{.accuracy = 1e-10};
+
+/// Balls of several masses, struck by the first.
+model::Chain row_of(std::vector<contact::Law> laws, std::vector<double> gaps) {
+  model::Chain row{.mass = {}, .law = std::move(laws), .gap = std::move(gaps), .velocity = {}};
+  for (std::size_t i = 0; i <= row.law.size(); ++i) {
+    row.mass.push_back(1 + 0.3 * std::sin(2.0 * static_cast<double>(i)));
+    row.velocity.push_back(i == 0 ? 1 : 0);
+  }
+  return row;
+}
+
+impact::Adjoint swept(const model::Chain& row, std::size_t ball, const hybrid::Options& options = usual) {
+  std::vector<double> weights(row.mass.size());
+  weights[ball] = 1;
+  return impact::adjoint(row, weights, options);
+}
+
+/// Largest difference of the slopes of a velocity from those that run forward, by all parameters.
+double difference(const model::Chain& row, std::size_t ball, const hybrid::Options& options = usual) {
+  const auto forward = impact::sensitivity(row, impact::parameters(row), options);
+  const auto& outcome = forward.outcome.at(ball);
+  const auto back = as_sensitivity(row, swept(row, ball, options), outcome.name, outcome.index);
+  BOOST_TEST_REQUIRE(back.parameter.size() == forward.parameter.size());
+  BOOST_TEST(name(back.ending) == name(forward.ending));
+  BOOST_TEST(std::abs(*back.outcome[0].value - *outcome.value) < 1e-10);
+  double most = 0;
+  for (std::size_t c = 0; c < back.parameter.size(); ++c) {
+    BOOST_TEST(back.parameter[c].name == forward.parameter[c].name);
+    most = std::max(most, std::abs(*back.outcome[0].slope[c] - outcome.slope[c].value()));
+  }
+  return most;
+}
+
+double worst(const model::Chain& row, const hybrid::Options& options = usual) {
+  double most = 0;
+  for (std::size_t ball = 0; ball < row.mass.size(); ++ball)
+    most = std::max(most, difference(row, ball, options));
+  return most;
+}
+
+const std::vector<contact::Law> hertz(4, contact::Hertz(1));
+const std::vector<double> touching(4, 0.0), apart = {0.1, 0, 0.02, 0.3};
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(slopes_of_hertz_rows_are_those_that_run_forward) {
+  BOOST_TEST(worst(row_of(hertz, touching)) < 1e-9);
+  BOOST_TEST(worst(row_of(hertz, apart)) < 1e-10);
+}
+
+BOOST_AUTO_TEST_CASE(slopes_of_rows_of_any_power_laws_are_those_that_run_forward) {
+  const std::vector<std::vector<contact::Law>> all = {
+      {contact::Linear(1), contact::Linear(2), contact::Linear(1.5)},
+      {PowerLaw{1, 0.1, 1}, PowerLaw{2, 0.2, 1}, PowerLaw{1, 0.05, 1}},
+      {PowerLaw{1, 0.1, 1.5}, PowerLaw{2, 0.2, 1.5}, PowerLaw{1, 0.05, 1.5}},
+      {PowerLaw{1, 0, 2}, PowerLaw{2, 0, 1.3}, PowerLaw{1, 0.1, 2.5}}};
+  for (const auto& laws : all)
+    for (const auto& gaps : {std::vector<double>(3, 0.0), std::vector<double>{0.1, 0.2, 0.03}})
+      BOOST_TEST(worst(row_of(laws, gaps)) < 1e-9);
+}
+
+BOOST_AUTO_TEST_CASE(walls_and_units_do_no_harm) {
+  auto row = row_of(hertz, apart);
+  row.mass.back() = infinity;
+  BOOST_TEST(worst(row) < 1e-9);
+  for (double& mass : row.mass) mass *= 3e-3;
+  for (double& speed : row.velocity) speed *= 20;
+  for (auto& law : row.law) law = PowerLaw{1e4, 0, 1.4};
+  const auto by = impact::parameters(row);
+  const auto back = as_sensitivity(row, swept(row, 1), "velocity", 1).outcome[0];
+  const auto forward = impact::sensitivity(row, by, usual).outcome[1];
+  for (std::size_t c = 0; c < by.size(); ++c)
+    BOOST_TEST(std::abs(*back.slope[c] - forward.slope[c].value()) * by[c].value < 1e-9 * 20, by[c].name);
+}
+
+BOOST_AUTO_TEST_CASE(a_run_may_end_while_contacts_push) {
+  auto options = usual;
+  options.max_time = 2;
+  BOOST_TEST(worst(row_of(hertz, touching), options) < 1e-9);
+}
+
+BOOST_AUTO_TEST_CASE(rows_that_start_indented_have_slopes) {
+  auto row = row_of(hertz, {-0.1, -0.05, 0.02, -0.2});
+  row.precompressed = true;
+  row.velocity[0] = 0;
+  BOOST_TEST(worst(row) < 1e-9);
+}
+
+BOOST_AUTO_TEST_CASE(weights_add_outcomes_up) {
+  const auto row = row_of(hertz, apart);
+  const auto sum = impact::adjoint(row, std::vector<double>{1, 0, 0, -2, 0}, usual);
+  const auto first = swept(row, 0), fourth = swept(row, 3);
+  BOOST_TEST(std::abs(sum.value - (first.value - 2 * fourth.value)) < 1e-14);
+  for (std::size_t j = 0; j < 4; ++j)
+    BOOST_TEST(std::abs(sum.slopes.gap[j] - (first.slopes.gap[j] - 2 * fourth.slopes.gap[j])) < 1e-13);
+}
+
+// Three slopes that run forward; and what other units and another start of the clock must not change.
+BOOST_AUTO_TEST_CASE(slopes_of_a_long_row_are_right) {
+  constexpr std::size_t balls = 100;
+  auto row = row_of(std::vector<contact::Law>(balls - 1, contact::Hertz(1)), std::vector<double>(balls - 1));
+  for (std::size_t j = 50; j < 60; ++j) row.gap[j] = 0.1;
+  const auto back = swept(row, balls - 1);
+  auto by = impact::parameters(row);
+  const auto is_other = [](const auto& one) {
+    return one.name != "mass[20]" && one.name != "gap[55]" && one.name != "contact[90].stiffness";
+  };
+  std::erase_if(by, is_other);
+  const auto forward = impact::sensitivity(row, by, usual).outcome[balls - 1];
+  const auto& slopes = back.slopes;
+  const double found[] = {slopes.mass[20], slopes.gap[55], slopes.stiffness[90]};
+  for (std::size_t c = 0; c < 3; ++c) BOOST_TEST(std::abs(found[c] - forward.slope[c].value()) < 1e-9);
+  double by_units = 0, by_time = 0, size = 0;
+  for (std::size_t i = 0; i < balls; ++i) by_units += slopes.mass[i] * row.mass[i];
+  for (std::size_t j = 0; j + 1 < balls; ++j) {
+    by_units += slopes.stiffness[j];
+    by_time += slopes.gap[j] * (row.velocity[j + 1] - row.velocity[j]);
+    size += std::abs(slopes.stiffness[j]);
+  }
+  BOOST_TEST(size > 0.1);
+  BOOST_TEST(std::abs(by_units) < 1e-10);
+  BOOST_TEST(std::abs(by_time) < 1e-10);
+}
+
+BOOST_AUTO_TEST_CASE(numbers_of_a_row_may_depend_on_another) {
+  const auto row = row_of(hertz, apart);
+  const impact::Parameter<model::Chain> all{"all", 2, 0.02, [&](double value) {
+                                              auto other = row;
+                                              for (auto& law : other.law)
+                                                law = contact::Hertz(value * value / 4);
+                                              for (double& mass : other.mass) mass *= value / 2;
+                                              other.gap[2] *= value / 2;
+                                              return other;
+                                            }};
+  const auto forward = impact::sensitivity(row, {all}, usual);
+  BOOST_TEST(std::abs(slope_by(swept(row, 4).slopes, all) - forward.outcome[4].slope[0].value()) < 1e-9);
+}
+
+BOOST_AUTO_TEST_CASE(what_is_not_known_is_refused) {
+  auto row = row_of(hertz, touching);
+  BOOST_CHECK_THROW(impact::adjoint(row, std::vector<double>(4), usual), InvalidParameter);
+  BOOST_TEST(!impact::why_no_adjoint(row));
+  row.law[1] = PowerLaw{1, 0.1, 1.4};
+  BOOST_CHECK_THROW(swept(row, 1), InvalidParameter);
+  row.law[1] = contact::Hertz(1);
+  row.gravity = 1;
+  row.mass[0] = infinity;
+  BOOST_CHECK_THROW(swept(row, 1), InvalidParameter);
+  auto stiff = usual;
+  stiff.flow = flow::Kind::cvode_adams;
+  BOOST_CHECK_THROW(swept(row_of(hertz, touching), 1, stiff), InvalidParameter);
+}
