@@ -79,7 +79,7 @@ int sensitivity(const Slopes& options) {
   if (!options.out.empty()) report::prepare_folder(options.out, file_names(), options.force);
   const auto document = open(options.scene);
   const auto scene = resolve(options.scene, document);
-  auto slopes = study::sensitivity(document, scene, options.to);
+  auto slopes = study::sensitivity(document, scene, options.to, options.of);
   keep_wanted(slopes, options.of);
   if (options.json)
     print(report::text(json(slopes, scene, options.scene)));

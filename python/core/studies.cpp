@@ -46,7 +46,7 @@ std::tuple<std::string, std::string> fit(const SceneBox& box, const std::string&
 /// JSON with parameters, their values, outcomes by name and notes.
 std::string sensitivity(const SceneBox& box, const std::vector<std::string>& to) {
   report::Json result = report::Json::object();
-  const auto found = study::sensitivity(box.document, box.scene, to, Interruption());
+  const auto found = study::sensitivity(box.document, box.scene, to, {}, Interruption());
   report::add_slopes(found, result);
   for (const auto& one : found.outcome) {
     const report::Json value = one.value ? report::Json(*one.value) : report::Json(nullptr);

@@ -44,6 +44,32 @@ BOOST_FIXTURE_TEST_CASE(outcomes_and_parameters_are_chosen, Session) {
   BOOST_TEST(has(mariotte(sphere + "--of e_n --to zeta_hertz").out, "zeta_hertz"));
 }
 
+BOOST_FIXTURE_TEST_CASE(one_velocity_of_a_long_row_is_swept_back, Session) {
+  const auto row =
+      std::string("sensitivity ") + MARIOTTE_SCENES +
+      "/solitary_wave.toml --set chain.balls=60 --to mass[7] --to chain.material.density --json ";
+  const auto back = Json::parse(mariotte(row + "--of velocity[59]").out);
+  const auto forward = Json::parse(mariotte(row + "--of velocity[59] --of time").out);
+  BOOST_TEST(back["swept_back"] == true);
+  BOOST_TEST(forward["swept_back"] == false);
+  BOOST_TEST(back["parameters"] == forward["parameters"]);
+  const auto& found = back["derivative"]["velocity"][0];
+  const auto& expected = forward["derivative"]["velocity"][0];
+  for (std::size_t c = 0; c < 2; ++c) {
+    const double value = back["parameter_values"][c];
+    BOOST_TEST(std::abs(found[c].get<double>() - expected[c].get<double>()) * value < 1e-9);
+  }
+  BOOST_TEST(std::abs(found[0].get<double>() * back["parameter_values"][0].get<double>()) > 1e-4);
+}
+
+BOOST_FIXTURE_TEST_CASE(slopes_by_all_numbers_of_a_very_long_row_are_told, Session) {
+  const auto run = mariotte(std::string("sensitivity ") + MARIOTTE_SCENES +
+                            "/solitary_wave.toml --set chain.balls=3000 --of velocity[2999]");
+  BOOST_TEST(run.code == 0);
+  BOOST_TEST(has(run.out, "slopes by 11998 parameters, swept back"));
+  BOOST_TEST(has(run.out, "contact[2998].stiffness"));
+}
+
 BOOST_FIXTURE_TEST_CASE(what_there_is_no_slope_of_or_by_is_told_so, Session) {
   const auto outcome = mariotte(triplet + "--of speed");
   BOOST_TEST(outcome.code == 2);

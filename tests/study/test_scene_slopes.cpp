@@ -6,10 +6,12 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "mariotte/core/error.hpp"
 #include "mariotte/impact/sensitivity/stencil.hpp"
 #include "mariotte/report/json/sensitivity_json.hpp"
 #include "mariotte/report/number.hpp"
 #include "mariotte/study/sensitivity/scene_parameters.hpp"
+#include "mariotte/study/sensitivity/swept_slopes.hpp"
 
 using namespace mariotte;
 using nlohmann::json;
@@ -231,4 +233,32 @@ BOOST_AUTO_TEST_CASE(a_slip_in_space_that_starts_from_rest_is_told) {
   auto without = spatial;
   without.replace(without.find("friction = "), 11, "friction = 0 # ");
   BOOST_TEST(!tells(without));
+}
+
+BOOST_AUTO_TEST_CASE(slopes_of_sums_of_velocities_are_swept_back) {
+  const auto document = scene::parse_document(triplet, "test");
+  const auto scene = resolve(document);
+  const std::vector<std::string> keys = {"chain.radius[1]", "gap", "contact[0].stiffness"};
+  const auto forward = study::sensitivity(document, scene, keys);
+  const auto back = study::sensitivity_of_sum(document, scene, keys, {1, 0, -2}, [] {});
+  BOOST_TEST(back.is_swept_back);
+  BOOST_TEST_REQUIRE(back.parameter.size() == forward.parameter.size());
+  for (std::size_t c = 0; c < back.parameter.size(); ++c) {
+    const double value = std::max(back.parameter[c].value, 1e-6);
+    const double expected = slope(forward, "velocity[0]", c) - 2 * slope(forward, "velocity[2]", c);
+    BOOST_TEST(std::abs(slope(back, "sum", c) - expected) * value < 1e-9);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(what_cannot_be_swept_back_is_refused) {
+  BOOST_TEST(study::sweeps_back(scene::parse(triplet, "test")));
+  BOOST_TEST(
+      !study::sweeps_back(scene::parse(triplet + std::string("gravity = 1\nwall = \"left\"\n"), "test")));
+  const auto network = scene::parse_document(
+      "[network]\nmass = [1, 1]\nvelocity = [1, 0]\n"
+      "[[network.contact]]\nlaw = \"linear\"\nstiffness = 1\ngap = 0\ndirection = [-1, 1]\n",
+      "test");
+  BOOST_TEST(!study::sweeps_back(resolve(network)));
+  BOOST_CHECK_THROW(study::sensitivity_of_sum(network, resolve(network), {}, {1, 0}, [] {}),
+                    InvalidParameter);
 }

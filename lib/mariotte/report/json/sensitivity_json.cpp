@@ -26,6 +26,7 @@ void add_slopes(const impact::Sensitivity& slopes, Json& result) {
   result["parameters"] = std::move(names);
   result["parameter_values"] = std::move(values);
   result["derivative"] = std::move(derivative);
+  result["swept_back"] = slopes.is_swept_back;
   result["notes"] = slopes.notes;
 }
 
@@ -52,8 +53,9 @@ std::string rows(const impact::Sensitivity& slopes, const impact::OutcomeSlopes&
 }  // namespace
 
 std::string table(const impact::Sensitivity& slopes, const std::string& title) {
-  std::string text = fmt::format("{}\n{} · slopes by {} parameters\n", title.empty() ? "Sensitivity" : title,
-                                 hybrid::name(slopes.ending), slopes.parameter.size());
+  std::string text = fmt::format("{}\n{} · slopes by {} parameters{}\n",
+                                 title.empty() ? "Sensitivity" : title, hybrid::name(slopes.ending),
+                                 slopes.parameter.size(), slopes.is_swept_back ? ", swept back" : "");
   for (const auto& outcome : slopes.outcome) text += rows(slopes, outcome);
   for (const auto& note : slopes.notes) text += "\nnote: " + note + "\n";
   return text;

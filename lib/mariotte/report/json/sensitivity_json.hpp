@@ -8,7 +8,8 @@
 namespace mariotte::report {
 
 /// Adds to a result: `parameters`, their names; `parameter_values`; `derivative`, by outcome one list of
-/// slopes or one per element, a column per parameter, null where there is no slope; and `notes`.
+/// slopes or one per element, a column per parameter, null where there is no slope; `swept_back`; and
+/// `notes`.
 void add_slopes(const impact::Sensitivity& slopes, Json& result);
 
 /// A row per outcome and parameter, with slopes as they are and relative, (p/y) ∂y/∂p.

@@ -2,55 +2,16 @@
 
 #include <array>
 #include <cmath>
-#include <memory>
 
 #include "mariotte/core/overload.hpp"
 #include "mariotte/scene/field.hpp"
-#include "mariotte/scene/key_path.hpp"
+#include "mariotte/study/sensitivity/scene_numbers.hpp"
+#include "mariotte/study/sensitivity/swept_slopes.hpp"
 
 namespace mariotte::study {
 namespace {
 
 using scene::Document;
-
-/// The value of a key, if the scene has it and reads it as a number.
-std::optional<double> value_of(Document document, const std::string& key) {
-  const auto place = add_origin(document.source, "--to " + key);
-  auto& node = locate(document.source, document.tree, key, place);
-  if (node.place.origin == place.origin) return std::nullopt;
-  scene::ReadingLog watch{.readings = {{.node = &node}}};
-  resolve(document, scene::Purpose::simulation, &watch);
-  if (!watch.readings[0].dimension) return std::nullopt;
-  return number(document.source, {&node, key}, *watch.readings[0].dimension, scene::Domain::any);
-}
-
-/// The scene read again with another value.
-template <class Model>
-impact::Parameter<Model> scene_parameter(const Document& document, const std::string& name,
-                                         const std::string& key, double value) {
-  return {name, value, 0.01 * std::abs(value),
-          [copy = std::make_shared<Document>(document), key](double moved) {
-            auto& node = locate(copy->source, copy->tree, key, {});
-            const auto before = node.value;
-            node.value = moved;
-            auto scene = resolve(*copy);
-            node.value = before;
-            return std::get<Model>(std::move(scene.model));
-          }};
-}
-
-[[noreturn]] void refuse_key(const Document& document, const std::string& key) {
-  Document copy = document;
-  const auto place = add_origin(copy.source, "--to " + key);
-  reject(copy.source, place, fault::leads_nowhere,
-         "is no number of the model or the scene that has a value other than zero");
-}
-
-/// "mass[0]" is asked for by "mass[0]" and "mass", "contact[1].stiffness" by "contact[1]" and "contact", too.
-bool is_asked_for(const std::string& name, const std::string& key) {
-  return name.starts_with(key) &&
-         (name.size() == key.size() || name[key.size()] == '[' || name[key.size()] == '.');
-}
 
 template <class Model>
 std::vector<impact::Parameter<Model>> chosen(const Document& document, const std::vector<std::string>& keys,
@@ -61,10 +22,7 @@ std::vector<impact::Parameter<Model>> chosen(const Document& document, const std
     const auto before = list.size();
     for (const auto& one : all)
       if (is_asked_for(one.name, key)) list.push_back(one);
-    if (list.size() > before) continue;
-    const auto value = value_of(document, key);
-    if (!value || *value == 0 || !std::isfinite(*value)) refuse_key(document, key);
-    list.push_back(scene_parameter<Model>(document, key, key, *value));
+    if (list.size() == before) list.push_back(number_of_scene<Model>(document, key));
   }
   return list;
 }
@@ -123,7 +81,10 @@ impact::Sensitivity slopes_of(const scene::Scene& scene, Of&& of, OfBody&& param
 }  // namespace
 
 impact::Sensitivity sensitivity(const Document& document, const scene::Scene& scene,
-                                const std::vector<std::string>& keys, const impact::SlopeWatch& watch) {
+                                const std::vector<std::string>& keys,
+                                const std::vector<std::string>& outcomes, const impact::SlopeWatch& watch) {
+  if (const auto ball = swept_ball(scene, outcomes))
+    return sensitivity_of_velocity(document, scene, keys, *ball, watch);
   return slopes_of(
       scene,
       [&](const auto& model, const auto& all) {

@@ -9,12 +9,13 @@
 namespace mariotte::study {
 
 /// Slopes of the scene's outcome by `keys`: numbers of the model, as "mass[0]", all of one kind, as "mass" or
-/// "contact[1]", or keys of the scene, as "chain.radius". Without keys by all numbers of the model. `watch`
-/// is called at every step; what it throws reaches the caller. Throws SceneError for a key that is no number
-/// other than zero, and for a scene with [law] alone.
+/// "contact[1]", or keys of the scene, as "chain.radius". Without keys by all numbers of the model. If all
+/// that is asked of a long row of power laws is one velocity, "velocity[7]", slopes of it alone are swept
+/// back. `watch` is called at every step; what it throws reaches the caller. Throws SceneError for a key that
+/// is no number other than zero, and for a scene with [law] alone.
 impact::Sensitivity sensitivity(
     const scene::Document& document, const scene::Scene& scene, const std::vector<std::string>& keys,
-    const impact::SlopeWatch& watch = [] {});
+    const std::vector<std::string>& outcomes = {}, const impact::SlopeWatch& watch = [] {});
 
 /// The same outcomes without slopes. Throws as `sensitivity`.
 impact::Sensitivity outcomes(const scene::Scene& scene);
