@@ -11,6 +11,7 @@
 #include "mariotte/study/fault.hpp"
 #include "mariotte/study/fit/fit.hpp"
 #include "mariotte/study/sensitivity/scene_parameters.hpp"
+#include "mariotte/study/sensitivity/swept_slopes.hpp"
 #include "scene_box.hpp"
 
 namespace mariotte::python {
@@ -43,10 +44,9 @@ std::tuple<std::string, std::string> fit(const SceneBox& box, const std::string&
   return {report::text(report::json(report)), report::table(report)};
 }
 
-/// JSON with parameters, their values, outcomes by name and notes.
-std::string sensitivity(const SceneBox& box, const std::vector<std::string>& to) {
+/// With parameters, their values, outcomes by name and notes.
+std::string json_of(const impact::Sensitivity& found) {
   report::Json result = report::Json::object();
-  const auto found = study::sensitivity(box.document, box.scene, to, {}, Interruption());
   report::add_slopes(found, result);
   for (const auto& one : found.outcome) {
     const report::Json value = one.value ? report::Json(*one.value) : report::Json(nullptr);
@@ -58,6 +58,19 @@ std::string sensitivity(const SceneBox& box, const std::vector<std::string>& to)
   return report::text(result);
 }
 
+std::string sensitivity(const SceneBox& box, const std::vector<std::string>& to) {
+  return json_of(study::sensitivity(box.document, box.scene, to, {}, Interruption()));
+}
+
+std::string sensitivity_of_sum(const SceneBox& box, const std::vector<std::string>& to,
+                               const std::vector<double>& weights) {
+  return json_of(study::sensitivity_of_sum(box.document, box.scene, to, weights, Interruption()));
+}
+
+bool sweeps_back(const SceneBox& box) {
+  return study::sweeps_back(box.scene);
+}
+
 }  // namespace
 
 void add_studies(py::module_& module) {
@@ -66,6 +79,9 @@ void add_studies(py::module_& module) {
              py::arg("confidence"), py::call_guard<py::gil_scoped_release>());
   module.def("sensitivity", &sensitivity, py::arg("scene"), py::arg("to"),
              py::call_guard<py::gil_scoped_release>());
+  module.def("sensitivity_of_sum", &sensitivity_of_sum, py::arg("scene"), py::arg("to"), py::arg("weights"),
+             py::call_guard<py::gil_scoped_release>());
+  module.def("sweeps_back", &sweeps_back, py::arg("scene"));
 }
 
 }  // namespace mariotte::python

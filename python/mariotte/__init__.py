@@ -13,7 +13,7 @@ from ._impact import (ChainImpact, ContactImpact, Ending, Energy, Flow, Impact, 
 from ._laws import LawOutcome, multiple_impact_law, rival_laws, with_law
 from ._numbers import Array
 from ._scene import Bodies, Body, Chain, Network, Scene, load, parse
-from ._sensitivity import Sensitivity, sensitivity
+from ._sensitivity import Sensitivity, sensitivity, vjp
 from ._studies import CaptureVelocity, Estimate, Fit, capture_velocity, fit
 from ._sweep import Solved, Sweep, solve, sweep
 from ._trajectory import Samples, Trajectory
@@ -24,5 +24,5 @@ __all__ = [
     "LawOutcome", "Losses", "MicrobodyImpact", "Momentum", "Network", "NetworkImpact", "Restitution", "Samples",
     "Scene", "SceneError", "Sensitivity", "Solved", "Sweep", "TipImpact", "Trajectory", "__version__",
     "capture_velocity", "fit", "load", "multiple_impact_law", "parse", "rival_laws", "sensitivity", "simulate", "solve",
-    "sweep", "with_law",
+    "sweep", "vjp", "with_law",
 ]

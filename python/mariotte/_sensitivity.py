@@ -92,5 +92,38 @@ def sensitivity(scene: Scene[Any], *, to: Union[str, Sequence[str]] = ()) -> Sen
     return Sensitivity(json.loads(_core.sensitivity(scene._box, names(to))))
 
 
+def vjp(scene: Scene[Any], weights: Mapping[str, Any], *, to: Union[str, Sequence[str]] = ()) -> Dict[str, float]:
+    """Slopes of a weighted sum of outcomes by every parameter.
+
+    Those of velocities of a row of power laws are swept back through one run, which costs the same however many
+    parameters there are; all others are sums of the slopes of every outcome.
+
+    Parameters
+    ----------
+    scene : Chain, Network or Body
+        What is simulated.
+    weights : mapping of str to array
+        By outcome, of its shape, as ``{"velocity": [0, 0, 1]}``.
+    to : str or sequence of str
+        Parameters as for `sensitivity`.
+
+    Raises
+    ------
+    SceneError
+        For a parameter that is no number other than zero.
+
+    Examples
+    --------
+    >>> import mariotte as mt
+    >>> pair = mt.Chain(mass=[2, 3], velocity=[1.5, 0], law="linear", stiffness="5 N/m")
+    >>> {name: round(slope, 9) for name, slope in mt.vjp(pair, {"velocity": [0, 1]}, to="velocity").items()}
+    {'velocity[0]': 0.8, 'velocity[1]': 0.2}
+    """
+    if list(weights) != ["velocity"] or not _core.sweeps_back(scene._box):
+        return sensitivity(scene, to=to).vjp(weights)
+    of_balls = [float(weight) for weight in weights["velocity"]]
+    return Sensitivity(json.loads(_core.sensitivity_of_sum(scene._box, names(to), of_balls))).vjp({"sum": 1})
+
+
 def _numbers(values: Any) -> Array:
     return np.array(values, dtype=np.float64)

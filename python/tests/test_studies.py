@@ -234,6 +234,29 @@ def test_products_with_slopes_are_consistent():
     assert abs(left - right) <= 1e-12 * abs(left)
 
 
+def test_slopes_of_a_sum_of_velocities_are_those_of_all_outcomes():
+    row = mt.load(SCENES / "triplet.toml")
+    keys, weights = ["mass", "gap", "chain.radius"], {"velocity": [1, -2, 0.5]}
+    expected, found = mt.sensitivity(row, to=keys).vjp(weights), mt.vjp(row, weights, to=keys)
+    assert list(found) == list(expected)
+    size = max(map(abs, expected.values()))
+    assert all(abs(found[name] - slope) < 1e-9 * size for name, slope in expected.items())
+
+
+def test_slopes_of_a_very_long_row_are_swept_back():
+    row = mt.Chain(balls=2000, mass=1, law="hertz", stiffness=1, ball=[{"number": 1, "velocity": 1}])
+    slopes = mt.vjp(row, {"velocity": [0.0] * 1999 + [1.0]})
+    assert len(slopes) == 7998
+    assert abs(slopes["velocity[0]"] - mt.simulate(row).velocity[-1]) < 1e-9  # velocities are homogeneous in it
+
+
+def test_slopes_of_other_sums_run_forward():
+    row, weights = mt.load(SCENES / "triplet.toml"), {"velocity": [1, 0, 0], "time": 2.0}
+    assert mt.vjp(row, weights, to="mass") == mt.sensitivity(row, to="mass").vjp(weights)
+    body = mt.load(SCENES / "microsphere.toml")
+    assert mt.vjp(body, {"e_n": 1}, to="zeta_hertz") == mt.sensitivity(body, to="zeta_hertz").vjp({"e_n": 1})
+
+
 def test_slopes_by_what_is_no_number_are_refused():
     with pytest.raises(mt.SceneError, match="--to chain.law"):
         mt.sensitivity(mt.load(SCENES / "triplet.toml"), to=["chain.law"])
