@@ -15,8 +15,8 @@ class Losses(NamedTuple):
     friction: Array  #: by slip
     rescale: Array  #: by Mindlin's law, whose stiffness falls on unloading
     damper: Array  #: by dampers of the normal laws
-    plastic: Array  #: by yielding
-    adhesion: Array  #: where adhesive contacts snap in and let go
+    plastic_work: Array  #: by yielding
+    adhesion_loss: Array  #: where adhesive contacts snap in and let go
 
 
 class BodiesImpact(WithContacts, of=Bodies):

@@ -112,12 +112,16 @@ std::string meetings(const impact::BodiesImpact& impact) {
          columns({"contact", "approach [m/s]", "separation [m/s]"}, std::ssize(met), row);
 }
 
-constexpr BalanceLine energies[] = {
-    {"kinetic before", "energy.initial"},       {"work of gravity and planes", "energy.work", true},
-    {"kinetic after", "energy.final"},          {"stored in contacts", "energy.stored", true},
-    {"dissipated", "energy.dissipated"},        {"  by friction", "energy.friction"},
-    {"  by rescaling", "energy.rescale", true}, {"  by dampers", "energy.damper", true},
-    {"  by yielding", "energy.plastic", true},  {"  by adhesion", "energy.adhesion", true}};
+constexpr BalanceLine energies[] = {{"kinetic before", "energy.initial"},
+                                    {"work of gravity and planes", "energy.work", true},
+                                    {"kinetic after", "energy.final"},
+                                    {"stored in contacts", "energy.stored", true},
+                                    {"dissipated", "energy.dissipated"},
+                                    {"  by friction", "energy.friction"},
+                                    {"  by rescaling", "energy.rescale", true},
+                                    {"  by dampers", "energy.damper", true},
+                                    {"  by yielding", "energy.plastic_work", true},
+                                    {"  by adhesion", "energy.adhesion_loss", true}};
 
 /// What damped pairs alone would do, as if their bodies were balls.
 std::string restitutions(const model::Bodies& bodies) {
