@@ -107,6 +107,26 @@ BOOST_DATA_TEST_CASE(a_branch_that_is_a_power_or_a_polynomial_has_the_force_of_i
     });
 }
 
+/// The two indentations that laws may know by formulas.
+BOOST_DATA_TEST_CASE(at_its_natural_indentation_it_stores_the_energy_and_at_rest_it_has_no_force, every_law) {
+  const auto other_units = in_units(law_at(sample), std::get<SharedLaw>(laws[sample]),
+                                    Scale{.mass = 2, .velocity = 0.5, .length = 0.3, .time = 0.6});
+  for (const auto* law : {&law_at(sample), other_units->branched()}) {
+    for (const double energy : {1e-6, 0.01, 0.3, 40.0}) {
+      const double depth = law->natural_indentation(energy);
+      BOOST_TEST(depth > 0);
+      BOOST_TEST(std::abs(law->stored_energy(depth) - energy) <=
+                 1e-12 * (energy + law->stored_energy(2 * depth)));
+    }
+    for (const auto& past : pasts(*law))
+      if (const auto rest = law->rest_indentation(past)) {
+        const auto f = law->force(past, *rest, 0);
+        BOOST_TEST(std::abs(f.value) <= 1e-13 * f.by_indentation * *rest);
+        BOOST_TEST(law->force(past, 1.01 * *rest, 0).value > 0);
+      }
+  }
+}
+
 /// What the plastic branch takes up is stored or lost.
 BOOST_DATA_TEST_CASE(plastic_work_is_what_is_not_stored, every_law) {
   const auto& law = law_at(sample);

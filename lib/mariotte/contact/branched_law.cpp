@@ -58,6 +58,11 @@ class ScaledBranches final : public BranchedLaw {
     branch->damping *= scale_.length * scale_.velocity / scale_.force();
     return branch;
   }
+  std::optional<double> rest_indentation(const Memory& past) const override {
+    auto rest = law_.rest_indentation(stated(past));
+    if (rest) *rest /= scale_.length;
+    return rest;
+  }
   bool pulls() const override { return law_.pulls(); }
   bool adheres() const override { return law_.adheres(); }
   bool watches_turns() const override { return law_.watches_turns(); }

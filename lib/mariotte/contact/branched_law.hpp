@@ -37,6 +37,8 @@ class BranchedLaw : public CustomLaw {
   virtual std::optional<ShiftedPower> power(const Memory&) const { return std::nullopt; }
   /// The present branch if it is a polynomial in the root of a contact radius; series follow it.
   virtual std::optional<WidthBranch> width_branch(const Memory&) const { return std::nullopt; }
+  /// Indentation at which the force of the present branch rises through zero, if the law knows it.
+  virtual std::optional<double> rest_indentation(const Memory&) const { return std::nullopt; }
   /// Energy lost to yielding up to an indentation of the plastic branch [J].
   virtual double plastic_loss(double /*peak*/) const { return 0; }
   /// True if the force can pull.

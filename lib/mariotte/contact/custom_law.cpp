@@ -1,30 +1,13 @@
 #include "mariotte/contact/custom_law.hpp"
 
 #include <cmath>
-#include <string>
 #include <utility>
 
 #include "mariotte/contact/branched_law.hpp"
-#include "mariotte/core/bracket.hpp"
-#include "mariotte/core/error.hpp"
+#include "mariotte/contact/where_reached.hpp"
 
 namespace mariotte::contact {
 namespace {
-
-/// The argument at which a growing function reaches a positive value, to the rounding of natural sizes:
-/// between two powers of 16, then by secants.
-template <class Function>
-double where_reached(Function&& function, double value, std::string_view law) {
-  constexpr int most = 250;  // nearly all that doubles hold
-  const auto excess = [&](double at) { return function(at) - value; };
-  double low = 1, high = 1;
-  for (int i = 0; i < most && excess(low) > 0; ++i) high = std::exchange(low, low / 16);
-  for (int i = 0; i < most && excess(high) < 0; ++i) low = std::exchange(high, high * 16);
-  const double below = excess(low), above = excess(high);
-  if (!(below <= 0 && above >= 0))
-    throw InvalidParameter("the law '" + std::string(law) + "' does not grow from zero with the indentation");
-  return locate_sign_change(excess, low, below, high, above, 2e-15 * high);
-}
 
 Force on_tangent(const Force& f, double indentation) {
   return {.value = f.value + f.by_indentation * indentation,

@@ -33,6 +33,10 @@ struct Dmt : AdhesiveStatement {
   double stored_energy(const Memory&, double d) const {
     return d > 0 ? (0.4 * stiffness() * d * std::sqrt(d) - pull()) * d : 0;
   }
+  std::optional<double> rest_indentation(const Memory&) const {
+    const double root = std::cbrt(pull() / stiffness());
+    return root * root;
+  }
   std::optional<ShiftedPower> power(const Memory&) const {
     return ShiftedPower{stiffness(), 1.5, 0, damping, pull()};
   }

@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "mariotte/contact/stated_law.hpp"
+#include "mariotte/contact/where_reached.hpp"
 
 namespace mariotte::contact {
 
@@ -25,6 +26,9 @@ struct AdhesiveCurve {
   /// Where it lets go, dδ/du = 0.
   double last() const { return width().last(); }
   double indentation(double u) const { return width().indentation(u); }
+  /// √a where it snaps in, δ = δ₀, and indentation where its force is zero.
+  double snap() const { return std::cbrt(s * radius); }
+  double rest_indentation() const { return indentation(std::cbrt(1.5 * s * radius)); }
   double last_indentation() const { return width().indentation(last()); }
   WidthBranch branch() const {
     return {.curve = width(), .push = {0, 0, 0, -2 * modulus * s, 0, 0, 4.0 / 3.0 * modulus / radius}};
@@ -48,6 +52,14 @@ struct AdhesiveCurve {
     return T::chain(indentation, u, slope > 0 ? 1 / slope : 0);
   }
 };
+
+/// Indentation of a curve at which the energy that a function says of √a beyond the snap-in is stored.
+template <class Energy>
+double indentation_of(const AdhesiveCurve& curve, Energy&& energy, double stored, std::string_view law) {
+  const double first = curve.snap();
+  const double further = where_reached([&](double more) { return energy(first + more); }, stored, law);
+  return curve.indentation(first + further);
+}
 
 struct Jkr : AdhesiveStatement {
   static constexpr std::string_view name = "jkr";
@@ -75,6 +87,11 @@ struct Jkr : AdhesiveStatement {
     return branch;
   }
   double opening_indentation(const Memory&) const { return curve.last_indentation(); }
+  std::optional<double> rest_indentation(const Memory&) const { return curve.rest_indentation(); }
+  double natural_indentation(double stored) const {
+    return indentation_of(
+        curve, [&](double u) { return curve.energy(u); }, stored, name);
+  }
   bool is_damped() const { return damping > 0; }
   std::vector<LawParameter> parameters() const {
     return {{"effective_modulus", curve.modulus},

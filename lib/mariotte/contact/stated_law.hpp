@@ -25,6 +25,7 @@ struct LawStatement {
   double plastic_loss(double) const { return 0; }
   std::optional<ShiftedPower> power(const Memory&) const { return std::nullopt; }
   std::optional<WidthBranch> width_branch(const Memory&) const { return std::nullopt; }
+  std::optional<double> rest_indentation(const Memory&) const { return std::nullopt; }
   bool adheres() const { return false; }
   bool pulls() const { return false; }
   bool watches_turns() const { return false; }
@@ -72,6 +73,15 @@ class StatedLaw final : public BranchedLaw {
   std::optional<ShiftedPower> power(const Memory& past) const override { return law_.power(past); }
   std::optional<WidthBranch> width_branch(const Memory& past) const override {
     return law_.width_branch(past);
+  }
+  std::optional<double> rest_indentation(const Memory& past) const override {
+    return law_.rest_indentation(past);
+  }
+  double natural_indentation(double energy) const override {
+    if constexpr (requires { law_.natural_indentation(energy); })
+      return law_.natural_indentation(energy);
+    else
+      return BranchedLaw::natural_indentation(energy);
   }
   bool pulls() const override { return law_.pulls(); }
   bool adheres() const override { return law_.adheres(); }

@@ -31,7 +31,7 @@ struct ThorntonNing : AdhesiveStatement {
     return 2 * curve.modulus / std::numbers::pi * (u * u / curve.radius - curve.s / (2 * u));
   }
   void find_yield() {
-    const double least = std::cbrt(curve.s * curve.radius);  // it snaps in there
+    const double least = curve.snap();
     const auto excess = [&](double u) { return middle_pressure(u) / pressure - 1; };
     if (!(excess(least) < 0))
       throw InvalidParameter(
@@ -72,15 +72,23 @@ struct ThorntonNing : AdhesiveStatement {
                        .push = {4.0 / 3.0 * e * area * area * area / curve.radius - first * area * area,
                                 -2 * e * curve.s * area, 0, 0, first}};
   }
+  /// Stored where it is as deep as ever.
+  double energy_at_peak(double u) const { return u > yield_root ? unloading(u).energy(u) : curve.energy(u); }
   double stored_energy(const Memory& past, double indentation) const {
-    if (is_plastic(past, indentation, yield_indentation(past))) {
-      const double u = curve.root(indentation);
-      return unloading(u).energy(u);
-    }
+    if (is_plastic(past, indentation, yield_indentation(past)))
+      return energy_at_peak(curve.root(indentation));
     const auto now = curve_of(past);
     return now.energy(now.root(indentation));
   }
   double closing_indentation(const Memory& past) const { return curve_of(past).dent; }
+  std::optional<double> rest_indentation(const Memory& past) const {
+    if (past.branch == Branch::plastic) return std::nullopt;
+    return curve_of(past).rest_indentation();
+  }
+  double natural_indentation(double stored) const {
+    return indentation_of(
+        curve, [&](double u) { return energy_at_peak(u); }, stored, name);
+  }
   double opening_indentation(const Memory& past) const { return curve_of(past).last_indentation(); }
   double yield_indentation(const Memory&) const { return curve.indentation(yield_root); }
   /// ∫ f dδ on the plastic branch from a = 0, with its own constant.

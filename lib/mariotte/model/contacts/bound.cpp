@@ -37,11 +37,15 @@ double where_positive(Function&& f, double low, double step) {
   return locate_sign_change(f, before, f(before), high, f(high), 1e-14 * (high - low));
 }
 
-Well well_of(const HeldContact& c) {
-  const double opening = c.law->opening_indentation(c.past);
+double rest_of(const HeldContact& c, double opening) {
+  if (const auto known = c.pull == 0 ? c.law->rest_indentation(c.past) : std::nullopt) return *known;
   constexpr double small = 1e-60;  // below any length, in whatever unit
   const double step = std::max(0.01 * std::abs(opening), small);
-  const double rest = where_positive([&](double d) { return force(c, d); }, opening, step);
+  return where_positive([&](double d) { return force(c, d); }, opening, step);
+}
+
+Well well_of(const HeldContact& c) {
+  const double opening = c.law->opening_indentation(c.past), rest = rest_of(c, opening);
   return {.now = potential(c, c.indentation),
           .barrier = potential(c, opening),
           .least = potential(c, rest),

@@ -1,0 +1,27 @@
+// The indentation of a law at which something that grows with it has a value.
+#pragma once
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "mariotte/core/bracket.hpp"
+#include "mariotte/core/error.hpp"
+
+namespace mariotte::contact {
+
+/// The argument at which a growing function reaches a positive value, to the rounding of natural sizes:
+/// between two powers of 16, then by secants.
+template <class Function>
+double where_reached(Function&& function, double value, std::string_view law) {
+  constexpr int most = 250;  // nearly all that doubles hold
+  const auto excess = [&](double at) { return function(at) - value; };
+  double low = 1, high = 1;
+  for (int i = 0; i < most && excess(low) > 0; ++i) high = std::exchange(low, low / 16);
+  for (int i = 0; i < most && excess(high) < 0; ++i) low = std::exchange(high, high * 16);
+  const double below = excess(low), above = excess(high);
+  if (!(below <= 0 && above >= 0))
+    throw InvalidParameter("the law '" + std::string(law) + "' does not grow from zero with the indentation");
+  return locate_sign_change(excess, low, below, high, above, 2e-15 * high);
+}
+
+}  // namespace mariotte::contact
