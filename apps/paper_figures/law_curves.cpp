@@ -112,6 +112,7 @@ std::vector<Figure> law_curves() {
   for (const auto& family : law_families()) {
     list.push_back({"law-forces-" + family.name, fmt::format("Contact laws: forces of {}", family.what),
                     [family] { return forces(family); }});
+    if (family.fastest == 0) continue;
     list.push_back({"law-restitution-" + family.name,
                     fmt::format("Contact laws: restitution of {}", family.what),
                     [family] { return restitutions(family); }});

@@ -7,6 +7,7 @@
 #include "mariotte/contact/dmt.hpp"
 #include "mariotte/contact/hunt_crossley.hpp"
 #include "mariotte/contact/jkr.hpp"
+#include "mariotte/contact/tabulated.hpp"
 #include "mariotte/contact/thornton.hpp"
 #include "mariotte/contact/thornton_ning.hpp"
 #include "mariotte/contact/tsuji.hpp"
@@ -27,6 +28,25 @@ ShownLaw damped(const char* name, const std::function<Law(double)>& law) {
     (impact::restitution({law(middle), 1}, 1) > 0.6 ? low : high) = middle;
   }
   return {name, "", law(low), 1};
+}
+
+/// Points of a sponge: its cells fold, and push once they are closed.
+contact::Law sponge() {
+  return std::make_shared<contact::Tabulated>(std::vector<contact::LawPoint>{
+      {0.2, 0.08}, {0.5, 0.16}, {0.9, 0.22}, {1.2, 0.35}, {1.4, 0.7}, {1.5, 1.3}});
+}
+
+LawFamily elastic_laws() {
+  return {.name = "elastic",
+          .what = "elastic laws",
+          .title = "elastic laws",
+          .laws = {{"linear", "", contact::Linear{1}, 1},
+                   {"hertz", "", contact::Hertz{1}, 1},
+                   {"tabulated", "", sponge(), 1}},
+          .unit = {1, 1, 1, "indentation δ / L, kL^{n+1} = m*v_1^2", "force f / kL^n",
+                   "speed of approach v / v_1"},
+          .slowest = 0,
+          .fastest = 0};
 }
 
 LawFamily damped_laws() {
@@ -88,7 +108,7 @@ LawFamily adhesive_laws() {
 }  // namespace
 
 std::vector<LawFamily> law_families() {
-  return {damped_laws(), plastic_laws(), adhesive_laws()};
+  return {elastic_laws(), damped_laws(), plastic_laws(), adhesive_laws()};
 }
 
 }  // namespace mariotte::paper_figures

@@ -24,7 +24,7 @@ struct LawFamily {
   std::string name, what, title;
   std::vector<ShownLaw> laws;
   LawUnits unit;
-  double slowest, fastest;  ///< speeds at which restitution is shown
+  double slowest, fastest;  ///< speeds at which restitution is shown; 0 if all have e = 1
 };
 
 std::vector<LawFamily> law_families();
