@@ -37,8 +37,13 @@ LawNumbers some_sphere(Dice& dice, double mass) {
   return numbers;
 }
 
-Law some_spring_and_damper(Dice& dice, double mass) {
+Law some_damper(Dice& dice, double mass) {
   LawNumbers numbers{.stiffness = dice.decades(2)};
+  if (dice.chance(0.3)) {
+    numbers.exponent = dice.pick({1, 1.5, dice.uniform(1, 3)});
+    numbers.damping = dice.between(1e-3, 1) * std::sqrt(mass * numbers.stiffness);
+    return make("viscoelastic", numbers);
+  }
   if (dice.chance(0.5)) {
     numbers.damping = dice.between(1e-3, 3) * std::sqrt(mass * numbers.stiffness);
     return make("tsuji", numbers);
@@ -46,6 +51,11 @@ Law some_spring_and_damper(Dice& dice, double mass) {
   numbers.exponent = dice.pick({1, 1.5, dice.uniform(1, 3)});
   numbers.damping = dice.between(1e-3, 2);
   return make("hunt-crossley", numbers);
+}
+
+Law some_spring_and_damper(Dice& dice, double mass) {
+  const Law law = some_damper(dice, mass);
+  return dice.chance(0.3) ? contact::uncut(law) : law;
 }
 
 Law some_plastic(Dice& dice, double mass) {

@@ -2,6 +2,7 @@
 
 #include <sstream>
 
+#include "law_numbers.hpp"
 #include "mariotte/core/overload.hpp"
 #include "mariotte/report/number.hpp"
 #include "scene.hpp"
@@ -23,7 +24,7 @@ std::string keys(const contact::Law& law) {
   const bool is_spring = called == "linear" || called == "hertz";
   for (const auto& [key, value] : contact::parameters(law))
     if (!is_spring || key == "stiffness") text += fmt::format("{} = {}\n", key, exact(value));
-  return text;
+  return is_uncut(law) ? text + "separation = \"indentation\"\n" : text;
 }
 
 std::string start(const std::vector<double>& gap, const std::vector<double>& velocity, bool precompressed) {

@@ -93,8 +93,9 @@ BOOST_DATA_TEST_CASE(a_branch_that_is_a_power_or_a_polynomial_has_the_force_of_i
     for_each_state(*law, [&](const Memory& past, double d) {
       const double rate = -0.2, f = law->force(past, d, rate).value;
       if (const auto power = law->power(past)) {
-        const double depth = d - power->origin, width = std::pow(depth, power->exponent - 1);
-        const double g = width * (power->stiffness * depth + power->damping * rate) - power->pull;
+        const double depth = d - power->origin, n = power->exponent;
+        const double width = std::pow(depth, damping_exponent(power->grows, n));
+        const double g = power->stiffness * std::pow(depth, n) + power->damping * width * rate - power->pull;
         BOOST_TEST(std::abs(g - f) <= 1e-13 * (1 + std::abs(f)));
       }
       if (const auto branch = law->width_branch(past)) {

@@ -6,10 +6,13 @@
 #include <random>
 
 #include "mariotte/contact/dmt.hpp"
+#include "mariotte/contact/hunt_crossley.hpp"
 #include "mariotte/contact/jkr.hpp"
+#include "mariotte/contact/named_laws.hpp"
 #include "mariotte/contact/stated_law.hpp"
 #include "mariotte/contact/thornton.hpp"
 #include "mariotte/contact/thornton_ning.hpp"
+#include "mariotte/contact/tsuji.hpp"
 #include "mariotte/contact/walton_braun.hpp"
 #include "mariotte/impact/chain/chain_impact.hpp"
 #include "mariotte/impact/network/network_impact.hpp"
@@ -140,6 +143,29 @@ BOOST_AUTO_TEST_CASE(series_of_branches_agree_with_cvode) {
   }
   BOOST_TEST(series > 1000);
   BOOST_TEST(yields > 200u);
+}
+
+// Rows of dampers that may pull until their indentation ends.
+BOOST_AUTO_TEST_CASE(series_of_dampers_that_end_with_the_indentation_agree_with_cvode) {
+  std::mt19937_64 random(2007);
+  Index series = 0;
+  for (int n = 0; n < 100; ++n) {
+    auto chain = crowded_row(random);
+    for (auto& law : chain.law) {
+      const double damping = std::uniform_real_distribution(0.02, 0.6)(random);
+      const contact::Law kinds[] = {contact::Viscoelastic{.stiffness = 2, .damping = damping, .exponent = 1},
+                                    contact::Viscoelastic{.stiffness = 2, .damping = damping},
+                                    std::make_shared<contact::HuntCrossley>(2, damping),
+                                    std::make_shared<contact::Tsuji>(2, damping)};
+      law = contact::uncut(kinds[n % 4]);
+    }
+    const auto own = impact::simulate(chain, {.accuracy = 1e-12});
+    const auto other = impact::simulate(chain, {.accuracy = 1e-12, .flow = flow::Kind::cvode_adams});
+    series += phases_of(own, "taylor");
+    BOOST_TEST(phases_of(own, "cvode-adams") == 0, "row " << n);
+    compare(chain, own, other, n);
+  }
+  BOOST_TEST(series > 300);
 }
 
 /// A little slower or faster than what adhesion holds, so that some contacts hold for a while.

@@ -20,7 +20,7 @@ struct NaiveMemory {
 
 class NaiveLaw {
  public:
-  explicit NaiveLaw(const contact::Law& law) : name_(name(law)) {
+  explicit NaiveLaw(const contact::Law& law) : name_(name(law)), pulls_(contact::pulls(law)) {
     std::map<std::string_view, double*> place = {{"stiffness", &k_},
                                                  {"exponent", &n_},
                                                  {"damping", &c_},
@@ -37,7 +37,7 @@ class NaiveLaw {
   }
 
   double force(const NaiveMemory& past, double depth, double rate) const {
-    if (k_ > 0) return std::max(0.0, spring(depth, rate));
+    if (k_ > 0) return pulls_ ? spring(depth, rate) : std::max(0.0, spring(depth, rate));
     if (name_ == "walton-braun") return walton_braun(std::max(past.peak, depth), depth);
     if (name_ == "thornton") return thornton(std::max(past.peak, depth), depth);
     if (name_ == "dmt") return depth > 0 ? dmt(depth, rate) : 0;
@@ -142,6 +142,7 @@ class NaiveLaw {
   }
 
   std::string name_;
+  bool pulls_;
   double k_ = 0, n_ = 1.5, c_ = 0, loading_ = 0, unloading_ = 0, e_ = 0, r_ = 0, p_ = 0, w_ = 0;
   double s_ = 0, yield_radius_ = infinity;
 };

@@ -41,7 +41,8 @@ class ScaledBranches final : public BranchedLaw {
     if (!power) return power;
     power->stiffness *= std::pow(scale_.length, power->exponent) / scale_.force();
     power->origin /= scale_.length;
-    power->damping *= std::pow(scale_.length, power->exponent) / scale_.momentum();
+    const double q = damping_exponent(power->grows, power->exponent);
+    power->damping *= std::pow(scale_.length, q) * scale_.velocity / scale_.force();
     power->pull /= scale_.force();
     return power;
   }

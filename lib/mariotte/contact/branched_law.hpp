@@ -9,13 +9,14 @@
 
 namespace mariotte::contact {
 
-/// f = (δ − δ₀)ⁿ⁻¹ (k (δ − δ₀) + c δ̇) − P: what many branches are.
+/// f = k (δ − δ₀)ⁿ + c (δ − δ₀)^q δ̇ − P: what many branches are.
 struct ShiftedPower {
-  double stiffness;    ///< k [N/m^n]
-  double exponent;     ///< n
-  double origin;       ///< δ₀ [m]
-  double damping = 0;  ///< c [N s/m^n]
-  double pull = 0;     ///< P [N]
+  double stiffness;                   ///< k [N/m^n]
+  double exponent;                    ///< n
+  double origin;                      ///< δ₀ [m]
+  double damping = 0;                 ///< c [N s/m^n]
+  double pull = 0;                    ///< P [N]
+  Damping grows = Damping::as_slope;  ///< q, by n
 };
 
 /// A law f(δ, δ̇) on each branch of what the contact remembers. The force is not cut off where it pulls. What

@@ -20,6 +20,11 @@ class Uncut final : public BranchedLaw {
   double stored_energy(const Memory&, double indentation) const override {
     return contact::stored_energy(law_, indentation);
   }
+  std::optional<ShiftedPower> power(const Memory&) const override {
+    const auto power = contact::powers(law_);
+    if (!power) return std::nullopt;
+    return ShiftedPower{power->stiffness, power->exponent, 0, power->damping, 0, power->grows};
+  }
   bool pulls() const override { return true; }
   bool is_damped() const override { return contact::dissipates(law_); }
   std::vector<LawParameter> parameters() const override { return contact::parameters(law_); }

@@ -39,7 +39,10 @@ struct PhaseContact {
   const WidthBranch* width = nullptr;  ///< the force, where it is that and no power
   Role role = Role::open;
 
-  bool is_linear() const { return exponent == 1 && (damping == 0 || grows == Damping::as_slope); }
+  /// f = kδ + c δ̇, cut off where it would pull.
+  bool is_linear() const {
+    return exponent == 1 && (damping == 0 || (grows == Damping::as_slope && load_guard >= 0));
+  }
   /// Its load may be positive still where its indentation ends; that of any other falls before, or with it.
   bool opens_loaded() const { return load_guard < 0 || grows == Damping::as_force; }
   /// Its damping over its elastic force, indented by its length, at a rate.

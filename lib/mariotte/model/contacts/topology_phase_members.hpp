@@ -83,6 +83,7 @@ bool TopologyPhase<Topology>::follow_branch(Index j) {
   if (!power || (power->pull > 0 && contact.role == flow::Role::touching)) return false;
   contact.stiffness = power->stiffness;
   contact.damping = power->damping;
+  contact.grows = power->grows;
   contact.pull = power->pull;
   contact.exponent = power->exponent;
   contact.origin = power->origin;
