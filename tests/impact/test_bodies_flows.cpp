@@ -216,3 +216,34 @@ BOOST_AUTO_TEST_CASE(peaks_of_forces_are_those_of_cvode) {
     }
   }
 }
+
+/// Balls of a rack that touches are pressed one after the other, at hardly any depth, and stick at once.
+BOOST_AUTO_TEST_CASE(touching_balls_need_no_cvode) {
+  model::Bodies bodies{.dimension = 2};
+  constexpr double radius = 0.01, mass = 0.03, moment = 0.4 * mass * radius * radius;
+  const auto add = [&](const Vector3& place, const Vector3& velocity) {
+    bodies.body.push_back({.name = "",
+                           .mass = mass,
+                           .inertia = {moment, moment, moment},
+                           .spheres = {{{}, radius}},
+                           .position = place,
+                           .velocity = velocity});
+  };
+  add({-0.03, 0.002, 0}, {2, 0, 0});
+  for (int row = 0; row < 4; ++row)
+    for (int place = 0; place <= row; ++place)
+      add({std::sqrt(3) * radius * row, 2 * radius * (place - 0.5 * row), 0}, {});
+  for (Index b = 1; b < std::ssize(bodies.body); ++b)
+    for (Index a = 0; a < b; ++a)
+      bodies.contact.push_back(
+          {.a = {a, 0},
+           .b = {b, 0},
+           .law = contact::Hertz(1e9),
+           .tangential = {TangentialLaw::mindlin, 0.1, 1e9},
+           .touching = norm(bodies.body[a].position - bodies.body[b].position) < 2.001 * radius});
+  const auto one = impact::simulate(bodies, options(1e-8, std::nullopt));
+  const auto two = impact::simulate(bodies, options(1e-8, flow::Kind::cvode_adams));
+  BOOST_CHECK(one.ending == hybrid::Ending::separated);
+  BOOST_TEST(steps_of(one, flow::Kind::cvode_adams) == 0);
+  BOOST_TEST(difference(one, two) < 1e-7);
+}

@@ -89,6 +89,7 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   flow::Accepted leave_rest(std::size_t closed);
   void find_balls();
   void find_followed() const;
+  void release_springs(ConstState x) const;
   void record_guards(flow::Recording& recording) const;
   void record_contacts(double accuracy, flow::Recording& recording) const;
 

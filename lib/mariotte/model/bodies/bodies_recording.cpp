@@ -53,6 +53,7 @@ void BodiesPhase<D>::record(ConstState x, double accuracy, flow::Recording& reco
     traced_x_[i] = Traced(tape, place, x[i]);
     recording.state.push_back({.place = place});
   }
+  release_springs(x);
   traced_dx_.resize(x.size());
   traced_.evaluate(layout_, *mode_, std::span<const Traced>(traced_x_));
   traced_.rates(*mode_, std::span<const Traced>(traced_x_), std::span<Traced>(traced_dx_));
@@ -60,6 +61,20 @@ void BodiesPhase<D>::record(ConstState x, double accuracy, flow::Recording& reco
     recording.state[i].rate = traced_dx_[followed_[i]].place_on(tape);
   record_guards(recording);
   record_contacts(accuracy, recording);
+}
+
+/// A contact that begins has no friction yet, though it may have closed within the accuracy before.
+template <int D>
+void BodiesPhase<D>::release_springs(ConstState x) const {
+  for (const auto& one : mode_->closed) {
+    const auto& contact = setting_.contact[one.contact];
+    const auto motion = contact_motion(setting_, layout_, contact, x);
+    if (one.friction != Friction::stick || !begins(setting_, contact, motion.gap, motion.gap_rate)) continue;
+    for (Index k = 0; k < layout_.tangents; ++k) {
+      auto& state = traced_x_[layout_.spring(one.slot) + k];
+      state = at_onset(state);
+    }
+  }
 }
 
 template <int D>
