@@ -9,17 +9,25 @@ namespace {
 struct Terms {
   std::array<double, 32> at;
   std::size_t count;
-  double moves = 0;  ///< how far it goes, at most
-  double end = 0;    ///< where it comes to
+  double moves;  ///< how far it goes, at most
+  double end;    ///< where it comes to
 
   Terms(std::span<const double> row, double sign, double place) : count(row.size()) {
-    double power = sign;
-    end = at[0] = sign * row[0];
+    double power = sign, sum = 0, size = 0;
+    at[0] = sign * row[0];
     for (std::size_t k = 1; k < count; ++k) {
-      at[k] = row[k] * (power *= place);
-      moves += std::abs(at[k]);
-      end += at[k];
+      const double term = row[k] * (power *= place);
+      at[k] = term;
+      sum += term;
+      size += std::abs(term);
     }
+    moves = size;
+    end = at[0] + sum;
+  }
+  /// What takes away from it is too little to bring it to zero.
+  bool stays_above() const {
+    constexpr double rounding = 1e-14;
+    return at[0] - 0.5 * (moves - (end - at[0])) > rounding * moves;
   }
   std::span<const double> all() const { return {at.data(), count}; }
   /// Bound of what the series leaves out at the end.
@@ -59,7 +67,7 @@ void look(Index guard, std::span<const double> row, double sign, double rounding
   for (;;) {
     const Terms terms(row, sign, end.place);
     if (!(terms.moves > 0) || terms.at[0] > far * terms.moves) return;
-    const auto share = fall(terms, rounding);
+    const auto share = terms.stays_above() ? std::nullopt : fall(terms, rounding);
     const double place = share ? *share * end.place : end.place;
     const bool doubtful = !share ? may_hide_fall(terms) : *share > 0 && may_move_root({row, sign, place});
     if (share && !doubtful) end = {place, guard};

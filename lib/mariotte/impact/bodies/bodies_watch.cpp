@@ -1,10 +1,10 @@
 #include "mariotte/impact/bodies/bodies_watch.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
-#include "mariotte/core/bracket.hpp"
 #include "mariotte/core/scale.hpp"
 #include "mariotte/impact/watch/highest.hpp"
 
@@ -41,30 +41,64 @@ struct Reading {
   }
 };
 
-struct ValueAndSlope {
-  double value, slope;
+/// Polynomials, each with one maximum at most.
+using Rows = std::array<std::span<const double>, 3>;
+struct ValuesAndSlopes {
+  std::array<double, 3> value{}, slope{};
 };
-ValueAndSlope at(std::span<const double> row, double place) {
-  ValueAndSlope sum{0, 0};
-  for (std::size_t k = row.size(); k-- > 0;) {
-    sum.slope = sum.slope * place + sum.value;
-    sum.value = sum.value * place + row[k];
-  }
+
+/// Side by side, so that none waits for another.
+ValuesAndSlopes at(const Rows& row, double place) {
+  ValuesAndSlopes sum;
+  for (std::size_t k = row[0].size(); k-- > 0;)
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      sum.slope[i] = sum.slope[i] * place + sum.value[i];
+      sum.value[i] = sum.value[i] * place + row[i][k];
+    }
   return sum;
 }
 
-/// Largest size of a polynomial that has one maximum at most. Slopes are told a little inside: at an end
-/// where it is flat, rounding has the sign.
-double largest(std::span<const double> row, double end) {
-  constexpr double loose = 1e-6;
-  const double low = loose * end, high = end - low;
-  const double first = at(row.first(std::min<std::size_t>(row.size(), 4)), low).slope;
-  const auto last = at(row, high);
-  const double ends = std::max(std::abs(row[0]), std::abs(last.value + low * last.slope));
-  if (!(first * last.slope < 0)) return ends;
-  const auto slope = [&](double place) { return at(row, place).slope; };
-  const double top = locate_sign_change(slope, low, first, high, last.slope, low);
-  return std::max(ends, std::abs(at(row, top).value));
+/// Largest size between two places where it rises and falls, by Newton's method. It is flat there, so a loose
+/// place is enough for a tight value.
+double summit(std::span<const double> row, double low, double first, double high, double last) {
+  constexpr double loose = 1e-4;
+  constexpr int most = 8;
+  double place = low + (high - low) * first / (first - last), value = 0;
+  for (int i = 0; i < most; ++i) {
+    double slope = 0, bend = 0;
+    value = 0;
+    for (std::size_t k = row.size(); k-- > 0;) {
+      bend = bend * place + 2 * slope;
+      slope = slope * place + value;
+      value = value * place + row[k];
+    }
+    const double step = std::clamp(place - slope / bend, low, high) - place;
+    value += 0.5 * slope * step;
+    if (!(std::abs(step) > loose * (high - low))) break;
+    place += step;
+  }
+  return std::abs(value);
+}
+
+/// Whether slopes at two places have other signs. One that is far smaller than the other is none.
+bool turns(double first, double last) {
+  constexpr double rounding = 1e-8;
+  return first * last < 0 &&
+         std::min(std::abs(first), std::abs(last)) > rounding * std::max(std::abs(first), std::abs(last));
+}
+
+/// Largest size of each. Slopes are told a little inside: at an end where it is flat, rounding has the sign.
+std::array<double, 3> largest(const Rows& row, double end) {
+  constexpr double inside = 1e-6;
+  const double low = inside * end, high = end - low;
+  const auto first = at({row[0].first(4), row[1].first(4), row[2].first(4)}, low), last = at(row, high);
+  std::array<double, 3> most;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    most[i] = std::max(std::abs(row[i][0]), std::abs(last.value[i] + low * last.slope[i]));
+    if (turns(first.slope[i], last.slope[i]))
+      most[i] = std::max(most[i], summit(row[i], low, first.slope[i], high, last.slope[i]));
+  }
+  return most;
 }
 
 double wrapped(double angle) {
@@ -118,9 +152,8 @@ void BodiesObserver<D>::search(const flow::Step& step) {
   if (!step.forces(forces_)) return sample_forces(step);
   for (std::size_t k = 0; k < mode_.closed.size(); ++k) {
     const auto& one = forces_[k];
-    const double friction = largest(one.friction, one.end);
-    raise(k, {largest(one.normal, one.end), one.is_square ? std::sqrt(friction) : friction,
-              largest(one.depth, one.end)});
+    const auto [normal, friction, depth] = largest({one.normal, one.friction, one.depth}, one.end);
+    raise(k, {normal, one.is_square ? std::sqrt(friction) : friction, depth});
   }
 }
 
