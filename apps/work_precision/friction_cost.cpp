@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "mariotte/impact/bodies/bodies_impact.hpp"
 
@@ -42,14 +43,19 @@ Bodies oblique_sphere(const model::Tangential& tangential) {
 }
 
 /// One ball strikes a triangle of others with spin, all pairs with friction.
-Bodies balls(int rows, const model::Tangential& tangential) {
+Bodies balls(int rows, double spacing, const model::Tangential& tangential) {
   Bodies bodies{.dimension = 2};
+  const double apart = spacing * radius;
   for (int row = 0; row < rows; ++row)
     for (int place = 0; place <= row; ++place)
-      bodies.body.push_back(ball({1.78 * radius * row, 2.06 * radius * (place - 0.5 * row), 0}, {}, 0));
+      bodies.body.push_back(ball({0.5 * std::sqrt(3) * apart * row, apart * (place - 0.5 * row), 0}, {}, 0));
   bodies.body.push_back(ball({-2.5 * radius, 0.1 * radius, 0}, {2, 0.2, 0}, -60));
   for (Index b = 1; b < std::ssize(bodies.body); ++b)
-    for (Index a = 0; a < b; ++a) bodies.contact.push_back(contact({a, 0}, b, tangential));
+    for (Index a = 0; a < b; ++a) {
+      bodies.contact.push_back(contact({a, 0}, b, tangential));
+      const double gap = norm(bodies.body[a].position - bodies.body[b].position) - 2 * radius;
+      bodies.contact.back().touching = std::abs(gap) < 1e-9 * radius;
+    }
   return bodies;
 }
 
@@ -57,8 +63,9 @@ std::vector<Case> cases() {
   const model::Tangential mindlin{TangentialLaw::mindlin, 0.2, 0.8 * stiffness};
   return {{"oblique sphere, Mindlin", oblique_sphere(mindlin)},
           {"oblique sphere, rigid", oblique_sphere({TangentialLaw::rigid, 0.2, 0})},
-          {"two balls, Mindlin", balls(1, mindlin)},
-          {"rack of 6, Mindlin", balls(3, mindlin)}};
+          {"two balls, Mindlin", balls(1, 2.06, mindlin)},
+          {"rack of 6, Mindlin", balls(3, 2.06, mindlin)},
+          {"touching 6, Mindlin", balls(3, 2, mindlin)}};
 }
 
 double difference(const impact::BodiesImpact& a, const impact::BodiesImpact& b) {
