@@ -247,3 +247,38 @@ BOOST_AUTO_TEST_CASE(touching_balls_need_no_cvode) {
   BOOST_TEST(steps_of(one, flow::Kind::cvode_adams) == 0);
   BOOST_TEST(difference(one, two) < 1e-7);
 }
+
+/// Two balls touch for long, while a third comes from afar: its gap is no guard until it may close.
+BOOST_AUTO_TEST_CASE(balls_that_come_from_afar_are_met) {
+  constexpr double radius = 0.01, mass = 0.03, moment = 0.4 * mass * radius * radius;
+  for (const bool compiled : {false, true}) {
+    model::Bodies bodies{.dimension = 2};
+    for (const auto& [place, velocity] :
+         {std::pair{-0.0205, 0.2}, std::pair{0.0, 0.0}, std::pair{0.06, -4.0}})
+      bodies.body.push_back({.name = "",
+                             .mass = mass,
+                             .inertia = {moment, moment, moment},
+                             .spheres = {{{}, radius}},
+                             .position = {place, 0.02 * place, 0},
+                             .velocity = {velocity, 0, 0},
+                             .spin = {0, 0, 40}});
+    const contact::Law soft =
+        compiled ? contact::Law(contact::Hertz(5e3)) : contact::Law(contact::Linear(50));
+    const model::Tangential grip = compiled ? model::Tangential{TangentialLaw::mindlin, 0.3, 4e3}
+                                            : model::Tangential{TangentialLaw::spring, 0.3, 40};
+    for (const auto& [a, b] : {std::pair{0, 1}, std::pair{0, 2}, std::pair{1, 2}})
+      bodies.contact.push_back(
+          {.a = {a, 0},
+           .b = {b, 0},
+           .law = b == 2 ? contact::Law(contact::Hertz(1e9)) : soft,
+           .tangential = b == 2 ? model::Tangential{TangentialLaw::mindlin, 0.3, 1e9} : grip});
+    const auto one = impact::simulate(bodies, options(1e-9, flow::Kind::taylor));
+    const auto two = impact::simulate(bodies, options(1e-9, flow::Kind::cvode_adams));
+    BOOST_TEST_CONTEXT((compiled ? "compiled" : "recorded")) {
+      BOOST_TEST_REQUIRE(one.contacts.size() >= 2u);
+      BOOST_TEST(one.contacts[1].periods.front().start < one.contacts[0].periods.front().end.value());
+      BOOST_TEST(one.contacts.size() == two.contacts.size());
+      BOOST_TEST(difference(one, two) < 1e-7);
+    }
+  }
+}

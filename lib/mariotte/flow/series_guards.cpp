@@ -76,4 +76,10 @@ void look(Index guard, std::span<const double> row, double sign, double rounding
   }
 }
 
+double most_change(std::span<const double> row, double place) {
+  double sum = 0;
+  for (std::size_t k = row.size(); k-- > 1;) sum = sum * place + std::abs(row[k]);
+  return sum * place;
+}
+
 }  // namespace mariotte::flow

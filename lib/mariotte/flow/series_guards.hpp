@@ -9,4 +9,7 @@ namespace mariotte::flow {
 /// without a guard.
 void look(Index guard, std::span<const double> row, double sign, double rounding, SeriesEnd& end);
 
+/// How far a polynomial can go from where it begins, up to a place.
+double most_change(std::span<const double> row, double place);
+
 }  // namespace mariotte::flow

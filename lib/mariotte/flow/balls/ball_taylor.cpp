@@ -16,13 +16,6 @@ constexpr double force_share = 0.1;
 /// Times that a step is halved because another contact might close in it.
 constexpr int most_halvings = 3;
 
-/// Largest value that a series can have up to a place.
-double most(std::span<const double> row, double place) {
-  double sum = 0;
-  for (std::size_t k = row.size(); k-- > 0;) sum = sum * place + std::abs(row[k]);
-  return sum;
-}
-
 }  // namespace
 
 /// What `follow_by_series` drives.
@@ -102,8 +95,9 @@ class BallTaylor::Expansion {
   double clear_length(ConstState x, double step) const {
     if (contact_->is_alone) return step;
     for (int i = 0; i <= most_halvings; ++i, step *= 0.5) {
-      const double speed = most(series_[BallMotion::approach], step) + most(series_[BallMotion::along], step);
-      if (phase_->is_clear(x, most(time(), step), speed)) return step;
+      const auto most = [&](int row) { return std::abs(series_[row][0]) + most_change(series_[row], step); };
+      const double speed = most(BallMotion::approach) + most(BallMotion::along);
+      if (phase_->is_clear(x, most_change(time(), step), speed)) return step;
     }
     return NAN;
   }

@@ -34,14 +34,19 @@ struct Recording {
   std::vector<Index> component;  ///< of the problem's state, for each of these
   std::vector<RecordedGuard> guard;
   std::vector<RecordedContact> contact;
+  bool is_partial = false;  ///< guards that are far from firing have been left out
 };
 
 /// A phase that can be recorded.
 class RecordedPhase {
  public:
   virtual ~RecordedPhase() = default;
-  /// Record field and guards of the present mode at x, where events within `accuracy` are one.
-  virtual void record(ConstState x, double accuracy, Recording& recording) const = 0;
+  /// Record field and guards of the present mode at x, where events within `accuracy` are one: `all` guards,
+  /// or those that are not far from firing.
+  virtual void record(ConstState x, double accuracy, bool all, Recording& recording) const = 0;
+  /// Whether no guard that was left out can fire within a time from x on, while no component that is recorded
+  /// moves farther than it is said to.
+  virtual bool stays_far(ConstState x, double time, ConstState moves) const = 0;
   /// Components that are not recorded move freely: their values after time t.
   virtual void fly_others(ConstState x, double t, State result) const = 0;
   /// The present mode if its field is compiled.

@@ -3,6 +3,7 @@
 #include "mariotte/flow/balls/ball_taylor.hpp"
 #include "mariotte/flow/recorded/recorded_guards.hpp"
 #include "mariotte/flow/roots/simultaneous.hpp"
+#include "mariotte/flow/series_guards.hpp"
 
 namespace mariotte::flow {
 namespace {
@@ -20,6 +21,9 @@ constexpr SeriesLimits limits{.steps = 3000, .stalled = 12};
 constexpr double short_step = 1e-3;
 /// Guards compare forces, whose series are an order less sharp than those of the state.
 constexpr double force_share = 0.1;
+
+/// Times that a step is halved because what is not recorded might fire in it.
+constexpr int most_halvings = 3;
 
 /// Largest place at which none of the last `terms` of a component exceeds what it may.
 double step_length(const Recording& recording, const TapeSeries& series, ConstState magnitude,
@@ -49,7 +53,11 @@ struct RecordedTaylor::Memory {
     phase_ = problem.recorded();
     asked_ = asked;
     accuracy_ = resolving_accuracy(problem, asked, 64 * epsilon);
-    phase_->record(x, asked, recording);
+    record(x, false);
+  }
+
+  void record(ConstState x, bool all) {
+    phase_->record(x, asked_, all, recording);
     seen_.clear();
     clocks_.clear();
     for (const auto& one : recording.guard) seen_.push_back(one.place);
@@ -63,7 +71,18 @@ struct RecordedTaylor::Memory {
   int order() const { return series_order(accuracy_); }
   std::span<const double> time() const { return series.time(); }
 
+  /// As far as surely nothing fires that has not been recorded; where that is hardly anywhere, all is.
   double expand(ConstState x, bool first) {
+    double reach = expand_recorded(x, first);
+    for (int i = 0; recording.is_partial && !stays_far(x, reach); ++i, reach *= 0.5) {
+      if (i < most_halvings) continue;
+      record(x, true);
+      return expand_recorded(x, first);
+    }
+    return reach;
+  }
+
+  double expand_recorded(ConstState x, bool first) {
     load(x);
     clock_ = clock(first);
     const bool onset = clock_.kind == TapeClock::Kind::onset;
@@ -126,11 +145,19 @@ struct RecordedTaylor::Memory {
   TapeClock clock_;
   Simultaneous simultaneous_;
   std::vector<int> clocks_, seen_;
-  std::vector<double> values_, guards_;
+  std::vector<double> values_, guards_, moves_;
 
   void load(ConstState x) {
     values_.resize(recording.component.size());
     for (std::size_t i = 0; i < values_.size(); ++i) values_[i] = x[recording.component[i]];
+  }
+
+  bool stays_far(ConstState x, double reach) {
+    if (!std::isfinite(reach)) return true;
+    moves_.assign(x.size(), 0.0);
+    for (std::size_t i = 0; i < recording.state.size(); ++i)
+      moves_[recording.component[i]] = most_change(series.row(recording.state[i].place), reach);
+    return phase_->stays_far(x, most_change(time(), reach), moves_);
   }
 
   /// The clock of the contact that is nearest in time to where its root is singular.

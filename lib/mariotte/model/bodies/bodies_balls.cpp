@@ -178,7 +178,7 @@ double BodiesBalls::stored(const Motion& motion) const {
 double BodiesBalls::reach(ConstState x, Index body, double time, double speed) const {
   const double share = body == a_ ? share_a_ : body == b_ ? share_b_ : 0;
   const auto velocity = share > 0 ? common_ : vec_at<2>(x, layout_.velocity(body));
-  return time * (norm(velocity) + share * speed + 0.5 * time * norm(setting_.gravity));
+  return flown(setting_, velocity, time) + time * share * speed;
 }
 
 bool BodiesBalls::is_clear(ConstState x, double time, double speed) const {
@@ -186,9 +186,7 @@ bool BodiesBalls::is_clear(ConstState x, double time, double speed) const {
   for (Index i = 0; i < layout_.bodies; ++i) reach_.push_back(reach(x, i, time, speed));
   const auto is_far = [&](Index contact) {
     const auto& c = setting_.contact[contact];
-    const double a =
-        c.plane < 0 ? reach_[setting_.sphere[c.a].body] : time * norm(setting_.plane_velocity[c.plane]);
-    return &c == one_ || least_gap(setting_, layout_, x, c) > a + reach_[setting_.sphere[c.b].body];
+    return &c == one_ || stays_open(setting_, layout_, x, c, time, std::span<const double>(reach_));
   };
   if (!watches_near(setting_, *mode_)) {
     for (Index c = 0; c < std::ssize(setting_.contact); ++c)

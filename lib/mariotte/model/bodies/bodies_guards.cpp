@@ -50,9 +50,10 @@ template <class T>
 void BodiesPhase<D>::all_guards(BodiesField<T, D>& field, std::span<T> values) const {
   std::fill(values.begin(), values.end(), T(1.0));
   const double noise = setting_.slip_noise * setting_.speed;
-  for (Index k = 0; k < watched_count(); ++k)
-    if (crossing_[gap_guard(k)] != Crossing::none)
-      values[gap_guard(k)] = field.motion(watched(k)).gap + closing_depth(watched(k));
+  for (Index k = 0; k < watched_count(); ++k) {
+    if (crossing_[gap_guard(k)] == Crossing::none || (is_recorded<T> && is_far_[k])) continue;
+    values[gap_guard(k)] = field.motion(watched(k)).gap + closing_depth(watched(k));
+  }
   for (Index i = 0; i < strays_; ++i) {
     const auto gone = field.body(i).shift - lift<T>(vec_at<D>(ConstState(mode_->from), D * i));
     values[stray_guard(i)] = 0.25 * setting_.skin * setting_.skin - dot(gone, gone);

@@ -47,7 +47,8 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   double first_meeting(ConstState x, double limit, double window, std::vector<Index>& fired) const override;
   void fly(ConstState x, double t, State result) const override;
 
-  void record(ConstState x, double accuracy, flow::Recording& recording) const override;
+  void record(ConstState x, double accuracy, bool all, flow::Recording& recording) const override;
+  bool stays_far(ConstState x, double time, ConstState moves) const override;
   void fly_others(ConstState x, double t, State result) const override;
   flow::BallPhase* balls() const override { return is_balls_ ? &*balls_ : nullptr; }
 
@@ -88,6 +89,7 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   void weigh_direction(std::size_t closed);
   flow::Accepted leave_rest(std::size_t closed);
   void find_balls();
+  void find_far(ConstState x, bool all) const;
   void find_followed() const;
   void release_springs(ConstState x) const;
   void record_guards(flow::Recording& recording) const;
@@ -114,6 +116,8 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   mutable BodiesField<series::Dual<double, columns>, D> sloped_;
   mutable BodiesField<series::Traced, D> traced_;
   mutable std::vector<series::Traced> traced_x_, traced_dx_, traced_values_;
+  mutable std::vector<char> is_far_;       ///< by watched contact: its gap is not recorded
+  mutable std::vector<double> reach_;      ///< of bodies within a step
   mutable std::vector<char> is_followed_;  ///< by body: it touches another, or may meet one
   mutable std::vector<Index> followed_;    ///< components of the state
   mutable std::vector<series::Dual<double, 1>> along_, along_values_;

@@ -1,8 +1,10 @@
 // Field and guards of bodies in contact on a tape.
+#include <algorithm>
 #include <cmath>
 
 #include "mariotte/model/bodies/bodies_flight.hpp"
 #include "mariotte/model/bodies/bodies_phase.hpp"
+#include "mariotte/model/bodies/near_pairs.hpp"
 
 namespace mariotte::model {
 
@@ -29,7 +31,7 @@ void BodiesPhase<D>::find_followed() const {
   };
   for (const auto& one : mode_->closed) follow(one.contact);
   for (Index k = 0; k < watched_count(); ++k)
-    if (crossing_[gap_guard(k)] != flow::Crossing::none) follow(watched(k));
+    if (crossing_[gap_guard(k)] != flow::Crossing::none && !is_far_[k]) follow(watched(k));
   followed_.clear();
   const auto add = [&](Index first, Index count) {
     for (Index k = 0; k < count; ++k) followed_.push_back(first + k);
@@ -40,10 +42,38 @@ void BodiesPhase<D>::find_followed() const {
   for (const auto& one : mode_->closed) add(layout_.spring(one.slot), layout_.slot_size);
 }
 
+/// Pairs that a few natural indentations do not bring together.
 template <int D>
-void BodiesPhase<D>::record(ConstState x, double accuracy, flow::Recording& recording) const {
+void BodiesPhase<D>::find_far(ConstState x, bool all) const {
+  constexpr double far = 4;
+  is_far_.assign(watched_count(), 0);
+  if (all) return;
+  for (Index k = 0; k < watched_count(); ++k) {
+    const auto& c = setting_.contact[watched(k)];
+    is_far_[k] = crossing_[gap_guard(k)] != flow::Crossing::none &&
+                 least_gap(setting_, layout_, x, c) > far * c.length;
+  }
+}
+
+template <int D>
+bool BodiesPhase<D>::stays_far(ConstState x, double time, ConstState moves) const {
+  reach_.clear();
+  for (Index i = 0; i < layout_.bodies; ++i)
+    reach_.push_back(is_followed_[i] ? norm(vec_at<D>(moves, layout_.shift(i)))
+                                     : flown(setting_, vec_at<D>(x, layout_.velocity(i)), time));
+  for (Index k = 0; k < watched_count(); ++k)
+    if (is_far_[k] && !stays_open(setting_, layout_, x, setting_.contact[watched(k)], time,
+                                  std::span<const double>(reach_)))
+      return false;
+  return true;
+}
+
+template <int D>
+void BodiesPhase<D>::record(ConstState x, double accuracy, bool all, flow::Recording& recording) const {
   auto& tape = recording.tape;
   tape.clear();
+  find_far(x, all);
+  recording.is_partial = std::find(is_far_.begin(), is_far_.end(), 1) != is_far_.end();
   find_followed();
   recording.component = followed_;
   recording.state.clear();
@@ -129,8 +159,10 @@ void BodiesPhase<D>::fly_others(ConstState x, double t, State result) const {
     if (!is_followed_[i]) model::fly(setting_, layout_, x, i, t, result);
 }
 
-template void BodiesPhase<2>::record(ConstState, double, flow::Recording&) const;
-template void BodiesPhase<3>::record(ConstState, double, flow::Recording&) const;
+template void BodiesPhase<2>::record(ConstState, double, bool, flow::Recording&) const;
+template void BodiesPhase<3>::record(ConstState, double, bool, flow::Recording&) const;
+template bool BodiesPhase<2>::stays_far(ConstState, double, ConstState) const;
+template bool BodiesPhase<3>::stays_far(ConstState, double, ConstState) const;
 template void BodiesPhase<2>::fly_others(ConstState, double, State) const;
 template void BodiesPhase<3>::fly_others(ConstState, double, State) const;
 template bool BodiesPhase<2>::can_be_recorded(const ClosedContact&) const;

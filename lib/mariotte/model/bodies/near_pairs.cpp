@@ -28,6 +28,14 @@ double least_gap(const BodiesSetting<D>& setting, const BodiesLayout<D>& at, Con
 }
 
 template <int D>
+bool stays_open(const BodiesSetting<D>& setting, const BodiesLayout<D>& at, ConstState x,
+                const SettingContact<D>& c, double time, std::span<const double> reach) {
+  const double a =
+      c.plane < 0 ? reach[setting.sphere[c.a].body] : time * norm(setting.plane_velocity[c.plane]);
+  return least_gap(setting, at, x, c) > a + reach[setting.sphere[c.b].body];
+}
+
+template <int D>
 void refresh_near(const BodiesSetting<D>& setting, const BodiesLayout<D>& at, ConstState x,
                   BodiesMode& mode) {
   if (setting.skin == 0 || mode.closed.empty()) return;
@@ -45,6 +53,10 @@ template double least_gap(const BodiesSetting<2>&, const BodiesLayout<2>&, Const
                           const SettingContact<2>&);
 template double least_gap(const BodiesSetting<3>&, const BodiesLayout<3>&, ConstState,
                           const SettingContact<3>&);
+template bool stays_open(const BodiesSetting<2>&, const BodiesLayout<2>&, ConstState,
+                         const SettingContact<2>&, double, std::span<const double>);
+template bool stays_open(const BodiesSetting<3>&, const BodiesLayout<3>&, ConstState,
+                         const SettingContact<3>&, double, std::span<const double>);
 template void refresh_near(const BodiesSetting<2>&, const BodiesLayout<2>&, ConstState, BodiesMode&);
 template void refresh_near(const BodiesSetting<3>&, const BodiesLayout<3>&, ConstState, BodiesMode&);
 

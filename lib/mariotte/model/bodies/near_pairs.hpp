@@ -9,6 +9,17 @@ template <int D>
 double least_gap(const BodiesSetting<D>& setting, const BodiesLayout<D>& at, ConstState x,
                  const SettingContact<D>& contact);
 
+/// Whether a contact cannot close within a time from x on, in which each body goes no farther than its reach.
+template <int D>
+bool stays_open(const BodiesSetting<D>& setting, const BodiesLayout<D>& at, ConstState x,
+                const SettingContact<D>& contact, double time, std::span<const double> reach);
+
+/// How far a body in free flight goes within a time, at most.
+template <int D>
+double flown(const BodiesSetting<D>& setting, const Vec<double, D>& velocity, double time) {
+  return time * (norm(velocity) + 0.5 * time * norm(setting.gravity));
+}
+
 /// Make the list anew where it is missing, or a body has gone too far since. Contacts with planes are always
 /// near.
 template <int D>
