@@ -49,46 +49,53 @@ void BodiesBalls::bind(const BodiesMode& mode, const BodiesLayout<2>& layout,
   a_ = one_->plane < 0 ? setting_.sphere[one_->a].body : Index{-1};
   share_b_ = one_->mass / setting_.body[b_].mass;
   share_a_ = a_ < 0 ? 0 : one_->mass / setting_.body[a_].mass;
+  set_guards(closed, first_guard);
+  set_bodies();
+  set_friction(closed.sign);
+  set_weights(magnitude);
+}
+
+void BodiesBalls::set_guards(const ClosedContact& closed, Index first) {
   contact_ = {.grip = grip_of(closed, one_->tangential.law), .pair = a_ >= 0, .unloading = closed.unloading};
-  const auto guard = [&](SlotGuard which) { return first_guard + static_cast<Index>(which); };
+  const auto guard = [&](SlotGuard which) { return first + static_cast<Index>(which); };
   contact_.is_alone = setting_.contact.size() == 1;
   contact_.open = guard(SlotGuard::open);
   contact_.turn = guard(SlotGuard::turn);
   if (contact_.grip != Grip::none) contact_.friction = guard(SlotGuard::friction);
-  set_numbers();
-  set_weights(magnitude);
 }
 
-void BodiesBalls::set_numbers() {
+void BodiesBalls::set_bodies() {
   const auto& c = *one_;
   auto& p = contact_.parameter;
-  const auto& b = setting_.sphere[c.b];
   p[BallMotion::stiffness] = contact::power_law(c.law)->stiffness;
   p[BallMotion::inverse_mass] = 1 / c.mass;
-  p[BallMotion::radius_b] = b.radius;
+  p[BallMotion::radius_b] = setting_.sphere[c.b].radius;
   p[BallMotion::share_b] = c.share;
   p[BallMotion::ease_b] = 1 / setting_.body[b_].inertia[0];
-  if (a_ >= 0) {
-    const auto& a = setting_.sphere[c.a];
-    p[BallMotion::radius_a] = a.radius;
-    p[BallMotion::radii] = a.radius + b.radius;
-    p[BallMotion::share_a] = 1 - c.share;
-    p[BallMotion::ease_a] = 1 / setting_.body[a_].inertia[0];
-  } else {
+  if (a_ < 0) {
     p[BallMotion::pull_normal] = dot(setting_.gravity, c.apart);
     p[BallMotion::pull_along] = dot(setting_.gravity, across(c.apart));
+    return;
   }
-  const double mu = c.tangential.friction;
-  p[BallMotion::coulomb] = mu;
-  p[BallMotion::sign] = mode_->closed.front().sign;
-  p[BallMotion::directed] = mu * p[BallMotion::sign];
-  p[BallMotion::grip_stiffness] = c.tangential.stiffness;
-  if (c.tangential.has_spring())
-    p[BallMotion::growth] = mu * p[BallMotion::stiffness] / c.tangential.stiffness;
+  p[BallMotion::radius_a] = setting_.sphere[c.a].radius;
+  p[BallMotion::radii] = p[BallMotion::radius_a] + p[BallMotion::radius_b];
+  p[BallMotion::share_a] = 1 - c.share;
+  p[BallMotion::ease_a] = 1 / setting_.body[a_].inertia[0];
+}
+
+void BodiesBalls::set_friction(double sign) {
+  const auto& friction = one_->tangential;
+  auto& p = contact_.parameter;
+  p[BallMotion::coulomb] = friction.friction;
+  p[BallMotion::sign] = sign;
+  p[BallMotion::directed] = sign * friction.friction;
+  p[BallMotion::grip_stiffness] = friction.stiffness;
+  if (friction.has_spring())
+    p[BallMotion::growth] = friction.friction * p[BallMotion::stiffness] / friction.stiffness;
   contact_.rate_noise = setting_.slip_noise * setting_.speed;
   contact_.force_share = setting_.slip_noise;
-  contact_.force_noise = setting_.slip_noise * c.force;
-  contact_.faint_force = setting_.faint_stick() * c.force;
+  contact_.force_noise = setting_.slip_noise * one_->force;
+  contact_.faint_force = setting_.faint_stick() * one_->force;
 }
 
 /// Those of the state, where they are the same; relative motion is that of the body that moves less.

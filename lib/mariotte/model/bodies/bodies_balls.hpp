@@ -22,7 +22,9 @@ class BodiesBalls final : public flow::BallPhase {
   bool is_clear(ConstState x, double time, double speed) const override;
 
  private:
-  void set_numbers();
+  void set_guards(const ClosedContact& closed, Index first);
+  void set_bodies();
+  void set_friction(double sign);
   void set_weights(std::span<const double> magnitude);
   void move_body(Index body, double share, const Vec<double, 2>& gone, const Vec<double, 2>& relative,
                  const Motion& motion, State x) const;
