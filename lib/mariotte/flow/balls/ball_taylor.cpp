@@ -1,20 +1,13 @@
 #include "mariotte/flow/balls/ball_taylor.hpp"
 
 #include "mariotte/flow/balls/ball_series.hpp"
+#include "mariotte/flow/contact_steps.hpp"
 #include "mariotte/flow/series_guards.hpp"
 
 namespace mariotte::flow {
 namespace {
 
 using Row = std::array<double, BallSeries::most_order + 1>;
-
-constexpr SeriesLimits limits{.steps = 3000, .stalled = 12};
-/// Last coefficients that bound a step: where the contact begins only one in five differs from zero.
-constexpr int last_terms = 2, last_onset_terms = 5;
-/// Guards compare forces, whose series are an order less sharp than those of the state.
-constexpr double force_share = 0.1;
-/// Times that a step is halved because another contact might close in it.
-constexpr int most_halvings = 3;
 
 }  // namespace
 
@@ -70,8 +63,6 @@ class BallTaylor::Expansion {
   bool is_stalled(const Step& step) const { return step.end - step.start < shortest_; }
 
  private:
-  static constexpr double short_step = 1e-3;
-
   BallSeries series_;
   BallPhase* phase_ = nullptr;
   const BallContact* contact_ = nullptr;
@@ -151,7 +142,7 @@ BallTaylor::~BallTaylor() = default;
 Arrival BallTaylor::follow(const Problem& problem, BallPhase& phase, State x, const Request& request,
                            std::vector<Index>& fired) {
   expansion_->begin(problem, phase, request.accuracy);
-  return follow_by_series(*expansion_, limits, x, request, fired);
+  return follow_by_series(*expansion_, contact_limits, x, request, fired);
 }
 
 }  // namespace mariotte::flow

@@ -1,6 +1,7 @@
 #include "mariotte/flow/recorded/recorded_taylor.hpp"
 
 #include "mariotte/flow/balls/ball_taylor.hpp"
+#include "mariotte/flow/contact_steps.hpp"
 #include "mariotte/flow/recorded/recorded_guards.hpp"
 #include "mariotte/flow/roots/simultaneous.hpp"
 #include "mariotte/flow/series_guards.hpp"
@@ -13,17 +14,6 @@ using series::TapeSeries;
 
 /// Of the series in τ so many last coefficients may be incomplete.
 constexpr int onset_loss = 4;
-/// Last coefficients that bound a step: in τ only one in five differs from zero.
-constexpr int last_terms = 2, last_onset_terms = 5;
-/// So many steps, each shorter than this share of the natural time, lead towards a point that no series
-/// passes: the slip of a spring in space where its contact opens, or a slip that comes to rest.
-constexpr SeriesLimits limits{.steps = 3000, .stalled = 12};
-constexpr double short_step = 1e-3;
-/// Guards compare forces, whose series are an order less sharp than those of the state.
-constexpr double force_share = 0.1;
-
-/// Times that a step is halved because what is not recorded might fire in it.
-constexpr int most_halvings = 3;
 
 /// Largest place at which none of the last `terms` of a component exceeds what it may.
 double step_length(const Recording& recording, const TapeSeries& series, ConstState magnitude,
@@ -210,7 +200,7 @@ Arrival RecordedTaylor::follow(Problem& problem, State x, const Request& request
     if (so_far.outcome != Outcome::stiff) return so_far;
   }
   memory.begin(problem, x, request.accuracy);
-  auto arrival = follow_by_series(memory, limits, x, request, fired, so_far);
+  auto arrival = follow_by_series(memory, contact_limits, x, request, fired, so_far);
   if (arrival.outcome != Outcome::stiff) return arrival;
   const auto opens = memory.opening(x);
   if (!opens || arrival.duration + opens->second > request.limit) return arrival;
