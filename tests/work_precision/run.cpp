@@ -177,3 +177,21 @@ BOOST_FIXTURE_TEST_CASE(bodies_with_friction_are_as_accurate_as_asked_by_either_
   }
   BOOST_TEST(count == 12);
 }
+
+// CVODES finds the same slopes to the accuracy, or its time does not stand there.
+BOOST_FIXTURE_TEST_CASE(slopes_are_measured_beside_those_of_cvodes, Session) {
+  const auto run = mariotte("--quick --slopes");
+  BOOST_TEST(run.code == 0);
+  std::istringstream lines(run.out);
+  std::string line;
+  int hertz = 0, rows = 0;
+  while (std::getline(lines, line)) {
+    std::istringstream numbers(line.substr(std::min<std::size_t>(22, line.size())));
+    double accuracy, time, parameters, all, one, rival;
+    numbers >> accuracy >> time >> parameters >> all >> one;
+    if (line.starts_with("Hertz")) hertz += static_cast<bool>(numbers >> rival);
+    rows += !numbers.fail() && line.find(" balls ") < 8;
+  }
+  BOOST_TEST(hertz == 4);
+  BOOST_TEST(rows == 6);
+}
