@@ -42,7 +42,7 @@ double difference(const model::Chain& row, std::size_t ball, const hybrid::Optio
   double most = 0;
   for (std::size_t c = 0; c < back.parameter.size(); ++c) {
     BOOST_TEST(back.parameter[c].name == forward.parameter[c].name);
-    most = std::max(most, std::abs(*back.outcome[0].slope[c] - outcome.slope[c].value()));
+    most = std::max(most, std::abs(back.outcome[0].slope[c].value() - outcome.slope[c].value()));
   }
   return most;
 }
@@ -136,6 +136,26 @@ BOOST_AUTO_TEST_CASE(slopes_of_a_long_row_are_right) {
   BOOST_TEST(size > 0.1);
   BOOST_TEST(std::abs(by_units) < 1e-10);
   BOOST_TEST(std::abs(by_time) < 1e-10);
+}
+
+// Those at the front are pressed from the hit on.
+BOOST_AUTO_TEST_CASE(linear_contacts_that_wait_for_the_wave_have_no_slopes_on_both_sides) {
+  const auto row = row_of(std::vector<contact::Law>(59, contact::Linear(1)), std::vector<double>(59));
+  const auto all = swept(row, 59);
+  BOOST_TEST(!std::isnan(all.slopes.gap[5]));
+  BOOST_TEST(std::isnan(all.slopes.gap[40]));
+  BOOST_TEST(worst(row_of({contact::Linear(1), contact::Linear(2), contact::Linear(1.5)}, {0.1, 0, 0})) <
+             1e-9);
+  BOOST_TEST(std::isnan(all.slopes.velocity[41]));
+  BOOST_TEST(!std::isnan(all.slopes.mass[41]));
+  const auto told = as_sensitivity(row, all, "velocity", 59);
+  BOOST_TEST(told.notes.size() == 1U);
+  const impact::Parameter<model::Chain> mass{"mass[41]", row.mass[41], 0.01, [&](double value) {
+                                               auto other = row;
+                                               other.mass[41] = value;
+                                               return other;
+                                             }};
+  BOOST_TEST(std::abs(slope_by(all.slopes, mass) / all.slopes.mass[41] - 1) < 1e-10);
 }
 
 BOOST_AUTO_TEST_CASE(numbers_of_a_row_may_depend_on_another) {

@@ -48,6 +48,12 @@ std::string near_closing_note(const std::string& what, double speed) {
   return text + std::string(": where they approach it closes again; slopes hold on the side where they part");
 }
 
+std::string waiting_note() {
+  return "slopes that are missing are by gaps of zero of linear contacts that touch at rest until the wave "
+         "comes, "
+         "and by velocities of their balls: pressed such a contact acts at once, drawn apart not at all";
+}
+
 void leave_out_unbounded(Sensitivity& slopes) {
   bool found = false;
   for (auto& outcome : slopes.outcome)

@@ -16,6 +16,7 @@ std::string near_closing_note(const std::string& what, double speed);
 std::string slip_from_rest_note();
 std::string shared_ending_note();
 std::string noise_ending_note();
+std::string waiting_note();
 /// Slopes that are no numbers are left out; a note says so.
 void leave_out_unbounded(Sensitivity& slopes);
 /// Throws InvalidParameter for more slopes than memory and patience allow.

@@ -1,5 +1,7 @@
 #include "mariotte/study/sensitivity/swept_slopes.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "mariotte/core/error.hpp"
@@ -11,6 +13,10 @@ namespace mariotte::study {
 namespace {
 
 using scene::Document;
+
+std::optional<double> known(double slope) {
+  return std::isnan(slope) ? std::nullopt : std::optional(slope);
+}
 
 /// Those by `keys` of the slopes by all numbers of a row.
 void choose(const Document& document, const std::vector<std::string>& keys, const impact::RowSlopes& slopes,
@@ -27,8 +33,10 @@ void choose(const Document& document, const std::vector<std::string>& keys, cons
       if (is_asked_for(all[i].name, key)) add(all[i], by_all[i]);
     if (result.parameter.size() > before) continue;
     const auto number = number_of_scene<model::Chain>(document, key);
-    add({key, number.value}, slope_by(slopes, number));
+    add({key, number.value}, known(slope_by(slopes, number)));
   }
+  const auto& found = result.outcome[0].slope;
+  if (std::find(found.begin(), found.end(), std::nullopt) == found.end()) result.notes.clear();
 }
 
 struct Outcome {

@@ -1,10 +1,12 @@
 #include "mariotte/impact/sensitivity/adjoint/adjoint.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "mariotte/core/error.hpp"
 #include "mariotte/impact/sensitivity/contact_sensitivity.hpp"
-#include "mariotte/impact/sensitivity/law_parameters.hpp"
 #include "mariotte/impact/watch/chain_run.hpp"
 #include "mariotte/model/islands/islands.hpp"
 
@@ -56,10 +58,6 @@ void restore_units(const DimensionlessChain& chain, RowSlopes& slopes) {
   }
 }
 
-double slope_of(const RowSlopes& slopes, std::size_t j, const std::string& key) {
-  return key == "stiffness" ? slopes.stiffness[j] : key == "damping" ? slopes.damping[j] : slopes.exponent[j];
-}
-
 /// Series have a clock in which such contacts begin and end smoothly.
 bool has_clock(const contact::PowerLaw& law) {
   return law.exponent == 1 || law.exponent == 1.5;
@@ -70,23 +68,38 @@ bool begins_steeply(const contact::PowerLaw& law) {
   return law.damping > 0 && law.exponent > 1 && law.exponent < 2;
 }
 
-/// Σ of the numbers of a chain times their slopes.
-double product(const RowSlopes& slopes, const Chain& chain) {
-  double sum = 0;
-  for (std::size_t i = 0; i < chain.mass.size(); ++i) {
-    if (!std::isinf(chain.mass[i])) sum += slopes.mass[i] * chain.mass[i];
-    sum += slopes.velocity[i] * chain.velocity[i];
-  }
-  for (std::size_t j = 0; j < chain.law.size(); ++j) {
-    const auto& law = *power_law(chain.law[j]);
-    sum += slopes.gap[j] * chain.gap[j] + slopes.stiffness[j] * law.stiffness +
-           slopes.damping[j] * law.damping + slopes.exponent[j] * law.exponent;
-  }
-  return sum;
+/// A linear contact that touches at rest: pressed it acts at once, drawn apart not at all.
+bool touches_at_rest(const Chain& chain, std::size_t j) {
+  return power_law(chain.law[j])->exponent == 1 && chain.gap[j] == 0 &&
+         chain.velocity[j] == chain.velocity[j + 1];
 }
 
-std::string numbered(const char* name, std::size_t i) {
-  return name + ("[" + std::to_string(i) + "]");
+/// Whether an island has been there before, and has only been cut anew.
+bool goes_on(const MotionRecord::Stretch& stretch, const std::vector<Instant>& left) {
+  constexpr double same = 1e-9;  // in units of a short contact
+  return std::any_of(left.begin() + stretch.first, left.begin() + stretch.last + 1,
+                     [&](Instant time) { return stretch.start - time < same; });
+}
+
+/// By contact: it was taken into an island that was there, for a wave came to it.
+std::vector<char> find_waiting(const MotionRecord& motion, std::size_t balls) {
+  std::vector<char> seen(balls - 1, 0), waiting(balls - 1, 0);
+  std::vector<Instant> left(balls, {-infinity});
+  for (const auto& stretch : motion.stretch) {
+    const bool goes = goes_on(stretch, left);
+    for (Index j = stretch.first; j < stretch.last; ++j)
+      if (!std::exchange(seen[j], 1)) waiting[j] = goes;
+    std::fill(left.begin() + stretch.first, left.begin() + stretch.last + 1, stretch.end);
+  }
+  return waiting;
+}
+
+/// Slopes that differ on both sides.
+void leave_out_waiting(const Chain& chain, const MotionRecord& motion, RowSlopes& slopes) {
+  const auto waiting = find_waiting(motion, chain.mass.size());
+  for (std::size_t j = 0; j < chain.law.size(); ++j)
+    if (waiting[j] && touches_at_rest(chain, j))
+      slopes.gap[j] = slopes.velocity[j] = slopes.velocity[j + 1] = std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace
@@ -99,8 +112,7 @@ const char* why_no_adjoint(const Chain& chain) {
     return "slopes of laws that are no power laws are not computed backwards";
   const bool general = any([](const contact::Law& law) { return !has_clock(*power_law(law)); });
   if (general && any([](const contact::Law& law) { return begins_steeply(*power_law(law)); }))
-    return "slopes of damped contacts with exponents between 1 and 2, other than 3/2 throughout, are not "
-           "computed "
+    return "slopes of damped contacts with other exponents between 1 and 2 than 3/2 are not computed "
            "backwards";
   return nullptr;
 }
@@ -124,39 +136,7 @@ Adjoint adjoint(const Chain& chain, std::span<const double> weights, const hybri
     result.value += weights[i] * run.state[layout.velocity[i]] * scaled.scale.velocity;
   result.slopes = sweep_back(scaled, motion, {run.time}, weights);
   restore_units(scaled, result.slopes);
-  return result;
-}
-
-double slope_by(const RowSlopes& slopes, const Parameter<Chain>& by) {
-  return stencil_slope(by.step, [&](std::size_t k) {
-    return product(slopes, by.model(by.value + stencil[k].offset * by.step));
-  });
-}
-
-Sensitivity as_sensitivity(const Chain& chain, const Adjoint& adjoint, const std::string& name,
-                           std::optional<Index> index) {
-  Sensitivity result{.ending = adjoint.ending,
-                     .message = adjoint.message,
-                     .parameter = {},
-                     .outcome = {},
-                     .notes = {},
-                     .is_swept_back = true};
-  auto& outcome = result.outcome.emplace_back(OutcomeSlopes{name, index, "m/s", adjoint.value, {}});
-  const auto add = [&](std::string of, double value, double slope) {
-    if (std::isinf(value)) return;
-    result.parameter.push_back({std::move(of), value});
-    outcome.slope.push_back(slope);
-  };
-  const auto add_all = [&](const char* of, const std::vector<double>& values, const std::vector<double>& by) {
-    for (std::size_t i = 0; i < values.size(); ++i) add(numbered(of, i), values[i], by[i]);
-  };
-  const auto& slopes = adjoint.slopes;
-  add_all("mass", chain.mass, slopes.mass);
-  add_all("velocity", chain.velocity, slopes.velocity);
-  add_all("gap", chain.gap, slopes.gap);
-  for (std::size_t j = 0; j < chain.law.size(); ++j)
-    for (const auto& number : law_parameters(chain.law[j]))
-      add(numbered("contact", j) + "." + number.key, number.value, slope_of(slopes, j, number.key));
+  leave_out_waiting(chain, motion, result.slopes);
   return result;
 }
 

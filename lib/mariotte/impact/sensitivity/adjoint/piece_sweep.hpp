@@ -10,7 +10,7 @@
 
 namespace mariotte::impact {
 
-/// Slopes of Σ w_i v_i by the numbers of a dimensionless chain; by masses of walls zero.
+/// Slopes of Σ w_i v_i by the numbers of a chain; by masses of walls zero, nan where there is none.
 struct RowSlopes {
   std::vector<double> mass, velocity;                     ///< by ball; `velocity` at the start
   std::vector<double> gap, stiffness, damping, exponent;  ///< by contact; `gap` at the start
