@@ -40,6 +40,17 @@ BOOST_AUTO_TEST_CASE(outcomes_that_have_bars_have_a_panel) {
   BOOST_TEST(script.find("time of the ending t") != std::string::npos);
 }
 
+// The title of a narrow figure would be cut off with it.
+BOOST_AUTO_TEST_CASE(what_bars_are_stands_in_the_title_or_below_a_single_panel) {
+  const std::string shown = "% of the outcome per % of the parameter";
+  auto slopes = two_outcomes();
+  BOOST_TEST(report::tornado_script(slopes, "Title").find("title 'Title: " + shown) != std::string::npos);
+  slopes.outcome.resize(1);
+  const auto script = report::tornado_script(slopes, "Title");
+  BOOST_TEST(script.find("title 'Title' ") != std::string::npos);
+  BOOST_TEST(script.find("set xlabel '" + shown) != std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(without_bars_there_is_no_script) {
   auto slopes = two_outcomes();
   slopes.outcome.resize(2);

@@ -82,6 +82,15 @@ std::string commands(const Panel& panel, std::size_t number, std::size_t places)
       line_colours[2], number, line_colours[1]);
 }
 
+/// A narrow figure says below its axis what it shows.
+std::string heading(const std::string& title, std::size_t rows, std::size_t columns) {
+  const std::string shown = "% of the outcome per % of the parameter";
+  const auto layout = [&](const std::string& text) {
+    return fmt::format("set multiplot layout {},{} title {} noenhanced\n", rows, columns, quoted(text));
+  };
+  return columns > 1 ? layout(title + ": " + shown) : layout(title) + "set xlabel " + quoted(shown) + "\n";
+}
+
 }  // namespace
 
 std::vector<RelativeSlope> relative_slopes(const impact::Sensitivity& slopes,
@@ -118,11 +127,10 @@ std::string tornado_script(const impact::Sensitivity& slopes, const std::string&
   std::size_t most = 0;
   for (const auto& panel : list) most = std::max(most, panel.bars.size());
   const std::size_t columns = list.size() > 1 ? 2 : 1, rows = (list.size() + columns - 1) / columns;
-  std::string plot = fmt::format(
-      "set multiplot layout {},{} title {} noenhanced\n", rows, columns,
-      quoted((title.empty() ? "Sensitivity" : title) + ": % of the outcome per % of the parameter"));
+  std::string plot = heading(title.empty() ? "Sensitivity" : title, rows, columns);
   for (std::size_t k = 0; k < list.size(); ++k) plot += commands(list[k], k + 1, most);
-  const auto height = static_cast<int>(rows) * (head_height + bar_height * static_cast<int>(most)) + 30;
+  const auto height =
+      static_cast<int>(rows) * (head_height + bar_height * static_cast<int>(most)) + (columns > 1 ? 30 : 50);
   return script_head() +
          "set style fill solid noborder\nset xzeroaxis\nset arrow from 0, graph 0 to 0, graph 1 nohead lc "
          "rgb "
