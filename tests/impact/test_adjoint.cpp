@@ -75,6 +75,22 @@ BOOST_AUTO_TEST_CASE(slopes_of_rows_of_any_power_laws_are_those_that_run_forward
       BOOST_TEST(worst(row_of(laws, gaps)) < 1e-9);
 }
 
+// Linear contacts behind Hertz contacts are hardly pressed for long, and act from the hit on all the same.
+BOOST_AUTO_TEST_CASE(slopes_of_mixed_rows_that_touch_are_those_that_run_forward) {
+  const auto row =
+      row_of({contact::Hertz(5), contact::Linear(0.4), contact::Hertz(3), contact::Linear(10)}, touching);
+  for (const double accuracy : {1e-8, 1e-10}) BOOST_TEST(worst(row, {.accuracy = accuracy}) < 30 * accuracy);
+}
+
+BOOST_AUTO_TEST_CASE(light_balls_with_strong_dampers_have_slopes) {
+  for (const double exponent : {1.0, 1.5}) {
+    const PowerLaw law{0.3, 1, exponent};
+    auto row = row_of({law, law, law, law}, apart);
+    for (double& mass : row.mass) mass *= 0.1;
+    BOOST_TEST(worst(row) < 1e-8);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(walls_and_units_do_no_harm) {
   auto row = row_of(hertz, apart);
   row.mass.back() = infinity;

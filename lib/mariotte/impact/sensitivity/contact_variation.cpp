@@ -271,6 +271,20 @@ double ContactVariation<Topology>::crossing_speed(Index i, double rate) const {
 }
 
 template <class Topology>
+void ContactVariation<Topology>::jacobian(const flow::Problem& problem, ConstState x,
+                                          const contact::ContactSet& mode, State values) const {
+  constexpr double least = 1e-300;
+  pressed_.assign(x.begin(), x.end());
+  for (Index j = 0; j < layout_.contacts(); ++j) {
+    const auto* power = power_law(model_.law[j]);
+    double& gap = pressed_[layout_.gap[j]];
+    if (mode[j] == contact::ContactMode::touching && power && power->exponent == 1)
+      gap = std::min(gap, -least);
+  }
+  problem.jacobian(pressed_, values);
+}
+
+template <class Topology>
 std::vector<Index> ContactVariation<Topology>::guards_at_start(const contact::ContactSet& mode,
                                                                ConstState x) const {
   std::vector<Index> list;

@@ -71,10 +71,9 @@ class ContactVariation {
   }
   /// ∂f/∂p at a state.
   void source(ConstState x, const contact::ContactSet& mode, SlopeMatrix& b) const;
-  /// ∂f/∂x.
-  void jacobian(const flow::Problem& problem, ConstState x, const contact::ContactSet&, State values) const {
-    problem.jacobian(x, values);
-  }
+  /// ∂f/∂x. A linear contact that touches at rest is pressed, however little.
+  void jacobian(const flow::Problem& problem, ConstState x, const contact::ContactSet& mode,
+                State values) const;
   /// ∂γ/∂x of guard i along a direction of the state.
   double guard_rate(const flow::Problem& problem, Index i, ConstState x, ConstState dx,
                     const contact::ContactSet&) const {
@@ -111,9 +110,10 @@ class ContactVariation {
   Index columns_;
   std::vector<double> natural_;
   std::vector<ContactSlope> contact_;
-  SlopeMatrix acceleration_;          ///< by velocity and parameter
-  SlopeMatrix peak_;                  ///< by parameter and contact
-  std::vector<double> first_, last_;  ///< coefficients of a contact in two models
+  mutable std::vector<double> pressed_;  ///< a state, as its slopes see it
+  SlopeMatrix acceleration_;             ///< by velocity and parameter
+  SlopeMatrix peak_;                     ///< by parameter and contact
+  std::vector<double> first_, last_;     ///< coefficients of a contact in two models
   mutable PushSlopes<Topology> push_slopes_;
 };
 
