@@ -158,11 +158,16 @@ BOOST_AUTO_TEST_CASE(what_has_no_exact_slopes_is_asked_by_differences) {
   BOOST_TEST(expect_slopes(model_of_row(driven, "speed", "final.velocity[2]", by), 3, 1e-6) == 0);
 }
 
+// As many balls as a row of the table says.
 BOOST_AUTO_TEST_CASE(long_rows_are_asked_by_differences) {
-  const auto scene = with(with(row, "[1, 1.2, 0.9]", "1\nballs = 100"), "velocity = [1, 0, 0]\n", "") +
+  const auto scene = with(with(row, "[1, 1.2, 0.9]", "1\nballs = 3"), "velocity = [1, 0, 0]\n", "") +
                      "[[chain.ball]]\nnumber = 1\nvelocity = 1\n";
-  auto model = model_of_row(scene, "chain.mass", "final.velocity[2]", {"chain.stiffness"});
-  BOOST_TEST(!model.slopes_of_row(0, std::vector<double>{1})[0].has_value());
+  study::FitModel model(
+      scene::parse_document(scene, "scene.toml"), {"chain.stiffness"},
+      study::parse_measurements("chain.balls,final.velocity[2]\n3,0.5\n100,0.5\n", "data.csv"));
+  BOOST_TEST(model.slopes_of_row(0, std::vector<double>{1})[0].has_value());
+  BOOST_TEST(!model.slopes_of_row(1, std::vector<double>{1})[0].has_value());
+  BOOST_TEST(model.runs() == 1);
 }
 
 BOOST_AUTO_TEST_CASE(slopes_that_may_be_wrong_or_are_rounding_are_not_taken) {

@@ -29,6 +29,7 @@ std::string outcome_of(const std::string& key, const scene::Scene& scene) {
   return std::holds_alternative<model::Bodies>(scene.model) ? "" : outcome_of_contacts(key);
 }
 
+/// Slopes would follow a row as a whole that is divided into islands.
 bool divides(const scene::Scene& scene) {
   const auto* chain = std::get_if<model::Chain>(&scene.model);
   return chain && impact::divides(scene.run, *chain);
@@ -37,7 +38,6 @@ bool divides(const scene::Scene& scene) {
 }  // namespace
 
 std::vector<std::string> outcomes_of(const std::vector<std::string>& keys, const scene::Scene& scene) {
-  if (divides(scene)) return {};
   std::vector<std::string> outcomes;
   for (const auto& key : keys) outcomes.push_back(outcome_of(key, scene));
   if (std::find(outcomes.begin(), outcomes.end(), "") != outcomes.end()) return {};
@@ -108,6 +108,7 @@ Slopes FitModel::of_pair(const impact::Sensitivity& found, const model::Chain& c
 Slopes FitModel::slopes_of_row(std::size_t row, std::span<const double> values) try {
   if (outcomes_.empty()) return Slopes(free_.size());
   const auto scene = scene_at(measurements_.rows[row].values, values);
+  if (divides(scene)) return Slopes(free_.size());
   const auto found = sensitivity(scene, values);
   ++runs_;
   ++runs_with_slopes_;

@@ -12,8 +12,7 @@ namespace mariotte::study {
 /// By free key; empty where there is none, or it is not known.
 using Slopes = std::vector<std::optional<double>>;
 
-/// What `impact::sensitivity` calls these numbers of a result; empty if it has no slopes of one of them, or
-/// if they cost much more than runs, as those of a row that is divided into islands.
+/// What `impact::sensitivity` calls these numbers of a result; empty if it has no slopes of one of them.
 std::vector<std::string> outcomes_of(const std::vector<std::string>& keys, const scene::Scene& scene);
 
 /// Restitution is that of the first impact, and ends there.
