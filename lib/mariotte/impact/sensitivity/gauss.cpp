@@ -59,8 +59,9 @@ Gauss::Gauss() {
 const Gauss gauss;
 
 bool is_resolved(double before, double last, double accuracy) {
-  const double fall = last < before ? last / before : 1;
-  return last <= 3 * std::sqrt(accuracy) && last * std::pow(fall, 0.5 * stages) <= 10 * accuracy;
+  static_assert(stages == 8);
+  const double fall = last < before ? last / before : 1, square = fall * fall;
+  return last <= 3 * std::sqrt(accuracy) && last * square * square <= 10 * accuracy;
 }
 
 }  // namespace mariotte::impact

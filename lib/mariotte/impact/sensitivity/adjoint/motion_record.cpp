@@ -33,6 +33,32 @@ double tail(const Nodes& function, int first) {
   return size;
 }
 
+/// Slopes of a force, by δ and δ̇, times dt/du.
+struct Stiffness {
+  Nodes by_depth, by_rate;
+};
+
+Stiffness stiffness_of(const contact::PowerLaw& law, const Nodes& depth, const Nodes& rate,
+                       const Nodes& pace) {
+  Stiffness made;
+  for (int i = 0; i < stages; ++i) {
+    const auto force = contact::smooth_force(law, depth[i], rate[i]);
+    made.by_depth[i] = pace[i] * force.by_indentation;
+    made.by_rate[i] = pace[i] * force.by_rate;
+  }
+  return made;
+}
+
+/// Whether the points resolve what a contact does, and sweeps converge: nothing moves by more than it is.
+bool resolves(const Stiffness& contact, double mobility, double duration, double accuracy) {
+  Nodes turned;
+  for (int i = 0; i < stages; ++i)
+    turned[i] = 0.5 * duration * std::abs(contact.by_depth[i]) + contact.by_rate[i];
+  const double gain = mobility * duration;
+  return mobility * total(turned) <= 1 &&
+         is_resolved(gain * tail(contact.by_depth, 0), gain * tail(contact.by_depth, 2), accuracy);
+}
+
 template <class T>
 void append(std::vector<T>& to, const std::vector<T>& from) {
   to.insert(to.end(), from.begin(), from.end());
@@ -141,20 +167,17 @@ bool MotionRecorder::is_shallow(const PushSeries::Contact& contact) const {
   return power.damping == 0 && power.exponent >= 1.5;
 }
 
-/// Whether the points resolve what the contacts that have been added last do to each other.
-bool MotionRecorder::is_resolved(const MotionRecord::Piece& piece) const {
+/// The contacts that have been added last.
+bool MotionRecorder::are_resolved(const MotionRecord::Piece& piece) const {
   const auto& inverse_mass = slice_->chain().inverse_mass;
-  const double duration = total(piece.pace);
   auto rate = seen_.rate.end();
   for (auto own = seen_.contact.end(); own != seen_.contact.end() - piece.contacts;) {
     const Index j = (--own)->number - seen_.stretch.front().first;
     const auto& power = law(own->number);
-    const double share = duration * (inverse_mass[j] + inverse_mass[j + 1]);
-    Nodes stiffness;
     const Nodes rates = power.damping == 0 ? Nodes{} : *--rate;
-    for (int i = 0; i < stages; ++i)
-      stiffness[i] = piece.pace[i] * contact::smooth_force(power, own->depth[i], rates[i]).by_indentation;
-    if (!impact::is_resolved(share * tail(stiffness, 0), share * tail(stiffness, 2), accuracy_)) return false;
+    const double mobility = inverse_mass[j] + inverse_mass[j + 1];
+    const auto stiffness = stiffness_of(power, own->depth, rates, piece.pace);
+    if (!resolves(stiffness, mobility, total(piece.pace), accuracy_)) return false;
   }
   return true;
 }
@@ -188,7 +211,7 @@ void MotionRecorder::add(const flow::Step& step, double begin, double width, int
   for (const auto& contact : series_.dozing)
     if (!is_shallow(contact)) add_contact(contact, at);
   piece.contacts = static_cast<Index>(seen_.contact.size() - contacts);
-  if (halvings < most_halvings && !is_resolved(piece)) {
+  if (halvings < most_halvings && !are_resolved(piece)) {
     drop(contacts, rates);
     add(step, begin, width / 2, halvings + 1);
     return add(step, begin + width / 2, width / 2, halvings + 1);

@@ -77,7 +77,7 @@ class MotionRecorder final : public model::IslandObserver {
   void drop(std::size_t contacts, std::size_t rates);
   void add_dozing(const flow::Step& step, const Places& places);
   bool is_shallow(const flow::PushSeries::Contact& contact) const;
-  bool is_resolved(const MotionRecord::Piece& piece) const;
+  bool are_resolved(const MotionRecord::Piece& piece) const;
 
   double accuracy_;
   const SlopeWatch& watch_;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mariotte/core/error.hpp"
+
 namespace mariotte::impact {
 namespace {
 
@@ -79,14 +81,15 @@ void PieceSweep::find_balls() {
 
 /// λ in all points of a piece. What shallow contacts do to it is added to its end only.
 void PieceSweep::solve() {
-  double last = infinity;
-  for (int n = 0; n < most_sweeps && acting_ > 0; ++n) {
+  double last = infinity, change = acting_ > 0 ? infinity : 0;
+  for (int n = 0; n < most_sweeps && change > small && (n <= 8 || change < last); ++n) {
+    last = change;
     for (const Index b : balls_) next_[b] = base_[b];
     for (auto& own : acting()) turn(own, slopes_.gap[own.number]);
-    const double change = take_next();
-    if (change <= small || (n > 8 && change >= last)) break;
-    last = change;
+    change = take_next();
   }
+  if (!(change < 1e-12))
+    throw InvalidParameter("slopes are not computed backwards: a contact is too strongly damped");
   for (auto own = push_.begin() + acting_; own != push_.end(); ++own) turn(*own, 0);
 }
 
