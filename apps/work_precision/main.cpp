@@ -9,6 +9,7 @@
 #include "command_line/program.hpp"
 #include "command_line/terminal.hpp"
 #include "friction_cost.hpp"
+#include "lammps.hpp"
 #include "law_cost.hpp"
 #include "mariotte/report/page/files.hpp"
 #include "measure.hpp"
@@ -30,6 +31,7 @@ struct Options {
   bool slopes = false;
   bool friction = false;
   bool laws = false;
+  bool lammps = false;
   bool force = false;
 };
 
@@ -91,7 +93,8 @@ int run(const Options& options) {
   if (options.slopes) command::print(slope_cost(patience));
   if (options.friction) command::print(friction_cost(patience));
   if (options.laws) command::print(law_cost(patience));
-  if (options.slopes || options.friction || options.laws) return command::ExitCode::ok;
+  if (options.lammps) command::print(beside_lammps(patience));
+  if (options.slopes || options.friction || options.laws || options.lammps) return command::ExitCode::ok;
   const auto names = chosen_problems(options);
   refuse_to_overwrite(options.csv, options.force);
   if (!options.plots.empty()) prepare_plots(options.plots, names, options.force);
@@ -118,9 +121,11 @@ command::OptionList declare(Options& options) {
   return {{"--problem", &options.problems, "Only this problem; may be repeated", {.value = "NAME"}},
           {"--method", &options.methods, "Only this method; may be repeated", {.value = "NAME"}},
           {"--quick", &options.quick, "Coarse ladders and short timings: all within a minute"},
-          {"--slopes", &options.slopes, "Only what slopes of three balls and of rows cost, as multiples of a run"},
+          {"--slopes", &options.slopes,
+           "Only what slopes of three balls and of rows cost, as multiples of a run"},
           {"--friction", &options.friction, "Only what bodies with friction cost, by series and by CVODE"},
           {"--laws", &options.laws, "Only what a pair of each named law costs, and by CVODE"},
+          {"--lammps", &options.lammps, "Only pairs of balls beside LAMMPS, if it is installed"},
           {"--csv", &options.csv, "Write every point of the diagrams to this file", {.value = "FILE"}},
           {"--plots",
            &options.plots,

@@ -175,7 +175,7 @@ BOOST_FIXTURE_TEST_CASE(bodies_with_friction_are_as_accurate_as_asked_by_either_
     BOOST_TEST(error <= accuracy, line);
     BOOST_TEST(adams_error <= accuracy, line);
   }
-  BOOST_TEST(count == 12);
+  BOOST_TEST(count == 15);
 }
 
 // CVODES finds the same slopes to the accuracy, or its time does not stand there.
@@ -194,4 +194,27 @@ BOOST_FIXTURE_TEST_CASE(slopes_are_measured_beside_those_of_cvodes, Session) {
   }
   BOOST_TEST(hertz == 4);
   BOOST_TEST(rows == 6);
+}
+
+// Where both have the same model, LAMMPS comes as near as the order of its steps lets it.
+BOOST_FIXTURE_TEST_CASE(lammps_comes_nearer_with_shorter_steps_if_it_is_there, Session) {
+  const auto run = mariotte("--quick --lammps");
+  BOOST_TEST(run.code == 0);
+  if (run.out == "LAMMPS (lmp) is not installed.\n") return;
+  std::istringstream lines(run.out);
+  std::string line;
+  std::map<std::string, double> last;
+  for (std::getline(lines, line); std::getline(lines, line);) {
+    std::istringstream numbers(line.substr(22));
+    double steps = 0, error = 0;
+    numbers >> steps >> error;
+    last[line.substr(0, line.find("  "))] = error;
+  }
+  BOOST_TEST(last.size() == 8u);
+  for (const auto& [name, most] : std::map<std::string, double>{{"hertz", 1e-11},
+                                                                {"hooke, velocity", 3e-5},
+                                                                {"hertz, viscoelastic", 1e-7},
+                                                                {"hertz, tsuji", 3e-6},
+                                                                {"dmt", 1e-5}})
+    BOOST_TEST(last.at(name) < most, name << ": " << last.at(name));
 }
