@@ -124,6 +124,22 @@ BOOST_AUTO_TEST_CASE(onset_and_gross_slip_begin_where_the_theory_says) {
   BOOST_TEST(!sticks(1.0005 * limit));
 }
 
+// Of two hard balls of which one slides past the other at rest: tan θ = min(μ, tan φ/7) at the cut φ, but for
+// turns of the size of δ/R = 2e-6.
+BOOST_AUTO_TEST_CASE(friction_throws_a_struck_ball_by_the_smaller_of_two_angles) {
+  const double mu = 0.06;
+  for (const double cut : {0.1, 0.3, 0.39, 0.41, 0.8, 1.2}) {
+    const Vector3 along{std::cos(cut), std::sin(cut), 0};
+    model::Bodies bodies{.dimension = 2};
+    bodies.body = {ball(-2 * radius * along, {1, 0, 0}), ball({}, {})};
+    bodies.contact = {{.a = {0, 0}, .b = {1, 0}, .law = contact::Hertz(1e18), .touching = true}};
+    bodies.contact[0].tangential = {TangentialLaw::rigid, mu, 0};
+    const auto& v = impact::simulate(bodies).body[1].velocity;
+    const double thrown = cut - std::atan2(v.e2, v.e1);
+    BOOST_TEST(std::abs(std::tan(thrown) - std::min(mu, std::tan(cut) / 7)) < 1e-5, cut << ": " << thrown);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(stiff_springs_tend_to_rigid_stick) {
   const auto linear = contact::Linear(1e6);
   const double hard =
