@@ -166,6 +166,21 @@ BOOST_AUTO_TEST_CASE(there_is_no_friction_while_adhesion_pulls) {
   }
 }
 
+// The well of adhesion makes it a thousand million times faster.
+BOOST_AUTO_TEST_CASE(what_hardly_moves_is_drawn_in) {
+  for (const auto* name : {"jkr", "thornton-ning"}) {
+    auto bodies = oblique(named(name), {TangentialLaw::rigid, 0.2, 0}, 0);
+    bodies.body[0].velocity = {3e-10, 0, -1e-9};
+    const model::Chain chain{.mass = {infinity, 2}, .law = {named(name)}, .gap = {0}, .velocity = {0, -1e-9}};
+    const hybrid::Options options{.accuracy = 1e-10, .max_time = 0.2};
+    const auto impact = impact::simulate(bodies, options);
+    const auto row = impact::simulate(chain, options);
+    BOOST_TEST((impact.ending == Ending::time_limit), impact.message);
+    BOOST_TEST(impact.contacts[0].stored < 0);
+    BOOST_TEST(std::abs(impact.body[0].velocity.e3 - row.velocity[1]) < 1e-8);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_ball_falls_back_into_its_dent) {
   const auto law = named("thornton");
   model::Bodies bodies{.dimension = 2, .gravity = {0, -10, 0}, .plane = {{.normal = {0, 1, 0}}}};

@@ -5,6 +5,7 @@
 
 #include "mariotte/core/scale.hpp"
 #include "mariotte/core/state_vectors.hpp"
+#include "mariotte/model/contacts/bound.hpp"
 
 namespace mariotte::model {
 namespace {
@@ -92,6 +93,14 @@ double falling_speed(const BodiesSetting<D>& setting) {
   return std::sqrt(2 * g * height);
 }
 
+/// Speed that adhesion gives what it draws in.
+template <int D>
+double well_speed(const BodiesSetting<D>& setting) {
+  double squared = 0;
+  for (const auto& c : setting.contact) squared = std::max(squared, 2 * well_energy(c.law) / c.mass);
+  return std::sqrt(squared);
+}
+
 template <int D>
 double reference_speed(const Bodies& bodies, const BodiesSetting<D>& setting) {
   double speed = falling_speed(setting);
@@ -99,6 +108,7 @@ double reference_speed(const Bodies& bodies, const BodiesSetting<D>& setting) {
     speed =
         std::max({speed, norm(bodies.body[i].velocity), norm(bodies.body[i].spin) * setting.body[i].reach});
   for (const auto& plane : bodies.plane) speed = std::max(speed, norm(plane.velocity));
+  speed = std::hypot(speed, well_speed(setting));
   return speed > 0 ? speed : 1;
 }
 
