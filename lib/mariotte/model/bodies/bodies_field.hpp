@@ -163,7 +163,7 @@ class BodiesField {
     if (mode.slack) return T(0.0);
     const T rate = -c.motion.gap_rate;
     const auto slopes = law_slopes<T>(one.law, mode.past, c.motion.indentation, rate);
-    if (!contact::dissipates(one.law)) return slopes.by_indentation * rate;
+    if (!contact::is_damped(one.law)) return slopes.by_indentation * rate;
     return slopes.by_indentation * rate - slopes.by_rate * gap_acceleration(mode.contact, c.motion);
   }
 
@@ -191,7 +191,7 @@ class BodiesField {
     const T depth = depth_of(one, c.motion), rate = -c.motion.gap_rate;
     const bool lets_go = mode.slack && !contact::pulls(one.law);
     c.elastic =
-        contact::dissipates(one.law) || lets_go ? law_force<T>(one.law, mode.past, depth, T(0.0)) : T(0.0);
+        contact::is_damped(one.law) || lets_go ? law_force<T>(one.law, mode.past, depth, T(0.0)) : T(0.0);
     c.normal = lets_go ? T(0.0) : law_force<T>(one.law, mode.past, depth, rate);
     c.friction = lift<T>(Vec<double, D>{});
     c.direction = c.friction;
@@ -300,7 +300,7 @@ class BodiesField {
     const Index loss = layout_.losses(mode.slot);
     dx[loss] = friction_power(mode, one, c);
     dx[loss + 1] = rescale_power(mode, one, c);
-    if (contact::dissipates(one.law)) dx[loss + 2] = (c.normal - c.elastic) * (-c.motion.gap_rate);
+    if (contact::is_damped(one.law)) dx[loss + 2] = (c.normal - c.elastic) * (-c.motion.gap_rate);
   }
 
   T friction_power(const ClosedContact& mode, const SettingContact<D>& one,
