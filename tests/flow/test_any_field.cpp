@@ -91,6 +91,19 @@ BOOST_DATA_TEST_CASE(a_crossing_the_other_way_does_not_fire, boost::unit_test::d
   BOOST_TEST(std::abs(result.arrival.duration - 5 * pi / 6) < 1e-8);
 }
 
+// Nothing is searched for: it costs hardly more than a guard on its side.
+BOOST_DATA_TEST_CASE(a_guard_that_stays_beyond_zero_is_cheap, boost::unit_test::data::make(flows), kind) {
+  const auto asked = [&](Crossing crossing) {
+    long guards = 0;
+    Toy problem(
+        2, [](ConstState x, State dx) { dx[0] = x[1], dx[1] = -x[0]; }, 1,
+        [&](ConstState x, State g) { g[0] = x[0] - 2, ++guards; }, {crossing});
+    BOOST_TEST((follow(kind, problem, {0, 1}).arrival.outcome == Outcome::limit));
+    return guards;
+  };
+  BOOST_TEST(asked(Crossing::falling) < 2 * asked(Crossing::rising));
+}
+
 BOOST_DATA_TEST_CASE(a_masked_guard_never_fires, boost::unit_test::data::make(flows), kind) {
   // A masked guard keeps one sign by contract.
   Toy problem(

@@ -23,6 +23,11 @@ bool keeps_side(const GuardPoint& from, const GuardPoint& to) {
   return from.value + third * from.rate >= 0 && to.value - third * to.rate >= 0;
 }
 
+bool stays_beyond(const GuardPoint& from, const GuardPoint& to) {
+  const GuardPoint start{from.time, -from.value, -from.rate}, end{to.time, -to.value, -to.rate};
+  return start.value > 0 && end.value > 0 && keeps_side(start, end);
+}
+
 void Certificate::evaluate(const Problem& problem, ConstState x, std::vector<double>& values,
                            std::vector<double>& rates) {
   values.resize(problem.guard_count());
@@ -47,7 +52,8 @@ GuardPoint Certificate::point(const Problem& problem, const Step& step, Index gu
 
 std::optional<double> Certificate::search(const Problem& problem, const Step& step, Index guard,
                                           const GuardPoint& from, const GuardPoint& to, int depth) {
-  if (keeps_side(from, to) || depth == deepest || ++bisections_ > most_bisections) return std::nullopt;
+  if (keeps_side(from, to) || stays_beyond(from, to)) return std::nullopt;
+  if (depth == deepest || ++bisections_ > most_bisections) return std::nullopt;
   const auto middle = point(problem, step, guard, 0.5 * (from.time + to.time));
   if (middle.value <= 0 && from.value > 0) {
     const auto value_at = [&](double time) { return point(problem, step, guard, time).value; };

@@ -20,6 +20,9 @@ struct GuardPoint {
 /// has just left zero and where it fires.
 bool keeps_side(const GuardPoint& from, const GuardPoint& to);
 
+/// True if that cubic stays below zero: such a guard has to come back before it can fire.
+bool stays_beyond(const GuardPoint& from, const GuardPoint& to);
+
 /// A guard that crosses inside a step.
 struct HiddenCrossing {
   Index guard;

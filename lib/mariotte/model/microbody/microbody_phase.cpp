@@ -173,7 +173,8 @@ double MicrobodyPhase::pressure_error(const TipMotion& tip, Index i) const {
 }
 
 /// Where a tip turns it rests for an instant only: it must be slow a tenth of the natural time ahead, too.
-/// Strong damping makes large forces of small errors of a speed.
+/// Strong damping makes large forces of small errors of a speed. Where a body swings these are kept far below
+/// its rest speed, so that they do not choose when it rests.
 double MicrobodyPhase::unrest(ConstState x) const {
   if (!(mechanics_.stored(x) < 0)) return 1;
   const auto fastest = [&](ConstState at) {
@@ -187,8 +188,8 @@ double MicrobodyPhase::unrest(ConstState x) const {
   std::vector<double> ahead(x.begin(), x.end()), rate(x.size());
   derivative(x, rate);
   for (std::size_t k = 0; k < ahead.size(); ++k) ahead[k] += 0.1 * body_.time * rate[k];
-  const double blurred =
-      normal_damping_group() * flow::resolving_accuracy(*this, accuracy_, 64 * epsilon) / body_.time;
+  const double error = can_swing(body_) ? 0 : flow::resolving_accuracy(*this, accuracy_, 64 * epsilon);
+  const double blurred = normal_damping_group() * error / body_.time;
   const double soon = (fastest(ahead) - blurred) / (2 * tip_.rest_speed) - 1;
   const double natural = body_.body.mass / (body_.time * body_.time);
   return std::max({now, soon, std::min(mechanics_.lifting_energy(x) / natural, imbalance(x, fastest(x)))});
@@ -292,7 +293,7 @@ double MicrobodyPhase::least_load(double accuracy) const {
   const double creeping = Problem::least_load(accuracy);
   if (!can_swing(body_)) return creeping;
   const double swing = norm(body_.body.tips[0].centre) / body_.speed;
-  return std::min({creeping, accuracy * body_.time / swing, 0.1 * tip_.rest_speed * body_.time});
+  return std::min({creeping, accuracy * body_.time / swing, 0.01 * tip_.rest_speed * body_.time});
 }
 
 /// Slip that has grown so far has a direction of its own, in which friction turns with it. Earlier, rounding
