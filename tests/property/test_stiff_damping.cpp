@@ -198,3 +198,29 @@ BOOST_AUTO_TEST_CASE(the_strongest_damping_that_is_computed_stops_balls_together
     BOOST_TEST(test::difference(impact.velocity, {1.0 / 3, 1.0 / 3, 1.0 / 3}) < 1e-9);
   }
 }
+
+// All that the first pair does is below the accuracy: it lets go well above where it would close again.
+BOOST_AUTO_TEST_CASE(a_pair_that_creeps_below_the_accuracy_does_not_flicker) {
+  const auto law = [](double stiffness, double damping, double exponent) -> contact::Law {
+    return contact::Viscoelastic{.stiffness = stiffness, .damping = damping, .exponent = exponent};
+  };
+  const model::Chain chain{
+      .mass = {0.010028050590716606, 3.7036621716818301, 2.5058198105651686, 1407.1881625262527,
+               20.557140488961473},
+      .law = {law(3.9061713182041786, 13.041806592040961, 1),
+              law(0.44442621882445754, 0.0013487739669325093, 2.6724775552478306),
+              law(1.7376951588404836, 0.014079893276983229, 2.1098881169464438),
+              law(0.76731103327487482, 39.271270226512407, 2.9013998113167645)},
+      .gap = {0, 0, 0, 0},
+      .velocity = {-0.37680769333700059, -0.37680778857095332, -0.047488539081299352, -0.047495892493937715,
+                   -0.047450274154349797}};
+  const std::vector<double> expected = {-0.37680778833552, -0.37680778831373, -0.04750321903155,
+                                        -0.04749586635293, -0.04745027415435};
+  impact::ChainSolver solver;
+  for (const double accuracy : {1e-6, 1e-8, 1e-10}) {
+    const auto& impact = solver.solve(chain, {.accuracy = accuracy});
+    BOOST_TEST((impact.ending == hybrid::Ending::separated), impact.message);
+    BOOST_TEST(test::difference(impact.velocity, expected) < accuracy);
+    BOOST_TEST(impact.events < 500);
+  }
+}

@@ -3,7 +3,7 @@
 //   open     → closed    the gap falls to where the law begins: 0, or the bottom of a dent
 //   open     → hovering  it does so slowly that the approach may be rounding: no force, no event
 //   hovering → closed    the gap falls by θ more, the depth that such an approach cannot reach
-//   closed   → hovering  shallower than θ and moving as slowly: it has let go
+//   closed   → hovering  shallower than θ/2 and moving as slowly: it has let go
 //   open     → touching  touched at rest (gap = 0, no approach), now pressed by a neighbour
 //   touching → closed    indented beyond the noise around 0: guards are watched; no event
 //   touching → open      drawn apart before that

@@ -19,7 +19,7 @@ struct LinkedPhase {
   std::span<const ContactDirection> half_response;  ///< columns of L⁻¹ Gᵀ, M = L Lᵀ
   Coupling coupling;
   double speed = 1;       ///< natural relative speed
-  double fade_speed = 0;  ///< rate at which a contact that is less deep than noise_depth fades
+  double fade_speed = 0;  ///< rate at which a contact fades that is less deep than its faded()
 };
 
 }  // namespace mariotte::flow

@@ -51,6 +51,8 @@ struct PhaseContact {
     return damping * rate / (stiffness * std::pow(length, exponent - damping_exponent(grows, exponent)));
   }
   bool pushes() const { return role == Role::closed || role == Role::touching; }
+  /// Less deep, and slow, it has let go: well above where it would close again.
+  double faded() const { return 0.5 * noise_depth; }
   /// Indentation from which a contact touched at rest is watched: out of the noise.
   double loaded() const { return 2 * noise_depth; }
 };

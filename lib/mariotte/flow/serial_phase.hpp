@@ -20,7 +20,7 @@ struct SerialPhase {
   std::vector<Body> body;
   std::vector<PhaseContact> contact;
   double speed = 1;       ///< natural relative speed
-  double fade_speed = 0;  ///< rate at which a contact that is less deep than noise_depth fades
+  double fade_speed = 0;  ///< rate at which a contact fades that is less deep than its faded()
   bool is_slice = false;  ///< the bodies are some of a longer row, which a touching contact may press
 };
 

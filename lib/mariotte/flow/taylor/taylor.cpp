@@ -29,7 +29,7 @@ bool concerns_problem(const Window& w) {
     const auto& contact = w.contact(j);
     const double depth = w.lanes.indentation[j];
     const double rate = std::abs(w.lanes.rate[j]);
-    if (contact.role == Role::closed && depth < contact.noise_depth && rate <= w.fade_speed) return true;
+    if (contact.role == Role::closed && depth < contact.faded() && rate <= w.fade_speed) return true;
     if (contact.role == Role::touching && std::abs(depth) > contact.loaded()) return true;
   }
   return false;

@@ -74,7 +74,7 @@ contact::ContactMode after(const ContactState<Topology>& state, Index j, contact
 template <class Topology>
 bool has_faded(const ContactState<Topology>& state, Index j) {
   const auto& model = state.model();
-  return -state.clearance(j) < model.fading_depth(j) && !contact::adheres(model.law[j]) &&
+  return -state.clearance(j) < 0.5 * model.fading_depth(j) && !contact::adheres(model.law[j]) &&
          std::abs(state.approach(j)) <= model.fade_speed_ratio * model.noise_speed;
 }
 

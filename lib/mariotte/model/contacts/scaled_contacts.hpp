@@ -26,7 +26,7 @@ struct ScaledContacts {
   std::vector<ScaledDrive> drive;     ///< their directions and responses name velocities by number
 
   Index contacts() const { return std::ssize(law); }
-  /// Depth at which a contact that moves slowly fades, and twice of which takes it out of the noise.
+  /// Half of this depth is where a contact that moves slowly fades, and twice takes it out of the noise.
   double fading_depth(Index j) const { return fade_depth_ratio * noise_depth[j]; }
 };
 
