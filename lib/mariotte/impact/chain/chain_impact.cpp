@@ -7,6 +7,7 @@
 
 #include "mariotte/impact/chain/chain_gate.hpp"
 #include "mariotte/impact/chain/chain_solver.hpp"
+#include "mariotte/impact/chain/moving_frame.hpp"
 #include "mariotte/impact/flow_uses.hpp"
 #include "mariotte/impact/impulses.hpp"
 #include "mariotte/impact/promise.hpp"
@@ -169,13 +170,8 @@ std::optional<flow::Kind> another_flow(const model::Chain& chain, const hybrid::
   return flow::Kind::cvode_adams;
 }
 
-}  // namespace
-
-ChainImpact simulate(const model::Chain& chain, const hybrid::Options& options,
-                     const RunObserver& observers) {
-  model::validate(chain);
-  hybrid::validate(options);
-  model::expect_end(chain, options.max_time);
+ChainImpact simulate_within(const model::Chain& chain, const hybrid::Options& options,
+                            const RunObserver& observers) {
   auto impact = simulate_once(chain, options, observers);
   const auto again = [&](const hybrid::Options& tighter) { return simulate_once(chain, tighter, observers); };
   if (observers.samplings.empty())  // what was sampled cannot be taken back
@@ -183,6 +179,22 @@ ChainImpact simulate(const model::Chain& chain, const hybrid::Options& options,
       return difference(a.velocity, b.velocity, reference_speed(chain));
     });
   impact.requested_accuracy = options.accuracy;
+  return impact;
+}
+
+}  // namespace
+
+ChainImpact simulate(const model::Chain& chain, const hybrid::Options& options,
+                     const RunObserver& observers) {
+  model::validate(chain);
+  hybrid::validate(options);
+  model::expect_end(chain, options.max_time);
+  const auto frame = moving_frame(chain);
+  if (frame.velocity == 0) return simulate_within(chain, options, observers);
+  model::Chain moving;
+  enter(frame, chain, moving);
+  auto impact = simulate_within(moving, options, from_outside(frame, observers));
+  leave(frame, chain, impact);
   return impact;
 }
 

@@ -5,6 +5,7 @@
 #include "mariotte/hybrid/simulate.hpp"
 #include "mariotte/impact/brief_run.hpp"
 #include "mariotte/impact/chain/chain_gate.hpp"
+#include "mariotte/impact/chain/moving_frame.hpp"
 #include "mariotte/impact/impulses.hpp"
 #include "mariotte/impact/watch/chain_run.hpp"
 
@@ -20,6 +21,7 @@ struct ChainSolver::Memory {
   ChainLayout divided_layout;
   std::vector<double> start;
   std::vector<ContactEnergy> energies;
+  model::Chain moving;
   BriefImpact impact, looser;
   Passage gone;
 
@@ -64,6 +66,15 @@ struct ChainSolver::Memory {
     divides(options, chain) ? solve_islands(chain, options, stay)
                             : solve_whole(chain, tightened(options, balls), stay);
   }
+
+  void keep_promise(const model::Chain& chain, const hybrid::Options& options) {
+    solve(chain, options);
+    const auto again = [&](const hybrid::Options& tighter) { solve(chain, tighter); };
+    const double speed = reference_speed(chain);
+    impact::keep_promise(options, gone, impact, looser, again, [&](const auto& a, const auto& b) {
+      return difference(a.velocity, b.velocity, speed);
+    });
+  }
 };
 
 ChainSolver::ChainSolver() : memory_(std::make_unique<Memory>()) {}
@@ -74,11 +85,14 @@ const BriefImpact& ChainSolver::solve(const model::Chain& chain, const hybrid::O
   model::validate(chain);
   hybrid::validate(options);
   model::expect_end(chain, options.max_time);
-  m.solve(chain, options);
-  const auto solve = [&](const hybrid::Options& tighter) { m.solve(chain, tighter); };
-  const double speed = reference_speed(chain);
-  keep_promise(options, m.gone, m.impact, m.looser, solve,
-               [&](const auto& a, const auto& b) { return difference(a.velocity, b.velocity, speed); });
+  const auto frame = moving_frame(chain);
+  if (frame.velocity == 0) {
+    m.keep_promise(chain, options);
+  } else {
+    enter(frame, chain, m.moving);
+    m.keep_promise(m.moving, options);
+    leave(frame, m.impact);
+  }
   return m.impact;
 }
 
