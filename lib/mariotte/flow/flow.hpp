@@ -56,6 +56,7 @@ struct Arrival {
   Index steps = 0;
   Index rhs = 0;  ///< evaluations of the right-hand side
   std::string message;
+  bool resumable = false;  ///< given up for its length alone: the flow could go on
 };
 
 /// What a flow is asked for.
@@ -63,6 +64,8 @@ struct Request {
   double limit = infinity;           ///< longest duration
   double accuracy = 1e-10;           ///< wanted error at the end of the run, relative to the magnitudes
   StepObserver* observer = nullptr;  ///< may be null
+  double least_step = 0;  ///< average step below which another flow goes on: the phase is given up as `stiff`
+  bool patient = false;   ///< a phase is not given up for its length
 };
 
 /// A method that follows a smooth field.

@@ -7,7 +7,7 @@
 //     if whoever looks on gives it up  → interrupted    asked after every step, too
 //     flow ← the cheapest that mode admits
 //     follow it from t⁺ until a guard crosses, or max_time
-//     if the phase is too stiff for it → from there on by another
+//     if the phase is too stiff for it → from there on by another, or by itself if that takes no longer steps
 //     if the flow could not go on, or a number is not finite
 //                                      → from t⁺ by another, as long as there is one
 //                                      → failed         state and events until then are kept
@@ -27,6 +27,7 @@
 #include "mariotte/hybrid/options.hpp"
 #include "mariotte/hybrid/system.hpp"
 #include "mariotte/hybrid/trajectory.hpp"
+#include "mariotte/hybrid/turns.hpp"
 
 namespace mariotte::hybrid {
 
@@ -94,27 +95,25 @@ std::optional<flow::Arrival> follow_phase(System& system, const Options& options
   auto& [flows, mode, changes, fired, before, run] = workspace;
   auto& x = run.state;
   auto& problem = system.problem(mode);
-  std::optional<flow::Choice> choice = flows.choose(problem, options.flow);
+  Turns turns(flows, problem, options.flow);
   std::optional<AskingObserver> asking;
   if (observer) asking.emplace(*observer);
   for (;;) try {
       if (observer) observer->begin_phase(time.value(), x);
       fired.clear();
       before.assign(x.begin(), x.end());
-      const flow::Request request{.limit = options.max_time - time.value(),
-                                  .accuracy = options.accuracy,
-                                  .observer = asking ? &*asking : nullptr};
-      auto arrival = choice->flow.follow(problem, x, request, fired);
+      const auto request = turns.asking({.limit = options.max_time - time.value(),
+                                         .accuracy = options.accuracy,
+                                         .observer = asking ? &*asking : nullptr});
+      auto arrival = turns.flow().follow(problem, x, request, fired);
       refuse_overflow(arrival, x);
-      count(run.flows[static_cast<std::size_t>(choice->kind)], arrival);
+      count(run.flows[static_cast<std::size_t>(turns.kind())], arrival);
       const bool stiff = arrival.outcome == flow::Outcome::stiff;
       const bool failed = arrival.outcome == flow::Outcome::failed;
       if (!failed) time += arrival.duration;
       if (!stiff && !failed) return arrival;
       if (failed) x.assign(before.begin(), before.end());
-      const auto next = flows.instead_of(choice->kind, stiff, problem, options.flow);
-      if (!next) return arrival;
-      choice.emplace(*next);
+      if (!turns.pass_on(arrival)) return arrival;
     } catch (GivenUp& last) {
       x = std::move(last.state);
       time += last.duration;

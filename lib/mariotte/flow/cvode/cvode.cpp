@@ -32,6 +32,8 @@ constexpr double finest = 1e-12;
 /// often.
 constexpr Index step_limit = 10'000'000;
 constexpr Index stall_limit = 100;
+/// Steps after which their average tells whether this flow is the quicker one.
+constexpr Index trial = 2000;
 /// Attempts at one step. Each is up to ten times shorter: where a force begins like a small power of the
 /// indentation, the first must be very short.
 constexpr int most_rejections = 40;
@@ -249,6 +251,7 @@ Arrival Cvode::follow(Problem& problem, State x, const Request& request, std::ve
     if (outcome) return m.finish(*outcome, step.end, x);
     m.before.assign(step.after.begin(), step.after.end());
     stalled += step.end - step.start <= 2 * epsilon * step.end;
+    if (count == trial && step.end < trial * request.least_step) return m.finish(Outcome::stiff, step.end, x);
   }
   return m.fail(
       stalled == stall_limit ? "the step has shrunk to nothing" : "no guard fired within the step limit",

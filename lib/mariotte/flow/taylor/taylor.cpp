@@ -148,7 +148,11 @@ Arrival Taylor::follow(Problem& problem, State x, const Request& request, std::v
       return Arrival{Outcome::guard, w.time, steps, steps, {}};
     }
     if (m.accept(problem) == Accepted::ended) return stop(Outcome::guard);
-    if (w.lanes.damped && steps >= creeping) return stop(Outcome::stiff);
+    if (w.lanes.damped && steps >= creeping && !request.patient) {
+      auto arrival = stop(Outcome::stiff);
+      arrival.resumable = true;
+      return arrival;
+    }
     if (has_outgrown(w)) {
       write(w, x);
       stepper.begin(problem, x, w.time, precision);
