@@ -4,6 +4,7 @@
 
 #include "mariotte/core/types.hpp"
 #include "mariotte/flow/balls/ball_phase.hpp"
+#include "mariotte/flow/cluster/cluster_phase.hpp"
 #include "mariotte/series/tape_series.hpp"
 
 namespace mariotte::flow {
@@ -49,8 +50,9 @@ class RecordedPhase {
   virtual bool stays_far(ConstState x, double time, ConstState moves) const = 0;
   /// Components that are not recorded move freely: their values after time t.
   virtual void fly_others(ConstState x, double t, State result) const = 0;
-  /// The present mode if its field is compiled.
+  /// The present mode if its field is compiled: of one contact, and of any number.
   virtual BallPhase* balls() const { return nullptr; }
+  virtual ClusterPhase* cluster() const { return nullptr; }
 };
 
 }  // namespace mariotte::flow

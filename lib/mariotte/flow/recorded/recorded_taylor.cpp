@@ -1,6 +1,7 @@
 #include "mariotte/flow/recorded/recorded_taylor.hpp"
 
 #include "mariotte/flow/balls/ball_taylor.hpp"
+#include "mariotte/flow/cluster/cluster_taylor.hpp"
 #include "mariotte/flow/contact_steps.hpp"
 #include "mariotte/flow/recorded/recorded_guards.hpp"
 #include "mariotte/flow/roots/simultaneous.hpp"
@@ -34,6 +35,7 @@ double step_length(const Recording& recording, const TapeSeries& series, ConstSt
 /// What `follow_by_series` drives.
 struct RecordedTaylor::Memory {
   BallTaylor balls;
+  ClusterTaylor cluster;
   Recording recording;
   TapeSeries series;
   std::vector<double> before;
@@ -197,6 +199,10 @@ Arrival RecordedTaylor::follow(Problem& problem, State x, const Request& request
   Arrival so_far;
   if (auto* balls = problem.recorded()->balls()) {
     so_far = memory.balls.follow(problem, *balls, x, request, fired);
+    if (so_far.outcome != Outcome::stiff) return so_far;
+  }
+  if (auto* cluster = problem.recorded()->cluster()) {
+    so_far = memory.cluster.follow(problem, *cluster, x, request, fired, so_far);
     if (so_far.outcome != Outcome::stiff) return so_far;
   }
   memory.begin(problem, x, request.accuracy);

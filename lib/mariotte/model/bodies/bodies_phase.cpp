@@ -17,7 +17,7 @@ BodiesPhase<D>::BodiesPhase(const BodiesSetting<D>& setting, Index touching)
       sloped_(setting),
       traced_(setting) {
   layout_.bodies = std::ssize(setting.body);
-  if constexpr (D == 2) balls_.emplace(setting);
+  if constexpr (D == 2) balls_.emplace(setting), cluster_.emplace(setting);
   if constexpr (D == 3)
     for (const auto& body : setting.body)
       free_flight_ = free_flight_ && (body.is_round || body.inertia[1] == body.inertia[2]);
@@ -86,9 +86,13 @@ void BodiesPhase<D>::bind(const BodiesMode& mode) {
 template <int D>
 void BodiesPhase<D>::find_balls() {
   is_balls_ = balls_ && balls_->admits(*mode_);
-  if (!is_balls_) return;
-  if constexpr (D == 2)
-    balls_->bind(*mode_, layout_, magnitude_, slot_guard(mode_->closed.front().slot, SlotGuard::open));
+  is_cluster_ = cluster_ && cluster_->admits(*mode_);
+  if constexpr (D == 2) {
+    if (is_balls_)
+      balls_->bind(*mode_, layout_, magnitude_, slot_guard(mode_->closed.front().slot, SlotGuard::open));
+    if (is_cluster_)
+      cluster_->bind(*mode_, layout_, magnitude_, {gap_guard(0), parting_guard(0), stray_guard(0)});
+  }
 }
 
 template <int D>

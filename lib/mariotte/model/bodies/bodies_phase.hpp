@@ -10,6 +10,7 @@
 #include "mariotte/flow/problem.hpp"
 #include "mariotte/flow/recorded/recorded_phase.hpp"
 #include "mariotte/model/bodies/bodies_balls.hpp"
+#include "mariotte/model/bodies/bodies_cluster.hpp"
 #include "mariotte/model/bodies/bodies_field.hpp"
 
 namespace mariotte::model {
@@ -51,6 +52,7 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   bool stays_far(ConstState x, double time, ConstState moves) const override;
   void fly_others(ConstState x, double t, State result) const override;
   flow::BallPhase* balls() const override { return is_balls_ ? &*balls_ : nullptr; }
+  flow::ClusterPhase* cluster() const override { return is_cluster_ ? &*cluster_ : nullptr; }
 
   Index slot_guard(Index slot, SlotGuard guard) const {
     return slot * guards_per_slot + static_cast<Index>(guard);
@@ -107,8 +109,9 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   std::vector<flow::Crossing> crossing_;
   std::vector<double> magnitude_;
 
-  bool is_balls_ = false;
+  bool is_balls_ = false, is_cluster_ = false;
   mutable std::optional<BodiesBalls> balls_;  ///< in the plane
+  mutable std::optional<BodiesCluster> cluster_;
 
   static constexpr int columns = 8;
   mutable BodiesField<double, D> field_;

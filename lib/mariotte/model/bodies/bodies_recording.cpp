@@ -45,14 +45,11 @@ void BodiesPhase<D>::find_followed() const {
 /// Pairs that a few natural indentations do not bring together.
 template <int D>
 void BodiesPhase<D>::find_far(ConstState x, bool all) const {
-  constexpr double far = 4;
   is_far_.assign(watched_count(), 0);
   if (all) return;
-  for (Index k = 0; k < watched_count(); ++k) {
-    const auto& c = setting_.contact[watched(k)];
+  for (Index k = 0; k < watched_count(); ++k)
     is_far_[k] = crossing_[gap_guard(k)] != flow::Crossing::none &&
-                 least_gap(setting_, layout_, x, c) > far * c.length;
-  }
+                 is_far(setting_, layout_, x, setting_.contact[watched(k)]);
 }
 
 template <int D>

@@ -9,6 +9,14 @@ template <int D>
 double least_gap(const BodiesSetting<D>& setting, const BodiesLayout<D>& at, ConstState x,
                  const SettingContact<D>& contact);
 
+/// Whether a few natural indentations do not close a contact.
+template <int D>
+bool is_far(const BodiesSetting<D>& setting, const BodiesLayout<D>& at, ConstState x,
+            const SettingContact<D>& contact) {
+  constexpr double far = 4;
+  return least_gap(setting, at, x, contact) > far * contact.length;
+}
+
 /// Whether a contact cannot close within a time from x on, in which each body goes no farther than its reach.
 template <int D>
 bool stays_open(const BodiesSetting<D>& setting, const BodiesLayout<D>& at, ConstState x,

@@ -1,0 +1,212 @@
+#include "mariotte/flow/cluster/cluster_series.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "mariotte/flow/roots/polynomial.hpp"
+
+namespace mariotte::flow {
+
+using Field = ClusterField;
+using Kind = ClusterClock::Kind;
+
+void ClusterSeries::expand(const Cluster& cluster, const ClusterClock& clock, int order) {
+  cluster_ = &cluster;
+  of_ = clock;
+  order_ = order;
+  make_room();
+  start_balls();
+  start_lanes();
+  couple(0);
+  for (int k = 1; k < order; ++k) {
+    for (std::size_t i = 0; i < blocks_; ++i) block_[i]->stage(k);
+    couple(k);
+  }
+  for (std::size_t i = 0; i < blocks_; ++i) block_[i]->finish(order);
+  look();
+}
+
+void ClusterSeries::make_room() {
+  const std::size_t links = cluster_->link.size();
+  blocks_ = (links + LaneBlock::lanes - 1) / LaneBlock::lanes;
+  while (block_.size() < blocks_) block_.push_back(make_lane_block());
+  lane_.clear();
+  for (std::size_t j = 0; j < blocks_ * LaneBlock::lanes; ++j)
+    lane_.push_back(block_[j / LaneBlock::lanes]->at(0, 0) + j % LaneBlock::lanes);
+  ball_.resize(3 * cluster_->ball.size());
+  seen_.resize(seen.size() * links);
+}
+
+void ClusterSeries::start_balls() {
+  for (std::size_t i = 0; i < cluster_->ball.size(); ++i) {
+    const auto& ball = cluster_->ball[i];
+    ball_[3 * i][0] = ball.velocity_x;
+    ball_[3 * i + 1][0] = ball.velocity_y;
+    ball_[3 * i + 2][0] = ball.spin;
+  }
+}
+
+void ClusterSeries::start_lanes() {
+  constexpr int lanes = LaneBlock::lanes;
+  alignas(64) double starts[Field::states * lanes], parameters[Field::parameters * lanes];
+  const auto& link = cluster_->link;
+  clock_[0] = of_.kind == Kind::time   ? 1
+              : of_.kind == Kind::root ? std::sqrt(link[of_.owner].start[Field::depth])
+                                       : 0;
+  for (std::size_t j = 0; j < lane_.size(); ++j) {
+    start_lane(j < link.size() ? link[j] : ClusterLink{}, static_cast<int>(j), starts + j % lanes,
+               parameters + j % lanes);
+    if (j % lanes == lanes - 1) block_[j / lanes]->begin(starts, parameters);
+  }
+}
+
+void ClusterSeries::start_lane(const ClusterLink& link, int lane, double* start, double* parameters) const {
+  constexpr int lanes = LaneBlock::lanes;
+  for (int i = 0; i < Field::states; ++i) start[i * lanes] = link.start[i];
+  for (int i = 0; i < Field::parameters; ++i) parameters[i * lanes] = link.parameter[i];
+  const bool owns = of_.kind == Kind::root && of_.owner == lane;
+  const bool given = owns || (of_.kind == Kind::onset && link.begins && link.has_root);
+  const bool curved = link.closed && link.has_root && !given;
+  start[Field::clock * lanes] = clock_[0];
+  start[Field::root * lanes] = given ? clock_[0] : 0;
+  parameters[Field::given * lanes] = given;
+  parameters[Field::found * lanes] = !given;
+  parameters[Field::curved * lanes] = curved;
+  parameters[Field::level * lanes] = !curved;
+}
+
+/// Order k + 1 of all that is given.
+void ClusterSeries::couple(int k) {
+  const double growth = of_.kind == Kind::root    ? 0.5 * at(Field::approach, of_.owner, k)
+                        : of_.kind == Kind::onset ? 2.0 * (k == 0)
+                                                  : 0.0;
+  clock_[k + 1] = growth / (k + 1);
+  time_[k + 1] = clock_[k] / (k + 1);
+  push_balls(k + 1);
+  move_links(k + 1);
+  give_roots(k + 1);
+}
+
+/// What contacts have done to the balls, and outside forces.
+void ClusterSeries::push_balls(int k) {
+  const auto& link = cluster_->link;
+  for (std::size_t i = 0; i < ball_.size(); i += 3) {
+    ball_[i][k] = cluster_->pull_x * time_[k];
+    ball_[i + 1][k] = cluster_->pull_y * time_[k];
+    ball_[i + 2][k] = 0;
+  }
+  for (int j = 0; j < std::ssize(link) && link[j].closed; ++j) {
+    push(j, k, link[j].b, 1, link[j].radius_b, link[j].share_b);
+    if (link[j].a >= 0) push(j, k, link[j].a, -1, link[j].radius_a, link[j].share_a);
+  }
+}
+
+void ClusterSeries::push(int link, int k, int ball, double sign, double radius, double share) {
+  const auto& one = cluster_->ball[ball];
+  ball_[3 * ball][k] += sign * one.ease * at(Field::impulse_x, link, k);
+  ball_[3 * ball + 1][k] += sign * one.ease * at(Field::impulse_y, link, k);
+  ball_[3 * ball + 2][k] -=
+      one.turn_ease * (radius * at(Field::tangential, link, k) - share * at(Field::moment, link, k));
+}
+
+void ClusterSeries::move_links(int k) {
+  const auto& link = cluster_->link;
+  for (int j = 0; j < std::ssize(link); ++j) {
+    const auto& one = link[j];
+    const Row* b = &ball_[3 * one.b];
+    double x = b[0][k], y = b[1][k], spins = one.radius_b * b[2][k], shared = one.share_b * b[2][k];
+    if (one.a >= 0) {
+      const Row* a = &ball_[3 * one.a];
+      x -= a[0][k], y -= a[1][k];
+      spins += one.radius_a * a[2][k], shared += one.share_a * a[2][k];
+    }
+    at(Field::velocity_x, j, k) = x;
+    at(Field::velocity_y, j, k) = y;
+    at(Field::spins, j, k) = spins;
+    at(Field::shared, j, k) = shared;
+  }
+}
+
+void ClusterSeries::give_roots(int k) {
+  const auto& link = cluster_->link;
+  for (std::size_t i = 0; i < blocks_; ++i)
+    std::fill_n(block_[i]->at(Field::clock, k), LaneBlock::lanes, clock_[k]);
+  if (of_.kind == Kind::root) at(Field::root, of_.owner, k) = clock_[k];
+  if (of_.kind != Kind::onset) return;
+  for (int j = 0; j < std::ssize(link) && link[j].closed; ++j)
+    if (link[j].begins && link[j].has_root) give_onset(j, k);
+}
+
+/// Where t = τ², δ is known an order ahead: δ' = 2 τ w.
+void ClusterSeries::give_onset(int link, int k) {
+  double left = 2 * at(Field::approach, link, k - 1) / (k + 1);
+  for (int i = 2; i < k; ++i) left -= at(Field::root, link, i) * at(Field::root, link, k + 1 - i);
+  at(Field::root, link, k) = k == 1 ? std::sqrt(left) : left / (2 * at(Field::root, link, 1));
+}
+
+/// Rows side by side become rows of their own.
+void ClusterSeries::look() {
+  const auto& link = cluster_->link;
+  for (int j = 0; j < std::ssize(link); ++j)
+    for (std::size_t i = 0; i < (link[j].closed ? seen.size() : 1); ++i)
+      for (int k = 0; k <= order_; ++k) seen_[j * seen.size() + i][k] = at(seen[i], j, k);
+}
+
+std::span<const double> ClusterSeries::row(int which, int link) const {
+  const auto place = std::find(seen.begin(), seen.end(), which) - seen.begin();
+  return part(seen_[link * seen.size() + place]);
+}
+
+double ClusterSeries::size(int k) const {
+  const auto& ball = cluster_->ball;
+  const auto& link = cluster_->link;
+  double most = 0;
+  const auto take = [&](double value, double weight) { most = std::max(most, std::abs(value) * weight); };
+  for (std::size_t i = 0; i < ball.size(); ++i) {
+    take(ball_[3 * i][k], ball[i].velocity_weight);
+    take(ball_[3 * i + 1][k], ball[i].velocity_weight);
+    take(ball_[3 * i + 2][k], ball[i].spin_weight);
+  }
+  for (int j = 0; j < std::ssize(link); ++j)
+    for (const int row : {Field::depth, Field::spring, Field::normal, Field::tangential, Field::work})
+      take(at(row, j, k), link[j].weight[row]);
+  return most;
+}
+
+double ClusterSeries::sum(int row, int link, double place) const {
+  double total = 0;
+  for (int k = order_; k >= 0; --k) total = total * place + at(row, link, k);
+  return total;
+}
+
+/// ∫ σᵏ dt up to a place.
+ClusterSeries::Row ClusterSeries::spans(double place) const {
+  Row span;
+  double power = place;
+  for (int k = 0; k <= order_; ++k, power *= place) {
+    span[k] = 0;
+    for (int j = order_; j >= 0; --j) span[k] = span[k] * place + clock_[j] / (j + k + 1);
+    span[k] *= power;
+  }
+  return span;
+}
+
+void ClusterSeries::move(double place, ClusterMotion& motion) const {
+  const Row span = spans(place);
+  const auto gone = [&](std::size_t row) {
+    return std::inner_product(span.begin(), span.begin() + order_ + 1, ball_[row].begin(), 0.0);
+  };
+  const auto now = [&](std::size_t row) { return horner(part(ball_[row]), place); };
+  motion.time = horner(time(), place);
+  motion.ball.clear();
+  motion.link.clear();
+  for (std::size_t i = 0; i < ball_.size(); i += 3)
+    motion.ball.push_back({gone(i), gone(i + 1), gone(i + 2), now(i), now(i + 1), now(i + 2)});
+  for (int j = 0; j < std::ssize(cluster_->link) && cluster_->link[j].closed; ++j)
+    motion.link.push_back({sum(Field::depth, j, place), sum(Field::spring, j, place),
+                           sum(Field::normal, j, place), sum(Field::tangential, j, place),
+                           sum(Field::work, j, place)});
+}
+
+}  // namespace mariotte::flow

@@ -1,0 +1,181 @@
+#include "mariotte/flow/cluster/cluster_taylor.hpp"
+
+#include "mariotte/flow/cluster/cluster_series.hpp"
+#include "mariotte/flow/contact_steps.hpp"
+#include "mariotte/flow/roots/simultaneous.hpp"
+#include "mariotte/flow/series_guards.hpp"
+
+namespace mariotte::flow {
+
+using Field = ClusterField;
+using Kind = ClusterClock::Kind;
+
+/// What `follow_by_series` drives.
+class ClusterTaylor::Expansion {
+ public:
+  std::vector<double> before;
+
+  void begin(const Problem& problem, ClusterPhase& phase, ConstState x, double accuracy) {
+    problem_ = &problem;
+    phase_ = &phase;
+    accuracy_ = accuracy;
+    phase.gather(x, false);
+  }
+
+  int order() const { return series_order(accuracy_); }
+  std::span<const double> time() const { return series_.time(); }
+
+  /// As far as surely no contact closes that was left out; where that is hardly anywhere, none is.
+  double expand(ConstState x, bool first) {
+    expand_cluster(x, first);
+    double step = step_length();
+    for (int i = 0; !stays_far(x, step); ++i, step *= 0.5) {
+      if (i < most_halvings) continue;
+      phase_->gather(x, true);
+      expand_cluster(x, first);
+      step = step_length();
+      return stays_far(x, step) ? step : NAN;
+    }
+    return step;
+  }
+
+  SeriesEnd end(double reach, bool first, State) {
+    SeriesEnd end{reach};
+    rounding_ = first ? accuracy_ : 0;
+    const auto& link = cluster_->link;
+    for (int j = 0; j < std::ssize(link); ++j) link[j].closed ? look_closed(j, end) : look_open(j, end);
+    return end;
+  }
+
+  void state(double place, ConstState from, State x) const {
+    series_.move(place, motion_);
+    phase_->move(from, motion_, x);
+  }
+
+  void fire(Index guard, ConstState x, std::vector<Index>& fired) {
+    fired.push_back(guard);
+    simultaneous_.collect(*problem_, x, simultaneity_window(*problem_, accuracy_), fired);
+  }
+
+  void add_forces(double end, std::vector<ForceSeries>& list) const {
+    for (int j = 0; j < std::ssize(cluster_->link) && cluster_->link[j].closed; ++j)
+      list.push_back({series_.row(Field::force, j), series_.row(Field::friction, j),
+                      series_.row(Field::depth, j), false, end});
+  }
+
+  bool is_stalled(const Step& step) const {
+    return step.end - step.start < short_step * problem_->time_scale();
+  }
+
+ private:
+  const Problem* problem_ = nullptr;
+  ClusterPhase* phase_ = nullptr;
+  const Cluster* cluster_ = nullptr;
+  double accuracy_ = 0, rounding_ = 0;
+  ClusterClock clock_;
+  ClusterSeries series_;
+  Simultaneous simultaneous_;
+  std::vector<double> first_cap_, reach_;
+  mutable ClusterMotion motion_ = {};
+
+  void expand_cluster(ConstState x, bool first) {
+    cluster_ = &phase_->load(x, first);
+    clock_ = clock();
+    series_.expand(*cluster_, clock_, order());
+    if (!first) return;
+    first_cap_.clear();
+    for (int j = 0; j < std::ssize(cluster_->link) && cluster_->link[j].closed; ++j)
+      first_cap_.push_back(cluster_->link[j].cap * series_.row(Field::force, j)[0]);
+  }
+
+  /// That of the contact that begins, or is nearest in time to where its root is singular.
+  ClusterClock clock() const {
+    ClusterClock chosen;
+    int beginning = 0;
+    double nearest = infinity;
+    for (int j = 0; j < std::ssize(cluster_->link) && cluster_->link[j].closed; ++j) {
+      const auto& one = cluster_->link[j];
+      if (!one.has_root) continue;
+      beginning += one.begins;
+      const double left = one.begins ? 0 : one.start[Field::depth] / std::abs(approach(one));
+      if (left < nearest) nearest = left, chosen = {Kind::root, j};
+    }
+    return beginning > 1 ? ClusterClock{Kind::onset} : chosen;
+  }
+  static double approach(const ClusterLink& one) {
+    return one.start[Field::normal_x] * one.start[Field::velocity_x] +
+           one.start[Field::normal_y] * one.start[Field::velocity_y];
+  }
+
+  /// Largest place at which none of the last coefficients exceeds what it may.
+  double step_length() const {
+    const int terms = series_.clock()[0] == 0 ? last_onset_terms : last_terms;
+    double step = infinity;
+    for (int k = order(); k > order() - terms; --k)
+      if (const double size = series_.size(k); size != 0)
+        step = std::min(step, std::pow(series_share * force_share * accuracy_ / size, 1.0 / k));
+    return step;
+  }
+
+  bool stays_far(ConstState x, double step) {
+    if (!std::isfinite(step)) return true;
+    const double time = most_change(series_.time(), step);
+    reach_.clear();
+    for (int i = 0; i < std::ssize(cluster_->ball); ++i) {
+      const auto most = [&](int axis) {
+        const auto row = series_.ball(i, axis);
+        return std::abs(row[0]) + most_change(row, step);
+      };
+      reach_.push_back(time * std::hypot(most(0), most(1)));
+    }
+    return phase_->stays_far(x, time, reach_);
+  }
+
+  using Row = std::array<double, ClusterSeries::most_order + 1>;
+  void look_at(Index guard, int which, int link, double sign, double noise, SeriesEnd& end) {
+    const auto from = series_.row(which, link);
+    Row row;
+    std::copy(from.begin(), from.end(), row.begin());
+    row[0] += noise;
+    look(guard, {row.data(), from.size()}, sign, rounding_, end);
+  }
+
+  void look_closed(int j, SeriesEnd& end) {
+    const auto& one = cluster_->link[j];
+    const bool owns = clock_.kind == Kind::root && clock_.owner == j;
+    look(one.open, owns ? series_.clock() : series_.row(Field::depth, j), 1, rounding_, end);
+    const double turn = one.unloading ? -1 : 1;
+    look_at(one.turn, Field::approach, j, turn, turn * one.rate_noise, end);
+    if (one.friction < 0) return;
+    if (!one.sticks)
+      return look_at(one.friction, Field::yielding, j, one.sign, one.sign * one.rate_noise, end);
+    for (const double sign : {1.0, -1.0}) look_at_cap(j, sign, end);
+  }
+
+  /// The cap is allowed some noise, as friction that starts at its cap leaves it.
+  void look_at_cap(int j, double sign, SeriesEnd& end) {
+    const auto& one = cluster_->link[j];
+    const auto force = series_.row(Field::force, j), friction = series_.row(Field::friction, j);
+    Row row;
+    for (std::size_t k = 0; k < force.size(); ++k) row[k] = one.cap * force[k] - sign * friction[k];
+    row[0] += one.cap_noise * first_cap_[j];
+    look(one.friction, {row.data(), force.size()}, 1, rounding_, end);
+  }
+
+  void look_open(int j, SeriesEnd& end) {
+    const auto& one = cluster_->link[j];
+    look_at(one.close, Field::depth, j, -1, -one.touch_depth, end);
+    if (one.part >= 0) look_at(one.part, Field::depth, j, 1, one.touch_depth, end);
+  }
+};
+
+ClusterTaylor::ClusterTaylor() : expansion_(std::make_unique<Expansion>()) {}
+ClusterTaylor::~ClusterTaylor() = default;
+
+Arrival ClusterTaylor::follow(const Problem& problem, ClusterPhase& phase, State x, const Request& request,
+                              std::vector<Index>& fired, const Arrival& so_far) {
+  expansion_->begin(problem, phase, x, request.accuracy);
+  return follow_by_series(*expansion_, contact_limits, x, request, fired, so_far);
+}
+
+}  // namespace mariotte::flow
