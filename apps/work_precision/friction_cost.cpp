@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "friction_rivals.hpp"
 #include "mariotte/impact/bodies/bodies_impact.hpp"
 
 namespace mariotte::work_precision {
@@ -68,11 +69,17 @@ std::vector<Case> cases() {
           {"touching 6, Mindlin", balls(3, 2, mindlin)}};
 }
 
-double difference(const impact::BodiesImpact& a, const impact::BodiesImpact& b) {
+/// Two velocities and spin × radius of each ball.
+std::vector<double> velocities(const impact::BodiesImpact& impact) {
+  std::vector<double> list;
+  for (const auto& body : impact.body)
+    list.insert(list.end(), {body.velocity.e1, body.velocity.e2, radius * body.spin.e3});
+  return list;
+}
+
+double difference(const std::vector<double>& a, const std::vector<double>& b) {
   double most = 0;
-  for (std::size_t i = 0; i < a.body.size(); ++i)
-    most = std::max({most, norm(a.body[i].velocity - b.body[i].velocity),
-                     radius * norm(a.body[i].spin - b.body[i].spin)});
+  for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, std::abs(a[i] - b[i]));
   return most;
 }
 
@@ -80,30 +87,39 @@ struct Cost {
   double seconds, error;
 };
 
-Cost cost(const Bodies& bodies, const hybrid::Options& options, const impact::BodiesImpact& truth,
+Cost cost(const Bodies& bodies, const hybrid::Options& options, const std::vector<double>& truth,
           const measuring::Patience& patience) {
   const auto run = [&] { impact::simulate(bodies, options); };
   return {measuring::least_seconds(run, measuring::timed(run), patience),
-          difference(impact::simulate(bodies, options), truth)};
+          difference(velocities(impact::simulate(bodies, options)), truth)};
 }
 
-std::string line(const Case& c, double accuracy, const impact::BodiesImpact& truth,
-                 const measuring::Patience& patience) {
+std::string microseconds(std::optional<double> seconds) {
+  return seconds ? fmt::format("{:.1f}", 1e6 * *seconds) : "–";
+}
+
+std::string line(const Case& c, double accuracy, const std::vector<double>& truth,
+                 const FrictionRivals& rivals, const measuring::Patience& patience) {
   const auto series = cost(c.bodies, {.accuracy = accuracy}, truth, patience);
   const auto adams = cost(c.bodies, {.accuracy = accuracy, .flow = flow::Kind::cvode_adams}, truth, patience);
-  return fmt::format("{:<24}  {:>8.0e}  {:>9.1f}  {:>8.1e}  {:>9.1f}  {:>8.1e}  {:>5.1f}\n", c.name, accuracy,
-                     1e6 * series.seconds, series.error, 1e6 * adams.seconds, adams.error,
-                     adams.seconds / series.seconds);
+  return fmt::format("{:<24}  {:>8.0e}  {:>9.1f}  {:>8.1e}  {:>9.1f}  {:>8.1e}  {:>5.1f}  {:>9}  {:>9}\n",
+                     c.name, accuracy, 1e6 * series.seconds, series.error, 1e6 * adams.seconds, adams.error,
+                     adams.seconds / series.seconds, microseconds(least_time(rivals.odeint, accuracy)),
+                     microseconds(least_time(rivals.verlet, accuracy)));
 }
 
 }  // namespace
 
 std::string friction_cost(const measuring::Patience& patience) {
-  std::string text = fmt::format("{:<24}  {:>8}  {:>9}  {:>8}  {:>9}  {:>8}  {:>5}\n", "bodies with friction",
-                                 "accuracy", "auto/µs", "error", "Adams/µs", "error", "ratio");
+  std::string text =
+      fmt::format("{:<24}  {:>8}  {:>9}  {:>8}  {:>9}  {:>8}  {:>5}  {:>9}  {:>9}\n", "bodies with friction",
+                  "accuracy", "auto/µs", "error", "Adams/µs", "error", "ratio", "odeint/µs", "Verlet/µs");
   for (const auto& c : cases()) {
-    const auto truth = impact::simulate(c.bodies, {.accuracy = 1e-11, .flow = flow::Kind::cvode_adams});
-    for (const double accuracy : {1e-6, 1e-8, 1e-10}) text += line(c, accuracy, truth, patience);
+    const auto end = impact::simulate(c.bodies, {.accuracy = 1e-11, .flow = flow::Kind::cvode_adams});
+    const auto truth = velocities(end);
+    const auto error = [&](const std::vector<double>& found) { return difference(found, truth); };
+    const auto rivals = friction_rivals(c.bodies, 1.001 * end.time, error, patience);
+    for (const double accuracy : {1e-6, 1e-8, 1e-10}) text += line(c, accuracy, truth, rivals, patience);
   }
   return text;
 }

@@ -118,20 +118,21 @@ Exit codes: 0 ok, 2 usage, 4 failure, 6 file error.
 )";
 
 command::OptionList declare(Options& options) {
-  return {{"--problem", &options.problems, "Only this problem; may be repeated", {.value = "NAME"}},
-          {"--method", &options.methods, "Only this method; may be repeated", {.value = "NAME"}},
-          {"--quick", &options.quick, "Coarse ladders and short timings: all within a minute"},
-          {"--slopes", &options.slopes,
-           "Only what slopes of three balls and of rows cost, as multiples of a run"},
-          {"--friction", &options.friction, "Only what bodies with friction cost, by series and by CVODE"},
-          {"--laws", &options.laws, "Only what a pair of each named law costs, and by CVODE"},
-          {"--lammps", &options.lammps, "Only pairs of balls beside LAMMPS, if it is installed"},
-          {"--csv", &options.csv, "Write every point of the diagrams to this file", {.value = "FILE"}},
-          {"--plots",
-           &options.plots,
-           "Draw run time against error, a figure per problem, in this folder",
-           {.value = "DIR"}},
-          {"--force", &options.force, "Overwrite files of an earlier run"}};
+  return {
+      {"--problem", &options.problems, "Only this problem; may be repeated", {.value = "NAME"}},
+      {"--method", &options.methods, "Only this method; may be repeated", {.value = "NAME"}},
+      {"--quick", &options.quick, "Coarse ladders and short timings: all within a minute"},
+      {"--slopes", &options.slopes,
+       "Only what slopes of three balls and of rows cost, as multiples of a run"},
+      {"--friction", &options.friction, "Only what bodies with friction cost, by series, CVODE and rivals"},
+      {"--laws", &options.laws, "Only what a pair of each named law costs, and by CVODE"},
+      {"--lammps", &options.lammps, "Only pairs of balls beside LAMMPS, if it is installed"},
+      {"--csv", &options.csv, "Write every point of the diagrams to this file", {.value = "FILE"}},
+      {"--plots",
+       &options.plots,
+       "Draw run time against error, a figure per problem, in this folder",
+       {.value = "DIR"}},
+      {"--force", &options.force, "Overwrite files of an earlier run"}};
 }
 
 }  // namespace
