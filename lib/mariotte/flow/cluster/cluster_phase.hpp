@@ -31,7 +31,7 @@ struct ClusterLink {
   bool has_root = false;  ///< √δ is what its force is made of
   double radius_a = 0, radius_b = 0, share_a = 0, share_b = 0;
   std::array<double, ClusterField::parameters> parameter = idle_contact();
-  std::array<double, ClusterField::states> weight = {};  ///< 1/size
+  std::array<double, ClusterField::rows> weight = {};  ///< 1/size
   std::array<double, ClusterField::states> start = {};
   // Guards of one that is closed.
   Index open = -1, turn = -1, friction = -1;

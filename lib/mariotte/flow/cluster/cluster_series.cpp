@@ -169,7 +169,8 @@ double ClusterSeries::size(int k) const {
     take(ball_[3 * i + 2][k], ball[i].spin_weight);
   }
   for (int j = 0; j < std::ssize(link); ++j)
-    for (const int row : {Field::depth, Field::spring, Field::normal, Field::tangential, Field::work})
+    for (const int row :
+         {Field::depth, Field::spring, Field::normal, Field::tangential, Field::work, Field::force})
       take(at(row, j, k), link[j].weight[row]);
   return most;
 }

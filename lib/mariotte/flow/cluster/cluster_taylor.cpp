@@ -88,14 +88,15 @@ class ClusterTaylor::Expansion {
       first_cap_.push_back(cluster_->link[j].cap * series_.row(Field::force, j)[0]);
   }
 
-  /// That of the contact that begins, or is nearest in time to where its root is singular.
+  /// That of the contact that begins, or is nearest in time to where its root is singular. One that has
+  /// hardly begun grows by a high power of the time in the wake of others: their root is the better clock.
   ClusterClock clock() const {
     ClusterClock chosen;
     int beginning = 0;
     double nearest = infinity;
     for (int j = 0; j < std::ssize(cluster_->link) && cluster_->link[j].closed; ++j) {
       const auto& one = cluster_->link[j];
-      if (!one.has_root) continue;
+      if (!one.has_root || has_hardly_begun(one)) continue;
       beginning += one.begins;
       const double left = one.begins ? 0 : one.start[Field::depth] / std::abs(approach(one));
       if (left < nearest) nearest = left, chosen = {Kind::root, j};
@@ -103,8 +104,12 @@ class ClusterTaylor::Expansion {
     return beginning > 1 ? ClusterClock{Kind::onset} : chosen;
   }
   static double approach(const ClusterLink& one) {
-    return one.start[Field::normal_x] * one.start[Field::velocity_x] +
+    return -one.start[Field::normal_x] * one.start[Field::velocity_x] -
            one.start[Field::normal_y] * one.start[Field::velocity_y];
+  }
+  static bool has_hardly_begun(const ClusterLink& one) {
+    constexpr double shallow = 1e-3;  // of the natural length
+    return !one.begins && approach(one) > 0 && one.start[Field::depth] * one.weight[Field::depth] < shallow;
   }
 
   /// Largest place at which none of the last coefficients exceeds what it may.

@@ -119,6 +119,7 @@ void BodiesCluster::set_slip(const ClosedContact& closed, flow::ClusterLink& lin
 void BodiesCluster::set_weights(const ClosedContact& closed, flow::ClusterLink& link) const {
   const Index slot = closed.slot;
   link.weight[Field::spring] = 1 / magnitude_[layout_.spring(slot)];
+  link.weight[Field::force] = 1 / setting_.contact[closed.contact].force;
   link.weight[Field::normal] = 1 / magnitude_[layout_.normal(slot)];
   link.weight[Field::tangential] = 1 / magnitude_[layout_.tangential(slot)];
   link.weight[Field::work] = 1 / magnitude_[layout_.losses(slot)];
