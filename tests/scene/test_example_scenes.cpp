@@ -1,8 +1,9 @@
-// What the comments of apps/scenes say about long chains.
+// What the comments of apps/scenes say about long chains, and about balls on cloth.
 #define BOOST_TEST_MODULE example scenes
 #include <boost/test/unit_test.hpp>
 #include <numeric>
 
+#include "mariotte/impact/bodies/bodies_impact.hpp"
 #include "mariotte/impact/chain/chain_impact.hpp"
 #include "mariotte/scene/scene.hpp"
 #include "support/reference.hpp"
@@ -18,6 +19,18 @@ impact::ChainImpact run(const std::string& name) {
   BOOST_TEST((impact.ending == hybrid::Ending::separated));
   BOOST_TEST(std::abs(impact.energy.residual) < 1e-8 * (impact.energy.initial + impact.energy.work));
   return impact;
+}
+
+impact::BodiesImpact run_bodies(const std::string& name) {
+  const auto scene = scene::read(std::string(MARIOTTE_SCENES "/") + name);
+  const auto impact = impact::simulate(std::get<model::Bodies>(scene.model), scene.run);
+  BOOST_TEST(std::abs(impact.energy.residual) < 1e-8 * impact.energy.initial);
+  return impact;
+}
+
+/// Velocity at the lowest point of a billiard ball.
+Vector3 slip(const Vector3& velocity, const Vector3& spin) {
+  return velocity + cross(spin, {0, 0, -0.0286});
 }
 
 /// The most periods of any contact.
@@ -71,4 +84,23 @@ BOOST_AUTO_TEST_CASE(a_column_falls_in_closed_form_and_rebounds_lower_than_a_bea
   BOOST_TEST(std::abs(centre / landed - 0.930370) < 1e-3);  // of a column without gravity
   BOOST_TEST(impact.contacts[0].periods.size() == 1u);
   BOOST_TEST(std::abs(impact.contacts[0].periods[0].start - landed / 9.81) < 1e-9);
+}
+
+BOOST_AUTO_TEST_CASE(a_ball_that_curves_loses_two_sevenths_of_its_first_slip) {
+  const auto impact = run_bodies("masse.toml");
+  const auto& ball = impact.body[0];
+  const Vector3 start{2, 0, 0}, first = slip(start, {-80, -40, 0});
+  BOOST_TEST(norm(ball.velocity - (start - (2.0 / 7) * first)) < 1e-7);
+  BOOST_TEST(norm(slip(ball.velocity, ball.spin)) < 1e-7);
+  const double rolls = 2 * norm(first) / (7 * 0.2 * 9.81);
+  BOOST_TEST(impact.events.back().of(model::BodyEvent::stick).size() == 1u);
+  BOOST_TEST(std::abs(impact.events.back().time - rolls) < 1e-4 * rolls);
+}
+
+BOOST_AUTO_TEST_CASE(a_draw_shot_comes_back_and_the_other_ball_hops) {
+  const auto impact = run_bodies("draw_shot.toml");
+  BOOST_TEST(impact.body[0].velocity.e1 < -0.25);
+  BOOST_TEST(impact.body[1].velocity.e1 > 0.5);
+  for (const auto& body : impact.body) BOOST_TEST(norm(slip(body.velocity, body.spin)) < 1e-6);
+  BOOST_TEST(impact.contacts[1].periods.size() == 2u);
 }
