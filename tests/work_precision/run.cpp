@@ -182,6 +182,22 @@ BOOST_FIXTURE_TEST_CASE(bodies_with_friction_are_as_accurate_as_asked_by_either_
   BOOST_TEST(rows.size() == 15u);
 }
 
+// Two balls that hardly slip need no events; of a rigid stick, or beyond a rival's patience, there is a dash.
+BOOST_FIXTURE_TEST_CASE(rivals_without_events_stand_beside_bodies_with_friction, Session) {
+  const auto run = mariotte("--quick --friction");
+  std::istringstream lines(run.out);
+  std::string line;
+  std::map<std::string, int> reached;
+  while (std::getline(lines, line)) {
+    std::istringstream words(line.substr(std::min<std::size_t>(24, line.size())));
+    const std::vector<std::string> all{std::istream_iterator<std::string>(words), {}};
+    BOOST_TEST_REQUIRE(all.size() == 8u, line);
+    reached[line.substr(0, 12)] += all[6] != "–";
+  }
+  BOOST_TEST(reached.at("two balls, M") == 3);
+  BOOST_TEST(reached.at("touching 6, ") == 1);
+}
+
 // CVODES finds the same slopes to the accuracy, or its time does not stand there.
 BOOST_FIXTURE_TEST_CASE(slopes_are_measured_beside_those_of_cvodes, Session) {
   const auto run = mariotte("--quick --slopes");
