@@ -186,3 +186,24 @@ BOOST_AUTO_TEST_CASE(rigid_sticks_and_rods_are_no_clusters) {
   bodies.body[3].spheres = {{{0.001, 0, 0}, radius}};
   BOOST_TEST(!is_cluster({false, TangentialLaw::rigid, Friction::slip, false, 1}));
 }
+
+BOOST_AUTO_TEST_CASE(near_contacts_are_listed_anew_before_a_ball_leaves_its_place) {
+  const Kind kind = {false, TangentialLaw::mindlin, Friction::stick, false, 1};
+  const auto bodies = scene({kind}, 5e-5);
+  auto setting = model::setting_of<2>(bodies, 1e-10);
+  setting.skin = 1e-3;
+  model::BodiesPhase<2> phase(setting, 0);
+  auto mode = mode_of({kind});
+  mode.near = {0, 1, 2, 3, 4, 5};
+  mode.from.assign(8, 0.0);
+  phase.bind(mode);
+  auto& cluster = *phase.recorded()->cluster();
+  auto x = stretched(bodies, setting, phase.layout(), {kind});
+  cluster.gather(x, true);
+  const std::vector<double> little(4, 1e-5), much(4, 6e-4);
+  BOOST_TEST(cluster.stays_far(x, 1e-6, little));
+  BOOST_TEST(!cluster.stays_far(x, 1e-6, much));
+  BOOST_TEST(cluster.stray(x) == -1);
+  x[phase.layout().shift(1)] += 3e-4;
+  BOOST_TEST(cluster.stray(x) == phase.stray_guard(1));
+}

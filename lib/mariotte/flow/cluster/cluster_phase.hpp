@@ -78,6 +78,8 @@ class ClusterPhase {
   /// Whether no contact that was left out can close within a time from x on, in which no ball of the cluster
   /// goes farther than its `reach`.
   virtual bool stays_far(ConstState x, double time, ConstState reach) = 0;
+  /// The guard of a body that has gone so far that near contacts should be listed anew; −1 if none has.
+  virtual Index stray(ConstState x) const = 0;
   /// The state where the motion that began at `from` has come to; everything else flies.
   virtual void move(ConstState from, const ClusterMotion& motion, State x) const = 0;
 };

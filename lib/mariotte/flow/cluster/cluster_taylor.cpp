@@ -25,12 +25,15 @@ class ClusterTaylor::Expansion {
   int order() const { return series_order(accuracy_); }
   std::span<const double> time() const { return series_.time(); }
 
-  /// As far as surely no contact closes that was left out; where that is hardly anywhere, none is.
+  /// As far as surely no contact closes that was left out; where that is hardly anywhere, they are listed
+  /// anew, or none is left out.
   double expand(ConstState x, bool first) {
     expand_cluster(x, first);
     double step = step_length();
+    stray_ = -1;
     for (int i = 0; !stays_far(x, step); ++i, step *= 0.5) {
       if (i < most_halvings) continue;
+      if ((stray_ = phase_->stray(x)) >= 0) return 0;
       phase_->gather(x, true);
       expand_cluster(x, first);
       step = step_length();
@@ -40,6 +43,7 @@ class ClusterTaylor::Expansion {
   }
 
   SeriesEnd end(double reach, bool first, State) {
+    if (stray_ >= 0) return {0, stray_};
     SeriesEnd end{reach};
     rounding_ = first ? accuracy_ : 0;
     const auto& link = cluster_->link;
@@ -72,6 +76,7 @@ class ClusterTaylor::Expansion {
   ClusterPhase* phase_ = nullptr;
   const Cluster* cluster_ = nullptr;
   double accuracy_ = 0, rounding_ = 0;
+  Index stray_ = -1;  ///< guard of a ball that may leave its place in this step
   ClusterClock clock_;
   ClusterSeries series_;
   Simultaneous simultaneous_;

@@ -18,9 +18,11 @@ BodiesCluster::BodiesCluster(const BodiesSetting<2>& setting) : setting_(setting
 
 namespace {
 
+/// Closed contacts are sorted.
 bool is_closed(const BodiesMode& mode, Index contact) {
-  return std::any_of(mode.closed.begin(), mode.closed.end(),
-                     [&](const auto& one) { return one.contact == contact; });
+  const auto place = std::lower_bound(mode.closed.begin(), mode.closed.end(), contact,
+                                      [](const ClosedContact& one, Index i) { return one.contact < i; });
+  return place != mode.closed.end() && place->contact == contact;
 }
 
 }  // namespace
@@ -80,13 +82,23 @@ bool BodiesCluster::stays_far(ConstState x, double time, ConstState reach) {
   for (Index i = 0; i < layout_.bodies; ++i)
     reach_.push_back(ball_[i] >= 0 ? reach[ball_[i]]
                                    : flown(setting_, vec_at<2>(x, layout_.velocity(i)), time));
-  for (Index i = 0; i < layout_.bodies && watches_near(setting_, *mode_); ++i) {
-    const auto gone = vec_at<2>(x, layout_.shift(i)) - vec_at<2>(ConstState(mode_->from), 2 * i);
-    if (!(norm(gone) + reach_[i] < 0.5 * setting_.skin)) return false;
-  }
+  for (Index i = 0; i < layout_.bodies && watches_near(setting_, *mode_); ++i)
+    if (!(gone(x, i) + reach_[i] < 0.5 * setting_.skin)) return false;
   return std::all_of(far_.begin(), far_.end(), [&](Index contact) {
     return stays_open(setting_, layout_, x, setting_.contact[contact], time, std::span<const double>(reach_));
   });
+}
+
+/// From where it was when near contacts were listed.
+double BodiesCluster::gone(ConstState x, Index body) const {
+  return norm(vec_at<2>(x, layout_.shift(body)) - vec_at<2>(ConstState(mode_->from), 2 * body));
+}
+
+/// Half as far as it may go.
+Index BodiesCluster::stray(ConstState x) const {
+  for (Index i = 0; i < layout_.bodies && watches_near(setting_, *mode_); ++i)
+    if (gone(x, i) > 0.25 * setting_.skin) return guards_.strays + i;
+  return -1;
 }
 
 void BodiesCluster::move(ConstState from, const flow::ClusterMotion& motion, State x) const {

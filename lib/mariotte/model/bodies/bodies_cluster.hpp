@@ -24,6 +24,7 @@ class BodiesCluster final : public flow::ClusterPhase {
   void gather(ConstState x, bool all) override;
   const flow::Cluster& load(ConstState x, bool may_close) override;
   bool stays_far(ConstState x, double time, ConstState reach) override;
+  Index stray(ConstState x) const override;
   void move(ConstState from, const flow::ClusterMotion& motion, State x) const override;
 
  private:
@@ -37,6 +38,7 @@ class BodiesCluster final : public flow::ClusterPhase {
   void set_slip(const ClosedContact& closed, flow::ClusterLink& link) const;
   void set_weights(const ClosedContact& closed, flow::ClusterLink& link) const;
   void load_link(std::size_t j, ConstState x, bool may_close);
+  double gone(ConstState x, Index body) const;
   void move_ball(Index body, const flow::BallMove& ball, State x) const;
   void move_slot(const ClosedContact& closed, const flow::ClusterLink& link, const flow::LinkMotion& motion,
                  State x) const;
