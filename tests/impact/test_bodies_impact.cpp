@@ -134,7 +134,7 @@ BOOST_AUTO_TEST_CASE(friction_throws_a_struck_ball_by_the_smaller_of_two_angles)
     bodies.body = {ball(-2 * radius * along, {1, 0, 0}), ball({}, {})};
     bodies.contact = {{.a = {0, 0}, .b = {1, 0}, .law = contact::Hertz(1e18), .touching = true}};
     bodies.contact[0].tangential = {TangentialLaw::rigid, mu, 0};
-    const auto& v = impact::simulate(bodies).body[1].velocity;
+    const auto v = impact::simulate(bodies).body[1].velocity;
     const double thrown = cut - std::atan2(v.e2, v.e1);
     BOOST_TEST(std::abs(std::tan(thrown) - std::min(mu, std::tan(cut) / 7)) < 1e-5, cut << ": " << thrown);
   }
