@@ -4,6 +4,7 @@
 #include <random>
 
 #include "mariotte/flow/cluster/cluster_series.hpp"
+#include "mariotte/flow/cluster/cluster_taylor.hpp"
 #include "mariotte/model/bodies/bodies_phase.hpp"
 
 using namespace mariotte;
@@ -206,4 +207,28 @@ BOOST_AUTO_TEST_CASE(near_contacts_are_listed_anew_before_a_ball_leaves_its_plac
   BOOST_TEST(cluster.stray(x) == -1);
   x[phase.layout().shift(1)] += 3e-4;
   BOOST_TEST(cluster.stray(x) == phase.stray_guard(1));
+}
+
+/// A spring of constant stiffness exceeds a cap that begins with δ^{3/2}, were its slip not zero.
+BOOST_AUTO_TEST_CASE(a_slip_that_is_rounding_does_not_end_a_stick) {
+  const Kind kind = {false, TangentialLaw::spring, Friction::stick, false, 1};
+  auto bodies = scene({kind}, 0);
+  bodies.gravity = {};
+  bodies.contact = {bodies.contact[2], bodies.contact[5]};
+  for (auto& body : bodies.body) body.velocity = body.spin = {};
+  bodies.body[1].velocity = {-1e-10, 1e-19, 0};
+  bodies.body[3].velocity = {0, 1, 0};
+  const auto setting = model::setting_of<2>(bodies, 1e-9);
+  model::BodiesPhase<2> phase(setting, 0);
+  auto mode = mode_of({kind});
+  mode.closed.resize(1);
+  phase.bind(mode);
+  auto x = initial_state(bodies, setting);
+  x.resize(phase.layout().size(), 0.0);
+  std::vector<Index> fired;
+  flow::ClusterTaylor taylor;
+  const auto arrival = taylor.follow(phase, *phase.recorded()->cluster(), x,
+                                     {.limit = phase.time_scale(), .accuracy = 1e-9}, fired, {});
+  BOOST_CHECK(arrival.outcome == flow::Outcome::limit);
+  BOOST_TEST(fired.empty());
 }

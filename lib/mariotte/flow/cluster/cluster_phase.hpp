@@ -23,32 +23,40 @@ constexpr std::array<double, ClusterField::parameters> idle_contact() {
   return p;
 }
 
-/// A contact that is closed, or may close soon; what `ClusterField` names.
+/// A contact that is closed; what `ClusterField` names.
 struct ClusterLink {
-  int a = -1, b = 0;  ///< balls; a = −1: a plane
-  bool closed = true;
+  int a = -1, b = 0;      ///< balls; a = −1: a plane
   bool begins = false;    ///< δ is 0 now, and grows
   bool has_root = false;  ///< √δ is what its force is made of
   double radius_a = 0, radius_b = 0, share_a = 0, share_b = 0;
   std::array<double, ClusterField::parameters> parameter = idle_contact();
   std::array<double, ClusterField::rows> weight = {};  ///< 1/size
   std::array<double, ClusterField::states> start = {};
-  // Guards of one that is closed.
+  // Guards.
   Index open = -1, turn = -1, friction = -1;
   bool sticks = false, unloading = false;
-  double sign = 1;        ///< of slip
-  double rate_noise = 0;  ///< of approach and slip
-  double cap = 0;         ///< μ: what sticks slips where friction exceeds μ f_n …
-  double cap_noise = 0;   ///< … by this share of what that is at first
-  // And of one that is not: where it touches at rest, a little beyond.
-  Index close = -1, part = -1;
-  double touch_depth = 0;
+  double sign = 1;         ///< of slip
+  double rate_noise = 0;   ///< of approach and slip
+  double cap = 0;          ///< μ: what sticks slips where friction exceeds μ f_n …
+  double cap_noise = 0;    ///< … by this share of what that is at first …
+  double force_noise = 0;  ///< … and this
 };
 
-/// All of them; those that are closed come first.
+/// One that is open, but may close soon.
+struct ClusterGap {
+  int a = -1, b = 0;
+  Index close = -1, part = -1;  ///< guards; where it touches at rest, a little beyond
+  double touch_depth = 0;
+  double gap = 0, normal_x = 0, normal_y = 0;
+  double bend = 0;                        ///< 1/(2 distance of the centres); 0 of a plane
+  double velocity_x = 0, velocity_y = 0;  ///< of a plane
+};
+
+/// All of them.
 struct Cluster {
   std::vector<ClusterBall> ball;
   std::vector<ClusterLink> link;
+  std::vector<ClusterGap> gap;
   double pull_x = 0, pull_y = 0;
 };
 

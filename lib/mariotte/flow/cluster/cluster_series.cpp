@@ -35,6 +35,8 @@ void ClusterSeries::make_room() {
   for (std::size_t j = 0; j < blocks_ * LaneBlock::lanes; ++j)
     lane_.push_back(block_[j / LaneBlock::lanes]->at(0, 0) + j % LaneBlock::lanes);
   ball_.resize(3 * cluster_->ball.size());
+  shift_.resize(2 * cluster_->ball.size());
+  for (auto& row : shift_) row[0] = NAN;
   seen_.resize(seen.size() * links);
 }
 
@@ -67,7 +69,7 @@ void ClusterSeries::start_lane(const ClusterLink& link, int lane, double* start,
   for (int i = 0; i < Field::parameters; ++i) parameters[i * lanes] = link.parameter[i];
   const bool owns = of_.kind == Kind::root && of_.owner == lane;
   const bool given = owns || (of_.kind == Kind::onset && link.begins && link.has_root);
-  const bool curved = link.closed && link.has_root && !given;
+  const bool curved = link.has_root && !given;
   start[Field::clock * lanes] = clock_[0];
   start[Field::root * lanes] = given ? clock_[0] : 0;
   parameters[Field::given * lanes] = given;
@@ -96,7 +98,7 @@ void ClusterSeries::push_balls(int k) {
     ball_[i + 1][k] = cluster_->pull_y * time_[k];
     ball_[i + 2][k] = 0;
   }
-  for (int j = 0; j < std::ssize(link) && link[j].closed; ++j) {
+  for (int j = 0; j < std::ssize(link); ++j) {
     push(j, k, link[j].b, 1, link[j].radius_b, link[j].share_b);
     if (link[j].a >= 0) push(j, k, link[j].a, -1, link[j].radius_a, link[j].share_a);
   }
@@ -134,7 +136,7 @@ void ClusterSeries::give_roots(int k) {
     std::fill_n(block_[i]->at(Field::clock, k), LaneBlock::lanes, clock_[k]);
   if (of_.kind == Kind::root) at(Field::root, of_.owner, k) = clock_[k];
   if (of_.kind != Kind::onset) return;
-  for (int j = 0; j < std::ssize(link) && link[j].closed; ++j)
+  for (int j = 0; j < std::ssize(link); ++j)
     if (link[j].begins && link[j].has_root) give_onset(j, k);
 }
 
@@ -149,13 +151,45 @@ void ClusterSeries::give_onset(int link, int k) {
 void ClusterSeries::look() {
   const auto& link = cluster_->link;
   for (int j = 0; j < std::ssize(link); ++j)
-    for (std::size_t i = 0; i < (link[j].closed ? seen.size() : 1); ++i)
+    for (std::size_t i = 0; i < seen.size(); ++i)
       for (int k = 0; k <= order_; ++k) seen_[j * seen.size() + i][k] = at(seen[i], j, k);
 }
 
 std::span<const double> ClusterSeries::row(int which, int link) const {
   const auto place = std::find(seen.begin(), seen.end(), which) - seen.begin();
   return part(seen_[link * seen.size() + place]);
+}
+
+/// (|d + Δ|² − R²)/2|d|, which has the sign of the gap of balls; of a plane the gap.
+void ClusterSeries::gap(const ClusterGap& gap, double offset, std::span<double> row) {
+  const double velocity[] = {gap.velocity_x, gap.velocity_y};
+  Row move[2];
+  for (int axis = 0; axis < 2; ++axis) {
+    move[axis] = shift(gap.b, axis);
+    const Row& other = gap.a < 0 ? time_ : shift(gap.a, axis);
+    const double share = gap.a < 0 ? velocity[axis] : 1;
+    for (int k = 1; k <= order_; ++k) move[axis][k] -= share * other[k];
+  }
+  for (int k = 1; k <= order_; ++k) {
+    row[k] = gap.normal_x * move[0][k] + gap.normal_y * move[1][k];
+    for (int i = 1; i < k && gap.bend > 0; ++i)
+      row[k] += gap.bend * (move[0][i] * move[0][k - i] + move[1][i] * move[1][k - i]);
+  }
+  const double start = gap.gap + offset;
+  row[0] = start * (1 - gap.bend * start);
+}
+
+/// How far a ball has gone; found when somebody asks.
+const ClusterSeries::Row& ClusterSeries::shift(int ball, int axis) {
+  auto& row = shift_[2 * ball + axis];
+  if (!std::isnan(row[0])) return row;
+  row[0] = 0;
+  for (int k = 1; k <= order_; ++k) {
+    double sum = 0;
+    for (int i = 0; i < k; ++i) sum += ball_[3 * ball + axis][i] * clock_[k - 1 - i];
+    row[k] = sum / k;
+  }
+  return row;
 }
 
 double ClusterSeries::size(int k) const {
@@ -204,7 +238,7 @@ void ClusterSeries::move(double place, ClusterMotion& motion) const {
   motion.link.clear();
   for (std::size_t i = 0; i < ball_.size(); i += 3)
     motion.ball.push_back({gone(i), gone(i + 1), gone(i + 2), now(i), now(i + 1), now(i + 2)});
-  for (int j = 0; j < std::ssize(cluster_->link) && cluster_->link[j].closed; ++j)
+  for (int j = 0; j < std::ssize(cluster_->link); ++j)
     motion.link.push_back({sum(Field::depth, j, place), sum(Field::spring, j, place),
                            sum(Field::normal, j, place), sum(Field::tangential, j, place),
                            sum(Field::work, j, place)});

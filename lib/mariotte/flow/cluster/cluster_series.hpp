@@ -27,6 +27,8 @@ class ClusterSeries {
   double size(int k) const;
   /// Coefficients of a row of `ClusterField` that is looked at: depth, approach, yielding, force, friction.
   std::span<const double> row(int which, int link) const;
+  /// A polynomial with the sign of a gap that is larger by `offset`.
+  void gap(const ClusterGap& gap, double offset, std::span<double> row);
   std::span<const double> clock() const { return part(clock_); }
   std::span<const double> time() const { return part(time_); }
   /// Velocity by axis, then spin.
@@ -47,6 +49,7 @@ class ClusterSeries {
     return lane_[link][row * LaneBlock::stride + k * LaneBlock::lanes];
   }
   double sum(int row, int link, double place) const;
+  const Row& shift(int ball, int axis);
   Row spans(double place) const;
   void make_room();
   void start_balls();
@@ -68,6 +71,7 @@ class ClusterSeries {
   std::vector<double*> lane_;  ///< where each begins
   Row clock_ = {}, time_ = {};
   std::vector<Row> ball_, seen_;
+  std::vector<Row> shift_;  ///< of balls; those that begin with no number are not known yet
 };
 
 }  // namespace mariotte::flow

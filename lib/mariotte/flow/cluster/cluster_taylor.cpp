@@ -46,8 +46,8 @@ class ClusterTaylor::Expansion {
     if (stray_ >= 0) return {0, stray_};
     SeriesEnd end{reach};
     rounding_ = first ? accuracy_ : 0;
-    const auto& link = cluster_->link;
-    for (int j = 0; j < std::ssize(link); ++j) link[j].closed ? look_closed(j, end) : look_open(j, end);
+    for (int j = 0; j < std::ssize(cluster_->link); ++j) look_at_link(j, end);
+    for (const auto& gap : cluster_->gap) look_at_gap(gap, end);
     return end;
   }
 
@@ -62,7 +62,7 @@ class ClusterTaylor::Expansion {
   }
 
   void add_forces(double end, std::vector<ForceSeries>& list) const {
-    for (int j = 0; j < std::ssize(cluster_->link) && cluster_->link[j].closed; ++j)
+    for (int j = 0; j < std::ssize(cluster_->link); ++j)
       list.push_back({series_.row(Field::force, j), series_.row(Field::friction, j),
                       series_.row(Field::depth, j), false, end});
   }
@@ -76,7 +76,8 @@ class ClusterTaylor::Expansion {
   ClusterPhase* phase_ = nullptr;
   const Cluster* cluster_ = nullptr;
   double accuracy_ = 0, rounding_ = 0;
-  Index stray_ = -1;  ///< guard of a ball that may leave its place in this step
+  double duration_ = 0;  ///< of a step, at most
+  Index stray_ = -1;     ///< guard of a ball that may leave its place in this step
   ClusterClock clock_;
   ClusterSeries series_;
   Simultaneous simultaneous_;
@@ -89,24 +90,29 @@ class ClusterTaylor::Expansion {
     series_.expand(*cluster_, clock_, order());
     if (!first) return;
     first_cap_.clear();
-    for (int j = 0; j < std::ssize(cluster_->link) && cluster_->link[j].closed; ++j)
+    for (int j = 0; j < std::ssize(cluster_->link); ++j)
       first_cap_.push_back(cluster_->link[j].cap * series_.row(Field::force, j)[0]);
   }
 
   /// That of the contact that begins, or is nearest in time to where its root is singular. One that has
   /// hardly begun grows by a high power of the time in the wake of others: their root is the better clock.
   ClusterClock clock() const {
-    ClusterClock chosen;
+    ClusterClock chosen, shallow;
     int beginning = 0;
     double nearest = infinity;
-    for (int j = 0; j < std::ssize(cluster_->link) && cluster_->link[j].closed; ++j) {
+    for (int j = 0; j < std::ssize(cluster_->link); ++j) {
       const auto& one = cluster_->link[j];
-      if (!one.has_root || has_hardly_begun(one)) continue;
+      if (!one.has_root) continue;
+      if (has_hardly_begun(one)) {
+        shallow = {Kind::root, j};
+        continue;
+      }
       beginning += one.begins;
       const double left = one.begins ? 0 : one.start[Field::depth] / std::abs(approach(one));
       if (left < nearest) nearest = left, chosen = {Kind::root, j};
     }
-    return beginning > 1 ? ClusterClock{Kind::onset} : chosen;
+    if (beginning > 1) return {Kind::onset};
+    return chosen.owner < 0 ? shallow : chosen;
   }
   static double approach(const ClusterLink& one) {
     return -one.start[Field::normal_x] * one.start[Field::velocity_x] -
@@ -129,16 +135,16 @@ class ClusterTaylor::Expansion {
 
   bool stays_far(ConstState x, double step) {
     if (!std::isfinite(step)) return true;
-    const double time = most_change(series_.time(), step);
+    duration_ = most_change(series_.time(), step);
     reach_.clear();
     for (int i = 0; i < std::ssize(cluster_->ball); ++i) {
       const auto most = [&](int axis) {
         const auto row = series_.ball(i, axis);
         return std::abs(row[0]) + most_change(row, step);
       };
-      reach_.push_back(time * std::hypot(most(0), most(1)));
+      reach_.push_back(duration_ * std::hypot(most(0), most(1)));
     }
-    return phase_->stays_far(x, time, reach_);
+    return phase_->stays_far(x, duration_, reach_);
   }
 
   using Row = std::array<double, ClusterSeries::most_order + 1>;
@@ -150,7 +156,7 @@ class ClusterTaylor::Expansion {
     look(guard, {row.data(), from.size()}, sign, rounding_, end);
   }
 
-  void look_closed(int j, SeriesEnd& end) {
+  void look_at_link(int j, SeriesEnd& end) {
     const auto& one = cluster_->link[j];
     const bool owns = clock_.kind == Kind::root && clock_.owner == j;
     look(one.open, owns ? series_.clock() : series_.row(Field::depth, j), 1, rounding_, end);
@@ -162,20 +168,28 @@ class ClusterTaylor::Expansion {
     for (const double sign : {1.0, -1.0}) look_at_cap(j, sign, end);
   }
 
-  /// The cap is allowed some noise, as friction that starts at its cap leaves it.
+  /// The cap is allowed some noise, as friction that starts at its cap leaves it, or a slip that is none.
   void look_at_cap(int j, double sign, SeriesEnd& end) {
     const auto& one = cluster_->link[j];
     const auto force = series_.row(Field::force, j), friction = series_.row(Field::friction, j);
     Row row;
     for (std::size_t k = 0; k < force.size(); ++k) row[k] = one.cap * force[k] - sign * friction[k];
-    row[0] += one.cap_noise * first_cap_[j];
+    row[0] += one.cap_noise * first_cap_[j] + one.force_noise;
     look(one.friction, {row.data(), force.size()}, 1, rounding_, end);
   }
 
-  void look_open(int j, SeriesEnd& end) {
-    const auto& one = cluster_->link[j];
-    look_at(one.close, Field::depth, j, -1, -one.touch_depth, end);
-    if (one.part >= 0) look_at(one.part, Field::depth, j, 1, one.touch_depth, end);
+  void look_at_gap(const ClusterGap& gap, SeriesEnd& end) {
+    if (gap.gap - gap.touch_depth > reach_[gap.b] + reach_of_other(gap)) return;
+    Row row;
+    const std::span<double> all(row.data(), order() + 1);
+    series_.gap(gap, gap.touch_depth, all);
+    look(gap.close, all, 1, rounding_, end);
+    if (gap.part < 0) return;
+    series_.gap(gap, -gap.touch_depth, all);
+    look(gap.part, all, -1, rounding_, end);
+  }
+  double reach_of_other(const ClusterGap& gap) const {
+    return gap.a >= 0 ? reach_[gap.a] : duration_ * std::hypot(gap.velocity_x, gap.velocity_y);
   }
 };
 

@@ -49,8 +49,9 @@ void BodiesCluster::bind(const BodiesMode& mode, const BodiesLayout<2>& layout,
 }
 
 void BodiesCluster::gather(ConstState x, bool all) {
-  cluster_ = {.ball = {}, .link = {}, .pull_x = setting_.gravity[0], .pull_y = setting_.gravity[1]};
-  contact_.clear();
+  cluster_ = {
+      .ball = {}, .link = {}, .gap = {}, .pull_x = setting_.gravity[0], .pull_y = setting_.gravity[1]};
+  open_.clear();
   body_.clear();
   far_.clear();
   ball_.assign(layout_.bodies, -1);
@@ -73,7 +74,9 @@ const flow::Cluster& BodiesCluster::load(ConstState x, bool may_close) {
     ball.velocity_y = velocity[1];
     ball.spin = x[layout_.momentum(body_[i])];
   }
-  for (std::size_t j = 0; j < contact_.size(); ++j) load_link(j, x, may_close);
+  for (std::size_t j = 0; j < cluster_.link.size(); ++j)
+    load_link(mode_->closed[j], x, may_close, cluster_.link[j]);
+  for (std::size_t j = 0; j < open_.size(); ++j) load_gap(setting_.contact[open_[j]], x, cluster_.gap[j]);
   return cluster_;
 }
 

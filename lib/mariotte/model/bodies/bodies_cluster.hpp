@@ -28,8 +28,7 @@ class BodiesCluster final : public flow::ClusterPhase {
   void move(ConstState from, const flow::ClusterMotion& motion, State x) const override;
 
  private:
-  void add(Index contact);
-  void add_other(const SettingContact<2>& c, flow::ClusterLink& link);
+  void set_sides(const SettingContact<2>& c, flow::ClusterLink& link);
   int ball_of(Index sphere);
   void add_closed(const ClosedContact& closed);
   void add_open(Index contact, Index place);
@@ -37,7 +36,8 @@ class BodiesCluster final : public flow::ClusterPhase {
   void set_stick(const ClosedContact& closed, flow::ClusterLink& link) const;
   void set_slip(const ClosedContact& closed, flow::ClusterLink& link) const;
   void set_weights(const ClosedContact& closed, flow::ClusterLink& link) const;
-  void load_link(std::size_t j, ConstState x, bool may_close);
+  void load_link(const ClosedContact& closed, ConstState x, bool may_close, flow::ClusterLink& link) const;
+  void load_gap(const SettingContact<2>& one, ConstState x, flow::ClusterGap& gap) const;
   double gone(ConstState x, Index body) const;
   void move_ball(Index body, const flow::BallMove& ball, State x) const;
   void move_slot(const ClosedContact& closed, const flow::ClusterLink& link, const flow::LinkMotion& motion,
@@ -52,10 +52,10 @@ class BodiesCluster final : public flow::ClusterPhase {
   std::span<const double> magnitude_;
   BodiesGuards guards_;
   flow::Cluster cluster_;
-  std::vector<Index> contact_;  ///< of each link
-  std::vector<Index> body_;     ///< of each ball
-  std::vector<int> ball_;       ///< of each body; −1: it is none of them
-  std::vector<Index> far_;      ///< contacts that are left out
+  std::vector<Index> open_;  ///< contact of each gap
+  std::vector<Index> body_;  ///< of each ball
+  std::vector<int> ball_;    ///< of each body; −1: it is none of them
+  std::vector<Index> far_;   ///< contacts that are left out
   std::vector<double> reach_;
 };
 

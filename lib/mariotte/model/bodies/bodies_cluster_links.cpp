@@ -20,27 +20,6 @@ flow::ClusterBall moving(const Vec<double, 2>& velocity) {
 
 }  // namespace
 
-/// What open and closed contacts have in common.
-void BodiesCluster::add(Index contact) {
-  const auto& c = setting_.contact[contact];
-  flow::ClusterLink link;
-  link.b = ball_of(c.b);
-  link.radius_b = setting_.sphere[c.b].radius;
-  link.share_b = c.share;
-  link.weight[Field::depth] = 1 / c.length;
-  contact_.push_back(contact);
-  cluster_.link.push_back(link);
-  if (c.plane < 0) add_other(c, cluster_.link.back());
-}
-
-void BodiesCluster::add_other(const SettingContact<2>& c, flow::ClusterLink& link) {
-  link.a = ball_of(c.a);
-  link.radius_a = setting_.sphere[c.a].radius;
-  link.share_a = 1 - c.share;
-  link.parameter[Field::radii] = link.radius_a + link.radius_b;
-  link.parameter[Field::turning] = 1;
-}
-
 int BodiesCluster::ball_of(Index sphere) {
   const Index body = setting_.sphere[sphere].body;
   if (ball_[body] >= 0) return ball_[body];
@@ -54,28 +33,44 @@ int BodiesCluster::ball_of(Index sphere) {
 }
 
 void BodiesCluster::add_open(Index contact, Index place) {
-  add(contact);
-  auto& link = cluster_.link.back();
-  link.closed = false;
-  link.close = guards_.gaps + place;
+  const auto& c = setting_.contact[contact];
+  flow::ClusterGap gap{.b = ball_of(c.b), .close = guards_.gaps + place};
+  if (c.plane < 0) gap.a = ball_of(c.a);
   const auto at = std::find(mode_->touching.begin(), mode_->touching.end(), contact);
-  if (at == mode_->touching.end()) return;
-  link.part = guards_.partings + (at - mode_->touching.begin());
-  link.touch_depth = setting_.gap_noise * setting_.contact[contact].length;
+  if (at != mode_->touching.end()) {
+    gap.part = guards_.partings + (at - mode_->touching.begin());
+    gap.touch_depth = setting_.gap_noise * c.length;
+  }
+  open_.push_back(contact);
+  cluster_.gap.push_back(gap);
 }
 
 void BodiesCluster::add_closed(const ClosedContact& closed) {
-  add(closed.contact);
-  auto& link = cluster_.link.back();
-  const auto& power = *contact::power_law(setting_.contact[closed.contact].law);
+  const auto& c = setting_.contact[closed.contact];
+  const auto& power = *contact::power_law(c.law);
+  flow::ClusterLink link;
   link.has_root = power.exponent == 1.5;
   link.parameter[Field::stiffness] = power.stiffness;
   link.open = slot_guard(closed.slot, SlotGuard::open);
   link.turn = slot_guard(closed.slot, SlotGuard::turn);
   link.unloading = closed.unloading;
   link.rate_noise = setting_.slip_noise * setting_.speed;
+  set_sides(c, link);
   set_weights(closed, link);
   if (closed.friction != Friction::none) set_friction(closed, link);
+  cluster_.link.push_back(link);
+}
+
+void BodiesCluster::set_sides(const SettingContact<2>& c, flow::ClusterLink& link) {
+  link.b = ball_of(c.b);
+  link.radius_b = setting_.sphere[c.b].radius;
+  link.share_b = c.share;
+  if (c.plane >= 0) return;
+  link.a = ball_of(c.a);
+  link.radius_a = setting_.sphere[c.a].radius;
+  link.share_a = 1 - c.share;
+  link.parameter[Field::radii] = link.radius_a + link.radius_b;
+  link.parameter[Field::turning] = 1;
 }
 
 void BodiesCluster::set_friction(const ClosedContact& closed, flow::ClusterLink& link) const {
@@ -84,6 +79,7 @@ void BodiesCluster::set_friction(const ClosedContact& closed, flow::ClusterLink&
   link.sign = closed.sign;
   link.cap = setting_.contact[closed.contact].tangential.friction;
   link.cap_noise = setting_.slip_noise;
+  link.force_noise = setting_.slip_noise * setting_.contact[closed.contact].force;
   link.sticks ? set_stick(closed, link) : set_slip(closed, link);
 }
 
@@ -119,19 +115,20 @@ void BodiesCluster::set_slip(const ClosedContact& closed, flow::ClusterLink& lin
 void BodiesCluster::set_weights(const ClosedContact& closed, flow::ClusterLink& link) const {
   const Index slot = closed.slot;
   link.weight[Field::spring] = 1 / magnitude_[layout_.spring(slot)];
+  link.weight[Field::depth] = 1 / setting_.contact[closed.contact].length;
   link.weight[Field::force] = 1 / setting_.contact[closed.contact].force;
   link.weight[Field::normal] = 1 / magnitude_[layout_.normal(slot)];
   link.weight[Field::tangential] = 1 / magnitude_[layout_.tangential(slot)];
   link.weight[Field::work] = 1 / magnitude_[layout_.losses(slot)];
 }
 
-void BodiesCluster::load_link(std::size_t j, ConstState x, bool may_close) {
-  auto& link = cluster_.link[j];
-  const auto& one = setting_.contact[contact_[j]];
+void BodiesCluster::load_link(const ClosedContact& closed, ConstState x, bool may_close,
+                              flow::ClusterLink& link) const {
+  const auto& one = setting_.contact[closed.contact];
   const auto c = contact_motion(setting_, layout_, one, x);
   const auto& b = cluster_.ball[link.b];
   const auto a = link.a < 0 ? moving(setting_.plane_velocity[one.plane]) : cluster_.ball[link.a];
-  link.begins = link.closed && may_close && begins(setting_, one, c.gap, c.gap_rate);
+  link.begins = may_close && begins(setting_, one, c.gap, c.gap_rate);
   auto& start = link.start;
   start[Field::normal_x] = c.normal[0];
   start[Field::normal_y] = c.normal[1];
@@ -140,8 +137,20 @@ void BodiesCluster::load_link(std::size_t j, ConstState x, bool may_close) {
   start[Field::velocity_y] = b.velocity_y - a.velocity_y;
   start[Field::spins] = link.radius_a * a.spin + link.radius_b * b.spin;
   start[Field::shared] = link.share_a * a.spin + link.share_b * b.spin;
-  if (!link.closed) return;
-  start[Field::spring] = link.begins && link.sticks ? 0 : x[layout_.spring(mode_->closed[j].slot)];
+  start[Field::spring] = link.begins && link.sticks ? 0 : x[layout_.spring(closed.slot)];
+}
+
+void BodiesCluster::load_gap(const SettingContact<2>& one, ConstState x, flow::ClusterGap& gap) const {
+  const auto c = contact_motion(setting_, layout_, one, x);
+  gap.gap = c.gap;
+  gap.normal_x = c.normal[0];
+  gap.normal_y = c.normal[1];
+  if (gap.a >= 0) {
+    gap.bend = 0.5 / (c.gap + setting_.sphere[one.a].radius + setting_.sphere[one.b].radius);
+  } else {
+    gap.velocity_x = setting_.plane_velocity[one.plane][0];
+    gap.velocity_y = setting_.plane_velocity[one.plane][1];
+  }
 }
 
 }  // namespace mariotte::model
