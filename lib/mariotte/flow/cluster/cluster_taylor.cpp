@@ -94,33 +94,28 @@ class ClusterTaylor::Expansion {
       first_cap_.push_back(cluster_->link[j].cap * series_.row(Field::force, j)[0]);
   }
 
-  /// That of the contact that begins, or is nearest in time to where its root is singular. One that has
-  /// hardly begun grows by a high power of the time in the wake of others: their root is the better clock.
+  /// That of the contact that begins, or is nearest in time to where its root is singular.
   ClusterClock clock() const {
-    ClusterClock chosen, shallow;
-    int beginning = 0;
+    const auto& link = cluster_->link;
+    const auto starts = [](const ClusterLink& one) { return one.begins && one.has_root; };
+    if (std::count_if(link.begin(), link.end(), starts) > 1) return {Kind::onset};
+    ClusterClock chosen;
     double nearest = infinity;
-    for (int j = 0; j < std::ssize(cluster_->link); ++j) {
-      const auto& one = cluster_->link[j];
-      if (!one.has_root) continue;
-      if (has_hardly_begun(one)) {
-        shallow = {Kind::root, j};
-        continue;
-      }
-      beginning += one.begins;
-      const double left = one.begins ? 0 : one.start[Field::depth] / std::abs(approach(one));
-      if (left < nearest) nearest = left, chosen = {Kind::root, j};
-    }
-    if (beginning > 1) return {Kind::onset};
-    return chosen.owner < 0 ? shallow : chosen;
+    for (int j = 0; j < std::ssize(link); ++j)
+      if (const double time = time_to_root(link[j]); time < nearest) nearest = time, chosen = {Kind::root, j};
+    return chosen;
   }
-  static double approach(const ClusterLink& one) {
-    return -one.start[Field::normal_x] * one.start[Field::velocity_x] -
-           one.start[Field::normal_y] * one.start[Field::velocity_y];
-  }
-  static bool has_hardly_begun(const ClusterLink& one) {
+  /// A contact that has hardly begun grows by a high power of the time in the wake of others: the root of any
+  /// of these is the better clock.
+  static double time_to_root(const ClusterLink& one) {
     constexpr double shallow = 1e-3;  // of the natural length
-    return !one.begins && approach(one) > 0 && one.start[Field::depth] * one.weight[Field::depth] < shallow;
+    if (!one.has_root) return infinity;
+    if (one.begins) return 0;
+    const double depth = one.start[Field::depth];
+    const double approach = -one.start[Field::normal_x] * one.start[Field::velocity_x] -
+                            one.start[Field::normal_y] * one.start[Field::velocity_y];
+    const bool has_hardly_begun = approach > 0 && depth * one.weight[Field::depth] < shallow;
+    return has_hardly_begun ? std::numeric_limits<double>::max() : depth / std::abs(approach);
   }
 
   /// Largest place at which none of the last coefficients exceeds what it may.
