@@ -50,6 +50,9 @@ struct ClusterGap {
   double gap = 0, normal_x = 0, normal_y = 0;
   double bend = 0;                        ///< 1/(2 distance of the centres); 0 of a plane
   double velocity_x = 0, velocity_y = 0;  ///< of a plane
+
+  /// (|d|² − (R − offset)²)/2|d|, which has the sign of gap + offset; of a plane just that.
+  double beyond(double offset) const { return (gap + offset) * (1 - bend * (gap + offset)); }
 };
 
 /// All of them.

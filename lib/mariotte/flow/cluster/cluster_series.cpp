@@ -160,8 +160,8 @@ std::span<const double> ClusterSeries::row(int which, int link) const {
   return part(seen_[link * seen.size() + place]);
 }
 
-/// (|d + Δ|² − R²)/2|d|, which has the sign of the gap of balls; of a plane the gap.
-void ClusterSeries::gap(const ClusterGap& gap, double offset, std::span<double> row) {
+/// n·Δ + Δ²/2|d|.
+void ClusterSeries::change(const ClusterGap& gap, std::span<double> row) {
   const double velocity[] = {gap.velocity_x, gap.velocity_y};
   Row move[2];
   for (int axis = 0; axis < 2; ++axis) {
@@ -175,8 +175,6 @@ void ClusterSeries::gap(const ClusterGap& gap, double offset, std::span<double> 
     for (int i = 1; i < k && gap.bend > 0; ++i)
       row[k] += gap.bend * (move[0][i] * move[0][k - i] + move[1][i] * move[1][k - i]);
   }
-  const double start = gap.gap + offset;
-  row[0] = start * (1 - gap.bend * start);
 }
 
 /// How far a ball has gone; found when somebody asks.

@@ -27,8 +27,9 @@ class ClusterSeries {
   double size(int k) const;
   /// Coefficients of a row of `ClusterField` that is looked at: depth, approach, yielding, force, friction.
   std::span<const double> row(int which, int link) const;
-  /// A polynomial with the sign of a gap that is larger by `offset`.
-  void gap(const ClusterGap& gap, double offset, std::span<double> row);
+  /// Coefficients from 1 on of a polynomial that begins `beyond` an offset of a gap, and goes on with its
+  /// sign.
+  void change(const ClusterGap& gap, std::span<double> row);
   std::span<const double> clock() const { return part(clock_); }
   std::span<const double> time() const { return part(time_); }
   /// Velocity by axis, then spin.

@@ -177,10 +177,11 @@ class ClusterTaylor::Expansion {
     if (gap.gap - gap.touch_depth > reach_[gap.b] + reach_of_other(gap)) return;
     Row row;
     const std::span<double> all(row.data(), order() + 1);
-    series_.gap(gap, gap.touch_depth, all);
+    series_.change(gap, all);
+    row[0] = gap.beyond(gap.touch_depth);
     look(gap.close, all, 1, rounding_, end);
     if (gap.part < 0) return;
-    series_.gap(gap, -gap.touch_depth, all);
+    row[0] = gap.beyond(-gap.touch_depth);
     look(gap.part, all, -1, rounding_, end);
   }
   double reach_of_other(const ClusterGap& gap) const {
