@@ -1,6 +1,7 @@
 #define BOOST_TEST_MODULE core_bracket
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <utility>
 
 #include "mariotte/core/bracket.hpp"
 
@@ -40,4 +41,26 @@ BOOST_AUTO_TEST_CASE(a_function_that_is_flat_on_one_side_is_not_much_worse_than_
   const auto found = search([](double x) { return std::pow(x, 5) - std::pow(0.01, 5); }, 0, 1, 1e-14);
   BOOST_TEST(found.root == 0.01, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(found.evaluations <= 50);  // halving takes 47
+}
+
+BOOST_AUTO_TEST_CASE(slopes_lead_to_where_a_function_falls_whichever_end_it_is_told_first) {
+  for (const double sign : {1.0, -1.0}) {
+    int evaluations = 0;
+    const auto f = [&](double x) {
+      ++evaluations;
+      return std::pair(std::cos(x), -std::sin(x));
+    };
+    const double root = mariotte::locate_fall(f, sign * 0.1, sign * 3.0, 1e-15);
+    BOOST_TEST(root == sign * std::acos(0.0), boost::test_tools::tolerance(1e-15));
+    BOOST_TEST(evaluations <= 10);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(slopes_that_lead_astray_do_not_lose_the_root) {
+  // Newton's method alone runs away from x^{1/3}.
+  const auto f = [](double x) {
+    const double root = std::cbrt(0.3 - x);
+    return std::pair(root, -1 / (3 * root * root));
+  };
+  BOOST_TEST(mariotte::locate_fall(f, 0.0, 1.0, 1e-12) == 0.3, boost::test_tools::tolerance(1e-11));
 }

@@ -33,4 +33,21 @@ double locate_sign_change(Function&& f, double low, double f_low, double high, d
   return std::abs(f_low) < std::abs(f_high) ? low : high;
 }
 
+/// Place between `from`, where f > 0, and `to`, where f ≤ 0, at which f is zero: Newton's method from `to`,
+/// kept between them, until it moves by `tolerance` at most. f gives a value and a slope.
+template <class Function>
+double locate_fall(Function&& f, double from, double to, double tolerance) {
+  double x = to;
+  for (int i = 0; i < 100; ++i) {
+    const auto [value, slope] = f(x);
+    if (value == 0) return x;
+    (value > 0 ? from : to) = x;
+    double next = x - value / slope;
+    if (!((next - from) * (next - to) <= 0)) next = 0.5 * (from + to);
+    if (std::abs(next - x) <= tolerance) return next;
+    x = next;
+  }
+  return x;
+}
+
 }  // namespace mariotte

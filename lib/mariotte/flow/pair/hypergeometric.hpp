@@ -29,10 +29,11 @@ class HalfHypergeometric {
     for (std::size_t k = 0; k < terms; ++k) coefficient_[k] = static_cast<double>(f[k]);
   }
 
-  /// Even and odd powers apart, so that two chains of products run side by side.
-  constexpr double operator()(double s) const {
-    const double u = s - centre, square = u * u;
-    double even = coefficient_[terms - 2], odd = coefficient_[terms - 1];
+  /// Even and odd powers apart, so that two chains of products run side by side. V is a double or a register.
+  template <class V>
+  constexpr V operator()(V s) const {
+    const V u = s - centre, square = u * u;
+    V even = coefficient_[terms - 2] + V{}, odd = coefficient_[terms - 1] + V{};
     for (std::size_t k = terms - 2; k >= 2; k -= 2) {
       even = even * square + coefficient_[k - 2];
       odd = odd * square + coefficient_[k - 1];

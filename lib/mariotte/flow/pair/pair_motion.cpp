@@ -3,17 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "mariotte/core/bracket.hpp"
 #include "mariotte/core/types.hpp"
-#include "mariotte/flow/pair/hypergeometric.hpp"
+#include "mariotte/flow/pair/hertz_time.hpp"
 
 namespace mariotte::flow {
 namespace {
-
-/// T(y) = y ₂F₁(1/2, 3/5; 3/2; y²), and T(1) − T(y) = (5/4) z^{2/5} ₂F₁(2/5, 1/2; 7/5; z) with z = 1 − y².
-constexpr HalfHypergeometric from_middle(0.5, 0.6, 1.5), from_end(0.4, 0.5, 1.4);
-constexpr double middle = std::numbers::sqrt2 / 2;  ///< y² = z = 1/2: where the two forms meet
 
 double fifth_power_root(double z) {  // z^{2/5}
   return std::pow(z, 0.4);
@@ -41,7 +38,9 @@ double fall_in_time(const Motion& motion, const ConcaveGap& gap, double duration
 
 }  // namespace
 
-const double HertzMotion::full_ = middle * from_middle(0.5) + 1.25 * fifth_power_root(0.5) * from_end(0.5);
+double HertzMotion::duration() const {
+  return tau_ * (full_hertz_time - start_time_);
+}
 
 HertzMotion::HertzMotion(const PairLaw& law, const Indentation& start)
     : start_depth_(std::max(0.0, start.value)) {
@@ -68,29 +67,30 @@ HertzMotion::Place HertzMotion::from_ratio(double ratio) const {
 double HertzMotion::time(const Place& place) const {
   const double square = place.y * place.y;
   if (square <= 0.5) return place.y * from_middle(square);
-  const double rest = full_ - 1.25 * place.ratio * from_end(place.z);
+  const double rest = full_hertz_time - 1.25 * place.ratio * from_end(place.z);
   return place.y > 0 ? rest : -rest;
 }
 
 Indentation HertzMotion::at(double elapsed) const {
   const double wanted = start_time_ + elapsed / tau_;
-  const double early = time(from_y(middle));
+  if (wanted >= full_hertz_time) return {0, -speed_};
+  const double early = time(from_y(hertz_middle));
   const auto found = [&](const Place& place) { return Indentation{depth_ * place.ratio, -speed_ * place.y}; };
-  if (wanted >= full_) return {0, -speed_};
   if (wanted > early) {  // in δ/δ_m, smooth up to the opening
     const auto late = [&](double ratio) { return time(from_ratio(ratio)) - wanted; };
-    const double half = fifth_power_root(0.5);
-    return found(from_ratio(locate_sign_change(late, 0, full_ - wanted, half, early - wanted, epsilon)));
+    return found(from_ratio(
+        locate_sign_change(late, 0, full_hertz_time - wanted, hertz_half_depth, early - wanted, epsilon)));
   }
   if (wanted < -early) {  // the same mirrored
     const auto late = [&](double ratio) { return time(from_ratio(ratio)) + wanted; };
-    const double half = fifth_power_root(0.5);
-    auto place = from_ratio(locate_sign_change(late, 0, full_ + wanted, half, early + wanted, epsilon));
+    auto place = from_ratio(
+        locate_sign_change(late, 0, full_hertz_time + wanted, hertz_half_depth, early + wanted, epsilon));
     place.y = -place.y;
     return found(place);
   }
   const auto late = [&](double y) { return time(from_y(y)) - wanted; };
-  return found(from_y(locate_sign_change(late, -middle, -early - wanted, middle, early - wanted, epsilon)));
+  return found(from_y(
+      locate_sign_change(late, -hertz_middle, -early - wanted, hertz_middle, early - wanted, epsilon)));
 }
 
 Reached HertzMotion::reach(double depth) const {
@@ -112,9 +112,9 @@ double HertzMotion::value(const ConcaveGap& gap, const Place& place) const {
 
 /// Behind its maximum, where δ̇ = −rate/coupling, in whichever of the three charts holds the root: by δ/δ_m
 /// while the contact is shallow, on its way in and out, and by y between. In y the way in would be cut short:
-/// one rounding error of y = −1 is 5e-7 of δ_m.
-double HertzMotion::fall(const ConcaveGap& gap) const {
-  if (gap.coupling == 0) return -gap.value / gap.rate;
+/// one rounding error of y = −1 is 5e-7 of δ_m. In the charts dT is −(5/4) d(δ/δ_m)/y and (δ/δ_m)^{−3/2} dy.
+Reached HertzMotion::meet(const ConcaveGap& gap) const {
+  if (gap.coupling == 0) return {-gap.value / gap.rate, at(-gap.value / gap.rate)};
   const double top = std::clamp(gap.rate / (gap.coupling * speed_), y_start_, 1.0);
   const auto on_way_in = [&](double ratio) {
     auto place = from_ratio(ratio);
@@ -123,21 +123,24 @@ double HertzMotion::fall(const ConcaveGap& gap) const {
   };
   const auto in_the_middle = [&](double y) { return from_y(y); };
   const auto on_way_out = [&](double ratio) { return from_ratio(ratio); };
-  const auto root = [&](const auto& chart, double from, double to) {
-    const auto at = [&](double place) { return value(gap, chart(place)); };
-    const double first = at(from), last = at(to);
-    const double place = !(first > 0) ? from
-                         : from <= to ? locate_sign_change(at, from, first, to, last, epsilon)
-                                      : locate_sign_change(at, to, last, from, first, epsilon);
-    return tau_ * (time(chart(place)) - start_time_);
+  const auto by_ratio = [](const Place& place) { return -1.25 / place.y; };
+  const auto by_y = [](const Place& place) { return 1 / (place.ratio * std::sqrt(place.ratio)); };
+  const auto root = [&](const auto& chart, const auto& time_rate, double from, double to) {
+    const auto there = [&](double coordinate) {
+      const Place place = chart(coordinate);
+      const double rate = gap.rate - gap.coupling * speed_ * place.y;
+      return std::pair(value(gap, place), tau_ * rate * time_rate(place));
+    };
+    const Place place = chart(there(from).first > 0 ? locate_fall(there, from, to, epsilon) : from);
+    return Reached{tau_ * (time(place) - start_time_), {depth_ * place.ratio, -speed_ * place.y}};
   };
-  const double half = fifth_power_root(0.5);
-  if (top < -middle && value(gap, from_y(-middle)) <= 0)
-    return root(on_way_in, top > y_start_ ? from_y(top).ratio : start_depth_ / depth_, half);
-  if (top < middle && value(gap, from_y(middle)) <= 0)
-    return root(in_the_middle, std::max(top, -middle), middle);
-  if (value(gap, from_ratio(0)) >= 0) return duration();
-  return root(on_way_out, from_y(std::max(top, middle)).ratio, 0);
+  if (top < -hertz_middle && value(gap, from_y(-hertz_middle)) <= 0)
+    return root(on_way_in, by_ratio, top > y_start_ ? from_y(top).ratio : start_depth_ / depth_,
+                hertz_half_depth);
+  if (top < hertz_middle && value(gap, from_y(hertz_middle)) <= 0)
+    return root(in_the_middle, by_y, std::max(top, -hertz_middle), hertz_middle);
+  if (value(gap, from_ratio(0)) >= 0) return opening();
+  return root(on_way_out, by_ratio, from_y(std::max(top, hertz_middle)).ratio, 0);
 }
 
 LinearMotion::LinearMotion(const PairLaw& law, const Indentation& start)

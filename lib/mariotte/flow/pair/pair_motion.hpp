@@ -21,13 +21,14 @@ struct PairLaw {
 class HertzMotion {
  public:
   HertzMotion(const PairLaw& law, const Indentation& start);
-  double duration() const { return tau_ * (full_ - start_time_); }
+  double duration() const;
   double turn() const { return y_start_ < 0 ? -tau_ * start_time_ : 0; }  ///< time of largest indentation
   Reached reach(double depth) const;   ///< where it is so deep on its way in
   Reached recede(double speed) const;  ///< where it parts so fast
   Reached opening() const { return {duration(), at(duration())}; }
   Indentation at(double time) const;
-  double fall(const ConcaveGap& gap) const;
+  Reached meet(const ConcaveGap& gap) const;  ///< where the gap falls through zero
+  double fall(const ConcaveGap& gap) const { return meet(gap).time; }
 
  private:
   struct Place {
@@ -40,7 +41,6 @@ class HertzMotion {
 
   double speed_, depth_, tau_, start_depth_;  ///< w∞, δ_m, τ, δ(0)
   double y_start_, start_time_;               ///< y₀, T(y₀)
-  static const double full_;                  ///< T(1)
 };
 
 /// δ̈ = −ω² δ: δ = (w∞/ω) cos θ, δ̇ = −w∞ sin θ, θ = θ₀ + ω t.
