@@ -33,6 +33,7 @@ set(MARIOTTE_PUBLIC_HEADERS
   model/network/network.hpp
   impact/bodies/bodies_impact.hpp
   impact/brief_impact.hpp
+  impact/chain/chain_batch.hpp
   impact/chain/chain_impact.hpp
   impact/chain/chain_solver.hpp
   impact/flow_use.hpp

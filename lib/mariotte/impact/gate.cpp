@@ -1,5 +1,6 @@
 #include "mariotte/impact/gate.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -23,6 +24,11 @@ std::string described(const Balance& balance) {
 }
 
 }  // namespace
+
+bool closes(std::span<const Balance> balances) {
+  return std::all_of(balances.begin(), balances.end(),
+                     [](const Balance& balance) { return excess(balance) == 0; });
+}
 
 void pass_gate(std::span<const Balance> balances, hybrid::Ending& ending, std::string& message) {
   if (ending == hybrid::Ending::failed || ending == hybrid::Ending::unsure) return;

@@ -24,6 +24,9 @@ struct Balance {
   double allowed;    ///< what the accuracy explains
 };
 
+/// Whether all of them hold.
+bool closes(std::span<const Balance> balances);
+
 /// Turn `ending` into `unsure` if one of the balances does not hold; `message` then names the worst, its size
 /// and what to try. Endings `failed` and `unsure` stay as they are. Allocates nothing if all hold.
 void pass_gate(std::span<const Balance> balances, hybrid::Ending& ending, std::string& message);

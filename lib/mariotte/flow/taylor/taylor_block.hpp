@@ -220,19 +220,15 @@ class Block : RowQuantities {
     return *series;
   }
 
-  /// Lower bound of side × polynomial + edge on [0, place]: the Bernstein form of its first four terms less
-  /// what the others can take away, `loss` place⁴. What starts at zero is divided by σ first.
+  /// Lower bound of side × polynomial + edge on [0, place]; `loss` is what terms from the fourth power on can
+  /// take away, over place⁴.
   static LaneVector<N> bound(const auto& c, const LaneVector<N>& side, const LaneVector<N>& edge,
                              const LaneVector<N>& loss, double place) {
-    const double square = place * place;
     return each<N>([&](int i) {
-      const Vec s = side.part[i], a = s * c[0].part[i] + edge.part[i], b = s * c[1].part[i],
-                d = place * s * c[2].part[i], e = square * s * c[3].part[i];
-      const Vec b1 = a + place / 3 * b, b2 = b1 + place / 3 * (b + d), b3 = a + place * (b + d + e);
-      const Vec from_zero = least(b, least(b + 0.5 * d, b + d + e));
-      const Vec least_value = a == Vec{} ? from_zero : least(least(a, b1), least(b2, b3));
-      const Vec beyond = (a == Vec{} ? splat(place) : splat(square)) * square * loss.part[i];
-      return s == Vec{} ? s : least_value - beyond;
+      const Vec s = side.part[i];
+      const Vec least_value = lower_bound(s * c[0].part[i] + edge.part[i], s * c[1].part[i], s * c[2].part[i],
+                                          s * c[3].part[i], loss.part[i], splat(place));
+      return s == Vec{} ? s : least_value;
     });
   }
 

@@ -29,6 +29,29 @@ MARIOTTE_SERIES_INLINE Vec to_the(Vec a, Vec power) {
   for (int i = 0; i < width; ++i) a[i] = __builtin_pow(a[i], power[i]);
   return a;
 }
+MARIOTTE_SERIES_INLINE bool all_of(Mask mask) {
+  bool all = true;
+  for (int i = 0; i < width; ++i) all = all && mask[i];
+  return all;
+}
+/// As flow::rough_root: what the exponent and the leading bits say, divided by n.
+MARIOTTE_SERIES_INLINE Vec rough_root(Vec a, double n) {
+  constexpr long long one = 0x3fef000000000000, exponent = 0x4330000000000000;  // of 2^52
+  constexpr int dropped = 12;                                                   // bits that count for nothing
+  const Vec offset = splat(0x1p52 + static_cast<double>(one >> dropped));
+  const Vec bits = (Vec)(((Mask)a >> dropped) | exponent);
+  const Vec root = (bits - offset) * (1 / n) + offset;
+  return (Vec)(((Mask)root ^ exponent) << dropped);
+}
+/// Lower bound of a + b x + c x² + d x³ + … on [0, place]: the Bernstein form of these terms less what the
+/// others can take away, `loss` place⁴. What starts at zero is divided by x first.
+MARIOTTE_SERIES_INLINE Vec lower_bound(Vec a, Vec b, Vec c, Vec d, Vec loss, Vec place) {
+  const Vec square = place * place, second = place * c, third = square * d;
+  const Vec b1 = a + place / 3 * b, b2 = b1 + place / 3 * (b + second), b3 = a + place * (b + second + third);
+  const Vec from_zero = least(b, least(b + 0.5 * second, b + second + third));
+  const Vec least_value = a == Vec{} ? from_zero : least(least(a, b1), least(b2, b3));
+  return least_value - (a == Vec{} ? place : square) * square * loss;
+}
 /// Lanes first, first + 1, … of two registers side by side.
 template <int first>
 MARIOTTE_SERIES_INLINE Vec window(Vec a, Vec b) {

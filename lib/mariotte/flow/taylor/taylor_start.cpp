@@ -9,14 +9,6 @@
 namespace mariotte::flow::taylor {
 namespace {
 
-/// 1/(first + q k), the factors of integration in z = t^q.
-struct Reciprocals {
-  double of[order_limit + 1];
-  constexpr Reciprocals(double first, double power) : of{} {
-    for (int k = 0; k <= order_limit; ++k) of[k] = first + power * k > 0 ? 1 / (first + power * k) : 0;
-  }
-};
-
 /// Of δ̇ and δ of struck contacts, and of their impulse and its integral; then of pressed ones.
 struct Integrals {
   Reciprocals rate, indentation, impulse, travel, pressed_impulse, pressed_travel;
@@ -42,29 +34,6 @@ double Start::pushes(int lane, Part from, int k) const {
   return sum;
 }
 
-/// e_k = k (d √d)_k.
-void Start::next_force(int lane, int k) {
-  auto& own = lane_[lane];
-  const auto& d = own.indentation;
-  auto& s = own.root;
-  if (k == 0) {
-    s[0] = std::sqrt(d[0]);
-    own.half_inverse = 0.5 / s[0];
-    own.force[0] = lanes_->stiffness[lane] * d[0] * s[0];
-    return;
-  }
-  const double middle = k % 2 == 0 ? s[k / 2] : 0;
-  double twice = 0, left = 0, right = d[k] * s[0];  // sums that do not wait for each other
-  for (int j = 1; 2 * j < k; ++j) {
-    twice += s[j] * s[k - j];
-    left += d[j] * s[k - j];
-    right += d[k - j] * s[j];
-  }
-  if (k % 2 == 0) left += d[k / 2] * middle;
-  s[k] = (d[k] - 2 * twice - middle * middle) * own.half_inverse;
-  own.force[k] = lanes_->stiffness[lane] * (left + right + d[0] * s[k]);
-}
-
 double Start::expand(const Lanes& lanes, const Part* part, int order, double tolerance) {
   lanes_ = &lanes;
   order_ = order;
@@ -79,7 +48,7 @@ double Start::expand(const Lanes& lanes, const Part* part, int order, double tol
     auto& own = lane_[j];
     own.rate[k] = rate;
     own.indentation[k] = rate * travel;
-    next_force(j, k);
+    own.next(k, lanes.stiffness[j]);
     if (k + 3 > order) last = std::max(last, std::abs(rate));
   };
   for (int k = 0; k <= order; ++k) {

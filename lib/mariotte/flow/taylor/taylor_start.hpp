@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "mariotte/flow/taylor/taylor_lanes.hpp"
+#include "mariotte/flow/taylor/start_powers.hpp"
 
 namespace mariotte::flow::taylor {
 
@@ -29,18 +29,15 @@ class Start {
   void coefficients(int lane, std::span<double> indentation, std::span<double> root) const;
 
  private:
-  using Coefficients = std::array<double, order_limit + 1>;
-  struct Lane {
+  struct Lane : StartPowers<double> {
     Part part = Part::passive;
-    double half_inverse;
-    Coefficients rate, indentation, root, force;
+    Coefficients rate;
   };
   /// What the forces of the others have done to an indentation, and what that of its own has taken away.
   struct Travel {
     double given = 0, drawn = 0, own = 0;
   };
   double pushes(int lane, Part from, int k) const;
-  void next_force(int lane, int k);
   double margin(int lane, double time, const Travel& travel) const;
 
   const Lanes* lanes_ = nullptr;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mariotte/core/natural_root.hpp"
+
 namespace mariotte::model {
 namespace {
 
@@ -13,11 +15,7 @@ class NaturalLength {
   double operator()(const contact::Law& law, double mass, double speed) {
     const auto* power = power_law(law);
     if (!power) return of_other(*std::get<contact::SharedLaw>(law), 0.5 * mass * speed * speed);
-    const double q = mass * speed * speed / power->stiffness;
-    if (q != q_ || power->exponent != exponent_) length_ = natural_root(q, power->exponent);
-    q_ = q;
-    exponent_ = power->exponent;
-    return length_;
+    return root_(mass * speed * speed / power->stiffness, power->exponent);
   }
 
  private:
@@ -28,8 +26,8 @@ class NaturalLength {
     return other_length_;
   }
 
-  // Of the last answers: contacts of a model are mostly alike.
-  double q_ = 0, exponent_ = 0, length_ = 0;
+  NaturalRoot root_;
+  // Of the last answer: contacts of a model are mostly alike.
   const contact::CustomLaw* other_ = nullptr;
   double energy_ = 0, other_length_ = 0;
 };

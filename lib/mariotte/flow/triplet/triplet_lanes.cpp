@@ -1,0 +1,54 @@
+#include "mariotte/flow/triplet/triplet_lanes.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace mariotte::flow {
+namespace {
+
+/// Errors of a triplet hardly add up, so that a step may spend more of the accuracy than in a long row. After
+/// an onset coefficients come in fives, of roots at k = 1, 6, …: the last two must have one of these.
+taylor::Precision triplet_precision(double accuracy) {
+  taylor::Precision p{.tolerance = std::max(0.2 * accuracy, 0.25 * epsilon), .order = 20};
+  for (const auto& [above, order] : {std::pair{1e-5, 10}, {1e-9, 12}, {1e-11, 15}, {1e-13, 17}}) {
+    if (!(accuracy > above)) continue;
+    p.order = order;
+    break;
+  }
+  return p;
+}
+
+}  // namespace
+
+std::unique_ptr<TripletLanes> make_triplet_lanes() {
+#ifdef MARIOTTE_AVX2
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return make_avx2_triplet_lanes();
+#endif
+  return make_baseline_triplet_lanes();
+}
+
+/// Those that are at this stage; false if there is none.
+bool Triplets::advance(std::span<Triplet> triplets, TripletStage stage, const taylor::Precision& precision) {
+  std::size_t count = 0;
+  for (auto& one : triplets)
+    if (one.stage == stage) selected_[count++] = &one;
+  const std::span<Triplet* const> found(selected_, count);
+  if (stage == TripletStage::flight) std::for_each(found.begin(), found.end(), fly);
+  if (stage == TripletStage::alone) lanes_->end_pairs(found);
+  if (stage == TripletStage::meets) std::for_each(found.begin(), found.end(), meet);
+  if (stage == TripletStage::struck || stage == TripletStage::pressed) lanes_->start(found, precision);
+  if (stage == TripletStage::both && count > 0) lanes_->follow(found, precision);
+  return count > 0;
+}
+
+void Triplets::follow(std::span<Triplet> triplets, double accuracy) {
+  const auto precision = triplet_precision(accuracy);
+  using enum TripletStage;
+  for (bool any = true; any;) {
+    any = false;
+    for (const auto stage : {struck, pressed, both, alone, meets, flight})
+      if (advance(triplets, stage, precision)) any = true;
+  }
+}
+
+}  // namespace mariotte::flow
