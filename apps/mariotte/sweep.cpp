@@ -18,7 +18,6 @@
 #include "mariotte/report/json/sweep_json.hpp"
 #include "mariotte/report/page/provenance.hpp"
 #include "mariotte/scene/sha256.hpp"
-#include "mariotte/study/sweep/evaluate.hpp"
 #include "mariotte/study/sweep/sweep_reader.hpp"
 #include "progress_line.hpp"
 #include "ranks.hpp"
@@ -61,15 +60,11 @@ study::Progress compute(const Options& options, const study::SweepPlan& plan, st
                         Ranks& ranks) {
   const auto missing = journal.missing();
   ProgressLine line(total(missing), options.scene.quiet || !ranks.first());
-  const study::Sweep sweep{
-      .document = plan.document, .design = plan.design, .columns = plan.columns.size(), .make_evaluate = [&] {
-        return study::make_evaluate_point(plan);
-      }};
   const auto append_rows = [&](const auto& batch, auto& text) {
     report::append_rows(plan.design, batch, text);
   };
   const study::Dealer dealer(missing, {.rank = ranks.rank(), .ranks = ranks.count()});
-  return run(sweep, dealer, options.threads, append_rows, journal, [&](const auto& progress) {
+  return run(plan, dealer, options.threads, append_rows, journal, [&](const auto& progress) {
     line.show(ranks.tell(progress.done));
     return interruption() == 0;
   });

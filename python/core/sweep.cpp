@@ -13,7 +13,6 @@
 #include "mariotte/report/page/files.hpp"
 #include "mariotte/report/sweep_file.hpp"
 #include "mariotte/scene/key_path.hpp"
-#include "mariotte/study/sweep/evaluate.hpp"
 #include "mariotte/study/sweep/sweep_reader.hpp"
 #include "scene_box.hpp"
 
@@ -51,13 +50,9 @@ class Sweep {
 
   /// Called without the lock.
   void compute(int threads) {
-    const study::Sweep sweep{.document = plan_.document,
-                             .design = plan_.design,
-                             .columns = plan_.columns.size(),
-                             .make_evaluate = [&] { return study::make_evaluate_point(plan_); }};
     const study::Dealer all({{.first = 0, .count = plan_.design.points()}}, {});
     run(
-        sweep, all, threads, [&]() -> study::Keep { return [&](const auto& batch) { keep(batch); }; },
+        plan_, all, threads, [&]() -> study::Keep { return [&](const auto& batch) { keep(batch); }; },
         [interruption = Interruption()](const study::Progress&) mutable { return interruption(), true; });
   }
 

@@ -223,14 +223,12 @@ values = [false, true]
 key = "chain.gap"
 values = [0, -0.1]
 )",
-                                                      "s.toml"));
+                                                      "s.toml"),
+                                {"final.velocity[2]"});
   study::Variation variation(plan.document, plan.design, std::nullopt);
+  study::PointEvaluation evaluation(plan);
   study::Batch batch;
-  const auto evaluate = study::make_evaluate({{"final.velocity[2]"}});
-  const auto at_point = [&](const scene::Scene& scene, Index, std::span<double> out) {
-    return evaluate(scene, out);
-  };
-  study::evaluate(variation, at_point, 1, 0, 4, batch);
+  evaluate(variation, evaluation, 1, 0, 4, batch);
   BOOST_TEST(batch.failed() == 1);
   BOOST_TEST(batch.verdicts[1].ending == "rejected");
   BOOST_TEST(batch.verdicts[1].reason.find("must not be negative") != std::string::npos);

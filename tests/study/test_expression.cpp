@@ -4,7 +4,7 @@
 #include <numbers>
 #include <set>
 
-#include "mariotte/study/sweep/evaluate.hpp"
+#include "mariotte/study/sweep/batch.hpp"
 #include "mariotte/study/sweep/normal.hpp"
 #include "mariotte/study/sweep/random.hpp"
 #include "mariotte/study/sweep/sobol.hpp"
@@ -43,9 +43,10 @@ const std::string kappa =
 /// The columns of one point.
 std::vector<double> row(const study::SweepPlan& plan, Index point) {
   study::Variation points(plan.document, plan.design, std::nullopt);
-  std::vector<double> numbers(plan.columns.size());
-  study::make_evaluate_point(plan)(points.at(point), point, numbers);
-  return numbers;
+  study::PointEvaluation evaluation(plan);
+  study::Batch batch;
+  evaluate(points, evaluation, plan.columns.size(), point, 1, batch);
+  return batch.numbers;
 }
 
 }  // namespace

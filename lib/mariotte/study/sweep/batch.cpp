@@ -7,15 +7,14 @@ namespace mariotte::study {
 namespace {
 
 /// An exception is an answer, too: this point has no result, the others do.
-Verdict verdict_at(Variation& variation, const EvaluatePoint& evaluate, Index point,
-                   std::span<double> row) try {
-  return evaluate(variation.at(point), point, row);
+void put(Variation& variation, PointEvaluation& evaluation, const PointRow& row) try {
+  evaluation.put(variation.at(row.point), row);
 } catch (const scene::SceneError& error) {
-  return {.ending = "rejected", .reason = error.what()};
+  *row.verdict = {.ending = "rejected", .reason = error.what()};
 } catch (const InvalidParameter& error) {
-  return {.ending = "rejected", .reason = error.what()};
+  *row.verdict = {.ending = "rejected", .reason = error.what()};
 } catch (const Error& error) {
-  return {.ending = "failed", .reason = error.what()};
+  *row.verdict = {.ending = "failed", .reason = error.what()};
 }
 
 }  // namespace
@@ -25,17 +24,19 @@ Index Batch::failed() const {
                        [](const Verdict& verdict) { return !verdict.has_numbers(); });
 }
 
-void evaluate(Variation& variation, const EvaluatePoint& evaluate, std::size_t columns, Index first,
+void evaluate(Variation& variation, PointEvaluation& evaluation, std::size_t columns, Index first,
               Index count, Batch& batch) {
+  const auto size = static_cast<std::size_t>(count);
   batch.first = first;
-  batch.numbers.resize(static_cast<std::size_t>(count) * columns);
-  batch.verdicts.clear();
-  for (Index k = 0; k < count; ++k) {
-    const auto row = std::span(batch.numbers).subspan(static_cast<std::size_t>(k) * columns, columns);
-    batch.verdicts.push_back(verdict_at(variation, evaluate, first + k, row));
-    if (!batch.verdicts.back().has_numbers())
-      std::fill(row.begin(), row.end(), std::numeric_limits<double>::quiet_NaN());
-  }
+  batch.numbers.resize(size * columns);
+  batch.verdicts.assign(size, {});
+  const auto row = [&](std::size_t k) { return std::span(batch.numbers).subspan(k * columns, columns); };
+  for (std::size_t k = 0; k < size; ++k)
+    put(variation, evaluation, {first + static_cast<Index>(k), row(k), &batch.verdicts[k]});
+  evaluation.finish();
+  for (std::size_t k = 0; k < size; ++k)
+    if (!batch.verdicts[k].has_numbers())
+      std::fill(row(k).begin(), row(k).end(), std::numeric_limits<double>::quiet_NaN());
 }
 
 }  // namespace mariotte::study

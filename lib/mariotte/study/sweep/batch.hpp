@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "mariotte/study/sweep/evaluate.hpp"
+#include "mariotte/study/sweep/point_evaluation.hpp"
 #include "mariotte/study/sweep/variation.hpp"
 
 namespace mariotte::study {
@@ -18,7 +18,7 @@ struct Batch {
 };
 
 /// Evaluates `count` points from `first` on into `batch`, whose memory is reused.
-void evaluate(Variation& variation, const EvaluatePoint& evaluate, std::size_t columns, Index first,
+void evaluate(Variation& variation, PointEvaluation& evaluation, std::size_t columns, Index first,
               Index count, Batch& batch);
 
 }  // namespace mariotte::study

@@ -84,7 +84,7 @@ double number(const Design& design, std::size_t parameter, Index point) {
   return std::get<double>(one.list[static_cast<std::size_t>(at)].value);
 }
 
-double number(const Design& design, const Formula& formula, Index point, const std::vector<double>& result) {
+double number(const Design& design, const Formula& formula, Index point, std::span<const double> result) {
   std::vector<double> numbers;
   for (const auto& [kind, which, constant] : formula.terms) switch (kind) {
       case Term::Kind::constant:

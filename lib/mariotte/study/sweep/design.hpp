@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -102,7 +103,6 @@ scene::Node value(const Design& design, std::size_t parameter, Index point);
 double number(const Design& design, std::size_t parameter, Index point);
 
 /// Of a formula at a point; `result` has the numbers that its terms may be of [SI].
-double number(const Design& design, const Formula& formula, Index point,
-              const std::vector<double>& result = {});
+double number(const Design& design, const Formula& formula, Index point, std::span<const double> result = {});
 
 }  // namespace mariotte::study

@@ -6,11 +6,11 @@
 #include <tuple>
 
 #include "mariotte/core/overload.hpp"
+#include "mariotte/impact/chain/chain_batch.hpp"
 #include "mariotte/impact/quantities/quantity_key.hpp"
 #include "mariotte/impact/shallow.hpp"
 #include "mariotte/scene/judge.hpp"
 #include "mariotte/study/sweep/slope_columns.hpp"
-#include "mariotte/study/sweep/sweep_reader.hpp"
 
 namespace mariotte::study {
 namespace {
@@ -38,11 +38,11 @@ class OfModel {
     }
     is_brief_ = true;
     for (std::size_t i = 0; i < columns.size(); ++i)
-      if (!is_slope(columns[i].key)) is_brief_ = is_brief_ && entries_[i] && is_brief(*entries_[i]);
+      if (!is_slope(columns[i].key)) is_brief_ = is_brief_ && entries_[i] && impact::is_brief(*entries_[i]);
   }
 
   Verdict evaluate(const Model& model, const scene::Scene& scene, std::span<double> out) {
-    if (is_brief_ && Brief::serves(model) && impact::stays_shallow(model, scene.touching)) {
+    if (is_brief(model, scene)) {
       const auto& impact = solver_->solve(model, scene.run);
       fill(Brief{model, impact}, out);
       return verdict(impact);
@@ -52,8 +52,10 @@ class OfModel {
     fill(impact, out);
     return verdict(impact);
   }
-
- private:
+  /// Whether the quickest solver has all that is asked of a scene.
+  bool is_brief(const Model& model, const scene::Scene& scene) const {
+    return is_brief_ && Brief::serves(model) && impact::stays_shallow(model, scene.touching);
+  }
   template <class Result>
   void fill(const Result& result, std::span<double> out) const {
     std::transform(entries_.begin(), entries_.end(), out.begin(), [&](const Entry& entry) {
@@ -83,6 +85,16 @@ class Evaluator {
     if (!slopes_.empty() && verdict.has_numbers()) fill_slopes(scene, slopes_, out);
     return verdict;
   }
+  /// The chain of a scene of which only what its quickest solver tells is asked; null of others.
+  const model::Chain* brief_chain(const scene::Scene& scene) const {
+    const auto* chain = std::get_if<model::Chain>(&scene.model);
+    const bool is_brief = chain && slopes_.empty() && std::get<0>(all_).is_brief(*chain, scene);
+    return is_brief ? chain : nullptr;
+  }
+  Verdict fill(const model::Chain& chain, const impact::BriefImpact& impact, std::span<double> out) const {
+    std::get<0>(all_).fill(impact::Brief<impact::ChainImpact>{chain, impact}, out);
+    return verdict(impact);
+  }
 
  private:
   std::tuple<OfModel<model::Chain>, OfModel<model::Network>, OfModel<model::Microbody>,
@@ -101,16 +113,30 @@ Evaluate make_evaluate(const std::vector<Column>& columns) {
   return Evaluator(columns);
 }
 
-EvaluatePoint make_evaluate_point(const SweepPlan& plan) {
-  return [evaluate = make_evaluate(plan.results), design = plan.design, outputs = plan.outputs,
-          numbers = std::vector<double>(plan.results.size())](const scene::Scene& scene, Index point,
-                                                              std::span<double> out) mutable {
-    auto verdict = evaluate(scene, numbers);
-    for (std::size_t i = 0; i < outputs.size(); ++i)
-      out[i] = outputs[i].formula ? number(design, *outputs[i].formula, point, numbers)
-                                  : numbers[outputs[i].result];
-    return verdict;
-  };
+struct Evaluations::Parts {
+  Evaluator evaluate;
+  Take take;
+  std::vector<double> numbers;
+  impact::ChainBatch chains{
+      [this](Index which, const model::Chain& chain, const impact::BriefImpact& impact) {
+        auto verdict = evaluate.fill(chain, impact, numbers);
+        take(which, std::move(verdict), numbers);
+      }};
+};
+
+Evaluations::Evaluations(const std::vector<Column>& columns, Take take)
+    : parts_(new Parts{Evaluator(columns), std::move(take), std::vector<double>(columns.size())}) {}
+Evaluations::~Evaluations() = default;
+
+void Evaluations::put(Index which, const scene::Scene& scene) {
+  auto& [evaluate, take, numbers, chains] = *parts_;
+  if (const auto* chain = evaluate.brief_chain(scene)) return chains.put(which, *chain, scene.run);
+  auto verdict = evaluate(scene, numbers);
+  take(which, std::move(verdict), numbers);
+}
+
+void Evaluations::finish() {
+  parts_->chains.finish();
 }
 
 }  // namespace mariotte::study

@@ -1,6 +1,7 @@
 // What a sweep asks of one scene: the numbers of its result that stand in the columns.
 #pragma once
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -25,12 +26,22 @@ using Evaluate = std::function<Verdict(const scene::Scene&, std::span<double>)>;
 /// the same memory again and again.
 Evaluate make_evaluate(const std::vector<Column>& columns);
 
-/// The same of a point of a design.
-using EvaluatePoint = std::function<Verdict(const scene::Scene&, Index point, std::span<double>)>;
+/// The same for many scenes, of which those that are alike are solved side by side. What a scene gives does
+/// not depend on the others. Not to be shared between threads, either.
+class Evaluations {
+ public:
+  /// Takes what became of the scene that was put in by this number, and its numbers during the call.
+  using Take = std::function<void(Index which, Verdict verdict, std::span<const double> numbers)>;
 
-struct SweepPlan;
+  Evaluations(const std::vector<Column>& columns, Take take);
+  ~Evaluations();
+  /// It is taken now, later, or by `finish`. Throws what a scene that makes no sense throws.
+  void put(Index which, const scene::Scene& scene);
+  void finish();
 
-/// Of a plan: the columns that are formulas, too. Not to be shared between threads, either.
-EvaluatePoint make_evaluate_point(const SweepPlan& plan);
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
 
 }  // namespace mariotte::study

@@ -42,10 +42,10 @@ struct Crew {
 
 class Worker {
  public:
-  Worker(const Sweep& sweep, const std::optional<Slots>& slots, Keep keep, Crew& crew)
-      : sweep_(sweep),
-        variation_(sweep.document, sweep.design, slots),
-        evaluate_(sweep.make_evaluate()),
+  Worker(const SweepPlan& plan, const std::optional<Slots>& slots, Keep keep, Crew& crew)
+      : columns_(plan.columns.size()),
+        variation_(plan.document, plan.design, slots),
+        evaluation_(plan),
         keep_(std::move(keep)),
         crew_(crew) {}
 
@@ -54,7 +54,7 @@ class Worker {
     for (PointRange chunk; !crew_.stop && (chunk = take(size)).count > 0;) {
       const auto start = Clock::now();
       const double taken = processor_time();
-      evaluate(variation_, evaluate_, sweep_.columns, chunk.first, chunk.count, batch_);
+      evaluate(variation_, evaluation_, columns_, chunk.first, chunk.count, batch_);
       const double evaluated = processor_time();
       keep_(batch_);
       report(evaluated - taken, processor_time() - evaluated);
@@ -81,19 +81,19 @@ class Worker {
                              std::min(growth * size, largest_chunk));
   }
 
-  const Sweep& sweep_;
+  const std::size_t columns_;
   Variation variation_;
-  EvaluatePoint evaluate_;
+  PointEvaluation evaluation_;
   Keep keep_;
   Crew& crew_;
   Batch batch_;
 };
 
-void work(const Sweep& sweep, const std::optional<Slots>& slots, const std::function<Keep()>& make_keep,
+void work(const SweepPlan& plan, const std::optional<Slots>& slots, const std::function<Keep()>& make_keep,
           Crew& crew) {
   std::exception_ptr problem;
   try {
-    Worker(sweep, slots, make_keep(), crew).work();
+    Worker(plan, slots, make_keep(), crew).work();
   } catch (...) {
     problem = std::current_exception();
     crew.stop = true;
@@ -129,14 +129,14 @@ Keep make_rows(const AppendRows& append_rows, Journal& journal) {
 
 }  // namespace
 
-Progress run(const Sweep& sweep, Dealer dealer, int threads, const std::function<Keep()>& make_keep,
+Progress run(const SweepPlan& plan, Dealer dealer, int threads, const std::function<Keep()>& make_keep,
              const Watch& watch) {
   if (threads < 1) throw InvalidParameter("a sweep needs at least one thread", fault::out_of_range);
-  const auto slots = find_slots(sweep.document, sweep.design);
+  const auto slots = find_slots(plan.document, plan.design);
   Crew crew(std::move(dealer));
   crew.working = threads;
   std::vector<std::jthread> workers;
-  for (int i = 0; i < threads; ++i) workers.emplace_back([&] { work(sweep, slots, make_keep, crew); });
+  for (int i = 0; i < threads; ++i) workers.emplace_back([&] { work(plan, slots, make_keep, crew); });
   try {
     supervise(crew, watch);
   } catch (...) {
@@ -149,8 +149,8 @@ Progress run(const Sweep& sweep, Dealer dealer, int threads, const std::function
   return crew.progress;
 }
 
-Progress run(const Sweep& sweep, Dealer dealer, int threads, const AppendRows& append_rows, Journal& journal,
-             const Watch& watch) {
+Progress run(const SweepPlan& plan, Dealer dealer, int threads, const AppendRows& append_rows,
+             Journal& journal, const Watch& watch) {
   auto flushed = Clock::now();
   const auto watch_and_flush = [&](const Progress& progress) {
     if (Clock::now() - flushed >= flush_interval) {
@@ -160,7 +160,7 @@ Progress run(const Sweep& sweep, Dealer dealer, int threads, const AppendRows& a
     return watch(progress);
   };
   const auto progress = run(
-      sweep, std::move(dealer), threads, [&] { return make_rows(append_rows, journal); }, watch_and_flush);
+      plan, std::move(dealer), threads, [&] { return make_rows(append_rows, journal); }, watch_and_flush);
   journal.flush();
   return progress;
 }

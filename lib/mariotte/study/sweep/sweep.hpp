@@ -12,14 +12,6 @@
 
 namespace mariotte::study {
 
-/// What is done at every point.
-struct Sweep {
-  const scene::Document& document;
-  const Design& design;
-  std::size_t columns = 0;                       ///< of an evaluation
-  std::function<EvaluatePoint()> make_evaluate;  ///< once per thread
-};
-
 /// Takes the results of some points; each thread has one.
 using Keep = std::function<void(const Batch&)>;
 /// Appends them as text; called by several threads.
@@ -37,11 +29,11 @@ using Watch = std::function<bool(const Progress&)>;
 
 /// Computes the points the dealer has, on so many threads. `watch` is called on this thread, several times a
 /// second and at the end. Throws what a worker threw.
-Progress run(const Sweep& sweep, Dealer dealer, int threads, const std::function<Keep()>& make_keep,
+Progress run(const SweepPlan& plan, Dealer dealer, int threads, const std::function<Keep()>& make_keep,
              const Watch& watch);
 
 /// The same into a journal, which is flushed at least every second.
-Progress run(const Sweep& sweep, Dealer dealer, int threads, const AppendRows& append_rows, Journal& journal,
-             const Watch& watch);
+Progress run(const SweepPlan& plan, Dealer dealer, int threads, const AppendRows& append_rows,
+             Journal& journal, const Watch& watch);
 
 }  // namespace mariotte::study

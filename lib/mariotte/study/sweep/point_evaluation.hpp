@@ -1,0 +1,35 @@
+// The columns of points of a sweep: numbers of results, and formulas.
+#pragma once
+#include "mariotte/study/sweep/evaluate.hpp"
+#include "mariotte/study/sweep/sweep_reader.hpp"
+
+namespace mariotte::study {
+
+/// What came out of a point.
+struct PointRow {
+  Index point = 0;
+  std::span<double> numbers;  ///< one per column
+  Verdict* verdict = nullptr;
+};
+
+/// Evaluates points of a plan, several at once. Not to be shared between threads.
+class PointEvaluation {
+ public:
+  explicit PointEvaluation(const SweepPlan& plan);
+  PointEvaluation(const PointEvaluation&) = delete;
+  PointEvaluation& operator=(const PointEvaluation&) = delete;
+
+  /// Fills in a row now, later, or by `finish`; it must stay where it is until then.
+  void put(const scene::Scene& scene, const PointRow& row);
+  void finish();
+
+ private:
+  void keep(const PointRow& row, Verdict verdict, std::span<const double> results) const;
+
+  Design design_;
+  std::vector<Output> outputs_;
+  std::vector<PointRow> rows_;  ///< that have been put in since the last `finish`
+  Evaluations evaluations_;
+};
+
+}  // namespace mariotte::study
