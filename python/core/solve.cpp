@@ -14,7 +14,7 @@
 #include "interruption.hpp"
 #include "mariotte/contact/named_laws.hpp"
 #include "mariotte/core/error.hpp"
-#include "mariotte/impact/chain/chain_solver.hpp"
+#include "mariotte/impact/chain/chain_batch.hpp"
 
 namespace mariotte::python {
 namespace {
@@ -77,10 +77,9 @@ struct Results {
   }
 };
 
-void solve_row(const Chains& chains, Index row, model::Chain& chain, impact::ChainSolver& solver,
-               Results& results) try {
+void solve_row(const Chains& chains, Index row, model::Chain& chain, impact::ChainBatch& batch) try {
   chains.put(row, chain);
-  results.keep(row, solver.solve(chain, chains.options));
+  batch.put(row, chain, chains.options);
 } catch (const InvalidParameter& error) {
   const auto place = "row " + std::to_string(row);
   throw WrongOption(InvalidParameter(place + ": " + error.what(), error.fault), "", place);
@@ -104,15 +103,16 @@ class Crew {
   }
 
  private:
-  static constexpr Index at_once = 64;  // many times the cost of taking them
+  static constexpr Index at_once = 256;  // many times the cost of taking them
 
   void work() {
     try {
-      impact::ChainSolver solver;
+      impact::ChainBatch batch(
+          [this](Index row, const auto&, const impact::BriefImpact& impact) { results_.keep(row, impact); });
       model::Chain chain;
-      for (Index first; (first = next_.fetch_add(at_once)) < rows_;)
+      for (Index first; (first = next_.fetch_add(at_once)) < rows_; batch.finish())
         for (Index row = first; row < std::min(first + at_once, rows_); ++row)
-          solve_row(chains_, row, chain, solver, results_);
+          solve_row(chains_, row, chain, batch);
     } catch (...) {
       const std::lock_guard lock(mutex_);
       if (!problem_) problem_ = std::current_exception();
