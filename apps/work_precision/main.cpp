@@ -10,6 +10,7 @@
 #include "command_line/terminal.hpp"
 #include "friction_cost.hpp"
 #include "lammps.hpp"
+#include "lane_cost.hpp"
 #include "law_cost.hpp"
 #include "mariotte/report/page/files.hpp"
 #include "measure.hpp"
@@ -32,6 +33,7 @@ struct Options {
   bool friction = false;
   bool laws = false;
   bool lammps = false;
+  bool lanes = false;
   bool force = false;
 };
 
@@ -94,7 +96,9 @@ int run(const Options& options) {
   if (options.friction) command::print(friction_cost(patience));
   if (options.laws) command::print(law_cost(patience));
   if (options.lammps) command::print(beside_lammps(patience));
-  if (options.slopes || options.friction || options.laws || options.lammps) return command::ExitCode::ok;
+  if (options.lanes) command::print(lane_cost(patience));
+  if (options.slopes || options.friction || options.laws || options.lammps || options.lanes)
+    return command::ExitCode::ok;
   const auto names = chosen_problems(options);
   refuse_to_overwrite(options.csv, options.force);
   if (!options.plots.empty()) prepare_plots(options.plots, names, options.force);
@@ -127,6 +131,7 @@ command::OptionList declare(Options& options) {
       {"--friction", &options.friction, "Only what bodies with friction cost, by series, CVODE and rivals"},
       {"--laws", &options.laws, "Only what a pair of each named law costs, and by CVODE"},
       {"--lammps", &options.lammps, "Only pairs of balls beside LAMMPS, if it is installed"},
+      {"--lanes", &options.lanes, "Only what three Hertz balls cost one by one, and many side by side"},
       {"--csv", &options.csv, "Write every point of the diagrams to this file", {.value = "FILE"}},
       {"--plots",
        &options.plots,

@@ -171,6 +171,15 @@ BOOST_FIXTURE_TEST_CASE(pairs_of_every_law_part_alike_by_either_flow, Session) {
   BOOST_TEST(rows.size() == 24u);
 }
 
+BOOST_FIXTURE_TEST_CASE(triplets_are_alike_one_by_one_and_side_by_side, Session) {
+  const auto run = mariotte("--quick --lanes");
+  BOOST_TEST(run.code == 0);
+  const auto rows = numbers_of_rows<5>(run.out);
+  for (const auto& [accuracy, alone, lanes, ratio, difference] : rows)
+    BOOST_TEST(difference <= accuracy, accuracy << " in " << alone << ", " << lanes << ", " << ratio);
+  BOOST_TEST(rows.size() == 7u);
+}
+
 BOOST_FIXTURE_TEST_CASE(bodies_with_friction_are_as_accurate_as_asked_by_either_flow, Session) {
   const auto run = mariotte("--quick --friction");
   BOOST_TEST(run.code == 0);
