@@ -43,14 +43,16 @@ struct Plane {
 /// Thornton, Cummins & Cleary 2013]. Coulomb's μ f_n caps all of them.
 enum class TangentialLaw { none, rigid, spring, mindlin };
 
-/// Friction of a contact.
-struct Tangential {
+/// Friction of a contact, by numbers or by values with slopes.
+template <class N>
+struct BasicTangential {
   TangentialLaw law = TangentialLaw::none;
-  double friction = 0;   ///< μ ≥ 0
-  double stiffness = 0;  ///< k_t [N/m] of a spring, κ [N/m^{3/2}] of Mindlin's law
+  N friction = 0;   ///< μ ≥ 0
+  N stiffness = 0;  ///< k_t [N/m] of a spring, κ [N/m^{3/2}] of Mindlin's law
 
   bool has_spring() const { return law == TangentialLaw::spring || law == TangentialLaw::mindlin; }
 };
+using Tangential = BasicTangential<double>;
 
 /// Where a contact is: a sphere of a body, or a plane; from 0.
 struct Feature {

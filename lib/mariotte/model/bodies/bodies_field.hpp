@@ -1,5 +1,5 @@
 // The field of bodies in contact, written once: T is a number, or a value with slopes, which gives Jacobian
-// and rates of guards.
+// and rates of guards. N is what the setting has: if these have slopes, so has all that follows from them.
 #pragma once
 #include <vector>
 
@@ -22,12 +22,14 @@ struct ContactForces {
 };
 
 /// What a state leads to: motion, forces, accelerations.
-template <class T, int D>
+template <class T, int D, class N = double>
 class BodiesField {
  public:
   using Vector = Vec<T, D>;
+  using Contact = SettingContact<D, N>;
 
-  explicit BodiesField(const BodiesSetting<D>& setting) : setting_(setting) {}
+  explicit BodiesField(const BodiesSetting<D, N>& setting) : setting_(setting) {}
+  const BodiesSetting<D, N>& setting() const { return setting_; }
 
   /// Evaluate at x. Throws nothing; a redundant stick gets the least friction that does.
   void evaluate(const BodiesLayout<D>& layout, const BodiesMode& mode, std::span<const T> x) {
@@ -66,7 +68,7 @@ class BodiesField {
     const auto& one = setting_.contact[mode.contact];
     const T approach = -c.motion.gap_rate;
     const T tangential = dot(c.motion.slip, c.direction);
-    const double mu = one.tangential.friction;
+    const N mu = one.tangential.friction;
     if (is_past(c)) return tangential;
     if (is_proportional(one) && !mode.slack)
       return mindlin_yielding(tangential, mu * ratio(one), approach, mode.unloading);
@@ -137,20 +139,18 @@ class BodiesField {
 
   /// Linear forces, and those with branches, go on past zero, so that a step which reaches beyond separation
   /// meets no kink.
-  T depth_of(const SettingContact<D>& one, const ContactMotion<T, D>& c) const {
+  T depth_of(const Contact& one, const ContactMotion<T, D>& c) const {
     const auto* power = contact::power_law(one.law);
     return contact::branched(one.law) || (power && power->exponent == 1) ? T(-c.gap) : c.indentation;
   }
 
   /// Elastic force and stiffness k_t of the same power of δ: f_n/k_t = ratio δ.
-  static bool is_proportional(const SettingContact<D>& one) {
+  static bool is_proportional(const Contact& one) {
     const auto* power = contact::power_law(one.law);
     return one.tangential.law == TangentialLaw::mindlin && power && power->exponent == 1.5 &&
            power->damping == 0;
   }
-  static double ratio(const SettingContact<D>& one) {
-    return contact::power_law(one.law)->stiffness / one.tangential.stiffness;
-  }
+  static N ratio(const Contact& one) { return one.numbers.stiffness / one.tangential.stiffness; }
 
   /// True beyond separation, where a step may look but nothing is kept: stiffnesses that grow with δ are 0.
   bool is_past(const ContactForces<T, D>& c) const {
@@ -162,7 +162,7 @@ class BodiesField {
     const auto& one = setting_.contact[mode.contact];
     if (mode.slack) return T(0.0);
     const T rate = -c.motion.gap_rate;
-    const auto slopes = law_slopes<T>(one.law, mode.past, c.motion.indentation, rate);
+    const auto slopes = law_slopes<T>(one, mode.past, c.motion.indentation, rate);
     if (!contact::is_damped(one.law)) return slopes.by_indentation * rate;
     return slopes.by_indentation * rate - slopes.by_rate * gap_acceleration(mode.contact, c.motion);
   }
@@ -190,9 +190,8 @@ class BodiesField {
     c.motion = motion(mode.contact);
     const T depth = depth_of(one, c.motion), rate = -c.motion.gap_rate;
     const bool lets_go = mode.slack && !contact::pulls(one.law);
-    c.elastic =
-        contact::is_damped(one.law) || lets_go ? law_force<T>(one.law, mode.past, depth, T(0.0)) : T(0.0);
-    c.normal = lets_go ? T(0.0) : law_force<T>(one.law, mode.past, depth, rate);
+    c.elastic = contact::is_damped(one.law) || lets_go ? law_force<T>(one, mode.past, depth, T(0.0)) : T(0.0);
+    c.normal = lets_go ? T(0.0) : law_force<T>(one, mode.past, depth, rate);
     c.friction = lift<T>(Vec<double, D>{});
     c.direction = c.friction;
     set_spring(one, c);
@@ -200,18 +199,18 @@ class BodiesField {
     push(mode.contact, c.motion, c.normal * c.motion.normal + c.friction);
   }
 
-  void set_spring(const SettingContact<D>& one, ContactForces<T, D>& c) const {
+  void set_spring(const Contact& one, ContactForces<T, D>& c) const {
     using std::sqrt;
     const bool grows = one.tangential.law == TangentialLaw::mindlin;
     c.spring = grows ? T(one.tangential.stiffness * sqrt(c.motion.indentation)) : T(one.tangential.stiffness);
   }
 
-  void set_friction(const ClosedContact& mode, const SettingContact<D>& one, std::span<const T> x,
+  void set_friction(const ClosedContact& mode, const Contact& one, std::span<const T> x,
                     ContactForces<T, D>& c, std::size_t place) {
     if (mode.slack || mode.friction == Friction::none) return;
     if (mode.friction == Friction::slip) {
       c.direction = slip_direction(mode, one, x, c.motion);
-      c.friction = (-one.tangential.friction * c.normal) * c.direction;
+      c.friction = (-(one.tangential.friction * c.normal)) * c.direction;
     } else if (one.tangential.has_spring()) {
       const bool as_force = one.tangential.law == TangentialLaw::mindlin && !mode.unloading;
       const Vector state = tangential_state(mode, x, c.motion.normal);
@@ -240,7 +239,7 @@ class BodiesField {
     return (1.0 / (1.0 + 1 / (rest * rest) * dot(slip, slip))) * first;
   }
 
-  Vector slip_direction(const ClosedContact& mode, const SettingContact<D>& one, std::span<const T> x,
+  Vector slip_direction(const ClosedContact& mode, const Contact& one, std::span<const T> x,
                         const ContactMotion<T, D>& c) const {
     if constexpr (D == 2)
       return T(mode.sign) * across(c.normal);
@@ -264,7 +263,8 @@ class BodiesField {
                         .side = {{{setting_.sphere[one.b].body, c.lever_b, 1.0}, {a, c.lever_a, -1.0}}},
                         .slip_rate = slip_acceleration(contact, c)});
     }
-    redundant_ = !hold_still<T, D>(setting_, body_, still_, holding_);
+    redundant_ = !hold_still<T>(setting_, std::span<const BodyMotion<T, D>>(body_),
+                                std::span<const StuckContact<T, D>>(still_), holding_);
     for (std::size_t i = 0; i < stuck_.size(); ++i) {
       auto& c = closed_[stuck_[i].place];
       c.friction = c.friction + holding_[i];
@@ -303,8 +303,7 @@ class BodiesField {
     if (contact::is_damped(one.law)) dx[loss + 2] = (c.normal - c.elastic) * (-c.motion.gap_rate);
   }
 
-  T friction_power(const ClosedContact& mode, const SettingContact<D>& one,
-                   const ContactForces<T, D>& c) const {
+  T friction_power(const ClosedContact& mode, const Contact& one, const ContactForces<T, D>& c) const {
     if (mode.friction != Friction::slip || mode.slack) return T(0.0);
     if (!one.tangential.has_spring()) return -dot(c.friction, c.motion.slip);
     if (is_past(c)) return T(0.0);
@@ -312,14 +311,13 @@ class BodiesField {
   }
 
   /// T² |k̇_t|/2 k_t²: what changes of the stiffness cost, both ways.
-  T rescale_power(const ClosedContact& mode, const SettingContact<D>& one,
-                  const ContactForces<T, D>& c) const {
+  T rescale_power(const ClosedContact& mode, const Contact& one, const ContactForces<T, D>& c) const {
     if (one.tangential.law != TangentialLaw::mindlin || mode.slack || is_past(c)) return T(0.0);
     const T rate = mode.unloading ? c.motion.gap_rate : T(-c.motion.gap_rate);
     return 0.25 * ((dot(c.friction, c.friction) / c.spring) * rate / c.motion.indentation);
   }
 
-  void put_spring_rate(const ClosedContact& mode, const SettingContact<D>& one, const ContactForces<T, D>& c,
+  void put_spring_rate(const ClosedContact& mode, const Contact& one, const ContactForces<T, D>& c,
                        std::span<const T> x, std::span<T> dx) const {
     if (!one.tangential.has_spring() || mode.slack || mode.friction == Friction::none) return;
     const Index at = layout_.spring(mode.slot);
@@ -336,7 +334,7 @@ class BodiesField {
 
   /// ė = (u − (u·e) e)/|ξ|, where |ξ| is no shorter than what a force too faint to matter has: as that fades,
   /// e would turn ever faster, and by rounding.
-  Vector turning_to_slip(const SettingContact<D>& one, const ContactForces<T, D>& c) const {
+  Vector turning_to_slip(const Contact& one, const ContactForces<T, D>& c) const {
     const auto& u = c.motion.slip;
     const double faint = setting_.faint * one.force;
     const T stretch = (one.tangential.friction * (c.normal > faint ? c.normal : T(faint))) / c.spring;
@@ -347,7 +345,7 @@ class BodiesField {
   }
 
   /// n × ṅ and half the spins about n.
-  Vector frame_spin(const SettingContact<D>& one, const ContactMotion<T, D>& c) const {
+  Vector frame_spin(const Contact& one, const ContactMotion<T, D>& c) const {
     auto spin = body_[setting_.sphere[one.b].body].spin;
     if (one.plane < 0) spin = spin + body_[setting_.sphere[one.a].body].spin;
     return turned(c.normal, c.normal_rate) + T(0.5 * dot(spin, c.normal)) * c.normal;
@@ -358,7 +356,7 @@ class BodiesField {
     Index contact;
   };
 
-  const BodiesSetting<D>& setting_;
+  const BodiesSetting<D, N>& setting_;
   BodiesLayout<D> layout_;
   T clock_{};
   std::vector<BodyMotion<T, D>> body_;

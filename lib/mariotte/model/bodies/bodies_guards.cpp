@@ -10,10 +10,10 @@ using flow::Crossing;
 /// Guards that start at zero or return to it have an offset as large as noise: they fire once they are
 /// beyond.
 template <int D>
-template <class T>
-T BodiesPhase<D>::friction_guard(const BodiesField<T, D>& field, const ClosedContact& mode,
+template <class T, class N>
+T BodiesPhase<D>::friction_guard(const BodiesField<T, D, N>& field, const ClosedContact& mode,
                                  const ContactForces<T, D>& c) const {
-  const auto& one = setting_.contact[mode.contact];
+  const auto& one = field.setting().contact[mode.contact];
   const double noise = setting_.slip_noise;
   if (mode.friction == Friction::none || mode.slack) return T(1.0);
   if constexpr (is_recorded<T>) {  // without the root of a square
@@ -37,17 +37,18 @@ T BodiesPhase<D>::friction_guard(const BodiesField<T, D>& field, const ClosedCon
 }
 
 template <int D>
-template <class T>
-T BodiesPhase<D>::load_guard(const ClosedContact& mode, const ContactForces<T, D>& c) const {
-  const auto& law = setting_.contact[mode.contact].law;
-  if (contact::pulls(law)) return c.normal;
-  if (!contact::goes_slack(law)) return T(1.0);
-  return law_load<T>(law, c.motion.indentation, -c.motion.gap_rate);
+template <class T, class N>
+T BodiesPhase<D>::load_guard(const BodiesField<T, D, N>& field, const ClosedContact& mode,
+                             const ContactForces<T, D>& c) const {
+  const auto& one = field.setting().contact[mode.contact];
+  if (contact::pulls(one.law)) return c.normal;
+  if (!contact::goes_slack(one.law)) return T(1.0);
+  return law_load<T>(one, c.motion.indentation, -c.motion.gap_rate);
 }
 
 template <int D>
-template <class T>
-void BodiesPhase<D>::all_guards(BodiesField<T, D>& field, std::span<T> values) const {
+template <class T, class N>
+void BodiesPhase<D>::guards_of(const BodiesField<T, D, N>& field, std::span<T> values) const {
   std::fill(values.begin(), values.end(), T(1.0));
   const double noise = setting_.slip_noise * setting_.speed;
   for (Index k = 0; k < watched_count(); ++k) {
@@ -66,7 +67,7 @@ void BodiesPhase<D>::all_guards(BodiesField<T, D>& field, std::span<T> values) c
     set(SlotGuard::open, c.motion.gap + opening_depth(law, one.past));
     set(SlotGuard::friction, friction_guard(field, one, c));
     set(SlotGuard::turn, -c.motion.gap_rate + (one.unloading ? -noise : noise));
-    set(SlotGuard::load, load_guard(one, c));
+    set(SlotGuard::load, load_guard(field, one, c));
     if (crossing_[slot_guard(one.slot, SlotGuard::yield)] != Crossing::none)
       set(SlotGuard::yield, c.motion.gap + yield_depth(law, one.past));
   }
@@ -82,7 +83,7 @@ void BodiesPhase<D>::all_guards(BodiesField<T, D>& field, std::span<T> values) c
 template <int D>
 void BodiesPhase<D>::guards(ConstState x, State values) const {
   field_.evaluate(layout_, *mode_, x);
-  all_guards<double>(field_, values);
+  guards_of<double>(field_, values);
 }
 
 template <int D>
@@ -92,7 +93,7 @@ void BodiesPhase<D>::guard_rates(ConstState x, ConstState dx, State rates) const
   along_values_.resize(rates.size());
   for (std::size_t i = 0; i < x.size(); ++i) along_[i] = Along(x[i], {dx[i]});
   directional_.evaluate(layout_, *mode_, std::span<const Along>(along_));
-  all_guards<Along>(directional_, along_values_);
+  guards_of<Along>(directional_, along_values_);
   for (std::size_t i = 0; i < rates.size(); ++i) rates[i] = along_values_[i].slope[0];
 }
 
@@ -100,7 +101,11 @@ template void BodiesPhase<2>::guards(ConstState, State) const;
 template void BodiesPhase<3>::guards(ConstState, State) const;
 template void BodiesPhase<2>::guard_rates(ConstState, ConstState, State) const;
 template void BodiesPhase<3>::guard_rates(ConstState, ConstState, State) const;
-template void BodiesPhase<2>::all_guards(BodiesField<series::Traced, 2>&, std::span<series::Traced>) const;
-template void BodiesPhase<3>::all_guards(BodiesField<series::Traced, 3>&, std::span<series::Traced>) const;
+template void BodiesPhase<2>::guards_of(const BodiesField<series::Traced, 2>&,
+                                        std::span<series::Traced>) const;
+template void BodiesPhase<3>::guards_of(const BodiesField<series::Traced, 3>&,
+                                        std::span<series::Traced>) const;
+template void BodiesPhase<2>::guards_of(const BodiesField<Sloped, 2, Sloped>&, std::span<Sloped>) const;
+template void BodiesPhase<3>::guards_of(const BodiesField<Sloped, 3, Sloped>&, std::span<Sloped>) const;
 
 }  // namespace mariotte::model

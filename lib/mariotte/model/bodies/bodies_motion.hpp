@@ -9,6 +9,10 @@
 
 namespace mariotte::model {
 
+/// A value with so many slopes as are carried side by side.
+inline constexpr int slope_lanes = 8;
+using Sloped = series::Dual<double, slope_lanes>;
+
 /// One body at one instant.
 template <class T, int D>
 struct BodyMotion {
@@ -18,30 +22,30 @@ struct BodyMotion {
 };
 
 /// (R − 1) r without cancellation.
-template <class T>
-Vec<T, 2> swung(const BodyMotion<T, 2>& body, const Vec<double, 2>& r) {
+template <class T, class N>
+Vec<T, 2> swung(const BodyMotion<T, 2>& body, const Vec<N, 2>& r) {
   return {{body.turn.w * r[0] - body.turn.z * r[1], body.turn.z * r[0] + body.turn.w * r[1]}};
 }
-template <class T>
-Vec<T, 3> swung(const BodyMotion<T, 3>& body, const Vec<double, 3>& r) {
+template <class T, class N>
+Vec<T, 3> swung(const BodyMotion<T, 3>& body, const Vec<N, 3>& r) {
   const Vec<T, 3> axis{{body.turn.x, body.turn.y, body.turn.z}}, arm = lift<T>(r);
   return T(2.0) * (body.turn.w * turned(axis, arm) + turned(axis, turned(axis, arm)));
 }
 
 /// Unit quaternion of the body in space at one instant.
-template <class T>
-BasicQuaternion<T> attitude(const SettingBody<3>& body, const BasicQuaternion<T>& turn) {
+template <class T, class N>
+BasicQuaternion<T> attitude(const SettingBody<3, N>& body, const BasicQuaternion<T>& turn) {
   const auto& q = body.attitude;
   return turn * BasicQuaternion<T>{q.w, q.x, q.y, q.z};
 }
 
 /// J⁻¹ M in axes of space.
-template <class T>
-Vec<T, 1> eased(const SettingBody<2>& body, const BodyMotion<T, 2>&, const Vec<T, 1>& moment) {
+template <class T, class N>
+Vec<T, 1> eased(const SettingBody<2, N>& body, const BodyMotion<T, 2>&, const Vec<T, 1>& moment) {
   return {{(1 / body.inertia[0]) * moment[0]}};
 }
-template <class T>
-Vec<T, 3> eased(const SettingBody<3>& body, const BodyMotion<T, 3>& motion, const Vec<T, 3>& moment) {
+template <class T, class N>
+Vec<T, 3> eased(const SettingBody<3, N>& body, const BodyMotion<T, 3>& motion, const Vec<T, 3>& moment) {
   if (body.is_round) return T(1 / body.inertia[0]) * moment;
   const auto q = attitude(body, motion.turn);
   const auto m = rotate(conjugate(q), BasicVector3<T>{moment[0], moment[1], moment[2]});
@@ -50,8 +54,8 @@ Vec<T, 3> eased(const SettingBody<3>& body, const BodyMotion<T, 3>& motion, cons
   return {{turned.e1, turned.e2, turned.e3}};
 }
 
-template <class T>
-BodyMotion<T, 2> motion_of(const SettingBody<2>& body, const BodiesLayout<2>& at, std::span<const T> x,
+template <class T, class N>
+BodyMotion<T, 2> motion_of(const SettingBody<2, N>& body, const BodiesLayout<2>& at, std::span<const T> x,
                            Index i) {
   using std::sin;
   BodyMotion<T, 2> motion{.shift = vec_at<2>(x, at.shift(i)),
@@ -64,8 +68,8 @@ BodyMotion<T, 2> motion_of(const SettingBody<2>& body, const BodiesLayout<2>& at
   motion.turn.z = sin(x[at.turn(i)]);
   return motion;
 }
-template <class T>
-BodyMotion<T, 3> motion_of(const SettingBody<3>& body, const BodiesLayout<3>& at, std::span<const T> x,
+template <class T, class N>
+BodyMotion<T, 3> motion_of(const SettingBody<3, N>& body, const BodiesLayout<3>& at, std::span<const T> x,
                            Index i) {
   BodyMotion<T, 3> motion{.shift = vec_at<3>(x, at.shift(i)),
                           .velocity = vec_at<3>(x, at.velocity(i)),
@@ -87,8 +91,8 @@ struct ContactMotion {
 };
 
 /// Sets the indentation, and returns that by which levers are shorter.
-template <class T, int D>
-T set_indentation(const BodiesSetting<D>& setting, const SettingContact<D>&, ContactMotion<T, D>& c) {
+template <class T, int D, class N>
+T set_indentation(const BodiesSetting<D, N>& setting, const SettingContact<D, N>&, ContactMotion<T, D>& c) {
   const bool touches = -c.gap > setting.smallest_indentation;
   c.indentation = touches ? T(-c.gap) : T(setting.smallest_indentation);
   return touches ? c.indentation : T(0.0);
@@ -111,22 +115,22 @@ template <class T, int D>
 struct SphereMotion {
   Vec<T, D> shift, arm, velocity;
 };
-template <class T, int D>
-SphereMotion<T, D> sphere_motion(const SettingSphere<D>& sphere, const BodyMotion<T, D>& body) {
+template <class T, int D, class N>
+SphereMotion<T, D> sphere_motion(const SettingSphere<D, N>& sphere, const BodyMotion<T, D>& body) {
   const auto swing = swung(body, sphere.arm);
   const Vec<T, D> arm = lift<T>(sphere.arm) + swing;
   return {body.shift + swing, arm, body.velocity + turned(body.spin, arm)};
 }
 
 /// `clock` is the time since the start; `a` is not looked at if the contact is with a plane.
-template <class T, int D>
-ContactMotion<T, D> contact_motion(const BodiesSetting<D>& setting, const SettingContact<D>& contact,
+template <class T, int D, class N>
+ContactMotion<T, D> contact_motion(const BodiesSetting<D, N>& setting, const SettingContact<D, N>& contact,
                                    const BodyMotion<T, D>* a, const BodyMotion<T, D>& b, const T& clock) {
   ContactMotion<T, D> c;
   const auto& sphere_b = setting.sphere[contact.b];
   const auto on_b = sphere_motion(sphere_b, b);
   SphereMotion<T, D> on_a;
-  double radius_a = 0;
+  N radius_a = 0;
   if (a) {
     on_a = sphere_motion(setting.sphere[contact.a], *a);
     radius_a = setting.sphere[contact.a].radius;

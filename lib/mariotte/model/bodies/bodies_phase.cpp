@@ -152,12 +152,11 @@ std::vector<flow::Entry> BodiesPhase<D>::pattern() const {
 
 template <int D>
 void BodiesPhase<D>::jacobian(ConstState x, State values) const {
-  using Sloped = series::Dual<double, columns>;
   const Index n = size();
   sloped_dx_.resize(n);
-  for (Index first = 0; first < n; first += columns) {
+  for (Index first = 0; first < n; first += slope_lanes) {
     sloped_x_.assign(x.begin(), x.end());
-    const Index count = std::min<Index>(columns, n - first);
+    const Index count = std::min<Index>(slope_lanes, n - first);
     for (Index k = 0; k < count; ++k) sloped_x_[first + k].slope[k] = 1;
     sloped_.evaluate(layout_, *mode_, std::span<const Sloped>(sloped_x_));
     sloped_.rates(*mode_, std::span<const Sloped>(sloped_x_), std::span<Sloped>(sloped_dx_));

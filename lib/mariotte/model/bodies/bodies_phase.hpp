@@ -54,6 +54,9 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   flow::BallPhase* balls() const override { return is_balls_ ? &*balls_ : nullptr; }
   flow::ClusterPhase* cluster() const override { return is_cluster_ ? &*cluster_ : nullptr; }
 
+  /// Guards where a field of this mode has been evaluated.
+  template <class T, class N>
+  void guards_of(const BodiesField<T, D, N>& field, std::span<T> values) const;
   Index slot_guard(Index slot, SlotGuard guard) const {
     return slot * guards_per_slot + static_cast<Index>(guard);
   }
@@ -74,13 +77,12 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   Index stray_guard(Index k) const { return parting_guard(touching_) + k; }
 
  private:
-  template <class T>
-  void all_guards(BodiesField<T, D>& field, std::span<T> values) const;
-  template <class T>
-  T friction_guard(const BodiesField<T, D>& field, const ClosedContact& mode,
+  template <class T, class N>
+  T friction_guard(const BodiesField<T, D, N>& field, const ClosedContact& mode,
                    const ContactForces<T, D>& c) const;
-  template <class T>
-  T load_guard(const ClosedContact& mode, const ContactForces<T, D>& c) const;
+  template <class T, class N>
+  T load_guard(const BodiesField<T, D, N>& field, const ClosedContact& mode,
+               const ContactForces<T, D>& c) const;
   double meeting(ConstState x, Index contact, double limit) const;
   /// Depth at which a contact that is open closes.
   double closing_depth(Index contact) const {
@@ -113,10 +115,9 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   mutable std::optional<BodiesBalls> balls_;  ///< in the plane
   mutable std::optional<BodiesCluster> cluster_;
 
-  static constexpr int columns = 8;
   mutable BodiesField<double, D> field_;
   mutable BodiesField<series::Dual<double, 1>, D> directional_;
-  mutable BodiesField<series::Dual<double, columns>, D> sloped_;
+  mutable BodiesField<Sloped, D> sloped_;
   mutable BodiesField<series::Traced, D> traced_;
   mutable std::vector<series::Traced> traced_x_, traced_dx_, traced_values_;
   mutable std::vector<char> is_far_;       ///< by watched contact: its gap is not recorded
@@ -124,7 +125,7 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   mutable std::vector<char> is_followed_;  ///< by body: it touches another, or may meet one
   mutable std::vector<Index> followed_;    ///< components of the state
   mutable std::vector<series::Dual<double, 1>> along_, along_values_;
-  mutable std::vector<series::Dual<double, columns>> sloped_x_, sloped_dx_;
+  mutable std::vector<Sloped> sloped_x_, sloped_dx_;
 };
 
 }  // namespace mariotte::model

@@ -108,7 +108,7 @@ template <int D>
 void BodiesPhase<D>::record_guards(flow::Recording& recording) const {
   recording.guard.clear();
   traced_values_.resize(guard_count());
-  all_guards<Traced>(traced_, traced_values_);
+  guards_of<Traced>(traced_, traced_values_);
   for (Index i = 0; i < guard_count(); ++i) {
     if (crossing_[i] == flow::Crossing::none || traced_values_[i].is_constant()) continue;
     const double sign = crossing_[i] == flow::Crossing::rising ? -1 : 1;

@@ -48,6 +48,7 @@ void add_contact(const Bodies& bodies, const BodyContact& contact, const std::ve
                  BodiesSetting<D>& setting) {
   SettingContact<D> one{
       .apart = {}, .law = contact.law, .tangential = contact.tangential, .share = contact.share};
+  if (const auto* power = contact::power_law(one.law)) one.numbers = {power->stiffness, power->damping};
   if (one.tangential.friction == 0) one.tangential.law = TangentialLaw::none;
   one.gap = start_gap(bodies, contact);
   one.b = first[contact.b.owner] + contact.b.sphere;

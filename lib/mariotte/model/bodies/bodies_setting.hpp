@@ -1,4 +1,5 @@
 // What does not change during a run of bodies: features and gaps at the start, laws, places in the state.
+// N is a number, or a value with slopes by what the bodies are made from.
 #pragma once
 #include <algorithm>
 #include <vector>
@@ -10,35 +11,42 @@
 namespace mariotte::model {
 
 /// A body, D = 2 or 3.
-template <int D>
+template <int D, class N = double>
 struct SettingBody {
-  double mass;
-  Vec<double, turns(D)> inertia;  ///< principal moments
-  Quaternion attitude;            ///< at the start
-  bool is_round;                  ///< all moments are equal
-  double reach = 0;               ///< to the farthest point of its spheres
-  bool has_arms = false;          ///< a sphere is not at the mass centre: contacts feel how it has turned
-  double push = 1;  ///< largest velocity that a contact can give it, over that of the other body
+  N mass;
+  Vec<N, turns(D)> inertia;     ///< principal moments
+  BasicQuaternion<N> attitude;  ///< at the start
+  bool is_round;                ///< all moments are equal
+  double reach = 0;             ///< to the farthest point of its spheres
+  bool has_arms = false;        ///< a sphere is not at the mass centre: contacts feel how it has turned
+  double push = 1;              ///< largest velocity that a contact can give it, over that of the other body
 };
 
 /// A sphere at the start, axes of space.
-template <int D>
+template <int D, class N = double>
 struct SettingSphere {
   Index body;
-  Vec<double, D> arm;  ///< from the mass centre
-  double radius;
+  Vec<N, D> arm;  ///< from the mass centre
+  N radius;
+};
+
+/// k and c of a power law; 0 of others.
+template <class N>
+struct LawNumbers {
+  N stiffness = 0, damping = 0;
 };
 
 /// A pair that may touch. Displacements since the start are the state, so that gaps lose no digits.
-template <int D>
+template <int D, class N = double>
 struct SettingContact {
-  Index plane = -1;              ///< or −1
-  Index a = -1, b = -1;          ///< spheres
-  Vec<double, D> apart;          ///< from a to b at the start; the normal of a plane
-  double distance = 0, gap = 0;  ///< at the start
+  Index plane = -1;         ///< or −1
+  Index a = -1, b = -1;     ///< spheres
+  Vec<N, D> apart;          ///< from a to b at the start; the normal of a plane
+  N distance = 0, gap = 0;  ///< at the start
   contact::Law law;
-  Tangential tangential;
-  double share = 0.5;
+  LawNumbers<N> numbers = {};
+  BasicTangential<N> tangential;
+  N share = 0.5;
   // Natural sizes.
   double mass = 1, length = 1, time = 1, force = 1;
 };
@@ -69,13 +77,13 @@ struct BodiesLayout {
 };
 
 /// Everything together.
-template <int D>
+template <int D, class N = double>
 struct BodiesSetting {
-  Vec<double, D> gravity;
-  std::vector<SettingBody<D>> body;
-  std::vector<SettingSphere<D>> sphere;
-  std::vector<Vec<double, D>> plane_velocity;
-  std::vector<SettingContact<D>> contact;
+  Vec<N, D> gravity;
+  std::vector<SettingBody<D, N>> body;
+  std::vector<SettingSphere<D, N>> sphere;
+  std::vector<Vec<N, D>> plane_velocity;
+  std::vector<SettingContact<D, N>> contact;
   double speed = 1;                      ///< what the accuracy is relative to
   double length = 1, time = 1;           ///< shortest natural ones of all contacts
   double smallest_indentation = 0;       ///< stands for 0 where a ratio of forces is wanted

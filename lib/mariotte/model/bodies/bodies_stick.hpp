@@ -47,8 +47,8 @@ struct StuckContact {
 };
 
 /// Acceleration along `s` at one contact by a unit force along `t` at another.
-template <class T, int D>
-T mobility(const BodiesSetting<D>& setting, std::span<const BodyMotion<T, D>> motion,
+template <class T, int D, class N>
+T mobility(const BodiesSetting<D, N>& setting, std::span<const BodyMotion<T, D>> motion,
            const StuckContact<T, D>& at, const Vec<T, D>& s, const StuckContact<T, D>& by,
            const Vec<T, D>& t) {
   T sum = T(0.0);
@@ -65,8 +65,8 @@ T mobility(const BodiesSetting<D>& setting, std::span<const BodyMotion<T, D>> mo
 
 /// Sets the friction of each, from W f = −(rate of slip). False if the contacts are redundant: then it is the
 /// least that does.
-template <class T, int D>
-bool hold_still(const BodiesSetting<D>& setting, std::span<const BodyMotion<T, D>> motion,
+template <class T, int D, class N>
+bool hold_still(const BodiesSetting<D, N>& setting, std::span<const BodyMotion<T, D>> motion,
                 std::span<const StuckContact<T, D>> stuck, std::vector<Vec<T, D>>& friction) {
   constexpr int k = D - 1;
   const std::size_t size = k * stuck.size();

@@ -4,6 +4,7 @@
 
 #include "mariotte/contact/branched_law.hpp"
 #include "mariotte/contact/law.hpp"
+#include "mariotte/model/bodies/bodies_setting.hpp"
 #include "mariotte/series/dual.hpp"
 #include "mariotte/series/tape.hpp"
 
@@ -18,9 +19,14 @@ inline bool can_be_recorded(const contact::Law& law) {
   return power && (power->exponent == 1 || power->exponent == 1.5);
 }
 
-/// δⁿ⁻¹ of a law that can be recorded.
-inline series::Traced recorded_width(const contact::PowerLaw& law, const series::Traced& depth) {
-  return law.exponent == 1 ? series::Traced(1.0) : sqrt(depth);
+/// δⁿ⁻¹; on a tape of a law that can be recorded.
+template <class T>
+T width_of(const contact::PowerLaw& law, const T& depth) {
+  using std::pow, std::sqrt;
+  if (law.exponent == 1) return T(1.0);
+  if constexpr (!is_recorded<T>)
+    if (law.exponent != 1.5) return pow(depth, T(law.exponent - 1));
+  return sqrt(depth);
 }
 
 /// What has the sign of the force of a law that can be recorded.
@@ -59,49 +65,62 @@ inline double yield_depth(const contact::Law& law, const contact::Memory& past) 
   return branches ? branches->yield_indentation(past) : infinity;
 }
 
+/// What k and c add to k δ + c δ̇ as they move.
+template <class N>
+N moved_load(const LawNumbers<N>& numbers, double depth, double rate) {
+  const auto moved = [](const N& number) { return number - series::value_of(number); };
+  return depth * moved(numbers.stiffness) + rate * moved(numbers.damping);
+}
+
 /// Force of either sign.
-template <class T>
-T law_force(const contact::Law& law, const contact::Memory& past, const T& depth, const T& rate) {
+template <class T, int D, class N>
+T law_force(const SettingContact<D, N>& one, const contact::Memory& past, const T& depth, const T& rate) {
   if constexpr (is_recorded<T>) {
-    const auto& one = *contact::power_law(law);
-    return recorded_width(one, depth) * recorded_load(one, depth, rate);
+    const auto& law = *contact::power_law(one.law);
+    return width_of(law, depth) * recorded_load(law, depth, rate);
   } else {
-    return answer(smooth_force(law, past, series::value_of(depth), series::value_of(rate)), depth, rate);
+    const double d = series::value_of(depth), r = series::value_of(rate);
+    T force = answer(smooth_force(one.law, past, d, r), depth, rate);
+    if constexpr (!std::is_same_v<N, double>)
+      if (const auto* power = contact::power_law(one.law); power && d > 0)
+        force = force + contact::contact_width(power->exponent, d) * moved_load(one.numbers, d, r);
+    return force;
   }
 }
 
 /// What has the sign of the force.
-template <class T>
-T law_load(const contact::Law& law, const T& depth, const T& rate) {
-  if constexpr (is_recorded<T>)
-    return recorded_load(*contact::power_law(law), depth, rate);
-  else
-    return answer(contact::load(law, series::value_of(depth), series::value_of(rate)), depth, rate);
+template <class T, int D, class N>
+T law_load(const SettingContact<D, N>& one, const T& depth, const T& rate) {
+  if constexpr (is_recorded<T>) {
+    return recorded_load(*contact::power_law(one.law), depth, rate);
+  } else {
+    const double d = series::value_of(depth), r = series::value_of(rate);
+    T load = answer(contact::load(one.law, d, r), depth, rate);
+    if constexpr (!std::is_same_v<N, double>) load = load + moved_load(one.numbers, d, r);
+    return load;
+  }
 }
 
-/// Slopes of the force by indentation and by its rate. Values with slopes get those of an undamped linear or
-/// Hertz force as well; of others these are held.
+/// Slopes of the force by indentation and by its rate. Values with slopes get those of the force of a power
+/// law as well; of others these are held.
 template <class T>
 struct LawSlopes {
   T by_indentation, by_rate;
 };
-template <class T>
-LawSlopes<T> law_slopes(const contact::Law& law, const contact::Memory& past, const T& depth, const T& rate) {
-  using std::sqrt;
-  const auto* power = contact::power_law(law);
-  if constexpr (is_recorded<T>) {
-    const auto width = recorded_width(*power, depth);
-    auto slope = power->exponent * power->stiffness * width;
-    if (power->damping > 0 && power->exponent > 1)
-      slope = slope + (power->exponent - 1) * power->damping * width * (rate / depth);
-    return {slope, power->damping * width};
-  } else {
-    const auto f = smooth_force(law, past, series::value_of(depth), series::value_of(rate));
-    LawSlopes<T> slopes{T(f.by_indentation), T(f.by_rate)};
-    if (power && power->damping == 0 && power->exponent == 1.5)
-      slopes.by_indentation = 1.5 * power->stiffness * sqrt(depth);
-    return slopes;
-  }
+template <class T, int D, class N>
+LawSlopes<T> law_slopes(const SettingContact<D, N>& one, const contact::Memory& past, const T& depth,
+                        const T& rate) {
+  const auto* power = contact::power_law(one.law);
+  if constexpr (!std::is_same_v<T, double>)
+    if (power) {
+      const double n = power->exponent;
+      const T width = width_of(*power, depth);
+      T slope = n * one.numbers.stiffness * width;
+      if (power->damping > 0 && n > 1) slope = slope + (n - 1) * one.numbers.damping * width * (rate / depth);
+      return {slope, one.numbers.damping * width};
+    }
+  const auto f = smooth_force(one.law, past, series::value_of(depth), series::value_of(rate));
+  return {T(f.by_indentation), T(f.by_rate)};
 }
 
 }  // namespace mariotte::model

@@ -79,8 +79,8 @@ Vec<T, 3> moment(const Vec<T, 3>& r, const Vec<T, 3>& force) {
 }
 
 /// The same numbers as another kind of number.
-template <class T, int n>
-Vec<T, n> lift(const Vec<double, n>& a) {
+template <class T, class N, int n>
+Vec<T, n> lift(const Vec<N, n>& a) {
   Vec<T, n> result;
   for (int i = 0; i < n; ++i) result[i] = T(a[i]);
   return result;
