@@ -194,6 +194,23 @@ BOOST_AUTO_TEST_CASE(slopes_of_rods_that_slip_stick_and_let_go_are_those_of_diff
   BOOST_TEST(deviation(dumbbell, "normal_velocity", "surface.stiffness") < 1e-7);
 }
 
+// A radius moves mass, moment, levers and stiffness; the ball is far enough from the plane to stay so.
+BOOST_AUTO_TEST_CASE(slopes_of_bodies_by_numbers_of_the_scene_are_those_of_differences) {
+  const std::string sphere =
+      "[bodies]\ndimension = 2\nlaw = \"hertz\"\ntangential = \"mindlin\"\nfriction = 0.09\n"
+      "material = { young = \"70 GPa\", poisson = 0.25, density = \"2500 kg/m^3\" }\n"
+      "[[bodies.body]]\nradius = \"2.5 mm\"\nposition = [0, \"3 mm\"]\nvelocity = [1.3, -3.7]\n"
+      "[[bodies.plane]]\nnormal = [0, 1]\n";
+  for (const char* outcome :
+       {"bodies[0].velocity[0]", "bodies[0].spin", "contacts[0].losses.friction", "time"})
+    for (const char* key : {"bodies.friction", "bodies.material.young", "bodies.body[0].velocity[1]",
+                            "bodies.body[0].radius", "bodies.body[0].position[1]"})
+      BOOST_TEST_CONTEXT(outcome << " by " << key) {
+        const double size = std::string(outcome) == "bodies[0].spin" ? 500 : 1;
+        BOOST_TEST(deviation(sphere, outcome, key) < 1e-8 * size);
+      }
+}
+
 // A row that lies on a wall: nothing closes with a speed, and no force jumps.
 BOOST_AUTO_TEST_CASE(a_row_at_rest_on_a_wall_has_slopes) {
   const std::string row =

@@ -70,10 +70,7 @@ class ContactSensitivity {
     add_velocities();
     add_impulses();
     add_time();
-    add_notes(
-        end_, base_.scale.time,
-        [&](Index guard) { return "contact " + std::to_string(layout_.guard_contact[guard] + 1); },
-        result_.notes);
+    add_notes(end_, base_.scale.time, result_.notes);
     add_near_closings();
     leave_out_unbounded(result_);
     return std::move(result_);

@@ -251,7 +251,7 @@ void ContactVariation<Topology>::guard_slopes(Index i, ConstState x, const conta
 }
 
 template <class Topology>
-double ContactVariation<Topology>::crossing_speed(Index i, double rate) const {
+double ContactVariation<Topology>::crossing_speed(Index i, double rate, const contact::ContactSet&) const {
   const Index j = layout_.guard_contact[i];
   const double speed = model_.speed, time = model_.time[j];
   switch (layout_.kind(i)) {

@@ -84,7 +84,11 @@ class ContactVariation {
   /// ∂γ/∂p of guard i at a state, by parameter.
   void guard_slopes(Index i, ConstState x, const contact::ContactSet& mode, std::span<double> slopes) const;
   /// How fast guard i crosses at this rate, relative to what is natural.
-  double crossing_speed(Index i, double rate) const;
+  double crossing_speed(Index i, double rate, const contact::ContactSet& mode) const;
+  /// Whose guard it is.
+  std::string name(Index i, const contact::ContactSet&) const {
+    return "contact " + std::to_string(layout_.guard_contact[i] + 1);
+  }
   /// Guards of contacts that touch and approach at the start: they have just closed.
   std::vector<Index> guards_at_start(const contact::ContactSet& mode, ConstState x) const;
   /// The mode before guard i has fired at the start.

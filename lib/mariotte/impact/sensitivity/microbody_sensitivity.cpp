@@ -75,10 +75,7 @@ class BodySlopes {
     result_.message = end_.run.message;
     add_readings();
     add_time();
-    add_notes(
-        end_, system_.body().scale.time,
-        [](Index guard) { return "tip " + std::to_string(guard / model::guards_per_tip + 1); },
-        result_.notes);
+    add_notes(end_, system_.body().scale.time, result_.notes);
     add_note_of_capture();
     leave_out_unbounded(result_);
     return std::move(result_);

@@ -135,7 +135,7 @@ void MicrobodyVariation::guard_slopes(Index i, ConstState x, const MicrobodyMode
     });
 }
 
-double MicrobodyVariation::crossing_speed(Index i, double rate) const {
+double MicrobodyVariation::crossing_speed(Index i, double rate, const MicrobodyMode&) const {
   if (i >= model::escape_guard(system_.layout().tips)) return 1;
   const auto& law = base_.law[static_cast<std::size_t>(i / model::guards_per_tip)];
   const double force = base_.body.mass * base_.speed / base_.time;

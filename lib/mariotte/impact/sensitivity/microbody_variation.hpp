@@ -28,7 +28,10 @@ class MicrobodyVariation {
   double guard_rate(const flow::Problem& problem, Index i, ConstState x, ConstState dx,
                     const model::MicrobodyMode& mode) const;
   void guard_slopes(Index i, ConstState x, const model::MicrobodyMode& mode, std::span<double> slopes) const;
-  double crossing_speed(Index i, double rate) const;
+  double crossing_speed(Index i, double rate, const model::MicrobodyMode& mode) const;
+  std::string name(Index i, const model::MicrobodyMode&) const {
+    return "tip " + std::to_string(i / model::guards_per_tip + 1);
+  }
 
   /// The first tip touches at the start whatever the parameters are.
   std::vector<Index> guards_at_start(const model::MicrobodyMode&, ConstState) const { return {}; }

@@ -22,13 +22,12 @@ void leave_out_unbounded(Sensitivity& slopes);
 /// Throws InvalidParameter for more slopes than memory and patience allow.
 void expect_few(Index components, Index parameters);
 
-/// Notes of a run; `name(guard)` says whose guard it is, `unit` is that of time [s].
-template <class System, class Name>
-void add_notes(const SlopeRun<System>& end, double unit, Name&& name, std::vector<std::string>& notes) {
-  if (const auto& one = end.delicate)
-    notes.push_back(grazing_note(name(one->guard), one->speed, one->time * unit));
+/// Notes of a run; `unit` is that of time [s].
+template <class System>
+void add_notes(const SlopeRun<System>& end, double unit, std::vector<std::string>& notes) {
+  if (const auto& one = end.delicate) notes.push_back(grazing_note(one->what, one->speed, one->time * unit));
   for (const auto& one : end.coincident)
-    notes.push_back(coincidence_note(name(one.first), name(one.second), one.time * unit));
+    notes.push_back(coincidence_note(one.first, one.second, one.time * unit));
   if (std::find(end.time_is_shared.begin(), end.time_is_shared.end(), true) != end.time_is_shared.end())
     notes.push_back(shared_ending_note());
   if (end.time_is_noise) notes.push_back(noise_ending_note());

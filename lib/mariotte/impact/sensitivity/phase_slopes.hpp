@@ -21,7 +21,14 @@ class PhaseSlopes final : public hybrid::PhaseObserver {
         variation_(variation),
         mode_(mode),
         watch_(watch),
-        collocation_(problem.pattern(), problem.magnitudes(), variation.natural_slopes(), accuracy) {}
+        accuracy_(accuracy) {
+    fit();
+  }
+
+  /// To the present size and pattern of the problem.
+  void fit() {
+    collocation_.emplace(pattern(), problem_.magnitudes(), variation_.natural_slopes(), accuracy_);
+  }
 
   /// A flow that gives up may have gone back to where the phase began.
   void begin_phase(double time, ConstState) override {
@@ -37,8 +44,8 @@ class PhaseSlopes final : public hybrid::PhaseObserver {
       if (variation_.advance(step, mode_, slopes)) return void(end_.reset());
     const double beyond = find_end(step);
     Along field(*this, step);
-    collocation_.advance(field, step.start, end_.value_or(step.end),
-                         {.begins = step.start == 0, .beyond = beyond}, slopes);
+    collocation_->advance(field, step.start, end_.value_or(step.end),
+                          {.begins = step.start == 0, .beyond = beyond}, slopes);
   }
   /// What comes next is another phase, even if it begins at the same time.
   void end_phase() { phase_start_ = -1; }
@@ -61,6 +68,13 @@ class PhaseSlopes final : public hybrid::PhaseObserver {
     const flow::Step& step_;
     std::vector<double> x_;
   };
+
+  std::vector<flow::Entry> pattern() const {
+    if constexpr (requires { variation_.pattern(mode_); })
+      return variation_.pattern(mode_);
+    else
+      return problem_.pattern();
+  }
 
   /// How far beyond the step a guard will be met, in lengths of the step. One that ends the phase is met a
   /// little before or behind the end of the step: a contact that lets go has the root of its force there,
@@ -105,7 +119,8 @@ class PhaseSlopes final : public hybrid::PhaseObserver {
   const Variation& variation_;
   const Mode& mode_;
   const std::function<void()>& watch_;
-  Collocation collocation_;
+  double accuracy_;
+  std::optional<Collocation> collocation_;
   SlopeMatrix at_start_;
   std::vector<double> value_, rate_, dx_;  ///< of guards, and of the state
   std::vector<double> last_;               ///< state at the guard that ends the phase

@@ -9,6 +9,7 @@
 #include "mariotte/hybrid/ending.hpp"
 #include "mariotte/hybrid/options.hpp"
 #include "mariotte/impact/sensitivity/parameter.hpp"
+#include "mariotte/model/bodies/bodies.hpp"
 #include "mariotte/model/chain/chain.hpp"
 #include "mariotte/model/microbody/microbody.hpp"
 #include "mariotte/model/network/network.hpp"
@@ -53,6 +54,9 @@ struct Sensitivity {
 std::vector<Parameter<model::Chain>> parameters(const model::Chain& chain);
 /// Of a network: its diagonal masses, velocities, gaps and numbers of its laws.
 std::vector<Parameter<model::Network>> parameters(const model::Network& network);
+/// Of bodies: mass, moments, radii, place, velocity and spin of each, numbers of the contacts that are named,
+/// or of all if they are few, and gravity as far as it acts.
+std::vector<Parameter<model::Bodies>> parameters(const model::Bodies& bodies);
 
 /// Slopes of final velocities, impulses, their ratios and the time of the ending. Throws InvalidParameter as
 /// `simulate`.
@@ -67,6 +71,11 @@ Sensitivity sensitivity(
 /// time and of the restitution of the tip.
 Sensitivity sensitivity(
     const model::Microbody& body, const std::vector<Parameter<model::Microbody>>& by,
+    const hybrid::Options& options = {}, const SlopeWatch& watch = [] {});
+/// Slopes of final velocities and spins, of what contacts exchange and lose, and of the time of the ending.
+/// Of power laws alone.
+Sensitivity sensitivity(
+    const model::Bodies& bodies, const std::vector<Parameter<model::Bodies>>& by,
     const hybrid::Options& options = {}, const SlopeWatch& watch = [] {});
 
 }  // namespace mariotte::impact

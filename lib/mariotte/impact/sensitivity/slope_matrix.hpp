@@ -27,4 +27,13 @@ struct SlopeMatrix {
   void clear() { std::fill(values.begin(), values.end(), 0.0); }
 };
 
+/// The same with more rows, which are zero.
+inline SlopeMatrix with_rows(const SlopeMatrix& slopes, Index rows) {
+  if (rows == slopes.rows) return slopes;
+  SlopeMatrix result(rows, slopes.columns);
+  for (Index c = 0; c < slopes.columns; ++c)
+    std::copy_n(slopes.column(c).begin(), slopes.rows, result.column(c).begin());
+  return result;
+}
+
 }  // namespace mariotte::impact

@@ -5,6 +5,10 @@
 // where τ_p is the slope of its time [Aizerman & Gantmacher 1958; Hiskens & Pai 2000]. S is at fixed time.
 // Guards of one instant move the state one after the other; to first order their order does not matter, since
 // the state is continuous and each changes the rates by its own force.
+//
+// Where events begin and end what is integrated, slopes are carried at fixed time since the last event
+// instead, S + f Σ τ_p, which follows the same equation: of a contact that closes the slope of its gap is
+// zero then, and no root of its force is met with another slope.
 #pragma once
 #include <functional>
 #include <optional>
@@ -18,15 +22,15 @@ namespace mariotte::impact {
 
 /// An event whose slopes are large, or that has none.
 struct DelicateEvent {
-  double time;   ///< dimensionless
-  Index guard;   ///< that crosses slowly
-  double speed;  ///< at which it crosses, relative to the natural one
+  double time;       ///< dimensionless
+  std::string what;  ///< crosses slowly
+  double speed;      ///< at which it crosses, relative to the natural one
 };
 
 /// Guards that have crossed at one instant, whose times move differently.
 struct CoincidentEvents {
   double time;
-  Index first, second;  ///< two of the guards
+  std::string first, second;  ///< whose guards they are, of two of them
 };
 
 /// Where a run ended and how that moves, dimensionless.
@@ -60,13 +64,25 @@ class SlopeLoop {
   void start_events(Observer& observer, SlopeRun<System>& result);
   void pass(Observer& observer, const typename System::Mode& before, ConstState rate,
             SlopeRun<System>& result);
+  std::vector<std::vector<double>> event_times(const Observer& observer, const std::vector<Index>& guards,
+                                               ConstState rate, SlopeRun<System>& result);
+  void jump(Observer& observer, const typename System::Mode& before, ConstState rate,
+            SlopeRun<System>& result);
+  void shift_clock(Observer& observer, ConstState rate, const std::vector<double>& time);
+  void reset(Observer& observer, const typename System::Mode& before, ConstState rate,
+             SlopeRun<System>& result);
   std::vector<double> time_slopes(const Observer& observer, Index guard, ConstState rate, double time,
                                   SlopeRun<System>& result);
-  std::vector<double> rates(typename System::Mode& mode) {
-    std::vector<double> dx(workspace_.run.state.size());
-    system_.problem(mode).derivative(workspace_.run.state, dx);
+  std::vector<double> rates(typename System::Mode& mode, ConstState x) {
+    std::vector<double> dx(x.size());
+    system_.problem(mode).derivative(x, dx);
     return dx;
   }
+  std::vector<double> rates(typename System::Mode& mode) { return rates(mode, workspace_.run.state); }
+  /// Whether events begin and end what is integrated.
+  static constexpr bool resets = requires(const Variation& variation, const typename System::Mode& mode) {
+    variation.contact_of(Index{}, mode);
+  };
 
   /// True if the times of two events of one instant move apart.
   static bool note_difference(std::span<const double> tau, SlopeRun<System>& result) {
@@ -84,6 +100,7 @@ class SlopeLoop {
   hybrid::Options options_;
   const std::function<void()>& watch_;
   hybrid::Workspace<System> workspace_;
+  std::vector<double> shift_;  ///< Σ τ_p by parameter, where events reset
 };
 
 template <class System, class Variation>
@@ -95,15 +112,17 @@ std::vector<double> SlopeLoop<System, Variation>::time_slopes(const Observer& ob
   const auto along = [&](ConstState dx) {
     return variation_.guard_rate(problem, guard, x, dx, workspace_.mode);
   };
-  std::vector<double> slopes(variation_.columns());
+  std::vector<double> slopes(variation_.columns(), 0.0);
+  if constexpr (resets)
+    if (!variation_.has_time(guard, workspace_.mode)) return slopes;
   const double crossing = along(rate);
   variation_.guard_slopes(guard, x, workspace_.mode, slopes);
   for (Index c = 0; c < variation_.columns(); ++c)
     slopes[c] = -(slopes[c] + along(observer.slopes.column(c))) / crossing;
-  const double speed = variation_.crossing_speed(guard, crossing);
+  const double speed = variation_.crossing_speed(guard, crossing, workspace_.mode);
   constexpr double slow = 1e-6;  // errors of the run, 1e-12 of it, then are no more than its square
   if (speed < slow && !(result.delicate && result.delicate->speed <= speed))
-    result.delicate = DelicateEvent{time, guard, speed};
+    result.delicate = DelicateEvent{time, variation_.name(guard, workspace_.mode), speed};
   return slopes;
 }
 
@@ -111,13 +130,14 @@ std::vector<double> SlopeLoop<System, Variation>::time_slopes(const Observer& ob
 template <class System, class Variation>
 void SlopeLoop<System, Variation>::start_events(Observer& observer, SlopeRun<System>& result) {
   auto closed = workspace_.mode;
+  bool first = true;
   for (const Index guard : variation_.guards_at_start(closed, workspace_.run.state)) {
     auto open = closed;
     variation_.open_at_start(open, guard);
     const auto after = rates(closed);
     workspace_.mode = open;
     const auto before = rates(workspace_.mode);
-    if (before == after) {  // no force jumps, however slowly it closes
+    if (!resets && before == after) {  // no force jumps, however slowly it closes
       workspace_.mode = closed;
       continue;
     }
@@ -126,31 +146,53 @@ void SlopeLoop<System, Variation>::start_events(Observer& observer, SlopeRun<Sys
       for (std::size_t r = 0; r < before.size(); ++r)
         observer.slopes(r, c) += (before[r] - after[r]) * tau[c];
     workspace_.mode = closed;
+    if (resets && first) shift_clock(observer, after, tau);
+    first = false;
   }
 }
 
-/// From S⁻ to S⁺ at the guards that have fired; the mode is still the one before them.
+/// Slopes at fixed time since an event that moves by τ_p.
 template <class System, class Variation>
-void SlopeLoop<System, Variation>::pass(Observer& observer, const typename System::Mode& before,
+void SlopeLoop<System, Variation>::shift_clock(Observer& observer, ConstState rate,
+                                               const std::vector<double>& time) {
+  for (Index c = 0; c < variation_.columns(); ++c) {
+    shift_[c] += time[c];
+    for (std::size_t r = 0; r < rate.size(); ++r) observer.slopes(r, c) += rate[r] * time[c];
+  }
+}
+
+/// Slopes of the times of guards that have fired.
+template <class System, class Variation>
+std::vector<std::vector<double>> SlopeLoop<System, Variation>::event_times(const Observer& observer,
+                                                                           const std::vector<Index>& guards,
+                                                                           ConstState rate,
+                                                                           SlopeRun<System>& result) {
+  const double time = result.run.time;
+  std::vector<std::vector<double>> times;
+  result.time_is_shared.assign(variation_.columns(), false);
+  for (const Index guard : guards) {
+    times.push_back(time_slopes(observer, guard, rate, time, result));
+    if (times.size() == 1)
+      result.time = times[0];
+    else if (note_difference(times.back(), result))
+      result.coincident.push_back(
+          {time, variation_.name(guards[0], workspace_.mode), variation_.name(guard, workspace_.mode)});
+  }
+  return times;
+}
+
+/// Of a state that goes on: each guard changes rates by its own force.
+template <class System, class Variation>
+void SlopeLoop<System, Variation>::jump(Observer& observer, const typename System::Mode& before,
                                         ConstState rate, SlopeRun<System>& result) {
   const auto& fired = workspace_.fired;
-  result.time_is_noise = fired.empty();
-  if (fired.empty()) return;
+  const auto times = event_times(observer, fired, rate, result);
   auto& x = workspace_.run.state;
-  const double time = result.run.time;
   auto after_all = observer.slopes;
   std::vector<typename System::Change> ignored;
-  result.time.assign(variation_.columns(), 0.0);
-  result.time_is_shared.assign(variation_.columns(), false);
   typename System::Mode last = before;
   system_.transition(last, fired, x, ignored);
   for (std::size_t k = 0; k < fired.size(); ++k) {
-    workspace_.mode = before;
-    const auto tau = time_slopes(observer, fired[k], rate, time, result);
-    if (k == 0)
-      result.time = tau;
-    else if (note_difference(tau, result))
-      result.coincident.push_back({time, fired[0], fired[k]});
     auto mode = last;
     if (fired.size() > 1) {
       mode = before;
@@ -159,11 +201,41 @@ void SlopeLoop<System, Variation>::pass(Observer& observer, const typename Syste
     const auto next = rates(mode);
     for (Index c = 0; c < variation_.columns(); ++c)
       for (std::size_t r = 0; r < next.size(); ++r)
-        if (const double jump = rate[r] - next[r]; jump != 0) after_all(r, c) += jump * tau[c];
-    variation_.remember(fired[k], before, mode, observer.slopes, rate, tau);
+        if (const double jump = rate[r] - next[r]; jump != 0) after_all(r, c) += jump * times[k][c];
+    variation_.remember(fired[k], before, mode, observer.slopes, rate, times[k]);
   }
   observer.slopes = after_all;
-  workspace_.mode = before;
+}
+
+/// Of a state of which parts begin, end, or are told anew.
+template <class System, class Variation>
+void SlopeLoop<System, Variation>::reset(Observer& observer, const typename System::Mode& before,
+                                         ConstState rate, SlopeRun<System>& result) {
+  const auto& fired = workspace_.fired;
+  const auto& x = workspace_.run.state;
+  auto after = before;
+  auto behind = x;
+  std::vector<typename System::Change> ignored;
+  system_.transition(after, fired, behind, ignored);
+  const auto next = rates(after, behind);
+  const auto guards = variation_.telling(fired, before, after);
+  const auto times = event_times(observer, guards, rate, result);
+  observer.slopes = variation_.pass({before, after, x, behind, rate, next, guards, times}, observer.slopes);
+  shift_clock(observer, next, times[0]);
+  result.time = shift_;
+  system_.problem(workspace_.mode);  // which transitions look at
+}
+
+/// From S⁻ to S⁺ at the guards that have fired; the mode is still the one before them.
+template <class System, class Variation>
+void SlopeLoop<System, Variation>::pass(Observer& observer, const typename System::Mode& before,
+                                        ConstState rate, SlopeRun<System>& result) {
+  result.time_is_noise = workspace_.fired.empty();
+  if (workspace_.fired.empty()) return;
+  if constexpr (resets)
+    reset(observer, before, rate, result);
+  else
+    jump(observer, before, rate, result);
 }
 
 template <class System, class Variation>
@@ -177,6 +249,7 @@ SlopeRun<System> SlopeLoop<System, Variation>::follow(ConstState x0, const Slope
   run.state.assign(x0.begin(), x0.end());
   result.time.assign(variation_.columns(), 0.0);
   result.time_is_shared.assign(variation_.columns(), false);
+  shift_.assign(variation_.columns(), 0.0);
   CompensatedSum time;
   const auto end = [&](Ending ending, std::string message = {}) {
     result.run.ending = ending;
@@ -189,7 +262,7 @@ SlopeRun<System> SlopeLoop<System, Variation>::follow(ConstState x0, const Slope
 
   system_.mode_at(run.state, mode, changes);
   Observer observer(system_.problem(mode), variation_, mode, options_.accuracy, watch_);
-  observer.slopes = start;
+  observer.slopes = with_rows(start, std::ssize(run.state));
   start_events(observer, result);
   for (;;) {
     hybrid::record(result.run, time.value(), changes);
@@ -204,6 +277,10 @@ SlopeRun<System> SlopeLoop<System, Variation>::follow(ConstState x0, const Slope
       break;
     }
     observer.end_phase();
+    if constexpr (resets) {
+      system_.problem(mode);
+      observer.fit();
+    }
     const auto arrival =  // its observer never gives it up
         hybrid::follow_phase(system_, options_, workspace_, time, &observer).value();
     if (arrival.outcome != flow::Outcome::guard) {
@@ -224,6 +301,10 @@ SlopeRun<System> SlopeLoop<System, Variation>::follow(ConstState x0, const Slope
     system_.transition(mode, fired, run.state, changes);
   }
   result.run.flows = run.flows;
+  for (Index c = 0; c < variation_.columns(); ++c)
+    if (shift_[c] != 0)
+      for (std::size_t r = 0; r < result.rate.size(); ++r)
+        observer.slopes(r, c) -= result.rate[r] * shift_[c];
   result.slopes = std::move(observer.slopes);
   return result;
 }

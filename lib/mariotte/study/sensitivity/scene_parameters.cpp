@@ -70,10 +70,7 @@ impact::Sensitivity slopes_of(const scene::Scene& scene, Of&& of, OfBody&& param
       Overload{[&](const model::Chain& chain) { return of(chain, impact::parameters(chain)); },
                [&](const model::Network& network) { return of(network, impact::parameters(network)); },
                [&](const model::Microbody& body) { return of(body, parameters_of_body()); },
-               [](const model::Bodies&) -> impact::Sensitivity {
-                 throw scene::SceneError("[bodies]: slopes of bodies with friction are not known yet",
-                                         fault::no_model);
-               },
+               [&](const model::Bodies& bodies) { return of(bodies, impact::parameters(bodies)); },
                [](const scene::LawAlone& nothing) -> impact::Sensitivity { scene::refuse(nothing); }},
       scene.model);
 }

@@ -1,0 +1,224 @@
+// Slopes of bodies that touch each other with friction: beside differences of tight runs, by hand, and where
+// they are refused.
+#define BOOST_TEST_MODULE slopes of bodies with friction
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <random>
+
+#include "mariotte/contact/walton_braun.hpp"
+#include "mariotte/core/error.hpp"
+#include "mariotte/impact/sensitivity/sensitivity.hpp"
+#include "mariotte/impact/sensitivity/stencil.hpp"
+
+using namespace mariotte;
+using impact::Sensitivity;
+using model::Bodies;
+using model::Tangential;
+using model::TangentialLaw;
+
+namespace {
+
+constexpr Tangential rigid{TangentialLaw::rigid, 0.2, 0}, spring{TangentialLaw::spring, 0.3, 4e5},
+    mindlin{TangentialLaw::mindlin, 0.25, 0.8e9};
+
+/// Two bodies, the first a ball or a rod, that meet off centre, and a plane that moves towards the second.
+class Scenes {
+ public:
+  explicit Scenes(unsigned seed) : random_(seed) {}
+
+  Bodies next(int dimension, const contact::Law& law, const Tangential& tangential) {
+    Bodies bodies{.dimension = dimension, .gravity = {0.5, in(-30, 0), 0}};
+    for (int i = 0; i < 2; ++i) bodies.body.push_back(body(i, dimension));
+    if (in(0, 1) < 0.5)
+      bodies.plane.push_back(
+          {.name = "", .point = {0, -0.02, 0}, .normal = {0, 1, 0}, .velocity = {0, 0.3, 0}});
+    for (Index k = 0; k < std::ssize(bodies.body[0].spheres); ++k) {
+      bodies.contact.push_back({.a = {0, k}, .b = {1, 0}, .law = law, .tangential = tangential});
+      if (!bodies.plane.empty())
+        bodies.contact.push_back({.a = {0, -1}, .b = {0, k}, .law = law, .tangential = tangential});
+    }
+    return bodies;
+  }
+  std::size_t below(std::size_t count) {
+    return std::uniform_int_distribution<std::size_t>(0, count - 1)(random_);
+  }
+
+ private:
+  double in(double low, double high) { return std::uniform_real_distribution(low, high)(random_); }
+  Vector3 vector(double size, int dimension) {
+    return {in(-size, size), in(-size, size), dimension == 3 ? in(-size, size) : 0};
+  }
+  model::Body body(int i, int dimension) {
+    constexpr double radius = 0.01, mass = 0.03, moment = 0.4 * mass * radius * radius;
+    const bool is_rod = i == 0 && in(0, 1) < 0.5;
+    model::Body one{.name = "", .mass = mass * in(0.5, 1.5), .inertia = {moment, moment, moment}};
+    if (is_rod) one.inertia = {moment, 3 * moment, 3 * moment};
+    one.spheres = {{{is_rod ? 0.008 : 0.0, 0, 0}, radius}};
+    if (is_rod) one.spheres.push_back({{-0.008, 0, 0}, radius});
+    one.position = {0.045 * i, in(-0.004, 0.004), 0};
+    one.velocity = vector(0.3, dimension) + Vector3{1.0 - 2 * i, 0, 0};
+    one.spin = dimension == 3 ? vector(60, 3) : Vector3{0, 0, in(-60, 60)};
+    return one;
+  }
+
+  std::mt19937 random_;
+};
+
+hybrid::Options to(double accuracy) {
+  return {.accuracy = accuracy, .max_time = 0.06};
+}
+
+std::string kind_of(const impact::OutcomeSlopes& outcome) {
+  return outcome.name.substr(outcome.name.find('.') + 1);
+}
+
+/// How large outcomes of one kind are.
+double size_of(const Sensitivity& slopes, const impact::OutcomeSlopes& outcome) {
+  double most = 0;
+  for (const auto& one : slopes.outcome)
+    if (kind_of(one) == kind_of(outcome)) most = std::max(most, std::abs(one.value.value()));
+  return most;
+}
+
+/// Largest difference from slopes of order eight of runs at these steps, relative to the slope and to what
+/// the outcome changes by as its parameter doubles: the best step, as rounding of runs and their bend oppose.
+double deviation(const Sensitivity& slopes, std::size_t c, const impact::Parameter<Bodies>& by, double step) {
+  std::vector<Sensitivity> run;
+  for (const auto& point : impact::stencil)
+    run.push_back(impact::sensitivity(by.model(by.value + point.offset * step), {}, to(1e-12)));
+  double worst = 0;
+  for (std::size_t i = 0; i < slopes.outcome.size(); ++i) {
+    const auto& outcome = slopes.outcome[i];
+    if (!outcome.slope[c]) continue;
+    const double expected =
+        impact::stencil_slope(step, [&](std::size_t k) { return run[k].outcome.at(i).value.value(); });
+    const double natural = std::max(std::abs(expected), size_of(slopes, outcome) / (100 * by.step));
+    worst = std::max(worst, std::abs(*outcome.slope[c] - expected) / natural);
+  }
+  return worst;
+}
+
+void compare(int dimension, const contact::Law& law, const Tangential& tangential, int count,
+             double tolerance) {
+  Scenes scenes(7);
+  for (int n = 0; n < count; ++n) {
+    const auto bodies = scenes.next(dimension, law, tangential);
+    const auto all = impact::parameters(bodies);
+    const std::vector<impact::Parameter<Bodies>> some = {all[scenes.below(all.size())],
+                                                         all[scenes.below(all.size())]};
+    const auto slopes = impact::sensitivity(bodies, some, to(1e-10));
+    BOOST_TEST_REQUIRE(slopes.outcome.size() > 6);
+    for (std::size_t c = 0; c < some.size(); ++c)
+      BOOST_TEST_CONTEXT("scene " << n << " by " << some[c].name) {
+        const double worst = std::min(deviation(slopes, c, some[c], 0.03 * some[c].step),
+                                      deviation(slopes, c, some[c], 0.003 * some[c].step));
+        BOOST_TEST(worst < tolerance);
+      }
+  }
+}
+
+/// A ball that slides on a plane while it strikes it.
+Bodies sliding(const Tangential& tangential) {
+  constexpr double mass = 0.1, radius = 0.02, moment = 0.4 * mass * radius * radius;
+  Bodies bodies{.dimension = 2};
+  bodies.body.push_back({.name = "ball",
+                         .mass = mass,
+                         .inertia = {moment, moment, moment},
+                         .spheres = {{{}, radius}},
+                         .position = {0, radius, 0},
+                         .velocity = {3, -1, 0}});
+  bodies.plane.push_back({.name = "floor", .point = {}, .normal = {0, 1, 0}, .velocity = {}});
+  bodies.contact.push_back(
+      {.a = {0, -1}, .b = {0, 0}, .law = contact::Hertz(1e9), .tangential = tangential, .share = 0});
+  return bodies;
+}
+
+double slope(const Sensitivity& slopes, const std::string& outcome, const std::string& parameter) {
+  for (std::size_t c = 0; c < slopes.parameter.size(); ++c)
+    for (const auto& one : slopes.outcome)
+      if (slopes.parameter[c].name == parameter && impact::name_of(one) == outcome)
+        return one.slope[c].value();
+  throw std::runtime_error("no slope of " + outcome + " by " + parameter);
+}
+
+Sensitivity all_slopes(const Bodies& bodies) {
+  return impact::sensitivity(bodies, impact::parameters(bodies), to(1e-10));
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(slopes_in_the_plane_are_those_of_differences) {
+  const contact::Law laws[] = {contact::Hertz(1e9), contact::Linear(1e6),
+                               contact::Viscoelastic{1e9, 1e5, 1.5}, contact::Viscoelastic{1e6, 30, 1},
+                               contact::Viscoelastic{1e7, 0, 1.25}};
+  for (const auto& law : laws)
+    for (const auto& tangential : {Tangential{}, rigid, spring, mindlin})
+      BOOST_TEST_CONTEXT(contact::name(law) << " " << model::name(tangential.law))
+  compare(2, law, tangential, 2, 1e-6);
+}
+
+BOOST_AUTO_TEST_CASE(slopes_in_space_are_those_of_differences) {
+  compare(3, contact::Hertz(1e9), {}, 3, 1e-7);
+  compare(3, contact::Viscoelastic{1e9, 1e5, 1.5}, {}, 2, 1e-7);
+  compare(3, contact::Hertz(1e9), {TangentialLaw::mindlin, 3, 0.8e9}, 1, 1e-6);
+}
+
+// All of a slip's friction is mu times the normal force, whatever the ball does; the spin follows.
+BOOST_AUTO_TEST_CASE(slopes_of_a_ball_that_slides_are_those_by_hand) {
+  const auto found = all_slopes(sliding(rigid));
+  const double mass = 0.1, radius = 0.02, mu = 0.2, normal = 2 * mass;
+  const double by_friction = -normal / mass;
+  BOOST_TEST(std::abs(slope(found, "bodies[0].velocity[0]", "contact[0].friction") - by_friction) < 1e-9);
+  BOOST_TEST(std::abs(slope(found, "bodies[0].velocity[0]", "body[0].velocity[1]") - 2 * mu) < 1e-9);
+  BOOST_TEST(std::abs(slope(found, "bodies[0].velocity[0]", "body[0].velocity[0]") - 1) < 1e-9);
+  BOOST_TEST(std::abs(slope(found, "bodies[0].velocity[0]", "body[0].mass")) < 1e-8);
+  BOOST_TEST(std::abs(slope(found, "contacts[0].normal_impulse", "body[0].mass") - 2) < 1e-9);
+  const double spin = -normal * radius / (0.4 * mass * radius * radius);
+  BOOST_TEST(std::abs(slope(found, "bodies[0].spin", "contact[0].friction") / spin - 1) < 1e-9);
+  // The contact lasts as k^{-2/5}, and the ball's fall to it as the height over the speed.
+  const double time = found.outcome.back().value.value();
+  BOOST_TEST(found.outcome.back().name == "time");
+  BOOST_TEST(std::abs(slope(found, "time", "contact[0].stiffness") * 1e9 / time + 0.4) < 1e-8);
+  BOOST_TEST(std::abs(slope(found, "time", "body[0].position[1]") - 1) < 1e-8);
+}
+
+// What units cannot change: outcomes of lengths, masses and times that all grow.
+BOOST_AUTO_TEST_CASE(slopes_know_that_units_do_not_matter) {
+  for (const auto& tangential : {rigid, spring, mindlin}) {
+    const auto bodies = sliding(tangential);
+    const auto found = all_slopes(bodies);
+    const auto by = [&](const char* name, double value) {
+      return value * slope(found, "bodies[0].velocity[0]", name);
+    };
+    double mass = by("body[0].mass", 0.1) + by("body[0].inertia", bodies.body[0].inertia.e3) +
+                  by("contact[0].stiffness", 1e9);
+    if (tangential.has_spring()) mass += by("contact[0].tangential_stiffness", tangential.stiffness);
+    BOOST_TEST(std::abs(mass) < 1e-9);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(equal_moments_move_together) {
+  auto bodies = sliding(rigid);
+  bodies.dimension = 3;
+  for (const auto& one : impact::parameters(bodies)) BOOST_TEST(one.name != "body[0].inertia[1]");
+  const impact::Parameter<Bodies> alone{"moment", bodies.body[0].inertia.e2, 1e-7,
+                                        [bodies](double moved) mutable {
+                                          bodies.body[0].inertia.e2 = moved;
+                                          return bodies;
+                                        }};
+  BOOST_CHECK_THROW(impact::sensitivity(bodies, {alone}), InvalidParameter);
+}
+
+BOOST_AUTO_TEST_CASE(laws_that_yield_and_exponents_are_refused) {
+  auto bodies = sliding(rigid);
+  auto law = contact::Viscoelastic{1e9, 0, 1.4};
+  bodies.contact[0].law = law;
+  const impact::Parameter<Bodies> exponent{"exponent", 1.4, 1e-3, [bodies, law](double moved) mutable {
+                                             law.exponent = moved;
+                                             bodies.contact[0].law = law;
+                                             return bodies;
+                                           }};
+  BOOST_CHECK_THROW(impact::sensitivity(bodies, {exponent}), InvalidParameter);
+  bodies.contact[0].law = contact::state(contact::WaltonBraun(1e6, 2e6));
+  BOOST_CHECK_THROW(impact::sensitivity(bodies, {}), InvalidParameter);
+}
