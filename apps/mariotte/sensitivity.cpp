@@ -11,6 +11,7 @@
 #include "mariotte/report/page/files.hpp"
 #include "mariotte/report/reason.hpp"
 #include "mariotte/scene/simulate.hpp"
+#include "mariotte/study/sensitivity/scene_numbers.hpp"
 #include "mariotte/study/sensitivity/scene_parameters.hpp"
 #include "run_notes.hpp"
 #include "scene_choice.hpp"
@@ -27,10 +28,10 @@ struct Slopes {
   bool force = false;
 };
 
-/// "velocity" asks for all of them, "velocity[1]" for one.
+/// "velocity" asks for all of them, "velocity[1]" for one; "bodies[0]" for all of that body.
 bool is_wanted(const impact::OutcomeSlopes& outcome, const std::vector<std::string>& of) {
   return of.empty() || std::any_of(of.begin(), of.end(), [&](const auto& name) {
-           return name == outcome.name || name == impact::name_of(outcome);
+           return study::is_asked_for(impact::name_of(outcome), name);
          });
 }
 

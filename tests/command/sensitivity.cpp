@@ -44,6 +44,16 @@ BOOST_FIXTURE_TEST_CASE(outcomes_and_parameters_are_chosen, Session) {
   BOOST_TEST(has(mariotte(sphere + "--of e_n --to zeta_hertz").out, "zeta_hertz"));
 }
 
+BOOST_FIXTURE_TEST_CASE(outcomes_of_one_body_are_chosen, Session) {
+  const auto run = mariotte(std::string("sensitivity ") + MARIOTTE_SCENES +
+                            "/oblique_sphere.toml --of bodies[0] --to contact[0].friction --csv");
+  BOOST_TEST(run.code == 0);
+  BOOST_TEST(
+      run.out.starts_with("outcome,unit,value,contact[0].friction\nbodies[0].velocity[0],m/s,0.82498"));
+  BOOST_TEST(has(run.out, "\nbodies[0].spin,rad/s,"));
+  BOOST_TEST(!has(run.out, "normal_impulse"));
+}
+
 BOOST_FIXTURE_TEST_CASE(one_velocity_of_a_long_row_is_swept_back, Session) {
   const auto row =
       std::string("sensitivity ") + MARIOTTE_SCENES +
