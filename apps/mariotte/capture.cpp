@@ -66,7 +66,7 @@ constexpr const char* examples = R"(Examples:
   mariotte capture fine_powder.toml
   mariotte capture microrod.toml --set "incidence.angles[1]=20 deg" --json
 
-Halves a bracket around the normal speed below which the body stays; all else is as the scene says.
+Closes a bracket around the normal speed below which the body stays; all else is as the scene says.
 A body that is never captured, as one without damping: exit code 1.
 )";
 

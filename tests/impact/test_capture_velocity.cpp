@@ -38,6 +38,8 @@ BOOST_AUTO_TEST_CASE(spheres_are_captured_below_the_known_speeds) {
     BOOST_REQUIRE(found.has_value());
     BOOST_TEST(std::abs(found->value() - speed) < 1e-8);
     BOOST_TEST(found->captured < found->separated);
+    BOOST_TEST(found->separated - found->captured <= 1e-9 * found->value());
+    BOOST_TEST(found->runs <= 20);  // halving alone takes 33
   }
 }
 

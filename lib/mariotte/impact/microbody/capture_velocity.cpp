@@ -9,13 +9,13 @@ namespace mariotte::impact {
 std::optional<CaptureVelocity> capture_velocity(const BodyAtSpeed& body, double guess, double tolerance,
                                                 const hybrid::Options& options) {
   MicrobodySolver solver;
-  const auto is_captured = [&](double speed) {
+  const auto rebound = [&](double speed) {
     const auto& impact = solver.solve(body(speed), options);
     if (impact.ending != hybrid::Ending::separated && impact.ending != hybrid::Ending::captured)
       throw Error(std::string("a run ended with ") + hybrid::name(impact.ending) + ": " + impact.message);
-    return impact.ending == hybrid::Ending::captured;
+    return impact.ending == hybrid::Ending::captured ? 0 : impact.tip_velocity;
   };
-  return bracket_capture(is_captured, guess, tolerance);
+  return bracket_capture(rebound, guess, tolerance);
 }
 
 }  // namespace mariotte::impact

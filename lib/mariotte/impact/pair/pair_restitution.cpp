@@ -96,10 +96,11 @@ std::optional<double> closed_restitution(const Pair& pair, double speed) {
 
 std::optional<CaptureVelocity> capture_velocity(const Pair& pair, double guess, double tolerance) {
   ChainSolver solver;
-  const auto is_captured = [&](double speed) {
-    return run(solver, pair, speed).ending == hybrid::Ending::bound;
+  const auto rebound = [&](double speed) {
+    const auto& impact = run(solver, pair, speed);
+    return impact.ending == hybrid::Ending::bound ? 0 : impact.velocity[0];
   };
-  return bracket_capture(is_captured, guess, tolerance);
+  return bracket_capture(rebound, guess, tolerance);
 }
 
 }  // namespace mariotte::impact
