@@ -21,14 +21,10 @@ class PhaseSlopes final : public hybrid::PhaseObserver {
         variation_(variation),
         mode_(mode),
         watch_(watch),
-        accuracy_(accuracy) {
-    fit();
-  }
+        accuracy_(accuracy) {}
 
-  /// To the present size and pattern of the problem.
-  void fit() {
-    collocation_.emplace(pattern(), problem_.magnitudes(), variation_.natural_slopes(), accuracy_);
-  }
+  /// The problem has another size or pattern from now on.
+  void fit() { collocation_.reset(); }
 
   /// A flow that gives up may have gone back to where the phase began.
   void begin_phase(double time, ConstState) override {
@@ -44,6 +40,8 @@ class PhaseSlopes final : public hybrid::PhaseObserver {
       if (variation_.advance(step, mode_, slopes)) return void(end_.reset());
     const double beyond = find_end(step);
     Along field(*this, step);
+    if (!collocation_)
+      collocation_.emplace(pattern(), problem_.magnitudes(), variation_.natural_slopes(), accuracy_);
     collocation_->advance(field, step.start, end_.value_or(step.end),
                           {.begins = step.start == 0, .beyond = beyond}, slopes);
   }
@@ -120,7 +118,7 @@ class PhaseSlopes final : public hybrid::PhaseObserver {
   const Mode& mode_;
   const std::function<void()>& watch_;
   double accuracy_;
-  std::optional<Collocation> collocation_;
+  std::optional<Collocation> collocation_;  ///< made for the first step that needs it
   SlopeMatrix at_start_;
   std::vector<double> value_, rate_, dx_;  ///< of guards, and of the state
   std::vector<double> last_;               ///< state at the guard that ends the phase
