@@ -32,6 +32,15 @@ struct Forgetful : model::ChainSystem {
   }
 };
 
+/// An automaton whose first contact has let go, whatever presses it.
+struct Slackening : model::ChainSystem {
+  void mode_at(ConstState x, Mode& mode, std::vector<Change>& changes) const {
+    ChainSystem::mode_at(x, mode, changes);
+    mode[0] = ContactMode::slack;
+    changes.clear();
+  }
+};
+
 /// The real one, its state pushed by `push` at the end.
 template <class System>
 Passed run(const model::Chain& chain, double end, Index component = 0, double push = 0) {
@@ -95,6 +104,14 @@ BOOST_AUTO_TEST_CASE(a_floor_that_is_forgotten_is_noticed) {
     const auto result = run<Forgetful>(on_a_floor(law), 5);
     BOOST_TEST((result.ending == Ending::unsure), result.message);
   }
+}
+
+BOOST_AUTO_TEST_CASE(a_contact_that_has_let_go_and_is_pressed_is_noticed) {
+  const model::Chain pressed{
+      .mass = {1, 1}, .law = {damped}, .gap = {-0.1}, .velocity = {1, 0}, .precompressed = true};
+  BOOST_TEST((run<model::ChainSystem>(pressed, 0.05).ending == Ending::time_limit));
+  const auto result = run<Slackening>(pressed, 0.05);
+  BOOST_TEST((result.ending == Ending::unsure), result.message);
 }
 
 BOOST_AUTO_TEST_CASE(velocities_that_are_off_are_noticed) {

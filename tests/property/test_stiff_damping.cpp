@@ -247,3 +247,25 @@ BOOST_AUTO_TEST_CASE(what_rattles_beside_a_creeping_damper_stays_with_series) {
     BOOST_TEST(impact.steps < 60'000);
   }
 }
+
+// Contact 2 lets go with a load of rounding, above zero as well as below. What strikes its ball begins
+// gently.
+BOOST_AUTO_TEST_CASE(a_slack_contact_with_a_load_of_rounding_is_not_passed_through) {
+  const contact::Law damped =
+      contact::Viscoelastic{.stiffness = 1.0778871004500228, .damping = 632104.1441450878, .exponent = 1};
+  const contact::Law hertz = contact::Hertz(0.92789365029987081);
+  const model::Chain chain{
+      .mass = {infinity, 1.7189054831506989, 0.78615945336288851, 0.52839354596528931, infinity},
+      .law = {damped, damped, hertz, hertz},
+      .gap = {0.24948759460955106, 0.55493070342845696, 0.42234942747488147, 0.40084704338239796},
+      .velocity = {0, -0.19261448545608562, -0.76179604768618892, -0.73746643368135256, 0}};
+  const std::vector<double> expected = {0, -8.2895364e-07, -1.6579084e-06, -0.0430323142, 0};
+  impact::ChainSolver solver;
+  for (const char* flow : {"auto", "modal", "cvode-bdf-klu"})
+    for (const double accuracy : {1e-8, 1e-10}) {
+      const auto& impact = solver.solve(
+          chain, {.accuracy = accuracy, .max_time = 2.9853709783626998, .flow = flow::parse_kind(flow)});
+      BOOST_TEST((impact.ending == hybrid::Ending::time_limit), impact.message);
+      BOOST_TEST(test::difference(impact.velocity, expected) < 1e-9, flow);
+    }
+}

@@ -7,6 +7,11 @@
 
 namespace mariotte::impact {
 
+/// A contact that is indented and has let go must not approach: its damper would push again.
+inline bool is_slack(contact::ContactMode mode) {
+  return mode == contact::ContactMode::slack;
+}
+
 /// Largest indentation of a contact without force at state x, in units of what cannot be told from rest.
 inline double unloaded_depth(const model::ScaledContacts& contacts, const model::ContactLayout& layout,
                              const contact::ContactSet& mode, ConstState x, double accuracy) {

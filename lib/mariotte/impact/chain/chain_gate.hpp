@@ -16,9 +16,9 @@ struct ChainOutcome {
   const std::vector<ContactEnergy>& energies;  ///< of each contact
 };
 
-/// Nothing approaches after separation, energy and momentum balance, no contact has pulled, none gave an
-/// impulse without having closed, none has gained energy, none is indented without force. `accuracy` is that
-/// of the run.
+/// Nothing approaches after separation, nor what has let go while indented; energy and momentum balance, no
+/// contact has pulled, none gave an impulse without having closed, none has gained energy, none is indented
+/// without force. `accuracy` is that of the run.
 void pass_gate(const ChainOutcome& outcome, double accuracy, hybrid::Ending& ending, std::string& message);
 
 }  // namespace mariotte::impact

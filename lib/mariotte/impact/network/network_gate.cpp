@@ -30,10 +30,12 @@ double given_impulse(const NetworkOutcome& o, Index k) {
   return integral(o.network.drive[k].signal, o.interval.time);
 }
 
-/// Fastest approach of a contact.
-double approach(const NetworkOutcome& o) {
+/// Fastest approach of a contact that is `among` those asked for.
+template <class Among>
+double approach(const NetworkOutcome& o, Among&& among) {
   double worst = 0;
-  for (Index j = 0; j < o.network.contacts(); ++j) worst = std::max(worst, -rate(o, o.interval.after, j));
+  for (Index j = 0; j < o.network.contacts(); ++j)
+    if (among(o.mode[j])) worst = std::max(worst, -rate(o, o.interval.after, j));
   return worst;
 }
 
@@ -105,7 +107,8 @@ void NetworkGate::pass(const NetworkOutcome& o, double accuracy, hybrid::Ending&
   }
   const bool parts = ending == hybrid::Ending::separated;
   const Balance balances[] = {
-      {"an approach at the end", parts ? approach(o) : 0, share * o.network.speed},
+      {"an approach at the end", approach(o, [&](auto mode) { return parts || is_slack(mode); }),
+       share * o.network.speed},
       {"the energy balance", residual, share * reached},
       {"the momentum balance", unexplained(o), share},
       {"an impulse that pulls", pull, share * strongest},

@@ -105,6 +105,20 @@ bool is_loaded_again(const ContactState<Topology>& state, const contact::Contact
   return load.by_indentation * state.approach(j) + load.by_rate * bend > 0;
 }
 
+/// What rounding of speeds makes of a load.
+template <class Topology>
+double load_noise(const ContactState<Topology>& state, Index j) {
+  return 16 * epsilon * state.load(j).by_rate * state.model().speed;
+}
+
+/// The load of contact j has passed zero beyond rounding, and no guard has told: where it stood beyond zero
+/// as the phase began, its guard never fires.
+template <class Topology>
+bool has_passed(const ContactState<Topology>& state, const contact::ContactSet& mode, Index j) {
+  return mode[j] == contact::ContactMode::slack && state.load(j).value > load_noise(state, j) &&
+         is_loaded_again(state, mode, j);
+}
+
 /// Contact j touches at rest.
 template <class Topology>
 bool rests(const ContactState<Topology>& state, contact::ContactMode mode, Index j) {

@@ -342,6 +342,7 @@ flow::Accepted TopologyPhase<Topology>::accept(ConstState x) {
   for (Index j = 0; j < contacts(); ++j) {
     auto& mode = (*mode_)[j];
     if (mode == ContactMode::closed && has_faded(state, j)) return flow::Accepted::ended;
+    if (has_passed(state, *mode_, j)) return flow::Accepted::ended;
     if (mode != ContactMode::touching) continue;
     if (has_parted(state, j)) return flow::Accepted::ended;
     if (!has_loaded(state, j)) continue;
