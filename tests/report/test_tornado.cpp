@@ -40,6 +40,15 @@ BOOST_AUTO_TEST_CASE(outcomes_that_have_bars_have_a_panel) {
   BOOST_TEST(script.find("time of the ending t") != std::string::npos);
 }
 
+BOOST_AUTO_TEST_CASE(panels_of_one_body_say_which_component_they_show) {
+  auto slopes = two_outcomes();
+  slopes.outcome = {{"bodies[1].velocity", 0, "m/s", 0.5, {0.1, -0.2, 3.0, std::nullopt}},
+                    {"bodies[1].velocity", 1, "m/s", 0.5, {0.1, -0.2, 3.0, std::nullopt}}};
+  const auto script = report::tornado_script(slopes, "Title");
+  for (const char* name : {"bodies[1].velocity[0]", "bodies[1].velocity[1]"})
+    BOOST_TEST(script.find(name) != std::string::npos);
+}
+
 // The title of a narrow figure would be cut off with it.
 BOOST_AUTO_TEST_CASE(what_bars_are_stands_in_the_title_or_below_a_single_panel) {
   const std::string shown = "% of the outcome per % of the parameter";

@@ -45,7 +45,8 @@ std::string words_for(const impact::OutcomeSlopes& outcome) {
                                         {"contact_time", "contact time", "t"}}};
   const auto* found =
       std::find_if(words.begin(), words.end(), [&](const Word& one) { return one.name == outcome.name; });
-  if (found == words.end()) return plain(outcome.name);
+  if (found == words.end())
+    return plain(outcome.index ? fmt::format("{}[{}]", outcome.name, *outcome.index) : outcome.name);
   if (!outcome.index) return fmt::format("{} {}", found->words, found->symbol);
   return fmt::format("{} {}_{{{}}}", found->words, found->symbol, *outcome.index + 1);
 }
