@@ -1,35 +1,18 @@
 // The compiled field of one contact of balls beside that of any bodies: two ways to one motion.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <random>
 
 #include "mariotte/flow/balls/ball_series.hpp"
 #include "mariotte/model/bodies/bodies_phase.hpp"
+#include "support/random_balls.hpp"
 
 using namespace mariotte;
+using namespace mariotte::test;
 using flow::BallMotion;
 using model::Friction;
 using model::TangentialLaw;
 
 namespace {
-
-constexpr double radius = 0.01, mass = 0.03, moment = 0.4 * mass * radius * radius;
-
-std::mt19937 random_numbers(7);
-
-double in(double low, double high) {
-  return std::uniform_real_distribution(low, high)(random_numbers);
-}
-
-model::Body ball(const Vector3& position) {
-  return {.name = "",
-          .mass = mass * in(0.5, 2),
-          .inertia = {moment, moment, moment * in(0.5, 2)},
-          .spheres = {{{}, radius}},
-          .position = position,
-          .velocity = {in(-1, 1), in(-1, 1), 0},
-          .spin = {0, 0, in(-50, 50)}};
-}
 
 model::Bodies scene(bool pair, TangentialLaw law) {
   model::Bodies bodies{.dimension = 2, .gravity = {in(-300, 300), in(-300, 300), 0}};

@@ -10,6 +10,10 @@ using namespace mariotte;
 
 namespace {
 
+contact::Law law(double stiffness, double damping, double exponent) {
+  return contact::Viscoelastic{.stiffness = stiffness, .damping = damping, .exponent = exponent};
+}
+
 /// Balls and Hertz-like dampers over decades; many contacts creep, pressed by their neighbours.
 model::Chain random_chain(std::mt19937_64& random) {
   std::uniform_real_distribution<double> unit(0, 1);
@@ -79,9 +83,6 @@ BOOST_AUTO_TEST_CASE(a_slack_contact_pushes_again_though_its_load_never_crosses_
 // A contact creeps apart by itself, its load but rounding, when the ball behind it is struck: gently at
 // first.
 BOOST_AUTO_TEST_CASE(a_creeping_contact_that_is_slack_pushes_when_its_ball_is_struck) {
-  const auto law = [](double stiffness, double damping, double exponent) -> contact::Law {
-    return contact::Viscoelastic{.stiffness = stiffness, .damping = damping, .exponent = exponent};
-  };
   const model::Chain chain{
       .mass = {0.86109508052885531, 0.019626733410813724, 1.2029642451828209, 0.002866735570710187,
                1.0743345974517902},
@@ -201,9 +202,6 @@ BOOST_AUTO_TEST_CASE(the_strongest_damping_that_is_computed_stops_balls_together
 
 // All that the first pair does is below the accuracy: it lets go well above where it would close again.
 BOOST_AUTO_TEST_CASE(a_pair_that_creeps_below_the_accuracy_does_not_flicker) {
-  const auto law = [](double stiffness, double damping, double exponent) -> contact::Law {
-    return contact::Viscoelastic{.stiffness = stiffness, .damping = damping, .exponent = exponent};
-  };
   const model::Chain chain{.mass = {0.010028050590716606, 3.7036621716818301, 2.5058198105651686,
                                     1407.1881625262527, 20.557140488961473},
                            .law = {law(3.9061713182041786, 13.041806592040961, 1),
@@ -227,9 +225,6 @@ BOOST_AUTO_TEST_CASE(a_pair_that_creeps_below_the_accuracy_does_not_flicker) {
 // A ball of 0.01 rattles 3500 times between heavy ones while a damper creeps. BDF would take a hundred steps
 // each time, series three: they go on.
 BOOST_AUTO_TEST_CASE(what_rattles_beside_a_creeping_damper_stays_with_series) {
-  const auto law = [](double stiffness, double damping, double exponent) -> contact::Law {
-    return contact::Viscoelastic{.stiffness = stiffness, .damping = damping, .exponent = exponent};
-  };
   const model::Chain chain{.mass = {24812.641456324927, 0.010463545199853212, 1448.5690932301716,
                                     57.711662327016668, 70.302378542774548},
                            .law = {law(0.00010700576034470817, 2.4272059348559763e-06, 1.1174548642958955),
