@@ -5,13 +5,19 @@
 #include "command_line/exit_code.hpp"
 #include "command_line/terminal.hpp"
 #include "law_problem.hpp"
+#include "mariotte/impact/fault.hpp"
 #include "mariotte/report/table/law_report.hpp"
 
 namespace mariotte::command {
 namespace {
 
-int apply(const LawChoice& choice) {
-  auto problem = law_problem(choice);
+int show(const LawChoice& choice, const report::FrictionLawReport& report) {
+  print(choice.json ? report::text(report::json(report)) : report::table(report));
+  return ExitCode::ok;
+}
+
+int apply(const LawChoice& choice, const scene::Scene& scene) {
+  auto problem = law_problem(choice, scene);
   if (problem.simulation_ended != hybrid::Ending::separated) return exit_code(problem.simulation_ended);
   auto& report = problem.report;
   report.outcome = impact::multiple_impact(report.before, report.parameters);
@@ -27,11 +33,14 @@ int apply(const LawChoice& choice) {
 
 int law(const LawChoice& choice) {
   try {
-    return apply(choice);
+    const auto scene = scene_of(choice);
+    const auto* bodies = std::get_if<model::Bodies>(&scene.model);
+    return bodies ? show(choice, friction_laws(choice, scene, *bodies)) : apply(choice, scene);
   } catch (const impact::OutsideTable& problem) {
     error(problem.what(), fault::outside_table);
     return ExitCode::check_failed;
   } catch (const InvalidParameter& problem) {
+    if (problem.fault.code == fault::no_single_contact.code) throw;
     if (!choice.scene.path.empty()) throw InvalidParameter(problem.what(), fault::law_parameters);
     throw UsageError(problem.what(), fault::law_parameters);
   }
@@ -43,6 +52,7 @@ constexpr const char* examples = R"(Examples:
   mariotte law cradle.toml                       ratios and e from a simulation of the scene
   mariotte law cradle.toml --energy-ratio 0.9    ratios from the simulation, e as given
   mariotte law cradle.toml --rivals              beside Newton, Poisson, Moreau and others
+  mariotte law thrown_rod.toml                   [bodies]: laws with friction beside the first impact
   mariotte law triplet_law.toml --json           a scene with [law]
   mariotte law --table kappa.csv --at kappa=2 --mass 1,1,1 --velocity 1,0,0
 
@@ -52,7 +62,7 @@ An outcome that is not admissible, or no real one, or a place outside the table:
 OptionList declare(LawChoice& choice) {
   const char* list = "X,X,…";
   return joined(
-      {{{"SCENE", &choice.scene.path, "Scene with [law], or with a [chain] or [network] to be simulated"}},
+      {{{"SCENE", &choice.scene.path, "Scene with [law], or a [chain], [network] or [bodies] to simulate"}},
        override_options(choice.scene),
        {{"--mass",
          &choice.mass,
@@ -83,7 +93,7 @@ OptionList declare(LawChoice& choice) {
         {"--rivals", &choice.rivals, "Show what other impact laws answer, too"},
         {"--restitution",
          &choice.restitution,
-         "Coefficient of restitution of these; default 1",
+         "Coefficient of restitution of these; default 1, of [bodies] as simulated",
          {.needs = {"--rivals"}}},
         {"--json", &choice.json, "One JSON object on stdout instead of the table"}}});
 }
@@ -93,7 +103,7 @@ OptionList declare(LawChoice& choice) {
 Command law_command() {
   auto choice = std::make_shared<LawChoice>();
   return {.name = "law",
-          .about = "Apply the multiple-impact law: velocities from ratios and energy",
+          .about = "Apply impact laws: velocities from ratios and energy, or with friction",
           .footer = examples,
           .options = declare(*choice),
           .act = [choice] { return law(*choice); }};

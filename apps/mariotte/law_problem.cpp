@@ -138,7 +138,7 @@ void take_from(LawProblem& problem, scene::Law& law, const model::Network& netwo
   problem.report.velocity_unit = impact::velocity_unit(network);
 }
 
-/// The reader refuses bodies for this purpose.
+/// The reader refuses a [body] for this purpose, and [bodies] have laws of their own.
 void take_from(LawProblem&, scene::Law&, const model::Microbody&, const hybrid::Options&) {
   throw UsageError("the multiple-impact law needs a [chain] or [network]", fault::law_incomplete);
 }
@@ -151,22 +151,41 @@ void take_from(LawProblem&, scene::Law&, const scene::LawAlone&, const hybrid::O
   throw UsageError("give a scene, or --mass and --velocity", fault::law_incomplete);
 }
 
-scene::Scene read_scene(const SceneChoice& choice) {
-  return choice.path.empty() ? scene::Scene{} : read(choice, scene::Purpose::law);
+std::optional<double> restitution(const LawChoice& choice) {
+  if (choice.restitution.empty()) return {};
+  return number("restitution", choice.restitution, dimension::none);
+}
+
+/// Of what the multiple-impact law is told.
+void expect_no_parameters(const LawChoice& choice) {
+  const bool parameters = !(choice.mass.empty() && choice.icr.empty() && choice.direction.empty());
+  const bool energy = !(choice.energy_ratio.empty() && choice.frame.empty() && choice.table.empty());
+  if (parameters || energy)
+    throw UsageError(
+        "of [bodies] laws take --restitution alone; other numbers are for a [chain] or [network]",
+        fault::law_parameters);
 }
 
 }  // namespace
 
-LawProblem law_problem(const LawChoice& choice) {
-  const auto scene = read_scene(choice.scene);
+scene::Scene scene_of(const LawChoice& choice) {
+  return choice.scene.path.empty() ? scene::Scene{} : read(choice.scene, scene::Purpose::law);
+}
+
+report::FrictionLawReport friction_laws(const LawChoice& choice, const scene::Scene& scene,
+                                        const model::Bodies& bodies) {
+  expect_no_parameters(choice);
+  return {scene.title, impact::first_impact(bodies, scene.run, restitution(choice)), scene.sha256};
+}
+
+LawProblem law_problem(const LawChoice& choice, const scene::Scene& scene) {
   auto law = scene.law.value_or(scene::Law{});
   add_flags(law, choice);
   LawProblem problem;
   problem.report.title = scene.title;
   problem.report.scene_sha256 = scene.sha256;
   if (!choice.table.empty()) take_from_table(problem, law, choice);
-  if (!choice.restitution.empty())
-    problem.rivals.restitution = number("restitution", choice.restitution, dimension::none);
+  problem.rivals.restitution = restitution(choice).value_or(1);
   const bool own = !law.mass.empty();
   if (!own) std::visit([&](const auto& model) { take_from(problem, law, model, scene.run); }, scene.model);
   if (law.direction.empty()) throw UsageError("give --icr, --direction or --table", fault::law_incomplete);

@@ -6,6 +6,7 @@
 
 #include "mariotte/hybrid/ending.hpp"
 #include "mariotte/impact/laws/icr_table.hpp"
+#include "mariotte/report/table/friction_law_report.hpp"
 #include "mariotte/report/table/law_report.hpp"
 #include "scene_choice.hpp"
 
@@ -29,9 +30,17 @@ struct LawProblem {
   hybrid::Ending simulation_ended = hybrid::Ending::separated;
 };
 
+/// The scene of the choice, or one without a model.
+scene::Scene scene_of(const LawChoice& choice);
+
 /// A table or flags go before the scene's [law], that before a simulation of its [chain]. Throws UsageError
-/// where flags make no sense or something is missing, impact::OutsideTable, and what reading and simulating a
-/// scene throw.
-LawProblem law_problem(const LawChoice& choice);
+/// where flags make no sense or something is missing, impact::OutsideTable, and what simulating a scene
+/// throws.
+LawProblem law_problem(const LawChoice& choice, const scene::Scene& scene);
+
+/// Laws with friction beside the first impact of the scene's bodies. Throws UsageError for flags that are not
+/// for bodies, and what simulating them throws.
+report::FrictionLawReport friction_laws(const LawChoice& choice, const scene::Scene& scene,
+                                        const model::Bodies& bodies);
 
 }  // namespace mariotte::command

@@ -162,6 +162,28 @@ BOOST_FIXTURE_TEST_CASE(rows_of_many_balls_have_tables_too, Session) {
     BOOST_TEST(mariotte("study icr-table " + bad).code == 2, bad);
 }
 
+BOOST_FIXTURE_TEST_CASE(bodies_have_laws_with_friction_beside_their_first_contact, Session) {
+  std::filesystem::copy(MARIOTTE_SCENES "/thrown_rod.toml", folder);
+  const auto answer = Json::parse(mariotte("law thrown_rod.toml --json").out);
+  std::map<std::string, Json> laws;
+  for (const auto& law : answer["laws"]) laws[law["name"]] = law;
+  BOOST_TEST(laws.size() == 5);
+  BOOST_TEST(laws["newton"]["loss"] < 0);
+  BOOST_TEST(laws["newton"]["energy_ratio"] > 1.01);
+  for (const auto* name : {"simulation", "poisson", "moreau", "stronge"})
+    BOOST_TEST(laws[name]["loss"] > 1e-4);
+  const auto given = Json::parse(mariotte("law thrown_rod.toml --rivals --restitution 0.5 --json").out);
+  for (const auto& law : given["laws"])
+    BOOST_TEST((law["name"] == "simulation" ? law["restitution"].is_null() : law["restitution"] == 0.5));
+  BOOST_TEST(has(mariotte("law thrown_rod.toml").out, "T⁺/T⁻"));
+  BOOST_TEST(mariotte("law thrown_rod.toml --energy-ratio 0.9").code == 2);
+  BOOST_TEST(mariotte("law thrown_rod.toml --rivals --restitution -1").code == 3);
+  const auto flat = mariotte(
+      "law thrown_rod.toml --set 'bodies.body[0].angle=0' --set 'bodies.body[0].position=[0, \"5.1 mm\"]'");
+  BOOST_TEST(flat.code == 3);
+  BOOST_TEST(has(flat.err, "floor–rod.1 and floor–rod.2 are closed together"));
+}
+
 BOOST_FIXTURE_TEST_CASE(flags_without_sense_give_code_2, Session) {
   for (const std::string arguments :
        {"law", "law --mass 1,1", "law --mass 1,1 --velocity 1,0 --energy-ratio 1",

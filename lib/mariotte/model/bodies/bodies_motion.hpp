@@ -79,11 +79,18 @@ BodyMotion<T, 3> motion_of(const SettingBody<3, N>& body, const BodiesLayout<3>&
   return motion;
 }
 
-/// One contact at one instant; the normal points from a to b.
+/// How the two sides of a contact come together; the normal points from a to b.
 template <class T, int D>
-struct ContactMotion {
-  Vec<T, D> normal, normal_rate;
+struct GapMotion {
+  Vec<T, D> normal;
   T gap, gap_rate;
+  T distance;  ///< of the centres; 0 of a plane
+};
+
+/// One contact at one instant.
+template <class T, int D>
+struct ContactMotion : GapMotion<T, D> {
+  Vec<T, D> normal_rate;
   T indentation;               ///< −gap, but never quite 0
   Vec<T, D> lever_a, lever_b;  ///< from the mass centres to the contact point
   Vec<T, D> slip;              ///< tangential velocity of b on a there
@@ -122,66 +129,95 @@ SphereMotion<T, D> sphere_motion(const SettingSphere<D, N>& sphere, const BodyMo
   return {body.shift + swing, arm, body.velocity + turned(body.spin, arm)};
 }
 
-/// `clock` is the time since the start; `a` is not looked at if the contact is with a plane.
+/// The sides of a contact. `clock` is the time since the start; `a` is not looked at if it is a plane.
+template <class T, int D>
+struct ContactSides {
+  SphereMotion<T, D> a, b;
+
+  template <class N>
+  ContactSides(const BodiesSetting<D, N>& setting, const SettingContact<D, N>& contact,
+               const BodyMotion<T, D>* body_a, const BodyMotion<T, D>& body_b, const T& clock)
+      : b(sphere_motion(setting.sphere[contact.b], body_b)) {
+    if (body_a) {
+      a = sphere_motion(setting.sphere[contact.a], *body_a);
+    } else {
+      a.velocity = lift<T>(setting.plane_velocity[contact.plane]);
+      a.shift = clock * a.velocity;
+    }
+  }
+};
+
+template <class T, int D, class N>
+GapMotion<T, D> gap_motion(const SettingContact<D, N>& contact, const ContactSides<T, D>& side) {
+  GapMotion<T, D> c;
+  const Vec<T, D> moved = side.b.shift - side.a.shift, relative = side.b.velocity - side.a.velocity;
+  const Vec<T, D> start = lift<T>(contact.apart);
+  if (contact.plane < 0) {
+    const Vec<T, D> apart = start + moved;
+    c.distance = norm(apart);
+    c.normal = (1.0 / c.distance) * apart;
+    c.gap = contact.gap + dot(start + apart, moved) / (c.distance + contact.distance);
+  } else {
+    c.distance = T(0.0);
+    c.normal = start;
+    c.gap = contact.gap + dot(start, moved);
+  }
+  c.gap_rate = dot(c.normal, relative);
+  return c;
+}
+
 template <class T, int D, class N>
 ContactMotion<T, D> contact_motion(const BodiesSetting<D, N>& setting, const SettingContact<D, N>& contact,
                                    const BodyMotion<T, D>* a, const BodyMotion<T, D>& b, const T& clock) {
+  const ContactSides<T, D> side(setting, contact, a, b, clock);
   ContactMotion<T, D> c;
-  const auto& sphere_b = setting.sphere[contact.b];
-  const auto on_b = sphere_motion(sphere_b, b);
-  SphereMotion<T, D> on_a;
-  N radius_a = 0;
-  if (a) {
-    on_a = sphere_motion(setting.sphere[contact.a], *a);
-    radius_a = setting.sphere[contact.a].radius;
-  } else {
-    on_a.velocity = lift<T>(setting.plane_velocity[contact.plane]);
-    on_a.shift = clock * on_a.velocity;
-  }
-  const Vec<T, D> moved = on_b.shift - on_a.shift, relative = on_b.velocity - on_a.velocity;
-  const Vec<T, D> start = lift<T>(contact.apart);
-  if (a) {
-    const Vec<T, D> apart = start + moved;
-    const T distance = norm(apart);
-    c.normal = (1.0 / distance) * apart;
-    c.gap = contact.gap + dot(start + apart, moved) / (distance + contact.distance);
-    c.gap_rate = dot(c.normal, relative);
-    c.normal_rate = (1.0 / distance) * (relative - c.gap_rate * c.normal);
-  } else {
-    c.normal = start;
-    c.gap = contact.gap + dot(start, moved);
-    c.gap_rate = dot(start, relative);
-    c.normal_rate = lift<T>(Vec<double, D>{});
-  }
+  static_cast<GapMotion<T, D>&>(c) = gap_motion(contact, side);
+  const Vec<T, D> relative = side.b.velocity - side.a.velocity;
+  c.normal_rate = a ? (1.0 / c.distance) * (relative - c.gap_rate * c.normal) : lift<T>(Vec<double, D>{});
   const T depth = set_indentation(setting, contact, c);
-  const T inside = sphere_b.radius - contact.share * depth;
-  c.lever_b = on_b.arm - inside * c.normal;
-  const Vec<T, D> point = on_b.velocity - inside * c.normal_rate - T(contact.share * c.gap_rate) * c.normal;
+  const T inside = setting.sphere[contact.b].radius - contact.share * depth;
+  c.lever_b = side.b.arm - inside * c.normal;
+  const Vec<T, D> point = side.b.velocity - inside * c.normal_rate - T(contact.share * c.gap_rate) * c.normal;
   c.point_b = point - b.velocity;
   Vec<T, D> velocity = b.velocity + turned(b.spin, c.lever_b);
   if (a) {
-    c.lever_a = on_a.arm + (radius_a - (1 - contact.share) * depth) * c.normal;
+    c.lever_a = side.a.arm + (setting.sphere[contact.a].radius - (1 - contact.share) * depth) * c.normal;
     c.point_a = point - a->velocity;
     velocity = velocity - a->velocity - turned(a->spin, c.lever_a);
   } else {
-    velocity = velocity - on_a.velocity;
+    velocity = velocity - side.a.velocity;
   }
   c.slip = velocity - dot(velocity, c.normal) * c.normal;
   return c;
 }
 
-/// That of a contact in a state.
-template <int D>
-ContactMotion<double, D> contact_motion(const BodiesSetting<D>& setting, const BodiesLayout<D>& at,
-                                        const SettingContact<D>& contact, ConstState x) {
+/// visit(a, b, clock) with the bodies of a contact in a state.
+template <int D, class Visit>
+auto with_bodies(const BodiesSetting<D>& setting, const BodiesLayout<D>& at, const SettingContact<D>& contact,
+                 ConstState x, Visit&& visit) {
   const auto motion = [&](Index sphere) {
     const Index i = setting.sphere[sphere].body;
     return motion_of(setting.body[i], at, x, i);
   };
-  const auto b = motion(contact.b);
-  if (contact.plane >= 0) return contact_motion<double, D>(setting, contact, nullptr, b, x[at.clock()]);
-  const auto a = motion(contact.a);
-  return contact_motion(setting, contact, &a, b, x[at.clock()]);
+  const BodyMotion<double, D> b = motion(contact.b), *none = nullptr;
+  if (contact.plane >= 0) return visit(none, b, x[at.clock()]);
+  const BodyMotion<double, D> a = motion(contact.a);
+  return visit(&a, b, x[at.clock()]);
+}
+
+template <int D>
+ContactMotion<double, D> contact_motion(const BodiesSetting<D>& setting, const BodiesLayout<D>& at,
+                                        const SettingContact<D>& contact, ConstState x) {
+  return with_bodies(setting, at, contact, x, [&](const auto* a, const auto& b, double clock) {
+    return contact_motion(setting, contact, a, b, clock);
+  });
+}
+template <int D>
+GapMotion<double, D> gap_motion(const BodiesSetting<D>& setting, const BodiesLayout<D>& at,
+                                const SettingContact<D>& contact, ConstState x) {
+  return with_bodies(setting, at, contact, x, [&](const auto* a, const auto& b, double clock) {
+    return gap_motion(contact, ContactSides<double, D>(setting, contact, a, b, clock));
+  });
 }
 
 }  // namespace mariotte::model
