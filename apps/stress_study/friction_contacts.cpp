@@ -57,7 +57,8 @@ Normal some_sphere(Dice& dice, double depth, bool adheres) {
   if (adheres)
     sphere.work_of_adhesion = std::pow(std::pow(work, 3) * std::pow(sphere.effective_modulus, 2), 0.2);
   if (yields) sphere.yield_pressure = least_yield_pressure(sphere) + pressure;
-  const char* name = !adheres ? "thornton" : yields ? "thornton-ning" : dice.chance(0.5) ? "jkr" : "dmt";
+  const char* sticky = dice.chance(0.5) ? "jkr" : dice.chance(0.5) ? "dmt" : "brach-dunn";
+  const char* name = !adheres ? "thornton" : yields ? "thornton-ning" : sticky;
   return {law_text(name, sphere), stiffness, 1.5};
 }
 

@@ -74,7 +74,12 @@ Law some_plastic(Dice& dice, double mass) {
 Law some_adhesive(Dice& dice, double mass) {
   auto numbers = some_sphere(dice, mass);
   const double e = numbers.effective_modulus, r = numbers.effective_radius;
-  const int kind = dice.whole(0, 2);
+  const int kind = dice.whole(0, 3);
+  if (kind == 3) {
+    numbers.damping_hertz = dice.pick({0, dice.between(1e-3, 1)});
+    numbers.damping_adhesion = dice.pick({0, dice.between(1e-3, 1)});
+    return make("brach-dunn", numbers);
+  }
   if (kind == 0) {
     numbers.damping = dice.pick({0, dice.between(1e-3, 1) * e * std::sqrt(mass / (e * r))});
     return make("jkr", numbers);

@@ -19,7 +19,9 @@ contact::LawNumbers numbers(const contact::NamedLaw& law) {
           .effective_modulus = 1,
           .effective_radius = 1,
           .yield_pressure = 0.3,
-          .work_of_adhesion = 0.01};
+          .work_of_adhesion = 0.01,
+          .damping_hertz = 0.1,
+          .damping_adhesion = 0.1};
 }
 
 /// Equal balls that meet at unit speed.

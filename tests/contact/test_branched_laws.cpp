@@ -3,6 +3,7 @@
 #include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
 
+#include "mariotte/contact/brach_dunn_law.hpp"
 #include "mariotte/contact/dmt.hpp"
 #include "mariotte/contact/jkr.hpp"
 #include "mariotte/contact/thornton.hpp"
@@ -23,6 +24,7 @@ const std::vector<Law> laws = {state(WaltonBraun(1, 3)),
                                state(ThorntonNing(1, 1, 0.2, 0.002)),
                                state(Jkr(1, 1, 0.002, 0.1)),
                                state(Dmt(1, 1, 0.002, 0.1)),
+                               state(BrachDunnLaw(1, 1, 0.002, 0.1, 0.2)),
                                std::make_shared<Uncut>(Law(PowerLaw{.stiffness = 3, .damping = 0.4}))};
 const auto every_law = boost::unit_test::data::xrange(laws.size());
 
@@ -221,5 +223,6 @@ BOOST_AUTO_TEST_CASE(numbers_without_sense_are_refused) {
   BOOST_CHECK_THROW(Jkr(1, 1, 0, 0), InvalidParameter);
   BOOST_CHECK_THROW(Jkr(1, 1, 0.1, -1), InvalidParameter);
   BOOST_CHECK_THROW(Dmt(1, -1, 0.1, 0), InvalidParameter);
+  BOOST_CHECK_THROW(BrachDunnLaw(1, 1, 0.1, -1, 0), InvalidParameter);
   BOOST_CHECK_THROW(ThorntonNing(1, 1, 1e-6, 0.01), InvalidParameter);  // yields as it snaps in
 }

@@ -30,6 +30,13 @@ BOOST_AUTO_TEST_CASE(a_pair_exchanges_momentum_without_loss) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_pair_that_flies_by_is_followed_to_the_accuracy_of_its_approach) {
+  const double fast = 0x1p26;
+  const model::Chain chain{
+      .mass = {1, 3}, .law = {contact::Hertz{3}}, .gap = {0.5}, .velocity = {1 + fast, fast}};
+  BOOST_TEST(naive_error(chain, 20, {-0.5 + fast, 0.5 + fast}) < 1e-7);
+}
+
 // A ball dropped from h onto a spring: down with v₀ = √(2gh), in contact for 2 (π − arctan(v₀ω/g))/ω, up
 // again.
 BOOST_AUTO_TEST_CASE(a_ball_bounces_on_a_wall_under_gravity) {

@@ -36,8 +36,19 @@ struct NaiveRun {
   bool complete = false;
 };
 
-/// The system in units of natural depths and of `speed`: gaps first, then velocities, then the largest
-/// indentations so far, which grow where a contact is as deep as never before.
+/// A velocity that all share and no gap depends on: that of the first, in a row. Rounding of it would be in
+/// every rate.
+inline double common_velocity(const NaiveContacts& contacts) {
+  for (const auto& direction : contacts.direction) {
+    double rate = 0;
+    for (const auto& term : direction) rate += term.coefficient;
+    if (rate != 0) return 0;
+  }
+  return contacts.velocity.front();
+}
+
+/// The system in units of natural depths and of `speed`: gaps first, then velocities less the common one,
+/// then the largest indentations so far, which grow where a contact is as deep as never before.
 class NaiveField {
  public:
   using State = std::vector<double>;
@@ -63,7 +74,7 @@ class NaiveField {
   State start() const {
     State y;
     for (std::size_t j = 0; j < depth_.size(); ++j) y.push_back(contacts_.gap[j] / depth_[j]);
-    for (const double v : contacts_.velocity) y.push_back(v / settings_.speed);
+    for (const double v : contacts_.velocity) y.push_back((v - common_) / settings_.speed);
     for (std::size_t j = 0; j < depth_.size(); ++j) y.push_back(std::max(0.0, -y[j]));
     return y;
   }
@@ -98,7 +109,8 @@ class NaiveField {
   }
 
   void finish(const State& y, std::vector<double>& velocity) const {
-    for (std::size_t i = 0; i < velocities(); ++i) velocity.push_back(y[depth_.size() + i] * settings_.speed);
+    for (std::size_t i = 0; i < velocities(); ++i)
+      velocity.push_back(common_ + y[depth_.size() + i] * settings_.speed);
   }
 
  private:
@@ -110,6 +122,7 @@ class NaiveField {
 
   const NaiveContacts& contacts_;
   NaiveSettings settings_;
+  double common_ = common_velocity(contacts_);
   std::vector<double> depth_;
   std::vector<NaiveLaw> law_;
   std::vector<bool> attached_;

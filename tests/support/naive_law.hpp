@@ -29,7 +29,9 @@ class NaiveLaw {
                                                  {"effective_modulus", &e_},
                                                  {"effective_radius", &r_},
                                                  {"yield_pressure", &p_},
-                                                 {"work_of_adhesion", &w_}};
+                                                 {"work_of_adhesion", &w_},
+                                                 {"damping_hertz", &hertz_damping_},
+                                                 {"damping_adhesion", &ring_damping_}};
     for (const auto& [key, value] : contact::parameters(law)) *place.at(key) = value;
     if (w_ > 0) s_ = std::sqrt(2 * std::numbers::pi * w_ / e_);
     if (name_ == "thornton") yield_radius_ = std::numbers::pi * p_ * r_ / (2 * e_);
@@ -41,6 +43,7 @@ class NaiveLaw {
     if (name_ == "walton-braun") return walton_braun(std::max(past.peak, depth), depth);
     if (name_ == "thornton") return thornton(std::max(past.peak, depth), depth);
     if (name_ == "dmt") return depth > 0 ? dmt(depth, rate) : 0;
+    if (name_ == "brach-dunn") return depth > 0 ? brach_dunn(depth, rate) : 0;
     return adheres(past, depth) ? adhesive(past, depth, rate) : 0;
   }
   /// It closes where its curve begins to act on the way in, and lets go where that ends on the way out.
@@ -82,6 +85,11 @@ class NaiveLaw {
   }
   double dmt(double depth, double rate) const {
     return hertz(r_) * std::pow(depth, 1.5) - 2 * std::numbers::pi * w_ * r_ + c_ * std::sqrt(depth) * rate;
+  }
+  double brach_dunn(double depth, double rate) const {
+    const double line = std::cbrt(6 * e_ * r_ * w_ * w_ / std::numbers::pi);
+    return hertz(r_) * std::pow(depth, 1.5) * (1 + hertz_damping_ * rate) -
+           2 * std::numbers::pi * line * std::sqrt(r_ * depth) * (1 - ring_damping_ * rate);
   }
 
   /// Radius R and dent of the curve that a contact follows after its deepest point, by the radius there.
@@ -144,7 +152,7 @@ class NaiveLaw {
   std::string name_;
   bool pulls_;
   double k_ = 0, n_ = 1.5, c_ = 0, loading_ = 0, unloading_ = 0, e_ = 0, r_ = 0, p_ = 0, w_ = 0;
-  double s_ = 0, yield_radius_ = infinity;
+  double s_ = 0, yield_radius_ = infinity, hertz_damping_ = 0, ring_damping_ = 0;
 };
 
 }  // namespace mariotte::test

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "mariotte/contact/brach_dunn_law.hpp"
 #include "mariotte/contact/dmt.hpp"
 #include "mariotte/contact/hunt_crossley.hpp"
 #include "mariotte/contact/jkr.hpp"
@@ -32,6 +33,10 @@ constexpr LawKey radius{"effective_radius", &Numbers::effective_radius, fixed<0,
 constexpr LawKey pressure{"yield_pressure", &Numbers::yield_pressure, fixed<1, -1, -2>, "Pa"};
 constexpr LawKey adhesion{"work_of_adhesion", &Numbers::work_of_adhesion, fixed<1, 0, -2>, "J/m^2"};
 
+constexpr LawKey damping_hertz{"damping_hertz", &Numbers::damping_hertz, fixed<0, -1, 1>, "s/m", true};
+constexpr LawKey damping_adhesion{"damping_adhesion", &Numbers::damping_adhesion, fixed<0, -1, 1>, "s/m",
+                                  true};
+
 constexpr LawKey damped(Dimension (*unit)(double), std::string_view text, bool may_be_missing = false) {
   return {"damping", &Numbers::damping, unit, text, may_be_missing};
 }
@@ -52,6 +57,7 @@ constexpr LawKey of_thornton[] = {modulus, radius, pressure};
 constexpr LawKey of_thornton_ning[] = {modulus, radius, pressure, adhesion};
 constexpr LawKey of_jkr[] = {modulus, radius, adhesion, damped(fixed<1, -1, -1>, "N s/m^2", true)};
 constexpr LawKey of_dmt[] = {modulus, radius, adhesion, damped(dmt_damping, "N s/m^1.5", true)};
+constexpr LawKey of_brach_dunn[] = {modulus, radius, adhesion, damping_hertz, damping_adhesion};
 
 Law power(const Numbers& n) {
   return PowerLaw{.stiffness = n.stiffness, .damping = n.damping, .exponent = n.exponent};
@@ -131,6 +137,15 @@ constexpr NamedLaw laws[] = {
      .make =
          [](const Numbers& n) {
            return state(Dmt(n.effective_modulus, n.effective_radius, n.work_of_adhesion, n.damping));
+         }},
+    {.name = "brach-dunn",
+     .force = "4/3 E* √R δ^{3/2} (1 + C_H δ̇) − 2πf₀ √(Rδ) (1 − C_A δ̇)",
+     .exponent = {},
+     .keys = of_brach_dunn,
+     .make =
+         [](const Numbers& n) {
+           return state(BrachDunnLaw(n.effective_modulus, n.effective_radius, n.work_of_adhesion,
+                                     n.damping_hertz, n.damping_adhesion));
          }},
     {.name = "tabulated",
      .force = "monotone cubics through points",

@@ -17,6 +17,7 @@ struct LawNumbers {
   double loading_stiffness = 0, unloading_stiffness = 0;
   double effective_modulus = 0, effective_radius = 0;
   double yield_pressure = 0, work_of_adhesion = 0;
+  double damping_hertz = 0, damping_adhesion = 0;
   std::vector<LawPoint> points = {};
 };
 

@@ -166,8 +166,10 @@ double read_stiffness(const Source& source, const LawTables& tables, Index conta
 /// A number of the law that its materials and radii do not give, or that goes before them.
 double read_number(const Source& source, const LawTables& tables, Index contact, const Field& law_field,
                    const contact::LawKey& key, double exponent, const BallPair& pair) {
+  const auto domain = key.may_be_missing ? Domain::not_negative : Domain::positive;
   if (const auto field = tables.find_for(contact, key.key))
-    return number(source, *field, key.dimension(exponent), Domain::positive);
+    return number(source, *field, key.dimension(exponent), domain);
+  if (key.may_be_missing) return 0;
   const bool is_modulus = key.key == "effective_modulus";
   if (!is_modulus && key.key != "effective_radius")
     reject(source, law_field, fault::missing, name_of(contact) + " needs '" + std::string(key.key) + "'");

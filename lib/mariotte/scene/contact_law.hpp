@@ -13,7 +13,7 @@
 namespace mariotte::scene {
 
 /// Keys that say what the law of a contact is.
-inline constexpr std::array<std::string_view, 15> law_keys{"law",
+inline constexpr std::array<std::string_view, 17> law_keys{"law",
                                                            "stiffness",
                                                            "damping",
                                                            "exponent",
@@ -27,6 +27,8 @@ inline constexpr std::array<std::string_view, 15> law_keys{"law",
                                                            "effective_radius",
                                                            "yield_pressure",
                                                            "work_of_adhesion",
+                                                           "damping_hertz",
+                                                           "damping_adhesion",
                                                            "table"};
 
 /// Those and others, for lists of the keys that a table knows.

@@ -114,9 +114,8 @@ void expect_alone(const Source& source, const Field& root, const char* model, Pu
     if (const auto field = find(root, key); field && key != std::string_view(model))
       reject(source, *field, fault::contradiction,
              "a scene has a [" + std::string(model) + "] or a [" + key + "], not both");
-  if (purpose == Purpose::law)
-    reject(source, *find(root, model), fault::no_model,
-           "the multiple-impact law needs a [chain] or [network]");
+  if (purpose == Purpose::law && model == std::string_view("body"))
+    reject(source, *find(root, model), fault::no_model, "impact laws need a [chain], [network] or [bodies]");
 }
 
 }  // namespace
