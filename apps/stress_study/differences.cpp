@@ -1,5 +1,6 @@
 #include "differences.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -8,8 +9,10 @@
 namespace mariotte::stress_study {
 namespace {
 
-constexpr int lengths = 6;
+constexpr int lengths = 8;
 constexpr double shortening = 0.25;
+/// Of what outcomes are, or are compared with: rounding of the best runs.
+constexpr double noise = 1e-14;
 
 using Values = std::vector<double>;
 
@@ -51,16 +54,19 @@ Values outcome_sizes(const impact::Sensitivity& slopes, double speed) {
   return sizes;
 }
 
-Differences differences(const Probe& probe, const impact::Sensitivity& base, const Values& sizes) {
+Differences differences(const Probe& probe, const impact::Sensitivity& base, const Values& sizes,
+                        double steepness) {
   Differences best;
   std::optional<Values> before;
-  double step = probe.step;
+  double step = std::min(probe.step, 0.1 * probe.unit / steepness);
   for (int k = 0; k < lengths; ++k, step *= shortening) {
     const auto now = difference(probe, step, base, sizes);
     if (now && before)
       for (std::size_t i = 0; i < sizes.size(); ++i) {
         if (best.slope.empty()) best = {Values(sizes.size(), 0.0), Values(sizes.size(), infinity)};
-        const double doubt = std::abs((*now)[i] - (*before)[i]);
+        const double value = std::max(1.0, std::abs(base.outcome[i].value.value_or(0) / sizes[i]));
+        const double rounding = noise * value * probe.unit / step;
+        const double doubt = std::max(std::abs((*now)[i] - (*before)[i]), rounding);
         if (doubt < best.doubt[i]) best.slope[i] = (*now)[i], best.doubt[i] = doubt;
       }
     before = now;

@@ -11,11 +11,11 @@ namespace mariotte::stress_study {
 std::vector<double> outcome_sizes(const impact::Sensitivity& slopes, double speed);
 
 /// Slopes in natural units, and by how much those of two steps differ. Empty if no step leaves the run what
-/// it is.
+/// it is. `steepness` is that of the steepest outcome: longer steps leave its slope.
 struct Differences {
   std::vector<double> slope, doubt;
 };
-Differences differences(const Probe& probe, const impact::Sensitivity& base,
-                        const std::vector<double>& sizes);
+Differences differences(const Probe& probe, const impact::Sensitivity& base, const std::vector<double>& sizes,
+                        double steepness);
 
 }  // namespace mariotte::stress_study

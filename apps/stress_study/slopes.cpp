@@ -15,7 +15,7 @@ namespace {
 using impact::Sensitivity;
 
 /// Differences of which more than this share of the slope is uncertain cannot tell anything.
-constexpr double most_doubt = 1e-3;
+constexpr double most_doubt = 1e-4;
 /// By how much of their units numbers are moved to tell how slopes follow.
 constexpr double perturbation = 1e-6;
 
@@ -52,7 +52,8 @@ class SlopeExamination {
     sizes_ = outcome_sizes(slopes_.back(), subject_.speed);
     for (std::size_t c = 0; c < subject_.probes.size(); ++c) {
       announce_("differences by " + subject_.probes[c].name);
-      compare(c, differences(subject_.probes[c], slopes_.back(), sizes_));
+      compare(
+          c, differences(subject_.probes[c], slopes_.back(), sizes_, largest(own_column(slopes_.back(), c))));
     }
     return verdict_;
   }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "mariotte/impact/chain/chain_impact.hpp"
+#include "mariotte/impact/chain/chain_solver.hpp"
 #include "mariotte/impact/sensitivity/adjoint/adjoint.hpp"
 #include "mariotte/impact/sensitivity/sensitivity.hpp"
 #include "slope_rival.hpp"
@@ -42,11 +43,13 @@ std::string line(const Case& c, double accuracy, const measuring::Patience& pati
   const auto seconds = [&](const std::function<void()>& action) { return seconds_of(action, patience); };
   const auto all = impact::parameters(chain);
   const std::vector<impact::Parameter<Chain>> one{all.front()};
+  impact::ChainSolver solver;
   const double run = seconds([&] { impact::simulate(chain, options); });
+  const double brief = seconds([&] { solver.solve(chain, options); });
   const double of_all = seconds([&] { impact::sensitivity(chain, all, options); });
   const double of_one = seconds([&] { impact::sensitivity(chain, one, options); });
-  return fmt::format("{:<22}  {:>8.0e}  {:>9.1f}  {:>10}  {:>10.1f}  {:>9.1f}  {:>10}\n", c.name, accuracy,
-                     1e6 * run, all.size(), of_all / run, of_one / run,
+  return fmt::format("{:<22}  {:>8.0e}  {:>9.1f}  {:>8.1f}  {:>10}  {:>10.1f}  {:>9.1f}  {:>10}\n", c.name,
+                     accuracy, 1e6 * run, 1e6 * brief, all.size(), of_all / run, of_one / run,
                      rival(chain, accuracy, run, patience));
 }
 
@@ -78,7 +81,8 @@ std::string line_of_row(std::size_t balls, double accuracy, const measuring::Pat
 
 std::string slope_cost(const measuring::Patience& patience) {
   std::string text =
-      "three balls             accuracy     run/µs  parameters  all slopes  one slope  all CVODES\n";
+      "three balls             accuracy     run/µs  brief/µs  parameters  all slopes  one slope  all "
+      "CVODES\n";
   for (const Case& c :
        {Case{"Hertz, touching", 0, 0}, Case{"Hertz, with a gap", 0, 0.4}, Case{"damped, touching", 0.04, 0}})
     for (const double accuracy : {1e-6, 1e-10}) text += line(c, accuracy, patience);

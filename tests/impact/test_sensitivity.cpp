@@ -6,6 +6,7 @@
 #include <random>
 
 #include "mariotte/impact/chain/chain_solver.hpp"
+#include "mariotte/impact/sensitivity/push_expansion.hpp"
 #include "mariotte/impact/sensitivity/sensitivity.hpp"
 #include "support/reference_laws.hpp"
 
@@ -205,8 +206,7 @@ BOOST_AUTO_TEST_CASE(power_series_have_the_slopes_of_collocation) {
   int compared = 0;
   for (int n = 0; n < 16; ++n) {
     const auto chain = random_row(random);
-    auto by = parameters(chain);
-    std::erase_if(by, [](const auto& one) { return one.name.ends_with("exponent"); });
+    const auto by = parameters(chain);
     // Steps of CVODE have no series.
     const auto found = sensitivity(chain, by, {.accuracy = 1e-10, .max_time = 6});
     const auto other =
@@ -230,6 +230,53 @@ BOOST_AUTO_TEST_CASE(power_series_have_the_slopes_of_collocation) {
     }
   }
   BOOST_TEST(compared > 300);
+}
+
+BOOST_AUTO_TEST_CASE(series_know_exponents_of_damped_hertz_contacts) {
+  impact::ContactSlope by_exponent;
+  by_exponent.law.push_back({.column = 0, .points = {}, .power = {0, 0, 1}, .shifted = {}});
+  BOOST_TEST(impact::PushExpansion::knows({1, 0.1, 1.5}, by_exponent));
+  BOOST_TEST(!impact::PushExpansion::knows({1, 0, 1.5}, by_exponent));
+  BOOST_TEST(!impact::PushExpansion::knows({1, 0.1, 1}, by_exponent));
+}
+
+/// Largest difference of velocity slopes of three balls from those of a much better run.
+double error_of_three(double damping, double gap, double accuracy) {
+  const contact::PowerLaw law{1, damping, 1.5};
+  const model::Chain chain{.mass = {1, 1, 1}, .law = {law, law}, .gap = {0, gap}, .velocity = {1, 0, 0}};
+  const auto found = sensitivity(chain, parameters(chain), {.accuracy = accuracy});
+  const auto right = sensitivity(chain, parameters(chain), {.accuracy = 1e-13});
+  double most = 0;
+  for (std::size_t i = 0; i < chain.mass.size(); ++i)
+    for (std::size_t c = 0; c < found.parameter.size(); ++c)
+      most = std::max(most, std::abs(*found.outcome[i].slope[c] - *right.outcome[i].slope[c]));
+  return most;
+}
+
+// Near the end of a contact its root is in the slopes long before it is in the motion.
+BOOST_AUTO_TEST_CASE(slopes_are_as_right_as_is_asked_through_the_ends_of_contacts) {
+  for (const double damping : {0.0, 0.04})
+    for (const double gap : {0.0, 0.4})
+      for (const double accuracy : {1e-6, 1e-8, 1e-10})
+        BOOST_TEST(error_of_three(damping, gap, accuracy) < accuracy,
+                   "damping " << damping << ", gap " << gap << ", accuracy " << accuracy);
+}
+
+BOOST_AUTO_TEST_CASE(two_models_tell_slopes_by_what_is_linear) {
+  const contact::PowerLaw law{1, 0.04, 1.5};
+  const model::Chain chain{.mass = {1, 2, 1}, .law = {law, law}, .gap = {0, 0.1}, .velocity = {1, 0, 0}};
+  auto by = parameters(chain);
+  std::vector<int> models(by.size());
+  for (std::size_t c = 0; c < by.size(); ++c)
+    by[c].model = [&models, c, made = by[c].model](double value) {
+      ++models[c];
+      return made(value);
+    };
+  sensitivity(chain, by);
+  for (std::size_t c = 0; c < by.size(); ++c) {
+    const bool is_curved = by[c].name.starts_with("mass") || by[c].name.ends_with("exponent");
+    BOOST_TEST(models[c] == (is_curved ? 8 : 2), by[c].name);
+  }
 }
 
 // Newton's cradle: balls that stay at rest touch again as soon as their masses differ.

@@ -42,10 +42,35 @@ Verdict examined(const SlopeSubject& subject) {
 
 BOOST_AUTO_TEST_CASE(differences_have_ten_digits_and_know_it) {
   const auto subject = exponential(1);
-  const auto found = differences(subject.probes[0], subject.slopes(1e-10), {1});
+  const auto found = differences(subject.probes[0], subject.slopes(1e-10), {1}, 2);
   BOOST_TEST_REQUIRE(found.slope.size() == 1u);
   BOOST_TEST(std::abs(found.slope[0] - std::exp(0.5)) < 1e-10);
   BOOST_TEST(found.doubt[0] < 1e-10);
+}
+
+BOOST_AUTO_TEST_CASE(steep_outcomes_are_told_by_short_steps) {
+  const auto sine = [](double p) {
+    auto slopes = exponential(1).slopes(1e-10);
+    slopes.outcome[0].value = std::sin(1e4 * (p - 0.5));
+    return slopes;
+  };
+  const Probe probe{"p", 0.5, 1, 0.01, sine};
+  const auto found = differences(probe, sine(0.5), {1}, 1e4);
+  BOOST_TEST_REQUIRE(found.slope.size() == 1u);
+  BOOST_TEST(std::abs(found.slope[0] - 1e4) < 1e-3);
+}
+
+BOOST_AUTO_TEST_CASE(differences_of_large_outcomes_know_of_rounding) {
+  const auto moving = [](double p) {
+    auto slopes = exponential(1).slopes(1e-10);
+    slopes.outcome[0].value = 1e6 + p;
+    return slopes;
+  };
+  const Probe probe{"p", 0.5, 1, 0.01, moving};
+  const auto found = differences(probe, moving(0.5), {1}, 1);
+  BOOST_TEST_REQUIRE(found.slope.size() == 1u);
+  BOOST_TEST(std::abs(found.slope[0] - 1) <= found.doubt[0]);
+  BOOST_TEST(found.doubt[0] > 1e-7);
 }
 
 BOOST_AUTO_TEST_CASE(right_slopes_leave_no_findings) {

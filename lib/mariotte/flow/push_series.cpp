@@ -5,37 +5,61 @@
 namespace mariotte::flow {
 namespace {
 
-/// The coefficients around another place.
-void move(PushPolynomial& p, int order, double place) {
-  for (int first = 0; first < order; ++first)
-    for (int k = order - 1; k >= first; --k) p[k] += place * p[k + 1];
+/// Coefficients of the k-th power around another place: C(k, i), to which a power of the place belongs.
+struct Binomials {
+  double of[most_orders + 1][most_orders + 1] = {};
+  constexpr Binomials() {
+    for (int k = 0; k <= most_orders; ++k) {
+      of[k][0] = 1;
+      for (int i = 1; i <= k; ++i) of[k][i] = of[k - 1][i - 1] + of[k - 1][i];
+    }
+  }
+};
+constexpr Binomials binomial;
+
+/// Powers of a place, the highest first.
+PushPolynomial powers(double place) {
+  PushPolynomial p;
+  p[most_orders] = 1;
+  for (int k = most_orders; k > 0; --k) p[k - 1] = place * p[k];
+  return p;
+}
+
+/// The coefficients around the place with these powers; all orders at once.
+void move(PushPolynomial& p, int order, const PushPolynomial& power) {
+  PushPolynomial sum{};
+  for (int k = 0; k <= order; ++k) {
+    const double* from = &power[most_orders - k];
+    for (int i = 0; i <= k; ++i) sum[i] += binomial.of[k][i] * from[i] * p[k];
+  }
+  p = sum;
 }
 
 void set_root(const PushPolynomial& square, int order, PushPolynomial& root) {
   root[0] = std::sqrt(square[0]);
+  const double share = 0.5 / root[0];
   for (int i = 1; i <= order; ++i) {
-    double sum = square[i];
-    for (int k = 1; k < i; ++k) sum -= root[k] * root[i - k];
-    root[i] = sum / (2 * root[0]);
+    double sum = 0;
+    for (int k = 1; 2 * k < i; ++k) sum += root[k] * root[i - k];
+    root[i] = share * (square[i] - 2 * sum - (i % 2 == 0 ? root[i / 2] * root[i / 2] : 0));
   }
 }
 
 }  // namespace
 
-PushSeries part(const PushSeries& whole, double begin, double end) {
-  PushSeries result = whole;
-  result.end = end - begin;
-  if (begin == 0) return result;
-  if (!whole.is_time) move(result.pace, whole.order, begin);
-  for (auto& c : result.contact) {
-    move(c.depth, whole.order, begin);
-    move(c.rate, whole.order, begin);
+void drop(PushSeries& series, double begin) {
+  const int order = series.order;
+  const auto power = powers(begin);
+  series.end -= begin;
+  if (!series.is_time) move(series.pace, order, power);
+  for (auto& c : series.contact) {
+    move(c.depth, order, power);
+    move(c.rate, order, power);
     if (c.owns_clock)
-      c.root = result.pace;
+      c.root = series.pace;
     else if (c.is_curved)
-      set_root(c.depth, whole.order, c.root);
+      set_root(c.depth, order, c.root);
   }
-  return result;
 }
 
 }  // namespace mariotte::flow

@@ -33,7 +33,8 @@ struct PushSeries {
       dozing;  ///< so shallow that their force is left out: depths and rates; none at a start
 };
 
-/// The same motion from `begin` to `end` of σ, which starts again at 0. Not for those with a power.
-PushSeries part(const PushSeries& whole, double begin, double end);
+/// Leave out the motion before `begin` of σ, which starts again at 0 there. Not for those with a power; what
+/// dozes stays.
+void drop(PushSeries& series, double begin);
 
 }  // namespace mariotte::flow

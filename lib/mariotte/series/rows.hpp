@@ -28,6 +28,8 @@ template <class Field, int MostOrder, class V>
 class Rows {
  public:
   using Row = std::array<V, MostOrder + 2>;
+  /// Room for the sums of all convolutions.
+  static constexpr int sums = program<Field>.convolutions + 1;
   const Row& operator[](int row) const { return row_[row]; }
   Row& operator[](int row) { return row_[row]; }
 
@@ -94,11 +96,21 @@ class Rows {
   Row row_[P.rows] = {};
 };
 
-/// Of plain numbers two convolutions share a register: their factors are packed by order, in pairs.
+/// So many plain numbers share a register; a field that is compiled for wider ones says so.
+template <class Field>
+inline constexpr int packed = 2;
+template <class Field>
+requires requires {
+  Field::packed;
+}
+inline constexpr int packed<Field> = Field::packed;
+
+/// Of plain numbers some convolutions share a register: their factors are packed by order.
 template <class Field, int MostOrder>
 class Rows<Field, MostOrder, double> {
  public:
   using Row = std::array<double, MostOrder + 2>;
+  static constexpr int sums = (program<Field>.convolutions / packed<Field> + 1) * packed<Field>;
   const Row& operator[](int row) const { return row_[row]; }
   Row& operator[](int row) { return row_[row]; }
 
@@ -109,46 +121,55 @@ class Rows<Field, MostOrder, double> {
       row_[step.row][k] = value;
   }
   MARIOTTE_SERIES_INLINE void complete(int k, const double* value) {
-    const auto factor = [&](Factor f) MARIOTTE_SERIES_LAMBDA { return (f.slopes ? k : 1) * value[f.step]; };
-    unrolled<pairs>([&](auto i) MARIOTTE_SERIES_LAMBDA {
-      constexpr Convolution one = P.convolution[2 * i], two = P.convolution[2 * i + 1];
-      left_[k][i] = Pair{factor(one.a), factor(two.a)};
-      right_[k][i] = Pair{factor(one.b), factor(two.b)};
+    unrolled<packs>([&](auto i) MARIOTTE_SERIES_LAMBDA {
+      left_[k][i] = factors<i * width, &Convolution::a>(k, value, Lanes());
+      right_[k][i] = factors<i * width, &Convolution::b>(k, value, Lanes());
     });
   }
 
   template <int count>
   MARIOTTE_SERIES_INLINE void convolve(int k, double* total) const {
-    constexpr int size = (count + 1) / 2, group = 6;
+    constexpr int size = (count + width - 1) / width, group = 6;
     unrolled<(size + group - 1) / group>([&](auto g) MARIOTTE_SERIES_LAMBDA {
       convolve_some<g * group, (size - g * group < group ? size - g * group : group)>(k, total);
     });
   }
 
  private:
-  typedef double Pair __attribute__((vector_size(16)));
   static constexpr const Program& P = program<Field>;
-  static constexpr int pairs = (P.convolutions + 1) / 2;
+  static constexpr int width = packed<Field>, packs = (P.convolutions + width - 1) / width;
+  typedef double Pack __attribute__((vector_size(8 * width)));
+  using Lanes = std::make_integer_sequence<int, width>;
+
+  /// Of convolutions side by side, at once: to put lanes into a register one by one would wait for memory.
+  template <int first, Factor Convolution::*side, int... lane>
+  MARIOTTE_SERIES_INLINE static Pack factors(int k, const double* value,
+                                             std::integer_sequence<int, lane...>) {
+    return Pack{(((P.convolution[first + lane].*side).slopes ? k : 1) *
+                 value[(P.convolution[first + lane].*side).step])...};
+  }
 
   template <int first, int count>
   MARIOTTE_SERIES_INLINE void convolve_some(int k, double* total) const {
-    Pair sum[count];
+    Pack one[count], two[count];
     unrolled<count>([&](auto i) MARIOTTE_SERIES_LAMBDA {
-      sum[i] = k % 2 == 0 ? left_[k / 2][first + i] * right_[k / 2][first + i] : Pair{};
+      one[i] = k % 2 == 0 ? left_[k / 2][first + i] * right_[k / 2][first + i] : Pack{};
+      two[i] = Pack{};
     });
     for (int j = (k - 1) / 2; j >= 1; --j)
       unrolled<count>([&](auto i) MARIOTTE_SERIES_LAMBDA {
-        sum[i] += left_[j][first + i] * right_[k - j][first + i];
-        sum[i] += left_[k - j][first + i] * right_[j][first + i];
+        one[i] += left_[j][first + i] * right_[k - j][first + i];
+        two[i] += left_[k - j][first + i] * right_[j][first + i];
       });
-    unrolled<count>([&](auto i) MARIOTTE_SERIES_LAMBDA {
-      total[2 * (first + i)] = sum[i][0];
-      total[2 * (first + i) + 1] = sum[i][1];
+    unrolled<count>([&](auto i) MARIOTTE_SERIES_LAMBDA { one[i] += two[i]; });
+    unrolled<count * width>([&](auto lane) MARIOTTE_SERIES_LAMBDA {
+      constexpr int i = lane;
+      total[first * width + i] = one[i / width][i % width];
     });
   }
 
   Row row_[rows_of<Field>] = {};
-  Pair left_[MostOrder + 1][pairs + 1], right_[MostOrder + 1][pairs + 1];
+  Pack left_[MostOrder + 1][packs + 1], right_[MostOrder + 1][packs + 1];
 };
 
 }  // namespace mariotte::series

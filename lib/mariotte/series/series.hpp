@@ -63,7 +63,7 @@ class Series {
 
   /// int k of all that is no state, and order k + 1 of the states; k ≥ 1, all orders below are known.
   MARIOTTE_SERIES_INLINE void stage(int k) {
-    V total[P.convolutions + 1], value[P.steps];
+    V total[Rows<Field, MostOrder, V>::sums], value[P.steps];
     row_.template convolve<P.convolutions>(k, total);
     unrolled<P.steps>([&](auto i) MARIOTTE_SERIES_LAMBDA {
       value[i] = coefficient<i>(k, total, value);
@@ -75,7 +75,7 @@ class Series {
 
   /// int k of values, no more.
   MARIOTTE_SERIES_INLINE void finish(int k) {
-    V total[P.convolutions + 1], value[P.steps];
+    V total[Rows<Field, MostOrder, V>::sums], value[P.steps];
     row_.template convolve<P.seen_convolutions>(k, total);
     unrolled<P.steps>([&](auto i) MARIOTTE_SERIES_LAMBDA {
       if constexpr (P.step[i].seen || P.step[i].op == Op::state) value[i] = coefficient<i>(k, total, value);

@@ -13,14 +13,12 @@ class ChainImpulses {
         mass_(layout.velocities(), columns),
         gravity_(layout.velocities(), columns) {}
 
-  void set(Index c, const ShiftedModels<model::DimensionlessChain>& models) {
-    step_.push_back(models.step);
-    const auto &low = models.at.front(), &high = models.at.back();
-    if (low.mass == high.mass && low.gravity == high.gravity) return;
+  void add(const ShiftedModel<model::DimensionlessChain>& shifted) {
+    if (shifted.is_first()) step_.push_back(shifted.step);
     for (Index i = 0; i < mass_.rows; ++i) {
       if (chain_.inverse_mass[i] == 0) continue;
-      mass_(i, c) = stencil_slope(models.step, [&](std::size_t k) { return models.at[k].mass[i]; });
-      gravity_(i, c) = stencil_slope(models.step, [&](std::size_t k) { return models.at[k].gravity[i]; });
+      mass_(i, shifted.column) += shifted.share() * (shifted.model.mass[i] - chain_.mass[i]);
+      gravity_(i, shifted.column) += shifted.share() * (shifted.model.gravity[i] - chain_.gravity[i]);
     }
   }
   void at(const Interval& interval, std::vector<double>& p) const { impulses(chain_, layout_, interval, p); }

@@ -20,13 +20,30 @@ struct Moment {
   double past, left, rate;
 };
 
+/// Towards an end a root of the time until the force has its own falls evenly, from 1 + beyond.
+Moment towards_end(double beyond, double u) {
+  const double first = std::sqrt(1 + beyond), last = std::sqrt(beyond), fall = 1 / (first + last);
+  const double root = first - fall * u;
+  return {fall * u * (first + root), fall * (1 - u) * (root + last), 2 * root * fall};
+}
+
+/// (a⁴ − b⁴)/(a − b).
+double fourth_powers(double a, double b) {
+  return (a + b) * (a * a + b * b);
+}
+/// The same with the fourth root.
+Moment towards_steep_end(double beyond, double u) {
+  const double first = std::sqrt(std::sqrt(1 + beyond)), last = std::sqrt(std::sqrt(beyond));
+  const double fall = 1 / fourth_powers(first, last), root = first - fall * u;
+  return {fall * u * fourth_powers(first, root), fall * (1 - u) * fourth_powers(root, last),
+          4 * root * root * root * fall};
+}
+
 Moment moment(Edges edges, double u) {
   Moment now{u, 1 - u, 1};
-  if (edges.beyond < infinity) {  // the root of the time until the force has its root falls evenly
+  if (edges.beyond < infinity) {
     const double beyond = edges.begins ? edges.beyond / 4 : edges.beyond;
-    const double first = std::sqrt(1 + beyond), last = std::sqrt(beyond), fall = 1 / (first + last);
-    const double root = first - fall * u;
-    now = {fall * u * (first + root), fall * (1 - u) * (root + last), 2 * root * fall};
+    now = edges.is_steep ? towards_steep_end(beyond, u) : towards_end(beyond, u);
   }
   if (!edges.begins) return now;
   const double x = now.past, square = x * x;
@@ -49,6 +66,7 @@ struct Collocation::Memory {
   Matrix system, right, value, now;
   Matrix coefficient[tail_length];
   Matrix slope[stages];
+  double unresolved = 0;
 
   void find_active() {
     position.assign(size, -1);
@@ -152,9 +170,12 @@ struct Collocation::Memory {
     return {size_of[0] + size_of[1], size_of[2] + size_of[3]};
   }
 
-  bool resolves(const SlopeMatrix& slopes) {
+  /// Of the last halving the error is kept.
+  bool resolves(const SlopeMatrix& slopes, bool is_last) {
     const auto [before, last] = tails(slopes);
-    return is_resolved(before, last, accuracy);
+    if (is_resolved(before, last, accuracy)) return true;
+    if (is_last) unresolved = std::max(unresolved, remainder(before, last));
+    return is_last;
   }
 
   bool solve_piece(LinearField& field, double start, double end, Edges edges, double u, double width,
@@ -165,7 +186,8 @@ struct Collocation::Memory {
     for (std::size_t k = 0; k < active.size(); ++k) now.row(k) = s.row(active[k]);
     const bool small = std::ssize(active) * stages <= largest_division;
     const bool solved = small ? divide() : sweep();
-    if (!last && !(solved && resolves(slopes))) return false;
+    if (!solved && last) unresolved = 1;
+    if (!(solved ? resolves(slopes, last) : last)) return false;
     for (int i = 0; i < stages; ++i) s += gauss.weight[i] * slope[i];
     return true;
   }
@@ -197,6 +219,10 @@ Collocation::Collocation(std::vector<flow::Entry> pattern, std::span<const doubl
 }
 
 Collocation::~Collocation() = default;
+
+double Collocation::unresolved() const {
+  return memory_->unresolved;
+}
 
 void Collocation::advance(LinearField& field, double start, double end, Edges edges, SlopeMatrix& slopes) {
   if (end > start && slopes.columns > 0) memory_->carry(field, start, end, edges, 0, 1, slopes, 0);

@@ -3,7 +3,7 @@
 // Forces are not smooth where a contact begins or ends, δ^{n−1} ~ t^{n−1}. So time is a polynomial of the
 // clock u there. At a beginning, which is met exactly, t ~ u⁴, in which square and fourth roots are smooth.
 // Towards an end the root of the time left falls evenly, so that no point is so near that rounding of the
-// indentation matters. What the points do not resolve is halved.
+// indentation matters; its fourth root where slopes need it. What the points do not resolve is halved.
 #pragma once
 #include <memory>
 #include <vector>
@@ -26,6 +26,7 @@ class LinearField {
 struct Edges {
   bool begins;
   double beyond = infinity;
+  bool is_steep = false;  ///< slopes of the force grow there faster than the inverse of the root
 };
 
 /// Keeps its memory from piece to piece.
@@ -41,6 +42,8 @@ class Collocation {
 
   /// Carry slopes from `start` to `end`.
   void advance(LinearField& field, double start, double end, Edges edges, SlopeMatrix& slopes);
+  /// Largest error of a piece that could not be halved any further, relative to the slopes.
+  double unresolved() const;
 
  private:
   struct Memory;

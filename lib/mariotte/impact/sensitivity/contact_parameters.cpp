@@ -23,7 +23,7 @@ using Known = std::optional<Dimension>;
 /// The elements of a list of the model, each with the step that its value asks for.
 template <class Model, class Step>
 void add_elements(const Shared<Model>& model, std::vector<double> Model::*list, const char* name, Step&& step,
-                  const Known& dimension, List<Model>& parameters) {
+                  const Known& dimension, bool is_linear, List<Model>& parameters) {
   for (std::size_t i = 0; i < ((*model).*list).size(); ++i) {
     const double value = ((*model).*list)[i];
     if (std::isinf(value)) continue;
@@ -32,7 +32,7 @@ void add_elements(const Shared<Model>& model, std::vector<double> Model::*list, 
       (other.*list)[i] = moved;
       return other;
     };
-    parameters.push_back({numbered(name, i), value, step(value), moved_to, dimension});
+    parameters.push_back({numbered(name, i), value, step(value), moved_to, dimension, is_linear});
   }
 }
 
@@ -45,8 +45,8 @@ void add_laws(const Shared<Model>& model, List<Model>& parameters) {
         other.law[j] = law(moved);
         return other;
       };
-      parameters.push_back(
-          {numbered("contact", j) + "." + number.key, number.value, number.step, moved_to, number.dimension});
+      parameters.push_back({numbered("contact", j) + "." + number.key, number.value, number.step, moved_to,
+                            number.dimension, number.is_linear});
     }
 }
 
@@ -57,9 +57,9 @@ List<Model> common(const Shared<Model>& model, bool has_masses, bool has_balls) 
   const auto unit = [](double) { return 1.0; };
   const auto of_balls = [&](const Dimension& dimension) { return has_balls ? Known(dimension) : Known(); };
   List<Model> list;
-  if (has_masses) add_elements(model, &Model::mass, "mass", share, of_balls(dimension::mass), list);
-  add_elements(model, &Model::velocity, "velocity", unit, of_balls(dimension::velocity), list);
-  add_elements(model, &Model::gap, "gap", unit, dimension::length, list);
+  if (has_masses) add_elements(model, &Model::mass, "mass", share, of_balls(dimension::mass), false, list);
+  add_elements(model, &Model::velocity, "velocity", unit, of_balls(dimension::velocity), true, list);
+  add_elements(model, &Model::gap, "gap", unit, dimension::length, true, list);
   add_laws(model, list);
   return list;
 }
@@ -75,7 +75,8 @@ std::vector<Parameter<model::Chain>> parameters(const model::Chain& chain) {
     other.gravity = moved;
     return other;
   };
-  list.push_back({"gravity", chain.gravity, std::abs(chain.gravity), moved_to, dimension::acceleration});
+  list.push_back(
+      {"gravity", chain.gravity, std::abs(chain.gravity), moved_to, dimension::acceleration, true});
   return list;
 }
 

@@ -1,6 +1,5 @@
 // From the run of a chain or a network with slopes to its outcomes.
 #pragma once
-#include <array>
 #include <cmath>
 
 #include "mariotte/core/error.hpp"
@@ -23,18 +22,20 @@ inline hybrid::Options for_slopes(hybrid::Options options) {
   return options;
 }
 
-/// `use(c, models)` of the models around each parameter, one after the other in the same memory.
+/// `use` of the models around each parameter, one after the other in the same memory.
 template <class Scaled, class Model, class Use>
 void for_each_shifted(const Scaled& base, const std::vector<Parameter<Model>>& by, const SlopeWatch& watch,
                       Use&& use) {
-  ShiftedModels<Scaled> models;
-  models.at.fill(base);
+  auto moved = base;
   for (std::size_t c = 0; c < by.size(); ++c) {
     watch();
-    models.step = by[c].step;
-    for (std::size_t k = 0; k < stencil.size(); ++k)
-      restate(by[c].model(by[c].value + stencil[k].offset * models.step), models.at[k]);
-    use(static_cast<Index>(c), models);
+    const auto& one = by[c];
+    std::span<const StencilPoint> points = stencil;
+    if (one.is_linear) points = linear_stencil;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      restate(one.model(one.value + points[k].offset * one.step), moved);
+      use(ShiftedModel<Scaled>{moved, static_cast<Index>(c), one.step, points, k});
+    }
   }
 }
 
@@ -54,10 +55,10 @@ class ContactSensitivity {
         start_(layout_.size, std::ssize(by)) {
     initial_state(base, layout_, x0_);
     ContactVariation<Topology> variation(base, layout_, std::ssize(by), options.accuracy);
-    for_each_shifted(base, by, watch, [&](Index c, const ShiftedModels<Scaled>& models) {
-      set_start(c, models);
-      variation.set(c, models);
-      impulses_.set(c, models);
+    for_each_shifted(base, by, watch, [&](const ShiftedModel<Scaled>& shifted) {
+      add_start(shifted);
+      variation.add(shifted);
+      impulses_.add(shifted);
     });
     natural_ = variation.natural_slopes();
     end_ = SlopeLoop(system, variation, hybrid::scaled(options, base.scale), watch).follow(x0_, start_);
@@ -72,6 +73,7 @@ class ContactSensitivity {
     add_time();
     add_notes(end_, base_.scale.time, result_.notes);
     add_near_closings();
+    add_slow_starts();
     leave_out_unbounded(result_);
     return std::move(result_);
   }
@@ -85,10 +87,10 @@ class ContactSensitivity {
   double slope(Index place, Index c) const { return end_.slopes(place, c) + end_.rate[place] * end_.time[c]; }
 
   /// The work of a contact that starts indented is its stored energy.
-  void set_start(Index c, const ShiftedModels<Scaled>& models) {
-    for (std::size_t k = 0; k < stencil.size(); ++k) initial_state(models.at[k], layout_, moved_[k]);
+  void add_start(const ShiftedModel<Scaled>& shifted) {
+    initial_state(shifted.model, layout_, moved_);
     for (Index r = 0; r < start_.rows; ++r)
-      start_(r, c) = stencil_slope(models.step, [&](std::size_t k) { return moved_[k][r]; });
+      start_(r, shifted.column) += shifted.share() * (moved_[r] - x0_[r]);
   }
 
   /// At fixed masses and gravity impulses are linear in both states and the time between.
@@ -105,19 +107,37 @@ class ContactSensitivity {
     return slopes;
   }
 
+  static constexpr double slow = 1e-6;  ///< share of the speed of a model
+
+  /// By how much parameters move the approach of contact j, at most, in their natural sizes.
+  double moved_approach(const SlopeMatrix& slopes, Index j) const {
+    double most = 0;
+    for (Index c = 0; c < columns(); ++c)
+      most = std::max(most, std::abs(Topology{base_, layout_}.approach(slopes.column(c), j)) / natural_[c]);
+    return most;
+  }
+
   /// Open contacts whose balls go on together: they close again as soon as some number moves.
   void add_near_closings() {
-    constexpr double slow = 1e-6;
     if (end_.run.ending != hybrid::Ending::separated) return;
-    const Topology topology{base_, layout_};
     for (Index j = 0; j < layout_.contacts(); ++j) {
-      const double speed = topology.approach(end_.run.state, j);
-      double moved = 0;
-      for (Index c = 0; c < columns(); ++c)
-        moved = std::max(moved, std::abs(topology.approach(end_.slopes.column(c), j)) / natural_[c]);
-      if (!contact::carries_force(end_.mode[j]) && std::abs(speed) < slow * base_.speed && moved > slow)
+      const double speed = std::abs(Topology{base_, layout_}.approach(end_.run.state, j));
+      if (!contact::carries_force(end_.mode[j]) && speed < slow * base_.speed &&
+          moved_approach(end_.slopes, j) > slow)
         result_.notes.push_back(
-            near_closing_note("contact " + std::to_string(j + 1), std::abs(speed) * base_.scale.velocity));
+            near_closing_note("contact " + std::to_string(j + 1), speed * base_.scale.velocity));
+    }
+  }
+
+  /// Linear contacts that touch hardly approaching, or parting: pressed they act at once, apart not at all.
+  void add_slow_starts() {
+    for (Index j = 0; j < layout_.contacts(); ++j) {
+      const auto* power = contact::power_law(base_.law[j]);
+      const double speed = std::abs(Topology{base_, layout_}.approach(x0_, j));
+      if (power && power->exponent == 1 && x0_[layout_.gap[j]] == 0 && speed > 0 &&
+          speed < slow * base_.speed && moved_approach(start_, j) > slow)
+        result_.notes.push_back(
+            hardly_touching_note("contact " + std::to_string(j + 1), speed * base_.scale.velocity));
     }
   }
 
@@ -168,8 +188,7 @@ class ContactSensitivity {
   Impulses impulses_;
   SlopeMatrix start_;
   std::vector<double> natural_;  ///< slopes that are a hundredth of a state over its parameter
-  std::array<std::vector<double>, stencil.size()> moved_;
-  std::vector<double> x0_;
+  std::vector<double> x0_, moved_;
   SlopeRun<System> end_;
   Sensitivity result_;
 };

@@ -4,6 +4,7 @@
 
 #include "mariotte/contact/law.hpp"
 #include "mariotte/core/types.hpp"
+#include "mariotte/impact/sensitivity/stencil.hpp"
 
 namespace mariotte::impact {
 
@@ -12,6 +13,7 @@ namespace mariotte::impact {
 struct LawSlope {
   Index column;
   double step = 0;
+  std::span<const StencilPoint> points;
   contact::PowerLaw power{0, 0, 0};  ///< slopes of k, c and n
   std::vector<contact::Law> shifted;
 };

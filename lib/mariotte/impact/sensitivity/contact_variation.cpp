@@ -72,28 +72,10 @@ ContactVariation<Topology>::ContactVariation(const Scaled& model, const model::C
 
 namespace {
 
-/// Slopes of coefficients that stand at places of the state.
-class TermSlopes {
- public:
-  void add(Index place, double part) {
-    for (auto& [own, sum] : terms_)
-      if (own == place) {
-        sum += part;
-        return;
-      }
-    terms_.push_back({place, part});
-  }
-  /// What is not zero but for rounding of terms of this size.
-  void take(Index column, double step, double size, std::vector<ContactSlope::Term>& into) const {
-    for (const auto& [place, sum] : terms_)
-      if (std::abs(sum) > 8 * epsilon * size) into.push_back({place, column, sum / step});
-  }
-
- private:
-  std::vector<std::pair<Index, double>> terms_;
-};
-
 bool same(const Law& a, const Law& b) {
+  if (const auto* power = power_law(a), *other = power_law(b); power && other)
+    return power->stiffness == other->stiffness && power->damping == other->damping &&
+           power->exponent == other->exponent;
   const auto one = parameters(a), other = parameters(b);
   for (std::size_t i = 0; i < one.size(); ++i)
     if (one[i].value != other[i].value) return false;
@@ -103,69 +85,69 @@ bool same(const Law& a, const Law& b) {
 }  // namespace
 
 template <class Topology>
-void ContactVariation<Topology>::set(Index c, const ShiftedModels<Scaled>& shifted) {
-  natural_[c] = 1e-4 / shifted.step;
+void ContactVariation<Topology>::add(const ShiftedModel<Scaled>& shifted) {
+  const Topology base{model_, layout_}, moved{shifted.model, layout_};
+  natural_[shifted.column] = 1e-4 / shifted.step;
   for (Index i = 0; i < layout_.velocities(); ++i)
-    acceleration_(i, c) = stencil_slope(shifted.step, [&](std::size_t k) {
-      return Topology{shifted.at[k], layout_}.acceleration(i);
-    });
+    acceleration_(i, shifted.column) += shifted.share() * (moved.acceleration(i) - base.acceleration(i));
   for (Index j = 0; j < layout_.contacts(); ++j) {
-    if (!has_same_directions(j, shifted)) find_directions(j, c, shifted);
-    if (!same(shifted.at.front().law[j], shifted.at.back().law[j])) find_law(j, c, shifted);
+    add_directions(j, shifted);
+    add_law(j, shifted);
   }
-}
-
-template <class Topology>
-bool ContactVariation<Topology>::has_same_directions(Index j, const ShiftedModels<Scaled>& shifted) {
-  const auto list = [&](const Scaled& one, std::vector<double>& coefficients) {
-    const Topology topology{one, layout_};
-    const auto add = [&](Index, double coefficient) { coefficients.push_back(coefficient); };
-    coefficients.clear();
-    topology.for_each_push(j, add);
-    topology.for_each_direction(j, add);
-  };
-  list(shifted.at.front(), first_);
-  list(shifted.at.back(), last_);
-  return first_ == last_;
+  if (shifted.is_first()) first_law_ = shifted.model.law;
 }
 
 /// Slopes of what contact j pushes, and of what moves it.
 template <class Topology>
-void ContactVariation<Topology>::find_directions(Index j, Index c, const ShiftedModels<Scaled>& shifted) {
-  TermSlopes push, direction;
-  double most_push = 0, most_direction = 0;
-  for (std::size_t k = 0; k < stencil.size(); ++k) {
-    const Topology topology{shifted.at[k], layout_};
-    topology.for_each_push(j, [&](Index place, double change) {
-      push.add(place, stencil[k].weight * change);
-      most_push = std::max(most_push, std::abs(change));
-    });
-    topology.for_each_direction(j, [&](Index place, double coefficient) {
-      direction.add(place, stencil[k].weight * coefficient);
-      most_direction = std::max(most_direction, std::abs(coefficient));
-    });
-  }
-  push.take(c, shifted.step, most_push, contact_[j].push);
-  direction.take(c, shifted.step, most_direction, contact_[j].direction);
+void ContactVariation<Topology>::add_directions(Index j, const ShiftedModel<Scaled>& shifted) {
+  add_coefficients([j](const Topology& t, auto&& add) { t.for_each_push(j, add); }, shifted,
+                   contact_[j].push);
+  add_coefficients([j](const Topology& t, auto&& add) { t.for_each_direction(j, add); }, shifted,
+                   contact_[j].direction);
 }
 
 template <class Topology>
-void ContactVariation<Topology>::find_law(Index j, Index c, const ShiftedModels<Scaled>& shifted) {
-  LawSlope law{.column = c, .step = shifted.step, .shifted = {}};
-  for (const auto& moved : shifted.at) law.shifted.push_back(moved.law[j]);
-  if (power_law(model_.law[j])) {
-    const auto slope_of = [&](double contact::PowerLaw::*number) {
-      const auto is_same = [&](const Law& moved) {
-        return power_law(moved)->*number == power_law(model_.law[j])->*number;
-      };
-      if (std::all_of(law.shifted.begin(), law.shifted.end(), is_same)) return 0.0;
-      return by_law(law, [&](const Law& moved) { return power_law(moved)->*number; });
-    };
-    law.power = {.stiffness = slope_of(&contact::PowerLaw::stiffness),
-                 .damping = slope_of(&contact::PowerLaw::damping),
-                 .exponent = slope_of(&contact::PowerLaw::exponent)};
-  }
-  contact_[j].law.push_back(std::move(law));
+template <class ForEach>
+void ContactVariation<Topology>::add_coefficients(ForEach&& for_each, const ShiftedModel<Scaled>& shifted,
+                                                  std::vector<ContactSlope::Term>& slopes) {
+  const auto read = [&](const Scaled& model, PlacedCoefficients& list) {
+    list.clear();
+    for_each(Topology{model, layout_}, [&](Index place, double value) { list.add(place, value); });
+  };
+  read(model_, base_);
+  read(shifted.model, moved_);
+  if (!(moved_ == base_)) add_difference(base_, moved_, shifted.column, shifted.share(), slopes);
+  if (shifted.is_last()) drop_rounding(base_, shifted.column, shifted.step, slopes);
+}
+
+/// A law that moves differs from point to point. It is compared with the first, as all are restated, and the
+/// base is not: that differs by rounding.
+template <class Topology>
+void ContactVariation<Topology>::add_law(Index j, const ShiftedModel<Scaled>& shifted) {
+  const auto& law = shifted.model.law[j];
+  if (shifted.is_first() || same(law, first_law_[j])) return;
+  auto& list = contact_[j].law;
+  if (list.empty() || list.back().column != shifted.column)
+    list.push_back({.column = shifted.column,
+                    .step = shifted.step,
+                    .points = shifted.points,
+                    .shifted = {first_law_[j]}});
+  list.back().shifted.push_back(law);
+  if (shifted.is_last()) set_power(j, list.back());
+}
+
+template <class Topology>
+void ContactVariation<Topology>::set_power(Index j, LawSlope& law) const {
+  const auto* base = power_law(model_.law[j]);
+  if (!base) return;
+  const auto slope_of = [&](double contact::PowerLaw::*number) {
+    const auto is_same = [&](const Law& moved) { return power_law(moved)->*number == base->*number; };
+    if (std::all_of(law.shifted.begin(), law.shifted.end(), is_same)) return 0.0;
+    return by_law(law, [&](const Law& moved) { return power_law(moved)->*number; });
+  };
+  law.power = {.stiffness = slope_of(&contact::PowerLaw::stiffness),
+               .damping = slope_of(&contact::PowerLaw::damping),
+               .exponent = slope_of(&contact::PowerLaw::exponent)};
 }
 
 template <class Topology>
@@ -300,6 +282,15 @@ void ContactVariation<Topology>::remember(Index i, const contact::ContactSet& be
   const Index j = layout_.guard_contact[i], gap = layout_.gap[j];
   if (memory_of(before, j).peak == memory_of(after, j).peak) return;
   for (Index c = 0; c < columns_; ++c) peak_(c, j) = -(slopes(gap, c) + rate[gap] * time[c]);
+}
+
+template <class Topology>
+bool ContactVariation<Topology>::ends_steeply(Index i, const contact::ContactSet& mode) const {
+  const Index j = layout_.guard_contact[i];
+  const auto* branches = branched(model_.law[j]);
+  if (!branches || layout_.kind(i) != GuardKind::gap) return false;
+  const auto power = branches->power(memory_of(mode, j));
+  return power && power->damping > 0 && damping_exponent(power->grows, power->exponent) < 0.5;
 }
 
 template <class Topology>

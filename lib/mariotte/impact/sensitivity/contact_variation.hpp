@@ -4,11 +4,10 @@
 // Along the run the slope of a force is that of a formula: analytic for power laws, and by the stencil for
 // all others and for what a contact remembers.
 #pragma once
-#include <array>
 #include <cmath>
 #include <vector>
 
-#include "mariotte/impact/sensitivity/contact_slope.hpp"
+#include "mariotte/impact/sensitivity/coefficient_slopes.hpp"
 #include "mariotte/impact/sensitivity/push_slopes.hpp"
 #include "mariotte/impact/sensitivity/slope_matrix.hpp"
 #include "mariotte/impact/sensitivity/stencil.hpp"
@@ -16,11 +15,19 @@
 
 namespace mariotte::impact {
 
-/// One model per point of the stencil, in the units of the base model.
+/// The model at point k of a stencil, in the units of the base model.
 template <class Scaled>
-struct ShiftedModels {
+struct ShiftedModel {
+  const Scaled& model;
+  Index column;  ///< of the parameter
   double step;
-  std::array<Scaled, stencil.size()> at;
+  std::span<const StencilPoint> points;
+  std::size_t k;
+
+  bool is_first() const { return k == 0; }
+  bool is_last() const { return k + 1 == points.size(); }
+  /// dF/dp is the sum over all points of what F differs from that of the base, times this.
+  double share() const { return points[k].weight / step; }
 };
 
 /// dk δⁿ + dc δⁿ⁻¹ δ̇ + dn ln δ · f: the force of a power law as its numbers change.
@@ -37,7 +44,7 @@ double memory_force_slope(contact::ContactMode mode, const contact::Law& law, do
 template <class Value>
 double by_law(const LawSlope& slope, Value&& value) {
   if (slope.shifted.empty()) return 0;
-  return stencil_slope(slope.step, [&](std::size_t k) { return value(slope.shifted[k]); });
+  return stencil_slope(slope.points, slope.step, [&](std::size_t k) { return value(slope.shifted[k]); });
 }
 /// A step by which the peak that a contact remembers may move.
 double memory_step(const contact::Memory& past);
@@ -59,8 +66,8 @@ class ContactVariation {
   using Scaled = typename Topology::Model;
 
   ContactVariation(const Scaled& model, const model::ContactLayout& layout, Index columns, double accuracy);
-  /// Every parameter once, in their order.
-  void set(Index column, const ShiftedModels<Scaled>& shifted);
+  /// All points of every parameter, in their order.
+  void add(const ShiftedModel<Scaled>& shifted);
 
   Index columns() const { return columns_; }
   /// Slopes that are a hundredth of a state over its parameter.
@@ -77,9 +84,9 @@ class ContactVariation {
   /// ∂γ/∂x of guard i along a direction of the state.
   double guard_rate(const flow::Problem& problem, Index i, ConstState x, ConstState dx,
                     const contact::ContactSet&) const {
-    std::vector<double> rates(problem.guard_count());
-    problem.guard_rates(x, dx, rates);
-    return rates[i];
+    guard_rates_.resize(problem.guard_count());
+    problem.guard_rates(x, dx, guard_rates_);
+    return guard_rates_[i];
   }
   /// ∂γ/∂p of guard i at a state, by parameter.
   void guard_slopes(Index i, ConstState x, const contact::ContactSet& mode, std::span<double> slopes) const;
@@ -93,6 +100,13 @@ class ContactVariation {
   std::vector<Index> guards_at_start(const contact::ContactSet& mode, ConstState x) const;
   /// The mode before guard i has fired at the start.
   void open_at_start(contact::ContactSet& mode, Index i) const { mode[i] = contact::ContactMode::open; }
+  /// Whether its contact has closed by guard i.
+  bool closes(Index i, const contact::ContactSet& before, const contact::ContactSet& after) const {
+    const Index j = layout_.guard_contact[i];
+    return before[j] == contact::ContactMode::open && after[j] == contact::ContactMode::closed;
+  }
+  /// Whether slopes of the force grow faster than δ^{−1/2} towards guard i.
+  bool ends_steeply(Index i, const contact::ContactSet& mode) const;
   /// Where guard i has changed what its contact remembers: to the indentation at that event, whose slopes are
   /// those of the gap at fixed time and of the time.
   void remember(Index i, const contact::ContactSet& before, const contact::ContactSet& after,
@@ -103,9 +117,12 @@ class ContactVariation {
   void settle(Index i, const contact::ContactSet& before, State x) const;
 
  private:
-  bool has_same_directions(Index j, const ShiftedModels<Scaled>& shifted);
-  void find_directions(Index j, Index column, const ShiftedModels<Scaled>& shifted);
-  void find_law(Index j, Index column, const ShiftedModels<Scaled>& shifted);
+  void add_directions(Index j, const ShiftedModel<Scaled>& shifted);
+  template <class ForEach>
+  void add_coefficients(ForEach&& for_each, const ShiftedModel<Scaled>& shifted,
+                        std::vector<ContactSlope::Term>& slopes);
+  void add_law(Index j, const ShiftedModel<Scaled>& shifted);
+  void set_power(Index j, LawSlope& law) const;
   void add_force(Index j, ConstState x, const contact::ContactSet& mode, SlopeMatrix& b) const;
   double rate_slope(Index j, Index column, ConstState x) const;
 
@@ -115,9 +132,11 @@ class ContactVariation {
   std::vector<double> natural_;
   std::vector<ContactSlope> contact_;
   mutable std::vector<double> pressed_;  ///< a state, as its slopes see it
+  mutable std::vector<double> guard_rates_;
   SlopeMatrix acceleration_;             ///< by velocity and parameter
   SlopeMatrix peak_;                     ///< by parameter and contact
-  std::vector<double> first_, last_;     ///< coefficients of a contact in two models
+  PlacedCoefficients base_, moved_;      ///< of a contact in two models
+  std::vector<contact::Law> first_law_;  ///< at the first point of a stencil
   mutable PushSlopes<Topology> push_slopes_;
 };
 

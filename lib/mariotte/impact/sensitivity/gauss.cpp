@@ -34,6 +34,11 @@ double legendre_integral(int k, double x) {
   return k == 0 ? 0.5 * (x + 1) : 0.5 * (legendre(k + 1, x).first - legendre(k - 1, x).first) / (2 * k + 1);
 }
 
+/// ∫ P_k ln u on [0, 1].
+double legendre_log(int k) {
+  return k == 0 ? -1 : (k % 2 == 0 ? -1.0 : 1.0) / (k * (k + 1));
+}
+
 }  // namespace
 
 Gauss::Gauss() {
@@ -52,16 +57,24 @@ Gauss::Gauss() {
       integral[i][j] = 0;
       for (int k = 0; k < stages; ++k) integral[i][j] += legendre_integral(k, x[i]) * coefficient[k][j];
     }
+  for (int i = 0; i < stages; ++i) {
+    log_rest[i] = -weight[i] * std::log(point[i]);
+    for (int k = 0; k < stages; ++k) log_rest[i] += legendre_log(k) * coefficient[k][i];
+  }
   for (int k = 0; k < tail_length; ++k)
     for (int i = 0; i < stages; ++i) tail[k][i] = coefficient[stages - tail_length + k][i];
 }
 
 const Gauss gauss;
 
-bool is_resolved(double before, double last, double accuracy) {
+double remainder(double before, double last) {
   static_assert(stages == 8);
   const double fall = last < before ? last / before : 1, square = fall * fall;
-  return last <= 3 * std::sqrt(accuracy) && last * square * square <= 10 * accuracy;
+  return last * square * square;
+}
+
+bool is_resolved(double before, double last, double accuracy) {
+  return last <= 3 * std::sqrt(accuracy) && remainder(before, last) <= 10 * accuracy;
 }
 
 }  // namespace mariotte::impact

@@ -7,9 +7,9 @@ inline constexpr int stages = 8;
 inline constexpr int tail_length = 4;
 
 /// Points, weights b, ∫₀^{c_i} of the Lagrange polynomials, and of a function at the points its four highest
-/// Legendre coefficients.
+/// Legendre coefficients. `log_rest` is what ∫₀¹ of these polynomials times ln u is beyond b_i ln c_i.
 struct Gauss {
-  double point[stages], weight[stages];
+  double point[stages], weight[stages], log_rest[stages];
   double integral[stages][stages];
   double tail[tail_length][stages];
 
@@ -17,10 +17,11 @@ struct Gauss {
 };
 extern const Gauss gauss;
 
-/// From the highest coefficients of an interpolant relative to the function: those of the two orders before
-/// the last two, and of these. Gauss' formula has twice the order of its interpolant, so its error is the
-/// coefficient so far beyond the last ones, if they go on to fall as they do. Next to a root they are small
-/// but fall slowly.
+/// Error of the integral relative to the function, from the highest coefficients of an interpolant relative
+/// to the function: those of the two orders before the last two, and of these. Gauss' formula has twice the
+/// order of its interpolant, so its error is the coefficient so far beyond the last ones, if they go on to
+/// fall as they do. Next to a root they are small but fall slowly.
+double remainder(double before, double last);
 bool is_resolved(double before, double last, double accuracy);
 
 }  // namespace mariotte::impact

@@ -53,7 +53,8 @@ std::vector<LawParameterChoice> law_parameters(const Law& law) {
       return is_uncut ? contact::uncut(std::move(made)) : made;
     };
     const double power = known->exponent.value_or(numbers(*known, law).exponent);
-    list.push_back({std::string(number.key), number.value, step, moved_to, key->dimension(power)});
+    const bool is_linear = power_law(law) && number.key != "exponent";
+    list.push_back({std::string(number.key), number.value, step, moved_to, key->dimension(power), is_linear});
   }
   return list;
 }

@@ -16,6 +16,7 @@ struct LawParameterChoice {
   double step;
   std::function<contact::Law(double)> law;
   Dimension dimension;
+  bool is_linear;  ///< forces are
 };
 
 /// All that have slopes on both sides: a damping of 0 and an exponent of 1 have none, and the exponent of a

@@ -37,6 +37,13 @@ class MicrobodyVariation {
   std::vector<Index> guards_at_start(const model::MicrobodyMode&, ConstState) const { return {}; }
   void open_at_start(model::MicrobodyMode&, Index) const {}
   void meet(Index i, const model::MicrobodyMode& mode, State x) const;
+  /// Whether its tip has touched by guard i.
+  bool closes(Index i, const model::MicrobodyMode& before, const model::MicrobodyMode& after) const {
+    if (i >= model::escape_guard(system_.layout().tips)) return false;
+    const auto tip = static_cast<std::size_t>(i / model::guards_per_tip);
+    return before.tip[tip].contact == model::TipContact::clear &&
+           after.tip[tip].contact != model::TipContact::clear;
+  }
   void settle(Index i, const model::MicrobodyMode& before, State x) const { meet(i, before, x); }
   /// Notices slips in space that start from rest.
   void remember(Index i, const model::MicrobodyMode& before, const model::MicrobodyMode& after,

@@ -10,7 +10,7 @@ class NetworkImpulses {
   NetworkImpulses(const model::DimensionlessNetwork&, const model::ContactLayout& layout, Index)
       : layout_(layout) {}
 
-  void set(Index, const ShiftedModels<model::DimensionlessNetwork>&) {}
+  void add(const ShiftedModel<model::DimensionlessNetwork>&) {}
   void at(const Interval& interval, std::vector<double>& p) const {
     p.clear();
     for (const Index place : layout_.impulse) p.push_back(interval.after[place] - interval.before[place]);

@@ -48,10 +48,25 @@ std::string near_closing_note(const std::string& what, double speed) {
   return text + std::string(": where they approach it closes again; slopes hold on the side where they part");
 }
 
+std::string hardly_touching_note(const std::string& what, double speed) {
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "%s touches at the start with %.2g m/s between its balls, and parameters turn that",
+                what.c_str(), speed);
+  return text + std::string(": slopes hold on its side of rest");
+}
+
 std::string waiting_note() {
   return "slopes that are missing are by gaps of zero of linear contacts that touch at rest until the wave "
          "comes, "
          "and by velocities of their balls: pressed such a contact acts at once, drawn apart not at all";
+}
+
+std::string unresolved_note(double error) {
+  char text[160];
+  std::snprintf(text, sizeof text, "forces change so steeply that slopes are resolved to %.1g of their size",
+                error);
+  return text;
 }
 
 void leave_out_unbounded(Sensitivity& slopes) {

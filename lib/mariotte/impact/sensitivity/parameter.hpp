@@ -17,6 +17,7 @@ struct Parameter {
   double step;                              ///< distance within which the model exists at least four times
   std::function<Model(double)> model;       ///< of any value so near
   std::optional<Dimension> dimension = {};  ///< empty where it is not known, as of degrees of freedom
+  bool is_linear = false;  ///< start, forces and accelerations are linear in it: two models tell its slopes
 };
 
 }  // namespace mariotte::impact

@@ -24,7 +24,14 @@ class PhaseSlopes final : public hybrid::PhaseObserver {
         accuracy_(accuracy) {}
 
   /// The problem has another size or pattern from now on.
-  void fit() { collocation_.reset(); }
+  void fit() {
+    unresolved_ = unresolved();
+    collocation_.reset();
+  }
+  /// Largest error of what collocation could not resolve, relative to the slopes.
+  double unresolved() const {
+    return collocation_ ? std::max(unresolved_, collocation_->unresolved()) : unresolved_;
+  }
 
   /// A flow that gives up may have gone back to where the phase began.
   void begin_phase(double time, ConstState) override {
@@ -43,8 +50,9 @@ class PhaseSlopes final : public hybrid::PhaseObserver {
     if (!collocation_)
       collocation_.emplace(pattern(), problem_.magnitudes(), variation_.natural_slopes(), accuracy_);
     collocation_->advance(field, step.start, end_.value_or(step.end),
-                          {.begins = step.start == 0, .beyond = beyond}, slopes);
+                          {.begins = step.start == 0, .beyond = beyond, .is_steep = is_steep_}, slopes);
   }
+  bool has_slopes() const override { return true; }
   /// What comes next is another phase, even if it begins at the same time.
   void end_phase() { phase_start_ = -1; }
 
@@ -93,9 +101,14 @@ class PhaseSlopes final : public hybrid::PhaseObserver {
       const double past = value_[i] / rate_[i] / length;
       if (!(sign * rate_[i] > 0 && past < 1e-3)) continue;
       if (past > -1e-11) return meet(step, static_cast<Index>(i), past * length);
-      if (past > -1) beyond = std::min(beyond, -past);
+      if (past > -1 && -past < beyond) set_end(static_cast<Index>(i)), beyond = -past;
     }
     return beyond;
+  }
+
+  void set_end(Index i) {
+    if constexpr (requires { variation_.ends_steeply(i, mode_); })
+      is_steep_ = variation_.ends_steeply(i, mode_);
   }
 
   /// The state where guard i has been met, so much before the end of the step.
@@ -103,6 +116,7 @@ class PhaseSlopes final : public hybrid::PhaseObserver {
     last_.resize(step.after.size());
     for (std::size_t k = 0; k < last_.size(); ++k) last_[k] = step.after[k] - past * dx_[k];
     variation_.meet(i, mode_, last_);
+    set_end(i);
     end_ = step.end - past;
     return 0;
   }
@@ -123,7 +137,9 @@ class PhaseSlopes final : public hybrid::PhaseObserver {
   std::vector<double> value_, rate_, dx_;  ///< of guards, and of the state
   std::vector<double> last_;               ///< state at the guard that ends the phase
   std::optional<double> end_;              ///< when it is met, in this step
+  bool is_steep_ = false;                  ///< of the guard that will be met
   double phase_start_ = -1;
+  double unresolved_ = 0;  ///< with patterns before this one
 };
 
 }  // namespace mariotte::impact

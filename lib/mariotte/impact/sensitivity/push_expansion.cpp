@@ -12,7 +12,8 @@ std::unique_ptr<PushExpansion> make_push_expansion() {
 }
 
 bool PushExpansion::knows(const contact::PowerLaw& law, const ContactSlope& slope) {
-  const auto is_known = [](const LawSlope& one) { return one.power.exponent == 0; };
+  const bool has_tilts = law.exponent == 1.5 && law.damping != 0;
+  const auto is_known = [&](const LawSlope& one) { return has_tilts || one.power.exponent == 0; };
   return (law.exponent == 1 || law.exponent == 1.5) && slope.direction.empty() &&
          std::all_of(slope.law.begin(), slope.law.end(), is_known);
 }

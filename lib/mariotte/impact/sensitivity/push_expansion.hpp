@@ -1,5 +1,5 @@
-// Slopes of velocities and displacements as power series in the clock of a step, up to twelve parameters at a
-// time. Compiled once per instruction set.
+// Slopes of velocities and displacements as power series in the clock of a step, up to sixteen parameters at
+// a time. Compiled once per instruction set.
 #pragma once
 #include <memory>
 #include <span>
@@ -41,7 +41,8 @@ class PushExpansion {
     SlopeMatrix &velocity, &displacement, &impulse;
   };
 
-  /// Linear and Hertz contacts, damped or not, and slopes by any numbers but exponents and directions.
+  /// Linear and Hertz contacts, damped or not, and slopes by all numbers but directions; by exponents only of
+  /// damped Hertz contacts.
   static bool knows(const contact::PowerLaw& law, const ContactSlope& slope);
   /// What the last terms of a column may be: `tolerance` of its velocities or of its natural size.
   struct Bound {

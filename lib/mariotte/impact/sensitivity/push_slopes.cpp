@@ -134,9 +134,10 @@ void PushSlopes<Topology>::give(Index j, Index column, double impulse, double tr
 /// Nothing but the series of these contacts, as far along their clock as it holds; 0 if that is nowhere.
 template <class Topology>
 double PushSlopes<Topology>::expand(const flow::PushSeries& series, const SlopeMatrix& slopes) {
-  fly(0, slopes);
-  start_ = velocity_;
-  depth_ = SlopeMatrix(slopes.columns, std::ssize(series.contact));
+  start_.reset(velocity_.rows, slopes.columns);
+  for (Index c = 0; c < slopes.columns; ++c)
+    for (Index v = 0; v < velocity_.rows; ++v) start_(v, c) = slopes(layout_.velocity[v], c);
+  depth_.reset(slopes.columns, std::ssize(series.contact));
   expanded_.clear();
   for (std::size_t k = 0; k < series.contact.size(); ++k) {
     const Index j = contact_at_[series.contact[k].gap];
@@ -147,14 +148,14 @@ double PushSlopes<Topology>::expand(const flow::PushSeries& series, const SlopeM
     expanded_.push_back(
         {*power_law(model_.law[j]), reach_[j].push, reach_[j].direction, &contact_[j], depth_.column(k)});
   }
-  impulse_given_ = SlopeMatrix(std::ssize(expanded_), slopes.columns);
+  impulse_given_.reset(std::ssize(expanded_), slopes.columns);
   return expansion_->expand(series, {expanded_, start_, acceleration_, number_},
                             {share * accuracy_, natural_}, {velocity_, displacement_, impulse_given_});
 }
 
 /// Slopes need shorter pieces than the motion where their last terms are too large.
 template <class Topology>
-bool PushSlopes<Topology>::carry(const flow::PushSeries& series, SlopeMatrix& slopes, int pieces) {
+bool PushSlopes<Topology>::carry(flow::PushSeries& series, SlopeMatrix& slopes, int pieces) {
   const double reached = expand(series, slopes);
   if (reached == 0) return false;
   for (std::size_t k = 0; k < expanded_.size(); ++k)
@@ -162,7 +163,9 @@ bool PushSlopes<Topology>::carry(const flow::PushSeries& series, SlopeMatrix& sl
       impulse_(contact_at_[series.contact[k].gap], c) = impulse_given_(k, c);
   finish(slopes);
   if (reached == series.end) return true;
-  return pieces > 1 && carry(part(series, reached, series.end), slopes, pieces - 1);
+  if (pieces == 1) return false;
+  drop(series, reached);
+  return carry(series, slopes, pieces - 1);
 }
 
 template <class Topology>
@@ -204,10 +207,12 @@ bool PushSlopes<Topology>::are_awake(const flow::Step& step, const SlopeMatrix& 
 template <class Topology>
 void PushSlopes<Topology>::finish(SlopeMatrix& slopes) const {
   for (Index c = 0; c < slopes.columns; ++c) {
-    for (Index v = 0; v < velocity_.rows; ++v) slopes(layout_.velocity[v], c) = velocity_(v, c);
-    for (Index j = 0; j < layout_.contacts(); ++j) {
-      slopes(layout_.gap[j], c) += along(j, displacement_, c);
-      if (layout_.impulse[j] != model::ContactLayout::absent) slopes(layout_.impulse[j], c) += impulse_(j, c);
+    const auto state = slopes.column(c);
+    const auto velocity = velocity_.column(c), displacement = displacement_.column(c);
+    for (std::size_t v = 0; v < velocity.size(); ++v) state[layout_.velocity[v]] = velocity[v];
+    for (std::size_t j = 0; j < reach_.size(); ++j) {
+      for (const auto& [v, g] : reach_[j].direction) state[layout_.gap[j]] += g * displacement[v];
+      if (layout_.impulse[j] != model::ContactLayout::absent) state[layout_.impulse[j]] += impulse_(j, c);
     }
   }
 }

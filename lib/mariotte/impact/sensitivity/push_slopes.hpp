@@ -48,7 +48,7 @@ class PushSlopes {
   bool gather(const contact::ContactSet& mode);
   bool follow_alone(const flow::Step& step, Index j, const SlopeMatrix& slopes);
   bool follow_series(const flow::Step& step, SlopeMatrix& slopes);
-  bool carry(const flow::PushSeries& series, SlopeMatrix& slopes, int pieces);
+  bool carry(flow::PushSeries& series, SlopeMatrix& slopes, int pieces);
   double expand(const flow::PushSeries& series, const SlopeMatrix& slopes);
   bool are_awake(const flow::Step& step, const SlopeMatrix& before, const SlopeMatrix& after) const;
   void fly(double duration, const SlopeMatrix& slopes);

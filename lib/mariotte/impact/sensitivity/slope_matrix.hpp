@@ -24,6 +24,12 @@ struct SlopeMatrix {
   std::span<const double> column(Index c) const {
     return std::span(values).subspan(c * rows, static_cast<std::size_t>(rows));
   }
+  /// Another size; what it holds is zero then.
+  void reset(Index n, Index count) {
+    rows = n;
+    columns = count;
+    values.assign(n * count, 0.0);
+  }
   void clear() { std::fill(values.begin(), values.end(), 0.0); }
 };
 

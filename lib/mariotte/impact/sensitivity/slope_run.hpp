@@ -6,9 +6,9 @@
 // Guards of one instant move the state one after the other; to first order their order does not matter, since
 // the state is continuous and each changes the rates by its own force.
 //
-// Where events begin and end what is integrated, slopes are carried at fixed time since the last event
-// instead, S + f Σ τ_p, which follows the same equation: of a contact that closes the slope of its gap is
-// zero then, and no root of its force is met with another slope.
+// From a contact that closes on, slopes are carried at fixed time since that instant instead, S + f Σ τ_p,
+// which follows the same equation: the slope of its gap is zero then, and no root of its force is met with
+// another slope. Where events begin and end what is integrated, all events set the clock so.
 #pragma once
 #include <functional>
 #include <optional>
@@ -45,6 +45,7 @@ struct SlopeRun {
   bool time_is_noise = false;             ///< what ended the run is within the noise, and no guard
   std::optional<DelicateEvent> delicate;  ///< the slowest
   std::vector<CoincidentEvents> coincident;
+  double unresolved = 0;  ///< error beyond what is asked, relative to the slopes
 };
 
 /// `System` with its mode and `Variation`, which gives f_p and γ_p and is told what contacts remember.
@@ -68,6 +69,7 @@ class SlopeLoop {
                                                ConstState rate, SlopeRun<System>& result);
   void jump(Observer& observer, const typename System::Mode& before, ConstState rate,
             SlopeRun<System>& result);
+  bool sets_clock(Index guard, ConstState rate);
   void shift_clock(Observer& observer, ConstState rate, const std::vector<double>& time);
   void reset(Observer& observer, const typename System::Mode& before, ConstState rate,
              SlopeRun<System>& result);
@@ -137,7 +139,8 @@ void SlopeLoop<System, Variation>::start_events(Observer& observer, SlopeRun<Sys
     const auto after = rates(closed);
     workspace_.mode = open;
     const auto before = rates(workspace_.mode);
-    if (!resets && before == after) {  // no force jumps, however slowly it closes
+    if (!resets && before == after &&
+        !sets_clock(guard, before)) {  // no force jumps, however slowly it closes
       workspace_.mode = closed;
       continue;
     }
@@ -145,10 +148,22 @@ void SlopeLoop<System, Variation>::start_events(Observer& observer, SlopeRun<Sys
     for (Index c = 0; c < variation_.columns(); ++c)
       for (std::size_t r = 0; r < before.size(); ++r)
         observer.slopes(r, c) += (before[r] - after[r]) * tau[c];
+    const bool sets = sets_clock(guard, before);
     workspace_.mode = closed;
-    if (resets && first) shift_clock(observer, after, tau);
+    if (first && (resets || sets)) shift_clock(observer, after, tau);
     first = false;
   }
+}
+
+/// True of a guard that crosses fast enough: times of grazed ones have slopes so large that all others would
+/// lose digits.
+template <class System, class Variation>
+bool SlopeLoop<System, Variation>::sets_clock(Index guard, ConstState rate) {
+  constexpr double brisk = 1e-3;
+  const auto& mode = workspace_.mode;
+  const double crossing =
+      variation_.guard_rate(system_.problem(workspace_.mode), guard, workspace_.run.state, rate, mode);
+  return variation_.crossing_speed(guard, crossing, mode) > brisk;
 }
 
 /// Slopes at fixed time since an event that moves by τ_p.
@@ -187,6 +202,7 @@ void SlopeLoop<System, Variation>::jump(Observer& observer, const typename Syste
                                         ConstState rate, SlopeRun<System>& result) {
   const auto& fired = workspace_.fired;
   const auto times = event_times(observer, fired, rate, result);
+  for (Index c = 0; c < variation_.columns(); ++c) result.time[c] += shift_[c];
   auto& x = workspace_.run.state;
   auto after_all = observer.slopes;
   std::vector<typename System::Change> ignored;
@@ -205,6 +221,9 @@ void SlopeLoop<System, Variation>::jump(Observer& observer, const typename Syste
     variation_.remember(fired[k], before, mode, observer.slopes, rate, times[k]);
   }
   observer.slopes = after_all;
+  for (std::size_t k = 0; k < fired.size(); ++k)
+    if (variation_.closes(fired[k], before, last) && sets_clock(fired[k], rate))
+      return shift_clock(observer, rates(last), times[k]);
 }
 
 /// Of a state of which parts begin, end, or are told anew.
@@ -301,6 +320,8 @@ SlopeRun<System> SlopeLoop<System, Variation>::follow(ConstState x0, const Slope
     system_.transition(mode, fired, run.state, changes);
   }
   result.run.flows = run.flows;
+  constexpr double reserve = 1000;  // runs with slopes are a hundred times as exact as is asked
+  if (observer.unresolved() > reserve * options_.accuracy) result.unresolved = observer.unresolved();
   for (Index c = 0; c < variation_.columns(); ++c)
     if (shift_[c] != 0)
       for (std::size_t r = 0; r < result.rate.size(); ++r)

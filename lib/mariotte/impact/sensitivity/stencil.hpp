@@ -7,6 +7,7 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <span>
 
 namespace mariotte::impact {
 
@@ -25,12 +26,19 @@ inline constexpr std::array<StencilPoint, 8> stencil{{{-4, 1.0 / 280},
                                                       {3, 4.0 / 105},
                                                       {4, -1.0 / 280}}};
 
-/// dF/dp, where `value(k)` is F at the k-th point of the stencil.
+/// Of what is linear in a parameter.
+inline constexpr std::array<StencilPoint, 2> linear_stencil{{{-4, -1.0 / 8}, {4, 1.0 / 8}}};
+
+/// dF/dp, where `value(k)` is F at the k-th of these points.
+template <class Value>
+double stencil_slope(std::span<const StencilPoint> points, double step, Value&& value) {
+  double sum = 0;
+  for (std::size_t k = 0; k < points.size(); ++k) sum += points[k].weight * value(k);
+  return sum / step;
+}
 template <class Value>
 double stencil_slope(double step, Value&& value) {
-  double sum = 0;
-  for (std::size_t k = 0; k < stencil.size(); ++k) sum += stencil[k].weight * value(k);
-  return sum / step;
+  return stencil_slope(stencil, step, value);
 }
 
 }  // namespace mariotte::impact

@@ -207,7 +207,10 @@ void MotionRecorder::add(const flow::Step& step, double begin, double width, int
   const auto at = places(begin, width);
   MotionRecord::Piece piece{.pace = at.pace};
   const auto contacts = seen_.contact.size(), rates = seen_.rate.size();
-  for (const auto& contact : series_.contact) add_contact(contact, at);
+  for (const auto& contact : series_.contact) {
+    add_contact(contact, at);
+    if (contact.owns_clock && contact.depth[0] == 0 && begin == 0) piece.onset = number_of(contact.gap);
+  }
   for (const auto& contact : series_.dozing)
     if (!is_shallow(contact)) add_contact(contact, at);
   piece.contacts = static_cast<Index>(seen_.contact.size() - contacts);

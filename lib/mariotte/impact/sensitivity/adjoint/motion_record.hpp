@@ -38,6 +38,7 @@ struct MotionRecord {
     Nodes pace;          ///< dt/du
     Index contacts = 0;  ///< that push
     Index shallow = 0;   ///< the last of them, which hardly do
+    Index onset = -1;    ///< the one whose δ begins like u²
   };
   struct Contact {
     Index number;

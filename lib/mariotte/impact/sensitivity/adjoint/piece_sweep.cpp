@@ -151,6 +151,7 @@ void PieceSweep::add_slopes(const Push& own) {
     slopes_.stiffness[j] += mu * width * depth;
     slopes_.damping[j] += mu * width * own.rate[i];
     if (depth > 0) slopes_.exponent[j] += impulse * own.mu[i] * std::log(depth);
+    if (j == piece_->onset) slopes_.exponent[j] += 2 * gauss.log_rest[i] * own.force[i] * own.mu[i];
   }
   const auto squared = [&](Index b) { return chain_.inverse_mass[b] * chain_.inverse_mass[b]; };
   slopes_.mass[j] += squared(j) * left;

@@ -161,7 +161,7 @@ void BodiesVariation<D>::begin_at_zero(const BodiesPassage<D>& event) {
   for (const auto& one : event.after.closed) {
     if (place_of(event.before, one.contact) >= 0) continue;
     auto& gap = base_.contact[one.contact].gap;
-    gap -= contact_motion(base_, at, base_.contact[one.contact], event.x_after).gap;
+    gap -= gap_motion(base_, at, base_.contact[one.contact], event.x_after).gap;
     for (auto& setting : setting_) setting.contact[one.contact].gap.value = gap;
   }
 }

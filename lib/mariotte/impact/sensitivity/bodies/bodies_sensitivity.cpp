@@ -23,7 +23,7 @@ class GroupSlopes {
   GroupSlopes(const Bodies& bodies, const std::vector<Parameter<Bodies>>& by, const hybrid::Options& options,
               const SlopeWatch& watch)
       : bodies_(bodies),
-        system_(bodies, options.accuracy,
+        system_(bodies, model::setting_of<D>(bodies, options.accuracy),
                 options.flies_on ? model::Over::at_time_limit : model::Over::separated),
         x0_(initial_state(bodies, system_.setting())),
         start_(std::ssize(x0_), std::ssize(by)),

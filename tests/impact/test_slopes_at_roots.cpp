@@ -1,0 +1,71 @@
+// Slopes through the roots of forces: where contacts of any exponent and damping begin, and where they end.
+#define BOOST_TEST_MODULE slopes_at_roots
+#include <boost/test/unit_test.hpp>
+
+#include "mariotte/contact/named_laws.hpp"
+#include "mariotte/contact/tsuji.hpp"
+#include "mariotte/impact/chain/chain_solver.hpp"
+#include "mariotte/impact/sensitivity/sensitivity.hpp"
+
+using namespace mariotte;
+using contact::Law;
+
+namespace {
+
+model::Chain three_balls(const Law& first, const Law& second, double gap) {
+  return {.mass = {1, 1.3, 0.8}, .law = {first, second}, .gap = {gap, 0.2}, .velocity = {1, 0.1, -0.2}};
+}
+
+/// Differences of order four of the final velocities.
+std::vector<double> differences(const impact::Parameter<model::Chain>& by, double h) {
+  impact::ChainSolver solver;
+  std::vector<double> at[5];
+  for (const int k : {-2, -1, 1, 2})
+    at[k + 2] = solver.solve(by.model(by.value + k * h), {.accuracy = 1e-14}).velocity;
+  std::vector<double> slopes;
+  for (std::size_t i = 0; i < at[0].size(); ++i)
+    slopes.push_back(((at[0][i] - at[4][i]) + 8 * (at[3][i] - at[1][i])) / (12 * h));
+  return slopes;
+}
+
+void expect_slopes_of_differences(const model::Chain& chain) {
+  const auto by = impact::parameters(chain);
+  const auto found = impact::sensitivity(chain, by, {.accuracy = 1e-8});
+  for (std::size_t c = 0; c < by.size(); ++c) {
+    if (by[c].value == 0) continue;  // a gap of zero has one side
+    const auto expected = differences(by[c], 2e-4);
+    for (std::size_t i = 0; i < expected.size(); ++i)
+      BOOST_TEST(std::abs(found.outcome[i].slope[c].value() - expected[i]) <= 3e-8,
+                 "velocity " << i << " by " << by[c].name << ": " << found.outcome[i].slope[c].value()
+                             << ", differences " << expected[i]);
+  }
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(dampers_of_all_exponents_begin_with_slopes) {
+  for (const double exponent : {1.02, 1.1, 1.3, 1.7})
+    for (const double gap : {0.0, 0.3}) BOOST_TEST_CONTEXT("exponent " << exponent << ", gap " << gap) {
+        const Law law = contact::Viscoelastic{3, 0.4, exponent};
+        expect_slopes_of_differences(three_balls(law, contact::Viscoelastic{2, 0.3, exponent}, gap));
+      }
+}
+
+BOOST_AUTO_TEST_CASE(dampers_that_pull_until_the_end_have_slopes) {
+  const auto tsuji = std::make_shared<contact::Tsuji>(3, 0.4);
+  expect_slopes_of_differences(three_balls(contact::uncut(tsuji), contact::Hertz{2}, 0.3));
+  expect_slopes_of_differences(three_balls(contact::Linear{2}, contact::uncut(tsuji), 0.3));
+}
+
+BOOST_AUTO_TEST_CASE(balls_that_touch_and_hardly_move_have_slopes_of_one_side) {
+  const auto notes_of = [](double approach) {
+    const model::Chain chain{.mass = {1, 1, 1},
+                             .law = {contact::Linear{1}, contact::Linear{1}},
+                             .gap = {0, 0},
+                             .velocity = {1, approach, 0}};
+    return impact::sensitivity(chain, impact::parameters(chain)).notes;
+  };
+  BOOST_TEST_REQUIRE(notes_of(1e-9).size() == 1u);
+  BOOST_TEST(notes_of(1e-9)[0].starts_with("contact 2 touches at the start with 1e-09 m/s"));
+  BOOST_TEST(notes_of(0.1).empty());
+}
