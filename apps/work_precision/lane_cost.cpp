@@ -3,18 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 
 #include "mariotte/impact/chain/chain_batch.hpp"
 #include "mariotte/impact/chain/chain_solver.hpp"
+#include "mariotte/impact/microbody/microbody_batch.hpp"
 #include "problem.hpp"
 
 namespace mariotte::work_precision {
 namespace {
 
 using Chains = std::vector<model::Chain>;
-using Velocities = std::vector<std::vector<double>>;
+using Spheres = std::vector<model::Microbody>;
 
 Chains map() {
   Chains chains;
@@ -38,45 +40,84 @@ Chains with_gaps() {
   return chains;
 }
 
+/// Microspheres of 2.5 to 10 µm at 2 to 20 m/s, adhesive and damped; all rebound.
+Spheres microspheres() {
+  const contact::Surface surface{.stiffness = 1.74e9, .adhesion = 0.1};
+  constexpr double density = 1350, count = 4096;
+  Spheres spheres;
+  for (int i = 0; i < count; ++i) {
+    const double radius = 2.5e-6 * std::pow(4.0, i / count), speed = 2 + 18 * (i % 64) / 64.0;
+    auto& body = spheres.emplace_back();
+    body.body = model::sphere(radius, density);
+    body.law = {contact::brach_dunn(surface, radius,
+                                    contact::hertz_damping(0.1, surface, radius, density, speed),
+                                    contact::adhesion_damping(0.1, surface, radius, density, speed))};
+    body.velocity = {-speed, 0, 0};
+  }
+  return spheres;
+}
+
+/// How models of one kind are solved, and what is compared.
+struct OfChains {
+  using Model = model::Chain;
+  using Solver = impact::ChainSolver;
+  using Batch = impact::ChainBatch;
+  static auto velocities(const impact::BriefImpact& impact) { return impact.velocity; }
+};
+struct OfSpheres {
+  using Model = model::Microbody;
+  using Solver = impact::MicrobodySolver;
+  using Batch = impact::MicrobodyBatch;
+  static auto velocities(const impact::BriefMicrobodyImpact& impact) {
+    return std::array{impact.velocity.e1, impact.velocity.e2, impact.velocity.e3};
+  }
+};
+
 /// Solves all and keeps their velocities.
+template <class Kind>
 class Runs {
+  using Models = std::vector<typename Kind::Model>;
+  using Velocities = std::vector<decltype(Kind::velocities({}))>;
+
  public:
-  Runs(const Chains& chains, double accuracy)
-      : chains_(chains), options_{.accuracy = accuracy}, alone_(chains.size()), lanes_(chains.size()) {}
+  Runs(const Models& models, double accuracy)
+      : models_(models), options_{.accuracy = accuracy}, alone_(models.size()), lanes_(models.size()) {}
 
   void one_by_one() {
-    for (std::size_t i = 0; i < chains_.size(); ++i) alone_[i] = solver_.solve(chains_[i], options_).velocity;
+    for (std::size_t i = 0; i < models_.size(); ++i)
+      alone_[i] = Kind::velocities(solver_.solve(models_[i], options_));
   }
   void side_by_side() {
-    for (std::size_t i = 0; i < chains_.size(); ++i) batch_.put(static_cast<Index>(i), chains_[i], options_);
+    for (std::size_t i = 0; i < models_.size(); ++i) batch_.put(static_cast<Index>(i), models_[i], options_);
     batch_.finish();
   }
   double difference() const {
     double most = 0;
-    for (std::size_t i = 0; i < chains_.size(); ++i)
+    for (std::size_t i = 0; i < models_.size(); ++i)
       for (std::size_t k = 0; k < 3; ++k) most = std::max(most, std::abs(alone_[i][k] - lanes_[i][k]));
     return most;
   }
 
  private:
-  const Chains& chains_;
+  const Models& models_;
   hybrid::Options options_;
   Velocities alone_, lanes_;
-  impact::ChainSolver solver_;
-  impact::ChainBatch batch_{[this](Index which, const auto&, const impact::BriefImpact& impact) {
-    lanes_[static_cast<std::size_t>(which)] = impact.velocity;
+  typename Kind::Solver solver_;
+  typename Kind::Batch batch_{[this](Index which, const auto&, const auto& impact) {
+    lanes_[static_cast<std::size_t>(which)] = Kind::velocities(impact);
   }};
 };
 
-std::string line(const char* name, const Chains& chains, double accuracy,
+template <class Kind>
+std::string line(const char* name, const std::vector<typename Kind::Model>& models, double accuracy,
                  const measuring::Patience& patience) {
-  Runs runs(chains, accuracy);
+  Runs<Kind> runs(models, accuracy);
   double alone = infinity, lanes = infinity;
   for (int i = 0; i <= patience.batches; ++i) {  // in turn: both see the same neighbours on the machine
     alone = std::min(alone, measuring::timed([&] { runs.one_by_one(); }));
     lanes = std::min(lanes, measuring::timed([&] { runs.side_by_side(); }));
   }
-  const double unit = 1e6 / static_cast<double>(chains.size());
+  const double unit = 1e6 / static_cast<double>(models.size());
   return fmt::format("{:<12} {:>8.0e}  {:>13.2f}  {:>15.2f}  {:>6.2f}  {:>11.1e}\n", name, accuracy,
                      unit * alone, unit * lanes, alone / lanes, runs.difference());
 }
@@ -84,11 +125,15 @@ std::string line(const char* name, const Chains& chains, double accuracy,
 }  // namespace
 
 std::string lane_cost(const measuring::Patience& patience) {
-  std::string text = "triplets     accuracy  one by one/µs  side by side/µs   ratio   difference\n";
+  std::string text = "scenes       accuracy  one by one/µs  side by side/µs   ratio   difference\n";
   const Chains of_map = map(), of_gaps = with_gaps();
   for (const double accuracy : {1e-4, 1e-6, 1e-8, 1e-10, 1e-12})
-    text += line("map", of_map, accuracy, patience);
-  for (const double accuracy : {1e-6, 1e-10}) text += line("with gaps", of_gaps, accuracy, patience);
+    text += line<OfChains>("map", of_map, accuracy, patience);
+  for (const double accuracy : {1e-6, 1e-10})
+    text += line<OfChains>("with gaps", of_gaps, accuracy, patience);
+  const Spheres spheres = microspheres();
+  for (const double accuracy : {1e-6, 1e-8, 1e-10, 1e-12})
+    text += line<OfSpheres>("microsphere", spheres, accuracy, patience);
   return text;
 }
 

@@ -46,7 +46,7 @@ bool Impact::solve_quickly() {
   if (!impact::stays_shallow(*chain, box_->scene.touching)) return false;
   auto quick = options_;
   quick.max_events = std::min(quick.max_events, few);
-  thread_local impact::ChainSolver solver;
+  thread_local impact::ChainSolver solver(impact::Course::of_simulate);
   const auto& impact = solver.solve(*chain, quick);
   if (impact.ending == hybrid::Ending::event_limit && quick.max_events < options_.max_events) return false;
   brief_ = impact;

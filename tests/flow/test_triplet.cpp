@@ -41,6 +41,14 @@ double energy(const Triplet& t) {
   return (t.rate[0] * t.rate[0] + t.rate[0] * t.rate[1] + t.rate[1] * t.rate[1]) / 3;
 }
 
+void expect_same(const Triplet& one, const Triplet& expected) {
+  for (int j = 0; j < 2; ++j) {
+    BOOST_TEST(std::abs(one.rate[j] - expected.rate[j]) < 1e-14);
+    BOOST_TEST(one.periods[j] == expected.periods[j]);
+  }
+  BOOST_TEST(one.time == expected.time, tolerance(1e-13));
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(everything_agrees_with_two_contacts) {
@@ -65,18 +73,16 @@ BOOST_AUTO_TEST_CASE(energy_is_kept_and_nothing_approaches_at_the_end) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(registers_of_every_width_give_the_same) {
+BOOST_AUTO_TEST_CASE(lanes_of_every_kind_give_the_same) {
   for (const double accuracy : {1e-6, 1e-12}) {
-    auto narrow = many(), wide = many();
-    Triplets(make_baseline_triplet_lanes()).follow(narrow, accuracy);
-    Triplets().follow(wide, accuracy);
-    for (std::size_t i = 0; i < wide.size(); ++i) {
-      for (int j = 0; j < 2; ++j) {
-        BOOST_TEST(std::abs(narrow[i].rate[j] - wide[i].rate[j]) < 1e-14);
-        BOOST_TEST(narrow[i].periods[j] == wide[i].periods[j]);
+    auto expected = many();
+    Triplets(make_baseline_triplet_lanes(Lanewise::scenes)).follow(expected, accuracy);
+    for (const auto& make : {make_triplet_lanes, make_baseline_triplet_lanes})
+      for (const auto lanewise : {Lanewise::scenes, Lanewise::contacts}) {
+        auto all = many();
+        Triplets(make(lanewise)).follow(all, accuracy);
+        for (std::size_t i = 0; i < all.size(); ++i) expect_same(all[i], expected[i]);
       }
-      BOOST_TEST(narrow[i].time == wide[i].time, tolerance(1e-13));
-    }
   }
 }
 

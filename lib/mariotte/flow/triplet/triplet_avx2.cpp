@@ -5,8 +5,8 @@
 
 namespace mariotte::flow {
 
-std::unique_ptr<TripletLanes> make_avx2_triplet_lanes() {
-  return std::make_unique<taylor::avx2::TripletSeries>();
+std::unique_ptr<TripletLanes> make_avx2_triplet_lanes(Lanewise lanewise) {
+  return taylor::avx2::make_triplet_lanes(lanewise);
 }
 
 }  // namespace mariotte::flow

@@ -5,8 +5,8 @@
 
 namespace mariotte::flow {
 
-std::unique_ptr<TripletLanes> make_baseline_triplet_lanes() {
-  return std::make_unique<taylor::baseline::TripletSeries>();
+std::unique_ptr<TripletLanes> make_baseline_triplet_lanes(Lanewise lanewise) {
+  return taylor::baseline::make_triplet_lanes(lanewise);
 }
 
 }  // namespace mariotte::flow

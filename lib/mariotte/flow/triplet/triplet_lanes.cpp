@@ -1,30 +1,16 @@
 #include "mariotte/flow/triplet/triplet_lanes.hpp"
 
 #include <algorithm>
-#include <utility>
+
+#include "mariotte/flow/lanes/lane_precision.hpp"
 
 namespace mariotte::flow {
-namespace {
-
-/// Errors of a triplet hardly add up, so that a step may spend more of the accuracy than in a long row. After
-/// an onset coefficients come in fives, of roots at k = 1, 6, …: the last two must have one of these.
-taylor::Precision triplet_precision(double accuracy) {
-  taylor::Precision p{.tolerance = std::max(0.2 * accuracy, 0.25 * epsilon), .order = 20};
-  for (const auto& [above, order] : {std::pair{1e-5, 10}, {1e-9, 12}, {1e-11, 15}, {1e-13, 17}}) {
-    if (!(accuracy > above)) continue;
-    p.order = order;
-    break;
-  }
-  return p;
-}
-
-}  // namespace
-
-std::unique_ptr<TripletLanes> make_triplet_lanes() {
+std::unique_ptr<TripletLanes> make_triplet_lanes(Lanewise lanewise) {
 #ifdef MARIOTTE_AVX2
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return make_avx2_triplet_lanes();
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+    return make_avx2_triplet_lanes(lanewise);
 #endif
-  return make_baseline_triplet_lanes();
+  return make_baseline_triplet_lanes(lanewise);
 }
 
 /// Those that are at this stage; false if there is none.
@@ -42,7 +28,7 @@ bool Triplets::advance(std::span<Triplet> triplets, TripletStage stage, const ta
 }
 
 void Triplets::follow(std::span<Triplet> triplets, double accuracy) {
-  const auto precision = triplet_precision(accuracy);
+  const auto precision = lane_precision(accuracy);
   using enum TripletStage;
   for (bool any = true; any;) {
     any = false;

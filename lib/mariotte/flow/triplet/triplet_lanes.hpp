@@ -22,13 +22,16 @@ class TripletLanes {
   virtual void follow(std::span<Triplet* const> triplets, const taylor::Precision& precision) = 0;
 };
 
+/// What the lanes of a register hold: many scenes side by side, or the contacts of one.
+enum class Lanewise { scenes, contacts };
+
 /// With the widest registers that this machine has.
-std::unique_ptr<TripletLanes> make_triplet_lanes();
+std::unique_ptr<TripletLanes> make_triplet_lanes(Lanewise lanewise = Lanewise::scenes);
 
 /// For processors with AVX2 and FMA.
-std::unique_ptr<TripletLanes> make_avx2_triplet_lanes();
+std::unique_ptr<TripletLanes> make_avx2_triplet_lanes(Lanewise lanewise);
 /// For any processor.
-std::unique_ptr<TripletLanes> make_baseline_triplet_lanes();
+std::unique_ptr<TripletLanes> make_baseline_triplet_lanes(Lanewise lanewise);
 
 /// The whole course of many triplets, whose stage says at the end whether it is over.
 class Triplets {

@@ -4,8 +4,9 @@
 
 #include "mariotte/hybrid/simulate.hpp"
 #include "mariotte/impact/brief_run.hpp"
+#include "mariotte/impact/chain/chain_frame.hpp"
 #include "mariotte/impact/chain/chain_gate.hpp"
-#include "mariotte/impact/chain/moving_frame.hpp"
+#include "mariotte/impact/chain/triplet_runs.hpp"
 #include "mariotte/impact/impulses.hpp"
 #include "mariotte/impact/watch/chain_run.hpp"
 
@@ -15,6 +16,7 @@ using model::ChainLayout;
 using model::DimensionlessChain;
 
 struct ChainSolver::Memory {
+  Course course;
   model::ChainSystem system;
   hybrid::Workspace<model::ChainSystem> workspace;
   DimensionlessChain divided;
@@ -24,6 +26,8 @@ struct ChainSolver::Memory {
   model::Chain moving;
   BriefImpact impact, looser;
   Passage gone;
+  TripletRuns triplet{flow::Lanewise::contacts};
+  NaturalRoot natural_root;
 
   void report(const DimensionlessChain& chain, const ChainLayout& layout, const model::Islands::Run& run,
               const contact::ContactSet& mode, double accuracy) {
@@ -67,17 +71,32 @@ struct ChainSolver::Memory {
                             : solve_whole(chain, tightened(options, balls), stay);
   }
 
+  /// Null unless it is one that lanes can follow.
+  const BriefImpact* solve_triplet(const model::Chain& chain, const hybrid::Options& options) {
+    if (course == Course::of_simulate) return nullptr;
+    const auto scene = triplet_scene(chain, options, natural_root);
+    if (!scene) return nullptr;
+    triplet.clear();
+    triplet.add(*scene, options.accuracy);
+    triplet.follow();
+    return triplet.result(0);
+  }
+
   void keep_promise(const model::Chain& chain, const hybrid::Options& options) {
     solve(chain, options);
-    const auto again = [&](const hybrid::Options& tighter) { solve(chain, tighter); };
+    const auto again = [&](const model::Chain& same, const hybrid::Options& tighter) {
+      solve(same, tighter);
+    };
     const double speed = reference_speed(chain);
-    impact::keep_promise(options, gone, impact, looser, again, [&](const auto& a, const auto& b) {
+    impact::keep_promise(chain, options, gone, impact, looser, again, [&](const auto& a, const auto& b) {
       return difference(a.velocity, b.velocity, speed);
     });
   }
 };
 
-ChainSolver::ChainSolver() : memory_(std::make_unique<Memory>()) {}
+ChainSolver::ChainSolver(Course course) : memory_(std::make_unique<Memory>()) {
+  memory_->course = course;
+}
 ChainSolver::~ChainSolver() = default;
 
 const BriefImpact& ChainSolver::solve(const model::Chain& chain, const hybrid::Options& options) {
@@ -85,11 +104,13 @@ const BriefImpact& ChainSolver::solve(const model::Chain& chain, const hybrid::O
   model::validate(chain);
   hybrid::validate(options);
   model::expect_end(chain, options.max_time);
+  if (const auto* impact = m.solve_triplet(chain, options)) return *impact;
   const auto frame = moving_frame(chain);
-  if (frame.velocity == 0) {
+  if (!frame) {
     m.keep_promise(chain, options);
   } else {
-    enter(frame, chain, m.moving);
+    m.moving = chain;
+    enter(frame, m.moving.velocity);
     m.keep_promise(m.moving, options);
     leave(frame, m.impact);
   }

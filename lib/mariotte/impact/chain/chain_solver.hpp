@@ -4,6 +4,7 @@
 
 #include "mariotte/hybrid/options.hpp"
 #include "mariotte/impact/brief_impact.hpp"
+#include "mariotte/impact/course.hpp"
 #include "mariotte/model/chain/chain.hpp"
 
 namespace mariotte::impact {
@@ -12,7 +13,7 @@ namespace mariotte::impact {
 /// shared between threads; each has its own.
 class ChainSolver {
  public:
-  ChainSolver();
+  explicit ChainSolver(Course course = Course::quickest);
   ~ChainSolver();
   /// As `simulate`, without peaks, balances and events; the result holds until the next call. Throws
   /// InvalidParameter for a chain, accuracy or flow that makes no sense.

@@ -5,19 +5,14 @@
 
 #include "mariotte/flow/roots/rough_root.hpp"
 #include "mariotte/impact/gate.hpp"
+#include "mariotte/impact/lane_scene.hpp"
 #include "mariotte/model/chain/dimensionless_chain.hpp"
 
 namespace mariotte::impact {
 namespace {
 
-constexpr double moderate = 1e40;       ///< no power of such a number that occurs leaves the doubles
-constexpr double most_alike = 1e6;      ///< ratio of two masses
-constexpr double farthest_gap = 1e6;    ///< over the natural length: flights beyond lose digits
-constexpr Index events_in_lanes = 100;  ///< at most
-
-bool is_moderate(double size) {
-  return size >= 1 / moderate && size <= moderate;
-}
+constexpr double most_alike = 1e3;    ///< ratio of two masses
+constexpr double farthest_gap = 1e6;  ///< over the natural length: flights beyond lose digits
 
 bool is_hertz(const contact::Law& law) {
   const auto* power = contact::power_law(law);
@@ -33,11 +28,6 @@ bool are_two_of_hertz(const model::Chain& chain) {
   return chain.mass.size() == 3 && is_hertz(chain.law[0]) && is_hertz(chain.law[1]) &&
          are_alike(chain.mass) && chain.gap[0] >= 0 && chain.gap[1] >= 0 && chain.gravity == 0 &&
          chain.drive.empty();
-}
-
-bool asks_for_accuracy_alone(const hybrid::Options& options) {
-  return std::isinf(options.max_time) && options.max_events > events_in_lanes && !options.flow &&
-         options.islands != hybrid::Islands::always;
 }
 
 double reduced_mass(const TripletScene& scene, int j) {
@@ -119,6 +109,22 @@ std::optional<TripletScene> triplet_scene(const model::Chain& chain, const hybri
   if (!is_moderate(scene.speed)) return std::nullopt;
   scale(scene, natural_root);
   return scene;
+}
+
+model::Chain any_triplet() {
+  return {.mass = std::vector<double>(3),
+          .law = {contact::Hertz(1), contact::Hertz(1)},
+          .gap = std::vector<double>(2),
+          .velocity = std::vector<double>(3)};
+}
+
+void restore(const TripletScene& scene, model::Chain& chain) {
+  std::copy_n(scene.mass, 3, chain.mass.begin());
+  std::copy_n(scene.velocity, 3, chain.velocity.begin());
+  for (int j = 0; j < 2; ++j) {
+    chain.law[j] = contact::Hertz(scene.stiffness[j]);
+    chain.gap[j] = scene.gap[j];
+  }
 }
 
 flow::Triplet dimensionless(const TripletScene& scene, double accuracy) {

@@ -23,6 +23,11 @@ struct TripletScene {
 std::optional<TripletScene> triplet_scene(const model::Chain& chain, const hybrid::Options& options,
                                           NaturalRoot& natural_root);
 
+/// A chain of three balls, for `restore`.
+model::Chain any_triplet();
+/// The numbers of a triplet, put back.
+void restore(const TripletScene& scene, model::Chain& chain);
+
 /// The triplet at its start, dimensionless.
 flow::Triplet dimensionless(const TripletScene& scene, double accuracy);
 

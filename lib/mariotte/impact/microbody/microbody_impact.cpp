@@ -203,9 +203,11 @@ MicrobodyImpact simulate(const model::Microbody& body, const hybrid::Options& op
                .harmless = first_impact,
                .periods = std::ssize(impact.impacts)};
   count_steps(gone, impact.flows);
-  const auto again = [&](const hybrid::Options& tighter) { return simulate_once(body, tighter, observers); };
+  const auto again = [&](const model::Microbody& same, const hybrid::Options& tighter) {
+    return simulate_once(same, tighter, observers);
+  };
   if (observers.samplings.empty())  // what was sampled cannot be taken back
-    keep_promise(options, gone, impact, again, [&](const auto& a, const auto& b) {
+    keep_promise(body, options, gone, impact, again, [&](const auto& a, const auto& b) {
       return difference(body, a.final.velocity - b.final.velocity, a.final.spin - b.final.spin);
     });
   impact.requested_accuracy = options.accuracy;

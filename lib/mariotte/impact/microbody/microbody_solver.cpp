@@ -3,6 +3,7 @@
 #include "mariotte/hybrid/simulate.hpp"
 #include "mariotte/impact/microbody/microbody_difference.hpp"
 #include "mariotte/impact/microbody/microbody_gate.hpp"
+#include "mariotte/impact/microbody/sphere_runs.hpp"
 #include "mariotte/impact/promise.hpp"
 #include "mariotte/model/microbody/microbody_system.hpp"
 
@@ -22,9 +23,12 @@ Index count_openings(const std::vector<hybrid::Timed<model::MicrobodyChange>>& c
 }  // namespace
 
 struct MicrobodySolver::Memory {
+  Course course;
   hybrid::Workspace<MicrobodySystem> workspace;
   BriefMicrobodyImpact impact, looser;
   Passage gone;
+  SphereRuns sphere;
+  NaturalRoot natural_root;
 
   void report(const MicrobodySystem& system, const hybrid::Trajectory<model::MicrobodyChange>& run) {
     const auto& scale = system.body().scale;
@@ -58,9 +62,22 @@ struct MicrobodySolver::Memory {
     report(system, run);
     pass_gate(balances(system, start, run.state, workspace.mode), impact.ending, impact.message);
   }
+
+  /// Null unless it is one that lanes can follow.
+  const BriefMicrobodyImpact* solve_sphere(const model::Microbody& body, const hybrid::Options& options) {
+    if (course == Course::of_simulate) return nullptr;
+    const auto scene = sphere_scene(body, options, natural_root);
+    if (!scene) return nullptr;
+    sphere.clear();
+    sphere.add(*scene, options.accuracy);
+    sphere.follow();
+    return sphere.result(0);
+  }
 };
 
-MicrobodySolver::MicrobodySolver() : memory_(std::make_unique<Memory>()) {}
+MicrobodySolver::MicrobodySolver(Course course) : memory_(std::make_unique<Memory>()) {
+  memory_->course = course;
+}
 MicrobodySolver::~MicrobodySolver() = default;
 
 const BriefMicrobodyImpact& MicrobodySolver::solve(const model::Microbody& body,
@@ -68,9 +85,12 @@ const BriefMicrobodyImpact& MicrobodySolver::solve(const model::Microbody& body,
   auto& m = *memory_;
   model::validate(body);
   hybrid::validate(options);
+  if (const auto* impact = m.solve_sphere(body, options)) return *impact;
   m.solve(body, options);
-  const auto solve = [&](const hybrid::Options& tighter) { m.solve(body, tighter); };
-  keep_promise(options, m.gone, m.impact, m.looser, solve, [&](const auto& a, const auto& b) {
+  const auto solve = [&](const model::Microbody& same, const hybrid::Options& tighter) {
+    m.solve(same, tighter);
+  };
+  keep_promise(body, options, m.gone, m.impact, m.looser, solve, [&](const auto& a, const auto& b) {
     return difference(body, a.velocity - b.velocity, a.spin - b.spin);
   });
   return m.impact;

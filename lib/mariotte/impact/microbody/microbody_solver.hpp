@@ -6,6 +6,7 @@
 
 #include "mariotte/hybrid/ending.hpp"
 #include "mariotte/hybrid/options.hpp"
+#include "mariotte/impact/course.hpp"
 #include "mariotte/model/microbody/microbody.hpp"
 
 namespace mariotte::impact {
@@ -29,7 +30,7 @@ struct BriefMicrobodyImpact {
 /// Solves one body after the other with the same flows. Not to be shared between threads; each has its own.
 class MicrobodySolver {
  public:
-  MicrobodySolver();
+  explicit MicrobodySolver(Course course = Course::quickest);
   ~MicrobodySolver();
   /// As `simulate`, without peaks, balance and list of events; the result holds until the next call. Throws
   /// InvalidParameter for a body, accuracy or flow that makes no sense.

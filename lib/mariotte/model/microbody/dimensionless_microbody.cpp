@@ -137,6 +137,10 @@ DimensionlessMicrobody restated(const Microbody& body, const DimensionlessMicrob
   return d;
 }
 
+bool can_swing(const DimensionlessMicrobody& body) {
+  return body.motion != Motion::normal && !(body.body.tips[0].centre == Vector3{});
+}
+
 double reachable_accuracy(const DimensionlessMicrobody& body, double asked) {
   constexpr double coarsest = 0.1;
   const double in_the_well = 1 / (body.time * body.speed);

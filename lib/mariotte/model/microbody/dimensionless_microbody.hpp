@@ -40,6 +40,10 @@ DimensionlessMicrobody dimensionless(const Microbody& body);
 /// in any way: what starts in a plane is not taken to stay there.
 DimensionlessMicrobody restated(const Microbody& body, const DimensionlessMicrobody& base);
 
+/// A body that may turn about a tip that adhesion holds. A sphere, or one that moves along the normal only,
+/// comes to rest altogether.
+bool can_swing(const DimensionlessMicrobody& body);
+
 /// The accuracy that steps need. The well of adhesion makes a slow body much faster, and its own speed is
 /// what is left of that: it keeps the accuracy asked for if the larger speed is as much more accurate. No
 /// finer than rounding of the larger speed.

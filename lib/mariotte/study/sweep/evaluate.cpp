@@ -7,6 +7,7 @@
 
 #include "mariotte/core/overload.hpp"
 #include "mariotte/impact/chain/chain_batch.hpp"
+#include "mariotte/impact/microbody/microbody_batch.hpp"
 #include "mariotte/impact/quantities/quantity_key.hpp"
 #include "mariotte/impact/shallow.hpp"
 #include "mariotte/scene/judge.hpp"
@@ -27,10 +28,11 @@ Verdict verdict(const Impact& impact) {
 template <class Model>
 class OfModel {
   using Impact = decltype(impact::unfilled(std::declval<const Model&>()));
-  using Brief = impact::Brief<Impact>;
   using Entry = std::optional<impact::Entry<Impact>>;
 
  public:
+  using Brief = impact::Brief<Impact>;
+
   explicit OfModel(const std::vector<Column>& columns) {
     for (const auto& column : columns) {
       const auto key = impact::parse_key(column.key);
@@ -85,14 +87,17 @@ class Evaluator {
     if (!slopes_.empty() && verdict.has_numbers()) fill_slopes(scene, slopes_, out);
     return verdict;
   }
-  /// The chain of a scene of which only what its quickest solver tells is asked; null of others.
-  const model::Chain* brief_chain(const scene::Scene& scene) const {
-    const auto* chain = std::get_if<model::Chain>(&scene.model);
-    const bool is_brief = chain && slopes_.empty() && std::get<0>(all_).is_brief(*chain, scene);
-    return is_brief ? chain : nullptr;
+  /// The model of a scene of which only what its quickest solver tells is asked; null of others.
+  template <class Model>
+  const Model* brief_model(const scene::Scene& scene) const {
+    const auto* model = std::get_if<Model>(&scene.model);
+    const bool is_brief = model && slopes_.empty() && std::get<OfModel<Model>>(all_).is_brief(*model, scene);
+    return is_brief ? model : nullptr;
   }
-  Verdict fill(const model::Chain& chain, const impact::BriefImpact& impact, std::span<double> out) const {
-    std::get<0>(all_).fill(impact::Brief<impact::ChainImpact>{chain, impact}, out);
+  template <class Model, class Impact>
+  Verdict fill(const Model& model, const Impact& impact, std::span<double> out) const {
+    const auto& columns = std::get<OfModel<Model>>(all_);
+    columns.fill(typename OfModel<Model>::Brief{model, impact}, out);
     return verdict(impact);
   }
 
@@ -117,11 +122,13 @@ struct Evaluations::Parts {
   Evaluator evaluate;
   Take take;
   std::vector<double> numbers;
-  impact::ChainBatch chains{
-      [this](Index which, const model::Chain& chain, const impact::BriefImpact& impact) {
-        auto verdict = evaluate.fill(chain, impact, numbers);
-        take(which, std::move(verdict), numbers);
-      }};
+  impact::ChainBatch chains{[this](const auto&... result) { pass(result...); }};
+  impact::MicrobodyBatch bodies{[this](const auto&... result) { pass(result...); }};
+
+  void pass(Index which, const auto& model, const auto& impact) {
+    auto verdict = evaluate.fill(model, impact, numbers);
+    take(which, std::move(verdict), numbers);
+  }
 };
 
 Evaluations::Evaluations(const std::vector<Column>& columns, Take take)
@@ -129,14 +136,18 @@ Evaluations::Evaluations(const std::vector<Column>& columns, Take take)
 Evaluations::~Evaluations() = default;
 
 void Evaluations::put(Index which, const scene::Scene& scene) {
-  auto& [evaluate, take, numbers, chains] = *parts_;
-  if (const auto* chain = evaluate.brief_chain(scene)) return chains.put(which, *chain, scene.run);
+  auto& [evaluate, take, numbers, chains, bodies] = *parts_;
+  if (const auto* chain = evaluate.brief_model<model::Chain>(scene))
+    return chains.put(which, *chain, scene.run);
+  if (const auto* body = evaluate.brief_model<model::Microbody>(scene))
+    return bodies.put(which, *body, scene.run);
   auto verdict = evaluate(scene, numbers);
   take(which, std::move(verdict), numbers);
 }
 
 void Evaluations::finish() {
   parts_->chains.finish();
+  parts_->bodies.finish();
 }
 
 }  // namespace mariotte::study
