@@ -82,7 +82,44 @@ double difference(bool pair, TangentialLaw law, const model::BodiesMode& mode) {
   return most;
 }
 
+/// Largest difference of the terms of two expansions, over the sum of the terms of their row.
+double apart(const flow::BallExpansions::Row* a, const flow::BallExpansions::Row* b, int order,
+             double place) {
+  double most = 0;
+  for (int i = 0; i < BallMotion::rows; ++i) {
+    double size = 0, difference = 0, power = 1;
+    for (int k = 0; k <= order; ++k, power *= place) {
+      size += std::abs(a[i][k]) * power;
+      difference = std::max(difference, std::abs(a[i][k] - b[i][k]) * power);
+    }
+    if (size > 0) most = std::max(most, difference / size);
+  }
+  return most;
+}
+
 }  // namespace
+
+BOOST_AUTO_TEST_CASE(all_instruction_sets_expand_alike) {
+  constexpr int order = 18;
+  const auto best = flow::make_ball_expansions(), baseline = flow::make_baseline_ball_expansions();
+  for (const bool pair : {false, true})
+    for (const auto law : {TangentialLaw::none, TangentialLaw::rigid, TangentialLaw::mindlin})
+      for (const auto friction : {Friction::stick, Friction::slip})
+        for (const bool unloading : {false, true}) {
+          const auto bodies = scene(pair, law);
+          const auto setting = model::setting_of<2>(bodies, 1e-10);
+          const auto mode = mode_of(law == TangentialLaw::none ? Friction::none : friction, unloading, 1);
+          model::BodiesPhase<2> phase(setting, 0);
+          phase.bind(mode);
+          auto& balls = *phase.recorded()->balls();
+          const auto start = balls.begin(inside(bodies, setting, phase.layout()), false);
+          const double place = 0.1 * phase.time_scale() / start[BallMotion::root];
+          const auto* a = best->expand(balls.contact(), start, order);
+          const auto* b = baseline->expand(balls.contact(), start, order);
+          BOOST_TEST_CONTEXT(name(law) << (pair ? ", pair" : "") << (unloading ? ", unloading" : ""))
+          BOOST_TEST(apart(a, b, order, place) < 1e-13);
+        }
+}
 
 BOOST_AUTO_TEST_CASE(compiled_fields_are_those_of_any_bodies) {
   for (const bool pair : {false, true})

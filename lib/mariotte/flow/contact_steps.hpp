@@ -15,4 +15,23 @@ inline constexpr double force_share = 0.1;
 /// Times that a step is halved because what is not followed might fire in it.
 inline constexpr int most_halvings = 3;
 
+/// xᵏ, k ≥ 1.
+inline double to_the(double x, int k) {
+  const double half = k > 1 ? to_the(x, k / 2) : 1;
+  return half * half * (k % 2 == 1 ? x : 1);
+}
+
+/// Largest place at which none of so many last terms of series exceeds what it may; size(k) is the largest
+/// coefficient k over its size. Most often the first of them decides, and the others take no root.
+template <class Size>
+double reach_of_last(int terms, int order, double accuracy, Size&& size) {
+  const double most = series_share * force_share * accuracy;
+  double reach = infinity;
+  for (int k = order - terms + 1; k <= order; ++k) {
+    const double now = size(k);
+    if (now * to_the(reach, k) > most) reach = std::pow(most / now, 1.0 / k);
+  }
+  return reach;
+}
+
 }  // namespace mariotte::flow

@@ -12,17 +12,23 @@ struct Terms {
   double moves;  ///< how far it goes, at most
   double end;    ///< where it comes to
 
-  Terms(std::span<const double> row, double sign, double place) : count(row.size()) {
-    double power = sign, sum = 0, size = 0;
-    at[0] = sign * row[0];
-    for (std::size_t k = 1; k < count; ++k) {
-      const double term = row[k] * (power *= place);
-      at[k] = term;
-      sum += term;
-      size += std::abs(term);
+  /// Even and odd powers apart, so that neither waits for the other.
+  Terms(const GuardSeries& series, double place) : count(series.row.size()) {
+    const double square = place * place;
+    double odd = series.sign * place, even = series.sign * square, sum[2] = {}, size[2] = {};
+    const auto add = [&](std::size_t k, double power) {
+      at[k] = series.row[k] * power;
+      sum[k % 2] += at[k];
+      size[k % 2] += std::abs(at[k]);
+    };
+    at[0] = series.sign * (series.row[0] + series.offset);
+    for (std::size_t k = 1; k + 1 < count; k += 2, odd *= square, even *= square) {
+      add(k, odd);
+      add(k + 1, even);
     }
-    moves = size;
-    end = at[0] + sum;
+    if (count % 2 == 0) add(count - 1, odd);
+    moves = size[0] + size[1];
+    end = at[0] + (sum[0] + sum[1]);
   }
   /// What takes away from it is too little to bring it to zero.
   bool stays_above() const {
@@ -63,13 +69,13 @@ constexpr double far = 1.01;
 
 }  // namespace
 
-void look(Index guard, std::span<const double> row, double sign, double rounding, SeriesEnd& end) {
+void look(Index guard, const GuardSeries& series, double rounding, SeriesEnd& end) {
   for (;;) {
-    const Terms terms(row, sign, end.place);
+    const Terms terms(series, end.place);
     if (!(terms.moves > 0) || terms.at[0] > far * terms.moves) return;
     const auto share = terms.stays_above() ? std::nullopt : fall(terms, rounding);
     const double place = share ? *share * end.place : end.place;
-    const bool doubtful = !share ? may_hide_fall(terms) : *share > 0 && may_move_root({row, sign, place});
+    const bool doubtful = !share ? may_hide_fall(terms) : *share > 0 && may_move_root({series, place});
     if (share && !doubtful) end = {place, guard};
     if (!doubtful) return;
     end = {shortened * place};

@@ -4,10 +4,17 @@
 
 namespace mariotte::flow {
 
-/// End a step where a guard falls through zero; `row` times `sign` are its coefficients. One that starts
-/// within `rounding` of its change starts at zero. Where its series cannot tell, the step ends earlier,
-/// without a guard.
-void look(Index guard, std::span<const double> row, double sign, double rounding, SeriesEnd& end);
+/// A guard: the sign times (offset + Σ row[k] xᵏ).
+struct GuardSeries {
+  std::span<const double> row;
+  double sign = 1, offset = 0;
+
+  double at(double place) const { return sign * (offset + horner(row, place)); }
+};
+
+/// End a step where a guard falls through zero. One that starts within `rounding` of its change starts at
+/// zero. Where its series cannot tell, the step ends earlier, without a guard.
+void look(Index guard, const GuardSeries& series, double rounding, SeriesEnd& end);
 
 /// How far a polynomial can go from where it begins, up to a place.
 double most_change(std::span<const double> row, double place);

@@ -51,7 +51,7 @@ struct BallMotion {
     normal,      ///< ∫ f_n dt
     tangential,  ///< ∫ f_t dt
     lost,        ///< by slip
-    rescaled,    ///< in a stick on loading, the work against friction instead
+    rescaled,    ///< in a stick; on loading the work against friction instead
     states,
     depth = states,  ///< δ
     force,           ///< f_n
@@ -161,8 +161,6 @@ struct BallField : BallMotion {
     } else if constexpr (grip != Grip::none) {
       row[watched] = mindlin_yielding(p[sign] * slip, p[growth], x[approach], unloads(grip));
       row[lost] = p[coulomb] * (push * row[watched]);
-      const T change = p[coulomb] * p[growth] * (push * x[approach]);
-      row[rescaled] = unloads(grip) ? -0.25 * change : 0.25 * change;
     }
   }
 };

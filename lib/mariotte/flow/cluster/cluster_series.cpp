@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "mariotte/flow/roots/polynomial.hpp"
+#include "mariotte/series/unrolled.hpp"
 
 namespace mariotte::flow {
 
@@ -17,6 +18,7 @@ void ClusterSeries::expand(const Cluster& cluster, const ClusterClock& clock, in
   order_ = order;
   make_room();
   start_balls();
+  start_pushes();
   start_lanes();
   couple(0);
   for (int k = 1; k < order; ++k) {
@@ -90,32 +92,41 @@ void ClusterSeries::couple(int k) {
   give_roots(k + 1);
 }
 
+void ClusterSeries::start_pushes() {
+  push_.clear();
+  const auto add = [&](std::size_t link, int ball, double sign, double radius, double share) {
+    const auto& one = cluster_->ball[ball];
+    push_.push_back(
+        {&ball_[3 * ball], lane_[link], sign * one.ease, one.turn_ease * radius, one.turn_ease * share});
+  };
+  for (std::size_t j = 0; j < cluster_->link.size(); ++j) {
+    const auto& link = cluster_->link[j];
+    add(j, link.b, 1, link.radius_b, link.share_b);
+    if (link.a >= 0) add(j, link.a, -1, link.radius_a, link.share_a);
+  }
+}
+
 /// What contacts have done to the balls, and outside forces.
 void ClusterSeries::push_balls(int k) {
-  const auto& link = cluster_->link;
+  constexpr int stride = LaneBlock::stride;
   for (std::size_t i = 0; i < ball_.size(); i += 3) {
     ball_[i][k] = cluster_->pull_x * time_[k];
     ball_[i + 1][k] = cluster_->pull_y * time_[k];
     ball_[i + 2][k] = 0;
   }
-  for (int j = 0; j < std::ssize(link); ++j) {
-    push(j, k, link[j].b, 1, link[j].radius_b, link[j].share_b);
-    if (link[j].a >= 0) push(j, k, link[j].a, -1, link[j].radius_a, link[j].share_a);
+  for (const auto& push : push_) {
+    const double* lane = push.lane + k * LaneBlock::lanes;
+    push.ball[0][k] += push.ease * lane[Field::impulse_x * stride];
+    push.ball[1][k] += push.ease * lane[Field::impulse_y * stride];
+    push.ball[2][k] -= push.turn * lane[Field::tangential * stride];
+    push.ball[2][k] += push.turn_share * lane[Field::moment * stride];
   }
 }
 
-void ClusterSeries::push(int link, int k, int ball, double sign, double radius, double share) {
-  const auto& one = cluster_->ball[ball];
-  ball_[3 * ball][k] += sign * one.ease * at(Field::impulse_x, link, k);
-  ball_[3 * ball + 1][k] += sign * one.ease * at(Field::impulse_y, link, k);
-  ball_[3 * ball + 2][k] -=
-      one.turn_ease * (radius * at(Field::tangential, link, k) - share * at(Field::moment, link, k));
-}
-
 void ClusterSeries::move_links(int k) {
-  const auto& link = cluster_->link;
-  for (int j = 0; j < std::ssize(link); ++j) {
-    const auto& one = link[j];
+  constexpr int stride = LaneBlock::stride;
+  for (std::size_t j = 0; j < cluster_->link.size(); ++j) {
+    const auto& one = cluster_->link[j];
     const Row* b = &ball_[3 * one.b];
     double x = b[0][k], y = b[1][k], spins = one.radius_b * b[2][k], shared = one.share_b * b[2][k];
     if (one.a >= 0) {
@@ -123,10 +134,11 @@ void ClusterSeries::move_links(int k) {
       x -= a[0][k], y -= a[1][k];
       spins += one.radius_a * a[2][k], shared += one.share_a * a[2][k];
     }
-    at(Field::velocity_x, j, k) = x;
-    at(Field::velocity_y, j, k) = y;
-    at(Field::spins, j, k) = spins;
-    at(Field::shared, j, k) = shared;
+    double* lane = lane_[j] + k * LaneBlock::lanes;
+    lane[Field::velocity_x * stride] = x;
+    lane[Field::velocity_y * stride] = y;
+    lane[Field::spins * stride] = spins;
+    lane[Field::shared * stride] = shared;
   }
 }
 
@@ -177,6 +189,17 @@ void ClusterSeries::change(const ClusterGap& gap, std::span<double> row) {
   }
 }
 
+double ClusterSeries::least_rate(const ClusterGap& gap, double place) const {
+  const auto rate = [&](int k) {
+    double x = ball_[3 * gap.b][k], y = ball_[3 * gap.b + 1][k];
+    if (gap.a >= 0) x -= ball_[3 * gap.a][k], y -= ball_[3 * gap.a + 1][k];
+    return gap.normal_x * x + gap.normal_y * y;
+  };
+  double most = 0;
+  for (int k = order_; k > 0; --k) most = (most + std::abs(rate(k))) * place;
+  return rate(0) - (gap.normal_x * gap.velocity_x + gap.normal_y * gap.velocity_y) - most;
+}
+
 /// How far a ball has gone; found when somebody asks.
 const ClusterSeries::Row& ClusterSeries::shift(int ball, int axis) {
   auto& row = shift_[2 * ball + axis];
@@ -219,7 +242,8 @@ ClusterSeries::Row ClusterSeries::spans(double place) const {
   double power = place;
   for (int k = 0; k <= order_; ++k, power *= place) {
     span[k] = 0;
-    for (int j = order_; j >= 0; --j) span[k] = span[k] * place + clock_[j] / (j + k + 1);
+    for (int j = order_; j >= 0; --j)
+      span[k] = span[k] * place + series::reciprocal.of[j + k + 1] * clock_[j];
     span[k] *= power;
   }
   return span;

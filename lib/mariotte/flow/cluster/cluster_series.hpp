@@ -30,6 +30,8 @@ class ClusterSeries {
   /// Coefficients from 1 on of a polynomial that begins `beyond` an offset of a gap, and goes on with its
   /// sign.
   void change(const ClusterGap& gap, std::span<double> row);
+  /// What the rate of a gap, along its normal at the beginning, is no less than up to a place.
+  double least_rate(const ClusterGap& gap, double place) const;
   std::span<const double> clock() const { return part(clock_); }
   std::span<const double> time() const { return part(time_); }
   /// Velocity by axis, then spin.
@@ -49,16 +51,22 @@ class ClusterSeries {
   double at(int row, int link, int k) const {
     return lane_[link][row * LaneBlock::stride + k * LaneBlock::lanes];
   }
+  /// How a contact pushes a ball: velocities by impulse, spin by that along the tangent and its moment.
+  struct Push {
+    Row* ball;
+    const double* lane;
+    double ease, turn, turn_share;
+  };
   double sum(int row, int link, double place) const;
   const Row& shift(int ball, int axis);
   Row spans(double place) const;
   void make_room();
   void start_balls();
+  void start_pushes();
   void start_lanes();
   void start_lane(const ClusterLink& link, int lane, double* start, double* parameters) const;
   void couple(int k);
   void push_balls(int k);
-  void push(int link, int k, int ball, double sign, double radius, double share);
   void move_links(int k);
   void give_roots(int k);
   void give_onset(int link, int k);
@@ -72,6 +80,7 @@ class ClusterSeries {
   std::vector<double*> lane_;  ///< where each begins
   Row clock_ = {}, time_ = {};
   std::vector<Row> ball_, seen_;
+  std::vector<Push> push_;
   std::vector<Row> shift_;  ///< of balls; those that begin with no number are not known yet
 };
 

@@ -118,14 +118,9 @@ class ClusterTaylor::Expansion {
     return has_hardly_begun ? std::numeric_limits<double>::max() : depth / std::abs(approach);
   }
 
-  /// Largest place at which none of the last coefficients exceeds what it may.
   double step_length() const {
     const int terms = series_.clock()[0] == 0 ? last_onset_terms : last_terms;
-    double step = infinity;
-    for (int k = order(); k > order() - terms; --k)
-      if (const double size = series_.size(k); size != 0)
-        step = std::min(step, std::pow(series_share * force_share * accuracy_ / size, 1.0 / k));
-    return step;
+    return reach_of_last(terms, order(), accuracy_, [&](int k) { return series_.size(k); });
   }
 
   bool stays_far(ConstState x, double step) {
@@ -143,23 +138,17 @@ class ClusterTaylor::Expansion {
   }
 
   using Row = std::array<double, ClusterSeries::most_order + 1>;
-  void look_at(Index guard, int which, int link, double sign, double noise, SeriesEnd& end) {
-    const auto from = series_.row(which, link);
-    Row row;
-    std::copy(from.begin(), from.end(), row.begin());
-    row[0] += noise;
-    look(guard, {row.data(), from.size()}, sign, rounding_, end);
-  }
 
   void look_at_link(int j, SeriesEnd& end) {
     const auto& one = cluster_->link[j];
     const bool owns = clock_.kind == Kind::root && clock_.owner == j;
-    look(one.open, owns ? series_.clock() : series_.row(Field::depth, j), 1, rounding_, end);
+    look(one.open, {owns ? series_.clock() : series_.row(Field::depth, j)}, rounding_, end);
     const double turn = one.unloading ? -1 : 1;
-    look_at(one.turn, Field::approach, j, turn, turn * one.rate_noise, end);
+    look(one.turn, {series_.row(Field::approach, j), turn, turn * one.rate_noise}, rounding_, end);
     if (one.friction < 0) return;
     if (!one.sticks)
-      return look_at(one.friction, Field::yielding, j, one.sign, one.sign * one.rate_noise, end);
+      return look(one.friction, {series_.row(Field::yielding, j), one.sign, one.sign * one.rate_noise},
+                  rounding_, end);
     for (const double sign : {1.0, -1.0}) look_at_cap(j, sign, end);
   }
 
@@ -169,20 +158,19 @@ class ClusterTaylor::Expansion {
     const auto force = series_.row(Field::force, j), friction = series_.row(Field::friction, j);
     Row row;
     for (std::size_t k = 0; k < force.size(); ++k) row[k] = one.cap * force[k] - sign * friction[k];
-    row[0] += one.cap_noise * first_cap_[j] + one.force_noise;
-    look(one.friction, {row.data(), force.size()}, 1, rounding_, end);
+    const double noise = one.cap_noise * first_cap_[j] + one.force_noise;
+    look(one.friction, {{row.data(), force.size()}, 1, noise}, rounding_, end);
   }
 
   void look_at_gap(const ClusterGap& gap, SeriesEnd& end) {
     if (gap.gap - gap.touch_depth > reach_[gap.b] + reach_of_other(gap)) return;
+    if (gap.part < 0 && series_.least_rate(gap, end.place) >= 0) return;
     Row row;
     const std::span<double> all(row.data(), order() + 1);
+    row[0] = 0;
     series_.change(gap, all);
-    row[0] = gap.beyond(gap.touch_depth);
-    look(gap.close, all, 1, rounding_, end);
-    if (gap.part < 0) return;
-    row[0] = gap.beyond(-gap.touch_depth);
-    look(gap.part, all, -1, rounding_, end);
+    look(gap.close, {all, 1, gap.beyond(gap.touch_depth)}, rounding_, end);
+    if (gap.part >= 0) look(gap.part, {all, -1, gap.beyond(-gap.touch_depth)}, rounding_, end);
   }
   double reach_of_other(const ClusterGap& gap) const {
     return gap.a >= 0 ? reach_[gap.a] : duration_ * std::hypot(gap.velocity_x, gap.velocity_y);

@@ -18,9 +18,9 @@ SeriesEnd end_of_step(const Recording& recording, const TapeSeries& series, cons
                       double reach, double rounding) {
   SeriesEnd end{reach};
   const Index landing = landing_guard(recording, clock);
-  if (landing >= 0) look(landing, series.row(clock.root), 1, rounding, end);
+  if (landing >= 0) look(landing, {series.row(clock.root)}, rounding, end);
   for (const auto& one : recording.guard)
-    if (one.guard != landing) look(one.guard, series.row(one.place), one.sign, rounding, end);
+    if (one.guard != landing) look(one.guard, {series.row(one.place), one.sign}, rounding, end);
   return end;
 }
 

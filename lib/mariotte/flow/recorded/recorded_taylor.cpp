@@ -30,12 +30,17 @@ double step_length(const Recording& recording, const TapeSeries& series, ConstSt
   return step;
 }
 
+template <class T>
+T& made(std::optional<T>& one) {
+  return one ? *one : one.emplace();
+}
+
 }  // namespace
 
 /// What `follow_by_series` drives.
 struct RecordedTaylor::Memory {
-  BallTaylor balls;
-  ClusterTaylor cluster;
+  std::optional<BallTaylor> balls;  ///< these two are made when first needed
+  std::optional<ClusterTaylor> cluster;
   Recording recording;
   TapeSeries series;
   std::vector<double> before;
@@ -180,10 +185,12 @@ struct RecordedTaylor::Memory {
   /// states.
   void sharpen(SeriesEnd& end, State x) {
     double from = (1 - 1e-3) * end.place, at = end.place, past = guard(end.guard, from, x);
+    double most = 1e-2 * end.place;
     for (int i = 0; i < 4; ++i) {
       const double now = guard(end.guard, at, x), slope = (now - past) / (at - from);
       const double next = at - now / slope;
-      if (!(std::abs(next - at) < 1e-2 * end.place)) return;
+      if (!(std::abs(next - at) < most)) return;
+      most = 0.5 * std::abs(next - at);  // what does not come closer is rounding
       past = now, from = std::exchange(at, next);
       end.place = at;
       if (std::abs(at - from) <= 4 * epsilon * at) return;
@@ -198,11 +205,11 @@ Arrival RecordedTaylor::follow(Problem& problem, State x, const Request& request
   auto& memory = *memory_;
   Arrival so_far;
   if (auto* balls = problem.recorded()->balls()) {
-    so_far = memory.balls.follow(problem, *balls, x, request, fired);
+    so_far = made(memory.balls).follow(problem, *balls, x, request, fired);
     if (so_far.outcome != Outcome::stiff) return so_far;
   }
   if (auto* cluster = problem.recorded()->cluster()) {
-    so_far = memory.cluster.follow(problem, *cluster, x, request, fired, so_far);
+    so_far = made(memory.cluster).follow(problem, *cluster, x, request, fired, so_far);
     if (so_far.outcome != Outcome::stiff) return so_far;
   }
   memory.begin(problem, x, request.accuracy);

@@ -84,21 +84,35 @@ bool bends_down(std::span<const double> c, double end) {
          0;
 }
 
+/// Even and odd powers apart, so that neither sum waits for the other.
+struct ValueAndSlope {
+  double value, slope;
+
+  ValueAndSlope(std::span<const double> c, double x) {
+    const double square = x * x;
+    double even = 0, odd = 0, even_slope = 0, odd_slope = 0;  // slopes by x²
+    for (std::size_t k = (c.size() + 1) / 2 * 2; k > 0; k -= 2) {
+      odd_slope = odd_slope * square + odd;
+      even_slope = even_slope * square + even;
+      odd = odd * square + (k - 1 < c.size() ? c[k - 1] : 0);
+      even = even * square + c[k - 2];
+    }
+    value = even + x * odd;
+    slope = odd + 2 * x * (even_slope + x * odd_slope);
+  }
+};
+
 /// Newton's method for the root of a polynomial that falls through zero once from low to high, kept between
 /// them.
 std::optional<double> only_root(std::span<const double> c, double low, double high) {
-  const double first = horner(c, low), last = horner(c, high);
+  const double first = low == 0 ? c[0] : horner(c, low), last = horner(c, high);
   if (last > 0) return std::nullopt;
   if (!(first > 0)) return low;
   double x = low + (high - low) * first / (first - last);
   for (int i = 0; i < 60; ++i) {
-    double value = 0, slope = 0;
-    for (std::size_t k = c.size(); k-- > 0;) {
-      slope = slope * x + value;
-      value = value * x + c[k];
-    }
-    (value > 0 ? low : high) = x;
-    double next = x - value / slope;
+    const ValueAndSlope at(c, x);
+    (at.value > 0 ? low : high) = x;
+    double next = x - at.value / at.slope;
     if (!(next >= low && next <= high)) next = 0.5 * (low + high);
     if (std::abs(next - x) <= 2 * epsilon * next) return next;
     x = next;
@@ -126,9 +140,13 @@ struct Search {
 }  // namespace
 
 double horner(std::span<const double> c, double x) {
-  double sum = 0;
-  for (std::size_t k = c.size(); k-- > 0;) sum = sum * x + c[k];
-  return sum;
+  const double square = x * x;
+  double even = 0, odd = 0;
+  for (std::size_t k = (c.size() + 1) / 2 * 2; k > 0; k -= 2) {
+    odd = odd * square + (k - 1 < c.size() ? c[k - 1] : 0);
+    even = even * square + c[k - 2];
+  }
+  return even + x * odd;
 }
 
 bool falls(std::span<const double> c, double end) {
@@ -148,13 +166,9 @@ std::optional<double> first_fall(std::span<const double> c, double end) {
 double rise_to(std::span<const double> c, double value, double end) {
   double low = 0, high = end, x = end;
   for (int i = 0; i < 100; ++i) {
-    double here = 0, slope = 0;
-    for (std::size_t k = c.size(); k-- > 0;) {
-      slope = slope * x + here;
-      here = here * x + c[k];
-    }
-    (here > value ? high : low) = x;
-    double next = x - (here - value) / slope;
+    const ValueAndSlope at(c, x);
+    (at.value > value ? high : low) = x;
+    double next = x - (at.value - value) / at.slope;
     if (!(next > low && next < high)) next = 0.5 * (low + high);
     if (std::abs(next - x) <= 4 * epsilon * end) return next;
     x = next;

@@ -16,14 +16,14 @@ bool fires(Crossing crossing, double now, double soon) {
 void Simultaneous::collect(const Problem& problem, ConstState x, double window, std::vector<Index>& fired) {
   slope_.resize(x.size());
   ahead_.resize(x.size());
-  now_.resize(problem.guard_count());
-  soon_.resize(problem.guard_count());
-  problem.derivative(x, slope_);
+  const Index count = problem.guard_count();
+  now_.resize(count);
+  soon_.resize(count);
+  problem.derivative_and_guards(x, slope_, now_);
   for (std::size_t i = 0; i < x.size(); ++i) ahead_[i] = x[i] + window * slope_[i];
-  problem.guards(x, now_);
   problem.guards(ahead_, soon_);
   const auto crossings = problem.crossings();
-  for (Index i = 0; i < problem.guard_count(); ++i) {
+  for (Index i = 0; i < count; ++i) {
     if (!fires(crossings[i], now_[i], soon_[i])) continue;
     if (std::find(fired.begin(), fired.end(), i) == fired.end()) fired.push_back(i);
   }

@@ -44,51 +44,53 @@ double approach(const Bodies& bodies, const BodyContact& contact) {
   return dot(apart, (is_plane ? plane[contact.a.owner].velocity : velocity(contact.a)) - velocity(contact.b));
 }
 
-void check_inertia(const Bodies& bodies, const Body& body, const std::string& name) {
+template <class Name>
+void check_inertia(const Bodies& bodies, const Body& body, const Name& name) {
   const auto& [a, b, c] = body.inertia;
   if (bodies.dimension == 2) {
-    if (!is_positive(c)) throw InvalidParameter(name + ": inertia must be positive and finite");
+    if (!is_positive(c)) throw InvalidParameter(name() + ": inertia must be positive and finite");
     return;
   }
   if (!is_positive(a) || !is_positive(b) || !is_positive(c))
-    throw InvalidParameter(name + ": moments of inertia must be positive and finite");
+    throw InvalidParameter(name() + ": moments of inertia must be positive and finite");
   const double slack = 1 + 8 * epsilon;
   if (a > slack * (b + c) || b > slack * (a + c) || c > slack * (a + b))
-    throw InvalidParameter(name +
+    throw InvalidParameter(name() +
                            ": no body has such moments of inertia, one is larger than the others' sum");
 }
 
 void check_body(const Bodies& bodies, Index i) {
   const auto& body = bodies.body[i];
-  const auto name = body_name(bodies, i);
-  if (!is_positive(body.mass)) throw InvalidParameter(name + ": mass must be positive and finite");
+  const auto name = [&] { return body_name(bodies, i); };
+  if (!is_positive(body.mass)) throw InvalidParameter(name() + ": mass must be positive and finite");
   check_inertia(bodies, body, name);
   if (!is_finite(body.position) || !is_finite(body.velocity) || !is_finite(body.spin))
-    throw InvalidParameter(name + ": position, velocity and spin must be finite");
+    throw InvalidParameter(name() + ": position, velocity and spin must be finite");
   for (const auto& sphere : body.spheres)
     if (!(sphere.radius >= 0) || !std::isfinite(sphere.radius) || !is_finite(sphere.centre))
-      throw InvalidParameter(name + ": a sphere has a finite centre and a radius of at least 0");
+      throw InvalidParameter(name() + ": a sphere has a finite centre and a radius of at least 0");
 }
 
 void check_contact(const Bodies& bodies, const BodyContact& contact) {
-  const auto name = name_of(bodies, contact.a) + " and " + name_of(bodies, contact.b);
+  const auto name = [&] { return name_of(bodies, contact.a) + " and " + name_of(bodies, contact.b); };
   const auto& tangential = contact.tangential;
   if (!(tangential.friction >= 0) || !std::isfinite(tangential.friction))
-    throw InvalidParameter(name + ": friction must be at least 0");
+    throw InvalidParameter(name() + ": friction must be at least 0");
   if (tangential.has_spring() && !is_positive(tangential.stiffness))
-    throw InvalidParameter(name + ": the tangential stiffness must be positive and finite");
+    throw InvalidParameter(name() + ": the tangential stiffness must be positive and finite");
   if (tangential.law == TangentialLaw::mindlin && contact::branched(contact.law))
-    throw InvalidParameter(name + ": Mindlin's stiffness is that of a Hertz contact; beside the law '" +
+    throw InvalidParameter(name() + ": Mindlin's stiffness is that of a Hertz contact; beside the law '" +
                            std::string(contact::name(contact.law)) + "' friction is rigid or a spring");
   if (!(contact.share >= 0 && contact.share <= 1))
-    throw InvalidParameter(name + ": share must be between 0 and 1");
+    throw InvalidParameter(name() + ": share must be between 0 and 1");
   if (!contact.a.is_plane() && radius_of(bodies, contact.a) + radius_of(bodies, contact.b) == 0)
-    throw InvalidParameter(name + ": two points never touch");
+    throw InvalidParameter(name() + ": two points never touch");
   if (start_gap(bodies, contact) < 0)
-    throw InvalidParameter(name + " overlap at the start, by " + std::to_string(-start_gap(bodies, contact)) +
+    throw InvalidParameter(name() + " overlap at the start, by " +
+                           std::to_string(-start_gap(bodies, contact)) +
                            " m; say touching = true if that is rounding");
   if (contact::adheres(contact.law) && start_gap(bodies, contact) == 0 && !(approach(bodies, contact) > 0))
-    throw InvalidParameter(name +
+    throw InvalidParameter(name() +
                            " touch at rest and adhere: whether they have snapped in is open; leave a gap");
 }
 

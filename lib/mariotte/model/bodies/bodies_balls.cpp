@@ -119,7 +119,7 @@ void BodiesBalls::set_weights(std::span<const double> magnitude) {
 }
 
 BodiesBalls::Motion BodiesBalls::begin(ConstState x, bool may_close) {
-  const auto c = contact_motion(setting_, layout_, *one_, x);
+  const auto c = gap_motion(setting_, layout_, *one_, x);
   const auto velocity = vec_at<2>(x, layout_.velocity(b_));
   const auto other = a_ < 0 ? setting_.plane_velocity[one_->plane] : vec_at<2>(x, layout_.velocity(a_));
   normal_ = c.normal;
@@ -165,15 +165,24 @@ void BodiesBalls::move_body(Index body, double share, const Vec<double, 2>& gone
   x[layout_.momentum(body)] = motion[body == b_ ? BallMotion::spin_b : BallMotion::spin_a];
 }
 
-/// What the stiffness of a loaded spring cost is the work against it less what it stores.
 void BodiesBalls::move_slot(const Motion& motion, State x) const {
   x[layout_.spring(slot_)] = motion[BallMotion::spring];
   x[layout_.normal(slot_)] += motion[BallMotion::normal];
   x[layout_.tangential(slot_)] += motion[BallMotion::tangential];
   double* loss = &x[layout_.losses(slot_)];
   loss[0] += motion[BallMotion::lost];
-  loss[1] += motion[BallMotion::rescaled];
-  if (contact_.grip == Grip::stick_loading) loss[1] -= stored(motion) - stored(start_);
+  loss[1] += rescaled(motion);
+}
+
+/// What the stiffness of a loaded spring cost is the work against it less what it stores.
+double BodiesBalls::rescaled(const Motion& motion) const {
+  if (contact_.grip == Grip::stick_loading)
+    return motion[BallMotion::rescaled] - (stored(motion) - stored(start_));
+  if (contact_.grip != Grip::slip_loading && contact_.grip != Grip::slip_unloading)
+    return motion[BallMotion::rescaled];
+  const auto& p = contact_.parameter;
+  return mindlin_rescaled(p[BallMotion::coulomb] * p[BallMotion::stiffness], p[BallMotion::grip_stiffness],
+                          start_[BallMotion::root], motion[BallMotion::root], contact_.unloading);
 }
 
 double BodiesBalls::stored(const Motion& motion) const {

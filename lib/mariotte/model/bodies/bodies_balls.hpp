@@ -29,6 +29,7 @@ class BodiesBalls final : public flow::BallPhase {
   void move_body(Index body, double share, const Vec<double, 2>& gone, const Vec<double, 2>& relative,
                  const Motion& motion, State x) const;
   void move_slot(const Motion& motion, State x) const;
+  double rescaled(const Motion& motion) const;
   double stored(const Motion& motion) const;
   double reach(ConstState x, Index body, double time, double speed) const;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mariotte/core/mindlin.hpp"
 #include "mariotte/model/bodies/bodies_flight.hpp"
 #include "mariotte/model/bodies/bodies_stick.hpp"
 #include "mariotte/model/bodies/near_pairs.hpp"
@@ -137,17 +138,14 @@ void BodiesCluster::move_slot(const ClosedContact& closed, const flow::ClusterLi
     loss[1] += rescaled(closed, link, motion);
 }
 
-/// Of the work against a Mindlin spring that sticks what it does not store; of one that slips at its cap
-/// ∫ (μ f_n)² |dk_t|/2 k_t².
+/// Of the work against a Mindlin spring that sticks what it does not store.
 double BodiesCluster::rescaled(const ClosedContact& closed, const flow::ClusterLink& link,
                                const flow::LinkMotion& motion) const {
   const auto& friction = setting_.contact[closed.contact].tangential;
   const double root = std::sqrt(std::max(motion.depth, 0.0)), from = std::sqrt(link.start[Field::depth]);
-  if (!link.sticks) {
-    const double cap = friction.friction * link.parameter[Field::stiffness];
-    const double change = 0.1 * cap * cap / friction.stiffness * (std::pow(root, 5) - std::pow(from, 5));
-    return closed.unloading ? -change : change;
-  }
+  if (!link.sticks)
+    return mindlin_rescaled(friction.friction * link.parameter[Field::stiffness], friction.stiffness, from,
+                            root, closed.unloading);
   const auto stored = [&](double width, double spring) {
     if (closed.unloading) return 0.5 * friction.stiffness * width * spring * spring;
     return width > 0 ? 0.5 * spring * spring / (friction.stiffness * width) : 0;

@@ -125,7 +125,7 @@ void BodiesCluster::set_weights(const ClosedContact& closed, flow::ClusterLink& 
 void BodiesCluster::load_link(const ClosedContact& closed, ConstState x, bool may_close,
                               flow::ClusterLink& link) const {
   const auto& one = setting_.contact[closed.contact];
-  const auto c = contact_motion(setting_, layout_, one, x);
+  const auto c = gap_motion(setting_, layout_, one, x);
   const auto& b = cluster_.ball[link.b];
   const auto a = link.a < 0 ? moving(setting_.plane_velocity[one.plane]) : cluster_.ball[link.a];
   link.begins = may_close && begins(setting_, one, c.gap, c.gap_rate);
@@ -141,7 +141,7 @@ void BodiesCluster::load_link(const ClosedContact& closed, ConstState x, bool ma
 }
 
 void BodiesCluster::load_gap(const SettingContact<2>& one, ConstState x, flow::ClusterGap& gap) const {
-  const auto c = contact_motion(setting_, layout_, one, x);
+  const auto c = gap_motion(setting_, layout_, one, x);
   gap.gap = c.gap;
   gap.normal_x = c.normal[0];
   gap.normal_y = c.normal[1];

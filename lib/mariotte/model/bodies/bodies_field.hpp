@@ -36,7 +36,6 @@ class BodiesField {
     layout_ = layout;
     move(x);
     closed_.resize(mode.closed.size());
-    for (auto& load : load_) load = {};
     stuck_.clear();
     for (std::size_t i = 0; i < closed_.size(); ++i) set_forces(mode.closed[i], x, closed_[i], i);
     accelerate();
@@ -51,8 +50,12 @@ class BodiesField {
   /// Any contact, closed or not.
   ContactMotion<T, D> motion(Index contact) const {
     const auto& c = setting_.contact[contact];
-    const auto* a = c.plane < 0 ? &body_[setting_.sphere[c.a].body] : nullptr;
-    return contact_motion(setting_, c, a, body_[setting_.sphere[c.b].body], clock_);
+    return contact_motion(setting_, c, body_a(c), body_[setting_.sphere[c.b].body], clock_);
+  }
+  GapMotion<T, D> approach(Index contact) const {
+    const auto& c = setting_.contact[contact];
+    const auto& b = body_[setting_.sphere[c.b].body];
+    return gap_motion(c, ContactSides<T, D>(setting_, c, body_a(c), b, clock_));
   }
 
   /// Rates of the whole state.
@@ -82,7 +85,8 @@ class BodiesField {
   Vector slip_acceleration(Index contact, const ContactMotion<T, D>& c) const {
     const auto& one = setting_.contact[contact];
     const auto side = [&](Index body, const Vector& lever, const Vector& point) {
-      return velocity_rate_[body] + turned(spin_rate_[body], lever) + turned(body_[body].spin, point);
+      return load_[body].velocity_rate + turned(load_[body].spin_rate, lever) +
+             turned(body_[body].spin, point);
     };
     Vector u = side(setting_.sphere[one.b].body, c.lever_b, c.point_b) - c.gap_rate * c.normal_rate;
     if (one.plane < 0) u = u - side(setting_.sphere[one.a].body, c.lever_a, c.point_a);
@@ -95,27 +99,33 @@ class BodiesField {
   void accelerate() {
     for (Index i = 0; i < std::ssize(load_); ++i) {
       const auto& body = setting_.body[i];
-      velocity_rate_[i] = lift<T>(setting_.gravity) + T(1 / body.mass) * load_[i].force;
-      spin_rate_[i] = eased(body, body_[i], load_[i].moment - gyroscopic(i));
+      load_[i].velocity_rate = lift<T>(setting_.gravity) + T(1 / body.mass) * load_[i].force;
+      load_[i].spin_rate = eased(body, body_[i], load_[i].moment - gyroscopic(i));
     }
   }
 
  private:
+  /// What acts on a body, and what comes of it.
   struct Load {
     Vector force;
-    Turn<T, D> moment;
+    Turn<T, D> moment, momentum;
+    Vector velocity_rate;
+    Turn<T, D> spin_rate;
   };
+
+  /// Nothing of a plane.
+  const BodyMotion<T, D>* body_a(const Contact& c) const {
+    return c.plane < 0 ? &body_[setting_.sphere[c.a].body] : nullptr;
+  }
 
   void move(std::span<const T> x) {
     body_.resize(setting_.body.size());
     load_.resize(setting_.body.size());
-    velocity_rate_.resize(setting_.body.size());
-    spin_rate_.resize(setting_.body.size());
-    momentum_.resize(setting_.body.size());
     clock_ = x[layout_.clock()];
     for (Index i = 0; i < layout_.bodies; ++i) {
       body_[i] = motion_of(setting_.body[i], layout_, x, i);
-      momentum_[i] = vec_at<turns(D)>(x, layout_.momentum(i));
+      load_[i] = {};
+      load_[i].momentum = vec_at<turns(D)>(x, layout_.momentum(i));
     }
   }
 
@@ -123,7 +133,7 @@ class BodiesField {
     if constexpr (D == 2)
       return {};
     else
-      return turned(body_[i].spin, momentum_[i]);
+      return turned(body_[i].spin, load_[i].momentum);
   }
 
   void push(Index contact, const ContactMotion<T, D>& c, const Vector& force) {
@@ -172,7 +182,7 @@ class BodiesField {
     const auto side = [&](Index sphere) {
       const Index i = setting_.sphere[sphere].body;
       const auto arm = sphere_motion(setting_.sphere[sphere], body_[i]).arm;
-      return velocity_rate_[i] + turned(spin_rate_[i], arm) +
+      return load_[i].velocity_rate + turned(load_[i].spin_rate, arm) +
              turned(body_[i].spin, turned(body_[i].spin, arm));
     };
     Vector relative = side(one.b);
@@ -275,10 +285,10 @@ class BodiesField {
 
   void put_body_rates(Index i, std::span<const T> x, std::span<T> dx) const {
     put(dx, layout_.shift(i), body_[i].velocity);
-    put(dx, layout_.velocity(i), velocity_rate_[i]);
+    put(dx, layout_.velocity(i), load_[i].velocity_rate);
     if constexpr (D == 2) {
       dx[layout_.turn(i)] = body_[i].spin[0];
-      dx[layout_.momentum(i)] = spin_rate_[i][0];
+      dx[layout_.momentum(i)] = load_[i].spin_rate[0];
     } else {
       const auto& w = body_[i].spin;
       mariotte::put<T>(
@@ -360,10 +370,7 @@ class BodiesField {
   BodiesLayout<D> layout_;
   T clock_{};
   std::vector<BodyMotion<T, D>> body_;
-  std::vector<Turn<T, D>> momentum_;
   std::vector<Load> load_;
-  std::vector<Vector> velocity_rate_;
-  std::vector<Turn<T, D>> spin_rate_;
   std::vector<ContactForces<T, D>> closed_;
   std::vector<Stuck> stuck_;
   std::vector<StuckContact<T, D>> still_;

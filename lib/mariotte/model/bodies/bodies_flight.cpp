@@ -96,7 +96,10 @@ double BodiesPhase<D>::meeting(ConstState x, Index contact, double limit) const 
   const auto b = motion_of(setting_.body[body_b], layout_, x, body_b);
   BodyMotion<double, D> a{};
   if (!is_plane) a = motion_of(setting_.body[body_a], layout_, x, body_a);
-  const auto now = contact_motion(setting_, c, is_plane ? nullptr : &a, b, x[layout_.clock()]);
+  const auto approach = [&](const BodyMotion<double, D>& to, double clock) {
+    return gap_motion(c, ContactSides<double, D>(setting_, c, is_plane ? nullptr : &a, to, clock));
+  };
+  const auto now = approach(b, x[layout_.clock()]);
   const double arm_b = norm(sphere_b.arm), arm_a = is_plane ? 0 : norm(setting_.sphere[c.a].arm);
   const double fall = is_plane ? dot(now.normal, setting_.gravity) : 0;
   const bool turns_a = !is_plane && arm_a > 0 && norm(a.spin) > 0, turns_b = arm_b > 0 && norm(b.spin) > 0;
@@ -147,7 +150,7 @@ double BodiesPhase<D>::meeting(ConstState x, Index contact, double limit) const 
     fly(x, t, flown);
     const auto there_b = motion_of(setting_.body[body_b], layout_, ConstState(flown), body_b);
     if (!is_plane) a = motion_of(setting_.body[body_a], layout_, ConstState(flown), body_a);
-    const auto there = contact_motion(setting_, c, is_plane ? nullptr : &a, there_b, flown[layout_.clock()]);
+    const auto there = approach(there_b, flown[layout_.clock()]);
     const double h = std::max(there.gap + dent, 0.0), slope = there.gap_rate;
     const double root = std::sqrt(slope * slope + 2 * bend * h);
     const double ahead = slope > 0 ? (slope + root) / bend : 2 * h / (root - slope);
@@ -163,14 +166,14 @@ template <int D>
 double BodiesPhase<D>::first_meeting(ConstState x, double limit, double window,
                                      std::vector<Index>& fired) const {
   double first = infinity;
-  std::vector<std::pair<double, Index>> meetings;
+  meetings_.clear();
   for (Index c = 0; c < std::ssize(setting_.contact); ++c) {
     const double time = meeting(x, c, std::min(limit, first + window));
     if (!(time < infinity)) continue;
-    meetings.push_back({time, c});
+    meetings_.push_back({time, c});
     first = std::min(first, time);
   }
-  for (const auto& [time, contact] : meetings)
+  for (const auto& [time, contact] : meetings_)
     if (time <= first + window) fired.push_back(gap_guard(contact));
   return first;
 }

@@ -1,5 +1,8 @@
 // Friction in the table of modes: how a contact begins to stick or slip, and what ends either.
+#include <algorithm>
 #include <cmath>
+#include <sstream>
+#include <utility>
 
 #include "mariotte/core/error.hpp"
 #include "mariotte/model/bodies/bodies_system.hpp"
@@ -18,13 +21,13 @@ constexpr double certain = 0.999;
 template <int D>
 bool BodiesSystem<D>::starts_in_stick(const SettingContact<D>& one, const contact::Memory& past,
                                       const ContactMotion<double, D>& now) const {
-  const double soon = 1e-10 * one.time, approach = -now.gap_rate, depth = approach * soon,
+  const double later = soon * one.time, approach = -now.gap_rate, depth = approach * later,
                slip = norm(now.slip);
   const double from = contact::branched(one.law) ? -now.gap : 0;
   const double cap = one.tangential.friction * smooth_force(one.law, past, from + depth, approach).value;
   const double grown = one.tangential.law == TangentialLaw::spring
-                           ? one.tangential.stiffness * slip * soon
-                           : 2.0 / 3.0 * one.tangential.stiffness * std::sqrt(depth) * slip * soon;
+                           ? one.tangential.stiffness * slip * later
+                           : 2.0 / 3.0 * one.tangential.stiffness * std::sqrt(depth) * slip * later;
   return grown <= cap;
 }
 
@@ -62,8 +65,31 @@ void BodiesSystem<D>::slip_along(ClosedContact& one, const Vec<double, D>& direc
   }
 }
 
-/// A rigid contact whose slip is zero holds if friction can, and else slips against the friction it would
-/// need.
+/// Whether a slip at rest is accelerated along its direction, by more than rounding.
+template <int D>
+bool BodiesSystem<D>::leaves_rest(const Mode& mode, std::size_t place, ConstState x) const {
+  constexpr double rounding = 1000 * epsilon;
+  const auto& now = field(mode, x).contact(place);
+  const double rate = dot(field_.slip_acceleration(mode.closed[place].contact, now.motion), now.direction);
+  return rate > rounding * setting_.speed / setting_.time;
+}
+
+/// Slips against the friction that would be needed; in the plane the way it is driven, for where contacts are
+/// almost redundant that friction is noise. False if no way leads away from rest.
+template <int D>
+bool BodiesSystem<D>::slip_from_rest(Mode& mode, std::size_t place, const ContactForces<double, D>& held,
+                                     std::vector<double>& x) const {
+  auto& one = mode.closed[place];
+  slip_along(one, (-1 / norm(held.friction)) * held.friction, held.motion.normal, x);
+  one.from_rest = D == 3;
+  if (D == 3 || leaves_rest(mode, place, x)) return true;
+  one.sign = -one.sign;
+  if (leaves_rest(mode, place, x)) return true;
+  one.sign = -one.sign;
+  return false;
+}
+
+/// A rigid contact whose slip is zero holds if friction can, and else slips.
 template <int D>
 void BodiesSystem<D>::begin_from_rest(Mode& mode, std::size_t place, std::vector<double>& x,
                                       BodyEvent otherwise, std::vector<Change>& changes) const {
@@ -71,39 +97,74 @@ void BodiesSystem<D>::begin_from_rest(Mode& mode, std::size_t place, std::vector
   const auto& c = setting_.contact[one.contact];
   const auto before = one;
   one.friction = Friction::stick;
-  const auto& now = field(mode, x).contact(place);
+  const auto now = field(mode, x).contact(place);
+  const bool in_doubt = D == 2 && field_.is_redundant();
   const double needed = norm(now.friction), cap = c.tangential.friction * now.normal;
-  if (needed <=
-      cap + setting_.slip_noise * c.force * (now.normal > 0 ? now.normal / (now.normal + c.force) : 1)) {
-    one.from_rest = false;
-    changes.push_back({one.contact, BodyEvent::stick});
+  const bool holds = needed <= cap + setting_.slip_noise * c.force *
+                                         (now.normal > 0 ? now.normal / (now.normal + c.force) : 1);
+  if ((!holds || in_doubt) && (slip_from_rest(mode, place, now, x) || !holds)) {
+    const bool same_way = before.friction == Friction::slip && before.sign == one.sign;
+    if (D == 3 || !same_way) changes.push_back({one.contact, otherwise});
     return;
   }
-  const auto normal = now.motion.normal;
-  slip_along(one, (-1 / needed) * now.friction, normal, x);
-  one.from_rest = D == 3;
-  const bool same_way = before.friction == Friction::slip && before.sign == one.sign;
-  if (D == 3 || !same_way) changes.push_back({one.contact, otherwise});
+  one.friction = Friction::stick;
+  one.from_rest = false;
+  changes.push_back({one.contact, BodyEvent::stick});
 }
 
-/// A spring that slipped `before` may hold at once: where another contact closes with a damper, forces and so
-/// the rate of yielding jump, and where a contact turns at hardly any depth, its stiffness grows that
-/// quickly.
+/// Whether a spring that slips would have to be pulled back to go on, by the field that was asked for last:
+/// it sticks.
 template <int D>
-void BodiesSystem<D>::stop_yielding(const std::vector<ClosedContact>& before, Mode& mode,
-                                    std::vector<double>& x, std::vector<Change>& changes) const {
-  const auto slips = [&](const ClosedContact& one) {
-    return one.friction == Friction::slip && !one.slack &&
-           setting_.contact[one.contact].tangential.has_spring();
-  };
+bool BodiesSystem<D>::holds_at_once(const Mode& mode, std::size_t place) const {
+  return field_.yielding(mode.closed[place], field_.contact(place)) <
+         -0.5 * setting_.slip_noise * setting_.speed;
+}
+
+template <int D>
+bool BodiesSystem<D>::is_yielding(const ClosedContact& one) const {
+  return one.friction == Friction::slip && !one.slack &&
+         setting_.contact[one.contact].tangential.has_spring();
+}
+
+/// A spring that slips as before, in one of these `slots`, may hold at once: where another contact closes
+/// with a damper, forces and so the rate of yielding jump, and where a contact turns at hardly any depth, its
+/// stiffness grows that quickly.
+template <int D>
+void BodiesSystem<D>::stop_yielding(const std::vector<Index>& slots, Mode& mode, std::vector<double>& x,
+                                    std::vector<Change>& changes) const {
+  const auto yielded = [&](Index slot) { return std::find(slots.begin(), slots.end(), slot) != slots.end(); };
+  bool known = false;
   for (std::size_t i = 0; i < mode.closed.size(); ++i) {
-    const auto& one = mode.closed[i];
-    const auto same = [&](const ClosedContact& other) { return other.slot == one.slot && slips(other); };
-    if (!slips(one) || std::none_of(before.begin(), before.end(), same)) continue;
-    const auto& now = field(mode, x);
-    if (now.yielding(one, now.contact(i)) < -setting_.slip_noise * setting_.speed)
-      pass_friction(mode, i, x, changes);
+    if (!is_yielding(mode.closed[i]) || !yielded(mode.closed[i].slot)) continue;
+    if (!std::exchange(known, true)) field(mode, x);
+    if (!holds_at_once(mode, i)) continue;
+    pass_friction(mode, i, x, changes);
+    known = false;
   }
+}
+
+/// What sticks slips where it is at its cap. A loose series may take for a root what is none; and what begins
+/// to stick at its cap may be beyond it by rounding, while the cap outgrows it.
+template <int D>
+void BodiesSystem<D>::break_loose(Mode& mode, std::size_t place, const ContactForces<double, D>& now,
+                                  std::vector<double>& x, std::vector<Change>& changes) const {
+  auto& one = mode.closed[place];
+  const auto& tangential = setting_.contact[one.contact].tangential;
+  const double size = norm(now.friction);
+  if (size == 0 || size < certain * tangential.friction * now.normal) return;
+  const auto stuck = one;
+  auto slipping = x;
+  slip_along(one, (-1 / size) * now.friction, now.motion.normal, slipping);
+  if (tangential.has_spring()) {
+    field(mode, slipping);
+    if (holds_at_once(mode, place)) {
+      one = stuck;
+      return;
+    }
+  }
+  x = std::move(slipping);
+  one.from_rest = D == 3 && !tangential.has_spring();
+  changes.push_back({one.contact, BodyEvent::slip});
 }
 
 template <int D>
@@ -112,15 +173,7 @@ void BodiesSystem<D>::pass_friction(Mode& mode, std::size_t place, std::vector<d
   auto& one = mode.closed[place];
   const auto& c = setting_.contact[one.contact];
   const auto now = field(mode, x).contact(place);
-  if (one.friction == Friction::stick) {
-    const double size = norm(now.friction);
-    // A loose series may take for a root what is none.
-    if (size == 0 || size < certain * c.tangential.friction * now.normal) return;
-    slip_along(one, (-1 / size) * now.friction, now.motion.normal, x);
-    one.from_rest = D == 3 && !c.tangential.has_spring();
-    changes.push_back({one.contact, BodyEvent::slip});
-    return;
-  }
+  if (one.friction == Friction::stick) return break_loose(mode, place, now, x, changes);
   if (!c.tangential.has_spring()) return begin_from_rest(mode, place, x, BodyEvent::reverse, changes);
   one.friction = Friction::stick;
   const bool as_force = c.tangential.law == TangentialLaw::mindlin && !one.unloading;
@@ -150,15 +203,33 @@ void BodiesSystem<D>::stay_at_rest(Mode& mode, std::vector<double>& x, std::vect
     if (mode.closed[i].from_rest) begin_from_rest(mode, i, x, BodyEvent::reverse, changes);
 }
 
+template <int D>
+bool BodiesSystem<D>::sticks_rigidly(const ClosedContact& one) const {
+  return one.friction == Friction::stick && !one.slack &&
+         !setting_.contact[one.contact].tangential.has_spring();
+}
+
+/// Names the contacts and the instant.
+template <int D>
+std::string BodiesSystem<D>::redundancy(const Mode& mode, ConstState x) const {
+  std::string names;
+  for (const auto& one : mode.closed) {
+    const auto& contact = bodies_.contact[one.contact];
+    if (!sticks_rigidly(one)) continue;
+    names += (names.empty() ? "" : ", ") + name_of(bodies_, contact.a) + "–" + name_of(bodies_, contact.b);
+  }
+  std::ostringstream message;
+  message << "contacts that stick rigidly are redundant at " << x[layout(x).clock()] << " s (" << names
+          << "): how they share friction is indeterminate; give them a tangential law 'spring' or 'mindlin'";
+  return message.str();
+}
+
 /// What sticks rigidly may not hold any more when others have changed: the contact that is farthest beyond
 /// its cap slips first.
 template <int D>
 void BodiesSystem<D>::hold_or_release(Mode& mode, std::vector<double>& x,
                                       std::vector<Change>& changes) const {
-  const auto holds = [&](const ClosedContact& one) {
-    return one.friction == Friction::stick && !one.slack &&
-           !setting_.contact[one.contact].tangential.has_spring();
-  };
+  const auto holds = [&](const ClosedContact& one) { return sticks_rigidly(one); };
   for (std::size_t round = 0; round <= mode.closed.size(); ++round) {
     if (std::none_of(mode.closed.begin(), mode.closed.end(), holds)) return;
     const auto& field = this->field(mode, x);
@@ -166,29 +237,23 @@ void BodiesSystem<D>::hold_or_release(Mode& mode, std::vector<double>& x,
     double most = 1;
     for (std::size_t i = 0; i < mode.closed.size(); ++i) {
       const auto& c = setting_.contact[mode.closed[i].contact];
-      if (!holds(mode.closed[i])) continue;
+      if (!sticks_rigidly(mode.closed[i])) continue;
       const double size = norm(field.contact(i).friction);
       const double cap = c.tangential.friction * field.contact(i).normal + 2 * setting_.slip_noise * c.force;
       if (size > most * cap) most = size / cap, worst = i;
     }
-    if (field.is_redundant())
-      throw Error(
-          "contacts that stick rigidly are redundant: how they share friction is indeterminate; give "
-          "them a tangential law 'spring' or 'mindlin'",
-          fault::indeterminate);
+    if (field.is_redundant()) throw Error(redundancy(mode, x), fault::indeterminate);
     if (worst == mode.closed.size()) return;
-    auto& one = mode.closed[worst];
-    const auto now = field.contact(worst);
-    slip_along(one, (-1 / norm(now.friction)) * now.friction, now.motion.normal, x);
-    one.from_rest = D == 3;
-    changes.push_back({one.contact, BodyEvent::slip});
+    slip_from_rest(mode, worst, ContactForces<double, D>(field.contact(worst)), x);
+    changes.push_back({mode.closed[worst].contact, BodyEvent::slip});
   }
 }
 
 template void BodiesSystem<2>::begin_friction(BodiesMode&, std::size_t, std::vector<double>&,
                                               std::vector<BodiesChange>&) const;
-template void BodiesSystem<2>::stop_yielding(const std::vector<ClosedContact>&, BodiesMode&,
-                                             std::vector<double>&, std::vector<BodiesChange>&) const;
+template bool BodiesSystem<2>::is_yielding(const ClosedContact&) const;
+template void BodiesSystem<2>::stop_yielding(const std::vector<Index>&, BodiesMode&, std::vector<double>&,
+                                             std::vector<BodiesChange>&) const;
 template void BodiesSystem<2>::pass_friction(BodiesMode&, std::size_t, std::vector<double>&,
                                              std::vector<BodiesChange>&) const;
 template void BodiesSystem<2>::leave_rest(BodiesMode&, ConstState) const;
@@ -198,8 +263,9 @@ template void BodiesSystem<2>::hold_or_release(BodiesMode&, std::vector<double>&
                                                std::vector<BodiesChange>&) const;
 template void BodiesSystem<3>::begin_friction(BodiesMode&, std::size_t, std::vector<double>&,
                                               std::vector<BodiesChange>&) const;
-template void BodiesSystem<3>::stop_yielding(const std::vector<ClosedContact>&, BodiesMode&,
-                                             std::vector<double>&, std::vector<BodiesChange>&) const;
+template bool BodiesSystem<3>::is_yielding(const ClosedContact&) const;
+template void BodiesSystem<3>::stop_yielding(const std::vector<Index>&, BodiesMode&, std::vector<double>&,
+                                             std::vector<BodiesChange>&) const;
 template void BodiesSystem<3>::pass_friction(BodiesMode&, std::size_t, std::vector<double>&,
                                              std::vector<BodiesChange>&) const;
 template void BodiesSystem<3>::leave_rest(BodiesMode&, ConstState) const;

@@ -53,7 +53,7 @@ void BodiesPhase<D>::guards_of(const BodiesField<T, D, N>& field, std::span<T> v
   const double noise = setting_.slip_noise * setting_.speed;
   for (Index k = 0; k < watched_count(); ++k) {
     if (crossing_[gap_guard(k)] == Crossing::none || (is_recorded<T> && is_far_[k])) continue;
-    values[gap_guard(k)] = field.motion(watched(k)).gap + closing_depth(watched(k));
+    values[gap_guard(k)] = field.approach(watched(k)).gap + closing_depth(watched(k));
   }
   for (Index i = 0; i < strays_; ++i) {
     const auto gone = field.body(i).shift - lift<T>(vec_at<D>(ConstState(mode_->from), D * i));
@@ -87,6 +87,12 @@ void BodiesPhase<D>::guards(ConstState x, State values) const {
 }
 
 template <int D>
+void BodiesPhase<D>::derivative_and_guards(ConstState x, State dx, State values) const {
+  derivative(x, dx);
+  guards_of<double>(field_, values);
+}
+
+template <int D>
 void BodiesPhase<D>::guard_rates(ConstState x, ConstState dx, State rates) const {
   using Along = series::Dual<double, 1>;
   along_.resize(x.size());
@@ -99,6 +105,8 @@ void BodiesPhase<D>::guard_rates(ConstState x, ConstState dx, State rates) const
 
 template void BodiesPhase<2>::guards(ConstState, State) const;
 template void BodiesPhase<3>::guards(ConstState, State) const;
+template void BodiesPhase<2>::derivative_and_guards(ConstState, State, State) const;
+template void BodiesPhase<3>::derivative_and_guards(ConstState, State, State) const;
 template void BodiesPhase<2>::guard_rates(ConstState, ConstState, State) const;
 template void BodiesPhase<3>::guard_rates(ConstState, ConstState, State) const;
 template void BodiesPhase<2>::guards_of(const BodiesField<series::Traced, 2>&,

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mariotte/flow/free_motion.hpp"
@@ -30,6 +31,7 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   void derivative(ConstState x, State dx) const override;
   Index guard_count() const override { return stray_guard(strays_); }
   void guards(ConstState x, State values) const override;
+  void derivative_and_guards(ConstState x, State dx, State values) const override;
   void guard_rates(ConstState x, ConstState dx, State rates) const override;
   std::span<const flow::Crossing> crossings() const override { return crossing_; }
   std::span<const double> magnitudes() const override { return magnitude_; }
@@ -120,10 +122,11 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   mutable BodiesField<Sloped, D> sloped_;
   mutable BodiesField<series::Traced, D> traced_;
   mutable std::vector<series::Traced> traced_x_, traced_dx_, traced_values_;
-  mutable std::vector<char> is_far_;       ///< by watched contact: its gap is not recorded
-  mutable std::vector<double> reach_;      ///< of bodies within a step
-  mutable std::vector<char> is_followed_;  ///< by body: it touches another, or may meet one
-  mutable std::vector<Index> followed_;    ///< components of the state
+  mutable std::vector<std::pair<double, Index>> meetings_;  ///< of contacts in flight, in time
+  mutable std::vector<char> is_far_;                        ///< by watched contact: its gap is not recorded
+  mutable std::vector<double> reach_;                       ///< of bodies within a step
+  mutable std::vector<char> is_followed_;                   ///< by body: it touches another, or may meet one
+  mutable std::vector<Index> followed_;                     ///< components of the state
   mutable std::vector<series::Dual<double, 1>> along_, along_values_;
   mutable std::vector<Sloped> sloped_x_, sloped_dx_;
 };

@@ -95,7 +95,7 @@ template <int D>
 void BodiesPhase<D>::release_springs(ConstState x) const {
   for (const auto& one : mode_->closed) {
     const auto& contact = setting_.contact[one.contact];
-    const auto motion = contact_motion(setting_, layout_, contact, x);
+    const auto motion = gap_motion(setting_, layout_, contact, x);
     if (one.friction != Friction::stick || !begins(setting_, contact, motion.gap, motion.gap_rate)) continue;
     for (Index k = 0; k < layout_.tangents; ++k) {
       auto& state = traced_x_[layout_.spring(one.slot) + k];

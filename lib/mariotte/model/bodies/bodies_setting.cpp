@@ -161,6 +161,8 @@ template <int D>
 BodiesSetting<D> setting_of(const Bodies& bodies, double accuracy) {
   BodiesSetting<D> setting;
   setting.gravity = vec<D>(bodies.gravity);
+  setting.body.reserve(bodies.body.size());
+  setting.contact.reserve(bodies.contact.size());
   for (const auto& body : bodies.body) setting.body.push_back(body_of<D>(body));
   for (const auto& plane : bodies.plane) setting.plane_velocity.push_back(vec<D>(plane.velocity));
   add_spheres(bodies, setting);

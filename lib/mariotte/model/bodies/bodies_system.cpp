@@ -20,8 +20,9 @@ constexpr Index first_slots = 12;
 }  // namespace
 
 template <int D>
-BodiesSystem<D>::BodiesSystem(const Bodies& bodies, double accuracy, Over over)
-    : setting_(setting_of<D>(bodies, accuracy)),
+BodiesSystem<D>::BodiesSystem(const Bodies& bodies, BodiesSetting<D> setting, Over over)
+    : bodies_(bodies),
+      setting_(std::move(setting)),
       over_(over),
       field_(setting_),
       phase_(setting_, resting_contacts(setting_)) {}
@@ -57,7 +58,7 @@ void BodiesSystem<D>::mode_at(std::vector<double>& x, Mode& mode, std::vector<Ch
   std::vector<Index> closing;
   for (Index c = 0; c < std::ssize(setting_.contact); ++c) {
     if (setting_.contact[c].gap > 0) continue;
-    const double rate = motion(c, x).gap_rate;
+    const double rate = approach(c, x).gap_rate;
     if (rate < -noise)
       closing.push_back(c);
     else if (rate <= noise)
@@ -88,19 +89,21 @@ void BodiesSystem<D>::close(Mode& mode, Index contact, std::vector<double>& x, B
                                       [](const ClosedContact& c, Index i) { return c.contact < i; });
   const std::size_t index = place - mode.closed.begin();
   mode.closed.insert(place, one);
-  const double approach = event == BodyEvent::close ? -motion(contact, x).gap_rate : 0;
-  changes.push_back({contact, event, approach});
-  begin_branch(mode.closed[index], motion(contact, x));
+  const auto now = approach(contact, x);
+  changes.push_back({contact, event, event == BodyEvent::close ? -now.gap_rate : 0});
+  begin_branch(mode.closed[index], now);
   if (!mode.closed[index].slack) begin_friction(mode, index, x, changes);
 }
 
-/// One that snaps in pulls at first.
+/// One that snaps in pulls at first, and so does one whose pull grows from zero.
 template <int D>
-void BodiesSystem<D>::begin_branch(ClosedContact& one, const ContactMotion<double, D>& now) const {
-  const auto* law = contact::branched(setting_.contact[one.contact].law);
+void BodiesSystem<D>::begin_branch(ClosedContact& one, const GapMotion<double, D>& now) const {
+  const auto& contact = setting_.contact[one.contact];
+  const auto* law = contact::branched(contact.law);
   if (!law) return;
   contact::begin(one.past, *law);
-  one.slack = law->pulls() && law->force(one.past, -now.gap, -now.gap_rate).value < 0;
+  const double approach = std::max(0.0, -now.gap_rate), depth = -now.gap + soon * contact.time * approach;
+  one.slack = law->pulls() && law->force(one.past, depth, approach).value < 0;
 }
 
 template <int D>
@@ -108,7 +111,7 @@ void BodiesSystem<D>::open(Mode& mode, std::size_t place, std::vector<double>& x
                            std::vector<Change>& changes) const {
   const auto one = mode.closed[place];
   const auto at = layout(x);
-  const double approach = -motion(one.contact, x).gap_rate;
+  const double rate = approach(one.contact, x).gap_rate;
   if (const auto* law = contact::branched(setting_.contact[one.contact].law)) {
     mode.memory[one.contact] = one.past;
     contact::end(mode.memory[one.contact], *law);
@@ -123,7 +126,7 @@ void BodiesSystem<D>::open(Mode& mode, std::size_t place, std::vector<double>& x
   std::fill_n(x.begin() + at.spring(one.slot), at.slot_size, 0.0);
   mode.idle.push_back(one.slot);
   mode.closed.erase(mode.closed.begin() + static_cast<Index>(place));
-  changes.push_back({one.contact, BodyEvent::open, approach});
+  changes.push_back({one.contact, BodyEvent::open, -rate});
 }
 
 template <int D>
@@ -131,7 +134,7 @@ void BodiesSystem<D>::turn(ClosedContact& one, std::vector<double>& x, std::vect
   const auto& friction = setting_.contact[one.contact].tangential;
   one.unloading = !one.unloading;
   if (const auto* law = contact::branched(setting_.contact[one.contact].law))
-    contact::turn(one.past, *law, -motion(one.contact, x).gap);
+    contact::turn(one.past, *law, -approach(one.contact, x).gap);
   changes.push_back({one.contact, one.unloading ? BodyEvent::unload : BodyEvent::load});
   if (friction.law != TangentialLaw::mindlin || one.friction != Friction::stick || one.slack) return;
   const double spring = friction.stiffness * std::sqrt(motion(one.contact, x).indentation);
@@ -143,7 +146,7 @@ void BodiesSystem<D>::turn(ClosedContact& one, std::vector<double>& x, std::vect
 template <int D>
 void BodiesSystem<D>::open_parted(Mode& mode, std::vector<double>& x, std::vector<Change>& changes) const {
   for (std::size_t i = mode.closed.size(); i-- > 0;) {
-    const auto now = motion(mode.closed[i].contact, x);
+    const auto now = approach(mode.closed[i].contact, x);
     const auto& one = mode.closed[i];
     const double depth = opening_depth(setting_.contact[one.contact].law, one.past);
     if (now.gap + depth >= 0 && now.gap_rate > setting_.slip_noise * setting_.speed)
@@ -201,13 +204,15 @@ void BodiesSystem<D>::pass_guard(Index guard, const std::vector<Index>& touching
 template <int D>
 void BodiesSystem<D>::transition(Mode& mode, const std::vector<Index>& fired, std::vector<double>& x,
                                  std::vector<Change>& changes) const {
-  const auto before = mode.closed;
-  const auto touching = mode.touching;
-  auto sorted = fired;
-  std::sort(sorted.begin(), sorted.end());
-  for (const Index guard : sorted) pass_guard(guard, touching, mode, x, changes);
+  yielded_.clear();
+  for (const auto& one : mode.closed)
+    if (is_yielding(one)) yielded_.push_back(one.slot);
+  touching_ = mode.touching;
+  fired_ = fired;
+  std::sort(fired_.begin(), fired_.end());
+  for (const Index guard : fired_) pass_guard(guard, touching_, mode, x, changes);
   open_parted(mode, x, changes);
-  stop_yielding(before, mode, x, changes);
+  stop_yielding(yielded_, mode, x, changes);
   leave_rest(mode, x);
   if (fired.empty()) stay_at_rest(mode, x, changes);
   hold_or_release(mode, x, changes);

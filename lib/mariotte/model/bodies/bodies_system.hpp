@@ -15,8 +15,8 @@ class BodiesSystem {
   using Mode = BodiesMode;
   using Change = BodiesChange;
 
-  /// Of validated bodies of that dimension.
-  BodiesSystem(const Bodies& bodies, double accuracy, Over over);
+  /// Of validated bodies of that dimension, which outlive it.
+  BodiesSystem(const Bodies& bodies, BodiesSetting<D> setting, Over over);
   BodiesSystem(const BodiesSystem&) = delete;
 
   const BodiesSetting<D>& setting() const { return setting_; }
@@ -37,16 +37,24 @@ class BodiesSystem {
   ContactMotion<double, D> motion(Index contact, ConstState x) const {
     return contact_motion(setting_, layout(x), setting_.contact[contact], x);
   }
+  GapMotion<double, D> approach(Index contact, ConstState x) const {
+    return gap_motion(setting_, layout(x), setting_.contact[contact], x);
+  }
 
  private:
+  static constexpr double soon = 1e-10;  ///< just after the beginning, in natural times of a contact
+
   void close(Mode& mode, Index contact, std::vector<double>& x, BodyEvent event,
              std::vector<Change>& changes) const;
   void open(Mode& mode, std::size_t place, std::vector<double>& x, std::vector<Change>& changes) const;
-  void begin_branch(ClosedContact& one, const ContactMotion<double, D>& now) const;
+  void begin_branch(ClosedContact& one, const GapMotion<double, D>& now) const;
   void begin_friction(Mode& mode, std::size_t place, std::vector<double>& x,
                       std::vector<Change>& changes) const;
   void begin_from_rest(Mode& mode, std::size_t place, std::vector<double>& x, BodyEvent otherwise,
                        std::vector<Change>& changes) const;
+  bool leaves_rest(const Mode& mode, std::size_t place, ConstState x) const;
+  bool slip_from_rest(Mode& mode, std::size_t place, const ContactForces<double, D>& held,
+                      std::vector<double>& x) const;
   void slip_along(ClosedContact& one, const Vec<double, D>& direction, const Vec<double, D>& normal,
                   std::vector<double>& x) const;
   void pass_guard(Index guard, const std::vector<Index>& touching, Mode& mode, std::vector<double>& x,
@@ -55,18 +63,26 @@ class BodiesSystem {
                  std::vector<Change>& changes) const;
   void pass_friction(Mode& mode, std::size_t place, std::vector<double>& x,
                      std::vector<Change>& changes) const;
+  void break_loose(Mode& mode, std::size_t place, const ContactForces<double, D>& now, std::vector<double>& x,
+                   std::vector<Change>& changes) const;
   void open_parted(Mode& mode, std::vector<double>& x, std::vector<Change>& changes) const;
-  void stop_yielding(const std::vector<ClosedContact>& before, Mode& mode, std::vector<double>& x,
+  void stop_yielding(const std::vector<Index>& slots, Mode& mode, std::vector<double>& x,
                      std::vector<Change>& changes) const;
+  bool is_yielding(const ClosedContact& one) const;
+  bool holds_at_once(const Mode& mode, std::size_t place) const;
   void turn(ClosedContact& one, std::vector<double>& x, std::vector<Change>& changes) const;
   void leave_rest(Mode& mode, ConstState x) const;
   void stay_at_rest(Mode& mode, std::vector<double>& x, std::vector<Change>& changes) const;
+  bool sticks_rigidly(const ClosedContact& one) const;
+  std::string redundancy(const Mode& mode, ConstState x) const;
   void hold_or_release(Mode& mode, std::vector<double>& x, std::vector<Change>& changes) const;
   bool starts_in_stick(const SettingContact<D>& one, const contact::Memory& past,
                        const ContactMotion<double, D>& now) const;
 
+  const Bodies& bodies_;
   BodiesSetting<D> setting_;
   Over over_;
+  mutable std::vector<Index> fired_, touching_, yielded_;  ///< of a transition
   mutable BodiesField<double, D> field_;
   mutable BodiesPhase<D> phase_;
 };

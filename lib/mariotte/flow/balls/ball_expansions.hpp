@@ -1,0 +1,28 @@
+// Taylor series of every kind of contact of two balls. Code compiled for different instruction sets shares
+// nothing but this layout.
+#pragma once
+#include <memory>
+
+#include "mariotte/flow/balls/ball_phase.hpp"
+
+namespace mariotte::flow {
+
+/// Memory of one run.
+class BallExpansions {
+ public:
+  static constexpr int most_order = 22;
+  using Row = std::array<double, most_order + 2>;
+  virtual ~BallExpansions() = default;
+  /// Coefficients 0 … order of all rows of `BallMotion`; valid until the next call.
+  virtual const Row* expand(const BallContact& contact, const BallPhase::Motion& start, int order) = 0;
+  /// All states of the last expansion at a place.
+  virtual BallPhase::Motion at(double place) const = 0;
+};
+
+/// With the widest registers that this machine has.
+std::unique_ptr<BallExpansions> make_ball_expansions();
+
+std::unique_ptr<BallExpansions> make_avx2_ball_expansions();
+std::unique_ptr<BallExpansions> make_baseline_ball_expansions();
+
+}  // namespace mariotte::flow
