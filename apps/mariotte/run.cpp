@@ -15,6 +15,7 @@
 #include "mariotte/report/reason.hpp"
 #include "mariotte/report/table/network_table.hpp"
 #include "mariotte/report/table/table.hpp"
+#include "mariotte/report/warnings.hpp"
 #include "mariotte/scene/judge.hpp"
 #include "mariotte/scene/text_file.hpp"
 #include "report_page.hpp"
@@ -119,11 +120,8 @@ template <class Impact, class... Waves>
 int finish(const Run& options, const Impact& impact, const scene::Scene& scene, Waves... waves) {
   if (!options.out.empty()) write(options, impact, scene, waves...);
   show(options, impact, scene);
-  if (!options.scene.quiet) {
-    warn_of_error(impact);
-    warn_of_nothing(impact);
-    warn_of_limits(impact);
-  }
+  if (!options.scene.quiet)
+    for (const auto& one : report::warnings(impact)) warning(one);
   tell_ending(impact.ending, impact.message, scene);
   if (interruption() != 0) {
     if (impact.ending != hybrid::Ending::interrupted)

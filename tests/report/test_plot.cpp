@@ -212,6 +212,21 @@ BOOST_AUTO_TEST_CASE(leaders_to_names_are_thin_and_grey_unlike_data) {
   BOOST_TEST(!has(script_of(trace), "nohead lt"));
 }
 
+BOOST_AUTO_TEST_CASE(among_many_pulses_names_stand_at_the_end) {
+  auto trace = trace_of(3);
+  trace.time.clear();
+  for (auto* rows : {&trace.velocity, &trace.gap, &trace.force}) rows->clear();
+  for (int k = 0; k < 11; ++k) {
+    trace.time.push_back(k * 1e-5);
+    trace.velocity.push_back({0, 0.5, 1});
+    trace.gap.push_back({0, 0});
+    trace.force.push_back({k % 2 ? 1.0 : 0.0, 0.5});
+  }
+  BOOST_TEST(count(script_of(trace), "center front textcolor lt") == 0);
+  for (std::size_t k = 8; k < 11; ++k) trace.force[k][0] = 0;  // four pulses
+  BOOST_TEST(count(script_of(trace), "center front textcolor lt") == terminals * 2);
+}
+
 BOOST_AUTO_TEST_CASE(walls_and_coordinates_have_their_names) {
   scene::Scene scene;
   scene.model =

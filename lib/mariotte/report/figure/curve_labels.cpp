@@ -12,13 +12,21 @@
 namespace mariotte::report {
 namespace {
 
-constexpr std::size_t most_names = 3;  // of curves that coincide
-constexpr double line_height = 0.072;  // of a panel
-constexpr double gap = 14;             // pixels from the end of a curve to its name
+constexpr std::size_t most_names = 3;   // of curves that coincide
+constexpr std::size_t most_pulses = 4;  // of a curve that leave room for names above peaks
+constexpr double line_height = 0.072;   // of a panel
+constexpr double gap = 14;              // pixels from the end of a curve to its name
 
-bool is_flat(const Curve& curve, double height) {
-  return std::all_of(curve.value.begin(), curve.value.end(),
-                     [&](double value) { return std::abs(value) < invisible * height; });
+/// How often a curve rises from zero.
+std::size_t pulses(const Curve& curve, double height) {
+  std::size_t count = 0;
+  bool was_flat = true;
+  for (const double value : curve.value) {
+    const bool is_flat = std::abs(value) < invisible * height;
+    count += was_flat && !is_flat;
+    was_flat = is_flat;
+  }
+  return count;
 }
 
 /// Names of a group, one per line or all in one.
@@ -95,10 +103,13 @@ double sheet_pixels(const Panel& panel) {
 }
 
 Naming naming(const TimeFigure& figure, const std::vector<Group>& groups, const Range& range) {
+  std::vector<std::size_t> count;
+  for (const auto& group : groups)
+    count.push_back(pulses(figure.curves[group.front()], range.most - range.least));
+  const bool have_room = std::none_of(count.begin(), count.end(), [](auto n) { return n > most_pulses; });
   Naming all;
   for (std::size_t k = 0; k < groups.size(); ++k) {
-    const bool peak = figure.names == Names::at_peak &&
-                      !is_flat(figure.curves[groups[k].front()], range.most - range.least);
+    const bool peak = figure.names == Names::at_peak && have_room && count[k] > 0;
     (peak ? all.at_peak : all.at_end).push_back(k);
   }
   return all;

@@ -6,7 +6,7 @@
 #include "mariotte/report/json/json_parts.hpp"
 #include "mariotte/report/json/quantity_json.hpp"
 #include "mariotte/report/reason.hpp"
-#include "mariotte/report/validity.hpp"
+#include "mariotte/report/warnings.hpp"
 
 namespace mariotte::report {
 namespace {
@@ -61,21 +61,11 @@ Json network(const model::Network& network) {
                      network.drive);
 }
 
-const char* thing(const impact::ContactImpact&) {
-  return "contact";
-}
-const char* thing(const impact::BodiesImpact&) {
-  return "contact";
-}
-const char* thing(const impact::MicrobodyImpact&) {
-  return "tip";
-}
-
-/// Suspicious values of the scene, and where its model does not hold.
+/// Suspicious values of the scene, and what has to be said of the result.
 template <class Impact>
 std::vector<std::string> all_warnings(const Impact& impact, const scene::Scene& scene) {
   auto list = scene.warnings;
-  for (auto& one : warnings(impact.validity, thing(impact))) list.push_back(std::move(one));
+  for (auto& one : warnings(impact)) list.push_back(std::move(one));
   return list;
 }
 

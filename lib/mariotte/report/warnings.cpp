@@ -1,0 +1,67 @@
+#include "mariotte/report/warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace mariotte::report {
+namespace {
+
+using List = std::vector<std::string>;
+
+constexpr const char* errors_grow = "contacts close so often that errors grow";
+
+template <class Impact>
+void warn_of_error(const Impact& impact, const char* why, List& list) {
+  if (impact.estimated_accuracy && *impact.estimated_accuracy > impact.requested_accuracy)
+    list.push_back(
+        fmt::format("velocities may be wrong by {:.1e} of the largest speed, where {:g} was asked: {}",
+                    *impact.estimated_accuracy, impact.requested_accuracy, why));
+}
+
+template <class Impact>
+void warn_of_nothing(const Impact& impact, List& list) {
+  if (impact.events.empty() && impact.ending == hybrid::Ending::separated)
+    list.push_back("nothing collides: no contact ever closes");
+}
+
+void warn_of_limits(const impact::Validity& validity, const char* thing, List& list) {
+  for (const auto& one : impact::validity_limits)
+    if (is_beyond(one, validity)) {
+      const auto& [value, contact] = *(validity.*one.number);
+      list.push_back(fmt::format("{} {}: {} = {:.3g} is {} {:g}: {}", thing, contact + 1, one.symbol, value,
+                                 one.from_below ? "above" : "below", one.limit, one.otherwise));
+    }
+}
+
+}  // namespace
+
+List warnings(const impact::ContactImpact& impact) {
+  List list;
+  warn_of_error(impact, errors_grow, list);
+  warn_of_nothing(impact, list);
+  warn_of_limits(impact.validity, "contact", list);
+  return list;
+}
+
+List warnings(const impact::BodiesImpact& impact) {
+  const bool again = std::any_of(impact.contacts.begin(), impact.contacts.end(),
+                                 [](const auto& contact) { return contact.periods.size() > 1; });
+  List list;
+  warn_of_error(impact,
+                again ? errors_grow
+                      : "indentations are so small beside the way to the first contact that digits are lost",
+                list);
+  warn_of_nothing(impact, list);
+  warn_of_limits(impact.validity, "contact", list);
+  return list;
+}
+
+List warnings(const impact::MicrobodyImpact& impact) {
+  List list;
+  warn_of_error(impact, errors_grow, list);
+  warn_of_limits(impact.validity, "tip", list);
+  return list;
+}
+
+}  // namespace mariotte::report
