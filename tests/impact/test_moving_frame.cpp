@@ -1,9 +1,11 @@
-// Chains that fly much faster than their balls move among themselves.
+// Chains and networks that fly much faster than their balls move among themselves.
 #define BOOST_TEST_MODULE impact_moving_frame
 #include <boost/test/unit_test.hpp>
 
+#include "mariotte/impact/chain/chain_frame.hpp"
 #include "mariotte/impact/chain/chain_solver.hpp"
-#include "mariotte/impact/chain/moving_frame.hpp"
+#include "mariotte/impact/network/network_frame.hpp"
+#include "mariotte/impact/network/network_solver.hpp"
 #include "support/reference.hpp"
 
 using namespace mariotte;
@@ -29,6 +31,18 @@ model::Chain creeping() {
 model::Chain flying(model::Chain chain) {
   for (double& v : chain.velocity) v += common;
   return chain;
+}
+
+/// So fast that rounding of the common velocity is all that is left of the load of a contact that creeps.
+constexpr double fast = 0x1p20;
+
+/// Two rows of balls in a plane, struck aslant; all fly by at different speeds along the two axes.
+model::Network flying_rack(double by) {
+  const auto at = [by](double x, double y, double vx, double vy) {
+    return model::Ball{.position = {x, y}, .velocity = {vx + by, vy - 0.5 * by}, .mass = 1, .radius = 0.5};
+  };
+  const auto damped = [](Index, Index) { return law(1, 1e4, 1.5); };
+  return model::ball_network({at(0, 0, 0.25, 0), at(1, 0.25, -0.25, 0.125), at(1, -0.75, 0, 0)}, 0.1, damped);
 }
 
 }  // namespace
@@ -97,11 +111,66 @@ BOOST_AUTO_TEST_CASE(the_brief_solver_agrees_and_goes_back_to_chains_at_rest) {
 
 BOOST_AUTO_TEST_CASE(a_frame_is_left_only_where_nothing_tells_it_from_another) {
   const auto chain = flying(creeping());
-  BOOST_TEST(impact::moving_frame(chain).velocity == chain.velocity[0]);
+  BOOST_TEST(impact::moving_frame(chain).at(3) == chain.velocity[0]);
   auto falling = chain, walled = chain, wide = chain;
   falling.gravity = 1;
   walled.mass[0] = infinity;
   wide.velocity[3] = 0;
-  for (const auto& other : {falling, walled, wide, creeping()})
-    BOOST_TEST(impact::moving_frame(other).velocity == 0);
+  for (const auto& other : {falling, walled, wide, creeping()}) BOOST_TEST(!impact::moving_frame(other));
+}
+
+BOOST_AUTO_TEST_CASE(a_network_that_flies_does_what_it_does_at_rest) {
+  auto chain = creeping();
+  const auto resting = model::as_network(chain);
+  for (double& v : chain.velocity) v += fast;
+  const auto moving = model::as_network(chain);
+  impact::NetworkSolver solver;
+  for (const double accuracy : {1e-6, 1e-8, 1e-10, 1e-12}) {
+    const auto still = impact::simulate(resting, {.accuracy = accuracy});
+    const auto quick = impact::simulate(moving, {.accuracy = accuracy});
+    BOOST_TEST((quick.ending == hybrid::Ending::separated));
+    BOOST_TEST(quick.events.size() == still.events.size());
+    for (std::size_t i = 0; i < still.velocity.size(); ++i)
+      BOOST_TEST(std::abs(quick.velocity[i] - (still.velocity[i] + fast)) <=
+                 0.2 * accuracy + 2 * epsilon * fast);
+    BOOST_TEST(std::abs(quick.energy.dissipated - still.energy.dissipated) < accuracy * still.energy.initial);
+    BOOST_TEST(std::abs(*quick.energy.ratio_centre - *still.energy.ratio_centre) < accuracy);
+    BOOST_TEST(test::difference(solver.solve(moving, {.accuracy = accuracy}).velocity, quick.velocity) == 0);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(balls_of_a_network_share_a_velocity_by_coordinate) {
+  const auto still = impact::simulate(flying_rack(0)), quick = impact::simulate(flying_rack(fast));
+  BOOST_TEST((quick.ending == hybrid::Ending::separated));
+  BOOST_TEST(quick.events.size() == still.events.size());
+  for (std::size_t i = 0; i < still.velocity.size(); ++i) {
+    const double common_here = i % 2 == 0 ? fast : -0.5 * fast;
+    BOOST_TEST(std::abs(quick.velocity[i] - (still.velocity[i] + common_here)) <= 2 * epsilon * fast);
+  }
+  const auto before = impact::configuration_of(flying_rack(fast));
+  BOOST_TEST(quick.energy.initial == kinetic_energy(before, before.velocity));
+  BOOST_TEST(quick.energy.final == kinetic_energy(before, quick.velocity));
+}
+
+BOOST_AUTO_TEST_CASE(who_looks_on_at_a_network_is_told_velocities_from_outside) {
+  double least = fast;
+  impact::Sampling sampling{.velocities = {0, 4}, .take = [&](const impact::Sample& sample) {
+                              for (const double v : sample.velocity) least = std::min(least, v);
+                              return sample.natural_time;
+                            }};
+  const auto network = flying_rack(fast);
+  const auto traced = impact::simulate(network, {}, {.trace = true, .samplings = {sampling}});
+  BOOST_TEST(least > fast - 1);
+  for (const auto& row : traced.trace.velocity)
+    for (std::size_t i = 0; i < row.size(); ++i)
+      BOOST_TEST(std::abs(row[i] - (i % 2 == 0 ? fast : -0.5 * fast)) < 1);
+}
+
+BOOST_AUTO_TEST_CASE(a_network_is_left_where_it_is_if_gaps_or_walls_tell_its_velocity) {
+  const auto network = flying_rack(fast);
+  BOOST_TEST(impact::moving_frame(network).at(5) == network.velocity[1]);
+  auto walled = network, turning = network;
+  walled.mass[0] = walled.mass[1] = infinity;
+  turning.direction[0].pop_back();
+  for (const auto& other : {walled, turning, flying_rack(0)}) BOOST_TEST(!impact::moving_frame(other));
 }

@@ -182,6 +182,69 @@ BOOST_AUTO_TEST_CASE(a_contact_that_is_pulled_apart_at_once_never_closes) {
   BOOST_TEST(run.events[1].open == (std::vector<Index>{0, 1}));
 }
 
+// Both creep apart, so that their loads are rounding soon. What one lets go of does not hold the other.
+BOOST_AUTO_TEST_CASE(overdamped_contacts_of_a_block_let_go_together_at_every_accuracy) {
+  const double arm = 0.89601746834419327;
+  model::Network block{
+      .mass = {1, 0.42222562595496449},
+      .direction = {{{0, 1}, {1, -arm}}, {{0, 1}, {1, arm}}},
+      .law = {contact::Viscoelastic{
+                  .stiffness = 0.88858454719719904, .damping = 3556.6108378424765, .exponent = 1},
+              contact::Viscoelastic{
+                  .stiffness = 1.2759386421481678, .damping = 6240.6727988712773, .exponent = 1}},
+      .gap = {0, 0},
+      .velocity = {-0.99090278641968932, -0.083020157905306702}};
+  const auto exact = simulate(block, {.accuracy = 1e-12, .flow = flow::Kind::cvode_bdf_klu});
+  for (const double accuracy : {1e-6, 1e-8, 1e-10, 1e-11, 1e-12}) {
+    const auto run = simulate(block, {.accuracy = accuracy});
+    BOOST_TEST(test::difference(run.velocity, exact.velocity) < 1e-13);
+    BOOST_TEST(run.time < 0.01);
+  }
+}
+
+// The last two balls of a triangle touch at rest, and the dampers of the others draw them apart.
+BOOST_AUTO_TEST_CASE(strong_dampers_do_not_pull_at_what_they_draw_apart) {
+  model::Network rack{.mass = {1.2, 1.2, 0.67, 0.67, 0.74, 0.74, 2.5, 2.5},
+                      .direction = {{{0, -std::sqrt(0.75)}, {1, 0.5}, {2, std::sqrt(0.75)}, {3, -0.5}},
+                                    {{0, -std::sqrt(0.75)}, {1, -0.5}, {4, std::sqrt(0.75)}, {5, 0.5}},
+                                    {{0, 0.93}, {1, 0.37}, {6, -0.93}, {7, -0.37}},
+                                    {{3, -1}, {5, 1}}},
+                      .law = {},
+                      .gap = {0, 0, 0, 0},
+                      .velocity = {0, 0, 0, 0, 0, 0, 1, 0}};
+  rack.law.assign(4, contact::Viscoelastic{.stiffness = 1, .damping = 76334.253263324805, .exponent = 1});
+  const auto exact = simulate(rack, {.flow = flow::Kind::cvode_bdf_klu});
+  for (const double accuracy : {1e-6, 1e-10, 1e-12}) {
+    const auto run = simulate(rack, {.accuracy = accuracy});
+    BOOST_TEST((run.ending == hybrid::Ending::separated), run.message);
+    BOOST_TEST(run.contacts[3].impulse == 0);
+    BOOST_TEST(test::difference(run.velocity, exact.velocity) < accuracy + 1e-10);
+  }
+}
+
+// Dampers so strong that their contacts never leave the noise of indentations at 10⁻⁶.
+BOOST_AUTO_TEST_CASE(a_damper_within_the_noise_does_not_pull_when_it_is_struck_again) {
+  std::vector<model::Ball> balls;
+  for (int row = 0; row < 3; ++row)
+    for (int k = 0; k <= row; ++k)
+      balls.push_back(
+          {.position = {row * std::sqrt(0.75), k - 0.5 * row}, .velocity = {0, 0}, .mass = 1, .radius = 0.5});
+  balls.push_back({.position = {-0.92283372462122693, -0.38519854192573677},
+                   .velocity = {1, -0.29710702013852752},
+                   .mass = 0.63529938730301894,
+                   .radius = 0.5});
+  const auto rack = model::ball_network(balls, 0.2, [](Index i, Index j) -> contact::Law {
+    if (j == 6 || (i == 1 && j == 2) || (i == 2 && j == 4)) return contact::Hertz{1};
+    return contact::Viscoelastic{.stiffness = 1, .damping = 1664858.2671038467, .exponent = 1};
+  });
+  const auto exact = simulate(rack, {.accuracy = 1e-12, .max_time = 300});
+  for (const double accuracy : {1e-6, 1e-8}) {
+    const auto run = simulate(rack, {.accuracy = accuracy, .max_time = 300});
+    BOOST_TEST((run.ending == hybrid::Ending::separated));
+    BOOST_TEST(test::difference(run.velocity, exact.velocity) < accuracy);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(peaks_are_those_of_the_chain_model) {
   std::mt19937_64 random(201);
   for (int i = 0; i < 20; ++i) {

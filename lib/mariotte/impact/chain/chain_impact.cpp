@@ -5,9 +5,9 @@
 #include <numeric>
 #include <utility>
 
+#include "mariotte/impact/chain/chain_frame.hpp"
 #include "mariotte/impact/chain/chain_gate.hpp"
 #include "mariotte/impact/chain/chain_solver.hpp"
-#include "mariotte/impact/chain/moving_frame.hpp"
 #include "mariotte/impact/flow_uses.hpp"
 #include "mariotte/impact/impulses.hpp"
 #include "mariotte/impact/promise.hpp"
@@ -173,9 +173,11 @@ std::optional<flow::Kind> another_flow(const model::Chain& chain, const hybrid::
 ChainImpact simulate_within(const model::Chain& chain, const hybrid::Options& options,
                             const RunObserver& observers) {
   auto impact = simulate_once(chain, options, observers);
-  const auto again = [&](const hybrid::Options& tighter) { return simulate_once(chain, tighter, observers); };
+  const auto again = [&](const model::Chain& same, const hybrid::Options& tighter) {
+    return simulate_once(same, tighter, observers);
+  };
   if (observers.samplings.empty())  // what was sampled cannot be taken back
-    keep_promise(options, passage(impact), impact, again, [&](const auto& a, const auto& b) {
+    keep_promise(chain, options, passage(impact), impact, again, [&](const auto& a, const auto& b) {
       return difference(a.velocity, b.velocity, reference_speed(chain));
     });
   impact.requested_accuracy = options.accuracy;
@@ -190,9 +192,9 @@ ChainImpact simulate(const model::Chain& chain, const hybrid::Options& options,
   hybrid::validate(options);
   model::expect_end(chain, options.max_time);
   const auto frame = moving_frame(chain);
-  if (frame.velocity == 0) return simulate_within(chain, options, observers);
-  model::Chain moving;
-  enter(frame, chain, moving);
+  if (!frame) return simulate_within(chain, options, observers);
+  auto moving = chain;
+  enter(frame, moving.velocity);
   auto impact = simulate_within(moving, options, from_outside(frame, observers));
   leave(frame, chain, impact);
   return impact;

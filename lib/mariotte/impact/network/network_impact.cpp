@@ -8,6 +8,7 @@
 #include "mariotte/impact/flow_uses.hpp"
 #include "mariotte/impact/impulses.hpp"
 #include "mariotte/impact/network/network_balance.hpp"
+#include "mariotte/impact/network/network_frame.hpp"
 #include "mariotte/impact/network/network_gate.hpp"
 #include "mariotte/impact/network/network_run.hpp"
 #include "mariotte/impact/network/network_solver.hpp"
@@ -120,6 +121,20 @@ NetworkImpact simulate_once(const model::Network& network, const hybrid::Options
   return impact;
 }
 
+NetworkImpact simulate_within(const model::Network& network, const hybrid::Options& options,
+                              const RunObserver& observers) {
+  auto impact = simulate_once(network, options, observers);
+  const auto again = [&](const model::Network& same, const hybrid::Options& tighter) {
+    return simulate_once(same, tighter, observers);
+  };
+  if (observers.samplings.empty())  // what was sampled cannot be taken back
+    keep_promise(network, options, passage(impact), impact, again, [&](const auto& a, const auto& b) {
+      return rate_difference(network, a.velocity, b.velocity);
+    });
+  impact.requested_accuracy = options.accuracy;
+  return impact;
+}
+
 }  // namespace
 
 Configuration configuration_of(const model::Network& network) {
@@ -131,15 +146,12 @@ NetworkImpact simulate(const model::Network& network, const hybrid::Options& opt
   model::validate(network);
   hybrid::validate(options);
   model::expect_end(network, options.max_time);
-  auto impact = simulate_once(network, options, observers);
-  const auto again = [&](const hybrid::Options& tighter) {
-    return simulate_once(network, tighter, observers);
-  };
-  if (observers.samplings.empty())  // what was sampled cannot be taken back
-    keep_promise(options, passage(impact), impact, again, [&](const auto& a, const auto& b) {
-      return rate_difference(network, a.velocity, b.velocity);
-    });
-  impact.requested_accuracy = options.accuracy;
+  const auto frame = moving_frame(network);
+  if (!frame) return simulate_within(network, options, observers);
+  auto moving = network;
+  enter(frame, moving.velocity);
+  auto impact = simulate_within(moving, options, from_outside(frame, observers));
+  leave(frame, network, impact);
   return impact;
 }
 

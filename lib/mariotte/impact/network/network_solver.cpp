@@ -5,6 +5,7 @@
 
 #include "mariotte/hybrid/simulate.hpp"
 #include "mariotte/impact/brief_run.hpp"
+#include "mariotte/impact/network/network_frame.hpp"
 #include "mariotte/impact/network/network_gate.hpp"
 #include "mariotte/impact/network/network_run.hpp"
 #include "mariotte/model/network/network_system.hpp"
@@ -15,6 +16,7 @@ struct NetworkSolver::Memory {
   model::NetworkSystem system;
   hybrid::Workspace<model::NetworkSystem> workspace;
   NetworkGate gate;
+  model::Network moving;
   std::vector<double> start;
   BriefImpact impact, looser;
   Passage gone;
@@ -45,6 +47,16 @@ struct NetworkSolver::Memory {
     gone = passage(run, impact.periods);
     impact.widest = system.layout().contacts();
   }
+
+  void keep_promise(const model::Network& network, const hybrid::Options& options) {
+    solve(network, options);
+    const auto again = [&](const model::Network& same, const hybrid::Options& tighter) {
+      solve(same, tighter);
+    };
+    impact::keep_promise(network, options, gone, impact, looser, again, [&](const auto& a, const auto& b) {
+      return rate_difference(network, a.velocity, b.velocity);
+    });
+  }
 };
 
 NetworkSolver::NetworkSolver() : memory_(std::make_unique<Memory>()) {}
@@ -55,11 +67,15 @@ const BriefImpact& NetworkSolver::solve(const model::Network& network, const hyb
   model::validate(network);
   hybrid::validate(options);
   model::expect_end(network, options.max_time);
-  m.solve(network, options);
-  const auto solve = [&](const hybrid::Options& tighter) { m.solve(network, tighter); };
-  keep_promise(options, m.gone, m.impact, m.looser, solve, [&](const auto& a, const auto& b) {
-    return rate_difference(network, a.velocity, b.velocity);
-  });
+  const auto frame = moving_frame(network);
+  if (!frame) {
+    m.keep_promise(network, options);
+  } else {
+    m.moving = network;
+    enter(frame, m.moving.velocity);
+    m.keep_promise(m.moving, options);
+    leave(frame, m.impact.velocity);
+  }
   return m.impact;
 }
 
