@@ -4,6 +4,8 @@
 
 #include "mariotte/impact/chain/chain_impact.hpp"
 #include "mariotte/impact/chain/chain_solver.hpp"
+#include "mariotte/impact/network/network_impact.hpp"
+#include "mariotte/impact/network/network_solver.hpp"
 #include "mariotte/impact/promise.hpp"
 #include "mariotte/model/chain/dimensionless_chain.hpp"
 
@@ -31,6 +33,25 @@ model::Chain rattling(unsigned seed) {
   return chain;
 }
 
+auto rounding_makes(double difference) {
+  return [=] { return std::optional(difference); };
+}
+
+/// Light balls rattle between heavy ones, which turn rounding into 10⁻⁴; natural modes are exact but for it.
+model::Chain light_between_heavy() {
+  model::Chain chain{.mass = {5542.1640300826548, 0.0018053410244916151, 0.00026506738045670061,
+                              16.966664714855334, 211.01828558440241, 0.003784900860111253,
+                              0.00011605863957457904, 0.00016650901483446183, 2191.9213107646883},
+                     .law = {},
+                     .gap = std::vector<double>(8),
+                     .velocity = {1, 0, 0, 0, 0, 0, 0, 0, -1}};
+  for (const double stiffness :
+       {0.003900737861440393, 89.536093198484565, 682.4833134036586, 81.17191326879508, 17.404275286046644,
+        0.0053633632346915972, 42.466776532861545, 0.00095300358166849767})
+    chain.law.push_back(contact::Linear{stiffness});
+  return chain;
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(tighter_runs_are_asked_for_as_the_difference_says) {
@@ -45,21 +66,47 @@ BOOST_AUTO_TEST_CASE(tighter_runs_are_asked_for_as_the_difference_says) {
 
 BOOST_AUTO_TEST_CASE(runs_stop_when_two_agree) {
   int runs = 0;
-  const auto last = impact::keep_promise({.accuracy = 1e-8}, 16 * epsilon, [&](const hybrid::Options&) {
-    return std::optional(++runs < 2 ? 1e-6 : 1e-9);
-  });
+  const auto last = impact::keep_promise(
+      {.accuracy = 1e-8}, 16 * epsilon,
+      [&](const hybrid::Options&) { return std::optional(++runs < 2 ? 1e-6 : 1e-9); }, rounding_makes(1));
   BOOST_TEST(runs == 2);
   BOOST_TEST(last.value() == 1e-9);
 }
 
-BOOST_AUTO_TEST_CASE(two_runs_that_are_the_same_say_nothing) {
-  BOOST_TEST(!impact::keep_promise({.accuracy = 1e-8}, 16 * epsilon,
-                                   [](const hybrid::Options&) { return std::optional(0.0); }));
+BOOST_AUTO_TEST_CASE(where_two_runs_are_the_same_rounding_tells) {
+  const auto same = [](const hybrid::Options&) { return std::optional(0.0); };
+  BOOST_TEST(impact::keep_promise({.accuracy = 1e-8}, 16 * epsilon, same, rounding_makes(1e-6)).value() ==
+             1e-6);
+  const auto never = [](const hybrid::Options&) -> std::optional<double> { throw std::logic_error("run"); };
+  BOOST_TEST(impact::keep_promise({.accuracy = 1e-15}, 16 * epsilon, never, rounding_makes(1e-6)).value() ==
+             1e-6);
+}
+
+// Eleven decades: the velocities of the last run of modes are 2e-6 off.
+BOOST_AUTO_TEST_CASE(a_chain_that_magnifies_rounding_says_so) {
+  const auto linear = [](double stiffness) { return contact::Law(contact::Linear{stiffness}); };
+  const model::Chain chain{
+      .mass = {4.99, 1.178, 0.1648, 0.006037, 0.5504, 836.7, infinity},
+      .law = {linear(0.01977), linear(193.1), linear(0.6005), linear(0.08882),
+              contact::Viscoelastic{.stiffness = 0.002133, .damping = 0.1079, .exponent = 1}, linear(1)},
+      .gap = {0, 0.003542, 0, 0.06577, 0, 0},
+      .velocity = {0.7768, -0.01427, -0.1393, -0.3246, -1.1976, -1.3929, 0}};
+  const auto exact = impact::simulate(chain, {.flow = flow::Kind::cvode_adams});
+  impact::ChainSolver solver;
+  for (const double accuracy : {1e-8, 1e-10, 1e-14}) {
+    const auto impact = impact::simulate(chain, {.accuracy = accuracy});
+    const double error = impact::difference(impact.velocity, exact.velocity, model::reference_speed(chain));
+    BOOST_TEST(impact.estimated_accuracy.value() > 1e-8);
+    BOOST_TEST(error < 30 * *impact.estimated_accuracy);
+    const auto& brief = solver.solve(chain, {.accuracy = accuracy});
+    BOOST_TEST(brief.estimated_accuracy.value() > 1e-8);
+    BOOST_TEST(brief.velocity == impact.velocity, boost::test_tools::per_element());
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_run_that_fails_leaves_the_one_before) {
-  BOOST_TEST(!impact::keep_promise({.accuracy = 1e-8}, 16 * epsilon,
-                                   [](const hybrid::Options&) { return std::optional<double>(); }));
+  const auto fails = [](const hybrid::Options&) { return std::optional<double>(); };
+  BOOST_TEST(!impact::keep_promise({.accuracy = 1e-8}, 16 * epsilon, fails, rounding_makes(1)));
 }
 
 BOOST_AUTO_TEST_CASE(what_is_not_a_number_never_agrees) {
@@ -77,6 +124,8 @@ BOOST_AUTO_TEST_CASE(a_run_that_balances_is_not_replaced_by_one_that_does_not) {
   BOOST_TEST(!impact::may_replace(Ending::separated, Ending::unsure));
   BOOST_TEST(!impact::may_replace(Ending::separated, Ending::interrupted));
   BOOST_TEST(!impact::may_replace(Ending::separated, Ending::failed));
+  BOOST_TEST(impact::may_replace(Ending::event_limit, Ending::event_limit));
+  BOOST_TEST(!impact::may_replace(Ending::separated, Ending::event_limit));
 }
 
 BOOST_AUTO_TEST_CASE(a_single_wave_is_run_once) {
@@ -105,4 +154,27 @@ BOOST_AUTO_TEST_CASE(contacts_that_close_again_and_again_keep_the_accuracy) {
     }
   }
   BOOST_TEST(checked > 60);
+}
+
+// Tighter runs are the same to the last bit, and do not show it.
+BOOST_AUTO_TEST_CASE(rounding_that_grows_beyond_the_accuracy_is_told) {
+  const auto chain = light_between_heavy();
+  const auto impact = impact::simulate(chain);
+  BOOST_TEST_REQUIRE(impact.estimated_accuracy.has_value());
+  BOOST_TEST(*impact.estimated_accuracy > 1e-6);
+  impact::ChainSolver solver;
+  const auto brief = solver.solve(chain);
+  BOOST_TEST(brief.estimated_accuracy.value() == *impact.estimated_accuracy);
+  BOOST_TEST(brief.velocity == impact.velocity, boost::test_tools::per_element());
+  const auto network = model::as_network(chain);
+  const auto linked = impact::simulate(network);
+  BOOST_TEST(linked.estimated_accuracy.value() > 1e-6);
+  BOOST_TEST(impact::NetworkSolver().solve(network).estimated_accuracy.value() == *linked.estimated_accuracy);
+}
+
+// The slowest motion is that of the heavy balls at the ends, 10⁶ times slower than that of light ones.
+BOOST_AUTO_TEST_CASE(natural_modes_follow_what_series_would_take_millions_of_steps_for) {
+  const auto impact = impact::ChainSolver().solve(light_between_heavy());
+  BOOST_TEST((impact.ending == hybrid::Ending::separated));
+  BOOST_TEST(impact.steps < 10'000);
 }

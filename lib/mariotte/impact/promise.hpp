@@ -8,6 +8,8 @@
 //     a ← tighter, as the last difference says; run again
 //     difference of the velocities ≤ accuracy asked for?  → the tighter run, with the difference as estimate
 //     a cannot get tighter?                               → the same, and the estimate says so
+//   a tighter run cannot be had, or is the same to the last bit?
+//     run with masses that are moved by rounding errors; the largest difference is the estimate
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -19,6 +21,7 @@
 #include "mariotte/hybrid/ending.hpp"
 #include "mariotte/hybrid/options.hpp"
 #include "mariotte/impact/flow_use.hpp"
+#include "mariotte/impact/shaken.hpp"
 
 namespace mariotte::impact {
 
@@ -78,30 +81,34 @@ inline double difference(std::span<const double> a, std::span<const double> b, d
   return speed > 0 ? most / speed : most;
 }
 
-/// A tighter run takes the place of a looser one unless it failed, was given up, or balances worse.
+/// A tighter run takes the place of a looser one unless it failed, was given up, has run into a limit of
+/// events that the other has not, or balances worse.
 inline bool may_replace(hybrid::Ending looser, hybrid::Ending tighter) {
   using hybrid::Ending;
-  return tighter != Ending::failed && tighter != Ending::interrupted &&
-         (tighter != Ending::unsure || looser == Ending::unsure);
+  if (tighter == Ending::failed || tighter == Ending::interrupted) return false;
+  return tighter == looser || (tighter != Ending::event_limit && tighter != Ending::unsure);
 }
 
 /// Run tighter until two runs agree within the accuracy that is `asked` for: `run(options)` runs and returns
 /// by how much its velocities differ from those of the run before, or nothing if it may not replace it.
-/// Returns the last difference; empty if no tighter run succeeded, or told anything new.
-template <class Run>
-std::optional<double> keep_promise(const hybrid::Options& asked, double attainable, Run&& run) {
+/// Where no tighter run tells anything new, `shake()` says what rounding makes of the velocities, which no
+/// accuracy mends. Returns the last difference; empty if the first tighter run has failed.
+template <class Run, class Shake>
+std::optional<double> keep_promise(const hybrid::Options& asked, double attainable, Run&& run,
+                                   Shake&& shake) {
   std::optional<double> last;
   auto tighter = asked;
   auto accuracy = next_accuracy(asked.accuracy, asked.accuracy, last, attainable);
   while (accuracy) {
     tighter.accuracy = *accuracy;
     const std::optional<double> apart = run(tighter);
-    if (!apart || *apart == 0) break;  // the same to the last bit: the flow has no more to give
+    if (!apart) return last;
+    if (*apart == 0) break;  // the same to the last bit: the flow has no more to give
     last = apart;
     if (*last <= asked.accuracy) break;
     accuracy = next_accuracy(asked.accuracy, *accuracy, last, attainable);
   }
-  return last;
+  return last ? last : shake();
 }
 
 /// What a whole result of a chain or network has gone through.
@@ -114,37 +121,56 @@ Passage passage(const Impact& impact) {
   return gone;
 }
 
-/// Where errors may have grown on the way of a result: `again(options)` makes a tighter one, which takes the
-/// place of `impact` if it may, until two agree; `apart(a, b)` is by how much two differ.
-template <class Impact, class Again, class Apart>
-void keep_promise(const hybrid::Options& asked, const Passage& gone, Impact& impact, Again&& again,
-                  Apart&& apart) {
-  impact.estimated_accuracy.reset();
-  if (!may_have_erred(gone) || impact.ending == hybrid::Ending::interrupted) return;
-  impact.estimated_accuracy =
-      keep_promise(asked, gone.attainable, [&](const hybrid::Options& options) -> std::optional<double> {
-        auto tighter = again(options);
-        if (!may_replace(impact.ending, tighter.ending)) return std::nullopt;
-        const double difference = apart(impact, tighter);
-        impact = std::move(tighter);
-        return difference;
-      });
+/// The largest difference that shaking makes among runs that end alike; empty if none does.
+template <class After>
+std::optional<double> most_shaken(After&& after) {
+  std::optional<double> most;
+  for (const unsigned shake : shakes)
+    if (const auto apart = after(shake)) most = std::max(most.value_or(0), *apart);
+  return most;
 }
 
-/// The same for brief results: `solve(options)` fills in `impact`; `looser` is memory.
-template <class Brief, class Solve, class Apart>
-void keep_promise(const hybrid::Options& asked, const Passage& gone, Brief& impact, Brief& looser,
-                  Solve&& solve, Apart&& apart) {
+/// Where errors may have grown on the way of a result: `again(model, options)` makes a tighter one, which
+/// takes the place of `impact` if it may, until two agree; `apart(a, b)` is by how much two differ.
+template <class Model, class Impact, class Again, class Apart>
+void keep_promise(const Model& model, const hybrid::Options& asked, const Passage& gone, Impact& impact,
+                  Again&& again, Apart&& apart) {
+  impact.estimated_accuracy.reset();
+  if (!may_have_erred(gone) || impact.ending == hybrid::Ending::interrupted) return;
+  const auto run = [&](const hybrid::Options& options) -> std::optional<double> {
+    auto tighter = again(model, options);
+    if (!may_replace(impact.ending, tighter.ending)) return std::nullopt;
+    const double difference = apart(impact, tighter);
+    impact = std::move(tighter);
+    return difference;
+  };
+  const auto after = [&](unsigned shake) -> std::optional<double> {
+    const auto other = again(shaken(model, shake), asked);
+    return other.ending == impact.ending ? std::optional(apart(impact, other)) : std::nullopt;
+  };
+  impact.estimated_accuracy = keep_promise(asked, gone.attainable, run, [&] { return most_shaken(after); });
+}
+
+/// The same for brief results: `solve(model, options)` fills in `impact`; `looser` is memory.
+template <class Model, class Brief, class Solve, class Apart>
+void keep_promise(const Model& model, const hybrid::Options& asked, const Passage& gone, Brief& impact,
+                  Brief& looser, Solve&& solve, Apart&& apart) {
   impact.estimated_accuracy.reset();
   if (!may_have_erred(gone)) return;
-  const auto estimate =
-      keep_promise(asked, gone.attainable, [&](const hybrid::Options& options) -> std::optional<double> {
-        looser = impact;
-        solve(options);
-        if (may_replace(looser.ending, impact.ending)) return apart(impact, looser);
-        std::swap(impact, looser);
-        return std::nullopt;
-      });
+  const auto run = [&](const hybrid::Options& options) -> std::optional<double> {
+    looser = impact;
+    solve(model, options);
+    if (may_replace(looser.ending, impact.ending)) return apart(impact, looser);
+    std::swap(impact, looser);
+    return std::nullopt;
+  };
+  const auto after = [&](unsigned shake) -> std::optional<double> {
+    looser = impact;
+    solve(shaken(model, shake), asked);
+    std::swap(impact, looser);
+    return looser.ending == impact.ending ? std::optional(apart(impact, looser)) : std::nullopt;
+  };
+  const auto estimate = keep_promise(asked, gone.attainable, run, [&] { return most_shaken(after); });
   impact.estimated_accuracy = estimate;
 }
 

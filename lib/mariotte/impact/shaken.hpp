@@ -1,0 +1,44 @@
+// Models with masses that are moved by rounding errors: what becomes of that is what rounding does to a run.
+#pragma once
+#include <array>
+
+#include "mariotte/core/types.hpp"
+#include "mariotte/model/bodies/bodies.hpp"
+#include "mariotte/model/chain/chain.hpp"
+#include "mariotte/model/microbody/microbody.hpp"
+#include "mariotte/model/network/network.hpp"
+
+namespace mariotte::impact {
+
+/// Ways to go up and down, bit i for mass i: how much one of them tells is a matter of luck.
+inline constexpr std::array shakes = {0xAAAAAAAAu, 0x9C3F5A16u, 0x6B1D93E4u};
+
+/// Mass i, changed by more than the rounding of one operation.
+inline double shaken(double mass, std::size_t i, unsigned shake) {
+  return mass * (1 + (shake >> i % 32 & 1 ? 4 : -4) * epsilon);
+}
+
+inline model::Chain shaken(model::Chain chain, unsigned shake) {
+  for (std::size_t i = 0; i < chain.mass.size(); ++i) chain.mass[i] = shaken(chain.mass[i], i, shake);
+  return chain;
+}
+
+/// A full mass matrix is shaken along its diagonal, so that it stays symmetric.
+inline model::Network shaken(model::Network network, unsigned shake) {
+  const std::size_t dofs = network.velocity.size(), step = network.mass.size() == dofs ? 1 : dofs + 1;
+  for (std::size_t i = 0; i < dofs; ++i) network.mass[step * i] = shaken(network.mass[step * i], i, shake);
+  return network;
+}
+
+inline model::Bodies shaken(model::Bodies bodies, unsigned shake) {
+  for (std::size_t i = 0; i < bodies.body.size(); ++i)
+    bodies.body[i].mass = shaken(bodies.body[i].mass, i, shake);
+  return bodies;
+}
+
+inline model::Microbody shaken(model::Microbody body, unsigned shake) {
+  body.body.mass = shaken(body.body.mass, 0, shake);
+  return body;
+}
+
+}  // namespace mariotte::impact
