@@ -7,7 +7,7 @@
 #include "mariotte/core/overload.hpp"
 #include "mariotte/impact/shallow.hpp"
 #include "mariotte/report/text.hpp"
-#include "mariotte/report/validity.hpp"
+#include "mariotte/report/warnings.hpp"
 #include "mariotte/scene/judge.hpp"
 #include "mariotte/scene/simulate.hpp"
 #include "mariotte/study/sweep/columns.hpp"
@@ -33,17 +33,18 @@ bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-std::string all_warnings(const impact::Validity& validity) {
+std::string all_warnings(const impact::ContactImpact& impact) {
   std::string text;
-  for (const auto& one : report::warnings(validity, "contact")) text += one + "\n";
+  for (const auto& one : report::warnings(impact)) text += one + "\n";
   return text;
 }
 
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(a_gentle_impact_is_within_all_limits) {
-  const auto validity = run(pair("0.1 m/s")).validity;
-  BOOST_TEST(all_warnings(validity) == "");
+  const auto impact = run(pair("0.1 m/s"));
+  const auto& validity = impact.validity;
+  BOOST_TEST(all_warnings(impact) == "");
   BOOST_TEST(validity.yield_ratio.has_value());
   BOOST_TEST(validity.contact_time_ratio.has_value());
 }
@@ -57,12 +58,23 @@ BOOST_AUTO_TEST_CASE(first_yield_speed_is_where_the_pressure_reaches_its_limit) 
 
 BOOST_AUTO_TEST_CASE(fast_steel_balls_yield_and_ring) {
   const auto impact = run(pair("500 m/s"));
-  const auto text = all_warnings(impact.validity);
+  const auto text = all_warnings(impact);
   BOOST_TEST((impact.ending == hybrid::Ending::separated));
   for (const char* part : {"contact 1: max a/R = ", "max p₀/1.6Y = ", "min t_c/t_w = ", "is below 5"})
     BOOST_TEST(has(text, part), part);
   const auto json = report::json_text(impact, scene::parse(pair("500 m/s"), "s.toml"));
   BOOST_TEST(has(json, "\"warnings\""));
+}
+
+BOOST_AUTO_TEST_CASE(results_say_that_an_accuracy_was_not_reached) {
+  auto impact = run(pair("0.1 m/s"));
+  impact.estimated_accuracy = 3e-5;
+  BOOST_TEST(
+      has(all_warnings(impact), "velocities may be wrong by 3.0e-05 of the largest speed, where 1e-10"));
+  const auto json = report::json_text(impact, scene::parse(pair("0.1 m/s"), "s.toml"));
+  BOOST_TEST(has(json, "may be wrong by 3.0e-05"));
+  impact.estimated_accuracy = impact.requested_accuracy;
+  BOOST_TEST(all_warnings(impact) == "");
 }
 
 BOOST_AUTO_TEST_CASE(contact_time_is_that_of_hertz) {
