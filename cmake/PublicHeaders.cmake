@@ -32,12 +32,16 @@ set(MARIOTTE_PUBLIC_HEADERS
   model/network/mass_matrix.hpp
   model/network/network.hpp
   impact/bodies/bodies_impact.hpp
+  impact/bodies/first_impact.hpp
   impact/brief_impact.hpp
   impact/chain/chain_batch.hpp
   impact/chain/chain_impact.hpp
   impact/chain/chain_solver.hpp
+  impact/course.hpp
   impact/flow_use.hpp
   impact/laws/configuration.hpp
+  impact/laws/friction_laws.hpp
+  impact/laws/frictional_contact.hpp
   impact/laws/icr_table.hpp
   impact/laws/law_outcome.hpp
   impact/laws/multiple_impact_law.hpp
@@ -45,6 +49,7 @@ set(MARIOTTE_PUBLIC_HEADERS
   impact/laws/rival_laws.hpp
   impact/microbody/capture_velocity.hpp
   impact/microbody/microbody_impact.hpp
+  impact/microbody/microbody_batch.hpp
   impact/microbody/microbody_solver.hpp
   impact/network/network_impact.hpp
   impact/network/network_solver.hpp

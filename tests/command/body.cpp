@@ -128,7 +128,7 @@ BOOST_FIXTURE_TEST_CASE(a_sweep_gives_the_curve_of_restitution_over_tilt, Bodies
 BOOST_FIXTURE_TEST_CASE(commands_for_another_model_refuse_the_scene, Bodies) {
   const auto law = mariotte("law microrod.toml");
   BOOST_TEST(law.code == 3);
-  BOOST_TEST(has(law.err, "needs a [chain] or [network]"));
+  BOOST_TEST(has(law.err, "need a [chain], [network] or [bodies]"));
   const auto capture = mariotte("capture three.toml");
   BOOST_TEST(capture.code == 3);
   BOOST_TEST(has(capture.err, "only two bodies of a [chain]"));

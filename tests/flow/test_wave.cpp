@@ -67,6 +67,19 @@ BOOST_AUTO_TEST_CASE(the_first_root_of_a_wave_is_found_however_short_its_visit) 
   }
 }
 
+// It falls all along an interval that is ten million times as long as the time to its root, where Newton's
+// steps change little from one to the next.
+BOOST_AUTO_TEST_CASE(a_root_is_found_early_in_an_interval_however_long) {
+  const std::vector<NaturalMode> modes = {{Form::separate, 7.12285e-07, 0.0663098},
+                                          {Form::oscillating, 0.0505483, 1.06559}};
+  const Wave wave{-0.6, -1.2, {{2.75e-05, 0.82}, {-0.187, 0.9}}};
+  for (const double end : {0.5, 50.0, 4.5e6, 4.5e12}) {
+    const auto root = flow::first_fall(wave, modes, 0, end);
+    BOOST_REQUIRE(root.has_value());
+    BOOST_TEST(std::abs(wave.at(modes, *root)) < 1e-15, end);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_wave_that_only_comes_near_zero_has_no_root) {
   for (const double distance : {1e-1, 1e-4, 1e-8, 1e-12}) {
     const Wave wave{1 + 1e-3 + distance, 0, {sine(1, 1, 0.3), sine(1e-3, 977, 0)}};

@@ -95,6 +95,19 @@ BOOST_AUTO_TEST_CASE(a_ball_that_falls_meets_the_plane_as_fast_as_it_must) {
   BOOST_TEST(*separation < *approach);
 }
 
+BOOST_AUTO_TEST_CASE(accuracy_of_what_falls_and_comes_to_rest_is_relative_to_how_it_landed) {
+  auto bodies = strike(0, {}, contact::Viscoelastic{.stiffness = 1e5, .damping = 100, .exponent = 1});
+  bodies.body[0].velocity = {};
+  bodies.body[0].position.e2 += 0.05;
+  bodies.contact[0].touching = false;
+  bodies.gravity = {0, -9.81, 0};
+  const hybrid::Options options{.accuracy = 1e-8, .max_time = 0.2, .flies_on = true};
+  const auto impact = impact::simulate(bodies, options);
+  BOOST_TEST(std::abs(impact.body[0].velocity.e2) < 1e-8);
+  BOOST_TEST(impact::estimate_accuracy(bodies, options, impact) < options.accuracy);
+  BOOST_TEST(impact.estimated_accuracy.value_or(0) < options.accuracy);
+}
+
 BOOST_AUTO_TEST_CASE(linear_springs_turn_the_slip_by_the_ratio_of_their_periods) {
   const double k = 1e6, angle = 0.2;
   for (const double ratio : {0.1, 2.0 / 7, 0.5}) {

@@ -4,6 +4,7 @@
 
 #include "mariotte/core/error.hpp"
 #include "mariotte/impact/chain/chain_solver.hpp"
+#include "mariotte/impact/network/network_impact.hpp"
 #include "support/reference.hpp"
 
 using namespace mariotte;
@@ -263,4 +264,106 @@ BOOST_AUTO_TEST_CASE(a_slack_contact_with_a_load_of_rounding_is_not_passed_throu
       BOOST_TEST((impact.ending == hybrid::Ending::time_limit), impact.message);
       BOOST_TEST(test::difference(impact.velocity, expected) < 1e-9, flow);
     }
+}
+
+// A contact that creeps like exp(−k t/c) has a load smaller than its rounding. Whether it still pushes must
+// not depend on whether that crosses zero.
+BOOST_AUTO_TEST_CASE(what_creeps_lets_go_once_at_every_accuracy_by_every_flow) {
+  struct {
+    model::Chain chain;
+    std::vector<double> expected;
+  } const scenes[] = {
+      {{.mass = {1.1040862051333844, 0.01232210769577253, 1.2836528822141628, 0.016097350439654337,
+                 0.73371441418892103, 0.0012054550306491928},
+        .law = {law(0.39787461188929285, 1.041500553151486, 1.7164802129404855),
+                law(0.93728731708293123, 0.1804180334450714, 2.4745020266467721),
+                law(0.53296283085138063, 0, 1.110210393136561),
+                law(1.3480194758664077, 1953.6193180817702, 1),
+                law(1.167786666263495, 11.057973970246787, 1.7026603159364864)},
+        .gap = {0, 0.37255218069257273, 0.22371646221897545, 0.35464081508214362, 0.33679885417617972},
+        .velocity = {0.51488247128385178, -0.18666009180500565, -0.19483903698884419, -0.67737373186853489,
+                     -0.73154616729889699, -0.79277222792898416}},
+       {-0.470493354725, -0.2967195568933, -0.02107274253276, 0.4229382398402, 0.4229385391154,
+        0.4235641298726}},
+      {{.mass = {1, 1, 1, 1, 1, 1, 1},
+        .law = {law(1, 8273.9677894580182, 2), law(1, 0, 2.8967103476191287), law(1, 0, 1.308822742463001),
+                law(1, 5251.6249944293731, 1), law(1, 5251.6249944293731, 2.484236378386004), law(1, 0, 1)},
+        .gap = {0, 0, 0, 0.39470525410333246, 0, 0},
+        .velocity = {-0.055190800857205291, 0.82279264604125535, 0.93211234366088114, -0.41051317435595602,
+                     -0.93743185622609149, -0.87241716247989221, 0.1601997205122272}},
+       {-0.74471624801, -0.7447146876936, -0.4565848739119, 0.3183444969202, 0.3183446025046, 0.31835530055,
+        0.6305231259365}}};
+  impact::ChainSolver solver;
+  for (const auto& [chain, expected] : scenes)
+    for (const char* flow : {"auto", "modal", "cvode-bdf-klu"})
+      for (const double accuracy : {1e-8, 1e-10, 1e-12}) {
+        const auto& impact = solver.solve(chain, {.accuracy = accuracy, .flow = flow::parse_kind(flow)});
+        BOOST_TEST((impact.ending == hybrid::Ending::separated), impact.message);
+        BOOST_TEST(test::difference(impact.velocity, expected) < 1e-11, flow << " at " << accuracy);
+      }
+}
+
+// Its load vanishes within a twentieth of its natural time; it would creep for 10⁵ of them.
+BOOST_AUTO_TEST_CASE(a_damper_in_a_network_is_not_followed_while_it_creeps) {
+  const auto network = model::as_network({.mass = {0.55175073646940376, 248.97902720314315},
+                                          .law = {law(0.60009930460237426, 13396.870212254129, 1.5)},
+                                          .gap = {0},
+                                          .velocity = {-0.20762493089325096, -0.62680731628081054}});
+  for (const double accuracy : {1e-6, 1e-10, 1e-12}) {
+    const auto impact = impact::simulate(network, {.accuracy = accuracy});
+    BOOST_TEST((impact.ending == hybrid::Ending::separated), impact.message);
+    BOOST_TEST(impact.time < 0.06);
+    BOOST_TEST(test::difference(impact.velocity, std::vector{-0.6258804789416, -0.6258804397914}) < 1e-12);
+  }
+}
+
+// Of a contact that has hardly begun, coefficients of order 20 are as large as (δ̇/δ)²⁰ with δ = 10⁻¹⁷.
+BOOST_AUTO_TEST_CASE(series_of_a_contact_that_has_hardly_begun_do_not_overflow) {
+  const model::Chain chain{
+      .mass = {0.7761538174417637, 0.90334308846299383, 1.6130654382674201, 1.0653062242311309},
+      .law = {law(1, 0.31137376435825925, 3), law(1, 856.17378097676612, 1.1229864242378411),
+              law(1, 0.049225910881886187, 1.5944080574212465)},
+      .gap = {0, 0, 0},
+      .velocity = {0.76801022962017962, 0.24409180884597825, 0.32658001912564183, -0.75254404977730682},
+      .gravity = -0.60848021854188694};
+  impact::ChainSolver solver;
+  for (const double accuracy : {1e-10, 1e-13, 1e-15}) {
+    const auto& impact = solver.solve(chain, {.accuracy = accuracy, .max_events = 100});
+    BOOST_TEST((impact.ending == hybrid::Ending::separated), impact.message);
+    BOOST_TEST(impact.periods == (std::vector<Index>{1, 1, 1}), boost::test_tools::per_element());
+  }
+}
+
+// The load by which the second ball holds the light one is smaller than what a loose step makes of it.
+BOOST_AUTO_TEST_CASE(a_light_ball_that_is_pressed_gently_stays_where_it_is_at_loose_accuracy) {
+  const model::Chain chain{.mass = {0.00037966677690409972, 16.637117187372333, 132.59030537892272},
+                           .law = {law(12.975591817359314, 93.768260694455705, 1),
+                                   law(1113.0219139862654, 1.7103913486935007, 1.5)},
+                           .gap = {0, 0},
+                           .velocity = {1, 0, 0}};
+  impact::ChainSolver solver;
+  const auto exact = solver.solve(chain, {.accuracy = 1e-10});
+  const auto loose = solver.solve(chain, {.accuracy = 1e-6, .max_events = 100});
+  BOOST_TEST((loose.ending == hybrid::Ending::separated), loose.message);
+  BOOST_TEST(loose.periods[0] <= exact.periods[0]);
+  BOOST_TEST(test::difference(loose.velocity, exact.velocity) < 1e-6);
+}
+
+// Two light balls with a strong damper between them swing on a heavy one. BDF's first steps are no longer
+// than those of series, which would need more than ten million of them; its later ones are.
+BOOST_AUTO_TEST_CASE(series_lose_patience_with_a_damper_that_swings) {
+  const model::Chain chain{.mass = {1671.5133400401337, 1931.7199056826878, 0.0058671970811175244,
+                                    0.0043374688689555626, 1934.9315210821615},
+                           .law = {law(0.12595767632776911, 0, 1.2450208712448474),
+                                   law(0.0010990372726720763, 0.0017268427067702453, 1.6858878094517205),
+                                   law(1.301907658342075, 760.90032168294522, 1.3180390311303654),
+                                   law(375.54281429107579, 0.053539772941115706, 1.4507332755405389)},
+                           .gap = {0, 0, 0, 0.83143977943791547},
+                           .velocity = {0.17375322969634488, 0.70501693444886171, 0.83082167575411581,
+                                        -0.34190805197290408, 0.093203598533756038}};
+  const std::vector<double> expected = {0.0927381923, 0.1682967853, 0.6970125789, 0.6988083862, 0.6990167604};
+  const auto impact = impact::ChainSolver().solve(chain, {.accuracy = 1e-8});
+  BOOST_TEST((impact.ending == hybrid::Ending::separated), impact.message);
+  BOOST_TEST(test::difference(impact.velocity, expected) < 1e-9);
+  BOOST_TEST(impact.steps < 1'000'000);
 }

@@ -168,16 +168,16 @@ BOOST_FIXTURE_TEST_CASE(pairs_of_every_law_part_alike_by_either_flow, Session) {
   const auto rows = numbers_of_rows<5>(run.out);
   for (const auto& [accuracy, time, adams, ratio, difference] : rows)
     BOOST_TEST(difference <= 2 * accuracy, accuracy << " in " << time << ", " << adams << ", " << ratio);
-  BOOST_TEST(rows.size() == 24u);
+  BOOST_TEST(rows.size() == 26u);
 }
 
-BOOST_FIXTURE_TEST_CASE(triplets_are_alike_one_by_one_and_side_by_side, Session) {
+BOOST_FIXTURE_TEST_CASE(small_impacts_are_alike_one_by_one_and_side_by_side, Session) {
   const auto run = mariotte("--quick --lanes");
   BOOST_TEST(run.code == 0);
   const auto rows = numbers_of_rows<5>(run.out);
   for (const auto& [accuracy, alone, lanes, ratio, difference] : rows)
     BOOST_TEST(difference <= accuracy, accuracy << " in " << alone << ", " << lanes << ", " << ratio);
-  BOOST_TEST(rows.size() == 7u);
+  BOOST_TEST(rows.size() == 11u);
 }
 
 BOOST_FIXTURE_TEST_CASE(bodies_with_friction_are_as_accurate_as_asked_by_either_flow, Session) {
@@ -216,10 +216,9 @@ BOOST_FIXTURE_TEST_CASE(slopes_are_measured_beside_those_of_cvodes, Session) {
   int hertz = 0, rows = 0;
   while (std::getline(lines, line)) {
     std::istringstream numbers(line.substr(std::min<std::size_t>(22, line.size())));
-    double accuracy, time, parameters, all, one, rival;
-    numbers >> accuracy >> time >> parameters >> all >> one;
-    if (line.starts_with("Hertz")) hertz += static_cast<bool>(numbers >> rival);
-    rows += !numbers.fail() && line.find(" balls ") < 8;
+    const std::vector<double> all{std::istream_iterator<double>(numbers), {}};
+    hertz += line.starts_with("Hertz") && all.size() == 7;
+    rows += line.find(" balls ") < 8 && all.size() == 5;
   }
   BOOST_TEST(hertz == 4);
   BOOST_TEST(rows == 6);

@@ -10,4 +10,12 @@ constexpr T mindlin_yielding(const T& slip, const Number& growth, const T& appro
   return slip - (unloading ? 1.0 : 1.5) * (growth * approach);
 }
 
+/// Energy lost in slip by changes of its stiffness, from one √δ to another: ∫ (μ f_n)² |dk_t|/2 k_t²; `cap`
+/// is μ k, `stiffness` κ.
+inline double mindlin_rescaled(double cap, double stiffness, double from, double to, bool unloading) {
+  const auto fifth = [](double x) { return x * x * x * x * x; };
+  const double change = 0.1 * cap * cap / stiffness * (fifth(to) - fifth(from));
+  return unloading ? -change : change;
+}
+
 }  // namespace mariotte

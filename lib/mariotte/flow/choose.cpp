@@ -34,18 +34,37 @@ constexpr double decades_per_contact = 0.8;
 /// contacts cost the cube of their number.
 constexpr Index most_linked_modes = 50, most_damped_linked_modes = 8;
 
-/// Largest over smallest of the rates squared, k/m* and (c/m*)², of the contacts that carry force.
+/// Of the two heaviest bodies that contacts may push, but for a second wall: between them the slowest motion
+/// takes place, however quick light bodies are.
+double least_mobility(const SerialPhase& phase) {
+  const auto& contact = phase.contact;
+  const auto is_joined = [&](std::size_t i) {
+    return (i > 0 && contact[i - 1].role != Role::open) ||
+           (i < contact.size() && contact[i].role != Role::open);
+  };
+  double least = infinity, next = infinity;
+  for (std::size_t i = 0; i < phase.body.size(); ++i) {
+    const double mobility = phase.body[i].inverse_mass;
+    if (!is_joined(i) || (mobility == 0 && least == 0)) continue;
+    next = std::min(next, std::max(least, mobility));
+    least = std::min(least, mobility);
+  }
+  return least + next;
+}
+
+/// Largest over smallest of the rates squared: k/m* and (c/m*)² of the contacts that carry force, and what
+/// the softest of them would have between the heaviest bodies.
 double spread(const SerialPhase& phase) {
-  double least = infinity, most = 0;
+  double softest = infinity, most = 0;
   for (std::size_t j = 0; j < phase.contact.size(); ++j) {
     const auto& c = phase.contact[j];
     if (c.role == Role::open) continue;
     const double mobility = phase.body[j].inverse_mass + phase.body[j + 1].inverse_mass;
     const double decay = c.damping * mobility;
-    least = std::min(least, c.stiffness * mobility);
+    softest = std::min(softest, c.stiffness);
     most = std::max({most, c.stiffness * mobility, decay * decay});
   }
-  return most / least;
+  return most / (softest * least_mobility(phase));
 }
 
 Index pushing(const std::vector<PhaseContact>& contacts) {
@@ -72,6 +91,7 @@ bool pays(Kind kind, const Problem& problem) {
   if (kind == Kind::pair) return row;
   const auto* linked = problem.linked();
   if (!row && !linked) return false;
+  if (kind == Kind::modal && !are_linear(row ? row->contact : linked->contact)) return false;
   if (kind == Kind::modal) return row ? modes_pay(*row) : modes_pay(*linked);
   if (kind != Kind::taylor) return true;
   return problem.damping_group() < stiff_for_taylor;

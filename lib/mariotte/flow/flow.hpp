@@ -38,6 +38,8 @@ class StepObserver {
  public:
   virtual ~StepObserver() = default;
   virtual void observe(const Step& step) = 0;
+  /// Differentiates steps: the root of a contact that begins or ends bounds slopes more than the motion.
+  virtual bool has_slopes() const { return false; }
 };
 
 /// Why a flow stopped.
@@ -65,7 +67,7 @@ struct Request {
   double accuracy = 1e-10;           ///< wanted error at the end of the run, relative to the magnitudes
   StepObserver* observer = nullptr;  ///< may be null
   double least_step = 0;  ///< average step below which another flow goes on: the phase is given up as `stiff`
-  bool patient = false;   ///< a phase is not given up for its length
+  bool patient = false;   ///< a phase is given up for its length much later
 };
 
 /// A method that follows a smooth field.

@@ -1,5 +1,6 @@
 // Contacts that link the dofs of a system in any way, seen as what they are.
 #pragma once
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -21,5 +22,15 @@ struct LinkedPhase {
   double speed = 1;       ///< natural relative speed
   double fade_speed = 0;  ///< rate at which a contact fades that is less deep than its faded()
 };
+
+/// Other links may draw apart what touches at rest. Until it has left the noise its smooth force would pull
+/// then, by c δⁿ: too much where damping is strong.
+inline bool may_pull(const PhaseContact& contact, double speed) {
+  return contact.role == Role::touching && contact.damping_share(speed) > 0.5;
+}
+inline bool may_pull(const LinkedPhase& phase) {
+  return std::any_of(phase.contact.begin(), phase.contact.end(),
+                     [&](const PhaseContact& c) { return may_pull(c, phase.speed); });
+}
 
 }  // namespace mariotte::flow

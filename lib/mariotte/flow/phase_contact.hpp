@@ -1,6 +1,8 @@
 // A contact as the flows see it that need more than a field.
 #pragma once
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "mariotte/core/damping.hpp"
 #include "mariotte/core/types.hpp"
@@ -56,5 +58,13 @@ struct PhaseContact {
   /// Indentation from which a contact touched at rest is watched: out of the noise.
   double loaded() const { return 2 * noise_depth; }
 };
+
+/// All forces are those of linear contacts from δ = 0 on.
+inline bool are_linear(const std::vector<PhaseContact>& contacts) {
+  const auto is_straight = [](const auto& c) {
+    return c.role == Role::open || (c.is_linear() && c.branch_guard < 0);
+  };
+  return std::all_of(contacts.begin(), contacts.end(), is_straight);
+}
 
 }  // namespace mariotte::flow

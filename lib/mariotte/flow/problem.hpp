@@ -41,6 +41,11 @@ class Problem {
 
   virtual Index guard_count() const = 0;
   virtual void guards(ConstState x, State values) const = 0;
+  /// Both of one state, which may have much in common.
+  virtual void derivative_and_guards(ConstState x, State dx, State values) const {
+    derivative(x, dx);
+    guards(x, values);
+  }
   /// Time derivatives of the guards, given dx = f(x).
   virtual void guard_rates(ConstState x, ConstState dx, State rates) const = 0;
   /// One crossing per guard.

@@ -16,6 +16,7 @@
 //     if no guard can ever cross       → separated
 //     t ← t + duration                                  a compensated sum of local clocks
 //     mode ← transition(mode, fired, x)                 the whole set that fired at t⁻
+//     if there is no such mode         → failed
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -23,6 +24,7 @@
 #include <utility>
 
 #include "mariotte/core/compensated.hpp"
+#include "mariotte/core/error.hpp"
 #include "mariotte/core/scale.hpp"
 #include "mariotte/hybrid/options.hpp"
 #include "mariotte/hybrid/system.hpp"
@@ -61,6 +63,7 @@ class AskingObserver final : public flow::StepObserver {
     observer_.observe(step);
     if (observer_.gives_up()) throw GivenUp{step.end, {step.after.begin(), step.after.end()}};
   }
+  bool has_slopes() const override { return observer_.has_slopes(); }
 
  private:
   PhaseObserver& observer_;
@@ -166,7 +169,12 @@ const Trajectory<typename System::Change>& simulate(System& system, ConstState x
     if (arrival->outcome == flow::Outcome::failed) return end(Ending::failed, std::move(arrival->message));
     at_once = time.value() > began ? 0 : at_once + 1;
     if (at_once > most_at_once) return end(Ending::failed, "contacts change without end at one instant");
-    system.transition(mode, workspace.fired, x, changes);
+    try {
+      system.transition(mode, workspace.fired, x, changes);
+    } catch (const Error& impasse) {
+      record(run, time.value(), changes);
+      return end(Ending::failed, impasse.what());
+    }
   }
 }
 

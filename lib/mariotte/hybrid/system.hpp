@@ -11,7 +11,7 @@ namespace mariotte::hybrid {
 /// A system whose state x is continuous while its mode jumps. A system may add components for what it follows
 /// from now on, and give those that a mode alone uses the meaning that the next one reads.
 ///   mode_at(x, mode, changes)     sets the mode in which the run starts, at 0+
-///   transition(mode, fired, x, …) the mode after a set of guards has fired at x
+///   transition(mode, fired, x, …) the mode after a set of guards has fired at x, or an Error: there is none
 ///   is_over(mode, x, impacted)    nothing can happen any more
 ///   ending(mode)                  the way in which it is over then
 ///   finish(mode, changes)         the mode to end in, once it is over

@@ -7,7 +7,8 @@
 namespace mariotte::hybrid {
 
 /// The flows of one phase in turn: the cheapest, and after it those that may take over. A flow that gave up
-/// for the length of the phase alone goes on with it if the next one takes no longer steps.
+/// for the length of the phase alone goes on with it if the next one takes no longer steps, until it has lost
+/// patience.
 class Turns {
  public:
   /// Options and problem must live as long.

@@ -20,6 +20,8 @@ constexpr double most_misfit = 1e-10;
 /// Instead of a guard: a contact touched at rest is pulled apart, and the mode is over. Not in rows, where
 /// what presses one contact presses the next.
 constexpr Index parts = -1;
+/// Instead of a guard: one that touched at rest pulls, which no modes may.
+constexpr Index pulls = -2;
 
 /// A wave that is positive until its guard fires.
 struct Watched {
@@ -27,14 +29,6 @@ struct Watched {
   Index contact;
   Wave wave;
 };
-
-/// All forces are those of linear contacts from δ = 0 on.
-bool is_linear(const std::vector<PhaseContact>& contacts) {
-  const auto is_straight = [](const auto& c) {
-    return c.role == Role::open || (c.is_linear() && c.branch_guard < 0);
-  };
-  return std::all_of(contacts.begin(), contacts.end(), is_straight);
-}
 
 }  // namespace
 
@@ -44,6 +38,7 @@ struct Modal::Memory {
   Vibration* vibration = nullptr;  ///< one of these
   std::vector<Watched> watched;
   Index guards = 0;  ///< as many of the watched are in use
+  double speed = 0;  ///< natural, of a network
   std::vector<double> start, before, after, bounds;
   std::vector<double> watched_from;  ///< by contact: touched at rest, it is watched once out of the noise
   Wave scratch;
@@ -52,11 +47,12 @@ struct Modal::Memory {
 
   bool take(const SerialPhase& phase) {
     vibration = &row;
-    return is_linear(phase.contact) && !has_acceleration(phase) && !presses_beyond(phase) && row.find(phase);
+    return are_linear(phase.contact) && !has_acceleration(phase) && !presses_beyond(phase) && row.find(phase);
   }
   bool take(const LinkedPhase& phase) {
     vibration = &linked;
-    return is_linear(phase.contact) && linked.find(phase);
+    speed = phase.speed;
+    return are_linear(phase.contact) && linked.find(phase);
   }
 
   const PhaseContact& contact(Index j) const { return vibration->contacts()[j]; }
@@ -84,7 +80,16 @@ struct Modal::Memory {
       watch(c.load_guard, j, motion.force, 1, 0);
     else
       watch(c.guard, j, motion.depth, 1, 0);
-    if (c.role == Role::touching && vibration == &linked) watch(parts, j, motion.depth, 1, 1.01 * c.loaded());
+    if (c.role == Role::touching && vibration == &linked) watch_parting(j);
+  }
+  /// A strong damper would pull noticeably before its contact parts.
+  void watch_parting(Index j) {
+    const auto& c = contact(j);
+    const auto& motion = vibration->of(j);
+    if (may_pull(c, speed))
+      watch(pulls, j, motion.force, 1, 64 * epsilon * c.damping * speed);
+    else
+      watch(parts, j, motion.depth, 1, 1.01 * c.loaded());
   }
   /// sign · wave + level.
   void watch(Index guard, Index contact, const Wave& wave, double sign, double level) {
@@ -125,8 +130,7 @@ struct Modal::Memory {
           watched_from[j] = leaves_noise(j, to);
       for (Index i = 0; i < guards; ++i) {
         const double end = first.value_or(to);
-        const double begin =
-            watched[i].guard == parts ? from : std::max(from, watched_from[watched[i].contact]);
+        const double begin = watched[i].guard < 0 ? from : std::max(from, watched_from[watched[i].contact]);
         if (begin >= end) continue;
         const auto time = first_fall(watched[i].wave, vibration->modes(), begin, end);
         if (!time || (first && *time >= *first)) continue;
@@ -193,6 +197,8 @@ Arrival Modal::follow(Problem& problem, State x, const Request& request, std::ve
     return {.outcome = Outcome::failed, .message = "modes that are nearly alike do not add up to the state"};
   Index guard = parts;
   const auto event = m.first_event(request.limit, guard);
+  if (event && guard == pulls)
+    return {.outcome = Outcome::stiff, .message = "a damper draws a contact apart that touched at rest"};
   if (!event && !std::isfinite(request.limit))
     return {.outcome = Outcome::failed,
             .message = "no guard fired within a million half-periods of the slowest mode"};

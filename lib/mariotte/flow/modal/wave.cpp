@@ -9,26 +9,37 @@
 namespace mariotte::flow {
 namespace {
 
-constexpr int deepest = 60;  ///< halvings until an interval is shorter than rounding
+constexpr int deepest = 60;        ///< halvings until an interval is shorter than rounding
+constexpr int most_guesses = 200;  ///< of a root; ten are usual
 
-/// Root of a function that falls from `low` to `high`, by Newton's rule as long as it stays between what is
-/// known to be above and below zero, else by halves.
-template <class Function>
-double fall_between(Function&& f, double low, double high, double tolerance) {
+/// Root of a function that falls from `low` to `high`, by Newton's rule as long as that gets on between what
+/// is known to be above and below zero, else by halves; to a share of the time, or where the value is no more
+/// than its `noise`.
+template <class Function, class Noise>
+double fall_between(Function&& f, Noise&& noise, double low, double high, double share) {
   double time = 0.5 * (low + high), last = infinity;
-  const double small = 1e-6 * (high - low);
-  for (int i = 0; i < deepest; ++i) {
+  for (int i = 0; i < most_guesses; ++i) {
     const Slope now = f(time);
     const double ahead = -now.value / now.rate, step = std::abs(ahead);
-    // A small step that does not shrink is rounding noise.
-    if (step <= tolerance || (step <= small && step >= 0.5 * last))
+    const bool stalls = step >= 0.5 * last;
+    if (step <= share * time || (stalls && std::abs(now.value) <= noise(time)))
       return std::clamp(time + ahead, low, high);
     (now.value > 0 ? low : high) = time;
-    const bool inside = time + ahead > low && time + ahead < high;
+    const bool inside = !stalls && time + ahead > low && time + ahead < high;
     last = inside ? step : infinity;
     time = inside ? time + ahead : 0.5 * (low + high);
   }
   return time;
+}
+
+/// What rounding makes of the value of a wave.
+double rounding(const Wave& wave, const std::vector<NaturalMode>& modes, double time) {
+  double size = std::abs(wave.constant) + std::abs(wave.slope * time);
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    const auto now = values(modes[i], time);
+    size += std::abs(wave.weight[i].even * now.even) + std::abs(wave.weight[i].odd * now.odd);
+  }
+  return 16 * epsilon * size;
 }
 
 /// The wave is positive, or rising from zero, at `from`.
@@ -41,7 +52,8 @@ std::optional<double> search(const Wave& wave, const std::vector<NaturalMode>& m
   if (rate.high <= 0 || depth == deepest) {
     if (wave.at(modes, to) > 0) return std::nullopt;
     if (!(wave.at(modes, from) > 0)) return from;
-    return fall_between([&](double time) { return wave.slope_at(modes, time); }, from, to, 4 * epsilon * to);
+    return fall_between([&](double time) { return wave.slope_at(modes, time); },
+                        [&](double time) { return rounding(wave, modes, time); }, from, to, 4 * epsilon);
   }
   const double middle = 0.5 * (from + to);
   if (const auto early = search(wave, modes, from, middle, depth + 1)) return early;
@@ -86,7 +98,8 @@ struct Climb {
   }
   void climb(double from, double to) {
     if (!(wave.slope_at(modes, from).rate > 0 && wave.slope_at(modes, to).rate < 0)) return;
-    const double time = fall_between([&](double t) { return bend_at(t); }, from, to, 1e-9 * (to - from));
+    const double time =
+        fall_between([&](double t) { return bend_at(t); }, [](double) { return 0.0; }, from, to, 1e-9);
     offer(wave.at(modes, time), time, std::min({1e-3 * (to - from), time - from, to - time}));
   }
   Slope bend_at(double time) const {

@@ -16,14 +16,16 @@ namespace {
 
 constexpr Index step_limit = 10'000'000;
 /// Steps of a damped phase that cost about what BDF takes for all of it: a contact creeps, and explicit steps
-/// must not outrun its fastest decay.
-constexpr Index creeping = 5000;
+/// must not outrun its fastest decay. Then as many as are tried where BDF has begun with no longer steps: it
+/// may have had to find its way.
+constexpr Index creeping = 5000, patience = 300'000;
 
 bool is_finite(const Window& w) {
   return std::all_of(w.velocity.begin(), w.velocity.end(), [](double v) { return std::isfinite(v); });
 }
 
-/// A contact may have left the noise, on either side, or sunk into it: the problem is to say.
+/// A contact may have left the noise, on either side, or sunk into it, or its load has: the problem is to
+/// say.
 bool concerns_problem(const Window& w) {
   for (int j = 0; j < w.lanes.count; ++j) {
     const auto& contact = w.contact(j);
@@ -31,16 +33,9 @@ bool concerns_problem(const Window& w) {
     const double rate = std::abs(w.lanes.rate[j]);
     if (contact.role == Role::closed && depth < contact.faded() && rate <= w.fade_speed) return true;
     if (contact.role == Role::touching && std::abs(depth) > contact.loaded()) return true;
+    if (contact.role == Role::closed && has_faint_load(w, j)) return true;
   }
   return false;
-}
-
-/// Other links may draw apart what touches at rest. Until it has left the noise its series would pull then,
-/// by c δⁿ: too much where damping is strong.
-bool may_pull(const LinkedPhase& phase) {
-  return std::any_of(phase.contact.begin(), phase.contact.end(), [&](const PhaseContact& c) {
-    return c.role == Role::touching && c.damping_share(phase.speed) > 0.5;
-  });
 }
 
 /// Branches that are no powers have a series of their own, from the start of a contact on: either all
@@ -96,7 +91,8 @@ struct Taylor::Memory {
     } else {
       fired.push_back(fall.guard);
     }
-    simultaneous.collect(problem, x, simultaneity_window(problem, accuracy), fired);
+    const double together = simultaneity_window(problem, accuracy);
+    if (stepper.may_fall_soon(fall, together)) simultaneous.collect(problem, x, together, fired);
   }
 
   Accepted accept(Problem& problem) {
@@ -124,7 +120,8 @@ Arrival Taylor::follow(Problem& problem, State x, const Request& request, std::v
   auto& m = *memory_;
   auto& stepper = m.stepper;
   const auto& w = stepper.window;
-  const auto precision = taylor::precision(resolving_accuracy(problem, request.accuracy, 0));
+  auto precision = taylor::precision(resolving_accuracy(problem, request.accuracy, 0));
+  precision.has_slopes = request.observer && request.observer->has_slopes();
   Index steps = 0;
   const auto stop = [&](Outcome outcome, std::string message = {}) {
     write(w, x);
@@ -148,9 +145,9 @@ Arrival Taylor::follow(Problem& problem, State x, const Request& request, std::v
       return Arrival{Outcome::guard, w.time, steps, steps, {}};
     }
     if (m.accept(problem) == Accepted::ended) return stop(Outcome::guard);
-    if (w.lanes.damped && steps >= creeping && !request.patient) {
+    if (w.lanes.damped && steps >= (request.patient ? patience : creeping)) {
       auto arrival = stop(Outcome::stiff);
-      arrival.resumable = true;
+      arrival.resumable = !request.patient;
       return arrival;
     }
     if (has_outgrown(w)) {

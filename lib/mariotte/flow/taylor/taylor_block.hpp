@@ -152,26 +152,33 @@ class Block : RowQuantities {
   }
 
   void coefficients(Quantity quantity, int lane, double* c) const {
-    for (int k = 0; k <= order_; ++k) c[k] = coefficient(quantity, lane, k);
+    switch (quantity) {
+      case Quantity::indentation:
+        return copy(indentation, lane, c);
+      case Quantity::rate:
+        return copy(rate, lane, c);
+      case Quantity::load:
+        for (int k = 0; k <= order_; ++k)
+          c[k] = load_of(k).part[(lane - first_) / width][(lane - first_) % width];
+        return;
+      case Quantity::root:
+        copy(root, lane, c);
+        c[order_] = 0;
+        return;
+      case Quantity::clock:
+        return clocked_ ? copy(clock, first_, c) : set_power(0, c);
+      case Quantity::time:
+        return clocked_ ? copy(time, first_, c) : set_power(1, c);
+    }
   }
 
  private:
-  double coefficient(Quantity quantity, int lane, int k) const {
-    switch (quantity) {
-      case Quantity::indentation:
-        return at(indentation, k, lane);
-      case Quantity::rate:
-        return at(rate, k, lane);
-      case Quantity::load:
-        return load_of(k).part[(lane - first_) / width][(lane - first_) % width];
-      case Quantity::root:
-        return k < order_ ? at(root, k, lane) : 0;
-      case Quantity::clock:
-        return clocked_ ? at(clock, k, first_) : k == 0;
-      case Quantity::time:
-        return clocked_ ? at(time, k, first_) : k == 1;
-    }
-    return 0;
+  void copy(int row, int lane, double* c) const {
+    const auto* from = reinterpret_cast<const double*>(&row_[row]) + (lane - first_);
+    for (int k = 0; k <= order_; ++k) c[k] = from[k * size];
+  }
+  void set_power(int n, double* c) const {
+    for (int k = 0; k <= order_; ++k) c[k] = k == n;
   }
 
   LaneVector<N> of(const double* row) const { return load<N>(row + first_); }

@@ -21,14 +21,23 @@ double landing_share(const Window& window) {
   if (window.row && window.row->is_slice) return 0.15;
   return window.lanes.count > 8 ? 0.2 : 0.5;
 }
-/// A contact may sink this far past the depth at which it wakes before it is heard.
-constexpr double late = 5;
-/// Share of that depth at which a step ends that would go further.
-constexpr double in_time = 0.6;
-
+/// Slopes of such a contact have a stronger root, and their series cost more than that of the motion.
+constexpr double share_of_slopes = 1.7;
 /// Share of the radius of convergence that a step may use.
 constexpr double safe_radius = 0.7;
 constexpr double tiny = 1e-300;  ///< keeps quotients of vanishing coefficients finite
+
+/// Order up to which no coefficient overflows: where a contact has hardly begun, they grow like (δ̇/δ)ᵏ.
+int finite_order(const Window& window, int order) {
+  constexpr double harmless = 1e13, decades = 270;
+  const auto& l = window.lanes;
+  double fastest = harmless;
+  for (int j = 0; j < l.count; ++j)
+    if (l.active[j] > 0 && l.indentation[j] > 0 && window.is_sharp(j) &&
+        std::abs(l.rate[j]) > fastest * l.indentation[j])
+      fastest = std::abs(l.rate[j]) / l.indentation[j];
+  return fastest == harmless ? order : std::min(order, static_cast<int>(decades / std::log10(fastest)));
+}
 
 }  // namespace
 
@@ -45,6 +54,7 @@ Precision precision(double accuracy) {
 
 void Stepper::begin(const Problem& problem, State x, double time, const Precision& precision) {
   precision_ = precision;
+  last_clock_ = Expansion::plain;
   if (const auto* row = problem.serial())
     place(window, *row, x, time);
   else
@@ -127,18 +137,27 @@ std::optional<Piece> Stepper::start_piece() {
   return std::nullopt;
 }
 
+/// How far a contact is from its end at its present rate. With slopes, from its onset as well, as long as the
+/// clock has been its own since.
+double Stepper::time_to_root(int lane) const {
+  const double depth = window.lanes.indentation[lane], rate = window.lanes.rate[lane];
+  if (rate < 0) return -depth / rate;
+  return precision_.has_slopes && lane == last_clock_ && depth > 0 ? depth / rate : infinity;
+}
+
 /// The lane whose onset or separation limits a series in time.
 int Stepper::choose_clock() const {
   const auto& l = window.lanes;
   int clock = Expansion::plain;
   if (l.general) return clock;
   if (l.widened) return narrowest();
-  double soonest = landing_share(window) * last_time;
+  double soonest = (precision_.has_slopes ? share_of_slopes : landing_share(window)) * last_time;
   for (int j = 0; j < l.count; ++j) {
     if (!window.is_sharp(j) || window.contact(j).role != Role::closed) continue;
     if (is_struck(j)) return j;
-    if (!(l.rate[j] < 0) || !(l.indentation[j] < -soonest * l.rate[j])) continue;
-    soonest = -l.indentation[j] / l.rate[j];
+    const double time = time_to_root(j);
+    if (!(time < soonest)) continue;
+    soonest = time;
     clock = j;
   }
   return clock;
@@ -160,10 +179,11 @@ int Stepper::narrowest() const {
 
 /// Where the last coefficients come to the tolerance, but no further than a safe share of the radius of
 /// convergence: beyond, a weak singularity, a contact about to let go, hides behind small coefficients.
-double Stepper::reach(const Expansion& series, bool fresh) const {
-  const int order = precision_.order, group = fresh ? 5 : 2;  // right after an onset four of five vanish
+double Stepper::reach(const Piece& piece) const {
+  const bool fresh = piece.clock != Expansion::plain && window.lanes.indentation[piece.clock] == 0;
+  const int order = piece.order, group = fresh ? 5 : 2;  // right after an onset four of five vanish
   double end = infinity, last = tiny, before = tiny, size[10];
-  series.sizes(order - 2 * group + 1, size);
+  piece.series->sizes(order - 2 * group + 1, size);
   for (int i = 0; i < group; ++i) {
     const double highest = std::max(size[group + i], tiny);
     end = std::min(end, rough_root(precision_.tolerance / highest, order - group + 1 + i));
@@ -175,15 +195,15 @@ double Stepper::reach(const Expansion& series, bool fresh) const {
 
 Piece Stepper::series_piece() {
   auto& l = window.lanes;
-  Piece piece{.series = &expansion(), .order = precision_.order, .clock = choose_clock()};
+  Piece piece{.series = &expansion(), .clock = choose_clock()};
   for (int j = 0; j < l.count; ++j) {
     l.active[j] = window.pushes(j) && (j == piece.clock || l.indentation[j] > window.wake[j]);
     if (window.network) doze(j);
     if (l.steepening[j] > 0) listen(j);
   }
+  piece.order = finite_order(window, precision_.order);
   piece.series->expand(l, piece.order, piece.clock);
-  const double end = reach(*piece.series, piece.clock != Expansion::plain && l.indentation[piece.clock] == 0);
-  piece.end = end;
+  piece.end = reach(piece);
   if (piece.clock != Expansion::plain) land(piece);
   shorten(piece, piece.end);
   return piece;
@@ -200,72 +220,6 @@ void Stepper::land(Piece& piece) {
   piece.end = place.value_or(piece.end);
 }
 
-/// What touches and is left out is watched for the depth at which it would be late.
-void Stepper::doze(int lane) {
-  auto& l = window.lanes;
-  if (window.contact(lane).role != Role::touching || !window.is_sharp(lane)) return;
-  l.side[lane] = l.active[lane] > 0 ? 0 : -1;
-  l.level[lane] = late * window.wake[lane];
-}
-
-/// A slack contact whose load has a power of δ is watched for it only where its own force would be heard.
-void Stepper::listen(int lane) {
-  auto& l = window.lanes;
-  if (window.contact(lane).role != Role::slack) return;
-  l.load_side[lane] = l.indentation[lane] > window.wake[lane] ? -1 : 0;
-}
-
-bool Stepper::dozes(int lane) const {
-  return window.lanes.side[lane] < 0 && window.contact(lane).role == Role::touching;
-}
-
-/// In a row the others only press a contact whose own force is left out, so that it is deepest at an end of a
-/// piece, unless a drive draws it apart. Other links may draw it, too.
-bool Stepper::cannot_be_late(const Piece& piece, int lane) const {
-  if (values_.indentation[lane] > late * window.wake[lane]) return false;
-  if (!window.network) return !(window.lanes.drive[lane] < 0);
-  return piece.start || (dozes(lane) && values_.margin[lane] >= 0);
-}
-
-/// End the piece where a contact whose force is left out has reached the depth at which it wakes.
-void Stepper::wake_gently(Piece& piece) {
-  const auto& l = window.lanes;
-  for (int j = 0; j < l.count; ++j) {
-    if (!window.pushes(j) || l.active[j] > 0) continue;
-    if (cannot_be_late(piece, j)) continue;
-    if (piece.start) {
-      wake_in_start(piece, j);
-    } else if (const auto place = waking(piece, j)) {
-      piece.is_cut = false;
-      shorten(piece, *place);
-    }
-  }
-}
-
-/// If the indentation gets late, the place at which it has not yet done so.
-std::optional<double> Stepper::waking(const Piece& piece, int lane) const {
-  Coefficients c;
-  const auto used = piece.coefficients(Quantity::indentation, lane, c);
-  for (double& coefficient : c) coefficient = -coefficient;
-  const double depth = late * window.wake[lane];
-  c[0] += depth;
-  const auto place = flow::first_fall(used, piece.end);
-  if (!place) return std::nullopt;
-  c[0] -= (1 - in_time) * depth;
-  return flow::first_fall(used, *place);
-}
-
-/// In a start series what is left out only sinks deeper. Depths grow with some power of time.
-void Stepper::wake_in_start(Piece& piece, int lane) {
-  const double depth = std::max(window.lanes.indentation[lane], 0.0),
-               goal = in_time * late * window.wake[lane];
-  for (int tries = 0; tries < 60 && values_.indentation[lane] > late * window.wake[lane]; ++tries) {
-    const double secant = depth > 0 ? (goal - depth) / (values_.indentation[lane] - depth) : 0;
-    const double power = rough_root(goal / values_.indentation[lane], 4);
-    shorten(piece, piece.end * std::clamp(std::max(secant, power), 0.1, 0.98));
-  }
-}
-
 Piece Stepper::next(bool first, double time) {
   auto start = first ? start_piece() : std::nullopt;
   Piece piece = start ? *start : series_piece();
@@ -278,72 +232,10 @@ Piece Stepper::next(bool first, double time) {
   return piece;
 }
 
-void Stepper::search(const Piece& piece, Quantity quantity, int lane, double side, double level, Index guard,
-                     Fall& fall) const {
-  Coefficients c;
-  const auto used = piece.coefficients(quantity, lane, c);
-  for (double& coefficient : c) coefficient *= side;
-  c[0] += level;
-  const auto place = flow::first_fall(used, std::min(piece.end, fall.place));
-  if (place && *place < fall.place) fall = {guard, lane, *place};
-}
-
-/// Where a branch ends: the contact yields or turns.
-void Stepper::search_branch(const Piece& piece, int lane, Fall& fall) const {
-  const auto& l = window.lanes;
-  const Index yields = window.contact(lane).branch_guard, turns = yields + 1;
-  if (l.yield_side[lane] > 0)
-    search(piece, Quantity::indentation, lane, -1, l.yield_level[lane], yields, fall);
-  if (l.turn_side[lane] != 0)
-    search(piece, Quantity::rate, lane, l.turn_side[lane], l.turn_level[lane], turns, fall);
-}
-
-/// End the piece where the root of an indentation passes zero. A contact that comes to δ = 0 and turns there
-/// goes on as √δ = |t|, and its series as t: beyond, the contact would pull.
-void Stepper::end_at_turn(Piece& piece, int lane) {
-  const auto& l = window.lanes;
-  if (lane == piece.clock || !(l.active[lane] > 0) || !window.is_sharp(lane)) return;
-  Coefficients c;
-  const auto place = flow::first_fall(piece.coefficients(Quantity::root, lane, c), piece.end);
-  if (!place || !(*place < piece.end)) return;
-  piece.is_cut = false;
-  shorten(piece, *place);
-}
-
-Fall Stepper::first_fall(Piece& piece) {
-  Fall fall;
-  if (!piece.series) return fall;  // a start is chosen so short that none fires
-  const auto& l = window.lanes;
-  if (std::any_of(values_.margin, values_.margin + l.count, [](double margin) { return margin < 0; }))
-    piece.series->sharpen(piece.end, values_);
-  for (int j = 0; j < l.count; ++j)
-    if (l.side[j] > 0 && values_.margin[j] < 0) end_at_turn(piece, j);
-  for (int j = 0; j < l.count; ++j) {
-    const auto& c = window.contact(j);
-    if (l.side[j] != 0 && !dozes(j) && values_.margin[j] < 0)
-      search(piece, Quantity::indentation, j, l.side[j], l.level[j], c.guard, fall);
-    if (l.load_side[j] != 0 && values_.load_margin[j] < 0)
-      search(piece, Quantity::load, j, l.load_side[j], load_noise(window, j), c.load_guard, fall);
-    if (l.branched && values_.branch_margin[j] < 0) search_branch(piece, j, fall);
-  }
-  if (piece.lands && fall.guard < 0) {  // one that comes down to δ = 0 may have lost its load, too
-    const auto& c = window.contact(piece.clock);
-    fall = {c.opens_loaded() ? c.guard : c.load_guard, piece.clock, piece.end};
-  }
-  if (fall.guard >= 0) end_at(fall, piece);
-  return fall;
-}
-
-/// Behind its fall a neighbour would pull, and hide that a contact has been late before.
-void Stepper::end_at(Fall& fall, Piece& piece) {
-  shorten(piece, fall.place);
-  wake_gently(piece);
-  if (piece.end < fall.place) fall = {};
-}
-
 void Stepper::advance(const Piece& piece, const Fall& fall) {
   auto& l = window.lanes;
   last_time = values_.time;
+  last_clock_ = piece.clock;
   taylor::advance(window, values_);
   if (piece.clock != Expansion::plain) watch(window, piece.clock);
   if (fall.guard < 0) return;

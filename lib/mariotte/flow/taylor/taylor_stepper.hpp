@@ -12,6 +12,7 @@ namespace mariotte::flow::taylor {
 struct Precision {
   double tolerance = 0;  ///< of one step
   int order = 0;
+  bool has_slopes = false;  ///< of whoever looks on
 };
 
 /// For a wanted error at the end of the run.
@@ -38,6 +39,8 @@ class Stepper {
   /// The first guard that fires within the piece; proven. The piece ends there, or earlier, where a contact
   /// turns at δ = 0 or wakes.
   Fall first_fall(Piece& piece);
+  /// Another guard may fall as well within `time` of the end of the step, by its tangent.
+  bool may_fall_soon(const Fall& fall, double time) const;
   /// What the piece says at its end.
   const Values& values() const { return values_; }
   /// Move the window to the end of the piece; what has fired stands exactly at its level.
@@ -52,13 +55,14 @@ class Stepper {
   bool finds_pressed();
   std::optional<Piece> start_piece();
   int choose_clock() const;
+  double time_to_root(int lane) const;
   int narrowest() const;
   Piece series_piece();
   void land(Piece& piece);
   void end_at_turn(Piece& piece, int lane);
   void end_at(Fall& fall, Piece& piece);
   void shorten(Piece& piece, double place);
-  double reach(const Expansion& series, bool fresh) const;
+  double reach(const Piece& piece) const;
   Expansion& expansion();
   void doze(int lane);
   void listen(int lane);
@@ -72,6 +76,7 @@ class Stepper {
               Fall& fall) const;
 
   Precision precision_;
+  int last_clock_ = Expansion::plain;
   Values values_;
   Start start_;
   std::vector<Start::Part> parts_;

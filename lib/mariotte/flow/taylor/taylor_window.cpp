@@ -121,8 +121,9 @@ void fill(Window& w, int lane, double rate) {
 
 void settle(Window& w) {
   auto& l = w.lanes;
+  for (int lane = 0; lane < l.count; ++lane) w.stored[lane] = stored_energy(w, lane, l.indentation[lane]);
+  if (std::all_of(w.contacts.begin(), w.contacts.end(), [](const auto& c) { return c.pull == 0; })) return;
   for (int lane = 0; lane < l.count; ++lane) {
-    w.stored[lane] = stored_energy(w, lane, l.indentation[lane]);
     for_each_felt(l, lane, [&](int other, double weight) {
       const auto& c = w.contact(other);
       if (c.pushes()) l.drive[lane] -= weight * c.pull;
@@ -191,14 +192,25 @@ void advance(Window& w, const Values& values) {
   }
 }
 
-double load_noise(const Window& w, int lane) {
+double load_noise(const Window& w, int lane, double rate_error) {
   const auto& l = w.lanes;
   double size = 0;
   if (w.row)
     size = std::abs(w.velocity[lane]) + std::abs(w.velocity[lane + 1]);
   else
     for (const auto& [dof, g] : w.network->direction[lane]) size += std::abs(g * w.velocity[dof]);
-  return 16 * epsilon * (l.damping[lane] + l.stiffening[lane] * std::abs(l.indentation[lane])) * size;
+  const double damping = l.damping[lane] + l.stiffening[lane] * std::abs(l.indentation[lane]);
+  return damping * std::max(16 * epsilon * size, rate_error);
+}
+
+bool has_faint_load(const Window& w, int lane) {
+  const auto& l = w.lanes;
+  if (w.contact(lane).load_guard < 0 || !(l.rate[lane] < 0)) return false;
+  const double d = l.indentation[lane];
+  const double stiffness =
+      l.stiffness[lane] + (l.steepening[lane] > 0 ? l.steepening[lane] * std::pow(d, l.power[lane]) : 0);
+  const double damping = l.damping[lane] + l.stiffening[lane] * d;
+  return stiffness * d + damping * l.rate[lane] < load_noise(w, lane, 0);
 }
 
 void write(const Window& w, State x) {

@@ -47,8 +47,10 @@ void watch(Window& window, int lane);
 
 /// Move on to what an expansion says.
 void advance(Window& window, const Values& values);
-/// What rounding of the velocities makes of the load of a lane.
-double load_noise(const Window& window, int lane);
+/// What rounding of the velocities, or an error of the rate, makes of the load of a lane.
+double load_noise(const Window& window, int lane, double rate_error);
+/// The load of a lane is no more than rounding.
+bool has_faint_load(const Window& window, int lane);
 
 /// Write the whole state at the window's time to x, which may be the window's own.
 void write(const Window& window, State x);

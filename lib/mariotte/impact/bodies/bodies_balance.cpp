@@ -94,7 +94,8 @@ std::vector<BodyContactHistory> exchanged(const model::BodiesSystem<D>& system, 
     history.losses.plastic = history.losses.adhesion = 0;
     add_remembered(contact.law, one.past, depth, history.losses);
     if (contact.tangential.has_spring() && depth > 0)
-      history.stored += 0.5 * dot(now.friction, now.friction) / now.spring;
+      history.stored_in_friction = 0.5 * dot(now.friction, now.friction) / now.spring;
+    history.stored += history.stored_in_friction;
   }
   for (std::size_t c = 0; c < list.size(); ++c)
     list[c].tangential_impulse = {along[c][0], along[c][1], along[c][2]};
@@ -162,7 +163,7 @@ std::vector<Balance> balances(const model::BodiesSystem<D>& system, const model:
     if (!is_closed[c]) {
       const Index i = static_cast<Index>(c);
       const double dent = model::closing_depth(setting.contact[c].law, memory_of(mode, i));
-      lowest = std::min(lowest, field.motion(i).gap + dent);
+      lowest = std::min(lowest, field.approach(i).gap + dent);
     }
   list.push_back({"the gap of an open contact [m]", lowest, slack * setting.length});
   return list;

@@ -29,6 +29,7 @@ struct OneEvent {
 /// later.
 std::vector<OneEvent> events(const Run& run) {
   std::vector<OneEvent> list;
+  list.reserve(run.changes.size());
   Index rested = -1;
   double told = -1;
   for (const auto& [time, change] : run.changes) {
@@ -36,7 +37,8 @@ std::vector<OneEvent> events(const Run& run) {
     const bool from_start = change.contact == rested && time == told;
     list.push_back({from_start ? 0 : time, change.contact, change.event, change.approach});
   }
-  std::stable_sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
+  const auto earlier = [](const auto& a, const auto& b) { return a.time < b.time; };
+  if (!std::is_sorted(list.begin(), list.end(), earlier)) std::stable_sort(list.begin(), list.end(), earlier);
   return list;
 }
 
@@ -61,14 +63,14 @@ void add_periods(const std::vector<OneEvent>& events, std::vector<BodyContactHis
 
 /// Keeps the contacts that were named and those that have closed, and numbers events by them.
 void keep_used(Index named, const std::vector<OneEvent>& events, BodiesImpact& impact) {
+  const auto is_unused = [&](const BodyContactHistory& one) {
+    return one.contact >= named && one.periods.empty();
+  };
   std::vector<Index> place(impact.contacts.size(), -1);
-  std::vector<BodyContactHistory> kept;
-  for (std::size_t c = 0; c < place.size(); ++c) {
-    if (static_cast<Index>(c) >= named && impact.contacts[c].periods.empty()) continue;
-    place[c] = std::ssize(kept);
-    kept.push_back(std::move(impact.contacts[c]));
-  }
-  impact.contacts = std::move(kept);
+  Index kept = 0;
+  for (const auto& one : impact.contacts)
+    if (!is_unused(one)) place[one.contact] = kept++;
+  std::erase_if(impact.contacts, is_unused);
   impact.events.reserve(events.size());
   for (const auto& [time, contact, event, approach] : events) {
     if (place[contact] < 0) continue;
@@ -78,11 +80,11 @@ void keep_used(Index named, const std::vector<OneEvent>& events, BodiesImpact& i
 }
 
 template <int D>
-BodiesImpact simulate_once(const model::Bodies& bodies, const hybrid::Options& options,
-                           const RunObserver& observers) {
+BodiesImpact simulate_once(const model::Bodies& bodies, model::BodiesSetting<D> setting,
+                           const hybrid::Options& options, const RunObserver& observers) {
   using System = model::BodiesSystem<D>;
   const auto over = options.flies_on ? model::Over::at_time_limit : model::Over::separated;
-  System system(bodies, options.accuracy, over);
+  System system(bodies, std::move(setting), over);
   const auto start = initial_state(bodies, system.setting());
   hybrid::Workspace<System> workspace;
   BodiesObserver<D> watch(bodies, system, workspace.mode, observers);
@@ -116,13 +118,14 @@ BodiesImpact simulate_once(const model::Bodies& bodies, const hybrid::Options& o
   return impact;
 }
 
-BodiesImpact simulate_in(const model::Bodies& bodies, const hybrid::Options& options,
-                         const RunObserver& observers) {
-  return bodies.dimension == 2 ? simulate_once<2>(bodies, options, observers)
-                               : simulate_once<3>(bodies, options, observers);
+template <int D>
+BodiesImpact simulate_once(const model::Bodies& bodies, const hybrid::Options& options,
+                           const RunObserver& observers) {
+  return simulate_once(bodies, model::setting_of<D>(bodies, options.accuracy), options, observers);
 }
 
-/// Largest difference of velocities and of spin × reach.
+/// Largest difference of velocities and of spin × reach, relative to the largest speed at the start, at the
+/// end or at which contacts close.
 double difference(const model::Bodies& bodies, const BodiesImpact& a, const BodiesImpact& b) {
   double most = 0, speed = 0;
   for (std::size_t i = 0; i < bodies.body.size(); ++i) {
@@ -135,6 +138,7 @@ double difference(const model::Bodies& bodies, const BodiesImpact& a, const Bodi
     most = std::max(most, apart);
     speed = std::max({speed, norm(body.velocity), reach * norm(body.spin), norm(a.body[i].velocity)});
   }
+  for (const auto& contact : a.contacts) speed = std::max(speed, contact.meeting.approach.value_or(0));
   return speed > 0 ? most / speed : most;
 }
 
@@ -151,14 +155,34 @@ Passage passage(const BodiesImpact& impact, double attainable) {
 
 /// What double precision can give: displacements to where bodies touch have been rounded.
 /// \throws Error  if hardly a digit of an indentation would be left
-double attainable_accuracy(const model::Bodies& bodies) {
+template <int D>
+double attainable_accuracy(const model::BodiesSetting<D>& setting) {
   constexpr double useless = 1e-6;
-  const double rounding = bodies.dimension == 2 ? model::setting_of<2>(bodies, 1).rounding
-                                                : model::setting_of<3>(bodies, 1).rounding;
-  if (rounding > useless)
+  if (setting.rounding > useless)
     throw Error("indentations are too small beside the gaps at the start: start nearer to the impact",
                 fault::unrepresentable);
-  return rounding;
+  return setting.rounding;
+}
+
+template <int D>
+BodiesImpact simulate_in(const model::Bodies& bodies, const hybrid::Options& options,
+                         const RunObserver& observers) {
+  auto setting = model::setting_of<D>(bodies, options.accuracy);
+  const double attainable = attainable_accuracy(setting);
+  auto possible = options;
+  possible.accuracy = std::max(options.accuracy, attainable);
+  const auto run = [&](const model::Bodies& same, const hybrid::Options& tighter) {
+    return simulate_once<D>(same, tighter, observers);
+  };
+  auto impact = attainable > options.accuracy ? run(bodies, possible)
+                                              : simulate_once(bodies, std::move(setting), options, observers);
+  if (!observers.samplings.empty()) return impact;
+  keep_promise(bodies, possible, passage(impact, attainable), impact, run,
+               [&](const auto& a, const auto& b) { return difference(bodies, a, b); });
+  if (attainable > options.accuracy)
+    impact.estimated_accuracy = std::max(attainable, impact.estimated_accuracy.value_or(0));
+  impact.requested_accuracy = options.accuracy;
+  return impact;
 }
 
 }  // namespace
@@ -168,25 +192,17 @@ BodiesImpact simulate(const model::Bodies& bodies, const hybrid::Options& option
   model::validate(bodies);
   hybrid::validate(options);
   model::expect_end(bodies, options.max_time);
-  const double attainable = attainable_accuracy(bodies);
-  auto possible = options;
-  possible.accuracy = std::max(options.accuracy, attainable);
-  const auto run = [&](const hybrid::Options& tighter) { return simulate_in(bodies, tighter, observers); };
-  auto impact = run(possible);
-  if (!observers.samplings.empty()) return impact;
-  keep_promise(possible, passage(impact, attainable), impact, run,
-               [&](const auto& a, const auto& b) { return difference(bodies, a, b); });
-  if (attainable > options.accuracy)
-    impact.estimated_accuracy = std::max(attainable, impact.estimated_accuracy.value_or(0));
-  impact.requested_accuracy = options.accuracy;
-  return impact;
+  return bodies.dimension == 2 ? simulate_in<2>(bodies, options, observers)
+                               : simulate_in<3>(bodies, options, observers);
 }
 
 double estimate_accuracy(const model::Bodies& bodies, const hybrid::Options& options,
                          const BodiesImpact& result) {
   auto tighter = options;
   tighter.accuracy = std::max(options.accuracy / 32, 16 * epsilon);
-  return difference(bodies, result, simulate_in(bodies, tighter, {}));
+  return difference(
+      bodies, result,
+      bodies.dimension == 2 ? simulate_once<2>(bodies, tighter, {}) : simulate_once<3>(bodies, tighter, {}));
 }
 
 }  // namespace mariotte::impact

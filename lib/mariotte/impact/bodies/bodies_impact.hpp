@@ -43,11 +43,12 @@ struct BodyContactHistory {
   double normal_impulse = 0;           ///< ∫ f_n dt [N s]
   Vector3 tangential_impulse;          ///< of b; in the plane e1 is along e_z × n [N s]
   ContactLosses losses;
-  double stored = 0;            ///< elastic energy left at the end [J]
-  double peak_force = 0;        ///< largest f_n [N]
-  double peak_friction = 0;     ///< largest |f_t| [N]
-  double peak_indentation = 0;  ///< [m]
-  std::vector<Period> periods;  ///< in order of time
+  double stored = 0;              ///< elastic energy left at the end [J]
+  double stored_in_friction = 0;  ///< of it, that of the spring along the plane [J]
+  double peak_force = 0;          ///< largest f_n [N]
+  double peak_friction = 0;       ///< largest |f_t| [N]
+  double peak_indentation = 0;    ///< [m]
+  std::vector<Period> periods;    ///< in order of time
   MeetingSpeeds meeting;
 };
 

@@ -32,7 +32,7 @@ struct Reading {
   ConstState x;
 
   double velocity(Index i) const { return x[system.layout(x).velocity(i / D) + i % D]; }
-  double gap(Index c) const { return system.field(mode, x).motion(c).gap; }
+  double gap(Index c) const { return system.field(mode, x).approach(c).gap; }
   double force(Index c) const {
     const auto& field = system.field(mode, x);
     for (std::size_t k = 0; k < mode.closed.size(); ++k)
@@ -230,7 +230,7 @@ void BodiesObserver<D>::sample(double time, ConstState x) {
   auto& force = trace_.force.emplace_back(contacts, 0.0);
   auto& friction = trace_.friction.emplace_back(contacts, Vector3{});
   auto& slip = trace_.slip.emplace_back(contacts, Vector3{});
-  for (Index c = 0; c < contacts; ++c) gap.push_back(field.motion(c).gap);
+  for (Index c = 0; c < contacts; ++c) gap.push_back(field.approach(c).gap);
   for (std::size_t k = 0; k < mode_.closed.size(); ++k) {
     const Index c = mode_.closed[k].contact;
     force[c] = field.contact(k).normal;

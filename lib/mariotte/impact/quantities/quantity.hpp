@@ -36,7 +36,10 @@ struct Brief;
 
 template <>
 struct Brief<ChainImpact> {
-  using Solver = ChainSolver;
+  /// Values agree with those of runs that carry slopes or histories.
+  struct Solver : ChainSolver {
+    Solver() : ChainSolver(Course::of_simulate) {}
+  };
   static bool serves(const model::Chain&) { return true; }
 
   const model::Chain& chain;
@@ -55,7 +58,9 @@ struct Brief<NetworkImpact> {
 /// Of a body that has one impact.
 template <>
 struct Brief<MicrobodyImpact> {
-  using Solver = MicrobodySolver;
+  struct Solver : MicrobodySolver {  // as of chains
+    Solver() : MicrobodySolver(Course::of_simulate) {}
+  };
   static bool serves(const model::Microbody& body) { return body.impacts == 1; }
 
   const model::Microbody& body;

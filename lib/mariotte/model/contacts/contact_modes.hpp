@@ -90,25 +90,31 @@ bool has_parted(const ContactState<Topology>& state, Index j) {
   return state.clearance(j) > 2 * state.model().fading_depth(j);
 }
 
-/// The load of slack contact j is positive and its neighbours' forces let it grow: it pushes again. Where a
-/// load has vanished but for rounding, its guard may stand beyond zero already, and would never fire.
+/// How fast the load of contact j would grow if it carried no force.
 template <class Topology>
-bool is_loaded_again(const ContactState<Topology>& state, const contact::ContactSet& mode, Index j) {
-  const auto load = state.load(j);
-  if (!(load.value > 0)) return false;
+double free_growth(const ContactState<Topology>& state, const contact::ContactSet& mode, Index j) {
   double bend = state.drive(j);
   state.topology.for_each_near(j, [&](Index i) {
+    if (i == j) return;
     const auto f =
         force_in(mode[i], state.model().law[i], -state.gap(i), state.approach(i), memory_of(mode, i));
     bend -= state.topology.coupling(j, i) * f.value;
   });
-  return load.by_indentation * state.approach(j) + load.by_rate * bend > 0;
+  const auto load = state.load(j);
+  return load.by_indentation * state.approach(j) + load.by_rate * bend;
 }
 
-/// What rounding of speeds makes of a load.
+/// The load of slack contact j is positive and its neighbours' forces let it grow: it pushes again. Where a
+/// load has vanished but for rounding, its guard may stand beyond zero already, and would never fire.
+template <class Topology>
+bool is_loaded_again(const ContactState<Topology>& state, const contact::ContactSet& mode, Index j) {
+  return state.load(j).value > 0 && free_growth(state, mode, j) > 0;
+}
+
+/// What rounding of speeds makes of a load, step by step.
 template <class Topology>
 double load_noise(const ContactState<Topology>& state, Index j) {
-  return 16 * epsilon * state.load(j).by_rate * state.model().speed;
+  return 64 * epsilon * state.load(j).by_rate * state.model().speed;
 }
 
 /// The load of contact j has passed zero beyond rounding, and no guard has told: where it stood beyond zero
@@ -117,6 +123,14 @@ template <class Topology>
 bool has_passed(const ContactState<Topology>& state, const contact::ContactSet& mode, Index j) {
   return mode[j] == contact::ContactMode::slack && state.load(j).value > load_noise(state, j) &&
          is_loaded_again(state, mode, j);
+}
+
+/// The load of closed contact j is rounding, and would not grow without its force: it has let go. A contact
+/// that creeps has such a load for long, whose sign is that of this growth.
+template <class Topology>
+bool has_let_go(const ContactState<Topology>& state, const contact::ContactSet& mode, Index j) {
+  return mode[j] == contact::ContactMode::closed && contact::goes_slack(state.model().law[j]) &&
+         state.load(j).value < load_noise(state, j) && !(free_growth(state, mode, j) > 0);
 }
 
 /// Contact j touches at rest.

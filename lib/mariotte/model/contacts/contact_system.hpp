@@ -81,6 +81,7 @@ template <class Topology>
 void ContactSystem<Topology>::settle(Mode& mode, Index j, bool has_fired, ConstState x,
                                      std::vector<Change>& changes) const {
   using contact::ContactMode;
+  if (!contact::carries_force(mode[j])) return;
   const auto now = state(x, &mode);
   if (mode[j] == ContactMode::closed && has_faded(now, j) && !has_fired) {
     change(mode, j, ContactMode::hovering, model_.law[j], changes);
@@ -88,6 +89,8 @@ void ContactSystem<Topology>::settle(Mode& mode, Index j, bool has_fired, ConstS
     change(mode, j, ContactMode::open, model_.law[j], changes);
   } else if (mode[j] == ContactMode::touching && has_loaded(now, j)) {
     mode[j] = ContactMode::closed;  // no event
+  } else if (!has_fired && has_let_go(now, mode, j)) {
+    change(mode, j, ContactMode::slack, model_.law[j], changes);
   }
 }
 
@@ -141,7 +144,10 @@ void ContactSystem<Topology>::transition(Mode& mode, const std::vector<Index>& f
     return std::any_of(fired.begin(), fired.end(),
                        [&](Index guard) { return layout_.guard_contact[guard] == j; });
   };
-  for (Index j = 0; j < layout_.contacts(); ++j) settle(mode, j, has_fired(j), x, changes);
+  for (auto settled = changes.size() + 1; settled != changes.size();) {  // what lets go may have held others
+    settled = changes.size();
+    for (Index j = 0; j < layout_.contacts(); ++j) settle(mode, j, has_fired(j), x, changes);
+  }
   tell_approach(state(x, &mode), known, changes);
 }
 

@@ -86,7 +86,8 @@ class TopologyPhase final : public ContactPhase {
   std::vector<Index> driver_;   ///< by place: the drive that prescribes this velocity, or absent
   std::vector<double> levels_;  ///< by contact: its gap guard is gap + level
   std::vector<flow::Crossing> crossings_;
-  std::vector<WidthBranch> widths_;  ///< by contact, where its branch is one
+  std::vector<std::optional<contact::ContactMode>> watched_;  ///< by contact: the mode as which it is watched
+  std::vector<WidthBranch> widths_;                           ///< by contact, where its branch is one
   contact::ContactSet* mode_ = nullptr;
   Index active_ = 0;          ///< contacts that carry force
   bool needs_field_ = false;  ///< a contact that is not open follows no power, or there is a drive

@@ -11,6 +11,7 @@ template <class Topology>
 void TopologyPhase<Topology>::reset() {
   crossings_.assign(at().guard_contact.size(), flow::Crossing::none);
   levels_.assign(contacts(), 0.0);
+  watched_.assign(contacts(), std::nullopt);
   find_magnitudes();
   driver_.assign(at().size, ContactLayout::absent);
   for (Index k = 0; k < at().drives(); ++k)
@@ -47,10 +48,11 @@ void TopologyPhase<Topology>::bind(contact::ContactSet& mode) {
   needs_field_ = at().drives() > 0;
   double shortest = infinity, any = infinity;
   for (Index j = 0; j < contacts(); ++j) {
-    watch(j);
+    const bool remembers = !power_law(law(j));
+    if (remembers || watched_[j] != mode[j]) watch(j);
     const double time = topology_.model.time[j];
     any = std::min(any, time);
-    if (!power_law(law(j))) needs_field_ |= !follow_branch(j);
+    if (remembers) needs_field_ |= !follow_branch(j);
     if (!contact::carries_force(mode[j])) continue;
     ++active_;
     shortest = std::min(shortest, time);
@@ -94,6 +96,7 @@ bool TopologyPhase<Topology>::follow_branch(Index j) {
 template <class Topology>
 void TopologyPhase<Topology>::watch(Index j) {
   const auto mode = (*mode_)[j];
+  watched_[j] = mode;
   auto& contact = flows_.contact(j);
   contact.role = role(mode);
   contact.level = levels_[j] = model::level(mode, law(j), past(j), topology_.model.noise_depth[j]);
@@ -342,7 +345,7 @@ flow::Accepted TopologyPhase<Topology>::accept(ConstState x) {
   for (Index j = 0; j < contacts(); ++j) {
     auto& mode = (*mode_)[j];
     if (mode == ContactMode::closed && has_faded(state, j)) return flow::Accepted::ended;
-    if (has_passed(state, *mode_, j)) return flow::Accepted::ended;
+    if (has_passed(state, *mode_, j) || has_let_go(state, *mode_, j)) return flow::Accepted::ended;
     if (mode != ContactMode::touching) continue;
     if (has_parted(state, j)) return flow::Accepted::ended;
     if (!has_loaded(state, j)) continue;

@@ -1,0 +1,84 @@
+// Which contacts a step leaves out, and when they are heard again.
+#include <algorithm>
+#include <cmath>
+
+#include "mariotte/flow/roots/polynomial.hpp"
+#include "mariotte/flow/roots/rough_root.hpp"
+#include "mariotte/flow/taylor/taylor_stepper.hpp"
+
+namespace mariotte::flow::taylor {
+namespace {
+
+/// A contact may sink this far past the depth at which it wakes before it is heard.
+constexpr double late = 5;
+/// Share of that depth at which a step ends that would go further.
+constexpr double in_time = 0.6;
+
+}  // namespace
+
+/// What touches and is left out is watched for the depth at which it would be late.
+void Stepper::doze(int lane) {
+  auto& l = window.lanes;
+  if (window.contact(lane).role != Role::touching || !window.is_sharp(lane)) return;
+  l.side[lane] = l.active[lane] > 0 ? 0 : -1;
+  l.level[lane] = late * window.wake[lane];
+}
+
+/// A slack contact whose load has a power of δ is watched for it only where its own force would be heard.
+void Stepper::listen(int lane) {
+  auto& l = window.lanes;
+  if (window.contact(lane).role != Role::slack) return;
+  l.load_side[lane] = l.indentation[lane] > window.wake[lane] ? -1 : 0;
+}
+
+bool Stepper::dozes(int lane) const {
+  return window.lanes.side[lane] < 0 && window.contact(lane).role == Role::touching;
+}
+
+/// In a row the others only press a contact whose own force is left out, so that it is deepest at an end of a
+/// piece, unless a drive draws it apart. Other links may draw it, too.
+bool Stepper::cannot_be_late(const Piece& piece, int lane) const {
+  if (values_.indentation[lane] > late * window.wake[lane]) return false;
+  if (!window.network) return !(window.lanes.drive[lane] < 0);
+  return piece.start || (dozes(lane) && values_.margin[lane] >= 0);
+}
+
+/// End the piece where a contact whose force is left out has reached the depth at which it wakes.
+void Stepper::wake_gently(Piece& piece) {
+  const auto& l = window.lanes;
+  for (int j = 0; j < l.count; ++j) {
+    if (!window.pushes(j) || l.active[j] > 0) continue;
+    if (cannot_be_late(piece, j)) continue;
+    if (piece.start) {
+      wake_in_start(piece, j);
+    } else if (const auto place = waking(piece, j)) {
+      piece.is_cut = false;
+      shorten(piece, *place);
+    }
+  }
+}
+
+/// If the indentation gets late, the place at which it has not yet done so.
+std::optional<double> Stepper::waking(const Piece& piece, int lane) const {
+  Coefficients c;
+  const auto used = piece.coefficients(Quantity::indentation, lane, c);
+  for (double& coefficient : c) coefficient = -coefficient;
+  const double depth = late * window.wake[lane];
+  c[0] += depth;
+  if (values_.indentation[lane] <= depth && !flow::first_fall(used, piece.end)) return std::nullopt;
+  c[0] -= (1 - in_time) * depth;
+  return flow::first_fall(used, piece.end);
+}
+
+/// In a start series what is left out only sinks deeper. Depths grow with some power of time.
+void Stepper::wake_in_start(Piece& piece, int lane) {
+  const double depth = std::max(window.lanes.indentation[lane], 0.0),
+               goal = in_time * late * window.wake[lane];
+  for (int tries = 0; tries < 60 && values_.indentation[lane] > late * window.wake[lane]; ++tries) {
+    const double secant = depth > 0 ? (goal - depth) / (values_.indentation[lane] - depth) : 0;
+    const double power = rough_root(goal / values_.indentation[lane], 4);
+    shorten(piece, piece.end * std::clamp(std::max(secant, power), 0.1, 0.98));
+  }
+}
+
+}  // namespace mariotte::flow::taylor
