@@ -34,7 +34,7 @@ model::Chain flying(model::Chain chain) {
 }
 
 /// So fast that rounding of the common velocity is all that is left of the load of a contact that creeps.
-constexpr double fast = 0x1p20;
+constexpr double swift = 0x1p20;
 
 /// Two rows of balls in a plane, struck aslant; all fly by at different speeds along the two axes.
 model::Network flying_rack(double by) {
@@ -122,7 +122,7 @@ BOOST_AUTO_TEST_CASE(a_frame_is_left_only_where_nothing_tells_it_from_another) {
 BOOST_AUTO_TEST_CASE(a_network_that_flies_does_what_it_does_at_rest) {
   auto chain = creeping();
   const auto resting = model::as_network(chain);
-  for (double& v : chain.velocity) v += fast;
+  for (double& v : chain.velocity) v += swift;
   const auto moving = model::as_network(chain);
   impact::NetworkSolver solver;
   for (const double accuracy : {1e-6, 1e-8, 1e-10, 1e-12}) {
@@ -131,8 +131,8 @@ BOOST_AUTO_TEST_CASE(a_network_that_flies_does_what_it_does_at_rest) {
     BOOST_TEST((quick.ending == hybrid::Ending::separated));
     BOOST_TEST(quick.events.size() == still.events.size());
     for (std::size_t i = 0; i < still.velocity.size(); ++i)
-      BOOST_TEST(std::abs(quick.velocity[i] - (still.velocity[i] + fast)) <=
-                 0.2 * accuracy + 2 * epsilon * fast);
+      BOOST_TEST(std::abs(quick.velocity[i] - (still.velocity[i] + swift)) <=
+                 0.2 * accuracy + 2 * epsilon * swift);
     BOOST_TEST(std::abs(quick.energy.dissipated - still.energy.dissipated) < accuracy * still.energy.initial);
     BOOST_TEST(std::abs(*quick.energy.ratio_centre - *still.energy.ratio_centre) < accuracy);
     BOOST_TEST(test::difference(solver.solve(moving, {.accuracy = accuracy}).velocity, quick.velocity) == 0);
@@ -140,34 +140,34 @@ BOOST_AUTO_TEST_CASE(a_network_that_flies_does_what_it_does_at_rest) {
 }
 
 BOOST_AUTO_TEST_CASE(balls_of_a_network_share_a_velocity_by_coordinate) {
-  const auto still = impact::simulate(flying_rack(0)), quick = impact::simulate(flying_rack(fast));
+  const auto still = impact::simulate(flying_rack(0)), quick = impact::simulate(flying_rack(swift));
   BOOST_TEST((quick.ending == hybrid::Ending::separated));
   BOOST_TEST(quick.events.size() == still.events.size());
   for (std::size_t i = 0; i < still.velocity.size(); ++i) {
-    const double common_here = i % 2 == 0 ? fast : -0.5 * fast;
-    BOOST_TEST(std::abs(quick.velocity[i] - (still.velocity[i] + common_here)) <= 2 * epsilon * fast);
+    const double common_here = i % 2 == 0 ? swift : -0.5 * swift;
+    BOOST_TEST(std::abs(quick.velocity[i] - (still.velocity[i] + common_here)) <= 2 * epsilon * swift);
   }
-  const auto before = impact::configuration_of(flying_rack(fast));
+  const auto before = impact::configuration_of(flying_rack(swift));
   BOOST_TEST(quick.energy.initial == kinetic_energy(before, before.velocity));
   BOOST_TEST(quick.energy.final == kinetic_energy(before, quick.velocity));
 }
 
 BOOST_AUTO_TEST_CASE(who_looks_on_at_a_network_is_told_velocities_from_outside) {
-  double least = fast;
+  double least = swift;
   impact::Sampling sampling{.velocities = {0, 4}, .take = [&](const impact::Sample& sample) {
                               for (const double v : sample.velocity) least = std::min(least, v);
                               return sample.natural_time;
                             }};
-  const auto network = flying_rack(fast);
+  const auto network = flying_rack(swift);
   const auto traced = impact::simulate(network, {}, {.trace = true, .samplings = {sampling}});
-  BOOST_TEST(least > fast - 1);
+  BOOST_TEST(least > swift - 1);
   for (const auto& row : traced.trace.velocity)
     for (std::size_t i = 0; i < row.size(); ++i)
-      BOOST_TEST(std::abs(row[i] - (i % 2 == 0 ? fast : -0.5 * fast)) < 1);
+      BOOST_TEST(std::abs(row[i] - (i % 2 == 0 ? swift : -0.5 * swift)) < 1);
 }
 
 BOOST_AUTO_TEST_CASE(a_network_is_left_where_it_is_if_gaps_or_walls_tell_its_velocity) {
-  const auto network = flying_rack(fast);
+  const auto network = flying_rack(swift);
   BOOST_TEST(impact::moving_frame(network).at(5) == network.velocity[1]);
   auto walled = network, turning = network;
   walled.mass[0] = walled.mass[1] = infinity;
