@@ -25,6 +25,9 @@ double landing_share(const Window& window) {
 constexpr double share_of_slopes = 1.7;
 /// Share of the radius of convergence that a step may use.
 constexpr double safe_radius = 0.7;
+/// How many times the tolerance the two terms before the last two may be. Where coefficients fall evenly they
+/// are less, so this bounds a step only where the last two are small by chance.
+constexpr double before_last = 300;
 constexpr double tiny = 1e-300;  ///< keeps quotients of vanishing coefficients finite
 
 /// Order up to which no coefficient overflows: where a contact has hardly begun, they grow like (δ̇/δ)ᵏ.
@@ -178,16 +181,22 @@ int Stepper::narrowest() const {
 }
 
 /// Where the last coefficients come to the tolerance, but no further than a safe share of the radius of
-/// convergence: beyond, a weak singularity, a contact about to let go, hides behind small coefficients.
+/// convergence: beyond, a weak singularity, a contact about to let go, hides behind small coefficients. From
+/// a turn on a motion has every second coefficient only: the last ones of δ and δ̇ are one number, which may
+/// be small by chance. So the two before are looked at, too.
 double Stepper::reach(const Piece& piece) const {
   const bool fresh = piece.clock != Expansion::plain && window.lanes.indentation[piece.clock] == 0;
-  const int order = piece.order, group = fresh ? 5 : 2;  // right after an onset four of five vanish
+  const int group = fresh ? 5 : 2;  // right after an onset four of five vanish
+  const int first = piece.order - 2 * group + 1;
   double end = infinity, last = tiny, before = tiny, size[10];
-  piece.series->sizes(order - 2 * group + 1, size);
+  piece.series->sizes(first, size);
+  const auto bound = [&](int i, double most) {
+    end = std::min(end, rough_root(most / std::max(size[i], tiny), first + i));
+  };
   for (int i = 0; i < group; ++i) {
-    const double highest = std::max(size[group + i], tiny);
-    end = std::min(end, rough_root(precision_.tolerance / highest, order - group + 1 + i));
-    last = std::max(last, highest);
+    bound(group + i, precision_.tolerance);
+    if (!fresh) bound(i, before_last * precision_.tolerance);
+    last = std::max(last, size[group + i]);
     before = std::max(before, size[i]);
   }
   return std::min(end, safe_radius * rough_root(before / last, group));
