@@ -27,15 +27,15 @@ bool is_finite(const Window& w) {
 /// A contact may have left the noise, on either side, or sunk into it, or its load has: the problem is to
 /// say.
 bool concerns_problem(const Window& w) {
-  for (int j = 0; j < w.lanes.count; ++j) {
-    const auto& contact = w.contact(j);
-    const double depth = w.lanes.indentation[j];
-    const double rate = std::abs(w.lanes.rate[j]);
-    if (contact.role == Role::closed && depth < contact.faded() && rate <= w.fade_speed) return true;
-    if (contact.role == Role::touching && std::abs(depth) > contact.loaded()) return true;
-    if (contact.role == Role::closed && has_faint_load(w, j)) return true;
+  const auto& l = w.lanes;
+  bool any = false;
+  for (int j = 0; j < l.count; ++j) {
+    any |= l.indentation[j] < w.fades_below[j] && std::abs(l.rate[j]) <= w.fade_speed;
+    any |= std::abs(l.indentation[j]) > w.leaves_noise[j];
   }
-  return false;
+  for (int j = 0; l.damped && j < l.count; ++j)
+    any |= w.contact(j).role == Role::closed && has_faint_load(w, j);
+  return any;
 }
 
 /// Branches that are no powers have a series of their own, from the start of a contact on: either all

@@ -39,12 +39,10 @@ void Stepper::end_at_turn(Piece& piece, int lane) {
   shorten(piece, *place);
 }
 
-Fall Stepper::first_fall(Piece& piece) {
+/// The first guard that fires where some margin leaves it open.
+Fall Stepper::search_guards(Piece& piece) {
   Fall fall;
-  if (!piece.series) return fall;  // a start is chosen so short that none fires
   const auto& l = window.lanes;
-  if (std::any_of(values_.margin, values_.margin + l.count, [](double margin) { return margin < 0; }))
-    piece.series->sharpen(piece.end, values_);
   for (int j = 0; j < l.count; ++j)
     if (l.side[j] > 0 && values_.margin[j] < 0) end_at_turn(piece, j);
   for (int j = 0; j < l.count; ++j) {
@@ -56,6 +54,17 @@ Fall Stepper::first_fall(Piece& piece) {
              c.load_guard, fall);
     if (l.branched && values_.branch_margin[j] < 0) search_branch(piece, j, fall);
   }
+  return fall;
+}
+
+Fall Stepper::first_fall(Piece& piece) {
+  Fall fall;
+  if (!piece.series) return fall;  // a start is chosen so short that none fires
+  const auto& l = window.lanes;
+  const bool may_close =
+      std::any_of(values_.margin, values_.margin + l.count, [](double margin) { return margin < 0; });
+  if (may_close) piece.series->sharpen(piece.end, values_);
+  if (may_close || l.damped || l.branched) fall = search_guards(piece);
   if (piece.lands && fall.guard < 0) {  // one that comes down to δ = 0 may have lost its load, too
     const auto& c = window.contact(piece.clock);
     fall = {c.opens_loaded() ? c.guard : c.load_guard, piece.clock, piece.end};

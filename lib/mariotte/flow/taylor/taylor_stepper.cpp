@@ -156,8 +156,8 @@ int Stepper::choose_clock() const {
   if (l.widened) return narrowest();
   double soonest = (precision_.has_slopes ? share_of_slopes : landing_share(window)) * last_time;
   for (int j = 0; j < l.count; ++j) {
-    if (!window.is_sharp(j) || window.contact(j).role != Role::closed) continue;
-    if (is_struck(j)) return j;
+    if (!window.has_root[j]) continue;
+    if (l.indentation[j] == 0 && l.rate[j] > 0) return j;  // it is struck
     const double time = time_to_root(j);
     if (!(time < soonest)) continue;
     soonest = time;
@@ -206,7 +206,8 @@ Piece Stepper::series_piece() {
   auto& l = window.lanes;
   Piece piece{.series = &expansion(), .clock = choose_clock()};
   for (int j = 0; j < l.count; ++j) {
-    l.active[j] = window.pushes(j) && (j == piece.clock || l.indentation[j] > window.wake[j]);
+    const double above = window.acts_above[j];
+    l.active[j] = l.indentation[j] > above || (j == piece.clock && above < infinity);
     if (window.network) doze(j);
     if (l.steepening[j] > 0) listen(j);
   }

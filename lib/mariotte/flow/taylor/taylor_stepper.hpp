@@ -61,6 +61,7 @@ class Stepper {
   void land(Piece& piece);
   void end_at_turn(Piece& piece, int lane);
   void end_at(Fall& fall, Piece& piece);
+  Fall search_guards(Piece& piece);
   void shorten(Piece& piece, double place);
   double reach(const Piece& piece) const;
   Expansion& expansion();

@@ -47,7 +47,7 @@ bool Stepper::cannot_be_late(const Piece& piece, int lane) const {
 void Stepper::wake_gently(Piece& piece) {
   const auto& l = window.lanes;
   for (int j = 0; j < l.count; ++j) {
-    if (!window.pushes(j) || l.active[j] > 0) continue;
+    if (l.active[j] > 0 || !window.pushes(j)) continue;
     if (cannot_be_late(piece, j)) continue;
     if (piece.start) {
       wake_in_start(piece, j);

@@ -34,6 +34,7 @@ double work_of(const Window& w, int lane, double indentation, double more) {
 }
 /// Impulse of a contact; the series do not count a constant pull.
 double impulse_of(const Window& w, const Values& values, int lane) {
+  if (!w.is_pulled) return values.impulse[lane];
   const auto& c = w.contact(lane);
   return values.impulse[lane] - (c.pushes() ? c.pull * values.time : 0);
 }
@@ -65,8 +66,13 @@ void write_velocities(const Window& w, const Values& values, State x) {
   add_impulses(w, values, x);
 }
 
-double rate_in(const Window& w, int lane) {
-  return w.row ? w.velocity[lane] - w.velocity[lane + 1] : -gap_rate(w.network->direction[lane], w.velocity);
+void set_rates(Window& w) {
+  double* rate = w.lanes.rate;
+  if (w.row)
+    for (int lane = 0; lane < w.lanes.count; ++lane) rate[lane] = w.velocity[lane] - w.velocity[lane + 1];
+  else
+    for (int lane = 0; lane < w.lanes.count; ++lane)
+      rate[lane] = -gap_rate(w.network->direction[lane], w.velocity);
 }
 
 }  // namespace
@@ -85,6 +91,8 @@ void begin(Window& w, std::span<const PhaseContact> contacts) {
   w.branch.assign(contacts.size(), nullptr);
   l.branch = w.branch.data();
   for (auto* row : {&w.wake, &w.impulse, &w.work, &w.stored}) row->assign(contacts.size(), 0);
+  for (auto* row : {&w.acts_above, &w.fades_below, &w.leaves_noise}) row->resize(contacts.size());
+  w.has_root.resize(contacts.size());
   w.outside_time = infinity;
 }
 
@@ -122,7 +130,8 @@ void fill(Window& w, int lane, double rate) {
 void settle(Window& w) {
   auto& l = w.lanes;
   for (int lane = 0; lane < l.count; ++lane) w.stored[lane] = stored_energy(w, lane, l.indentation[lane]);
-  if (std::all_of(w.contacts.begin(), w.contacts.end(), [](const auto& c) { return c.pull == 0; })) return;
+  w.is_pulled = std::any_of(w.contacts.begin(), w.contacts.end(), [](const auto& c) { return c.pull != 0; });
+  if (!w.is_pulled) return;
   for (int lane = 0; lane < l.count; ++lane) {
     for_each_felt(l, lane, [&](int other, double weight) {
       const auto& c = w.contact(other);
@@ -147,6 +156,15 @@ void watch_branch(const PhaseContact& c, int lane, Lanes& l) {
   l.branched |= c.branch_guard >= 0;
 }
 
+void set_limits(Window& w, int lane) {
+  const auto& c = w.contact(lane);
+  const bool is_closed = c.role == Role::closed;
+  w.acts_above[lane] = c.pushes() ? w.wake[lane] : infinity;
+  w.fades_below[lane] = is_closed ? c.faded() : -infinity;
+  w.leaves_noise[lane] = c.role == Role::touching ? c.loaded() : infinity;
+  w.has_root[lane] = is_closed && w.is_sharp(lane);
+}
+
 }  // namespace
 
 void watch(Window& w, int lane) {
@@ -155,6 +173,7 @@ void watch(Window& w, int lane) {
   const bool damped = c.load_guard >= 0;
   l.side[lane] = l.load_side[lane] = 0;
   l.level[lane] = c.level;
+  set_limits(w, lane);
   watch_branch(c, lane, l);
   switch (c.role) {
     case Role::open:
@@ -183,13 +202,12 @@ void advance(Window& w, const Values& values) {
     velocities_of_row(w, values, [&](int i, double v) { w.velocity[i] = v; });
   else
     add_impulses(w, values, w.velocity);
-  for (int lane = 0; lane < l.count; ++lane) {
-    l.indentation[lane] = values.indentation[lane];
+  std::copy_n(values.indentation, l.count, l.indentation);
+  set_rates(w);
+  for (int lane = 0; lane < l.count; ++lane) w.impulse[lane] += impulse_of(w, values, lane);
+  for (int lane = 0; l.damped && lane < l.count; ++lane) w.work[lane] += values.work[lane];
+  for (int lane = 0; l.widened && lane < l.count; ++lane)
     if (w.branch[lane]) l.width[lane] = values.width[lane];
-    l.rate[lane] = rate_in(w, lane);
-    w.impulse[lane] += impulse_of(w, values, lane);
-    if (l.damped) w.work[lane] += values.work[lane];
-  }
 }
 
 double load_noise(const Window& w, int lane, double rate_error) {

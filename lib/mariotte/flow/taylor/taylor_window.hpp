@@ -23,6 +23,11 @@ struct Window {
   Coupling coupling;                  ///< of a long row
   std::vector<double> velocity;       ///< of bodies first, first + 1, … of a row, of all dofs of a network
   std::vector<double> wake;           ///< indentation below which a contact's force is left out
+  std::vector<double> acts_above;     ///< the same of one that pushes; infinite for others
+  std::vector<double> fades_below;    ///< less deep, and slow, a closed contact has let go; or −infinite
+  std::vector<double> leaves_noise;   ///< deeper, or so far apart, one that touches is watched; or infinite
+  std::vector<char> has_root;         ///< of a closed contact whose force has a branch point at δ = 0
+  bool is_pulled = false;             ///< some contact has a constant pull
   std::vector<double> impulse, work;  ///< since `since`
   std::vector<double> stored;         ///< at `since`
   std::vector<const WidthBranch*> branch;  ///< of each lane
