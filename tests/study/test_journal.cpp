@@ -36,6 +36,7 @@ void fill(Journal& journal) {
 
 BOOST_AUTO_TEST_CASE(the_checksum_is_the_one_everybody_has) {
   BOOST_TEST(study::crc32("123456789") == 0xcbf43926u);  // the check value of CRC-32
+  BOOST_TEST(study::crc32("The quick brown fox jumps over the lazy dog") == 0x414fa339u);
   BOOST_TEST(study::crc32("") == 0u);
 }
 
