@@ -42,7 +42,7 @@ Bernstein from_powers(std::span<const double> c, double end) {
   double power = 1;
   for (std::size_t k = 0; k < c.size(); ++k, power *= end) {
     const double term = c[k] * power;
-    for (std::size_t j = 0; j < c.size(); ++j) b[j] += share[k][j] * term;
+    for (std::size_t j = k; j < c.size(); ++j) b[j] += share[k][j] * term;
   }
   return b;
 }
