@@ -74,8 +74,8 @@ contact::ContactMode after(const ContactState<Topology>& state, Index j, contact
 template <class Topology>
 bool has_faded(const ContactState<Topology>& state, Index j) {
   const auto& model = state.model();
-  return -state.clearance(j) < 0.5 * model.fading_depth(j) && !contact::adheres(model.law[j]) &&
-         std::abs(state.approach(j)) <= model.fade_speed_ratio * model.noise_speed;
+  return std::abs(state.approach(j)) <= model.fade_speed_ratio * model.noise_speed &&
+         -state.clearance(j) < 0.5 * model.fading_depth(j) && !contact::adheres(model.law[j]);
 }
 
 /// A touching contact has left the noise.
