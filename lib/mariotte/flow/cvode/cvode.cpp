@@ -34,6 +34,10 @@ constexpr Index step_limit = 10'000'000;
 constexpr Index stall_limit = 100;
 /// Steps after which their average tells whether this flow is the quicker one.
 constexpr Index trial = 2000;
+/// Steps for which a Jacobian is kept where the matrix is made anew. CVODE's 51 are too many for a slip in
+/// space that leaves rest: friction turns at a rate that falls like the inverse of its speed. Newton's first
+/// correction by an old Jacobian is then wrong, and passes for converged by what earlier steps had promised.
+constexpr Index jacobian_age = 1;
 /// Attempts at one step. Each is up to ten times shorter: where a force begins like a small power of the
 /// indentation, the first must be very short.
 constexpr int most_rejections = 40;
@@ -96,6 +100,7 @@ struct Cvode::Memory {
     newton.emplace(kind, like, state.get(), context);
     check(CVodeSetLinearSolver(cvode.get(), newton->solver(), newton->matrix()), "the linear solver");
     check(CVodeSetJacFn(cvode.get(), jacobian), "the Jacobian");
+    check(CVodeSetJacEvalFrequency(cvode.get(), jacobian_age), "the age of the Jacobian");
   }
 
   // Callbacks: a value that is not finite must never pass for a result.

@@ -31,17 +31,11 @@ double damping_of(const SettingContact<D>& contact) {
   return power ? power->damping / (power->stiffness * contact.time) : 0;
 }
 
-/// The direction of a slip that has just left rest turns at once: as stiff as strong damping. What it is then
-/// must be known to this share of the accuracy.
-constexpr double stiff_turning = 10, turning_share = 0.01;
+/// The direction of a slip that has just left rest turns at once: as stiff as strong damping.
+constexpr double stiff_turning = 10;
 constexpr Index most_steps_at_rest = 2000;
 
 }  // namespace
-
-template <int D>
-double BodiesPhase<D>::least_load(double accuracy) const {
-  return leaves_rest_ ? turning_share * accuracy * damping_ : infinity;
-}
 
 template <int D>
 void BodiesPhase<D>::bind(const BodiesMode& mode) {
@@ -56,7 +50,6 @@ void BodiesPhase<D>::bind(const BodiesMode& mode) {
   ballistic_ = mode.closed.empty() && at_peace && free_flight_;
   time_ = mode.closed.empty() ? setting_.time : infinity;
   damping_ = 0;
-  leaves_rest_ = false;
   steps_at_rest_ = 0;
   std::fill_n(crossing_.begin() + gap_guard(0), watched_count(), Crossing::falling);
   for (Index i = 0; i < strays_; ++i) crossing_[stray_guard(i)] = Crossing::falling;
@@ -75,7 +68,6 @@ void BodiesPhase<D>::bind(const BodiesMode& mode) {
       set(SlotGuard::yield, Crossing::falling);
     time_ = std::min(time_, contact.time);
     damping_ = std::max({damping_, damping_of(contact), one.from_rest ? stiff_turning : 0});
-    leaves_rest_ = leaves_rest_ || one.from_rest;
   }
   for (Index k = 0; k < std::ssize(mode.touching); ++k) crossing_[parting_guard(k)] = Crossing::rising;
   recordable_ = !mode.closed.empty() && std::all_of(mode.closed.begin(), mode.closed.end(),

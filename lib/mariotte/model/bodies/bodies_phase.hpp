@@ -39,7 +39,7 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   std::vector<flow::Entry> pattern() const override;
   void jacobian(ConstState x, State values) const override;
   double damping_group() const override { return damping_; }
-  double least_load(double accuracy) const override;
+  double least_load(double) const override { return infinity; }
   bool is_ballistic() const override { return ballistic_; }
   void second_derivative(ConstState, State) const override {}
   const flow::FreeMotion* free_motion() const override { return ballistic_ ? this : nullptr; }
@@ -107,7 +107,7 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   bool watches_near_ = false;
   Index strays_ = 0;
   BodiesLayout<D> layout_;
-  bool ballistic_ = false, free_flight_ = true, recordable_ = false, leaves_rest_ = false;
+  bool ballistic_ = false, free_flight_ = true, recordable_ = false;
   Index steps_at_rest_ = 0;  ///< of slips that have not left it
   double time_ = 1, damping_ = 0;
   std::vector<flow::Crossing> crossing_;
