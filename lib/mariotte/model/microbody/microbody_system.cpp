@@ -151,8 +151,10 @@ void MicrobodySystem::touch_or_open(Mode& mode, Index i, ConstState x, std::vect
   changes.push_back({i, TipEvent::open});
 }
 
+/// Of a tip that has opened at this instant, what else has fired says nothing any more.
 void MicrobodySystem::pass(TipGuard guard, Mode& mode, Index i, ConstState x,
                            std::vector<Change>& changes) const {
+  if (guard != TipGuard::gap && mode.tip[i].contact == TipContact::clear) return;
   switch (guard) {
     case TipGuard::gap:
       return touch_or_open(mode, i, x, changes);
