@@ -15,8 +15,8 @@ contact::Law law(double stiffness, double damping, double exponent) {
   return contact::Viscoelastic{.stiffness = stiffness, .damping = damping, .exponent = exponent};
 }
 
-/// Balls and Hertz-like dampers over decades; many contacts creep, pressed by their neighbours.
-model::Chain random_chain(std::mt19937_64& random) {
+/// Balls and Hertz-like dampers of c = 10 to 10^`most`; many contacts creep, pressed by their neighbours.
+model::Chain random_chain(std::mt19937_64& random, double most) {
   std::uniform_real_distribution<double> unit(0, 1);
   const auto decades = [&](double low, double high) {
     return std::pow(10, low + (high - low) * unit(random));
@@ -30,9 +30,29 @@ model::Chain random_chain(std::mt19937_64& random) {
   for (int j = 0; j + 1 < balls; ++j) {
     chain.gap.push_back(unit(random) < 0.7 ? 0 : 0.01 * unit(random));
     chain.law.push_back(
-        contact::Viscoelastic{.stiffness = decades(-1, 1), .damping = decades(1, 4), .exponent = 1.5});
+        contact::Viscoelastic{.stiffness = decades(-1, 1), .damping = decades(1, most), .exponent = 1.5});
   }
   return chain;
+}
+
+/// Compares random chains of c = 10 to 10^`most_damping` with BDF; returns the most steps of one. Up to c =
+/// 10⁴ BDF knows loads so well that numbers of periods are the same; beyond, it has ghosts.
+Index check_creeping(unsigned seed, int scenes, double most_damping) {
+  std::mt19937_64 random(seed);
+  impact::ChainSolver solver;
+  Index most_steps = 0;
+  for (int i = 0; i < scenes; ++i) {
+    const auto chain = random_chain(random, most_damping);
+    const auto own = solver.solve(chain, {.accuracy = 1e-8});
+    const auto exact = solver.solve(chain, {.accuracy = 1e-11, .flow = flow::Kind::cvode_bdf_klu});
+    BOOST_TEST_CONTEXT("scene " << i) {
+      BOOST_TEST((own.ending == hybrid::Ending::separated));
+      BOOST_TEST(test::difference(own.velocity, exact.velocity) < 1e-8);
+      if (most_damping <= 4) BOOST_TEST(own.periods == exact.periods, boost::test_tools::per_element());
+    }
+    most_steps = std::max(most_steps, own.steps);
+  }
+  return most_steps;
 }
 
 }  // namespace
@@ -40,21 +60,15 @@ model::Chain random_chain(std::mt19937_64& random) {
 // The load of a creeping contact is a small difference of large terms: told with too few digits its sign
 // makes ghost periods, and explicit steps would last for ever.
 BOOST_AUTO_TEST_CASE(creeping_contacts_make_no_ghost_events_and_come_to_an_end) {
-  std::mt19937_64 random(7);
-  impact::ChainSolver solver;
-  Index most_steps = 0;
-  for (int i = 0; i < 80; ++i) {
-    const auto chain = random_chain(random);
-    const auto own = solver.solve(chain, {.accuracy = 1e-8});
-    const auto exact = solver.solve(chain, {.accuracy = 1e-11, .flow = flow::Kind::cvode_bdf_klu});
-    BOOST_TEST_CONTEXT("scene " << i) {
-      BOOST_TEST((own.ending == hybrid::Ending::separated));
-      BOOST_TEST(test::difference(own.velocity, exact.velocity) < 1e-8);
-      BOOST_TEST(own.periods == exact.periods, boost::test_tools::per_element());
-    }
-    most_steps = std::max(most_steps, own.steps);
-  }
-  BOOST_TEST(most_steps < 50'000);
+  BOOST_TEST(check_creeping(7, 80, 4) < 50'000);
+}
+
+// There the load is rounding from the start; where nothing creeps for long BDF takes 700 times as long.
+BOOST_AUTO_TEST_CASE(series_follow_dampers_however_strong) {
+  BOOST_TEST(check_creeping(8, 40, 8) < 50'000);
+  const model::Chain triplet{
+      .mass = {1, 1, 1}, .law = {law(1, 1e6, 1.5), law(1, 1e6, 1.5)}, .gap = {0, 0}, .velocity = {1, 0, 0}};
+  BOOST_TEST(impact::ChainSolver().solve(triplet).steps < 200);
 }
 
 // A load that has vanished but for rounding when its contact becomes slack may stand above zero already.

@@ -22,9 +22,6 @@ namespace {
 /// Damping ratios c/√(k m) from which BDF costs less than Adams. Its Newton matrices are sparse: KLU is
 /// hardly dearer than a dense or a band matrix at any size, and mostly cheaper.
 constexpr double stiff_for_adams = 5;
-/// Damping group up to which series tell the sign of a creeping contact's load, ratio⁻³ of its natural force:
-/// beyond, that is rounding.
-constexpr double stiff_for_taylor = 8e4;
 /// Natural modes of n contacts cost n³, series √κ of the ratio of fastest to slowest rate squared: equal near
 /// κ = 10^{0.8 n}. Two contacts are followed by modes whatever κ, to the last digit.
 constexpr Index always_modal = 2;
@@ -93,8 +90,7 @@ bool pays(Kind kind, const Problem& problem) {
   if (!row && !linked) return false;
   if (kind == Kind::modal && !are_linear(row ? row->contact : linked->contact)) return false;
   if (kind == Kind::modal) return row ? modes_pay(*row) : modes_pay(*linked);
-  if (kind != Kind::taylor) return true;
-  return problem.damping_group() < stiff_for_taylor;
+  return true;
 }
 
 std::unique_ptr<Flow> make(Kind kind, const Problem& problem) {
