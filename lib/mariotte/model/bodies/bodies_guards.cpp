@@ -36,12 +36,14 @@ T BodiesPhase<D>::friction_guard(const BodiesField<T, D, N>& field, const Closed
     return norm(c.motion.slip) - setting_.rest_speed();
 }
 
+/// What has pulled pushes again once its force is beyond noise: in its well that comes to zero and stays
+/// there.
 template <int D>
 template <class T, class N>
 T BodiesPhase<D>::load_guard(const BodiesField<T, D, N>& field, const ClosedContact& mode,
                              const ContactForces<T, D>& c) const {
   const auto& one = field.setting().contact[mode.contact];
-  if (contact::pulls(one.law)) return c.normal;
+  if (contact::pulls(one.law)) return mode.slack ? c.normal - setting_.gap_noise * one.force : c.normal;
   if (!contact::goes_slack(one.law)) return T(1.0);
   return law_load<T>(one, c.motion.indentation, -c.motion.gap_rate);
 }
