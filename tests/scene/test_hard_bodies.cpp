@@ -77,3 +77,11 @@ BOOST_DATA_TEST_CASE(hard_scenes_of_bodies_keep_their_accuracy, boost::unit_test
     BOOST_TEST(work < 100000);
   }
 }
+
+BOOST_AUTO_TEST_CASE(a_corner_that_parts_slowly_is_followed_until_it_opens) {
+  auto scene = scene::read(MARIOTTE_TEST_DATA "/bodies/hard/rocking_to_rest.toml");
+  scene.run.accuracy = 1e-3;
+  const auto impact = impact::simulate(std::get<model::Bodies>(scene.model), scene.run);
+  BOOST_TEST((impact.ending == hybrid::Ending::time_limit));
+  BOOST_TEST(std::abs(impact.energy.residual) < 1e-7);
+}

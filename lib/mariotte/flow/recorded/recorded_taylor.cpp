@@ -116,14 +116,17 @@ struct RecordedTaylor::Memory {
     return step.end - step.start < short_step * problem_->time_scale();
   }
 
-  /// A contact that opens and is so shallow that it does nothing any more: the guard that opens it, after the
-  /// time that it still takes. No series passes the end of some of them.
+  /// A contact that opens at once and is so shallow that it does nothing any more: the guard that opens it,
+  /// after the time that it still takes. No series passes the end of some of them. One that parts more slowly
+  /// may be pressed again before it has opened.
   std::optional<std::pair<Index, double>> opening(ConstState x) {
     load(x);
     series.expand(values_, 1, {});
     for (const auto& one : recording.contact) {
       const auto depth = series.row(one.depth);
-      if (depth[1] < 0 && depth[0] < one.negligible) return std::pair(one.open, -depth[0] / depth[1]);
+      const double left = -depth[0] / depth[1];
+      if (depth[1] < 0 && depth[0] < one.negligible && left < short_step * problem_->time_scale())
+        return std::pair(one.open, left);
     }
     return std::nullopt;
   }
@@ -218,7 +221,7 @@ Arrival RecordedTaylor::follow(Problem& problem, State x, const Request& request
   const auto opens = memory.opening(x);
   if (!opens || arrival.duration + opens->second > request.limit) return arrival;
   memory.move_on(opens->second, x);
-  fired.push_back(opens->first);
+  memory.fire(opens->first, x, fired);
   arrival.outcome = Outcome::guard;
   arrival.duration += opens->second;
   return arrival;
