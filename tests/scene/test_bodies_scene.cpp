@@ -127,6 +127,17 @@ BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused_by_name) {
   check_refused(pair + "[run]\ngravity = 9.81\n", "'bodies.gravity'");
 }
 
+BOOST_AUTO_TEST_CASE(a_name_means_one_body_or_plane) {
+  const std::string body = "[[bodies.body]]\nposition = [1, 0]\nname = ";
+  const std::string plane = "[[bodies.plane]]\nnormal = [0, 1]\npoint = [0, -1]\n";
+  for (const char* name : {"cue", "cue.1", "body 1", "body 2.1"})
+    check_refused(pair + body + '"' + name + "\"\n",
+                  std::string("bodies.body[2].name: another body or plane is called '") + name + "', too");
+  check_refused(pair + body + "\"plane 1\"\n" + plane, "called 'plane 1', too");
+  check_refused(pair + plane + "name = \"body 2\"\n", "bodies.plane[0].name: another body");
+  BOOST_TEST(read(pair + body + "\"body 3\"\n").body[2].name == "body 3");
+}
+
 BOOST_AUTO_TEST_CASE(bodies_that_come_back_need_a_time_limit) {
   const std::string floor = "[[bodies.plane]]\nnormal = [0, 1]\npoint = [0, -1]\n";
   auto text = pair + floor;

@@ -5,6 +5,7 @@
 
 #include "mariotte/core/error.hpp"
 #include "mariotte/core/nearest.hpp"
+#include "mariotte/scene/bodies_names.hpp"
 #include "mariotte/scene/contact_law.hpp"
 #include "mariotte/scene/error_list.hpp"
 #include "mariotte/scene/touching.hpp"
@@ -27,46 +28,19 @@ struct Pair {
 };
 
 /// Spheres of a body, or one of them, or a plane, by name or number.
-class Names {
- public:
-  Names(const Source& source, const model::Bodies& model) : source_(source), model_(model) {}
-
-  std::vector<Feature> find(const Field& field) const {
-    if (std::holds_alternative<std::int64_t>(field.node->value))
-      return spheres(whole(source_, field, 1, std::ssize(model_.body)) - 1);
-    const auto word = text(source_, field);
-    std::vector<std::string> known;
-    for (Index i = 0; i < std::ssize(model_.body); ++i) {
-      const auto& name = model_.body[i].name;
-      for (const auto& whole : {name, "body " + std::to_string(i + 1)}) {
-        if (whole.empty()) continue;
-        known.push_back(whole);
-        if (word == whole) return spheres(i);
-        for (Index k = 0; k < std::ssize(model_.body[i].spheres); ++k)
-          if (word == whole + "." + std::to_string(k + 1)) return {{i, k}};
-      }
-    }
-    for (Index i = 0; i < std::ssize(model_.plane); ++i)
-      for (const auto& whole : {model_.plane[i].name, "plane " + std::to_string(i + 1)}) {
-        if (whole.empty()) continue;
-        known.push_back(whole);
-        if (word == whole) return {{i, -1}};
-      }
-    const std::vector<std::string_view> views(known.begin(), known.end());
-    reject(source_, field, fault::leads_nowhere,
-           "no body or plane has the name '" + word + "'" + suggestion(word, views));
+std::vector<Feature> find_touching(const Source& source, const Field& field, const model::Bodies& model) {
+  if (std::holds_alternative<std::int64_t>(field.node->value))
+    return all_spheres(model, whole(source, field, 1, std::ssize(model.body)) - 1);
+  const auto word = text(source, field);
+  const auto all = called(model);
+  std::vector<std::string_view> known;
+  for (const auto& one : all) {
+    if (one.word == word) return one.features;
+    if (one.is_whole) known.push_back(one.word);
   }
-
- private:
-  std::vector<Feature> spheres(Index body) const {
-    std::vector<Feature> list;
-    for (Index k = 0; k < std::ssize(model_.body[body].spheres); ++k) list.push_back({body, k});
-    return list;
-  }
-
-  const Source& source_;
-  const model::Bodies& model_;
-};
+  reject(source, field, fault::leads_nowhere,
+         "no body or plane has the name '" + word + "'" + suggestion(word, known));
+}
 
 double radius_of(const model::Bodies& model, const Feature& feature) {
   return feature.is_plane() ? infinity : model.body[feature.owner].spheres[feature.sphere].radius;
@@ -84,8 +58,8 @@ void add_pairs(const Source& source, const Field& table, const model::Bodies& mo
     reject(source, between ? *between : table, fault::missing,
            "'between' is missing: the two that touch, as in between = [\"cue\", 2]");
   expect_length(source, *between, between->node->array()->size(), 2);
-  const Names names(source, model);
-  auto left = names.find(element(*between, 0)), right = names.find(element(*between, 1));
+  auto left = find_touching(source, element(*between, 0), model),
+       right = find_touching(source, element(*between, 1), model);
   if (right[0].is_plane()) std::swap(left, right);
   if (right[0].is_plane()) reject(source, *between, fault::impossible, "two planes do not touch");
   if (!left[0].is_plane() && left[0].owner == right[0].owner)

@@ -1,8 +1,9 @@
 #include "mariotte/scene/bodies_reader.hpp"
 
-#include <algorithm>
+#include <map>
 
 #include "mariotte/core/error.hpp"
+#include "mariotte/scene/bodies_names.hpp"
 #include "mariotte/scene/bodies_pairs.hpp"
 #include "mariotte/scene/bodies_shapes.hpp"
 #include "mariotte/scene/error_list.hpp"
@@ -91,16 +92,18 @@ void read_list(Source& source, const Field& bodies, model::Bodies& model, Toucha
   errors.raise();
 }
 
+/// A name means one thing: no other body or plane is called so, by name or by number.
 void expect_own_names(const Source& source, const Field& bodies, const model::Bodies& model) {
-  std::vector<std::string> names;
-  const auto list = find(bodies, "body");
-  for (Index i = 0; i < std::ssize(model.body); ++i) {
-    const auto& name = model.body[i].name;
-    if (name.empty()) continue;
-    if (std::find(names.begin(), names.end(), name) != names.end())
-      reject(source, element(*list, i), fault::contradiction,
-             "another body has the name '" + name + "', too");
-    names.push_back(name);
+  std::map<std::string_view, const Called*> known;
+  const auto all = called(model);
+  for (const auto& one : all) {
+    const auto* other = known.emplace(one.word, &one).first->second;
+    if (other->features == one.features) continue;
+    const auto& given = one.is_given ? one : *other;
+    const auto& feature = given.features[0];
+    const auto list = find(bodies, feature.is_plane() ? "plane" : "body");
+    reject(source, *find(element(*list, feature.owner), "name"), fault::contradiction,
+           "another body or plane is called '" + given.word + "', too");
   }
 }
 
@@ -111,12 +114,10 @@ Touchables read_touchables(Source& source, const Field& bodies, model::Bodies& m
   if (const auto field = find(bodies, "gravity"))
     errors.attempt(
         [&] { model.gravity = read_coordinates(source, *field, dimension::acceleration, model.dimension); });
-  errors.attempt([&] {
-    read_list(source, bodies, model, touchables);
-    expect_own_names(source, bodies, model);
-  });
+  errors.attempt([&] { read_list(source, bodies, model, touchables); });
   errors.attempt([&] { read_planes(source, bodies, model, touchables); });
   errors.raise();
+  expect_own_names(source, bodies, model);
   return touchables;
 }
 
