@@ -130,6 +130,19 @@ BOOST_AUTO_TEST_CASE(a_key_that_is_no_number_is_refused) {
                     scene::SceneError);  // zero: "velocity[1]" is known
 }
 
+// A hundredth of the height would push the ball into the plane.
+BOOST_AUTO_TEST_CASE(keys_are_moved_no_farther_than_the_scene_makes_sense) {
+  const std::string above =
+      "[bodies]\ndimension = 2\nlaw = \"hertz\"\nstiffness = 1\n[[bodies.plane]]\nnormal = [0, 1]\n"
+      "[[bodies.body]]\nradius = 1\nmass = 1\nvelocity = [0, -0.01]\nposition = [0, ";
+  const std::string key = "bodies.body[0].position[1]";
+  const auto slopes = slopes_of(above + "1.01]\n", {key});
+  BOOST_TEST(slope(slopes, "time", 0) == 100, boost::test_tools::tolerance(1e-9));
+  BOOST_CHECK_EXCEPTION(slopes_of(above + "1]\n", {key}), scene::SceneError, [&](const auto& error) {
+    return std::string(error.what()).find("--to " + key + ": has no slope") != std::string::npos;
+  });
+}
+
 BOOST_AUTO_TEST_CASE(a_symmetric_chain_has_no_slopes_of_its_time) {
   const auto found =
       slopes_of("[chain]\nmass = 1\nballs = 3\nlaw = \"linear\"\nstiffness = 1\nvelocity = [1, 0, -1]\n");

@@ -25,6 +25,23 @@ double expect_value(const Document& document, const std::string& key) {
          "is no number of the model or the scene that has a value other than zero");
 }
 
+double step_around(const Document& document, const std::string& key, double value,
+                   const std::function<void(double)>& read) {
+  std::optional<scene::SceneError> why;
+  for (const double share : {1e-2, 1e-3, 1e-4, 1e-5}) try {
+      const double step = share * std::abs(value);
+      read(value - 4 * step);
+      read(value + 4 * step);
+      return step;
+    } catch (const scene::SceneError& error) {
+      why = error;
+    }
+  Document copy = document;
+  const auto place = add_origin(copy.source, "--to " + key);
+  reject(copy.source, place, why->fault,
+         std::string("has no slope, since the scene ends next to it: ") + why->what());
+}
+
 bool is_asked_for(const std::string& name, const std::string& key) {
   return name.starts_with(key) &&
          (name.size() == key.size() || name[key.size()] == '[' || name[key.size()] == '.');

@@ -1,6 +1,7 @@
 // Keys of a scene as numbers that its model depends on.
 #pragma once
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -35,9 +36,17 @@ impact::Parameter<Model> scene_parameter(const scene::Document& document, const 
           }};
 }
 
+/// A hundredth of the value, or as much less as lets `read` the scene at four times that on both sides:
+/// bodies that are moved farther may overlap. Throws SceneError that names the key where there is no such
+/// step.
+double step_around(const scene::Document& document, const std::string& key, double value,
+                   const std::function<void(double)>& read);
+
 template <class Model>
 impact::Parameter<Model> number_of_scene(const scene::Document& document, const std::string& key) {
-  return scene_parameter<Model>(document, key, key, expect_value(document, key));
+  auto number = scene_parameter<Model>(document, key, key, expect_value(document, key));
+  number.step = step_around(document, key, number.value, number.model);
+  return number;
 }
 
 }  // namespace mariotte::study
