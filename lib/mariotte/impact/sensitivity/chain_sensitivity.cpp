@@ -1,4 +1,6 @@
+#include "mariotte/impact/chain/chain_frame.hpp"
 #include "mariotte/impact/sensitivity/contact_sensitivity.hpp"
+#include "mariotte/impact/sensitivity/frame_slopes.hpp"
 #include "mariotte/model/chain/chain_system.hpp"
 
 namespace mariotte::impact {
@@ -56,12 +58,18 @@ Sensitivity sensitivity(const model::Chain& chain, const std::vector<Parameter<m
   expect_no_drive(chain.drive);
   hybrid::validate(asked);
   model::expect_end(chain, asked.max_time);
-  const auto options = for_slopes(asked);
+  const auto frame = moving_frame(chain);
+  const auto moving = within(frame, chain);
+  const auto moved = within(frame, by);
   model::ChainSystem system;
-  system.reset(chain, options.accuracy, std::isfinite(options.max_time));
-  ContactSensitivity<model::ChainSystem, model::ChainTopology, ChainImpulses> run(system, system.chain(), by,
-                                                                                  options, watch);
-  return run.take();
+  auto found = resolved(asked, [&](const hybrid::Options& options) {
+    system.reset(moving, options.accuracy, std::isfinite(options.max_time));
+    ContactSensitivity<model::ChainSystem, model::ChainTopology, ChainImpulses> run(system, system.chain(),
+                                                                                    moved, options, watch);
+    return std::pair(run.take(), run.time_loss());
+  });
+  leave(frame, found);
+  return found;
 }
 
 }  // namespace mariotte::impact

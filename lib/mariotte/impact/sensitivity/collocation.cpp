@@ -2,8 +2,10 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <optional>
 
 #include "mariotte/impact/sensitivity/gauss.hpp"
+#include "mariotte/impact/sensitivity/stage_system.hpp"
 
 namespace mariotte::impact {
 namespace {
@@ -56,6 +58,7 @@ struct Collocation::Memory {
   std::vector<flow::Entry> pattern;
   Eigen::VectorXd magnitude;
   Eigen::RowVectorXd natural;
+  Eigen::RowVectorXd extent;  ///< of columns in a piece
   double accuracy;
   Index size, columns;
   std::vector<Index> active;    ///< components that rates depend on
@@ -63,7 +66,8 @@ struct Collocation::Memory {
   std::vector<double> jacobian[stages];
   SlopeMatrix source[stages];
   double rate[stages];
-  Matrix system, right, value, now;
+  std::optional<StageSystem> equations;
+  Matrix right, value, now;
   Matrix coefficient[tail_length];
   Matrix slope[stages];
   double unresolved = 0;
@@ -99,25 +103,18 @@ struct Collocation::Memory {
     slope[i] *= rate[i];
   }
 
-  /// (I − a A) Z = S + a B for the active components at all points.
+  /// Z = S + a (A Z + B) for the active components at all points.
   bool divide() {
     const Index m = std::ssize(active);
-    system.setIdentity(m * stages, m * stages);
-    right.resize(m * stages, columns);
-    for (int i = 0; i < stages; ++i) right.middleRows(i * m, m) = now;
+    value.resize(m * stages, columns);
+    for (int i = 0; i < stages; ++i) value.middleRows(i * m, m) = now;
     for (int j = 0; j < stages; ++j) {
-      for (std::size_t e = 0; e < pattern.size(); ++e) {
-        const Index row = position[pattern[e].row], column = position[pattern[e].column];
-        if (row < 0 || jacobian[j][e] == 0) continue;
-        const double factor = rate[j] * jacobian[j][e];
-        for (int i = 0; i < stages; ++i) system(i * m + row, j * m + column) -= gauss.integral[i][j] * factor;
-      }
       const auto b = source_at(j);
       for (Index k = 0; k < m; ++k)
         for (int i = 0; i < stages; ++i)
-          right.row(i * m + k) += gauss.integral[i][j] * rate[j] * b.row(active[k]);
+          value.row(i * m + k) += gauss.integral[i][j] * rate[j] * b.row(active[k]);
     }
-    value = system.partialPivLu().solve(right);
+    equations->solve(jacobian, rate, value);
     for (int i = 0; i < stages; ++i) set_slope(i, value.middleRows(i * m, m));
     return true;
   }
@@ -162,18 +159,35 @@ struct Collocation::Memory {
       reach = reach.cwiseMax((unit * slope[i]).cwiseAbs().colwise().maxCoeff());
       for (int k = 0; k < tail_length; ++k) coefficient[k] += gauss.tail[k][i] * slope[i];
     }
+    extent = reach.cwiseMax(natural);
     double size_of[tail_length];
     for (int k = 0; k < tail_length; ++k) {
       const Eigen::RowVectorXd most = (unit * coefficient[k]).cwiseAbs().colwise().maxCoeff();
-      size_of[k] = most.cwiseQuotient(reach.cwiseMax(natural)).maxCoeff();
+      size_of[k] = most.cwiseQuotient(extent).maxCoeff();
     }
     return {size_of[0] + size_of[1], size_of[2] + size_of[3]};
   }
 
-  /// Of the last halving the error is kept.
+  /// What rounding leaves of the highest coefficients: rates are differences of large terms where dampers are
+  /// strong.
+  double rounding() const {
+    constexpr double share = 4 * stages * epsilon;
+    const Index m = std::ssize(active);
+    double most = 0;
+    for (int i = 0; i < stages; ++i)
+      for (std::size_t e = 0; e < pattern.size(); ++e) {
+        const double factor = std::abs(rate[i] * jacobian[i][e]) / magnitude[pattern[e].row];
+        const auto state = value.row(i * m + position[pattern[e].column]);
+        if (factor != 0) most = std::max(most, factor * state.cwiseAbs().cwiseQuotient(extent).maxCoeff());
+      }
+    return share * most;
+  }
+
+  /// Of the last halving the error is kept, and where halving does not help: of what is rounding.
   bool resolves(const SlopeMatrix& slopes, bool is_last) {
     const auto [before, last] = tails(slopes);
     if (is_resolved(before, last, accuracy)) return true;
+    is_last |= last <= rounding();
     if (is_last) unresolved = std::max(unresolved, remainder(before, last));
     return is_last;
   }
@@ -184,7 +198,7 @@ struct Collocation::Memory {
     Eigen::Map<Matrix> s(slopes.values.data(), size, columns);
     now.resize(std::ssize(active), columns);
     for (std::size_t k = 0; k < active.size(); ++k) now.row(k) = s.row(active[k]);
-    const bool small = std::ssize(active) * stages <= largest_division;
+    const bool small = equations->unknowns() <= largest_division;
     const bool solved = small ? divide() : sweep();
     if (!solved && last) unresolved = 1;
     if (!(solved ? resolves(slopes, last) : last)) return false;
@@ -212,6 +226,7 @@ Collocation::Collocation(std::vector<flow::Entry> pattern, std::span<const doubl
   m.magnitude = Eigen::Map<const Eigen::VectorXd>(magnitudes.data(), m.size);
   m.accuracy = accuracy;
   m.find_active();
+  m.equations.emplace(m.pattern, m.position);
   for (int i = 0; i < stages; ++i) {
     m.jacobian[i].resize(m.pattern.size());
     m.source[i] = SlopeMatrix(m.size, m.columns);

@@ -295,7 +295,7 @@ bool ContactVariation<Topology>::ends_steeply(Index i, const contact::ContactSet
 
 template <class Topology>
 void ContactVariation<Topology>::meet(Index i, const contact::ContactSet& mode, State x) const {
-  if (layout_.kind(i) == GuardKind::gap && mode[i] != contact::ContactMode::hovering)
+  if (has_root(i, mode) && mode[i] != contact::ContactMode::hovering)
     x[layout_.gap[i]] = -level(mode[i], model_.law[i], memory_of(mode, i), 0);
 }
 

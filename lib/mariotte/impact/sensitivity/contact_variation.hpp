@@ -92,6 +92,8 @@ class ContactVariation {
   void guard_slopes(Index i, ConstState x, const contact::ContactSet& mode, std::span<double> slopes) const;
   /// How fast guard i crosses at this rate, relative to what is natural.
   double crossing_speed(Index i, double rate, const contact::ContactSet& mode) const;
+  /// In which what guard i watches moves by its own size.
+  double natural_time(Index i) const { return model_.time[layout_.guard_contact[i]]; }
   /// Whose guard it is.
   std::string name(Index i, const contact::ContactSet&) const {
     return "contact " + std::to_string(layout_.guard_contact[i] + 1);
@@ -105,12 +107,23 @@ class ContactVariation {
     const Index j = layout_.guard_contact[i];
     return before[j] == contact::ContactMode::open && after[j] == contact::ContactMode::closed;
   }
+  /// Whether nothing pushes.
+  bool is_free(const contact::ContactSet& mode) const {
+    for (Index j = 0; j < layout_.contacts(); ++j)
+      if (contact::carries_force(mode[j])) return false;
+    return true;
+  }
   /// Whether slopes of the force grow faster than δ^{−1/2} towards guard i.
   bool ends_steeply(Index i, const contact::ContactSet& mode) const;
   /// Where guard i has changed what its contact remembers: to the indentation at that event, whose slopes are
   /// those of the gap at fixed time and of the time.
   void remember(Index i, const contact::ContactSet& before, const contact::ContactSet& after,
                 const SlopeMatrix& slopes, ConstState rate, std::span<const double> time);
+  /// Whether forces may have a root where guard i is met: a load that vanishes does so while its contact is
+  /// indented.
+  bool has_root(Index i, const contact::ContactSet&) const {
+    return layout_.kind(i) == model::GuardKind::gap;
+  }
   /// The state at which guard i is zero, next to one where it nearly is: roots of rounding are much.
   void meet(Index i, const contact::ContactSet& mode, State x) const;
   /// A contact closes and opens exactly where its law begins and ends.

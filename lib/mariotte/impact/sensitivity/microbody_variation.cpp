@@ -161,10 +161,8 @@ void MicrobodyVariation::remember(Index, const MicrobodyMode&, const MicrobodyMo
         after.tip[i].contact == TipContact::sliding && after.tip[i].start != model::SlipStart::moving;
 }
 
-void MicrobodyVariation::meet(Index i, const MicrobodyMode&, State x) const {
-  if (i >= model::escape_guard(system_.layout().tips)) return;
-  if (static_cast<TipGuard>(i % model::guards_per_tip) == TipGuard::gap)
-    x[system_.layout().place.gap[i / model::guards_per_tip]] = 0;
+void MicrobodyVariation::meet(Index i, const MicrobodyMode& mode, State x) const {
+  if (has_root(i, mode)) x[system_.layout().place.gap[i / model::guards_per_tip]] = 0;
 }
 
 }  // namespace mariotte::impact

@@ -29,6 +29,7 @@ class MicrobodyVariation {
                     const model::MicrobodyMode& mode) const;
   void guard_slopes(Index i, ConstState x, const model::MicrobodyMode& mode, std::span<double> slopes) const;
   double crossing_speed(Index i, double rate, const model::MicrobodyMode& mode) const;
+  double natural_time(Index) const { return base_.time; }
   std::string name(Index i, const model::MicrobodyMode&) const {
     return "tip " + std::to_string(i / model::guards_per_tip + 1);
   }
@@ -36,6 +37,10 @@ class MicrobodyVariation {
   /// The first tip touches at the start whatever the parameters are.
   std::vector<Index> guards_at_start(const model::MicrobodyMode&, ConstState) const { return {}; }
   void open_at_start(model::MicrobodyMode&, Index) const {}
+  bool has_root(Index i, const model::MicrobodyMode&) const {
+    return i < model::escape_guard(system_.layout().tips) &&
+           static_cast<model::TipGuard>(i % model::guards_per_tip) == model::TipGuard::gap;
+  }
   void meet(Index i, const model::MicrobodyMode& mode, State x) const;
   /// Whether its tip has touched by guard i.
   bool closes(Index i, const model::MicrobodyMode& before, const model::MicrobodyMode& after) const {
@@ -43,6 +48,12 @@ class MicrobodyVariation {
     const auto tip = static_cast<std::size_t>(i / model::guards_per_tip);
     return before.tip[tip].contact == model::TipContact::clear &&
            after.tip[tip].contact != model::TipContact::clear;
+  }
+  /// Whether no tip touches.
+  bool is_free(const model::MicrobodyMode& mode) const {
+    for (Index tip = 0; tip < system_.layout().tips; ++tip)
+      if (mode.tip[static_cast<std::size_t>(tip)].contact != model::TipContact::clear) return false;
+    return true;
   }
   void settle(Index i, const model::MicrobodyMode& before, State x) const { meet(i, before, x); }
   /// Notices slips in space that start from rest.

@@ -1,4 +1,6 @@
+#include "mariotte/impact/network/network_frame.hpp"
 #include "mariotte/impact/sensitivity/contact_sensitivity.hpp"
+#include "mariotte/impact/sensitivity/frame_slopes.hpp"
 #include "mariotte/model/network/network_system.hpp"
 
 namespace mariotte::impact {
@@ -28,11 +30,17 @@ Sensitivity sensitivity(const model::Network& network, const std::vector<Paramet
   model::validate(network);
   expect_no_drive(network.drive);
   hybrid::validate(asked);
-  const auto options = for_slopes(asked);
-  model::NetworkSystem system(network, options.accuracy, std::isfinite(options.max_time));
-  ContactSensitivity<model::NetworkSystem, model::NetworkTopology, NetworkImpulses> run(
-      system, system.network(), by, options, watch);
-  return run.take();
+  const auto frame = moving_frame(network);
+  const auto moving = within(frame, network);
+  const auto moved = within(frame, by);
+  auto found = resolved(asked, [&](const hybrid::Options& options) {
+    model::NetworkSystem system(moving, options.accuracy, std::isfinite(options.max_time));
+    ContactSensitivity<model::NetworkSystem, model::NetworkTopology, NetworkImpulses> run(
+        system, system.network(), moved, options, watch);
+    return std::pair(run.take(), run.time_loss());
+  });
+  leave(frame, found);
+  return found;
 }
 
 }  // namespace mariotte::impact

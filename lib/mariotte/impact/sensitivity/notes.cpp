@@ -62,6 +62,14 @@ std::string waiting_note() {
          "and by velocities of their balls: pressed such a contact acts at once, drawn apart not at all";
 }
 
+std::string slow_ending_note(double error) {
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "what ends the run crosses so slowly that slopes of its time may be off by %.1g of the time",
+                error);
+  return text;
+}
+
 std::string unresolved_note(double error) {
   char text[160];
   std::snprintf(text, sizeof text, "forces change so steeply that slopes are resolved to %.1g of their size",

@@ -17,6 +17,7 @@ std::string hardly_touching_note(const std::string& what, double speed);
 std::string slip_from_rest_note();
 std::string shared_ending_note();
 std::string noise_ending_note();
+std::string slow_ending_note(double error);
 std::string waiting_note();
 std::string unresolved_note(double error);
 /// Slopes that are no numbers are left out; a note says so.

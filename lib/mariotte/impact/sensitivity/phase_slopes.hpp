@@ -99,7 +99,8 @@ class PhaseSlopes final : public hybrid::PhaseObserver {
     for (std::size_t i = 0; i < guards; ++i) {
       const auto sign = static_cast<double>(problem_.crossings()[i]);
       const double past = value_[i] / rate_[i] / length;
-      if (!(sign * rate_[i] > 0 && past < 1e-3)) continue;
+      if (!(sign * rate_[i] > 0 && past < 1e-3 && variation_.has_root(static_cast<Index>(i), mode_)))
+        continue;
       if (past > -1e-11) return meet(step, static_cast<Index>(i), past * length);
       if (past > -1 && -past < beyond) set_end(static_cast<Index>(i)), beyond = -past;
     }

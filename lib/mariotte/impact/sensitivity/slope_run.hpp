@@ -8,7 +8,8 @@
 //
 // From a contact that closes on, slopes are carried at fixed time since that instant instead, S + f Σ τ_p,
 // which follows the same equation: the slope of its gap is zero then, and no root of its force is met with
-// another slope. Where events begin and end what is integrated, all events set the clock so.
+// another slope. One that closes slowly does so only while no other pushes. Where events begin and end what
+// is integrated, all events set the clock so.
 #pragma once
 #include <functional>
 #include <optional>
@@ -43,6 +44,7 @@ struct SlopeRun {
   std::vector<double> time;               ///< slopes of the time of the ending
   std::vector<bool> time_is_shared;       ///< by parameter: guards that ended the run move apart in time
   bool time_is_noise = false;             ///< what ended the run is within the noise, and no guard
+  double time_loss = 0;                   ///< error of the time's slopes over that of the state's
   std::optional<DelicateEvent> delicate;  ///< the slowest
   std::vector<CoincidentEvents> coincident;
   double unresolved = 0;  ///< error beyond what is asked, relative to the slopes
@@ -67,8 +69,10 @@ class SlopeLoop {
             SlopeRun<System>& result);
   std::vector<std::vector<double>> event_times(const Observer& observer, const std::vector<Index>& guards,
                                                ConstState rate, SlopeRun<System>& result);
+  void note_loss(ConstState rate, SlopeRun<System>& result);
   void jump(Observer& observer, const typename System::Mode& before, ConstState rate,
             SlopeRun<System>& result);
+  double speed_of(Index guard, ConstState rate);
   bool sets_clock(Index guard, ConstState rate);
   void shift_clock(Observer& observer, ConstState rate, const std::vector<double>& time);
   void reset(Observer& observer, const typename System::Mode& before, ConstState rate,
@@ -155,15 +159,21 @@ void SlopeLoop<System, Variation>::start_events(Observer& observer, SlopeRun<Sys
   }
 }
 
-/// True of a guard that crosses fast enough: times of grazed ones have slopes so large that all others would
-/// lose digits.
+/// At which a guard crosses, relative to the natural one.
 template <class System, class Variation>
-bool SlopeLoop<System, Variation>::sets_clock(Index guard, ConstState rate) {
-  constexpr double brisk = 1e-3;
+double SlopeLoop<System, Variation>::speed_of(Index guard, ConstState rate) {
   const auto& mode = workspace_.mode;
   const double crossing =
       variation_.guard_rate(system_.problem(workspace_.mode), guard, workspace_.run.state, rate, mode);
-  return variation_.crossing_speed(guard, crossing, mode) > brisk;
+  return variation_.crossing_speed(guard, crossing, mode);
+}
+
+/// True of a guard that crosses fast enough: times of grazed ones have slopes so large that those of all that
+/// moves would lose digits.
+template <class System, class Variation>
+bool SlopeLoop<System, Variation>::sets_clock(Index guard, ConstState rate) {
+  constexpr double brisk = 1e-3;
+  return speed_of(guard, rate) > brisk;
 }
 
 /// Slopes at fixed time since an event that moves by τ_p.
@@ -222,7 +232,8 @@ void SlopeLoop<System, Variation>::jump(Observer& observer, const typename Syste
   }
   observer.slopes = after_all;
   for (std::size_t k = 0; k < fired.size(); ++k)
-    if (variation_.closes(fired[k], before, last) && sets_clock(fired[k], rate))
+    if (variation_.closes(fired[k], before, last) &&
+        (sets_clock(fired[k], rate) || variation_.is_free(before)))
       return shift_clock(observer, rates(last), times[k]);
 }
 
@@ -245,12 +256,23 @@ void SlopeLoop<System, Variation>::reset(Observer& observer, const typename Syst
   system_.problem(workspace_.mode);  // which transitions look at
 }
 
+/// A guard that crosses slowly makes much of the errors of a state.
+template <class System, class Variation>
+void SlopeLoop<System, Variation>::note_loss(ConstState rate, SlopeRun<System>& result) {
+  result.time_loss = 0;
+  if constexpr (!resets)
+    for (const Index guard : workspace_.fired)
+      result.time_loss = std::max(result.time_loss,
+                                  variation_.natural_time(guard) / result.run.time / speed_of(guard, rate));
+}
+
 /// From S⁻ to S⁺ at the guards that have fired; the mode is still the one before them.
 template <class System, class Variation>
 void SlopeLoop<System, Variation>::pass(Observer& observer, const typename System::Mode& before,
                                         ConstState rate, SlopeRun<System>& result) {
   result.time_is_noise = workspace_.fired.empty();
   if (workspace_.fired.empty()) return;
+  note_loss(rate, result);
   if constexpr (resets)
     reset(observer, before, rate, result);
   else
@@ -306,6 +328,7 @@ SlopeRun<System> SlopeLoop<System, Variation>::follow(ConstState x0, const Slope
       if (arrival.outcome == flow::Outcome::limit) {
         result.time.assign(variation_.columns(), 0.0);
         result.time_is_noise = false;
+        result.time_loss = 0;
         result.time_is_shared.assign(variation_.columns(), false);
         end(Ending::time_limit);
       } else {

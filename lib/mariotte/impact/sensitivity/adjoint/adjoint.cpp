@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "mariotte/core/error.hpp"
+#include "mariotte/impact/chain/chain_frame.hpp"
 #include "mariotte/impact/sensitivity/contact_sensitivity.hpp"
+#include "mariotte/impact/sensitivity/frame_slopes.hpp"
 #include "mariotte/impact/watch/chain_run.hpp"
 #include "mariotte/model/islands/islands.hpp"
 
@@ -125,7 +127,8 @@ Adjoint adjoint(const Chain& chain, std::span<const double> weights, const hybri
   if (const char* why = why_no_adjoint(chain)) throw InvalidParameter(why);
   if (weights.size() != chain.mass.size()) throw InvalidParameter("there must be one weight per ball");
   RecordedRun recorded;
-  follow(chain, for_slopes(asked), watch, recorded);
+  const auto frame = moving_frame(chain);
+  follow(within(frame, chain), for_slopes(asked), watch, recorded);
   const auto& [scaled, layout, motion, run] = recorded;
   Adjoint result{.ending = run.ending,
                  .message = run.message,
@@ -133,7 +136,8 @@ Adjoint adjoint(const Chain& chain, std::span<const double> weights, const hybri
                  .pieces = std::ssize(motion.piece),
                  .bytes = motion.bytes()};
   for (std::size_t i = 0; i < weights.size(); ++i)
-    result.value += weights[i] * run.state[layout.velocity[i]] * scaled.scale.velocity;
+    result.value +=
+        weights[i] * (run.state[layout.velocity[i]] * scaled.scale.velocity + (frame ? frame.at(i) : 0));
   result.slopes = sweep_back(scaled, motion, {run.time}, weights);
   restore_units(scaled, result.slopes);
   leave_out_waiting(chain, motion, result.slopes);

@@ -145,6 +145,12 @@ void BodiesVariation<D>::guard_slopes(Index i, ConstState x, const BodiesMode& m
 }
 
 template <int D>
+bool BodiesVariation<D>::has_root(Index i, const BodiesMode& mode) const {
+  return i >= system_.problem(mode).gap_guard(0) ||
+         static_cast<SlotGuard>(i % model::guards_per_slot) != SlotGuard::load;
+}
+
+template <int D>
 double BodiesVariation<D>::crossing_speed(Index i, double rate, const BodiesMode& mode) const {
   const auto& phase = system_.problem(mode);
   const auto& setting = system_.setting();

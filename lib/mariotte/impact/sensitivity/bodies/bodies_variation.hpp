@@ -44,6 +44,7 @@ class BodiesVariation {
 
   std::vector<Index> guards_at_start(const Mode& mode, ConstState x) const;
   void open_at_start(Mode& mode, Index i) const;
+  bool has_root(Index i, const Mode& mode) const;
   void meet(Index, const Mode&, State) const {}
   void settle(Index, const Mode&, State) const {}
 

@@ -1,0 +1,33 @@
+// Slopes of what flies as a whole: seen by somebody who flies along, as runs are. The frame stays when a
+// number moves, so slopes are those of outside.
+#pragma once
+#include "mariotte/impact/moving_frame.hpp"
+#include "mariotte/impact/sensitivity/sensitivity.hpp"
+
+namespace mariotte::impact {
+
+template <class Model>
+Model within(const MovingFrame& frame, Model model) {
+  if (frame) enter(frame, model.velocity);
+  return model;
+}
+
+/// Parameters of the model within the frame.
+template <class Model>
+std::vector<Parameter<Model>> within(const MovingFrame& frame, std::vector<Parameter<Model>> by) {
+  if (frame)
+    for (auto& one : by)
+      one.model = [frame, outside = std::move(one.model)](double value) {
+        return within(frame, outside(value));
+      };
+  return by;
+}
+
+/// Velocities as seen from outside again.
+inline void leave(const MovingFrame& frame, Sensitivity& found) {
+  if (!frame) return;
+  for (auto& outcome : found.outcome)
+    if (outcome.name == "velocity") *outcome.value += frame.at(static_cast<std::size_t>(*outcome.index));
+}
+
+}  // namespace mariotte::impact

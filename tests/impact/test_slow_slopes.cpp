@@ -1,0 +1,114 @@
+// Slopes of what happens slowly beside the rest: balls that fly along, late meetings, contacts that creep.
+#define BOOST_TEST_MODULE impact_slow_slopes
+#include <boost/test/unit_test.hpp>
+
+#include "mariotte/impact/sensitivity/adjoint/adjoint.hpp"
+#include "mariotte/impact/sensitivity/sensitivity.hpp"
+
+using namespace mariotte;
+
+namespace {
+
+double slope(const impact::Sensitivity& found, const std::string& outcome, const std::string& parameter) {
+  for (const auto& one : found.outcome)
+    for (std::size_t c = 0; c < found.parameter.size(); ++c)
+      if (name_of(one) == outcome && found.parameter[c].name == parameter) return one.slope[c].value();
+  BOOST_FAIL("no slope of " << outcome << " by " << parameter);
+  return 0;
+}
+
+template <class Model>
+impact::Sensitivity slopes_of(const Model& model, double accuracy) {
+  return impact::sensitivity(model, impact::parameters(model), {.accuracy = accuracy});
+}
+
+/// The approach is a millionth of the velocity, and a number that doubles have.
+constexpr double common = 0x1p14, approach = 0x1p-26;
+const std::vector<double> flying = {common + approach, common};
+
+/// p = 2 m* (v₁ − v₂), and the time is that of the flight but for a trifle.
+void expect_slopes_of_pair(const impact::Sensitivity& found) {
+  const double reduced = 2.0 * 3.0 / 5.0;
+  for (const auto& one : found.outcome)
+    if (one.name == "impulse") BOOST_TEST(std::abs(*one.value / (2 * reduced * approach) - 1) < 1e-9);
+  BOOST_TEST(std::abs(slope(found, "impulse[0]", "velocity[0]") / (2 * reduced) - 1) < 1e-9);
+  BOOST_TEST(std::abs(slope(found, "impulse[0]", "mass[0]") / (2 * 9.0 / 25.0 * approach) - 1) < 1e-9);
+  BOOST_TEST(std::abs(slope(found, "time", "gap[0]") * approach - 1) < 1e-9);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(balls_that_fly_along_have_the_slopes_of_their_own_frame) {
+  const model::Chain chain{.mass = {2, 3}, .law = {contact::Linear{1}}, .gap = {0.25}, .velocity = flying};
+  const auto found = slopes_of(chain, 1e-10);
+  expect_slopes_of_pair(found);
+  BOOST_TEST(found.outcome[0].value.value() == common + 0.2 * -approach, boost::test_tools::tolerance(1e-15));
+}
+
+BOOST_AUTO_TEST_CASE(so_have_networks) {
+  const model::Network network{.mass = {2, 3},
+                               .direction = {{{0, -1}, {1, 1}}},
+                               .law = {contact::Linear{1}},
+                               .gap = {0.25},
+                               .velocity = flying};
+  expect_slopes_of_pair(slopes_of(network, 1e-10));
+}
+
+BOOST_AUTO_TEST_CASE(slopes_that_are_swept_back_fly_along_too) {
+  const model::Chain chain{.mass = {2, 3, 1},
+                           .law = {contact::Hertz{1}, contact::Hertz{2}},
+                           .gap = {0.25, 0},
+                           .velocity = {flying[0], common, common}};
+  auto still = chain;
+  for (double& v : still.velocity) v -= common;
+  const std::vector<double> last = {0, 0, 1};
+  const auto fast = impact::adjoint(chain, last), slow = impact::adjoint(still, last);
+  BOOST_TEST(fast.value == slow.value + common, boost::test_tools::tolerance(1e-15));
+  for (std::size_t i = 0; i < 3; ++i)
+    BOOST_TEST(fast.slopes.mass[i] == slow.slopes.mass[i], boost::test_tools::tolerance(1e-9));
+}
+
+// Its slopes at fixed time are 10⁴ times those of what comes of it.
+BOOST_AUTO_TEST_CASE(a_late_and_slow_meeting_has_slopes_as_right_as_asked) {
+  const model::Chain chain{.mass = {0.47, 1.02, 0.42},
+                           .law = {contact::Hertz{1}, contact::Viscoelastic{0.9, 0.32, 1.5}},
+                           .gap = {0, 0.87},
+                           .velocity = {-0.47, 0.02655, 0.02652}};
+  const double exact = slope(slopes_of(chain, 1e-12), "impulse[1]", "velocity[1]");
+  for (const double accuracy : {1e-6, 1e-8, 1e-10})
+    BOOST_TEST(std::abs(slope(slopes_of(chain, accuracy), "impulse[1]", "velocity[1]") - exact) <=
+               10 * accuracy);
+}
+
+// δ = A e^{st} + B e^{ft}; its load vanishes where e^{(s − f) t} = −B (k + c f)/(A (k + c s)).
+BOOST_AUTO_TEST_CASE(a_contact_that_creeps_has_the_slope_of_its_end) {
+  const double k = 0.95, c = 40, depth = 0.0107, rate = 0.08;
+  const model::Chain chain{.mass = {1, 1},
+                           .law = {contact::Viscoelastic{k, c, 1}},
+                           .gap = {-depth},
+                           .velocity = {rate, 0},
+                           .precompressed = true};
+  const double root = std::sqrt(c * c - 2 * k), slow = root - c, fast = -root - c;
+  const double a = (rate - fast * depth) / (slow - fast), b = depth - a;
+  const double by_rate = (-1 / (slow - fast) / b - 1 / (slow - fast) / a) / (slow - fast);
+  const double time = std::log(-b * (k + c * fast) / (a * (k + c * slow))) / (slow - fast);
+  for (const double accuracy : {1e-6, 1e-8, 1e-9, 1e-10}) {
+    const auto found = slopes_of(chain, accuracy);
+    const double own = slope(found, "time", "velocity[0]");
+    BOOST_TEST(std::abs(own / by_rate - 1) * std::abs(by_rate * rate / time) <= 10 * accuracy);
+  }
+}
+
+// Rounding of a load that fades slowly is much time, but the state is that of the event all the same.
+BOOST_AUTO_TEST_CASE(a_contact_that_lets_go_slowly_leaves_slopes_of_others_alone) {
+  const model::Chain chain{
+      .mass = {1, 1, 1, 1},
+      .law = {contact::Viscoelastic{1, 0.2, 1.3}, contact::Hertz{1}, contact::Viscoelastic{1, 40, 1}},
+      .gap = {0, 100, 0.1},
+      .velocity = {1, 0, 0.3, -0.2}};
+  for (const double accuracy : {1e-8, 1e-10}) {
+    const auto found =
+        impact::sensitivity(chain, impact::parameters(chain), {.accuracy = accuracy, .max_time = 1.5});
+    BOOST_TEST(std::abs(slope(found, "velocity[0]", "velocity[3]")) < 1e-10);
+  }
+}
