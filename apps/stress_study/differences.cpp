@@ -1,10 +1,11 @@
 #include "differences.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <optional>
+#include <utility>
 
-#include "mariotte/impact/sensitivity/stencil.hpp"
+#include "judge.hpp"
 
 namespace mariotte::stress_study {
 namespace {
@@ -16,25 +17,95 @@ constexpr double noise = 1e-14;
 
 using Values = std::vector<double>;
 
-std::optional<Values> values_at(const Probe& probe, double value, const impact::Sensitivity& base) {
-  const auto moved = probe.outcomes(value);
-  if (moved.ending != base.ending || moved.outcome.size() != base.outcome.size()) return std::nullopt;
-  Values values;
-  for (const auto& outcome : moved.outcome) values.push_back(outcome.value.value_or(0));
-  return values;
-}
+constexpr int reach = 4;
+/// The slope in the middle of values at −4 … 4 steps: of order eight from both sides, three from one.
+using Formula = std::array<double, 2 * reach + 1>;
+constexpr Formula both_sides = {1.0 / 280, -4.0 / 105, 0.2, -0.8, 0, 0.8, -0.2, 4.0 / 105, -1.0 / 280};
+constexpr Formula left_side = {-11.0 / 6, 7, -9.5, 13.0 / 3, 0, 0, 0, 0, 0};
+constexpr Formula right_side = {0, 0, 0, 0, 0, -13.0 / 3, 9.5, -7, 11.0 / 6};
 
-std::optional<Values> difference(const Probe& probe, double step, const impact::Sensitivity& base,
-                                 const Values& sizes) {
-  Values sum(sizes.size(), 0.0);
-  for (const auto& point : impact::stencil) {
-    const auto values = values_at(probe, probe.value + point.offset * step, base);
-    if (!values) return std::nullopt;
-    for (std::size_t i = 0; i < sum.size(); ++i)
-      if (sizes[i] > 0) sum[i] += point.weight * ((*values)[i] / sizes[i]) * (probe.unit / step);
-  }
+double magnified(const Formula& formula) {
+  double sum = 0;
+  for (const double weight : formula) sum += std::abs(weight);
   return sum;
 }
+
+/// Points must be numbers that exist, or their distances are not what they are divided by.
+double representable(const Probe& probe, double step) {
+  const double last = std::abs(probe.value) + reach * step;
+  const double grain = std::nextafter(last, infinity) - last;
+  return grain * std::round(step / grain);
+}
+
+/// Outcomes next to a number; empty where the run is another.
+class Neighbours {
+ public:
+  Neighbours(const Probe& probe, double step, const impact::Sensitivity& base) : step_(step) {
+    for (int k = -reach; k <= reach; ++k)
+      if (k != 0) read(probe.outcomes(probe.value + k * step), base, values_[k + reach]);
+  }
+  double step() const { return step_; }
+  /// Per unit of outcomes and of the number.
+  Values slope(const Formula& formula, const Values& sizes, double unit) const {
+    Values sum(sizes.size(), 0.0);
+    for (std::size_t k = 0; k < formula.size(); ++k) {
+      if (formula[k] == 0) continue;
+      if (values_[k].empty()) return {};
+      for (std::size_t i = 0; i < sum.size(); ++i)
+        if (sizes[i] > 0) sum[i] += formula[k] * (values_[k][i] / sizes[i]) * (unit / step_);
+    }
+    return sum;
+  }
+
+ private:
+  static void read(const impact::Sensitivity& moved, const impact::Sensitivity& base, Values& values) {
+    if (moved.ending != base.ending || moved.outcome.size() != base.outcome.size()) return;
+    for (const auto& outcome : moved.outcome) values.push_back(outcome.value.value_or(0));
+  }
+
+  double step_;
+  std::array<Values, 2 * reach + 1> values_;
+};
+
+/// One formula with ever shorter steps.
+class Shrinking {
+ public:
+  Shrinking(const Formula& formula, const Probe& probe, const impact::Sensitivity& base, const Values& sizes)
+      : formula_(formula), probe_(probe), base_(base), sizes_(sizes) {}
+
+  void add(const Neighbours& near) {
+    const auto next = near.slope(formula_, sizes_, probe_.unit);
+    if (!next.empty() && !now_.empty() && !before_.empty())
+      for (std::size_t i = 0; i < sizes_.size(); ++i) compare(i, next[i]);
+    before_ = std::exchange(now_, next);
+    step_ = near.step();
+  }
+  const Estimate& best() const { return best_; }
+
+ private:
+  /// Runs round their outcomes, and the number itself.
+  double rounding(std::size_t i, double slope, double step) const {
+    const double value = std::max(1.0, std::abs(base_.outcome[i].value.value_or(0) / sizes_[i]));
+    return (noise * magnified(formula_) / 2 * value * probe_.unit +
+            epsilon * std::abs(probe_.value * slope)) /
+           step;
+  }
+  /// Two that agree may do so by chance; what is left of a shorter step is noise, which steps divide.
+  void compare(std::size_t i, double next) {
+    if (best_.slope.empty()) best_ = {Values(sizes_.size(), 0.0), Values(sizes_.size(), infinity)};
+    const double doubt = std::max(
+        {std::abs(now_[i] - before_[i]), shortening * std::abs(next - now_[i]), rounding(i, now_[i], step_)});
+    if (doubt < best_.doubt[i]) best_.slope[i] = now_[i], best_.doubt[i] = doubt;
+  }
+
+  const Formula& formula_;
+  const Probe& probe_;
+  const impact::Sensitivity& base_;
+  const Values& sizes_;
+  Values before_, now_;  ///< with the last two steps
+  double step_ = 0;      ///< the last one
+  Estimate best_;
+};
 
 }  // namespace
 
@@ -54,24 +125,25 @@ Values outcome_sizes(const impact::Sensitivity& slopes, double speed) {
   return sizes;
 }
 
+std::vector<const Estimate*> Differences::of(std::size_t i) const {
+  if (both.slope.empty()) return {};
+  if (std::abs(left.slope[i] - right.slope[i]) > tolerated * (left.doubt[i] + right.doubt[i]))
+    return {&left, &right};
+  return {&both};
+}
+
 Differences differences(const Probe& probe, const impact::Sensitivity& base, const Values& sizes,
                         double steepness) {
-  Differences best;
-  std::optional<Values> before;
+  Shrinking both(both_sides, probe, base, sizes), left(left_side, probe, base, sizes),
+      right(right_side, probe, base, sizes);
   double step = std::min(probe.step, 0.1 * probe.unit / steepness);
   for (int k = 0; k < lengths; ++k, step *= shortening) {
-    const auto now = difference(probe, step, base, sizes);
-    if (now && before)
-      for (std::size_t i = 0; i < sizes.size(); ++i) {
-        if (best.slope.empty()) best = {Values(sizes.size(), 0.0), Values(sizes.size(), infinity)};
-        const double value = std::max(1.0, std::abs(base.outcome[i].value.value_or(0) / sizes[i]));
-        const double rounding = noise * value * probe.unit / step;
-        const double doubt = std::max(std::abs((*now)[i] - (*before)[i]), rounding);
-        if (doubt < best.doubt[i]) best.slope[i] = (*now)[i], best.doubt[i] = doubt;
-      }
-    before = now;
+    const double exact = representable(probe, step);
+    if (exact == 0) break;
+    const Neighbours near(probe, exact, base);
+    for (auto* one : {&both, &left, &right}) one->add(near);
   }
-  return best;
+  return {both.best(), left.best(), right.best()};
 }
 
 }  // namespace mariotte::stress_study

@@ -8,6 +8,7 @@
 #include "mariotte/core/error.hpp"
 #include "mariotte/report/number.hpp"
 #include "mariotte/scene/document.hpp"
+#include "mariotte/study/sensitivity/scene_numbers.hpp"
 #include "mariotte/study/sensitivity/scene_parameters.hpp"
 #include "natural.hpp"
 #include "run.hpp"
@@ -152,11 +153,17 @@ impact::Sensitivity slopes_of(const std::string& text, const scene::Overrides& o
   return keys.empty() ? study::outcomes(scene) : study::sensitivity(document, scene, keys);
 }
 
-/// The number that a text gives a key, if it is not zero.
+scene::Overrides moved_to(const std::string& key, double value) {
+  return {key + "=" + report::exact(value)};
+}
+
+/// The number that a text gives a key, if it is not zero and can move both ways as far as slopes ask.
 std::optional<double> value_of(const std::string& text, const std::string& key) {
   try {
-    const auto found = slopes_of(text, {}, 1e-6, {key});
-    return found.parameter.front().value;
+    const double value = study::expect_value(scene::parse_document(text, "stress"), key);
+    for (const double share : {0.96, 1.04})
+      resolve(scene::parse_document(text, "stress", moved_to(key, share * value)));
+    return value;
   } catch (const scene::SceneError&) {
     return std::nullopt;
   }
@@ -172,11 +179,12 @@ SlopeSubject subject(const Body& body, double, Dice& dice) {
   std::vector<std::string> keys;
   for (const auto& one : subject.probes) keys.push_back(one.name);
   for (auto& one : subject.probes) {
-    const auto moved = [key = one.name](double value) {
-      return scene::Overrides{key + "=" + report::exact(value)};
+    one.outcomes = [=, key = one.name](double value) {
+      return slopes_of(text, moved_to(key, value), best_accuracy, {});
     };
-    one.outcomes = [=](double value) { return slopes_of(text, moved(value), best_accuracy, {}); };
-    one.slopes = [=](double value) { return slopes_of(text, moved(value), best_accuracy, keys); };
+    one.slopes = [=, key = one.name](double value) {
+      return slopes_of(text, moved_to(key, value), best_accuracy, keys);
+    };
   }
   subject.slopes = [text, keys](double accuracy) { return slopes_of(text, {}, accuracy, keys); };
   return subject;

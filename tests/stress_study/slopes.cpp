@@ -17,6 +17,21 @@ const Scene three_balls{.model = model::Chain{.mass = {1, 2, 1.5},
                                               .gap = {0.1, 0.2},
                                               .velocity = {1, 0, 0}}};
 
+/// An outcome of a number p near 1/2, whose slope there is said to be this.
+SlopeSubject outcome(double (*value)(double), double said) {
+  const auto at = [=](double p) {
+    impact::Sensitivity slopes;
+    slopes.ending = hybrid::Ending::separated;
+    slopes.parameter = {{"p", p}};
+    slopes.outcome = {{"velocity", 0, "m/s", value(p), {said}}};
+    return slopes;
+  };
+  SlopeSubject subject{.speed = 1};
+  subject.probes.push_back({"p", 0.5, 1, 0.01, at, at});
+  subject.slopes = [=](double) { return at(0.5); };
+  return subject;
+}
+
 /// An outcome eᵖ of a number p, whose slope is eᵖ times this.
 SlopeSubject exponential(double factor, std::vector<std::string> notes = {}) {
   const auto outcome = [=](double p, double by) {
@@ -43,9 +58,9 @@ Verdict examined(const SlopeSubject& subject) {
 BOOST_AUTO_TEST_CASE(differences_have_ten_digits_and_know_it) {
   const auto subject = exponential(1);
   const auto found = differences(subject.probes[0], subject.slopes(1e-10), {1}, 2);
-  BOOST_TEST_REQUIRE(found.slope.size() == 1u);
-  BOOST_TEST(std::abs(found.slope[0] - std::exp(0.5)) < 1e-10);
-  BOOST_TEST(found.doubt[0] < 1e-10);
+  BOOST_TEST_REQUIRE(found.both.slope.size() == 1u);
+  BOOST_TEST(std::abs(found.both.slope[0] - std::exp(0.5)) < 1e-10);
+  BOOST_TEST(found.both.doubt[0] < 1e-10);
 }
 
 BOOST_AUTO_TEST_CASE(steep_outcomes_are_told_by_short_steps) {
@@ -56,8 +71,8 @@ BOOST_AUTO_TEST_CASE(steep_outcomes_are_told_by_short_steps) {
   };
   const Probe probe{"p", 0.5, 1, 0.01, sine};
   const auto found = differences(probe, sine(0.5), {1}, 1e4);
-  BOOST_TEST_REQUIRE(found.slope.size() == 1u);
-  BOOST_TEST(std::abs(found.slope[0] - 1e4) < 1e-3);
+  BOOST_TEST_REQUIRE(found.both.slope.size() == 1u);
+  BOOST_TEST(std::abs(found.both.slope[0] - 1e4) < 1e-3);
 }
 
 BOOST_AUTO_TEST_CASE(differences_of_large_outcomes_know_of_rounding) {
@@ -68,9 +83,9 @@ BOOST_AUTO_TEST_CASE(differences_of_large_outcomes_know_of_rounding) {
   };
   const Probe probe{"p", 0.5, 1, 0.01, moving};
   const auto found = differences(probe, moving(0.5), {1}, 1);
-  BOOST_TEST_REQUIRE(found.slope.size() == 1u);
-  BOOST_TEST(std::abs(found.slope[0] - 1) <= found.doubt[0]);
-  BOOST_TEST(found.doubt[0] > 1e-7);
+  BOOST_TEST_REQUIRE(found.both.slope.size() == 1u);
+  BOOST_TEST(std::abs(found.both.slope[0] - 1) <= found.both.doubt[0]);
+  BOOST_TEST(found.both.doubt[0] > 1e-7);
 }
 
 BOOST_AUTO_TEST_CASE(right_slopes_leave_no_findings) {
@@ -105,4 +120,31 @@ BOOST_AUTO_TEST_CASE(numbers_that_move_one_way_only_are_left_out) {
       BOOST_TEST(one.name != "velocity[1]");
       BOOST_TEST(one.name != "velocity[2]");
     }
+}
+
+// As where two events change places: each side has its own slope.
+BOOST_AUTO_TEST_CASE(next_to_a_kink_slopes_are_those_of_a_side) {
+  const auto bent = [](double p) { return (p > 0.5 - 1e-9 ? 2 : 1) * (p - 0.5 + 1e-9); };
+  for (const double right : {1.0, 2.0}) BOOST_TEST(examined(outcome(bent, right)).findings.empty());
+  for (const double wrong : {0.9, 1.5, 2.001}) BOOST_TEST(!examined(outcome(bent, wrong)).findings.empty());
+  BOOST_TEST(examined(outcome(bent, 2)).naive);
+}
+
+// Steps of this number are divided by what they are after rounding.
+BOOST_AUTO_TEST_CASE(points_are_numbers_that_exist) {
+  const auto fast = [](double p) { return p - 0x1p40; };
+  auto probe = outcome(fast, 1).probes[0];
+  probe.value += 0x1p40;
+  const auto found = differences(probe, outcome(fast, 1).slopes(1e-10), {1}, 1);
+  BOOST_TEST_REQUIRE(found.both.slope.size() == 1u);
+  BOOST_TEST(std::abs(found.both.slope[0] - 1) < 1e-12);
+}
+
+// Noise of 10⁻⁹ that is the same for steps of two lengths.
+BOOST_AUTO_TEST_CASE(two_steps_that_agree_by_chance_do_not_count) {
+  const auto noisy = [](double p) { return p + 1e-9 * std::sin(1e7 * (p - 0.5) + 1); };
+  const auto subject = outcome(noisy, 1);
+  const auto found = differences(subject.probes[0], subject.slopes(1e-10), {1}, 1);
+  BOOST_TEST(std::abs(found.both.slope[0] - 1) <= 10 * found.both.doubt[0]);
+  BOOST_TEST(examined(subject).findings.empty());
 }
