@@ -1,5 +1,6 @@
 #include "mariotte/scene/model_reader.hpp"
 
+#include "mariotte/model/bodies/bodies_setting.hpp"
 #include "mariotte/model/representable.hpp"
 #include "mariotte/scene/bodies_reader.hpp"
 #include "mariotte/scene/body_reader.hpp"
@@ -96,6 +97,7 @@ ResolvedModel resolve_bodies(Source& source, const Field& root, const Field& bod
   expect_end(source, root, bodies, resolved.bodies);
   try {
     model::validate(resolved.bodies);
+    model::expect_digits(resolved.bodies);
     model::expect_end(resolved.bodies, has_limit(root) ? 0 : infinity);
   } catch (const InvalidParameter& error) {
     reject(source, bodies, error.fault, error.what());

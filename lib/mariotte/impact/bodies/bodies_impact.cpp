@@ -153,22 +153,12 @@ Passage passage(const BodiesImpact& impact, double attainable) {
   return gone;
 }
 
-/// What double precision can give: displacements to where bodies touch have been rounded.
-/// \throws Error  if hardly a digit of an indentation would be left
-template <int D>
-double attainable_accuracy(const model::BodiesSetting<D>& setting) {
-  constexpr double useless = 1e-6;
-  if (setting.rounding > useless)
-    throw Error("indentations are too small beside the gaps at the start: start nearer to the impact",
-                fault::unrepresentable);
-  return setting.rounding;
-}
-
 template <int D>
 BodiesImpact simulate_in(const model::Bodies& bodies, const hybrid::Options& options,
                          const RunObserver& observers) {
   auto setting = model::setting_of<D>(bodies, options.accuracy);
-  const double attainable = attainable_accuracy(setting);
+  model::expect_digits(setting);
+  const double attainable = setting.rounding;
   auto possible = options;
   possible.accuracy = std::max(options.accuracy, attainable);
   const auto run = [&](const model::Bodies& same, const hybrid::Options& tighter) {

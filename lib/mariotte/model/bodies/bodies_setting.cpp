@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mariotte/core/error.hpp"
 #include "mariotte/core/scale.hpp"
 #include "mariotte/core/state_vectors.hpp"
 #include "mariotte/model/contacts/bound.hpp"
+#include "mariotte/model/fault.hpp"
 
 namespace mariotte::model {
 namespace {
@@ -181,6 +183,19 @@ BodiesSetting<D> setting_of(const Bodies& bodies, double accuracy) {
 }
 
 template <int D>
+void expect_digits(const BodiesSetting<D>& setting) {
+  constexpr double useless = 1e-6;
+  if (setting.rounding > useless)
+    throw InvalidParameter(
+        "indentations are too small beside the gaps at the start: start nearer to the impact",
+        fault::unrepresentable);
+}
+
+void expect_digits(const Bodies& bodies) {
+  bodies.dimension == 2 ? expect_digits(setting_of<2>(bodies, 1)) : expect_digits(setting_of<3>(bodies, 1));
+}
+
+template <int D>
 std::vector<double> initial_state(const Bodies& bodies, const BodiesSetting<D>& setting) {
   const BodiesLayout<D> at{.bodies = std::ssize(bodies.body), .slots = 0};
   std::vector<double> x(at.size(), 0.0);
@@ -232,6 +247,8 @@ void set_magnitudes(const BodiesSetting<D>& setting, const BodiesLayout<D>& at, 
 
 template BodiesSetting<2> setting_of(const Bodies&, double);
 template BodiesSetting<3> setting_of(const Bodies&, double);
+template void expect_digits(const BodiesSetting<2>&);
+template void expect_digits(const BodiesSetting<3>&);
 template std::vector<double> initial_state(const Bodies&, const BodiesSetting<2>&);
 template std::vector<double> initial_state(const Bodies&, const BodiesSetting<3>&);
 template void set_magnitudes(const BodiesSetting<2>&, const BodiesLayout<2>&, const BodiesMode&,

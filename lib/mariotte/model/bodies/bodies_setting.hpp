@@ -103,6 +103,12 @@ struct BodiesSetting {
 template <int D>
 BodiesSetting<D> setting_of(const Bodies& bodies, double accuracy);
 
+/// Throws InvalidParameter (S035) where the way to the first contact leaves hardly a digit of an indentation.
+template <int D>
+void expect_digits(const BodiesSetting<D>& setting);
+/// The same of validated bodies.
+void expect_digits(const Bodies& bodies);
+
 /// The state at the start, without slots.
 template <int D>
 std::vector<double> initial_state(const Bodies& bodies, const BodiesSetting<D>& setting);
