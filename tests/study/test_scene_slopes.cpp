@@ -130,6 +130,19 @@ BOOST_AUTO_TEST_CASE(a_key_that_is_no_number_is_refused) {
                     scene::SceneError);  // zero: "velocity[1]" is known
 }
 
+BOOST_AUTO_TEST_CASE(what_is_captured_has_no_slopes_of_its_rebound_or_its_time) {
+  const auto found = slopes_of(
+      "[body]\nshape = \"sphere\"\nradius = 2.45e-6\ndensity = 1350\n[surface]\n"
+      "stiffness = 1.74e9\nwork_of_adhesion = 0.38\nzeta_hertz = 1.5\n"
+      "zeta_adhesion = 0.5\n[incidence]\nnormal_speed = 0.3\n");
+  BOOST_TEST((found.ending == hybrid::Ending::captured));
+  int missing = 0;
+  for (const auto& outcome : found.outcome)
+    if (outcome.name == "contact_time" || outcome.name == "e_n")
+      for (const auto& one : outcome.slope) missing += !one.has_value();
+  BOOST_TEST(missing == 2 * std::ssize(found.parameter));
+}
+
 // A hundredth of the height would push the ball into the plane.
 BOOST_AUTO_TEST_CASE(keys_are_moved_no_farther_than_the_scene_makes_sense) {
   const std::string above =

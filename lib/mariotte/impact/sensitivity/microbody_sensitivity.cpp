@@ -124,9 +124,12 @@ class BodySlopes {
   /// Above the capture velocity v_c the rebound is ~ √(v − v_c): its slopes grow like the inverse.
   void add_note_of_capture() {
     if (end_.run.ending == hybrid::Ending::captured) {
-      result_.notes.push_back("the body is captured: there is no rebound that could have slopes");
+      result_.notes.push_back(
+          "the body is captured: there is no rebound that could have slopes, and it is so when its motion "
+          "has "
+          "come down to the accuracy, which has none either");
       for (auto& outcome : result_.outcome)
-        if (outcome.name == "e_n" || outcome.name == "e_nm")
+        if (outcome.name == "e_n" || outcome.name == "e_nm" || outcome.name == "contact_time")
           std::fill(outcome.slope.begin(), outcome.slope.end(), std::nullopt);
       return;
     }
