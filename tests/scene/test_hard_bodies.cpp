@@ -10,6 +10,7 @@
 #include <string>
 
 #include "mariotte/impact/bodies/bodies_impact.hpp"
+#include "mariotte/impact/microbody/microbody_solver.hpp"
 #include "mariotte/scene/scene.hpp"
 
 using namespace mariotte;
@@ -86,4 +87,18 @@ BOOST_AUTO_TEST_CASE(a_corner_that_parts_slowly_is_followed_until_it_opens) {
   const auto impact = impact::simulate(std::get<model::Bodies>(scene.model), scene.run);
   BOOST_TEST((impact.ending == hybrid::Ending::time_limit));
   BOOST_TEST(std::abs(impact.energy.residual) < 1e-7);
+}
+
+/// Friction of a tip that begins to slip moves the friction that the other needs; and forces that end within
+/// rounding have no sign.
+BOOST_DATA_TEST_CASE(a_microbody_changes_between_slip_and_stick_a_few_times,
+                     boost::unit_test::data::make({"slips_beside_a_stick", "breaks_loose_at_the_end"}),
+                     name) {
+  auto scene = scene::read(fmt::format("{}/body/hard/{}.toml", MARIOTTE_TEST_DATA, name));
+  scene.run.accuracy = 1e-12;
+  scene.run.max_events = 100;
+  impact::MicrobodySolver solver;
+  const auto& impact = solver.solve(std::get<model::Microbody>(scene.model), scene.run);
+  BOOST_TEST((impact.ending == hybrid::Ending::separated));
+  BOOST_TEST(impact.estimated_accuracy.value_or(0) <= 1e-12);
 }

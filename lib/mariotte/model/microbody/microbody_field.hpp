@@ -72,21 +72,29 @@ class MicrobodyField {
   /// Forces of a mode; a sticking tip gets the friction that keeps its slip constant.
   BasicTipForces<T> forces(const MicrobodyMode& mode) const {
     BasicTipForces<T> result;
-    std::array<Index, 2> stuck{};
-    std::size_t count = 0;
     for (Index i = 0; i < mechanics_.layout.tips; ++i) {
       const auto& one = mode.tip[i];
       if (one.contact == TipContact::clear) continue;
       result.normal[i] = normal_force(i);
-      if (body().friction.coefficient == 0) continue;
-      if (one.contact == TipContact::sticking)
-        stuck[count++] = i;
-      else
-        result.friction[i] =
-            -contact::limit(body().friction, result.normal[i]) * slip_direction(one, tip_[i].slip);
+      if (body().friction.coefficient == 0 || one.contact == TipContact::sticking) continue;
+      result.friction[i] =
+          -contact::limit(body().friction, result.normal[i]) * slip_direction(one, tip_[i].slip);
     }
-    if (count > 0) hold_still({stuck.data(), count}, result);
+    hold_still(mode, result);
     return result;
+  }
+
+  /// Gives the tips that stick the friction that they need beside all other forces.
+  void hold_still(const MicrobodyMode& mode, BasicTipForces<T>& forces) const {
+    std::array<Index, 2> stuck{};
+    std::size_t count = 0;
+    if (body().friction.coefficient == 0) return;
+    for (Index i = 0; i < mechanics_.layout.tips; ++i) {
+      if (mode.tip[i].contact != TipContact::sticking) continue;
+      forces.friction[i] = {};
+      stuck[count++] = i;
+    }
+    if (count > 0) hold_still({stuck.data(), count}, forces);
   }
 
   /// Rates of the whole state.
@@ -165,8 +173,7 @@ class MicrobodyField {
     return power;
   }
 
-  /// Gives the tips that stick the friction that keeps their slip constant. The columns of u̇ = A T + b are
-  /// found by unit forces.
+  /// The columns of u̇ = A T + b are found by unit forces.
   void hold_still(std::span<const Index> stuck, BasicTipForces<T>& forces) const {
     const auto size = 2 * stuck.size();
     std::array<T, 4> free, friction;

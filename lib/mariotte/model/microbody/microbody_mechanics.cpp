@@ -23,6 +23,27 @@ bool regularise(Matrix& mobility) {
   return division.rank() < mobility.rows();
 }
 
+/// Of the slip of tip i under this friction there; what sticks elsewhere still does.
+Eigen::Vector2d accelerated(const MicrobodyField<double>& field, const MicrobodyMode& mode, TipForces forces,
+                            Index i, const Vector3& friction) {
+  forces.friction[i] = friction;
+  field.hold_still(mode, forces);
+  const Vector3 u = field.slip_acceleration(forces, i);
+  return {u.e2, u.e3};
+}
+
+/// Unit vector û with (G + c) û = b for some c > 0, where G is the grip of friction and b the acceleration
+/// without it; along b if there is none.
+Eigen::Vector2d along_itself(const Eigen::Vector2d& free, const Eigen::Matrix2d& grip, bool grips) {
+  const auto direction = [&](double c) -> Eigen::Vector2d {
+    return (grip + c * Eigen::Matrix2d::Identity()).partialPivLu().solve(free);
+  };
+  const auto excess = [&](double c) { return direction(c).norm() - 1; };
+  const double most = free.norm();
+  const double c = grips ? locate_sign_change(excess, 0.0, excess(0), most, excess(most), 0.0) : most;
+  return direction(c).normalized();
+}
+
 }  // namespace
 
 bool hold(std::span<const double> mobility, std::span<const double> free, std::span<double> friction) {
@@ -54,26 +75,15 @@ Vector3 Mechanics::slip_from_rest(ConstState x, const MicrobodyMode& mode, Index
   auto loose = mode;
   loose.tip[i].contact = TipContact::sliding;
   const MicrobodyField<double> field(*this, x);
-  auto forces = field.forces(loose);
-  const double limit = contact::limit(body.friction, forces.normal[i]);
-  forces.friction[i] = {};
-  const auto plane = [](const Vector3& v) { return Eigen::Vector2d(v.e2, v.e3); };
-  const Eigen::Vector2d free = plane(field.slip_acceleration(forces, i));
-  Eigen::Matrix2d grip;
-  for (int k = 0; k < 2; ++k) {
-    forces.friction[i] = k == 0 ? Vector3{0, 1, 0} : Vector3{0, 0, 1};
-    grip.col(k) = limit * (plane(field.slip_acceleration(forces, i)) - free);
-  }
-  // (μ |F_n| A + c) û = b for the c > 0 that makes û a unit vector
-  const auto direction = [&](double c) -> Eigen::Vector2d {
-    return (grip + c * Eigen::Matrix2d::Identity()).partialPivLu().solve(free);
+  const auto forces = field.forces(loose);
+  const auto slip_rate = [&](const Vector3& friction) {
+    return accelerated(field, loose, forces, i, friction);
   };
-  const auto excess = [&](double c) { return direction(c).norm() - 1; };
-  const double most = free.norm();
-  const double least = limit > 0 ? 0 : most;
-  const double c =
-      limit > 0 ? locate_sign_change(excess, least, excess(least), most, excess(most), 0.0) : most;
-  const Eigen::Vector2d unit = direction(c).normalized();
+  const Eigen::Vector2d free = slip_rate({});
+  const double limit = contact::limit(body.friction, forces.normal[i]);
+  Eigen::Matrix2d grip;
+  grip << limit * (slip_rate({0, 1, 0}) - free), limit * (slip_rate({0, 0, 1}) - free);
+  const Eigen::Vector2d unit = along_itself(free, grip, limit > 0);
   return {0, unit[0], unit[1]};
 }
 

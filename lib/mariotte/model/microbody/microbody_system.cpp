@@ -14,6 +14,10 @@ Vector3 unit(const Vector3& v) {
   return size > 0 ? (1 / size) * v : Vector3{};
 }
 
+bool has_fired(TipGuard guard, Index i, const std::vector<Index>& fired) {
+  return std::find(fired.begin(), fired.end(), guard_index(i, guard)) != fired.end();
+}
+
 }  // namespace
 
 MicrobodySystem::MicrobodySystem(const Microbody& body, double accuracy, bool balance, WatchedSigns watched)
@@ -133,7 +137,7 @@ void MicrobodySystem::flip_unnamed_forces(Mode& mode, const std::vector<Index>& 
                                           std::vector<Change>& changes) const {
   for (Index i = 0; i < layout_.tips; ++i)
     if (mode.tip[i].contact != TipContact::clear && force_has_turned(mode.tip[i], i, x) &&
-        std::find(fired.begin(), fired.end(), guard_index(i, TipGuard::force)) == fired.end())
+        !has_fired(TipGuard::force, i, fired))
       flip_force(mode, i, changes);
 }
 
@@ -149,6 +153,18 @@ void MicrobodySystem::touch_or_open(Mode& mode, Index i, ConstState x, std::vect
   mode.tip[i] = {};
   ++mode.impacts;
   changes.push_back({i, TipEvent::open});
+}
+
+/// Tips that part where another guard has fired within rounding of their end: no time is left until then, and
+/// forces as small as that have no sign.
+void MicrobodySystem::open_parted(Mode& mode, const std::vector<Index>& fired, ConstState x,
+                                  std::vector<Change>& changes) const {
+  const double rounding = 64 * epsilon * body_.time;
+  for (Index i = 0; i < layout_.tips; ++i) {
+    if (mode.tip[i].contact == TipContact::clear || has_fired(TipGuard::gap, i, fired)) continue;
+    const double rise = mechanics().tip(x, i).velocity;
+    if (rise > 0 && x[layout_.place.gap[i]] + rounding * rise >= 0) touch_or_open(mode, i, x, changes);
+  }
 }
 
 /// Of a tip that has opened at this instant, what else has fired says nothing any more.
@@ -174,6 +190,7 @@ void MicrobodySystem::pass(TipGuard guard, Mode& mode, Index i, ConstState x,
 void MicrobodySystem::transition(Mode& mode, const std::vector<Index>& fired, ConstState x,
                                  std::vector<Change>& changes) const {
   const bool rough = body_.friction.coefficient > 0;
+  open_parted(mode, fired, x, changes);
   for (Index i = 0; rough && i < layout_.tips; ++i)
     if (mode.tip[i].contact == TipContact::sliding) go_on(mode.tip[i], i, x);
   flip_unnamed_forces(mode, fired, x, changes);

@@ -44,6 +44,8 @@ class MicrobodySystem {
   void go_on(TipMode& tip, Index i, ConstState x) const;
   void hold_or_release(Mode& mode, ConstState x, std::vector<Change>& changes) const;
   void pass(TipGuard guard, Mode& mode, Index tip, ConstState x, std::vector<Change>& changes) const;
+  void open_parted(Mode& mode, const std::vector<Index>& fired, ConstState x,
+                   std::vector<Change>& changes) const;
   void touch_or_open(Mode& mode, Index tip, ConstState x, std::vector<Change>& changes) const;
   bool slips_on(Index tip, ConstState x) const;
   void flip_unnamed_forces(Mode& mode, const std::vector<Index>& fired, ConstState x,
