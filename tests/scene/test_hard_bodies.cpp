@@ -89,6 +89,16 @@ BOOST_AUTO_TEST_CASE(a_corner_that_parts_slowly_is_followed_until_it_opens) {
   BOOST_TEST(std::abs(impact.energy.residual) < 1e-7);
 }
 
+BOOST_AUTO_TEST_CASE(a_slack_corner_on_a_long_way_up_opens) {
+  auto scene = scene::read(MARIOTTE_TEST_DATA "/bodies/hard/rocking_slack.toml");
+  for (const double accuracy : {1e-5, 1e-6}) {
+    scene.run.accuracy = accuracy;
+    const auto impact = impact::simulate(std::get<model::Bodies>(scene.model), scene.run);
+    BOOST_TEST((impact.ending == hybrid::Ending::time_limit));
+    BOOST_TEST(std::abs(impact.energy.residual) < 1e-10);
+  }
+}
+
 /// Friction of a tip that begins to slip moves the friction that the other needs; and forces that end within
 /// rounding have no sign.
 BOOST_DATA_TEST_CASE(a_microbody_changes_between_slip_and_stick_a_few_times,

@@ -61,6 +61,18 @@ class SeriesStep final : public Step {
   double place_ = 0;
 };
 
+/// How far a first step goes. Guards that begin with less than the accuracy of their change begin at zero:
+/// that is their change in some natural times, not in a long flight. Steps of pressed contacts are shorter.
+template <class Expansion>
+double first_reach(const Expansion& expansion, double reach) {
+  constexpr double natural_times = 4;
+  if constexpr (requires { expansion.natural_time(); }) {
+    const double most = natural_times * expansion.natural_time();
+    if (horner(expansion.time(), reach) > most) return rise_to(expansion.time(), most, reach);
+  }
+  return reach;
+}
+
 inline bool is_finite(ConstState x) {
   return std::all_of(x.begin(), x.end(), [](double value) { return std::isfinite(value); });
 }
@@ -73,6 +85,7 @@ inline bool is_finite(ConstState x) {
 ///   time(), state(place, …)   the clock, and the state at a place of it;
 ///   fire(guard, x, fired)     where a guard ends the phase;
 ///   add_forces(end, list)     if it knows forces: those of closed contacts;
+///   natural_time()            if its guards may begin with the accuracy of their change;
 ///   is_stalled(step), order().
 template <class Expansion>
 Arrival follow_by_series(Expansion& expansion, const SeriesLimits& limits, State x, const Request& request,
@@ -86,8 +99,9 @@ Arrival follow_by_series(Expansion& expansion, const SeriesLimits& limits, State
   while (count < limits.steps && stalled < limits.stalled) {
     const bool first = count++ == 0;
     expansion.before.assign(x.begin(), x.end());
-    const double reach = expansion.expand(x, first);
+    double reach = expansion.expand(x, first);
     if (!std::isfinite(reach)) return arrive(Outcome::stiff);
+    if (first) reach = first_reach(expansion, reach);
     SeriesEnd end = expansion.end(reach, first, x);
     double duration = horner(expansion.time(), end.place);
     const bool limited = step.end + duration >= request.limit;

@@ -67,9 +67,8 @@ class ClusterTaylor::Expansion {
                       series_.row(Field::depth, j), false, end});
   }
 
-  bool is_stalled(const Step& step) const {
-    return step.end - step.start < short_step * problem_->time_scale();
-  }
+  double natural_time() const { return problem_->time_scale(); }
+  bool is_stalled(const Step& step) const { return step.end - step.start < short_step * natural_time(); }
 
  private:
   const Problem* problem_ = nullptr;

@@ -112,9 +112,8 @@ struct RecordedTaylor::Memory {
           {series.row(one.normal), series.row(one.friction), series.row(one.depth), one.is_square, end});
   }
 
-  bool is_stalled(const Step& step) const {
-    return step.end - step.start < short_step * problem_->time_scale();
-  }
+  double natural_time() const { return problem_->time_scale(); }
+  bool is_stalled(const Step& step) const { return step.end - step.start < short_step * natural_time(); }
 
   /// A contact that opens at once and is so shallow that it does nothing any more: the guard that opens it,
   /// after the time that it still takes. No series passes the end of some of them. One that parts more slowly
