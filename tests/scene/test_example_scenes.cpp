@@ -1,5 +1,5 @@
-// What the comments of apps/scenes say about long chains, about balls on cloth, and about a coin and a
-// dumbbell.
+// What the comments of apps/scenes say about long chains, about balls on cloth, and about a coin, a block and
+// a dumbbell.
 #define BOOST_TEST_MODULE example scenes
 #include <boost/test/unit_test.hpp>
 #include <numeric>
@@ -124,6 +124,29 @@ BOOST_AUTO_TEST_CASE(a_coin_slaps_down_nearly_twice_as_fast_clatters_and_lies_fl
   }
   BOOST_TEST(std::abs(impact.body[0].angle) < 1e-6);
   BOOST_TEST(impact.energy.final < 1e-6 * impact.energy.losses.total());
+}
+
+// With corners that hardly bounce. Housner (1963) lets them stop dead without slip: then the turning rate
+// falls by 1 − (3/2) sin²α, where tan α is the ratio of the sides.
+BOOST_AUTO_TEST_CASE(a_rocking_block_keeps_of_each_swing_what_housner_says) {
+  auto scene = scene::read(MARIOTTE_SCENES "/rocking_with_friction.toml");
+  auto& bodies = std::get<model::Bodies>(scene.model);
+  for (auto& contact : bodies.contact) {
+    contact.law = contact::Viscoelastic{.stiffness = 4e6, .damping = 4000, .exponent = 1};
+    contact.tangential.stiffness = 3.2e6;
+  }
+  scene.run.max_time = 0.95;
+  const auto trace = impact::simulate(bodies, scene.run, {.trace = true}).trace;
+  const double slope = std::atan(1.0 / 3), housner = std::pow(1 - 1.5 * std::pow(std::sin(slope), 2), 2);
+  const auto lift = [&](double angle) { return std::cos(slope - std::abs(angle)) - std::cos(slope); };
+  std::vector<double> height{lift(bodies.body[0].angle)};
+  for (std::size_t i = 1; i < trace.body.size(); ++i) {
+    const auto &before = trace.body[i - 1][0], &now = trace.body[i][0];
+    if (before.spin.e3 * now.spin.e3 < 0 && std::abs(now.angle) > 0.02) height.push_back(lift(now.angle));
+  }
+  BOOST_TEST_REQUIRE(height.size() > 3u);
+  for (std::size_t i = 1; i < height.size(); ++i)
+    BOOST_TEST(std::abs(height[i] / height[i - 1] - housner) < 0.005);
 }
 
 BOOST_AUTO_TEST_CASE(a_belt_pays_for_the_height_that_a_dumbbell_climbs) {
