@@ -98,6 +98,13 @@ BOOST_FIXTURE_TEST_CASE(the_law_gives_simulated_velocities_of_networks_back, Net
   BOOST_TEST(has(mariotte("law block.toml --rivals").out, "liu-zhao-brogliato"));
 }
 
+BOOST_FIXTURE_TEST_CASE(what_turns_is_told_with_the_model_that_follows_it, Networks) {
+  const char* neglected = "of themselves; [bodies] follows it.";
+  BOOST_TEST(has(mariotte("run oblique.toml").out, neglected));
+  BOOST_TEST(
+      !has(mariotte("run oblique.toml --accuracy 1e-6 --set network.ball[0].velocity=[1,1]").out, neglected));
+}
+
 BOOST_FIXTURE_TEST_CASE(networks_can_be_swept, Networks) {
   write("sweep.toml", support::content(folder / "block.toml") +
                           "[[sweep]]\nkey = \"network.velocity[1]\"\nvalues = [0.5, 1]\n");

@@ -73,9 +73,13 @@ std::string direction_table(const impact::ContactImpact& impact) {
 
 std::string neglected_table(const impact::NetworkImpact& impact) {
   if (!impact.turning) return "";
-  return fmt::format(
-      "\nNeglected\n  turning of contact directions: up to {:.3g}° while contacts were closed\n",
-      *impact.turning * 180 / std::numbers::pi);
+  const double turning = *impact.turning;
+  const auto text =
+      fmt::format("\nNeglected\n  turning of contact directions: up to {:.3g}° while contacts were closed\n",
+                  turning * 180 / std::numbers::pi);
+  if (turning <= impact.requested_accuracy) return text;
+  return text + fmt::format("  It changes velocities by about {:.2g} of themselves; [bodies] follows it.\n",
+                            turning);
 }
 
 }  // namespace mariotte::report
