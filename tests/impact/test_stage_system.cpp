@@ -1,5 +1,6 @@
 // Collocation's equations are solved as a division of all of them at once would.
 #define BOOST_TEST_MODULE impact_stage_system
+#include <Eigen/Dense>
 #include <boost/test/unit_test.hpp>
 #include <random>
 
@@ -52,7 +53,7 @@ double residual(const Piece& piece, const Eigen::MatrixXd& values) {
 void expect_solution(const Piece& piece) {
   impact::StageSystem system(row, position);
   auto values = piece.right;
-  system.solve(piece.jacobian, piece.h, values);
+  system.solve(piece.jacobian, piece.h, {values.data(), static_cast<std::size_t>(values.size())});
   BOOST_TEST(residual(piece, values) < 1e-13);
 }
 

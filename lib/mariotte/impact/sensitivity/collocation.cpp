@@ -114,7 +114,7 @@ struct Collocation::Memory {
         for (int i = 0; i < stages; ++i)
           value.row(i * m + k) += gauss.integral[i][j] * rate[j] * b.row(active[k]);
     }
-    equations->solve(jacobian, rate, value);
+    equations->solve(jacobian, rate, {value.data(), static_cast<std::size_t>(value.size())});
     for (int i = 0; i < stages; ++i) set_slope(i, value.middleRows(i * m, m));
     return true;
   }

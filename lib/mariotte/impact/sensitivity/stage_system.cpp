@@ -1,12 +1,52 @@
 #include "mariotte/impact/sensitivity/stage_system.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
 
 #include "mariotte/impact/sensitivity/gauss.hpp"
 
 namespace mariotte::impact {
 
-StageSystem::StageSystem(const std::vector<flow::Entry>& pattern, const std::vector<Index>& position) {
+class StageSystem::Equations {
+ public:
+  using Values = Eigen::Map<Eigen::MatrixXd>;
+
+  Equations(const std::vector<flow::Entry>& pattern, const std::vector<Index>& position);
+  Index unknowns() const;
+  Index rows() const { return stages * std::ssize(place_); }
+  void solve(const std::vector<double>* jacobian, const double* h, Values& values);
+
+ private:
+  /// Entry of the Jacobian between two components.
+  struct Link {
+    Index row, column;
+    std::size_t entry;
+  };
+  using Links = std::vector<Link>;
+
+  void eliminate(const Links& links);
+  void find_unknown();
+  void set_system();
+  void divide(Values& values);
+  void add_direct(const Link& link);
+  void add_through(const Link& link);
+  void add(const Links& links, bool of_known, Values& values) const;
+  void add_to(const Link& link, Values& values) const;
+  double rise(const Link& link, int point) const { return h_[point] * jacobian_[point][link.entry]; }
+  bool acts(const Link& link) const;
+  bool is_known(Index component) const { return place_[component] < 0; }
+
+  std::vector<Index> kept_;     ///< components that are not eliminated
+  std::vector<Index> unknown_;  ///< those of them that something acts on
+  std::vector<Index> place_;    ///< of a component among these, or −1
+  Links among_kept_, to_kept_, to_eliminated_;
+  Eigen::MatrixXd system_, right_;
+  const std::vector<double>* jacobian_ = nullptr;
+  const double* h_ = nullptr;
+};
+
+StageSystem::Equations::Equations(const std::vector<flow::Entry>& pattern,
+                                  const std::vector<Index>& position) {
   Links links;
   for (std::size_t e = 0; e < pattern.size(); ++e)
     if (const Index row = position[pattern[e].row]; row >= 0)
@@ -18,7 +58,7 @@ StageSystem::StageSystem(const std::vector<flow::Entry>& pattern, const std::vec
 }
 
 /// Components in turn, unless they depend on themselves or are linked with one that is eliminated.
-void StageSystem::eliminate(const Links& links) {
+void StageSystem::Equations::eliminate(const Links& links) {
   std::vector<char> is_eliminated(place_.size(), 0);
   for (Index k = std::ssize(place_); k-- > 0;)
     is_eliminated[k] = std::none_of(links.begin(), links.end(), [&](const Link& link) {
@@ -34,11 +74,11 @@ void StageSystem::eliminate(const Links& links) {
         .push_back(link);
 }
 
-Index StageSystem::unknowns() const {
+Index StageSystem::Equations::unknowns() const {
   return stages * std::ssize(kept_);
 }
 
-void StageSystem::find_unknown() {
+void StageSystem::Equations::find_unknown() {
   std::fill(place_.begin(), place_.end(), -1);
   for (const auto* links : {&among_kept_, &to_kept_})
     for (const auto& link : *links)
@@ -51,13 +91,13 @@ void StageSystem::find_unknown() {
   }
 }
 
-bool StageSystem::acts(const Link& link) const {
+bool StageSystem::Equations::acts(const Link& link) const {
   for (int j = 0; j < stages; ++j)
     if (jacobian_[j][link.entry] != 0) return true;
   return false;
 }
 
-void StageSystem::solve(const std::vector<double>* jacobian, const double* h, Eigen::MatrixXd& values) {
+void StageSystem::Equations::solve(const std::vector<double>* jacobian, const double* h, Values& values) {
   jacobian_ = jacobian;
   h_ = h;
   find_unknown();
@@ -69,7 +109,7 @@ void StageSystem::solve(const std::vector<double>* jacobian, const double* h, Ei
   add(to_eliminated_, false, values);
 }
 
-void StageSystem::divide(Eigen::MatrixXd& values) {
+void StageSystem::Equations::divide(Values& values) {
   const Index all = std::ssize(place_), n = std::ssize(unknown_);
   right_.resize(n * stages, values.cols());
   for (int i = 0; i < stages; ++i)
@@ -79,7 +119,7 @@ void StageSystem::divide(Eigen::MatrixXd& values) {
     for (Index k = 0; k < n; ++k) values.row(i * all + unknown_[k]) = right_.row(i * n + k);
 }
 
-void StageSystem::set_system() {
+void StageSystem::Equations::set_system() {
   const Index n = stages * std::ssize(unknown_);
   system_.setIdentity(n, n);
   for (const auto& link : among_kept_)
@@ -89,12 +129,12 @@ void StageSystem::set_system() {
 }
 
 /// What known components, or the others, do by these links.
-void StageSystem::add(const Links& links, bool of_known, Eigen::MatrixXd& values) const {
+void StageSystem::Equations::add(const Links& links, bool of_known, Values& values) const {
   for (const auto& link : links)
     if (is_known(link.column) == of_known) add_to(link, values);
 }
 
-void StageSystem::add_direct(const Link& link) {
+void StageSystem::Equations::add_direct(const Link& link) {
   const Index n = std::ssize(unknown_), row = place_[link.row], column = place_[link.column];
   for (int j = 0; j < stages; ++j) {
     const double factor = rise(link, j);
@@ -104,7 +144,7 @@ void StageSystem::add_direct(const Link& link) {
 }
 
 /// What kept components do to one by way of an eliminated one.
-void StageSystem::add_through(const Link& link) {
+void StageSystem::Equations::add_through(const Link& link) {
   const Index n = std::ssize(unknown_), row = place_[link.row];
   double twice[stages][stages] = {};
   for (int j = 0; j < stages; ++j)
@@ -119,7 +159,7 @@ void StageSystem::add_through(const Link& link) {
   }
 }
 
-void StageSystem::add_to(const Link& link, Eigen::MatrixXd& values) const {
+void StageSystem::Equations::add_to(const Link& link, Values& values) const {
   const Index all = std::ssize(place_);
   for (int j = 0; j < stages; ++j) {
     const double factor = rise(link, j);
@@ -127,6 +167,21 @@ void StageSystem::add_to(const Link& link, Eigen::MatrixXd& values) const {
     for (int i = 0; i < stages; ++i)
       values.row(i * all + link.row) += gauss.integral[i][j] * factor * values.row(j * all + link.column);
   }
+}
+
+StageSystem::StageSystem(const std::vector<flow::Entry>& pattern, const std::vector<Index>& position)
+    : equations_(std::make_unique<Equations>(pattern, position)) {}
+StageSystem::~StageSystem() = default;
+
+Index StageSystem::unknowns() const {
+  return equations_->unknowns();
+}
+
+void StageSystem::solve(const std::vector<double>* jacobian, const double* h, std::span<double> values) {
+  if (values.empty()) return;
+  const Index rows = equations_->rows();
+  Equations::Values all(values.data(), rows, std::ssize(values) / rows);
+  equations_->solve(jacobian, h, all);
 }
 
 }  // namespace mariotte::impact
