@@ -151,7 +151,7 @@ void run(const Group& scene, const hybrid::Options& options, bool, double speed,
     found.impulse[static_cast<std::size_t>(contact.contact)] = contact.normal_impulse / (mass * speed);
     gained = std::max({gained, -contact.losses.friction, -contact.losses.rescale, -contact.losses.damper});
   }
-  found.imbalance = gained / (mass * speed * speed);
+  found.imbalance = gained / (mass * speed * speed + std::abs(impact.energy.work));
 }
 
 }  // namespace
