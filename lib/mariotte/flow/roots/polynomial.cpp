@@ -102,19 +102,31 @@ struct ValueAndSlope {
   }
 };
 
+/// Where a polynomial that falls from `first` to `last` may have its root: from low = 0 on that of its first
+/// three terms, if they have one, else by the secant.
+double near_root(std::span<const double> c, double low, double high, double first, double last) {
+  const double bend = c.size() > 2 ? c[2] : 0, square = c[1] * c[1] - 4 * c[0] * bend;
+  const double early = square >= 0 && c[1] < 0 ? 2 * c[0] / (std::sqrt(square) - c[1]) : infinity;
+  if (low == 0 && early < high) return early;
+  return low + (high - low) * first / (first - last);
+}
+
 /// Newton's method for the root of a polynomial that falls through zero once from low to high, kept between
-/// them.
+/// them. The next step is as the square of this one; it is not taken where that is rounding.
 std::optional<double> only_root(std::span<const double> c, double low, double high) {
   const double first = low == 0 ? c[0] : horner(c, low), last = horner(c, high);
   if (last > 0) return std::nullopt;
   if (!(first > 0)) return low;
-  double x = low + (high - low) * first / (first - last);
+  double x = near_root(c, low, high, first, last), before = 0;
   for (int i = 0; i < 60; ++i) {
     const ValueAndSlope at(c, x);
     (at.value > 0 ? low : high) = x;
     double next = x - at.value / at.slope;
-    if (!(next >= low && next <= high)) next = 0.5 * (low + high);
-    if (std::abs(next - x) <= 2 * epsilon * next) return next;
+    const bool leaves = !(next >= low && next <= high);
+    if (leaves) next = 0.5 * (low + high);
+    const double step = std::abs(next - x), bend = std::max(4 / next, step / (before * before));
+    if (step <= 2 * epsilon * next || bend * step * step <= epsilon * next) return next;
+    before = leaves ? 0 : step;
     x = next;
   }
   return x;
