@@ -33,6 +33,7 @@ struct ContactState {
   contact::Memory past(Index j) const { return set ? memory_of(*set, j) : contact::Memory{}; }
   /// Gap less that at which the contact closes: a dent stays.
   double clearance(Index j) const {
+    if (set && set->memory.empty()) return gap(j);
     return gap(j) + level(contact::ContactMode::open, model().law[j], past(j), 0);
   }
   double approach(Index j) const { return topology.approach(x, j); }

@@ -59,7 +59,8 @@ class ContactSystem {
   bool pass_kinks(Mode& mode, const std::vector<Index>& fired, State x) const;
   void redirect(Mode& mode, Index j, ConstState x, std::vector<Change>& changes) const;
   void fire(Mode& mode, Index guard, ConstState x, std::vector<Change>& changes) const;
-  void settle(Mode& mode, Index j, bool has_fired, ConstState x, std::vector<Change>& changes) const;
+  void settle(Mode& mode, Index j, const std::vector<Index>& fired, ConstState x,
+              std::vector<Change>& changes) const;
 };
 
 template <class Topology>
@@ -78,11 +79,13 @@ void ContactSystem<Topology>::fire(Mode& mode, Index guard, ConstState x,
 
 /// What a contact does that no guard has told of.
 template <class Topology>
-void ContactSystem<Topology>::settle(Mode& mode, Index j, bool has_fired, ConstState x,
+void ContactSystem<Topology>::settle(Mode& mode, Index j, const std::vector<Index>& fired, ConstState x,
                                      std::vector<Change>& changes) const {
   using contact::ContactMode;
   if (!contact::carries_force(mode[j])) return;
   const auto now = state(x, &mode);
+  const bool has_fired =
+      std::any_of(fired.begin(), fired.end(), [&](Index guard) { return layout_.guard_contact[guard] == j; });
   if (mode[j] == ContactMode::closed && has_faded(now, j) && !has_fired) {
     change(mode, j, ContactMode::hovering, model_.law[j], changes);
   } else if (mode[j] == ContactMode::touching && has_parted(now, j)) {
@@ -140,13 +143,9 @@ void ContactSystem<Topology>::transition(Mode& mode, const std::vector<Index>& f
   for (Index j = 0; j < layout_.contacts(); ++j)
     if (mode[j] == contact::ContactMode::slack && is_loaded_again(state(x, &mode), mode, j))
       change(mode, j, contact::ContactMode::closed, model_.law[j], changes);
-  const auto has_fired = [&](Index j) {
-    return std::any_of(fired.begin(), fired.end(),
-                       [&](Index guard) { return layout_.guard_contact[guard] == j; });
-  };
   for (auto settled = changes.size() + 1; settled != changes.size();) {  // what lets go may have held others
     settled = changes.size();
-    for (Index j = 0; j < layout_.contacts(); ++j) settle(mode, j, has_fired(j), x, changes);
+    for (Index j = 0; j < layout_.contacts(); ++j) settle(mode, j, fired, x, changes);
   }
   tell_approach(state(x, &mode), known, changes);
 }
