@@ -33,12 +33,19 @@ double closing_time(const SerialPhase& phase, ConstState x, Index j) {
   return push > 0 ? (root - speed) / push : infinity;
 }
 
+/// What moves outside of the window, and which gap there closes first.
 void find_outside(Window& w) {
+  const auto& phase = *w.row;
   w.outside_time = infinity;
-  for (Index j = 0; j < static_cast<Index>(w.row->contact.size()); ++j) {
-    if (j >= w.first && j < w.first + w.lanes.count) continue;
-    if (w.row->contact[j].role != Role::open) continue;
-    const double time = w.since + closing_time(*w.row, w.x, j);
+  w.loose.clear();
+  w.falls_outside = has_acceleration(phase);
+  const Index count = static_cast<Index>(phase.contact.size());
+  for (Index j = w.first == 0 ? w.lanes.count : 0; j < count;
+       j = j + 1 == w.first ? w.first + w.lanes.count : j + 1) {
+    if (rate(phase, w.x, j) == 0 && drive(phase, j) == 0) continue;
+    w.loose.push_back(j);
+    if (phase.contact[j].role != Role::open) continue;
+    const double time = w.since + closing_time(phase, w.x, j);
     if (time >= w.outside_time) continue;
     w.outside_time = time;
     w.outside = j;
@@ -72,20 +79,45 @@ void couple(Window& w) {
   link(w, w.coupling);
 }
 
-bool is_touching(const SerialPhase& phase, Index j) {
-  return phase.contact[j].role == Role::touching;
+/// A contact that touches and is not deep enough to push its neighbours.
+bool dozes(const SerialPhase& phase, ConstState x, Index j) {
+  const auto& c = phase.contact[j];
+  return c.role == Role::touching && -x[c.gap] <= wake_depth(c, phase.speed) && drive(phase, j) == 0;
+}
+
+struct Range {
+  Index from, to;
+};
+
+/// A contact that begins: its neighbours, if they touch, get forces of their own at once.
+bool begins(const SerialPhase& phase, ConstState x, Index j) {
+  return is_onset(phase.contact[j], -x[phase.contact[j].gap]);
+}
+
+/// Contacts that the window must hold. Beyond those that push stands one that they move, or that is all of
+/// its own; and one more beyond what gets force at once. Further ones that touch fill registers: they wake
+/// next.
+Range range_of(const SerialPhase& phase, ConstState x) {
+  const Index count = static_cast<Index>(phase.contact.size());
+  Index from = 0, to = count - 1;
+  while (from < count && !is_active(phase, x, from)) ++from;
+  while (to >= from && !is_active(phase, x, to)) --to;
+  if (from == count) return {std::max<Index>(0, from - 1), to};
+  const auto touches = [&](Index j) { return phase.contact[j].role == Role::touching; };
+  const Index before = begins(phase, x, from) ? 2 : dozes(phase, x, from) ? 0 : 1;
+  const Index after = begins(phase, x, to) ? 2 : dozes(phase, x, to) ? 0 : 1;
+  for (Index k = 0; k < before && from > 0 && (k == 0 || touches(from)); ++k) --from;
+  for (Index k = 0; k < after && to + 1 < count && (k == 0 || touches(to)); ++k) ++to;
+  const auto has_room = [&] { return (to - from + 1) % lane_sizes.front() != 0; };
+  while (has_room() && to + 1 < count && touches(to)) ++to;
+  while (has_room() && from > 0 && touches(from)) --from;
+  return {from, to};
 }
 
 }  // namespace
 
 void place(Window& w, const SerialPhase& phase, State x, double time) {
-  const Index count = static_cast<Index>(phase.contact.size());
-  Index from = 0, to = count - 1;
-  while (from < count && !is_active(phase, x, from)) ++from;
-  while (to >= from && !is_active(phase, x, to)) --to;
-  // One contact more on each side, and another where that one is about to be pressed.
-  if (from > 0 && is_touching(phase, --from) && from > 0) --from;
-  if (to + 1 < count && is_touching(phase, ++to) && to + 1 < count) ++to;
+  const auto [from, to] = range_of(phase, x);
   w.row = &phase;
   w.network = nullptr;
   w.speed = phase.speed;
@@ -115,21 +147,14 @@ bool has_outgrown(const Window& w) {
 void write_outside(const Window& w, double elapsed, State x) {
   if (!w.row) return;
   const auto& phase = *w.row;
-  const Index count = static_cast<Index>(phase.contact.size()), last = w.first + w.lanes.count;
-  for (Index j = 0; j < count; ++j) {
-    if (j == w.first) j = last;
-    if (j >= count) break;
-    const auto& c = phase.contact[j];
-    x[c.gap] = w.x[c.gap] - elapsed * (rate(phase, w.x, j) + 0.5 * elapsed * drive(phase, j));
-    if (c.impulse >= 0) x[c.impulse] = w.x[c.impulse];
-    if (c.work >= 0) x[c.work] = w.x[c.work];
-  }
-  for (Index i = 0; i <= count; ++i) {
-    if (i == w.first) i = last + 1;
-    if (i > count) break;
-    const auto& body = phase.body[i];
-    x[body.velocity] = w.x[body.velocity] + elapsed * body.acceleration;
-  }
+  for (const Index j : w.loose)
+    x[phase.contact[j].gap] =
+        w.x[phase.contact[j].gap] - elapsed * (rate(phase, w.x, j) + 0.5 * elapsed * drive(phase, j));
+  if (!w.falls_outside) return;
+  const auto is_inside = [&](Index i) { return i >= w.first && i <= w.first + w.lanes.count; };
+  for (Index i = 0; i < static_cast<Index>(phase.body.size()); ++i)
+    if (!is_inside(i))
+      x[phase.body[i].velocity] = w.x[phase.body[i].velocity] + elapsed * phase.body[i].acceleration;
 }
 
 }  // namespace mariotte::flow::taylor

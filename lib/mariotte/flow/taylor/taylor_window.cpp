@@ -8,14 +8,12 @@
 namespace mariotte::flow::taylor {
 namespace {
 
-/// Indentation at the start: on the side where its role holds it, and exactly zero at an onset, where
-/// rounding may have left it beside.
+/// Indentation at the start: on the side where its role holds it, and exactly zero at an onset.
 double settled(const PhaseContact& c, double indentation, double rate) {
   if (c.role == Role::open) return std::min(indentation, c.level);
   if (c.width) return indentation;
   if (c.role == Role::touching && c.exponent != 1) return indentation;  // drawn apart a little, without force
-  const bool onset = c.role == Role::closed && rate > 0 && indentation <= 16 * epsilon * c.length;
-  return onset ? 0 : std::max(indentation, 0.0);
+  return rate > 0 && is_onset(c, indentation) ? 0 : std::max(indentation, 0.0);
 }
 
 /// What a contact that pushes stores, but for what the series count as work: all of it without dampers.
@@ -86,6 +84,8 @@ double wake_depth(const PhaseContact& c, double speed) {
 void begin(Window& w, std::span<const PhaseContact> contacts) {
   w.contacts = contacts;
   auto& l = w.lanes;
+  for (double* row : {l.yield_side, l.turn_side})
+    if (l.branched) std::fill_n(row, l.count, 0.0);
   l.resize(static_cast<int>(contacts.size()));
   l.damped = l.mixed = l.general = l.branched = l.widened = false;
   w.branch.assign(contacts.size(), nullptr);
@@ -98,16 +98,25 @@ void begin(Window& w, std::span<const PhaseContact> contacts) {
 
 namespace {
 
+/// A damper as δᵖ has k in the power, too.
+void fill_damper(Lanes& l, int lane, const PhaseContact& c) {
+  l.damped = true;
+  l.mixed |= c.grows != Damping::as_slope;
+  if (c.grows == Damping::as_force) l.stiffening[lane] = c.damping;
+  if (c.grows != Damping::as_force) l.damping[lane] = c.damping;
+  if (c.grows != Damping::as_root) return;
+  l.general = true;
+  l.stiffness[lane] = 0;
+  l.steepening[lane] = c.stiffness;
+  l.power[lane] = damping_exponent(c.grows, c.exponent);
+}
+
 void fill_law(Lanes& l, int lane, const PhaseContact& c) {
-  const bool as_force = c.damping > 0 && c.grows == Damping::as_force,
-             as_root = c.damping > 0 && c.grows == Damping::as_root;
-  l.stiffness[lane] = as_root ? 0 : c.stiffness;
-  l.steepening[lane] = as_root ? c.stiffness : 0;
-  l.damping[lane] = as_force ? 0 : c.damping;
-  l.stiffening[lane] = as_force ? c.damping : 0;
-  l.power[lane] = as_root ? damping_exponent(c.grows, c.exponent) : c.exponent - 1;
-  l.mixed |= as_force || as_root;
-  l.general |= as_root || (l.power[lane] != 0 && l.power[lane] != 0.5);
+  l.stiffness[lane] = c.stiffness;
+  l.power[lane] = c.exponent - 1;
+  l.steepening[lane] = l.damping[lane] = l.stiffening[lane] = 0;
+  if (c.damping > 0) fill_damper(l, lane, c);
+  l.general |= l.power[lane] != 0 && l.power[lane] != 0.5;
 }
 
 }  // namespace
@@ -120,7 +129,7 @@ void fill(Window& w, int lane, double rate) {
   fill_law(l, lane, c);
   l.weight[lane] = 1 / c.length;
   w.wake[lane] = wake_depth(c, w.speed);
-  l.damped |= c.damping > 0 || c.width;
+  l.damped |= c.width != nullptr;
   l.widened |= c.width != nullptr;
   w.branch[lane] = c.width;
   l.width[lane] = c.width ? c.width->curve.root(l.indentation[lane]) : 1;
@@ -148,12 +157,12 @@ void link(Window& w, const Coupling& coupling) {
 namespace {
 
 void watch_branch(const PhaseContact& c, int lane, Lanes& l) {
-  const bool yields = c.branch_guard >= 0 && c.yields < infinity;
+  const bool yields = c.yields < infinity;
   l.yield_side[lane] = yields ? 1 : 0;
   l.yield_level[lane] = yields ? c.yields - c.origin : 0;
-  l.turn_side[lane] = c.branch_guard >= 0 ? c.turn_side : 0;
+  l.turn_side[lane] = c.turn_side;
   l.turn_level[lane] = c.turn_speed;
-  l.branched |= c.branch_guard >= 0;
+  l.branched = true;
 }
 
 void set_limits(Window& w, int lane) {
@@ -174,7 +183,7 @@ void watch(Window& w, int lane) {
   l.side[lane] = l.load_side[lane] = 0;
   l.level[lane] = c.level;
   set_limits(w, lane);
-  watch_branch(c, lane, l);
+  if (c.branch_guard >= 0) watch_branch(c, lane, l);
   switch (c.role) {
     case Role::open:
       l.side[lane] = -1;
@@ -182,7 +191,7 @@ void watch(Window& w, int lane) {
     case Role::closed:
       l.load_side[lane] = damped ? 1 : 0;
       l.side[lane] = c.opens_loaded() ? 1 : 0;
-      l.level[lane] = c.origin - c.level;
+      l.level[lane] = end_level(c);
       break;
     case Role::slack:
       l.side[lane] = 1;
@@ -232,6 +241,7 @@ bool has_faint_load(const Window& w, int lane) {
 }
 
 void write(const Window& w, State x) {
+  if (x.data() != w.x.data()) std::copy(w.x.begin(), w.x.end(), x.begin());
   write_outside(w, w.time - w.since, x);
   for (int lane = 0; lane < w.lanes.count; ++lane) {
     const auto& c = w.contact(lane);
@@ -244,6 +254,7 @@ void write(const Window& w, State x) {
 }
 
 void write(const Window& w, const Values& values, State x) {
+  if (x.data() != w.x.data()) std::copy(w.x.begin(), w.x.end(), x.begin());
   write_outside(w, w.time + values.time - w.since, x);
   for (int lane = 0; lane < w.lanes.count; ++lane) {
     const auto& c = w.contact(lane);

@@ -33,6 +33,8 @@ struct Window {
   std::vector<const WidthBranch*> branch;  ///< of each lane
   double outside_time = infinity;          ///< when the first of the gaps outside closes
   Index outside = -1;                      ///< that contact
+  std::vector<Index> loose;                ///< contacts outside whose gaps change
+  bool falls_outside = false;              ///< bodies may fall there
 
   const PhaseContact& contact(int lane) const { return contacts[lane]; }
   /// Of lane's contact the force is a function with a branch point at δ = 0.
@@ -46,6 +48,11 @@ void place(Window& window, const LinkedPhase& phase, State x, double time);
 
 /// A contact at the edge is about to push on a body outside.
 bool has_outgrown(const Window& window);
+
+/// A closed contact opens where its indentation falls to −level.
+inline double end_level(const PhaseContact& contact) {
+  return contact.origin - contact.level;
+}
 
 /// Watch lane's guards as its contact's role demands.
 void watch(Window& window, int lane);

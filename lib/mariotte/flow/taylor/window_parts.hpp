@@ -9,6 +9,11 @@ namespace mariotte::flow::taylor {
 /// less for what damping adds to the force. Laws without a branch point need none.
 double wake_depth(const PhaseContact& contact, double speed);
 
+/// A closed contact at its onset, where rounding may have left it beside zero.
+inline bool is_onset(const PhaseContact& contact, double indentation) {
+  return contact.role == Role::closed && indentation <= 16 * epsilon * contact.length;
+}
+
 /// Make one lane for each of the contacts.
 void begin(Window& window, std::span<const PhaseContact> contacts);
 
@@ -21,7 +26,8 @@ void settle(Window& window);
 /// Lanes do to each other what `coupling` says, which must last as long as they.
 void link(Window& window, const Coupling& coupling);
 
-/// Write what flies freely outside, `elapsed` after the window was placed.
+/// Write what has changed outside, `elapsed` after the window was placed, to x, which holds what stood there
+/// then. It may be the window's own.
 void write_outside(const Window& window, double elapsed, State x);
 
 }  // namespace mariotte::flow::taylor
