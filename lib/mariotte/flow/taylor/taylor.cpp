@@ -41,6 +41,8 @@ bool concerns_problem(const Window& w) {
 /// Branches that are no powers have a series of their own, from the start of a contact on: either all
 /// contacts that push have one, or none. No series of theirs has powers of other depths.
 bool are_alike(const std::vector<PhaseContact>& contacts) {
+  if (std::none_of(contacts.begin(), contacts.end(), [](const PhaseContact& c) { return c.width; }))
+    return true;
   const auto pushes = [](const PhaseContact& c) { return c.pushes(); };
   const auto is_wide = [](const PhaseContact& c) { return c.pushes() && c.width; };
   const auto is_other = [](const PhaseContact& c) {
@@ -74,9 +76,9 @@ struct Taylor::Memory {
     observer.observe(step);
   }
 
-  void advance(const taylor::Fall& fall, const Piece& piece, const Request& request) {
+  void advance(const Piece& piece, const Request& request) {
     if (request.observer) show(piece, *request.observer);
-    stepper.advance(piece, fall);
+    stepper.advance(piece);
   }
 
   /// State at the event that ends the phase: `fall`, or the contact outside that the window cannot pass.
@@ -127,7 +129,7 @@ Arrival Taylor::follow(Problem& problem, State x, const Request& request, std::v
     write(w, x);
     return Arrival{outcome, w.time, steps, steps, std::move(message)};
   };
-  stepper.last_time = 0.1 * problem.time_scale();
+  stepper.stride = 0.1 * problem.time_scale();
   stepper.begin(problem, x, 0, precision);
   while (steps < step_limit) {
     auto piece = stepper.next(steps == 0, std::min(request.limit, w.outside_time) - w.time);
@@ -135,7 +137,7 @@ Arrival Taylor::follow(Problem& problem, State x, const Request& request, std::v
     const bool ends = fall.guard >= 0 || piece.is_cut;  // perhaps at once: a contact at zero that parts
     if (!(piece.end > 0) && !ends) return stop(Outcome::failed, "the series does not converge");
     ++steps;
-    m.advance(fall, piece, request);
+    m.advance(piece, request);
     if (!is_finite(w)) return stop(Outcome::failed, "a velocity is not finite");
 
     const bool cut = fall.guard < 0 && piece.is_cut;

@@ -47,8 +47,8 @@ Fall Stepper::search_guards(Piece& piece) {
     if (l.side[j] > 0 && values_.margin[j] < 0) end_at_turn(piece, j);
   for (int j = 0; j < l.count; ++j) {
     const auto& c = window.contact(j);
-    if (l.side[j] != 0 && !dozes(j) && values_.margin[j] < 0)
-      search(piece, Quantity::indentation, j, l.side[j], l.level[j], c.guard, fall);
+    if (l.side[j] != 0 && !dozes(j) && (values_.margin[j] < 0 || has_faded(j)))
+      search(piece, Quantity::indentation, j, l.side[j], level(j), c.guard, fall);
     if (l.load_side[j] != 0 && values_.load_margin[j] < 0)
       search(piece, Quantity::load, j, l.load_side[j], load_noise(window, j, precision_.tolerance),
              c.load_guard, fall);
@@ -61,23 +61,36 @@ Fall Stepper::first_fall(Piece& piece) {
   Fall fall;
   if (!piece.series) return fall;  // a start is chosen so short that none fires
   const auto& l = window.lanes;
-  const bool may_close =
-      std::any_of(values_.margin, values_.margin + l.count, [](double margin) { return margin < 0; });
-  if (may_close) piece.series->sharpen(piece.end, values_);
-  if (may_close || l.damped || l.branched) fall = search_guards(piece);
+  bool may_fall = l.damped || l.branched, is_unsure = false;
+  for (int j = 0; j < l.count; ++j) {
+    is_unsure |= values_.margin[j] < 0;
+    may_fall |= has_faded(j);
+  }
+  if (is_unsure) piece.series->sharpen(piece.end, values_);
+  if (is_unsure || may_fall) fall = search_guards(piece);
   if (piece.lands && fall.guard < 0) {  // one that comes down to δ = 0 may have lost its load, too
     const auto& c = window.contact(piece.clock);
     fall = {c.opens_loaded() ? c.guard : c.load_guard, piece.clock, piece.end};
   }
   if (fall.guard >= 0) end_at(fall, piece);
+  if (fall.guard >= 0) stand_at(fall, piece);
   return fall;
+}
+
+/// The series of δ and of its clock have errors of their own, so δ need not be exactly where that ends.
+void Stepper::stand_at(const Fall& fall, const Piece& piece) {
+  const auto& c = window.contact(fall.lane);
+  double& depth = values_.indentation[fall.lane];
+  if (piece.lands && fall.lane == piece.clock) depth = 0;
+  if (fall.guard == c.guard) depth = 0 - (c.role == Role::open ? -c.level : level(fall.lane));
+  if (fall.guard == c.branch_guard) depth = window.lanes.yield_level[fall.lane];
 }
 
 bool Stepper::may_fall_soon(const Fall& fall, double time) const {
   const auto& l = window.lanes;
   if (window.network || l.damped || l.branched || window.outside_time <= window.time + 2 * time) return true;
   for (int j = 0; j < l.count; ++j) {
-    const double left = l.side[j] * l.indentation[j] + l.level[j];
+    const double left = l.side[j] * l.indentation[j] + level(j);
     if (j != fall.lane && l.side[j] != 0 && left <= 2 * time * std::abs(l.rate[j])) return true;
   }
   return false;

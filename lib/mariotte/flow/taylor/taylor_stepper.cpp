@@ -19,10 +19,12 @@ constexpr double local_share = 0.03;
 /// least in a longer row, where one lets go after the other. Measured by work_precision and scaling_study.
 double landing_share(const Window& window) {
   if (window.row && window.row->is_slice) return 0.15;
-  return window.lanes.count > 8 ? 0.2 : 0.5;
+  return window.lanes.count > 5 ? 0.2 : 0.5;
 }
-/// Slopes of such a contact have a stronger root, and their series cost more than that of the motion.
-constexpr double share_of_slopes = 1.7;
+/// Share of the stride that is left where steps get short all at once: they may do so for that contact alone.
+constexpr double kept_stride = 0.75;
+/// Of contacts whose roots bound the step more.
+constexpr double share_of_strong_roots = 1.7;
 /// Share of the radius of convergence that a step may use.
 constexpr double safe_radius = 0.7;
 /// How many times the tolerance the two terms before the last two may be. Where coefficients fall evenly they
@@ -36,8 +38,8 @@ int finite_order(const Window& window, int order) {
   const auto& l = window.lanes;
   double fastest = harmless;
   for (int j = 0; j < l.count; ++j)
-    if (l.active[j] > 0 && l.indentation[j] > 0 && window.is_sharp(j) &&
-        std::abs(l.rate[j]) > fastest * l.indentation[j])
+    if (std::abs(l.rate[j]) > fastest * l.indentation[j] && l.indentation[j] > 0 && l.active[j] > 0 &&
+        window.is_sharp(j))
       fastest = std::abs(l.rate[j]) / l.indentation[j];
   return fastest == harmless ? order : std::min(order, static_cast<int>(decades / std::log10(fastest)));
 }
@@ -140,12 +142,17 @@ std::optional<Piece> Stepper::start_piece() {
   return std::nullopt;
 }
 
-/// How far a contact is from its end at its present rate. With slopes, from its onset as well, as long as the
-/// clock has been its own since.
+/// The root of a contact counts at its onset, too: a damper's force begins as √t, and slopes do.
+bool Stepper::has_strong_roots() const {
+  return precision_.has_slopes || window.lanes.damped;
+}
+
+/// How far a contact is from its end at its present rate; from its onset as well, where that counts, as long
+/// as the clock has been its own since.
 double Stepper::time_to_root(int lane) const {
   const double depth = window.lanes.indentation[lane], rate = window.lanes.rate[lane];
   if (rate < 0) return -depth / rate;
-  return precision_.has_slopes && lane == last_clock_ && depth > 0 ? depth / rate : infinity;
+  return has_strong_roots() && lane == last_clock_ && depth > 0 ? depth / rate : infinity;
 }
 
 /// The lane whose onset or separation limits a series in time.
@@ -154,10 +161,11 @@ int Stepper::choose_clock() const {
   int clock = Expansion::plain;
   if (l.general) return clock;
   if (l.widened) return narrowest();
-  double soonest = (precision_.has_slopes ? share_of_slopes : landing_share(window)) * last_time;
+  double soonest = (has_strong_roots() ? share_of_strong_roots : landing_share(window)) * stride;
   for (int j = 0; j < l.count; ++j) {
     if (!window.has_root[j]) continue;
     if (l.indentation[j] == 0 && l.rate[j] > 0) return j;  // it is struck
+    if (l.indentation[j] <= window.acts_above[j]) continue;
     const double time = time_to_root(j);
     if (!(time < soonest)) continue;
     soonest = time;
@@ -209,6 +217,7 @@ Piece Stepper::series_piece() {
     const double above = window.acts_above[j];
     l.active[j] = l.indentation[j] > above || (j == piece.clock && above < infinity);
     if (window.network) doze(j);
+    if (window.has_root[j]) l.level[j] = level(j) + (fades(j) ? window.wake[j] : 0);
     if (l.steepening[j] > 0) listen(j);
   }
   piece.order = finite_order(window, precision_.order);
@@ -242,17 +251,11 @@ Piece Stepper::next(bool first, double time) {
   return piece;
 }
 
-void Stepper::advance(const Piece& piece, const Fall& fall) {
-  auto& l = window.lanes;
-  last_time = values_.time;
+void Stepper::advance(const Piece& piece) {
+  stride = std::max(values_.time, kept_stride * stride);
   last_clock_ = piece.clock;
   taylor::advance(window, values_);
   if (piece.clock != Expansion::plain) watch(window, piece.clock);
-  if (fall.guard < 0) return;
-  if (piece.lands && fall.lane == piece.clock) l.indentation[fall.lane] = 0;
-  const auto& c = window.contact(fall.lane);
-  if (fall.guard == c.guard) l.indentation[fall.lane] = 0 - l.side[fall.lane] * l.level[fall.lane];
-  if (fall.guard == c.branch_guard) l.indentation[fall.lane] = l.yield_level[fall.lane];
 }
 
 }  // namespace mariotte::flow::taylor

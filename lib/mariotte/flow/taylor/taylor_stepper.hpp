@@ -30,21 +30,21 @@ class Stepper {
  public:
   /// Start at x, the whole state at `time`.
   void begin(const Problem& problem, State x, double time, const Precision& precision);
-  /// Length of the step before, or a guess.
-  double last_time = 0;
+  /// About the length of the steps before, or a guess.
+  double stride = 0;
 
   /// The longest piece within the tolerance that wakes no contact too late and ends after `time` at the
   /// latest. `first` allows the series of contacts that start undeformed.
   Piece next(bool first, double time);
-  /// The first guard that fires within the piece; proven. The piece ends there, or earlier, where a contact
-  /// turns at δ = 0 or wakes.
+  /// The first guard that fires within the piece; proven. The piece ends there, where that guard is exactly
+  /// at its level, or earlier, where a contact turns at δ = 0 or wakes.
   Fall first_fall(Piece& piece);
   /// Another guard may fall as well within `time` of the end of the step, by its tangent.
   bool may_fall_soon(const Fall& fall, double time) const;
   /// What the piece says at its end.
   const Values& values() const { return values_; }
-  /// Move the window to the end of the piece; what has fired stands exactly at its level.
-  void advance(const Piece& piece, const Fall& fall);
+  /// Move the window to the end of the piece.
+  void advance(const Piece& piece);
 
   Window window;
 
@@ -55,19 +55,36 @@ class Stepper {
   bool finds_pressed();
   std::optional<Piece> start_piece();
   int choose_clock() const;
+  bool has_strong_roots() const;
   double time_to_root(int lane) const;
   int narrowest() const;
   Piece series_piece();
   void land(Piece& piece);
   void end_at_turn(Piece& piece, int lane);
   void end_at(Fall& fall, Piece& piece);
+  void stand_at(const Fall& fall, const Piece& piece);
   Fall search_guards(Piece& piece);
   void shorten(Piece& piece, double place);
   double reach(const Piece& piece) const;
   Expansion& expansion();
   void doze(int lane);
   void listen(int lane);
-  bool dozes(int lane) const;
+  /// A touching contact whose force is left out, and which is watched for the depth at which it would be
+  /// late.
+  bool dozes(int lane) const {
+    return window.lanes.side[lane] < 0 && window.contact(lane).role == Role::touching;
+  }
+  /// Where a contact ends so shallow that its force is left out, it does not count how far beyond it is
+  /// within that depth, until a step ends there.
+  bool fades(int lane) const {
+    return window.has_root[lane] && !window.lanes.damped && !window.lanes.branched &&
+           !(window.lanes.active[lane] > 0);
+  }
+  bool has_faded(int lane) const { return fades(lane) && values_.indentation[lane] < -level(lane); }
+  /// Of the guard of its gap.
+  double level(int lane) const {
+    return window.has_root[lane] ? end_level(window.contact(lane)) : window.lanes.level[lane];
+  }
   bool cannot_be_late(const Piece& piece, int lane) const;
   void wake_gently(Piece& piece);
   std::optional<double> waking(const Piece& piece, int lane) const;

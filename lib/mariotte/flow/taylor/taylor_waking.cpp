@@ -31,10 +31,6 @@ void Stepper::listen(int lane) {
   l.load_side[lane] = l.indentation[lane] > window.wake[lane] ? -1 : 0;
 }
 
-bool Stepper::dozes(int lane) const {
-  return window.lanes.side[lane] < 0 && window.contact(lane).role == Role::touching;
-}
-
 /// In a row the others only press a contact whose own force is left out, so that it is deepest at an end of a
 /// piece, unless a drive draws it apart. Other links may draw it, too.
 bool Stepper::cannot_be_late(const Piece& piece, int lane) const {
