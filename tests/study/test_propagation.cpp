@@ -72,6 +72,28 @@ BOOST_AUTO_TEST_CASE(samples_scatter_as_the_first_order_says) {
   }
 }
 
+// Three equal balls are followed side by side, unless a flow is asked for by name.
+BOOST_AUTO_TEST_CASE(samples_side_by_side_are_those_of_single_runs) {
+  const std::string balls = R"([chain]
+mass = ["1 kg ± 1 %", 1, 2]
+velocity = [1, 0, 0]
+law = "hertz"
+stiffness = ["1 ± 2 %", 3]
+[run]
+accuracy = 1e-9
+)";
+  const study::Samples samples{.count = 50, .seed = 3};
+  const auto many = propagated(balls, samples), single = propagated(balls + "flow = \"taylor\"\n", samples);
+  BOOST_TEST_REQUIRE(many.outcomes.size() == single.outcomes.size());
+  BOOST_TEST(many.others == 0);
+  for (std::size_t i = 0; i < many.outcomes.size(); ++i) BOOST_TEST_CONTEXT(many.outcomes[i].name) {
+      BOOST_TEST(many.outcomes[i].mean.value() == single.outcomes[i].mean.value(),
+                 boost::test_tools::tolerance(1e-8));
+      BOOST_TEST(many.outcomes[i].sampled_deviation.value() == single.outcomes[i].sampled_deviation.value(),
+                 boost::test_tools::tolerance(1e-6));
+    }
+}
+
 BOOST_AUTO_TEST_CASE(samples_of_one_seed_are_the_same) {
   const auto one = propagated(pair, {.count = 20, .seed = 5}),
              same = propagated(pair, {.count = 20, .seed = 5}),

@@ -1,8 +1,11 @@
 #include "mariotte/study/propagation/propagation.hpp"
 
 #include <cmath>
+#include <functional>
 
+#include "mariotte/study/propagation/outcome_columns.hpp"
 #include "mariotte/study/sensitivity/scene_parameters.hpp"
+#include "mariotte/study/sweep/evaluate.hpp"
 #include "mariotte/study/sweep/variation.hpp"
 
 namespace mariotte::study {
@@ -49,27 +52,68 @@ struct Spread {
   }
 };
 
-void sample(const scene::Document& document, Propagation& result) {
+/// The same of all outcomes, of the samples that end as the scene does.
+class Spreads {
+ public:
+  explicit Spreads(Propagation& result) : result_(result), spreads_(result.outcomes.size()) {}
+
+  void add(bool ends_so, const auto& value_of) {
+    if (!ends_so) return leave_out();
+    for (std::size_t i = 0; i < spreads_.size(); ++i)
+      if (const std::optional<double> value = value_of(i)) spreads_[i].add(*value);
+  }
+  void leave_out() { ++result_.others; }
+  void report() const {
+    for (std::size_t i = 0; i < spreads_.size(); ++i) {
+      if (spreads_[i].count < 2) continue;
+      result_.outcomes[i].mean = spreads_[i].mean;
+      result_.outcomes[i].sampled_deviation =
+          std::sqrt(spreads_[i].squares / static_cast<double>(spreads_[i].count - 1));
+    }
+  }
+
+ private:
+  Propagation& result_;
+  std::vector<Spread> spreads_;
+};
+
+void for_each_sample(const scene::Document& document, const Propagation& result, Spreads& spreads,
+                     const std::function<void(const scene::Scene&)>& run) {
   const auto design = design_of(result.inputs, result.samples);
   Variation variation(document, design, find_slots(document, design));
-  std::vector<Spread> spreads(result.outcomes.size());
   for (Index point = 0; point < result.samples.count; ++point) try {
-      const auto outcome = outcomes(variation.at(point));
-      if (outcome.ending != result.ending) {
-        ++result.others;
-        continue;
-      }
-      for (std::size_t i = 0; i < spreads.size(); ++i)
-        if (outcome.outcome[i].value) spreads[i].add(*outcome.outcome[i].value);
+      run(variation.at(point));
     } catch (const scene::SceneError&) {
-      ++result.others;
+      spreads.leave_out();
+    } catch (const InvalidParameter&) {
+      spreads.leave_out();
     }
-  for (std::size_t i = 0; i < spreads.size(); ++i) {
-    if (spreads[i].count < 2) continue;
-    result.outcomes[i].mean = spreads[i].mean;
-    result.outcomes[i].sampled_deviation =
-        std::sqrt(spreads[i].squares / static_cast<double>(spreads[i].count - 1));
-  }
+}
+
+void sample_side_by_side(const scene::Document& document, const std::vector<Column>& columns,
+                         Propagation& result, Spreads& spreads) {
+  Evaluations evaluations(columns, [&](Index, const Verdict& verdict, std::span<const double> numbers) {
+    spreads.add(verdict.ending == name(result.ending), [&](std::size_t i) {
+      return std::isfinite(numbers[i]) ? std::optional(numbers[i]) : std::nullopt;
+    });
+  });
+  for_each_sample(document, result, spreads, [&](const auto& scene) { evaluations.put(0, scene); });
+  evaluations.finish();
+}
+
+void sample_one_by_one(const scene::Document& document, Propagation& result, Spreads& spreads) {
+  for_each_sample(document, result, spreads, [&](const auto& scene) {
+    const auto found = outcomes(scene);
+    spreads.add(found.ending == result.ending, [&](std::size_t i) { return found.outcome[i].value; });
+  });
+}
+
+void sample(const scene::Document& document, const std::optional<std::vector<Column>>& columns,
+            Propagation& result) {
+  Spreads spreads(result);
+  columns ? sample_side_by_side(document, *columns, result, spreads)
+          : sample_one_by_one(document, result, spreads);
+  spreads.report();
 }
 
 }  // namespace
@@ -82,7 +126,7 @@ Propagation propagate(const scene::Document& document, const scene::Scene& scene
   Propagation result{
       .ending = slopes.ending, .inputs = inputs, .outcomes = {}, .samples = samples, .notes = slopes.notes};
   for (const auto& outcome : slopes.outcome) result.outcomes.push_back(first_order(outcome, inputs));
-  if (samples.count > 0) sample(document, result);
+  if (samples.count > 0) sample(document, columns_of(slopes.outcome), result);
   return result;
 }
 
