@@ -147,12 +147,11 @@ bool Stepper::has_strong_roots() const {
   return precision_.has_slopes || window.lanes.damped;
 }
 
-/// How far a contact is from its end at its present rate; from its onset as well, where that counts, as long
-/// as the clock has been its own since.
-double Stepper::time_to_root(int lane) const {
-  const double depth = window.lanes.indentation[lane], rate = window.lanes.rate[lane];
-  if (rate < 0) return -depth / rate;
-  return has_strong_roots() && lane == last_clock_ && depth > 0 ? depth / rate : infinity;
+/// How fast a contact nears its end; or leaves its onset, where that counts, as long as the clock has been
+/// its own since.
+double Stepper::speed_by_root(int lane) const {
+  const double rate = window.lanes.rate[lane];
+  return rate < 0 ? -rate : has_strong_roots() && lane == last_clock_ ? rate : 0;
 }
 
 /// The lane whose onset or separation limits a series in time.
@@ -164,11 +163,11 @@ int Stepper::choose_clock() const {
   double soonest = (has_strong_roots() ? share_of_strong_roots : landing_share(window)) * stride;
   for (int j = 0; j < l.count; ++j) {
     if (!window.has_root[j]) continue;
-    if (l.indentation[j] == 0 && l.rate[j] > 0) return j;  // it is struck
-    if (l.indentation[j] <= window.acts_above[j]) continue;
-    const double time = time_to_root(j);
-    if (!(time < soonest)) continue;
-    soonest = time;
+    const double depth = l.indentation[j];
+    if (depth == 0 && l.rate[j] > 0) return j;  // it is struck
+    const double speed = speed_by_root(j);
+    if (!(depth < soonest * speed) || depth <= window.acts_above[j]) continue;
+    soonest = depth / speed;
     clock = j;
   }
   return clock;

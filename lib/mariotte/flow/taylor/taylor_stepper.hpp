@@ -56,7 +56,7 @@ class Stepper {
   std::optional<Piece> start_piece();
   int choose_clock() const;
   bool has_strong_roots() const;
-  double time_to_root(int lane) const;
+  double speed_by_root(int lane) const;
   int narrowest() const;
   Piece series_piece();
   void land(Piece& piece);
