@@ -69,11 +69,17 @@ class SlopeExamination {
     };
     return probe;
   }
-  void find(const std::string& what) {
-    if (slopes_.back().notes.empty())
-      verdict_.findings.push_back(what);
-    else
+  /// Unless a note of the slopes at accuracy k says that outcome i by number c may be off by so much.
+  void find(const std::string& what, std::size_t k, std::size_t i, std::size_t c, double share) {
+    const auto& notes = slopes_[k].notes;
+    const auto excuses = [&](const impact::SlopeNote& note) {
+      return concerns(note, name_of(slopes_[k].outcome[i]), subject_.probes[c].name) &&
+             share <= tolerated * note.error;
+    };
+    if (std::any_of(notes.begin(), notes.end(), excuses))
       ++verdict_.refusals;
+    else
+      verdict_.findings.push_back(what);
   }
 
   void compare(std::size_t c, const Differences& expected) {
@@ -85,7 +91,7 @@ class SlopeExamination {
       const auto what =
           fmt::format("{}[{}] by {}", outcome.name, outcome.index.value_or(0), subject_.probes[c].name);
       if (std::isnan(best[i]))
-        find(what + " has no slope, and no note says why");
+        find(what + " has no slope, and no note says why", accuracies.size() - 1, i, c, infinity);
       else
         compare_one(what, c, i, expected.of(i), size);
     }
@@ -108,8 +114,9 @@ class SlopeExamination {
       const double growth = amplification(c)[i] / size;
       if (share <= tolerated * accuracies[k] * growth) continue;
       find(fmt::format(
-          "{} is {:.12g} at {:.0e}, differences {:.12g} ± {:.1e}; perturbations grow {:.2g} times", what, own,
-          accuracies[k], nearest->slope[i], nearest->doubt[i], growth));
+               "{} is {:.12g} at {:.0e}, differences {:.12g} ± {:.1e}; perturbations grow {:.2g} times", what,
+               own, accuracies[k], nearest->slope[i], nearest->doubt[i], growth),
+           k, i, c, share);
     }
   }
 

@@ -290,10 +290,29 @@ BOOST_AUTO_TEST_CASE(balls_that_go_on_together_have_slopes_of_one_side) {
   };
   const auto equal = strike(1), other = strike(0.8);
   const auto tells = [](const Sensitivity& one) {
-    return std::any_of(one.notes.begin(), one.notes.end(), [](const std::string& note) {
-      return note.find("slopes hold on the side where they part") != std::string::npos;
+    return std::any_of(one.notes.begin(), one.notes.end(), [](const impact::SlopeNote& note) {
+      return note.text.find("slopes hold on the side where they part") != std::string::npos;
     });
   };
   BOOST_TEST(tells(equal));
   BOOST_TEST(!tells(other));
+}
+
+BOOST_AUTO_TEST_CASE(notes_name_the_slopes_that_they_are_about) {
+  // Two contacts end at one instant; the last ball flies away.
+  const model::Chain row{.mass = {1, 1, 1, 1},
+                         .law = {contact::Hertz(1), contact::Hertz(1), contact::Hertz(1)},
+                         .gap = {0, 0, 1},
+                         .velocity = {1, 0, -1, 5}};
+  const auto found = sensitivity(row, parameters(row));
+  BOOST_TEST_REQUIRE(!found.notes.empty());
+  const auto told = [&](const std::string& outcome, const std::string& parameter) {
+    return std::any_of(found.notes.begin(), found.notes.end(), [&](const impact::SlopeNote& note) {
+      return note.error > 0 && concerns(note, outcome, parameter);
+    });
+  };
+  BOOST_TEST(told("time", "mass[1]"));
+  BOOST_TEST(!told("time", "mass[0]"));
+  for (const auto& outcome : found.outcome)
+    if (outcome.name == "velocity") BOOST_TEST(!told(name_of(outcome), "mass[1]"));
 }

@@ -66,6 +66,6 @@ BOOST_AUTO_TEST_CASE(balls_that_touch_and_hardly_move_have_slopes_of_one_side) {
     return impact::sensitivity(chain, impact::parameters(chain)).notes;
   };
   BOOST_TEST_REQUIRE(notes_of(1e-9).size() == 1u);
-  BOOST_TEST(notes_of(1e-9)[0].starts_with("contact 2 touches at the start with 1e-09 m/s"));
+  BOOST_TEST(notes_of(1e-9)[0].text.starts_with("contact 2 touches at the start with 1e-09 m/s"));
   BOOST_TEST(notes_of(0.1).empty());
 }

@@ -33,7 +33,7 @@ SlopeSubject outcome(double (*value)(double), double said) {
 }
 
 /// An outcome eᵖ of a number p, whose slope is eᵖ times this.
-SlopeSubject exponential(double factor, std::vector<std::string> notes = {}) {
+SlopeSubject exponential(double factor, std::vector<impact::SlopeNote> notes = {}) {
   const auto outcome = [=](double p, double by) {
     impact::Sensitivity slopes;
     slopes.ending = hybrid::Ending::separated;
@@ -100,14 +100,29 @@ BOOST_AUTO_TEST_CASE(a_wrong_slope_is_found_unless_a_note_says_why) {
   const auto wrong = examined(exponential(1.001));
   BOOST_TEST(!wrong.findings.empty());
   BOOST_TEST(wrong.worst > 1e5);
-  const auto noted = examined(exponential(1.001, {"grazed"}));
+  const auto noted = examined(exponential(1.001, {{.text = "grazed"}}));
   BOOST_TEST(noted.findings.empty());
   BOOST_TEST(noted.refusals > 0);
 }
 
 BOOST_AUTO_TEST_CASE(a_missing_slope_is_found_unless_a_note_says_why) {
   BOOST_TEST(!examined(exponential(NAN)).findings.empty());
-  BOOST_TEST(examined(exponential(NAN, {"captured"})).findings.empty());
+  BOOST_TEST(examined(exponential(NAN, {{.text = "captured"}})).findings.empty());
+}
+
+BOOST_AUTO_TEST_CASE(a_note_about_other_slopes_or_smaller_errors_excuses_nothing) {
+  const auto is_excused = [](double factor, const impact::SlopeNote& note) {
+    return examined(exponential(factor, {note})).findings.empty();
+  };
+  for (const double factor : {1.001, static_cast<double>(NAN)}) {
+    BOOST_TEST(is_excused(factor, {.outcomes = {"time", "velocity[0]"}}));
+    BOOST_TEST(!is_excused(factor, {.outcomes = {"time"}}));
+    BOOST_TEST(is_excused(factor, {.parameters = {"p"}}));
+    BOOST_TEST(!is_excused(factor, {.parameters = {"q"}}));
+    BOOST_TEST(!is_excused(factor, {.error = 0}));
+  }
+  BOOST_TEST(is_excused(1.001, {.error = 1e-3}));
+  BOOST_TEST(!is_excused(1.001, {.error = 1e-5}));
 }
 
 BOOST_AUTO_TEST_CASE(numbers_that_move_one_way_only_are_left_out) {

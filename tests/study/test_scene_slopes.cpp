@@ -250,8 +250,8 @@ BOOST_AUTO_TEST_CASE(a_row_at_rest_on_a_wall_has_slopes) {
 BOOST_AUTO_TEST_CASE(a_slip_in_space_that_starts_from_rest_is_told) {
   const auto tells = [](const std::string& text) {
     const auto found = slopes_of(text, {"body.radius"});
-    const auto is_it = [](const std::string& note) {
-      return note.find("slip in space starts from rest") != std::string::npos;
+    const auto is_it = [](const impact::SlopeNote& note) {
+      return note.text.find("slip in space starts from rest") != std::string::npos;
     };
     return found.in_doubt && std::any_of(found.notes.begin(), found.notes.end(), is_it);
   };

@@ -35,7 +35,7 @@ Sensitivity resolved(const hybrid::Options& asked, Once&& once) {
   options.accuracy = std::clamp(asked.accuracy / (left * loss), least, options.accuracy);
   std::tie(found, loss) = once(options);
   if (options.accuracy * loss > 2 * asked.accuracy)
-    found.notes.push_back(slow_ending_note(options.accuracy * loss));
+    found.notes.push_back(slow_ending_note(options.accuracy * loss, {"time"}));
   return found;
 }
 
@@ -90,7 +90,7 @@ class ContactSensitivity {
     add_velocities();
     add_impulses();
     add_time();
-    add_notes(end_, base_.scale.time, result_.notes);
+    add_notes(end_, base_.scale.time, moving_with_the_end(), result_);
     add_near_closings();
     add_slow_starts();
     leave_out_unbounded(result_);
@@ -128,12 +128,28 @@ class ContactSensitivity {
 
   static constexpr double slow = 1e-6;  ///< share of the speed of a model
 
-  /// By how much parameters move the approach of contact j, at most, in their natural sizes.
-  double moved_approach(const SlopeMatrix& slopes, Index j) const {
-    double most = 0;
-    for (Index c = 0; c < columns(); ++c)
-      most = std::max(most, std::abs(Topology{base_, layout_}.approach(slopes.column(c), j)) / natural_[c]);
-    return most;
+  /// The time alone, unless something presses or falls then.
+  Names moving_with_the_end() const {
+    const auto moves = [&](Index place) { return end_.rate[place] != 0; };
+    if (std::any_of(layout_.velocity.begin(), layout_.velocity.end(), moves)) return {};
+    return {"time"};
+  }
+
+  /// Parameters that move the approach of contact j, in their natural sizes.
+  Names moving_approach(const SlopeMatrix& slopes, Index j) const {
+    return names_of(result_.parameter, [&](std::size_t c) {
+      return std::abs(Topology{base_, layout_}.approach(slopes.column(c), j)) / natural_[c] > slow;
+    });
+  }
+
+  /// What changes where contact j closes once more.
+  Names pushed_by(Index j) const {
+    Names names{"impulse[" + std::to_string(j) + "]", "icr[" + std::to_string(j) + "]", "time"};
+    if (j > 0) names.push_back("icr[" + std::to_string(j - 1) + "]");
+    Topology{base_, layout_}.for_each_push(j, [&](Index velocity, double change) {
+      if (change != 0) names.push_back("velocity[" + std::to_string(velocity) + "]");
+    });
+    return names;
   }
 
   /// Open contacts whose balls go on together: they close again as soon as some number moves.
@@ -141,10 +157,12 @@ class ContactSensitivity {
     if (end_.run.ending != hybrid::Ending::separated) return;
     for (Index j = 0; j < layout_.contacts(); ++j) {
       const double speed = std::abs(Topology{base_, layout_}.approach(end_.run.state, j));
-      if (!contact::carries_force(end_.mode[j]) && speed < slow * base_.speed &&
-          moved_approach(end_.slopes, j) > slow)
-        result_.notes.push_back(
-            near_closing_note("contact " + std::to_string(j + 1), speed * base_.scale.velocity));
+      if (contact::carries_force(end_.mode[j]) || !(speed < slow * base_.speed)) continue;
+      auto moving = moving_approach(end_.slopes, j);
+      if (!moving.empty())
+        result_.notes.push_back(near_closing_note("contact " + std::to_string(j + 1),
+                                                  speed * base_.scale.velocity, pushed_by(j),
+                                                  std::move(moving)));
     }
   }
 
@@ -153,10 +171,13 @@ class ContactSensitivity {
     for (Index j = 0; j < layout_.contacts(); ++j) {
       const auto* power = contact::power_law(base_.law[j]);
       const double speed = std::abs(Topology{base_, layout_}.approach(x0_, j));
-      if (power && power->exponent == 1 && x0_[layout_.gap[j]] == 0 && speed > 0 &&
-          speed < slow * base_.speed && moved_approach(start_, j) > slow)
-        result_.notes.push_back(
-            hardly_touching_note("contact " + std::to_string(j + 1), speed * base_.scale.velocity));
+      if (!(power && power->exponent == 1 && x0_[layout_.gap[j]] == 0 && speed > 0 &&
+            speed < slow * base_.speed))
+        continue;
+      auto moving = moving_approach(start_, j);
+      if (!moving.empty())
+        result_.notes.push_back(hardly_touching_note("contact " + std::to_string(j + 1),
+                                                     speed * base_.scale.velocity, std::move(moving)));
     }
   }
 

@@ -75,7 +75,7 @@ class BodySlopes {
     result_.message = end_.run.message;
     add_readings();
     add_time();
-    add_notes(end_, system_.body().scale.time, result_.notes);
+    add_notes(end_, system_.body().scale.time, moving_with_the_end(), result_);
     add_note_of_capture();
     leave_out_unbounded(result_);
     return std::move(result_);
@@ -114,6 +114,20 @@ class BodySlopes {
     }
   }
 
+  /// The time, and what is not the same a little later.
+  Names moving_with_the_end() const {
+    constexpr double little = 1e-3;
+    auto later = end_.run.state;
+    for (std::size_t r = 0; r < later.size(); ++r) later[r] += little * end_.rate[r];
+    const auto before = read(system_.body(), layout_, x0_, end_.run.state),
+               after = read(system_.body(), layout_, x0_, later);
+    Names names{"contact_time"};
+    for (std::size_t i = 0; i < readings.size(); ++i)
+      if (std::abs(after[i] - before[i]) > 1e-9 * little * std::abs(before[i]))
+        names.push_back(readings[i].name);
+    return names;
+  }
+
   void add_time() {
     const double unit = system_.body().scale.time;
     OutcomeSlopes time{"contact_time", {}, "s", end_.run.time * unit, {}};
@@ -125,9 +139,9 @@ class BodySlopes {
   void add_note_of_capture() {
     if (end_.run.ending == hybrid::Ending::captured) {
       result_.notes.push_back(
-          "the body is captured: there is no rebound that could have slopes, and it is so when its motion "
-          "has "
-          "come down to the accuracy, which has none either");
+          {.text = "the body is captured: there is no rebound that could have slopes, and it is so when its "
+                   "motion has come down to the accuracy, which has none either",
+           .outcomes = {"e_n", "e_nm", "contact_time"}});
       for (auto& outcome : result_.outcome)
         if (outcome.name == "e_n" || outcome.name == "e_nm" || outcome.name == "contact_time")
           std::fill(outcome.slope.begin(), outcome.slope.end(), std::nullopt);
@@ -136,9 +150,10 @@ class BodySlopes {
     for (const auto& outcome : result_.outcome)
       if (outcome.name == "e_n" && std::abs(*outcome.value) < 0.1)
         result_.notes.push_back(
-            "the rebound is " + std::to_string(*outcome.value) +
-            " of the approach, near capture: slopes grow as it vanishes, and hold only while "
-            "it changes by a small part");
+            {.text = "the rebound is " + std::to_string(*outcome.value) +
+                     " of the approach, near capture: slopes grow as it vanishes, and hold only while "
+                     "it changes by a small part",
+             .error = 0});
   }
 
   MicrobodySystem system_;

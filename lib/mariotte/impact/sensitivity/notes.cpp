@@ -2,91 +2,112 @@
 
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "mariotte/core/error.hpp"
 
 namespace mariotte::impact {
 
-std::string grazing_note(const std::string& what, double speed, double time) {
+SlopeNote grazing_note(const DelicateEvent& event, double unit, Names outcomes) {
   char text[200];
   std::snprintf(
       text, sizeof text,
       "an event of %s at %.6g s is grazed: its guard crosses zero at %.2g of the natural speed, the "
       "slowest of all",
-      what.c_str(), time, speed);
-  return text + std::string("; slopes hold no further than about the square of that from here");
+      event.what.c_str(), event.time * unit, event.speed);
+  return {.text = text + std::string("; slopes hold no further than about the square of that from here"),
+          .outcomes = std::move(outcomes)};
 }
 
-std::string slip_from_rest_note() {
-  return "a slip in space starts from rest: its direction is known no better than rounding at first, so "
-         "slopes "
-         "are not resolved there and may be wrong";
+SlopeNote slip_from_rest_note() {
+  return {.text =
+              "a slip in space starts from rest: its direction is known no better than rounding at "
+              "first, so slopes are not resolved there and may be wrong"};
 }
 
-std::string shared_ending_note() {
-  return "several contacts end the run at one instant, and parameters draw their times apart: the time of "
-         "the "
-         "ending is the later one, with slopes that differ on both sides";
+SlopeNote shared_ending_note(Names outcomes, Names parameters) {
+  return {.text =
+              "several contacts end the run at one instant, and parameters draw their times apart: the "
+              "time of the ending is the later one, with slopes that differ on both sides",
+          .outcomes = std::move(outcomes),
+          .parameters = std::move(parameters)};
 }
 
-std::string noise_ending_note() {
-  return "what ended the run is a motion within its accuracy, so its time has no slopes";
+SlopeNote noise_ending_note(Names outcomes) {
+  return {.text = "what ended the run is a motion within its accuracy, so its time has no slopes",
+          .outcomes = std::move(outcomes)};
 }
 
-std::string coincidence_note(const std::string& first, const std::string& second, double time) {
+SlopeNote coincidence_note(const CoincidentEvents& events, double unit, Names outcomes, Names parameters) {
   char text[160];
   std::snprintf(text, sizeof text,
-                "events of %s and %s fall together at %.6g s, and parameters draw them apart", first.c_str(),
-                second.c_str(), time);
-  return text + std::string("; slopes of velocities hold on both sides as far as forces have no jumps there");
+                "events of %s and %s fall together at %.6g s, and parameters draw them apart",
+                events.first.c_str(), events.second.c_str(), events.time * unit);
+  return {.text = text + std::string("; slopes of velocities hold on both sides as far as forces have no "
+                                     "jumps there"),
+          .outcomes = std::move(outcomes),
+          .parameters = std::move(parameters),
+          .error = events.jumps ? infinity : 0};
 }
 
-std::string near_closing_note(const std::string& what, double speed) {
+SlopeNote near_closing_note(const std::string& what, double speed, Names outcomes, Names parameters) {
   char text[160];
   std::snprintf(text, sizeof text, "%s ends with %.2g m/s between its balls, and parameters move that",
                 what.c_str(), speed);
-  return text + std::string(": where they approach it closes again; slopes hold on the side where they part");
+  return {.text = text + std::string(": where they approach it closes again; slopes hold on the side where "
+                                     "they part"),
+          .outcomes = std::move(outcomes),
+          .parameters = std::move(parameters)};
 }
 
-std::string hardly_touching_note(const std::string& what, double speed) {
+SlopeNote hardly_touching_note(const std::string& what, double speed, Names parameters) {
   char text[160];
   std::snprintf(text, sizeof text,
                 "%s touches at the start with %.2g m/s between its balls, and parameters turn that",
                 what.c_str(), speed);
-  return text + std::string(": slopes hold on its side of rest");
+  return {.text = text + std::string(": slopes hold on its side of rest"),
+          .parameters = std::move(parameters)};
 }
 
-std::string waiting_note() {
-  return "slopes that are missing are by gaps of zero of linear contacts that touch at rest until the wave "
-         "comes, "
-         "and by velocities of their balls: pressed such a contact acts at once, drawn apart not at all";
+SlopeNote waiting_note(Names parameters) {
+  return {.text =
+              "slopes that are missing are by gaps of zero of linear contacts that touch at rest until "
+              "the wave comes, and by velocities of their balls: pressed such a contact acts at once, "
+              "drawn apart not at all",
+          .parameters = std::move(parameters)};
 }
 
-std::string slow_ending_note(double error) {
+SlopeNote slow_ending_note(double error, Names outcomes) {
   char text[160];
   std::snprintf(text, sizeof text,
                 "what ends the run crosses so slowly that slopes of its time may be off by %.1g of the time",
                 error);
-  return text;
+  return {.text = text, .outcomes = std::move(outcomes), .error = error};
 }
 
-std::string unresolved_note(double error) {
+SlopeNote unresolved_note(double error) {
   char text[160];
   std::snprintf(text, sizeof text, "forces change so steeply that slopes are resolved to %.1g of their size",
                 error);
-  return text;
+  return {.text = text, .error = error};
 }
 
 void leave_out_unbounded(Sensitivity& slopes) {
-  bool found = false;
-  for (auto& outcome : slopes.outcome)
-    for (auto& slope : outcome.slope)
-      if (slope && !std::isfinite(*slope)) {
-        slope.reset();
-        found = true;
-      }
-  if (found)
-    slopes.notes.push_back("slopes that are missing are unbounded: an event is met with no speed at all");
+  SlopeNote note{.text = "slopes that are missing are unbounded: an event is met with no speed at all"};
+  std::vector<bool> is_missing(slopes.parameter.size(), false);
+  for (auto& outcome : slopes.outcome) {
+    bool any = false;
+    for (std::size_t c = 0; c < outcome.slope.size(); ++c) {
+      auto& slope = outcome.slope[c];
+      if (!slope || std::isfinite(*slope)) continue;
+      slope.reset();
+      any = is_missing[c] = true;
+    }
+    if (any) note.outcomes.push_back(name_of(outcome));
+  }
+  if (note.outcomes.empty()) return;
+  note.parameters = names_of(slopes.parameter, [&](std::size_t c) { return is_missing[c]; });
+  slopes.notes.push_back(std::move(note));
 }
 
 void expect_few(Index components, Index parameters) {

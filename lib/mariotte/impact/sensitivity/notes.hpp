@@ -9,32 +9,57 @@
 
 namespace mariotte::impact {
 
-/// "contact 2 crosses at 1.2e-05 of the natural speed at 3.5 s: …".
-std::string grazing_note(const std::string& what, double speed, double time);
-std::string coincidence_note(const std::string& first, const std::string& second, double time);
-std::string near_closing_note(const std::string& what, double speed);
-std::string hardly_touching_note(const std::string& what, double speed);
-std::string slip_from_rest_note();
-std::string shared_ending_note();
-std::string noise_ending_note();
-std::string slow_ending_note(double error);
-std::string waiting_note();
-std::string unresolved_note(double error);
+using Names = std::vector<std::string>;
+
+/// Names of parameters, of those for which `is_one` is true; empty if that is none.
+template <class IsOne>
+Names names_of(const std::vector<ParameterValue>& parameters, IsOne&& is_one) {
+  Names names;
+  for (std::size_t c = 0; c < parameters.size(); ++c)
+    if (is_one(c)) names.push_back(parameters[c].name);
+  return names;
+}
+
+/// Of `outcomes`: "contact 2 crosses at 1.2e-05 of the natural speed at 3.5 s: …".
+SlopeNote grazing_note(const DelicateEvent& event, double unit, Names outcomes);
+/// By `parameters`.
+SlopeNote coincidence_note(const CoincidentEvents& events, double unit, Names outcomes, Names parameters);
+SlopeNote near_closing_note(const std::string& what, double speed, Names outcomes, Names parameters);
+SlopeNote hardly_touching_note(const std::string& what, double speed, Names parameters);
+SlopeNote slip_from_rest_note();
+SlopeNote shared_ending_note(Names outcomes, Names parameters);
+SlopeNote noise_ending_note(Names outcomes);
+SlopeNote slow_ending_note(double error, Names outcomes);
+SlopeNote waiting_note(Names parameters);
+SlopeNote unresolved_note(double error);
 /// Slopes that are no numbers are left out; a note says so.
 void leave_out_unbounded(Sensitivity& slopes);
 /// Throws InvalidParameter for more slopes than memory and patience allow.
 void expect_few(Index components, Index parameters);
 
-/// Notes of a run; `unit` is that of time [s].
+/// Of the events that cross slowly, the slowest during the run or at its end.
 template <class System>
-void add_notes(const SlopeRun<System>& end, double unit, std::vector<std::string>& notes) {
-  if (const auto& one = end.delicate) notes.push_back(grazing_note(one->what, one->speed, one->time * unit));
+void add_slowest(const SlopeRun<System>& end, bool is_end, double unit, const Names& ending,
+                 Sensitivity& result) {
+  const DelicateEvent* slowest = nullptr;
+  for (const auto& one : end.delicate)
+    if ((one.time == end.run.time) == is_end && !(slowest && slowest->speed <= one.speed)) slowest = &one;
+  if (slowest) result.notes.push_back(grazing_note(*slowest, unit, is_end ? ending : Names{}));
+}
+
+/// Notes of a run; `unit` is that of time [s], `ending` are the outcomes that move with the time of the
+/// ending.
+template <class System>
+void add_notes(const SlopeRun<System>& end, double unit, const Names& ending, Sensitivity& result) {
+  for (const bool is_end : {false, true}) add_slowest(end, is_end, unit, ending, result);
   for (const auto& one : end.coincident)
-    notes.push_back(coincidence_note(one.first, one.second, one.time * unit));
-  if (std::find(end.time_is_shared.begin(), end.time_is_shared.end(), true) != end.time_is_shared.end())
-    notes.push_back(shared_ending_note());
-  if (end.unresolved > 0) notes.push_back(unresolved_note(end.unresolved));
-  if (end.time_is_noise) notes.push_back(noise_ending_note());
+    result.notes.push_back(
+        coincidence_note(one, unit, one.time == end.run.time ? ending : Names{},
+                         names_of(result.parameter, [&](std::size_t c) { return one.apart[c]; })));
+  const auto shared = names_of(result.parameter, [&](std::size_t c) { return end.time_is_shared[c]; });
+  if (!shared.empty()) result.notes.push_back(shared_ending_note(ending, shared));
+  if (end.unresolved > 0) result.notes.push_back(unresolved_note(end.unresolved));
+  if (end.time_is_noise) result.notes.push_back(noise_ending_note(ending));
 }
 
 }  // namespace mariotte::impact

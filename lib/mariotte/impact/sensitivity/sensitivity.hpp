@@ -9,6 +9,7 @@
 #include "mariotte/hybrid/ending.hpp"
 #include "mariotte/hybrid/options.hpp"
 #include "mariotte/impact/sensitivity/parameter.hpp"
+#include "mariotte/impact/sensitivity/slope_note.hpp"
 #include "mariotte/model/bodies/bodies.hpp"
 #include "mariotte/model/chain/chain.hpp"
 #include "mariotte/model/microbody/microbody.hpp"
@@ -45,9 +46,9 @@ struct Sensitivity {
   std::string message;  ///< why, for endings other than separated
   std::vector<ParameterValue> parameter;
   std::vector<OutcomeSlopes> outcome;
-  std::vector<std::string> notes;  ///< where slopes are large, one-sided or missing, and why
-  bool is_swept_back = false;      ///< from its one outcome, through the run
-  bool in_doubt = false;           ///< a note says that slopes may be wrong
+  std::vector<SlopeNote> notes;  ///< where slopes are large, one-sided or missing, and why
+  bool is_swept_back = false;    ///< from its one outcome, through the run
+  bool in_doubt = false;         ///< a note says that slopes may be wrong
 };
 
 /// The numbers of a chain: masses, velocities, gaps, numbers of its laws, and gravity if it acts.

@@ -11,8 +11,8 @@
 // another slope. One that closes slowly does so only while no other pushes. Where events begin and end what
 // is integrated, all events set the clock so.
 #pragma once
+#include <algorithm>
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,7 +21,7 @@
 
 namespace mariotte::impact {
 
-/// An event whose slopes are large, or that has none.
+/// An event that crosses slowly: slopes behind it are large, or there are none.
 struct DelicateEvent {
   double time;       ///< dimensionless
   std::string what;  ///< crosses slowly
@@ -32,6 +32,8 @@ struct DelicateEvent {
 struct CoincidentEvents {
   double time;
   std::string first, second;  ///< whose guards they are, of two of them
+  std::vector<bool> apart;    ///< by parameter: moves them apart
+  bool jumps = true;          ///< forces do there, so slopes depend on which comes first
 };
 
 /// Where a run ended and how that moves, dimensionless.
@@ -39,13 +41,13 @@ template <class System>
 struct SlopeRun {
   hybrid::Trajectory<typename System::Change> run;
   typename System::Mode mode;
-  SlopeMatrix slopes;                     ///< of the final state at fixed time
-  std::vector<double> rate;               ///< f at the end
-  std::vector<double> time;               ///< slopes of the time of the ending
-  std::vector<bool> time_is_shared;       ///< by parameter: guards that ended the run move apart in time
-  bool time_is_noise = false;             ///< what ended the run is within the noise, and no guard
-  double time_loss = 0;                   ///< error of the time's slopes over that of the state's
-  std::optional<DelicateEvent> delicate;  ///< the slowest
+  SlopeMatrix slopes;                ///< of the final state at fixed time
+  std::vector<double> rate;          ///< f at the end
+  std::vector<double> time;          ///< slopes of the time of the ending
+  std::vector<bool> time_is_shared;  ///< by parameter: guards that ended the run move apart in time
+  bool time_is_noise = false;        ///< what ended the run is within the noise, and no guard
+  double time_loss = 0;              ///< error of the time's slopes over that of the state's
+  std::vector<DelicateEvent> delicate;
   std::vector<CoincidentEvents> coincident;
   double unresolved = 0;  ///< error beyond what is asked, relative to the slopes
 };
@@ -90,15 +92,23 @@ class SlopeLoop {
     variation.contact_of(Index{}, mode);
   };
 
-  /// True if the times of two events of one instant move apart.
-  static bool note_difference(std::span<const double> tau, SlopeRun<System>& result) {
-    bool any = false;
-    for (std::size_t c = 0; c < tau.size(); ++c) {
-      const double first = result.time[c];
-      if (!(std::abs(tau[c] - first) > 1e-9 * (std::abs(tau[c]) + std::abs(first)))) continue;
-      any = result.time_is_shared[c] = true;
+  /// By parameter: the times of two events of one instant move apart.
+  static std::vector<bool> difference(const std::vector<double>& first, const std::vector<double>& second) {
+    std::vector<bool> apart;
+    for (std::size_t c = 0; c < first.size(); ++c) {
+      const double size = std::abs(first[c]) + std::abs(second[c]);
+      apart.push_back(std::abs(second[c] - first[c]) > 1e-9 * size);
     }
-    return any;
+    return apart;
+  }
+  /// Beyond rounding.
+  static bool jumps(std::span<const double> before, std::span<const double> after) {
+    double most = 0, size = 0;
+    for (std::size_t r = 0; r < before.size(); ++r) {
+      most = std::max(most, std::abs(before[r] - after[r]));
+      size = std::max(size, std::abs(before[r]));
+    }
+    return most > 1e-9 * size;
   }
 
   System& system_;
@@ -127,8 +137,7 @@ std::vector<double> SlopeLoop<System, Variation>::time_slopes(const Observer& ob
     slopes[c] = -(slopes[c] + along(observer.slopes.column(c))) / crossing;
   const double speed = variation_.crossing_speed(guard, crossing, workspace_.mode);
   constexpr double slow = 1e-6;  // errors of the run, 1e-12 of it, then are no more than its square
-  if (speed < slow && !(result.delicate && result.delicate->speed <= speed))
-    result.delicate = DelicateEvent{time, variation_.name(guard, workspace_.mode), speed};
+  if (speed < slow) result.delicate.push_back({time, variation_.name(guard, workspace_.mode), speed});
   return slopes;
 }
 
@@ -197,11 +206,13 @@ std::vector<std::vector<double>> SlopeLoop<System, Variation>::event_times(const
   result.time_is_shared.assign(variation_.columns(), false);
   for (const Index guard : guards) {
     times.push_back(time_slopes(observer, guard, rate, time, result));
-    if (times.size() == 1)
-      result.time = times[0];
-    else if (note_difference(times.back(), result))
-      result.coincident.push_back(
-          {time, variation_.name(guards[0], workspace_.mode), variation_.name(guard, workspace_.mode)});
+    if (times.size() == 1) result.time = times[0];
+    auto apart = difference(times[0], times.back());
+    if (std::find(apart.begin(), apart.end(), true) == apart.end()) continue;
+    for (std::size_t c = 0; c < apart.size(); ++c)
+      if (apart[c]) result.time_is_shared[c] = true;
+    result.coincident.push_back({time, variation_.name(guards[0], workspace_.mode),
+                                 variation_.name(guard, workspace_.mode), std::move(apart)});
   }
   return times;
 }
@@ -218,6 +229,7 @@ void SlopeLoop<System, Variation>::jump(Observer& observer, const typename Syste
   std::vector<typename System::Change> ignored;
   typename System::Mode last = before;
   system_.transition(last, fired, x, ignored);
+  bool any_jump = false;
   for (std::size_t k = 0; k < fired.size(); ++k) {
     auto mode = last;
     if (fired.size() > 1) {
@@ -225,12 +237,15 @@ void SlopeLoop<System, Variation>::jump(Observer& observer, const typename Syste
       system_.transition(mode, {fired[k]}, x, ignored);
     }
     const auto next = rates(mode);
+    any_jump = any_jump || jumps(rate, next);
     for (Index c = 0; c < variation_.columns(); ++c)
       for (std::size_t r = 0; r < next.size(); ++r)
         if (const double jump = rate[r] - next[r]; jump != 0) after_all(r, c) += jump * times[k][c];
     variation_.remember(fired[k], before, mode, observer.slopes, rate, times[k]);
   }
   observer.slopes = after_all;
+  for (auto& one : result.coincident)
+    if (one.time == result.run.time) one.jumps = any_jump;
   for (std::size_t k = 0; k < fired.size(); ++k)
     if (variation_.closes(fired[k], before, last) &&
         (sets_clock(fired[k], rate) || variation_.is_free(before)))

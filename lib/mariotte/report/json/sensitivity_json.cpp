@@ -27,7 +27,7 @@ void add_slopes(const impact::Sensitivity& slopes, Json& result) {
   result["parameter_values"] = std::move(values);
   result["derivative"] = std::move(derivative);
   result["swept_back"] = slopes.is_swept_back;
-  result["notes"] = slopes.notes;
+  result["notes"] = texts(slopes.notes);
 }
 
 namespace {
@@ -57,7 +57,7 @@ std::string table(const impact::Sensitivity& slopes, const std::string& title) {
                                  title.empty() ? "Sensitivity" : title, hybrid::name(slopes.ending),
                                  slopes.parameter.size(), slopes.is_swept_back ? ", swept back" : "");
   for (const auto& outcome : slopes.outcome) text += rows(slopes, outcome);
-  for (const auto& note : slopes.notes) text += "\nnote: " + note + "\n";
+  for (const auto& note : slopes.notes) text += "\nnote: " + note.text + "\n";
   return text;
 }
 

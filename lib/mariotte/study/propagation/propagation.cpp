@@ -123,8 +123,11 @@ Propagation propagate(const scene::Document& document, const scene::Scene& scene
   std::vector<std::string> keys;
   for (const auto& input : inputs) keys.push_back(input.key);
   const auto slopes = sensitivity(document, scene, keys);
-  Propagation result{
-      .ending = slopes.ending, .inputs = inputs, .outcomes = {}, .samples = samples, .notes = slopes.notes};
+  Propagation result{.ending = slopes.ending,
+                     .inputs = inputs,
+                     .outcomes = {},
+                     .samples = samples,
+                     .notes = texts(slopes.notes)};
   for (const auto& outcome : slopes.outcome) result.outcomes.push_back(first_order(outcome, inputs));
   if (samples.count > 0) sample(document, columns_of(slopes.outcome), result);
   return result;

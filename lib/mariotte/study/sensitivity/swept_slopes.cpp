@@ -35,8 +35,7 @@ void choose(const Document& document, const std::vector<std::string>& keys, cons
     const auto number = number_of_scene<model::Chain>(document, key);
     add({key, number.value}, known(slope_by(slopes, number)));
   }
-  const auto& found = result.outcome[0].slope;
-  if (std::find(found.begin(), found.end(), std::nullopt) == found.end()) result.notes.clear();
+  note_waiting(result);
 }
 
 struct Outcome {

@@ -30,6 +30,9 @@ Adjoint adjoint(
 /// The slope by anything that the numbers of the chain depend on.
 double slope_by(const RowSlopes& slopes, const Parameter<model::Chain>& parameter);
 
+/// The one note there is: which slopes are missing, and why.
+void note_waiting(Sensitivity& swept);
+
 /// The slopes of a velocity by all parameters of the chain, in their order.
 Sensitivity as_sensitivity(const model::Chain& chain, const Adjoint& adjoint, const std::string& name,
                            std::optional<Index> index);

@@ -50,6 +50,12 @@ double slope_by(const RowSlopes& slopes, const Parameter<Chain>& by) {
   });
 }
 
+void note_waiting(Sensitivity& swept) {
+  swept.notes.clear();
+  auto missing = names_of(swept.parameter, [&](std::size_t c) { return !swept.outcome[0].slope[c]; });
+  if (!missing.empty()) swept.notes.push_back(waiting_note(std::move(missing)));
+}
+
 Sensitivity as_sensitivity(const Chain& chain, const Adjoint& adjoint, const std::string& name,
                            std::optional<Index> index) {
   Sensitivity result{.ending = adjoint.ending,
@@ -74,8 +80,7 @@ Sensitivity as_sensitivity(const Chain& chain, const Adjoint& adjoint, const std
   for (std::size_t j = 0; j < chain.law.size(); ++j)
     for (const auto& number : law_parameters(chain.law[j]))
       add(numbered("contact", j) + "." + number.key, number.value, slope_of(slopes, j, number.key));
-  if (std::find(outcome.slope.begin(), outcome.slope.end(), std::nullopt) != outcome.slope.end())
-    result.notes.push_back(waiting_note());
+  note_waiting(result);
   return result;
 }
 

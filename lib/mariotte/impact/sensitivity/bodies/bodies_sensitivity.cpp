@@ -41,7 +41,7 @@ class GroupSlopes {
       if (end_.time_is_noise || end_.time_is_shared[c]) return std::nullopt;
       return end_.time[c];
     });
-    add_notes(end_, 1, result_.notes);
+    add_notes(end_, 1, {}, result_);
     result_.in_doubt = variation_.slips_from_rest();
     if (result_.in_doubt) result_.notes.push_back(slip_from_rest_note());
     leave_out_unbounded(result_);
