@@ -143,6 +143,25 @@ BOOST_AUTO_TEST_CASE(what_is_captured_has_no_slopes_of_its_rebound_or_its_time) 
   BOOST_TEST(missing == 2 * std::ssize(found.parameter));
 }
 
+// It turns on about the tip that stays, in any instant of which it may be called captured.
+BOOST_AUTO_TEST_CASE(what_still_moves_when_a_body_is_captured_has_no_slopes) {
+  const auto found = slopes_of(
+      "[body]\nshape = \"dumbbell\"\nradius = 7e-6\nlength_ratio = 3\ndensity = 1350\n[surface]\n"
+      "law = \"brach-dunn\"\nstiffness = 1.74e9\nwork_of_adhesion = 0.05\nzeta_hertz = 225\n"
+      "zeta_adhesion = 0.4\nfriction = 0\n[incidence]\nnormal_speed = 10\nangles = [0, 0.74, 0]\n",
+      {"body.density"});
+  BOOST_TEST((found.ending == hybrid::Ending::captured));
+  for (const auto& outcome : found.outcome) {
+    const bool moves = outcome.name == "normal_velocity" || outcome.name == "w2";
+    const bool is_told = std::any_of(found.notes.begin(), found.notes.end(), [&](const auto& note) {
+      return concerns(note, name_of(outcome), "body.density");
+    });
+    BOOST_TEST(outcome.slope[0].has_value() == !is_told, outcome.name);
+    if (moves) BOOST_TEST(is_told, outcome.name);
+  }
+  BOOST_TEST(slope(found, "v3", 0) == 0);
+}
+
 // A hundredth of the height would push the ball into the plane.
 BOOST_AUTO_TEST_CASE(keys_are_moved_no_farther_than_the_scene_makes_sense) {
   const std::string above =

@@ -45,12 +45,21 @@ Readings read(const DimensionlessMicrobody& body, const model::MicrobodyLayout& 
           -v.e1 / before.e1};
 }
 
+/// What readings are compared with.
+Readings natural_sizes(const DimensionlessMicrobody& body) {
+  double reach = 0;
+  for (const auto& tip : body.body.tips) reach = std::max(reach, norm(tip.centre) + tip.radius);
+  const double speed = body.speed * body.scale.velocity, turn = body.speed / reach / body.scale.time;
+  return {speed, speed, speed, turn, turn, turn, 1, 1};
+}
+
 class BodySlopes {
  public:
   BodySlopes(const Microbody& body, const std::vector<Parameter<Microbody>>& by,
              const hybrid::Options& options, const SlopeWatch& watch)
       : system_(body, std::max(1e-14, 0.01 * options.accuracy), /*balance=*/false, {.force_signs = false}),
         layout_(system_.layout()),
+        accuracy_(options.accuracy),
         x0_(initial_state(system_.body(), layout_)),
         start_(layout_.size, std::ssize(by)) {
     for (const auto& one : by) {
@@ -114,17 +123,19 @@ class BodySlopes {
     }
   }
 
-  /// The time, and what is not the same a little later.
+  /// The time, and what goes on to move then, by more than the accuracy in a natural time.
   Names moving_with_the_end() const {
     constexpr double little = 1e-3;
+    const auto& body = system_.body();
     auto later = end_.run.state;
-    for (std::size_t r = 0; r < later.size(); ++r) later[r] += little * end_.rate[r];
-    const auto before = read(system_.body(), layout_, x0_, end_.run.state),
-               after = read(system_.body(), layout_, x0_, later);
+    for (std::size_t r = 0; r < later.size(); ++r) later[r] += little * body.time * end_.rate[r];
+    const auto before = read(body, layout_, x0_, end_.run.state), after = read(body, layout_, x0_, later);
+    const auto natural = natural_sizes(body);
     Names names{"contact_time"};
-    for (std::size_t i = 0; i < readings.size(); ++i)
-      if (std::abs(after[i] - before[i]) > 1e-9 * little * std::abs(before[i]))
-        names.push_back(readings[i].name);
+    for (std::size_t i = 0; i < readings.size(); ++i) {
+      const double size = std::max(std::abs(before[i]), natural[i]);
+      if (std::abs(after[i] - before[i]) > accuracy_ * little * size) names.push_back(readings[i].name);
+    }
     return names;
   }
 
@@ -135,18 +146,24 @@ class BodySlopes {
     result_.outcome.push_back(std::move(time));
   }
 
+  /// And what depends on the instant of the capture.
+  void leave_out_rebound() {
+    SlopeNote note{
+        .text =
+            "the body is captured: there is no rebound that could have slopes, and it is so when its "
+            "motion has come down to the accuracy, which has none either",
+        .outcomes = {"e_n", "e_nm", "contact_time"}};
+    if (end_.time_is_noise)
+      for (auto& name : moving_with_the_end()) note.outcomes.push_back(std::move(name));
+    for (auto& outcome : result_.outcome)
+      if (std::find(note.outcomes.begin(), note.outcomes.end(), outcome.name) != note.outcomes.end())
+        std::fill(outcome.slope.begin(), outcome.slope.end(), std::nullopt);
+    result_.notes.push_back(std::move(note));
+  }
+
   /// Above the capture velocity v_c the rebound is ~ √(v − v_c): its slopes grow like the inverse.
   void add_note_of_capture() {
-    if (end_.run.ending == hybrid::Ending::captured) {
-      result_.notes.push_back(
-          {.text = "the body is captured: there is no rebound that could have slopes, and it is so when its "
-                   "motion has come down to the accuracy, which has none either",
-           .outcomes = {"e_n", "e_nm", "contact_time"}});
-      for (auto& outcome : result_.outcome)
-        if (outcome.name == "e_n" || outcome.name == "e_nm" || outcome.name == "contact_time")
-          std::fill(outcome.slope.begin(), outcome.slope.end(), std::nullopt);
-      return;
-    }
+    if (end_.run.ending == hybrid::Ending::captured) return leave_out_rebound();
     for (const auto& outcome : result_.outcome)
       if (outcome.name == "e_n" && std::abs(*outcome.value) < 0.1)
         result_.notes.push_back(
@@ -158,6 +175,7 @@ class BodySlopes {
 
   MicrobodySystem system_;
   const model::MicrobodyLayout& layout_;
+  double accuracy_;  ///< that was asked for
   std::vector<double> x0_;
   SlopeMatrix start_;
   std::vector<ShiftedBodies> shifted_;

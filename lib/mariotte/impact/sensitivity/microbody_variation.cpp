@@ -13,10 +13,24 @@ using model::TipGuard;
 
 namespace {
 
-/// Guard i, which belongs to a tip.
+/// Height of the mass centre over the reach of the tips.
+template <class T>
+T clearance(const Mechanics& mechanics, std::span<const T> x) {
+  const auto& tips = mechanics.body.body.tips;
+  double reach = 0;
+  for (const auto& tip : tips) reach = std::max(reach, norm(tip.centre) + tip.radius);
+  const auto& place = mechanics.layout.place;
+  const auto& centre = tips[0].centre;
+  const auto d =
+      rotate(quaternion_at<T>(x, place.attitude), BasicVector3<T>{T(centre.e1), T(centre.e2), T(centre.e3)});
+  return x[place.gap[0]] + tips[0].radius - d.e1 - reach;
+}
+
+/// Any guard whose time follows from the body.
 template <class T>
 T guard_of(const Mechanics& mechanics, std::span<const T> x, const MicrobodyMode& mode, Index i) {
   using std::sqrt;
+  if (i == model::escape_guard(mechanics.layout.tips)) return clearance(mechanics, x);
   const Index tip = i / model::guards_per_tip;
   const auto& state = mode.tip[static_cast<std::size_t>(tip)];
   const auto& body = mechanics.body;
@@ -118,7 +132,7 @@ void MicrobodyVariation::source(ConstState x, const MicrobodyMode& mode, SlopeMa
 double MicrobodyVariation::guard_rate(const flow::Problem&, Index i, ConstState x, ConstState dx,
                                       const MicrobodyMode& mode) const {
   using Number = series::Dual<double, 1>;
-  if (i >= model::escape_guard(system_.layout().tips)) return 1;
+  if (!has_time(i, mode)) return 1;
   std::vector<Number> moved;
   for (std::size_t r = 0; r < x.size(); ++r) moved.push_back(Number(x[r], {dx[r]}));
   const Number value = guard_of<Number>(mechanics(base_), moved, mode, i);
@@ -128,7 +142,7 @@ double MicrobodyVariation::guard_rate(const flow::Problem&, Index i, ConstState 
 void MicrobodyVariation::guard_slopes(Index i, ConstState x, const MicrobodyMode& mode,
                                       std::span<double> slopes) const {
   std::fill(slopes.begin(), slopes.end(), 0.0);
-  if (i >= model::escape_guard(system_.layout().tips)) return;
+  if (!has_time(i, mode)) return;
   for (Index c = 0; c < columns(); ++c)
     slopes[c] = stencil_slope(shifted_[c].step, [&](std::size_t k) {
       return guard_of<double>(mechanics(shifted_[c].at[k]), x, mode, i);

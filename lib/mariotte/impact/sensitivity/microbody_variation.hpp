@@ -30,6 +30,10 @@ class MicrobodyVariation {
   void guard_slopes(Index i, ConstState x, const model::MicrobodyMode& mode, std::span<double> slopes) const;
   double crossing_speed(Index i, double rate, const model::MicrobodyMode& mode) const;
   double natural_time(Index) const { return base_.time; }
+  /// A body comes to rest where its motion is no more than the accuracy.
+  bool has_time(Index i, const model::MicrobodyMode&) const {
+    return i != model::rest_guard(system_.layout().tips);
+  }
   std::string name(Index i, const model::MicrobodyMode&) const {
     return "tip " + std::to_string(i / model::guards_per_tip + 1);
   }

@@ -34,7 +34,9 @@ SlopeNote shared_ending_note(Names outcomes, Names parameters) {
 }
 
 SlopeNote noise_ending_note(Names outcomes) {
-  return {.text = "what ended the run is a motion within its accuracy, so its time has no slopes",
+  return {.text =
+              "what ended the run is a motion within its accuracy, so its time has no slopes, nor has what "
+              "still moves then",
           .outcomes = std::move(outcomes)};
 }
 

@@ -45,7 +45,7 @@ struct SlopeRun {
   std::vector<double> rate;          ///< f at the end
   std::vector<double> time;          ///< slopes of the time of the ending
   std::vector<bool> time_is_shared;  ///< by parameter: guards that ended the run move apart in time
-  bool time_is_noise = false;        ///< what ended the run is within the noise, and no guard
+  bool time_is_noise = false;        ///< what ended the run is within the noise
   double time_loss = 0;              ///< error of the time's slopes over that of the state's
   std::vector<DelicateEvent> delicate;
   std::vector<CoincidentEvents> coincident;
@@ -92,6 +92,13 @@ class SlopeLoop {
     variation.contact_of(Index{}, mode);
   };
 
+  /// Whether the time of a guard follows from numbers of the scene.
+  bool has_time(Index guard) const {
+    if constexpr (requires { variation_.has_time(guard, workspace_.mode); })
+      return variation_.has_time(guard, workspace_.mode);
+    return true;
+  }
+
   /// By parameter: the times of two events of one instant move apart.
   static std::vector<bool> difference(const std::vector<double>& first, const std::vector<double>& second) {
     std::vector<bool> apart;
@@ -129,8 +136,7 @@ std::vector<double> SlopeLoop<System, Variation>::time_slopes(const Observer& ob
     return variation_.guard_rate(problem, guard, x, dx, workspace_.mode);
   };
   std::vector<double> slopes(variation_.columns(), 0.0);
-  if constexpr (resets)
-    if (!variation_.has_time(guard, workspace_.mode)) return slopes;
+  if (!has_time(guard)) return slopes;
   const double crossing = along(rate);
   variation_.guard_slopes(guard, x, workspace_.mode, slopes);
   for (Index c = 0; c < variation_.columns(); ++c)
@@ -285,7 +291,8 @@ void SlopeLoop<System, Variation>::note_loss(ConstState rate, SlopeRun<System>& 
 template <class System, class Variation>
 void SlopeLoop<System, Variation>::pass(Observer& observer, const typename System::Mode& before,
                                         ConstState rate, SlopeRun<System>& result) {
-  result.time_is_noise = workspace_.fired.empty();
+  result.time_is_noise = std::none_of(workspace_.fired.begin(), workspace_.fired.end(),
+                                      [&](Index guard) { return has_time(guard); });
   if (workspace_.fired.empty()) return;
   note_loss(rate, result);
   if constexpr (resets)
