@@ -55,6 +55,7 @@ set(MARIOTTE_PUBLIC_HEADERS
   impact/network/network_solver.hpp
   impact/sensitivity/parameter.hpp
   impact/sensitivity/sensitivity.hpp
+  impact/sensitivity/slope_note.hpp
   impact/validity.hpp
   impact/watch/observers.hpp)
 

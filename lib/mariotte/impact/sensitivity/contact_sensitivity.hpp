@@ -158,11 +158,12 @@ class ContactSensitivity {
     for (Index j = 0; j < layout_.contacts(); ++j) {
       const double speed = std::abs(Topology{base_, layout_}.approach(end_.run.state, j));
       if (contact::carries_force(end_.mode[j]) || !(speed < slow * base_.speed)) continue;
+      const auto name = "contact " + std::to_string(j + 1);
       auto moving = moving_approach(end_.slopes, j);
       if (!moving.empty())
-        result_.notes.push_back(near_closing_note("contact " + std::to_string(j + 1),
-                                                  speed * base_.scale.velocity, pushed_by(j),
-                                                  std::move(moving)));
+        result_.notes.push_back(
+            near_closing_note(name, speed * base_.scale.velocity, pushed_by(j), std::move(moving)));
+      if (speed > 0 && speed <= base_.noise_speed) result_.notes.push_back(closing_in_noise_note(name));
     }
   }
 

@@ -62,6 +62,12 @@ SlopeNote near_closing_note(const std::string& what, double speed, Names outcome
           .parameters = std::move(parameters)};
 }
 
+SlopeNote closing_in_noise_note(const std::string& what) {
+  return {.text = "whether " + what +
+                  " closes once more cannot be told, so the time of the ending may be another",
+          .outcomes = {"time"}};
+}
+
 SlopeNote hardly_touching_note(const std::string& what, double speed, Names parameters) {
   char text[160];
   std::snprintf(text, sizeof text,

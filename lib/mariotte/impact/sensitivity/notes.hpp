@@ -25,6 +25,7 @@ SlopeNote grazing_note(const DelicateEvent& event, double unit, Names outcomes);
 /// By `parameters`.
 SlopeNote coincidence_note(const CoincidentEvents& events, double unit, Names outcomes, Names parameters);
 SlopeNote near_closing_note(const std::string& what, double speed, Names outcomes, Names parameters);
+SlopeNote closing_in_noise_note(const std::string& what);
 SlopeNote hardly_touching_note(const std::string& what, double speed, Names parameters);
 SlopeNote slip_from_rest_note();
 SlopeNote shared_ending_note(Names outcomes, Names parameters);
