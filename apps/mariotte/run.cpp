@@ -121,7 +121,7 @@ int finish(const Run& options, const Impact& impact, const scene::Scene& scene, 
   if (!options.out.empty()) write(options, impact, scene, waves...);
   show(options, impact, scene);
   if (!options.scene.quiet)
-    for (const auto& one : report::warnings(impact)) warning(one);
+    for (const auto& one : report::warnings(impact, scene.run.flow)) warning(one);
   tell_ending(impact.ending, impact.message, scene);
   if (interruption() != 0) {
     if (impact.ending != hybrid::Ending::interrupted)

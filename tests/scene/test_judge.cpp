@@ -35,7 +35,7 @@ bool has(const std::string& text, const std::string& part) {
 
 std::string all_warnings(const impact::ContactImpact& impact) {
   std::string text;
-  for (const auto& one : report::warnings(impact)) text += one + "\n";
+  for (const auto& one : report::warnings(impact, {})) text += one + "\n";
   return text;
 }
 
@@ -75,6 +75,19 @@ BOOST_AUTO_TEST_CASE(results_say_that_an_accuracy_was_not_reached) {
   BOOST_TEST(has(json, "may be wrong by 3.0e-05"));
   impact.estimated_accuracy = impact.requested_accuracy;
   BOOST_TEST(all_warnings(impact) == "");
+}
+
+BOOST_AUTO_TEST_CASE(results_say_that_the_flow_asked_for_follows_no_contact) {
+  const std::string bodies =
+      "[bodies]\nlaw = 'hertz'\nstiffness = 1e9\nfriction = 0\n"
+      "[[bodies.body]]\nmass = 1\nshape = 'ball'\nradius = 0.01\nposition = [0, 0, 0.011]\n"
+      "velocity = [0.5, 0, -1]\n[[bodies.plane]]\nnormal = [0, 0, 1]\n[run]\nflow = ";
+  const auto said = [&](const std::string& flow) {
+    const auto scene = scene::parse(bodies + flow, "s.toml");
+    return report::json_text(std::get<impact::BodiesImpact>(simulate(scene)), scene);
+  };
+  BOOST_TEST(has(said("'modal'"), "no contact phase of this scene admits flow = \\\"modal\\\": cvode-adams"));
+  for (const char* flow : {"'auto'", "'cvode-adams'"}) BOOST_TEST(!has(said(flow), "admits flow"));
 }
 
 BOOST_AUTO_TEST_CASE(contact_time_is_that_of_hertz) {

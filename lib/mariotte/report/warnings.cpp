@@ -1,6 +1,7 @@
 #include "mariotte/report/warnings.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -25,6 +26,16 @@ void warn_of_nothing(const Impact& impact, List& list) {
     list.push_back("nothing collides: no contact ever closes");
 }
 
+/// What does not depend on a flow is checked by another one: only if that other one was used.
+void warn_of_flow(const std::vector<impact::FlowUse>& flows, std::optional<flow::Kind> asked, List& list) {
+  std::vector<std::string> used;
+  for (const auto& one : flows)
+    if (one.phases > 0 && one.name != flow::name(flow::Kind::ballistic)) used.push_back(one.name);
+  if (!asked || used.empty() || std::ranges::find(used, flow::name(asked)) != used.end()) return;
+  list.push_back(fmt::format("no contact phase of this scene admits flow = \"{}\": {} followed them",
+                             flow::name(asked), fmt::join(used, ", ")));
+}
+
 void warn_of_limits(const impact::Validity& validity, const char* thing, List& list) {
   for (const auto& one : impact::validity_limits)
     if (is_beyond(one, validity)) {
@@ -36,15 +47,16 @@ void warn_of_limits(const impact::Validity& validity, const char* thing, List& l
 
 }  // namespace
 
-List warnings(const impact::ContactImpact& impact) {
+List warnings(const impact::ContactImpact& impact, std::optional<flow::Kind> asked) {
   List list;
   warn_of_error(impact, errors_grow, list);
   warn_of_nothing(impact, list);
+  warn_of_flow(impact.flows, asked, list);
   warn_of_limits(impact.validity, "contact", list);
   return list;
 }
 
-List warnings(const impact::BodiesImpact& impact) {
+List warnings(const impact::BodiesImpact& impact, std::optional<flow::Kind> asked) {
   const bool again = std::any_of(impact.contacts.begin(), impact.contacts.end(),
                                  [](const auto& contact) { return contact.periods.size() > 1; });
   List list;
@@ -53,13 +65,15 @@ List warnings(const impact::BodiesImpact& impact) {
                       : "indentations are so small beside the way to the first contact that digits are lost",
                 list);
   warn_of_nothing(impact, list);
+  warn_of_flow(impact.flows, asked, list);
   warn_of_limits(impact.validity, "contact", list);
   return list;
 }
 
-List warnings(const impact::MicrobodyImpact& impact) {
+List warnings(const impact::MicrobodyImpact& impact, std::optional<flow::Kind> asked) {
   List list;
   warn_of_error(impact, errors_grow, list);
+  warn_of_flow(impact.flows, asked, list);
   warn_of_limits(impact.validity, "tip", list);
   return list;
 }

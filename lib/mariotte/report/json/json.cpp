@@ -65,7 +65,7 @@ Json network(const model::Network& network) {
 template <class Impact>
 std::vector<std::string> all_warnings(const Impact& impact, const scene::Scene& scene) {
   auto list = scene.warnings;
-  for (auto& one : warnings(impact)) list.push_back(std::move(one));
+  for (auto& one : warnings(impact, scene.run.flow)) list.push_back(std::move(one));
   return list;
 }
 
