@@ -99,6 +99,17 @@ BOOST_AUTO_TEST_CASE(a_slack_corner_on_a_long_way_up_opens) {
   }
 }
 
+/// A slip that starts from rest and does not turn: coefficients of its direction cancel.
+BOOST_DATA_TEST_CASE(a_straight_slip_in_space_keeps_its_accuracy,
+                     boost::unit_test::data::make({1e-6, 1e-8, 1e-9, 1e-10, 1e-11}), accuracy) {
+  auto scene = scene::read(MARIOTTE_TEST_DATA "/body/hard/straight_slip.toml");
+  scene.run.accuracy = accuracy;
+  impact::MicrobodySolver solver;
+  const auto& impact = solver.solve(std::get<model::Microbody>(scene.model), scene.run);
+  BOOST_TEST(norm(impact.velocity - Vector3{2.13383571201, 0, -2.96097202828}) < 5.98 * accuracy);
+  BOOST_TEST(impact.rhs < 1000);
+}
+
 /// Friction of a tip that begins to slip moves the friction that the other needs; and forces that end within
 /// rounding have no sign.
 BOOST_DATA_TEST_CASE(a_microbody_changes_between_slip_and_stick_a_few_times,

@@ -66,6 +66,22 @@ SeriesEnd end_of_step(const Series& series, const TipPhase& phase, int order, do
   return turn.place < end.place ? turn : end;
 }
 
+/// How far rounding lets a series of friction reach, if it divides by the size of a slip in space.
+/// Coefficients of 1/|u| grow like R⁻ᵏ, with R the way to where a slip as it is now would vanish. They cancel
+/// where the slip does not turn; what rounding leaves of them is any number, also zero.
+double reach_of_friction(const SpatialSeries& series, const TipPhase& phase, double accuracy, int order) {
+  if (phase.friction == 0 || phase.sticking || phase.slip != TipPhase::Slip::moving) return infinity;
+  const auto size = [&](int k) { return std::hypot(series[series.slip][k], series[series.slip + 1][k]); };
+  double inverse = 0;
+  for (int k = 1; k <= order; ++k) inverse = std::max(inverse, std::pow(size(k) / size(0), 1.0 / k));
+  return std::pow(series_share * accuracy / epsilon, 1.0 / order) / inverse;
+}
+/// Others do not divide by it.
+template <class Series>
+double reach_of_friction(const Series&, const TipPhase&, double, int) {
+  return infinity;
+}
+
 /// From the last coefficients; where the tip touches, from as many as may vanish between two that do not. The
 /// squares in the cone of a tip that sticks in space lose more by being cut off: half the step makes up for
 /// it.
@@ -73,7 +89,7 @@ template <class Series>
 double step_length(const Series& series, const TipPhase& phase, double accuracy, int order) {
   const double allowed = series_share * accuracy * phase.speed;
   const int last = series[series.s][0] == 0 ? 5 : 2;
-  double step = infinity;
+  double step = reach_of_friction(series, phase, accuracy, order);
   for (int k = order; k > order - last; --k)
     if (const double c = coefficient(series, phase, k); c != 0)
       step = std::min(step, std::pow(allowed / c, 1.0 / k));
