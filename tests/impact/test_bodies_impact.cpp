@@ -367,6 +367,15 @@ BOOST_AUTO_TEST_CASE(overlaps_are_refused_by_name) {
   });
 }
 
+BOOST_AUTO_TEST_CASE(friction_that_rounding_would_lose_is_refused_by_name) {
+  for (const double friction : {-0.1, 2e9, 1e300})
+    BOOST_CHECK_EXCEPTION(impact::simulate(meeting({TangentialLaw::rigid, friction, 0})), InvalidParameter,
+                          [](const InvalidParameter& error) {
+                            return std::string(error.what()).find("friction must be") != std::string::npos;
+                          });
+  BOOST_TEST((impact::simulate(meeting({TangentialLaw::rigid, 1e9, 0})).ending == hybrid::Ending::separated));
+}
+
 BOOST_AUTO_TEST_CASE(what_is_slow_and_far_away_says_how_many_digits_are_left) {
   const auto far = [](double gap, double speed) {
     auto bodies = strike(0.5, mindlin);

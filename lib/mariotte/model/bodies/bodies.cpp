@@ -71,11 +71,14 @@ void check_body(const Bodies& bodies, Index i) {
       throw InvalidParameter(name() + ": a sphere has a finite centre and a radius of at least 0");
 }
 
+/// The largest coefficient: 1e15 of it would be lost by rounding of the force along the plane.
+constexpr double most_friction = 1e9;
+
 void check_contact(const Bodies& bodies, const BodyContact& contact) {
   const auto name = [&] { return name_of(bodies, contact.a) + " and " + name_of(bodies, contact.b); };
   const auto& tangential = contact.tangential;
-  if (!(tangential.friction >= 0) || !std::isfinite(tangential.friction))
-    throw InvalidParameter(name() + ": friction must be at least 0");
+  if (!(tangential.friction >= 0 && tangential.friction <= most_friction))
+    throw InvalidParameter(name() + ": friction must be between 0 and 1e9, beyond which nothing slips");
   if (tangential.has_spring() && !is_positive(tangential.stiffness))
     throw InvalidParameter(name() + ": the tangential stiffness must be positive and finite");
   if (tangential.law == TangentialLaw::mindlin && contact::branched(contact.law))
