@@ -153,7 +153,10 @@ void take_from(LawProblem&, scene::Law&, const scene::LawAlone&, const hybrid::O
 
 std::optional<double> restitution(const LawChoice& choice) {
   if (choice.restitution.empty()) return {};
-  return number("restitution", choice.restitution, dimension::none);
+  const double value = number("restitution", choice.restitution, dimension::none);
+  if (!(value >= 0 && value <= 1))
+    throw InvalidParameter("--restitution: must be between 0 and 1, not " + choice.restitution);
+  return value;
 }
 
 /// Of what the multiple-impact law is told.

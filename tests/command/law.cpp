@@ -39,6 +39,12 @@ BOOST_FIXTURE_TEST_CASE(a_velocity_too_few_is_told_so, Session) {
   BOOST_TEST(has(run.err, "--velocity: needs one value per mass (3), got 2"));
 }
 
+BOOST_FIXTURE_TEST_CASE(a_restitution_out_of_range_is_told_by_its_flag, Session) {
+  const auto run = mariotte(triplet + std::string("--icr 2 --energy-ratio 1 --rivals --restitution -0.5"));
+  BOOST_TEST(run.code == 2);
+  BOOST_TEST(has(run.err, "--restitution: must be between 0 and 1, not -0.5"));
+}
+
 BOOST_FIXTURE_TEST_CASE(direction_units_and_walls_are_understood, Session) {
   const auto run =
       mariotte("law --mass '100 g,inf' --velocity '2 m/s,0' --direction 1 --energy-ratio 0.25 --json");
