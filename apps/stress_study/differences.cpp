@@ -112,7 +112,7 @@ class Shrinking {
 Values outcome_sizes(const impact::Sensitivity& slopes, double speed) {
   double impulse = 0, spin = 0;
   for (const auto& one : slopes.outcome) {
-    if (one.name == "impulse") impulse = std::max(impulse, std::abs(*one.value));
+    if (one.unit == "N s") impulse = std::max(impulse, std::abs(*one.value));
     if (one.unit == "rad/s") spin = std::max(spin, std::abs(*one.value));
   }
   Values sizes;

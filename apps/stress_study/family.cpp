@@ -4,12 +4,27 @@
 
 namespace mariotte::stress_study {
 
-std::vector<Family> slope_families() {
-  auto list = families({"chains", "networks", "bodies", "laws"});
+namespace {
+
+bool has_slopes(const Scene& scene) {
+  const auto* group = std::get_if<Group>(&scene.model);
+  return !group || std::all_of(group->bodies.contact.begin(), group->bodies.contact.end(),
+                               [](const auto& one) { return contact::power_law(one.law) != nullptr; });
+}
+
+}  // namespace
+
+std::vector<Family> slope_families(const std::vector<std::string>& kinds) {
+  auto list = families(kinds);
   std::erase_if(list, [](const Family& family) { return family.every > 1; });  // those that take long
   for (auto& family : list) {
     family.name = "slopes, " + family.name;
     family.slopes = true;
+    family.draw = [draw = family.draw](Dice& dice) {
+      auto scene = draw(dice);
+      while (!has_slopes(scene)) scene = draw(dice);
+      return scene;
+    };
   }
   return list;
 }
@@ -26,7 +41,8 @@ std::vector<Family> families(const std::vector<std::string>& kinds) {
   add("bodies", body_families);
   add("laws", law_families);
   add("friction", friction_families);
-  add("slopes", slope_families);
+  add("slopes", [] { return slope_families({"chains", "networks", "bodies", "laws"}); });
+  add("friction-slopes", [] { return slope_families({"friction"}); });
   return list;
 }
 

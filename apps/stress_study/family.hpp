@@ -1,5 +1,6 @@
 // Kinds of random scenes: a name, and how one is drawn.
 #pragma once
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,7 @@ namespace mariotte::stress_study {
 /// One kind of scene.
 struct Family {
   std::string name;
-  Scene (*draw)(Dice&);
+  std::function<Scene(Dice&)> draw;
   std::uint64_t every = 1;  ///< its turns that it takes; the others go to families that take all
   bool slopes = false;      ///< examine slopes by its numbers instead of runs
 };
@@ -22,10 +23,10 @@ std::vector<Family> body_families();
 std::vector<Family> law_families();
 std::vector<Family> friction_families();
 
-/// The families of all kinds, of which slopes are examined.
-std::vector<Family> slope_families();
+/// Families of these kinds, of which slopes are examined; bodies with friction have them of power laws.
+std::vector<Family> slope_families(const std::vector<std::string>& kinds);
 
-/// All families of the kinds "chains", "networks", "bodies", "laws", "friction", "slopes".
+/// All families of the kinds "chains", "networks", "bodies", "laws", "friction", "slopes", "friction-slopes".
 std::vector<Family> families(const std::vector<std::string>& kinds);
 
 /// Place in the list of the family that scene `number` is drawn from: they take turns.

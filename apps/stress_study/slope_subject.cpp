@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "mariotte/core/error.hpp"
+#include "group_units.hpp"
 #include "mariotte/report/number.hpp"
 #include "mariotte/scene/document.hpp"
 #include "mariotte/study/sensitivity/scene_numbers.hpp"
@@ -63,6 +63,8 @@ bool decides_a_touch(const Model& model, std::size_t i) {
   return false;
 }
 
+using stress_study::longest_step, stress_study::unit_of;  // of bodies
+
 /// By how much a number moves results; nothing for one that can move only one way.
 template <class Model>
 std::optional<double> unit_of(const Model& model, const impact::Parameter<Model>& one, double speed) {
@@ -79,7 +81,7 @@ std::optional<double> unit_of(const Model& model, const impact::Parameter<Model>
 
 /// Stencils reach four times as far, and a gap must not close.
 template <class Model>
-double longest_step(const impact::Parameter<Model>& one, double unit) {
+double longest_step(const Model&, const impact::Parameter<Model>& one, double unit) {
   const double step = std::min(one.step, 0.01 * unit);
   return is_element(one.name, "gap") ? std::min(step, 0.1 * std::abs(one.value)) : step;
 }
@@ -104,8 +106,7 @@ std::vector<impact::Parameter<Model>> named_as(const std::vector<impact::Paramet
 }
 
 template <class Model>
-SlopeSubject subject(const Model& model, double max_time, Dice& dice) {
-  const double speed = reference_speed(stress_study::Model(model));
+SlopeSubject subject_of(const Model& model, double speed, double max_time, Dice& dice) {
   SlopeSubject subject{.speed = speed};
   std::vector<impact::Parameter<Model>> by;
   for (auto& one : impact::parameters(model))
@@ -118,7 +119,7 @@ SlopeSubject subject(const Model& model, double max_time, Dice& dice) {
   for (const auto& one : by) {
     const double unit = *unit_of(model, one, speed);
     subject.probes.push_back(
-        {one.name, one.value, unit, longest_step(one, unit),
+        {one.name, one.value, unit, longest_step(model, one, unit),
          [one, max_time](double value) {
            const std::vector<impact::Parameter<Model>> none;
            return impact::sensitivity(one.model(value), none, options_for(max_time, best_accuracy));
@@ -190,9 +191,14 @@ SlopeSubject subject(const Body& body, double, Dice& dice) {
   return subject;
 }
 
-/// Bodies with friction are compared in tests.
-SlopeSubject subject(const Group&, double, Dice&) {
-  throw Error("slopes of bodies with friction are not examined");
+SlopeSubject subject(const Group& group, double max_time, Dice& dice) {
+  return subject_of(group.bodies, reference_speed(group), max_time, dice);
+}
+
+/// Of a chain or a network.
+template <class Model>
+SlopeSubject subject(const Model& model, double max_time, Dice& dice) {
+  return subject_of(model, reference_speed(model), max_time, dice);
 }
 
 }  // namespace

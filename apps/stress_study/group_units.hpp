@@ -1,0 +1,16 @@
+// By how much the numbers of bodies with friction move results.
+#pragma once
+#include <optional>
+
+#include "mariotte/impact/sensitivity/sensitivity.hpp"
+
+namespace mariotte::stress_study {
+
+/// By their own size, about. Nothing for what can move only one way: bodies that touch are moved nowhere, and
+/// not made to part or approach.
+std::optional<double> unit_of(const model::Bodies& bodies, const impact::Parameter<model::Bodies>& one,
+                              double speed);
+/// Stencils reach four times as far, and gaps must not close.
+double longest_step(const model::Bodies& bodies, const impact::Parameter<model::Bodies>& one, double unit);
+
+}  // namespace mariotte::stress_study
