@@ -162,6 +162,21 @@ BOOST_AUTO_TEST_CASE(what_still_moves_when_a_body_is_captured_has_no_slopes) {
   BOOST_TEST(slope(found, "v3", 0) == 0);
 }
 
+// In space the direction of a slip turns ever faster until it rests. A ball rolls off with 5/7 of its speed.
+BOOST_AUTO_TEST_CASE(slopes_through_a_slip_that_comes_to_rest_say_how_exact_they_are) {
+  const auto found = slopes_of(
+      "[bodies]\ndimension = 3\nlaw = \"hertz\"\nstiffness = 1e15\nshare = 0\ntangential = \"rigid\"\n"
+      "friction = 0.54\n[[bodies.plane]]\nnormal = [0, 0, 1]\n[[bodies.contact]]\n"
+      "between = [\"plane 1\", 1]\ntouching = true\n[[bodies.body]]\nshape = \"ball\"\nradius = 0.01\n"
+      "mass = 0.05\nposition = [0, 0, 0.01]\nvelocity = [-0.16, 0.2, -0.97]\nspin = [15, -14, -24]\n",
+      {"body[0].velocity[1]"});
+  double told = 1e-9;
+  for (const auto& note : found.notes)
+    if (concerns(note, "bodies[0].velocity[1]", "body[0].velocity[1]")) told = std::max(told, note.error);
+  BOOST_TEST(told < 1);
+  BOOST_TEST(std::abs(slope(found, "bodies[0].velocity[1]", 0) - 5.0 / 7) < told);
+}
+
 // A hundredth of the height would push the ball into the plane.
 BOOST_AUTO_TEST_CASE(keys_are_moved_no_farther_than_the_scene_makes_sense) {
   const std::string above =

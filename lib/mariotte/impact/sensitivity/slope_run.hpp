@@ -366,7 +366,9 @@ SlopeRun<System> SlopeLoop<System, Variation>::follow(ConstState x0, const Slope
   }
   result.run.flows = run.flows;
   constexpr double reserve = 1000;  // runs with slopes are a hundred times as exact as is asked
-  if (observer.unresolved() > reserve * options_.accuracy) result.unresolved = observer.unresolved();
+  double unresolved = observer.unresolved();
+  if constexpr (resets) unresolved = std::max(unresolved, variation_.unresolved());
+  if (unresolved > reserve * options_.accuracy) result.unresolved = unresolved;
   for (Index c = 0; c < variation_.columns(); ++c)
     if (shift_[c] != 0)
       for (std::size_t r = 0; r < result.rate.size(); ++r)

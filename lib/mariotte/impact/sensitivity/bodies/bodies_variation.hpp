@@ -62,13 +62,16 @@ class BodiesVariation {
   /// Its numbers with the slopes by a parameter, which is lane `column % slope_lanes` of them.
   const SlopedSetting<D>& numbers(Index column) const { return setting_[column / model::slope_lanes]; }
   bool slips_from_rest() const { return slips_from_rest_; }
+  /// Slip that slopes have left where a contact came to stick: largest share of the natural speed.
+  double unresolved() const { return unresolved_; }
 
  private:
   std::vector<Index> active(const Mode& mode) const;
   const std::vector<double>& time_of(const BodiesPassage<D>& event, Index contact) const;
   void keep_totals(const BodiesPassage<D>& event, const SlopeMatrix& slopes);
   void pass_slot(const BodiesPassage<D>& event, const model::ClosedContact& one, const SlopeMatrix& slopes,
-                 SlopeMatrix& result) const;
+                 SlopeMatrix& result);
+  void note_slip(const model::Vec<Sloped, D>& slip, Index column);
   void begin_at_zero(const BodiesPassage<D>& event);
   std::vector<double> rates_behind(const BodiesPassage<D>& event, Index guard) const;
   void open_contact(Mode& mode, Index contact) const;
@@ -82,6 +85,7 @@ class BodiesVariation {
   mutable std::vector<Sloped> x_, dx_, guard_;
   std::vector<SlopeMatrix> totals_;
   bool slips_from_rest_ = false;
+  double unresolved_ = 0;
 };
 
 }  // namespace mariotte::impact
