@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "differences.hpp"
+#include "family.hpp"
 
 using namespace mariotte;
 using namespace mariotte::stress_study;
@@ -162,4 +163,18 @@ BOOST_AUTO_TEST_CASE(two_steps_that_agree_by_chance_do_not_count) {
   const auto found = differences(subject.probes[0], subject.slopes(1e-10), {1}, 1);
   BOOST_TEST(std::abs(found.both.slope[0] - 1) <= 10 * found.both.doubt[0]);
   BOOST_TEST(examined(subject).findings.empty());
+}
+
+BOOST_AUTO_TEST_CASE(bodies_with_friction_have_power_laws_and_are_moved_where_they_may_be) {
+  const auto list = families({"friction-slopes"});
+  for (std::uint64_t n = 0; n < 2 * list.size(); ++n) {
+    const auto scene = scene_of(list, 3, n);
+    const auto& bodies = std::get<Group>(scene.model).bodies;
+    for (const auto& one : bodies.contact) BOOST_TEST(contact::power_law(one.law));
+    const auto subject = slope_subject(scene, Dice(4, n));
+    BOOST_TEST(!subject.probes.empty());
+    for (const auto& probe : subject.probes)
+      for (const double steps : {-4, 4})
+        BOOST_CHECK_NO_THROW(probe.outcomes(probe.value + steps * probe.step));
+  }
 }
