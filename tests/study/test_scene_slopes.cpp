@@ -177,6 +177,30 @@ BOOST_AUTO_TEST_CASE(slopes_through_a_slip_that_comes_to_rest_say_how_exact_they
   BOOST_TEST(std::abs(slope(found, "bodies[0].velocity[1]", 0) - 5.0 / 7) < told);
 }
 
+// Stiff springs of a normal and a tangential contact: what is 10⁻⁵ of a radius deep has its own size. Units
+// of mass change no velocity.
+BOOST_AUTO_TEST_CASE(slopes_of_stiff_contacts_with_friction_are_not_rounded) {
+  const std::vector<std::string> keys = {"body[0].mass",         "body[0].inertia",
+                                         "body[1].mass",         "body[1].inertia",
+                                         "contact[0].stiffness", "contact[0].tangential_stiffness"};
+  const auto found = slopes_of(
+      "[run]\naccuracy = 1e-10\n[bodies]\ndimension = 2\nlaw = \"linear\"\nstiffness = 2.3e12\n"
+      "tangential = \"spring\"\nfriction = 0.48\nshare = 1\ntangential_stiffness = 3.3e12\n"
+      "[[bodies.body]]\nshape = \"ball\"\nradius = 0.01\nmass = 0.054\nposition = [-0.0192, 0]\n"
+      "velocity = [1, 0]\n[[bodies.body]]\nshape = \"ball\"\nradius = 0.01\nmass = 0.045\n"
+      "position = [0, 0.006]\nspin = -1.8\n",
+      keys);
+  for (const auto* outcome : {"bodies[0].spin", "bodies[1].spin"}) {
+    double sum = 0, most = 0;
+    for (std::size_t c = 0; c < keys.size(); ++c) {
+      const double part = found.parameter[c].value * slope(found, outcome, c);
+      sum += part;
+      most = std::max(most, std::abs(part));
+    }
+    BOOST_TEST(std::abs(sum) < 1e-11 * most);
+  }
+}
+
 // A hundredth of the height would push the ball into the plane.
 BOOST_AUTO_TEST_CASE(keys_are_moved_no_farther_than_the_scene_makes_sense) {
   const std::string above =

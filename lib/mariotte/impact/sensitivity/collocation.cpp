@@ -226,7 +226,9 @@ Collocation::Collocation(std::vector<flow::Entry> pattern, std::span<const doubl
   m.magnitude = Eigen::Map<const Eigen::VectorXd>(magnitudes.data(), m.size);
   m.accuracy = accuracy;
   m.find_active();
-  m.equations.emplace(m.pattern, m.position);
+  std::vector<double> natural;
+  for (const Index i : m.active) natural.push_back(magnitudes[i]);
+  m.equations.emplace(m.pattern, m.position, std::move(natural));
   for (int i = 0; i < stages; ++i) {
     m.jacobian[i].resize(m.pattern.size());
     m.source[i] = SlopeMatrix(m.size, m.columns);

@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <utility>
 
 #include "mariotte/impact/sensitivity/gauss.hpp"
 
@@ -11,7 +12,8 @@ class StageSystem::Equations {
  public:
   using Values = Eigen::Map<Eigen::MatrixXd>;
 
-  Equations(const std::vector<flow::Entry>& pattern, const std::vector<Index>& position);
+  Equations(const std::vector<flow::Entry>& pattern, const std::vector<Index>& position,
+            std::vector<double> magnitude);
   Index unknowns() const;
   Index rows() const { return stages * std::ssize(place_); }
   void solve(const std::vector<double>* jacobian, const double* h, Values& values);
@@ -28,6 +30,7 @@ class StageSystem::Equations {
   void find_unknown();
   void set_system();
   void divide(Values& values);
+  void scale();
   void add_direct(const Link& link);
   void add_through(const Link& link);
   void add(const Links& links, bool of_known, Values& values) const;
@@ -36,17 +39,19 @@ class StageSystem::Equations {
   bool acts(const Link& link) const;
   bool is_known(Index component) const { return place_[component] < 0; }
 
-  std::vector<Index> kept_;     ///< components that are not eliminated
-  std::vector<Index> unknown_;  ///< those of them that something acts on
-  std::vector<Index> place_;    ///< of a component among these, or −1
+  std::vector<double> magnitude_;  ///< by component
+  std::vector<Index> kept_;        ///< components that are not eliminated
+  std::vector<Index> unknown_;     ///< those of them that something acts on
+  std::vector<Index> place_;       ///< of a component among these, or −1
   Links among_kept_, to_kept_, to_eliminated_;
   Eigen::MatrixXd system_, right_;
   const std::vector<double>* jacobian_ = nullptr;
   const double* h_ = nullptr;
 };
 
-StageSystem::Equations::Equations(const std::vector<flow::Entry>& pattern,
-                                  const std::vector<Index>& position) {
+StageSystem::Equations::Equations(const std::vector<flow::Entry>& pattern, const std::vector<Index>& position,
+                                  std::vector<double> magnitude)
+    : magnitude_(std::move(magnitude)) {
   Links links;
   for (std::size_t e = 0; e < pattern.size(); ++e)
     if (const Index row = position[pattern[e].row]; row >= 0)
@@ -114,9 +119,21 @@ void StageSystem::Equations::divide(Values& values) {
   right_.resize(n * stages, values.cols());
   for (int i = 0; i < stages; ++i)
     for (Index k = 0; k < n; ++k) right_.row(i * n + k) = values.row(i * all + unknown_[k]);
+  scale();
   right_ = system_.partialPivLu().solve(right_);
   for (int i = 0; i < stages; ++i)
-    for (Index k = 0; k < n; ++k) values.row(i * all + unknown_[k]) = right_.row(i * n + k);
+    for (Index k = 0; k < n; ++k)
+      values.row(i * all + unknown_[k]) = magnitude_[unknown_[k]] * right_.row(i * n + k);
+}
+
+/// Unknowns in their natural sizes: pivots that are large by their units alone lose digits.
+void StageSystem::Equations::scale() {
+  const Index n = std::ssize(unknown_);
+  Eigen::VectorXd size(n * stages);
+  for (Index row = 0; row < size.size(); ++row) size[row] = magnitude_[unknown_[row % n]];
+  const Eigen::VectorXd inverse = size.cwiseInverse();
+  right_ = inverse.asDiagonal() * right_;
+  system_ = inverse.asDiagonal() * system_ * size.asDiagonal();
 }
 
 void StageSystem::Equations::set_system() {
@@ -169,8 +186,9 @@ void StageSystem::Equations::add_to(const Link& link, Values& values) const {
   }
 }
 
-StageSystem::StageSystem(const std::vector<flow::Entry>& pattern, const std::vector<Index>& position)
-    : equations_(std::make_unique<Equations>(pattern, position)) {}
+StageSystem::StageSystem(const std::vector<flow::Entry>& pattern, const std::vector<Index>& position,
+                         std::vector<double> magnitude)
+    : equations_(std::make_unique<Equations>(pattern, position, std::move(magnitude))) {}
 StageSystem::~StageSystem() = default;
 
 Index StageSystem::unknowns() const {

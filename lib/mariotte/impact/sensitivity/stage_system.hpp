@@ -16,8 +16,9 @@ namespace mariotte::impact {
 
 class StageSystem {
  public:
-  /// `position` of a component among those that rates depend on, or −1.
-  StageSystem(const std::vector<flow::Entry>& pattern, const std::vector<Index>& position);
+  /// `position` of a component among those that rates depend on, or −1; their natural sizes.
+  StageSystem(const std::vector<flow::Entry>& pattern, const std::vector<Index>& position,
+              std::vector<double> magnitude);
   ~StageSystem();
 
   /// Unknowns of a division, at most.
