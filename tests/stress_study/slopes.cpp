@@ -2,11 +2,14 @@
 #define BOOST_TEST_MODULE stress_study_slopes
 #include "slopes.hpp"
 
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
 #include "differences.hpp"
 #include "family.hpp"
+#include "group_units.hpp"
+#include "mariotte/scene/scene.hpp"
 
 using namespace mariotte;
 using namespace mariotte::stress_study;
@@ -136,6 +139,31 @@ BOOST_AUTO_TEST_CASE(numbers_that_move_one_way_only_are_left_out) {
       BOOST_TEST(one.name != "velocity[1]");
       BOOST_TEST(one.name != "velocity[2]");
     }
+}
+
+// Of two balls that touch, the right one at rest beside a plane: what may move both ways, and how far.
+BOOST_AUTO_TEST_CASE(bodies_that_touch_are_moved_nowhere) {
+  const auto scene = scene::parse(
+      "[bodies]\ndimension = 2\nlaw = \"hertz\"\nstiffness = 1e9\n"
+      "[[bodies.plane]]\npoint = [0.04, 0]\nnormal = [-1, 0]\n"
+      "[[bodies.contact]]\nbetween = [1, 2]\n[[bodies.contact]]\nbetween = [2, \"plane 1\"]\n"
+      "[[bodies.body]]\nshape = \"ball\"\nradius = 0.01\nmass = 1\nposition = [-0.02, 0]\nvelocity = [1, 0]\n"
+      "[[bodies.body]]\nshape = \"ball\"\nradius = 0.01\nmass = 1\nposition = [0.03, 0]\n",
+      "test");
+  const auto& bodies = std::get<model::Bodies>(scene.model);
+  std::vector<std::string> moved;
+  for (const auto& one : impact::parameters(bodies))
+    if (const auto unit = unit_of(bodies, one, 1)) {
+      moved.push_back(one.name);
+      if (one.name == "body[0].position[0]") BOOST_TEST(longest_step(bodies, one, *unit) <= 0.1 * 0.03);
+    }
+  const auto has = [&](const std::string& name) {
+    return std::find(moved.begin(), moved.end(), name) != moved.end();
+  };
+  for (const auto* name : {"body[0].position[0]", "body[0].velocity[0]", "body[1].mass"})
+    BOOST_TEST(has(name), name);
+  for (const auto* name : {"body[1].position[0]", "body[1].velocity[0]", "body[1].radius"})
+    BOOST_TEST(!has(name), name);
 }
 
 // As where two events change places: each side has its own slope.
