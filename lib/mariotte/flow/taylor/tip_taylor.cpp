@@ -3,6 +3,7 @@
 #include <tuple>
 
 #include "mariotte/core/bracket.hpp"
+#include "mariotte/flow/roots/rough_root.hpp"
 #include "mariotte/flow/roots/simultaneous.hpp"
 #include "mariotte/flow/series_flow.hpp"
 #include "mariotte/flow/taylor/tip_motion.hpp"
@@ -72,9 +73,11 @@ SeriesEnd end_of_step(const Series& series, const TipPhase& phase, int order, do
 double reach_of_friction(const SpatialSeries& series, const TipPhase& phase, double accuracy, int order) {
   if (phase.friction == 0 || phase.sticking || phase.slip != TipPhase::Slip::moving) return infinity;
   const auto size = [&](int k) { return std::hypot(series[series.slip][k], series[series.slip + 1][k]); };
+  constexpr double tiny = 1e-300;
   double inverse = 0;
-  for (int k = 1; k <= order; ++k) inverse = std::max(inverse, std::pow(size(k) / size(0), 1.0 / k));
-  return std::pow(series_share * accuracy / epsilon, 1.0 / order) / inverse;
+  for (int k = 1; k <= order; ++k)
+    inverse = std::max(inverse, rough_root(std::max(size(k) / size(0), tiny), k));
+  return rough_root(series_share * accuracy / epsilon, order) / inverse;
 }
 /// Others do not divide by it.
 template <class Series>
