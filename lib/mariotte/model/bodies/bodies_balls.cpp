@@ -78,7 +78,7 @@ void BodiesBalls::set_bodies() {
     return;
   }
   p[BallMotion::radius_a] = setting_.sphere[c.a].radius;
-  p[BallMotion::radii] = p[BallMotion::radius_a] + p[BallMotion::radius_b];
+  p[BallMotion::radii] = c.touching_distance();
   p[BallMotion::share_a] = 1 - c.share;
   p[BallMotion::ease_a] = 1 / setting_.body[a_].inertia[0];
 }

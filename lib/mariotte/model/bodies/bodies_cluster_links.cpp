@@ -69,7 +69,7 @@ void BodiesCluster::set_sides(const SettingContact<2>& c, flow::ClusterLink& lin
   link.a = ball_of(c.a);
   link.radius_a = setting_.sphere[c.a].radius;
   link.share_a = 1 - c.share;
-  link.parameter[Field::radii] = link.radius_a + link.radius_b;
+  link.parameter[Field::radii] = c.touching_distance();
   link.parameter[Field::turning] = 1;
 }
 
@@ -146,7 +146,7 @@ void BodiesCluster::load_gap(const SettingContact<2>& one, ConstState x, flow::C
   gap.normal_x = c.normal[0];
   gap.normal_y = c.normal[1];
   if (gap.a >= 0) {
-    gap.bend = 0.5 / (c.gap + setting_.sphere[one.a].radius + setting_.sphere[one.b].radius);
+    gap.bend = 0.5 / (c.gap + one.touching_distance());
   } else {
     gap.velocity_x = setting_.plane_velocity[one.plane][0];
     gap.velocity_y = setting_.plane_velocity[one.plane][1];

@@ -189,7 +189,7 @@ class BodiesField {
     T distance = T(0.0);
     if (one.plane < 0) {
       relative = relative - side(one.a);
-      distance = c.gap + (setting_.sphere[one.a].radius + setting_.sphere[one.b].radius);
+      distance = c.gap + one.touching_distance();
     }
     return dot(c.normal, relative) + distance * dot(c.normal_rate, c.normal_rate);
   }

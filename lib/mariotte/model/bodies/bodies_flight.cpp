@@ -111,7 +111,7 @@ double BodiesPhase<D>::meeting(ConstState x, Index contact, double limit) const 
   }
   if (is_plane && !turns_b) return flow::first_crossing(flow::Crossing::falling, gap, now.gap_rate, fall);
 
-  const double radii = sphere_b.radius + (is_plane ? 0 : setting_.sphere[c.a].radius) - dent;
+  const double radii = (is_plane ? sphere_b.radius : c.touching_distance()) - dent;
   const Vec<double, D> relative = b.velocity - (is_plane ? setting_.plane_velocity[c.plane] : a.velocity);
   if (!turns_a && !turns_b) {
     const double distance = radii + gap, slope = distance * now.gap_rate, ends = gap * (distance + radii);

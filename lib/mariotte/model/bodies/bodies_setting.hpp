@@ -49,6 +49,9 @@ struct SettingContact {
   N share = 0.5;
   // Natural sizes.
   double mass = 1, length = 1, time = 1, force = 1;
+
+  /// Of the centres of two spheres that touch: the sum of their radii, unless they were stated to touch.
+  N touching_distance() const { return distance - gap; }
 };
 
 /// Places in the state: bodies, the clock, slots of closed contacts.
