@@ -192,8 +192,8 @@ int Stepper::narrowest() const {
 /// a turn on a motion has every second coefficient only: the last ones of δ and δ̇ are one number, which may
 /// be small by chance. So the two before are looked at, too.
 double Stepper::reach(const Piece& piece) const {
-  const bool fresh = piece.clock != Expansion::plain && window.lanes.indentation[piece.clock] == 0;
-  const int group = fresh ? 5 : 2;  // right after an onset four of five vanish
+  const bool fresh = piece.clock != Expansion::plain && window.lanes.rate[piece.clock] > 0;
+  const int group = fresh ? 5 : 2;  // near an onset four of five vanish, or nearly so
   const int first = piece.order - 2 * group + 1;
   double end = infinity, last = tiny, before = tiny, size[10];
   piece.series->sizes(first, size);
