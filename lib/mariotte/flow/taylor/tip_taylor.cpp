@@ -72,11 +72,15 @@ SeriesEnd end_of_step(const Series& series, const TipPhase& phase, int order, do
 /// where the slip does not turn; what rounding leaves of them is any number, also zero.
 double reach_of_friction(const SpatialSeries& series, const TipPhase& phase, double accuracy, int order) {
   if (phase.friction == 0 || phase.sticking || phase.slip != TipPhase::Slip::moving) return infinity;
-  const auto size = [&](int k) { return std::hypot(series[series.slip][k], series[series.slip + 1][k]); };
+  const auto squared = [&](int k) {
+    const double along = series[series.slip][k], across = series[series.slip + 1][k];
+    return along * along + across * across;
+  };
   constexpr double tiny = 1e-300;
+  const double scale = 1 / std::max(squared(0), tiny);
   double inverse = 0;
   for (int k = 1; k <= order; ++k)
-    inverse = std::max(inverse, rough_root(std::max(size(k) / size(0), tiny), k));
+    inverse = std::max(inverse, rough_root(std::max(scale * squared(k), tiny), 2 * k));
   return rough_root(series_share * accuracy / epsilon, order) / inverse;
 }
 /// Others do not divide by it.
