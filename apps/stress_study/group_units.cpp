@@ -5,13 +5,14 @@
 #include <utility>
 
 namespace mariotte::stress_study {
-namespace {
 
 double reach(const model::Body& body) {
   double most = 0;
   for (const auto& one : body.spheres) most = std::max(most, norm(one.centre) + one.radius);
   return most;
 }
+
+namespace {
 
 /// Where it is, and how fast it goes along the normal, of what a contact joins.
 std::pair<Vector3, Vector3> place_and_velocity(const model::Bodies& bodies, const model::Feature& feature) {

@@ -1,10 +1,13 @@
-// By how much the numbers of bodies with friction move results.
+// Sizes of bodies with friction, and by how much their numbers move results.
 #pragma once
 #include <optional>
 
 #include "mariotte/impact/sensitivity/sensitivity.hpp"
 
 namespace mariotte::stress_study {
+
+/// Of its spheres, from the mass centre.
+double reach(const model::Body& body);
 
 /// By their own size, about. Nothing for what can move only one way: bodies that touch are moved nowhere, and
 /// not made to part or approach.

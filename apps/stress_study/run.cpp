@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "group_units.hpp"
 #include "mariotte/core/error.hpp"
 #include "mariotte/impact/bodies/bodies_impact.hpp"
 #include "mariotte/impact/chain/chain_solver.hpp"
@@ -125,12 +126,6 @@ void run(const Body& scene, const hybrid::Options& options, bool balances, doubl
   const auto& energy = impact.energy;
   const double losses = std::min({energy.hertz_damping, energy.adhesion_damping, energy.friction});
   found.imbalance = std::max(std::abs(energy.residual), -losses) / energy_at_stake(scene, energy.initial);
-}
-
-double reach(const model::Body& body) {
-  double most = 0;
-  for (const auto& sphere : body.spheres) most = std::max(most, norm(sphere.centre) + sphere.radius);
-  return most;
 }
 
 void run(const Group& scene, const hybrid::Options& options, bool, double speed, Found& found) {

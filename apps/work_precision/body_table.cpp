@@ -57,10 +57,6 @@ model::Microbody microbody(const Fields& row) {
 
 }  // namespace
 
-double reach(const model::RigidBody& body) {
-  return norm(body.tips[0].centre) + body.tips[0].radius;
-}
-
 std::string name_of_body(const Fields& row) {
   return row[name];
 }

@@ -29,9 +29,6 @@ struct Body {
   model::DimensionlessMicrobody scaled;
 };
 
-/// What an error of the spin is multiplied by to be one of a velocity, in the units of the body.
-double reach(const model::RigidBody& body);
-
 /// One impact and what is known of it.
 struct Case {
   std::variant<model::Chain, Body> model;

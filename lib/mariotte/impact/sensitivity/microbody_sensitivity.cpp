@@ -47,9 +47,8 @@ Readings read(const DimensionlessMicrobody& body, const model::MicrobodyLayout& 
 
 /// What readings are compared with.
 Readings natural_sizes(const DimensionlessMicrobody& body) {
-  double reach = 0;
-  for (const auto& tip : body.body.tips) reach = std::max(reach, norm(tip.centre) + tip.radius);
-  const double speed = body.speed * body.scale.velocity, turn = body.speed / reach / body.scale.time;
+  const double speed = body.speed * body.scale.velocity,
+               turn = body.speed / reach(body.body) / body.scale.time;
   return {speed, speed, speed, turn, turn, turn, 1, 1};
 }
 

@@ -13,24 +13,11 @@ using model::TipGuard;
 
 namespace {
 
-/// Height of the mass centre over the reach of the tips.
-template <class T>
-T clearance(const Mechanics& mechanics, std::span<const T> x) {
-  const auto& tips = mechanics.body.body.tips;
-  double reach = 0;
-  for (const auto& tip : tips) reach = std::max(reach, norm(tip.centre) + tip.radius);
-  const auto& place = mechanics.layout.place;
-  const auto& centre = tips[0].centre;
-  const auto d =
-      rotate(quaternion_at<T>(x, place.attitude), BasicVector3<T>{T(centre.e1), T(centre.e2), T(centre.e3)});
-  return x[place.gap[0]] + tips[0].radius - d.e1 - reach;
-}
-
 /// Any guard whose time follows from the body.
 template <class T>
 T guard_of(const Mechanics& mechanics, std::span<const T> x, const MicrobodyMode& mode, Index i) {
   using std::sqrt;
-  if (i == model::escape_guard(mechanics.layout.tips)) return clearance(mechanics, x);
+  if (i == model::escape_guard(mechanics.layout.tips)) return model::clearance(mechanics, x);
   const Index tip = i / model::guards_per_tip;
   const auto& state = mode.tip[static_cast<std::size_t>(tip)];
   const auto& body = mechanics.body;

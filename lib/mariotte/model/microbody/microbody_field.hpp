@@ -36,6 +36,17 @@ bool hold(std::span<const series::Dual<double, n>> mobility, std::span<const ser
   return redundant;
 }
 
+/// Height of the mass centre over the reach of its tips.
+template <class T>
+T clearance(const Mechanics& mechanics, std::span<const T> x) {
+  const auto& body = mechanics.body.body;
+  const auto& place = mechanics.layout.place;
+  const auto& [centre, radius] = body.tips[0];
+  const auto d =
+      rotate(quaternion_at<T>(x, place.attitude), BasicVector3<T>{T(centre.e1), T(centre.e2), T(centre.e3)});
+  return x[place.gap[0]] + radius - d.e1 - reach(body);
+}
+
 /// A body at one instant: what its tips, forces and rates follow from.
 template <class T>
 class MicrobodyField {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "mariotte/flow/roots/simultaneous.hpp"
+#include "mariotte/model/microbody/microbody_field.hpp"
 #include "mariotte/model/microbody/microbody_phase.hpp"
 
 namespace mariotte::model {
@@ -66,19 +67,10 @@ double MicrobodyPhase::imbalance(ConstState x, double speed) const {
   return std::max(unstable, (1 + normal_damping_group()) * speed / (30 * tip_.rest_speed) - 1);
 }
 
-/// Height of the mass centre over the reach of its tips.
-double MicrobodyPhase::clearance(ConstState x) const {
-  const auto& first = body_.body.tips[0];
-  double reach = 0;
-  for (const auto& tip : body_.body.tips) reach = std::max(reach, norm(tip.centre) + tip.radius);
-  const Vector3 d = rotate(quaternion_at(x, layout_.place.attitude), first.centre);
-  return x[layout_.place.gap[0]] + first.radius - d.e1 - reach;
-}
-
 double MicrobodyPhase::guard(ConstState x, const TipForces& forces, Index i) const {
   if (crossings_[i] == Crossing::none || waiting_[i]) return 1;
   const Index tip = i / guards_per_tip;
-  if (i == escape_guard(layout_.tips)) return clearance(x);
+  if (i == escape_guard(layout_.tips)) return clearance(mechanics_, x);
   if (i == rest_guard(layout_.tips)) return unrest(x);
   const auto& mode = mode_.tip[tip];
   const auto here = mechanics_.tip(x, tip);

@@ -71,7 +71,6 @@ class MicrobodyPhase final : public flow::Problem {
   double signed_pressure(const TipMotion& tip, Index i) const;
   double pressure_error(const TipMotion& tip, Index i) const;
   double guard(ConstState x, const TipForces& forces, Index i) const;
-  double clearance(ConstState x) const;
   double imbalance(ConstState x, double speed) const;
   void watch(Index tip);
   void bind_series();

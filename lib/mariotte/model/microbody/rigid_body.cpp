@@ -1,5 +1,6 @@
 #include "mariotte/model/microbody/rigid_body.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -45,6 +46,12 @@ RigidBody rod(double radius, double length_ratio, double density) {
   if (length_ratio == 0) return sphere(radius, density);
   const double length = length_ratio * radius;
   return capped(std::numbers::pi * radius * radius * length * density, radius, length, density);
+}
+
+double reach(const RigidBody& body) {
+  double most = 0;
+  for (const auto& tip : body.tips) most = std::max(most, norm(tip.centre) + tip.radius);
+  return most;
 }
 
 bool is_symmetric(const RigidBody& body) {

@@ -30,6 +30,9 @@ RigidBody dumbbell(double radius, double length_ratio, double density);
 /// Cylinder of length L with hemispherical ends [Cheng 2002, fig. 6]: m_c = π r² L ρ beside the hemispheres.
 RigidBody rod(double radius, double length_ratio, double density);
 
+/// Of the tips, from the mass centre.
+double reach(const RigidBody& body);
+
 /// Equal moments about e2 and e3, and all tips on e1.
 bool is_symmetric(const RigidBody& body);
 
