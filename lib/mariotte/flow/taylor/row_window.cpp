@@ -39,9 +39,8 @@ void find_outside(Window& w) {
   w.outside_time = infinity;
   w.loose.clear();
   w.falls_outside = has_acceleration(phase);
-  const Index count = static_cast<Index>(phase.contact.size());
-  for (Index j = w.first == 0 ? w.lanes.count : 0; j < count;
-       j = j + 1 == w.first ? w.first + w.lanes.count : j + 1) {
+  for (Index j = 0; j < static_cast<Index>(phase.contact.size()); ++j) {
+    if (j >= w.first && j < w.first + w.lanes.count) continue;
     if (rate(phase, w.x, j) == 0 && drive(phase, j) == 0) continue;
     w.loose.push_back(j);
     if (phase.contact[j].role != Role::open) continue;
@@ -94,9 +93,14 @@ bool begins(const SerialPhase& phase, ConstState x, Index j) {
   return is_onset(phase.contact[j], -x[phase.contact[j].gap]);
 }
 
-/// Contacts that the window must hold. Beyond those that push stands one that they move, or that is all of
-/// its own; and one more beyond what gets force at once. Further ones that touch fill registers: they wake
-/// next.
+/// Contacts beyond one at the edge that the window must hold: the next, which it moves, unless it has no
+/// force itself; and, where the next one gets force at once, the one after that.
+Index needed_beyond(const SerialPhase& phase, ConstState x, Index edge) {
+  if (begins(phase, x, edge)) return 2;
+  return dozes(phase, x, edge) ? 0 : 1;
+}
+
+/// Contacts that the window must hold, and as many that touch, and so wake next, as fill its registers.
 Range range_of(const SerialPhase& phase, ConstState x) {
   const Index count = static_cast<Index>(phase.contact.size());
   Index from = 0, to = count - 1;
@@ -104,8 +108,7 @@ Range range_of(const SerialPhase& phase, ConstState x) {
   while (to >= from && !is_active(phase, x, to)) --to;
   if (from == count) return {std::max<Index>(0, from - 1), to};
   const auto touches = [&](Index j) { return phase.contact[j].role == Role::touching; };
-  const Index before = begins(phase, x, from) ? 2 : dozes(phase, x, from) ? 0 : 1;
-  const Index after = begins(phase, x, to) ? 2 : dozes(phase, x, to) ? 0 : 1;
+  const Index before = needed_beyond(phase, x, from), after = needed_beyond(phase, x, to);
   for (Index k = 0; k < before && from > 0 && (k == 0 || touches(from)); ++k) --from;
   for (Index k = 0; k < after && to + 1 < count && (k == 0 || touches(to)); ++k) ++to;
   const auto has_room = [&] { return (to - from + 1) % lane_sizes.front() != 0; };
@@ -147,6 +150,7 @@ bool has_outgrown(const Window& w) {
 void write_outside(const Window& w, double elapsed, State x) {
   if (!w.row) return;
   const auto& phase = *w.row;
+  if (x.data() != w.x.data()) std::copy(w.x.begin(), w.x.end(), x.begin());
   for (const Index j : w.loose)
     x[phase.contact[j].gap] =
         w.x[phase.contact[j].gap] - elapsed * (rate(phase, w.x, j) + 0.5 * elapsed * drive(phase, j));

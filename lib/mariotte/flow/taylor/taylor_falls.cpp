@@ -82,7 +82,7 @@ void Stepper::stand_at(const Fall& fall, const Piece& piece) {
   const auto& c = window.contact(fall.lane);
   double& depth = values_.indentation[fall.lane];
   if (piece.lands && fall.lane == piece.clock) depth = 0;
-  if (fall.guard == c.guard) depth = 0 - (c.role == Role::open ? -c.level : level(fall.lane));
+  if (fall.guard == c.guard) depth = c.role == Role::open ? c.level : 0 - level(fall.lane);
   if (fall.guard == c.branch_guard) depth = window.lanes.yield_level[fall.lane];
 }
 

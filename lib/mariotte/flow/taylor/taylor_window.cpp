@@ -241,7 +241,6 @@ bool has_faint_load(const Window& w, int lane) {
 }
 
 void write(const Window& w, State x) {
-  if (x.data() != w.x.data()) std::copy(w.x.begin(), w.x.end(), x.begin());
   write_outside(w, w.time - w.since, x);
   for (int lane = 0; lane < w.lanes.count; ++lane) {
     const auto& c = w.contact(lane);
@@ -254,7 +253,6 @@ void write(const Window& w, State x) {
 }
 
 void write(const Window& w, const Values& values, State x) {
-  if (x.data() != w.x.data()) std::copy(w.x.begin(), w.x.end(), x.begin());
   write_outside(w, w.time + values.time - w.since, x);
   for (int lane = 0; lane < w.lanes.count; ++lane) {
     const auto& c = w.contact(lane);

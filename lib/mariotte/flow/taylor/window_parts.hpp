@@ -26,8 +26,7 @@ void settle(Window& window);
 /// Lanes do to each other what `coupling` says, which must last as long as they.
 void link(Window& window, const Coupling& coupling);
 
-/// Write what has changed outside, `elapsed` after the window was placed, to x, which holds what stood there
-/// then. It may be the window's own.
+/// Write what stands outside, `elapsed` after the window was placed, to x, which may be the window's own.
 void write_outside(const Window& window, double elapsed, State x);
 
 }  // namespace mariotte::flow::taylor
