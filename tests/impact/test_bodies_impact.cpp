@@ -367,6 +367,23 @@ BOOST_AUTO_TEST_CASE(overlaps_are_refused_by_name) {
   });
 }
 
+BOOST_AUTO_TEST_CASE(what_is_stated_to_touch_stands_there_about) {
+  const auto touching = [](double apart) {
+    auto bodies = meeting({TangentialLaw::rigid, 0.1, 0});
+    auto& contact = bodies.contact[0];
+    contact.touching = true;
+    const double radii = bodies.body[0].spheres[0].radius + bodies.body[1].spheres[0].radius;
+    bodies.body[1].position = bodies.body[0].position + Vector3{apart * radii, 0, 0};
+    return bodies;
+  };
+  for (const double apart : {0.0, 0.8, 1.2, 50.0})
+    BOOST_CHECK_EXCEPTION(
+        impact::simulate(touching(apart)), InvalidParameter, [](const InvalidParameter& error) {
+          return std::string(error.what()).find("touching = true, but") != std::string::npos;
+        });
+  for (const double apart : {0.95, 1.05}) BOOST_CHECK_NO_THROW(impact::simulate(touching(apart)));
+}
+
 BOOST_AUTO_TEST_CASE(friction_that_rounding_would_lose_is_refused_by_name) {
   for (const double friction : {-0.1, 2e9, 1e300})
     BOOST_CHECK_EXCEPTION(impact::simulate(meeting({TangentialLaw::rigid, friction, 0})), InvalidParameter,

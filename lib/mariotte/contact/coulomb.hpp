@@ -4,6 +4,9 @@
 
 namespace mariotte::contact {
 
+/// The largest coefficient. Far beyond, rounding of the normal force alone would move what sticks.
+inline constexpr double most_friction = 1e9;
+
 /// Dry friction with one coefficient for slip and stick.
 struct Coulomb {
   double coefficient = 0;  ///< μ ≥ 0

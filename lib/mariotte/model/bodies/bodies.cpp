@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "mariotte/contact/coulomb.hpp"
 #include "mariotte/core/error.hpp"
 
 namespace mariotte::model {
@@ -29,6 +30,9 @@ Vector3 centre_of(const Bodies& bodies, const Feature& feature) {
 }
 double radius_of(const Bodies& bodies, const Feature& feature) {
   return bodies.body[feature.owner].spheres[feature.sphere].radius;
+}
+double radii_of(const Bodies& bodies, const BodyContact& contact) {
+  return radius_of(bodies, contact.b) + (contact.a.is_plane() ? 0 : radius_of(bodies, contact.a));
 }
 
 /// Speed at which the two come nearer.
@@ -71,13 +75,30 @@ void check_body(const Bodies& bodies, Index i) {
       throw InvalidParameter(name() + ": a sphere has a finite centre and a radius of at least 0");
 }
 
-/// The largest coefficient: 1e15 of it would be lost by rounding of the force along the plane.
-constexpr double most_friction = 1e9;
+double gap_of_positions(const Bodies& bodies, const BodyContact& contact) {
+  const Vector3 centre = centre_of(bodies, contact.b);
+  const bool is_plane = contact.a.is_plane();
+  const Vector3 other = is_plane ? bodies.plane[contact.a.owner].point : centre_of(bodies, contact.a);
+  const double radii = radii_of(bodies, contact);
+  const double apart =
+      is_plane ? dot(bodies.plane[contact.a.owner].normal, centre - other) : norm(centre - other);
+  const double gap = apart - radii, rounding = 16 * epsilon * (norm(centre) + norm(other) + radii);
+  return gap < 0 && gap > -rounding ? 0 : gap;
+}
+
+/// What is stated to touch stands there but for a tenth of the radii: farther it is a slip of the pen.
+void expect_touch(const Bodies& bodies, const BodyContact& contact, const std::string& name) {
+  constexpr double most = 0.1;
+  const double gap = gap_of_positions(bodies, contact), radii = radii_of(bodies, contact);
+  if (contact.touching && radii > 0 && !(std::abs(gap) <= most * radii))
+    throw InvalidParameter(name + ": touching = true, but their positions are " + std::to_string(gap) +
+                           " m from that");
+}
 
 void check_contact(const Bodies& bodies, const BodyContact& contact) {
   const auto name = [&] { return name_of(bodies, contact.a) + " and " + name_of(bodies, contact.b); };
   const auto& tangential = contact.tangential;
-  if (!(tangential.friction >= 0 && tangential.friction <= most_friction))
+  if (!(tangential.friction >= 0 && tangential.friction <= contact::most_friction))
     throw InvalidParameter(name() + ": friction must be between 0 and 1e9, beyond which nothing slips");
   if (tangential.has_spring() && !is_positive(tangential.stiffness))
     throw InvalidParameter(name() + ": the tangential stiffness must be positive and finite");
@@ -86,8 +107,9 @@ void check_contact(const Bodies& bodies, const BodyContact& contact) {
                            std::string(contact::name(contact.law)) + "' friction is rigid or a spring");
   if (!(contact.share >= 0 && contact.share <= 1))
     throw InvalidParameter(name() + ": share must be between 0 and 1");
-  if (!contact.a.is_plane() && radius_of(bodies, contact.a) + radius_of(bodies, contact.b) == 0)
+  if (!contact.a.is_plane() && radii_of(bodies, contact) == 0)
     throw InvalidParameter(name() + ": two points never touch");
+  expect_touch(bodies, contact, name());
   if (start_gap(bodies, contact) < 0)
     throw InvalidParameter(name() + " overlap at the start, by " +
                            std::to_string(-start_gap(bodies, contact)) +
@@ -121,15 +143,7 @@ std::string name_of(const Bodies& bodies, const Feature& feature) {
 }
 
 double start_gap(const Bodies& bodies, const BodyContact& contact) {
-  if (contact.touching) return 0;
-  const Vector3 centre = centre_of(bodies, contact.b);
-  const bool is_plane = contact.a.is_plane();
-  const Vector3 other = is_plane ? bodies.plane[contact.a.owner].point : centre_of(bodies, contact.a);
-  const double radii = radius_of(bodies, contact.b) + (is_plane ? 0 : radius_of(bodies, contact.a));
-  const double apart =
-      is_plane ? dot(bodies.plane[contact.a.owner].normal, centre - other) : norm(centre - other);
-  const double gap = apart - radii, rounding = 16 * epsilon * (norm(centre) + norm(other) + radii);
-  return gap < 0 && gap > -rounding ? 0 : gap;
+  return contact.touching ? 0 : gap_of_positions(bodies, contact);
 }
 
 void expect_end(const Bodies& bodies, double max_time) {

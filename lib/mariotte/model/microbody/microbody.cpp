@@ -48,8 +48,8 @@ void validate(const Microbody& body) {
   validate(body.body);
   if (body.law.size() != body.body.tips.size()) throw InvalidParameter("a body needs one law per tip");
   for (const auto& law : body.law) validate(law);
-  if (!(body.friction.coefficient >= 0) || !std::isfinite(body.friction.coefficient))
-    throw InvalidParameter("friction must be finite and not negative");
+  if (!(body.friction.coefficient >= 0 && body.friction.coefficient <= contact::most_friction))
+    throw InvalidParameter("friction must be between 0 and 1e9, beyond which nothing slips");
   if (!is_finite(body.velocity) || !is_finite(body.spin) || !std::isfinite(body.gravity))
     throw InvalidParameter("velocity, spin and gravity must be finite");
   if (body.impacts < 1) throw InvalidParameter("there must be at least one impact");
