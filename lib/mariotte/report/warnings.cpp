@@ -26,7 +26,7 @@ void warn_of_nothing(const Impact& impact, List& list) {
     list.push_back("nothing collides: no contact ever closes");
 }
 
-/// What does not depend on a flow is checked by another one: only if that other one was used.
+/// Who asks for a flow to check a result by wants it to have followed some contact.
 void warn_of_flow(const std::vector<impact::FlowUse>& flows, std::optional<flow::Kind> asked, List& list) {
   std::vector<std::string> used;
   for (const auto& one : flows)
