@@ -35,8 +35,8 @@ void Stepper::end_at_turn(Piece& piece, int lane) {
   Coefficients c;
   const auto place = flow::first_fall(piece.coefficients(Quantity::root, lane, c), piece.end);
   if (!place || !(*place < piece.end)) return;
-  piece.is_cut = false;
   shorten(piece, *place);
+  wake_gently(piece);
 }
 
 /// The first guard that fires where some margin leaves it open.

@@ -76,6 +76,7 @@ Expansion& Stepper::expansion() {
 
 void Stepper::shorten(Piece& piece, double place) {
   piece.lands = piece.lands && place == piece.end;
+  piece.is_cut = piece.is_cut && place == piece.end;
   piece.end = place;
   piece.evaluate(place, values_);
 }
@@ -241,12 +242,12 @@ void Stepper::land(Piece& piece) {
 Piece Stepper::next(bool first, double time) {
   auto start = first ? start_piece() : std::nullopt;
   Piece piece = start ? *start : series_piece();
-  wake_gently(piece);
-  piece.is_cut = !(values_.time < time);
-  if (piece.is_cut) {
+  if (!(values_.time < time)) {
     shorten(piece, piece.place(time, values_.time));
     values_.time = time;
+    piece.is_cut = true;
   }
+  wake_gently(piece);
   return piece;
 }
 

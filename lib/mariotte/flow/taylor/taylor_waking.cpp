@@ -39,19 +39,22 @@ bool Stepper::cannot_be_late(const Piece& piece, int lane) const {
   return piece.start || (dozes(lane) && values_.margin[lane] >= 0);
 }
 
-/// End the piece where a contact whose force is left out has reached the depth at which it wakes.
+/// End the piece where a contact whose force is left out has reached the depth at which it wakes. Where a
+/// piece goes on beyond the end of a neighbour, that pulls, and hides at the end of the piece who was late:
+/// so all are asked again at each new end.
 void Stepper::wake_gently(Piece& piece) {
   const auto& l = window.lanes;
+  const double end = piece.end;
   for (int j = 0; j < l.count; ++j) {
     if (l.active[j] > 0 || !window.pushes(j)) continue;
     if (cannot_be_late(piece, j)) continue;
     if (piece.start) {
       wake_in_start(piece, j);
     } else if (const auto place = waking(piece, j)) {
-      piece.is_cut = false;
       shorten(piece, *place);
     }
   }
+  if (piece.end < end) wake_gently(piece);
 }
 
 /// If the indentation gets late, the place at which it has not yet done so.
