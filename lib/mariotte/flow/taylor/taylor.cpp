@@ -139,6 +139,7 @@ Arrival Taylor::follow(Problem& problem, State x, const Request& request, std::v
     ++steps;
     m.advance(piece, request);
     if (!is_finite(w)) return stop(Outcome::failed, "a velocity is not finite");
+    if (stepper.is_late()) return stop(Outcome::failed, "a contact was left out for too long");
 
     const bool cut = fall.guard < 0 && piece.is_cut;
     if (cut && request.limit <= w.outside_time) return stop(Outcome::limit);

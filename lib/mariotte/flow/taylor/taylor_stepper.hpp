@@ -43,6 +43,8 @@ class Stepper {
   bool may_fall_soon(const Fall& fall, double time) const;
   /// What the piece says at its end.
   const Values& values() const { return values_; }
+  /// A contact whose force is left out is deeper at the end of the piece than it may be: a fault.
+  bool is_late() const;
   /// Move the window to the end of the piece.
   void advance(const Piece& piece);
 

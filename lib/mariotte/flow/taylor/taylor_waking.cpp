@@ -69,6 +69,14 @@ std::optional<double> Stepper::waking(const Piece& piece, int lane) const {
   return flow::first_fall(used, piece.end);
 }
 
+bool Stepper::is_late() const {
+  const auto& l = window.lanes;
+  bool any = false;
+  for (int j = 0; j < l.count; ++j)
+    any |= !(l.active[j] > 0) && values_.indentation[j] > 2 * late * window.acts_above[j];
+  return any;
+}
+
 /// In a start series what is left out only sinks deeper. Depths grow with some power of time.
 void Stepper::wake_in_start(Piece& piece, int lane) {
   const double depth = std::max(window.lanes.indentation[lane], 0.0),
