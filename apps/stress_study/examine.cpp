@@ -16,6 +16,8 @@ constexpr double naive_accuracy = 1e-7, naive_accuracy_with_friction = 1e-3;
 constexpr test::Effort quick{.tolerance = 1e-10, .share = 0.3, .most_steps = 4000},
     patient{.tolerance = 1e-10, .share = 0.3, .most_steps = 200000},
     careful{.tolerance = 1e-12, .share = 0.1, .most_steps = 1000000, .smoothing = 1e-4};
+/// Evaluations of `auto` at the first accuracy, beyond which a brisk campaign leaves a scene out.
+constexpr Index most_brisk_work = 200;
 constexpr std::uint64_t share_with_many_steps = 50, share_with_general_flow = 10;
 
 /// Perturbations to measure amplification by; those of one size are measured once.
@@ -75,17 +77,19 @@ class Perturbations {
 
 class Examination {
  public:
-  Examination(const Scene& scene, std::uint64_t number, const Announce& announce, bool spare)
-      : scene_(scene), number_(number), announce_(announce), spare_(spare) {}
+  Examination(const Scene& scene, std::uint64_t number, const Announce& announce, const Extent& extent)
+      : scene_(scene), number_(number), announce_(announce), extent_(extent) {}
 
   Verdict verdict() {
-    for (const double accuracy : accuracies)
+    for (const double accuracy : accuracies) {
       add({.flow = "auto", .accuracy = accuracy, .balances = accuracy == accuracies.back()}, accuracy);
+      if (extent_.brisk && trials_.front().found.work > most_brisk_work) return left_out();
+    }
     best_ = trial({.flow = "auto", .accuracy = tight}, tight);
     general_ = general_flows(scene_, best_.found.time);
-    if (!spare_) add_other_flow();
+    if (!extent_.spare && !extent_.brisk) add_other_flow();
     add_naive();
-    Perturbations perturbations(scene_, spare_ || general_.empty() ? "" : general_.front(), announce_);
+    Perturbations perturbations(scene_, extent_.spare || general_.empty() ? "" : general_.front(), announce_);
     const auto judgement = judge(best_, trials_, std::ref(perturbations));
     return described(judgement);
   }
@@ -150,6 +154,8 @@ class Examination {
     trials_.push_back(std::move(trial));
   }
 
+  Verdict left_out() const { return {.scene = number_, .error = {-1, -1, -1}, .left_out = true}; }
+
   Verdict described(const Judgement& judgement) const {
     Verdict verdict{.scene = number_,
                     .worst = judgement.worst,
@@ -159,7 +165,7 @@ class Examination {
                     .failures = judgement.failures,
                     .limits = judgement.limits,
                     .refusals = judgement.refusals,
-                    .rivals = judgement.rivals + spare_,
+                    .rivals = judgement.rivals + extent_.spare,
                     .findings = judgement.findings};
     for (std::size_t i = 0; i < accuracies.size(); ++i) {
       const bool known = has_ended(best_.found) && has_ended(trials_[i].found);
@@ -171,7 +177,7 @@ class Examination {
   const Scene& scene_;
   std::uint64_t number_;
   const Announce& announce_;
-  bool spare_;
+  Extent extent_;
   std::vector<Trial> trials_;
   Trial best_;
   std::vector<std::string> general_;
@@ -181,13 +187,13 @@ class Examination {
 }  // namespace
 
 Verdict examine(const std::vector<Family>& list, std::uint64_t seed, std::uint64_t number,
-                const Announce& announce, bool spare) {
+                const Announce& announce, const Extent& extent) {
   announce("drawing");
   const double start = measuring::cpu_seconds();
   const auto scene = scene_of(list, seed, number);
   auto verdict = list[family_of(list, number)].slopes
                      ? examine_slopes(slope_subject(scene, Dice(~seed, number)), number, announce)
-                     : Examination(scene, number, announce, spare).verdict();
+                     : Examination(scene, number, announce, extent).verdict();
   verdict.cost = measuring::cpu_seconds() - start;
   return verdict;
 }

@@ -21,6 +21,7 @@ struct Verdict {
   double cost = 0;                                ///< CPU time of all runs
   bool naive = false;                             ///< the naive simulator could follow it
   bool counts_differ = false;
+  bool left_out = false;  ///< it takes too long for a brisk campaign
   int failures = 0, limits = 0, refusals = 0, killed = 0, rivals = 0;
   std::vector<std::string> findings = {};
 };
@@ -31,8 +32,13 @@ using Announce = std::function<void(const std::string&)>;
 /// What is announced of runs of perturbed scenes ends with this.
 inline constexpr const char* perturbed_mark = ", perturbed";
 
-/// `spare` leaves out the flow asked for by name, and the general one where amplification is measured.
+/// What is left out of an examination.
+struct Extent {
+  bool spare = false;  ///< the flow asked for by name, and the general one for amplification
+  bool brisk = false;  ///< the flow asked for by name, and scenes that take long
+};
+
 Verdict examine(const std::vector<Family>& list, std::uint64_t seed, std::uint64_t number,
-                const Announce& announce, bool spare = false);
+                const Announce& announce, const Extent& extent = {});
 
 }  // namespace mariotte::stress_study

@@ -17,6 +17,7 @@ std::string share(std::uint64_t part, std::uint64_t whole) {
 report::TableRow row(const Tally& t, const std::string& slow, const std::string& worst) {
   return {t.family,
           std::to_string(t.scenes),
+          std::to_string(t.left_out),
           share(t.within[0], t.runs),
           share(t.within[1], t.runs),
           share(t.within[2], t.runs),
@@ -36,7 +37,8 @@ report::TableRow row(const Tally& t, const std::string& slow, const std::string&
 Tally sum(const std::vector<Tally>& tallies) {
   Tally all{.family = "all"};
   for (const auto& t : tallies) {
-    all.scenes += t.scenes, all.naive += t.naive, all.counts_differ += t.counts_differ;
+    all.scenes += t.scenes, all.left_out += t.left_out, all.naive += t.naive,
+        all.counts_differ += t.counts_differ;
     all.failures += t.failures, all.killed += t.killed, all.refusals += t.refusals, all.rivals += t.rivals;
     all.unexplained += t.unexplained, all.runs += t.runs, all.cost += t.cost;
     for (int i = 0; i < 3; ++i) all.within[i] += t.within[i];
@@ -48,6 +50,9 @@ Tally sum(const std::vector<Tally>& tallies) {
 }  // namespace
 
 void add(const Verdict& verdict, Tally& tally) {
+  tally.cost += verdict.cost;
+  tally.left_out += verdict.left_out;
+  if (verdict.left_out) return;
   ++tally.scenes;
   tally.naive += verdict.naive;
   tally.counts_differ += verdict.counts_differ;
@@ -56,7 +61,6 @@ void add(const Verdict& verdict, Tally& tally) {
   tally.refusals += verdict.refusals > 0;
   tally.rivals += verdict.rivals > 0;
   tally.unexplained += !verdict.findings.empty();
-  tally.cost += verdict.cost;
   for (const double error : verdict.error) {
     if (error < 0) continue;
     ++tally.runs;
@@ -80,9 +84,9 @@ std::uint64_t slow(const Tally& tally) {
 }
 
 std::string table(const std::vector<Tally>& tallies) {
-  const report::TableRow header = {"family",   "scenes",  "≤ 1× [%]", "≤ 10×",      "≤ 100×", "naive [%]",
-                                   "counts",   "refused", "failed",   "no end",     "rivals", "slow",
-                                   "CPU [ms]", "worst",   "scene",    "unexplained"};
+  const report::TableRow header = {"family",    "scenes",   "left out", "≤ 1× [%]", "≤ 10×",      "≤ 100×",
+                                   "naive [%]", "counts",   "refused",  "failed",   "no end",     "rivals",
+                                   "slow",      "CPU [ms]", "worst",    "scene",    "unexplained"};
   std::uint64_t all_slow = 0;
   for (const auto& t : tallies) all_slow += slow(t);
   const auto whole = sum(tallies);

@@ -10,7 +10,8 @@ namespace mariotte::stress_study {
 /// Everything about the scenes of one family.
 struct Tally {
   std::string family;
-  std::uint64_t scenes = 0, naive = 0, counts_differ = 0, failures = 0, killed = 0, refusals = 0, rivals = 0;
+  std::uint64_t scenes = 0, left_out = 0, naive = 0, counts_differ = 0, failures = 0, killed = 0,
+                refusals = 0, rivals = 0;
   std::uint64_t unexplained = 0;           ///< scenes with findings
   std::uint64_t runs = 0, within[3] = {};  ///< runs of `auto` that can be judged; within 1, 10, 100 ×
   double cost = 0;                         ///< CPU time [s]

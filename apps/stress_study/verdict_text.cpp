@@ -20,7 +20,7 @@ std::string packed(const Verdict& v) {
                         v.limits,        v.refusals,
                         v.killed,        v.findings,
                         finite(v.worst), v.cost,
-                        v.rivals}
+                        v.rivals,        v.left_out}
       .dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
 }
 
@@ -33,6 +33,7 @@ Verdict unpacked(const std::string& text) {
           .cost = j[11],
           .naive = j[3],
           .counts_differ = j[4],
+          .left_out = j[13],
           .failures = j[5],
           .limits = j[6],
           .refusals = j[7],

@@ -75,8 +75,8 @@ void allow_seconds(double seconds) {
     allow_seconds(campaign.patience);
   };
   for (Order order; read_all(orders, &order, sizeof order);) {
-    const auto text =
-        packed(examine(campaign.families, campaign.seed, order.scene, announce, order.spare != 0));
+    const auto text = packed(examine(campaign.families, campaign.seed, order.scene, announce,
+                                     {.spare = order.spare != 0, .brisk = campaign.brisk}));
     allow_seconds(0);
     const std::uint64_t size = text.size();
     if (!write_all(results, &size, sizeof size) || !write_all(results, text.data(), text.size())) break;

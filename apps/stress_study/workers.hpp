@@ -14,6 +14,7 @@ struct Campaign {
   std::uint64_t first = 0;
   int workers = 1;
   double patience = 5;  ///< CPU time of one run [s]
+  bool brisk = false;   ///< only what is quick
 };
 
 /// Examine scenes from the first on as long as `more` says so; verdicts come as they are ready. Throws

@@ -62,6 +62,18 @@ BOOST_AUTO_TEST_CASE(verdicts_depend_on_seed_and_number_alone) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_brisk_campaign_leaves_out_what_takes_long) {
+  const auto all = verdicts({.families = chain_families(), .seed = 5}, 24);
+  const auto brisk = verdicts({.families = chain_families(), .seed = 5, .brisk = true}, 24);
+  int left_out = 0;
+  for (const auto& [scene, verdict] : brisk) {
+    left_out += verdict.left_out;
+    if (!verdict.left_out) BOOST_TEST(verdict.error == all.at(scene).error);
+  }
+  BOOST_TEST(left_out > 0);
+  BOOST_TEST(left_out < 16);
+}
+
 BOOST_AUTO_TEST_CASE(a_scene_without_an_end_is_given_up_and_the_next_one_examined) {
   auto list = first_two();
   list.push_back({"endless", draw_for_ever});
