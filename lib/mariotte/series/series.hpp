@@ -38,7 +38,8 @@ class Series {
   /// The same without coefficient `order` of values.
   void expand_states(const States<Field, V>& start, const Parameters<Field, V>& parameters, int order) {
     begin(start, parameters);
-    for (int k = 1; k < order; ++k) stage(k);
+    States<Field, V> newest = coefficients(1);
+    for (int k = 1; k < order; ++k) stage(k, stay_in_registers ? &newest : nullptr);
   }
 
   /// Order 0, and order 1 of the states.
@@ -62,16 +63,7 @@ class Series {
   }
 
   /// int k of all that is no state, and order k + 1 of the states; k ≥ 1, all orders below are known.
-  MARIOTTE_SERIES_INLINE void stage(int k) {
-    V total[Rows<Field, MostOrder, V>::sums], value[P.steps];
-    row_.template convolve<P.convolutions>(k, total);
-    unrolled<P.steps>([&](auto i) MARIOTTE_SERIES_LAMBDA {
-      value[i] = coefficient<i>(k, total, value);
-      row_.template keep<i>(k, value[i]);
-    });
-    row_.complete(k, value);
-    integrate(k, value);
-  }
+  MARIOTTE_SERIES_INLINE void stage(int k) { stage(k, nullptr); }
 
   /// int k of values, no more.
   MARIOTTE_SERIES_INLINE void finish(int k) {
@@ -94,6 +86,31 @@ class Series {
 
  private:
   static constexpr const Program& P = program<Field>;
+  /// So few that nothing has to wait until memory gives back what it was just given.
+  static constexpr bool stay_in_registers = states_of<Field> * parts_of<V> <= 4;
+
+  /// Of the states.
+  MARIOTTE_SERIES_INLINE States<Field, V> coefficients(int k) const {
+    States<Field, V> c;
+    unrolled<states_of<Field>>([&](auto i) MARIOTTE_SERIES_LAMBDA { c[i] = row_[i][k]; });
+    return c;
+  }
+
+  /// Coefficients k of the states are `newest`, if given, which become those k + 1.
+  MARIOTTE_SERIES_INLINE void stage(int k, States<Field, V>* newest) {
+    V total[Rows<Field, MostOrder, V>::sums], value[P.steps];
+    row_.template convolve<P.convolutions>(k, total);
+    unrolled<P.steps>([&](auto i) MARIOTTE_SERIES_LAMBDA {
+      if constexpr (P.step[i].op == Op::state)
+        value[i] = newest ? (*newest)[P.step[i].a] : row_[P.step[i].row][k];
+      else
+        value[i] = coefficient<i>(k, total, value);
+      row_.template keep<i>(k, value[i]);
+    });
+    row_.complete(k, value);
+    integrate(k, value);
+    if (newest) *newest = coefficients(k + 1);
+  }
 
   template <int i>
   MARIOTTE_SERIES_INLINE V fixed_value(const Parameters<Field, V>& parameters) const {

@@ -54,7 +54,7 @@ class LaneStep {
   /// To the place up to which the last coefficients come to the tolerance.
   void advance(const Precision& precision) {
     order_ = precision.order;
-    series_.expand_states(state_, parameter_, order_);
+    expand();
     end_ = reach(precision.tolerance);
     evaluate();
   }
@@ -94,6 +94,9 @@ class LaneStep {
 
   static constexpr int lane(int j, int scene) { return F::are_paired ? j : scene; }
   static double at(const Number& a, int j, int scene) { return a.part[0][lane(j, scene)]; }
+
+  /// A function of its own, so that its loops have all registers.
+  [[gnu::noinline]] void expand() { series_.expand_states(state_, parameter_, order_); }
 
   Vec reach(double tolerance) const { return least(reach(tolerance, order_ - 1), reach(tolerance, order_)); }
   Vec reach(double tolerance, int k) const {
