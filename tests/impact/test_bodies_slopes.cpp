@@ -163,6 +163,15 @@ BOOST_AUTO_TEST_CASE(slopes_in_space_are_those_of_differences) {
   compare(3, contact::Hertz(1e9), {TangentialLaw::mindlin, 3, 0.8e9}, 1, 1e-6);
 }
 
+// Near rest the direction of a slip is rounding, and slopes of it are not resolved: no slip is left behind
+// the event, and what leaves rest again does so against the friction that has held it.
+BOOST_AUTO_TEST_CASE(slopes_in_space_pass_slips_that_come_to_rest_and_leave_it) {
+  const contact::Law laws[] = {contact::Hertz(1e9), contact::Viscoelastic{1e9, 1e5, 1.5},
+                               contact::Viscoelastic{1e6, 30, 1}};
+  for (const auto& law : laws) BOOST_TEST_CONTEXT(contact::name(law))
+  compare(3, law, {TangentialLaw::rigid, 0.5, 0}, 1, 1e-7);
+}
+
 // All of a slip's friction is mu times the normal force, whatever the ball does; the spin follows.
 BOOST_AUTO_TEST_CASE(slopes_of_a_ball_that_slides_are_those_by_hand) {
   const auto found = all_slopes(sliding(rigid));

@@ -25,6 +25,12 @@ SlopeNote slip_from_rest_note() {
               "first, so slopes are not resolved there and may be wrong"};
 }
 
+SlopeNote unknown_way_note() {
+  return {.text =
+              "slips in space start from rest at one instant: slopes do not know how their first directions "
+              "move, and may be wrong"};
+}
+
 SlopeNote shared_ending_note(Names outcomes, Names parameters) {
   return {.text =
               "several contacts end the run at one instant, and parameters draw their times apart: the "

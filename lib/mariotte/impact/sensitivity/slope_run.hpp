@@ -273,6 +273,7 @@ void SlopeLoop<System, Variation>::reset(Observer& observer, const typename Syst
   const auto times = event_times(observer, guards, rate, result);
   observer.slopes = variation_.pass({before, after, x, behind, rate, next, guards, times}, observer.slopes);
   shift_clock(observer, next, times[0]);
+  variation_.begin(before, after, behind, observer.slopes);
   result.time = shift_;
   system_.problem(workspace_.mode);  // which transitions look at
 }
@@ -327,6 +328,7 @@ SlopeRun<System> SlopeLoop<System, Variation>::follow(ConstState x0, const Slope
   Observer observer(system_.problem(mode), variation_, mode, options_.accuracy, watch_);
   observer.slopes = with_rows(start, std::ssize(run.state));
   start_events(observer, result);
+  if constexpr (resets) variation_.begin({}, mode, run.state, observer.slopes);
   for (;;) {
     hybrid::record(result.run, time.value(), changes);
     if (system_.is_over(mode, run.state, result.run.events > 0)) {
@@ -366,8 +368,7 @@ SlopeRun<System> SlopeLoop<System, Variation>::follow(ConstState x0, const Slope
   }
   result.run.flows = run.flows;
   constexpr double reserve = 1000;  // runs with slopes are a hundred times as exact as is asked
-  double unresolved = observer.unresolved();
-  if constexpr (resets) unresolved = std::max(unresolved, variation_.unresolved());
+  const double unresolved = observer.unresolved();
   if (unresolved > reserve * options_.accuracy) result.unresolved = unresolved;
   for (Index c = 0; c < variation_.columns(); ++c)
     if (shift_[c] != 0)

@@ -58,6 +58,12 @@ class BodiesField {
     return gap_motion(c, ContactSides<T, D>(setting_, c, body_a(c), b, clock_));
   }
 
+  /// Where a slip from rest goes, if that has slopes; else its mode says so.
+  void set_start(Index slot, const Vector& way) {
+    if (slot >= std::ssize(start_)) start_.resize(slot + 1, lift<T>(Vec<double, D>{}));
+    start_[slot] = way;
+  }
+
   /// Rates of the whole state.
   void rates(const BodiesMode& mode, std::span<const T> x, std::span<T> dx) const {
     for (Index i = 0; i < layout_.bodies; ++i) put_body_rates(i, x, dx);
@@ -91,6 +97,20 @@ class BodiesField {
     Vector u = side(setting_.sphere[one.b].body, c.lever_b, c.point_b) - c.gap_rate * c.normal_rate;
     if (one.plane < 0) u = u - side(setting_.sphere[one.a].body, c.lever_a, c.point_a);
     return u - dot(u, c.normal) * c.normal;
+  }
+
+  /// A contact that sticks rigidly, and its place among those that are closed.
+  struct Stuck {
+    std::size_t place;
+    Index contact;
+  };
+  const std::vector<Stuck>& stuck() const { return stuck_; }
+  /// Impulses on b at each of these that together take away the slips `left(contact)`.
+  template <class Left>
+  const std::vector<Vector>& stopping(Left&& left) {
+    for (std::size_t i = 0; i < stuck_.size(); ++i) still_[i].slip_rate = left(stuck_[i].contact);
+    hold();
+    return holding_;
   }
 
   /// Add a force on b at a closed contact, and its opposite on a.
@@ -245,16 +265,21 @@ class BodiesField {
   Vector first_direction(const ClosedContact& mode, const Vector& slip) const {
     const double rest = setting_.rest_speed();
     Vector first;
-    for (int k = 0; k < D; ++k) first[k] = T(rest * mode.start[k]);
-    return (1.0 / (1.0 + 1 / (rest * rest) * dot(slip, slip))) * first;
+    for (int k = 0; k < D; ++k) first[k] = T(mode.start[k]);
+    if (mode.slot < std::ssize(start_)) first = start_[mode.slot];
+    return (rest / (1.0 + 1 / (rest * rest) * dot(slip, slip))) * first;
   }
+
+  /// The slip without what rounding has left of it along the normal: that may be much beside a slip that
+  /// comes to rest.
+  static Vector in_plane(const ContactMotion<T, D>& c) { return c.slip - dot(c.slip, c.normal) * c.normal; }
 
   Vector slip_direction(const ClosedContact& mode, const Contact& one, std::span<const T> x,
                         const ContactMotion<T, D>& c) const {
     if constexpr (D == 2)
       return T(mode.sign) * across(c.normal);
     else {
-      Vector along = one.tangential.has_spring() ? tangential_state(mode, x, c.normal) : c.slip;
+      Vector along = one.tangential.has_spring() ? tangential_state(mode, x, c.normal) : in_plane(c);
       if (!mode.start.empty() && (mode.from_rest || !(dot(along, along) > 0.0)))
         along = along + first_direction(mode, along);
       const T size = norm(along);
@@ -273,14 +298,18 @@ class BodiesField {
                         .side = {{{setting_.sphere[one.b].body, c.lever_b, 1.0}, {a, c.lever_a, -1.0}}},
                         .slip_rate = slip_acceleration(contact, c)});
     }
-    redundant_ = !hold_still<T>(setting_, std::span<const BodyMotion<T, D>>(body_),
-                                std::span<const StuckContact<T, D>>(still_), holding_);
+    hold();
     for (std::size_t i = 0; i < stuck_.size(); ++i) {
       auto& c = closed_[stuck_[i].place];
       c.friction = c.friction + holding_[i];
       push(stuck_[i].contact, c.motion, c.friction);
     }
     accelerate();
+  }
+
+  void hold() {
+    redundant_ = !hold_still<T>(setting_, std::span<const BodyMotion<T, D>>(body_),
+                                std::span<const StuckContact<T, D>>(still_), holding_);
   }
 
   void put_body_rates(Index i, std::span<const T> x, std::span<T> dx) const {
@@ -361,11 +390,6 @@ class BodiesField {
     return turned(c.normal, c.normal_rate) + T(0.5 * dot(spin, c.normal)) * c.normal;
   }
 
-  struct Stuck {
-    std::size_t place;
-    Index contact;
-  };
-
   const BodiesSetting<D, N>& setting_;
   BodiesLayout<D> layout_;
   T clock_{};
@@ -375,6 +399,7 @@ class BodiesField {
   std::vector<Stuck> stuck_;
   std::vector<StuckContact<T, D>> still_;
   std::vector<Vector> holding_;  ///< friction of each
+  std::vector<Vector> start_;    ///< by slot
   bool redundant_ = false;
 };
 

@@ -17,13 +17,6 @@ namespace {
 
 constexpr Index lanes = model::slope_lanes;
 
-/// Place of a contact among those that are closed, or −1.
-Index place_of(const BodiesMode& mode, Index contact) {
-  for (std::size_t i = 0; i < mode.closed.size(); ++i)
-    if (mode.closed[i].contact == contact) return static_cast<Index>(i);
-  return -1;
-}
-
 /// Along e_z × n in the plane, a vector in space.
 template <class T>
 model::Vec<T, 1> along(const model::Vec<T, 2>& state, const model::Vec<T, 2>& normal) {
@@ -128,23 +121,6 @@ void BodiesVariation<D>::keep_totals(const BodiesPassage<D>& event, const SlopeM
   }
 }
 
-/// Whether a contact sticks that has slipped.
-template <int D>
-bool comes_to_rest(const BodiesPassage<D>& event, const ClosedContact& one) {
-  const Index place = place_of(event.before, one.contact);
-  return place >= 0 && event.before.closed[place].friction == Friction::slip &&
-         one.friction == Friction::stick;
-}
-
-/// Of a slip that has come to rest no slope is left: in space its direction turns ever faster until then.
-template <int D>
-void BodiesVariation<D>::note_slip(const model::Vec<Sloped, D>& slip, Index column) {
-  constexpr double whole = 100;  // natural slopes are a hundredth of that
-  double squared = 0;
-  for (int k = 0; k < D; ++k) squared += std::pow(slip[k].slope[column % lanes], 2);
-  unresolved_ = std::max(unresolved_, std::sqrt(squared) / (whole * natural_[column] * base_.speed));
-}
-
 /// A slot that goes on, or begins at zero.
 template <int D>
 void BodiesVariation<D>::pass_slot(const BodiesPassage<D>& event, const ClosedContact& one,
@@ -156,7 +132,6 @@ void BodiesVariation<D>::pass_slot(const BodiesPassage<D>& event, const ClosedCo
   const Index first = at.spring(one.slot), own = first + at.tangents, last = first + at.slot_size;
   x_.assign(event.x_before.begin(), event.x_before.end());
   typename SpringBehind<D>::Result spring;
-  const bool is_rigid = base_.contact[one.contact].tangential.law == TangentialLaw::rigid;
   for (Index c = 0; c < columns(); ++c) {
     if (c % lanes == 0) {
       for (Index k = 0; k < std::min(lanes, columns() - c); ++k)
@@ -165,7 +140,6 @@ void BodiesVariation<D>::pass_slot(const BodiesPassage<D>& event, const ClosedCo
       field.evaluate(at, event.before, std::span<const Sloped>(x_));
       spring = SpringBehind<D>(field, event.before, at, x_)(one);
     }
-    if (is_rigid && comes_to_rest(event, one)) note_slip(field_[c / lanes].motion(one.contact).slip, c);
     for (Index row = first; row < own; ++row)
       result(row, c) = spring[static_cast<int>(row - first)].slope[c % lanes];
     for (Index row = own; row < last; ++row) result(row, c) = goes_on ? met(row, c) : 0;
@@ -216,10 +190,8 @@ SlopeMatrix BodiesVariation<D>::pass(const BodiesPassage<D>& event, const SlopeM
         if (const double jump = event.rate_before[row] - behind[row]; jump != 0)
           result(row, c) += jump * event.time[k][c];
   }
-  for (const auto& one : event.after.closed) {
-    pass_slot(event, one, slopes, result);
-    slips_from_rest_ |= one.from_rest;
-  }
+  for (const auto& one : event.after.closed) pass_slot(event, one, slopes, result);
+  if (comes_to_rest(event)) stop_slip(event, result);
   return result;
 }
 

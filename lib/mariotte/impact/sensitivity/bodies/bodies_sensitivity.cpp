@@ -42,8 +42,8 @@ class GroupSlopes {
       return end_.time[c];
     });
     add_notes(end_, 1, {}, result_);
-    result_.in_doubt = variation_.slips_from_rest();
-    if (result_.in_doubt) result_.notes.push_back(slip_from_rest_note());
+    result_.in_doubt = variation_.has_unknown_way();
+    if (result_.in_doubt) result_.notes.push_back(unknown_way_note());
     leave_out_unbounded(result_);
     return std::move(result_);
   }

@@ -101,6 +101,18 @@ void BodiesVariation<D>::source(ConstState x, const BodiesMode& mode, SlopeMatri
 }
 
 template <int D>
+typename BodiesVariation<D>::Field& BodiesVariation<D>::evaluate(Index first, const BodiesMode& mode,
+                                                                 ConstState x,
+                                                                 const SlopeMatrix& slopes) const {
+  auto& field = field_[first / lanes];
+  lift_state(x, x_);
+  for (Index c = first; c < std::min(first + lanes, columns()); ++c)
+    for (Index row = 0; row < slopes.rows; ++row) x_[row].slope[c - first] = slopes(row, c);
+  field.evaluate(system_.layout(x), mode, std::span<const Sloped>(x_));
+  return field;
+}
+
+template <int D>
 Index BodiesVariation<D>::contact_of(Index i, const BodiesMode& mode) const {
   const auto& phase = system_.problem(mode);
   if (i >= phase.stray_guard(0)) return -1;

@@ -11,6 +11,13 @@
 
 namespace mariotte::impact {
 
+/// Place of a contact among those that are closed, or −1.
+inline Index place_of(const model::BodiesMode& mode, Index contact) {
+  for (std::size_t i = 0; i < mode.closed.size(); ++i)
+    if (mode.closed[i].contact == contact) return static_cast<Index>(i);
+  return -1;
+}
+
 /// One event: modes, states and rates on both sides of it, and the slopes of its time.
 template <int D>
 struct BodiesPassage {
@@ -57,13 +64,14 @@ class BodiesVariation {
   Index contact_of(Index i, const Mode& mode) const;
   /// Slopes behind an event, from those before it.
   SlopeMatrix pass(const BodiesPassage<D>& event, const SlopeMatrix& slopes);
+  /// A mode begins, with slopes at fixed time since then.
+  void begin(const Mode& before, const Mode& after, ConstState x, const SlopeMatrix& slopes);
   /// Of what a contact has exchanged in periods that have ended: ∫f_n, ∫f_t, three losses.
   const SlopeMatrix& totals(Index contact) const { return totals_[contact]; }
   /// Its numbers with the slopes by a parameter, which is lane `column % slope_lanes` of them.
   const SlopedSetting<D>& numbers(Index column) const { return setting_[column / model::slope_lanes]; }
-  bool slips_from_rest() const { return slips_from_rest_; }
-  /// Slip that slopes have left where a contact came to stick: largest share of the natural speed.
-  double unresolved() const { return unresolved_; }
+  /// True if a slip has left rest in space and slopes do not know how its first direction moves.
+  bool has_unknown_way() const { return has_unknown_way_; }
 
  private:
   std::vector<Index> active(const Mode& mode) const;
@@ -71,7 +79,12 @@ class BodiesVariation {
   void keep_totals(const BodiesPassage<D>& event, const SlopeMatrix& slopes);
   void pass_slot(const BodiesPassage<D>& event, const model::ClosedContact& one, const SlopeMatrix& slopes,
                  SlopeMatrix& result);
-  void note_slip(const model::Vec<Sloped, D>& slip, Index column);
+  /// The field with slopes by parameters from the first on.
+  Field& evaluate(Index first, const Mode& mode, ConstState x, const SlopeMatrix& slopes) const;
+  /// Whether a contact sticks rigidly that has slipped.
+  bool comes_to_rest(const BodiesPassage<D>& event) const;
+  void stop_slip(const BodiesPassage<D>& event, SlopeMatrix& slopes);
+  bool set_way(Index place, const Mode& mode, const Mode& held, ConstState x, const SlopeMatrix& slopes);
   void begin_at_zero(const BodiesPassage<D>& event);
   std::vector<double> rates_behind(const BodiesPassage<D>& event, Index guard) const;
   void open_contact(Mode& mode, Index contact) const;
@@ -84,8 +97,7 @@ class BodiesVariation {
   mutable model::BodiesField<Sloped, D> base_field_;
   mutable std::vector<Sloped> x_, dx_, guard_;
   std::vector<SlopeMatrix> totals_;
-  bool slips_from_rest_ = false;
-  double unresolved_ = 0;
+  bool has_unknown_way_ = false;
 };
 
 }  // namespace mariotte::impact
