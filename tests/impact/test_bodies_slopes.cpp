@@ -206,6 +206,36 @@ BOOST_AUTO_TEST_CASE(slopes_know_that_units_do_not_matter) {
   }
 }
 
+// Where bodies are moves much by a spin or a velocity that has acted for long; what is resolved does not.
+BOOST_AUTO_TEST_CASE(slopes_do_not_lose_digits_on_the_way_to_a_contact) {
+  const auto pair = [](double flight) {
+    constexpr double masses[] = {0.015458, 0.057152}, radius = 0.01;
+    Bodies bodies{.dimension = 2};
+    for (int i = 0; i < 2; ++i) {
+      const double moment = 0.4 * masses[i] * radius * radius;
+      bodies.body.push_back({.name = "",
+                             .mass = masses[i],
+                             .inertia = {moment, moment, moment},
+                             .spheres = {{{}, radius}},
+                             .position = i == 0 ? Vector3{-0.0145765, 0, 0} : Vector3{0, 0.0145358, 0},
+                             .velocity = i == 0 ? Vector3{1, 0, 0} : Vector3{0, 0.207865, 0},
+                             .spin = {0, 0, i == 0 ? -1.364 : 0.0}});
+      bodies.body[i].position = bodies.body[i].position + flight * bodies.body[i].velocity;
+    }
+    bodies.contact.push_back({.a = {0, 0},
+                              .b = {1, 0},
+                              .law = contact::Viscoelastic{7.017e14, 2.881e6, 1.5},
+                              .tangential = {TangentialLaw::spring, 0.4198, 3.161e11}});
+    for (const auto& one : impact::parameters(bodies))
+      if (one.name == "body[0].spin") return impact::sensitivity(bodies, {one}, to(1e-8));
+    throw std::runtime_error("no spin");
+  };
+  const auto far = pair(0), near = pair(1.08e-3);
+  for (const char* outcome : {"bodies[0].spin", "bodies[1].spin", "bodies[0].velocity[0]"})
+    BOOST_TEST_CONTEXT(outcome)
+  BOOST_TEST(std::abs(slope(far, outcome, "body[0].spin") / slope(near, outcome, "body[0].spin") - 1) < 2e-9);
+}
+
 BOOST_AUTO_TEST_CASE(equal_moments_move_together) {
   auto bodies = sliding(rigid);
   bodies.dimension = 3;

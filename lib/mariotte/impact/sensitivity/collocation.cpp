@@ -56,7 +56,7 @@ Moment moment(Edges edges, double u) {
 
 struct Collocation::Memory {
   std::vector<flow::Entry> pattern;
-  Eigen::VectorXd magnitude;
+  Eigen::VectorXd magnitude, weight;  ///< weight: the inverse, of components that tell how large columns are
   Eigen::RowVectorXd natural;
   Eigen::RowVectorXd extent;  ///< of columns in a piece
   double accuracy;
@@ -154,9 +154,10 @@ struct Collocation::Memory {
     const Eigen::Map<const Matrix> s(slopes.values.data(), size, columns);
     for (auto& part : coefficient) part.setZero(size, columns);
     const auto unit = magnitude.cwiseInverse().asDiagonal();
-    Eigen::RowVectorXd reach = (unit * s).cwiseAbs().colwise().maxCoeff();
+    const auto telling = weight.asDiagonal();
+    Eigen::RowVectorXd reach = (telling * s).cwiseAbs().colwise().maxCoeff();
     for (int i = 0; i < stages; ++i) {
-      reach = reach.cwiseMax((unit * slope[i]).cwiseAbs().colwise().maxCoeff());
+      reach = reach.cwiseMax((telling * slope[i]).cwiseAbs().colwise().maxCoeff());
       for (int k = 0; k < tail_length; ++k) coefficient[k] += gauss.tail[k][i] * slope[i];
     }
     extent = reach.cwiseMax(natural);
@@ -216,7 +217,7 @@ struct Collocation::Memory {
 };
 
 Collocation::Collocation(std::vector<flow::Entry> pattern, std::span<const double> magnitudes,
-                         std::span<const double> sizes, double accuracy)
+                         std::span<const double> sizes, double accuracy, const std::vector<Index>& places)
     : memory_(std::make_unique<Memory>()) {
   auto& m = *memory_;
   m.pattern = std::move(pattern);
@@ -224,6 +225,8 @@ Collocation::Collocation(std::vector<flow::Entry> pattern, std::span<const doubl
   m.columns = std::ssize(sizes);
   m.natural = Eigen::Map<const Eigen::RowVectorXd>(sizes.data(), m.columns);
   m.magnitude = Eigen::Map<const Eigen::VectorXd>(magnitudes.data(), m.size);
+  m.weight = m.magnitude.cwiseInverse();
+  for (const Index i : places) m.weight[i] = 0;
   m.accuracy = accuracy;
   m.find_active();
   std::vector<double> natural;

@@ -48,7 +48,8 @@ class PhaseSlopes final : public hybrid::PhaseObserver {
     const double beyond = find_end(step);
     Along field(*this, step);
     if (!collocation_)
-      collocation_.emplace(pattern(), problem_.magnitudes(), variation_.natural_slopes(), accuracy_);
+      collocation_.emplace(pattern(), problem_.magnitudes(), variation_.natural_slopes(), accuracy_,
+                           places());
     collocation_->advance(field, step.start, end_.value_or(step.end),
                           {.begins = step.start == 0, .beyond = beyond, .is_steep = is_steep_}, slopes);
   }
@@ -80,6 +81,11 @@ class PhaseSlopes final : public hybrid::PhaseObserver {
       return variation_.pattern(mode_);
     else
       return problem_.pattern();
+  }
+
+  std::vector<Index> places() const {
+    if constexpr (requires { variation_.places(); }) return variation_.places();
+    return {};
   }
 
   /// How far beyond the step a guard will be met, in lengths of the step. One that ends the phase is met a

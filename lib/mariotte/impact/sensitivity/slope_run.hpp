@@ -59,7 +59,11 @@ class SlopeLoop {
  public:
   SlopeLoop(System& system, Variation& variation, const hybrid::Options& options,
             const std::function<void()>& watch)
-      : system_(system), variation_(variation), options_(options), watch_(watch) {}
+      : SlopeLoop(system, variation, options, options.accuracy, watch) {}
+  /// `resolution` of steps that may be finer than the accuracy of the run.
+  SlopeLoop(System& system, Variation& variation, const hybrid::Options& options, double resolution,
+            const std::function<void()>& watch)
+      : system_(system), variation_(variation), options_(options), resolution_(resolution), watch_(watch) {}
 
   SlopeRun<System> follow(ConstState x0, const SlopeMatrix& start);
 
@@ -121,6 +125,7 @@ class SlopeLoop {
   System& system_;
   Variation& variation_;
   hybrid::Options options_;
+  double resolution_;
   const std::function<void()>& watch_;
   hybrid::Workspace<System> workspace_;
   std::vector<double> shift_;  ///< Σ τ_p by parameter, where events reset
@@ -325,7 +330,7 @@ SlopeRun<System> SlopeLoop<System, Variation>::follow(ConstState x0, const Slope
   };
 
   system_.mode_at(run.state, mode, changes);
-  Observer observer(system_.problem(mode), variation_, mode, options_.accuracy, watch_);
+  Observer observer(system_.problem(mode), variation_, mode, resolution_, watch_);
   observer.slopes = with_rows(start, std::ssize(run.state));
   start_events(observer, result);
   if constexpr (resets) variation_.begin({}, mode, run.state, observer.slopes);

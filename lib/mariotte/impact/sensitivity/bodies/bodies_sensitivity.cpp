@@ -21,14 +21,14 @@ template <int D>
 class GroupSlopes {
  public:
   GroupSlopes(const Bodies& bodies, const std::vector<Parameter<Bodies>>& by, const hybrid::Options& options,
-              const SlopeWatch& watch)
+              double resolution, const SlopeWatch& watch)
       : bodies_(bodies),
         system_(bodies, model::setting_of<D>(bodies, options.accuracy),
                 options.flies_on ? model::Over::at_time_limit : model::Over::separated),
         x0_(initial_state(bodies, system_.setting())),
         start_(std::ssize(x0_), std::ssize(by)),
         variation_(system_, shifted(by, options.accuracy, watch)),
-        end_(SlopeLoop(system_, variation_, options, watch).follow(x0_, start_)) {
+        end_(SlopeLoop(system_, variation_, options, resolution, watch).follow(x0_, start_)) {
     for (const auto& one : by) result_.parameter.push_back({one.name, one.value});
   }
 
@@ -169,11 +169,11 @@ class GroupSlopes {
 template <int D>
 Sensitivity slopes_in(const Bodies& bodies, const std::vector<Parameter<Bodies>>& by, hybrid::Options options,
                       const SlopeWatch& watch) {
-  options.accuracy =
-      std::max({1e-14, 0.01 * options.accuracy, model::setting_of<D>(bodies, options.accuracy).rounding});
+  const double resolution = std::max(1e-14, 0.01 * options.accuracy);
+  options.accuracy = std::max(resolution, model::setting_of<D>(bodies, options.accuracy).rounding);
   const BodiesLayout<D> at{.bodies = std::ssize(bodies.body), .slots = 0};
   expect_few(at.size(), std::ssize(by));
-  return GroupSlopes<D>(bodies, by, options, watch).take();
+  return GroupSlopes<D>(bodies, by, options, resolution, watch).take();
 }
 
 }  // namespace

@@ -70,6 +70,15 @@ std::vector<flow::Entry> BodiesVariation<D>::pattern(const BodiesMode& mode) con
 }
 
 template <int D>
+std::vector<Index> BodiesVariation<D>::places() const {
+  const BodiesLayout<D> at{.bodies = std::ssize(system_.setting().body), .slots = 0};
+  std::vector<Index> list;
+  for (Index i = 0; i < at.bodies; ++i)
+    for (Index row = at.shift(i); row < at.velocity(i); ++row) list.push_back(row);
+  return list;
+}
+
+template <int D>
 void BodiesVariation<D>::jacobian(const flow::Problem&, ConstState x, const BodiesMode& mode,
                                   State values) const {
   const auto list = active(mode);

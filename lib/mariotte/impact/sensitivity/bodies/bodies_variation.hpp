@@ -41,6 +41,8 @@ class BodiesVariation {
   const std::vector<double>& natural_slopes() const { return natural_; }
   /// Components that rates depend on, with all rates.
   std::vector<flow::Entry> pattern(const Mode& mode) const;
+  /// Components that say where bodies are and how they have turned.
+  std::vector<Index> places() const;
   void jacobian(const flow::Problem& problem, ConstState x, const Mode& mode, State values) const;
   void source(ConstState x, const Mode& mode, SlopeMatrix& b) const;
   double guard_rate(const flow::Problem& problem, Index i, ConstState x, ConstState dx,
