@@ -109,15 +109,15 @@ class Shrinking {
 
 }  // namespace
 
-Values outcome_sizes(const impact::Sensitivity& slopes, double speed) {
-  double impulse = 0, spin = 0;
+Values outcome_sizes(const impact::Sensitivity& slopes, const SlopeSubject& subject) {
+  double impulse = subject.impulse, spin = 0;
   for (const auto& one : slopes.outcome) {
     if (one.unit == "N s") impulse = std::max(impulse, std::abs(*one.value));
     if (one.unit == "rad/s") spin = std::max(spin, std::abs(*one.value));
   }
   Values sizes;
   for (const auto& one : slopes.outcome)
-    sizes.push_back(one.unit == "m/s"     ? speed
+    sizes.push_back(one.unit == "m/s"     ? subject.speed
                     : one.unit == "N s"   ? impulse
                     : one.unit == "s"     ? std::abs(one.value.value_or(0))
                     : one.unit == "rad/s" ? spin

@@ -192,7 +192,11 @@ SlopeSubject subject(const Body& body, double, Dice& dice) {
 }
 
 SlopeSubject subject(const Group& group, double max_time, Dice& dice) {
-  return subject_of(group.bodies, reference_speed(group), max_time, dice);
+  auto subject = subject_of(group.bodies, reference_speed(group), max_time, dice);
+  const auto lightest = std::min_element(group.bodies.body.begin(), group.bodies.body.end(),
+                                         [](const auto& a, const auto& b) { return a.mass < b.mass; });
+  subject.impulse = lightest->mass * subject.speed;
+  return subject;
 }
 
 /// Of a chain or a network.

@@ -23,7 +23,8 @@ struct Probe {
 
 /// A few numbers of a scene, chosen at random, and the slopes by these at an accuracy.
 struct SlopeSubject {
-  double speed;  ///< that velocities are relative to
+  double speed;        ///< that velocities are relative to
+  double impulse = 0;  ///< that gives the lightest body this speed: impulses are relative to no less
   std::vector<Probe> probes = {};
   std::function<impact::Sensitivity(double accuracy)> slopes = {};
 };

@@ -49,7 +49,7 @@ class SlopeExamination {
       slopes_.push_back(subject_.slopes(accuracy));
       verdict_.seconds = measuring::cpu_seconds() - start;
     }
-    sizes_ = outcome_sizes(slopes_.back(), subject_.speed);
+    sizes_ = outcome_sizes(slopes_.back(), subject_);
     for (std::size_t c = 0; c < subject_.probes.size(); ++c) {
       const auto steepness = largest(own_column(slopes_.back(), c));
       compare(c, differences(announced(subject_.probes[c]), slopes_.back(), sizes_, steepness));
