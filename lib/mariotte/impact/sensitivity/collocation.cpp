@@ -14,6 +14,7 @@ constexpr int most_halvings = 10;
 constexpr int most_halvings_at_root = 5;  ///< nearer to it the indentation is rounding
 constexpr Index largest_division = 480;   ///< beyond it sweeps cost less than a division
 constexpr int most_sweeps = 60;
+constexpr double weak = 3;  ///< of what a piece does: a few sweeps cost less than a division
 
 using Matrix = Eigen::MatrixXd;
 
@@ -119,7 +120,19 @@ struct Collocation::Memory {
     return true;
   }
 
-  /// The same by sweeps Z ← S + a (A Z + B), for many components.
+  /// How much a piece moves a component by all others, at most: sweeps come closer by a few times that.
+  double strength() const {
+    double most = 0;
+    for (int i = 0; i < stages; ++i) {
+      Eigen::VectorXd sum = Eigen::VectorXd::Zero(size);
+      for (std::size_t e = 0; e < pattern.size(); ++e)
+        sum[pattern[e].row] += std::abs(jacobian[i][e]) * magnitude[pattern[e].column];
+      for (const Index k : active) most = std::max(most, std::abs(rate[i]) * sum[k] / magnitude[k]);
+    }
+    return most;
+  }
+
+  /// The same by sweeps Z ← S + a (A Z + B), for many components and where these act weakly.
   bool sweep() {
     const Index m = std::ssize(active);
     value.resize(m * stages, columns);
@@ -127,25 +140,39 @@ struct Collocation::Memory {
     double last = infinity;
     for (int n = 0; n < most_sweeps; ++n) {
       for (int i = 0; i < stages; ++i) set_slope(i, value.middleRows(i * m, m));
-      double change = 0, largest = 0;
-      for (int i = 0; i < stages; ++i) {
-        right = now;
-        for (int j = 0; j < stages; ++j)
-          for (Index k = 0; k < m; ++k) right.row(k) += gauss.integral[i][j] * slope[j].row(active[k]);
-        for (Index k = 0; k < m; ++k) {
-          const double unit = magnitude[active[k]];
-          change = std::max(change, (right.row(k) - value.row(i * m + k)).cwiseAbs().maxCoeff() / unit);
-          largest = std::max(largest, right.row(k).cwiseAbs().maxCoeff() / unit);
-        }
-        value.middleRows(i * m, m) = right;
-      }
+      const double change = sweep_once();
       if (!std::isfinite(change)) return false;
-      if (change <= 4 * epsilon * largest || (n > 8 && change >= last && change <= 1e-14 * largest))
-        return true;
+      if (change <= 4 * epsilon || (n > 8 && change >= last && change <= 1e-14)) return true;
       if (n > 8 && change > last) return false;
       last = change;
     }
     return false;
+  }
+
+  /// By how much that changes a column, relative to what it is.
+  double sweep_once() {
+    const Index m = std::ssize(active);
+    Eigen::RowVectorXd change = Eigen::RowVectorXd::Zero(columns), largest = change;
+    for (int i = 0; i < stages; ++i) {
+      right = now;
+      for (int j = 0; j < stages; ++j)
+        for (Index k = 0; k < m; ++k) right.row(k) += gauss.integral[i][j] * slope[j].row(active[k]);
+      for (Index k = 0; k < m; ++k) {
+        const double unit = magnitude[active[k]];
+        change = change.cwiseMax((right.row(k) - value.row(i * m + k)).cwiseAbs() / unit);
+        largest = largest.cwiseMax(right.row(k).cwiseAbs() / unit);
+      }
+      value.middleRows(i * m, m) = right;
+    }
+    double most = 0;
+    for (Index c = 0; c < columns; ++c)
+      if (change[c] != 0) most = std::max(most, change[c] / largest[c]);
+    return most;
+  }
+
+  bool solve() {
+    const bool is_small = equations->unknowns() <= largest_division;
+    return ((!is_small || strength() <= weak) && sweep()) || (is_small && divide());
   }
 
   /// Largest coefficients of the interpolants of the rates, relative to the slopes of their column: of the
@@ -199,8 +226,7 @@ struct Collocation::Memory {
     Eigen::Map<Matrix> s(slopes.values.data(), size, columns);
     now.resize(std::ssize(active), columns);
     for (std::size_t k = 0; k < active.size(); ++k) now.row(k) = s.row(active[k]);
-    const bool small = equations->unknowns() <= largest_division;
-    const bool solved = small ? divide() : sweep();
+    const bool solved = solve();
     if (!solved && last) unresolved = 1;
     if (!(solved ? resolves(slopes, last) : last)) return false;
     for (int i = 0; i < stages; ++i) s += gauss.weight[i] * slope[i];
