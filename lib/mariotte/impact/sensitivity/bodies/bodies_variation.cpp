@@ -167,8 +167,9 @@ void BodiesVariation<D>::guard_slopes(Index i, ConstState x, const BodiesMode& m
 
 template <int D>
 bool BodiesVariation<D>::has_root(Index i, const BodiesMode& mode) const {
-  return i >= system_.problem(mode).gap_guard(0) ||
-         static_cast<SlotGuard>(i % model::guards_per_slot) != SlotGuard::load;
+  if (i >= system_.problem(mode).gap_guard(0)) return true;
+  const auto guard = static_cast<SlotGuard>(i % model::guards_per_slot);
+  return guard == SlotGuard::open || (D == 3 && guard == SlotGuard::friction);
 }
 
 template <int D>

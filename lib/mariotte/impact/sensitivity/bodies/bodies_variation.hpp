@@ -53,6 +53,8 @@ class BodiesVariation {
 
   std::vector<Index> guards_at_start(const Mode& mode, ConstState x) const;
   void open_at_start(Mode& mode, Index i) const;
+  /// Where a contact opens forces end as a power, and a direction where a slip in space comes to rest. Other
+  /// guards are left where a run has told them, within the noise that it allows them.
   bool has_root(Index i, const Mode& mode) const;
   void meet(Index, const Mode&, State) const {}
   void settle(Index, const Mode&, State) const {}
