@@ -110,7 +110,7 @@ class Shrinking {
 }  // namespace
 
 Values outcome_sizes(const impact::Sensitivity& slopes, const SlopeSubject& subject) {
-  double impulse = subject.impulse, spin = 0;
+  double impulse = subject.impulse, spin = subject.spin;
   for (const auto& one : slopes.outcome) {
     if (one.unit == "N s") impulse = std::max(impulse, std::abs(*one.value));
     if (one.unit == "rad/s") spin = std::max(spin, std::abs(*one.value));

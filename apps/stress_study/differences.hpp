@@ -6,8 +6,8 @@
 
 namespace mariotte::stress_study {
 
-/// What outcomes are compared with: the speed, the largest impulse or that of the subject, their own value.
-/// Zero of those that follow from others.
+/// What outcomes are compared with: the speed, the largest impulse and spin or those of the subject, their
+/// own value. Zero of those that follow from others.
 std::vector<double> outcome_sizes(const impact::Sensitivity& slopes, const SlopeSubject& subject);
 
 /// Slopes in natural units, and by how much those of two steps differ. Empty if no step leaves the run what

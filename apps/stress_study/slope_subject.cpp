@@ -191,11 +191,19 @@ SlopeSubject subject(const Body& body, double, Dice& dice) {
   return subject;
 }
 
+double largest_reach(const model::Bodies& bodies) {
+  double most = 0;
+  for (const auto& body : bodies.body)
+    for (const auto& sphere : body.spheres) most = std::max(most, norm(sphere.centre) + sphere.radius);
+  return most;
+}
+
 SlopeSubject subject(const Group& group, double max_time, Dice& dice) {
   auto subject = subject_of(group.bodies, reference_speed(group), max_time, dice);
   const auto lightest = std::min_element(group.bodies.body.begin(), group.bodies.body.end(),
                                          [](const auto& a, const auto& b) { return a.mass < b.mass; });
   subject.impulse = lightest->mass * subject.speed;
+  subject.spin = subject.speed / largest_reach(group.bodies);
   return subject;
 }
 

@@ -25,6 +25,7 @@ struct Probe {
 struct SlopeSubject {
   double speed;        ///< that velocities are relative to
   double impulse = 0;  ///< that gives the lightest body this speed: impulses are relative to no less
+  double spin = 0;     ///< that gives the farthest point of the largest body this speed, likewise
   std::vector<Probe> probes = {};
   std::function<impact::Sensitivity(double accuracy)> slopes = {};
 };
