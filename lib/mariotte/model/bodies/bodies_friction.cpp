@@ -31,8 +31,19 @@ bool BodiesSystem<D>::starts_in_stick(const SettingContact<D>& one, const contac
   return grown <= cap;
 }
 
+/// Whether a spring whose slip is set up holds instead. One that is pressed again, at depth, tells by how
+/// fast it would yield.
 template <int D>
-void BodiesSystem<D>::begin_friction(Mode& mode, std::size_t place, std::vector<double>& x,
+bool BodiesSystem<D>::begins_to_stick(const Mode& mode, std::size_t place, Start start, ConstState x) const {
+  const auto& one = mode.closed[place];
+  if (start == Start::onset)
+    return starts_in_stick(setting_.contact[one.contact], one.past, motion(one.contact, x));
+  field(mode, x);
+  return holds_at_once(mode, place);
+}
+
+template <int D>
+void BodiesSystem<D>::begin_friction(Mode& mode, std::size_t place, Start start, std::vector<double>& x,
                                      std::vector<Change>& changes) const {
   auto& one = mode.closed[place];
   const auto& c = setting_.contact[one.contact];
@@ -42,13 +53,11 @@ void BodiesSystem<D>::begin_friction(Mode& mode, std::size_t place, std::vector<
   const double slip = norm(now.slip);
   const bool moves = slip > 100 * epsilon * setting_.speed;
   if (!c.tangential.has_spring() && !moves) return begin_from_rest(mode, place, x, BodyEvent::slip, changes);
-  const bool sticks = c.tangential.has_spring() && (!moves || starts_in_stick(c, one.past, now));
-  one.friction = sticks ? Friction::stick : Friction::slip;
   one.from_rest = false;
-  if (sticks)
-    std::fill_n(x.begin() + layout(x).spring(one.slot), BodiesLayout<D>::tangents, 0.0);
-  else
-    slip_along(one, (1 / slip) * now.slip, now.normal, x);
+  if (moves) slip_along(one, (1 / slip) * now.slip, now.normal, x);
+  const bool sticks = c.tangential.has_spring() && (!moves || begins_to_stick(mode, place, start, x));
+  one.friction = sticks ? Friction::stick : Friction::slip;
+  if (sticks) std::fill_n(x.begin() + layout(x).spring(one.slot), BodiesLayout<D>::tangents, 0.0);
   changes.push_back({one.contact, sticks ? BodyEvent::stick : BodyEvent::slip});
 }
 
@@ -249,8 +258,8 @@ void BodiesSystem<D>::hold_or_release(Mode& mode, std::vector<double>& x,
   }
 }
 
-template void BodiesSystem<2>::begin_friction(BodiesMode&, std::size_t, std::vector<double>&,
-                                              std::vector<BodiesChange>&) const;
+template void BodiesSystem<2>::begin_friction(BodiesMode&, std::size_t, BodiesSystem<2>::Start,
+                                              std::vector<double>&, std::vector<BodiesChange>&) const;
 template bool BodiesSystem<2>::is_yielding(const ClosedContact&) const;
 template void BodiesSystem<2>::stop_yielding(const std::vector<Index>&, BodiesMode&, std::vector<double>&,
                                              std::vector<BodiesChange>&) const;
@@ -261,8 +270,8 @@ template void BodiesSystem<2>::stay_at_rest(BodiesMode&, std::vector<double>&,
                                             std::vector<BodiesChange>&) const;
 template void BodiesSystem<2>::hold_or_release(BodiesMode&, std::vector<double>&,
                                                std::vector<BodiesChange>&) const;
-template void BodiesSystem<3>::begin_friction(BodiesMode&, std::size_t, std::vector<double>&,
-                                              std::vector<BodiesChange>&) const;
+template void BodiesSystem<3>::begin_friction(BodiesMode&, std::size_t, BodiesSystem<3>::Start,
+                                              std::vector<double>&, std::vector<BodiesChange>&) const;
 template bool BodiesSystem<3>::is_yielding(const ClosedContact&) const;
 template void BodiesSystem<3>::stop_yielding(const std::vector<Index>&, BodiesMode&, std::vector<double>&,
                                              std::vector<BodiesChange>&) const;

@@ -31,8 +31,14 @@ double damping_of(const SettingContact<D>& contact) {
   return power ? power->damping / (power->stiffness * contact.time) : 0;
 }
 
-/// The direction of a slip that has just left rest turns at once: as stiff as strong damping.
+/// A direction that turns at once is as stiff as strong damping: that of a slip that has just left rest, and
+/// in space that of a spring that yields, while its force is small.
 constexpr double stiff_turning = 10;
+template <int D>
+bool turns_at_once(const ClosedContact& one, const SettingContact<D>& contact) {
+  const bool yields = one.friction == Friction::slip && !one.slack && contact.tangential.has_spring();
+  return one.from_rest || (D == 3 && yields);
+}
 constexpr Index most_steps_at_rest = 2000;
 
 }  // namespace
@@ -67,7 +73,7 @@ void BodiesPhase<D>::bind(const BodiesMode& mode) {
         yield_depth(contact.law, one.past) < infinity)
       set(SlotGuard::yield, Crossing::falling);
     time_ = std::min(time_, contact.time);
-    damping_ = std::max({damping_, damping_of(contact), one.from_rest ? stiff_turning : 0});
+    damping_ = std::max({damping_, damping_of(contact), turns_at_once(one, contact) ? stiff_turning : 0});
   }
   for (Index k = 0; k < std::ssize(mode.touching); ++k) crossing_[parting_guard(k)] = Crossing::rising;
   recordable_ = !mode.closed.empty() && std::all_of(mode.closed.begin(), mode.closed.end(),

@@ -92,7 +92,7 @@ void BodiesSystem<D>::close(Mode& mode, Index contact, std::vector<double>& x, B
   const auto now = approach(contact, x);
   changes.push_back({contact, event, event == BodyEvent::close ? -now.gap_rate : 0});
   begin_branch(mode.closed[index], now);
-  if (!mode.closed[index].slack) begin_friction(mode, index, x, changes);
+  if (!mode.closed[index].slack) begin_friction(mode, index, Start::onset, x, changes);
 }
 
 /// One that snaps in pulls at first, and so does one whose pull grows from zero.
@@ -168,7 +168,7 @@ void BodiesSystem<D>::pass_slot(SlotGuard guard, Mode& mode, std::size_t place, 
     case SlotGuard::load:
       one.slack = !one.slack;
       changes.push_back({one.contact, one.slack ? BodyEvent::slack : BodyEvent::grip});
-      if (!one.slack) begin_friction(mode, place, x, changes);
+      if (!one.slack) begin_friction(mode, place, Start::grip, x, changes);
       return;
     case SlotGuard::yield:
       contact::yield(one.past);

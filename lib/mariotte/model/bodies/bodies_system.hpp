@@ -48,8 +48,11 @@ class BodiesSystem {
              std::vector<Change>& changes) const;
   void open(Mode& mode, std::size_t place, std::vector<double>& x, std::vector<Change>& changes) const;
   void begin_branch(ClosedContact& one, const GapMotion<double, D>& now) const;
-  void begin_friction(Mode& mode, std::size_t place, std::vector<double>& x,
+  /// A force begins at its onset, or in a contact that has been slack.
+  enum class Start { onset, grip };
+  void begin_friction(Mode& mode, std::size_t place, Start start, std::vector<double>& x,
                       std::vector<Change>& changes) const;
+  bool begins_to_stick(const Mode& mode, std::size_t place, Start start, ConstState x) const;
   void begin_from_rest(Mode& mode, std::size_t place, std::vector<double>& x, BodyEvent otherwise,
                        std::vector<Change>& changes) const;
   bool leaves_rest(const Mode& mode, std::size_t place, ConstState x) const;
