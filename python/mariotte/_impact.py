@@ -388,4 +388,6 @@ def simulate(scene: Scene[Result], *, accuracy: Optional[float] = None, until: O
 
 
 def _simulated(scene: Scene[Any], options: Tuple[Any, ...]) -> Any:
+    if not isinstance(scene, Scene):
+        raise TypeError(f"a scene is needed, not {scene!r}: load reads a file, parse a text")
     return Impact._of.get(type(scene), Impact)(scene, _core.simulate(scene._box, *options), options)

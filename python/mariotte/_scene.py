@@ -47,7 +47,7 @@ class Scene(Generic[Result]):
 
     @property
     def text(self) -> str:
-        """The scene as TOML, which the command can run.
+        """The scene as TOML, which the command can run, but for what was replaced in it: see `overrides`.
 
         Examples
         --------
@@ -61,6 +61,19 @@ class Scene(Generic[Result]):
         <BLANKLINE>
         """
         return self._box.text
+
+    @property
+    def overrides(self) -> List[str]:
+        """What was replaced in the text, each as ``--set`` of the command takes it.
+
+        Examples
+        --------
+        >>> import mariotte as mt
+        >>> chain = mt.Chain(mass=[1, 1], velocity=[1, 0], law="linear", stiffness="1 N/m")
+        >>> chain.replace({"chain.velocity[0]": "2 m/s"}).overrides
+        ['chain.velocity[0]=2 m/s']
+        """
+        return self._box.overrides
 
     @property
     def warnings(self) -> List[str]:

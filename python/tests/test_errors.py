@@ -45,6 +45,11 @@ def test_text_is_no_number(triplet):
             call()
 
 
+def test_a_path_is_no_scene():
+    with pytest.raises(TypeError, match="a scene is needed, not 'cradle.toml': load reads"):
+        mt.simulate("cradle.toml")
+
+
 def test_an_end_is_wanted_or_a_limit(triplet):
     with pytest.raises(TypeError, match="until.*max_time"):
         mt.simulate(triplet, until=1e-3, max_time=1e-4)

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <random>
 
+#include "mariotte/contact/uncut.hpp"
 #include "mariotte/impact/chain/chain_solver.hpp"
 #include "mariotte/impact/sensitivity/push_expansion.hpp"
 #include "mariotte/impact/sensitivity/sensitivity.hpp"
@@ -315,4 +316,28 @@ BOOST_AUTO_TEST_CASE(notes_name_the_slopes_that_they_are_about) {
   BOOST_TEST(!told("time", "mass[0]"));
   for (const auto& outcome : found.outcome)
     if (outcome.name == "velocity") BOOST_TEST(!told(name_of(outcome), "mass[1]"));
+}
+
+BOOST_AUTO_TEST_CASE(a_damper_that_pulls_to_the_end_has_a_note_that_is_large_enough) {
+  for (const double exponent : {1.01, 1.05, 1.1, 1.2, 1.25}) {
+    model::Chain chain{.mass = {1, 1},
+                       .law = {std::make_shared<contact::Uncut>(contact::PowerLaw{1, 0.1, exponent})},
+                       .gap = {0},
+                       .velocity = {1, 0}};
+    const auto found = sensitivity(chain, parameters(chain));
+    const auto velocity = [&](double change) {
+      auto other = chain;
+      other.mass[0] += change;
+      return impact::simulate(other, {.accuracy = 1e-13}).velocity[0];
+    };
+    constexpr double h = 1e-3;
+    const double difference =
+        (8 * (velocity(h) - velocity(-h)) - (velocity(2 * h) - velocity(-2 * h))) / (12 * h);
+    double allowed = 1e-10;
+    for (const auto& note : found.notes) allowed = std::max(allowed, note.error);
+    BOOST_TEST_CONTEXT("exponent " << exponent) {
+      BOOST_TEST(std::abs(slope(found, "velocity", 0, "mass[0]") - difference) < allowed + 1e-9);
+      BOOST_TEST(allowed < 2);
+    }
+  }
 }

@@ -1,6 +1,7 @@
 #include "mariotte/impact/chain/chain_frame.hpp"
 #include "mariotte/impact/sensitivity/contact_sensitivity.hpp"
 #include "mariotte/impact/sensitivity/frame_slopes.hpp"
+#include "mariotte/impact/sensitivity/late_damping.hpp"
 #include "mariotte/model/chain/chain_system.hpp"
 
 namespace mariotte::impact {
@@ -68,6 +69,7 @@ Sensitivity sensitivity(const model::Chain& chain, const std::vector<Parameter<m
                                                                                     moved, options, watch);
     return std::pair(run.take(), run.time_loss());
   });
+  note_late_damping(moving.law, asked.accuracy, found);
   leave(frame, found);
   return found;
 }

@@ -1,6 +1,7 @@
 #include "mariotte/impact/network/network_frame.hpp"
 #include "mariotte/impact/sensitivity/contact_sensitivity.hpp"
 #include "mariotte/impact/sensitivity/frame_slopes.hpp"
+#include "mariotte/impact/sensitivity/late_damping.hpp"
 #include "mariotte/model/network/network_system.hpp"
 
 namespace mariotte::impact {
@@ -39,6 +40,7 @@ Sensitivity sensitivity(const model::Network& network, const std::vector<Paramet
         system, system.network(), moved, options, watch);
     return std::pair(run.take(), run.time_loss());
   });
+  note_late_damping(moving.law, asked.accuracy, found);
   leave(frame, found);
   return found;
 }
