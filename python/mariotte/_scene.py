@@ -71,7 +71,7 @@ class Scene(Generic[Result]):
         >>> import mariotte as mt
         >>> chain = mt.Chain(mass=[1, 1], velocity=[1, 0], law="linear", stiffness="1 N/m")
         >>> chain.replace({"chain.velocity[0]": "2 m/s"}).overrides
-        ['chain.velocity[0]=2 m/s']
+        ['chain.velocity[0]="2 m/s"']
         """
         return self._box.overrides
 
