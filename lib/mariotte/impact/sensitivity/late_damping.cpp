@@ -22,14 +22,9 @@ double lost(const contact::Law& law) {
 
 }  // namespace
 
-double lost_by_late_damping(std::span<const contact::Law> laws) {
-  double most = 0;
-  for (const auto& law : laws) most = std::max(most, lost(law));
-  return most;
-}
-
 void note_late_damping(std::span<const contact::Law> laws, double accuracy, Sensitivity& slopes) {
-  const double error = lost_by_late_damping(laws);
+  double error = 0;
+  for (const auto& law : laws) error = std::max(error, lost(law));
   if (!(error > accuracy)) return;
   char text[160];
   std::snprintf(

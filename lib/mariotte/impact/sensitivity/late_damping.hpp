@@ -8,10 +8,7 @@
 
 namespace mariotte::impact {
 
-/// By how much of their size slopes may be off for it.
-double lost_by_late_damping(std::span<const contact::Law> laws);
-
-/// A note, if that is more than the accuracy.
+/// A note by how much of their size slopes may be off for it, if that is more than the accuracy.
 void note_late_damping(std::span<const contact::Law> laws, double accuracy, Sensitivity& slopes);
 
 }  // namespace mariotte::impact

@@ -1,9 +1,11 @@
 // The field of bodies in contact, written once: T is a number, or a value with slopes, which gives Jacobian
 // and rates of guards. N is what the setting has: if these have slopes, so has all that follows from them.
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "mariotte/core/mindlin.hpp"
+#include "mariotte/model/bodies/bodies_loads.hpp"
 #include "mariotte/model/bodies/bodies_mode.hpp"
 #include "mariotte/model/bodies/bodies_stick.hpp"
 #include "mariotte/model/bodies/law_numbers.hpp"
@@ -28,13 +30,13 @@ class BodiesField {
   using Vector = Vec<T, D>;
   using Contact = SettingContact<D, N>;
 
-  explicit BodiesField(const BodiesSetting<D, N>& setting) : setting_(setting) {}
+  explicit BodiesField(const BodiesSetting<D, N>& setting) : setting_(setting), loads_(setting) {}
   const BodiesSetting<D, N>& setting() const { return setting_; }
 
   /// Evaluate at x. Throws nothing; a redundant stick gets the least friction that does.
   void evaluate(const BodiesLayout<D>& layout, const BodiesMode& mode, std::span<const T> x) {
     layout_ = layout;
-    move(x);
+    loads_.move(layout, x);
     closed_.resize(mode.closed.size());
     stuck_.clear();
     for (std::size_t i = 0; i < closed_.size(); ++i) set_forces(mode.closed[i], x, closed_[i], i);
@@ -43,24 +45,19 @@ class BodiesField {
   }
 
   const ContactForces<T, D>& contact(std::size_t i) const { return closed_[i]; }
-  const BodyMotion<T, D>& body(Index i) const { return body_[i]; }
+  const BodyMotion<T, D>& body(Index i) const { return loads_.body()[i]; }
   /// True if the last evaluation left friction undetermined: the contacts that stick are redundant.
   bool is_redundant() const { return redundant_; }
 
-  /// Any contact, closed or not.
-  ContactMotion<T, D> motion(Index contact) const {
-    const auto& c = setting_.contact[contact];
-    return contact_motion(setting_, c, body_a(c), body_[setting_.sphere[c.b].body], clock_);
-  }
-  GapMotion<T, D> approach(Index contact) const {
-    const auto& c = setting_.contact[contact];
-    const auto& b = body_[setting_.sphere[c.b].body];
-    return gap_motion(c, ContactSides<T, D>(setting_, c, body_a(c), b, clock_));
+  ContactMotion<T, D> motion(Index contact) const { return loads_.motion(contact); }
+  GapMotion<T, D> approach(Index contact) const { return loads_.approach(contact); }
+  Vector slip_acceleration(Index contact, const ContactMotion<T, D>& c) const {
+    return loads_.slip_acceleration(contact, c);
   }
 
   /// Where a slip from rest goes, if that has slopes; else its mode says so.
-  void set_start(Index slot, const Vector& way) {
-    if (slot >= std::ssize(start_)) start_.resize(slot + 1, lift<T>(Vec<double, D>{}));
+  void set_start(Index slot, const std::optional<Vector>& way) {
+    if (slot >= std::ssize(start_)) start_.resize(slot + 1);
     start_[slot] = way;
   }
 
@@ -87,18 +84,6 @@ class BodiesField {
     return rate;
   }
 
-  /// Tangential part of the acceleration of b on a at the contact, in the turning plane.
-  Vector slip_acceleration(Index contact, const ContactMotion<T, D>& c) const {
-    const auto& one = setting_.contact[contact];
-    const auto side = [&](Index body, const Vector& lever, const Vector& point) {
-      return load_[body].velocity_rate + turned(load_[body].spin_rate, lever) +
-             turned(body_[body].spin, point);
-    };
-    Vector u = side(setting_.sphere[one.b].body, c.lever_b, c.point_b) - c.gap_rate * c.normal_rate;
-    if (one.plane < 0) u = u - side(setting_.sphere[one.a].body, c.lever_a, c.point_a);
-    return u - dot(u, c.normal) * c.normal;
-  }
-
   /// A contact that sticks rigidly, and its place among those that are closed.
   struct Stuck {
     std::size_t place;
@@ -114,59 +99,13 @@ class BodiesField {
   }
 
   /// Add a force on b at a closed contact, and its opposite on a.
-  void push(std::size_t i, Index contact, const Vector& force) { push(contact, closed_[i].motion, force); }
-  /// Accelerations from the forces pushed so far.
-  void accelerate() {
-    for (Index i = 0; i < std::ssize(load_); ++i) {
-      const auto& body = setting_.body[i];
-      load_[i].velocity_rate = lift<T>(setting_.gravity) + T(1 / body.mass) * load_[i].force;
-      load_[i].spin_rate = eased(body, body_[i], load_[i].moment - gyroscopic(i));
-    }
+  void push(std::size_t i, Index contact, const Vector& force) {
+    loads_.push(contact, closed_[i].motion, force);
   }
+  /// Accelerations from the forces pushed so far.
+  void accelerate() { loads_.accelerate(); }
 
  private:
-  /// What acts on a body, and what comes of it.
-  struct Load {
-    Vector force;
-    Turn<T, D> moment, momentum;
-    Vector velocity_rate;
-    Turn<T, D> spin_rate;
-  };
-
-  /// Nothing of a plane.
-  const BodyMotion<T, D>* body_a(const Contact& c) const {
-    return c.plane < 0 ? &body_[setting_.sphere[c.a].body] : nullptr;
-  }
-
-  void move(std::span<const T> x) {
-    body_.resize(setting_.body.size());
-    load_.resize(setting_.body.size());
-    clock_ = x[layout_.clock()];
-    for (Index i = 0; i < layout_.bodies; ++i) {
-      body_[i] = motion_of(setting_.body[i], layout_, x, i);
-      load_[i] = {};
-      load_[i].momentum = vec_at<turns(D)>(x, layout_.momentum(i));
-    }
-  }
-
-  Turn<T, D> gyroscopic(Index i) const {
-    if constexpr (D == 2)
-      return {};
-    else
-      return turned(body_[i].spin, load_[i].momentum);
-  }
-
-  void push(Index contact, const ContactMotion<T, D>& c, const Vector& force) {
-    const auto& one = setting_.contact[contact];
-    auto& b = load_[setting_.sphere[one.b].body];
-    b.force = b.force + force;
-    b.moment = b.moment + moment(c.lever_b, force);
-    if (one.plane >= 0) return;
-    auto& a = load_[setting_.sphere[one.a].body];
-    a.force = a.force - force;
-    a.moment = a.moment - moment(c.lever_a, force);
-  }
-
   /// Linear forces, and those with branches, go on past zero, so that a step which reaches beyond separation
   /// meets no kink.
   T depth_of(const Contact& one, const ContactMotion<T, D>& c) const {
@@ -194,24 +133,7 @@ class BodiesField {
     const T rate = -c.motion.gap_rate;
     const auto slopes = law_slopes<T>(one, mode.past, c.motion.indentation, rate);
     if (!contact::is_damped(one.law)) return slopes.by_indentation * rate;
-    return slopes.by_indentation * rate - slopes.by_rate * gap_acceleration(mode.contact, c.motion);
-  }
-
-  T gap_acceleration(Index contact, const ContactMotion<T, D>& c) const {
-    const auto& one = setting_.contact[contact];
-    const auto side = [&](Index sphere) {
-      const Index i = setting_.sphere[sphere].body;
-      const auto arm = sphere_motion(setting_.sphere[sphere], body_[i]).arm;
-      return load_[i].velocity_rate + turned(load_[i].spin_rate, arm) +
-             turned(body_[i].spin, turned(body_[i].spin, arm));
-    };
-    Vector relative = side(one.b);
-    T distance = T(0.0);
-    if (one.plane < 0) {
-      relative = relative - side(one.a);
-      distance = c.gap + one.touching_distance();
-    }
-    return dot(c.normal, relative) + distance * dot(c.normal_rate, c.normal_rate);
+    return slopes.by_indentation * rate - slopes.by_rate * loads_.gap_acceleration(mode.contact, c.motion);
   }
 
   void set_forces(const ClosedContact& mode, std::span<const T> x, ContactForces<T, D>& c,
@@ -226,7 +148,7 @@ class BodiesField {
     c.direction = c.friction;
     set_spring(one, c);
     set_friction(mode, one, x, c, place);
-    push(mode.contact, c.motion, c.normal * c.motion.normal + c.friction);
+    loads_.push(mode.contact, c.motion, c.normal * c.motion.normal + c.friction);
   }
 
   void set_spring(const Contact& one, ContactForces<T, D>& c) const {
@@ -266,7 +188,7 @@ class BodiesField {
     const double rest = setting_.rest_speed();
     Vector first;
     for (int k = 0; k < D; ++k) first[k] = T(mode.start[k]);
-    if (mode.slot < std::ssize(start_)) first = start_[mode.slot];
+    if (mode.slot < std::ssize(start_) && start_[mode.slot]) first = *start_[mode.slot];
     return (rest / (1.0 + 1 / (rest * rest) * dot(slip, slip))) * first;
   }
 
@@ -302,28 +224,28 @@ class BodiesField {
     for (std::size_t i = 0; i < stuck_.size(); ++i) {
       auto& c = closed_[stuck_[i].place];
       c.friction = c.friction + holding_[i];
-      push(stuck_[i].contact, c.motion, c.friction);
+      loads_.push(stuck_[i].contact, c.motion, c.friction);
     }
     accelerate();
   }
 
   void hold() {
-    redundant_ = !hold_still<T>(setting_, std::span<const BodyMotion<T, D>>(body_),
+    redundant_ = !hold_still<T>(setting_, std::span<const BodyMotion<T, D>>(loads_.body()),
                                 std::span<const StuckContact<T, D>>(still_), holding_);
   }
 
   void put_body_rates(Index i, std::span<const T> x, std::span<T> dx) const {
-    put(dx, layout_.shift(i), body_[i].velocity);
-    put(dx, layout_.velocity(i), load_[i].velocity_rate);
+    put(dx, layout_.shift(i), body(i).velocity);
+    put(dx, layout_.velocity(i), loads_.velocity_rate(i));
     if constexpr (D == 2) {
-      dx[layout_.turn(i)] = body_[i].spin[0];
-      dx[layout_.momentum(i)] = load_[i].spin_rate[0];
+      dx[layout_.turn(i)] = body(i).spin[0];
+      dx[layout_.momentum(i)] = loads_.spin_rate(i)[0];
     } else {
-      const auto& w = body_[i].spin;
+      const auto& w = body(i).spin;
       mariotte::put<T>(
           dx, layout_.turn(i),
           quaternion_rate(quaternion_at<T>(x, layout_.turn(i)), BasicVector3<T>{w[0], w[1], w[2]}));
-      put(dx, layout_.momentum(i), load_[i].moment);
+      put(dx, layout_.momentum(i), loads_.moment(i));
     }
   }
 
@@ -385,21 +307,19 @@ class BodiesField {
 
   /// n × ṅ and half the spins about n.
   Vector frame_spin(const Contact& one, const ContactMotion<T, D>& c) const {
-    auto spin = body_[setting_.sphere[one.b].body].spin;
-    if (one.plane < 0) spin = spin + body_[setting_.sphere[one.a].body].spin;
+    auto spin = body(setting_.sphere[one.b].body).spin;
+    if (one.plane < 0) spin = spin + body(setting_.sphere[one.a].body).spin;
     return turned(c.normal, c.normal_rate) + T(0.5 * dot(spin, c.normal)) * c.normal;
   }
 
   const BodiesSetting<D, N>& setting_;
   BodiesLayout<D> layout_;
-  T clock_{};
-  std::vector<BodyMotion<T, D>> body_;
-  std::vector<Load> load_;
+  BodiesLoads<T, D, N> loads_;
   std::vector<ContactForces<T, D>> closed_;
   std::vector<Stuck> stuck_;
   std::vector<StuckContact<T, D>> still_;
-  std::vector<Vector> holding_;  ///< friction of each
-  std::vector<Vector> start_;    ///< by slot
+  std::vector<Vector> holding_;               ///< friction of each
+  std::vector<std::optional<Vector>> start_;  ///< by slot
   bool redundant_ = false;
 };
 

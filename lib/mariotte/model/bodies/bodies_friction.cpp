@@ -16,8 +16,7 @@ constexpr double certain = 0.999;
 
 }  // namespace
 
-/// By leading terms: whether T grows more slowly than its cap. Both are compared shortly after the start, or
-/// after an adhesive contact begins to push.
+/// By leading terms: whether T grows more slowly than its cap. Both are compared shortly after the onset.
 template <int D>
 bool BodiesSystem<D>::starts_in_stick(const SettingContact<D>& one, const contact::Memory& past,
                                       const ContactMotion<double, D>& now) const {

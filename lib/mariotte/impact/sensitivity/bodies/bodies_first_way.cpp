@@ -52,8 +52,10 @@ void BodiesVariation<D>::begin(const Mode& before, const Mode& after, ConstState
   const auto places = leaving(before, after);
   for (const Index place : places)
     if (!set_way(place, after, holding(after, {place}), x, slopes) &&
-        !set_way(place, after, holding(after, places), x, slopes))
+        !set_way(place, after, holding(after, places), x, slopes)) {
+      for (auto& field : field_) field.set_start(after.closed[place].slot, std::nullopt);
       has_unknown_way_ = true;
+    }
 }
 
 /// False if another direction than this has been taken.
