@@ -329,27 +329,6 @@ BOOST_AUTO_TEST_CASE(random_scenes_close_their_ledgers_and_gain_nothing) {
   check_rings(13, 1e-8);
 }
 
-// Flat on two corners, only the sum of both frictions is determined.
-BOOST_AUTO_TEST_CASE(redundant_rigid_stick_is_refused_by_name) {
-  model::Bodies bodies{.dimension = 2};
-  bodies.body = {{.name = "block",
-                  .mass = 1,
-                  .inertia = {0, 0, 0.01},
-                  .spheres = {{{-0.1, -0.1, 0}, 0}, {{0.1, -0.1, 0}, 0}},
-                  .position = {0, 0.1, 0},
-                  .velocity = {0, -0.5, 0}}};
-  bodies.plane = {{.name = "", .point = {}, .normal = {0, 1, 0}, .velocity = {}}};
-  for (Index corner = 0; corner < 2; ++corner)
-    bodies.contact.push_back({.a = {0, -1},
-                              .b = {0, corner},
-                              .law = contact::Linear(1e6),
-                              .tangential = {TangentialLaw::rigid, 0.5, 0},
-                              .touching = true});
-  BOOST_CHECK_EXCEPTION(impact::simulate(bodies), Error, [](const Error& error) {
-    return error.fault.code == "S036" && std::string(error.what()).find("indeterminate") != std::string::npos;
-  });
-}
-
 BOOST_AUTO_TEST_CASE(bodies_that_nothing_can_touch_fly_on) {
   model::Bodies bodies{.dimension = 2};
   bodies.body = {ball({0, 0, 0}, {1, 0.5, 0}, {0, 0, 3})};
@@ -357,40 +336,6 @@ BOOST_AUTO_TEST_CASE(bodies_that_nothing_can_touch_fly_on) {
   BOOST_TEST((impact.ending == hybrid::Ending::separated));
   BOOST_TEST(impact.body[0].velocity.e1 == 1);
   BOOST_TEST(impact.energy.residual == 0);
-}
-
-BOOST_AUTO_TEST_CASE(overlaps_are_refused_by_name) {
-  auto bodies = meeting(mindlin);
-  bodies.body[1].position = {0.01, 0, 0};
-  BOOST_CHECK_EXCEPTION(impact::simulate(bodies), InvalidParameter, [](const InvalidParameter& error) {
-    return std::string(error.what()).find("body 1 and body 2 overlap") != std::string::npos;
-  });
-}
-
-BOOST_AUTO_TEST_CASE(what_is_stated_to_touch_stands_there_about) {
-  const auto touching = [](double apart) {
-    auto bodies = meeting({TangentialLaw::rigid, 0.1, 0});
-    auto& contact = bodies.contact[0];
-    contact.touching = true;
-    const double radii = bodies.body[0].spheres[0].radius + bodies.body[1].spheres[0].radius;
-    bodies.body[1].position = bodies.body[0].position + Vector3{apart * radii, 0, 0};
-    return bodies;
-  };
-  for (const double apart : {0.0, 0.8, 1.2, 50.0})
-    BOOST_CHECK_EXCEPTION(
-        impact::simulate(touching(apart)), InvalidParameter, [](const InvalidParameter& error) {
-          return std::string(error.what()).find("touching = true, but") != std::string::npos;
-        });
-  for (const double apart : {0.95, 1.05}) BOOST_CHECK_NO_THROW(impact::simulate(touching(apart)));
-}
-
-BOOST_AUTO_TEST_CASE(friction_that_rounding_would_lose_is_refused_by_name) {
-  for (const double friction : {-0.1, 2e9, 1e300})
-    BOOST_CHECK_EXCEPTION(impact::simulate(meeting({TangentialLaw::rigid, friction, 0})), InvalidParameter,
-                          [](const InvalidParameter& error) {
-                            return std::string(error.what()).find("friction must be") != std::string::npos;
-                          });
-  BOOST_TEST((impact::simulate(meeting({TangentialLaw::rigid, 1e9, 0})).ending == hybrid::Ending::separated));
 }
 
 BOOST_AUTO_TEST_CASE(what_is_slow_and_far_away_says_how_many_digits_are_left) {

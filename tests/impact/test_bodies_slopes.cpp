@@ -117,17 +117,24 @@ void compare(int dimension, const contact::Law& law, const Tangential& tangentia
   }
 }
 
-/// A ball that slides on a plane while it strikes it.
-Bodies sliding(const Tangential& tangential) {
-  constexpr double mass = 0.1, radius = 0.02, moment = 0.4 * mass * radius * radius;
+/// No contact yet.
+Bodies ball_on_floor(double mass, double radius, const Vector3& velocity, const Vector3& spin = {}) {
+  const double moment = 0.4 * mass * radius * radius;
   Bodies bodies{.dimension = 2};
   bodies.body.push_back({.name = "ball",
                          .mass = mass,
                          .inertia = {moment, moment, moment},
                          .spheres = {{{}, radius}},
                          .position = {0, radius, 0},
-                         .velocity = {3, -1, 0}});
+                         .velocity = velocity,
+                         .spin = spin});
   bodies.plane.push_back({.name = "floor", .point = {}, .normal = {0, 1, 0}, .velocity = {}});
+  return bodies;
+}
+
+/// A ball that slides on a plane while it strikes it.
+Bodies sliding(const Tangential& tangential) {
+  auto bodies = ball_on_floor(0.1, 0.02, {3, -1, 0});
   bodies.contact.push_back(
       {.a = {0, -1}, .b = {0, 0}, .law = contact::Hertz(1e9), .tangential = tangential, .share = 0});
   return bodies;
@@ -239,16 +246,7 @@ BOOST_AUTO_TEST_CASE(slopes_do_not_lose_digits_on_the_way_to_a_contact) {
 // Runs allow guards of friction some noise: slopes pass them where a run has. This ball sticks until just
 // before the end, whose force is a millionth of its peak; it rebounds with the speed it came with.
 BOOST_AUTO_TEST_CASE(friction_that_gives_way_next_to_the_end_leaves_a_rebound_alone) {
-  constexpr double mass = 0.0546, radius = 0.01, moment = 0.4 * mass * radius * radius;
-  Bodies bodies{.dimension = 2};
-  bodies.body.push_back({.name = "ball",
-                         .mass = mass,
-                         .inertia = {moment, moment, moment},
-                         .spheres = {{{}, radius}},
-                         .position = {0, radius, 0},
-                         .velocity = {0.0292, -1, 0},
-                         .spin = {0, 0, -4.92}});
-  bodies.plane.push_back({.name = "floor", .point = {}, .normal = {0, 1, 0}, .velocity = {}});
+  auto bodies = ball_on_floor(0.0546, 0.01, {0.0292, -1, 0}, {0, 0, -4.92});
   bodies.contact.push_back({.a = {0, -1},
                             .b = {0, 0},
                             .law = contact::Hertz(4.7e14),
