@@ -13,6 +13,7 @@ namespace {
 constexpr int most_halvings = 10;
 constexpr int most_halvings_at_root = 5;  ///< nearer to it the indentation is rounding
 constexpr Index largest_division = 480;   ///< beyond it sweeps cost less than a division
+constexpr Index cheapest_division = 120;  ///< up to it a division costs less than sweeps
 constexpr int most_sweeps = 60;
 constexpr double weak = 3;  ///< of what a piece does: a few sweeps cost less than a division
 
@@ -171,8 +172,9 @@ struct Collocation::Memory {
   }
 
   bool solve() {
-    const bool is_small = equations->unknowns() <= largest_division;
-    return ((!is_small || strength() <= weak) && sweep()) || (is_small && divide());
+    const Index unknowns = equations->unknowns();
+    if (unknowns > largest_division) return sweep();
+    return (unknowns > cheapest_division && strength() <= weak && sweep()) || divide();
   }
 
   /// Largest coefficients of the interpolants of the rates, relative to the slopes of their column: of the
