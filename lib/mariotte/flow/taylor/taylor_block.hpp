@@ -135,12 +135,17 @@ class Block : RowQuantities {
       factor[k + 1] = factor[k] * place * (k + 1) * series::reciprocal.of[degree - k];
     const double beyond = factor[degree] * place;
     const auto side = of(lanes_->side), edge = of(lanes_->level), margin = of(values.margin);
+    const auto by_root = told_by_root(side, edge, of(values.indentation));
     store(each<N>([&](int i) {
-            Vec loss{}, b[degree + 1];
-            for (int k = order_; k > degree; --k)
-              loss = place * loss + largest(-side.part[i] * row_[indentation][k].part[i], Vec{});
-            for (int k = 0; k <= degree; ++k) b[k] = factor[k] * side.part[i] * row_[indentation][k].part[i];
-            b[0] += edge.part[i];
+            const auto term = [&](int k) {
+              const Vec depth = side.part[i] * row_[indentation][k].part[i];
+              return by_root.part[i] > Vec{} ? row_[root][k].part[i] : depth;
+            };
+            Vec loss = largest(-side.part[i] * row_[indentation][order_].part[i], Vec{}), b[degree + 1];
+            loss = by_root.part[i] > Vec{} ? Vec{} : loss;  // the root has no coefficient of that order
+            for (int k = order_ - 1; k > degree; --k) loss = place * loss + largest(-term(k), Vec{});
+            for (int k = 0; k <= degree; ++k) b[k] = factor[k] * term(k);
+            b[0] += by_root.part[i] > Vec{} ? Vec{} : edge.part[i];
             for (int row = 1; row <= degree; ++row)  // as in Pascal's triangle
               for (int k = degree; k >= row; --k) b[k] += b[k - 1];
             Vec lowest = b[0];
@@ -203,6 +208,16 @@ class Block : RowQuantities {
       p[level].part[i] = splat(1) - p[curved].part[i];
       p[strength].part[i] = sharp & ~deep & ~owner ? Vec{} : push.part[i];
     }
+  }
+
+  /// 1 where √δ is expanded and tells that δ stays positive, and so above its level: it falls less steeply.
+  LaneVector<N> told_by_root(const LaneVector<N>& side, const LaneVector<N>& edge,
+                             const LaneVector<N>& end) const {
+    if (lanes_->widened || still_) return LaneVector<N>(0.0);
+    return each<N>([&](int i) {
+      const auto told = (side.part[i] > Vec{}) & (edge.part[i] >= Vec{}) & (end.part[i] > Vec{});
+      return told ? parameters_[curved].part[i] : Vec{};
+    });
   }
 
   /// None of the contacts pushes.
