@@ -72,6 +72,24 @@ BOOST_AUTO_TEST_CASE(rows_of_any_dampers_are_those_that_cvode_follows) {
   }
 }
 
+// While a soft contact turns the ball in the middle, the other, slack, is pressed again before it opens: its
+// load is a power of a depth that nobody else feels.
+BOOST_AUTO_TEST_CASE(a_slack_contact_is_pressed_again_when_its_load_says_so) {
+  const model::Chain chain{.mass = {1.28, 2.52, 2.51},
+                           .law = {contact::Viscoelastic{.stiffness = 0.127, .damping = 0.009, .exponent = 1},
+                                   std::make_shared<contact::Tsuji>(1.286, 0.58)},
+                           .gap = {0.0134, 0.214},
+                           .velocity = {0.929, 0.26, -0.328}};
+  const auto steps =
+      impact::simulate(chain, {.accuracy = 1e-13, .max_time = 6, .flow = flow::Kind::cvode_adams});
+  for (const double accuracy : {1e-6, 1e-8, 1e-10, 1e-12}) {
+    const auto series = impact::simulate(chain, {.accuracy = accuracy, .max_time = 6});
+    BOOST_TEST(series.events.size() == steps.events.size());
+    for (std::size_t i = 0; i < chain.mass.size(); ++i)
+      BOOST_TEST(std::abs(series.velocity[i] - steps.velocity[i]) < std::max(accuracy, 3e-12));
+  }
+}
+
 // Where a v e is near 1 the logarithm magnifies the last digit of e 4·10⁵ times.
 BOOST_AUTO_TEST_CASE(the_restitutions_solve_the_closed_form) {
   for (const auto& pair : pairs) {

@@ -54,6 +54,7 @@ class Block : RowQuantities {
       p[own] = mobility_ * p[strength];
     }
     if (clocked_) start_[clock] = LaneVector<N>(pace_start);
+    hear();
   }
 
   /// Run `use` on the series that the lanes need.
@@ -98,6 +99,8 @@ class Block : RowQuantities {
                                    weight.part[i] * magnitude(row_[indentation][k].part[i])));
     for (int i = 0; damped_ && i < N; ++i)
       most = largest(most, mobility_.part[i] * magnitude(row_[work][k].part[i]));
+    for (int i = 0; has_stretch() && k < order_ && i < N; ++i)
+      most = largest(most, heard_.part[i] * magnitude(row_[stretch][k].part[i]));
     for (int i = 0; lanes_->widened && !still_ && i < N; ++i)
       most = largest(most, width_weight_.part[i] * magnitude(row_[WidthQuantities::width][k].part[i]));
     double largest_part = most[0];
@@ -217,6 +220,15 @@ class Block : RowQuantities {
     return each<N>([&](int i) {
       const auto told = (side.part[i] > Vec{}) & (edge.part[i] >= Vec{}) & (end.part[i] > Vec{});
       return told ? parameters_[curved].part[i] : Vec{};
+    });
+  }
+
+  /// The load of a slack contact has to be right where nobody feels its force yet: l δᵖ δ as a rate.
+  void hear() {
+    const auto rises = loss_of(of(lanes_->load_side));
+    heard_ = each<N>([&](int i) {
+      const auto share = parameters_[steepening].part[i] / parameters_[damping].part[i];
+      return rises.part[i] > Vec{} ? share : Vec{};
     });
   }
 
@@ -344,6 +356,7 @@ class Block : RowQuantities {
   std::array<LaneVector<N>, states> start_ = {};  ///< impulse, work and time start from zero
   std::array<LaneVector<N>, parameters> parameters_;
   LaneVector<N> mobility_;      ///< 1/m*
+  LaneVector<N> heard_;         ///< l/c of a slack contact whose load is watched, else 0
   LaneVector<N> width_weight_;  ///< 1/u
   std::array<LaneVector<N>, order_limit + 2>* row_ = nullptr;
   Own<Pace::plain, Terms::elastic> plain_;

@@ -94,7 +94,8 @@ class Expansion {
   static constexpr int plain = -1;
   virtual ~Expansion() = default;
   virtual void expand(const Lanes& lanes, int order, int clock) = 0;
-  /// Largest coefficient k of δ/length, δ̇ and, if damped, work/m*, for k from `first` to the order.
+  /// Largest coefficient k of δ/length, δ̇ and, if damped, work/m* and loads that are watched for their rise,
+  /// as rates, for k from `first` to the order.
   virtual void sizes(int first, double* size) const = 0;
   virtual void evaluate(double place, Values& values) const = 0;
   /// Replace margins of indentations by those of a longer Bernstein form, where that is positive.
