@@ -95,6 +95,20 @@ BOOST_AUTO_TEST_CASE(a_tip_that_turns_near_its_rest_is_not_captured_there) {
 }
 
 // What is left of its slip is rounding, and no flow can follow the direction of that.
+// It turns at the depth of its strongest damping, and would creep out 50 times as fast as its rest speed: so
+// friction goes on there.
+BOOST_AUTO_TEST_CASE(a_strongly_damped_sphere_is_not_captured_where_it_turns) {
+  auto sphere = slim({.body = model::sphere(6.5113829154617922e-06, density),
+                      .adhesion = 0.099141767213746984,
+                      .zeta_hertz = 180.47867496935339,
+                      .zeta_adhesion = 5.1152162240236621,
+                      .friction = 0.10541847988405839,
+                      .velocity = {-2.094691679475146, -2.0121050460282763, 0}});
+  sphere.law.resize(1);
+  sphere.spin = {0, 0, -504496.48036567675};
+  expect_same_at_every_accuracy(sphere);
+}
+
 BOOST_AUTO_TEST_CASE(a_slip_in_space_ends_at_the_tightest_accuracy) {
   auto body = slim({.body = model::rod(5.7319498137839691e-07, 9.1217537469615859, density),
                     .adhesion = 0.050495413634744524,

@@ -31,7 +31,7 @@ double MicrobodyPhase::pressure_error(const TipMotion& tip, Index i) const {
                            : 1 + law.damping_hertz * body_.speed);
 }
 
-/// Where a tip turns it rests for an instant only: it must be slow a tenth of the natural time ahead, too.
+/// Where a tip turns it rests for an instant only: it must be slow a natural time ahead, too.
 /// Strong damping makes large forces of small errors of a speed. Where a body swings these are kept far below
 /// its rest speed, so that they do not choose when it rests.
 double MicrobodyPhase::unrest(ConstState x) const {
@@ -46,7 +46,7 @@ double MicrobodyPhase::unrest(ConstState x) const {
   if (now > 0) return now;
   std::vector<double> ahead(x.begin(), x.end()), rate(x.size());
   derivative(x, rate);
-  for (std::size_t k = 0; k < ahead.size(); ++k) ahead[k] += 0.1 * body_.time * rate[k];
+  for (std::size_t k = 0; k < ahead.size(); ++k) ahead[k] += body_.time * rate[k];
   const double error = can_swing(body_) ? 0 : flow::resolving_accuracy(*this, accuracy_, 64 * epsilon);
   const double blurred = normal_damping_group() * error / body_.time;
   const double soon = (fastest(ahead) - blurred) / (2 * tip_.rest_speed) - 1;
