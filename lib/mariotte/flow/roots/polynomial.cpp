@@ -57,20 +57,31 @@ Bernstein halve(Bernstein& left, std::size_t n) {
   return right;
 }
 
+/// What the terms from the fourth on can take away from Σ factor(k) c[k] xᵏ on [0, end], over end⁴.
+template <class Factor>
+double loss(std::span<const double> c, double end, Factor&& factor) {
+  const auto lost = [&](std::size_t k) {  // twice as much: without a branch on signs, which nothing foretells
+    const double term = factor(k) * c[k];
+    return std::abs(term) - term;
+  };
+  const double square = end * end;
+  const bool is_single = c.size() % 2 == 1 && c.size() > 4;
+  double even = is_single ? lost(c.size() - 1) : 0, odd = 0;  // apart so that neither sum waits for the other
+  for (std::size_t k = c.size() - is_single; k > 4; k -= 2) {
+    odd = odd * square + lost(k - 1);
+    even = even * square + lost(k - 2);
+  }
+  return 0.5 * (even + end * odd);
+}
+
 /// Of Σ factor(k) c[k] xᵏ on [0, end]: the Bernstein form of four terms less what the others can take away.
 template <class Factor>
 double lower_bound(std::span<const double> c, double end, Factor&& factor) {
   const auto term = [&](std::size_t k) { return k < c.size() ? factor(k) * c[k] : 0; };
   const double square = end * end;
-  double even = 0, odd = 0;  // of what is lost, apart so that neither sum waits for the other
-  for (std::size_t k = (c.size() + 1) / 2 * 2; k > 4; k -= 2) {
-    odd = odd * square + std::max(0.0, -term(k - 1));
-    even = even * square + std::max(0.0, -term(k - 2));
-  }
-  const double loss = even + end * odd;
   const double a = term(0), b = end * term(1), d = square * term(2), e = square * end * term(3);
   const double inner = std::min(a + b / 3, a + (2 * b + d) / 3);
-  return std::min({a, inner, a + b + d + e}) - square * square * loss;
+  return std::min({a, inner, a + b + d + e}) - square * square * loss(c, end, factor);
 }
 double lower_bound(std::span<const double> c, double end) {
   return lower_bound(c, end, [](std::size_t) { return 1.0; });
@@ -90,11 +101,12 @@ struct ValueAndSlope {
 
   ValueAndSlope(std::span<const double> c, double x) {
     const double square = x * x;
-    double even = 0, odd = 0, even_slope = 0, odd_slope = 0;  // slopes by x²
-    for (std::size_t k = (c.size() + 1) / 2 * 2; k > 0; k -= 2) {
+    const bool is_single = c.size() % 2 == 1;
+    double even = is_single ? c.back() : 0, odd = 0, even_slope = 0, odd_slope = 0;  // slopes by x²
+    for (std::size_t k = c.size() - is_single; k > 0; k -= 2) {
       odd_slope = odd_slope * square + odd;
       even_slope = even_slope * square + even;
-      odd = odd * square + (k - 1 < c.size() ? c[k - 1] : 0);
+      odd = odd * square + c[k - 1];
       even = even * square + c[k - 2];
     }
     value = even + x * odd;
@@ -153,9 +165,10 @@ struct Search {
 
 double horner(std::span<const double> c, double x) {
   const double square = x * x;
-  double even = 0, odd = 0;
-  for (std::size_t k = (c.size() + 1) / 2 * 2; k > 0; k -= 2) {
-    odd = odd * square + (k - 1 < c.size() ? c[k - 1] : 0);
+  const bool is_single = c.size() % 2 == 1;
+  double even = is_single ? c.back() : 0, odd = 0;
+  for (std::size_t k = c.size() - is_single; k > 0; k -= 2) {
+    odd = odd * square + c[k - 1];
     even = even * square + c[k - 2];
   }
   return even + x * odd;
