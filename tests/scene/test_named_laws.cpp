@@ -8,8 +8,10 @@
 #include <sstream>
 
 #include "mariotte/contact/named_laws.hpp"
+#include "mariotte/report/warnings.hpp"
 #include "mariotte/scene/restitution.hpp"
 #include "mariotte/scene/scene.hpp"
+#include "mariotte/scene/simulate.hpp"
 #include "support/folder.hpp"
 
 using namespace mariotte;
@@ -156,6 +158,22 @@ BOOST_DATA_TEST_CASE(a_restitution_gives_every_law_its_damping, every_law) {
     const double found = scene::restitution(chain.law[0], {.reduced_mass = 0.7, .speed = 1.5});
     BOOST_TEST(std::abs(found - e) < 1e-10);
   }
+}
+
+// The force goes on straight: δ = v √(μ/k) = √(2/3) m, of a table that ends at 0.2 m.
+BOOST_AUTO_TEST_CASE(a_table_that_ends_before_the_indentation_is_told) {
+  const test::Folder folder;
+  std::ofstream(folder.path / "curve.csv") << "indentation [m], force [N]\n0.1, 0.1\n0.2, 0.2\n";
+  std::ofstream(folder.path / "pair.toml") << "[chain]\nmass = [1, 2]\nvelocity = [1, 0]\n"
+                                              "law = 'tabulated'\ntable = 'curve.csv'\n";
+  const auto impact =
+      std::get<impact::ChainImpact>(scene::simulate(scene::read((folder.path / "pair.toml").string())));
+  BOOST_REQUIRE(impact.validity.table_ratio);
+  BOOST_TEST(impact.validity.table_ratio->value == std::sqrt(2.0 / 3) / 0.2,
+             boost::test_tools::tolerance(1e-8));
+  const auto said = report::warnings(impact, {});
+  BOOST_REQUIRE(said.size() == 1u);
+  BOOST_TEST(said[0].find("the table has ended") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(points_of_a_tabulated_law_come_from_a_file) {

@@ -67,11 +67,22 @@ double hertz_stiffness(const contact::Law& law) {
   return exponent == hertz_exponent ? stiffness : 0;
 }
 
+/// Indentation of the last point of a table; not finite of any other law [m].
+double end_of_table(const contact::Law& law) {
+  if (contact::power_law(law)) return std::numeric_limits<double>::quiet_NaN();
+  const auto numbers = contact::parameters(law);
+  const auto last =
+      std::ranges::find(numbers, std::string_view("largest_indentation"), &contact::LawParameter::key);
+  return last == numbers.end() ? std::numeric_limits<double>::quiet_NaN() : last->value;
+}
+
 /// Contact j of a result, which has this law.
 template <class History>
 void assess_contact(Validity& validity, const History& one, const contact::Law& law, const Touching& touching,
                     Index j, double end) {
-  if (!(one.peak_indentation > 0) || !(touching.radius > 0)) return;
+  if (!(one.peak_indentation > 0)) return;
+  largest(validity.table_ratio, one.peak_indentation / end_of_table(law), j);
+  if (!(touching.radius > 0)) return;
   assess_depth(validity, one.peak_indentation, touching, j);
   if (const double stiffness = hertz_stiffness(law); stiffness > 0)
     assess_pressure(validity, one.peak_indentation, stiffness, touching, j);
@@ -89,20 +100,25 @@ void refuse_depth(Impact& impact, const char* thing) {
   impact.message = message.str();
 }
 
+/// What is known of a contact's bodies; a scene without radii has no list.
+Touching known(std::span<const Touching> touching, Index contact) {
+  return touching.empty() ? Touching{} : touching[contact];
+}
+
 }  // namespace
 
 void assess(ContactImpact& impact, std::span<const contact::Law> laws, std::span<const Touching> touching) {
   impact.validity = {};
-  for (Index j = 0; j < std::ssize(touching); ++j)
-    assess_contact(impact.validity, impact.contacts[j], laws[j], touching[j], j, impact.time);
+  for (Index j = 0; j < std::ssize(impact.contacts); ++j)
+    assess_contact(impact.validity, impact.contacts[j], laws[j], known(touching, j), j, impact.time);
   refuse_depth(impact, "contact");
 }
 
 void assess(BodiesImpact& impact, const model::Bodies& bodies, std::span<const Touching> touching) {
   impact.validity = {};
-  for (Index j = 0; j < std::ssize(impact.contacts) && !touching.empty(); ++j) {
+  for (Index j = 0; j < std::ssize(impact.contacts); ++j) {
     const auto& one = impact.contacts[j];
-    assess_contact(impact.validity, one, bodies.contact[one.contact].law, touching[one.contact], j,
+    assess_contact(impact.validity, one, bodies.contact[one.contact].law, known(touching, one.contact), j,
                    impact.time);
   }
   refuse_depth(impact, "contact");

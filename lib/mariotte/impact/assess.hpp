@@ -9,7 +9,8 @@
 namespace mariotte::impact {
 
 /// Fills in `impact.validity`; an indentation of more than a radius makes the ending `invalid`, and the
-/// message names the contact. `touching` has an entry per contact of the model, or per tip.
+/// message names the contact. `touching` has an entry per contact of the model, or per tip; or
+/// none at all.
 void assess(ContactImpact& impact, std::span<const contact::Law> laws, std::span<const Touching> touching);
 void assess(BodiesImpact& impact, const model::Bodies& bodies, std::span<const Touching> touching);
 void assess(MicrobodyImpact& impact, const model::Microbody& body, std::span<const Touching> touching);

@@ -36,6 +36,7 @@ struct Validity {
   Number yield_ratio;           ///< largest p₀ over that of first yield, 1.60 Y
   Number first_yield_speed;     ///< least speed at which two bodies alone begin to yield [m/s]
   Number contact_time_ratio;    ///< least contact time over that of a wave through a body and back
+  Number table_ratio;           ///< largest δ over that of the last point of a tabulated law
   Number adhesion_ratio;        ///< largest 2πf₀/K over the radius of the tip
   Number hertz_damping;         ///< largest C_H |ṅ|
   Number adhesion_damping;      ///< largest C_A |ṅ|
@@ -94,6 +95,13 @@ inline constexpr std::array validity_limits = {
                   .limit = 5,
                   .from_below = false,
                   .otherwise = "waves in the bodies matter, so that contacts are not at rest in themselves"},
+    ValidityLimit{.key = "validity.table_ratio",
+                  .unit = "1",
+                  .symbol = "max δ/δ_last",
+                  .meaning = "largest indentation over the last of a tabulated law",
+                  .number = &Validity::table_ratio,
+                  .limit = 1,
+                  .otherwise = "the table has ended, and the force goes on straight"},
     ValidityLimit{.key = "validity.adhesion_ratio",
                   .unit = "1",
                   .symbol = "2πf₀/Kr",
