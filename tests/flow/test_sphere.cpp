@@ -36,7 +36,7 @@ void follow(std::vector<Sphere>& spheres, double accuracy,
             std::unique_ptr<SphereLanes> lanes = make_sphere_lanes()) {
   std::vector<Sphere*> all;
   for (auto& one : spheres) all.push_back(&one);
-  lanes->follow(all, lane_precision(accuracy));
+  lanes->follow(all, lane_precision(accuracy, sphere_orders));
 }
 
 }  // namespace

@@ -1,22 +1,28 @@
 // What steps of small impacts, which are followed side by side, have to keep.
 #pragma once
 #include <algorithm>
-#include <utility>
+#include <span>
 
 #include "mariotte/flow/taylor/taylor_stepper.hpp"
 
 namespace mariotte::flow {
 
+/// The order of the series for accuracies above a bound.
+struct LaneOrder {
+  double above;
+  int order;
+};
+
+/// By what is quickest. After an onset coefficients come in fives, of roots at k = 1, 6, …: the last two must
+/// have one of these.
+inline constexpr LaneOrder triplet_orders[] = {{1e-5, 10}, {1e-7, 12}, {1e-9, 15}, {1e-13, 17}, {0, 20}},
+                           sphere_orders[] = {{1e-5, 10}, {1e-9, 12}, {1e-11, 15}, {1e-13, 17}, {0, 20}};
+
 /// Errors of a small impact hardly add up, so that a step may spend more of the accuracy than in a long row.
-/// After an onset coefficients come in fives, of roots at k = 1, 6, …: the last two must have one of these.
-inline taylor::Precision lane_precision(double accuracy) {
-  taylor::Precision p{.tolerance = std::max(0.2 * accuracy, 0.25 * epsilon), .order = 20};
-  for (const auto& [above, order] : {std::pair{1e-5, 10}, {1e-9, 12}, {1e-11, 15}, {1e-13, 17}}) {
-    if (!(accuracy > above)) continue;
-    p.order = order;
-    break;
-  }
-  return p;
+inline taylor::Precision lane_precision(double accuracy, std::span<const LaneOrder> orders) {
+  const auto reached = [&](const LaneOrder& one) { return accuracy > one.above; };
+  const auto found = std::find_if(orders.begin(), orders.end(), reached);
+  return {.tolerance = std::max(0.2 * accuracy, 0.25 * epsilon), .order = found->order};
 }
 
 }  // namespace mariotte::flow

@@ -28,7 +28,7 @@ bool Triplets::advance(std::span<Triplet> triplets, TripletStage stage, const ta
 }
 
 void Triplets::follow(std::span<Triplet> triplets, double accuracy) {
-  const auto precision = lane_precision(accuracy);
+  const auto precision = lane_precision(accuracy, triplet_orders);
   using enum TripletStage;
   for (bool any = true; any;) {
     any = false;

@@ -11,7 +11,7 @@ void SphereRuns::add(const SphereScene& scene, double accuracy) {
 
 void SphereRuns::follow() {
   for (std::size_t i = 0; i < scene_.size(); ++i) sphere_[i] = &scene_[i].sphere;
-  lanes_->follow({sphere_, scene_.size()}, flow::lane_precision(accuracy_));
+  lanes_->follow({sphere_, scene_.size()}, flow::lane_precision(accuracy_, flow::sphere_orders));
 }
 
 const BriefMicrobodyImpact* SphereRuns::result(std::size_t i) {
