@@ -30,6 +30,11 @@ bool Triplets::advance(std::span<Triplet> triplets, TripletStage stage, const ta
 void Triplets::follow(std::span<Triplet> triplets, double accuracy) {
   const auto precision = lane_precision(accuracy, triplet_orders);
   using enum TripletStage;
+  if (triplets.size() == 1) {
+    const auto& stage = triplets.front().stage;  // so that no other one is looked for
+    while (stage != over && stage != leaves) advance(triplets, stage, precision);
+    return;
+  }
   for (bool any = true; any;) {
     any = false;
     for (const auto stage : {struck, pressed, both, alone, meets, flight})
