@@ -111,23 +111,42 @@ class LaneStep {
 
   /// States at the end of the step, and lower bounds of roots until there.
   void evaluate() {
+    const int odd = order_ | 1;
+    if (odd > order_) clear(odd);  // terms come by twos
     Vec x[F::states] = {}, loss[F::contacts] = {};
     const auto add = [&](int k) MARIOTTE_SERIES_LAMBDA {
-      series::unrolled<F::states>([&](auto i)
-                                      MARIOTTE_SERIES_LAMBDA { x[i] = x[i] * end_ + series_[i][k].part[0]; });
+      series::unrolled<F::states>([&](auto i) MARIOTTE_SERIES_LAMBDA {
+        x[i] = with_two(x[i], series_[i][k].part[0], series_[i][k - 1].part[0]);
+      });
     };
-    for (int k = order_; k >= 4; --k) {
+    for (int k = odd; k > 3; k -= 2) {
       add(k);
-      for (int i = 0; i < F::contacts; ++i)
-        loss[i] = loss[i] * end_ + largest(-series_[F::root + i][k].part[0], Vec{});
+      for (int i = 0; i < F::contacts; ++i) loss[i] = with_two(loss[i], loss_of(i, k), loss_of(i, k - 1));
     }
-    for (int k = 3; k >= 0; --k) add(k);
+    add(3);
+    add(1);
     for (int i = 0; i < F::states; ++i) state_[i].part[0] = x[i];
+    bound_roots(loss);
+  }
+  MARIOTTE_SERIES_INLINE void bound_roots(const Vec* loss) {
     for (int i = 0; i < F::contacts; ++i) {
       const auto& c = series_[F::root + i];
       bound_[i] = lower_bound(c[0].part[0], c[1].part[0], c[2].part[0], c[3].part[0], loss[i], end_);
     }
   }
+  /// A sum with the next two terms. Few sums would wait for themselves, so these are added to each other
+  /// first.
+  MARIOTTE_SERIES_INLINE Vec with_two(Vec sum, Vec c, Vec d) const {
+    if constexpr (F::states <= 3)
+      return sum * (end_ * end_) + (c * end_ + d);
+    else
+      return (sum * end_ + c) * end_ + d;
+  }
+  void clear(int k) {
+    for (int i = 0; i < F::states; ++i) series_[i][k].part[0] = Vec{};
+  }
+  /// What the term k can take away from root i.
+  Vec loss_of(int i, int k) const { return largest(-series_[F::root + i][k].part[0], Vec{}); }
 
   /// The root of a polynomial that falls from above zero to `last`, from that of the parabola through its
   /// ends; −1 where it does not come soon.
