@@ -124,8 +124,10 @@ class LaneStep {
       for (int i = 0; i < F::contacts; ++i) loss[i] = with_two(loss[i], loss_of(i, k), loss_of(i, k - 1));
     }
     add(3);
-    add(1);
-    for (int i = 0; i < F::states; ++i) state_[i].part[0] = x[i];
+    for (int i = 0; i < F::states; ++i) {
+      const auto& c = series_[i];  // the largest terms come one by one, which rounds least
+      state_[i].part[0] = (x[i] * end_ + c[1].part[0]) * end_ + c[0].part[0];
+    }
     bound_roots(loss);
   }
   MARIOTTE_SERIES_INLINE void bound_roots(const Vec* loss) {
