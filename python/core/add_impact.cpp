@@ -64,12 +64,25 @@ double time(const Impact& impact) {
                                  [](const auto& one) { return one.time; }});
 }
 
+/// Refuses an index for which this result has nothing, and [*], which stands for several numbers.
+template <class Model>
+void expect_indices(const std::string& text, const impact::Entry<Model>& entry, const Model& whole) {
+  for (std::size_t level = 0; entry.has_index(level); ++level) {
+    const auto& array = *entry.arrays[level];
+    const auto count = array.count(whole, entry.at).value_or(0);
+    if (entry.at[level] >= 0 && entry.at[level] < count) continue;
+    throw py::key_error(text + " is no number of this result: it has " + std::to_string(count) + " of " +
+                        std::string(array.is.key) + ", counted from 0");
+  }
+}
+
 /// One number of the result by its key.
 double number(const Impact& impact, const std::string& text) {
   const auto key = impact::parse_key(text);
   const auto look_up = [&]<class Model>(const Model& whole) {
     const auto entry = key ? impact::find_entry<Model>(*key) : std::nullopt;
     if (!entry) throw py::key_error(text + " is no number of this result");
+    expect_indices(text, *entry, whole);
     return impact::number(*entry, whole);
   };
   return std::visit(look_up, impact.whole());

@@ -186,6 +186,11 @@ class Impact:
     def __getitem__(self, key: str) -> float:
         """A number of the result by the key it has in JSON, in SI units; nan where it is undefined.
 
+        Raises
+        ------
+        KeyError
+            For a key that no such result has, and for an index beyond what this one has.
+
         Examples
         --------
         >>> import mariotte as mt

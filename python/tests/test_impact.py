@@ -173,6 +173,16 @@ def test_a_key_that_no_result_has_is_a_key_error(triplet):
         hit["contacts[1].colour"]
 
 
+@pytest.mark.parametrize("key, count", [("contacts[9].peak_force", "2 of contacts[]"), ("icr[1]", "1 of icr[]"),
+                                        ("final.velocity[3]", "3 of final.velocity[]"),
+                                        ("events[3].time", "3 of events[]"), ("contacts[*].impulse", "2 of contacts[]"),
+                                        ("contacts[0].periods[1][0]", "1 of contacts[].periods[]")])
+def test_an_index_that_a_result_does_not_have_is_a_key_error(key, count, triplet):
+    with pytest.raises(KeyError) as caught:
+        mt.simulate(triplet)[key]
+    assert caught.value.args[0].startswith(key) and f"it has {count}, counted from 0" in caught.value.args[0]
+
+
 def test_contacts_and_bodies_have_their_own_members(triplet):
     with pytest.raises(AttributeError):
         mt.simulate(triplet).restitution
