@@ -5,12 +5,11 @@ from __future__ import annotations
 import enum
 import html
 import json
-import math
-import os
 from typing import TYPE_CHECKING, Any, ClassVar, Dict, List, NamedTuple, Optional, Sequence, Tuple, Type, Union
 
 from . import _core
 from ._events import Event, TipImpact, event, tip_impact
+from ._files import save
 from ._numbers import Array, Numbers, number
 from ._scene import Body, Chain, Network, Path, Result, Scene
 from ._sensitivity import Sensitivity, sensitivity
@@ -161,15 +160,12 @@ class Impact:
         return ImpactPlot(self)
 
     def save(self, path: Path) -> None:
-        """Write the result as the command does: all of it as JSON if the name ends in .json, else the trace, as HDF5
-        (.h5, .hdf5) or CSV, one row per step. Beside a CSV its name with ``-metadata.json`` tells where it comes from,
-        with unit and meaning of each column."""
-        name = os.fspath(path)
-        ending = os.path.splitext(name)[1].lower()
-        if ending == ".json":
-            _core.write_file(name, self._run.json())
-        else:
-            (self._run.save_hdf5 if ending in (".h5", ".hdf5") else self._run.save_csv)(name)
+        """Write the result as the command does: all of it as JSON if the name ends in .json, the trace, one row per
+        step, if in .csv, .h5 or .hdf5. Beside a CSV its name with ``-metadata.json`` tells where it comes from, with
+        unit and meaning of each column."""
+        run = self._run
+        save(path, {".json": lambda name: _core.write_file(name, run.json()), ".csv": run.save_csv,
+                    ".h5": run.save_hdf5, ".hdf5": run.save_hdf5})
 
     def cite(self) -> str:
         """What to cite, as BibTeX: this version of mariotte with this scene, and the papers of the model.

@@ -10,6 +10,7 @@ import numpy.typing as npt
 
 from . import _core
 from ._columns import extents, key_of_result, key_of_scene, matches, names
+from ._files import save
 from ._numbers import Array, Numbers, number, numbers
 from ._scene import Chain, Path, Scene
 from ._toml import plain
@@ -90,10 +91,8 @@ class Sweep(Mapping[str, Array]):
         return f"<mariotte.Sweep of {' × '.join(map(str, self.shape))} points: {', '.join(self)}>"
 
     def save(self, path: Path) -> None:
-        """Write all points, as CSV or, if the name ends in .h5 or .hdf5, as HDF5, as the command does."""
-        name = os.fspath(path)
-        save = self._run.save_hdf5 if name.lower().endswith((".h5", ".hdf5")) else self._run.save_csv
-        save(name)
+        """Write all points as the command does: as CSV if the name ends in .csv, as HDF5 if in .h5 or .hdf5."""
+        save(path, {".csv": self._run.save_csv, ".h5": self._run.save_hdf5, ".hdf5": self._run.save_hdf5})
 
     @property
     def plot(self) -> Any:

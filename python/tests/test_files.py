@@ -39,6 +39,15 @@ def test_columns_of_a_body_have_units(tmp_path):
     assert [column for column in columns if "dc:description" in column] == []
 
 
+@pytest.mark.parametrize("name", ["result.xyz", "result", "result.csv.gz"])
+def test_an_ending_that_says_nothing_is_refused(name, tmp_path, triplet):
+    grid = mt.sweep(triplet, {"velocity[0]": [1]}, columns="time")
+    for result, known in ((mt.simulate(triplet), ".json, .csv, .h5 or .hdf5"), (grid, ".csv, .h5 or .hdf5")):
+        with pytest.raises(ValueError, match=f"{name}: the name must end in {known}"):
+            result.save(tmp_path / name)
+    assert not list(tmp_path.iterdir())
+
+
 def test_hdf5_starts_like_hdf5(tmp_path, triplet):
     hit = mt.simulate(triplet)
     try:
