@@ -10,6 +10,7 @@ import numpy.typing as npt
 
 from . import _core
 from ._columns import extents, key_of_result, key_of_scene, matches, names
+from ._errors import InvalidParameter
 from ._files import save
 from ._numbers import Array, Numbers, number, numbers
 from ._scene import Chain, Path, Scene
@@ -201,7 +202,7 @@ def solve(mass: Numbers, stiffness: Numbers, velocity: Numbers, *, gap: Numbers 
     Raises
     ------
     InvalidParameter
-        For the first row that makes no sense, by its number from 0.
+        For an array of the wrong shape, by its name, or the first row that makes no sense, by its number from 0.
 
     Examples
     --------
@@ -211,19 +212,38 @@ def solve(mass: Numbers, stiffness: Numbers, velocity: Numbers, *, gap: Numbers 
     >>> many.velocity.shape, (many.velocity[:, 2] / speed).std().round(9)
     ((1000, 3), 0.0)
     """
-    speeds = np.atleast_2d(numbers(velocity, "m/s"))
-    masses = np.atleast_2d(numbers(mass, "kg"))
-    balls = max(speeds.shape[-1], masses.shape[-1])
-    contacts = [np.atleast_2d(one) for one in (numbers(stiffness), numbers(gap, "m"), numbers(damping))]
-    rows = max(one.shape[0] for one in (speeds, masses, *contacts))
-    k, g, c = (_spread(one, rows, balls - 1) for one in contacts)
-    return Solved(*_core.solve(rows, _spread(masses, rows, balls), k, _spread(speeds, rows, balls), g, c, law,
-                               number(exponent, "exponent"), number(accuracy, "accuracy"), _workers(threads)))
+    of_balls = {"mass": _rows("mass", mass, "kg"), "velocity": _rows("velocity", velocity, "m/s")}
+    of_contacts = {"stiffness": _rows("stiffness", stiffness), "gap": _rows("gap", gap, "m"),
+                   "damping": _rows("damping", damping)}
+    balls = max(one.shape[1] for one in of_balls.values())
+    rows = max(one.shape[0] for one in (*of_balls.values(), *of_contacts.values()))
+    m, v = (_spread(name, one, rows, balls) for name, one in of_balls.items())
+    k, g, c = (_spread(name, one, rows, balls - 1) for name, one in of_contacts.items())
+    return Solved(*_core.solve(rows, m, k, v, g, c, law, number(exponent, "exponent"), number(accuracy, "accuracy"),
+                               _workers(threads)))
 
 
-def _spread(array: Array, rows: int, length: int) -> Array:
+def _rows(name: str, values: Numbers, unit: str = "") -> Array:
+    """An argument with a row per chain."""
+    try:
+        array = np.atleast_2d(numbers(values, unit))
+    except ValueError:
+        raise _wrong(name, "is no array of numbers in rows of one length", "S013") from None
+    if array.ndim > 2:
+        raise _wrong(name, f"has the shape {array.shape}, but one or two dimensions are expected", "S024")
+    return array
+
+
+def _spread(name: str, array: Array, rows: int, length: int) -> Array:
     """Rows of this length; one row stays one."""
-    return np.ascontiguousarray(np.broadcast_to(array, (1 if array.shape[0] == 1 else rows, length)))
+    if array.shape[0] not in (1, rows) or array.shape[1] not in (1, length):
+        raise _wrong(name, f"has the shape {array.shape}, but {(rows, length)} is expected, or 1 in place of either",
+                     "S024")
+    return np.ascontiguousarray(np.broadcast_to(array, (array.shape[0], length)))
+
+
+def _wrong(name: str, why: str, code: str) -> InvalidParameter:
+    return InvalidParameter(f"{name} {why}", code, name)
 
 
 def _workers(threads: Optional[int]) -> int:

@@ -31,6 +31,20 @@ def test_columns_rows_and_laws_are_named(triplet):
         assert (caught.value.key, caught.value.place) == expected
 
 
+@pytest.mark.parametrize("arrays, key, shapes",
+                         [(dict(mass=np.ones((2, 3)), velocity=np.ones((2, 4))), "mass", "(2, 3), but (2, 4)"),
+                          (dict(mass=1, velocity=[1, 0, 0], stiffness=[1, 1, 1]), "stiffness", "(1, 3), but (1, 2)"),
+                          (dict(mass=1, velocity=[[1, 0]] * 3, gap=np.zeros((2, 1))), "gap", "(2, 1), but (3, 1)"),
+                          (dict(mass=1, velocity=[1, 0], damping=[]), "damping", "(1, 0), but (1, 1)"),
+                          (dict(mass=1, velocity=np.ones((2, 2, 2))), "velocity", "(2, 2, 2), but one or two"),
+                          (dict(mass=1, velocity=[[1, 0], [1]]), "velocity", "no array of numbers"),
+                          (dict(mass="1 kg", velocity=[1, 0]), "mass", "no array of numbers")])
+def test_an_array_of_the_wrong_shape_is_named(arrays, key, shapes):
+    with pytest.raises(mt.InvalidParameter) as caught:
+        mt.solve(**{"stiffness": 1, **arrays})
+    assert caught.value.key == key and str(caught.value).startswith(key) and shapes in str(caught.value)
+
+
 def test_errors_travel_to_other_processes(triplet):
     with pytest.raises(mt.SceneError) as caught:
         mt.simulate(triplet, accuracy=0)
