@@ -39,7 +39,7 @@ double seconds(const Time& time) {
 std::unique_ptr<Impact> simulate_scene(const SharedScene& box, std::optional<double> accuracy,
                                        const std::optional<Time>& until, const std::optional<Time>& max_time,
                                        std::optional<Index> max_events,
-                                       const std::optional<std::string>& flow) {
+                                       const std::optional<std::string>& flow, bool estimate) {
   auto options = box->scene.run;
   const auto put = [&](const char* key, const auto& value, const auto& act) {
     if (value) of_option(key, [&] { act(*value), validate(options); });
@@ -50,7 +50,7 @@ std::unique_ptr<Impact> simulate_scene(const SharedScene& box, std::optional<dou
   if (until || max_time) options.flies_on = until.has_value();
   put("max_events", max_events, [&](Index one) { options.max_events = one; });
   put("flow", flow, [&](const std::string& one) { options.flow = flow::parse_kind(one); });
-  return std::make_unique<Impact>(box, options, until || (box->scene.until && !max_time));
+  return std::make_unique<Impact>(box, options, until || (box->scene.until && !max_time), estimate);
 }
 
 /// What every result has.
@@ -205,7 +205,7 @@ void add_impact(py::module_& module) {
       "write_file", [](const std::string& path, const std::string& text) { report::write_file(path, text); },
       py::arg("path"), py::arg("text"));
   module.def("simulate", &simulate_scene, py::arg("scene"), py::arg("accuracy"), py::arg("until"),
-             py::arg("max_time"), py::arg("max_events"), py::arg("flow"));
+             py::arg("max_time"), py::arg("max_events"), py::arg("flow"), py::arg("estimate"));
 }
 
 }  // namespace mariotte::python

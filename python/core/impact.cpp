@@ -14,10 +14,12 @@
 
 namespace mariotte::python {
 
-scene::Impact simulate(const SceneBox& box, const hybrid::Options& options, impact::RunObserver observers) {
+scene::Impact simulate(const SceneBox& box, const hybrid::Options& options, impact::RunObserver observers,
+                       bool estimate) {
   observers.gives_up = [interruption = Interruption()]() mutable { return interruption(), false; };
   const auto result = [&](const auto& model) -> scene::Impact {
     auto impact = impact::simulate(model, options, observers);
+    if (estimate) impact.estimated_accuracy = impact::estimate_accuracy(model, options, impact);
     scene::judge(impact, box.scene);
     return impact;
   };
@@ -29,10 +31,10 @@ scene::Impact simulate(const SceneBox& box, const hybrid::Options& options, impa
                     box.scene.model);
 }
 
-Impact::Impact(SharedScene box, const hybrid::Options& options, bool until)
+Impact::Impact(SharedScene box, const hybrid::Options& options, bool until, bool estimate)
     : box_(std::move(box)), options_(options), until_(until) {
   const py::gil_scoped_release unlocked;
-  if (!solve_quickly()) whole_ = simulate(*box_, options_);
+  if (estimate || !solve_quickly()) whole_ = simulate(*box_, options_, {}, estimate);
   keep_ratios();
 }
 

@@ -10,12 +10,12 @@
 namespace mariotte::python {
 
 /// A short chain is solved by the quickest solver, which knows ending, time, velocities and impulses. What it
-/// does not know makes `whole` simulate the scene, once; both give the same bits. Other models are simulated
-/// at once.
+/// does not know makes `whole` simulate the scene, once; both give the same bits. Other models, and those
+/// whose error is to be estimated, are simulated at once.
 class Impact {
  public:
   /// Called with the interpreter's lock, which is let go while it runs.
-  Impact(SharedScene box, const hybrid::Options& options, bool until);
+  Impact(SharedScene box, const hybrid::Options& options, bool until, bool estimate);
 
   const scene::Impact& whole() const;
   /// The quick numbers; empty if there are none.
@@ -38,8 +38,9 @@ class Impact {
   std::vector<double> icr_;
 };
 
-/// Simulates the scene's model; Ctrl-C ends it. Called without the lock.
+/// Simulates the scene's model, and estimates the error if asked to by a second, tighter run; Ctrl-C ends the
+/// first. Called without the lock.
 scene::Impact simulate(const SceneBox& box, const hybrid::Options& options,
-                       impact::RunObserver observers = {});
+                       impact::RunObserver observers = {}, bool estimate = false);
 
 }  // namespace mariotte::python

@@ -106,7 +106,7 @@ class Impact:
 
 def simulate(
     scene: Scene, accuracy: Optional[float], until: Union[float, str, None], max_time: Union[float, str, None],
-    max_events: Optional[int], flow: Optional[str]
+    max_events: Optional[int], flow: Optional[str], estimate: bool
 ) -> Impact: ...
 
 _Box = Tuple[float, float, float, float]

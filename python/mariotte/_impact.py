@@ -130,7 +130,7 @@ class Impact:
     @property
     def estimated_accuracy(self) -> float:
         """Upper bound on the error of the velocities, relative to the largest incident speed; nan if none was
-        estimated."""
+        estimated, by a run that doubted itself or because of ``simulate(…, estimate=True)``."""
         return self["accuracy.estimated"]
 
     @property
@@ -342,7 +342,7 @@ class MicrobodyImpact(Impact, of=Body):
 
 def simulate(scene: Scene[Result], *, accuracy: Optional[float] = None, until: Optional[Time] = None,
              max_time: Optional[Time] = None, max_events: Optional[int] = None,
-             flow: Optional[str] = None) -> Result:
+             flow: Optional[str] = None, estimate: bool = False) -> Result:
     """Simulate a scene until its bodies part for good, or a limit.
 
     Other threads of Python run meanwhile. Ctrl-C ends a run of more than a moment.
@@ -362,6 +362,8 @@ def simulate(scene: Scene[Result], *, accuracy: Optional[float] = None, until: O
         A limit: instants at which contacts or friction change.
     flow : str, optional
         Method for the contact phases, as in scene files.
+    estimate : bool
+        Whether `estimated_accuracy` is wanted: a second, tighter run tells it, as by ``--estimate`` of the command.
 
     Returns
     -------
@@ -384,7 +386,7 @@ def simulate(scene: Scene[Result], *, accuracy: Optional[float] = None, until: O
     if until is not None and max_time is not None:
         raise TypeError("give until, the end that is wanted, or max_time, a limit")
     tight = None if accuracy is None else number(accuracy, "accuracy")
-    result: Result = _simulated(scene, (tight, plain(until), plain(max_time), max_events, flow))
+    result: Result = _simulated(scene, (tight, plain(until), plain(max_time), max_events, flow, estimate))
     return result
 
 

@@ -43,6 +43,17 @@ def test_options_are_those_of_the_command(accuracy, command_json):
     assert hit.icr.tolist() == expected["icr"]
 
 
+@pytest.mark.parametrize("name", ["newton_cradle_5", "rocking_block", "microsphere", "throw"])
+def test_the_error_is_estimated_if_asked_for_as_by_the_command(name, command_json):
+    file = SCENES / f"{name}.toml"
+    scene = mt.load(file)
+    plain, hit = mt.simulate(scene), mt.simulate(scene, estimate=True)
+    assert 0 <= hit.estimated_accuracy < 1e-10 and np.isnan(plain.estimated_accuracy)
+    assert hit.json()["accuracy"] == command_json("run", file, "--estimate")["accuracy"]
+    assert hit.velocity.tolist() == plain.velocity.tolist()
+    assert pickle.loads(pickle.dumps(hit)).estimated_accuracy == hit.estimated_accuracy
+
+
 def test_quick_numbers_are_those_of_the_whole(triplet):
     chains = [triplet, triplet.replace({"chain.velocity": [1, -0.5, -2]}), mt.load(SCENES / "mixed_laws.toml")]
     for chain in chains:

@@ -7,11 +7,11 @@ import numpy as np
 import mariotte as mt
 
 cradle = mt.Chain(balls=5, radius="10 mm", material="steel", law="hertz", velocity=[1, 0, 0, 0, 0])
-hit = mt.simulate(cradle, accuracy=1e-12)
+hit = mt.simulate(cradle, accuracy=1e-12, estimate=True)
 ratios: mt.Array = hit.icr
 t = np.linspace(0, hit.time, 500)
 force = hit.force(t)
-print(hit.ending, hit.velocity, ratios, hit.energy.residual, force.shape)
+print(hit.ending, hit.velocity, ratios, hit.energy.residual, hit.estimated_accuracy, force.shape)
 
 grid = mt.sweep(cradle, {"velocity[0]": np.linspace(0.1, 2, 20), "gap[1]": np.geomspace(1e-7, 2e-5, 20)},
                 columns=["velocity", "contacts[1].peak_force"])
