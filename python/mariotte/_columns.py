@@ -1,4 +1,4 @@
-"""Names of what a sweep varies and computes: shorter ones for keys of scenes and of results."""
+"""Names of what a sweep computes: shorter ones for keys of results."""
 
 from __future__ import annotations
 
@@ -7,22 +7,12 @@ from typing import Any, Dict, Iterable, List, Sequence, Tuple, Union
 
 from ._scene import Bodies, Scene
 
-#: Tables of a scene; the name of the first may be left out.
-_TABLES = {"chain": ("chain", "run", "law"), "network": ("network", "run"), "bodies": ("bodies", "run"),
-           "microbody": ("body", "surface", "incidence", "run"), "law": ("law",)}
 _OF_CONTACTS = {"velocity": "final.velocity[*]", "gap": "final.gap[*]", "icr": "icr[*]",
                 "impulse_direction": "impulse_direction[*]",
                 **{name: f"contacts[*].{name}"
                    for name in ("impulse", "peak_force", "peak_indentation", "stored", "dissipated", "plastic_work",
                                 "adhesion_loss", "permanent_indentation")}}
 _OF_MICROBODIES = {name: f"final.{name}[*]" for name in ("position", "velocity", "spin")}
-
-
-def key_of_scene(scene: Scene[Any], key: str) -> str:
-    """``velocity[0]`` of a chain is ``chain.velocity[0]``."""
-    tables = _TABLES[scene._box.kind]
-    first = re.split(r"[.\[]", key)[0]
-    return key if first in tables and first != key else f"{tables[0]}.{key}"
 
 
 def key_of_result(scene: Scene[Any], member: str) -> str:

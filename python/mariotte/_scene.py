@@ -7,6 +7,7 @@ import os
 from typing import TYPE_CHECKING, Any, ClassVar, Dict, Generic, List, Mapping, Optional, Tuple, Type, TypeVar, Union
 
 from . import _core
+from ._keys import whole_key
 from ._numbers import Array
 from ._toml import table, toml
 
@@ -96,7 +97,8 @@ class Scene(Generic[Result]):
         Parameters
         ----------
         values : dict
-            Values by key; indices count from 0. Keys that are missing are made, elements of arrays are not.
+            Values by key; indices count from 0. The name of the model may be left out, as in a sweep: ``velocity[0]``
+            is ``chain.velocity[0]``. Keys that are missing are made, elements of arrays are not.
 
         Examples
         --------
@@ -106,7 +108,8 @@ class Scene(Generic[Result]):
         array([2., 0.])
         """
         self._expect_text()
-        made = Scene._of(_core.scene(self._box.text, self._box.name, self._box.overrides + _overrides(values)))
+        whole = {whole_key(self._box.kind, key): value for key, value in values.items()}
+        made = Scene._of(_core.scene(self._box.text, self._box.name, self._box.overrides + _overrides(whole)))
         assert isinstance(made, type(self))
         return made
 

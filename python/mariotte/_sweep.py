@@ -9,9 +9,10 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._columns import extents, key_of_result, key_of_scene, matches, names
+from ._columns import extents, key_of_result, matches, names
 from ._errors import InvalidParameter
 from ._files import save
+from ._keys import whole_key
 from ._numbers import Array, Numbers, number, numbers
 from ._scene import Chain, Path, Scene
 from ._toml import plain
@@ -260,7 +261,7 @@ def _axes(scene: Scene[Any], axes: Axes) -> List[Tuple[str, List[Any], bool]]:
         if len(together) != len(columns):
             raise ValueError(f"{len(together)} keys move together, by {len(columns)} rows of values: {keys}")
         for place, (key, column) in enumerate(zip(together, columns)):
-            listed.append((key_of_scene(scene, key), _values(key, column), place > 0))
+            listed.append((whole_key(scene._box.kind, key), _values(key, column), place > 0))
     return listed
 
 

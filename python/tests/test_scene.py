@@ -104,6 +104,25 @@ def test_values_can_be_replaced():
     assert caught.value.place == "--set chain.velocity[9]" and caught.value.code == "S017"
 
 
+@pytest.mark.parametrize("scene, short, whole",
+                         [("triplet", "velocity[0]", "chain.velocity[0]"), ("microsphere", "radius", "body.radius"),
+                          ("microsphere", "surface.friction", "surface.friction"), ("triplet", "law", "chain.law"),
+                          ("thrown_rod", "body[0].velocity[0]", "bodies.body[0].velocity[0]"),
+                          ("rocking_block", "velocity[0]", "network.velocity[0]"),
+                          ("triplet", "run.accuracy", "run.accuracy")])
+def test_the_model_may_be_left_out_of_a_key_or_not(scene, short, whole):
+    scene = mt.load(SCENES / f"{scene}.toml")
+    value = "hertz" if short == "law" else 2e-6
+    assert scene.replace({short: value}).sha256 == scene.replace({whole: value}).sha256
+    for key in (short, whole):
+        assert list(mt.sweep(scene, {key: [value]}, columns="time").axes) == [whole]
+
+
+def test_the_title_and_the_law_are_no_keys_of_the_model():
+    scene = mt.Chain(**PAIR).replace({"title": "Two balls", "law.energy_ratio": 0.5, "law": "linear", "stiffness": 1})
+    assert scene.title == "Two balls" and scene.overrides[1:3] == ["law.energy_ratio=0.5", 'chain.law="linear"']
+
+
 @pytest.mark.parametrize("again", [lambda scene: pickle.loads(pickle.dumps(scene)), copy.copy, copy.deepcopy])
 def test_scenes_are_pickled_as_text(again):
     scene = mt.load(SCENES / "triplet.toml", replace={"chain.velocity[0]": 2.0})

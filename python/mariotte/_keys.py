@@ -1,0 +1,19 @@
+"""Keys of scenes: the name of the first table, that of the model, may be left out."""
+
+from __future__ import annotations
+
+import re
+
+#: Tables of a model; the first is the one whose name may be left out.
+_OF_MODEL = {"chain": ("chain",), "network": ("network",), "bodies": ("bodies",), "law": ("law",),
+             "microbody": ("body", "surface", "incidence")}
+#: What any scene may have beside them.
+_OF_ANY = ("title", "columns", "run", "sweep", "figure", "law")
+
+
+def whole_key(kind: str, key: str) -> str:
+    """``velocity[0]`` of a chain is ``chain.velocity[0]``; ``law`` is that of its contacts, ``law.icr`` of [law]."""
+    tables = _OF_MODEL[kind]
+    first = re.split(r"[.\[]", key)[0]
+    stands_alone = key == "law" and tables[0] != "law"
+    return key if first in (*tables, *_OF_ANY) and not stands_alone else f"{tables[0]}.{key}"
