@@ -82,18 +82,38 @@ const CLI::App& innermost(const CLI::App& app) {
   return parsed.empty() ? app : innermost(*parsed.back());
 }
 
+/// The words that may follow.
+struct Known {
+  Words commands, options;
+};
+Known known_to(const CLI::App& app) {
+  Known known;
+  for (const auto* command : app.get_subcommands(any)) known.commands.push_back(command->get_name());
+  for (const auto* option : app.get_options())
+    for (const auto& name : option->get_lnames()) known.options.push_back("--" + name);
+  return known;
+}
+
+/// A word that is like none is told the nearest of its kind where a command is missing; of what a command
+/// does not know CLI11 tells itself.
+std::string hint(const std::string& word, const Known& known, bool is_option) {
+  using Names = std::vector<std::string_view>;
+  Names all(known.commands.begin(), known.commands.end());
+  all.insert(all.end(), known.options.begin(), known.options.end());
+  const auto similar = suggestion(word, all);
+  if (!similar.empty() || known.commands.empty()) return similar;
+  const auto& kind = is_option ? known.options : known.commands;
+  return suggestion_or_few(word, Names(kind.begin(), kind.end()));
+}
+
 /// The first word that means nothing, and what it is like; empty if there is none.
 std::string unknown_word(const CLI::App& app) {
   const auto& at = innermost(app);
-  Words known;
-  for (const auto* command : at.get_subcommands(any)) known.push_back(command->get_name());
-  for (const auto* option : at.get_options())
-    for (const auto& name : option->get_lnames()) known.push_back("--" + name);
-  const std::vector<std::string_view> names(known.begin(), known.end());
+  const auto known = known_to(at);
   for (const auto& word : at.remaining()) {
-    const std::string kind = word.starts_with("-") ? "option" : "command";
-    if (const auto similar = suggestion(word, names); !similar.empty())
-      return "unknown " + kind + " '" + word + "'" + similar;
+    const bool is_option = word.starts_with("-");
+    if (const auto like = hint(word, known, is_option); !like.empty())
+      return std::string("unknown ") + (is_option ? "option" : "command") + " '" + word + "'" + like;
   }
   return "";
 }

@@ -1,6 +1,6 @@
 #include "example.hpp"
 
-#include <fmt/ranges.h>
+#include <fmt/format.h>
 
 #include "command_line/exit_code.hpp"
 #include "example_scenes.hpp"
@@ -20,9 +20,8 @@ std::string example(const std::string& name) {
     if (name == one.name) return one.text;
     names.emplace_back(one.name);
   }
-  auto hint = suggestion(name, names);
-  if (hint.empty()) hint = fmt::format(" (nearest: {})", fmt::join(nearest_few(name, names, 3), ", "));
-  throw UsageError(fmt::format("no example is called '{}'{} (mariotte demo --list lists them)", name, hint),
+  throw UsageError(fmt::format("no example is called '{}'{} (mariotte demo --list lists them)", name,
+                               suggestion_or_few(name, names)),
                    fault::unknown_argument);
 }
 

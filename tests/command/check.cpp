@@ -169,6 +169,9 @@ BOOST_FIXTURE_TEST_CASE(a_misspelt_word_is_told_what_it_is_like, Session) {
   const auto command = mariotte("rnu three.toml");
   BOOST_TEST(command.code == 2);
   BOOST_TEST(has(command.err, "unknown command 'rnu' (did you mean 'run'?)"));
+  BOOST_TEST(has(mariotte("frob three.toml").err, "unknown command 'frob' (nearest: "));
+  BOOST_TEST(has(mariotte("--frob").err, "unknown option '--frob' (nearest: "));
+  BOOST_TEST(has(mariotte("run three.toml --frob").err, "--frob"));
   BOOST_TEST(has(mariotte("run three.toml --acuracy 1e-6").err, "did you mean '--accuracy'?"));
   BOOST_TEST(has(mariotte("study stifness").err, "did you mean 'stiffness'?"));
 }

@@ -43,4 +43,7 @@ BOOST_AUTO_TEST_CASE(the_nearest_few_hold_the_word_first) {
 BOOST_AUTO_TEST_CASE(a_suggestion_is_ready_to_append) {
   BOOST_TEST(mariotte::suggestion("gpa", keys) == " (did you mean 'gap'?)");
   BOOST_TEST(mariotte::suggestion("colour", keys).empty());
+  BOOST_TEST(mariotte::suggestion_or_few("gpa", keys) == " (did you mean 'gap'?)");
+  BOOST_TEST(mariotte::suggestion_or_few("colour", keys).starts_with(" (nearest: "));
+  BOOST_TEST(mariotte::suggestion_or_few("colour", {}).empty());
 }

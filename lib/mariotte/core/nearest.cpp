@@ -73,4 +73,12 @@ std::string suggestion(std::string_view word, std::span<const std::string_view> 
   return found.empty() ? std::string() : " (did you mean '" + std::string(found) + "'?)";
 }
 
+std::string suggestion_or_few(std::string_view word, std::span<const std::string_view> candidates) {
+  const auto one = suggestion(word, candidates);
+  if (!one.empty() || candidates.empty()) return one;
+  std::string few;
+  for (const auto name : nearest_few(word, candidates, 3)) (few += few.empty() ? "" : ", ") += name;
+  return " (nearest: " + few + ")";
+}
+
 }  // namespace mariotte

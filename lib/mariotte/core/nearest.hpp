@@ -19,4 +19,7 @@ std::vector<std::string_view> nearest_few(std::string_view word, std::span<const
 /// " (did you mean 'stiffness'?)", or "" if nothing is near.
 std::string suggestion(std::string_view word, std::span<const std::string_view> candidates);
 
+/// The same, or " (nearest: run, fit, law)" if nothing is near; "" of no candidates.
+std::string suggestion_or_few(std::string_view word, std::span<const std::string_view> candidates);
+
 }  // namespace mariotte
