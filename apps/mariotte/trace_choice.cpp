@@ -32,6 +32,7 @@ std::vector<Index> places(const std::string& list, std::size_t count) {
     const Index to = range.size() > 1 ? number(range[1], list, count) : from;
     const Index step = range.size() > 2 ? number(range[2], list, count) : 1;
     if (range.size() > 3) throw UsageError(fmt::format("'{}': write N, FROM:TO or FROM:TO:STEP", part));
+    if (from > to) throw UsageError(fmt::format("'{}' in '{}' names nothing: it runs backwards", part, list));
     for (Index place = from; place <= to; place += step) found.push_back(place - 1);
   }
   return found;

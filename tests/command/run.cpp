@@ -158,10 +158,16 @@ BOOST_FIXTURE_TEST_CASE(a_run_that_reaches_a_limit_keeps_its_trace, Session) {
 BOOST_FIXTURE_TEST_CASE(a_trace_without_sense_gives_code_2, Session) {
   for (const char* arguments :
        {"--trace w.csv --balls 4", "--trace w.csv --balls 0", "--trace w.csv --contacts 1:2:0",
-        "--trace w.csv --every 0", "--trace w.csv --every \"1 m\"", "--every 1", "--balls 1"}) {
+        "--trace w.csv --balls 3:1", "--trace w.csv --contacts 1,2:1", "--trace w.csv --every 0",
+        "--trace w.csv --every \"1 m\"", "--every 1", "--balls 1"}) {
     BOOST_TEST(support::is_refused(mariotte(std::string("run three.toml ") + arguments)), arguments);
     BOOST_TEST(entries() == 1);
   }
+}
+
+BOOST_FIXTURE_TEST_CASE(a_range_that_runs_backwards_is_told_so, Session) {
+  BOOST_TEST(has(mariotte("run three.toml --trace w.csv --balls 1,3:2").err,
+                 "'3:2' in '1,3:2' names nothing: it runs backwards"));
 }
 
 BOOST_FIXTURE_TEST_CASE(a_run_without_a_collision_says_so, Session) {
