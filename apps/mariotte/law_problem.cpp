@@ -52,6 +52,13 @@ void add_flags(scene::Law& law, const LawChoice& choice) {
   if (!choice.frame.empty()) law.frame = frame(choice.frame);
 }
 
+/// A ratio above 1 may be meant: contacts that are pressed beforehand give energy.
+void warn_of_gain(const LawChoice& choice, const scene::Law& law) {
+  if (choice.scene.quiet || !law.energy_ratio || !(*law.energy_ratio > 1)) return;
+  warning(std::string(choice.energy_ratio.empty() ? "law.energy_ratio" : "--energy-ratio") +
+          ": above 1 the impact gains energy, which only contacts that are pressed before it can give");
+}
+
 impact::IcrTable read_table(const std::string& path) {
   try {
     return impact::parse_icr_table(scene::read_text(path));
@@ -184,6 +191,7 @@ report::FrictionLawReport friction_laws(const LawChoice& choice, const scene::Sc
 LawProblem law_problem(const LawChoice& choice, const scene::Scene& scene) {
   auto law = scene.law.value_or(scene::Law{});
   add_flags(law, choice);
+  warn_of_gain(choice, law);
   LawProblem problem;
   problem.report.title = scene.title;
   problem.report.scene_sha256 = scene.sha256;

@@ -38,7 +38,7 @@ def multiple_impact_law(mass: Numbers, velocity: Numbers, *, icr: Optional[Numbe
     direction : array_like
         the impulses up to their size, n − 1 values.
     energy_ratio : float
-        T⁺/T⁻ ≥ 0.
+        T⁺/T⁻ ≥ 0. Above 1 the impact gains energy, which only contacts that are pressed before it can give.
     frame : {"given", "mass-centre"}
         Whose kinetic energies the ratio compares.
 

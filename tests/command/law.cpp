@@ -64,6 +64,18 @@ BOOST_FIXTURE_TEST_CASE(frame_of_the_energy_ratio_is_named_and_counts, Session) 
   BOOST_TEST(centre["energy"]["frame"] == "mass-centre");
 }
 
+BOOST_FIXTURE_TEST_CASE(a_ratio_that_makes_energy_is_warned_of_by_its_name, Session) {
+  const std::string why =
+      ": above 1 the impact gains energy, which only contacts that are pressed before it can give";
+  const auto flag = mariotte(triplet + std::string("--icr 2 --energy-ratio 5"));
+  BOOST_TEST(flag.code == 0);
+  BOOST_TEST(flag.err == "mariotte: warning: --energy-ratio" + why + "\n");
+  write("law.toml", "[law]\nmass = [1, 1]\nvelocity = [1, 0]\ndirection = [1]\nenergy_ratio = 1.1\n");
+  BOOST_TEST(has(mariotte("law law.toml").err, "law.energy_ratio" + why));
+  BOOST_TEST(mariotte("law law.toml -q").err == "");
+  BOOST_TEST(mariotte("law law.toml --energy-ratio 1").err == "");
+}
+
 BOOST_FIXTURE_TEST_CASE(what_is_inadmissible_gives_code_1_and_the_reason, Session) {
   const struct {
     const char* parameters;
