@@ -8,6 +8,7 @@
 #include "command.hpp"
 #include "command_line/exit_code.hpp"
 #include "command_line/terminal.hpp"
+#include "mariotte/core/counted.hpp"
 #include "mariotte/report/json/json.hpp"
 #include "mariotte/scene/restitution.hpp"
 #include "mariotte/study/fault.hpp"
@@ -35,10 +36,10 @@ std::optional<impact::CaptureVelocity> find(const Capture& options, const scene:
 
 std::string table(const impact::CaptureVelocity& found, const scene::Scene& scene) {
   return fmt::format(
-      "{}\ncapture velocity {:.12g} m/s\n  captured at {:.12g} m/s, separated at {:.12g} m/s · {} impacts "
+      "{}\ncapture velocity {:.12g} m/s\n  captured at {:.12g} m/s, separated at {:.12g} m/s · {} "
       "simulated\n",
       scene.title.empty() ? "Capture" : scene.title, found.value(), found.captured, found.separated,
-      found.runs);
+      counted(found.runs, "impact"));
 }
 
 report::Json json(const impact::CaptureVelocity& found, const scene::Scene& scene) {

@@ -6,6 +6,7 @@
 #include "command.hpp"
 #include "command_line/exit_code.hpp"
 #include "command_line/terminal.hpp"
+#include "mariotte/core/counted.hpp"
 #include "mariotte/report/json/json.hpp"
 #include "mariotte/report/table/table.hpp"
 #include "mariotte/study/sweep/design_reader.hpp"
@@ -26,7 +27,7 @@ std::string check_sweep(scene::Document document, bool quiet) {
   const auto design = study::read_design(document);
   if (!quiet)
     for (const auto& one : document.source.warnings) warning(one);
-  return fmt::format("\nSweep\n  {} points, varying {}\n", design.points(),
+  return fmt::format("\nSweep\n  {}, varying {}\n", counted(design.points(), "point"),
                      fmt::join(study::keys(design), ", "));
 }
 

@@ -9,6 +9,7 @@
 #include "command_line/exit_code.hpp"
 #include "command_line/terminal.hpp"
 #include "fit_folder.hpp"
+#include "mariotte/core/counted.hpp"
 #include "scene_choice.hpp"
 
 namespace mariotte::command {
@@ -31,8 +32,9 @@ void warn_of_captured(const study::Fit& fit, const study::Measurements& measurem
   for (std::size_t row = 0; row < fit.predicted.size(); ++row)
     count += fit.predicted[row].captured && measurements.rows[row].measured > 0;
   if (count > 0)
-    warning(fmt::format("{} of {} measured rebounds are predicted to be captures", count,
-                        measurements.rows.size()));
+    warning(fmt::format("{} of {} {} predicted to be {}", count,
+                        counted(measurements.rows.size(), "measured rebound"), count == 1 ? "is" : "are",
+                        count == 1 ? "a capture" : "captures"));
 }
 
 int finish(const Options& options, const scene::Scene& scene, study::FitModel& model, const study::Fit& fit) {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "mariotte/core/counted.hpp"
+
 namespace mariotte::command {
 namespace {
 
@@ -25,7 +27,7 @@ std::string progress_text(Index done, Index points, double seconds, int width) {
   const double fraction = points > 0 ? static_cast<double>(done) / static_cast<double>(points) : 1;
   const double rate = seconds > 0 ? static_cast<double>(done) / seconds : 0;
   std::string text = width > 0 ? bar(fraction, width) : "";
-  text += fmt::format("{:.0f} %  {} of {} points  {:.3g}/s", 100 * fraction, done, points, rate);
+  text += fmt::format("{:.0f} %  {} of {}  {:.3g}/s", 100 * fraction, done, counted(points, "point"), rate);
   if (rate > 0) text += fmt::format("  {} left", clock_text(static_cast<double>(points - done) / rate));
   return text;
 }

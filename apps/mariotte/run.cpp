@@ -9,6 +9,7 @@
 #include "command_line/exit_code.hpp"
 #include "command_line/terminal.hpp"
 #include "interruption.hpp"
+#include "mariotte/core/counted.hpp"
 #include "mariotte/report/json/json.hpp"
 #include "mariotte/report/json/json_parts.hpp"
 #include "mariotte/report/json/json_stream.hpp"
@@ -50,7 +51,7 @@ std::string size_of(const model::Microbody&) {
   return "a body";
 }
 std::string size_of(const model::Bodies& bodies) {
-  return fmt::format("{} bodies", bodies.body.size());
+  return counted(bodies.body.size(), "body", "bodies");
 }
 
 /// The impact, watched; says what it took. One that is interrupted ends with what there is until then.

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "mariotte/core/counted.hpp"
 #include "mariotte/report/number.hpp"
 
 namespace mariotte::command {
@@ -15,8 +16,8 @@ constexpr Index events_between_looks = 256;  // at the clock
 
 std::string progress_text(const impact::Progress& progress, double max_time, double taken) {
   const auto time = report::display_for(std::vector{progress.time}, "s");
-  auto text = fmt::format("at {} {} after {:.0f} s, {} events", report::shown(time, progress.time), time.unit,
-                          taken, progress.events);
+  auto text = fmt::format("at {} {} after {:.0f} s, {}", report::shown(time, progress.time), time.unit, taken,
+                          counted(progress.events, "event"));
   if (std::isfinite(max_time) && progress.time > 0)
     text += fmt::format("; about {:.0f} s more to the time limit", taken * (max_time / progress.time - 1));
   return text;

@@ -12,6 +12,7 @@
 #include "command_line/terminal.hpp"
 #include "cores.hpp"
 #include "interruption.hpp"
+#include "mariotte/core/counted.hpp"
 #include "mariotte/report/csv/columns.hpp"
 #include "mariotte/report/csv/sweep_csv.hpp"
 #include "mariotte/report/csv/sweep_rows.hpp"
@@ -95,7 +96,7 @@ int finish(const Options& options, const study::SweepPlan& plan, study::Journal&
   const auto written = write(options.files, plan, description(options, plan, journal), journal);
   if (!written.shortfall.empty() && !options.scene.quiet) warning(written.shortfall);
   const Index points = plan.design.points(), failed = journal.failed();
-  print(fmt::format("{} points, {} without a result: {}\n", points, failed,
+  print(fmt::format("{}, {} without a result: {}\n", counted(points, "point"), failed,
                     (options.files.folder / "sweep.csv").string()));
   if (written.statistics) print(table(*written.statistics));
   return failed < points ? ExitCode::ok : ExitCode::solver_failed;

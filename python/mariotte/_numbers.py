@@ -42,6 +42,11 @@ def number(value: Any, what: str) -> float:
     return float(value)
 
 
+def counted(count: int, thing: str) -> str:
+    """``1 outcome``, ``2 outcomes``."""
+    return f"{count} {thing}" if count == 1 else f"{count} {thing}s"
+
+
 def _magnitude(values: Any, unit: str) -> Any:
     if hasattr(values, "to_base_units"):
         return (values.to(unit) if unit else values.to_base_units()).magnitude

@@ -9,7 +9,7 @@ import numpy as np
 
 from . import _core
 from ._columns import names
-from ._numbers import Array
+from ._numbers import Array, counted
 from ._scene import Scene
 
 
@@ -60,7 +60,8 @@ class Sensitivity:
         return dict(zip(self.parameters, map(float, total)))
 
     def __repr__(self) -> str:
-        return f"<mariotte.Sensitivity: {len(self.outcomes)} outcomes by {len(self.parameters)} parameters>"
+        outcomes, parameters = counted(len(self.outcomes), "outcome"), counted(len(self.parameters), "parameter")
+        return f"<mariotte.Sensitivity: {outcomes} by {parameters}>"
 
 
 def sensitivity(scene: Scene[Any], *, to: Union[str, Sequence[str]] = ()) -> Sensitivity:

@@ -90,7 +90,8 @@ class Sweep(Mapping[str, Array]):
         return len(self._run.columns)
 
     def __repr__(self) -> str:
-        return f"<mariotte.Sweep of {' × '.join(map(str, self.shape))} points: {', '.join(self)}>"
+        things = "point" if self.ending.size == 1 else "points"
+        return f"<mariotte.Sweep of {' × '.join(map(str, self.shape))} {things}: {', '.join(self)}>"
 
     def save(self, path: Path) -> None:
         """Write all points as the command does: as CSV if the name ends in .csv, as HDF5 if in .h5 or .hdf5."""

@@ -59,6 +59,12 @@ def test_keys_may_move_together(triplet):
     assert grid["velocity"][2] == pytest.approx(hit.velocity, abs=5e-10)
 
 
+def test_a_sweep_says_how_large_it_is(triplet):
+    sizes = {len(speeds): repr(mt.sweep(triplet, {"velocity[0]": speeds, "velocity[1]": [0]}, columns="time"))
+             for speeds in ([1], [1, 2])}
+    assert sizes == {1: "<mariotte.Sweep of 1 × 1 point: final.time>", 2: "<mariotte.Sweep of 2 × 1 points: final.time>"}
+
+
 def test_words_and_units_are_values(triplet):
     grid = mt.sweep(triplet, {"material": ["steel", "glass"], "radius": ["10 mm", "2 cm"]}, columns=["time"])
     assert grid["time"].shape == (2, 2) and grid["time"][0, 1] > grid["time"][0, 0]

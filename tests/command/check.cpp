@@ -152,6 +152,20 @@ BOOST_FIXTURE_TEST_CASE(a_wrong_word_is_told_the_choices, Session) {
                  "unknown wall 'letf' (did you mean 'left'?) (one of: left, right, both)"));
 }
 
+BOOST_FIXTURE_TEST_CASE(one_of_a_kind_is_no_plural, Session) {
+  write("one.toml", std::string(support::three_balls) + "[[sweep]]\nkey = 'chain.mass[0]'\nvalues = [2]\n");
+  BOOST_TEST(has(mariotte("check one.toml").out, "  1 point, varying chain.mass[0]\n"));
+  const std::string sweep = "sweep one.toml --out out --no-figures --threads 1";
+  const auto first = mariotte(sweep + " -v");
+  BOOST_TEST(first.out.starts_with("1 point, 0 without a result"));
+  BOOST_TEST(has(first.err, "1 point in "));
+  BOOST_TEST(has(first.err, " on 1 thread;"));
+  BOOST_TEST(has(mariotte(sweep).err, "1 of 1 point was done before"));
+  BOOST_TEST(mariotte("report out").code == 0);
+  BOOST_TEST(has(support::content(folder / "out/report.html"), "1 point varies chain.mass[0]. It has a result."));
+  BOOST_TEST(has(mariotte("sensitivity three.toml --to 'mass[0]'").out, "slopes by 1 parameter\n"));
+}
+
 BOOST_FIXTURE_TEST_CASE(a_missing_file_and_a_folder_are_called_so, Session) {
   BOOST_TEST(has(mariotte("run nowhere.toml").err, "nowhere.toml: no such file [F001]"));
   BOOST_TEST(has(mariotte("run .").err, ".: is a folder [F001]"));

@@ -81,7 +81,7 @@ BOOST_FIXTURE_TEST_CASE(captured_where_separation_was_measured_is_a_warning, Fit
   write("slow.csv", support::content(folder / "measured.csv") + "4.9,0.5,0.6,10\n");
   const auto fit = mariotte("fit spheres.toml slow.csv");
   BOOST_TEST(fit.code == 0);
-  BOOST_TEST(has(fit.err, "1 of 31 measured rebounds are predicted to be captures"), fit.err);
+  BOOST_TEST(has(fit.err, "1 of 31 measured rebounds is predicted to be a capture"), fit.err);
   BOOST_TEST(mariotte("fit spheres.toml slow.csv --quiet").err == "");
 }
 

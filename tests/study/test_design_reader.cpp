@@ -62,7 +62,7 @@ BOOST_AUTO_TEST_CASE(tables_that_do_not_fit_together_are_rejected) {
   expect("key = 'chain.mass[0]'\nvalues = [1]\n[[sweep]]\nkey = 'chain.mass[0]'\nvalues = [2]", "14:7",
          "twice");
   expect("key = 'chain.mass[0]'\nvalues = [1, 2]\n[[sweep]]\nkey = 'chain.mass[1]'\nvalues = [2]\nzip = true",
-         "13:1", "has 1 values, the table it goes along with 2");
+         "13:1", "has 1 value, the table it goes along with 2");
   const std::string huge = "from = 1\nto = 2\ncount = 1000000000\n";
   expect("key = 'chain.mass[0]'\n" + huge + "[[sweep]]\nkey = 'chain.mass[1]'\n" + huge, "10:1",
          "too many points");

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "mariotte/core/counted.hpp"
 #include "mariotte/core/nearest.hpp"
 #include "mariotte/core/quantity.hpp"
 #include "mariotte/scene/error_list.hpp"
@@ -150,7 +151,7 @@ std::vector<double> numbers(const Source& source, const Field& array, const Dime
 void expect_length(const Source& source, const Field& array, std::size_t length, std::size_t wanted) {
   if (length != wanted)
     reject(source, array, fault::wrong_length,
-           "needs " + std::to_string(wanted) + " values, has " + std::to_string(length));
+           "needs " + counted(wanted, "value") + ", has " + std::to_string(length));
 }
 
 Index whole(const Source& source, const Field& field, Index least, Index most) {

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <optional>
 
+#include "mariotte/core/counted.hpp"
 #include "mariotte/core/error.hpp"
 #include "mariotte/flow/cvode/linear_solver.hpp"
 #include "mariotte/flow/roots/certificate.hpp"
@@ -180,7 +181,7 @@ struct Cvode::Memory {
   Arrival fail(const std::string& reason, double time, State x) {
     std::string message = reason + " at local time " + std::to_string(time) + " after ";
     auto arrival = finish(Outcome::failed, time, x);
-    message += std::to_string(arrival.steps) + " steps (worst components: " + worst_components() + ")";
+    message += counted(arrival.steps, "step") + " (worst components: " + worst_components() + ")";
     if (!complaint.empty()) message += "; SUNDIALS: " + complaint;
     arrival.message = std::move(message);
     return arrival;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "mariotte/core/counted.hpp"
 #include "mariotte/report/csv/columns.hpp"
 #include "mariotte/report/json/json_parts.hpp"
 
@@ -79,8 +80,8 @@ std::string table(const Propagation& propagation, const std::string& title) {
             return row;
           });
   if (propagation.others > 0)
-    text += fmt::format("\n{} samples make no sense or end in another way, and are left out\n",
-                        propagation.others);
+    text +=
+        fmt::format("\n{} left out: no sense, or another ending\n", counted(propagation.others, "sample"));
   for (const auto& note : propagation.notes) text += "\nnote: " + note + "\n";
   return text;
 }

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "mariotte/core/counted.hpp"
 #include "mariotte/report/csv/columns.hpp"
 #include "mariotte/report/json/json_parts.hpp"
 #include "mariotte/report/number.hpp"
@@ -53,9 +54,9 @@ std::string rows(const impact::Sensitivity& slopes, const impact::OutcomeSlopes&
 }  // namespace
 
 std::string table(const impact::Sensitivity& slopes, const std::string& title) {
-  std::string text = fmt::format("{}\n{} · slopes by {} parameters{}\n",
-                                 title.empty() ? "Sensitivity" : title, hybrid::name(slopes.ending),
-                                 slopes.parameter.size(), slopes.is_swept_back ? ", swept back" : "");
+  std::string text = fmt::format("{}\n{} · slopes by {}{}\n", title.empty() ? "Sensitivity" : title,
+                                 hybrid::name(slopes.ending), counted(slopes.parameter.size(), "parameter"),
+                                 slopes.is_swept_back ? ", swept back" : "");
   for (const auto& outcome : slopes.outcome) text += rows(slopes, outcome);
   for (const auto& note : slopes.notes) text += "\nnote: " + note.text + "\n";
   return text;

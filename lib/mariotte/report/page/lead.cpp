@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mariotte/core/counted.hpp"
 #include "mariotte/report/page/html_table.hpp"
 #include "mariotte/report/page/html_text.hpp"
 
@@ -57,9 +58,11 @@ std::string outcome(const Json& result) {
 
 std::string lead_of_sweep(const Json& result) {
   const auto failed = result.value("failed", Index{0});
-  const auto results = failed == 0 ? "All have a result." : fmt::format("{} without a result.", failed);
-  return fmt::format("{} points vary {}. {}{}", result.value("points", Index{0}), axes(result), results,
-                     outcome(result));
+  const auto points = result.value("points", Index{0});
+  const auto* const all = points == 1 ? "It has a result." : "All have a result.";
+  const auto results = failed == 0 ? all : fmt::format("{} without a result.", failed);
+  return fmt::format("{} {} {}. {}{}", counted(points, "point"), points == 1 ? "varies" : "vary",
+                     axes(result), results, outcome(result));
 }
 
 std::string paragraph(const std::string& lead) {

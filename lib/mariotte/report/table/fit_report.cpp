@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "mariotte/core/counted.hpp"
 #include "mariotte/report/csv/columns.hpp"
 #include "mariotte/report/csv/csv_cell.hpp"
 #include "mariotte/report/json/json_parts.hpp"
@@ -25,13 +26,15 @@ double scatter(const study::Fit& fit) {
 
 std::string summary(const FitReport& report) {
   const auto& [fit, measurements, title, sha256] = report;
-  std::string text = fmt::format("{} measurements of {} · {} values · residuals {:.3g} (root mean square)\n",
-                                 measurements.rows.size(), measurements.file, fit.estimates.size(), fit.rms);
+  std::string text = fmt::format("{} of {} · {} · residuals {:.3g} (root mean square)\n",
+                                 counted(measurements.rows.size(), "measurement"), measurements.file,
+                                 counted(fit.estimates.size(), "value"), fit.rms);
   if (measurements.weighted)
-    text += fmt::format(
-        "they scatter {:.3g} times as much as their deviations say (χ² {:.4g}, {} degrees of freedom)\n",
-        scatter(fit), fit.chi_square, fit.degrees_of_freedom);
-  return text + fmt::format("{} runs, {} of them with exact slopes\n", fit.runs, fit.runs_with_slopes);
+    text += fmt::format("they scatter {:.3g} times as much as their deviations say (χ² {:.4g}, {})\n",
+                        scatter(fit), fit.chi_square,
+                        counted(fit.degrees_of_freedom, "degree of freedom", "degrees of freedom"));
+  return text +
+         fmt::format("{}, {} of them with exact slopes\n", counted(fit.runs, "run"), fit.runs_with_slopes);
 }
 
 std::string values(const study::Fit& fit) {

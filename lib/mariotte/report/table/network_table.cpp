@@ -6,6 +6,7 @@
 #include <array>
 #include <numbers>
 
+#include "mariotte/core/counted.hpp"
 #include "mariotte/report/csv/columns.hpp"
 #include "mariotte/report/number.hpp"
 
@@ -35,11 +36,11 @@ std::string ball_motion(const model::Network& network, const std::vector<double>
 }  // namespace
 
 std::string size_of(const model::Network& network) {
-  const std::size_t contacts = network.law.size(), dofs = network.velocity.size();
-  const auto things = network.dimension == 0 ? fmt::format("{} degrees of freedom", dofs)
-                                             : fmt::format("{} balls in {}", dofs / network.dimension,
-                                                           network.dimension == 2 ? "the plane" : "space");
-  return fmt::format("{}, {} contact{}", things, contacts, contacts == 1 ? "" : "s");
+  const auto dofs = std::ssize(network.velocity);
+  const auto things = network.dimension == 0 ? counted(dofs, "degree of freedom", "degrees of freedom")
+                                             : counted(dofs / network.dimension, "ball") +
+                                                   (network.dimension == 2 ? " in the plane" : " in space");
+  return things + ", " + counted(network.law.size(), "contact");
 }
 
 std::string motion_table(const model::Network& network, const std::vector<double>& after) {

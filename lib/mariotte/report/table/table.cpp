@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mariotte/core/counted.hpp"
 #include "mariotte/report/csv/columns.hpp"
 #include "mariotte/report/number.hpp"
 #include "mariotte/report/reason.hpp"
@@ -118,9 +119,6 @@ std::string head(const impact::ContactImpact& impact, const scene::Scene& scene,
 std::string size_of(const model::Chain& chain) {
   const auto walls =
       std::count_if(chain.mass.begin(), chain.mass.end(), [](double mass) { return std::isinf(mass); });
-  const auto counted = [](Index count, const char* thing) {
-    return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
-  };
   const auto balls = counted(std::ssize(chain.mass) - walls, "ball");
   return walls > 0 ? balls + " and " + counted(walls, "wall") : balls;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mariotte/core/counted.hpp"
 #include "mariotte/study/fault.hpp"
 #include "mariotte/study/fit/fit_problem.hpp"
 #include "mariotte/study/fit/least_squares.hpp"
@@ -22,8 +23,9 @@ void expect_enough(const Measurements& measurements, std::size_t values) {
   const auto rows = measurements.rows.size();
   if (rows <= values)
     throw scene::SceneError(
-        fmt::format("{}: {} measurements cannot give {} values and their errors; at least {} are needed",
-                    measurements.file, rows, values, values + 1),
+        fmt::format("{}: {} cannot give {} and {}; at least {} are needed", measurements.file,
+                    counted(rows, "measurement"), counted(values, "value"),
+                    values == 1 ? "its error" : "their errors", values + 1),
         fault::too_few_rows);
 }
 

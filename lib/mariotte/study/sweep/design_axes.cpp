@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "mariotte/core/counted.hpp"
 #include "mariotte/core/quantity.hpp"
 #include "mariotte/scene/sweep_shape.hpp"
 #include "mariotte/study/fault.hpp"
@@ -106,7 +107,7 @@ void place_on_axis(const Source& source, const Field& table, Index count, Design
       reject(source, *find(table, "zip"), fault::sweep_values, "there is no table before to go along with");
     if (design.axes.back().count != count)
       reject(source, table, fault::sweep_values,
-             "has " + std::to_string(count) + " values, the table it goes along with " +
+             "has " + counted(count, "value") + ", the table it goes along with " +
                  std::to_string(design.axes.back().count));
   }
   parameter.axis = static_cast<Index>(design.axes.size()) - 1;
