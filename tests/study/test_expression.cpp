@@ -84,6 +84,12 @@ BOOST_AUTO_TEST_CASE(constants_and_variables_may_have_units) {
   BOOST_TEST(std::get<model::Chain>(points.at(2).model).velocity[0] == 3e-3 / 0.02, tolerance(1e-14));
 }
 
+BOOST_AUTO_TEST_CASE(what_is_infinite_has_no_number) {
+  const auto numbers = row(plan(kappa, {"a = icr[0] / chain.velocity[1]", "b = ln(chain.velocity[1])"}), 0);
+  BOOST_TEST(std::isnan(numbers[0]));
+  BOOST_TEST(std::isnan(numbers[1]));
+}
+
 BOOST_AUTO_TEST_CASE(columns_are_expressions_of_results_and_inputs) {
   const auto sweep = plan(kappa, {"alpha = contacts[0].impulse / contacts[1].impulse", "icr[0]",
                                   "k = chain.contact[1].stiffness / kappa", "twice = 2 * icr[0]"});

@@ -1,8 +1,15 @@
 #include "mariotte/study/sweep/point_evaluation.hpp"
 
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace mariotte::study {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
 
 PointEvaluation::PointEvaluation(const SweepPlan& plan)
     : design_(plan.design),
@@ -22,9 +29,11 @@ void PointEvaluation::finish() {
 }
 
 void PointEvaluation::keep(const PointRow& row, Verdict verdict, std::span<const double> results) const {
-  for (std::size_t i = 0; i < outputs_.size(); ++i)
-    row.numbers[i] = outputs_[i].formula ? number(design_, *outputs_[i].formula, row.point, results)
-                                         : results[outputs_[i].result];
+  const auto value_of = [&](const Output& output) {
+    return output.formula ? number(design_, *output.formula, row.point, results) : results[output.result];
+  };
+  const auto finite = [](double value) { return std::isfinite(value) ? value : none; };
+  for (std::size_t i = 0; i < outputs_.size(); ++i) row.numbers[i] = finite(value_of(outputs_[i]));
   *row.verdict = std::move(verdict);
 }
 

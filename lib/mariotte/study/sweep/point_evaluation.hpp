@@ -8,7 +8,7 @@ namespace mariotte::study {
 /// What came out of a point.
 struct PointRow {
   Index point = 0;
-  std::span<double> numbers;  ///< one per column
+  std::span<double> numbers;  ///< one per column; nan where it is undefined or infinite
   Verdict* verdict = nullptr;
 };
 
