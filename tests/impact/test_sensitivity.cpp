@@ -6,6 +6,7 @@
 #include <random>
 
 #include "mariotte/contact/uncut.hpp"
+#include "mariotte/contact/walton_braun.hpp"
 #include "mariotte/impact/chain/chain_solver.hpp"
 #include "mariotte/impact/sensitivity/push_expansion.hpp"
 #include "mariotte/impact/sensitivity/sensitivity.hpp"
@@ -200,6 +201,27 @@ BOOST_AUTO_TEST_CASE(a_pair_has_the_slopes_of_its_closed_form) {
   const double time = std::numbers::pi * std::sqrt(1.2 / 5);
   BOOST_TEST(std::abs(slope(found, "time", 0, "contact[0].stiffness") + time / 10) < 1e-12);
   BOOST_TEST(std::abs(slope(found, "time", 0, "gap[0]") - 1 / 1.5) < 1e-12);
+}
+
+// With e = √(k₁/k₂) the second of two equal balls gets (1 + e)/2. A hundredth of k₂ would bring it below k₁;
+// where they are equal the law ends, and there is no slope.
+BOOST_AUTO_TEST_CASE(unloading_may_be_hardly_stiffer_than_loading) {
+  const double loading = 1e6;
+  for (const double more : {1e-1, 1e-2, 1e-3, 1e-4, 0.0}) {
+    const double unloading = loading * (1 + more), e = std::sqrt(loading / unloading);
+    const model::Chain pair{.mass = {1, 1},
+                            .law = {contact::state(contact::WaltonBraun(loading, unloading))},
+                            .gap = {0},
+                            .velocity = {1, 0}};
+    const auto all = parameters(pair);
+    const auto found = sensitivity(pair, all, {.accuracy = 1e-12});
+    BOOST_TEST(found.parameter.size() == (more > 0 ? 7u : 5u));
+    if (more == 0) continue;
+    BOOST_TEST(slope(found, "velocity", 1, "contact[0].loading_stiffness") * 4 * loading / e == 1,
+               boost::test_tools::tolerance(1e-9));
+    BOOST_TEST(slope(found, "velocity", 1, "contact[0].unloading_stiffness") * 4 * unloading / e == -1,
+               boost::test_tools::tolerance(1e-9));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(power_series_have_the_slopes_of_collocation) {

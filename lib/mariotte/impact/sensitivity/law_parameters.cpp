@@ -4,6 +4,7 @@
 
 #include "mariotte/contact/branched_law.hpp"
 #include "mariotte/contact/named_laws.hpp"
+#include "mariotte/core/error.hpp"
 
 namespace mariotte::impact {
 namespace {
@@ -23,6 +24,17 @@ contact::LawNumbers numbers(const contact::NamedLaw& named, const Law& law) {
   for (const auto& one : parameters(law))
     if (const auto* key = named.find(one.key)) result.*(key->number) = one.value;
   return result;
+}
+
+/// The step, or as much less of it as leaves laws at four times that on both sides: an unloading stiffness
+/// may be hardly above that of loading. 0 where the laws end at the number itself.
+double step_within(double value, double step, const std::function<Law(double)>& law) {
+  for (const double share : {1.0, 1e-1, 1e-2, 1e-3, 1e-4}) try {
+      law(value - 4 * share * step), law(value + 4 * share * step);
+      return share * step;
+    } catch (const InvalidParameter&) {
+    }
+  return 0;
 }
 
 /// "linear", "hertz" and "viscoelastic" are one law.
@@ -54,7 +66,10 @@ std::vector<LawParameterChoice> law_parameters(const Law& law) {
     };
     const double power = known->exponent.value_or(numbers(*known, law).exponent);
     const bool is_linear = power_law(law) && number.key != "exponent";
-    list.push_back({std::string(number.key), number.value, step, moved_to, key->dimension(power), is_linear});
+    const double within = step_within(number.value, step, moved_to);
+    if (within > 0)
+      list.push_back(
+          {std::string(number.key), number.value, within, moved_to, key->dimension(power), is_linear});
   }
   return list;
 }

@@ -19,8 +19,9 @@ struct LawParameterChoice {
   bool is_linear;  ///< forces are
 };
 
-/// All that have slopes on both sides: a damping of 0 and an exponent of 1 have none, and the exponent of a
-/// linear or a Hertz contact is not chosen. Empty for laws that are not named.
+/// All that have slopes on both sides: a damping of 0, an exponent of 1 and stiffnesses of loading and
+/// unloading that are equal have none, and the exponent of a linear or a Hertz contact is not chosen. Empty
+/// for laws that are not named.
 std::vector<LawParameterChoice> law_parameters(const contact::Law& law);
 
 }  // namespace mariotte::impact
