@@ -161,7 +161,8 @@ scene::Overrides moved_to(const std::string& key, double value) {
 /// The number that a text gives a key, if it is not zero and can move both ways as far as slopes ask.
 std::optional<double> value_of(const std::string& text, const std::string& key) {
   try {
-    const double value = study::expect_value(scene::parse_document(text, "stress"), key);
+    const double value = study::expect_number(scene::parse_document(text, "stress"), key).value;
+    if (value == 0) return std::nullopt;
     for (const double share : {0.96, 1.04})
       resolve(scene::parse_document(text, "stress", moved_to(key, share * value)));
     return value;

@@ -80,7 +80,7 @@ def sensitivity(scene: Scene[Any], *, to: Union[str, Sequence[str]] = ()) -> Sen
     Raises
     ------
     SceneError
-        For a parameter that is no number other than zero.
+        For a parameter that is no finite number, or at which the scene ends, as at a gap of zero.
 
     Examples
     --------
@@ -111,7 +111,7 @@ def vjp(scene: Scene[Any], weights: Mapping[str, Any], *, to: Union[str, Sequenc
     Raises
     ------
     SceneError
-        For a parameter that is no number other than zero.
+        For a parameter that is no finite number, or at which the scene ends, as at a gap of zero.
 
     Examples
     --------

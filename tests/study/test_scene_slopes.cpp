@@ -126,8 +126,38 @@ BOOST_AUTO_TEST_CASE(a_stiffer_material_acts_through_stiffnesses_alone) {
 BOOST_AUTO_TEST_CASE(a_key_that_is_no_number_is_refused) {
   BOOST_CHECK_THROW(slopes_of(triplet, {"chain.law"}), scene::SceneError);
   BOOST_CHECK_THROW(slopes_of(triplet, {"chain.nothing"}), scene::SceneError);
-  BOOST_CHECK_THROW(slopes_of(triplet, {"chain.velocity[1]"}),
-                    scene::SceneError);  // zero: "velocity[1]" is known
+}
+
+// Of the model, as "velocity[1]", and of the scene.
+BOOST_AUTO_TEST_CASE(a_number_that_is_zero_has_slopes) {
+  const std::string balls =
+      "[bodies]\ndimension = 2\nlaw = \"hertz\"\nstiffness = 1e9\ntangential = \"rigid\"\nfriction = 0.3\n"
+      "radius = 0.01\nmass = 0.03\n[[bodies.body]]\nposition = [0, 0]\nvelocity = [1, 0.2]\nspin = 0\n"
+      "[[bodies.body]]\nposition = [0.021, 0]\nvelocity = [0, 0]\n";
+  const std::tuple<std::string, std::string, std::string> cases[] = {
+      {triplet, "velocity[1]", "chain.velocity[1]"},
+      {balls, "body[0].spin", "bodies.body[0].spin"},
+      {balls, "body[1].velocity[1]", "bodies.body[1].velocity[1]"},
+      {balls, "body[0].position[1]", "bodies.body[0].position[1]"}};
+  for (const auto& [text, number, key] : cases) {
+    const auto found = slopes_of(text, {number, key});
+    BOOST_TEST_REQUIRE(found.parameter.size() == 2);
+    BOOST_TEST(found.parameter[1].value == 0);
+    for (const auto& outcome : found.outcome) {
+      const double expected = outcome.slope[0].value();
+      BOOST_TEST(std::abs(outcome.slope[1].value() - expected) <= 1e-9 * std::abs(expected) + 1e-15,
+                 key << " " << name_of(outcome));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_zero_at_which_the_scene_ends_is_told_so) {
+  const std::string pair =
+      "[chain]\nmass = [1, 1]\nvelocity = [1, 0]\nlaw = \"hertz\"\nstiffness = 1\ngap = 0\n";
+  BOOST_CHECK_EXCEPTION(slopes_of(pair, {"chain.gap"}), scene::SceneError, [](const auto& error) {
+    return std::string(error.what())
+        .starts_with("--to chain.gap: has no slope, since the scene ends next to it");
+  });
 }
 
 BOOST_AUTO_TEST_CASE(what_is_captured_has_no_slopes_of_its_rebound_or_its_time) {

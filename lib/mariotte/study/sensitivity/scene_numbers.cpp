@@ -1,37 +1,39 @@
 #include "mariotte/study/sensitivity/scene_numbers.hpp"
 
 #include "mariotte/scene/field.hpp"
+#include "mariotte/study/sensitivity/scene_sizes.hpp"
 
 namespace mariotte::study {
 
 using scene::Document;
 
-std::optional<double> value_of(Document document, const std::string& key) {
+std::optional<SceneNumber> number_at(Document document, const std::string& key) {
   const auto place = add_origin(document.source, "--to " + key);
   auto& node = locate(document.source, document.tree, key, place);
   if (node.place.origin == place.origin) return std::nullopt;
   scene::ReadingLog watch{.readings = {{.node = &node}}};
-  resolve(document, scene::Purpose::simulation, &watch);
-  if (!watch.readings[0].dimension) return std::nullopt;
-  return number(document.source, {&node, key}, *watch.readings[0].dimension, scene::Domain::any);
+  const auto scene = resolve(document, scene::Purpose::simulation, &watch);
+  const auto& dimension = watch.readings[0].dimension;
+  if (!dimension) return std::nullopt;
+  const double value = number(document.source, {&node, key}, *dimension, scene::Domain::any);
+  return SceneNumber{value, value == 0 ? typical(scene, *dimension) : std::abs(value)};
 }
 
-double expect_value(const Document& document, const std::string& key) {
-  const auto value = value_of(document, key);
-  if (value && *value != 0 && std::isfinite(*value)) return *value;
+SceneNumber expect_number(const Document& document, const std::string& key) {
+  const auto found = number_at(document, key);
+  if (found && std::isfinite(found->value)) return *found;
   Document copy = document;
   const auto place = add_origin(copy.source, "--to " + key);
-  reject(copy.source, place, fault::leads_nowhere,
-         "is no number of the model or the scene that has a value other than zero");
+  reject(copy.source, place, fault::leads_nowhere, "is no finite number of the model or the scene");
 }
 
-double step_around(const Document& document, const std::string& key, double value,
+double step_around(const Document& document, const std::string& key, const SceneNumber& number,
                    const std::function<void(double)>& read) {
   std::optional<scene::SceneError> why;
   for (const double share : {1e-2, 1e-3, 1e-4, 1e-5}) try {
-      const double step = share * std::abs(value);
-      read(value - 4 * step);
-      read(value + 4 * step);
+      const double step = share * number.size;
+      read(number.value - 4 * step);
+      read(number.value + 4 * step);
       return step;
     } catch (const scene::SceneError& error) {
       why = error;

@@ -12,11 +12,17 @@
 
 namespace mariotte::study {
 
-/// The value of a key, if the scene has it and reads it as a number.
-std::optional<double> value_of(scene::Document document, const std::string& key);
+/// A number of a scene, and what steps are a share of: its own size, or of a zero that of others like it.
+struct SceneNumber {
+  double value = 0;
+  double size = 0;
+};
 
-/// The value of a key of which slopes are asked. Throws SceneError if it is no number other than zero.
-double expect_value(const scene::Document& document, const std::string& key);
+/// The number that a key leads to, if the scene has it and reads it as one.
+std::optional<SceneNumber> number_at(scene::Document document, const std::string& key);
+
+/// The number by which slopes are asked. Throws SceneError if it is none, or infinite.
+SceneNumber expect_number(const scene::Document& document, const std::string& key);
 
 /// "mass[0]" is asked for by "mass[0]" and "mass", "contact[1].stiffness" by "contact[1]" and "contact", too.
 bool is_asked_for(const std::string& name, const std::string& key);
@@ -24,8 +30,8 @@ bool is_asked_for(const std::string& name, const std::string& key);
 /// The scene read again with another value.
 template <class Model>
 impact::Parameter<Model> scene_parameter(const scene::Document& document, const std::string& name,
-                                         const std::string& key, double value) {
-  return {name, value, 0.01 * std::abs(value),
+                                         const std::string& key, const SceneNumber& number) {
+  return {name, number.value, 0.01 * number.size,
           [copy = std::make_shared<scene::Document>(document), key](double moved) {
             auto& node = locate(copy->source, copy->tree, key, {});
             const auto before = node.value;
@@ -36,17 +42,18 @@ impact::Parameter<Model> scene_parameter(const scene::Document& document, const 
           }};
 }
 
-/// A hundredth of the value, or as much less as lets `read` the scene at four times that on both sides:
-/// bodies that are moved farther may overlap. Throws SceneError that names the key where there is no such
-/// step.
-double step_around(const scene::Document& document, const std::string& key, double value,
+/// A hundredth of the size, or as much less as lets `read` the scene at four times that on both sides: bodies
+/// that are moved farther may overlap. Throws SceneError that names the key where there is no such step.
+double step_around(const scene::Document& document, const std::string& key, const SceneNumber& number,
                    const std::function<void(double)>& read);
 
 template <class Model>
-impact::Parameter<Model> number_of_scene(const scene::Document& document, const std::string& key) {
-  auto number = scene_parameter<Model>(document, key, key, expect_value(document, key));
-  number.step = step_around(document, key, number.value, number.model);
-  return number;
+impact::Parameter<Model> number_of_scene(const scene::Document& document, const std::string& name,
+                                         const std::string& key) {
+  const auto number = expect_number(document, key);
+  auto parameter = scene_parameter<Model>(document, name, key, number);
+  parameter.step = step_around(document, key, number, parameter.model);
+  return parameter;
 }
 
 }  // namespace mariotte::study

@@ -1,5 +1,6 @@
 #include "mariotte/study/sensitivity/scene_parameters.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -22,7 +23,7 @@ std::vector<impact::Parameter<Model>> chosen(const Document& document, const std
     const auto before = list.size();
     for (const auto& one : all)
       if (is_asked_for(one.name, key)) list.push_back(one);
-    if (list.size() == before) list.push_back(number_of_scene<Model>(document, key));
+    if (list.size() == before) list.push_back(number_of_scene<Model>(document, key, key));
   }
   return list;
 }
@@ -48,17 +49,23 @@ constexpr std::array<NamedKey, 15> of_body{{{"radius", "body.radius"},
                                             {"w2", "incidence.spin[1]"},
                                             {"w3", "incidence.spin[2]"}}};
 
-std::vector<impact::Parameter<model::Microbody>> body_parameters(const Document& document) {
+/// What the scene gives and is not zero, and what is asked for by its name.
+std::vector<impact::Parameter<model::Microbody>> body_parameters(const Document& document,
+                                                                 const std::vector<std::string>& asked) {
   std::vector<impact::Parameter<model::Microbody>> list;
   for (const auto& [name, key] : of_body) {
-    std::optional<double> value;
+    if (std::find(asked.begin(), asked.end(), name) != asked.end()) {
+      list.push_back(number_of_scene<model::Microbody>(document, name, key));
+      continue;
+    }
+    std::optional<SceneNumber> number;
     try {
-      value = value_of(document, key);
+      number = number_at(document, key);
     } catch (const scene::SceneError&) {
       continue;  // the scene does not give it
     }
-    if (value && *value != 0 && std::isfinite(*value))
-      list.push_back(scene_parameter<model::Microbody>(document, name, key, *value));
+    if (number && number->value != 0 && std::isfinite(number->value))
+      list.push_back(scene_parameter<model::Microbody>(document, name, key, *number));
   }
   return list;
 }
@@ -87,7 +94,7 @@ impact::Sensitivity sensitivity(const Document& document, const scene::Scene& sc
       [&](const auto& model, const auto& all) {
         return impact::sensitivity(model, chosen(document, keys, all), scene.run, watch);
       },
-      [&] { return body_parameters(document); });
+      [&] { return body_parameters(document, keys); });
 }
 
 impact::Sensitivity outcomes(const scene::Scene& scene) {

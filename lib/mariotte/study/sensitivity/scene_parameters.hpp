@@ -12,7 +12,7 @@ namespace mariotte::study {
 /// "contact[1]", or keys of the scene, as "chain.radius". Without keys by all numbers of the model. If all
 /// that is asked of a long row of power laws is one velocity, "velocity[7]", slopes of it alone are swept
 /// back. `watch` is called at every step; what it throws reaches the caller. Throws SceneError for a key that
-/// is no number other than zero, and for a scene with [law] alone.
+/// is no finite number with scenes on both sides of it, and for a scene with [law] alone.
 impact::Sensitivity sensitivity(
     const scene::Document& document, const scene::Scene& scene, const std::vector<std::string>& keys,
     const std::vector<std::string>& outcomes = {}, const impact::SlopeWatch& watch = [] {});

@@ -32,7 +32,7 @@ void choose(const Document& document, const std::vector<std::string>& keys, cons
     for (std::size_t i = 0; i < all.size(); ++i)
       if (is_asked_for(all[i].name, key)) add(all[i], by_all[i]);
     if (result.parameter.size() > before) continue;
-    const auto number = number_of_scene<model::Chain>(document, key);
+    const auto number = number_of_scene<model::Chain>(document, key, key);
     add({key, number.value}, known(slope_by(slopes, number)));
   }
   note_waiting(result);
