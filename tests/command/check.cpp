@@ -162,7 +162,8 @@ BOOST_FIXTURE_TEST_CASE(one_of_a_kind_is_no_plural, Session) {
   BOOST_TEST(has(first.err, " on 1 thread;"));
   BOOST_TEST(has(mariotte(sweep).err, "1 of 1 point was done before"));
   BOOST_TEST(mariotte("report out").code == 0);
-  BOOST_TEST(has(support::content(folder / "out/report.html"), "1 point varies chain.mass[0]. It has a result."));
+  BOOST_TEST(
+      has(support::content(folder / "out/report.html"), "1 point varies chain.mass[0]. It has a result."));
   BOOST_TEST(has(mariotte("sensitivity three.toml --to 'mass[0]'").out, "slopes by 1 parameter\n"));
 }
 

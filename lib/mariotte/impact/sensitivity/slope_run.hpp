@@ -333,7 +333,10 @@ SlopeRun<System> SlopeLoop<System, Variation>::follow(ConstState x0, const Slope
   Observer observer(system_.problem(mode), variation_, mode, resolution_, watch_);
   observer.slopes = with_rows(start, std::ssize(run.state));
   start_events(observer, result);
-  if constexpr (resets) variation_.begin({}, mode, run.state, observer.slopes);
+  if constexpr (resets) {
+    variation_.start(mode, run.state, observer.slopes);
+    variation_.begin({}, mode, run.state, observer.slopes);
+  }
   for (;;) {
     hybrid::record(result.run, time.value(), changes);
     if (system_.is_over(mode, run.state, result.run.events > 0)) {

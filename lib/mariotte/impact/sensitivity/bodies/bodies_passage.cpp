@@ -191,7 +191,7 @@ SlopeMatrix BodiesVariation<D>::pass(const BodiesPassage<D>& event, const SlopeM
           result(row, c) += jump * event.time[k][c];
   }
   for (const auto& one : event.after.closed) pass_slot(event, one, slopes, result);
-  if (comes_to_rest(event)) stop_slip(event, result);
+  if (comes_to_rest(event.before, event.after)) stop_slip(event.after, event.x_after, result);
   return result;
 }
 

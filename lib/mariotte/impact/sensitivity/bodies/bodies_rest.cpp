@@ -1,7 +1,8 @@
 // Slopes where a slip comes to rest. It does so along every direction at once, whatever parameters are, so
 // none of it is left behind the event. Just before, the direction of the slip is rounding, and in space
 // slopes of that are not resolved; what they miss is friction along the contact, an impulse. It is the one
-// that takes away the slip that is left.
+// that takes away the slip that is left. A contact that closes without slip rests at once, and so does any
+// slip next to none.
 #include <algorithm>
 
 #include "mariotte/impact/sensitivity/bodies/bodies_variation.hpp"
@@ -9,6 +10,7 @@
 namespace mariotte::impact {
 
 using model::BodiesLayout;
+using model::BodiesMode;
 using model::ClosedContact;
 using model::Friction;
 using model::Sloped;
@@ -76,33 +78,32 @@ class Impulses {
 }  // namespace
 
 template <int D>
-bool BodiesVariation<D>::comes_to_rest(const BodiesPassage<D>& event) const {
-  const auto& after = event.after.closed;
-  return std::any_of(after.begin(), after.end(), [&](const ClosedContact& one) {
-    const Index place = place_of(event.before, one.contact);
-    return one.friction == Friction::stick && place >= 0 &&
-           event.before.closed[place].friction == Friction::slip &&
-           !base_.contact[one.contact].tangential.has_spring();
+bool BodiesVariation<D>::comes_to_rest(const Mode& before, const Mode& after) const {
+  return std::any_of(after.closed.begin(), after.closed.end(), [&](const ClosedContact& one) {
+    const Index place = place_of(before, one.contact);
+    const auto& tangential = base_.contact[one.contact].tangential;
+    return one.friction == Friction::stick && tangential.friction > 0 && !tangential.has_spring() &&
+           (place < 0 || before.closed[place].friction != Friction::stick);
   });
 }
 
 template <int D>
-void BodiesVariation<D>::stop_slip(const BodiesPassage<D>& event, SlopeMatrix& slopes) {
-  const auto at = system_.layout(event.x_after);
+void BodiesVariation<D>::stop_slip(const Mode& mode, ConstState x, SlopeMatrix& slopes) {
+  const auto at = system_.layout(x);
   for (Index first = 0; first < columns(); first += lanes) {
-    auto& field = evaluate(first, event.after, event.x_after, slopes);
+    auto& field = evaluate(first, mode, x, slopes);
     const auto& impulse = field.stopping([&](Index contact) { return varied(field.motion(contact).slip); });
     const Impulses<D> impulses(field.setting(), at, first, slopes);
     for (std::size_t k = 0; k < impulse.size(); ++k) {
       const std::size_t place = field.stuck()[k].place;
-      impulses.push(event.after.closed[place], field.contact(place).motion, impulse[k]);
+      impulses.push(mode.closed[place], field.contact(place).motion, impulse[k]);
     }
   }
 }
 
-template bool BodiesVariation<2>::comes_to_rest(const BodiesPassage<2>&) const;
-template bool BodiesVariation<3>::comes_to_rest(const BodiesPassage<3>&) const;
-template void BodiesVariation<2>::stop_slip(const BodiesPassage<2>&, SlopeMatrix&);
-template void BodiesVariation<3>::stop_slip(const BodiesPassage<3>&, SlopeMatrix&);
+template bool BodiesVariation<2>::comes_to_rest(const BodiesMode&, const BodiesMode&) const;
+template bool BodiesVariation<3>::comes_to_rest(const BodiesMode&, const BodiesMode&) const;
+template void BodiesVariation<2>::stop_slip(const BodiesMode&, ConstState, SlopeMatrix&);
+template void BodiesVariation<3>::stop_slip(const BodiesMode&, ConstState, SlopeMatrix&);
 
 }  // namespace mariotte::impact

@@ -68,6 +68,10 @@ class BodiesVariation {
   Index contact_of(Index i, const Mode& mode) const;
   /// Slopes behind an event, from those before it.
   SlopeMatrix pass(const BodiesPassage<D>& event, const SlopeMatrix& slopes);
+  /// Slopes where a run starts, of contacts that touch and stick.
+  void start(const Mode& mode, ConstState x, SlopeMatrix& slopes) {
+    if (comes_to_rest({}, mode)) stop_slip(mode, x, slopes);
+  }
   /// A mode begins, with slopes at fixed time since then.
   void begin(const Mode& before, const Mode& after, ConstState x, const SlopeMatrix& slopes);
   /// Of what a contact has exchanged in periods that have ended: ∫f_n, ∫f_t, three losses.
@@ -85,9 +89,9 @@ class BodiesVariation {
                  SlopeMatrix& result);
   /// The field with slopes by parameters from the first on.
   Field& evaluate(Index first, const Mode& mode, ConstState x, const SlopeMatrix& slopes) const;
-  /// Whether a contact sticks rigidly that has slipped.
-  bool comes_to_rest(const BodiesPassage<D>& event) const;
-  void stop_slip(const BodiesPassage<D>& event, SlopeMatrix& slopes);
+  /// Whether a contact sticks rigidly that has slipped, or not acted.
+  bool comes_to_rest(const Mode& before, const Mode& after) const;
+  void stop_slip(const Mode& mode, ConstState x, SlopeMatrix& slopes);
   bool set_way(Index place, const Mode& mode, const Mode& held, ConstState x, const SlopeMatrix& slopes);
   void begin_at_zero(const BodiesPassage<D>& event);
   std::vector<double> rates_behind(const BodiesPassage<D>& event, Index guard) const;
