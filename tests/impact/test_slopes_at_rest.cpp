@@ -65,3 +65,32 @@ BOOST_AUTO_TEST_CASE(a_slip_next_to_none_stays_without_friction) {
   for (const double gap : {0.0, 1e-3})
     BOOST_TEST(std::abs(slope(pair(2, gap, 0), "bodies[1].spin", "body[0].spin")) < 1e-12);
 }
+
+// A sphere that rolls off its plane keeps 5/7 of its speed and 2/7 of its spin.
+BOOST_AUTO_TEST_CASE(a_microsphere_along_the_normal_is_next_to_rolling) {
+  constexpr double size = 2e-6;
+  model::Microbody body;
+  body.body = model::sphere(size, 1350);
+  body.law = {contact::brach_dunn({.stiffness = 1.74e9, .adhesion = 0.1}, size, 1e-3, 1e-3)};
+  body.friction = {0.15};
+  body.velocity = {-5, 0, 0};
+  const auto by = [&](const char* name, Vector3 model::Microbody::*vector, double step) {
+    return impact::Parameter<model::Microbody>{name, 0, step, [=](double value) {
+                                                 auto moved = body;
+                                                 (moved.*vector).e3 = value;
+                                                 return moved;
+                                               }};
+  };
+  const auto found = impact::sensitivity(
+      body, {by("v3", &model::Microbody::velocity, 0.05), by("w3", &model::Microbody::spin, 1e4)});
+  const auto slope_of = [&](const std::string& name, std::size_t k) {
+    for (const auto& one : found.outcome)
+      if (one.name == name) return one.slope[k].value();
+    throw std::runtime_error("no outcome " + name);
+  };
+  const auto tight = boost::test_tools::tolerance(1e-9);
+  BOOST_TEST(slope_of("v3", 0) == 5.0 / 7, tight);
+  BOOST_TEST(slope_of("w2", 0) * size == -5.0 / 7, tight);
+  BOOST_TEST(slope_of("w3", 1) == 2.0 / 7, tight);
+  BOOST_TEST(slope_of("v2", 1) / size == 2.0 / 7, tight);
+}

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "mariotte/impact/sensitivity/microbody_rest.hpp"
 #include "mariotte/impact/sensitivity/microbody_variation.hpp"
 #include "mariotte/impact/sensitivity/notes.hpp"
 #include "mariotte/impact/sensitivity/sensitivity.hpp"
@@ -73,7 +74,9 @@ class BodySlopes {
     MicrobodyVariation variation(system_, shifted_);
     auto run_options = hybrid::scaled(options, system_.body().scale);
     run_options.accuracy = system_.accuracy();
-    end_ = SlopeLoop(system_, variation, run_options, watch).follow(x0_, start_);
+    auto behind = start_;
+    rest_at_start(system_, shifted_, x0_, behind);
+    end_ = SlopeLoop(system_, variation, run_options, watch).follow(x0_, behind);
     result_.in_doubt = variation.slips_from_rest();
     if (result_.in_doubt) result_.notes.push_back(slip_from_rest_note());
   }
