@@ -56,6 +56,7 @@ const HardCase cases[] = {
      {-0.163849763702, -0.285470983791, 0.922586176748}},
     {"rests_in_its_well", 1e-10, {0, 0, 0}, {0, 0, 0}},
     {"slides_in_its_well", 1e-12, {5.1251994007e-05, 0, 0}, {0, 0, -5.3790052017e-05}},
+    {"fading_spring", 1e-11, {0.453667383972, 0.90877878755, 0}, {0, 0, -130.497194932}},
     {"fading_slip",
      1e-8,
      {0.131603481730, -0.225471343218, -0.0176256457953},
@@ -81,6 +82,7 @@ BOOST_DATA_TEST_CASE(hard_scenes_of_bodies_keep_their_accuracy, boost::unit_test
     BOOST_TEST(norm(impact.body[0].velocity - one.velocity) < allowed);
     BOOST_TEST(radius * norm(impact.body[0].spin - one.spin) < allowed);
     for (const auto& contact : impact.contacts) BOOST_TEST(contact.losses.friction >= 0);
+    BOOST_TEST((impact.ending != hybrid::Ending::unsure));
     Index work = 0;
     for (const auto& used : impact.flows) work += used.rhs;
     BOOST_TEST(work < 100000);

@@ -275,6 +275,10 @@ void SlopeLoop<System, Variation>::reset(Observer& observer, const typename Syst
   system_.transition(after, fired, behind, ignored);
   const auto next = rates(after, behind);
   const auto guards = variation_.telling(fired, before, after);
+  if (guards.empty()) {
+    system_.problem(workspace_.mode);
+    return;
+  }
   const auto times = event_times(observer, guards, rate, result);
   observer.slopes = variation_.pass({before, after, x, behind, rate, next, guards, times}, observer.slopes);
   shift_clock(observer, next, times[0]);
@@ -299,7 +303,7 @@ void SlopeLoop<System, Variation>::pass(Observer& observer, const typename Syste
                                         ConstState rate, SlopeRun<System>& result) {
   result.time_is_noise = std::none_of(workspace_.fired.begin(), workspace_.fired.end(),
                                       [&](Index guard) { return has_time(guard); });
-  if (workspace_.fired.empty()) return;
+  if (!resets && workspace_.fired.empty()) return;
   note_loss(rate, result);
   if constexpr (resets)
     reset(observer, before, rate, result);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "mariotte/model/bodies/bodies_parting.hpp"
 #include "mariotte/model/bodies/near_pairs.hpp"
 
 namespace mariotte::model {
@@ -93,8 +94,22 @@ void BodiesPhase<D>::find_balls() {
   }
 }
 
+/// What Mindlin's spring loses on unloading grows without bound towards the end of its contact. Steps become
+/// so short that no body moves in them, and the end is never met; what is left of the contact is rounding
+/// then.
+template <int D>
+bool BodiesPhase<D>::is_stuck_at_the_end(ConstState x) const {
+  const auto& closed = mode_->closed;
+  return std::any_of(closed.begin(), closed.end(), [&](const ClosedContact& one) {
+    const auto& tangential = setting_.contact[one.contact].tangential;
+    return one.unloading && !one.slack && tangential.law == TangentialLaw::mindlin &&
+           has_parted(setting_, layout_, one, x);
+  });
+}
+
 template <int D>
 flow::Accepted BodiesPhase<D>::accept(ConstState x) {
+  if (is_stuck_at_the_end(x)) return flow::Accepted::ended;
   const auto& closed = mode_->closed;
   const auto looks = [](const auto& one) {
     return one.friction == Friction::slip && !one.slack && (D == 3 || one.from_rest);

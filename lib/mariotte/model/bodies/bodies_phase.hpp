@@ -92,6 +92,7 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   }
   double gap_bend(const BodyMotion<double, D>& body, Index i, const SettingSphere<D>& sphere) const;
   bool can_be_recorded(const ClosedContact& mode) const;
+  bool is_stuck_at_the_end(ConstState x) const;
   void weigh_direction(std::size_t closed);
   flow::Accepted leave_rest(std::size_t closed);
   void find_balls();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mariotte/model/bodies/bodies_parting.hpp"
 #include "mariotte/model/bodies/near_pairs.hpp"
 
 namespace mariotte::model {
@@ -106,6 +107,18 @@ void BodiesSystem<D>::begin_branch(ClosedContact& one, const GapMotion<double, D
   one.slack = law->pulls() && law->force(one.past, depth, approach).value < 0;
 }
 
+/// What Mindlin's spring still holds where rounding hides the rest of its contact: all of it is lost to the
+/// end.
+template <int D>
+double BodiesSystem<D>::held_at_the_end(const Mode& mode, std::size_t place, ConstState x) const {
+  const auto& one = mode.closed[place];
+  const bool holds = one.unloading && one.friction != Friction::none && !one.slack &&
+                     setting_.contact[one.contact].tangential.law == TangentialLaw::mindlin;
+  if (!holds) return 0;
+  const auto& now = field(mode, x).contact(place);
+  return now.motion.gap < 0 ? 0.5 * dot(now.friction, now.friction) / now.spring : 0;
+}
+
 template <int D>
 void BodiesSystem<D>::open(Mode& mode, std::size_t place, std::vector<double>& x,
                            std::vector<Change>& changes) const {
@@ -121,7 +134,7 @@ void BodiesSystem<D>::open(Mode& mode, std::size_t place, std::vector<double>& x
   for (Index k = 0; k < at.tangents; ++k) totals.tangential[k] += x[at.tangential(one.slot) + k];
   const double* loss = &x[at.losses(one.slot)];
   totals.friction += loss[0];
-  totals.rescale += loss[1];
+  totals.rescale += loss[1] + held_at_the_end(mode, place, x);
   totals.damper += loss[2];
   std::fill_n(x.begin() + at.spring(one.slot), at.slot_size, 0.0);
   mode.idle.push_back(one.slot);
@@ -142,16 +155,11 @@ void BodiesSystem<D>::turn(ClosedContact& one, std::vector<double>& x, std::vect
   for (Index k = 0; k < BodiesLayout<D>::tangents; ++k) x[layout(x).spring(one.slot) + k] *= factor;
 }
 
-/// Contacts that part beyond gap 0, where another guard has fired within rounding of their end.
+/// Contacts whose end another guard has met within rounding, or the phase where it could not go on to it.
 template <int D>
 void BodiesSystem<D>::open_parted(Mode& mode, std::vector<double>& x, std::vector<Change>& changes) const {
-  for (std::size_t i = mode.closed.size(); i-- > 0;) {
-    const auto now = approach(mode.closed[i].contact, x);
-    const auto& one = mode.closed[i];
-    const double depth = opening_depth(setting_.contact[one.contact].law, one.past);
-    if (now.gap + depth >= 0 && now.gap_rate > setting_.slip_noise * setting_.speed)
-      open(mode, i, x, changes);
-  }
+  for (std::size_t i = mode.closed.size(); i-- > 0;)
+    if (has_parted(setting_, layout(x), mode.closed[i], x)) open(mode, i, x, changes);
 }
 
 template <int D>

@@ -68,6 +68,7 @@ class BodiesSystem {
                      std::vector<Change>& changes) const;
   void break_loose(Mode& mode, std::size_t place, const ContactForces<double, D>& now, std::vector<double>& x,
                    std::vector<Change>& changes) const;
+  double held_at_the_end(const Mode& mode, std::size_t place, ConstState x) const;
   void open_parted(Mode& mode, std::vector<double>& x, std::vector<Change>& changes) const;
   void stop_yielding(const std::vector<Index>& slots, Mode& mode, std::vector<double>& x,
                      std::vector<Change>& changes) const;

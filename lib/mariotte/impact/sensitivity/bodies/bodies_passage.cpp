@@ -94,6 +94,10 @@ std::vector<Index> BodiesVariation<D>::telling(const std::vector<Index>& fired, 
       guard = phase.slot_guard(guard / model::guards_per_slot, model::SlotGuard::open);
     if (std::find(list.begin(), list.end(), guard) == list.end()) list.push_back(guard);
   }
+  if (list.empty())  // a phase that could not go on to the end of a contact
+    for (const auto& one : before.closed)
+      if (place_of(after, one.contact) < 0)
+        list.push_back(phase.slot_guard(one.slot, model::SlotGuard::open));
   return list;
 }
 
