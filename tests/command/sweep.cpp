@@ -316,7 +316,7 @@ BOOST_FIXTURE_TEST_CASE(what_a_kill_left_half_written_is_cleared_away, Session) 
 }
 
 BOOST_FIXTURE_TEST_CASE(a_sweep_that_is_being_written_is_left_alone, Session) {
-  write("map.toml", support::map_scene(5000));
+  write("map.toml", support::map_scene(50000));
   const auto two = shell(
       "timeout 5 \"$mariotte\" sweep map.toml --no-figures --out out -q 2>/dev/null & sleep 0.3; "
       "\"$mariotte\" sweep map.toml --no-figures --out out; echo code $? >&2; "

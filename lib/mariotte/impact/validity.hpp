@@ -44,6 +44,9 @@ struct Validity {
   Number well_damping;          ///< largest ζ in the well of adhesion
 };
 
+/// What a number of the validity is told of.
+enum class ToldOf { all, contacts, tips };
+
 /// Up to where a number of the validity is fine; NaN where there is no limit.
 struct ValidityLimit {
   const char* key;  ///< in results
@@ -54,7 +57,7 @@ struct ValidityLimit {
   double limit = std::numeric_limits<double>::quiet_NaN();
   bool from_below = true;      ///< numbers above the limit are bad; else those below
   const char* otherwise = "";  ///< what a bad number means
-  bool adhesive = false;       ///< of microbodies only
+  ToldOf of = ToldOf::all;     ///< tips are those of microbodies
 };
 
 inline constexpr std::array validity_limits = {
@@ -101,7 +104,8 @@ inline constexpr std::array validity_limits = {
                   .meaning = "largest indentation over the last of a tabulated law",
                   .number = &Validity::table_ratio,
                   .limit = 1,
-                  .otherwise = "the table has ended, and the force goes on straight"},
+                  .otherwise = "the table has ended, and the force goes on straight",
+                  .of = ToldOf::contacts},
     ValidityLimit{.key = "validity.adhesion_ratio",
                   .unit = "1",
                   .symbol = "2πf₀/Kr",
@@ -109,7 +113,7 @@ inline constexpr std::array validity_limits = {
                   .number = &Validity::adhesion_ratio,
                   .limit = 0.01,
                   .otherwise = "adhesion alone strains the tip too much for the law",
-                  .adhesive = true},
+                  .of = ToldOf::tips},
     ValidityLimit{.key = "validity.hertz_damping",
                   .unit = "1",
                   .symbol = "max C_H |ṅ|",
@@ -117,7 +121,7 @@ inline constexpr std::array validity_limits = {
                   .number = &Validity::hertz_damping,
                   .limit = 1,
                   .otherwise = "damping exceeds the force that it corrects",
-                  .adhesive = true},
+                  .of = ToldOf::tips},
     ValidityLimit{.key = "validity.adhesion_damping",
                   .unit = "1",
                   .symbol = "max C_A |ṅ|",
@@ -125,7 +129,7 @@ inline constexpr std::array validity_limits = {
                   .number = &Validity::adhesion_damping,
                   .limit = 1,
                   .otherwise = "adhesion pushes while the tip approaches",
-                  .adhesive = true},
+                  .of = ToldOf::tips},
     ValidityLimit{.key = "validity.tabor_number",
                   .unit = "1",
                   .symbol = "min μ",
@@ -134,7 +138,7 @@ inline constexpr std::array validity_limits = {
                   .limit = 1,
                   .from_below = false,
                   .otherwise = "adhesion reaches beyond the edge of the contact, where the law puts it",
-                  .adhesive = true},
+                  .of = ToldOf::tips},
     ValidityLimit{.key = "validity.well_damping",
                   .unit = "1",
                   .symbol = "ζ",
@@ -142,7 +146,7 @@ inline constexpr std::array validity_limits = {
                   .number = &Validity::well_damping,
                   .limit = 1,
                   .otherwise = "a captured tip creeps to rest instead of oscillating",
-                  .adhesive = true},
+                  .of = ToldOf::tips},
 };
 
 /// Whether a number is beyond its limit.

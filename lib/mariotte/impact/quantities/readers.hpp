@@ -60,14 +60,14 @@ inline constexpr auto validity_at = [](const auto& r, Indices) -> Value {
   return number ? Value(number->value) : Value(Omitted());
 };
 
-/// How far a run came towards the limits of its laws; those of adhesion are for microbodies.
+/// How far a run came towards the limits of its laws.
 template <class I>
 List<I> validity() {
   List<I> list;
   const auto add = [&]<std::size_t k>(std::integral_constant<std::size_t, k>) {
-    const auto& [key, unit, symbol, meaning, number, limit, from_below, otherwise, adhesive] =
-        validity_limits[k];
-    if (!adhesive || std::is_same_v<I, MicrobodyImpact>)
+    const auto& [key, unit, symbol, meaning, number, limit, from_below, otherwise, of] = validity_limits[k];
+    constexpr auto others = std::is_same_v<I, MicrobodyImpact> ? ToldOf::contacts : ToldOf::tips;
+    if (of != others)
       list.push_back({.is = {key, unit, symbol, meaning}, .read = validity_at<k>, .needs_peaks = true});
   };
   [&]<std::size_t... k>(std::index_sequence<k...>) {
