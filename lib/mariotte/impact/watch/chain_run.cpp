@@ -35,7 +35,7 @@ class IslandPeakObserver final : public model::IslandObserver {
 }  // namespace
 
 hybrid::Options tightened(hybrid::Options options, std::size_t balls) {
-  const double passed = static_cast<double>(balls) / 2000;
+  const double passed = static_cast<double>(balls) / 700;
   options.accuracy =
       std::max(options.accuracy / std::max(1.0, passed), std::min(options.accuracy, 8 * epsilon));
   return options;

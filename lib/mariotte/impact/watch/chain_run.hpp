@@ -20,7 +20,7 @@ struct ChainRun {
 /// Chains of fewer balls are one system, if the choice is automatic: as cheap, and nothing has to be cut.
 inline constexpr std::size_t balls_for_islands = 48;
 
-/// Errors add up along a chain: behind a wave that has passed n contacts they are below n/6000 of the
+/// Errors add up along a chain: behind a wave that has passed n contacts they are about n/1000 of the
 /// accuracy of its flow, as measured. The options for an answer as accurate as was asked.
 hybrid::Options tightened(hybrid::Options options, std::size_t balls);
 
