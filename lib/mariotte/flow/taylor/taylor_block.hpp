@@ -54,7 +54,7 @@ class Block : RowQuantities {
       p[own] = mobility_ * p[strength];
     }
     if (clocked_) start_[clock] = LaneVector<N>(pace_start);
-    hear();
+    if (has_stretch()) hear();
   }
 
   /// Run `use` on the series that the lanes need.

@@ -16,14 +16,22 @@ double gap_rounding(const BodiesSetting<D>& setting, const BodiesLayout<D>& at,
   return steps * epsilon * (way(contact.b) + (contact.plane < 0 ? way(contact.a) : 0));
 }
 
-/// Whether the two of a closed contact leave each other, beyond its end or within rounding of it.
+/// What Mindlin's spring loses on unloading grows without bound towards the end of its contact.
+template <int D>
+bool fades(const BodiesSetting<D>& setting, const ClosedContact& one) {
+  return one.unloading && !one.slack && setting.contact[one.contact].tangential.law == TangentialLaw::mindlin;
+}
+
+/// Whether the two of a closed contact leave each other beyond its end; where its spring fades, within
+/// rounding of it.
 template <int D>
 bool has_parted(const BodiesSetting<D>& setting, const BodiesLayout<D>& at, const ClosedContact& one,
                 ConstState x) {
   const auto& contact = setting.contact[one.contact];
   const auto now = gap_motion(setting, at, contact, x);
   const double left = -now.gap - opening_depth(contact.law, one.past);
-  return left <= gap_rounding(setting, at, contact, x) && now.gap_rate > setting.slip_noise * setting.speed;
+  const double rounding = fades(setting, one) ? gap_rounding(setting, at, contact, x) : 0;
+  return left <= rounding && now.gap_rate > setting.slip_noise * setting.speed;
 }
 
 }  // namespace mariotte::model

@@ -94,16 +94,13 @@ void BodiesPhase<D>::find_balls() {
   }
 }
 
-/// What Mindlin's spring loses on unloading grows without bound towards the end of its contact. Steps become
-/// so short that no body moves in them, and the end is never met; what is left of the contact is rounding
-/// then.
+/// Where a spring fades steps become so short that no body moves in them, and the end is never met; what is
+/// left of the contact is rounding then.
 template <int D>
 bool BodiesPhase<D>::is_stuck_at_the_end(ConstState x) const {
   const auto& closed = mode_->closed;
   return std::any_of(closed.begin(), closed.end(), [&](const ClosedContact& one) {
-    const auto& tangential = setting_.contact[one.contact].tangential;
-    return one.unloading && !one.slack && tangential.law == TangentialLaw::mindlin &&
-           has_parted(setting_, layout_, one, x);
+    return fades(setting_, one) && has_parted(setting_, layout_, one, x);
   });
 }
 

@@ -112,9 +112,7 @@ void BodiesSystem<D>::begin_branch(ClosedContact& one, const GapMotion<double, D
 template <int D>
 double BodiesSystem<D>::held_at_the_end(const Mode& mode, std::size_t place, ConstState x) const {
   const auto& one = mode.closed[place];
-  const bool holds = one.unloading && one.friction != Friction::none && !one.slack &&
-                     setting_.contact[one.contact].tangential.law == TangentialLaw::mindlin;
-  if (!holds) return 0;
+  if (!fades(setting_, one) || one.friction == Friction::none) return 0;
   const auto& now = field(mode, x).contact(place);
   return now.motion.gap < 0 ? 0.5 * dot(now.friction, now.friction) / now.spring : 0;
 }
@@ -155,7 +153,8 @@ void BodiesSystem<D>::turn(ClosedContact& one, std::vector<double>& x, std::vect
   for (Index k = 0; k < BodiesLayout<D>::tangents; ++k) x[layout(x).spring(one.slot) + k] *= factor;
 }
 
-/// Contacts whose end another guard has met within rounding, or the phase where it could not go on to it.
+/// Contacts that part beyond their end where another guard fires, or within rounding of it where their phase
+/// could not go on.
 template <int D>
 void BodiesSystem<D>::open_parted(Mode& mode, std::vector<double>& x, std::vector<Change>& changes) const {
   for (std::size_t i = mode.closed.size(); i-- > 0;)
