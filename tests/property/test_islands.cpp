@@ -86,3 +86,14 @@ BOOST_AUTO_TEST_CASE(a_column_in_flight_is_not_integrated) {
   BOOST_TEST(impact.contacts[0].periods.size() == 1u);
   BOOST_TEST(impact.contacts[0].periods[0].start > 1.9);
 }
+
+// Behind the wave balls approach each other more slowly than can be told from rest, for a long time.
+BOOST_AUTO_TEST_CASE(balls_that_hover_get_no_deeper_than_an_approach_that_counts_as_none) {
+  auto chain = equal_chain(300);
+  for (std::size_t i = 0; i < 300; i += 7) chain.mass[i] = 1 + 1e-9;
+  for (const double accuracy : {1e-9, 1e-10}) {
+    const auto impact = impact::simulate(chain, {.accuracy = accuracy});
+    BOOST_TEST((impact.ending == hybrid::Ending::separated));
+    for (const double gap : impact.gap) BOOST_TEST(gap > -accuracy);
+  }
+}

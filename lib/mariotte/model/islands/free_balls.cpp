@@ -83,7 +83,7 @@ void FreeBalls::stamp(Index first, Index last, Instant t) {
 }
 
 std::vector<double> FreeBalls::take(Instant t) {
-  for (Index j = 0; j < contacts(); ++j) x_[layout_.gap[j]] = gap(j, t);
+  for (Index j = 0; j < contacts(); ++j) move_contact(j, t);
   for (Index i = 0; i < layout_.velocities(); ++i) move_ball(i, t);
   return std::move(x_);
 }
