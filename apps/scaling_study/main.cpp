@@ -24,8 +24,9 @@ struct CommandLine {
 constexpr const char* notes = R"(
 Errors are those of the velocities at both ends of the row, which are known in extended precision. Times are
 CPU time; memory is what a process of its own takes above what it started with, the row itself included.
-Rivals are told when the impact ends and follow no events; the last column is their time over ours at an
-error no larger than theirs. Their lengths double until the next would take longer than --patience.
+Once the wave is steady it is moved on; the second half of the table is with every ball followed (--flow
+taylor), as in rows whose balls are not equal. Rivals are told when the impact ends and follow no events; the
+last columns are their time over ours at an error no larger than theirs, both ways. Their lengths double until the next would take longer than --patience.
 
 Examples:
   scaling_study --quick
@@ -64,9 +65,10 @@ int act(CommandLine& line) {
   if (line.quick) line.settings.longest = 1e4, line.settings.patience = 1;
   auto points = study_own(line.settings, tell);
   command::print(table(points));
-  for (const double accuracy : line.settings.accuracies)
-    command::print(
-        fmt::format("at {:.0e} time grows like n^{:.2f}\n", accuracy, growth_exponent(points, accuracy)));
+  for (const auto& method : own_methods)
+    for (const double accuracy : line.settings.accuracies)
+      command::print(fmt::format("{}, at {:.0e}: time grows like n^{:.2f}\n", method, accuracy,
+                                 growth_exponent(points, method, accuracy)));
   if (line.settings.patience > 0) {
     const auto rivals = study_rivals(line.settings, tell);
     command::print("\n" + rival_table(rivals));

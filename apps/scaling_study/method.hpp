@@ -7,8 +7,11 @@
 
 namespace mariotte::scaling_study {
 
+/// What becomes of the wave once it is steady.
+enum class Wave { moved_on, followed };
+
 /// This library, asked for an accuracy. Repeated while the least CPU time may still fall.
-Measurement measure_own(std::size_t balls, double accuracy);
+Measurement measure_own(std::size_t balls, double accuracy, Wave wave);
 
 /// A method that integrates every ball at every step, set to errors of 1e-8 … 1e-6 at a thousand balls.
 struct Rival {

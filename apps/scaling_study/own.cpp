@@ -11,9 +11,10 @@ constexpr measuring::Patience patience{.batch = 0.05, .batches = 5};
 
 }  // namespace
 
-Measurement measure_own(std::size_t balls, double accuracy) {
+Measurement measure_own(std::size_t balls, double accuracy, Wave wave) {
   const auto chain = row(balls);
-  const hybrid::Options options{.accuracy = accuracy, .max_events = 10 * static_cast<Index>(balls)};
+  hybrid::Options options{.accuracy = accuracy, .max_events = 10 * static_cast<Index>(balls)};
+  if (wave == Wave::followed) options.flow = flow::Kind::taylor;
   impact::ChainSolver solver;
   const double start = measuring::cpu_seconds();
   const auto& impact = solver.solve(chain, options);

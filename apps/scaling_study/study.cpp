@@ -11,7 +11,11 @@ namespace {
 Point beside_own(const Rival& rival, std::size_t balls) {
   Point point{.method = rival.name, .balls = balls, .found = measured([&] { return rival.measure(balls); })};
   const double accuracy = std::clamp(point.found.error, 1e-13, 0.1);
-  point.own_seconds = measured([&] { return measure_own(balls, accuracy); }).seconds;
+  const auto own = [&](Wave wave) {
+    return measured([&] { return measure_own(balls, accuracy, wave); }).seconds;
+  };
+  point.own_seconds = own(Wave::moved_on);
+  point.own_seconds_followed = own(Wave::followed);
   return point;
 }
 
@@ -19,16 +23,16 @@ Point beside_own(const Rival& rival, std::size_t balls) {
 
 std::vector<Point> study_own(const Settings& settings, const Report& report) {
   std::vector<Point> points;
-  for (const double accuracy : settings.accuracies) {
-    for (double n = 100; n < 1.01 * settings.longest; n *= 10) {
-      const auto balls = static_cast<std::size_t>(std::round(n));
-      points.push_back({.method = "mariotte", .balls = balls, .accuracy = accuracy, .found = measured([&] {
-                                                                                      return measure_own(
-                                                                                          balls, accuracy);
-                                                                                    })});
-      report(points.back());
-    }
-  }
+  for (const auto wave : {Wave::moved_on, Wave::followed})
+    for (const double accuracy : settings.accuracies)
+      for (double n = 100; n < 1.01 * settings.longest; n *= 10) {
+        const auto balls = static_cast<std::size_t>(std::round(n));
+        points.push_back({.method = own_methods[wave == Wave::followed],
+                          .balls = balls,
+                          .accuracy = accuracy,
+                          .found = measured([&] { return measure_own(balls, accuracy, wave); })});
+        report(points.back());
+      }
   return points;
 }
 
@@ -46,10 +50,10 @@ std::vector<Point> study_rivals(const Settings& settings, const Report& report) 
   return points;
 }
 
-double growth_exponent(const std::vector<Point>& points, double accuracy) {
+double growth_exponent(const std::vector<Point>& points, const std::string& method, double accuracy) {
   double count = 0, x = 0, y = 0, xx = 0, xy = 0;
   for (const auto& point : points) {
-    if (point.accuracy != accuracy) continue;
+    if (point.method != method || point.accuracy != accuracy) continue;
     const double length = std::log(static_cast<double>(point.balls)), time = std::log(point.found.seconds);
     count += 1, x += length, y += time, xx += length * length, xy += length * time;
   }

@@ -12,7 +12,8 @@ struct Point {
   std::size_t balls = 0;
   double accuracy = 0;  ///< asked for; 0 for rivals
   Measurement found;
-  double own_seconds = 0;  ///< of rivals: our time at an error no larger than theirs
+  /// Of rivals: our time at an error no larger than theirs, and where every ball is followed.
+  double own_seconds = 0, own_seconds_followed = 0;
 };
 
 struct Settings {
@@ -27,8 +28,11 @@ using Report = std::function<void(const Point&)>;
 std::vector<Point> study_own(const Settings& settings, const Report& report);
 std::vector<Point> study_rivals(const Settings& settings, const Report& report);
 
-/// Slope of log time over log balls, by least squares, of points of one accuracy.
-double growth_exponent(const std::vector<Point>& points, double accuracy);
+/// Slope of log time over log balls, by least squares, of points of one method and accuracy.
+double growth_exponent(const std::vector<Point>& points, const std::string& method, double accuracy);
+
+/// Of this library: waves moved on, and followed.
+inline const std::vector<std::string> own_methods = {"mariotte", "mariotte (followed)"};
 
 std::string table(const std::vector<Point>& own);
 std::string rival_table(const std::vector<Point>& rivals);
