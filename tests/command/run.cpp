@@ -189,7 +189,7 @@ BOOST_FIXTURE_TEST_CASE(a_long_run_claims_no_end_that_it_does_not_know, Session)
         "[chain]\nmass = 1\nlaw = 'hertz'\nstiffness = 1\nballs = 1000000\n[[chain.ball]]\nnumber = 1\n"
         "velocity = 1\n");
   const auto told = [&](const std::string& arguments) {
-    return shell("timeout -s KILL 12 \"$mariotte\" run long.toml " + arguments).err;
+    return shell("timeout -s KILL 12 \"$mariotte\" run long.toml --flow taylor " + arguments).err;
   };
   const auto open = told("");
   BOOST_TEST(has(open, " events\n"));

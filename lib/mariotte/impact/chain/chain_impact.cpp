@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "mariotte/core/counted.hpp"
 #include "mariotte/impact/chain/chain_frame.hpp"
 #include "mariotte/impact/chain/chain_gate.hpp"
 #include "mariotte/impact/chain/chain_solver.hpp"
@@ -25,6 +26,13 @@ using Run = model::Islands::Run;
 
 namespace {
 
+/// A wave that repeats itself was moved on.
+void skip_steady(Index moved_on, std::vector<Skipped>& list) {
+  if (moved_on > 0)
+    list.push_back({"steady waves", "the passage of " + counted(moved_on, "ball") +
+                                        " was not followed: the wave did to them what it had done before"});
+}
+
 /// What islands did not have to do.
 void skip_at_rest(const model::IslandCount& islands, Index contacts, std::vector<Skipped>& list) {
   list.push_back({"balls at rest or in free flight",
@@ -39,6 +47,7 @@ std::vector<Skipped> skipped(const ChainLayout& layout, const ChainRun& chain_ru
   };
   std::vector<Skipped> list;
   if (chain_run.islands) skip_at_rest(*chain_run.islands, layout.contacts(), list);
+  if (chain_run.islands) skip_steady(chain_run.islands->moved_on, list);
   const auto by_flows = skipped_by_flows(chain_run.run);
   list.insert(list.end(), by_flows.begin(), by_flows.end());
   if (none(layout.work)) list.push_back({"dissipation", "no contact is damped"});
@@ -170,6 +179,11 @@ std::optional<flow::Kind> another_flow(const model::Chain& chain, const hybrid::
   return flow::Kind::cvode_adams;
 }
 
+/// Their waves may be moved on; where a flow is asked for by name they are followed.
+bool may_have_steady_waves(const model::Chain& chain) {
+  return std::all_of(chain.law.begin(), chain.law.end(), model::lets_waves_be_steady);
+}
+
 ChainImpact simulate_within(const model::Chain& chain, const hybrid::Options& options,
                             const RunObserver& observers) {
   auto impact = simulate_once(chain, options, observers);
@@ -207,6 +221,8 @@ double estimate_accuracy(const model::Chain& chain, const hybrid::Options& optio
   ChainSolver solver;
   auto tighter = options;
   tighter.accuracy = std::max(1e-2 * options.accuracy, 16 * epsilon);
+  if (divides(options, chain) && !options.flow && may_have_steady_waves(chain))
+    tighter.flow = flow::Kind::taylor;
   const double from_tighter = difference(result.velocity, solver.solve(chain, tighter).velocity, speed);
   if (divides(options, chain)) return from_tighter;
   tighter.flow = another_flow(chain, options);

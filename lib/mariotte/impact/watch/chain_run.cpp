@@ -25,6 +25,10 @@ class IslandPeakObserver final : public model::IslandObserver {
     auto kept = all_.begin() + first_;
     for (const auto& peak : observer_.peaks()) raise(*kept++, peak, all_peaks);
   }
+  bool repeat(const model::Repetition& of) override {
+    model::repeat(all_, of);
+    return true;
+  }
 
  private:
   std::vector<Peak>& all_;

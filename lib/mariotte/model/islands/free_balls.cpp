@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
 #include "mariotte/flow/ballistic.hpp"
@@ -80,6 +81,22 @@ State FreeBalls::slice(Index first, Index last) {
 void FreeBalls::stamp(Index first, Index last, Instant t) {
   std::fill(contact_time_.begin() + first, contact_time_.begin() + last, t);
   if (!ball_time_.empty()) std::fill(ball_time_.begin() + first, ball_time_.begin() + last + 1, t);
+}
+
+void FreeBalls::repeat(const Repetition& of, Instant t) {
+  const bool forward = of.shift > 0;
+  const Index rear = forward ? of.first - of.shift : of.last;
+  for (Index j = rear; j < rear + std::abs(of.shift); ++j) move_contact(j, t);
+  const double rest = x_[layout_.velocity[forward ? of.last + 1 : of.first - 1]];
+  const auto later = [&](Instant time, Index periods) {
+    return time + static_cast<double>(periods) * of.period;
+  };
+  const auto same = [](double value, Index) { return value; };
+  model::repeat(mode_, of);
+  model::repeat(contact_time_, of.first, of.last, of.shift, of.count, later);
+  model::repeat(x_, layout_.velocity[of.first], layout_.velocity[of.last] + 1, 2 * of.shift, of.count, same);
+  const Index first = forward ? of.first : of.last + of.way() + 1;
+  for (Index i = first; i < first + std::abs(of.way()); ++i) x_[layout_.velocity[i]] = rest;
 }
 
 std::vector<double> FreeBalls::take(Instant t) {

@@ -4,6 +4,7 @@
 
 #include "mariotte/core/instant.hpp"
 #include "mariotte/model/chain/chain_system.hpp"
+#include "mariotte/model/islands/repetition.hpp"
 
 namespace mariotte::model {
 
@@ -47,6 +48,10 @@ class FreeBalls {
   State slice(Index first, Index last);
   /// The slice's state now belongs to t.
   void stamp(Index first, Index last, Instant t);
+
+  /// A wave among undamped contacts without walls has moved on from where it is at t. What it passes rests
+  /// afterwards.
+  void repeat(const Repetition& of, Instant t);
 
   /// The whole state at t.
   std::vector<double> take(Instant t);

@@ -7,6 +7,8 @@
 #include "mariotte/core/instant.hpp"
 #include "mariotte/flow/flow.hpp"
 #include "mariotte/model/chain/chain_system.hpp"
+#include "mariotte/model/islands/repetition.hpp"
+#include "mariotte/model/islands/steady_wave.hpp"
 
 namespace mariotte::model {
 
@@ -18,6 +20,8 @@ class IslandObserver : public flow::StepObserver {
   /// void.
   virtual void begin(const ChainSystem& slice, Index first, Instant start) = 0;
   virtual void keep() = 0;
+  /// What was kept of a wave happens again; false if that cannot be told from what was seen.
+  virtual bool repeat(const Repetition& of) = 0;
 };
 /// Makes the log of one stretch.
 using IslandObserverMaker = std::function<std::unique_ptr<IslandObserver>()>;
@@ -37,6 +41,11 @@ struct Island {
   std::vector<Index> fired;
   flow::Arrival arrival;
   std::unique_ptr<IslandObserver> log;  ///< null if nobody watches
+  // As long as its wave may become steady.
+  bool may_be_steady = false;
+  CrestObserver crest;  ///< of the last stretch followed,
+  Instant crest_from;   ///< which began then
+  WaveStamp stamp;
 
   Index contacts() const { return last - first; }
   Instant arrives() const { return clock + arrival.duration; }

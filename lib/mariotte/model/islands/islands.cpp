@@ -76,13 +76,15 @@ void Islands::keep(const Appointment& appointment) {
 void Islands::arrive(Index id) {
   auto& island = *islands_[id];
   commit(island);
-  if (is_well_cut(island)) {
+  const auto repetition = find_repetition(island);
+  if (!repetition && is_well_cut(island)) {
     follow(island, options_.max_time - now_.value);
     return queue_.arrive(id, island.arrives());
   }
   from_ = balls_.contacts();
   to_ = -1;
   absorb(id);
+  if (repetition) move_on(island, *repetition);
   cut();
 }
 
@@ -125,6 +127,17 @@ void Islands::end(Ending ending) {
   run_.state = balls_.take(now_);
 }
 
+flow::Request Islands::request_of(Island& island, double limit) {
+  constexpr double accuracy_of_steady = 1e-13;  // less would not let a wave repeat itself within rounding
+  auto* log = island.log.get();
+  if (log) log->begin(island.system, island.first, island.clock);
+  if (!island.may_be_steady) return {.limit = limit, .accuracy = options_.accuracy, .observer = log};
+  island.crest_from = island.clock;
+  island.crest.begin(island.system, island.start, log);
+  return {
+      .limit = limit, .accuracy = std::min(options_.accuracy, accuracy_of_steady), .observer = &island.crest};
+}
+
 void Islands::follow(Island& island, double limit) {
   island.mode = island.held;
   auto& problem = island.system.problem(island.mode);
@@ -134,8 +147,7 @@ void Islands::follow(Island& island, double limit) {
   while (choice) {
     island.x = island.start;
     island.fired.clear();
-    if (island.log) island.log->begin(island.system, island.first, island.clock);
-    const flow::Request request{.limit = limit, .accuracy = options_.accuracy, .observer = island.log.get()};
+    const auto request = request_of(island, limit);
     island.arrival = choice->flow.follow(problem, island.x, request, island.fired);
     hybrid::count(run_.flows[static_cast<std::size_t>(choice->kind)], island.arrival);
     if (island.arrival.outcome != Outcome::failed) return;
@@ -202,6 +214,7 @@ void Islands::form(Index first, Index last) {
   const auto state = balls_.slice(first, last);
   island.start.assign(state.begin(), state.end());
   copy_slice(balls_.modes(), first, last, island.held);
+  island.may_be_steady = may_become_steady(island);
   follow(island, options_.max_time - now_.value);
   queue_.arrive(id, island.arrives());
   ++count_.formed;

@@ -23,9 +23,10 @@ namespace mariotte::model {
 /// What became of the islands of a run.
 struct IslandCount {
   Index formed = 0;
-  Index widest = 0;   ///< contacts of the largest
-  Index at_once = 0;  ///< most at one time
-  Index redone = 0;   ///< stretches followed again because something interfered
+  Index widest = 0;    ///< contacts of the largest
+  Index at_once = 0;   ///< most at one time
+  Index redone = 0;    ///< stretches followed again because something interfered
+  Index moved_on = 0;  ///< balls that steady waves passed without being followed
 };
 
 /// Runs one chain once. Balls are owned by an island or free; the end balls of an island fly freely, so that
@@ -57,10 +58,20 @@ class Islands {
   void end(hybrid::Ending ending);
 
   // One island.
+  flow::Request request_of(Island& island, double limit);
   void follow(Island& island, double limit);
   void commit(Island& island);
   void dissolve(Index id);
   void form(Index first, Index last);
+
+  // A steady wave.
+  bool may_become_steady(const Island& island) const;
+  std::optional<Repetition> find_repetition(Island& island);
+  bool is_alone(const Repetition& wave, std::size_t since) const;
+  void move_on(Island& island, Repetition wave);
+  Index periods_in_peace(double period);
+  Index periods_in_events() const;
+  Index count_waiting(const Repetition& wave, Index most) const;
 
   // Cutting a range of contacts, none of them inside an island, into islands.
   void absorb(Index id);
@@ -98,6 +109,7 @@ class Islands {
   std::vector<Index> walls_;  ///< contacts with a wall
   Index from_ = 0, to_ = -1;  ///< contacts to be cut
   std::vector<Group> groups_;
+  Index crests_ = 0;  ///< of waves looked at since one was steady
   Run run_;
   IslandCount count_;
 };
