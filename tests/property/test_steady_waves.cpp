@@ -120,3 +120,13 @@ BOOST_AUTO_TEST_CASE(light_strikers_of_any_speed_send_waves_that_are_moved_on) {
     }
   }
 }
+
+// The second wave stays close behind the first for a long time.
+BOOST_AUTO_TEST_CASE(two_strikers_send_two_waves) {
+  auto chain = struck();
+  chain.velocity[1] = 1;
+  for (const double mass : {1.0, 0.9, 0.5}) {
+    chain.mass[0] = mass;
+    expect_same(chain, 1e-10, false, 200);
+  }
+}

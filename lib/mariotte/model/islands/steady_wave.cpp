@@ -8,25 +8,45 @@
 namespace mariotte::model {
 namespace {
 
-/// How far `count` values are apart, of which only every other is compared, relative to the largest.
-double difference(const double* a, const double* b, Index count) {
-  double largest = 0, apart = 0;
-  for (Index i = 0; i < count; i += 2) {
-    largest = std::max(largest, std::abs(a[i]));
-    apart = std::max(apart, std::abs(a[i] - b[i]));
-  }
-  return apart / largest;
+/// Every other one of `count` values.
+struct Values {
+  const double* first;
+  Index count;
+};
+
+double largest(Values values) {
+  double size = 0;
+  for (Index i = 0; i < values.count; i += 2) size = std::max(size, std::abs(values.first[i]));
+  return size;
+}
+
+double difference(Values a, Values b) {
+  double apart = 0;
+  for (Index i = 0; i < a.count; i += 2) apart = std::max(apart, std::abs(a.first[i] - b.first[i]));
+  return apart;
+}
+
+/// Largest difference to one value.
+double difference(Values a, double b) {
+  double apart = 0;
+  for (Index i = 0; i < a.count; i += 2) apart = std::max(apart, std::abs(a.first[i] - b));
+  return apart;
 }
 
 }  // namespace
 
 bool shows_same_wave(const WaveStamp& before, const WaveStamp& now, double tolerance) {
-  const Index a = now.crest - now.first, b = before.crest - before.first;  // contacts ahead of the crest
-  const Index left = std::min(a, b);
-  const Index right = std::min(std::ssize(now.state) / 2 - a, std::ssize(before.state) / 2 - b);
-  const double *from = now.state.data() + 2 * (a - left), *to = before.state.data() + 2 * (b - left);
-  const Index count = 2 * (left + right) + 1;
-  return difference(from, to, count) <= tolerance && difference(from + 1, to + 1, count - 1) <= tolerance;
+  const Index a = now.crest - now.first, b = before.crest - before.first;  // contacts up to the crest
+  const Index left = std::min(a, b), size = std::ssize(now.state);
+  const Index right = std::min(size / 2 - a, std::ssize(before.state) / 2 - b);
+  const Index begin = 2 * (a - left), count = 2 * (left + right) + 1, end = begin + count;
+  const double *x = now.state.data(), *y = before.state.data() + 2 * (b - left);
+  const double rest = now.crest > before.crest ? x[size - 1] : x[0];
+  const double slow = tolerance * largest({x, size}), shallow = tolerance * largest({x + 1, size - 1});
+  return difference(Values{x + begin, count}, Values{y, count}) <= slow &&
+         difference(Values{x + begin + 1, count - 1}, Values{y + 1, count - 1}) <= shallow &&
+         difference(Values{x, begin}, rest) <= slow &&
+         difference(Values{x + end + 1, size - end - 1}, rest) <= slow;
 }
 
 bool lets_waves_be_steady(const contact::Law& law) {

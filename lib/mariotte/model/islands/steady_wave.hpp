@@ -26,7 +26,7 @@ struct WaveStamp {
 };
 
 /// True if two stamps show one wave: velocities and gaps, relative to the largest, differ by `tolerance` at
-/// most. The states are v₁ g₁ v₂ g₂ … vₙ.
+/// most, and balls beyond what both show move as slowly. The states are v₁ g₁ v₂ g₂ … vₙ.
 bool shows_same_wave(const WaveStamp& before, const WaveStamp& now, double tolerance);
 
 /// True of an elastic contact that stiffens: waves of others spread or fade.
