@@ -41,6 +41,7 @@ std::vector<Family> families(const std::vector<std::string>& kinds) {
   add("bodies", body_families);
   add("laws", law_families);
   add("friction", friction_families);
+  add("rows", row_families);
   add("slopes", [] { return slope_families({"chains", "networks", "bodies", "laws"}); });
   add("friction-slopes", [] { return slope_families({"friction"}); });
   return list;

@@ -22,11 +22,13 @@ std::vector<Family> network_families();
 std::vector<Family> body_families();
 std::vector<Family> law_families();
 std::vector<Family> friction_families();
+std::vector<Family> row_families();
 
 /// Families of these kinds, of which slopes are examined; bodies with friction have them of power laws.
 std::vector<Family> slope_families(const std::vector<std::string>& kinds);
 
-/// All families of the kinds "chains", "networks", "bodies", "laws", "friction", "slopes", "friction-slopes".
+/// All families of the kinds "chains", "networks", "bodies", "laws", "friction", "rows", "slopes",
+/// "friction-slopes".
 std::vector<Family> families(const std::vector<std::string>& kinds);
 
 /// Place in the list of the family that scene `number` is drawn from: they take turns.

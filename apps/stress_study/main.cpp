@@ -19,8 +19,8 @@ namespace {
 
 /// Those that are drawn unless others are asked for, and all that there are.
 const std::vector<std::string> usual_kinds = {"chains", "networks", "bodies", "laws", "friction"};
-const std::vector<std::string> known_kinds = {"chains",   "networks", "bodies",         "laws",
-                                              "friction", "slopes",   "friction-slopes"};
+const std::vector<std::string> known_kinds = {"chains",   "networks", "bodies", "laws",
+                                              "friction", "rows",     "slopes", "friction-slopes"};
 
 struct CommandLine {
   double seconds = 60;
@@ -42,7 +42,7 @@ of contact periods differ; runs refused by name, failed, without an end; runs of
 came to no end, which is no fault; runs slower than 100 times the median;
 CPU time a scene costs; the worst deviation over what was asked, and in which scene; scenes with anything unexplained.
 
---kinds slopes compares slopes by numbers of the scenes with differences of runs instead, --kinds
+--kinds rows draws long rows whose waves become steady. --kinds slopes compares slopes by numbers of the scenes with differences of runs instead, --kinds
 friction-slopes those of bodies with friction.
 
 Examples:
@@ -68,7 +68,7 @@ command::OptionList declare(CommandLine& line) {
       {"--only", &line.only, "Number of the one scene to examine"},
       {"--kinds",
        &line.kinds,
-       "Some of chains, networks, bodies, laws, friction, slopes, friction-slopes",
+       "Some of chains, networks, bodies, laws, friction, rows, slopes, friction-slopes",
        {.check = command::OneOf{known_kinds}, .between_commas = true}},
       {"--threads", &line.workers, "Scenes examined at once", {.check = command::Range{1, 256}}},
       {"--out",
