@@ -25,10 +25,8 @@ class IslandPeakObserver final : public model::IslandObserver {
     auto kept = all_.begin() + first_;
     for (const auto& peak : observer_.peaks()) raise(*kept++, peak, all_peaks);
   }
-  bool repeat(const model::Repetition& of) override {
-    model::repeat(all_, of);
-    return true;
-  }
+  bool can_repeat() const override { return true; }
+  void repeat(const model::Repetition& of) override { model::repeat(all_, of); }
 
  private:
   std::vector<Peak>& all_;

@@ -20,8 +20,10 @@ class IslandObserver : public flow::StepObserver {
   /// void.
   virtual void begin(const ChainSystem& slice, Index first, Instant start) = 0;
   virtual void keep() = 0;
-  /// What was kept of a wave happens again; false if that cannot be told from what was seen.
-  virtual bool repeat(const Repetition& of) = 0;
+  /// False if every step has to be seen: no wave is moved on.
+  virtual bool can_repeat() const { return false; }
+  /// What was kept of a wave happens again.
+  virtual void repeat(const Repetition&) {}
 };
 /// Makes the log of one stretch.
 using IslandObserverMaker = std::function<std::unique_ptr<IslandObserver>()>;

@@ -25,7 +25,7 @@ double tolerance_of_steady(const DimensionlessChain& chain) {
 
 /// A row that waits on one side is long enough, and the wave has not been looked at for long.
 bool Islands::may_become_steady(const Island& island) const {
-  if (requested_ || crests_ > patience) return false;
+  if (requested_ || crests_ > patience || (island.log && !island.log->can_repeat())) return false;
   const auto waits = [&](Index shift) {
     return count_waiting(
                {.first = island.first, .last = island.last, .shift = shift, .period = 0, .count = 0},
@@ -34,29 +34,31 @@ bool Islands::may_become_steady(const Island& island) const {
   return waits(wave_stride) || waits(-wave_stride);
 }
 
-/// Compare the crest that the island has passed, if it did, with one before.
+/// Compare the crest that the island has passed, if it did, with one `wave_stride` contacts before.
 std::optional<Repetition> Islands::find_repetition(Island& island) {
-  const auto& crest = island.crest;
-  if (!island.may_be_steady || !crest.has_seen()) return std::nullopt;
+  if (!island.may_be_steady || !island.crest.has_seen()) return std::nullopt;
   ++crests_;
-  WaveStamp now{.crest = island.first + crest.contact(),
-                .first = island.first,
-                .time = island.crest_from + crest.time(),
-                .state = crest.state(),
-                .changes = run_.changes.size()};
-  auto& before = island.stamp;
+  auto now = stamp_of(island);
+  const auto before = island.stamp;
   const Index shift = now.crest - before.crest;
   if (before.crest >= 0 && std::abs(shift) < wave_stride) return std::nullopt;
-  const bool fits = before.crest >= 0 && std::abs(shift) == wave_stride &&
-                    shows_same_wave(before, now, tolerance_of_steady(chain_));
+  island.stamp = now;
+  if (before.crest < 0 || std::abs(shift) > wave_stride) return std::nullopt;
   const Repetition found{.first = island.first,
                          .last = island.last,
                          .shift = shift,
                          .period = now.time - before.time,
                          .count = 0};
-  const bool alone = fits && is_alone(found, before.changes);
-  before = std::move(now);
-  return alone ? std::optional(found) : std::nullopt;
+  const bool is_steady = shows_same_wave(before, now, tolerance_of_steady(chain_));
+  return is_steady && is_alone(found, before.changes) ? std::optional(found) : std::nullopt;
+}
+
+WaveStamp Islands::stamp_of(const Island& island) const {
+  return {.crest = island.first + island.crest.contact(),
+          .first = island.first,
+          .time = island.crest_from + island.crest.time(),
+          .state = island.crest.state(),
+          .changes = run_.changes.size()};
 }
 
 /// Since so many changes all that has happened did so where the wave was, and balls that it left behind will
@@ -76,9 +78,9 @@ bool Islands::is_alone(const Repetition& wave, std::size_t since) const {
 void Islands::move_on(Island& island, Repetition wave) {
   const Index most = std::min(periods_in_peace(wave.period), periods_in_events());
   wave.count = (count_waiting(wave, most * wave_stride + 1) - 1) / wave_stride;
-  const bool is_clear = std::abs(wave.way()) > wave.last - wave.first;
-  if (!is_clear || (island.log && !island.log->repeat(wave))) return;
+  if (std::abs(wave.way()) <= wave.last - wave.first) return;
   record();
+  if (island.log) island.log->repeat(wave);
   repeat_changes(wave, now_, run_);
   balls_.repeat(wave, now_);
   now_ = now_ + static_cast<double>(wave.count) * wave.period;

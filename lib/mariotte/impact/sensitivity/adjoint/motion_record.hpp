@@ -64,7 +64,6 @@ class MotionRecorder final : public model::IslandObserver {
   void begin(const model::ChainSystem& slice, Index first, Instant start) override;
   void observe(const flow::Step& step) override;
   void keep() override;
-  bool repeat(const model::Repetition&) override { return false; }
 
  private:
   struct Places;
