@@ -33,8 +33,10 @@ Passage passage(const Run& run, const std::vector<Index>& periods) {
   Passage gone{.contacts = std::ssize(periods),
                .harmless = single_wave(std::ssize(periods)),
                .periods = std::accumulate(periods.begin(), periods.end(), Index{0})};
-  for (const auto kind : flow::kinds)
-    count_steps(gone, is_cvode(kind), run.flows[static_cast<std::size_t>(kind)].steps);
+  for (const auto kind : flow::kinds) {
+    const auto& flow = run.flows[static_cast<std::size_t>(kind)];
+    count_flow(gone, kind, flow.phases, flow.steps);
+  }
   return gone;
 }
 

@@ -7,9 +7,10 @@
 //   repeat
 //     a ← tighter, as the last difference says; run again
 //     difference of the velocities ≤ accuracy asked for?  → the tighter run, with the difference as estimate
-//     a cannot get tighter?                               → the same, and the estimate says so
-//   a tighter run cannot be had, or is the same to the last bit?
-//     run with masses that are moved by rounding errors; the largest difference is the estimate
+//     a cannot get tighter?                               → the same
+//   they did not agree, or what they did may hide rounding?
+//     near the last accuracy, run with masses and gaps that are moved by rounding errors: the largest
+//     difference is the estimate
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -20,45 +21,10 @@
 #include "mariotte/core/types.hpp"
 #include "mariotte/hybrid/ending.hpp"
 #include "mariotte/hybrid/options.hpp"
-#include "mariotte/impact/flow_use.hpp"
+#include "mariotte/impact/passage.hpp"
 #include "mariotte/impact/shaken.hpp"
 
 namespace mariotte::impact {
-
-/// What a run has gone through.
-struct Passage {
-  Index contacts = 0;
-  Index harmless = 0;  ///< periods up to which none magnifies the errors of another
-  Index periods = 0;   ///< of contact, of all contacts together
-  Index steps = 0;     ///< of series and closed forms; CVODE's are shorter and count a thirtieth
-  double attainable = 16 * epsilon;  ///< accuracy beyond which rounding leaves no run
-};
-
-/// Adds the steps of a flow.
-inline void count_steps(Passage& passage, bool by_cvode, Index steps) {
-  passage.steps += by_cvode ? steps / 30 : steps;
-}
-
-/// Adds the steps of all flows of a whole result.
-inline void count_steps(Passage& passage, const std::vector<FlowUse>& flows) {
-  for (const auto& flow : flows) count_steps(passage, flow.name.starts_with("cvode"), flow.steps);
-}
-
-/// Periods of a single wave through so many contacts, there and back. Of a body only the first impact is
-/// harmless: the next one depends on how far it has turned since.
-inline Index single_wave(Index contacts) {
-  return 2 * contacts;
-}
-inline constexpr Index first_impact = 1;
-
-/// True if errors may have grown: contacts have closed so often that what one does wrong is magnified by the
-/// next, or the errors of many steps have added up. After very many periods
-/// rounding alone decides the end, and each run takes minutes.
-inline bool may_have_erred(const Passage& passage) {
-  constexpr Index most = 100'000;
-  return (passage.periods > passage.harmless || passage.steps > 60 + 10 * passage.contacts) &&
-         passage.periods <= most;
-}
 
 /// Accuracy of the next run after one at `now`, which differs from the one before by `difference`; empty if
 /// double precision has no more to give than what is `attainable`.
@@ -91,42 +57,45 @@ inline bool may_replace(hybrid::Ending looser, hybrid::Ending tighter) {
 
 /// Run tighter until two runs agree within the accuracy that is `asked` for: `run(options)` runs and returns
 /// by how much its velocities differ from those of the run before, or nothing if it may not replace it.
-/// Where no tighter run tells anything new, `shake()` says what rounding makes of the velocities, which no
-/// accuracy mends. Returns the last difference; empty if the first tighter run has failed.
+/// Where that is no measure of the last run, `shake(options)` runs near its accuracy, with inputs moved by
+/// rounding errors, and says what that makes of the velocities. Returns the estimate of the error; empty if
+/// the first tighter run has failed.
 template <class Run, class Shake>
-std::optional<double> keep_promise(const hybrid::Options& asked, double attainable, Run&& run,
+std::optional<double> keep_promise(const hybrid::Options& asked, const Passage& gone, Run&& run,
                                    Shake&& shake) {
+  const double rounding = epsilon * static_cast<double>(gone.steps);
   std::optional<double> last;
-  auto tighter = asked;
-  auto accuracy = next_accuracy(asked.accuracy, asked.accuracy, last, attainable);
-  while (accuracy) {
-    tighter.accuracy = *accuracy;
-    const std::optional<double> apart = run(tighter);
+  auto now = asked;
+  double looser = asked.accuracy;
+  while (!last || *last > asked.accuracy) {
+    const auto accuracy = next_accuracy(asked.accuracy, now.accuracy, last, gone.attainable);
+    if (!accuracy) break;
+    looser = std::exchange(now.accuracy, *accuracy);
+    const std::optional<double> apart = run(now);
     if (!apart) return last;
     if (*apart == 0) break;  // the same to the last bit: the flow has no more to give
-    last = apart;
-    if (*last <= asked.accuracy) break;
-    accuracy = next_accuracy(asked.accuracy, *accuracy, last, attainable);
+    last = *apart + rounding;
   }
-  return last ? last : shake();
+  const bool agreed = last && *last <= asked.accuracy;
+  if (agreed && !hides_rounding(gone, looser)) return last;
+  now.accuracy *= 4;  // so that what the accuracy cuts off shows as well
+  const std::optional<double> shaken = shake(now);
+  return shaken ? std::max(*shaken, agreed ? *last : 0) : last;
 }
 
-/// What a whole result of a chain or network has gone through.
-template <class Impact>
-Passage passage(const Impact& impact) {
-  const Index contacts = std::ssize(impact.contacts);
-  Passage gone{.contacts = contacts, .harmless = single_wave(contacts)};
-  for (const auto& contact : impact.contacts) gone.periods += std::ssize(contact.periods);
-  count_steps(gone, impact.flows);
-  return gone;
+/// Upper bound on the error of a result that is `apart` from a run which is tighter by far, but has an error
+/// of its own: a tenth at most, or what it says itself.
+inline double error_bound(double apart, std::optional<double> of_tighter) {
+  return 1.1 * apart + of_tighter.value_or(0);
 }
 
-/// The largest difference that shaking makes among runs that end alike; empty if none does.
+/// Four times the largest difference that shaking makes among runs that end alike, since a few of them tell
+/// how wide errors scatter, not how far one may lie out; empty if none ends alike.
 template <class After>
 std::optional<double> most_shaken(After&& after) {
   std::optional<double> most;
   for (const unsigned shake : shakes)
-    if (const auto apart = after(shake)) most = std::max(most.value_or(0), *apart);
+    if (const auto apart = after(shake)) most = std::max(most.value_or(0), 4 * *apart);
   return most;
 }
 
@@ -144,16 +113,19 @@ void keep_promise(const Model& model, const hybrid::Options& asked, const Passag
     impact = std::move(tighter);
     return difference;
   };
-  const auto after = [&](unsigned shake) -> std::optional<double> {
-    const auto other = again(shaken(model, shake), asked);
-    return other.ending == impact.ending ? std::optional(apart(impact, other)) : std::nullopt;
+  const auto shake = [&](const hybrid::Options& options) {
+    return most_shaken([&](unsigned which) -> std::optional<double> {
+      const auto other = again(shaken(model, which), options);
+      return other.ending == impact.ending ? std::optional(apart(impact, other)) : std::nullopt;
+    });
   };
-  impact.estimated_accuracy = keep_promise(asked, gone.attainable, run, [&] { return most_shaken(after); });
+  impact.estimated_accuracy = keep_promise(asked, gone, run, shake);
 }
 
-/// The same for brief results: `solve(model, options)` fills in `impact`; `looser` is memory.
+/// The same for brief results: `solve(model, options)` fills in `impact`; `looser` is memory. What has `gone`
+/// on is copied, since a solver counts anew in every run.
 template <class Model, class Brief, class Solve, class Apart>
-void keep_promise(const Model& model, const hybrid::Options& asked, const Passage& gone, Brief& impact,
+void keep_promise(const Model& model, const hybrid::Options& asked, Passage gone, Brief& impact,
                   Brief& looser, Solve&& solve, Apart&& apart) {
   impact.estimated_accuracy.reset();
   if (!may_have_erred(gone)) return;
@@ -164,13 +136,15 @@ void keep_promise(const Model& model, const hybrid::Options& asked, const Passag
     std::swap(impact, looser);
     return std::nullopt;
   };
-  const auto after = [&](unsigned shake) -> std::optional<double> {
-    looser = impact;
-    solve(shaken(model, shake), asked);
-    std::swap(impact, looser);
-    return looser.ending == impact.ending ? std::optional(apart(impact, looser)) : std::nullopt;
+  const auto shake = [&](const hybrid::Options& options) {
+    return most_shaken([&](unsigned which) -> std::optional<double> {
+      looser = impact;
+      solve(shaken(model, which), options);
+      std::swap(impact, looser);
+      return looser.ending == impact.ending ? std::optional(apart(impact, looser)) : std::nullopt;
+    });
   };
-  const auto estimate = keep_promise(asked, gone.attainable, run, [&] { return most_shaken(after); });
+  const auto estimate = keep_promise(asked, gone, run, shake);
   impact.estimated_accuracy = estimate;
 }
 

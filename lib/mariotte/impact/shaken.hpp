@@ -1,6 +1,8 @@
-// Models with masses that are moved by rounding errors: what becomes of that is what rounding does to a run.
+// Models with masses and gaps that are moved by rounding errors: what becomes of that is what rounding does
+// to a run.
 #pragma once
 #include <array>
+#include <vector>
 
 #include "mariotte/core/types.hpp"
 #include "mariotte/model/bodies/bodies.hpp"
@@ -10,16 +12,30 @@
 
 namespace mariotte::impact {
 
-/// Ways to go up and down, bit i for mass i: how much one of them tells is a matter of luck.
+/// Ways to go up and down, bit i for number i: how much one of them tells is a matter of luck.
 inline constexpr std::array shakes = {0xAAAAAAAAu, 0x9C3F5A16u, 0x6B1D93E4u};
 
-/// Mass i, changed by more than the rounding of one operation.
-inline double shaken(double mass, std::size_t i, unsigned shake) {
-  return mass * (1 + (shake >> i % 32 & 1 ? 4 : -4) * epsilon);
+/// Number i, changed by more than the rounding of one operation.
+inline double shaken(double number, std::size_t i, unsigned shake) {
+  return number * (1 + (shake >> i % 32 & 1 ? 4 : -4) * epsilon);
+}
+
+/// One number after the other, from bit `first` on.
+inline void shake_all(std::vector<double>& numbers, std::size_t first, unsigned shake) {
+  for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = shaken(numbers[i], first + i, shake);
+}
+
+/// Stiffnesses, but beside a damper: contacts of one ratio c/k keep it.
+inline void shake_all(std::vector<contact::Law>& laws, std::size_t first, unsigned shake) {
+  for (std::size_t j = 0; j < laws.size(); ++j)
+    if (auto* const law = std::get_if<contact::PowerLaw>(&laws[j]); law && law->damping == 0)
+      law->stiffness = shaken(law->stiffness, first + j, shake);
 }
 
 inline model::Chain shaken(model::Chain chain, unsigned shake) {
-  for (std::size_t i = 0; i < chain.mass.size(); ++i) chain.mass[i] = shaken(chain.mass[i], i, shake);
+  shake_all(chain.mass, 0, shake);
+  shake_all(chain.gap, chain.mass.size(), shake);
+  shake_all(chain.law, chain.mass.size() / 2, shake);
   return chain;
 }
 
@@ -27,6 +43,8 @@ inline model::Chain shaken(model::Chain chain, unsigned shake) {
 inline model::Network shaken(model::Network network, unsigned shake) {
   const std::size_t dofs = network.velocity.size(), step = network.mass.size() == dofs ? 1 : dofs + 1;
   for (std::size_t i = 0; i < dofs; ++i) network.mass[step * i] = shaken(network.mass[step * i], i, shake);
+  shake_all(network.gap, dofs, shake);
+  shake_all(network.law, dofs / 2, shake);
   return network;
 }
 

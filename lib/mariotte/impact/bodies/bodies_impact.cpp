@@ -149,7 +149,7 @@ Passage passage(const BodiesImpact& impact, double attainable) {
                .attainable = std::max(attainable, 16 * epsilon)};
   for (const auto& contact : impact.contacts) gone.periods += std::ssize(contact.periods);
   for (const auto& event : impact.events) gone.periods += std::ssize(event.of(BodyEvent::load));
-  count_steps(gone, impact.flows);
+  count_flows(gone, impact.flows);
   return gone;
 }
 
@@ -190,9 +190,8 @@ double estimate_accuracy(const model::Bodies& bodies, const hybrid::Options& opt
                          const BodiesImpact& result) {
   auto tighter = options;
   tighter.accuracy = std::max(options.accuracy / 32, 16 * epsilon);
-  return difference(
-      bodies, result,
-      bodies.dimension == 2 ? simulate_once<2>(bodies, tighter, {}) : simulate_once<3>(bodies, tighter, {}));
+  const auto own = simulate(bodies, tighter);
+  return error_bound(difference(bodies, result, own), own.estimated_accuracy);
 }
 
 }  // namespace mariotte::impact

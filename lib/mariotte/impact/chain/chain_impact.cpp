@@ -223,7 +223,9 @@ double estimate_accuracy(const model::Chain& chain, const hybrid::Options& optio
   tighter.accuracy = std::max(1e-2 * options.accuracy, 16 * epsilon);
   if (divides(options, chain) && !options.flow && may_have_steady_waves(chain))
     tighter.flow = flow::Kind::taylor;
-  const double from_tighter = difference(result.velocity, solver.solve(chain, tighter).velocity, speed);
+  const auto& own = solver.solve(chain, tighter);
+  const double from_tighter =
+      error_bound(difference(result.velocity, own.velocity, speed), own.estimated_accuracy);
   if (divides(options, chain)) return from_tighter;
   tighter.flow = another_flow(chain, options);
   tighter.accuracy = std::max(tighter.accuracy, cvode_floor);
@@ -231,7 +233,8 @@ double estimate_accuracy(const model::Chain& chain, const hybrid::Options& optio
   using hybrid::Ending;
   if (other.ending == Ending::failed || other.ending == Ending::event_limit) return from_tighter;
   const double from_other = difference(result.velocity, other.velocity, speed);
-  return from_other > 10 * cvode_floor ? std::max(from_tighter, from_other) : from_tighter;
+  const double others_own = std::max(10 * cvode_floor, 4 * other.estimated_accuracy.value_or(0));
+  return from_other > others_own ? std::max(from_tighter, from_other) : from_tighter;
 }
 
 }  // namespace mariotte::impact

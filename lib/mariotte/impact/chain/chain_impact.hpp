@@ -107,7 +107,7 @@ struct ContactImpact {
   std::vector<FlowUse> flows;
   std::vector<Skipped> skipped;
   double requested_accuracy = 0;
-  std::optional<double> estimated_accuracy;  ///< only from estimate_accuracy
+  std::optional<double> estimated_accuracy;  ///< where errors may have grown, or from estimate_accuracy
   /// Of small oscillations of the contacts that adhesion holds together for ever, ascending [Hz]; empty but
   /// at the ending `bound`.
   std::vector<double> bound_frequency;
@@ -125,9 +125,10 @@ struct ChainImpact : ContactImpact {
 ChainImpact simulate(const model::Chain& chain, const hybrid::Options& options = {},
                      const RunObserver& observers = {});
 
-/// Error of `result.velocity` relative to the largest incident speed: the larger of the differences to a run
-/// at a tighter accuracy and, unless the chain is divided into islands, to one by a flow that shares no
-/// formula with it: CVODE, whose own errors begin at about 1e-12 and are not counted.
+/// Error of `result.velocity` relative to the largest incident speed: the difference to a run at a tighter
+/// accuracy and what that one may err by itself. Unless the chain is divided into islands also the difference
+/// to a flow that shares no formula with it, CVODE, where that is more than CVODE's own error: that begins at
+/// about 1e-12 and grows with what magnifies it.
 double estimate_accuracy(const model::Chain& chain, const hybrid::Options& options,
                          const ChainImpact& result);
 

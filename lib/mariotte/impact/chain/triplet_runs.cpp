@@ -59,7 +59,7 @@ const BriefImpact* TripletRuns::result(std::size_t i) {
   if (!(finer_ < accuracy_) || !described(tighter_[again - again_.begin()], finer_)) return nullptr;
   const double apart = difference(impact_.velocity, looser_.velocity, scene_[i].speed);
   if (apart > 0) impact_.estimated_accuracy = apart;
-  return apart <= accuracy_ ? &impact_ : nullptr;
+  return apart <= accuracy_ && !hides_rounding(passage(triplet_[i]), accuracy_) ? &impact_ : nullptr;
 }
 
 }  // namespace mariotte::impact

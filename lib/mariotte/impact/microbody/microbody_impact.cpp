@@ -202,7 +202,7 @@ MicrobodyImpact simulate(const model::Microbody& body, const hybrid::Options& op
   Passage gone{.contacts = std::ssize(body.body.tips),
                .harmless = first_impact,
                .periods = std::ssize(impact.impacts)};
-  count_steps(gone, impact.flows);
+  count_flows(gone, impact.flows);
   const auto again = [&](const model::Microbody& same, const hybrid::Options& tighter) {
     return simulate_once(same, tighter, observers);
   };
@@ -218,8 +218,10 @@ double estimate_accuracy(const model::Microbody& body, const hybrid::Options& op
                          const MicrobodyImpact& result) {
   auto tighter = options;
   tighter.accuracy = std::max(1e-2 * options.accuracy, 16 * epsilon);
-  const auto reference = simulate(body, tighter).final;
-  return difference(body, result.final.velocity - reference.velocity, result.final.spin - reference.spin);
+  const auto own = simulate(body, tighter);
+  return error_bound(
+      difference(body, result.final.velocity - own.final.velocity, result.final.spin - own.final.spin),
+      own.estimated_accuracy);
 }
 
 }  // namespace mariotte::impact

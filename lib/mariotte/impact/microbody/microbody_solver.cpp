@@ -49,7 +49,7 @@ struct MicrobodySolver::Memory {
       const auto& flow = run.flows[static_cast<std::size_t>(kind)];
       impact.steps += flow.steps;
       impact.rhs += flow.rhs;
-      count_steps(gone, is_cvode(kind), flow.steps);
+      count_flow(gone, kind, flow.phases, flow.steps);
     }
   }
 

@@ -159,7 +159,9 @@ double estimate_accuracy(const model::Network& network, const hybrid::Options& o
                          const NetworkImpact& result) {
   auto tighter = options;
   tighter.accuracy = std::max(1e-2 * options.accuracy, 16 * epsilon);
-  return rate_difference(network, result.velocity, NetworkSolver().solve(network, tighter).velocity);
+  NetworkSolver solver;
+  const auto& own = solver.solve(network, tighter);
+  return error_bound(rate_difference(network, result.velocity, own.velocity), own.estimated_accuracy);
 }
 
 }  // namespace mariotte::impact

@@ -1,0 +1,68 @@
+// What a run has gone through, which tells how far its errors may have grown.
+#pragma once
+#include <vector>
+
+#include "mariotte/core/types.hpp"
+#include "mariotte/flow/kind.hpp"
+#include "mariotte/impact/flow_use.hpp"
+
+namespace mariotte::impact {
+
+/// What a run has gone through.
+struct Passage {
+  Index contacts = 0;
+  Index harmless = 0;  ///< periods up to which none magnifies the errors of another
+  Index periods = 0;   ///< of contact, of all contacts together
+  Index steps = 0;     ///< of series and closed forms; CVODE's are shorter and count a thirtieth
+  Index exact = 0;     ///< phases of contact in closed form, which err by rounding alone
+  Index cut = 0;       ///< others, whose errors the accuracy sets
+  double attainable = 16 * epsilon;  ///< accuracy beyond which rounding leaves no run
+};
+
+/// Adds the work of a flow.
+inline void count_flow(Passage& passage, flow::Kind kind, Index phases, Index steps) {
+  passage.steps += is_cvode(kind) ? steps / 30 : steps;
+  if (kind == flow::Kind::ballistic) return;
+  (kind < flow::Kind::taylor ? passage.exact : passage.cut) += phases;
+}
+
+/// Adds the work of all flows of a whole result.
+inline void count_flows(Passage& passage, const std::vector<FlowUse>& flows) {
+  for (const auto& use : flows)
+    for (const auto kind : flow::kinds)
+      if (use.name == flow::name(kind)) count_flow(passage, kind, use.phases, use.steps);
+}
+
+/// Periods of a single wave through so many contacts, there and back. Of a body only the first impact is
+/// harmless: the next one depends on how far it has turned since.
+inline Index single_wave(Index contacts) {
+  return 2 * contacts;
+}
+inline constexpr Index first_impact = 1;
+
+/// True if errors may have grown: contacts have closed so often that what one does wrong is magnified by the
+/// next, or the errors of many steps have added up. After very many periods
+/// rounding alone decides the end, and each run takes minutes.
+inline bool may_have_erred(const Passage& passage) {
+  constexpr Index most = 100'000;
+  return (passage.periods > passage.harmless || passage.steps > 60 + 10 * passage.contacts) &&
+         passage.periods <= most;
+}
+
+/// True if runs that differ in accuracy may agree although rounding has moved both: most of what they did is
+/// exact but for rounding, or the looser of them was nearly so.
+inline bool hides_rounding(const Passage& passage, double looser) {
+  return passage.exact > passage.cut || looser <= 1e-11;
+}
+
+/// What a whole result of a chain or network has gone through.
+template <class Impact>
+Passage passage(const Impact& impact) {
+  const Index contacts = std::ssize(impact.contacts);
+  Passage gone{.contacts = contacts, .harmless = single_wave(contacts)};
+  for (const auto& contact : impact.contacts) gone.periods += std::ssize(contact.periods);
+  count_flows(gone, impact.flows);
+  return gone;
+}
+
+}  // namespace mariotte::impact
