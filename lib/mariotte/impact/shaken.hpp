@@ -48,14 +48,29 @@ inline model::Network shaken(model::Network network, unsigned shake) {
   return network;
 }
 
+/// Principal moments; equal ones alike, so that a symmetric body stays one.
+inline Vector3 shaken(const Vector3& moment, std::size_t first, unsigned shake) {
+  const auto& [e1, e2, e3] = moment;
+  return {shaken(e1, e1 == e2 ? first + 1 : first, shake), shaken(e2, first + 1, shake),
+          shaken(e3, e3 == e2 ? first + 1 : first + 2, shake)};
+}
+
 inline model::Bodies shaken(model::Bodies bodies, unsigned shake) {
-  for (std::size_t i = 0; i < bodies.body.size(); ++i)
-    bodies.body[i].mass = shaken(bodies.body[i].mass, i, shake);
+  for (std::size_t i = 0; i < bodies.body.size(); ++i) {
+    auto& body = bodies.body[i];
+    body.mass = shaken(body.mass, i, shake);
+    body.inertia = shaken(body.inertia, bodies.body.size() + 3 * i, shake);
+  }
   return bodies;
 }
 
+/// One body has few numbers: how it moves is shaken as well.
 inline model::Microbody shaken(model::Microbody body, unsigned shake) {
   body.body.mass = shaken(body.body.mass, 0, shake);
+  body.body.inertia = shaken(body.body.inertia, 1, shake);
+  body.velocity = shaken(1.0, 4, shake) * body.velocity;
+  body.spin = shaken(1.0, 5, shake) * body.spin;
+  body.gravity = shaken(body.gravity, 6, shake);
   return body;
 }
 
