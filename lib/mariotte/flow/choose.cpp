@@ -137,12 +137,12 @@ Choice Flows::choose(const Problem& problem, std::optional<Kind> requested) {
 
 std::optional<Choice> Flows::instead_of(Kind kind, bool stiff, const Problem& problem,
                                         std::optional<Kind> requested) {
-  if (kind == Kind::ballistic || kind == Kind::cvode_adams || (requested && !stiff)) return std::nullopt;
+  if (kind == Kind::ballistic || (!stiff && (kind == Kind::cvode_adams || requested))) return std::nullopt;
   if (kind == Kind::pair)
     if (auto& taylor = get(Kind::taylor, problem); taylor.admits(problem))
       return Choice{Kind::taylor, taylor};
-  const bool adams =
-      kind == Kind::cvode_bdf_klu || (problem.recorded() && problem.damping_group() < stiff_for_adams);
+  const bool adams = kind == Kind::cvode_bdf_klu || (kind != Kind::cvode_adams && problem.recorded() &&
+                                                     problem.damping_group() < stiff_for_adams);
   const auto next = adams ? Kind::cvode_adams : Kind::cvode_bdf_klu;
   return Choice{next, get(next, problem)};
 }

@@ -20,7 +20,7 @@ class Turns {
   /// Adds to a request how much effort is worth while.
   flow::Request asking(flow::Request request) const {
     request.least_step = left_ ? least_step_ : 0;
-    request.patient = patient_;
+    request.patient = patient_ || left_ || (requested_ && is_cvode(*requested_));
     return request;
   }
 

@@ -95,6 +95,14 @@ void find_motion(DimensionlessMicrobody& d) {
   d.momentum = {};
 }
 
+/// Gap of tip i while the first one touches; what is below rounding touches as well.
+double start_gap(const Microbody& body, std::size_t i) {
+  const auto &first = body.body.tips[0], &tip = body.body.tips[i];
+  const Vector3 apart = tip.centre - first.centre;
+  const double gap = rotate(body.attitude, apart).e1 - tip.radius + first.radius;
+  return gap > 8 * epsilon * norm(apart) ? gap : 0;
+}
+
 /// In units in which a stiffness `reference` is 1.
 DimensionlessMicrobody in_units(const Microbody& body, const Scale& scale, double reference) {
   DimensionlessMicrobody d;
@@ -102,9 +110,7 @@ DimensionlessMicrobody in_units(const Microbody& body, const Scale& scale, doubl
   d.body = scaled(body.body, scale, body.impacts == 1 ? 1 : body.body.tips.size());
   for (std::size_t i = 0; i < d.tips(); ++i) {
     d.law.push_back(scaled(body.law[i], scale, reference));
-    const double below = rotate(body.attitude, body.body.tips[i].centre - body.body.tips[0].centre).e1;
-    d.gap.push_back(std::max(0.0, below - body.body.tips[i].radius + body.body.tips[0].radius) /
-                    scale.length);
+    d.gap.push_back(start_gap(body, i) / scale.length);
   }
   d.friction = body.friction;
   d.attitude = body.attitude;

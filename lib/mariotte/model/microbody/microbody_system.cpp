@@ -18,6 +18,13 @@ bool has_fired(TipGuard guard, Index i, const std::vector<Index>& fired) {
   return std::find(fired.begin(), fired.end(), guard_index(i, guard)) != fired.end();
 }
 
+std::array<bool, 2> closed_since(const MicrobodyMode& before, const MicrobodyMode& now) {
+  std::array<bool, 2> closed = {};
+  for (std::size_t i = 0; i < closed.size(); ++i)
+    closed[i] = before.tip[i].contact == TipContact::clear && now.tip[i].contact != TipContact::clear;
+  return closed;
+}
+
 }  // namespace
 
 MicrobodySystem::MicrobodySystem(const Microbody& body, double accuracy, bool balance, WatchedSigns watched)
@@ -63,23 +70,42 @@ void MicrobodySystem::choose_friction(Mode& mode, Index i, ConstState x, double 
 void MicrobodySystem::close(Mode& mode, Index i, ConstState x, std::vector<Change>& changes) const {
   auto& tip = mode.tip[i];
   const auto& law = body_.law[static_cast<std::size_t>(i)];
-  const auto here = mechanics().tip(x, i);
   tip = {.contact = TipContact::sliding};
-  tip.force_sign = law.adhesion > 0 && 1 + law.damping_adhesion * here.velocity > 0 ? -1 : 1;
+  tip.force_sign = law.adhesion > 0 && 1 + law.damping_adhesion * mechanics().tip(x, i).velocity > 0 ? -1 : 1;
   changes.push_back({i, TipEvent::close});
-  if (body_.friction.coefficient == 0) return;
+}
+
+bool MicrobodySystem::slides(Index i, ConstState x) const {
+  const auto here = mechanics().tip(x, i);
   const Vector3 v = vector_at(x, layout_.place.velocity);
   const double rounding = 16 * epsilon * (norm(v) + norm(mechanics().spin(x)) * norm(here.lever));
   const bool spatial = body_.motion == TipPhase::Motion::spatial;
-  if (norm(here.slip) > (spatial ? std::max(rounding, mechanics().slip_noise) : rounding)) {
-    tip.direction = unit(here.slip);
-    return;
-  }
-  // All forces are zero yet, but not their ratio: ask of the state as it will be, barely indented.
+  return norm(here.slip) > (spatial ? std::max(rounding, mechanics().slip_noise) : rounding);
+}
+
+/// Tips that have closed at this instant slide on, or hold if they can, all at once. All forces are zero yet,
+/// but not their ratio: it is asked of the state as it will be, barely indented.
+void MicrobodySystem::grip(Mode& mode, const std::array<bool, 2>& closed, ConstState x,
+                           std::vector<Change>& changes) const {
+  if (!closed[0] && !closed[1]) return;
   std::vector<double> soon(x.begin(), x.end());
-  soon[layout_.place.gap[i]] = -epsilon * epsilon;
-  choose_friction(mode, i, soon, 0, changes);
-  tip.at_touch = tip.contact == TipContact::sliding;
+  std::array<bool, 2> rests = {};
+  for (Index i = 0; i < layout_.tips; ++i) {
+    if (!closed[i]) continue;
+    auto& tip = mode.tip[i];
+    rests[i] = !slides(i, x);
+    soon[layout_.place.gap[i]] = -epsilon * epsilon;
+    if (rests[i])
+      tip.contact = TipContact::sticking;
+    else
+      tip.direction = unit(mechanics().tip(x, i).slip);
+  }
+  for (Index i = 0; i < layout_.tips; ++i) {
+    if (!rests[i]) continue;
+    choose_friction(mode, i, soon, 0, changes);
+    mode.tip[i].at_touch = mode.tip[i].contact == TipContact::sliding;
+  }
+  if (rests[0] && rests[1]) hold_or_release(mode, soon, changes);
 }
 
 bool MicrobodySystem::force_has_turned(const TipMode& tip, Index i, ConstState x) const {
@@ -130,6 +156,7 @@ void MicrobodySystem::mode_at(ConstState x, Mode& mode, std::vector<Change>& cha
   mode = {};
   for (Index i = 0; i < layout_.tips; ++i)
     if (x[layout_.place.gap[i]] <= 0 && mechanics().tip(x, i).velocity < 0) close(mode, i, x, changes);
+  if (body_.friction.coefficient > 0) grip(mode, closed_since({}, mode), x, changes);
 }
 
 /// The cone closes so near to F_n = 0 that a flow may find both at once and name one.
@@ -190,6 +217,7 @@ void MicrobodySystem::pass(TipGuard guard, Mode& mode, Index i, ConstState x,
 void MicrobodySystem::transition(Mode& mode, const std::vector<Index>& fired, ConstState x,
                                  std::vector<Change>& changes) const {
   const bool rough = body_.friction.coefficient > 0;
+  const Mode before = mode;
   open_parted(mode, fired, x, changes);
   for (Index i = 0; rough && i < layout_.tips; ++i)
     if (mode.tip[i].contact == TipContact::sliding) go_on(mode.tip[i], i, x);
@@ -200,7 +228,9 @@ void MicrobodySystem::transition(Mode& mode, const std::vector<Index>& fired, Co
     const Index i = guard / guards_per_tip;
     if (i < layout_.tips) pass(static_cast<TipGuard>(guard % guards_per_tip), mode, i, x, changes);
   }
-  if (rough) hold_or_release(mode, x, changes);
+  if (!rough) return;
+  grip(mode, closed_since(before, mode), x, changes);
+  hold_or_release(mode, x, changes);
 }
 
 bool MicrobodySystem::is_over(const Mode& mode, ConstState x, bool) const {

@@ -1,5 +1,6 @@
 // A microbody as a hybrid system; the automaton of a tip is the table in microbody_mode.hpp.
 #pragma once
+#include <array>
 #include <vector>
 
 #include "mariotte/hybrid/ending.hpp"
@@ -38,6 +39,8 @@ class MicrobodySystem {
 
  private:
   void close(Mode& mode, Index tip, ConstState x, std::vector<Change>& changes) const;
+  bool slides(Index i, ConstState x) const;
+  void grip(Mode& mode, const std::array<bool, 2>& closed, ConstState x, std::vector<Change>& changes) const;
   void choose_friction(Mode& mode, Index tip, ConstState x, double noise, std::vector<Change>& changes) const;
   void start_from_rest(TipMode& tip, Index i, const Vector3& direction, ConstState x) const;
   bool force_has_turned(const TipMode& tip, Index i, ConstState x) const;
