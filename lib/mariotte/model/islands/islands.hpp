@@ -6,6 +6,7 @@
 //       there is none                 → separated
 //       it comes after the time limit → time_limit
 //     arrival: the island's next state becomes certain, its contact set makes its transition
+//     an island whose wave is as it was twelve balls before is moved on as far as equal balls wait for it
 //     meeting: the contact closes; islands whose end balls meet are brought to that time and dissolved
 //     an island that has grown, shrunk or fallen apart, and what was dissolved, is cut anew
 //     follow every new contact set to its next guard: uncertain until its turn comes
