@@ -183,13 +183,19 @@ class BodiesField {
     }
   }
 
-  /// A slip from rest keeps its first direction until it has one of its own.
-  Vector first_direction(const ClosedContact& mode, const Vector& slip) const {
-    const double rest = setting_.rest_speed();
-    Vector first;
-    for (int k = 0; k < D; ++k) first[k] = T(mode.start[k]);
+  /// A slip from rest keeps its first direction until it has one of its own. What was left of the slip before
+  /// does not count: it may be opposite, and the direction would turn about at once.
+  Vector beside_first(const ClosedContact& mode, const Vector& slip) const {
+    const double speed = setting_.rest_speed();
+    Vector first, rest;
+    for (int k = 0; k < D; ++k) {
+      first[k] = T(mode.start[k]);
+      rest[k] = T(mode.rest.empty() ? 0.0 : mode.rest[k]);
+    }
     if (mode.slot < std::ssize(start_) && start_[mode.slot]) first = *start_[mode.slot];
-    return (rest / (1.0 + 1 / (rest * rest) * dot(slip, slip))) * first;
+    const Vector gone = slip - rest;
+    const T share = 1.0 / (1.0 + 1 / (speed * speed) * dot(gone, gone));
+    return slip + share * (T(speed) * first - rest);
   }
 
   /// The slip without what rounding has left of it along the normal: that may be much beside a slip that
@@ -203,7 +209,7 @@ class BodiesField {
     else {
       Vector along = one.tangential.has_spring() ? tangential_state(mode, x, c.normal) : in_plane(c);
       if (!mode.start.empty() && (mode.from_rest || !(dot(along, along) > 0.0)))
-        along = along + first_direction(mode, along);
+        along = beside_first(mode, along);
       const T size = norm(along);
       return size > 0.0 ? (1.0 / size) * along : along;
     }

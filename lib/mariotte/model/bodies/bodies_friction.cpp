@@ -69,8 +69,19 @@ void BodiesSystem<D>::slip_along(ClosedContact& one, const Vec<double, D>& direc
     x[layout(x).spring(one.slot)] = 0;
   } else {
     one.start.assign(direction.at.begin(), direction.at.end());
+    one.rest.clear();
     put(State(x), layout(x).spring(one.slot), direction);
   }
+}
+
+/// In space a rigid slip is measured from where it leaves rest.
+template <int D>
+void BodiesSystem<D>::begin_at_rest(ClosedContact& one, ConstState x) const {
+  one.from_rest = D == 3;
+  if (D == 2) return;
+  const auto now = motion(one.contact, x);
+  const auto left = now.slip - dot(now.slip, now.normal) * now.normal;
+  one.rest.assign(left.at.begin(), left.at.end());
 }
 
 /// Whether a slip at rest is accelerated along its direction, by more than rounding.
@@ -89,7 +100,7 @@ bool BodiesSystem<D>::slip_from_rest(Mode& mode, std::size_t place, const Contac
                                      std::vector<double>& x) const {
   auto& one = mode.closed[place];
   slip_along(one, (-1 / norm(held.friction)) * held.friction, held.motion.normal, x);
-  one.from_rest = D == 3;
+  begin_at_rest(one, x);
   if (D == 3 || leaves_rest(mode, place, x)) return true;
   one.sign = -one.sign;
   if (leaves_rest(mode, place, x)) return true;
@@ -171,7 +182,7 @@ void BodiesSystem<D>::break_loose(Mode& mode, std::size_t place, const ContactFo
     }
   }
   x = std::move(slipping);
-  one.from_rest = D == 3 && !tangential.has_spring();
+  if (!tangential.has_spring()) begin_at_rest(one, x);
   changes.push_back({one.contact, BodyEvent::slip});
 }
 
