@@ -283,3 +283,22 @@ BOOST_AUTO_TEST_CASE(laws_that_yield_and_exponents_are_refused) {
   bodies.contact[0].law = contact::state(contact::WaltonBraun(1e6, 2e6));
   BOOST_CHECK_THROW(impact::sensitivity(bodies, {}), InvalidParameter);
 }
+
+// Its spring holds to the end, and what it loses grows like the inverse root of a depth that is rounding:
+// these slopes were off by up to five times.
+BOOST_AUTO_TEST_CASE(what_a_faded_spring_has_lost_has_no_slopes_and_a_note) {
+  auto bodies = sliding({TangentialLaw::mindlin, 1e6, 2.5e7});
+  bodies.contact[0].law = contact::Linear(2.5e8);
+  const auto found = all_slopes(bodies);
+  const auto named = [](const auto& list, const std::string& what) {
+    return std::find_if(list.begin(), list.end(), [&](const auto& one) { return name_of(one) == what; });
+  };
+  const auto rescale = named(found.outcome, "contacts[0].losses.rescale");
+  BOOST_TEST_REQUIRE((rescale != found.outcome.end()));
+  for (const auto& one : rescale->slope) BOOST_TEST(!one.has_value());
+  for (const auto& one : named(found.outcome, "contacts[0].normal_impulse")->slope)
+    BOOST_TEST(one.has_value());
+  BOOST_TEST(std::ranges::any_of(found.notes, [](const auto& note) {
+    return note.outcomes == std::vector<std::string>{"contacts[0].losses.rescale"};
+  }));
+}

@@ -106,6 +106,13 @@ SlopeNote unresolved_note(double error) {
   return {.text = text, .error = error};
 }
 
+SlopeNote faded_spring_note(Names outcomes) {
+  auto text = outcomes.front() +
+              " has no slopes: Mindlin's spring holds until its contact opens, and what it loses there is "
+              "met at a depth that is rounding";
+  return {.text = std::move(text), .outcomes = std::move(outcomes)};
+}
+
 void leave_out_unbounded(Sensitivity& slopes) {
   SlopeNote note{.text = "slopes that are missing are unbounded: an event is met with no speed at all"};
   std::vector<bool> is_missing(slopes.parameter.size(), false);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "mariotte/impact/sensitivity/bodies/bodies_variation.hpp"
+#include "mariotte/model/bodies/bodies_parting.hpp"
 
 namespace mariotte::impact {
 
@@ -115,6 +116,7 @@ void BodiesVariation<D>::keep_totals(const BodiesPassage<D>& event, const SlopeM
   const auto at = system_.layout(event.x_before);
   for (const auto& one : event.before.closed) {
     if (place_of(event.after, one.contact) >= 0) continue;
+    if (model::fades(base_, one) && one.friction == Friction::stick) has_faded_[one.contact] = true;
     auto& totals = totals_[one.contact];
     const auto& time = time_of(event, one.contact);
     for (Index c = 0; c < columns(); ++c)

@@ -144,6 +144,14 @@ class GroupSlopes {
     for (Index k = 0; k < 3; ++k)
       if (values[1 + tangents + k] != 0)
         one(std::string("losses.") + loss_names[k], {}, "J", 1 + tangents + k);
+    if (variation_.has_faded(j)) leave_out_rescale(name + "losses.rescale");
+  }
+  void leave_out_rescale(const std::string& name) {
+    for (auto& outcome : result_.outcome)
+      if (outcome.name == name) {
+        outcome.slope.assign(outcome.slope.size(), std::nullopt);
+        result_.notes.push_back(faded_spring_note({name}));
+      }
   }
   std::vector<double> exchanged(Index j) const {
     const auto& totals = end_.mode.totals[j];

@@ -76,6 +76,8 @@ class BodiesVariation {
   void begin(const Mode& before, const Mode& after, ConstState x, const SlopeMatrix& slopes);
   /// Of what a contact has exchanged in periods that have ended: ∫f_n, ∫f_t, three losses.
   const SlopeMatrix& totals(Index contact) const { return totals_[contact]; }
+  /// True if its spring has faded: what that has lost at the end is met at a depth that is rounding.
+  bool has_faded(Index contact) const { return has_faded_[contact]; }
   /// Its numbers with the slopes by a parameter, which is lane `column % slope_lanes` of them.
   const SlopedSetting<D>& numbers(Index column) const { return setting_[column / model::slope_lanes]; }
   /// True if a slip has left rest in space and slopes do not know how its first direction moves.
@@ -105,6 +107,7 @@ class BodiesVariation {
   mutable model::BodiesField<Sloped, D> base_field_;
   mutable std::vector<Sloped> x_, dx_, guard_;
   std::vector<SlopeMatrix> totals_;
+  std::vector<bool> has_faded_;
   bool has_unknown_way_ = false;
 };
 
