@@ -7,6 +7,7 @@
 
 #include "mariotte/contact/walton_braun.hpp"
 #include "mariotte/core/error.hpp"
+#include "mariotte/impact/bodies/bodies_impact.hpp"
 #include "mariotte/impact/sensitivity/sensitivity.hpp"
 #include "mariotte/impact/sensitivity/stencil.hpp"
 
@@ -301,4 +302,27 @@ BOOST_AUTO_TEST_CASE(what_a_faded_spring_has_lost_has_no_slopes_and_a_note) {
   BOOST_TEST(std::ranges::any_of(found.notes, [](const auto& note) {
     return note.outcomes == std::vector<std::string>{"contacts[0].losses.rescale"};
   }));
+}
+
+// It lets go at 10⁻¹⁰ of its deepest point.
+BOOST_AUTO_TEST_CASE(a_note_says_how_far_slopes_of_a_fading_spring_may_be_off) {
+  auto bodies = sliding({TangentialLaw::mindlin, 20, 2.5e7});
+  bodies.contact[0].law = contact::Linear(2.5e8);
+  const auto noted = [](const Sensitivity& slopes) {
+    double error = 0;
+    for (const auto& note : slopes.notes)
+      if (note.outcomes == std::vector<std::string>{"contacts[0].losses.rescale"}) error = note.error;
+    return error;
+  };
+  const auto by = std::string("contact[0].stiffness"), of = std::string("contacts[0].losses.rescale");
+  const auto found = all_slopes(bodies);
+  const auto loss = [&](double share) {
+    auto moved = bodies;
+    moved.contact[0].law = contact::Linear(2.5e8 * (1 + share));
+    return impact::simulate(moved, {.accuracy = 1e-12}).contacts[0].losses.rescale;
+  };
+  const double difference = (loss(1e-3) - loss(-1e-3)) / (2e-3 * 2.5e8);
+  const double off = std::abs(slope(found, of, by) / difference - 1);
+  BOOST_TEST(noted(found) > 0);
+  BOOST_TEST(off < std::max(noted(found), 1e-5));
 }

@@ -108,9 +108,17 @@ SlopeNote unresolved_note(double error) {
 
 SlopeNote faded_spring_note(Names outcomes) {
   auto text = outcomes.front() +
-              " has no slopes: Mindlin's spring holds until its contact opens, and what it loses there is "
-              "met at a depth that is rounding";
+              " has no slopes: Mindlin's spring holds so long that what it loses last is met at a depth "
+              "that is rounding";
   return {.text = std::move(text), .outcomes = std::move(outcomes)};
+}
+
+SlopeNote fading_spring_note(double error, Names outcomes) {
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "slopes of %s may be off by %.1g of their size: Mindlin's spring holds to hardly any depth",
+                outcomes.front().c_str(), error);
+  return {.text = text, .outcomes = std::move(outcomes), .error = error};
 }
 
 void leave_out_unbounded(Sensitivity& slopes) {

@@ -35,6 +35,7 @@ SlopeNote slow_ending_note(double error, Names outcomes);
 SlopeNote waiting_note(Names parameters);
 SlopeNote unresolved_note(double error);
 SlopeNote faded_spring_note(Names outcomes);
+SlopeNote fading_spring_note(double error, Names outcomes);
 /// Slopes that are no numbers are left out; a note says so.
 void leave_out_unbounded(Sensitivity& slopes);
 /// Throws InvalidParameter for more slopes than memory and patience allow.

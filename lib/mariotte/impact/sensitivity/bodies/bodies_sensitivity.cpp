@@ -144,14 +144,15 @@ class GroupSlopes {
     for (Index k = 0; k < 3; ++k)
       if (values[1 + tangents + k] != 0)
         one(std::string("losses.") + loss_names[k], {}, "J", 1 + tangents + k);
-    if (variation_.has_faded(j)) leave_out_rescale(name + "losses.rescale");
+    if (variation_.faded(j) > 1e-6) doubt_rescale(name + "losses.rescale", variation_.faded(j));
   }
-  void leave_out_rescale(const std::string& name) {
-    for (auto& outcome : result_.outcome)
-      if (outcome.name == name) {
-        outcome.slope.assign(outcome.slope.size(), std::nullopt);
-        result_.notes.push_back(faded_spring_note({name}));
-      }
+  /// Slopes that may be off by more than a tenth are left out.
+  void doubt_rescale(const std::string& name, double error) {
+    for (auto& outcome : result_.outcome) {
+      if (outcome.name != name) continue;
+      if (error > 0.1) outcome.slope.assign(outcome.slope.size(), std::nullopt);
+      result_.notes.push_back(error > 0.1 ? faded_spring_note({name}) : fading_spring_note(error, {name}));
+    }
   }
   std::vector<double> exchanged(Index j) const {
     const auto& totals = end_.mode.totals[j];

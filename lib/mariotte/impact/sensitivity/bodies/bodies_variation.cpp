@@ -37,7 +37,7 @@ BodiesVariation<D>::BodiesVariation(model::BodiesSystem<D>& system,
   for (const auto& one : shifted) natural_.push_back(1e-4 / one.step);
   for (const auto& one : setting_) field_.emplace_back(one);
   totals_.assign(system.setting().contact.size(), SlopeMatrix(BodiesLayout<D>::tangents + 4, columns()));
-  has_faded_.assign(totals_.size(), false);
+  faded_.assign(totals_.size(), 0);
 }
 
 /// Attitudes act through spheres that are not at mass centres, and through moments that are not equal; the

@@ -76,8 +76,8 @@ class BodiesVariation {
   void begin(const Mode& before, const Mode& after, ConstState x, const SlopeMatrix& slopes);
   /// Of what a contact has exchanged in periods that have ended: ∫f_n, ∫f_t, three losses.
   const SlopeMatrix& totals(Index contact) const { return totals_[contact]; }
-  /// True if its spring has faded: what that has lost at the end is met at a depth that is rounding.
-  bool has_faded(Index contact) const { return has_faded_[contact]; }
+  /// By how much of their size slopes of what its spring has lost while it faded may be off.
+  double faded(Index contact) const { return faded_[contact]; }
   /// Its numbers with the slopes by a parameter, which is lane `column % slope_lanes` of them.
   const SlopedSetting<D>& numbers(Index column) const { return setting_[column / model::slope_lanes]; }
   /// True if a slip has left rest in space and slopes do not know how its first direction moves.
@@ -87,6 +87,7 @@ class BodiesVariation {
   std::vector<Index> active(const Mode& mode) const;
   const std::vector<double>& time_of(const BodiesPassage<D>& event, Index contact) const;
   void keep_totals(const BodiesPassage<D>& event, const SlopeMatrix& slopes);
+  void see_fading(const BodiesPassage<D>& event);
   void pass_slot(const BodiesPassage<D>& event, const model::ClosedContact& one, const SlopeMatrix& slopes,
                  SlopeMatrix& result);
   /// The field with slopes by parameters from the first on.
@@ -107,7 +108,7 @@ class BodiesVariation {
   mutable model::BodiesField<Sloped, D> base_field_;
   mutable std::vector<Sloped> x_, dx_, guard_;
   std::vector<SlopeMatrix> totals_;
-  std::vector<bool> has_faded_;
+  std::vector<double> faded_;
   bool has_unknown_way_ = false;
 };
 
