@@ -41,23 +41,32 @@ class Sensitivity:
 
     def value(self, outcome: str) -> Array:
         """The outcome itself [SI], of shape (n,), or () for one number; nan where it is undefined."""
-        return _numbers(self._found["values"][outcome])
+        return _numbers(self._of("values", outcome))
 
     def slopes(self, outcome: str) -> Array:
         """Its slopes [SI], of shape (n, P), or (P,) for one number; nan where there is none."""
-        return _numbers(self._found["derivative"][outcome])
+        return _numbers(self._of("derivative", outcome))
 
     def jvp(self, change: Mapping[str, float]) -> Dict[str, Array]:
         """Change of every outcome, to first order, where parameters change by so much [SI]."""
+        for name in change:
+            _expect(name, "parameter", self.parameters)
         direction = np.array([change.get(name, 0.0) for name in self.parameters])
         return {outcome: self.slopes(outcome) @ direction for outcome in self.outcomes}
 
     def vjp(self, weights: Mapping[str, Any]) -> Dict[str, float]:
         """Slopes of the weighted sum of outcomes by every parameter: weights have the shapes of the outcomes."""
-        total = sum((np.asarray(weight) @ self.slopes(outcome) if self.slopes(outcome).ndim > 1
-                     else float(weight) * self.slopes(outcome) for outcome, weight in weights.items()),
-                    np.zeros(len(self.parameters)))
+        total = np.zeros(len(self.parameters))
+        for outcome, weight in weights.items():
+            slopes, factors = self.slopes(outcome), np.asarray(weight, dtype=np.float64)
+            if factors.shape != slopes.shape[:-1]:
+                raise ValueError(f"weights of {outcome} have the shape {slopes.shape[:-1]}, not {factors.shape}")
+            total = total + factors @ slopes if factors.ndim else total + factors * slopes
         return dict(zip(self.parameters, map(float, total)))
+
+    def _of(self, what: str, outcome: str) -> Any:
+        _expect(outcome, "outcome", self.outcomes)
+        return self._found[what][outcome]
 
     def __repr__(self) -> str:
         outcomes, parameters = counted(len(self.outcomes), "outcome"), counted(len(self.parameters), "parameter")
@@ -128,3 +137,10 @@ def vjp(scene: Scene[Any], weights: Mapping[str, Any], *, to: Union[str, Sequenc
 
 def _numbers(values: Any) -> Array:
     return np.array(values, dtype=np.float64)
+
+
+def _expect(name: str, thing: str, known: Sequence[str]) -> None:
+    """A KeyError that says what there is, unless it is known."""
+    if name not in known:
+        shown = [*known[:12], "…"] if len(known) > 12 else known
+        raise KeyError(f"{name} is no {thing} here: {', '.join(shown)}")

@@ -262,6 +262,24 @@ def test_slopes_by_what_is_no_number_are_refused():
         mt.sensitivity(mt.load(SCENES / "triplet.toml"), to=["chain.law"])
 
 
+@pytest.mark.parametrize("ask, message", [
+    (lambda found: found.slopes("velocity[0]"), "velocity[0] is no outcome here: velocity, impulse, icr, time"),
+    (lambda found: found.value("speed"), "speed is no outcome here: velocity, impulse, icr, time"),
+    (lambda found: found.vjp({"speed": 1}), "speed is no outcome here: velocity, impulse, icr, time"),
+    (lambda found: found.jvp({"mas[0]": 1}), "mas[0] is no parameter here: mass[0], mass[1], mass[2]")])
+def test_an_outcome_or_parameter_that_is_not_there_is_a_key_error(ask, message, triplet):
+    with pytest.raises(KeyError) as caught:
+        ask(mt.sensitivity(triplet, to="mass"))
+    assert caught.value.args == (message,)
+
+
+@pytest.mark.parametrize("weights, message", [({"velocity": [1, 0]}, r"velocity have the shape \(3,\), not \(2,\)"),
+                                              ({"time": [1]}, r"time have the shape \(\), not \(1,\)")])
+def test_weights_of_another_shape_are_refused(weights, message, triplet):
+    with pytest.raises(ValueError, match=message):
+        mt.sensitivity(triplet, to="mass").vjp(weights)
+
+
 def test_ctrl_c_ends_slopes():
     row = mt.Chain(balls=100, mass=1, law="hertz", stiffness=1, ball=[{"number": 1, "velocity": 1}])
     signal.signal(signal.SIGALRM, lambda *_: signal.raise_signal(signal.SIGINT))
