@@ -23,15 +23,24 @@ def toml(value: Any) -> str:
     if isinstance(value, Mapping):
         return "{ " + ", ".join(f"{key} = {toml(one)}" for key, one in value.items()) + " }"
     try:
-        return "[" + ", ".join(map(toml, value)) + "]"
+        entries = list(value)
     except TypeError:
-        raise TypeError(f"a scene has no place for {type(value).__name__}") from None
+        kind = "None" if value is None else type(value).__name__
+        raise TypeError(f"a scene has no place for {kind}") from None
+    return "[" + ", ".join(map(toml, entries)) + "]"
 
 
 def table(name: str, entries: Mapping[str, Any]) -> str:
     """A table with a line per key; keys that are None are left out."""
-    lines = [f"{key} = {toml(value)}" for key, value in entries.items() if value is not None]
+    lines = [_line(key, value) for key, value in entries.items() if value is not None]
     return "\n".join([f"[{name}]", *lines, ""])
+
+
+def _line(key: str, value: Any) -> str:
+    try:
+        return f"{key} = {toml(value)}"
+    except TypeError as error:
+        raise TypeError(f"{key}: {error}") from None
 
 
 def plain(value: Any) -> Any:

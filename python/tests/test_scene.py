@@ -88,6 +88,13 @@ def test_what_is_no_value_is_refused(value):
         mt.Chain(**{**PAIR, "velocity": [value, 0]})
 
 
+@pytest.mark.parametrize("key, value, kind", [("mass", [1, None], "None"), ("ball", [{"number": None}], "None"),
+                                              ("velocity", [1, 1j], "complex")])
+def test_what_is_no_value_is_named_with_its_key(key, value, kind):
+    with pytest.raises(TypeError, match=f"^{key}: a scene has no place for {kind}$"):
+        mt.Chain(**{**PAIR, key: value})
+
+
 def test_options_are_keywords_only(triplet):
     with pytest.raises(TypeError):
         mt.Chain(5)
