@@ -58,12 +58,12 @@ inline bool may_replace(hybrid::Ending looser, hybrid::Ending tighter) {
 /// Run tighter until two runs agree within the accuracy that is `asked` for: `run(options)` runs and returns
 /// by how much its velocities differ from those of the run before, or nothing if it may not replace it.
 /// Where that is no measure of the last run, `shake(options)` runs near its accuracy, with inputs moved by
-/// rounding errors, and says what that makes of the velocities. Returns the estimate of the error; empty if
+/// summed_rounding errors, and says what that makes of the velocities. Returns the estimate of the error; empty if
 /// the first tighter run has failed.
 template <class Run, class Shake>
 std::optional<double> keep_promise(const hybrid::Options& asked, const Passage& gone, Run&& run,
                                    Shake&& shake) {
-  const double rounding = epsilon * static_cast<double>(gone.steps);
+  const double summed_rounding = epsilon * static_cast<double>(gone.steps);
   std::optional<double> last;
   auto now = asked;
   double looser = asked.accuracy;
@@ -74,7 +74,7 @@ std::optional<double> keep_promise(const hybrid::Options& asked, const Passage& 
     const std::optional<double> apart = run(now);
     if (!apart) return last;
     if (*apart == 0) break;  // the same to the last bit: the flow has no more to give
-    last = *apart + rounding;
+    last = *apart + summed_rounding;
   }
   const bool agreed = last && *last <= asked.accuracy;
   if (agreed && !hides_rounding(gone, looser)) return last;

@@ -26,11 +26,11 @@ struct ClosedContact {
   Friction friction = Friction::none;
   bool unloading = false;
   bool slack = false;
-  contact::Memory past = {};  ///< where its law has branches
-  double sign = 1;            ///< of slip along e_z × n, in the plane
-  bool from_rest = false;     ///< rigid slip in space that has not left rest yet
-  std::vector<double> start;  ///< where it goes to then
-  std::vector<double> rest;   ///< slip that is left where it began, and counts as none
+  contact::Memory past = {};      ///< where its law has branches
+  double sign = 1;                ///< of slip along e_z × n, in the plane
+  bool from_rest = false;         ///< rigid slip in space that has not left rest yet
+  std::vector<double> start;      ///< where it goes to then
+  std::vector<double> rest = {};  ///< slip that is left where it began, and counts as none
 };
 
 /// What a contact has exchanged since the start.

@@ -82,11 +82,8 @@ void BodiesSystem<D>::close(Mode& mode, Index contact, std::vector<double>& x, B
     at.slots = slots;
     x.resize(at.size(), 0.0);
   }
-  ClosedContact one{.contact = contact,
-                    .slot = mode.idle.back(),
-                    .past = memory_of(mode, contact),
-                    .start = {},
-                    .rest = {}};
+  ClosedContact one{
+      .contact = contact, .slot = mode.idle.back(), .past = memory_of(mode, contact), .start = {}};
   mode.idle.pop_back();
   std::fill_n(x.begin() + at.spring(one.slot), at.slot_size, 0.0);
   const auto place = std::lower_bound(mode.closed.begin(), mode.closed.end(), contact,
