@@ -10,6 +10,7 @@ import numpy as np
 
 from . import _core
 from ._columns import names
+from ._keys import whole_key
 from ._numbers import Array, Numbers, number, numbers
 from ._scene import Path, Scene
 
@@ -146,7 +147,7 @@ def fit(scene: Scene[Any], data: Union[Path, Mapping[str, Column]], *,
         A CSV file, or columns of one length by name: ``speed``, ``diameter`` or any key of the scene,
         ``restitution`` or any other key of the result that was measured, and ``deviation`` if it is known.
     free : str or sequence of str
-        Keys whose values are to be found.
+        Keys whose values are to be found; the name of the model may be left out, as in ``"damping"`` of a chain.
     confidence : float
         Of the intervals.
 
@@ -172,7 +173,8 @@ def fit(scene: Scene[Any], data: Union[Path, Mapping[str, Column]], *,
         text, name = _csv(data).encode(), "<data>"
     else:
         text, name = _core.read_text(os.fspath(data)), os.fspath(data)
-    report, table = _core.fit(scene._box, text, name, names(free), number(confidence, "confidence"))
+    keys = [whole_key(scene._box.kind, key) for key in names(free)]
+    report, table = _core.fit(scene._box, text, name, keys, number(confidence, "confidence"))
     return Fit(json.loads(report), table)
 
 

@@ -62,6 +62,12 @@ def test_chains_are_fitted_too():
     assert found.measured.tolist() == measured.tolist()
 
 
+def test_the_model_may_be_left_out_of_a_key_that_is_fitted():
+    pair = mt.load(SCENES / "measured_restitution.toml")
+    data = {"chain.velocity[0]": [0.5, 1.0], "final.velocity[1]": [0.45, 0.9]}
+    assert mt.fit(pair, data, free="restitution").values == mt.fit(pair, data, free="chain.restitution").values
+
+
 def test_quantities_are_measurements_too():
     unit = pytest.importorskip("pint").UnitRegistry()
     sphere = mt.load(SCENES / "sphere_fit.toml")
