@@ -72,6 +72,13 @@ BOOST_AUTO_TEST_CASE(the_table_shows_values_errors_correlation_and_residuals) {
   BOOST_TEST(has(report::table(Example(true).report()), "14 degrees of freedom"));
 }
 
+BOOST_AUTO_TEST_CASE(a_fit_without_a_title_is_one_of_any_scene) {
+  const Example example;
+  auto report = example.report();
+  report.title.clear();
+  BOOST_TEST(report::table(report).starts_with("Fit to measurements\n"));
+}
+
 BOOST_AUTO_TEST_CASE(json_holds_what_the_fit_found) {
   const Example example;
   const auto json = report::json(example.report());

@@ -114,7 +114,7 @@ Json json_of_row(const FitReport& report, std::size_t row) {
 }  // namespace
 
 std::string table(const FitReport& report) {
-  return heading(report.title.empty() ? "Fit of a microbody" : report.title) + summary(report) +
+  return heading(report.title.empty() ? "Fit to measurements" : report.title) + summary(report) +
          values(report.fit) + correlation(report.fit) + residuals(report);
 }
 
