@@ -186,6 +186,21 @@ BOOST_AUTO_TEST_CASE(points_of_a_tabulated_law_come_from_a_file) {
   BOOST_TEST(contact::force(law, 2e-4, 0).value == 3000, boost::test_tools::tolerance(1e-14));
   BOOST_TEST(scene::restitution(law, {.reduced_mass = 1, .speed = 0.5}) == 1,
              boost::test_tools::tolerance(1e-10));
-  std::ofstream(folder.path / "curve.csv") << "indentation, force\n0.1, 1\n0.2, 1\n";
-  BOOST_CHECK_THROW(scene::read((folder.path / "pair.toml").string()), scene::SceneError);
+}
+
+BOOST_AUTO_TEST_CASE(a_point_that_does_not_rise_is_told_by_its_line) {
+  const test::Folder folder;
+  std::ofstream(folder.path / "pair.toml") << "[chain]\nmass = [1, inf]\nvelocity = [0.5, 0]\n"
+                                              "law = 'tabulated'\ntable = 'curve.csv'\n";
+  for (const auto& [rows, line] : {std::pair{"0.1, 1\n0.2, 1\n", 3},
+                                   {"0, 0\n0.2, 1\n0.1, 2\n", 4},
+                                   {"0, 1\n1, 2\n", 2},
+                                   {"0, 0\n\n1, 2\n2, -1\n", 5}}) {
+    std::ofstream(folder.path / "curve.csv") << "indentation, force\n" << rows;
+    BOOST_CHECK_EXCEPTION(scene::read((folder.path / "pair.toml").string()), scene::SceneError,
+                          [line](const scene::SceneError& error) {
+                            return std::string(error.what()).find("curve.csv:" + std::to_string(line)) !=
+                                   std::string::npos;
+                          });
+  }
 }

@@ -9,13 +9,7 @@
 namespace mariotte::contact {
 namespace {
 
-void expect_rising(const std::vector<LawPoint>& points) {
-  for (std::size_t i = 1; i < points.size(); ++i)
-    if (!(points[i].indentation > points[i - 1].indentation && points[i].force > points[i - 1].force) ||
-        !std::isfinite(points[i].indentation + points[i].force))
-      throw InvalidParameter("tabulated: point " + std::to_string(i) +
-                             " does not rise: indentations and forces must grow from 0, and be finite");
-}
+constexpr LawPoint origin{.indentation = 0, .force = 0};
 
 std::vector<double> slopes(const std::vector<LawPoint>& points) {
   std::vector<double> depth, force;
@@ -28,12 +22,23 @@ std::vector<double> slopes(const std::vector<LawPoint>& points) {
 
 }  // namespace
 
+std::optional<std::size_t> first_fall(const std::vector<LawPoint>& points) {
+  const bool starts = !points.empty() && points[0].indentation == 0 && points[0].force == 0;
+  for (std::size_t i = starts ? 1 : 0; i < points.size(); ++i) {
+    const auto &one = points[i], &before = i == 0 ? origin : points[i - 1];
+    if (!(one.indentation > before.indentation && one.force > before.force) ||
+        !std::isfinite(one.indentation + one.force))
+      return i;
+  }
+  return {};
+}
+
 Tabulated::Tabulated(std::vector<LawPoint> points) : points_(std::move(points)) {
-  if (points_.empty() || points_[0].indentation != 0) points_.insert(points_.begin(), {0, 0});
-  if (points_.size() < 2 || points_[0].force != 0)
-    throw InvalidParameter(
-        "tabulated: the force must be 0 at the indentation 0, and there must be a point more");
-  expect_rising(points_);
+  if (const auto fall = first_fall(points_))
+    throw InvalidParameter("tabulated: point " + std::to_string(*fall + 1) + ": " +
+                           std::string(rule_of_points));
+  if (points_.empty() || points_[0].indentation != 0) points_.insert(points_.begin(), origin);
+  if (points_.size() < 2) throw InvalidParameter("tabulated: there must be a point beyond (0, 0)");
   slope_ = slopes(points_);
   energy_.assign(points_.size(), 0);
   for (std::size_t i = 1; i < points_.size(); ++i) {

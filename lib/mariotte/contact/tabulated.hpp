@@ -1,6 +1,8 @@
 // A law by points (δ, f) of a curve, joined by cubics that are monotone wherever the points are [Fritsch &
 // Butland 1984, SIAM J Sci Stat Comput 5:300]. Beyond the last point the force goes on straight.
 #pragma once
+#include <optional>
+#include <string_view>
 #include <vector>
 
 #include "mariotte/contact/custom_law.hpp"
@@ -12,6 +14,13 @@ struct LawPoint {
   double indentation;  ///< [m]
   double force;        ///< [N]
 };
+
+/// What its points must do.
+inline constexpr std::string_view rule_of_points =
+    "indentations and forces must grow from (0, 0) on, and be finite";
+
+/// Number, from 0, of the first point that breaks this rule.
+std::optional<std::size_t> first_fall(const std::vector<LawPoint>& points);
 
 /// An elastic law, the same for loading and unloading.
 class Tabulated final : public CustomLaw {

@@ -1,5 +1,6 @@
 #include "mariotte/scene/drive_reader.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -47,9 +48,9 @@ model::Signal read_table(const Source& source, const Field& table, std::size_t q
   const auto form = find(table, "interpolation");
   const bool linear = form && choice(source, *form, "interpolation", interpolations) == 1;
   std::vector<model::SignalPoint> points;
-  for (const auto& [time, value] : read_columns(source, path, {"time", dimension::time},
-                                                {std::string(quantities[quantity]), dimensions[quantity]}))
-    points.push_back({time, value});
+  const auto columns = read_columns(source, path, {"time", dimension::time},
+                                    {std::string(quantities[quantity]), dimensions[quantity]});
+  for (const auto& row : columns.rows) points.push_back({row.first, row.second});
   try {
     return linear ? model::straight_lines(points) : model::smooth_curve(points);
   } catch (const InvalidParameter& error) {

@@ -38,17 +38,19 @@ double value(const Source& file, const std::vector<Cell>& row, const Column& col
 
 }  // namespace
 
-std::vector<std::pair<double, double>> read_columns(const Source& source, const Field& path,
-                                                    const ColumnName& first, const ColumnName& second) {
+Columns read_columns(const Source& source, const Field& path, const ColumnName& first,
+                     const ColumnName& second) {
   const auto name = std::filesystem::path(source.name).parent_path() / text(source, path);
   const Source file{.name = name.string(), .origins = {}};
   const auto table = parse_csv(file, read_text(file.name));
   const auto left = find_column(file, table.header, first.name),
              right = find_column(file, table.header, second.name);
-  std::vector<std::pair<double, double>> rows;
+  std::vector<ColumnsRow> rows;
   for (const auto& row : table.rows)
-    rows.emplace_back(value(file, row, left, first.dimension), value(file, row, right, second.dimension));
-  return rows;
+    rows.push_back({.first = value(file, row, left, first.dimension),
+                    .second = value(file, row, right, second.dimension),
+                    .place = row.front().place});
+  return {file, rows};
 }
 
 }  // namespace mariotte::scene

@@ -1,7 +1,6 @@
 // Two columns of numbers from a CSV file that a key names.
 #pragma once
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "mariotte/scene/field.hpp"
@@ -14,9 +13,20 @@ struct ColumnName {
   Dimension dimension;
 };
 
-/// Their rows [SI]. Headers read `name` or `name [unit]`; the path is relative to the scene's folder. Throws
+/// One row [SI] and where it is.
+struct ColumnsRow {
+  double first, second;
+  Place place;
+};
+
+struct Columns {
+  Source file;
+  std::vector<ColumnsRow> rows;
+};
+
+/// Their rows. Headers read `name` or `name [unit]`; the path is relative to the scene's folder. Throws
 /// SceneError and FileError.
-std::vector<std::pair<double, double>> read_columns(const Source& source, const Field& path,
-                                                    const ColumnName& first, const ColumnName& second);
+Columns read_columns(const Source& source, const Field& path, const ColumnName& first,
+                     const ColumnName& second);
 
 }  // namespace mariotte::scene
