@@ -10,6 +10,7 @@
 #include "command_line/exit_code.hpp"
 #include "command_line/program.hpp"
 #include "command_line/terminal.hpp"
+#include "mariotte/core/counted.hpp"
 #include "mariotte/report/page/files.hpp"
 #include "table.hpp"
 #include "workers.hpp"
@@ -132,7 +133,8 @@ class Study {
     if (!verdict.findings.empty()) tell(verdict);
     if (elapsed() < next_word_) return;
     next_word_ = elapsed() + 10;
-    command::note(fmt::format("{:.0f} s: {} scenes, {} unexplained", elapsed(), done_, unexplained_));
+    command::note(
+        fmt::format("{:.0f} s: {}, {} unexplained", elapsed(), counted(done_, "scene"), unexplained_));
   }
   void tell(const Verdict& verdict) {
     ++unexplained_;
