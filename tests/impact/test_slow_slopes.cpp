@@ -112,3 +112,19 @@ BOOST_AUTO_TEST_CASE(a_contact_that_lets_go_slowly_leaves_slopes_of_others_alone
     BOOST_TEST(std::abs(slope(found, "velocity[0]", "velocity[3]")) < 1e-10);
   }
 }
+
+// All contacts are linear, so what happens is proportional to the only velocity. The time of the second
+// meeting moves by 10¹³ durations of the contact.
+BOOST_AUTO_TEST_CASE(a_damped_contact_after_a_very_long_flight_has_slopes_as_right_as_any) {
+  const double speed = 0.7;
+  const model::Chain chain{.mass = {1.3, 1, 1.7},
+                           .law = {contact::Viscoelastic{0.9, 0.2, 1}, contact::Viscoelastic{1, 0.41, 1}},
+                           .gap = {0, 7.7e12},
+                           .velocity = {speed, 0, 0}};
+  const auto found = slopes_of(chain, 1e-10);
+  for (const auto& one : found.outcome)
+    if (one.name == "velocity" || one.name == "impulse") {
+      const double expected = *one.value / speed;
+      BOOST_TEST(std::abs(slope(found, name_of(one), "velocity[0]") - expected) < 1e-9, name_of(one));
+    }
+}

@@ -107,6 +107,14 @@ class ContactVariation {
     const Index j = layout_.guard_contact[i];
     return before[j] == contact::ContactMode::open && after[j] == contact::ContactMode::closed;
   }
+  /// By the clock of guard i, where it is a gap, that is where its law begins, without what rounding leaves
+  /// of a long flight.
+  void place_gap(Index i, ConstState x, const contact::ContactSet& mode, SlopeMatrix& slopes) const {
+    if (!has_root(i, mode)) return;
+    std::vector<double> level(columns_);
+    guard_slopes(i, x, mode, level);
+    for (Index c = 0; c < columns_; ++c) slopes(layout_.gap[layout_.guard_contact[i]], c) = -level[c];
+  }
   /// Whether nothing pushes.
   bool is_free(const contact::ContactSet& mode) const {
     for (Index j = 0; j < layout_.contacts(); ++j)

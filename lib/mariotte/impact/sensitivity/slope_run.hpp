@@ -13,6 +13,7 @@
 #pragma once
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -80,6 +81,8 @@ class SlopeLoop {
             SlopeRun<System>& result);
   double speed_of(Index guard, ConstState rate);
   bool sets_clock(Index guard, ConstState rate);
+  std::optional<std::size_t> clock_at(const typename System::Mode& before, const typename System::Mode& after,
+                                      ConstState rate);
   void shift_clock(Observer& observer, ConstState rate, const std::vector<double>& time);
   void reset(Observer& observer, const typename System::Mode& before, ConstState rate,
              SlopeRun<System>& result);
@@ -228,7 +231,21 @@ std::vector<std::vector<double>> SlopeLoop<System, Variation>::event_times(const
   return times;
 }
 
-/// Of a state that goes on: each guard changes rates by its own force.
+/// The place among the guards that have fired of the one that sets the clock, if any does.
+template <class System, class Variation>
+std::optional<std::size_t> SlopeLoop<System, Variation>::clock_at(const typename System::Mode& before,
+                                                                  const typename System::Mode& after,
+                                                                  ConstState rate) {
+  const auto& fired = workspace_.fired;
+  for (std::size_t k = 0; k < fired.size(); ++k)
+    if (variation_.closes(fired[k], before, after) &&
+        (sets_clock(fired[k], rate) || variation_.is_free(before)))
+      return k;
+  return std::nullopt;
+}
+
+/// Of a state that goes on: each guard changes rates by its own force. By the clock of one guard
+/// S⁺ + f⁺ τ is S⁻ + f⁻ τ, without what its force does in a time that may be long.
 template <class System, class Variation>
 void SlopeLoop<System, Variation>::jump(Observer& observer, const typename System::Mode& before,
                                         ConstState rate, SlopeRun<System>& result) {
@@ -240,6 +257,7 @@ void SlopeLoop<System, Variation>::jump(Observer& observer, const typename Syste
   std::vector<typename System::Change> ignored;
   typename System::Mode last = before;
   system_.transition(last, fired, x, ignored);
+  const auto clock = clock_at(before, last, rate);
   bool any_jump = false;
   for (std::size_t k = 0; k < fired.size(); ++k) {
     auto mode = last;
@@ -251,16 +269,17 @@ void SlopeLoop<System, Variation>::jump(Observer& observer, const typename Syste
     any_jump = any_jump || jumps(rate, next);
     for (Index c = 0; c < variation_.columns(); ++c)
       for (std::size_t r = 0; r < next.size(); ++r)
-        if (const double jump = rate[r] - next[r]; jump != 0) after_all(r, c) += jump * times[k][c];
+        if (const double jump = rate[r] - next[r]; jump != 0)
+          after_all(r, c) += jump * (times[k][c] - (clock ? times[*clock][c] : 0));
     variation_.remember(fired[k], before, mode, observer.slopes, rate, times[k]);
   }
   observer.slopes = after_all;
   for (auto& one : result.coincident)
     if (one.time == result.run.time) one.jumps = any_jump;
-  for (std::size_t k = 0; k < fired.size(); ++k)
-    if (variation_.closes(fired[k], before, last) &&
-        (sets_clock(fired[k], rate) || variation_.is_free(before)))
-      return shift_clock(observer, rates(last), times[k]);
+  if (!clock) return;
+  shift_clock(observer, rate, times[*clock]);
+  if constexpr (requires { variation_.place_gap(fired[*clock], x, before, observer.slopes); })
+    variation_.place_gap(fired[*clock], x, before, observer.slopes);
 }
 
 /// Of a state of which parts begin, end, or are told anew.
