@@ -321,6 +321,21 @@ BOOST_AUTO_TEST_CASE(balls_that_go_on_together_have_slopes_of_one_side) {
   BOOST_TEST(!tells(other));
 }
 
+// The first two balls part after they have pushed once.
+BOOST_AUTO_TEST_CASE(balls_that_may_meet_again_are_named_by_their_numbers) {
+  const model::Chain row{.mass = {1, 1, 1},
+                         .law = {contact::Hertz(1), contact::Hertz(1)},
+                         .gap = {0.5, 5},
+                         .velocity = {1, 0, 0}};
+  std::vector<std::string> named;
+  for (const auto& note : sensitivity(row, parameters(row)).notes)
+    if (note.text.starts_with("contact 1 ends with"))
+      for (const auto& outcome : note.outcomes)
+        if (outcome.starts_with("velocity")) named.push_back(outcome);
+  BOOST_TEST(named == (std::vector<std::string>{"velocity[0]", "velocity[1]"}),
+             boost::test_tools::per_element());
+}
+
 BOOST_AUTO_TEST_CASE(notes_name_the_slopes_that_they_are_about) {
   // Two contacts end at one instant; the last ball flies away.
   const model::Chain row{.mass = {1, 1, 1, 1},

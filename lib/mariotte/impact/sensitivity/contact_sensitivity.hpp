@@ -1,5 +1,6 @@
 // From the run of a chain or a network with slopes to its outcomes.
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <tuple>
 
@@ -146,8 +147,10 @@ class ContactSensitivity {
   Names pushed_by(Index j) const {
     Names names{"impulse[" + std::to_string(j) + "]", "icr[" + std::to_string(j) + "]", "time"};
     if (j > 0) names.push_back("icr[" + std::to_string(j - 1) + "]");
-    Topology{base_, layout_}.for_each_push(j, [&](Index velocity, double change) {
-      if (change != 0) names.push_back("velocity[" + std::to_string(velocity) + "]");
+    Topology{base_, layout_}.for_each_push(j, [&](Index place, double change) {
+      const auto i =
+          std::find(layout_.velocity.begin(), layout_.velocity.end(), place) - layout_.velocity.begin();
+      if (change != 0) names.push_back("velocity[" + std::to_string(i) + "]");
     });
     return names;
   }
