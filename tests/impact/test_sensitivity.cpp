@@ -311,13 +311,14 @@ BOOST_AUTO_TEST_CASE(balls_that_go_on_together_have_slopes_of_one_side) {
                            .velocity = {1, 0, 0}};
     return sensitivity(row, parameters(row));
   };
-  const auto equal = strike(1), other = strike(0.8);
+  const auto equal = strike(1), nearly_equal = strike(1 + 1e-5), other = strike(0.8);
   const auto tells = [](const Sensitivity& one) {
     return std::any_of(one.notes.begin(), one.notes.end(), [](const impact::SlopeNote& note) {
       return note.text.find("slopes hold on the side where they part") != std::string::npos;
     });
   };
   BOOST_TEST(tells(equal));
+  BOOST_TEST(tells(nearly_equal));
   BOOST_TEST(!tells(other));
 }
 

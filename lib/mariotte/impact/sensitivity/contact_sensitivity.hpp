@@ -136,10 +136,14 @@ class ContactSensitivity {
     return {"time"};
   }
 
-  /// Parameters that move the approach of contact j, in their natural sizes.
-  Names moving_approach(const SlopeMatrix& slopes, Index j) const {
+  /// Parameters that move the approach of contact j: next to none by their natural sizes, another so that a
+  /// ten-thousandth of them turns it.
+  Names moving_approach(const SlopeMatrix& slopes, Index j, double speed) const {
+    constexpr double share = 1e-4;
     return names_of(result_.parameter, [&](std::size_t c) {
-      return std::abs(Topology{base_, layout_}.approach(slopes.column(c), j)) / natural_[c] > slow;
+      const double moves = std::abs(Topology{base_, layout_}.approach(slopes.column(c), j));
+      if (speed < slow * base_.speed) return moves / natural_[c] > slow;
+      return share * std::abs(result_.parameter[c].value) * moves > speed;
     });
   }
 
@@ -155,14 +159,14 @@ class ContactSensitivity {
     return names;
   }
 
-  /// Open contacts whose balls go on together: they close again as soon as some number moves.
+  /// Open contacts whose balls go on together or nearly so: they close again as soon as some number moves.
   void add_near_closings() {
     if (end_.run.ending != hybrid::Ending::separated) return;
     for (Index j = 0; j < layout_.contacts(); ++j) {
       const double speed = std::abs(Topology{base_, layout_}.approach(end_.run.state, j));
-      if (contact::carries_force(end_.mode[j]) || !(speed < slow * base_.speed)) continue;
+      if (contact::carries_force(end_.mode[j])) continue;
       const auto name = "contact " + std::to_string(j + 1);
-      auto moving = moving_approach(end_.slopes, j);
+      auto moving = moving_approach(end_.slopes, j, speed);
       if (!moving.empty())
         result_.notes.push_back(
             near_closing_note(name, speed * base_.scale.velocity, pushed_by(j), std::move(moving)));
@@ -178,7 +182,7 @@ class ContactSensitivity {
       if (!(power && power->exponent == 1 && x0_[layout_.gap[j]] == 0 && speed > 0 &&
             speed < slow * base_.speed))
         continue;
-      auto moving = moving_approach(start_, j);
+      auto moving = moving_approach(start_, j, speed);
       if (!moving.empty())
         result_.notes.push_back(hardly_touching_note("contact " + std::to_string(j + 1),
                                                      speed * base_.scale.velocity, std::move(moving)));
