@@ -244,7 +244,7 @@ def test_other_threads_run_meanwhile():
     thread = threading.Thread(target=count)
     thread.start()
     started = time.monotonic()
-    mt.simulate(row)
+    mt.simulate(row, flow="taylor")
     elapsed = time.monotonic() - started
     done.set()
     thread.join()
@@ -256,7 +256,7 @@ def test_ctrl_c_ends_a_run():
     signal.signal(signal.SIGALRM, lambda *_: signal.raise_signal(signal.SIGINT))
     signal.setitimer(signal.ITIMER_REAL, 0.3)
     with pytest.raises(KeyboardInterrupt):
-        mt.simulate(row)
+        mt.simulate(row, flow="taylor")
 
 
 def test_ctrl_c_ends_a_phase_without_events():
