@@ -26,7 +26,8 @@ Errors are those of the velocities at both ends of the row, which are known in e
 CPU time; memory is what a process of its own takes above what it started with, the row itself included.
 Once the wave is steady it is moved on; the second half of the table is with every ball followed (--flow
 taylor), as in rows whose balls are not equal. Rivals are told when the impact ends and follow no events; the
-last columns are their time over ours at an error no larger than theirs, both ways. Their lengths double until the next would take longer than --patience.
+last columns are their time over ours at an error no larger than theirs, both ways. Their lengths double
+until the next would take longer than --patience.
 
 Examples:
   scaling_study --quick

@@ -43,8 +43,8 @@ of contact periods differ; runs refused by name, failed, without an end; runs of
 came to no end, which is no fault; runs slower than 100 times the median;
 CPU time a scene costs; the worst deviation over what was asked, and in which scene; scenes with anything unexplained.
 
---kinds rows draws long rows whose waves become steady. --kinds slopes compares slopes by numbers of the scenes with differences of runs instead, --kinds
-friction-slopes those of bodies with friction.
+--kinds rows draws long rows whose waves become steady. --kinds slopes compares slopes by numbers of the
+scenes with differences of runs instead, --kinds friction-slopes those of bodies with friction.
 
 Examples:
   stress_study --seconds 60

@@ -41,8 +41,8 @@ inline Index single_wave(Index contacts) {
 inline constexpr Index first_impact = 1;
 
 /// True if errors may have grown: contacts have closed so often that what one does wrong is magnified by the
-/// next, or the errors of many steps have added up. After very many periods
-/// rounding alone decides the end, and each run takes minutes.
+/// next, or the errors of many steps have added up. After very many periods rounding alone decides the end,
+/// and each run takes minutes.
 inline bool may_have_erred(const Passage& passage) {
   constexpr Index most = 100'000;
   return (passage.periods > passage.harmless || passage.steps > 60 + 10 * passage.contacts) &&

@@ -58,7 +58,7 @@ inline bool may_replace(hybrid::Ending looser, hybrid::Ending tighter) {
 /// Run tighter until two runs agree within the accuracy that is `asked` for: `run(options)` runs and returns
 /// by how much its velocities differ from those of the run before, or nothing if it may not replace it.
 /// Where that is no measure of the last run, `shake(options)` runs near its accuracy, with inputs moved by
-/// summed_rounding errors, and says what that makes of the velocities. Returns the estimate of the error; empty if
+/// rounding errors, and says what that makes of the velocities. Returns the estimate of the error; empty if
 /// the first tighter run has failed.
 template <class Run, class Shake>
 std::optional<double> keep_promise(const hybrid::Options& asked, const Passage& gone, Run&& run,

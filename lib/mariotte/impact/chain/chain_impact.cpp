@@ -179,9 +179,9 @@ std::optional<flow::Kind> another_flow(const model::Chain& chain, const hybrid::
   return flow::Kind::cvode_adams;
 }
 
-/// Their waves may be moved on; where a flow is asked for by name they are followed.
+/// Waves may be moved on; where a flow is asked for by name they are followed.
 bool may_have_steady_waves(const model::Chain& chain) {
-  return std::all_of(chain.law.begin(), chain.law.end(), model::lets_waves_be_steady);
+  return std::any_of(chain.law.begin(), chain.law.end(), model::lets_waves_be_steady);
 }
 
 ChainImpact simulate_within(const model::Chain& chain, const hybrid::Options& options,

@@ -49,7 +49,7 @@ std::optional<Repetition> Islands::find_repetition(Island& island) {
                          .shift = shift,
                          .period = now.time - before.time,
                          .count = 0};
-  const bool is_steady = shows_same_wave(before, now, tolerance_of_steady(chain_));
+  const bool is_steady = shows_same_wave(before, now, tolerance_of_steady(chain_)) && leaves_rest(found);
   return is_steady && is_alone(found, before.changes) ? std::optional(found) : std::nullopt;
 }
 
@@ -59,6 +59,18 @@ WaveStamp Islands::stamp_of(const Island& island) const {
           .time = island.crest_from + island.crest.time(),
           .state = island.crest.state(),
           .changes = run_.changes.size()};
+}
+
+/// Balls that the wave has passed in the last period are as slow as what it may still change.
+bool Islands::leaves_rest(const Repetition& wave) const {
+  const bool forward = wave.shift > 0;
+  const Index rear = forward ? wave.first - wave.shift : wave.last + 1,
+              ahead = forward ? wave.last : wave.first;
+  if (rear < 0 || rear + std::abs(wave.shift) > std::ssize(owner_)) return false;
+  const double rest = balls_.velocity(ahead, now_), slow = tolerance_of_steady(chain_) * chain_.speed;
+  for (Index i = rear; i < rear + std::abs(wave.shift); ++i)
+    if (owner_[i] >= 0 || std::abs(balls_.velocity(i, now_) - rest) > slow) return false;
+  return true;
 }
 
 /// Since so many changes all that has happened did so where the wave was, and balls that it left behind will

@@ -69,6 +69,7 @@ class Islands {
   bool may_become_steady(const Island& island) const;
   std::optional<Repetition> find_repetition(Island& island);
   WaveStamp stamp_of(const Island& island) const;
+  bool leaves_rest(const Repetition& wave) const;
   bool is_alone(const Repetition& wave, std::size_t since) const;
   void move_on(Island& island, Repetition wave);
   Index periods_in_peace(double period);
