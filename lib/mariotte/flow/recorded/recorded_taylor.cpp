@@ -184,18 +184,19 @@ struct RecordedTaylor::Memory {
   }
 
   /// A guard may be a product of what moves, and so less sharp than that: its root is found again from
-  /// states.
+  /// states, by secants. Near a bend of the guard one may lead away: its end is then the far one of the next.
   void sharpen(SeriesEnd& end, State x) {
-    double from = (1 - 1e-3) * end.place, at = end.place, past = guard(end.guard, from, x);
+    double far = (1 - 1e-3) * end.place, past = guard(end.guard, far, x),
+           now = guard(end.guard, end.place, x);
     double most = 1e-2 * end.place;
-    for (int i = 0; i < 4; ++i) {
-      const double now = guard(end.guard, at, x), slope = (now - past) / (at - from);
-      const double next = at - now / slope;
-      if (!(std::abs(next - at) < most)) return;
-      most = 0.5 * std::abs(next - at);  // what does not come closer is rounding
-      past = now, from = std::exchange(at, next);
-      end.place = at;
-      if (std::abs(at - from) <= 4 * epsilon * at) return;
+    for (int i = 0; i < 6; ++i) {
+      const double move = -now * (end.place - far) / (now - past);
+      if (!(std::abs(move) < most)) return;  // what does not come closer is rounding
+      most = 0.5 * std::abs(move);
+      far = end.place + move;
+      past = guard(end.guard, far, x);
+      if (std::abs(past) < std::abs(now)) std::swap(past, now), std::swap(far, end.place);
+      if (std::abs(move) <= 4 * epsilon * end.place) return;
     }
   }
 };
