@@ -7,6 +7,19 @@ namespace mariotte::model {
 
 using flow::Crossing;
 
+/// By which a spring may exceed its cap. A law with branches may be much stiffer than its natural force says:
+/// rounding of its depth then moves the cap by more than a share of that force.
+template <int D>
+template <class T>
+double BodiesPhase<D>::cap_noise(const ClosedContact& mode, const ContactMotion<T, D>& motion) const {
+  const auto& one = setting_.contact[mode.contact];
+  const double share = setting_.slip_noise * one.force;
+  if (!contact::branched(one.law)) return share;
+  const double depth = series::value_of(motion.indentation), rate = -series::value_of(motion.gap_rate);
+  const double stiffness = smooth_force(one.law, mode.past, depth, rate).by_indentation;
+  return std::max(share, one.tangential.friction * std::abs(stiffness) * setting_.rounding * one.length);
+}
+
 /// Guards that start at zero or return to it have an offset as large as noise: they fire once they are
 /// beyond.
 template <int D>
@@ -28,7 +41,7 @@ T BodiesPhase<D>::friction_guard(const BodiesField<T, D, N>& field, const Closed
     if (D == 3 && !one.tangential.has_spring()) return dot(c.motion.slip, c.motion.slip) - rest * rest;
   }
   if (mode.friction == Friction::stick)
-    return one.tangential.friction * c.normal - norm(c.friction) + noise * one.force;
+    return one.tangential.friction * c.normal - norm(c.friction) + cap_noise(mode, c.motion);
   if (one.tangential.has_spring()) return field.yielding(mode, c) + noise * setting_.speed;
   if constexpr (D == 2)
     return dot(c.motion.slip, c.direction) + noise * setting_.speed;

@@ -79,6 +79,8 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   Index stray_guard(Index k) const { return parting_guard(touching_) + k; }
 
  private:
+  template <class T>
+  double cap_noise(const ClosedContact& mode, const ContactMotion<T, D>& motion) const;
   template <class T, class N>
   T friction_guard(const BodiesField<T, D, N>& field, const ClosedContact& mode,
                    const ContactForces<T, D>& c) const;
