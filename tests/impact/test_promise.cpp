@@ -196,3 +196,33 @@ BOOST_AUTO_TEST_CASE(natural_modes_follow_what_series_would_take_millions_of_ste
   BOOST_TEST((impact.ending == hybrid::Ending::separated));
   BOOST_TEST(impact.steps < 10'000);
 }
+
+BOOST_AUTO_TEST_CASE(flights_count_before_contacts_that_push_together) {
+  const auto longest = [](std::initializer_list<std::vector<impact::Period>> periods) {
+    std::vector<impact::ContactHistory> contacts;
+    for (const auto& list : periods) contacts.emplace_back().periods = list;
+    return impact::longest_flight(contacts);
+  };
+  BOOST_TEST(longest({{{0, 1}, {101, 103}}, {{102, 105}}}) == 25);
+  BOOST_TEST(longest({{{0, 1}, {101, 103}}, {{103, 105}}}) == 25);
+  BOOST_TEST(longest({{{100, 103}}, {{102, 105}}}) == 0);          // what flies first flies as the scene says
+  BOOST_TEST(longest({{{0, 1}, {101, 103}}, {{104, 105}}}) == 0);  // one after the other
+  BOOST_TEST(longest({{{0, 1}, {101, {}}}, {{102, {}}}}) == 0);    // not over
+}
+
+/// Two balls part by creeping, and fly for 10⁵ times as long as they pushed before a third one comes: the
+/// error of their parting decides how far apart they are then.
+BOOST_AUTO_TEST_CASE(contacts_that_close_together_after_a_long_flight_keep_the_accuracy) {
+  const model::Chain chain{
+      .mass = {0.23345304199960015, 0.25926534687407493, 1.1166483335231239},
+      .law = {contact::Hertz{1}, contact::Viscoelastic{.stiffness = 1, .damping = 5031.8710299833601}},
+      .gap = {0.18100941894992018, 0},
+      .velocity = {0, -2.3890898e-07, -2.4945841e-07}};
+  const auto truth = impact::simulate(chain, {.accuracy = 1e-14});
+  const auto impact = impact::simulate(chain, {.accuracy = 1e-10});
+  const double speed = model::reference_speed(chain);
+  BOOST_TEST(impact::difference(impact.velocity, truth.velocity, speed) < 1e-10);
+  BOOST_TEST(impact.estimated_accuracy.value() <= 1e-10);
+  const auto brief = impact::ChainSolver().solve(chain, {.accuracy = 1e-10});
+  BOOST_TEST(impact::difference(brief.velocity, truth.velocity, speed) < 1e-10);
+}

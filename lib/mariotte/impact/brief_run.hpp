@@ -6,6 +6,7 @@
 #include "mariotte/core/scale.hpp"
 #include "mariotte/hybrid/trajectory.hpp"
 #include "mariotte/impact/brief_impact.hpp"
+#include "mariotte/impact/impulses.hpp"
 #include "mariotte/impact/promise.hpp"
 #include "mariotte/model/contacts/contact_layout.hpp"
 
@@ -37,6 +38,12 @@ Passage passage(const Run& run, const std::vector<Index>& periods) {
     const auto& flow = run.flows[static_cast<std::size_t>(kind)];
     count_flow(gone, kind, flow.phases, flow.steps);
   }
+  Flights flights;
+  for (const auto& [time, change] : run.changes) {
+    if (starts_force(change)) flights.begin(time);
+    if (ends_force(change)) flights.end(time);
+  }
+  gone.flight = flights.longest();
   return gone;
 }
 

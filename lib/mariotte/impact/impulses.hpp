@@ -24,6 +24,9 @@ void impulses(const model::DimensionlessChain& chain, const model::ChainLayout& 
 inline bool starts_force(const model::ContactChange& change) {
   return !contact::carries_force(change.before) && contact::carries_force(change.after);
 }
+inline bool ends_force(const model::ContactChange& change) {
+  return contact::carries_force(change.before) && !contact::carries_force(change.after);
+}
 
 /// How often each of the n−1 contacts started to carry force.
 void count_periods(const std::vector<hybrid::Timed<model::ContactChange>>& changes, Index contacts,

@@ -4,6 +4,7 @@
 
 #include "mariotte/core/types.hpp"
 #include "mariotte/flow/kind.hpp"
+#include "mariotte/impact/flights.hpp"
 #include "mariotte/impact/flow_use.hpp"
 
 namespace mariotte::impact {
@@ -16,6 +17,7 @@ struct Passage {
   Index steps = 0;     ///< of series and closed forms; CVODE's are shorter and count a thirtieth
   Index exact = 0;     ///< phases of contact in closed form, which err by rounding alone
   Index cut = 0;       ///< others, whose errors the accuracy sets
+  double flight = 0;   ///< the longest one before contacts that push together, over how long they do
   double attainable = 16 * epsilon;  ///< accuracy beyond which rounding leaves no run
 };
 
@@ -41,11 +43,13 @@ inline Index single_wave(Index contacts) {
 inline constexpr Index first_impact = 1;
 
 /// True if errors may have grown: contacts have closed so often that what one does wrong is magnified by the
-/// next, or the errors of many steps have added up. After very many periods rounding alone decides the end,
-/// and each run takes minutes.
+/// next, or the errors of many steps have added up, or a long flight has moved what pushes together then.
+/// After very many periods rounding alone decides the end, and each run takes minutes.
 inline bool may_have_erred(const Passage& passage) {
   constexpr Index most = 100'000;
-  return (passage.periods > passage.harmless || passage.steps > 60 + 10 * passage.contacts) &&
+  constexpr double long_flight = 100;
+  return (passage.periods > passage.harmless || passage.steps > 60 + 10 * passage.contacts ||
+          passage.flight > long_flight) &&
          passage.periods <= most;
 }
 
@@ -59,7 +63,8 @@ inline bool hides_rounding(const Passage& passage, double looser) {
 template <class Impact>
 Passage passage(const Impact& impact) {
   const Index contacts = std::ssize(impact.contacts);
-  Passage gone{.contacts = contacts, .harmless = single_wave(contacts)};
+  Passage gone{
+      .contacts = contacts, .harmless = single_wave(contacts), .flight = longest_flight(impact.contacts)};
   for (const auto& contact : impact.contacts) gone.periods += std::ssize(contact.periods);
   count_flows(gone, impact.flows);
   return gone;

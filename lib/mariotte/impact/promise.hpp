@@ -3,7 +3,8 @@
 // two runs agree.
 //
 //   a ← the accuracy asked for; run
-//   unless contacts have closed again and again, or pushed for long: done     a single wave pays nothing
+//   unless contacts have closed again and again, or pushed for long, or together
+//   after a long flight: done                                                 a single wave pays nothing
 //   repeat
 //     a ← tighter, as the last difference says; run again
 //     difference of the velocities ≤ accuracy asked for?  → the tighter run, with the difference as estimate

@@ -1,5 +1,6 @@
 #include "mariotte/flow/triplet/triplet.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -111,6 +112,7 @@ void meet(Triplet* triplet) {
   ++t.steps;
   if (!(time > 0) || motion.duration() - time <= t.same_instant) return leave(t);
   move(t, c, gap, time, now);
+  t.flight = std::max(t.flight, t.quiet / (t.time - t.began));
   close(t, b);
 }
 
@@ -125,7 +127,8 @@ void fly(Triplet* triplet) {
   const int j = times[1] < times[0];
   if (times[1 - j] - times[j] <= t.same_instant) return leave(t);
   ++t.steps;
-  t.time += times[j];
+  t.quiet = t.events > 0 ? times[j] : 0;
+  t.began = t.time += times[j];
   if (!touches_at_rest(t, 1 - j)) t.indentation[1 - j] += times[j] * t.rate[1 - j];
   close(t, j);
 }

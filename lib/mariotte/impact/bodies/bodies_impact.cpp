@@ -146,6 +146,7 @@ double difference(const model::Bodies& bodies, const BodiesImpact& a, const Bodi
 Passage passage(const BodiesImpact& impact, double attainable) {
   Passage gone{.contacts = std::ssize(impact.contacts),
                .harmless = std::ssize(impact.contacts),
+               .flight = longest_flight(impact.contacts),
                .attainable = std::max(attainable, 16 * epsilon)};
   for (const auto& contact : impact.contacts) gone.periods += std::ssize(contact.periods);
   for (const auto& event : impact.events) gone.periods += std::ssize(event.of(BodyEvent::load));

@@ -14,7 +14,8 @@ Passage passage(const flow::Triplet& t) {
   return {.contacts = 2,
           .harmless = single_wave(2),
           .periods = t.periods[0] + t.periods[1],
-          .steps = t.steps + t.series_steps};
+          .steps = t.steps + t.series_steps,
+          .flight = t.flight};
 }
 
 }  // namespace

@@ -8,10 +8,6 @@
 namespace mariotte::impact {
 namespace {
 
-bool ends_force(const model::ContactChange& change) {
-  return contact::carries_force(change.before) && !contact::carries_force(change.after);
-}
-
 /// The list of an event that a change belongs to; null if it leaves every force as it is.
 std::vector<Index> Event::*kind_of(const model::ContactChange& change) {
   using contact::Branch;
