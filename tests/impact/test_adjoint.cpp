@@ -88,6 +88,13 @@ BOOST_AUTO_TEST_CASE(slopes_by_exponents_of_dampers_that_begin_are_exact) {
     BOOST_TEST(worst(row, {.accuracy = accuracy}, {.accuracy = 1e-12}) < 1e-10);
 }
 
+// δ² ln δ is smooth neither where the contact begins nor where it ends.
+BOOST_AUTO_TEST_CASE(slopes_by_exponents_of_contacts_that_begin_and_end_are_exact) {
+  const auto row = row_of({PowerLaw{1, 0, 2}, PowerLaw{2, 0, 1.3}, PowerLaw{1, 0.1, 2.5}}, {0.1, 0.2, 0.03});
+  for (const double accuracy : {1e-9, 3e-10})
+    BOOST_TEST(worst(row, {.accuracy = accuracy}, {.accuracy = 1e-12}) < 2e-10);
+}
+
 // Linear contacts behind Hertz contacts are hardly pressed for long, and act from the hit on all the same.
 BOOST_AUTO_TEST_CASE(slopes_of_mixed_rows_that_touch_are_those_that_run_forward) {
   const auto row =

@@ -49,6 +49,21 @@ Stiffness stiffness_of(const contact::PowerLaw& law, const Nodes& depth, const N
   return made;
 }
 
+/// Whether the points resolve f ln δ, but for the logarithms of u and 1 − u, which are known.
+bool resolves_logarithm(const contact::PowerLaw& law, const MotionRecord::Contact& own, const Nodes& rate,
+                        const Nodes& pace, double mobility, double accuracy) {
+  const auto [least, most] = std::minmax_element(own.depth.begin(), own.depth.end());
+  if (law.exponent == 1 || *least > 0.1 * *most) return true;
+  Nodes product;
+  for (int i = 0; i < stages; ++i) {
+    const double depth = std::max(own.depth[i], 1e-300), u = gauss.point[i],
+                 left = gauss.point[stages - 1 - i];
+    product[i] = mobility * pace[i] * contact::smooth_force(law, depth, rate[i]).value *
+                 (std::log(depth) - own.rise * std::log(u) - own.fall * std::log(left));
+  }
+  return is_resolved(tail(product, 0), tail(product, 2), accuracy);
+}
+
 /// Whether the points resolve what a contact does, and sweeps converge: nothing moves by more than it is.
 bool resolves(const Stiffness& contact, double mobility, double duration, double accuracy) {
   Nodes turned;
@@ -77,12 +92,15 @@ std::size_t MotionRecord::bytes() const {
 
 /// Where Gauss points stand in a series: polynomials of `argument`, times `unit`, and dt/du.
 struct MotionRecorder::Places {
+  bool are_first, are_last;
   Nodes argument, unit, pace;
 };
 
 /// Where contacts start from δ = 0 roots of u⁴ are smooth.
 MotionRecorder::Places MotionRecorder::places(double begin, double width) const {
   Places at;
+  at.are_first = begin == 0;
+  at.are_last = begin + width == 1;
   for (int i = 0; i < stages; ++i) {
     const double u = begin + width * gauss.point[i], end = series_.end;
     const bool starts = series_.power > 0;
@@ -152,8 +170,21 @@ void MotionRecorder::add_contact(const PushSeries::Contact& contact, const Place
   const Index j = number_of(contact.gap);
   auto depth = values(contact.depth, series_.order, places.argument);
   for (int i = 0; i < stages; ++i) depth[i] *= places.unit[i];
-  seen_.contact.push_back({.number = j, .depth = depth});
+  const int power = contact.owns_clock ? 2 : 1;
+  seen_.contact.push_back({.number = j,
+                           .depth = depth,
+                           .rise = places.are_first && contact.depth[0] == 0 ? power : 0,
+                           .fall = places.are_last && ends(contact, depth) ? power : 0});
   if (law(j).damping > 0) seen_.rate.push_back(values(contact.rate, series_.order, places.argument));
+}
+
+/// δ comes to zero with the step.
+bool MotionRecorder::ends(const PushSeries::Contact& contact, const Nodes& depth) const {
+  constexpr double nothing = 1e-9;
+  Nodes end;
+  end.fill(series_.end);
+  return series_.power == 0 && std::abs(values(contact.depth, series_.order, end)[0]) <
+                                   nothing * *std::max_element(depth.begin(), depth.end());
 }
 
 void MotionRecorder::drop(std::size_t contacts, std::size_t rates) {
@@ -177,7 +208,9 @@ bool MotionRecorder::are_resolved(const MotionRecord::Piece& piece) const {
     const Nodes rates = power.damping == 0 ? Nodes{} : *--rate;
     const double mobility = inverse_mass[j] + inverse_mass[j + 1];
     const auto stiffness = stiffness_of(power, own->depth, rates, piece.pace);
-    if (!resolves(stiffness, mobility, total(piece.pace), accuracy_)) return false;
+    if (!resolves(stiffness, mobility, total(piece.pace), accuracy_) ||
+        !resolves_logarithm(power, *own, rates, piece.pace, mobility, accuracy_))
+      return false;
   }
   return true;
 }
@@ -207,10 +240,7 @@ void MotionRecorder::add(const flow::Step& step, double begin, double width, int
   const auto at = places(begin, width);
   MotionRecord::Piece piece{.pace = at.pace};
   const auto contacts = seen_.contact.size(), rates = seen_.rate.size();
-  for (const auto& contact : series_.contact) {
-    add_contact(contact, at);
-    if (contact.owns_clock && contact.depth[0] == 0 && begin == 0) piece.onset = number_of(contact.gap);
-  }
+  for (const auto& contact : series_.contact) add_contact(contact, at);
   for (const auto& contact : series_.dozing)
     if (!is_shallow(contact)) add_contact(contact, at);
   piece.contacts = static_cast<Index>(seen_.contact.size() - contacts);

@@ -38,11 +38,11 @@ struct MotionRecord {
     Nodes pace;          ///< dt/du
     Index contacts = 0;  ///< that push
     Index shallow = 0;   ///< the last of them, which hardly do
-    Index onset = -1;    ///< the one whose δ begins like u²
   };
   struct Contact {
     Index number;
     Nodes depth;
+    int rise = 0, fall = 0;  ///< δ begins and ends as powers of u and 1 − u
   };
   std::vector<Stretch> stretch;
   std::vector<Piece> piece;
@@ -75,6 +75,7 @@ class MotionRecorder final : public model::IslandObserver {
   void add(const flow::Step& step, double begin, double width, int halvings);
   Index number_of(Index gap) const;
   void add_contact(const flow::PushSeries::Contact& contact, const Places& places);
+  bool ends(const flow::PushSeries::Contact& contact, const Nodes& depth) const;
   void drop(std::size_t contacts, std::size_t rates);
   void add_dozing(const flow::Step& step, const Places& places);
   bool is_shallow(const flow::PushSeries::Contact& contact) const;

@@ -44,6 +44,8 @@ void PieceSweep::pass(const MotionRecord::Stretch& stretch) {
 void PieceSweep::take(Push& own) {
   own.number = (--contact_)->number;
   own.depth = contact_->depth;
+  own.rise = contact_->rise;
+  own.fall = contact_->fall;
   const auto& power = law(own.number);
   own.rate = power.damping == 0 ? Nodes{} : *--rate_;
   for (int i = 0; i < stages; ++i) {
@@ -150,8 +152,9 @@ void PieceSweep::add_slopes(const Push& own) {
     const double width = contact::contact_width(power.exponent, depth);
     slopes_.stiffness[j] += mu * width * depth;
     slopes_.damping[j] += mu * width * own.rate[i];
-    if (depth > 0) slopes_.exponent[j] += impulse * own.mu[i] * std::log(depth);
-    if (j == piece_->onset) slopes_.exponent[j] += 2 * gauss.log_rest[i] * own.force[i] * own.mu[i];
+    if (!(depth > 0)) continue;
+    const double rest = own.rise * gauss.log_rest[i] + own.fall * gauss.log_rest[stages - 1 - i];
+    slopes_.exponent[j] += (impulse * std::log(depth) + rest * own.force[i]) * own.mu[i];
   }
   const auto squared = [&](Index b) { return chain_.inverse_mass[b] * chain_.inverse_mass[b]; };
   slopes_.mass[j] += squared(j) * left;

@@ -51,6 +51,7 @@ class PieceSweep {
   /// A contact in a piece: its force and the slopes of that, and how λ_g and λ_v move, all times dt/du.
   struct Push {
     Index number;
+    int rise, fall;
     Nodes depth, rate;
     Nodes force, by_depth, by_rate;
     Nodes mu, gap_rate, velocity_rate;
