@@ -3,6 +3,7 @@
 #include <random>
 
 #include "mariotte/core/error.hpp"
+#include "mariotte/impact/chain/chain_impact.hpp"
 #include "mariotte/impact/chain/chain_solver.hpp"
 #include "mariotte/impact/network/network_impact.hpp"
 #include "support/reference.hpp"
@@ -380,4 +381,25 @@ BOOST_AUTO_TEST_CASE(series_lose_patience_with_a_damper_that_swings) {
   BOOST_TEST((impact.ending == hybrid::Ending::separated), impact.message);
   BOOST_TEST(test::difference(impact.velocity, expected) < 1e-9);
   BOOST_TEST(impact.steps < 1'000'000);
+}
+
+// One damper makes many phases too stiff for series. The first of them takes 5000 of their steps before BDF
+// goes on; the others are left earlier.
+BOOST_AUTO_TEST_CASE(a_run_learns_when_to_leave_a_phase_to_bdf) {
+  model::Chain chain{.mass = {0.889, 0.877, 1.058, 0.729, 1.154, 0.924, 1.041, 1.35},
+                     .law = {law(1, 0, 1), law(1, 0, 1), law(1, 3.2e5, 1), law(1, 0, 1), law(1, 0, 1),
+                             law(1, 0, 1.5), law(1, 0.0123, 1)},
+                     .gap = std::vector<double>(7),
+                     .velocity = std::vector<double>(8)};
+  chain.velocity[0] = 1;
+  const auto impact = impact::simulate(chain, {.accuracy = 1e-8});
+  const auto steps = [&](std::string_view name) {
+    for (const auto& use : impact.flows)
+      if (use.name == name) return use;
+    return impact::FlowUse{};
+  };
+  const auto bdf = steps("cvode-bdf-klu");
+  BOOST_TEST(bdf.phases >= 5);
+  BOOST_TEST(steps("taylor").steps < 5000 + 11 * bdf.steps);
+  BOOST_TEST(steps("taylor").steps < 0.8 * 5000 * static_cast<double>(bdf.phases));
 }

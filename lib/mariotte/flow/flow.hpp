@@ -1,5 +1,6 @@
 // Following one smooth field to the next guard: the one interface of all flows.
 #pragma once
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -63,12 +64,21 @@ struct Arrival {
 
 /// What a flow is asked for.
 struct Request {
+  /// Steps after which a phase that may be stiff is given up, unless one has learned better.
+  static constexpr Index usual_steps = 5000;
   double limit = infinity;           ///< longest duration
   double accuracy = 1e-10;           ///< wanted error at the end of the run, relative to the magnitudes
   StepObserver* observer = nullptr;  ///< may be null
   double least_step = 0;  ///< average step below which another flow goes on: the phase is given up as `stiff`
   bool patient = false;   ///< a phase is given up for its length much later
+  Index most_steps = usual_steps;  ///< else after so many steps
 };
+
+/// Steps after which to give up the next phase, where BDF has followed one that was given up: so many as cost
+/// what BDF took, about ten for one of its own.
+inline Index worth_while(const Arrival& arrival) {
+  return std::clamp<Index>(10 * arrival.steps, 100, Request::usual_steps);
+}
 
 /// A method that follows a smooth field.
 class Flow {

@@ -76,7 +76,8 @@ struct Workspace {
   typename System::Mode mode;
   std::vector<typename System::Change> changes;
   std::vector<Index> fired;
-  std::vector<double> before;  ///< the state at the beginning of the phase
+  std::vector<double> before;                     ///< the state at the beginning of the phase
+  Index most_steps = flow::Request::usual_steps;  ///< after which a phase is given up for its length
   Trajectory<typename System::Change> run;
 };
 
@@ -95,10 +96,10 @@ template <HybridSystem System>
 std::optional<flow::Arrival> follow_phase(System& system, const Options& options,
                                           Workspace<System>& workspace, CompensatedSum& time,
                                           PhaseObserver* observer) {
-  auto& [flows, mode, changes, fired, before, run] = workspace;
+  auto& [flows, mode, changes, fired, before, most_steps, run] = workspace;
   auto& x = run.state;
   auto& problem = system.problem(mode);
-  Turns turns(flows, problem, options.flow);
+  Turns turns(flows, problem, options.flow, most_steps);
   std::optional<AskingObserver> asking;
   if (observer) asking.emplace(*observer);
   for (;;) try {
@@ -114,6 +115,7 @@ std::optional<flow::Arrival> follow_phase(System& system, const Options& options
       const bool stiff = arrival.outcome == flow::Outcome::stiff;
       const bool failed = arrival.outcome == flow::Outcome::failed;
       if (!failed) time += arrival.duration;
+      if (!stiff && !failed) most_steps = turns.most_steps(arrival);
       if (!stiff && !failed) return arrival;
       if (failed) x.assign(before.begin(), before.end());
       if (!turns.pass_on(arrival)) return arrival;
@@ -140,6 +142,7 @@ const Trajectory<typename System::Change>& simulate(System& system, ConstState x
   changes.clear();
   auto& x = run.state;
   x.assign(x0.begin(), x0.end());
+  workspace.most_steps = flow::Request::usual_steps;
   CompensatedSum time;
   Index at_once = 0;
   const auto end = [&](Ending ending, std::string message = {}) -> const auto& {

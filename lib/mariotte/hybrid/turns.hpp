@@ -11,15 +11,21 @@ namespace mariotte::hybrid {
 /// patience.
 class Turns {
  public:
-  /// Options and problem must live as long.
-  Turns(flow::Flows& flows, const flow::Problem& problem, const std::optional<flow::Kind>& requested)
-      : flows_(flows), problem_(problem), requested_(requested), now_(flows.choose(problem, requested)) {}
+  /// Options and problem must live as long. A flow gives up a phase for its length after `most_steps`.
+  Turns(flow::Flows& flows, const flow::Problem& problem, const std::optional<flow::Kind>& requested,
+        Index most_steps)
+      : flows_(flows),
+        problem_(problem),
+        requested_(requested),
+        most_steps_(most_steps),
+        now_(flows.choose(problem, requested)) {}
 
   flow::Kind kind() const { return now_->kind; }
   flow::Flow& flow() { return now_->flow; }
   /// Adds to a request how much effort is worth while.
   flow::Request asking(flow::Request request) const {
     request.least_step = left_ ? least_step_ : 0;
+    request.most_steps = most_steps_;
     request.patient = patient_ || left_ || (requested_ && is_cvode(*requested_));
     return request;
   }
@@ -41,10 +47,16 @@ class Turns {
     return next.has_value();
   }
 
+  /// Steps that are worth while in the next phase, after this one has come to its end.
+  Index most_steps(const flow::Arrival& arrival) const {
+    return left_ ? flow::worth_while(arrival) : most_steps_;
+  }
+
  private:
   flow::Flows& flows_;
   const flow::Problem& problem_;
   const std::optional<flow::Kind>& requested_;
+  Index most_steps_;
   std::optional<flow::Choice> now_, left_;  ///< who follows, and who gave up for the length of the phase
   double least_step_ = 0;                   ///< average step of who gave up
   bool patient_ = false;

@@ -35,9 +35,6 @@ constexpr Index step_limit = 10'000'000;
 constexpr Index stall_limit = 100;
 /// Steps after which their average tells whether this flow is the quicker one.
 constexpr Index trial = 2000;
-/// Steps of Adams in one phase after which it may be stiff: a slip in space of two tips that friction holds
-/// near zero turns as fast as friction over the slip, whatever the damping.
-constexpr Index patience = 5000;
 /// Steps for which a Jacobian is kept where the matrix is made anew. CVODE's 51 are too many for a slip in
 /// space that leaves rest: friction turns at a rate that falls like the inverse of its speed. Newton's first
 /// correction by an old Jacobian is then wrong, and passes for converged by what earlier steps had promised.
@@ -261,7 +258,8 @@ Arrival Cvode::follow(Problem& problem, State x, const Request& request, std::ve
     m.before.assign(step.after.begin(), step.after.end());
     stalled += step.end - step.start <= 2 * epsilon * step.end;
     if (count == trial && step.end < trial * request.least_step) return m.finish(Outcome::stiff, step.end, x);
-    if (count == patience && m.method == CvodeMethod::adams && !request.patient) {
+    // a slip in space of two tips that friction holds near zero is stiff, whatever the damping
+    if (count == request.most_steps && m.method == CvodeMethod::adams && !request.patient) {
       auto arrival = m.finish(Outcome::stiff, step.end, x);
       arrival.resumable = true;
       return arrival;

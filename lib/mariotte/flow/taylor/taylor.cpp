@@ -15,10 +15,9 @@ using taylor::Window;
 namespace {
 
 constexpr Index step_limit = 10'000'000;
-/// Steps of a damped phase that cost about what BDF takes for all of it: a contact creeps, and explicit steps
-/// must not outrun its fastest decay. Then as many as are tried where BDF has begun with no longer steps: it
-/// may have had to find its way.
-constexpr Index creeping = 5000, patience = 300'000;
+/// A contact that creeps is left to BDF: explicit steps must not outrun its fastest decay. So many are tried
+/// where BDF has begun with no longer steps: it may have had to find its way.
+constexpr Index patience = 300'000;
 
 bool is_finite(const Window& w) {
   return std::all_of(w.velocity.begin(), w.velocity.end(), [](double v) { return std::isfinite(v); });
@@ -148,7 +147,7 @@ Arrival Taylor::follow(Problem& problem, State x, const Request& request, std::v
       return Arrival{Outcome::guard, w.time, steps, steps, {}};
     }
     if (m.accept(problem) == Accepted::ended) return stop(Outcome::guard);
-    if (w.lanes.damped && steps >= (request.patient ? patience : creeping)) {
+    if (w.lanes.damped && steps >= (request.patient ? patience : request.most_steps)) {
       auto arrival = stop(Outcome::stiff);
       arrival.resumable = !request.patient;
       return arrival;

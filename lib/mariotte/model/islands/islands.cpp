@@ -138,7 +138,7 @@ flow::Request Islands::request_of(Island& island, double limit) {
       .limit = limit, .accuracy = std::min(options_.accuracy, accuracy_of_steady), .observer = &island.crest};
 }
 
-void Islands::follow(Island& island, double limit) {
+void Islands::follow(Island& island, double limit, bool patient) {
   island.mode = island.held;
   auto& problem = island.system.problem(island.mode);
   const bool stiff = island.arrival.outcome == Outcome::stiff;
@@ -147,9 +147,13 @@ void Islands::follow(Island& island, double limit) {
   while (choice) {
     island.x = island.start;
     island.fired.clear();
-    const auto request = request_of(island, limit);
+    auto request = request_of(island, limit);
+    request.most_steps = most_steps_;
+    request.patient = patient;
     island.arrival = choice->flow.follow(problem, island.x, request, island.fired);
     hybrid::count(run_.flows[static_cast<std::size_t>(choice->kind)], island.arrival);
+    const bool ends = island.arrival.outcome != Outcome::stiff && island.arrival.outcome != Outcome::failed;
+    if (stiff && ends) most_steps_ = flow::worth_while(island.arrival);
     if (island.arrival.outcome != Outcome::failed) return;
     const auto next = flows_.instead_of(choice->kind, false, problem, requested_);
     choice.reset();
@@ -175,14 +179,14 @@ void Islands::commit(Island& island) {
 void Islands::dissolve(Index id) {
   auto& island = *islands_[id];
   if (island.clock < now_ && island.arrives() > now_) {
-    follow(island, now_ - island.clock);
+    follow(island, now_ - island.clock, true);
     ++count_.redone;
   }
   while (island.clock < now_) {
     commit(island);
     if (island.arrival.outcome == Outcome::limit) island.clock = now_;
     if (island.arrival.outcome != Outcome::guard) break;
-    if (island.clock < now_) follow(island, now_ - island.clock);
+    if (island.clock < now_) follow(island, now_ - island.clock, true);
   }
   for (const Index j : {island.first - 1, island.last})
     if (j >= 0 && j < balls_.contacts()) balls_.move_contact(j, now_);

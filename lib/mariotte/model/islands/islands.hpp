@@ -60,7 +60,8 @@ class Islands {
 
   // One island.
   flow::Request request_of(Island& island, double limit);
-  void follow(Island& island, double limit);
+  /// A `patient` one gives up no phase for its length until much later.
+  void follow(Island& island, double limit, bool patient = false);
   void commit(Island& island);
   void dissolve(Index id);
   void form(Index first, Index last);
@@ -106,6 +107,7 @@ class Islands {
   std::vector<Index> unused_;  ///< among them
   IslandQueue queue_;
   flow::Flows flows_;
+  Index most_steps_ = flow::Request::usual_steps;  ///< after which a phase is given up for its length
   Snapshot snapshot_;
   SnapshotObserver* observer_ = nullptr;
   std::vector<ContactChange> changes_;
