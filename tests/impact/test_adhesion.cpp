@@ -143,3 +143,26 @@ BOOST_AUTO_TEST_CASE(islands_of_a_plastic_row_are_the_whole_row) {
     BOOST_TEST(a.plastic > 0);
   }
 }
+
+// In the wells balls are eight times as fast as before and behind them, where the accuracy is meant.
+BOOST_AUTO_TEST_CASE(balls_that_leave_deep_wells_keep_the_accuracy) {
+  const auto law = test::law_of({{"law", "dmt"},
+                                 {"effective_modulus", 4.8543738721164003},
+                                 {"effective_radius", 2.1422442546995564},
+                                 {"work_of_adhesion", 0.2565220885857788},
+                                 {"damping", 0}});
+  const model::Chain chain{
+      .mass = {2.2144611955081399, 2.5669933018900792, 0.20301270615039721, 0.15260608076546012},
+      .law = {law, law, law},
+      .gap = {0.01628172220215492, 0.0028699238876347235, 0.13018508089862213},
+      .velocity = {-0.13564159253919517, 0.38775650064447276, 0.44850588314482076, 0.20794899525990718}};
+  const std::vector<double> end = {-0.135641592539195, 0.366398415977334, 0.486785426298019,
+                                   0.516290749402303};
+  const double fastest = 0.584;
+  for (const double accuracy : {1e-8, 1e-10, 1e-12}) {
+    const auto impact = impact::simulate(chain, {.accuracy = accuracy});
+    BOOST_TEST(test::difference(impact.velocity, end) < std::max(accuracy, 2e-12) * fastest);
+    const auto linked = impact::simulate(model::as_network(chain), {.accuracy = accuracy});
+    BOOST_TEST(test::difference(linked.velocity, end) < std::max(accuracy, 2e-12) * fastest);
+  }
+}

@@ -12,6 +12,7 @@ struct Scale {
   double velocity = 1;
   double length = 1;
   double time = 1;
+  double refinement = 1;  ///< share of an accuracy that phases may spend
 
   double momentum() const { return mass * velocity; }
   double energy() const { return mass * velocity * velocity; }

@@ -33,9 +33,10 @@
 
 namespace mariotte::hybrid {
 
-/// Times divided by those of a scale.
+/// Times divided by those of a scale, and the accuracy of phases.
 inline Options scaled(Options options, const Scale& scale) {
   options.max_time /= scale.time;
+  options.accuracy = std::max(options.accuracy * scale.refinement, std::min(options.accuracy, 8 * epsilon));
   return options;
 }
 

@@ -35,24 +35,25 @@ void scale_balls(const Chain& chain, DimensionlessChain& d) {
   }
 }
 
-}  // namespace
-
-double reference_speed(const Chain& chain) {
+SquaredSpeeds squared_speeds(const Chain& chain) {
   const auto [slowest, fastest] = std::minmax_element(chain.velocity.begin(), chain.velocity.end());
   const double spread = std::min(*fastest - *slowest, std::max(std::abs(*slowest), std::abs(*fastest)));
-  double squared = spread * spread, adhesion = 0;
+  SquaredSpeeds speeds{.given = spread * spread};
   for (std::size_t j = 0; j < chain.gap.size(); ++j) {
-    squared += 2 * std::abs(chain.gravity) * std::max(0.0, chain.gap[j]);
+    speeds.given += 2 * std::abs(chain.gravity) * std::max(0.0, chain.gap[j]);
     const double mass = reduced_mass(chain.mass[j], chain.mass[j + 1]);
     if (chain.gap[j] < 0)
-      squared += 2 * std::max(0.0, contact::stored_energy(chain.law[j], -chain.gap[j])) / mass;
-    adhesion = std::max(adhesion, 2 * well_energy(chain.law[j]) / mass);
+      speeds.given += 2 * std::max(0.0, contact::stored_energy(chain.law[j], -chain.gap[j])) / mass;
+    speeds.adhesion = std::max(speeds.adhesion, 2 * well_energy(chain.law[j]) / mass);
   }
-  squared += adhesion;
   for (const auto& drive : chain.drive) {
     const double given = driven_speed(drive, 1 / chain.mass[drive.direction.front().dof]);
-    squared += given * given;
+    speeds.given += given * given;
   }
+  return speeds;
+}
+
+double reference_speed(const Chain& chain, double squared) {
   if (squared > 0) return std::sqrt(squared);
   // Nothing moves unless gravity presses touching balls together: the speed gained over a static indentation.
   if (chain.gravity == 0) return 1;
@@ -64,11 +65,19 @@ double reference_speed(const Chain& chain) {
   return std::sqrt(2 * std::abs(chain.gravity) * indentation);
 }
 
+}  // namespace
+
+double reference_speed(const Chain& chain) {
+  return reference_speed(chain, squared_speeds(chain).all());
+}
+
 void make_dimensionless(const Chain& chain, double accuracy, DimensionlessChain& d) {
   d.reduced_mass.clear();
   for (std::size_t j = 0; j < chain.law.size(); ++j)
     d.reduced_mass.push_back(reduced_mass(chain.mass[j], chain.mass[j + 1]));
-  scale_contacts({chain.law, chain.gap, chain.velocity}, reference_speed(chain), accuracy, d);
+  const auto speeds = squared_speeds(chain);
+  scale_contacts({chain.law, chain.gap, chain.velocity}, reference_speed(chain, speeds.all()), accuracy, d);
+  d.scale.refinement = speeds.refinement();
   scale_balls(chain, d);
   d.falls_back = pulls_back(chain);
   d.drive.clear();

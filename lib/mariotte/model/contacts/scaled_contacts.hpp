@@ -1,6 +1,7 @@
 // The contacts of a chain or a network in units of order one, with the natural sizes that tolerances are
 // relative to.
 #pragma once
+#include <algorithm>
 #include <vector>
 
 #include "mariotte/contact/law.hpp"
@@ -35,6 +36,16 @@ struct StatedContacts {
   const std::vector<contact::Law>& law;
   const std::vector<double>& gap;
   const std::vector<double>& velocity;
+};
+
+/// Squares of the speed that a scene gives, and of the one that adhesion gives to what meets.
+struct SquaredSpeeds {
+  double given = 0, adhesion = 0;
+
+  double all() const { return given + adhesion; }
+  /// Share of an accuracy that phases may spend: an error of the large speed V in a well is one of V/v of the
+  /// small speed v behind it, and the accuracy is meant relative to v, not V.
+  double refinement() const { return given > 0 ? std::max(given / all(), 1e-4) : 1; }
 };
 
 /// Convert into `d`, whose memory is reused and whose `reduced_mass` says those in the scene's units. The

@@ -18,24 +18,23 @@ std::vector<ContactDirection> pushes_of_drives(const Network& network) {
   return responses(network.mass, directions, std::ssize(network.velocity));
 }
 
-double reference_speed(const Network& network, const Numbers& mass,
-                       const std::vector<ContactDirection>& pushes) {
-  double squared = 0, adhesion = 0;
+SquaredSpeeds squared_speeds(const Network& network, const Numbers& mass,
+                             const std::vector<ContactDirection>& pushes) {
+  SquaredSpeeds speeds;
   for (const auto& direction : network.direction) {
     const double rate = gap_rate(direction, network.velocity);
-    squared = std::max(squared, rate * rate);
+    speeds.given = std::max(speeds.given, rate * rate);
   }
   for (std::size_t j = 0; j < mass.size(); ++j) {
-    adhesion = std::max(adhesion, 2 * well_energy(network.law[j]) / mass[j]);
+    speeds.adhesion = std::max(speeds.adhesion, 2 * well_energy(network.law[j]) / mass[j]);
     if (network.gap[j] < 0)
-      squared += 2 * std::max(0.0, contact::stored_energy(network.law[j], -network.gap[j])) / mass[j];
+      speeds.given += 2 * std::max(0.0, contact::stored_energy(network.law[j], -network.gap[j])) / mass[j];
   }
-  squared += adhesion;
   for (std::size_t k = 0; k < network.drive.size(); ++k) {
     const double given = driven_speed(network.drive[k], dot(network.drive[k].direction, pushes[k]));
-    squared += given * given;
+    speeds.given += given * given;
   }
-  return squared > 0 ? std::sqrt(squared) : 1;
+  return speeds;
 }
 
 void empty_lists(Index count, std::vector<std::vector<Index>>& lists) {
@@ -79,8 +78,10 @@ void make_dimensionless(const Network& network, double accuracy, DimensionlessNe
   for (std::size_t j = 0; j < d.response.size(); ++j)
     d.reduced_mass.push_back(1 / dot(d.direction[j], d.response[j]));
   const auto pushes = network.drive.empty() ? std::vector<ContactDirection>() : pushes_of_drives(network);
-  scale_contacts({network.law, network.gap, network.velocity},
-                 reference_speed(network, d.reduced_mass, pushes), accuracy, d);
+  const auto speeds = squared_speeds(network, d.reduced_mass, pushes);
+  scale_contacts({network.law, network.gap, network.velocity}, speeds.all() > 0 ? std::sqrt(speeds.all()) : 1,
+                 accuracy, d);
+  d.scale.refinement = speeds.refinement();
   d.drive.clear();
   for (std::size_t k = 0; k < pushes.size(); ++k)
     d.drive.push_back(in_units(network.drive[k], pushes[k], d.scale));
