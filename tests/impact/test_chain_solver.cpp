@@ -63,3 +63,18 @@ BOOST_AUTO_TEST_CASE(a_map_ends_separated_everywhere_at_any_accuracy) {
       BOOST_TEST((impact.ending == hybrid::Ending::separated));
     }
 }
+
+// Balls that have lost all but rounding to their neighbours hover in each other's contacts without force.
+BOOST_AUTO_TEST_CASE(contacts_without_force_do_not_bound_a_step) {
+  const model::Chain chain{.mass = std::vector<double>(9, 1.0),
+                           .law = std::vector<contact::Law>(
+                               8, contact::Viscoelastic{.stiffness = 1, .exponent = 2.3860876585527651}),
+                           .gap = std::vector<double>(8),
+                           .velocity = {-1, -1, -1, -1, 0, -0.5, -1, 1, 0}};
+  impact::ChainSolver solver;
+  for (const double accuracy : {1e-12, 1e-13}) {
+    const auto& impact = solver.solve(chain, {.accuracy = accuracy});
+    BOOST_TEST((impact.ending == hybrid::Ending::separated));
+    BOOST_TEST(impact.steps < 1000);
+  }
+}

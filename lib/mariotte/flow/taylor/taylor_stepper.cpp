@@ -207,6 +207,7 @@ double Stepper::reach(const Piece& piece) const {
     last = std::max(last, size[group + i]);
     before = std::max(before, size[i]);
   }
+  if (!(last > tiny)) return end;  // nothing pushes
   return std::min(end, safe_radius * rough_root(before / last, group));
 }
 
