@@ -208,10 +208,14 @@ SlopeSubject subject(const Group& group, double max_time, Dice& dice) {
   return subject;
 }
 
-/// Of a chain or a network.
+/// Of a chain or a network: what moves by the least push in a contact.
 template <class Model>
 SlopeSubject subject(const Model& model, double max_time, Dice& dice) {
-  return subject_of(model, reference_speed(model), max_time, dice);
+  auto subject = subject_of(model, reference_speed(model), max_time, dice);
+  double most = 0;
+  for (std::size_t j = 0; j < model.law.size(); ++j) most = std::max(most, mobility(model, j));
+  if (most > 0) subject.impulse = subject.speed / most;
+  return subject;
 }
 
 }  // namespace

@@ -24,7 +24,8 @@ struct Probe {
 /// A few numbers of a scene, chosen at random, and the slopes by these at an accuracy.
 struct SlopeSubject {
   double speed;        ///< that velocities are relative to
-  double impulse = 0;  ///< that gives the lightest body this speed: impulses are relative to no less
+  double impulse = 0;  ///< that gives the lightest body, or the lightest pair, this speed: impulses are
+                       ///< relative to no less
   double spin = 0;     ///< that gives the farthest point of the largest body this speed, likewise
   std::vector<Probe> probes = {};
   std::function<impact::Sensitivity(double accuracy)> slopes = {};

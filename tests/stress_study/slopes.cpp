@@ -206,3 +206,16 @@ BOOST_AUTO_TEST_CASE(bodies_with_friction_have_power_laws_and_are_moved_where_th
         BOOST_CHECK_NO_THROW(probe.outcomes(probe.value + steps * probe.step));
   }
 }
+
+BOOST_AUTO_TEST_CASE(impulses_of_a_hardly_touching_pair_are_weighed_by_what_stops_it) {
+  const Scene parting{.model = model::Chain{.mass = {1, 3},
+                                            .law = {contact::Hertz{1e-3}},
+                                            .gap = {-1e-3},
+                                            .velocity = {-0.1, 0.2},
+                                            .precompressed = true}};
+  const auto subject = slope_subject(parting, Dice(1, 1));
+  BOOST_TEST(std::abs(subject.impulse / (0.75 * subject.speed) - 1) < 1e-12);
+  const auto slopes = subject.slopes(1e-10);
+  for (std::size_t i = 0; i < slopes.outcome.size(); ++i)
+    if (slopes.outcome[i].name == "impulse") BOOST_TEST(outcome_sizes(slopes, subject)[i] == subject.impulse);
+}
