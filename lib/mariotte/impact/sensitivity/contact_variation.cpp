@@ -97,6 +97,14 @@ void ContactVariation<Topology>::add(const ShiftedModel<Scaled>& shifted) {
   if (shifted.is_first()) first_law_ = shifted.model.law;
 }
 
+template <class Topology>
+std::vector<Index> ContactVariation<Topology>::places() const {
+  auto list = layout_.gap;
+  for (const Index work : layout_.work)
+    if (work != model::ContactLayout::absent) list.push_back(work);
+  return list;
+}
+
 /// Slopes of what contact j pushes, and of what moves it.
 template <class Topology>
 void ContactVariation<Topology>::add_directions(Index j, const ShiftedModel<Scaled>& shifted) {
