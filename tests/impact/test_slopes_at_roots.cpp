@@ -2,6 +2,8 @@
 #define BOOST_TEST_MODULE slopes_at_roots
 #include <boost/test/unit_test.hpp>
 
+#include "mariotte/contact/hunt_crossley.hpp"
+#include "mariotte/contact/jkr.hpp"
 #include "mariotte/contact/named_laws.hpp"
 #include "mariotte/contact/tsuji.hpp"
 #include "mariotte/impact/chain/chain_solver.hpp"
@@ -68,4 +70,19 @@ BOOST_AUTO_TEST_CASE(balls_that_touch_and_hardly_move_have_slopes_of_one_side) {
   BOOST_TEST_REQUIRE(notes_of(1e-9).size() == 1u);
   BOOST_TEST(notes_of(1e-9)[0].text.starts_with("contact 2 touches at the start with 1e-09 m/s"));
   BOOST_TEST(notes_of(0.1).empty());
+}
+
+// What is left of the last step, which ends where the contact lets go, is rounding. The slope is that of
+// differences of runs at 10⁻¹³.
+BOOST_AUTO_TEST_CASE(adhesive_contacts_let_go_with_slopes_that_know_their_rounding) {
+  const model::Chain chain{
+      .mass = {1.7065844666709014, 4.8733644386278758, 0.10405966342818254},
+      .law = {std::make_shared<contact::HuntCrossley>(0.68622324929616807, 0.12862655040552784, 1),
+              contact::state(contact::Jkr(1.190354621122178, 2.9768854219596772, 0.0020725517418666863, 0))},
+      .gap = {0.23074191400143368, 0.31289019781636562},
+      .velocity = {0.4072947391404742, 0.16012354139283125, -0.45081640803452694}};
+  auto by = impact::parameters(chain);
+  std::erase_if(by, [](const auto& one) { return one.name != "velocity[0]"; });
+  const auto found = impact::sensitivity(chain, by, {.accuracy = 1e-10});
+  BOOST_TEST(std::abs(found.outcome[2].slope[0].value() - 0.0326083918045) < 5e-10);
 }

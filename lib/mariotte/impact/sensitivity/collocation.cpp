@@ -72,6 +72,7 @@ struct Collocation::Memory {
   Matrix right, value, now;
   Matrix coefficient[tail_length];
   Matrix slope[stages];
+  double highest = 0;  ///< coefficients of the last piece
   double unresolved = 0;
 
   void find_active() {
@@ -213,34 +214,40 @@ struct Collocation::Memory {
     return share * most;
   }
 
-  /// Of the last halving the error is kept, and where halving does not help: of what is rounding.
-  bool resolves(const SlopeMatrix& slopes, bool is_last) {
+  /// Of the last halving the error is kept, and where halving does not help: of what is rounding. `whole` is
+  /// what the coefficients of a piece that ends at a root were before it was halved: where they have not
+  /// become smaller the indentation is rounding, and nothing says that higher ones fall.
+  bool resolves(const SlopeMatrix& slopes, bool is_last, double whole) {
     const auto [before, last] = tails(slopes);
+    highest = last;
     if (is_resolved(before, last, accuracy)) return true;
-    is_last |= last <= rounding();
-    if (is_last) unresolved = std::max(unresolved, remainder(before, last));
+    const bool is_noise = last >= whole;
+    is_last |= is_noise || last <= rounding();
+    if (is_last) unresolved = std::max(unresolved, is_noise ? last : remainder(before, last));
     return is_last;
   }
 
   bool solve_piece(LinearField& field, double start, double end, Edges edges, double u, double width,
-                   SlopeMatrix& slopes, bool last) {
+                   SlopeMatrix& slopes, bool last, double whole) {
     read(field, start, end, edges, u, width);
     Eigen::Map<Matrix> s(slopes.values.data(), size, columns);
     now.resize(std::ssize(active), columns);
     for (std::size_t k = 0; k < active.size(); ++k) now.row(k) = s.row(active[k]);
     const bool solved = solve();
+    if (!solved) highest = infinity;
     if (!solved && last) unresolved = 1;
-    if (!(solved ? resolves(slopes, last) : last)) return false;
+    if (!(solved ? resolves(slopes, last, whole) : last)) return false;
     for (int i = 0; i < stages; ++i) s += gauss.weight[i] * slope[i];
     return true;
   }
 
   void carry(LinearField& field, double start, double end, Edges edges, double u, double width,
-             SlopeMatrix& slopes, int depth) {
+             SlopeMatrix& slopes, int depth, double whole = infinity) {
     const int most = edges.beyond == 0 ? most_halvings_at_root : most_halvings;
-    if (solve_piece(field, start, end, edges, u, width, slopes, depth == most)) return;
+    if (solve_piece(field, start, end, edges, u, width, slopes, depth == most, whole)) return;
+    const double own = edges.beyond == 0 && u + width == 1 ? highest : infinity;
     carry(field, start, end, edges, u, width / 2, slopes, depth + 1);
-    carry(field, start, end, edges, u + width / 2, width / 2, slopes, depth + 1);
+    carry(field, start, end, edges, u + width / 2, width / 2, slopes, depth + 1, own);
   }
 };
 
