@@ -393,3 +393,16 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_swept_back_is_refused) {
   BOOST_CHECK_THROW(study::sensitivity_of_sum(network, resolve(network), {}, {1, 0}, [] {}),
                     InvalidParameter);
 }
+
+BOOST_AUTO_TEST_CASE(an_impact_after_a_very_long_flight_says_how_exact_its_slopes_are) {
+  const auto found = slopes_of(
+      "[run]\nimpacts = 3\ngravity = 9.81\naccuracy = 1e-8\n[body]\nshape = \"dumbbell\"\n"
+      "radius = 9.6646814379002947e-07\nlength_ratio = 11.992948778405216\ndensity = 1350\n"
+      "[surface]\nlaw = \"brach-dunn\"\nstiffness = 1740000000\nwork_of_adhesion = 0.13201246367554204\n"
+      "zeta_hertz = 0.63928013448851262\nzeta_adhesion = 0\nfriction = 0\n"
+      "[incidence]\nnormal_speed = 7.2374131278673604\nangles = [0, 0.94275664941287918, 0]\n"
+      "spin = [0, 637352.83101089473, 0]\n",
+      {"body.radius"});
+  const auto tells = [](const impact::SlopeNote& note) { return note.error > 1e-6 && note.error < infinity; };
+  BOOST_TEST(std::count_if(found.notes.begin(), found.notes.end(), tells) == 1);
+}

@@ -52,6 +52,13 @@ MicrobodyVariation::MicrobodyVariation(const model::MicrobodySystem& system,
   for (const auto& one : shifted) natural_.push_back(1e-4 / one.step);
 }
 
+std::vector<Index> MicrobodyVariation::places() const {
+  const auto& place = system_.layout().place;
+  std::vector<Index> list(place.gap.begin(), place.gap.begin() + system_.layout().tips);
+  for (const Index i : {0, 1}) list.push_back(place.position + i);
+  return list;
+}
+
 Mechanics MicrobodyVariation::mechanics(const model::DimensionlessMicrobody& body) const {
   return {body, system_.layout(), system_.mechanics().slip_noise, 0};
 }

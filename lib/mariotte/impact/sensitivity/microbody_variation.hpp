@@ -22,6 +22,8 @@ class MicrobodyVariation {
 
   Index columns() const { return std::ssize(shifted_); }
   const std::vector<double>& natural_slopes() const { return natural_; }
+  /// Where the body is, which does not tell how large slopes are.
+  std::vector<Index> places() const;
   void jacobian(const flow::Problem& problem, ConstState x, const model::MicrobodyMode& mode,
                 State values) const;
   void source(ConstState x, const model::MicrobodyMode& mode, SlopeMatrix& b) const;
