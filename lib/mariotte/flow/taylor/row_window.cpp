@@ -141,7 +141,7 @@ void place(Window& w, const SerialPhase& phase, State x, double time) {
 bool has_outgrown(const Window& w) {
   if (!w.row) return false;
   const int last = w.lanes.count - 1;
-  const auto awake = [&](int j) { return w.lanes.indentation[j] > w.acts_above[j]; };
+  const auto awake = [&](int j) { return w.lanes.indentation[j] > w.lanes.acts_above[j]; };
   const bool at_left_end = w.first == 0,
              at_right_end = w.first + last + 1 == static_cast<Index>(w.row->contact.size());
   return (!at_left_end && awake(0)) || (!at_right_end && awake(last));

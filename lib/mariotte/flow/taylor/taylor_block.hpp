@@ -119,7 +119,9 @@ class Block : RowQuantities {
     }
     store(d, values.indentation + first_);
     store(p, values.impulse + first_);
-    store(bound(depths, side, of(lanes_->level), loss, place), values.margin + first_);
+    store(bound(depths, side, edges(), loss, place), values.margin + first_);
+    tell_falls(values);
+    tell_depths(values);
     if (damped_) evaluate_damped(place, values);
     if (lanes_->branched) evaluate_branches(place, values);
     if (lanes_->widened && !still_) evaluate_widths(place, values);
@@ -137,26 +139,28 @@ class Block : RowQuantities {
     for (int k = 0; k < degree; ++k)
       factor[k + 1] = factor[k] * place * (k + 1) * series::reciprocal.of[degree - k];
     const double beyond = factor[degree] * place;
-    const auto side = of(lanes_->side), edge = of(lanes_->level), margin = of(values.margin);
+    const auto side = of(lanes_->side), edge = edges();
     const auto by_root = told_by_root(side, edge, of(values.indentation));
-    store(each<N>([&](int i) {
-            const auto term = [&](int k) {
-              const Vec depth = side.part[i] * row_[indentation][k].part[i];
-              return by_root.part[i] > Vec{} ? row_[root][k].part[i] : depth;
-            };
-            Vec loss = largest(-side.part[i] * row_[indentation][order_].part[i], Vec{}), b[degree + 1];
-            loss = by_root.part[i] > Vec{} ? Vec{} : loss;  // the root has no coefficient of that order
-            for (int k = order_ - 1; k > degree; --k) loss = place * loss + largest(-term(k), Vec{});
-            for (int k = 0; k <= degree; ++k) b[k] = factor[k] * term(k);
-            b[0] += by_root.part[i] > Vec{} ? Vec{} : edge.part[i];
-            for (int row = 1; row <= degree; ++row)  // as in Pascal's triangle
-              for (int k = degree; k >= row; --k) b[k] += b[k - 1];
-            Vec lowest = b[0];
-            for (int k = 1; k <= degree; ++k) lowest = least(lowest, b[k]);
-            lowest -= beyond * loss;
-            return lowest > Vec{} ? lowest : margin.part[i];
-          }),
-          values.margin + first_);
+    for (int i = 0; i < N; ++i) {
+      auto& margin = *reinterpret_cast<Vec*>(values.margin + first_ + width * i);
+      if (!any_of((Mask)(margin < Vec{}))) continue;
+      const auto told = by_root.part[i] > Vec{};
+      const auto term = [&](int k) {
+        return told ? row_[root][k].part[i] : side.part[i] * row_[indentation][k].part[i];
+      };
+      Vec loss = largest(-side.part[i] * row_[indentation][order_].part[i], Vec{}), b[degree + 1];
+      loss = told ? Vec{} : loss;  // the root has no coefficient of that order
+      for (int k = order_ - 1; k > degree; --k) loss = place * loss + largest(-term(k), Vec{});
+      for (int k = 0; k <= degree; ++k) b[k] = factor[k] * term(k);
+      b[0] += told ? Vec{} : edge.part[i];
+      for (int row = 1; row <= degree; ++row)  // as in Pascal's triangle
+        for (int k = degree; k >= row; --k) b[k] += b[k - 1];
+      Vec lowest = b[0];
+      for (int k = 1; k <= degree; ++k) lowest = least(lowest, b[k]);
+      lowest -= beyond * loss;
+      margin = lowest > Vec{} ? lowest : margin;
+    }
+    tell_falls(values);
   }
 
   void coefficients(Quantity quantity, int lane, double* c) const {
@@ -190,6 +194,29 @@ class Block : RowQuantities {
   }
 
   LaneVector<N> of(const double* row) const { return load<N>(row + first_); }
+  Mask left_out(int i) const { return (Mask)(of(lanes_->active).part[i] == Vec{}); }
+  /// Levels of indentations within a step.
+  LaneVector<N> edges() const {
+    const auto edge = of(lanes_->level), leeway = of(lanes_->leeway);
+    if (!lanes_->has_leeway()) return edge;
+    return each<N>([&](int i) { return edge.part[i] + (left_out(i) ? leeway.part[i] : Vec{}); });
+  }
+  void tell_falls(Values& values) const {
+    const auto margin = of(values.margin), depth = of(values.indentation), edge = of(lanes_->level),
+               leeway = of(lanes_->leeway);
+    Mask any{};
+    for (int i = 0; i < N; ++i) {
+      const auto is_beyond = (leeway.part[i] > Vec{}) & (depth.part[i] < -edge.part[i]);
+      any |= (Mask)(margin.part[i] < Vec{}) | (left_out(i) & (Mask)is_beyond);
+    }
+    values.may_fall = values.may_fall || any_of(any);
+  }
+  void tell_depths(Values& values) const {
+    const auto depth = of(values.indentation), above = of(lanes_->acts_above);
+    Mask any{};
+    for (int i = 0; i < N; ++i) any |= left_out(i) & (Mask)(depth.part[i] > late * above.part[i]);
+    values.is_deep = values.is_deep || any_of(any);
+  }
   /// What a term of higher order can take away.
   static LaneVector<N> loss_of(const LaneVector<N>& a) {
     return each<N>([&](int i) { return largest(-a.part[i], Vec{}); });

@@ -48,7 +48,7 @@ Fall Stepper::search_guards(Piece& piece) {
   for (int j = 0; j < l.count; ++j) {
     const auto& c = window.contact(j);
     if (l.side[j] != 0 && !dozes(j) && (values_.margin[j] < 0 || has_faded(j)))
-      search(piece, Quantity::indentation, j, l.side[j], level(j), c.guard, fall);
+      search(piece, Quantity::indentation, j, l.side[j], l.level[j], c.guard, fall);
     if (l.load_side[j] != 0 && values_.load_margin[j] < 0)
       search(piece, Quantity::load, j, l.load_side[j], load_noise(window, j, precision_.tolerance),
              c.load_guard, fall);
@@ -60,14 +60,8 @@ Fall Stepper::search_guards(Piece& piece) {
 Fall Stepper::first_fall(Piece& piece) {
   Fall fall;
   if (!piece.series) return fall;  // a start is chosen so short that none fires
-  const auto& l = window.lanes;
-  bool may_fall = l.damped || l.branched, is_unsure = false;
-  for (int j = 0; j < l.count; ++j) {
-    is_unsure |= values_.margin[j] < 0;
-    may_fall |= has_faded(j);
-  }
-  if (is_unsure) piece.series->sharpen(piece.end, values_);
-  if (is_unsure || may_fall) fall = search_guards(piece);
+  if (values_.may_fall) piece.series->sharpen(piece.end, values_);
+  if (values_.may_fall || !window.lanes.has_leeway()) fall = search_guards(piece);
   if (piece.lands && fall.guard < 0) {  // one that comes down to δ = 0 may have lost its load, too
     const auto& c = window.contact(piece.clock);
     fall = {c.opens_loaded() ? c.guard : c.load_guard, piece.clock, piece.end};
@@ -82,7 +76,7 @@ void Stepper::stand_at(const Fall& fall, const Piece& piece) {
   const auto& c = window.contact(fall.lane);
   double& depth = values_.indentation[fall.lane];
   if (piece.lands && fall.lane == piece.clock) depth = 0;
-  if (fall.guard == c.guard) depth = c.role == Role::open ? c.level : 0 - level(fall.lane);
+  if (fall.guard == c.guard) depth = c.role == Role::open ? c.level : 0 - window.lanes.level[fall.lane];
   if (fall.guard == c.branch_guard) depth = window.lanes.yield_level[fall.lane];
 }
 
@@ -90,7 +84,7 @@ bool Stepper::may_fall_soon(const Fall& fall, double time) const {
   const auto& l = window.lanes;
   if (window.network || l.damped || l.branched || window.outside_time <= window.time + 2 * time) return true;
   for (int j = 0; j < l.count; ++j) {
-    const double left = l.side[j] * l.indentation[j] + level(j);
+    const double left = l.side[j] * l.indentation[j] + l.level[j];
     if (j != fall.lane && l.side[j] != 0 && left <= 2 * time * std::abs(l.rate[j])) return true;
   }
   return false;

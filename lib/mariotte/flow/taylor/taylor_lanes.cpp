@@ -29,21 +29,24 @@ bool LaneTable::reserve(int lanes) {
   return true;
 }
 
-Lanes::Lanes() : table_(20) {
+Lanes::Lanes() : table_(22) {
   resize(0);
 }
 
 void Lanes::resize(int lanes) {
-  double** const rows[] = {&indentation, &rate,        &width,      &active,     &stiffness,
-                           &steepening,  &damping,     &stiffening, &power,      &left,
-                           &right,       &drive,       &side,       &level,      &load_side,
-                           &yield_side,  &yield_level, &turn_side,  &turn_level, &weight};
-  const bool moved = table_.reserve(lanes);
+  double** const rows[] = {&indentation, &rate,      &width,      &active, &acts_above, &stiffness,
+                           &steepening,  &damping,   &stiffening, &power,  &left,       &right,
+                           &drive,       &side,      &level,      &leeway, &load_side,  &yield_side,
+                           &yield_level, &turn_side, &turn_level, &weight};
   int i = 0;
-  for (double** row : rows) {
-    if (moved) *row = table_.row(i++);
-    if (lanes < count) std::fill(*row + lanes, *row + count, 0.0);
+  if (table_.reserve(lanes)) {
+    used_ = 0;
+    for (double** row : rows) *row = table_.row(i++);
   }
+  const int last = std::min(used_, (lanes + whole - 1) / whole * whole);
+  for (int j = lanes; j < last; ++j)
+    for (double** row : rows) (*row)[j] = 0;
+  used_ = std::max(used_, lanes);
   count = lanes;
 }
 

@@ -14,6 +14,9 @@ inline constexpr std::array lane_sizes = {4, 8, 12, 16, 32};
 /// Longer rows are expanded as networks are.
 inline constexpr int row_limit = lane_sizes.back();
 
+/// A contact whose force is left out may sink this many times as deep as where it wakes before it is heard.
+inline constexpr double late = 5;
+
 /// The rows of a Coupling, by lane.
 struct Links {
   const int* first = nullptr;
@@ -25,11 +28,12 @@ struct Links {
 /// j and j+1. Plain pointers: code compiled for different instruction sets shares nothing but this layout.
 class Lanes {
   LaneTable table_;
+  int used_ = 0;  ///< lanes from there on are zero
 
  public:
   Lanes();
   Lanes(Lanes&&) = default;
-  /// All lanes become idle that are not among the first `lanes`.
+  /// Lanes that are not among the first `lanes` become idle, as many as an expansion takes in.
   void resize(int lanes);
 
   int count = 0;
@@ -45,6 +49,7 @@ class Lanes {
   double* rate;                                ///< δ̇
   double* width;                               ///< u of its branch
   double* active;                              ///< 1 where the contact carries force, else 0
+  double* acts_above;                          ///< δ from which it does; infinite for one that does not push
   double* stiffness;                           ///< k
   double* steepening;                          ///< l
   double* damping;                             ///< c
@@ -55,12 +60,17 @@ class Lanes {
   double* drive;                               ///< δ̈ from outside forces
   double* side;                                ///< sign that δ is to keep, 0 where nobody watches
   double* level;                               ///< depth to which an open contact may reach
+  double* leeway;                              ///< more of it within a step that leaves its force out
   double* load_side;                           ///< sign that the load is to keep, or 0
   double* yield_side;                          ///< 1 where δ is watched for a yield, else 0
   double* yield_level;                         ///< there: δ where it yields
   double* turn_side;                           ///< sign that δ̇ is to keep but for the level, or 0
   double* turn_level;
   double* weight;  ///< 1/natural length
+
+  /// A contact with leeway does not count how far beyond its level it is within that, until a step ends
+  /// there. Dampers and branches allow none.
+  bool has_leeway() const { return !damped && !branched; }
 };
 
 /// What an expansion gives at one place of its clock.
@@ -81,6 +91,8 @@ class Values {
   double* load_margin;
   double* branch_margin;  ///< likewise of yields and turns, if branched: the lower of the two
   double time;            ///< since the start of the series
+  bool may_fall;          ///< some margin is negative, or a contact with leeway is beyond its level
+  bool is_deep;           ///< some contact that is left out may be too deep for that
 };
 
 /// What is evaluated of a contact, δ, δ̇, what has the sign of its force, and δᵖ, and of the clock.
@@ -98,7 +110,7 @@ class Expansion {
   /// as rates, for k from `first` to the order.
   virtual void sizes(int first, double* size) const = 0;
   virtual void evaluate(double place, Values& values) const = 0;
-  /// Replace margins of indentations by those of a longer Bernstein form, where that is positive.
+  /// Replace negative margins of indentations by those of a longer Bernstein form, where that is positive.
   virtual void sharpen(double place, Values& values) const = 0;
   /// Coefficients of one quantity of a lane, or of the clock √δ_c and the time.
   virtual void coefficients(Quantity quantity, int lane, double* c) const = 0;

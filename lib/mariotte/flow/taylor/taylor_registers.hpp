@@ -34,6 +34,11 @@ MARIOTTE_SERIES_INLINE bool all_of(Mask mask) {
   for (int i = 0; i < width; ++i) all = all && mask[i];
   return all;
 }
+MARIOTTE_SERIES_INLINE bool any_of(Mask mask) {
+  long long any = 0;
+  for (int i = 0; i < width; ++i) any |= mask[i];
+  return any != 0;
+}
 /// As flow::rough_root: what the exponent and the leading bits say, divided by n.
 MARIOTTE_SERIES_INLINE Vec rough_root(Vec a, double n) {
   constexpr long long one = 0x3fef000000000000, exponent = 0x4330000000000000;  // of 2^52

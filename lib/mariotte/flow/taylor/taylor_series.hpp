@@ -27,10 +27,14 @@ class RowSeries final : public Expansion {
     for (int k = first; k <= order_; ++k) size[k - first] = block_.size_of(k);
   }
   void evaluate(double place, Values& values) const override {
+    values.may_fall = values.is_deep = false;
     block_.evaluate(place, values);
     values.time = block_.time_at(place);
   }
-  void sharpen(double place, Values& values) const override { block_.sharpen(place, values); }
+  void sharpen(double place, Values& values) const override {
+    values.may_fall = false;
+    block_.sharpen(place, values);
+  }
   void coefficients(Quantity quantity, int lane, double* c) const override {
     block_.coefficients(quantity, lane, c);
   }
@@ -70,10 +74,12 @@ class LinkedSeries final : public Expansion {
     }
   }
   void evaluate(double place, Values& values) const override {
+    values.may_fall = values.is_deep = false;
     for (const auto& block : blocks_) block.evaluate(place, values);
     values.time = blocks_[0].time_at(place);
   }
   void sharpen(double place, Values& values) const override {
+    values.may_fall = false;
     for (const auto& block : blocks_) block.sharpen(place, values);
   }
   void coefficients(Quantity quantity, int lane, double* c) const override {

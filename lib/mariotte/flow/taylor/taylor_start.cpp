@@ -129,6 +129,8 @@ void Start::evaluate(double time, Values& values) const {
     values.margin[j] = margin(j, time, travel);
   }
   values.time = time;
+  values.may_fall = false;
+  values.is_deep = true;
 }
 
 }  // namespace mariotte::flow::taylor

@@ -148,11 +148,9 @@ bool Stepper::has_strong_roots() const {
   return precision_.has_slopes || window.lanes.damped;
 }
 
-/// How fast a contact nears its end; or leaves its onset, where that counts, as long as the clock has been
-/// its own since.
-double Stepper::speed_by_root(int lane) const {
-  const double rate = window.lanes.rate[lane];
-  return rate < 0 ? -rate : has_strong_roots() && lane == last_clock_ ? rate : 0;
+/// A contact nears its end; or leaves its onset, where that counts, and the clock has been its own since.
+bool Stepper::counts_root(int lane) const {
+  return window.lanes.rate[lane] < 0 || (lane == last_clock_ && has_strong_roots());
 }
 
 /// The lane whose onset or separation limits a series in time.
@@ -163,11 +161,10 @@ int Stepper::choose_clock() const {
   if (l.widened) return narrowest();
   double soonest = (has_strong_roots() ? share_of_strong_roots : landing_share(window)) * stride;
   for (int j = 0; j < l.count; ++j) {
-    if (!window.has_root[j]) continue;
-    const double depth = l.indentation[j];
+    const double depth = l.indentation[j], speed = std::abs(l.rate[j]);
+    if (!(depth < soonest * speed) || !window.has_root(j)) continue;
     if (depth == 0 && l.rate[j] > 0) return j;  // it is struck
-    const double speed = speed_by_root(j);
-    if (!(depth < soonest * speed) || depth <= window.acts_above[j]) continue;
+    if (!counts_root(j) || depth <= l.acts_above[j]) continue;
     soonest = depth / speed;
     clock = j;
   }
@@ -214,13 +211,10 @@ double Stepper::reach(const Piece& piece) const {
 Piece Stepper::series_piece() {
   auto& l = window.lanes;
   Piece piece{.series = &expansion(), .clock = choose_clock()};
-  for (int j = 0; j < l.count; ++j) {
-    const double above = window.acts_above[j];
-    l.active[j] = l.indentation[j] > above || (j == piece.clock && above < infinity);
-    if (window.network) doze(j);
-    if (window.has_root[j]) l.level[j] = level(j) + (fades(j) ? window.wake[j] : 0);
-    if (l.steepening[j] > 0) listen(j);
-  }
+  for (int j = 0; j < l.count; ++j) l.active[j] = l.indentation[j] > l.acts_above[j];
+  if (piece.clock != Expansion::plain && window.pushes(piece.clock)) l.active[piece.clock] = 1;
+  for (int j = 0; window.network && j < l.count; ++j) doze(j);
+  for (int j = 0; l.general && j < l.count; ++j) listen(j);
   piece.order = finite_order(window, precision_.order);
   piece.series->expand(l, piece.order, piece.clock);
   piece.end = reach(piece);

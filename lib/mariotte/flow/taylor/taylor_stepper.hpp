@@ -58,7 +58,7 @@ class Stepper {
   std::optional<Piece> start_piece();
   int choose_clock() const;
   bool has_strong_roots() const;
-  double speed_by_root(int lane) const;
+  bool counts_root(int lane) const;
   int narrowest() const;
   Piece series_piece();
   void land(Piece& piece);
@@ -76,16 +76,11 @@ class Stepper {
   bool dozes(int lane) const {
     return window.lanes.side[lane] < 0 && window.contact(lane).role == Role::touching;
   }
-  /// Where a contact ends so shallow that its force is left out, it does not count how far beyond it is
-  /// within that depth, until a step ends there.
-  bool fades(int lane) const {
-    return window.has_root[lane] && !window.lanes.damped && !window.lanes.branched &&
-           !(window.lanes.active[lane] > 0);
-  }
-  bool has_faded(int lane) const { return fades(lane) && values_.indentation[lane] < -level(lane); }
-  /// Of the guard of its gap.
-  double level(int lane) const {
-    return window.has_root[lane] ? end_level(window.contact(lane)) : window.lanes.level[lane];
+  /// A contact with leeway is beyond its level.
+  bool has_faded(int lane) const {
+    const auto& l = window.lanes;
+    return l.has_leeway() && l.leeway[lane] > 0 && !(l.active[lane] > 0) &&
+           values_.indentation[lane] < -l.level[lane];
   }
   bool cannot_be_late(const Piece& piece, int lane) const;
   void wake_gently(Piece& piece);

@@ -5,13 +5,12 @@
 #include "mariotte/flow/roots/polynomial.hpp"
 #include "mariotte/flow/roots/rough_root.hpp"
 #include "mariotte/flow/taylor/taylor_stepper.hpp"
+#include "mariotte/flow/taylor/window_parts.hpp"
 
 namespace mariotte::flow::taylor {
 namespace {
 
-/// A contact may sink this far past the depth at which it wakes before it is heard.
-constexpr double late = 5;
-/// Share of that depth at which a step ends that would go further.
+/// Share of the depth at which a contact is late at which a step ends that would go further.
 constexpr double in_time = 0.6;
 
 }  // namespace
@@ -21,20 +20,20 @@ void Stepper::doze(int lane) {
   auto& l = window.lanes;
   if (window.contact(lane).role != Role::touching || !window.is_sharp(lane)) return;
   l.side[lane] = l.active[lane] > 0 ? 0 : -1;
-  l.level[lane] = late * window.wake[lane];
+  l.level[lane] = late * l.acts_above[lane];
 }
 
 /// A slack contact whose load has a power of δ is watched for it only where its own force would be heard.
 void Stepper::listen(int lane) {
   auto& l = window.lanes;
-  if (window.contact(lane).role != Role::slack) return;
-  l.load_side[lane] = l.indentation[lane] > window.wake[lane] ? -1 : 0;
+  if (window.contact(lane).role != Role::slack || !(l.steepening[lane] > 0)) return;
+  l.load_side[lane] = l.indentation[lane] > wake_depth(window.contact(lane), window.speed) ? -1 : 0;
 }
 
 /// In a row the others only press a contact whose own force is left out, so that it is deepest at an end of a
 /// piece, unless a drive draws it apart. Other links may draw it, too.
 bool Stepper::cannot_be_late(const Piece& piece, int lane) const {
-  if (values_.indentation[lane] > late * window.wake[lane]) return false;
+  if (values_.indentation[lane] > late * window.lanes.acts_above[lane]) return false;
   if (!window.network) return !(window.lanes.drive[lane] < 0);
   return piece.start || (dozes(lane) && values_.margin[lane] >= 0);
 }
@@ -43,6 +42,7 @@ bool Stepper::cannot_be_late(const Piece& piece, int lane) const {
 /// piece goes on beyond the end of a neighbour, that pulls, and hides at the end of the piece who was late:
 /// so all are asked again at each new end.
 void Stepper::wake_gently(Piece& piece) {
+  if (!values_.is_deep && !window.may_draw()) return;
   const auto& l = window.lanes;
   const double end = piece.end;
   for (int j = 0; j < l.count; ++j) {
@@ -62,7 +62,7 @@ std::optional<double> Stepper::waking(const Piece& piece, int lane) const {
   Coefficients c;
   const auto used = piece.coefficients(Quantity::indentation, lane, c);
   for (double& coefficient : c) coefficient = -coefficient;
-  const double depth = late * window.wake[lane];
+  const double depth = late * window.lanes.acts_above[lane];
   c[0] += depth;
   if (values_.indentation[lane] <= depth && !flow::first_fall(used, piece.end)) return std::nullopt;
   c[0] -= (1 - in_time) * depth;
@@ -72,16 +72,17 @@ std::optional<double> Stepper::waking(const Piece& piece, int lane) const {
 bool Stepper::is_late() const {
   const auto& l = window.lanes;
   bool any = false;
-  for (int j = 0; j < l.count; ++j)
-    any |= !(l.active[j] > 0) && values_.indentation[j] > 2 * late * window.acts_above[j];
+  for (int j = 0; values_.is_deep && j < l.count; ++j)
+    any |= !(l.active[j] > 0) && values_.indentation[j] > 2 * late * l.acts_above[j];
   return any;
 }
 
 /// In a start series what is left out only sinks deeper. Depths grow with some power of time.
 void Stepper::wake_in_start(Piece& piece, int lane) {
   const double depth = std::max(window.lanes.indentation[lane], 0.0),
-               goal = in_time * late * window.wake[lane];
-  for (int tries = 0; tries < 60 && values_.indentation[lane] > late * window.wake[lane]; ++tries) {
+               goal = in_time * late * window.lanes.acts_above[lane];
+  for (int tries = 0; tries < 60 && values_.indentation[lane] > late * window.lanes.acts_above[lane];
+       ++tries) {
     const double secant = depth > 0 ? (goal - depth) / (values_.indentation[lane] - depth) : 0;
     const double power = rough_root(goal / values_.indentation[lane], 4);
     shorten(piece, piece.end * std::clamp(std::max(secant, power), 0.1, 0.98));

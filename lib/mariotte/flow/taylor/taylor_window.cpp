@@ -41,12 +41,15 @@ double impulse_of(const Window& w, const Values& values, int lane) {
 template <class Use>
 void velocities_of_row(const Window& w, const Values& values, Use&& use) {
   double push = 0;
-  for (int lane = 0; lane <= w.lanes.count; ++lane) {
-    const auto& body = w.row->body[w.first + lane];
-    const double force = lane < w.lanes.count ? impulse_of(w, values, lane) : 0;
-    use(lane, w.velocity[lane] + (body.inverse_mass * (push - force) + body.acceleration * values.time));
+  const auto* body = &w.row->body[w.first];
+  const double *velocity = w.velocity.data(), time = values.time;
+  const int count = w.lanes.count;
+  const auto move = [&](int i, double force) {
+    use(i, velocity[i] + (body[i].inverse_mass * (push - force) + body[i].acceleration * time));
     push = force;
-  }
+  };
+  for (int lane = 0; lane < count; ++lane) move(lane, impulse_of(w, values, lane));
+  move(count, 0);
 }
 
 void add_impulses(const Window& w, const Values& values, State velocity) {
@@ -75,12 +78,6 @@ void set_rates(Window& w) {
 
 }  // namespace
 
-double wake_depth(const PhaseContact& c, double speed) {
-  if (c.exponent == 1) return -infinity;
-  if (c.pull > 0) return 0;  // it has force from the start
-  return 0.5 * c.noise_depth / (1 + c.damping_share(speed));
-}
-
 void begin(Window& w, std::span<const PhaseContact> contacts) {
   w.contacts = contacts;
   auto& l = w.lanes;
@@ -90,9 +87,8 @@ void begin(Window& w, std::span<const PhaseContact> contacts) {
   l.damped = l.mixed = l.general = l.branched = l.widened = false;
   w.branch.assign(contacts.size(), nullptr);
   l.branch = w.branch.data();
-  for (auto* row : {&w.wake, &w.impulse, &w.work, &w.stored}) row->assign(contacts.size(), 0);
-  for (auto* row : {&w.acts_above, &w.fades_below, &w.leaves_noise}) row->resize(contacts.size());
-  w.has_root.resize(contacts.size());
+  for (auto* row : {&w.impulse, &w.work, &w.stored}) row->assign(contacts.size(), 0);
+  for (auto* row : {&w.fades_below, &w.leaves_noise}) row->resize(contacts.size());
   w.outside_time = infinity;
 }
 
@@ -128,7 +124,6 @@ void fill(Window& w, int lane, double rate) {
   l.indentation[lane] = settled(c, -w.x[c.gap] - c.origin, rate);
   fill_law(l, lane, c);
   l.weight[lane] = 1 / c.length;
-  w.wake[lane] = wake_depth(c, w.speed);
   l.damped |= c.width != nullptr;
   l.widened |= c.width != nullptr;
   w.branch[lane] = c.width;
@@ -167,11 +162,11 @@ void watch_branch(const PhaseContact& c, int lane, Lanes& l) {
 
 void set_limits(Window& w, int lane) {
   const auto& c = w.contact(lane);
-  const bool is_closed = c.role == Role::closed;
-  w.acts_above[lane] = c.pushes() ? w.wake[lane] : infinity;
-  w.fades_below[lane] = is_closed ? c.faded() : -infinity;
+  auto& l = w.lanes;
+  l.acts_above[lane] = c.pushes() ? wake_depth(c, w.speed) : infinity;
+  l.leeway[lane] = w.has_root(lane) ? l.acts_above[lane] : 0;
+  w.fades_below[lane] = c.role == Role::closed ? c.faded() : -infinity;
   w.leaves_noise[lane] = c.role == Role::touching ? c.loaded() : infinity;
-  w.has_root[lane] = is_closed && w.is_sharp(lane);
 }
 
 }  // namespace

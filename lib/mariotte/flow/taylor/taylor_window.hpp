@@ -22,11 +22,8 @@ struct Window {
   Lanes lanes;
   Coupling coupling;                  ///< of a long row
   std::vector<double> velocity;       ///< of bodies first, first + 1, … of a row, of all dofs of a network
-  std::vector<double> wake;           ///< indentation below which a contact's force is left out
-  std::vector<double> acts_above;     ///< the same of one that pushes; infinite for others
   std::vector<double> fades_below;    ///< less deep, and slow, a closed contact has let go; or −infinite
   std::vector<double> leaves_noise;   ///< deeper, or so far apart, one that touches is watched; or infinite
-  std::vector<char> has_root;         ///< of a closed contact whose force has a branch point at δ = 0
   bool is_pulled = false;             ///< some contact has a constant pull
   std::vector<double> impulse, work;  ///< since `since`
   std::vector<double> stored;         ///< at `since`
@@ -39,7 +36,10 @@ struct Window {
   const PhaseContact& contact(int lane) const { return contacts[lane]; }
   /// Of lane's contact the force is a function with a branch point at δ = 0.
   bool is_sharp(int lane) const { return lanes.power[lane] > 0; }
+  bool has_root(int lane) const { return contact(lane).role == Role::closed && is_sharp(lane); }
   bool pushes(int lane) const { return contact(lane).pushes(); }
+  /// Something may draw contacts apart whose force is left out, so that one is deepest within a step.
+  bool may_draw() const { return network || falls_outside || is_pulled; }
 };
 
 /// Place the window around what moves or pushes at `time`, where the whole state is x.

@@ -7,7 +7,11 @@ namespace mariotte::flow::taylor {
 
 /// Depth below which the force of a contact is left out: within the depth that cannot be told from rounding,
 /// less for what damping adds to the force. Laws without a branch point need none.
-double wake_depth(const PhaseContact& contact, double speed);
+inline double wake_depth(const PhaseContact& contact, double speed) {
+  if (contact.exponent == 1) return -infinity;
+  if (contact.pull > 0) return 0;  // it has force from the start
+  return 0.5 * contact.noise_depth / (1 + contact.damping_share(speed));
+}
 
 /// A closed contact at its onset, where rounding may have left it beside zero.
 inline bool is_onset(const PhaseContact& contact, double indentation) {
