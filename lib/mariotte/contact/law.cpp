@@ -8,9 +8,6 @@
 namespace mariotte::contact {
 namespace {
 
-bool dissipates(const CustomLaw& law) {
-  return law.dissipates();
-}
 double stored_energy(const CustomLaw& law, double indentation) {
   return law.stored_energy(indentation);
 }
@@ -24,10 +21,6 @@ const PowerLaw& expect_power_law(const Law& law) {
 
 double stored_energy(const Law& law, double indentation) {
   return with(law, [&](const auto& one) { return stored_energy(one, indentation); });
-}
-
-bool dissipates(const Law& law) {
-  return with(law, [](const auto& one) { return dissipates(one); });
 }
 
 bool is_damped(const Law& law) {

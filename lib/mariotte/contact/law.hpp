@@ -60,7 +60,10 @@ inline Force load(const Law& law, double indentation, double rate) {
 /// Elastic energy at an indentation [J].
 double stored_energy(const Law& law, double indentation);
 /// True if the contact loses energy: it may go slack, and the work put into it is integrated.
-bool dissipates(const Law& law);
+inline bool dissipates(const Law& law) {
+  if (const auto* power = power_law(law)) return dissipates(*power);
+  return std::get<SharedLaw>(law)->dissipates();
+}
 /// True if the force depends on the rate.
 bool is_damped(const Law& law);
 /// True if the contact can be indented without force: its damper may take all of it.

@@ -84,15 +84,17 @@ void ContactSystem<Topology>::settle(Mode& mode, Index j, const std::vector<Inde
   using contact::ContactMode;
   if (!contact::carries_force(mode[j])) return;
   const auto now = state(x, &mode);
-  const bool has_fired =
-      std::any_of(fired.begin(), fired.end(), [&](Index guard) { return layout_.guard_contact[guard] == j; });
-  if (mode[j] == ContactMode::closed && has_faded(now, j) && !has_fired) {
+  const auto has_fired = [&] {
+    return std::any_of(fired.begin(), fired.end(),
+                       [&](Index guard) { return layout_.guard_contact[guard] == j; });
+  };
+  if (mode[j] == ContactMode::closed && has_faded(now, j) && !has_fired()) {
     change(mode, j, ContactMode::hovering, model_.law[j], changes);
   } else if (mode[j] == ContactMode::touching && has_parted(now, j)) {
     change(mode, j, ContactMode::open, model_.law[j], changes);
   } else if (mode[j] == ContactMode::touching && has_loaded(now, j)) {
     mode[j] = ContactMode::closed;  // no event
-  } else if (!has_fired && has_let_go(now, mode, j)) {
+  } else if (has_let_go(now, mode, j) && !has_fired()) {
     change(mode, j, ContactMode::slack, model_.law[j], changes);
   }
 }
