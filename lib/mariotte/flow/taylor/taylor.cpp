@@ -25,12 +25,12 @@ bool is_finite(const Window& w) {
 
 /// A contact may have left the noise, on either side, or sunk into it, or its load has: the problem is to
 /// say.
-bool concerns_problem(const Window& w) {
+bool concerns_problem(const Window& w, const taylor::Values& values) {
   const auto& l = w.lanes;
   bool any = false;
-  for (int j = 0; j < l.count; ++j) {
-    any |= l.indentation[j] < w.fades_below[j] && std::abs(l.rate[j]) <= w.fade_speed;
-    any |= std::abs(l.indentation[j]) > w.leaves_noise[j];
+  for (int j = 0; values.may_change && j < l.count; ++j) {
+    any |= l.indentation[j] < l.fades_below[j] && std::abs(l.rate[j]) <= w.fade_speed;
+    any |= std::abs(l.indentation[j]) > l.leaves_noise[j];
   }
   for (int j = 0; l.damped && j < l.count; ++j)
     any |= w.contact(j).role == Role::closed && has_faint_load(w, j);
@@ -98,12 +98,13 @@ struct Taylor::Memory {
 
   Accepted accept(Problem& problem) {
     auto& window = stepper.window;
-    if (!concerns_problem(window)) return Accepted::unchanged;
+    if (!concerns_problem(window, stepper.values())) return Accepted::unchanged;
     after.resize(window.x.size());
     write(window, after);
     const auto accepted = problem.accept(after);
     if (accepted != Accepted::rewatched) return accepted;
-    for (int j = 0; j < window.lanes.count; ++j) watch(window, j);
+    for (int j = 0; j < window.lanes.count; ++j)
+      if (window.lanes.leaves_noise[j] < infinity) watch(window, j);
     return accepted;
   }
 };

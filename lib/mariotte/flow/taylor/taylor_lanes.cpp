@@ -29,15 +29,15 @@ bool LaneTable::reserve(int lanes) {
   return true;
 }
 
-Lanes::Lanes() : table_(22) {
+Lanes::Lanes() : table_(24) {
   resize(0);
 }
 
 void Lanes::resize(int lanes) {
-  double** const rows[] = {&indentation, &rate,      &width,      &active, &acts_above, &stiffness,
-                           &steepening,  &damping,   &stiffening, &power,  &left,       &right,
-                           &drive,       &side,      &level,      &leeway, &load_side,  &yield_side,
-                           &yield_level, &turn_side, &turn_level, &weight};
+  double** const rows[] = {&indentation, &rate,      &width,      &active,      &acts_above,   &stiffness,
+                           &steepening,  &damping,   &stiffening, &power,       &left,         &right,
+                           &drive,       &side,      &level,      &leeway,      &load_side,    &yield_side,
+                           &yield_level, &turn_side, &turn_level, &fades_below, &leaves_noise, &weight};
   int i = 0;
   if (table_.reserve(lanes)) {
     used_ = 0;

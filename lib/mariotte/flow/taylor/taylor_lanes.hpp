@@ -66,7 +66,9 @@ class Lanes {
   double* yield_level;                         ///< there: δ where it yields
   double* turn_side;                           ///< sign that δ̇ is to keep but for the level, or 0
   double* turn_level;
-  double* weight;  ///< 1/natural length
+  double* fades_below;   ///< less deep, and slow, a closed contact has let go; or −infinite
+  double* leaves_noise;  ///< deeper, or so far apart, one that touches is watched; or infinite
+  double* weight;        ///< 1/natural length
 
   /// A contact with leeway does not count how far beyond its level it is within that, until a step ends
   /// there. Dampers and branches allow none.
@@ -93,6 +95,7 @@ class Values {
   double time;            ///< since the start of the series
   bool may_fall;          ///< some margin is negative, or a contact with leeway is beyond its level
   bool is_deep;           ///< some contact that is left out may be too deep for that
+  bool may_change;        ///< some contact may have faded or left the noise
 };
 
 /// What is evaluated of a contact, δ, δ̇, what has the sign of its force, and δᵖ, and of the clock.

@@ -27,7 +27,7 @@ class RowSeries final : public Expansion {
     for (int k = first; k <= order_; ++k) size[k - first] = block_.size_of(k);
   }
   void evaluate(double place, Values& values) const override {
-    values.may_fall = values.is_deep = false;
+    values.may_fall = values.is_deep = values.may_change = false;
     block_.evaluate(place, values);
     values.time = block_.time_at(place);
   }
@@ -74,7 +74,7 @@ class LinkedSeries final : public Expansion {
     }
   }
   void evaluate(double place, Values& values) const override {
-    values.may_fall = values.is_deep = false;
+    values.may_fall = values.is_deep = values.may_change = false;
     for (const auto& block : blocks_) block.evaluate(place, values);
     values.time = blocks_[0].time_at(place);
   }

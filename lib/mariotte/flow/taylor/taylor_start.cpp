@@ -130,7 +130,7 @@ void Start::evaluate(double time, Values& values) const {
   }
   values.time = time;
   values.may_fall = false;
-  values.is_deep = true;
+  values.is_deep = values.may_change = true;
 }
 
 }  // namespace mariotte::flow::taylor

@@ -88,7 +88,6 @@ void begin(Window& w, std::span<const PhaseContact> contacts) {
   w.branch.assign(contacts.size(), nullptr);
   l.branch = w.branch.data();
   for (auto* row : {&w.impulse, &w.work, &w.stored}) row->assign(contacts.size(), 0);
-  for (auto* row : {&w.fades_below, &w.leaves_noise}) row->resize(contacts.size());
   w.outside_time = infinity;
 }
 
@@ -165,8 +164,8 @@ void set_limits(Window& w, int lane) {
   auto& l = w.lanes;
   l.acts_above[lane] = c.pushes() ? wake_depth(c, w.speed) : infinity;
   l.leeway[lane] = w.has_root(lane) ? l.acts_above[lane] : 0;
-  w.fades_below[lane] = c.role == Role::closed ? c.faded() : -infinity;
-  w.leaves_noise[lane] = c.role == Role::touching ? c.loaded() : infinity;
+  l.fades_below[lane] = c.role == Role::closed ? c.faded() : -infinity;
+  l.leaves_noise[lane] = c.role == Role::touching ? c.loaded() : infinity;
 }
 
 }  // namespace

@@ -22,8 +22,6 @@ struct Window {
   Lanes lanes;
   Coupling coupling;                  ///< of a long row
   std::vector<double> velocity;       ///< of bodies first, first + 1, … of a row, of all dofs of a network
-  std::vector<double> fades_below;    ///< less deep, and slow, a closed contact has let go; or −infinite
-  std::vector<double> leaves_noise;   ///< deeper, or so far apart, one that touches is watched; or infinite
   bool is_pulled = false;             ///< some contact has a constant pull
   std::vector<double> impulse, work;  ///< since `since`
   std::vector<double> stored;         ///< at `since`
