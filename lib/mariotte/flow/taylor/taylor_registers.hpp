@@ -66,8 +66,11 @@ MARIOTTE_SERIES_INLINE Vec window(Vec a, Vec b) {
   return __builtin_shuffle(a, b, lanes);
 #elif MARIOTTE_VECTOR_BYTES == 16
   return __builtin_shufflevector(a, b, first, first + 1);
-#else
+#elif MARIOTTE_VECTOR_BYTES == 32
   return __builtin_shufflevector(a, b, first, first + 1, first + 2, first + 3);
+#else
+  return __builtin_shufflevector(a, b, first, first + 1, first + 2, first + 3, first + 4, first + 5,
+                                 first + 6, first + 7);
 #endif
 }
 

@@ -149,7 +149,7 @@ class LinkedSeries final : public Expansion {
 template <std::size_t Size = 0>
 inline std::unique_ptr<Expansion> make(std::size_t size) {
   if constexpr (Size < lane_sizes.size())
-    return size == Size ? std::unique_ptr<Expansion>(new RowSeries<lane_sizes[Size] / width>)
+    return size == Size ? std::unique_ptr<Expansion>(new RowSeries<(lane_sizes[Size] + width - 1) / width>)
                         : make<Size + 1>(size);
   else
     return std::unique_ptr<Expansion>(new LinkedSeries);
