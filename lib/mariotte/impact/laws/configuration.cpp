@@ -117,7 +117,9 @@ double relative_energy(const Configuration& c, const Numbers& velocity) {
   const Index rank = qr.rank();
   const auto rates = gap_rates(c, velocity);
   Vector w = (qr.colsPermutation().transpose() * view(rates)).head(rank);
-  const Sparse r = qr.matrixR().topLeftCorner(rank, rank);
+  // Eigen does not sort the entries of R; those of a copy by rows are sorted.
+  const Eigen::SparseMatrix<double, Eigen::RowMajor> rows = qr.matrixR();
+  const Sparse r = Sparse(rows).topLeftCorner(rank, rank);
   r.transpose().triangularView<Eigen::Lower>().solveInPlace(w);
   return 0.5 * w.squaredNorm();
 }
