@@ -30,6 +30,9 @@ constexpr double safe_radius = 0.7;
 /// How many times the tolerance the two terms before the last two may be. Where coefficients fall evenly they
 /// are less, so this bounds a step only where the last two are small by chance.
 constexpr double before_last = 300;
+/// How much longer than the one before a step may be in which nothing pushes. Guards have less exact roots
+/// the longer a step is.
+constexpr double freed_stride = 8;
 constexpr double tiny = 1e-300;  ///< keeps quotients of vanishing coefficients finite
 
 /// Order up to which no coefficient overflows: where a contact has hardly begun, they grow like (δ̇/δ)ᵏ.
@@ -204,7 +207,7 @@ double Stepper::reach(const Piece& piece) const {
     last = std::max(last, size[group + i]);
     before = std::max(before, size[i]);
   }
-  if (!(last > tiny)) return end;  // nothing pushes
+  if (!(last > tiny)) return std::min(end, freed_stride * stride);
   return std::min(end, safe_radius * rough_root(before / last, group));
 }
 
