@@ -88,13 +88,15 @@ std::string table(const std::vector<Tally>& tallies) {
                                    "naive [%]", "counts",   "refused",  "failed",   "no end",     "rivals",
                                    "slow",      "CPU [ms]", "worst",    "scene",    "unexplained"};
   std::uint64_t all_slow = 0;
-  for (const auto& t : tallies) all_slow += slow(t);
-  const auto whole = sum(tallies);
-  return report::columns(header, std::ssize(tallies) + 1, [&](Index i) {
-    const bool last = i == std::ssize(tallies);
-    const auto& t = last ? whole : tallies[static_cast<std::size_t>(i)];
-    return row(t, std::to_string(last ? all_slow : slow(t)), std::to_string(t.worst_scene));
-  });
+  std::vector<report::TableRow> rows;
+  for (const auto& t : tallies) {
+    if (t.scenes + t.left_out == 0) continue;
+    all_slow += slow(t);
+    rows.push_back(row(t, std::to_string(slow(t)), std::to_string(t.worst_scene)));
+  }
+  const auto all = sum(tallies);
+  rows.push_back(row(all, std::to_string(all_slow), std::to_string(all.worst_scene)));
+  return report::columns(header, std::ssize(rows), [&](Index i) { return rows[i]; });
 }
 
 }  // namespace mariotte::stress_study

@@ -25,7 +25,7 @@ void add(const Verdict& verdict, Tally& tally);
 /// Scenes slower than 100 × the median.
 std::uint64_t slow(const Tally& tally);
 
-/// A row per family, and their sum.
+/// A row per family of which there are scenes, and their sum.
 std::string table(const std::vector<Tally>& tallies);
 
 }  // namespace mariotte::stress_study
