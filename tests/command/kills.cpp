@@ -1,7 +1,9 @@
 // Runs that are killed while they write.
 #define BOOST_TEST_MODULE command_kills
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <random>
+#include <sstream>
 
 #include "session.hpp"
 
@@ -26,6 +28,17 @@ fs::path part_of_trace(const fs::path& folder) {
   for (const auto& entry : fs::directory_iterator(folder))
     if (entry.path().extension() == ".part") return entry.path();
   return {};
+}
+
+/// Every row but the last has a value in each column. The last may be cut short: a kill can stop the system
+/// within a write, where a page of the file ends.
+void expect_whole_rows(const std::string& table) {
+  const auto end_of_header = table.find('\n');
+  BOOST_TEST_REQUIRE(end_of_header != std::string::npos);
+  const auto commas = std::count(table.begin(), table.begin() + static_cast<long>(end_of_header), ',');
+  std::istringstream rows(table);
+  for (std::string row; std::getline(rows, row) && !rows.eof();)
+    BOOST_TEST(std::count(row.begin(), row.end(), ',') == commas, row);
 }
 
 }  // namespace
@@ -59,7 +72,7 @@ BOOST_FIXTURE_TEST_CASE(a_killed_trace_leaves_the_rows_it_had, Session) {
   BOOST_TEST(!fs::exists(folder / "wave.csv"));
   const auto rows = content(part_of_trace(folder));
   BOOST_TEST(rows.starts_with("time [s],v1 [m/s]"));
-  BOOST_TEST(rows.ends_with('\n'));
+  expect_whole_rows(rows);
 }
 
 BOOST_FIXTURE_TEST_CASE(an_interrupted_trace_names_the_file_with_its_rows, Session) {
