@@ -50,11 +50,12 @@ void BodiesSystem<D>::begin_friction(Mode& mode, std::size_t place, Start start,
   if (c.tangential.law == TangentialLaw::none) return;
   const auto now = motion(one.contact, x);
   const double slip = norm(now.slip);
-  const bool moves = slip > 100 * epsilon * setting_.speed;
-  if (!c.tangential.has_spring() && !moves) return begin_from_rest(mode, place, x, BodyEvent::slip, changes);
+  const bool rigid = !c.tangential.has_spring();
+  const bool moves = slip > (D == 3 && rigid ? setting_.rest_speed() : 100 * epsilon * setting_.speed);
+  if (rigid && !moves) return begin_from_rest(mode, place, x, BodyEvent::slip, changes);
   one.from_rest = false;
   if (moves) slip_along(one, (1 / slip) * now.slip, now.normal, x);
-  const bool sticks = c.tangential.has_spring() && (!moves || begins_to_stick(mode, place, start, x));
+  const bool sticks = !rigid && (!moves || begins_to_stick(mode, place, start, x));
   one.friction = sticks ? Friction::stick : Friction::slip;
   if (sticks) std::fill_n(x.begin() + layout(x).spring(one.slot), BodiesLayout<D>::tangents, 0.0);
   changes.push_back({one.contact, sticks ? BodyEvent::stick : BodyEvent::slip});
