@@ -24,7 +24,7 @@ const std::vector<std::string> known_kinds = {"chains",   "networks", "bodies", 
                                               "friction", "rows",     "slopes", "friction-slopes"};
 
 struct CommandLine {
-  double seconds = 60;
+  double seconds = 60, patience = Campaign{}.patience;
   std::uint64_t seed = 1;
   std::uint64_t first = 0, scenes = 1000000;
   std::int64_t only = -1;
@@ -72,6 +72,10 @@ command::OptionList declare(CommandLine& line) {
        &line.kinds,
        "Some of chains, networks, bodies, laws, friction, rows, slopes, friction-slopes",
        {.check = command::OneOf{known_kinds}, .between_commas = true}},
+      {"--patience",
+       &line.patience,
+       "CPU time of one run after which it is without an end [s]",
+       {.check = command::Positive{}, .shows_default = true}},
       {"--threads", &line.workers, "Scenes examined at once", {.check = command::Range{1, 256}}},
       {"--out",
        &line.folder,
@@ -93,6 +97,7 @@ class Study {
                   .seed = line.seed,
                   .first = line.first,
                   .workers = line.workers,
+                  .patience = line.patience,
                   .brisk = line.brisk} {
     for (const auto& family : campaign_.families) tallies_.push_back({.family = family.name});
     if (!line.folder.empty()) std::filesystem::create_directories(line.folder);
