@@ -1,5 +1,6 @@
 #include "mariotte/impact/sensitivity/microbody_variation.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "mariotte/model/microbody/microbody_field.hpp"
@@ -167,6 +168,20 @@ void MicrobodyVariation::remember(Index, const MicrobodyMode&, const MicrobodyMo
   for (Index i = 0; i < system_.layout().tips; ++i)
     slips_from_rest_ |=
         after.tip[i].contact == TipContact::sliding && after.tip[i].start != model::SlipStart::moving;
+}
+
+std::vector<Index> MicrobodyVariation::telling(const std::vector<Index>& fired, const MicrobodyMode& before,
+                                               ConstState x) const {
+  auto after = before;
+  std::vector<model::MicrobodyChange> ignored;
+  system_.transition(after, fired, x, ignored);
+  auto list = fired;
+  for (Index i = 0; i < system_.layout().tips; ++i) {
+    if (before.tip[i].contact == TipContact::clear || after.tip[i].contact != TipContact::clear) continue;
+    std::erase_if(list, [&](Index guard) { return guard / model::guards_per_tip == i; });
+    list.push_back(model::guard_index(i, TipGuard::gap));
+  }
+  return list;
 }
 
 void MicrobodyVariation::meet(Index i, const MicrobodyMode& mode, State x) const {

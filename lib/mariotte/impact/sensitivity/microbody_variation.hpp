@@ -48,6 +48,10 @@ class MicrobodyVariation {
            static_cast<model::TipGuard>(i % model::guards_per_tip) == model::TipGuard::gap;
   }
   void meet(Index i, const model::MicrobodyMode& mode, State x) const;
+  /// Guards that tell when an event happens, of those that have fired: a tip that lets go does so where its
+  /// gap says, though a guard of its friction may have fired within rounding of that.
+  std::vector<Index> telling(const std::vector<Index>& fired, const model::MicrobodyMode& before,
+                             ConstState x) const;
   /// Whether its tip has touched by guard i.
   bool closes(Index i, const model::MicrobodyMode& before, const model::MicrobodyMode& after) const {
     if (i >= model::escape_guard(system_.layout().tips)) return false;

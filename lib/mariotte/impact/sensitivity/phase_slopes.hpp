@@ -3,6 +3,7 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "mariotte/hybrid/simulate.hpp"
@@ -35,14 +36,16 @@ class PhaseSlopes final : public hybrid::PhaseObserver {
 
   /// A flow that gives up may have gone back to where the phase began.
   void begin_phase(double time, ConstState) override {
-    if (time == phase_start_)
-      slopes = at_start_;
-    else
-      at_start_ = slopes;
+    if (time != phase_start_) at_start_ = {slopes, std::max(0.0, reached_ - last_end_)};
+    slopes = at_start_.slopes;
+    reached_ = at_start_.reached;
+    last_end_ = 0;
     phase_start_ = time;
   }
   void observe(const flow::Step& step) override {
     watch_();
+    last_end_ = step.end;
+    const double from = std::max(step.start, std::exchange(reached_, step.end));
     if constexpr (requires { variation_.advance(step, mode_, slopes); })
       if (variation_.advance(step, mode_, slopes)) return void(end_.reset());
     const double beyond = find_end(step);
@@ -50,7 +53,8 @@ class PhaseSlopes final : public hybrid::PhaseObserver {
     if (!collocation_)
       collocation_.emplace(pattern(), problem_.magnitudes(), variation_.natural_slopes(), accuracy_,
                            places());
-    collocation_->advance(field, step.start, end_.value_or(step.end),
+    reached_ = end_.value_or(step.end);
+    collocation_->advance(field, from, reached_,
                           {.begins = step.start == 0, .beyond = beyond, .is_steep = is_steep_}, slopes);
   }
   bool has_slopes() const override { return true; }
@@ -107,7 +111,7 @@ class PhaseSlopes final : public hybrid::PhaseObserver {
       const double past = value_[i] / rate_[i] / length;
       if (!(sign * rate_[i] > 0 && past < 1e-3 && variation_.has_root(static_cast<Index>(i), mode_)))
         continue;
-      if (past > -1e-11) return meet(step, static_cast<Index>(i), past * length);
+      if (past > -1e-11 || past * length > -closest * problem_.time_scale()) return meet(step, static_cast<Index>(i), past * length);
       if (past > -1 && -past < beyond) set_end(static_cast<Index>(i)), beyond = -past;
     }
     return beyond;
@@ -134,16 +138,23 @@ class PhaseSlopes final : public hybrid::PhaseObserver {
     for (std::size_t k = 0; k < x.size(); ++k) x[k] = last_[k] - left * dx_[k];
   }
 
+  static constexpr double closest = 4096 * epsilon;  ///< to a root where other guards say that it is met
+
   const flow::Problem& problem_;
   const Variation& variation_;
   const Mode& mode_;
   const std::function<void()>& watch_;
   double accuracy_;
   std::optional<Collocation> collocation_;  ///< made for the first step that needs it
-  SlopeMatrix at_start_;
+  struct {
+    SlopeMatrix slopes;
+    double reached = 0;
+  } at_start_;
   std::vector<double> value_, rate_, dx_;  ///< of guards, and of the state
   std::vector<double> last_;               ///< state at the guard that ends the phase
   std::optional<double> end_;              ///< when it is met, in this step
+  double last_end_ = 0;                    ///< of the last step
+  double reached_ = 0;                     ///< up to which slopes have been carried, perhaps beyond that
   bool is_steep_ = false;                  ///< of the guard that will be met
   double phase_start_ = -1;
   double unresolved_ = 0;  ///< with patterns before this one

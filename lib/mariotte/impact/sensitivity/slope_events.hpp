@@ -53,12 +53,22 @@ std::vector<std::vector<double>> SlopeLoop<System, Variation>::event_times(const
   return times;
 }
 
-/// The place among the guards that have fired of the one that sets the clock, if any does.
+/// Guards that tell when what happens at one instant happens.
 template <class System, class Variation>
-std::optional<std::size_t> SlopeLoop<System, Variation>::clock_at(const typename System::Mode& before,
+std::vector<Index> SlopeLoop<System, Variation>::telling(const typename System::Mode& before) const {
+  const auto& fired = workspace_.fired;
+  if constexpr (requires { variation_.telling(fired, before, ConstState(workspace_.run.state)); })
+    return variation_.telling(fired, before, workspace_.run.state);
+  else
+    return fired;
+}
+
+/// The place among guards that have fired of the one that sets the clock, if any does.
+template <class System, class Variation>
+std::optional<std::size_t> SlopeLoop<System, Variation>::clock_at(const std::vector<Index>& fired,
+                                                                  const typename System::Mode& before,
                                                                   const typename System::Mode& after,
                                                                   ConstState rate) {
-  const auto& fired = workspace_.fired;
   for (std::size_t k = 0; k < fired.size(); ++k)
     if (variation_.closes(fired[k], before, after) &&
         (sets_clock(fired[k], rate) || variation_.is_free(before)))
@@ -71,15 +81,15 @@ std::optional<std::size_t> SlopeLoop<System, Variation>::clock_at(const typename
 template <class System, class Variation>
 void SlopeLoop<System, Variation>::jump(Observer& observer, const typename System::Mode& before,
                                         ConstState rate, SlopeRun<System>& result) {
-  const auto& fired = workspace_.fired;
+  const auto fired = telling(before);
   const auto times = event_times(observer, fired, rate, result);
   for (Index c = 0; c < variation_.columns(); ++c) result.time[c] += shift_[c];
   auto& x = workspace_.run.state;
   auto after_all = observer.slopes;
   std::vector<typename System::Change> ignored;
   typename System::Mode last = before;
-  system_.transition(last, fired, x, ignored);
-  const auto clock = clock_at(before, last, rate);
+  system_.transition(last, workspace_.fired, x, ignored);
+  const auto clock = clock_at(fired, before, last, rate);
   bool any_jump = false;
   for (std::size_t k = 0; k < fired.size(); ++k) {
     auto mode = last;

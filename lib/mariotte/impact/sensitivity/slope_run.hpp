@@ -81,8 +81,9 @@ class SlopeLoop {
             SlopeRun<System>& result);
   double speed_of(Index guard, ConstState rate);
   bool sets_clock(Index guard, ConstState rate);
-  std::optional<std::size_t> clock_at(const typename System::Mode& before, const typename System::Mode& after,
-                                      ConstState rate);
+  std::vector<Index> telling(const typename System::Mode& before) const;
+  std::optional<std::size_t> clock_at(const std::vector<Index>& fired, const typename System::Mode& before,
+                                      const typename System::Mode& after, ConstState rate);
   void shift_clock(Observer& observer, ConstState rate, const std::vector<double>& time);
   void reset(Observer& observer, const typename System::Mode& before, ConstState rate,
              SlopeRun<System>& result);
@@ -245,7 +246,7 @@ SlopeRun<System> SlopeLoop<System, Variation>::follow(ConstState x0, const Slope
     }
     result.run.time = time.value();
     const auto before = mode;
-    for (const Index guard : fired) variation_.settle(guard, before, run.state);
+    for (const Index guard : telling(before)) variation_.settle(guard, before, run.state);
     pass(observer, before, rates(mode), result);
     system_.transition(mode, fired, run.state, changes);
   }

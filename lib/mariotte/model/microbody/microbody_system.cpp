@@ -186,7 +186,7 @@ void MicrobodySystem::touch_or_open(Mode& mode, Index i, ConstState x, std::vect
 /// forces as small as that have no sign.
 void MicrobodySystem::open_parted(Mode& mode, const std::vector<Index>& fired, ConstState x,
                                   std::vector<Change>& changes) const {
-  const double rounding = 64 * epsilon * body_.time;
+  const double rounding = 4096 * epsilon * body_.time;
   for (Index i = 0; i < layout_.tips; ++i) {
     if (mode.tip[i].contact == TipContact::clear || has_fired(TipGuard::gap, i, fired)) continue;
     const double rise = mechanics().tip(x, i).velocity;
