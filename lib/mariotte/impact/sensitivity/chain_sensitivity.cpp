@@ -63,12 +63,15 @@ Sensitivity sensitivity(const model::Chain& chain, const std::vector<Parameter<m
   const auto moving = within(frame, chain);
   const auto moved = within(frame, by);
   model::ChainSystem system;
-  auto found = resolved(asked, [&](const hybrid::Options& options) {
-    system.reset(moving, options.accuracy, std::isfinite(options.max_time));
-    ContactSensitivity<model::ChainSystem, model::ChainTopology, ChainImpulses> run(system, system.chain(),
-                                                                                    moved, options, watch);
-    return std::pair(run.take(), run.time_loss());
-  });
+  using Run = ContactSensitivity<model::ChainSystem, model::ChainTopology, ChainImpulses>;
+  auto found = resolved(
+      asked,
+      [&](const hybrid::Options& options) {
+        system.reset(moving, options.accuracy, std::isfinite(options.max_time));
+        Run run(system, system.chain(), moved, options, watch);
+        return std::pair(run.take(), run.time_loss());
+      },
+      Run::note_loss);
   note_late_damping(moving.law, asked.accuracy, found);
   leave(frame, found);
   return found;

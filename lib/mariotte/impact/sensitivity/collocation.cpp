@@ -46,7 +46,7 @@ Moment towards_steep_end(double beyond, double u) {
 Moment moment(Edges edges, double u) {
   Moment now{u, 1 - u, 1};
   if (edges.beyond < infinity) {
-    const double beyond = edges.begins ? edges.beyond / 4 : edges.beyond;
+    const double beyond = edges.begins ? std::expm1(0.25 * std::log1p(edges.beyond)) : edges.beyond;
     now = edges.is_steep ? towards_steep_end(beyond, u) : towards_end(beyond, u);
   }
   if (!edges.begins) return now;

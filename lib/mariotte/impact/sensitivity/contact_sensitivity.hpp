@@ -2,12 +2,12 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 #include "mariotte/core/error.hpp"
 #include "mariotte/impact/impulses.hpp"
 #include "mariotte/impact/sensitivity/contact_variation.hpp"
 #include "mariotte/impact/sensitivity/notes.hpp"
+#include "mariotte/impact/sensitivity/resolved.hpp"
 #include "mariotte/impact/sensitivity/sensitivity.hpp"
 #include "mariotte/impact/sensitivity/slope_run.hpp"
 
@@ -16,28 +16,6 @@ namespace mariotte::impact {
 /// Throws InvalidParameter if anything is driven.
 inline void expect_no_drive(const std::vector<model::Drive>& drives) {
   if (!drives.empty()) throw InvalidParameter("slopes of what is driven are not computed");
-}
-
-/// Slopes ask for the second derivatives of what the run is computed from.
-inline hybrid::Options for_slopes(hybrid::Options options) {
-  options.accuracy = std::max(1e-14, 0.01 * options.accuracy);
-  return options;
-}
-
-/// `once` is a run with slopes at an accuracy, of which pieces may leave ten times as much. Where what ends
-/// it crosses so slowly that the slope of its time is not as exact as asked, another has more digits; a note
-/// says if doubles do not have so many.
-template <class Once>
-Sensitivity resolved(const hybrid::Options& asked, Once&& once) {
-  constexpr double left = 10, least = 16 * epsilon;
-  auto options = for_slopes(asked);
-  auto [found, loss] = once(options);
-  if (!(left * options.accuracy * loss > asked.accuracy)) return found;
-  options.accuracy = std::clamp(asked.accuracy / (left * loss), least, options.accuracy);
-  std::tie(found, loss) = once(options);
-  if (options.accuracy * loss > 2 * asked.accuracy)
-    found.notes.push_back(slow_ending_note(options.accuracy * loss, {"time"}));
-  return found;
 }
 
 /// `use` of the models around each parameter, one after the other in the same memory.
@@ -85,6 +63,7 @@ class ContactSensitivity {
 
   /// Of the slopes of the time, in multiples of those of the state.
   double time_loss() const { return end_.time_loss; }
+  static SlopeNote note_loss(double error) { return slow_ending_note(error, {"time"}); }
   Sensitivity take() {
     result_.ending = end_.run.ending;
     result_.message = end_.run.message;

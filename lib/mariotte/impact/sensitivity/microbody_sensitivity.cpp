@@ -3,6 +3,7 @@
 #include "mariotte/impact/sensitivity/microbody_rest.hpp"
 #include "mariotte/impact/sensitivity/microbody_variation.hpp"
 #include "mariotte/impact/sensitivity/notes.hpp"
+#include "mariotte/impact/sensitivity/resolved.hpp"
 #include "mariotte/impact/sensitivity/sensitivity.hpp"
 #include "mariotte/impact/sensitivity/slope_run.hpp"
 #include "mariotte/model/microbody/microbody_field.hpp"
@@ -55,11 +56,12 @@ Readings natural_sizes(const DimensionlessMicrobody& body) {
 
 class BodySlopes {
  public:
-  BodySlopes(const Microbody& body, const std::vector<Parameter<Microbody>>& by,
+  /// `accuracy` is what was asked for, `options` are those of the run.
+  BodySlopes(const Microbody& body, const std::vector<Parameter<Microbody>>& by, double accuracy,
              const hybrid::Options& options, const SlopeWatch& watch)
-      : system_(body, std::max(1e-14, 0.01 * options.accuracy), /*balance=*/false, {.force_signs = false}),
+      : system_(body, options.accuracy, /*balance=*/false, {.force_signs = false}),
         layout_(system_.layout()),
-        accuracy_(options.accuracy),
+        accuracy_(accuracy),
         x0_(initial_state(system_.body(), layout_)),
         start_(layout_.size, std::ssize(by)) {
     for (const auto& one : by) {
@@ -79,7 +81,10 @@ class BodySlopes {
     end_ = SlopeLoop(system_, variation, run_options, watch).follow(x0_, behind);
     result_.in_doubt = variation.slips_from_rest();
     if (result_.in_doubt) result_.notes.push_back(slip_from_rest_note());
+    turning_loss_ = variation.turning_loss();
   }
+
+  double turning_loss() const { return turning_loss_; }
 
   Sensitivity take() {
     result_.ending = end_.run.ending;
@@ -177,7 +182,8 @@ class BodySlopes {
 
   MicrobodySystem system_;
   const model::MicrobodyLayout& layout_;
-  double accuracy_;  ///< that was asked for
+  double accuracy_;
+  double turning_loss_ = 0;
   std::vector<double> x0_;
   SlopeMatrix start_;
   std::vector<ShiftedBodies> shifted_;
@@ -188,10 +194,16 @@ class BodySlopes {
 }  // namespace
 
 Sensitivity sensitivity(const Microbody& body, const std::vector<Parameter<Microbody>>& by,
-                        const hybrid::Options& options, const SlopeWatch& watch) {
+                        const hybrid::Options& asked, const SlopeWatch& watch) {
   model::validate(body);
-  hybrid::validate(options);
-  return BodySlopes(body, by, options, watch).take();
+  hybrid::validate(asked);
+  return resolved(
+      asked,
+      [&](const hybrid::Options& options) {
+        BodySlopes run(body, by, asked.accuracy, options, watch);
+        return std::pair(run.take(), run.turning_loss());
+      },
+      turning_slip_note);
 }
 
 }  // namespace mariotte::impact

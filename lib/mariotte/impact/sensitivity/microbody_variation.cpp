@@ -170,6 +170,15 @@ void MicrobodyVariation::remember(Index, const MicrobodyMode&, const MicrobodyMo
         after.tip[i].contact == TipContact::sliding && after.tip[i].start != model::SlipStart::moving;
 }
 
+void MicrobodyVariation::see(const flow::Step& step, const MicrobodyMode& mode) const {
+  if (system_.body().motion != flow::TipPhase::Motion::spatial || base_.friction.coefficient == 0) return;
+  for (Index i = 0; i < system_.layout().tips; ++i)
+    if (mode.tip[i].contact == TipContact::sliding)
+      near_rest_.see(i, norm(system_.mechanics().tip(step.after, i).slip));
+    else
+      near_rest_.forget(i);
+}
+
 std::vector<Index> MicrobodyVariation::telling(const std::vector<Index>& fired, const MicrobodyMode& before,
                                                ConstState x) const {
   auto after = before;

@@ -4,6 +4,8 @@
 #include <array>
 #include <vector>
 
+#include "mariotte/flow/flow.hpp"
+#include "mariotte/impact/sensitivity/near_rest.hpp"
 #include "mariotte/impact/sensitivity/slope_matrix.hpp"
 #include "mariotte/impact/sensitivity/stencil.hpp"
 #include "mariotte/model/microbody/microbody_system.hpp"
@@ -70,6 +72,10 @@ class MicrobodyVariation {
   void remember(Index i, const model::MicrobodyMode& before, const model::MicrobodyMode& after,
                 const SlopeMatrix& slopes, ConstState rate, std::span<const double> time);
   bool slips_from_rest() const { return slips_from_rest_; }
+  /// Notices slips in space that come near rest and go on.
+  void see(const flow::Step& step, const model::MicrobodyMode& mode) const;
+  /// How many times the error of a state slopes may have where they do.
+  double turning_loss() const { return base_.speed / near_rest_.closest(); }
 
  private:
   model::Mechanics mechanics(const model::DimensionlessMicrobody& body) const;
@@ -85,6 +91,7 @@ class MicrobodyVariation {
   model::DimensionlessMicrobody base_;
   std::vector<double> natural_;
   bool slips_from_rest_ = false;
+  mutable NearRest near_rest_;
 };
 
 }  // namespace mariotte::impact

@@ -34,12 +34,15 @@ Sensitivity sensitivity(const model::Network& network, const std::vector<Paramet
   const auto frame = moving_frame(network);
   const auto moving = within(frame, network);
   const auto moved = within(frame, by);
-  auto found = resolved(asked, [&](const hybrid::Options& options) {
-    model::NetworkSystem system(moving, options.accuracy, std::isfinite(options.max_time));
-    ContactSensitivity<model::NetworkSystem, model::NetworkTopology, NetworkImpulses> run(
-        system, system.network(), moved, options, watch);
-    return std::pair(run.take(), run.time_loss());
-  });
+  using Run = ContactSensitivity<model::NetworkSystem, model::NetworkTopology, NetworkImpulses>;
+  auto found = resolved(
+      asked,
+      [&](const hybrid::Options& options) {
+        model::NetworkSystem system(moving, options.accuracy, std::isfinite(options.max_time));
+        Run run(system, system.network(), moved, options, watch);
+        return std::pair(run.take(), run.time_loss());
+      },
+      Run::note_loss);
   note_late_damping(moving.law, asked.accuracy, found);
   leave(frame, found);
   return found;

@@ -31,6 +31,16 @@ SlopeNote unknown_way_note() {
               "move, and may be wrong"};
 }
 
+SlopeNote turning_slip_note(double error) {
+  char text[160];
+  std::snprintf(
+      text, sizeof text,
+      "a slip in space passes so near to rest that slopes may be off by %.1g of their size: friction "
+      "turns about there",
+      error);
+  return {.text = text, .error = error};
+}
+
 SlopeNote shared_ending_note(Names outcomes, Names parameters) {
   return {.text =
               "several contacts end the run at one instant, and parameters draw their times apart: the "

@@ -29,6 +29,7 @@ SlopeNote closing_in_noise_note(const std::string& what);
 SlopeNote hardly_touching_note(const std::string& what, double speed, Names parameters);
 SlopeNote slip_from_rest_note();
 SlopeNote unknown_way_note();
+SlopeNote turning_slip_note(double error);
 SlopeNote shared_ending_note(Names outcomes, Names parameters);
 SlopeNote noise_ending_note(Names outcomes);
 SlopeNote slow_ending_note(double error, Names outcomes);

@@ -44,6 +44,7 @@ class PhaseSlopes final : public hybrid::PhaseObserver {
   }
   void observe(const flow::Step& step) override {
     watch_();
+    if constexpr (requires { variation_.see(step, mode_); }) variation_.see(step, mode_);
     last_end_ = step.end;
     const double from = std::max(step.start, std::exchange(reached_, step.end));
     if constexpr (requires { variation_.advance(step, mode_, slopes); })
@@ -111,10 +112,34 @@ class PhaseSlopes final : public hybrid::PhaseObserver {
       const double past = value_[i] / rate_[i] / length;
       if (!(sign * rate_[i] > 0 && past < 1e-3 && variation_.has_root(static_cast<Index>(i), mode_)))
         continue;
-      if (past > -1e-11 || past * length > -closest * problem_.time_scale()) return meet(step, static_cast<Index>(i), past * length);
-      if (past > -1 && -past < beyond) set_end(static_cast<Index>(i)), beyond = -past;
+      if (past > -1e-11 || past * length > -closest * problem_.time_scale())
+        return meet(step, static_cast<Index>(i), past * length);
+      if (past <= -1 || -past >= beyond) continue;
+      set_end(static_cast<Index>(i));
+      beyond = time_until(step, i, -past * length) / length;
     }
     return beyond;
+  }
+
+  /// Time from the end of a step until guard i is met, which a straight line says to be `about`: by the
+  /// cubic that has its rates at the end, and so long and twice so long before it.
+  double time_until(const flow::Step& step, std::size_t i, double about) {
+    const double h = std::min(about, 0.5 * (step.end - step.start));
+    const double last = rate_[i], one = rate_before(step, i, h), two = rate_before(step, i, 2 * h);
+    const double bend = (3 * last - 4 * one + two) / (2 * h), turn = (last - 2 * one + two) / (2 * h * h);
+    double time = about;
+    for (int n = 0; n < 4; ++n) {
+      const double value = value_[i] + time * (last + time * (bend / 2 + time * turn / 3));
+      time -= value / (last + time * (bend + time * turn));
+    }
+    return time > 0.5 * about && time < 2 * about ? time : about;
+  }
+  double rate_before(const flow::Step& step, std::size_t i, double time) {
+    std::vector<double> x(step.after.size()), dx(x.size()), rates(rate_.size());
+    step.at(step.end - time, x);
+    problem_.derivative(x, dx);
+    problem_.guard_rates(x, dx, rates);
+    return rates[i];
   }
 
   void set_end(Index i) {

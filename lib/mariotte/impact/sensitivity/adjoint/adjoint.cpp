@@ -9,6 +9,7 @@
 #include "mariotte/impact/chain/chain_frame.hpp"
 #include "mariotte/impact/sensitivity/contact_sensitivity.hpp"
 #include "mariotte/impact/sensitivity/frame_slopes.hpp"
+#include "mariotte/impact/sensitivity/resolved.hpp"
 #include "mariotte/impact/watch/chain_run.hpp"
 #include "mariotte/model/islands/islands.hpp"
 
