@@ -1,11 +1,13 @@
 // Slopes through the roots of forces: where contacts of any exponent and damping begin, and where they end.
 #define BOOST_TEST_MODULE slopes_at_roots
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 
 #include "mariotte/contact/hunt_crossley.hpp"
 #include "mariotte/contact/jkr.hpp"
 #include "mariotte/contact/named_laws.hpp"
 #include "mariotte/contact/tsuji.hpp"
+#include "mariotte/contact/walton_braun.hpp"
 #include "mariotte/impact/chain/chain_solver.hpp"
 #include "mariotte/impact/sensitivity/sensitivity.hpp"
 
@@ -85,4 +87,19 @@ BOOST_AUTO_TEST_CASE(adhesive_contacts_let_go_with_slopes_that_know_their_roundi
   std::erase_if(by, [](const auto& one) { return one.name != "velocity[0]"; });
   const auto found = impact::sensitivity(chain, by, {.accuracy = 1e-10});
   BOOST_TEST(std::abs(found.outcome[2].slope[0].value() - 0.0326083918045) < 5e-10);
+}
+
+// It leaves the dent at half its speed, comes back from the other wall as fast, and turns where it did.
+BOOST_AUTO_TEST_CASE(a_ball_that_returns_to_its_dent_says_that_it_nearly_yields) {
+  const model::Chain chain{.mass = {infinity, 1, infinity},
+                           .law = {contact::state(contact::WaltonBraun(1, 4)), contact::Hertz{1}},
+                           .gap = {0.5, 1},
+                           .velocity = {0, -1, 0}};
+  const auto notes_until = [&](double time) {
+    return impact::sensitivity(chain, impact::parameters(chain), {.accuracy = 1e-10, .max_time = time}).notes;
+  };
+  const auto is_near = [](const auto& note) { return note.text.starts_with("contact 1 turns "); };
+  for (const auto& note : notes_until(5)) BOOST_TEST(!is_near(note), note.text);
+  const auto notes = notes_until(20);
+  BOOST_TEST(std::count_if(notes.begin(), notes.end(), is_near) == 1);
 }

@@ -58,6 +58,7 @@ class ContactSensitivity {
     });
     natural_ = variation.natural_slopes();
     end_ = SlopeLoop(system, variation, hybrid::scaled(options, base.scale), watch).follow(x0_, start_);
+    near_yield_ = variation.near_yield();
     for (const auto& one : by) result_.parameter.push_back({one.name, one.value});
   }
 
@@ -73,6 +74,7 @@ class ContactSensitivity {
     add_notes(end_, base_.scale.time, moving_with_the_end(), result_);
     add_near_closings();
     add_slow_starts();
+    add_near_yields();
     leave_out_unbounded(result_);
     return std::move(result_);
   }
@@ -168,6 +170,15 @@ class ContactSensitivity {
     }
   }
 
+  /// What returns as fast as it has left turns where it did, and yields beyond.
+  void add_near_yields() {
+    for (Index j = 0; j < layout_.contacts(); ++j)
+      if (std::abs(near_yield_[j]) < slow)
+        result_.notes.push_back(
+            near_yield_note("contact " + std::to_string(j + 1),
+                            std::max(0.0, near_yield_[j]) * base_.length[j] * base_.scale.length));
+  }
+
   template <class Slope>
   void add(const char* name, std::optional<Index> index, const char* unit, std::optional<double> value,
            Slope&& slope_of) {
@@ -214,6 +225,7 @@ class ContactSensitivity {
   const model::ContactLayout& layout_;
   Impulses impulses_;
   SlopeMatrix start_;
+  std::vector<double> near_yield_;
   std::vector<double> natural_;  ///< slopes that are a hundredth of a state over its parameter
   std::vector<double> x0_, moved_;
   SlopeRun<System> end_;

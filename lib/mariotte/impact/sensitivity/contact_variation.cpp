@@ -1,6 +1,7 @@
 #include "mariotte/impact/sensitivity/contact_variation.hpp"
 
 #include "mariotte/contact/branched_law.hpp"
+#include "mariotte/core/bracket.hpp"
 #include "mariotte/model/chain/chain_topology.hpp"
 #include "mariotte/model/network/network_topology.hpp"
 
@@ -66,6 +67,7 @@ ContactVariation<Topology>::ContactVariation(const Scaled& model, const model::C
       columns_(columns),
       natural_(columns),
       contact_(layout.contacts()),
+      near_yield_(layout.contacts(), infinity),
       acceleration_(layout.velocities(), columns_),
       peak_(columns_, layout.contacts()),
       push_slopes_(model, layout, contact_, acceleration_, natural_, accuracy) {}
@@ -258,6 +260,35 @@ double ContactVariation<Topology>::crossing_speed(Index i, double rate, const co
       break;
   }
   return 1;
+}
+
+/// Indentation where contact j turns within a step, or 0.
+template <class Topology>
+double ContactVariation<Topology>::turning_point(const flow::Step& step, Index j) const {
+  const Topology topology{model_, layout_};
+  const double before = topology.approach(step.before, j), after = topology.approach(step.after, j);
+  if (!(before > 0 && after <= 0)) return 0;
+  std::vector<double> x(step.before.size());
+  const auto approach = [&](double time) {
+    step.at(time, x);
+    return topology.approach(x, j);
+  };
+  approach(locate_sign_change(approach, step.start, before, step.end, after, 1e-12 * model_.time[j]));
+  return -x[layout_.gap[j]];
+}
+
+template <class Topology>
+void ContactVariation<Topology>::see(const flow::Step& step, const contact::ContactSet& mode) const {
+  for (Index j = 0; j < layout_.contacts(); ++j) {
+    const auto* branches = branched(model_.law[j]);
+    if (!branches || mode[j] != contact::ContactMode::closed) continue;
+    const auto past = memory_of(mode, j);
+    if (past.branch == contact::Branch::plastic || !(branches->yield_indentation(past) < infinity)) continue;
+    const double depth = turning_point(step, j);
+    if (depth > 0)
+      near_yield_[j] =
+          std::min(near_yield_[j], (branches->yield_indentation(past) - depth) / model_.length[j]);
+  }
 }
 
 template <class Topology>

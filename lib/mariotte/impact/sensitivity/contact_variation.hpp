@@ -79,6 +79,10 @@ class ContactVariation {
   bool advance(const flow::Step& step, const contact::ContactSet& mode, SlopeMatrix& slopes) const {
     return push_slopes_.advance(step, mode, slopes);
   }
+  /// Notices contacts that turn next to where they would yield.
+  void see(const flow::Step& step, const contact::ContactSet& mode) const;
+  /// By contact: how far from that, in natural indentations.
+  const std::vector<double>& near_yield() const { return near_yield_; }
   /// ∂f/∂p at a state.
   void source(ConstState x, const contact::ContactSet& mode, SlopeMatrix& b) const;
   /// ∂f/∂x. A linear contact that touches at rest is pressed, however little.
@@ -149,6 +153,7 @@ class ContactVariation {
   void set_power(Index j, LawSlope& law) const;
   void add_force(Index j, ConstState x, const contact::ContactSet& mode, SlopeMatrix& b) const;
   double rate_slope(Index j, Index column, ConstState x) const;
+  double turning_point(const flow::Step& step, Index j) const;
 
   const Scaled& model_;
   const model::ContactLayout& layout_;
@@ -157,6 +162,7 @@ class ContactVariation {
   std::vector<ContactSlope> contact_;
   mutable std::vector<double> pressed_;  ///< a state, as its slopes see it
   mutable std::vector<double> guard_rates_;
+  mutable std::vector<double> near_yield_;
   SlopeMatrix acceleration_;             ///< by velocity and parameter
   SlopeMatrix peak_;                     ///< by parameter and contact
   PlacedCoefficients base_, moved_;      ///< of a contact in two models

@@ -93,6 +93,14 @@ SlopeNote hardly_touching_note(const std::string& what, double speed, Names para
           .parameters = std::move(parameters)};
 }
 
+SlopeNote near_yield_note(const std::string& what, double depth) {
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "%s turns %.2g m before it would yield: slopes are those of a contact that does not",
+                what.c_str(), depth);
+  return {.text = text};
+}
+
 SlopeNote waiting_note(Names parameters) {
   return {.text =
               "slopes that are missing are by gaps of zero of linear contacts that touch at rest until "

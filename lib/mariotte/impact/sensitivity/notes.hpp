@@ -27,6 +27,7 @@ SlopeNote coincidence_note(const CoincidentEvents& events, double unit, Names ou
 SlopeNote near_closing_note(const std::string& what, double speed, Names outcomes, Names parameters);
 SlopeNote closing_in_noise_note(const std::string& what);
 SlopeNote hardly_touching_note(const std::string& what, double speed, Names parameters);
+SlopeNote near_yield_note(const std::string& what, double depth);
 SlopeNote slip_from_rest_note();
 SlopeNote unknown_way_note();
 SlopeNote turning_slip_note(double error);
