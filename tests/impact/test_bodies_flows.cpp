@@ -4,6 +4,11 @@
 #include <numbers>
 #include <random>
 
+#include "mariotte/contact/dmt.hpp"
+#include "mariotte/contact/jkr.hpp"
+#include "mariotte/contact/thornton.hpp"
+#include "mariotte/contact/thornton_ning.hpp"
+#include "mariotte/contact/walton_braun.hpp"
 #include "mariotte/impact/bodies/bodies_impact.hpp"
 
 using namespace mariotte;
@@ -13,7 +18,7 @@ namespace {
 
 class Scenes {
  public:
-  explicit Scenes(unsigned seed) : random_(seed) {}
+  explicit Scenes(unsigned seed, bool branched = false) : random_(seed), branched_(branched) {}
 
   /// Three balls or rods that meet one after the other, with any friction.
   model::Bodies next(int dimension) {
@@ -83,7 +88,24 @@ class Scenes {
         return {TangentialLaw::mindlin, in(0.05, 0.6), in(0.6e9, 1.4e9)};
     }
   }
+  contact::Law branched_law() {
+    constexpr double modulus = 1e10, radius = 0.005;
+    const double work = std::pow(10, in(1.5, 3.5)), pressure = std::pow(10, in(8, 9));
+    switch (static_cast<int>(in(0, 5))) {
+      case 0:
+        return contact::state(contact::Dmt(modulus, radius, work, in(0, 1) < 0.5 ? 0 : in(1e2, 1e4)));
+      case 1:
+        return contact::state(contact::Thornton(modulus, radius, pressure));
+      case 2:
+        return contact::state(contact::ThorntonNing(modulus, radius, pressure, 0.03 * work));
+      case 3:
+        return contact::state(contact::WaltonBraun(1e6, in(1e6, 4e6)));
+      default:
+        return contact::state(contact::Jkr(modulus, radius, work, in(0, 1) < 0.5 ? 0 : in(1e3, 1e5)));
+    }
+  }
   contact::Law law() {
+    if (branched_) return branched_law();
     switch (static_cast<int>(in(0, 4))) {
       case 0:
         return contact::Linear(1e6);
@@ -94,7 +116,8 @@ class Scenes {
     }
   }
   void join(Index a, Index b, model::Bodies& bodies) {
-    const auto friction = tangential();
+    auto friction = tangential();
+    while (branched_ && friction.law == TangentialLaw::mindlin) friction = tangential();
     const auto normal = law();
     for (Index p = 0; p < std::ssize(bodies.body[a].spheres); ++p)
       for (Index q = 0; q < std::ssize(bodies.body[b].spheres); ++q)
@@ -102,6 +125,7 @@ class Scenes {
   }
 
   std::mt19937 random_;
+  bool branched_;
 };
 
 hybrid::Options options(double accuracy, std::optional<flow::Kind> kind) {
@@ -126,14 +150,18 @@ Index steps_of(const impact::BodiesImpact& impact, flow::Kind kind) {
   return steps;
 }
 
-void compare(int dimension, unsigned seed, int count) {
-  Scenes scenes(seed);
+void compare(int dimension, unsigned seed, int count, bool branched = false) {
+  Scenes scenes(seed, branched);
   int met = 0;
-  Index series = 0, cvode = 0;
+  Index series = 0, cvode = 0, left = 0;
   for (int i = 0; i < count; ++i) {
     const auto bodies = scenes.next(dimension);
-    const auto one = impact::simulate(bodies, options(1e-9, flow::Kind::taylor));
-    const auto two = impact::simulate(bodies, options(1e-9, flow::Kind::cvode_adams));
+    const auto run = [&](flow::Kind kind) {
+      auto asked = options(1e-9, kind);
+      if (branched) asked.max_time = 0.04;
+      return impact::simulate(bodies, asked);
+    };
+    const auto one = run(flow::Kind::taylor), two = run(flow::Kind::cvode_adams);
     BOOST_TEST_CONTEXT("scene " << i) {
       BOOST_CHECK(one.ending == two.ending);
       BOOST_TEST(difference(one, two) < 1e-7);
@@ -141,16 +169,24 @@ void compare(int dimension, unsigned seed, int count) {
     }
     met += !one.contacts.empty();
     series += steps_of(one, flow::Kind::taylor);
+    left += steps_of(one, flow::Kind::cvode_adams);
     cvode += steps_of(two, flow::Kind::cvode_adams);
   }
   BOOST_TEST(2 * met > count);
+  BOOST_TEST(series > 0);
   if (dimension == 2) BOOST_TEST(series < cvode / 3);
+  if (branched && dimension == 2) BOOST_TEST(left == 0);
 }
 
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(series_agree_with_cvode_in_the_plane) {
   compare(2, 1, 15);
+}
+
+BOOST_AUTO_TEST_CASE(series_of_laws_with_branches_agree_with_cvode) {
+  compare(2, 5, 60, true);
+  compare(3, 6, 20, true);
 }
 
 BOOST_AUTO_TEST_CASE(series_agree_with_cvode_in_space) {

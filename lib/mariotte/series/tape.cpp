@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <optional>
 
 namespace mariotte::series {
 namespace {
@@ -15,6 +16,16 @@ std::size_t hash(const TapeNode& node) {
 }
 
 constexpr std::size_t first_slots = 1024;
+
+/// Operations that come by twos: of the first one, the second.
+std::optional<TapeOp> companion(TapeOp op) {
+  if (op == TapeOp::sine) return TapeOp::cosine;
+  if (op == TapeOp::width) return TapeOp::square_of_width;
+  return std::nullopt;
+}
+bool is_companion(TapeOp op) {
+  return op == TapeOp::cosine || op == TapeOp::square_of_width;
+}
 
 }  // namespace
 
@@ -34,16 +45,16 @@ int Tape::put(const TapeNode& node) {
   std::size_t slot = hash(node) & mask;
   for (; slots_[slot] >= 0; slot = (slot + 1) & mask)
     if (nodes_[slots_[slot]] == node) return slots_[slot];
-  slots_[slot] = append(node);
-  if (node.op == TapeOp::sine) append({.op = TapeOp::cosine, .a = node.a});
-  return static_cast<int>(nodes_.size()) - (node.op == TapeOp::sine ? 2 : 1);
+  const int place = slots_[slot] = append(node);
+  if (const auto second = companion(node.op)) append({.op = *second, .a = node.a});
+  return place;
 }
 
 void Tape::grow() {
   slots_.assign(std::max(first_slots, 2 * slots_.size()), -1);
   const std::size_t mask = slots_.size() - 1;
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    if (nodes_[i].op == TapeOp::cosine) continue;
+    if (is_companion(nodes_[i].op)) continue;
     std::size_t slot = hash(nodes_[i]) & mask;
     while (slots_[slot] >= 0) slot = (slot + 1) & mask;
     slots_[slot] = static_cast<int>(i);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mariotte/core/types.hpp"
+#include "mariotte/core/width_branch.hpp"
 
 namespace mariotte::series {
 
@@ -18,10 +19,12 @@ enum class TapeOp : unsigned char {
   quotient,
   root,
   sine,
-  cosine,  ///< the place after its sine
-  offset,  ///< a + number
-  scaled,  ///< number × a
-  onset    ///< a, which is exactly 0 where a contact begins
+  cosine,           ///< the place after its sine
+  width,            ///< w with w⁴ − w = a, the larger one
+  square_of_width,  ///< the place after it
+  offset,           ///< a + number
+  scaled,           ///< number × a
+  onset             ///< a, which is exactly 0 where a contact begins
 };
 
 /// One operation.
@@ -92,6 +95,9 @@ class Traced {
     if (result.tape_) ++result.place_;
     result.value_ = std::cos(a.value_);
     return result;
+  }
+  friend Traced width_of(const Traced& a) {
+    return a.by(TapeOp::width, WidthCurve{.radius = 1, .s = 1}.root(a.value_));
   }
   /// The same, which is exactly 0 where a contact begins.
   friend Traced at_onset(const Traced& a) { return a.by(TapeOp::onset, 0); }

@@ -32,6 +32,19 @@ double slope_product(const double* a, const double* b, int k) {
   return sum / k;
 }
 
+/// w with w⁴ − w = a, and its square.
+void width(const double* a, int k, double* w, double* square) {
+  if (k == 0) {
+    w[0] = WidthCurve{.radius = 1, .s = 1}.root(a[0]);
+    square[0] = w[0] * w[0];
+    return;
+  }
+  const double known = convolve(w, w, k, 1, k - 1);
+  const double rest = convolve(square, square, k, 1, k - 1) + 2 * square[0] * known;
+  w[k] = (a[k] - rest) / (4 * w[0] * square[0] - 1);
+  square[k] = known + 2 * w[0] * w[k];
+}
+
 int leading_zeros(const double* a, int order) {
   int k = 0;
   while (k < order && a[k] == 0) ++k;
@@ -50,7 +63,7 @@ void spread(const Tape& tape, std::vector<char>& need) {
     if (is_input(node.op)) continue;
     need[node.a] = 1;
     if (node.b >= 0) need[node.b] = 1;
-    if (node.op == TapeOp::sine) need[i + 1] = 1;
+    if (node.op == TapeOp::sine || node.op == TapeOp::width) need[i + 1] = 1;
     if (node.op == TapeOp::cosine) need[i - 1] = 1;
   }
 }
@@ -150,10 +163,13 @@ void TapeSeries::coefficient(const TapeNode& node, int place, int k) {
       cosine[k] = k == 0 ? std::cos(a[0]) : -slope_product(a, c, k);
       return;
     }
+    case TapeOp::width:
+      return width(a, k, c, at(place + 1));
     case TapeOp::onset:
       c[k] = k == 0 && clock_.kind == TapeClock::Kind::onset ? 0 : a[k];
       return;
     case TapeOp::cosine:
+    case TapeOp::square_of_width:
     case TapeOp::constant:
     case TapeOp::state:
       return;

@@ -9,6 +9,7 @@
 #include "mariotte/model/bodies/bodies_mode.hpp"
 #include "mariotte/model/bodies/bodies_stick.hpp"
 #include "mariotte/model/bodies/law_numbers.hpp"
+#include "mariotte/model/bodies/recorded_law.hpp"
 
 namespace mariotte::model {
 
@@ -98,6 +99,11 @@ class BodiesField {
     return holding_;
   }
 
+  /// The law of a closed contact, on a tape.
+  RecordedForce recorded(const ClosedContact& mode, const Contact& one, const T& depth, const T& rate) const {
+    return recorded_force(one.law, mode.past, depth, rate, setting_.onset_noise * one.length);
+  }
+
   /// Add a force on b at a closed contact, and its opposite on a.
   void push(std::size_t i, Index contact, const Vector& force) {
     loads_.push(contact, closed_[i].motion, force);
@@ -109,6 +115,7 @@ class BodiesField {
   /// Linear forces, and those with branches, go on past zero, so that a step which reaches beyond separation
   /// meets no kink.
   T depth_of(const Contact& one, const ContactMotion<T, D>& c) const {
+    if constexpr (is_recorded<T>) return c.indentation;
     const auto* power = contact::power_law(one.law);
     return contact::branched(one.law) || (power && power->exponent == 1) ? T(-c.gap) : c.indentation;
   }
@@ -126,12 +133,28 @@ class BodiesField {
     return !is_recorded<T> && !(c.motion.indentation > setting_.smallest_indentation);
   }
 
+  /// Force of either sign.
+  T force_of(const ClosedContact& mode, const Contact& one, const T& depth, const T& rate) const {
+    if constexpr (is_recorded<T>)
+      return recorded(mode, one, depth, rate).value;
+    else
+      return law_force<T>(one, mode.past, depth, rate);
+  }
+  LawSlopes<T> slopes_of(const ClosedContact& mode, const Contact& one, const T& depth, const T& rate) const {
+    if constexpr (is_recorded<T>) {
+      const auto f = recorded(mode, one, depth, rate);
+      return {f.by_indentation, f.by_rate};
+    } else {
+      return law_slopes<T>(one, mode.past, depth, rate);
+    }
+  }
+
   /// ḟ_n, which for a damped contact depends on all accelerations.
   T force_rate(const ClosedContact& mode, const ContactForces<T, D>& c) const {
     const auto& one = setting_.contact[mode.contact];
     if (mode.slack) return T(0.0);
     const T rate = -c.motion.gap_rate;
-    const auto slopes = law_slopes<T>(one, mode.past, c.motion.indentation, rate);
+    const auto slopes = slopes_of(mode, one, c.motion.indentation, rate);
     if (!contact::is_damped(one.law)) return slopes.by_indentation * rate;
     return slopes.by_indentation * rate - slopes.by_rate * loads_.gap_acceleration(mode.contact, c.motion);
   }
@@ -142,8 +165,8 @@ class BodiesField {
     c.motion = motion(mode.contact);
     const T depth = depth_of(one, c.motion), rate = -c.motion.gap_rate;
     const bool lets_go = mode.slack && !contact::pulls(one.law);
-    c.elastic = contact::is_damped(one.law) || lets_go ? law_force<T>(one, mode.past, depth, T(0.0)) : T(0.0);
-    c.normal = lets_go ? T(0.0) : law_force<T>(one, mode.past, depth, rate);
+    c.elastic = contact::is_damped(one.law) || lets_go ? force_of(mode, one, depth, T(0.0)) : T(0.0);
+    c.normal = lets_go ? T(0.0) : force_of(mode, one, depth, rate);
     c.friction = lift<T>(Vec<double, D>{});
     c.direction = c.friction;
     set_spring(one, c);

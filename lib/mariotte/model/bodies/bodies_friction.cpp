@@ -22,7 +22,7 @@ bool BodiesSystem<D>::starts_in_stick(const SettingContact<D>& one, const contac
                                       const ContactMotion<double, D>& now) const {
   const double later = soon * one.time, approach = -now.gap_rate, depth = approach * later,
                slip = norm(now.slip);
-  const double from = contact::branched(one.law) ? -now.gap : 0;
+  const double from = contact::branched(one.law) ? std::max(-now.gap, closing_depth(one.law, past)) : 0;
   const double cap = one.tangential.friction * smooth_force(one.law, past, from + depth, approach).value;
   const double grown = one.tangential.law == TangentialLaw::spring
                            ? one.tangential.stiffness * slip * later
@@ -163,6 +163,13 @@ void BodiesSystem<D>::stop_yielding(const std::vector<Index>& slots, Mode& mode,
   }
 }
 
+/// What a spring that is beyond its cap, by noise, loses where it slips.
+template <int D>
+double let_go(const ContactForces<double, D>& now, double friction) {
+  const double cap = friction * now.normal;
+  return std::max(0.0, 0.5 * (dot(now.friction, now.friction) - cap * cap) / now.spring);
+}
+
 /// What sticks slips where it is at its cap. A loose series may take for a root what is none; and what begins
 /// to stick at its cap may be beyond it by rounding, while the cap outgrows it.
 template <int D>
@@ -183,6 +190,7 @@ void BodiesSystem<D>::break_loose(Mode& mode, std::size_t place, const ContactFo
     }
   }
   x = std::move(slipping);
+  if (tangential.has_spring()) x[layout(x).losses(one.slot)] += let_go(now, tangential.friction);
   if (!tangential.has_spring()) begin_at_rest(one, x);
   changes.push_back({one.contact, BodyEvent::slip});
 }

@@ -33,6 +33,10 @@ T BodiesPhase<D>::friction_guard(const BodiesField<T, D, N>& field, const Closed
     if (mode.friction == Friction::stick) {
       const double offset = noise * one.force;
       const T cap = one.tangential.friction * c.normal, left = cap * cap - dot(c.friction, c.friction);
+      if (contact::branched(one.law)) {
+        const T most = cap + cap_noise(mode, c.motion);
+        return most * most - dot(c.friction, c.friction);
+      }
       const double least = setting_.faint_stick() * one.force;
       if (!one.tangential.has_spring()) return left + 2 * offset * cap + least * least;
       return left + 2 * noise * cap.value() * cap + offset * offset;

@@ -16,8 +16,10 @@ using series::Traced;
 template <int D>
 bool BodiesPhase<D>::can_be_recorded(const ClosedContact& mode) const {
   const auto& one = setting_.contact[mode.contact];
-  if (!model::can_be_recorded(one.law) || (D == 3 && mode.friction == Friction::slip)) return false;
-  return one.tangential.law != TangentialLaw::mindlin || contact::power_law(one.law)->exponent == 1.5;
+  if (!model::can_be_recorded(one.law, mode.past) || (D == 3 && mode.friction == Friction::slip))
+    return false;
+  const auto* power = contact::power_law(one.law);
+  return one.tangential.law != TangentialLaw::mindlin || (power && power->exponent == 1.5);
 }
 
 /// Bodies that touch or may meet others; the rest fly freely.
@@ -128,25 +130,32 @@ Traced friction_size(const ContactForces<Traced, 3>& c) {
 
 }  // namespace
 
+namespace {
+
 /// What a contact still does at a depth δ before it opens is (δ/L)ⁿ⁺¹ of what it can do.
+double negligible(const RecordedForce& law, double length, double share) {
+  return law.exponent > 0 ? length * std::pow(share, 1 / (law.exponent + 1)) : 0;
+}
+
+}  // namespace
+
 template <int D>
 void BodiesPhase<D>::record_contacts(double accuracy, flow::Recording& recording) const {
   constexpr double share = 1e-3;
   recording.contact.clear();
   for (std::size_t i = 0; i < mode_->closed.size(); ++i) {
     const auto& one = setting_.contact[mode_->closed[i].contact];
-    const double exponent = contact::power_law(one.law)->exponent;
     const auto& now = traced_.contact(i);
-    const auto& depth = now.motion.indentation;
-    const int place = depth.place_on(recording.tape);
+    const auto law = traced_.recorded(mode_->closed[i], one, now.motion.indentation, -now.motion.gap_rate);
+    const int place = law.left.place_on(recording.tape);
     recording.contact.push_back({.depth = place,
-                                 .root = exponent == 1.5 ? sqrt(depth).place_on(recording.tape) : -1,
+                                 .root = law.root ? law.root->place_on(recording.tape) : -1,
                                  .open = slot_guard(mode_->closed[i].slot, SlotGuard::open),
                                  .normal = now.normal.place_on(recording.tape),
                                  .friction = friction_size(now).place_on(recording.tape),
                                  .is_square = D == 3,
                                  .begins = recording.tape[place].op == series::TapeOp::onset,
-                                 .negligible = one.length * std::pow(share * accuracy, 1 / (exponent + 1))});
+                                 .negligible = negligible(law, one.length, share * accuracy)});
   }
 }
 

@@ -13,20 +13,12 @@ namespace mariotte::model {
 template <class T>
 inline constexpr bool is_recorded = std::is_same_v<T, series::Traced>;
 
-/// True of laws whose force is known on a tape: δⁿ⁻¹ (k δ + c δ̇) with n = 1 or 3/2.
-inline bool can_be_recorded(const contact::Law& law) {
-  const auto* power = contact::power_law(law);
-  return power && (power->exponent == 1 || power->exponent == 1.5);
-}
-
-/// δⁿ⁻¹; on a tape of a law that can be recorded.
+/// δⁿ⁻¹.
 template <class T>
 T width_of(const contact::PowerLaw& law, const T& depth) {
   using std::pow, std::sqrt;
   if (law.exponent == 1) return T(1.0);
-  if constexpr (!is_recorded<T>)
-    if (law.exponent != 1.5) return pow(depth, T(law.exponent - 1));
-  return sqrt(depth);
+  return law.exponent == 1.5 ? sqrt(depth) : pow(depth, T(law.exponent - 1));
 }
 
 /// What has the sign of the force of a law that can be recorded.
@@ -75,17 +67,12 @@ N moved_load(const LawNumbers<N>& numbers, double depth, double rate) {
 /// Force of either sign.
 template <class T, int D, class N>
 T law_force(const SettingContact<D, N>& one, const contact::Memory& past, const T& depth, const T& rate) {
-  if constexpr (is_recorded<T>) {
-    const auto& law = *contact::power_law(one.law);
-    return width_of(law, depth) * recorded_load(law, depth, rate);
-  } else {
-    const double d = series::value_of(depth), r = series::value_of(rate);
-    T force = answer(smooth_force(one.law, past, d, r), depth, rate);
-    if constexpr (!std::is_same_v<N, double>)
-      if (const auto* power = contact::power_law(one.law); power && d > 0)
-        force = force + contact::contact_width(power->exponent, d) * moved_load(one.numbers, d, r);
-    return force;
-  }
+  const double d = series::value_of(depth), r = series::value_of(rate);
+  T force = answer(smooth_force(one.law, past, d, r), depth, rate);
+  if constexpr (!std::is_same_v<N, double>)
+    if (const auto* power = contact::power_law(one.law); power && d > 0)
+      force = force + contact::contact_width(power->exponent, d) * moved_load(one.numbers, d, r);
+  return force;
 }
 
 /// What has the sign of the force.
