@@ -1,4 +1,5 @@
 // Bodies in contact by series beside CVODE, which shares their field but neither clocks nor polynomials.
+#include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
@@ -135,6 +136,12 @@ hybrid::Options options(double accuracy, std::optional<flow::Kind> kind) {
   return options;
 }
 
+/// What adheres may stay so.
+hybrid::Options until(bool branched, hybrid::Options options) {
+  if (branched) options.max_time = 0.04;
+  return options;
+}
+
 double difference(const impact::BodiesImpact& a, const impact::BodiesImpact& b) {
   double most = 0;
   for (std::size_t i = 0; i < a.body.size(); ++i)
@@ -157,9 +164,7 @@ void compare(int dimension, unsigned seed, int count, bool branched = false) {
   for (int i = 0; i < count; ++i) {
     const auto bodies = scenes.next(dimension);
     const auto run = [&](flow::Kind kind) {
-      auto asked = options(1e-9, kind);
-      if (branched) asked.max_time = 0.04;
-      return impact::simulate(bodies, asked);
+      return impact::simulate(bodies, until(branched, options(1e-9, kind)));
     };
     const auto one = run(flow::Kind::taylor), two = run(flow::Kind::cvode_adams);
     BOOST_TEST_CONTEXT("scene " << i) {
@@ -318,18 +323,22 @@ BOOST_AUTO_TEST_CASE(several_contacts_of_balls_go_as_recorded_ones) {
 }
 
 /// Forces are polynomials of the steps, and their peaks roots of slopes; CVODE's are looked for.
-BOOST_AUTO_TEST_CASE(peaks_of_forces_are_those_of_cvode) {
+BOOST_DATA_TEST_CASE(peaks_of_forces_are_those_of_cvode, boost::unit_test::data::make({false, true}),
+                     branched) {
   for (const int dimension : {2, 3}) {
-    Scenes scenes(5);
+    Scenes scenes(5, branched);
     for (int i = 0; i < 12; ++i) {
       const auto bodies = scenes.next(dimension);
-      const auto one = impact::simulate(bodies, options(1e-9, flow::Kind::taylor));
-      const auto two = impact::simulate(bodies, options(1e-9, flow::Kind::cvode_adams));
+      const auto run = [&](flow::Kind kind) {
+        return impact::simulate(bodies, until(branched, options(1e-9, kind)));
+      };
+      const auto one = run(flow::Kind::taylor), two = run(flow::Kind::cvode_adams);
       BOOST_TEST_CONTEXT("scene " << i << " in " << dimension << "D")
       for (std::size_t c = 0; c < one.contacts.size(); ++c) {
         const auto &a = one.contacts[c], &b = two.contacts[c];
         BOOST_TEST(std::abs(a.peak_force - b.peak_force) <= 1e-5 * b.peak_force);
         BOOST_TEST(std::abs(a.peak_friction - b.peak_friction) <= 1e-5 * b.peak_force);
+        BOOST_TEST(std::abs(a.peak_indentation - b.peak_indentation) <= 1e-5 * b.peak_indentation);
       }
     }
   }

@@ -16,15 +16,15 @@ struct RecordedGuard {
   double sign;
 };
 
-/// A closed contact: its indentation δ on the tape, √δ if force or stiffness has that root, and the guard
-/// that opens it.
+/// A closed contact: its indentation on the tape, that until it lets go, what has the root of that if force
+/// or stiffness do, and the guard that opens it.
 struct RecordedContact {
-  int depth;
+  int depth, left;
   int root;  ///< or −1
   Index open;
   int normal, friction;  ///< forces
   bool is_square;        ///< of friction
-  bool begins;           ///< δ is 0 now, and grows
+  bool begins;           ///< `left` is 0 now, and grows
   double negligible;     ///< indentation from which what is left until it opens is below the accuracy
 };
 

@@ -59,7 +59,7 @@ struct RecordedTaylor::Memory {
     clocks_.clear();
     for (const auto& one : recording.guard) seen_.push_back(one.place);
     for (const auto& one : recording.contact) {
-      for (const int place : {one.depth, one.normal, one.friction}) seen_.push_back(place);
+      for (const int place : {one.depth, one.left, one.normal, one.friction}) seen_.push_back(place);
       if (one.root >= 0) clocks_.push_back(one.root);
     }
     series.prepare(recording.tape, recording.state, clocks_, seen_);
@@ -122,10 +122,10 @@ struct RecordedTaylor::Memory {
     load(x);
     series.expand(values_, 1, {});
     for (const auto& one : recording.contact) {
-      const auto depth = series.row(one.depth);
-      const double left = -depth[0] / depth[1];
-      if (depth[1] < 0 && depth[0] < one.negligible && left < short_step * problem_->time_scale())
-        return std::pair(one.open, left);
+      const auto left = series.row(one.left);
+      const double time = -left[0] / left[1];
+      if (left[1] < 0 && left[0] < one.negligible && time < short_step * problem_->time_scale())
+        return std::pair(one.open, time);
     }
     return std::nullopt;
   }
@@ -169,9 +169,9 @@ struct RecordedTaylor::Memory {
     double nearest = infinity;
     TapeClock chosen{.kind = TapeClock::Kind::root, .root = clocks_.front()};
     for (const auto& one : recording.contact) {
-      const auto depth = series.row(one.depth);
-      const double left = depth[0] / std::abs(depth[1]);
-      if (one.root >= 0 && left < nearest) nearest = left, chosen.root = one.root;
+      const auto left = series.row(one.left);
+      const double time = left[0] / std::abs(left[1]);
+      if (one.root >= 0 && time < nearest) nearest = time, chosen.root = one.root;
     }
     return chosen;
   }

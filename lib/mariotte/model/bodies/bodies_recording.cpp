@@ -128,10 +128,6 @@ Traced friction_size(const ContactForces<Traced, 3>& c) {
   return dot(c.friction, c.friction);
 }
 
-}  // namespace
-
-namespace {
-
 /// What a contact still does at a depth δ before it opens is (δ/L)ⁿ⁺¹ of what it can do.
 double negligible(const RecordedForce& law, double length, double share) {
   return law.exponent > 0 ? length * std::pow(share, 1 / (law.exponent + 1)) : 0;
@@ -148,7 +144,8 @@ void BodiesPhase<D>::record_contacts(double accuracy, flow::Recording& recording
     const auto& now = traced_.contact(i);
     const auto law = traced_.recorded(mode_->closed[i], one, now.motion.indentation, -now.motion.gap_rate);
     const int place = law.left.place_on(recording.tape);
-    recording.contact.push_back({.depth = place,
+    recording.contact.push_back({.depth = now.motion.indentation.place_on(recording.tape),
+                                 .left = place,
                                  .root = law.root ? law.root->place_on(recording.tape) : -1,
                                  .open = slot_guard(mode_->closed[i].slot, SlotGuard::open),
                                  .normal = now.normal.place_on(recording.tape),
