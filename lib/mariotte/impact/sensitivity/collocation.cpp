@@ -15,7 +15,9 @@ constexpr int most_halvings_at_root = 5;  ///< nearer to it the indentation is r
 constexpr Index largest_division = 480;   ///< beyond it sweeps cost less than a division
 constexpr Index cheapest_division = 120;  ///< up to it a division costs less than sweeps
 constexpr int most_sweeps = 60;
-constexpr double weak = 3;  ///< of what a piece does: a few sweeps cost less than a division
+constexpr double weak = 3;     ///< of what a piece does: a few sweeps cost less than a division
+constexpr double stiff = 1e3;  ///< what has not died away is then left in all orders alike
+constexpr double reserve = 1000;  ///< of the accuracy: what such a piece may leave
 
 using Matrix = Eigen::MatrixXd;
 
@@ -220,10 +222,11 @@ struct Collocation::Memory {
   bool resolves(const SlopeMatrix& slopes, bool is_last, double whole) {
     const auto [before, last] = tails(slopes);
     highest = last;
-    if (is_resolved(before, last, accuracy)) return true;
+    const bool is_stiff = last > reserve * accuracy && strength() > stiff;
+    if (is_resolved(before, last, accuracy) && !is_stiff) return true;
     const bool is_noise = last >= whole;
     is_last |= is_noise || last <= rounding();
-    if (is_last) unresolved = std::max(unresolved, is_noise ? last : remainder(before, last));
+    if (is_last) unresolved = std::max(unresolved, is_noise || is_stiff ? last : remainder(before, last));
     return is_last;
   }
 
