@@ -10,9 +10,7 @@
 #include "command_line/terminal.hpp"
 #include "mariotte/core/counted.hpp"
 #include "mariotte/report/json/json.hpp"
-#include "mariotte/scene/restitution.hpp"
 #include "mariotte/study/fault.hpp"
-#include "pair_choice.hpp"
 #include "scene_choice.hpp"
 
 namespace mariotte::command {
@@ -23,16 +21,6 @@ struct Capture {
   double tolerance = 1e-9;
   bool json = false;
 };
-
-/// Of a body on a plane, or of two bodies of a chain.
-std::optional<impact::CaptureVelocity> find(const Capture& options, const scene::Document& document,
-                                            const scene::Scene& scene) {
-  const auto* chain = std::get_if<model::Chain>(&scene.model);
-  if (!chain) return study::capture_velocity(document, options.tolerance);
-  const auto pair = pair_of(scene, options.scene.path, "captured");
-  const double approach = scene::largest_approach(*chain);
-  return impact::capture_velocity(pair, approach > 0 ? approach : 1, options.tolerance);
-}
 
 std::string table(const impact::CaptureVelocity& found, const scene::Scene& scene) {
   return fmt::format(
@@ -53,7 +41,7 @@ report::Json json(const impact::CaptureVelocity& found, const scene::Scene& scen
 int capture(const Capture& options) {
   const auto document = open(options.scene);
   const auto scene = resolve(options.scene, document);
-  const auto found = find(options, document, scene);
+  const auto found = study::capture_velocity(document, options.tolerance);
   if (!found) {
     error("no capture velocity within a factor of a million of the scene's speed", fault::no_capture);
     return ExitCode::check_failed;

@@ -9,7 +9,7 @@
 #include "command_line/terminal.hpp"
 #include "mariotte/report/csv/columns.hpp"
 #include "mariotte/report/json/json.hpp"
-#include "pair_choice.hpp"
+#include "mariotte/study/pair_choice.hpp"
 #include "scene_choice.hpp"
 
 namespace mariotte::command {
@@ -62,7 +62,7 @@ report::Json json(const std::vector<Point>& curve, const scene::Scene& scene, co
 
 int restitution(const Curve& options) {
   const auto scene = read(options.scene);
-  const auto pair = pair_of(scene, options.scene.path, "followed at other speeds");
+  const auto pair = study::pair_of(scene, options.scene.path, "followed at other speeds");
   const auto curve = points(options, pair);
   print(options.json ? report::text(json(curve, scene, pair)) : table(curve, scene, pair));
   return ExitCode::ok;

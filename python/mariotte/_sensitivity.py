@@ -131,8 +131,11 @@ def vjp(scene: Scene[Any], weights: Mapping[str, Any], *, to: Union[str, Sequenc
     """
     if list(weights) != ["velocity"] or not _core.sweeps_back(scene._box):
         return sensitivity(scene, to=to).vjp(weights)
-    of_balls = [float(weight) for weight in weights["velocity"]]
-    return Sensitivity(json.loads(_core.sensitivity_of_sum(scene._box, names(to), of_balls))).vjp({"sum": 1})
+    of_balls = _numbers(weights["velocity"])
+    if of_balls.ndim != 1:
+        raise ValueError(f"weights of velocity are one per ball, not of the shape {of_balls.shape}")
+    found = _core.sensitivity_of_sum(scene._box, names(to), of_balls.tolist())
+    return Sensitivity(json.loads(found)).vjp({"sum": 1})
 
 
 def _numbers(values: Any) -> Array:

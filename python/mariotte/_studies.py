@@ -36,12 +36,12 @@ class CaptureVelocity(NamedTuple):
 
 
 def capture_velocity(body: Scene[Any], *, tolerance: float = 1e-9) -> CaptureVelocity:
-    """Find the normal speed below which a body does not come off the plane again.
+    """Find the normal speed below which a body does not come off the plane again, or two bodies off each other.
 
     Parameters
     ----------
-    body : Body
-        Its normal speed is where the search starts.
+    body : Body or Chain
+        Its normal speed is where the search starts; of a chain, which has two bodies, their approach.
     tolerance : float
         Width of the bracket, relative to the speed.
 

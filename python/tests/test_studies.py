@@ -24,6 +24,19 @@ def test_capture_velocity_is_that_of_the_command(command_json):
     assert float(found) == found.value
 
 
+def test_two_balls_that_adhere_have_a_capture_velocity(tmp_path, command_json):
+    pair = tmp_path / "pair.toml"
+    pair.write_text("[chain]\nmass = [1, 2]\nvelocity = [1, 0]\nlaw = 'jkr'\neffective_modulus = 1e5\n"
+                    "effective_radius = 0.01\nwork_of_adhesion = 0.1\n")
+    assert mt.capture_velocity(mt.load(pair)).value == command_json("capture", pair)["capture_velocity"]
+
+
+def test_weights_of_a_long_row_are_one_per_ball():
+    row = mt.Chain(mass=[1.0] * 200, velocity=[1.0] + [0.0] * 199, law="hertz", stiffness=1)
+    with pytest.raises(ValueError, match="weights of velocity are one per ball"):
+        mt.vjp(row, {"velocity": 3})
+
+
 def test_a_body_that_is_never_captured_is_an_error():
     ball = mt.Body(shape="sphere", radius=1e-6, density=1000, surface={"stiffness": 1e9},
                    incidence={"normal_speed": 1})

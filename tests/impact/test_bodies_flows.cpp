@@ -6,7 +6,7 @@
 #include <random>
 
 #include "mariotte/impact/bodies/bodies_impact.hpp"
-#include "support/random_bodies.hpp"
+#include "support/meeting_bodies.hpp"
 
 using namespace mariotte;
 using model::TangentialLaw;

@@ -1,12 +1,19 @@
 #include "mariotte/study/capture.hpp"
 
 #include "mariotte/scene/key_path.hpp"
+#include "mariotte/scene/restitution.hpp"
+#include "mariotte/study/pair_choice.hpp"
 
 namespace mariotte::study {
 
 std::optional<impact::CaptureVelocity> capture_velocity(scene::Document document, double tolerance,
                                                         const std::function<void()>& watch) {
   const auto scene = resolve(document);
+  if (const auto* chain = std::get_if<model::Chain>(&scene.model)) {
+    const double approach = scene::largest_approach(*chain);
+    return impact::capture_velocity(pair_of(scene, document.source.name, "captured"),
+                                    approach > 0 ? approach : 1, tolerance);
+  }
   const auto& body = body_of(scene, document.source.name, "captured");
   // ζ's are read again at every speed, since the damping they stand for depends on it.
   const auto at_speed = [&](double speed) {

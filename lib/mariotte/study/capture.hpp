@@ -9,10 +9,10 @@
 
 namespace mariotte::study {
 
-/// Found from the scene's normal speed on; all else is as the scene says, but for the damping that ζ's or a
-/// restitution stand for where they depend on the speed. `watch` is called before every impact; what it
-/// throws ends the search. Throws SceneError for a scene without [body], and what impact::capture_velocity
-/// throws.
+/// Of a microbody, or of two bodies of a chain. Found from the scene's normal speed, or approach, on; all
+/// else is as the scene says, but for the damping that ζ's or a restitution stand for where they depend on
+/// the speed. `watch` is called before every impact; what it throws ends the search. Throws SceneError for a
+/// scene of anything else, and what impact::capture_velocity throws.
 std::optional<impact::CaptureVelocity> capture_velocity(
     scene::Document document, double tolerance, const std::function<void()>& watch = [] {});
 

@@ -1,8 +1,8 @@
-#include "pair_choice.hpp"
+#include "mariotte/study/pair_choice.hpp"
 
 #include "mariotte/scene/restitution.hpp"
 
-namespace mariotte::command {
+namespace mariotte::study {
 
 impact::Pair pair_of(const scene::Scene& scene, const std::string& file, const char* what) {
   const auto* chain = std::get_if<model::Chain>(&scene.model);
@@ -11,4 +11,4 @@ impact::Pair pair_of(const scene::Scene& scene, const std::string& file, const c
   return {chain->law[0], scene::reduced_mass(*chain, 0)};
 }
 
-}  // namespace mariotte::command
+}  // namespace mariotte::study
