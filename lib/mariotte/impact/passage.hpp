@@ -42,12 +42,18 @@ inline Index single_wave(Index contacts) {
 }
 inline constexpr Index first_impact = 1;
 
+/// Durations of a contact that a flight may last before errors count that it makes larger.
+inline constexpr double long_flight = 100;
+/// How many times larger flights have made errors, beyond that.
+inline double growth_in_flight(const Passage& passage) {
+  return std::max(1.0, passage.flight / long_flight);
+}
+
 /// True if errors may have grown: contacts have closed so often that what one does wrong is magnified by the
 /// next, or the errors of many steps have added up, or a long flight has moved what pushes together then.
 /// After very many periods rounding alone decides the end, and each run takes minutes.
 inline bool may_have_erred(const Passage& passage) {
   constexpr Index most = 100'000;
-  constexpr double long_flight = 100;
   return (passage.periods > passage.harmless || passage.steps > 60 + 10 * passage.contacts ||
           passage.flight > long_flight) &&
          passage.periods <= most;

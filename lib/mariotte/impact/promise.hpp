@@ -6,7 +6,7 @@
 //   unless contacts have closed again and again, or pushed for long, or together
 //   after a long flight: done                                                 a single wave pays nothing
 //   repeat
-//     a ← tighter, as the last difference says; run again
+//     a ← tighter, as the last difference says, or the longest flight; run again
 //     difference of the velocities ≤ accuracy asked for?  → the tighter run, with the difference as estimate
 //     a cannot get tighter?                               → the same
 //   they did not agree, or what they did may hide rounding?
@@ -27,12 +27,11 @@
 
 namespace mariotte::impact {
 
-/// Accuracy of the next run after one at `now`, which differs from the one before by `difference`; empty if
-/// double precision has no more to give than what is `attainable`.
-inline std::optional<double> next_accuracy(double wanted, double now, std::optional<double> difference,
-                                           double attainable) {
+/// Accuracy of the next run after one at `now`, which may be off by `difference`; empty if double precision
+/// has no more to give than what is `attainable`.
+inline std::optional<double> next_accuracy(double wanted, double now, double difference, double attainable) {
   constexpr double share = 1.0 / 32;
-  const double excess = difference ? std::clamp(wanted / *difference, 1e-6, 1.0) : 1;
+  const double excess = std::clamp(wanted / difference, 1e-6, 1.0);
   const double next = std::max(attainable, share * excess * now);
   return next <= 0.5 * now ? std::optional(next) : std::nullopt;
 }
@@ -65,11 +64,12 @@ template <class Run, class Shake>
 std::optional<double> keep_promise(const hybrid::Options& asked, const Passage& gone, Run&& run,
                                    Shake&& shake) {
   const double summed_rounding = epsilon * static_cast<double>(gone.steps);
+  const double feared = asked.accuracy * growth_in_flight(gone);
   std::optional<double> last;
   auto now = asked;
   double looser = asked.accuracy;
   while (!last || *last > asked.accuracy) {
-    const auto accuracy = next_accuracy(asked.accuracy, now.accuracy, last, gone.attainable);
+    const auto accuracy = next_accuracy(asked.accuracy, now.accuracy, last.value_or(feared), gone.attainable);
     if (!accuracy) break;
     looser = std::exchange(now.accuracy, *accuracy);
     const std::optional<double> apart = run(now);

@@ -40,7 +40,7 @@ void TripletRuns::follow() {
 
 /// Those whose errors may have grown.
 void TripletRuns::follow_tighter() {
-  finer_ = next_accuracy(accuracy_, accuracy_, std::nullopt, attainable).value_or(accuracy_);
+  finer_ = next_accuracy(accuracy_, accuracy_, accuracy_, attainable).value_or(accuracy_);
   for (std::size_t i = 0; i < triplet_.size(); ++i) {
     if (!may_have_erred(passage(triplet_[i]))) continue;
     again_.push_back(i);
