@@ -191,12 +191,13 @@ int Stepper::narrowest() const {
 /// Where the last coefficients come to the tolerance, but no further than a safe share of the radius of
 /// convergence: beyond, a weak singularity, a contact about to let go, hides behind small coefficients. From
 /// a turn on a motion has every second coefficient only: the last ones of δ and δ̇ are one number, which may
-/// be small by chance. So the two before are looked at, too.
+/// be small by chance. So the two before are looked at, too. Where those vanish, the last are rounding, and
+/// their quotient says nothing.
 double Stepper::reach(const Piece& piece) const {
   const bool fresh = piece.clock != Expansion::plain && window.lanes.rate[piece.clock] > 0;
   const int group = fresh ? 5 : 2;  // near an onset four of five vanish, or nearly so
   const int first = piece.order - 2 * group + 1;
-  double end = infinity, last = tiny, before = tiny, size[10];
+  double end = infinity, last = 0, before = 0, size[10];
   piece.series->sizes(first, size);
   const auto bound = [&](int i, double most) {
     end = std::min(end, rough_root(most / std::max(size[i], tiny), first + i));
@@ -207,7 +208,7 @@ double Stepper::reach(const Piece& piece) const {
     last = std::max(last, size[group + i]);
     before = std::max(before, size[i]);
   }
-  if (!(last > tiny)) return std::min(end, freed_stride * stride);
+  if (!(std::min(last, before) > tiny)) return std::min(end, freed_stride * stride);
   return std::min(end, safe_radius * rough_root(before / last, group));
 }
 
