@@ -15,6 +15,13 @@ Index resting_contacts(const BodiesSetting<D>& setting) {
                        [](const auto& c) { return c.gap == 0; });
 }
 
+/// What a contact that lets go lets go with: its force where it can pull, else that of its power of δ.
+template <int D>
+double load_of(const SettingContact<D>& one, const ContactForces<double, D>& now) {
+  if (contact::pulls(one.law)) return now.normal;
+  return law_load<double>(one, now.motion.indentation, -now.motion.gap_rate);
+}
+
 /// Slots that are made at once; more are added when so many contacts are closed together.
 constexpr Index first_slots = 12;
 
@@ -161,6 +168,23 @@ void BodiesSystem<D>::open_parted(Mode& mode, std::vector<double>& x, std::vecto
     if (has_parted(setting_, layout(x), mode.closed[i], x)) open(mode, i, x, changes);
 }
 
+/// Contacts whose load has vanished where another guard fires, or within rounding of that: their own would
+/// fire no more.
+template <int D>
+void BodiesSystem<D>::slacken(Mode& mode, ConstState x, std::vector<Change>& changes) const {
+  const auto has_vanished = [&](std::size_t i) {
+    const auto& law = setting_.contact[mode.closed[i].contact].law;
+    if (mode.closed[i].slack || !(contact::pulls(law) || contact::goes_slack(law))) return false;
+    const auto& now = field(mode, x).contact(i);
+    return now.motion.gap_rate > 0 && load_of(setting_.contact[mode.closed[i].contact], now) < 0;
+  };
+  for (std::size_t i = 0; i < mode.closed.size(); ++i) {
+    if (!has_vanished(i)) continue;
+    mode.closed[i].slack = true;
+    changes.push_back({mode.closed[i].contact, BodyEvent::slack});
+  }
+}
+
 template <int D>
 void BodiesSystem<D>::pass_slot(SlotGuard guard, Mode& mode, std::size_t place, std::vector<double>& x,
                                 std::vector<Change>& changes) const {
@@ -219,6 +243,7 @@ void BodiesSystem<D>::transition(Mode& mode, const std::vector<Index>& fired, st
   std::sort(fired_.begin(), fired_.end());
   for (const Index guard : fired_) pass_guard(guard, touching_, mode, x, changes);
   open_parted(mode, x, changes);
+  slacken(mode, x, changes);
   stop_yielding(yielded_, mode, x, changes);
   leave_rest(mode, x);
   if (fired.empty()) stay_at_rest(mode, x, changes);

@@ -71,6 +71,7 @@ class BodiesSystem {
                    std::vector<Change>& changes) const;
   double held_at_the_end(const Mode& mode, std::size_t place, ConstState x) const;
   void open_parted(Mode& mode, std::vector<double>& x, std::vector<Change>& changes) const;
+  void slacken(Mode& mode, ConstState x, std::vector<Change>& changes) const;
   void stop_yielding(const std::vector<Index>& slots, Mode& mode, std::vector<double>& x,
                      std::vector<Change>& changes) const;
   bool is_yielding(const ClosedContact& one) const;
