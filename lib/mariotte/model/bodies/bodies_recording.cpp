@@ -11,7 +11,6 @@ namespace mariotte::model {
 using series::Traced;
 
 /// A slip in space comes to rest, or turns ever faster towards the end of its contact, where no series goes.
-/// Springs that hold in space under forces with branches are left to CVODE: series lost their energy once.
 /// Nor has a series the slip of a Mindlin spring under a linear force: the rate at which it gives way has
 /// poles where the contact begins and ends.
 template <int D>
@@ -20,8 +19,6 @@ bool BodiesPhase<D>::can_be_recorded(const ClosedContact& mode) const {
   if (!model::can_be_recorded(one.law, mode.past) || (D == 3 && mode.friction == Friction::slip))
     return false;
   const auto* power = contact::power_law(one.law);
-  if (D == 3 && !power && !mode.slack && mode.friction == Friction::stick && one.tangential.has_spring())
-    return false;
   return one.tangential.law != TangentialLaw::mindlin || (power && power->exponent == 1.5);
 }
 
