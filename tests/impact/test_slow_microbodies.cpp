@@ -26,10 +26,10 @@ model::Microbody slim(const Slim& s) {
   const contact::Surface surface{.stiffness = s.stiffness, .adhesion = s.adhesion};
   model::Microbody body;
   body.body = s.body;
-  body.law.assign(
-      2, contact::brach_dunn(surface, radius,
-                             contact::hertz_damping(s.zeta_hertz, surface, radius, density, speed),
-                             contact::adhesion_damping(s.zeta_adhesion, surface, radius, density, speed)));
+  body.law.assign(s.body.tips.size(),
+                  contact::brach_dunn(
+                      surface, radius, contact::hertz_damping(s.zeta_hertz, surface, radius, density, speed),
+                      contact::adhesion_damping(s.zeta_adhesion, surface, radius, density, speed)));
   body.friction = {s.friction};
   body.velocity = s.velocity;
   body.attitude = from_euler(s.angles);
@@ -104,9 +104,20 @@ BOOST_AUTO_TEST_CASE(a_strongly_damped_sphere_is_not_captured_where_it_turns) {
                       .zeta_adhesion = 5.1152162240236621,
                       .friction = 0.10541847988405839,
                       .velocity = {-2.094691679475146, -2.0121050460282763, 0}});
-  sphere.law.resize(1);
   sphere.spin = {0, 0, -504496.48036567675};
   expect_same_at_every_accuracy(sphere);
+}
+
+// Just after the onset the pull of a big sphere is overcome, and the step behind that event is a long one: as
+// at the onset, four of five coefficients are hardly more than zero.
+BOOST_AUTO_TEST_CASE(a_step_that_begins_next_to_the_onset_is_as_accurate_as_one_that_begins_there) {
+  expect_same_at_every_accuracy(slim({.body = model::sphere(0.0074771296855076896, density),
+                                      .adhesion = 0.010537732158245496,
+                                      .zeta_hertz = 0,
+                                      .zeta_adhesion = 0,
+                                      .friction = 0.37075408225542733,
+                                      .velocity = {-31.731955783521453, 0, 0},
+                                      .stiffness = 175844925360.82153}));
 }
 
 BOOST_AUTO_TEST_CASE(a_slip_in_space_ends_at_the_tightest_accuracy) {

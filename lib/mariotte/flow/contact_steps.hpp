@@ -4,8 +4,6 @@
 
 namespace mariotte::flow {
 
-/// Last coefficients that bound a step: where contacts begin only one in five differs from zero.
-inline constexpr int last_terms = 2, last_onset_terms = 5;
 /// So many steps, each shorter than this share of the natural time, lead towards a point that no series
 /// passes: the slip of a spring in space where its contact opens, or a slip that comes to rest.
 inline constexpr SeriesLimits contact_limits{.steps = 3000, .stalled = 12};
@@ -21,16 +19,20 @@ inline double to_the(double x, int k) {
   return half * half * (k % 2 == 1 ? x : 1);
 }
 
-/// Largest place at which none of so many last terms of series exceeds what it may; size(k) is the largest
+/// Largest place at which none of the last terms of series exceeds what it may; size(k) is the largest
 /// coefficient k over its size. Most often the first of them decides, and the others take no root.
 template <class Size>
-double reach_of_last(int terms, int order, double accuracy, Size&& size) {
+double reach_of_last(std::span<const double> time, int order, double accuracy, Size&& size) {
   const double most = series_share * force_share * accuracy;
   double reach = infinity;
-  for (int k = order - terms + 1; k <= order; ++k) {
-    const double now = size(k);
-    if (now * to_the(reach, k) > most) reach = std::pow(most / now, 1.0 / k);
-  }
+  const auto bound = [&](int first, int last) {
+    for (int k = first; k <= last; ++k) {
+      const double now = size(k);
+      if (now * to_the(reach, k) > most) reach = std::pow(most / now, 1.0 / k);
+    }
+  };
+  bound(order - last_terms + 1, order);
+  if (begins_at_onset(time, reach)) bound(order - last_onset_terms + 1, order - last_terms);
   return reach;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "mariotte/flow/flow.hpp"
@@ -17,6 +18,15 @@ inline int series_order(double accuracy) {
   if (accuracy > 1e-5) return 10;
   if (accuracy > 3e-8) return 14;
   return accuracy > 3e-12 ? 18 : 22;
+}
+
+/// Last coefficients that bound a step: next to where a contact begins only one in five is much more than
+/// zero.
+inline constexpr int last_terms = 2, last_onset_terms = 5;
+/// Whether a step in a contact's own clock begins there, or so soon after that most of the pace of the clock
+/// is still to come.
+inline bool begins_at_onset(std::span<const double> time, double step) {
+  return time[1] < 0.4 * time[2] * step;
 }
 
 /// Where a step ends in the clock of its series, and the guard that ends it.

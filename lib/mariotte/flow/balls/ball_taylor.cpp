@@ -77,8 +77,7 @@ class BallTaylor::Expansion {
   double accuracy_ = 0, shortest_ = 0, first_cap_ = 0, place_ = 0;
 
   double step_length() const {
-    const int terms = start_[BallMotion::root] == 0 ? last_onset_terms : last_terms;
-    return reach_of_last(terms, order(), accuracy_, [&](int k) {
+    return reach_of_last(time(), order(), accuracy_, [&](int k) {
       double size = 0;
       for (int i = 0; i < BallMotion::states; ++i)
         size = std::max(size, std::abs(series_[i][k]) * contact_->weight[i]);

@@ -118,8 +118,7 @@ class ClusterTaylor::Expansion {
   }
 
   double step_length() const {
-    const int terms = series_.clock()[0] == 0 ? last_onset_terms : last_terms;
-    return reach_of_last(terms, order(), accuracy_, [&](int k) { return series_.size(k); });
+    return reach_of_last(series_.time(), order(), accuracy_, [&](int k) { return series_.size(k); });
   }
 
   bool stays_far(ConstState x, double step) {

@@ -16,18 +16,16 @@ using series::TapeSeries;
 /// Of the series in τ so many last coefficients may be incomplete.
 constexpr int onset_loss = 4;
 
-/// Largest place at which none of the last `terms` of a component exceeds what it may.
+/// Largest place at which none of the last terms of a component exceeds what it may.
 double step_length(const Recording& recording, const TapeSeries& series, ConstState magnitude,
-                   double accuracy, int order, int terms) {
-  double step = infinity;
-  for (std::size_t i = 0; i < recording.state.size(); ++i) {
-    const auto row = series.row(recording.state[i].place);
-    const double allowed = series_share * accuracy * magnitude[recording.component[i]];
-    for (int k = order; k > order - terms; --k)
-      if (const double size = std::abs(row[k]); size != 0)
-        step = std::min(step, std::pow(allowed / size, 1.0 / k));
-  }
-  return step;
+                   double accuracy, int order) {
+  return reach_of_last(series.time(), order, accuracy, [&](int k) {
+    double size = 0;
+    for (std::size_t i = 0; i < recording.state.size(); ++i)
+      size = std::max(size,
+                      std::abs(series.row(recording.state[i].place)[k]) / magnitude[recording.component[i]]);
+    return size;
+  });
 }
 
 template <class T>
@@ -84,8 +82,7 @@ struct RecordedTaylor::Memory {
     clock_ = clock(first);
     const bool onset = clock_.kind == TapeClock::Kind::onset;
     series.expand(values_, order() + (onset ? onset_loss : 0), clock_);
-    return step_length(recording, series, problem_->magnitudes(), force_share * accuracy_, order(),
-                       onset ? last_onset_terms : last_terms);
+    return step_length(recording, series, problem_->magnitudes(), accuracy_, order());
   }
 
   SeriesEnd end(double reach, bool first, State x) {

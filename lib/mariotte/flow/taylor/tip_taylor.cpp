@@ -89,17 +89,20 @@ double reach_of_friction(const Series&, const TipPhase&, double, int) {
   return infinity;
 }
 
-/// From the last coefficients; where the tip touches, from as many as may vanish between two that do not. The
-/// squares in the cone of a tip that sticks in space lose more by being cut off: half the step makes up for
-/// it.
+/// From the last coefficients. The squares in the cone of a tip that sticks in space lose more by being cut
+/// off: half the step makes up for it.
 template <class Series>
 double step_length(const Series& series, const TipPhase& phase, double accuracy, int order) {
   const double allowed = series_share * accuracy * phase.speed;
-  const int last = series[series.s][0] == 0 ? 5 : 2;
   double step = reach_of_friction(series, phase, accuracy, order);
-  for (int k = order; k > order - last; --k)
-    if (const double c = coefficient(series, phase, k); c != 0)
-      step = std::min(step, std::pow(allowed / c, 1.0 / k));
+  const auto bound = [&](int last, int first) {
+    for (int k = last; k >= first; --k)
+      if (const double c = coefficient(series, phase, k); c != 0)
+        step = std::min(step, std::pow(allowed / c, 1.0 / k));
+  };
+  bound(order, order - last_terms + 1);
+  if (begins_at_onset(terms(series[series.time], order), step))
+    bound(order - last_terms, order - last_onset_terms + 1);
   const bool squares = phase.cone >= 0 && phase.motion == TipPhase::Motion::spatial;
   return squares ? 0.5 * step : step;
 }
