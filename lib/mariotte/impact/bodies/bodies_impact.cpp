@@ -79,11 +79,14 @@ void keep_used(Index named, const std::vector<OneEvent>& events, BodiesImpact& i
   }
 }
 
+/// `attainable` grows to the share of indentations that is rounding, which is the most that can be asked for.
 template <int D>
-BodiesImpact simulate_once(const model::Bodies& bodies, model::BodiesSetting<D> setting,
-                           const hybrid::Options& options, const RunObserver& observers) {
+BodiesImpact simulate_once(const model::Bodies& bodies, const hybrid::Options& options,
+                           const RunObserver& observers, double caution, double& attainable) {
   using System = model::BodiesSystem<D>;
   const auto over = options.flies_on ? model::Over::at_time_limit : model::Over::separated;
+  auto setting = model::setting_of<D>(bodies, options.accuracy, options.max_time);
+  setting.caution = caution;
   System system(bodies, std::move(setting), over);
   const auto start = initial_state(bodies, system.setting());
   hybrid::Workspace<System> workspace;
@@ -115,13 +118,8 @@ BodiesImpact simulate_once(const model::Bodies& bodies, model::BodiesSetting<D> 
       balances(system, workspace.mode, start, run.state, impact.contacts, impact, options.accuracy);
   pass_gate(list, impact.ending, impact.message);
   keep_used(bodies.named, told, impact);
+  attainable = std::max(attainable, system.setting().rounding);
   return impact;
-}
-
-template <int D>
-BodiesImpact simulate_once(const model::Bodies& bodies, const hybrid::Options& options,
-                           const RunObserver& observers) {
-  return simulate_once(bodies, model::setting_of<D>(bodies, options.accuracy), options, observers);
 }
 
 /// Largest difference of velocities and of spin × reach, relative to the largest speed at the start, at the
@@ -157,17 +155,21 @@ Passage passage(const BodiesImpact& impact, double attainable) {
 template <int D>
 BodiesImpact simulate_in(const model::Bodies& bodies, const hybrid::Options& options,
                          const RunObserver& observers) {
-  auto setting = model::setting_of<D>(bodies, options.accuracy);
+  const auto setting = model::setting_of<D>(bodies, options.accuracy, options.max_time);
   model::expect_digits(setting);
-  const double attainable = setting.rounding;
+  constexpr double when_shaken = 4;  // so that what guards cut off shows as well
+  double attainable = setting.rounding;
   auto possible = options;
-  possible.accuracy = std::max(options.accuracy, attainable);
-  const auto run = [&](const model::Bodies& same, const hybrid::Options& tighter) {
-    return simulate_once<D>(same, tighter, observers);
+  const auto run = [&](const model::Bodies& some, const hybrid::Options& tighter) {
+    return simulate_once<D>(some, tighter, observers, &some == &bodies ? 1 : when_shaken, attainable);
   };
-  auto impact = attainable > options.accuracy ? run(bodies, possible)
-                                              : simulate_once(bodies, std::move(setting), options, observers);
+  const auto run_as_possible = [&] {
+    possible.accuracy = std::max(options.accuracy, attainable);
+    return run(bodies, possible);
+  };
+  auto impact = run_as_possible();
   if (!observers.samplings.empty()) return impact;
+  if (attainable > possible.accuracy) impact = run_as_possible();
   keep_promise(bodies, possible, passage(impact, attainable), impact, run,
                [&](const auto& a, const auto& b) { return difference(bodies, a, b); });
   if (attainable > options.accuracy)

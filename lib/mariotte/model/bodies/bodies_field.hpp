@@ -85,6 +85,16 @@ class BodiesField {
     return rate;
   }
 
+  /// ḟ_n, which for a damped contact depends on all accelerations.
+  T force_rate(const ClosedContact& mode, const ContactForces<T, D>& c) const {
+    const auto& one = setting_.contact[mode.contact];
+    if (mode.slack) return T(0.0);
+    const T rate = -c.motion.gap_rate;
+    const auto slopes = slopes_of(mode, one, c.motion.indentation, rate);
+    if (!contact::is_damped(one.law)) return slopes.by_indentation * rate;
+    return slopes.by_indentation * rate - slopes.by_rate * loads_.gap_acceleration(mode.contact, c.motion);
+  }
+
   /// A contact that sticks rigidly, and its place among those that are closed.
   struct Stuck {
     std::size_t place;
@@ -147,16 +157,6 @@ class BodiesField {
     } else {
       return law_slopes<T>(one, mode.past, depth, rate);
     }
-  }
-
-  /// ḟ_n, which for a damped contact depends on all accelerations.
-  T force_rate(const ClosedContact& mode, const ContactForces<T, D>& c) const {
-    const auto& one = setting_.contact[mode.contact];
-    if (mode.slack) return T(0.0);
-    const T rate = -c.motion.gap_rate;
-    const auto slopes = slopes_of(mode, one, c.motion.indentation, rate);
-    if (!contact::is_damped(one.law)) return slopes.by_indentation * rate;
-    return slopes.by_indentation * rate - slopes.by_rate * loads_.gap_acceleration(mode.contact, c.motion);
   }
 
   void set_forces(const ClosedContact& mode, std::span<const T> x, ContactForces<T, D>& c,

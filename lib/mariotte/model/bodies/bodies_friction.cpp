@@ -41,6 +41,31 @@ bool BodiesSystem<D>::begins_to_stick(const Mode& mode, std::size_t place, Start
   return holds_at_once(mode, place);
 }
 
+/// ξ of a spring in the tangent plane; where its stiffness grows, T is kept instead.
+template <int D>
+void BodiesSystem<D>::put_spring(const ClosedContact& one, const ContactForces<double, D>& now,
+                                 const Vec<double, D>& stretch, std::vector<double>& x) const {
+  const bool as_force =
+      setting_.contact[one.contact].tangential.law == TangentialLaw::mindlin && !one.unloading;
+  const auto state = (as_force ? now.spring : 1) * stretch;
+  const Index at = layout(x).spring(one.slot);
+  if constexpr (D == 2)
+    x[at] = dot(state, across(now.motion.normal));
+  else
+    put(State(x), at, state);
+}
+
+/// A contact that has been slack grips where its force is beyond noise, and has pushed for a little time
+/// then.
+template <int D>
+void BodiesSystem<D>::hold_since_grip(const Mode& mode, std::size_t place, std::vector<double>& x) const {
+  const auto& one = mode.closed[place];
+  const auto now = field(mode, x).contact(place);
+  const double rate = field_.force_rate(one, now), longest = setting_.contact[one.contact].time;
+  const double held = rate > 0 ? std::clamp(now.normal / rate, 0.0, longest) : 0;
+  put_spring(one, now, held * now.motion.slip, x);
+}
+
 template <int D>
 void BodiesSystem<D>::begin_friction(Mode& mode, std::size_t place, Start start, std::vector<double>& x,
                                      std::vector<Change>& changes) const {
@@ -58,6 +83,7 @@ void BodiesSystem<D>::begin_friction(Mode& mode, std::size_t place, Start start,
   const bool sticks = !rigid && (!moves || begins_to_stick(mode, place, start, x));
   one.friction = sticks ? Friction::stick : Friction::slip;
   if (sticks) std::fill_n(x.begin() + layout(x).spring(one.slot), BodiesLayout<D>::tangents, 0.0);
+  if (sticks && start == Start::grip) hold_since_grip(mode, place, x);
   changes.push_back({one.contact, sticks ? BodyEvent::stick : BodyEvent::slip});
 }
 
@@ -204,13 +230,7 @@ void BodiesSystem<D>::pass_friction(Mode& mode, std::size_t place, std::vector<d
   if (one.friction == Friction::stick) return break_loose(mode, place, now, x, changes);
   if (!c.tangential.has_spring()) return begin_from_rest(mode, place, x, BodyEvent::reverse, changes);
   one.friction = Friction::stick;
-  const bool as_force = c.tangential.law == TangentialLaw::mindlin && !one.unloading;
-  const auto state = (c.tangential.friction * now.normal / (as_force ? 1 : now.spring)) * now.direction;
-  const Index at = layout(x).spring(one.slot);
-  if constexpr (D == 2)
-    x[at] = dot(state, across(now.motion.normal));
-  else
-    put(State(x), at, state);
+  put_spring(one, now, (c.tangential.friction * now.normal / now.spring) * now.direction, x);
   changes.push_back({one.contact, BodyEvent::stick});
 }
 

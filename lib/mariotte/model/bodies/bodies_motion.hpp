@@ -220,4 +220,18 @@ GapMotion<double, D> gap_motion(const BodiesSetting<D>& setting, const BodiesLay
   });
 }
 
+/// Share of its natural indentation that a contact has lost to rounding on its way.
+template <int D>
+double lost_share(const BodiesSetting<D>& setting, const BodiesLayout<D>& at,
+                  const SettingContact<D>& contact, ConstState x) {
+  return with_bodies(setting, at, contact, x, [&](const auto* a, const auto& b, double clock) {
+    const ContactSides<double, D> side(setting, contact, a, b, clock);
+    const auto normal = gap_motion(contact, side).normal;
+    double way = 0;
+    for (int k = 0; k < D; ++k)
+      way += std::abs(normal[k]) * (std::abs(side.a.shift[k]) + std::abs(side.b.shift[k]));
+    return lost_digits * way / contact.length;
+  });
+}
+
 }  // namespace mariotte::model

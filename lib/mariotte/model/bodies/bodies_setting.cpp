@@ -79,9 +79,9 @@ double natural_indentation(const contact::Law& law, double energy) {
                : std::get<contact::SharedLaw>(law)->natural_indentation(energy);
 }
 
-/// Speed that gravity gives what is not at rest on a plane yet.
+/// Speed that gravity gives, until the end, what is not at rest on a plane yet.
 template <int D>
-double falling_speed(const BodiesSetting<D>& setting) {
+double falling_speed(const BodiesSetting<D>& setting, double max_time) {
   const double g = norm(setting.gravity);
   double height = 0;
   for (const auto& c : setting.contact) {
@@ -93,7 +93,7 @@ double falling_speed(const BodiesSetting<D>& setting) {
     height = std::max(height, c.gap);
     if (norm(sphere.arm) > 0) height = std::max(height, 0.02 * body.reach);
   }
-  return std::sqrt(2 * g * height);
+  return g == 0 ? 0 : std::min(std::sqrt(2 * g * height), g * max_time);
 }
 
 /// Speed that adhesion gives what it draws in.
@@ -105,8 +105,8 @@ double well_speed(const BodiesSetting<D>& setting) {
 }
 
 template <int D>
-double reference_speed(const Bodies& bodies, const BodiesSetting<D>& setting) {
-  double speed = falling_speed(setting);
+double reference_speed(const Bodies& bodies, const BodiesSetting<D>& setting, double max_time) {
+  double speed = falling_speed(setting, max_time);
   for (Index i = 0; i < std::ssize(bodies.body); ++i)
     speed =
         std::max({speed, norm(bodies.body[i].velocity), norm(bodies.body[i].spin) * setting.body[i].reach});
@@ -136,13 +136,12 @@ void set_natural_sizes(BodiesSetting<D>& setting) {
   for (std::size_t i = 0; i < push.size(); ++i) setting.body[i].push = push[i] > 0 ? push[i] : 1;
 }
 
-/// Displacements are counted from the start: what a body goes before it touches leaves an indentation fewer
-/// digits.
+/// Share of its indentation that the first contact loses, or more.
 template <int D>
-double rounding_of(const BodiesSetting<D>& setting) {
-  double farthest = 0;
-  for (const auto& c : setting.contact) farthest = std::max(farthest, c.gap / c.length);
-  return 16 * epsilon * farthest;
+double first_rounding(const BodiesSetting<D>& setting) {
+  double nearest = infinity;
+  for (const auto& c : setting.contact) nearest = std::min(nearest, c.gap / c.length);
+  return setting.contact.empty() ? 0 : lost_digits * nearest;
 }
 
 /// Where there are many pairs, those are watched that are not far apart: a tenth of the smallest body, or
@@ -160,7 +159,7 @@ double skin_of(const BodiesSetting<D>& setting) {
 }  // namespace
 
 template <int D>
-BodiesSetting<D> setting_of(const Bodies& bodies, double accuracy) {
+BodiesSetting<D> setting_of(const Bodies& bodies, double accuracy, double max_time) {
   BodiesSetting<D> setting;
   setting.gravity = vec<D>(bodies.gravity);
   setting.body.reserve(bodies.body.size());
@@ -170,14 +169,14 @@ BodiesSetting<D> setting_of(const Bodies& bodies, double accuracy) {
   add_spheres(bodies, setting);
   const auto first = first_spheres(bodies);
   for (const auto& contact : bodies.contact) add_contact(bodies, contact, first, setting);
-  setting.speed = reference_speed(bodies, setting);
+  setting.speed = reference_speed(bodies, setting, max_time);
   set_natural_sizes(setting);
   setting.smallest_indentation = 1e-60 * setting.length;
-  setting.rounding = rounding_of(setting);
-  setting.slip_noise = std::max({1e-13, 1e-3 * accuracy, setting.rounding});
-  setting.gap_noise = std::max({1e-12, 1e-2 * accuracy, setting.rounding});
+  setting.slip_noise = std::max(1e-13, 1e-3 * accuracy);
+  setting.gap_noise = std::max(1e-12, 1e-2 * accuracy);
   setting.faint = std::max(1e-7, 0.03 * std::sqrt(accuracy));
-  setting.onset_noise = std::max(0.1 * accuracy, setting.rounding);
+  setting.onset_noise = 0.1 * accuracy;
+  allow_rounding(setting, first_rounding(setting));
   setting.skin = skin_of(setting);
   return setting;
 }
@@ -245,8 +244,8 @@ void set_magnitudes(const BodiesSetting<D>& setting, const BodiesLayout<D>& at, 
   }
 }
 
-template BodiesSetting<2> setting_of(const Bodies&, double);
-template BodiesSetting<3> setting_of(const Bodies&, double);
+template BodiesSetting<2> setting_of(const Bodies&, double, double);
+template BodiesSetting<3> setting_of(const Bodies&, double, double);
 template void expect_digits(const BodiesSetting<2>&);
 template void expect_digits(const BodiesSetting<3>&);
 template std::vector<double> initial_state(const Bodies&, const BodiesSetting<2>&);

@@ -94,7 +94,8 @@ struct BodiesSetting {
   double skin = 0;                       ///< gap up to which pairs are watched; 0: all are
   double onset_noise = 0;                ///< share of length within which contacts close together
   double faint = 0;                      ///< share of force below which its direction does not matter
-  double rounding = 0;                   ///< share of length that is lost on the way to the first contacts
+  double rounding = 0;                   ///< share of length that has been lost on the way to contacts
+  double caution = 1;                    ///< times that share guards allow for
 
   /// Slip in space below which a rigid contact is at rest.
   double rest_speed() const { return 100 * slip_noise * speed; }
@@ -102,9 +103,21 @@ struct BodiesSetting {
   double faint_stick() const { return std::max(slip_noise, 0.1 * faint); }
 };
 
-/// Of validated bodies; `accuracy` sets what counts as noise.
+/// Displacements are counted from the start: of the way that a body has gone along a gap so large a share is
+/// rounding, which its indentation loses.
+inline constexpr double lost_digits = 16 * epsilon;
+
+/// What has lost so large a share of its indentation to rounding has as much noise.
+template <int D, class N>
+void allow_rounding(BodiesSetting<D, N>& setting, double share) {
+  setting.rounding = std::max(setting.rounding, share);
+  for (double* noise : {&setting.slip_noise, &setting.gap_noise, &setting.onset_noise})
+    *noise = std::max(*noise, setting.caution * setting.rounding);
+}
+
+/// Of validated bodies that are followed for a time at most; `accuracy` sets what counts as noise.
 template <int D>
-BodiesSetting<D> setting_of(const Bodies& bodies, double accuracy);
+BodiesSetting<D> setting_of(const Bodies& bodies, double accuracy, double max_time = infinity);
 
 /// Throws InvalidParameter (S035) where the way to the first contact leaves hardly a digit of an indentation.
 template <int D>

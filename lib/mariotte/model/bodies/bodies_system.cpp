@@ -82,6 +82,7 @@ template <int D>
 void BodiesSystem<D>::close(Mode& mode, Index contact, std::vector<double>& x, BodyEvent event,
                             std::vector<Change>& changes) const {
   auto at = layout(x);
+  allow_rounding(setting_, lost_share(setting_, at, setting_.contact[contact], ConstState(x)));
   if (mode.idle.empty()) {
     const Index most = std::ssize(setting_.contact);
     const Index slots = std::min(most, std::max(first_slots, 2 * at.slots));

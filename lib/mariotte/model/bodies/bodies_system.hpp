@@ -52,6 +52,9 @@ class BodiesSystem {
   enum class Start { onset, grip };
   void begin_friction(Mode& mode, std::size_t place, Start start, std::vector<double>& x,
                       std::vector<Change>& changes) const;
+  void hold_since_grip(const Mode& mode, std::size_t place, std::vector<double>& x) const;
+  void put_spring(const ClosedContact& one, const ContactForces<double, D>& now,
+                  const Vec<double, D>& stretch, std::vector<double>& x) const;
   bool begins_to_stick(const Mode& mode, std::size_t place, Start start, ConstState x) const;
   void begin_from_rest(Mode& mode, std::size_t place, std::vector<double>& x, BodyEvent otherwise,
                        std::vector<Change>& changes) const;
@@ -86,7 +89,7 @@ class BodiesSystem {
                        const ContactMotion<double, D>& now) const;
 
   const Bodies& bodies_;
-  BodiesSetting<D> setting_;
+  mutable BodiesSetting<D> setting_;  ///< its noise grows with the ways of what closes
   Over over_;
   mutable std::vector<Index> fired_, touching_, yielded_;  ///< of a transition
   mutable BodiesField<double, D> field_;

@@ -182,6 +182,9 @@ void BodiesVariation<D>::begin_at_zero(const BodiesPassage<D>& event) {
     gap -= gap_motion(base_, at, base_.contact[one.contact], event.x_after).gap;
     for (auto& setting : setting_) setting.contact[one.contact].gap.value = gap;
   }
+  const double rounding = system_.setting().rounding;
+  allow_rounding(base_, rounding);
+  for (auto& setting : setting_) allow_rounding(setting, rounding);
 }
 
 /// Rates of bodies behind one of several guards alone.

@@ -23,7 +23,7 @@ class GroupSlopes {
   GroupSlopes(const Bodies& bodies, const std::vector<Parameter<Bodies>>& by, const hybrid::Options& options,
               double resolution, const SlopeWatch& watch)
       : bodies_(bodies),
-        system_(bodies, model::setting_of<D>(bodies, options.accuracy),
+        system_(bodies, model::setting_of<D>(bodies, options.accuracy, options.max_time),
                 options.flies_on ? model::Over::at_time_limit : model::Over::separated),
         x0_(initial_state(bodies, system_.setting())),
         start_(std::ssize(x0_), std::ssize(by)),
@@ -179,7 +179,8 @@ template <int D>
 Sensitivity slopes_in(const Bodies& bodies, const std::vector<Parameter<Bodies>>& by, hybrid::Options options,
                       const SlopeWatch& watch) {
   const double resolution = std::max(1e-14, 0.01 * options.accuracy);
-  options.accuracy = std::max(resolution, model::setting_of<D>(bodies, options.accuracy).rounding);
+  const auto setting = model::setting_of<D>(bodies, options.accuracy, options.max_time);
+  options.accuracy = std::max(resolution, setting.rounding);
   const BodiesLayout<D> at{.bodies = std::ssize(bodies.body), .slots = 0};
   expect_few(at.size(), std::ssize(by));
   return GroupSlopes<D>(bodies, by, options, resolution, watch).take();
