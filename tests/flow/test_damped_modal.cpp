@@ -245,3 +245,29 @@ BOOST_AUTO_TEST_CASE(a_slack_contact_is_armed_again_when_a_neighbour_pushes) {
   }
   BOOST_TEST(armed > 0);
 }
+
+// Loads of mirrored dampers change their signs at one instant and are rounding there, c ε v. Two such
+// contacts went slack and gripped in turn without end.
+BOOST_AUTO_TEST_CASE(loads_that_are_rounding_do_not_change_their_sign_in_turn) {
+  const std::vector<contact::Law> law = {
+      contact::Linear{2354028.5873244931}, damper(878814.6079233503, 127.53333886604662),
+      damper(3169890.6351572792, 56008.720047182302), damper(991448.38025129191, 14.973173170125962)};
+  model::Chain chain{
+      .mass = {0.00016247415541529025, 0.0001244052456954487, 0.0001636812788058476, 0.00012637464892668664,
+               0.0001482211226433521},
+      .law = law,
+      .gap = {0, 0.0035259335922904625, 0.0088943624550859753, 0.01335226006265231},
+      .velocity = {-117.12068434229988, 78.152307482618539, -273.74573457249454, -794.92229968022036, 0}};
+  for (int i = 3; i >= 0; --i) {
+    chain.mass.push_back(chain.mass[i]);
+    chain.law.push_back(law[i]);
+    chain.gap.push_back(chain.gap[i]);
+    chain.velocity.push_back(-chain.velocity[i]);
+  }
+  const auto best = impact::simulate(chain, {.accuracy = 1e-12});
+  for (const double accuracy : {1e-6, 1e-8, 1e-10}) {
+    const auto impact = impact::simulate(chain, {.accuracy = accuracy});
+    BOOST_TEST((impact.ending == hybrid::Ending::separated), impact.message);
+    BOOST_TEST(difference(impact.velocity, best.velocity) < accuracy * 800);
+  }
+}

@@ -38,7 +38,7 @@ struct Modal::Memory {
   Vibration* vibration = nullptr;  ///< one of these
   std::vector<Watched> watched;
   Index guards = 0;  ///< as many of the watched are in use
-  double speed = 0;  ///< natural, of a network
+  double speed = 0;  ///< natural
   std::vector<double> start, before, after, bounds;
   std::vector<double> watched_from;  ///< by contact: touched at rest, it is watched once out of the noise
   Wave scratch;
@@ -47,6 +47,7 @@ struct Modal::Memory {
 
   bool take(const SerialPhase& phase) {
     vibration = &row;
+    speed = phase.speed;
     return are_linear(phase.contact) && !has_acceleration(phase) && !presses_beyond(phase) && row.find(phase);
   }
   bool take(const LinkedPhase& phase) {
@@ -75,12 +76,20 @@ struct Modal::Memory {
     if (c.role == Role::open)
       watch(c.guard, j, motion.depth, -1, c.level);
     else if (c.role == Role::slack)
-      watch(c.guard, j, motion.depth, 1, 0), watch(c.load_guard, j, motion.force, -1, 0);
+      watch(c.guard, j, motion.depth, 1, 0), watch_load(j, -1);
     else if (c.load_guard >= 0)
-      watch(c.load_guard, j, motion.force, 1, 0);
+      watch_load(j, 1);
     else
       watch(c.guard, j, motion.depth, 1, 0);
     if (c.role == Role::touching && vibration == &linked) watch_parting(j);
+  }
+  /// A load that has just changed its sign is what a strong damper makes of the rounding of a rate, the
+  /// difference of two velocities: it changes it again once it is beyond that.
+  void watch_load(Index j, double sign) {
+    const auto& motion = vibration->of(j);
+    const double load = sign * motion.force.at(vibration->modes(), 0);
+    const double noise = 16 * epsilon * contact(j).damping * speed;
+    watch(contact(j).load_guard, j, motion.force, sign, load <= noise ? noise : 0);
   }
   /// A strong damper would pull noticeably before its contact parts.
   void watch_parting(Index j) {
