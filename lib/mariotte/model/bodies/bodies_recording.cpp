@@ -10,13 +10,18 @@ namespace mariotte::model {
 
 using series::Traced;
 
+/// Natural time of a contact [s] from which on no coefficient of its series overflows: they count in seconds,
+/// and those of order k grow like the inverse of that time to the k.
+constexpr double shortest = 1e-12;
+
 /// A slip in space comes to rest, or turns ever faster towards the end of its contact, where no series goes.
 /// Nor has a series the slip of a Mindlin spring under a linear force: the rate at which it gives way has
 /// poles where the contact begins and ends.
 template <int D>
 bool BodiesPhase<D>::can_be_recorded(const ClosedContact& mode) const {
   const auto& one = setting_.contact[mode.contact];
-  if (!model::can_be_recorded(one.law, mode.past) || (D == 3 && mode.friction == Friction::slip))
+  if (!model::can_be_recorded(one.law, mode.past) || (D == 3 && mode.friction == Friction::slip) ||
+      !(one.time > shortest))
     return false;
   const auto* power = contact::power_law(one.law);
   return one.tangential.law != TangentialLaw::mindlin || (power && power->exponent == 1.5);
