@@ -3,6 +3,7 @@
 #include <cmath>
 #include <random>
 
+#include "mariotte/contact/brach_dunn_law.hpp"
 #include "mariotte/contact/dmt.hpp"
 #include "mariotte/contact/jkr.hpp"
 #include "mariotte/contact/thornton.hpp"
@@ -94,7 +95,7 @@ class Scenes {
   contact::Law branched_law() {
     constexpr double modulus = 1e10, radius = 0.005;
     const double work = std::pow(10, in(1.5, 3.5)), pressure = std::pow(10, in(8, 9));
-    switch (static_cast<int>(in(0, 5))) {
+    switch (static_cast<int>(in(0, 6))) {
       case 0:
         return contact::state(contact::Dmt(modulus, radius, work, in(0, 1) < 0.5 ? 0 : in(1e2, 1e4)));
       case 1:
@@ -103,6 +104,9 @@ class Scenes {
         return contact::state(contact::ThorntonNing(modulus, radius, pressure, 0.03 * work));
       case 3:
         return contact::state(contact::WaltonBraun(1e6, in(1e6, 4e6)));
+      case 4:
+        return contact::state(contact::BrachDunnLaw(modulus, radius, work, in(0, 1) < 0.5 ? 0 : in(0, 0.3),
+                                                    in(0, 1) < 0.5 ? 0 : in(0, 0.3)));
       default:
         return contact::state(contact::Jkr(modulus, radius, work, in(0, 1) < 0.5 ? 0 : in(1e3, 1e5)));
     }

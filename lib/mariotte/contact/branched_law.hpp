@@ -2,6 +2,7 @@
 #pragma once
 #include <optional>
 
+#include "mariotte/contact/brach_dunn.hpp"
 #include "mariotte/contact/custom_law.hpp"
 #include "mariotte/contact/memory.hpp"
 #include "mariotte/core/types.hpp"
@@ -38,6 +39,8 @@ class BranchedLaw : public CustomLaw {
   virtual std::optional<ShiftedPower> power(const Memory&) const { return std::nullopt; }
   /// The present branch if it is a polynomial in the root of a contact radius; series follow it.
   virtual std::optional<WidthBranch> width_branch(const Memory&) const { return std::nullopt; }
+  /// The law of a tip with a ring of adhesion, if it is that; series follow it.
+  virtual const BrachDunn* adhesive_tip() const { return nullptr; }
   /// Indentation at which the force of the present branch rises through zero, if the law knows it.
   virtual std::optional<double> rest_indentation(const Memory&) const { return std::nullopt; }
   /// Energy lost to yielding up to an indentation of the plastic branch [J].

@@ -74,6 +74,12 @@ class StatedLaw final : public BranchedLaw {
   std::optional<WidthBranch> width_branch(const Memory& past) const override {
     return law_.width_branch(past);
   }
+  const BrachDunn* adhesive_tip() const override {
+    if constexpr (requires { BrachDunn{law_.tip}; })
+      return &law_.tip;
+    else
+      return nullptr;
+  }
   std::optional<double> rest_indentation(const Memory& past) const override {
     return law_.rest_indentation(past);
   }

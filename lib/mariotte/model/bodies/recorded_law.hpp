@@ -1,5 +1,5 @@
 // Contact laws on a tape: powers δⁿ⁻¹ (k δ + c δ̇) with n = 1 or 3/2, also from another origin and less a
-// pull, and branches in the root of a contact radius.
+// pull, branches in the root of a contact radius, and tips with a ring of adhesion.
 #pragma once
 #include <cmath>
 #include <optional>
@@ -36,8 +36,13 @@ inline std::optional<WidthBranch> recorded_width(const contact::Law& law, const 
   return branches ? branches->width_branch(past) : std::nullopt;
 }
 
+inline const contact::BrachDunn* recorded_tip(const contact::Law& law) {
+  const auto* branches = contact::branched(law);
+  return branches ? branches->adhesive_tip() : nullptr;
+}
+
 inline bool can_be_recorded(const contact::Law& law, const contact::Memory& past) {
-  return recorded_power(law, past) || recorded_width(law, past);
+  return recorded_power(law, past) || recorded_width(law, past) || recorded_tip(law);
 }
 
 /// One that begins within `noise` of its origin does so there, to the last bit.
@@ -75,9 +80,24 @@ inline RecordedForce recorded_force(const WidthBranch& branch, const series::Tra
           .root = bend};
 }
 
+inline RecordedForce recorded_force(const contact::BrachDunn& law, const series::Traced& depth,
+                                    const series::Traced& rate) {
+  using series::Traced;
+  const Traced width = sqrt(depth), press = law.stiffness * (1.0 + law.damping_hertz * rate),
+               pull = law.adhesion * (1.0 - law.damping_adhesion * rate);
+  return {
+      .value = width * (press * depth - pull),
+      .by_indentation = 1.5 * (press * width) - 0.5 * (pull * (width / depth)),
+      .by_rate = width * (law.stiffness * law.damping_hertz * depth + law.adhesion * law.damping_adhesion),
+      .left = depth,
+      .root = width,
+      .exponent = 0.5};
+}
+
 inline RecordedForce recorded_force(const contact::Law& law, const contact::Memory& past,
                                     const series::Traced& depth, const series::Traced& rate, double noise) {
   if (const auto width = recorded_width(law, past)) return recorded_force(*width, depth, rate);
+  if (const auto* tip = recorded_tip(law)) return recorded_force(*tip, depth, rate);
   return recorded_force(*recorded_power(law, past), depth, rate, noise);
 }
 
