@@ -82,8 +82,9 @@ void pass_gate(const ChainOutcome& o, double accuracy, hybrid::Ending& ending, s
   const Balance balances[] = {
       {"an approach at the end", approach(o, [&](auto mode) { return parts || is_slack(mode); }),
        balance_allowance * o.chain.noise_speed},
-      {"the energy balance", balance.residual, allowed + share * std::abs(balance.work)},
-      {"the momentum balance", momenta.residual, share * momentum + rounding(o)},
+      {"the energy balance, in units of the run,", balance.residual,
+       allowed + share * std::abs(balance.work)},
+      {"the momentum balance, in units of the run,", momenta.residual, share * momentum + rounding(o)},
       {"an impulse that pulls, or of a contact that never closed", wrong_impulse(o), share * momentum},
       {"the energy that a contact has gained", energy_gain(o), allowed},
       {"an indentation without force, relative to what cannot be told from rest,",

@@ -86,8 +86,8 @@ bool passes_gate(const TripletScene& scene, const flow::Triplet& t, const Triple
   const auto depth = [&](int j) { return t.indentation[j] * t.weight[j] * t.weight[j]; };
   const Balance balances[] = {
       {"an approach at the end", std::max({t.rate[0], t.rate[1], 0.0}), balance_allowance * t.noise_speed},
-      {"the energy balance", gained, share * energy},
-      {"the momentum balance", moved, share * momentum},
+      {"the energy balance, in units of the run,", gained, share * energy},
+      {"the momentum balance, in units of the run,", moved, share * momentum},
       {"an impulse that pulls", std::max({-end.impulse[0], -end.impulse[1], 0.0}), share * momentum},
       {"an indentation without force", std::max({depth(0), depth(1), 0.0}), share}};
   return closes(balances);

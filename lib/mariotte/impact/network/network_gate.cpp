@@ -109,8 +109,8 @@ void NetworkGate::pass(const NetworkOutcome& o, double accuracy, hybrid::Ending&
   const Balance balances[] = {
       {"an approach at the end", approach(o, [&](auto mode) { return parts || is_slack(mode); }),
        share * o.network.speed},
-      {"the energy balance", residual, share * reached},
-      {"the momentum balance", unexplained(o), share},
+      {"the energy balance, in units of the run,", residual, share * reached},
+      {"the momentum balance, in units of the run,", unexplained(o), share},
       {"an impulse that pulls", pull, share * strongest},
       {"the energy that a contact has gained", gain, share * reached},
       {"an indentation without force, relative to what cannot be told from rest,",
