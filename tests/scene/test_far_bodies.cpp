@@ -44,3 +44,16 @@ BOOST_DATA_TEST_CASE(bodies_of_scales_far_apart_keep_their_accuracy, boost::unit
   BOOST_TEST(std::abs(end.velocity.e2 - one.away) < allowed);
   BOOST_TEST(one.reach * std::abs(end.spin.e3 - one.spin) < allowed);
 }
+
+// A spring that was beyond its cap by CVODE's error held on, and its guard fired again at once, without end.
+BOOST_AUTO_TEST_CASE(a_spring_beyond_its_cap_is_put_back_to_it) {
+  const auto scene = scene::read(MARIOTTE_TEST_DATA "/bodies/hard/rattling_dumbbell.toml");
+  auto options = scene.run;
+  options.accuracy = 1e-12;
+  const auto by_series = impact::simulate(std::get<model::Bodies>(scene.model), options);
+  options.flow = flow::Kind::cvode_adams;
+  const auto by_adams = impact::simulate(std::get<model::Bodies>(scene.model), options);
+  BOOST_TEST((by_adams.ending == hybrid::Ending::time_limit), by_adams.message);
+  const double speed = norm(by_series.body[0].velocity);
+  BOOST_TEST(norm(by_adams.body[0].velocity - by_series.body[0].velocity) < 1e-9 * speed);
+}

@@ -82,12 +82,10 @@ void keep_used(Index named, const std::vector<OneEvent>& events, BodiesImpact& i
 /// `attainable` grows to the share of indentations that is rounding, which is the most that can be asked for.
 template <int D>
 BodiesImpact simulate_once(const model::Bodies& bodies, const hybrid::Options& options,
-                           const RunObserver& observers, double caution, double& attainable) {
+                           const RunObserver& observers, double& attainable) {
   using System = model::BodiesSystem<D>;
   const auto over = options.flies_on ? model::Over::at_time_limit : model::Over::separated;
-  auto setting = model::setting_of<D>(bodies, options.accuracy, options.max_time);
-  setting.caution = caution;
-  System system(bodies, std::move(setting), over);
+  System system(bodies, model::setting_of<D>(bodies, options.accuracy, options.max_time), over);
   const auto start = initial_state(bodies, system.setting());
   hybrid::Workspace<System> workspace;
   BodiesObserver<D> watch(bodies, system, workspace.mode, observers);
@@ -157,11 +155,10 @@ BodiesImpact simulate_in(const model::Bodies& bodies, const hybrid::Options& opt
                          const RunObserver& observers) {
   const auto setting = model::setting_of<D>(bodies, options.accuracy, options.max_time);
   model::expect_digits(setting);
-  constexpr double when_shaken = 4;  // so that what guards cut off shows as well
   double attainable = setting.rounding;
   auto possible = options;
-  const auto run = [&](const model::Bodies& some, const hybrid::Options& tighter) {
-    return simulate_once<D>(some, tighter, observers, &some == &bodies ? 1 : when_shaken, attainable);
+  const auto run = [&](const model::Bodies& same, const hybrid::Options& tighter) {
+    return simulate_once<D>(same, tighter, observers, attainable);
   };
   const auto run_as_possible = [&] {
     possible.accuracy = std::max(options.accuracy, attainable);

@@ -196,6 +196,17 @@ double let_go(const ContactForces<double, D>& now, double friction) {
   return std::max(0.0, 0.5 * (dot(now.friction, now.friction) - cap * cap) / now.spring);
 }
 
+/// A spring that holds on beyond its cap, by an error of the flow: its guard would fire again at once.
+template <int D>
+void BodiesSystem<D>::put_back_to_cap(const ClosedContact& one, const ContactForces<double, D>& now,
+                                      std::vector<double>& x) const {
+  const double friction = setting_.contact[one.contact].tangential.friction;
+  const double share = std::max(0.0, friction * now.normal) / norm(now.friction);
+  if (share >= 1) return;
+  for (Index k = 0; k < BodiesLayout<D>::tangents; ++k) x[layout(x).spring(one.slot) + k] *= share;
+  x[layout(x).losses(one.slot)] += let_go(now, friction);
+}
+
 /// What sticks slips where it is at its cap. A loose series may take for a root what is none; and what begins
 /// to stick at its cap may be beyond it by rounding, while the cap outgrows it.
 template <int D>
@@ -212,7 +223,7 @@ void BodiesSystem<D>::break_loose(Mode& mode, std::size_t place, const ContactFo
     field(mode, slipping);
     if (holds_at_once(mode, place)) {
       one = stuck;
-      return;
+      return put_back_to_cap(one, now, x);
     }
   }
   x = std::move(slipping);

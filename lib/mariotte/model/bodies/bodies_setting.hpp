@@ -95,7 +95,6 @@ struct BodiesSetting {
   double onset_noise = 0;                ///< share of length within which contacts close together
   double faint = 0;                      ///< share of force below which its direction does not matter
   double rounding = 0;                   ///< share of length that has been lost on the way to contacts
-  double caution = 1;                    ///< times that share guards allow for
 
   /// Slip in space below which a rigid contact is at rest.
   double rest_speed() const { return 100 * slip_noise * speed; }
@@ -112,7 +111,7 @@ template <int D, class N>
 void allow_rounding(BodiesSetting<D, N>& setting, double share) {
   setting.rounding = std::max(setting.rounding, share);
   for (double* noise : {&setting.slip_noise, &setting.gap_noise, &setting.onset_noise})
-    *noise = std::max(*noise, setting.caution * setting.rounding);
+    *noise = std::max(*noise, setting.rounding);
 }
 
 /// Of validated bodies that are followed for a time at most; `accuracy` sets what counts as noise.

@@ -70,6 +70,8 @@ class BodiesSystem {
                  std::vector<Change>& changes) const;
   void pass_friction(Mode& mode, std::size_t place, std::vector<double>& x,
                      std::vector<Change>& changes) const;
+  void put_back_to_cap(const ClosedContact& one, const ContactForces<double, D>& now,
+                       std::vector<double>& x) const;
   void break_loose(Mode& mode, std::size_t place, const ContactForces<double, D>& now, std::vector<double>& x,
                    std::vector<Change>& changes) const;
   double held_at_the_end(const Mode& mode, std::size_t place, ConstState x) const;
