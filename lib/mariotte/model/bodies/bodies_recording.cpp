@@ -20,9 +20,8 @@ constexpr double shortest = 1e-12;
 template <int D>
 bool BodiesPhase<D>::can_be_recorded(const ClosedContact& mode) const {
   const auto& one = setting_.contact[mode.contact];
-  if (!model::can_be_recorded(one.law, mode.past) || (D == 3 && mode.friction == Friction::slip) ||
-      !(one.time > shortest))
-    return false;
+  const bool slips_in_space = D == 3 && mode.friction == Friction::slip && !mode.slack;
+  if (!model::can_be_recorded(one.law, mode.past) || slips_in_space || !(one.time > shortest)) return false;
   const auto* power = contact::power_law(one.law);
   return one.tangential.law != TangentialLaw::mindlin || (power && power->exponent == 1.5);
 }
