@@ -191,8 +191,8 @@ int Stepper::narrowest() const {
 /// Where the last coefficients come to the tolerance, but no further than a safe share of the radius of
 /// convergence: beyond, a weak singularity, a contact about to let go, hides behind small coefficients. From
 /// a turn on a motion has every second coefficient only: the last ones of δ and δ̇ are one number, which may
-/// be small by chance. So the two before are looked at, too. Where those vanish, the last are rounding, and
-/// their quotient says nothing.
+/// be small by chance. So the two before are looked at, too. Where either vanish, the others are rounding,
+/// and say nothing.
 double Stepper::reach(const Piece& piece) const {
   const bool fresh = piece.clock != Expansion::plain && window.lanes.rate[piece.clock] > 0;
   const int group = fresh ? 5 : 2;  // near an onset four of five vanish, or nearly so
@@ -208,8 +208,23 @@ double Stepper::reach(const Piece& piece) const {
     last = std::max(last, size[group + i]);
     before = std::max(before, size[i]);
   }
-  if (!(std::min(last, before) > tiny)) return std::min(end, freed_stride * stride);
+  if (!(std::min(last, before) > tiny))
+    return std::min({end, freed_stride * stride, reach_of_rounding(piece)});
   return std::min(end, safe_radius * rough_root(before / last, group));
+}
+
+/// What rounding makes of the root of a depth grows from order to order as if the contact ended where its
+/// tangent does. Where depths are short powers of time it may vanish from some orders, and is in those
+/// between.
+double Stepper::reach_of_rounding(const Piece& piece) const {
+  const auto& l = window.lanes;
+  double end = infinity;
+  for (int j = 0; piece.clock == Expansion::plain && j < l.count; ++j) {
+    if (!(l.active[j] > 0) || !(l.indentation[j] > 0) || !window.is_sharp(j)) continue;
+    const double share = precision_.tolerance / (epsilon * l.indentation[j]);
+    end = std::min(end, l.indentation[j] / std::abs(l.rate[j]) * rough_root(share, piece.order));
+  }
+  return end;
 }
 
 Piece Stepper::series_piece() {

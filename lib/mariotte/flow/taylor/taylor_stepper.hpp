@@ -68,6 +68,7 @@ class Stepper {
   Fall search_guards(Piece& piece);
   void shorten(Piece& piece, double place);
   double reach(const Piece& piece) const;
+  double reach_of_rounding(const Piece& piece) const;
   Expansion& expansion();
   void doze(int lane);
   void listen(int lane);
