@@ -360,3 +360,16 @@ BOOST_AUTO_TEST_CASE(what_is_slow_and_far_away_says_how_many_digits_are_left) {
   }
   BOOST_CHECK_THROW(impact::simulate(far(1, 1e-10), options), Error);
 }
+
+// A ball is released a metre above a plane, and followed for ten nanoseconds of its fall.
+BOOST_AUTO_TEST_CASE(gaps_that_no_body_crosses_in_time_cost_no_digits) {
+  auto bodies = strike(0, {});
+  bodies.contact[0].touching = false;
+  bodies.body[0].position.e2 = 1;
+  bodies.body[0].velocity = {};
+  bodies.gravity = {0, -9.81, 0};
+  const auto impact = impact::simulate(bodies, {.accuracy = 1e-10, .max_time = 1e-8, .flies_on = true});
+  BOOST_TEST((impact.ending == hybrid::Ending::time_limit), impact.message);
+  BOOST_TEST(!impact.estimated_accuracy.has_value());
+  check_near(impact.body[0].velocity.e2, -9.81e-8, 1e-20);
+}

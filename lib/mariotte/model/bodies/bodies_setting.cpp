@@ -136,12 +136,14 @@ void set_natural_sizes(BodiesSetting<D>& setting) {
   for (std::size_t i = 0; i < push.size(); ++i) setting.body[i].push = push[i] > 0 ? push[i] : 1;
 }
 
-/// Share of its indentation that the first contact loses, or more.
+/// Share of its indentation that the first contact loses, of those that are reached in time.
 template <int D>
-double first_rounding(const BodiesSetting<D>& setting) {
+double first_rounding(const BodiesSetting<D>& setting, double max_time) {
+  const double way = 2 * setting.speed * max_time;
   double nearest = infinity;
-  for (const auto& c : setting.contact) nearest = std::min(nearest, c.gap / c.length);
-  return setting.contact.empty() ? 0 : lost_digits * nearest;
+  for (const auto& c : setting.contact)
+    if (c.gap <= way) nearest = std::min(nearest, c.gap / c.length);
+  return nearest < infinity ? lost_digits * nearest : 0;
 }
 
 /// Where there are many pairs, those are watched that are not far apart: a tenth of the smallest body, or
@@ -176,7 +178,7 @@ BodiesSetting<D> setting_of(const Bodies& bodies, double accuracy, double max_ti
   setting.gap_noise = std::max(1e-12, 1e-2 * accuracy);
   setting.faint = std::max(1e-7, 0.03 * std::sqrt(accuracy));
   setting.onset_noise = 0.1 * accuracy;
-  allow_rounding(setting, first_rounding(setting));
+  allow_rounding(setting, first_rounding(setting, max_time));
   setting.skin = skin_of(setting);
   return setting;
 }

@@ -173,16 +173,19 @@ void BodiesSystem<D>::open_parted(Mode& mode, std::vector<double>& x, std::vecto
 /// fire no more.
 template <int D>
 void BodiesSystem<D>::slacken(Mode& mode, ConstState x, std::vector<Change>& changes) const {
-  const auto has_vanished = [&](std::size_t i) {
-    const auto& law = setting_.contact[mode.closed[i].contact].law;
-    if (mode.closed[i].slack || !(contact::pulls(law) || contact::goes_slack(law))) return false;
-    const auto& now = field(mode, x).contact(i);
-    return now.motion.gap_rate > 0 && load_of(setting_.contact[mode.closed[i].contact], now) < 0;
+  const auto may_let_go = [&](const ClosedContact& one) {
+    const auto& law = setting_.contact[one.contact].law;
+    return !one.slack && (contact::pulls(law) || contact::goes_slack(law));
   };
+  if (std::none_of(mode.closed.begin(), mode.closed.end(), may_let_go)) return;
+  field(mode, x);
   for (std::size_t i = 0; i < mode.closed.size(); ++i) {
-    if (!has_vanished(i)) continue;
-    mode.closed[i].slack = true;
-    changes.push_back({mode.closed[i].contact, BodyEvent::slack});
+    auto& one = mode.closed[i];
+    const auto& now = field_.contact(i);
+    if (!may_let_go(one) || !(now.motion.gap_rate > 0) || !(load_of(setting_.contact[one.contact], now) < 0))
+      continue;
+    one.slack = true;
+    changes.push_back({one.contact, BodyEvent::slack});
   }
 }
 
