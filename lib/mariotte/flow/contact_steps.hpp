@@ -13,27 +13,9 @@ inline constexpr double force_share = 0.1;
 /// Times that a step is halved because what is not followed might fire in it.
 inline constexpr int most_halvings = 3;
 
-/// xᵏ, k ≥ 1.
-inline double to_the(double x, int k) {
-  const double half = k > 1 ? to_the(x, k / 2) : 1;
-  return half * half * (k % 2 == 1 ? x : 1);
-}
-
-/// Largest place at which none of the last terms of series exceeds what it may; size(k) is the largest
-/// coefficient k over its size. Most often the first of them decides, and the others take no root.
-template <class Size>
-double reach_of_last(std::span<const double> time, int order, double accuracy, Size&& size) {
-  const double most = series_share * force_share * accuracy;
-  double reach = infinity;
-  const auto bound = [&](int first, int last) {
-    for (int k = first; k <= last; ++k) {
-      const double now = size(k);
-      if (now * to_the(reach, k) > most) reach = std::pow(most / now, 1.0 / k);
-    }
-  };
-  bound(order - last_terms + 1, order);
-  if (begins_at_onset(time, reach)) bound(order - last_onset_terms + 1, order - last_terms);
-  return reach;
+/// What the last terms of a step may be of the size of a state.
+inline double most_of_last(double accuracy) {
+  return series_share * force_share * accuracy;
 }
 
 }  // namespace mariotte::flow

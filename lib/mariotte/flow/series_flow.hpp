@@ -29,6 +29,28 @@ inline bool begins_at_onset(std::span<const double> time, double step) {
   return time[1] < 0.4 * time[2] * step;
 }
 
+/// xᵏ, k ≥ 1.
+inline double to_the(double x, int k) {
+  const double half = k > 1 ? to_the(x, k / 2) : 1;
+  return half * half * (k % 2 == 1 ? x : 1);
+}
+
+/// Largest place at which none of the last terms of series exceeds `most`; size(k) is the largest coefficient
+/// k. Most often the first of them decides, and the others take no root.
+template <class Size>
+double reach_of_last(std::span<const double> time, int order, double most, Size&& size) {
+  double reach = infinity;
+  const auto bound = [&](int first, int last) {
+    for (int k = first; k <= last; ++k) {
+      const double now = size(k);
+      if (now * to_the(reach, k) > most) reach = std::pow(most / now, 1.0 / k);
+    }
+  };
+  bound(order - last_terms + 1, order);
+  if (begins_at_onset(time, reach)) bound(order - last_onset_terms + 1, order - last_terms);
+  return reach;
+}
+
 /// Where a step ends in the clock of its series, and the guard that ends it.
 struct SeriesEnd {
   double place;

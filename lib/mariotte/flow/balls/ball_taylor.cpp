@@ -77,7 +77,7 @@ class BallTaylor::Expansion {
   double accuracy_ = 0, shortest_ = 0, first_cap_ = 0, place_ = 0;
 
   double step_length() const {
-    return reach_of_last(time(), order(), accuracy_, [&](int k) {
+    return reach_of_last(time(), order(), most_of_last(accuracy_), [&](int k) {
       double size = 0;
       for (int i = 0; i < BallMotion::states; ++i)
         size = std::max(size, std::abs(series_[i][k]) * contact_->weight[i]);

@@ -118,7 +118,8 @@ class ClusterTaylor::Expansion {
   }
 
   double step_length() const {
-    return reach_of_last(series_.time(), order(), accuracy_, [&](int k) { return series_.size(k); });
+    return reach_of_last(series_.time(), order(), most_of_last(accuracy_),
+                         [&](int k) { return series_.size(k); });
   }
 
   bool stays_far(ConstState x, double step) {

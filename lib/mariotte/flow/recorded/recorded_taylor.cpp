@@ -19,7 +19,7 @@ constexpr int onset_loss = 4;
 /// Largest place at which none of the last terms of a component exceeds what it may.
 double step_length(const Recording& recording, const TapeSeries& series, ConstState magnitude,
                    double accuracy, int order) {
-  return reach_of_last(series.time(), order, accuracy, [&](int k) {
+  return reach_of_last(series.time(), order, most_of_last(accuracy), [&](int k) {
     double size = 0;
     for (std::size_t i = 0; i < recording.state.size(); ++i)
       size = std::max(size,

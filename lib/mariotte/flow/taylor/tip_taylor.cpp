@@ -93,16 +93,10 @@ double reach_of_friction(const Series&, const TipPhase&, double, int) {
 /// off: half the step makes up for it.
 template <class Series>
 double step_length(const Series& series, const TipPhase& phase, double accuracy, int order) {
-  const double allowed = series_share * accuracy * phase.speed;
-  double step = reach_of_friction(series, phase, accuracy, order);
-  const auto bound = [&](int last, int first) {
-    for (int k = last; k >= first; --k)
-      if (const double c = coefficient(series, phase, k); c != 0)
-        step = std::min(step, std::pow(allowed / c, 1.0 / k));
-  };
-  bound(order, order - last_terms + 1);
-  if (begins_at_onset(terms(series[series.time], order), step))
-    bound(order - last_terms, order - last_onset_terms + 1);
+  const double last =
+      reach_of_last(terms(series[series.time], order), order, series_share * accuracy * phase.speed,
+                    [&](int k) { return coefficient(series, phase, k); });
+  const double step = std::min(last, reach_of_friction(series, phase, accuracy, order));
   const bool squares = phase.cone >= 0 && phase.motion == TipPhase::Motion::spatial;
   return squares ? 0.5 * step : step;
 }
