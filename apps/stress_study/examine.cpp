@@ -23,6 +23,20 @@ constexpr test::Effort quick{.tolerance = 1e-10, .share = 0.3, .most_steps = 400
 constexpr Index most_brisk_work = 200;
 constexpr std::uint64_t share_with_many_steps = 50, share_with_general_flow = 10;
 
+/// Whether bodies fly on as they are where nothing touches any more.
+bool flies_freely(const model::Chain& chain) {
+  return chain.gravity == 0 && chain.drive.empty();
+}
+bool flies_freely(const model::Network& network) {
+  return network.drive.empty();
+}
+bool flies_freely(const Body&) {
+  return false;  // its other tip may come down
+}
+bool flies_freely(const Group& scene) {
+  return norm(scene.bodies.gravity) == 0;
+}
+
 /// Perturbations to measure amplification by; those of one size are measured once.
 class Perturbations {
  public:
@@ -126,13 +140,12 @@ class Examination {
     trials_.back().rival = true;
   }
 
-  /// Rough impacts of bodies take place at other times: they are followed for longer where nothing comes
-  /// after.
+  /// The naive simulator has impacts at other times, after a long flight much later: it follows for longer
+  /// where nothing comes after.
   double naive_end() const {
     constexpr double longer = 1.05;
-    const auto* group = std::get_if<Group>(&scene_.model);
-    const bool flies_on =
-        group && norm(group->bodies.gravity) == 0 && best_.found.ending == hybrid::Ending::separated;
+    const bool flies_on = best_.found.ending == hybrid::Ending::separated &&
+                          std::visit([](const auto& model) { return flies_freely(model); }, scene_.model);
     return (flies_on ? longer : 1) * best_.found.time;
   }
 
