@@ -19,7 +19,8 @@ constexpr double weak = 3;        ///< of what a piece does: a few sweeps cost l
 constexpr double stiff = 1e3;     ///< what has not died away is then left in all orders alike
 constexpr double reserve = 1000;  ///< of the accuracy: what such a piece may leave
 
-using Matrix = Eigen::MatrixXd;
+/// By rows, since what a component does, it does to all columns.
+using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// Time as a fraction of a step, and its rate, where the clock stands at u.
 struct Moment {
@@ -62,6 +63,7 @@ struct Collocation::Memory {
   std::vector<flow::Entry> pattern;
   Eigen::VectorXd magnitude, weight;  ///< weight: the inverse, of components that tell how large columns are
   Eigen::RowVectorXd natural;
+  Eigen::RowVectorXd given;   ///< to a component
   Eigen::RowVectorXd extent;  ///< of columns in a piece
   double accuracy;
   Index size, columns;
@@ -71,9 +73,9 @@ struct Collocation::Memory {
   SlopeMatrix source[stages];
   double rate[stages];
   std::optional<StageSystem> equations;
-  Matrix right, value, now;
-  Matrix coefficient[tail_length];
-  Matrix slope[stages];
+  Rows right, value, now;
+  Rows coefficient[tail_length];
+  Rows slope[stages];
   double highest = 0;  ///< coefficients of the last piece
   double unresolved = 0;
 
@@ -97,7 +99,9 @@ struct Collocation::Memory {
       rate[i] = width * (end - start) * now_at.rate;
     }
   }
-  auto source_at(int i) const { return Eigen::Map<const Matrix>(source[i].values.data(), size, columns); }
+  auto source_at(int i) const {
+    return Eigen::Map<const Eigen::MatrixXd>(source[i].values.data(), size, columns);
+  }
   /// Rates at point i, times the width of the piece, where the active components are `state`.
   template <class State>
   void set_slope(int i, const State& state) {
@@ -115,9 +119,11 @@ struct Collocation::Memory {
     for (int i = 0; i < stages; ++i) value.middleRows(i * m, m) = now;
     for (int j = 0; j < stages; ++j) {
       const auto b = source_at(j);
-      for (Index k = 0; k < m; ++k)
-        for (int i = 0; i < stages; ++i)
-          value.row(i * m + k) += gauss.integral[i][j] * rate[j] * b.row(active[k]);
+      for (Index k = 0; k < m; ++k) {
+        given = rate[j] * b.row(active[k]);
+        if (given.isZero(0)) continue;
+        for (int i = 0; i < stages; ++i) value.row(i * m + k) += gauss.integral[i][j] * given;
+      }
     }
     equations->solve(jacobian, rate, {value.data(), static_cast<std::size_t>(value.size())});
     for (int i = 0; i < stages; ++i) set_slope(i, value.middleRows(i * m, m));
@@ -183,7 +189,7 @@ struct Collocation::Memory {
   /// Largest coefficients of the interpolants of the rates, relative to the slopes of their column: of the
   /// two orders before the last two, and of these.
   std::pair<double, double> tails(const SlopeMatrix& slopes) {
-    const Eigen::Map<const Matrix> s(slopes.values.data(), size, columns);
+    const Eigen::Map<const Eigen::MatrixXd> s(slopes.values.data(), size, columns);
     for (auto& part : coefficient) part.setZero(size, columns);
     const auto unit = magnitude.cwiseInverse().asDiagonal();
     const auto telling = weight.asDiagonal();
@@ -233,7 +239,7 @@ struct Collocation::Memory {
   bool solve_piece(LinearField& field, double start, double end, Edges edges, double u, double width,
                    SlopeMatrix& slopes, bool last, double whole) {
     read(field, start, end, edges, u, width);
-    Eigen::Map<Matrix> s(slopes.values.data(), size, columns);
+    Eigen::Map<Eigen::MatrixXd> s(slopes.values.data(), size, columns);
     now.resize(std::ssize(active), columns);
     for (std::size_t k = 0; k < active.size(); ++k) now.row(k) = s.row(active[k]);
     const bool solved = solve();

@@ -10,7 +10,8 @@ namespace mariotte::impact {
 
 class StageSystem::Equations {
  public:
-  using Values = Eigen::Map<Eigen::MatrixXd>;
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  using Values = Eigen::Map<Rows>;
 
   Equations(const std::vector<flow::Entry>& pattern, const std::vector<Index>& position,
             std::vector<double> magnitude);
@@ -44,7 +45,8 @@ class StageSystem::Equations {
   std::vector<Index> unknown_;     ///< those of them that something acts on
   std::vector<Index> place_;       ///< of a component among these, or −1
   Links among_kept_, to_kept_, to_eliminated_;
-  Eigen::MatrixXd system_, right_;
+  Eigen::MatrixXd system_;
+  Rows right_;
   const std::vector<double>* jacobian_ = nullptr;
   const double* h_ = nullptr;
 };

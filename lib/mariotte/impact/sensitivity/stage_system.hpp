@@ -23,7 +23,7 @@ class StageSystem {
 
   /// Unknowns of a division, at most.
   Index unknowns() const;
-  /// R becomes Z: values by point and component, one column after the other. Entries of J by point, and h.
+  /// R becomes Z: values by point and component, one such row after the other. Entries of J by point, and h.
   void solve(const std::vector<double>* jacobian, const double* h, std::span<double> values);
 
  private:
