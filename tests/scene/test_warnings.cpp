@@ -43,7 +43,23 @@ BOOST_AUTO_TEST_CASE(slips_in_units_are_suspicious) {
       warning("chain.material.young=210e12").starts_with("--set chain.material.young: stiffer than diamond"));
   BOOST_TEST(
       warning("chain.material.density=7.8").starts_with("--set chain.material.density: outside 50 to 25000"));
-  BOOST_TEST(warning("chain.radius=10").starts_with("--set chain.radius: more than 1 m"));
+  BOOST_TEST(warning("chain.radius=10").starts_with("--set chain.radius: a radius of more than 1 m"));
+}
+
+BOOST_AUTO_TEST_CASE(slips_in_sizes_are_suspicious_wherever_they_stand) {
+  const std::string body =
+      "[body]\nshape = 'sphere'\ndiameter = 5\ndensity = 1.35\n[surface]\nlaw = 'brach-dunn'\n"
+      "stiffness = 1e9\nwork_of_adhesion = 0.4\nzeta_hertz = 1\nzeta_adhesion = 1\n"
+      "[incidence]\nnormal_speed = 5";
+  const auto of_body = parse(body, "f").warnings;
+  BOOST_REQUIRE(of_body.size() == 2u);
+  BOOST_TEST(of_body[0].starts_with("f:4:11: body.density: outside 50 to 25000"));
+  BOOST_TEST(of_body[1].starts_with("f:3:12: body.diameter: a radius of more than 1 mm"));
+  const std::string bodies =
+      "[bodies]\nlaw = 'hertz'\nstiffness = 1\nradius = 2000\ndensity = 1\n"
+      "[[bodies.body]]\nshape = 'ball'\nposition = [0, 0, 0]\nvelocity = [1, 0, 0]\n"
+      "[[bodies.body]]\nshape = 'ball'\nposition = [5000, 0, 0]\nvelocity = [0, 0, 0]";
+  BOOST_TEST(parse(bodies, "f").warnings.size() == 2u);  // said once, for both
 }
 
 BOOST_AUTO_TEST_CASE(accuracies_beyond_reason_are_suspicious) {

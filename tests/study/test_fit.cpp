@@ -61,6 +61,12 @@ BOOST_AUTO_TEST_CASE(the_start_does_not_matter) {
     }
 }
 
+BOOST_AUTO_TEST_CASE(scenes_may_say_radius_or_diameter) {
+  const auto measured = exact(sphere, true_dampings, speeds_and_diameters);
+  const auto scene = with(sphere, "radius = \"2.45 um\"", "diameter = \"4.9 um\"");
+  BOOST_TEST(error(fitted(scene, measured, dampings), {1.5, 0.5}) < 1e-8);
+}
+
 BOOST_AUTO_TEST_CASE(captured_bodies_among_the_measurements_do_no_harm) {
   const auto measured = exact(sphere, true_dampings, table_of({4.9}, speeds(0.8, 20, 20)));
   BOOST_TEST(measured.rows.front().measured == 0);

@@ -123,6 +123,21 @@ BOOST_AUTO_TEST_CASE(a_stiffer_material_acts_through_stiffnesses_alone) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(slopes_by_a_diameter_are_half_of_those_by_a_radius) {
+  const std::string rest =
+      "\ndensity = 1350\n[surface]\nstiffness = 1.74e9\nwork_of_adhesion = 0.38\nzeta_hertz = 1.5\n"
+      "zeta_adhesion = 0.5\n[incidence]\nnormal_speed = 5\n[body]\nshape = \"sphere\"\n";
+  const auto table = rest.substr(rest.find("[body]")), others = rest.substr(0, rest.find("[body]"));
+  const auto by_radius = slopes_of(table + "radius = 2.45e-6" + others, {}),
+             by_diameter = slopes_of(table + "diameter = 4.9e-6" + others, {});
+  BOOST_TEST_REQUIRE(by_radius.parameter.size() == by_diameter.parameter.size());
+  BOOST_TEST(by_diameter.parameter[0].name == "diameter");
+  for (std::size_t i = 0; i < by_radius.outcome.size(); ++i) {
+    const double whole = *by_radius.outcome[i].slope[0], half = *by_diameter.outcome[i].slope[0];
+    BOOST_TEST(std::abs(half - 0.5 * whole) <= 1e-9 * std::abs(half));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_key_that_is_no_number_is_refused) {
   BOOST_CHECK_THROW(slopes_of(triplet, {"chain.law"}), scene::SceneError);
   BOOST_CHECK_THROW(slopes_of(triplet, {"chain.nothing"}), scene::SceneError);

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "mariotte/scene/error_list.hpp"
+#include "mariotte/scene/radius.hpp"
 
 namespace mariotte::scene {
 namespace {
@@ -17,19 +18,11 @@ double read_mass(Source& source, const Field& field) {
   return number(source, field, dimension::mass, Domain::positive_or_infinite);
 }
 
-double read_radius(Source& source, const Field& field) {
-  const double radius = number(source, field, dimension::length, Domain::positive_or_infinite);
-  if (std::isfinite(radius) && radius > 1) warn(source, field, "more than 1 m (a bare number is in metres)");
-  return radius;
+double read_ball_radius(Source& source, const Field& field) {
+  return read_radius(source, field, large_body, Domain::positive_or_infinite);
 }
-
-double read_diameter(Source& source, const Field& field) {
-  return 0.5 * number(source, field, dimension::length, Domain::positive_or_infinite);
-}
-
-void expect_one_size(const Source& source, const Field& table) {
-  if (const auto diameter = find(table, "diameter"); diameter && find(table, "radius"))
-    reject(source, *diameter, fault::contradiction, "'radius' is given, too; give one of them");
+double read_ball_diameter(Source& source, const Field& field) {
+  return read_diameter(source, field, large_body, Domain::positive_or_infinite);
 }
 
 double read_velocity(Source& source, const Field& field) {
@@ -40,8 +33,8 @@ double read_velocity(Source& source, const Field& field) {
 template <class Visit>
 void each_key(Visit visit) {
   visit("mass", &Ball::mass, read_mass);
-  visit("radius", &Ball::radius, read_radius);
-  visit("diameter", &Ball::radius, read_diameter);
+  visit("radius", &Ball::radius, read_ball_radius);
+  visit("diameter", &Ball::radius, read_ball_diameter);
   visit("material", &Ball::material, read_material);
   visit("velocity", &Ball::velocity, read_velocity);
 }

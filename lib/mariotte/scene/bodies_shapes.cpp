@@ -8,6 +8,7 @@
 #include "mariotte/core/error.hpp"
 #include "mariotte/model/microbody/rigid_body.hpp"
 #include "mariotte/scene/error_list.hpp"
+#include "mariotte/scene/radius.hpp"
 
 namespace mariotte::scene {
 namespace {
@@ -43,17 +44,11 @@ struct Reader {
 
   /// 'radius', or half of 'diameter'; the body's own goes before that of all.
   std::optional<double> radius() const {
-    for (const auto* place : {&table, &bodies}) {
-      const auto whole = find(*place, "diameter"), half = find(*place, "radius");
-      if (whole && half)
-        reject(source, *whole, fault::contradiction, "'radius' is given, too; give one of them");
-      if (half) return positive(*half, dimension::length);
-      if (whole) return 0.5 * positive(*whole, dimension::length);
-    }
-    return {};
+    const auto own_radius = find_radius(source, table);
+    return own_radius ? own_radius : find_radius(source, bodies);
   }
   std::optional<double> density(const std::optional<Material>& material) const {
-    if (const auto field = any("density")) return positive(*field, dimension::density);
+    if (const auto field = any("density")) return read_density(source, *field);
     return material ? material->density : std::nullopt;
   }
   /// Given, or of this volume.

@@ -17,8 +17,6 @@ void warn_of_slips(Source& source, const Field& field, const Material& material)
     warn(source, *find(field, "young"), "below 1 GPa is very soft for this density (GPa meant?)");
   if (material.young && std::isfinite(*material.young) && *material.young > 2e12)
     warn(source, *find(field, "young"), "stiffer than diamond (inf makes a body rigid)");
-  if (material.density && (*material.density < 50 || *material.density > 25000))
-    warn(source, *find(field, "density"), "outside 50 to 25000 kg/m^3 (is the unit right?)");
 }
 
 double read_poisson(const Source& source, const Field& field) {
@@ -45,6 +43,12 @@ Material named_material(const Source& source, const Field& field) {
 
 }  // namespace
 
+double read_density(Source& source, const Field& field) {
+  const double density = number(source, field, dimension::density, Domain::positive);
+  if (density < 50 || density > 25000) warn(source, field, "outside 50 to 25000 kg/m^3 (is the unit right?)");
+  return density;
+}
+
 Material read_material(Source& source, const Field& field) {
   if (std::holds_alternative<std::string>(field.node->value)) return named_material(source, field);
   expect_keys(source, field, keys);
@@ -52,8 +56,7 @@ Material read_material(Source& source, const Field& field) {
   if (const auto young = find(field, "young"))
     material.young = number(source, *young, dimension::pressure, Domain::positive_or_infinite);
   if (const auto poisson = find(field, "poisson")) material.poisson = read_poisson(source, *poisson);
-  if (const auto density = find(field, "density"))
-    material.density = number(source, *density, dimension::density, Domain::positive);
+  if (const auto density = find(field, "density")) material.density = read_density(source, *density);
   if (const auto yield = find(field, "yield_strength"))
     material.yield_strength = number(source, *yield, dimension::pressure, Domain::positive);
   if (material.young && std::isinf(*material.young) && !material.poisson) material.poisson = 0;

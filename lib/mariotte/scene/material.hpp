@@ -21,6 +21,9 @@ struct Material {
 /// Throws SceneError; warns of values that look like a slip in the unit.
 Material read_material(Source& source, const Field& field);
 
+/// ρ [kg/m³], with a warning where it looks like a slip in the unit.
+double read_density(Source& source, const Field& field);
+
 /// For contact stiffness; empty unless Young's modulus and Poisson's ratio are known.
 std::optional<contact::Elasticity> elastic(const Material& material);
 

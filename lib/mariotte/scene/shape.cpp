@@ -4,6 +4,7 @@
 
 #include "mariotte/core/error.hpp"
 #include "mariotte/scene/error_list.hpp"
+#include "mariotte/scene/radius.hpp"
 
 namespace mariotte::scene {
 namespace {
@@ -24,26 +25,10 @@ double positive(const Source& source, const Field& field, const Dimension& dimen
   return number(source, field, dimension, Domain::positive);
 }
 
-double read_radius(Source& source, const Field& field) {
-  const double radius = positive(source, field, dimension::length);
-  if (radius > 1e-3) warn(source, field, "more than 1 mm is no microbody (a bare number is in metres)");
-  return radius;
-}
-
-/// 'radius', or half of 'diameter', if either is there.
-std::optional<double> find_radius(Source& source, const Field& body) {
-  const auto radius = find(body, "radius"), diameter = find(body, "diameter");
-  if (radius && diameter)
-    reject(source, *diameter, fault::contradiction, "'radius' is given, too; give one of them");
-  if (radius) return read_radius(source, *radius);
-  if (diameter) return 0.5 * positive(source, *diameter, dimension::length);
-  return {};
-}
-
 /// Of the body, or of its material.
 std::optional<double> find_density(Source& source, const Field& body,
                                    const std::optional<Material>& material) {
-  if (const auto field = find(body, "density")) return positive(source, *field, dimension::density);
+  if (const auto field = find(body, "density")) return read_density(source, *field);
   return material ? material->density : std::nullopt;
 }
 
@@ -60,7 +45,7 @@ model::Tip read_tip(Source& source, const Field& table, const std::optional<doub
   model::Tip tip{.centre = read_vector(source, required(source, table, "centre"), dimension::length),
                  .radius = common.value_or(0)};
   if (const auto own = find(table, "radius"))
-    tip.radius = read_radius(source, *own);
+    tip.radius = read_radius(source, *own, large_microbody);
   else if (!common)
     reject(source, table, fault::missing, "'radius' is missing");
   return tip;
@@ -72,7 +57,7 @@ model::RigidBody read_custom(Source& source, const Field& body) {
   custom.mass = positive(source, required(source, body, "mass"), dimension::mass);
   const auto inertia = required(source, body, "inertia");
   custom.inertia = read_vector(source, inertia, inertia_dimension);
-  const auto radius = find_radius(source, body);
+  const auto radius = find_radius(source, body, large_microbody);
   const auto tips = required(source, body, "tips");
   if (!tips.node->array()) reject(source, tips, fault::wrong_type, "expected an array of tables");
   const auto count = static_cast<Index>(tips.node->array()->size());
@@ -94,8 +79,8 @@ model::RigidBody read_as(Source& source, const Field& body, std::string_view sha
   double radius = 0, ratio = 0;
   ErrorList errors;
   errors.attempt([&] {
-    const auto found = find_radius(source, body);
-    radius = found ? *found : read_radius(source, required(source, body, "radius"));
+    const auto found = find_radius(source, body, large_microbody);
+    radius = found ? *found : read_radius(source, required(source, body, "radius"), large_microbody);
   });
   errors.attempt([&] {
     if (shape == "sphere") return;

@@ -1,6 +1,8 @@
 #include "mariotte/scene/source.hpp"
 
+#include <algorithm>
 #include <tuple>
+#include <utility>
 
 #include "mariotte/scene/scene.hpp"
 
@@ -48,10 +50,13 @@ void reject(const Source& source, const Place& place, Fault fault, const std::st
 }
 
 void warn(Source& source, const Place& place, const std::string& message) {
-  if (source.warnings.size() < most_warnings)
-    source.warnings.push_back(where(source, place) + ": " + presentable(message));
-  else if (source.warnings.size() == most_warnings)
-    source.warnings.push_back(source.name + ": more warnings of this kind are not shown");
+  auto& list = source.warnings;
+  auto warning = where(source, place) + ": " + presentable(message);
+  if (std::find(list.begin(), list.end(), warning) != list.end()) return;
+  if (list.size() < most_warnings)
+    list.push_back(std::move(warning));
+  else if (list.size() == most_warnings)
+    list.push_back(source.name + ": more warnings of this kind are not shown");
 }
 
 }  // namespace mariotte::scene

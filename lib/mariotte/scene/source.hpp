@@ -37,7 +37,7 @@ Place add_origin(Source& source, std::string origin);
 [[noreturn]] void reject(const Source& source, const Place& place, Fault fault, const std::string& message,
                          const std::string& key = "");
 
-/// Adds "where: message" to the warnings; after the first twenty only once more, to say so.
+/// Adds "where: message" to the warnings, once; after the first twenty only one more, to say so.
 void warn(Source& source, const Place& place, const std::string& message);
 
 }  // namespace mariotte::scene

@@ -41,11 +41,21 @@ FitModel::FitModel(scene::Document document, const std::vector<std::string>& fre
 
 /// Words of the table that mean other keys in a chain.
 void FitModel::name_settings(const scene::Scene& scene) {
-  if (!std::holds_alternative<model::Chain>(scene.model)) return;
-  for (auto& setting : measurements_.settings) {
-    if (setting.name == "speed") setting.key = "chain.velocity[0]";
-    if (setting.name == "diameter") setting.key = "chain.radius";
+  const bool is_chain = std::holds_alternative<model::Chain>(scene.model);
+  for (std::size_t i = 0; i < measurements_.settings.size(); ++i) {
+    auto& [name, key] = measurements_.settings[i];
+    if (name == "speed" && is_chain) key = "chain.velocity[0]";
+    if (name == "diameter") name_diameter(i, is_chain ? "chain" : "body");
   }
+}
+
+/// Of measured diameters the halves are radii, unless the scene says 'diameter', too.
+void FitModel::name_diameter(std::size_t i, const std::string& table) {
+  const auto found = scene::find(scene::Field{&document_.tree, ""}, table);
+  const bool is_whole = found && scene::find(*found, "diameter");
+  measurements_.settings[i].key = table + (is_whole ? ".diameter" : ".radius");
+  for (auto& row : measurements_.rows)
+    if (is_whole) std::get<double>(row.values[i].value) *= 2;
 }
 
 void FitModel::expect_quantity(const scene::Scene& scene) {

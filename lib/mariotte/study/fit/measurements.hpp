@@ -7,7 +7,8 @@
 // may follow in the header, or stand in the cells.
 //
 //     speed                            incidence.normal_speed; of a chain, chain.velocity[0]
-//     diameter                         twice body.radius, or chain.radius
+//     diameter                         body.diameter, or chain.diameter; half of it is the radius where the
+//                                      scene gives that
 //     restitution                      of the tip of a body, or of the two balls of a chain, measured
 //     any key of a result              measured, as restitution.centre or contacts[0].peak_force
 //     deviation                        standard deviation of what was measured; optional

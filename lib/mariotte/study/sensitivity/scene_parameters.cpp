@@ -33,7 +33,8 @@ struct NamedKey {
   const char* key;
 };
 /// What a body and its surface are made from, by the symbols that their page uses.
-constexpr std::array<NamedKey, 15> of_body{{{"radius", "body.radius"},
+constexpr std::array<NamedKey, 16> of_body{{{"radius", "body.radius"},
+                                            {"diameter", "body.diameter"},
                                             {"density", "body.density"},
                                             {"length_ratio", "body.length_ratio"},
                                             {"stiffness", "surface.stiffness"},
