@@ -18,6 +18,7 @@
 #include "mariotte/report/csv/sweep_rows.hpp"
 #include "mariotte/report/json/sweep_json.hpp"
 #include "mariotte/report/page/provenance.hpp"
+#include "mariotte/report/sweep_warnings.hpp"
 #include "mariotte/scene/sha256.hpp"
 #include "mariotte/study/sweep/sweep_reader.hpp"
 #include "progress_line.hpp"
@@ -96,9 +97,12 @@ int finish(const Options& options, const study::SweepPlan& plan, study::Journal&
   const auto written = write(options.files, plan, description(options, plan, journal), journal);
   if (!written.shortfall.empty() && !options.scene.quiet) warning(written.shortfall);
   const Index points = plan.design.points(), failed = journal.failed();
-  print(fmt::format("{}, {} without a result: {}\n", counted(points, "point"), failed,
+  print(fmt::format("{}, {}: {}\n", counted(points, "point"),
+                    failed == 0 ? "all with a result" : fmt::format("{} without a result", failed),
                     (options.files.folder / "sweep.csv").string()));
   if (written.statistics) print(table(*written.statistics));
+  if (!options.scene.quiet)
+    for (const auto& one : report::warnings(plan)) warning(one);
   return failed < points ? ExitCode::ok : ExitCode::solver_failed;
 }
 

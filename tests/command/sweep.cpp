@@ -37,7 +37,7 @@ BOOST_FIXTURE_TEST_CASE(a_row_is_what_run_says_of_that_point, Session) {
   write("few.toml", few);
   const auto sweep = mariotte("sweep few.toml --out out --column 'final.velocity[*]' --column 'icr[0]'");
   BOOST_TEST(sweep.code == 0);
-  BOOST_TEST(sweep.out == "6 points, 0 without a result: out/sweep.csv\n");
+  BOOST_TEST(sweep.out == "6 points, all with a result: out/sweep.csv\n");
   const auto rows = lines(content(folder / "out/sweep.csv"));
   BOOST_TEST_REQUIRE(rows.size() == 7);
   BOOST_TEST(rows[0] ==
@@ -88,7 +88,7 @@ normal_speed = "5 m/s"
   const std::string sweep = "[[sweep]]\nkey = 'incidence.normal_speed'\nfrom = '2 m/s'\nto = '6 ";
   write("body.toml", body + sweep + "m/s'\ncount = 5\n");
   const auto done = mariotte("sweep body.toml --out out --no-figures --column restitution.tip");
-  BOOST_TEST(done.out == "5 points, 0 without a result: out/sweep.csv\n");
+  BOOST_TEST(done.out == "5 points, all with a result: out/sweep.csv\n");
   const auto run =
       nlohmann::json::parse(mariotte("run body.toml --json --set 'incidence.normal_speed=3'").out);
   const auto row = lines(content(folder / "out/sweep.csv"))[2];
@@ -228,6 +228,19 @@ BOOST_FIXTURE_TEST_CASE(points_that_fail_are_rows_with_their_reason, Session) {
   const auto none = mariotte("sweep some.toml --out none --set run.flow=nonsense");
   BOOST_TEST(none.code == 3);
   BOOST_TEST(!fs::exists(folder / "none"));
+}
+
+BOOST_FIXTURE_TEST_CASE(points_beyond_the_limits_of_their_model_are_told_of, Session) {
+  write("steel.toml",
+        "[chain]\nradius = 0.01\nmaterial = 'steel'\nlaw = 'hertz'\nballs = 2\nvelocity = [0.01, 0]\n"
+        "[[sweep]]\nkey = 'chain.velocity[0]'\nfrom = 0.01\nto = 1\ncount = 30\n");
+  const auto sweep = mariotte("sweep steel.toml --out out --column final.time");
+  BOOST_TEST(sweep.out == "30 points, all with a result: out/sweep.csv\n");
+  BOOST_TEST(sweep.err ==
+             "mariotte: warning: at 2 of 3 points that were looked at, max p₀/1.6Y is above 1: "
+             "the material yields, which the law leaves out, so the rebound is too fast "
+             "(--column validity.yield_ratio)\n");
+  BOOST_TEST(mariotte("sweep steel.toml --out quiet --column final.time --quiet").err == "");
 }
 
 BOOST_FIXTURE_TEST_CASE(points_beyond_double_precision_have_no_result, Session) {

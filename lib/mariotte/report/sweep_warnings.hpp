@@ -1,0 +1,14 @@
+// Where the points of a sweep are beyond the limits of their model.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "mariotte/study/sweep/sweep_reader.hpp"
+
+namespace mariotte::report {
+
+/// One sentence for each number of the validity that is beyond its limit at some of the points looked at: one
+/// in ten, the ends among them, but no more than 24. These are simulated again, as a whole.
+std::vector<std::string> warnings(const study::SweepPlan& plan);
+
+}  // namespace mariotte::report
