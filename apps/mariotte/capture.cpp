@@ -43,7 +43,7 @@ int capture(const Capture& options) {
   const auto scene = resolve(options.scene, document);
   const auto found = study::capture_velocity(document, options.tolerance);
   if (!found) {
-    error("no capture velocity within a factor of a million of the scene's speed", fault::no_capture);
+    error(study::no_capture_velocity, fault::no_capture);
     return ExitCode::check_failed;
   }
   print(options.json ? report::text(json(*found, scene)) : table(*found, scene));

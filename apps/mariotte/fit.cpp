@@ -76,9 +76,10 @@ constexpr const char* examples = R"(Examples:
   mariotte fit rod.toml measured.csv --free surface.friction --json
 
 The first line of DATA names its columns: speed, diameter or any key of the scene; restitution, or the key of
-any other number of a result, as contacts[0].peak_force; and deviation if it is known. A unit may follow, as in "diameter [um]". Values of the
-scene are where the search starts; what it finds stays positive.
-With --out DIR: fit.json, points.csv, curves.csv, plot.gp and, by gnuplot, fit and residuals as png and svg.
+any other number of a result, as contacts[0].peak_force; and deviation if it is known. A unit may follow, as
+in "diameter [um]". Values of the scene are where the search starts; what it finds stays positive.
+With --out DIR: fit.json, points.csv, curves.csv, plot.gp and, by gnuplot, fit and residuals as pdf, png and
+svg.
 Measurements that do not determine the values: exit code 1.
 )";
 

@@ -161,8 +161,8 @@ constexpr const char* examples = R"(Examples:
 
 The scene says by [[sweep]] tables what is varied. Stopped or killed, the same command goes on where it was.
 With --out DIR: sweep.csv, one row per point, sweep.json, what was varied, journal.jsonl, and by gnuplot
-figures as png and svg with their data and script, plot.csv and plot.gp. With --hdf5 also sweep.h5, the columns
-as datasets, and with --report also report.html, all but the rows in one page.
+figures as pdf, png and svg with their data and script, plot.csv and plot.gp. With --hdf5 also sweep.h5, the
+columns as datasets, and with --report also report.html, all but the rows in one page.
 )";
 
 OptionList declare(Options& options) {

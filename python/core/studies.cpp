@@ -25,8 +25,7 @@ py::tuple capture_velocity(const SceneBox& box, double tolerance) {
     const py::gil_scoped_release unlocked;
     found = study::capture_velocity(box.document, tolerance, Interruption());
   }
-  if (!found)
-    throw Error("no capture velocity within a factor of a million of the scene's speed", fault::no_capture);
+  if (!found) throw Error(study::no_capture_velocity, fault::no_capture);
   return py::make_tuple(found->captured, found->separated, found->runs);
 }
 

@@ -33,6 +33,12 @@ BOOST_FIXTURE_TEST_CASE(run_shows_what_the_tips_do, Bodies) {
     BOOST_TEST(has(run.out, part), part);
 }
 
+BOOST_FIXTURE_TEST_CASE(who_wants_the_restitution_of_a_body_is_told_the_way, Bodies) {
+  const auto run = mariotte("restitution microsphere.toml --from 1 --to 2");
+  BOOST_TEST(run.code == 3);
+  BOOST_TEST(has(run.err, "for a [body], sweep 'incidence.normal_speed'"));
+}
+
 BOOST_FIXTURE_TEST_CASE(json_of_a_body_has_the_promised_keys, Bodies) {
   const auto result = json("run microrod.toml");
   BOOST_TEST(result["model"] == "microbody");

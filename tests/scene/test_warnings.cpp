@@ -62,6 +62,17 @@ BOOST_AUTO_TEST_CASE(slips_in_sizes_are_suspicious_wherever_they_stand) {
   BOOST_TEST(parse(bodies, "f").warnings.size() == 2u);  // said once, for both
 }
 
+BOOST_AUTO_TEST_CASE(angles_in_degrees_are_suspicious) {
+  const std::string bodies =
+      "[bodies]\ndimension = 2\nlaw = 'linear'\nstiffness = 1\nfriction = 0\n"
+      "[[bodies.body]]\nshape = 'block'\nsize = [1, 2]\nmass = 1\nangle = 30\nposition = [0, 0]\n"
+      "velocity = [1, 0]\n"
+      "[[bodies.body]]\nshape = 'ball'\nradius = 1\nmass = 1\nposition = [5, 0]\nvelocity = [0, 0]";
+  const auto warnings = parse(bodies, "f").warnings;
+  BOOST_REQUIRE(warnings.size() == 1u);
+  BOOST_TEST(warnings[0].starts_with("f:10:9: bodies.body[0].angle: more than a full turn"));
+}
+
 BOOST_AUTO_TEST_CASE(accuracies_beyond_reason_are_suspicious) {
   BOOST_TEST(warning("run.accuracy=1e-15") == "--set run.accuracy: finer than double precision can give");
   BOOST_TEST(warning("run.accuracy=0.5").starts_with("--set run.accuracy: so coarse"));

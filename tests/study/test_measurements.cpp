@@ -78,6 +78,11 @@ BOOST_AUTO_TEST_CASE(columns_that_are_missing_unknown_or_given_twice_are_refused
       refuses("diameter,body.radius,restitution\n5,5,1\n", "'body.radius' is set by another column, too"));
 }
 
+BOOST_AUTO_TEST_CASE(other_separators_than_commas_are_named) {
+  for (const auto* text : {"speed;restitution\n5;0,8\n", "speed\trestitution\n5\t0.8\n"})
+    BOOST_TEST(refuses(text, "data.csv:1:1: cells are separated by commas"));
+}
+
 BOOST_AUTO_TEST_CASE(a_bad_cell_is_refused_at_its_line_and_column) {
   BOOST_TEST(refuses("speed,restitution\n5,0.8\n6,o.8\n", "data.csv:3:3: "));
   BOOST_TEST(refuses("speed,restitution\n5,\n", "data.csv:2:3: "));

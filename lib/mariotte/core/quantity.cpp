@@ -47,6 +47,10 @@ Quantity parse_quantity(std::string_view text) {
   const double number = take_number(rest);
   rest = trimmed(rest);
   if (rest.empty()) return {number, {}, {}};
+  for (const char* sign : {"±", "+-", "+/-"})
+    if (rest.find(sign) != std::string_view::npos)
+      throw QuantityError("got " + quoted(text) + ": deviations are for 'mariotte uncertainty' alone",
+                          fault::no_quantity);
   const auto unit = parse_unit(rest);
   const double value = number * unit.up / unit.down;
   if (!std::isfinite(value))

@@ -7,6 +7,7 @@
 
 #include "mariotte/core/error.hpp"
 #include "mariotte/model/microbody/rigid_body.hpp"
+#include "mariotte/scene/angle.hpp"
 #include "mariotte/scene/error_list.hpp"
 #include "mariotte/scene/radius.hpp"
 
@@ -164,6 +165,8 @@ void read_attitude(const Reader& read, model::Body& body) {
   if (quaternion && read.dimension == 2)
     reject(read.source, *quaternion, fault::misplaced, "is for space; bodies in the plane have an angle");
   if (angle) body.angle = number(read.source, *angle, dimension::none, Domain::finite);
+  if (const auto hint = hint_at_radians(body.angle); !hint.empty())
+    warn(read.source, *angle, "more than a full turn" + hint);
   if (!quaternion) return;
   const auto q = numbers(read.source, *quaternion, dimension::none, Domain::finite);
   expect_length(read.source, *quaternion, q.size(), 4);

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
+#include "mariotte/scene/angle.hpp"
 #include "mariotte/scene/error_list.hpp"
 #include "mariotte/scene/shape.hpp"
 #include "mariotte/scene/surface_reader.hpp"
@@ -35,10 +35,8 @@ double read_speed(const Source& source, const Field& incidence) {
   return speed;
 }
 
-/// Angles of more than a turn were meant in degrees.
-std::string hint_at_radians(const Vector3& angles) {
-  const double most = std::max({std::abs(angles.e1), std::abs(angles.e2), std::abs(angles.e3)});
-  return most > 2 * std::numbers::pi ? " (a bare number is in radians; \"42 deg\" is in degrees)" : "";
+std::string hint_of_largest(const Vector3& angles) {
+  return hint_at_radians(std::max({std::abs(angles.e1), std::abs(angles.e2), std::abs(angles.e3)}));
 }
 
 void read_tangential(const Source& source, const Field& field, model::Microbody& body) {
@@ -50,7 +48,7 @@ void read_tangential(const Source& source, const Field& field, model::Microbody&
 
 void read_angles(Source& source, const Field& field, model::Microbody& body) {
   const Vector3 angles = read_vector(source, field, dimension::none);
-  if (const auto hint = hint_at_radians(angles); !hint.empty())
+  if (const auto hint = hint_of_largest(angles); !hint.empty())
     warn(source, field, "more than a full turn" + hint);
   body.attitude = from_euler({angles.e1, angles.e2, angles.e3});
 }
@@ -84,7 +82,7 @@ void read_run_of_body(const Source& source, const std::optional<Field>& run, mod
 void expect_first_tip_first(const Source& source, const Field& incidence, const model::Microbody& body) {
   const auto blame = [&](const char* key) { return find(incidence, key).value_or(incidence); };
   const auto angles = find(incidence, "angles");
-  const auto hint = angles ? hint_at_radians(read_vector(source, *angles, dimension::none)) : std::string();
+  const auto hint = angles ? hint_of_largest(read_vector(source, *angles, dimension::none)) : std::string();
   if (const auto tip = model::tip_below_plane(body))
     reject(
         source, blame("angles"), fault::wrong_start,

@@ -145,6 +145,10 @@ ElasticPair elastic_pair(const Source& source, const Field& law_field, Index con
 /// From the materials and radii of the two balls [N/m^1.5].
 double material_stiffness(const Source& source, const Field& law_field, Index contact, const BallPair& pair) {
   const auto spheres = elastic_pair(source, law_field, contact, pair, "a stiffness");
+  if (spheres.left_radius == 0 || spheres.right_radius == 0)
+    reject(source, law_field, fault::no_stiffness,
+           name_of(contact) +
+               " is that of a point, as the corner of a block: it needs a stiffness, or the body a 'radius'");
   const double stiffness =
       contact::hertz_stiffness(spheres.left, spheres.left_radius, spheres.right, spheres.right_radius);
   if (!(stiffness > 0) || !std::isfinite(stiffness))

@@ -68,6 +68,10 @@ bool says_nothing(std::string_view line) {
 
 void add(const Source& source, std::vector<Cell> cells, CsvTable& table) {
   if (table.header.empty()) {
+    const auto other = cells.size() == 1 ? cells[0].text.find_first_of(";\t") : std::string::npos;
+    if (other != std::string::npos)
+      reject(source, cells[0].place, fault::no_table,
+             "cells are separated by commas, not by semicolons or tabs, and decimals by points");
     table.header = std::move(cells);
     return;
   }

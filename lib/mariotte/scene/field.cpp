@@ -68,7 +68,10 @@ std::string elsewhere(std::string_view key) {
   constexpr std::string_view run = " (it belongs to [run])",
                              material =
                                  " (it belongs to a material: material = { young = \"210 GPa\", ... })",
-                             top = " (it belongs above the first table)";
+                             top = " (it belongs above the first table)",
+                             incidence = " (it belongs to [incidence], beside a [body])",
+                             surface = " (it belongs to [surface], beside a [body])",
+                             sized = " (it belongs to what has that size: [chain], [body] or [bodies])";
   constexpr std::array homes{
       Home{"accuracy", run},
       Home{"max_time", run},
@@ -84,7 +87,17 @@ std::string elsewhere(std::string_view key) {
       Home{"poisson", material},
       Home{"density", material},
       Home{"yield_strength", material},
-      Home{"angles", " (it belongs to [incidence], beside a [body])"},
+      Home{"angles", incidence},
+      Home{"normal_speed", incidence},
+      Home{"tangential_velocity", incidence},
+      Home{"zeta_hertz", surface},
+      Home{"zeta_adhesion", surface},
+      Home{"damping_hertz", surface},
+      Home{"damping_adhesion", surface},
+      Home{"work_of_adhesion", surface},
+      Home{"balls", " (it belongs to [chain])"},
+      Home{"radius", sized},
+      Home{"diameter", sized},
       Home{"friction", " (friction acts between [bodies], or on a [body]: surface.friction)"}};
   for (const auto& home : homes)
     if (key == home.key) return std::string(home.hint);

@@ -7,7 +7,11 @@ namespace mariotte::study {
 impact::Pair pair_of(const scene::Scene& scene, const std::string& file, const char* what) {
   const auto* chain = std::get_if<model::Chain>(&scene.model);
   if (!chain || chain->law.size() != 1)
-    throw scene::SceneError(file + ": only two bodies of a [chain] can be " + what, fault::no_model);
+    throw scene::SceneError(file + ": only two bodies of a [chain] can be " + what +
+                                (std::holds_alternative<model::Microbody>(scene.model)
+                                     ? "; for a [body], sweep 'incidence.normal_speed'"
+                                     : ""),
+                            fault::no_model);
   return {chain->law[0], scene::reduced_mass(*chain, 0)};
 }
 

@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "mariotte/core/counted.hpp"
+#include <cmath>
+
 #include "mariotte/report/csv/columns.hpp"
 #include "mariotte/report/json/json_parts.hpp"
 
@@ -29,8 +30,14 @@ std::string shown(const std::optional<double>& value, const char* otherwise, int
   return value ? fmt::format("{:.{}g}", *value, digits) : otherwise;
 }
 
+/// What rounding alone makes is none.
+double beyond_rounding(const UncertainOutcome& outcome) {
+  return *outcome.deviation > 16 * epsilon * std::abs(outcome.value.value_or(0)) ? *outcome.deviation : 0;
+}
+
 /// "chain.radius 98 %".
 std::string largest_share(const UncertainOutcome& outcome, const Propagation& of) {
+  if (!outcome.deviation || beyond_rounding(outcome) == 0) return "–";
   std::size_t most = 0;
   for (std::size_t i = 0; i < outcome.share.size(); ++i) {
     if (!outcome.share[i]) return "–";
@@ -74,14 +81,18 @@ std::string table(const Propagation& propagation, const std::string& title) {
   text += "\n" + columns(head, std::ssize(propagation.outcomes), [&](Index i) -> TableRow {
             const auto& one = propagation.outcomes[static_cast<std::size_t>(i)];
             TableRow row{one.name, one.unit, shown(one.value, "undefined", 10),
-                         shown(one.deviation, "none", 4), largest_share(one, propagation)};
+                         one.deviation ? shown(beyond_rounding(one), "", 4) : "none",
+                         largest_share(one, propagation)};
             if (sampled)
               row.insert(row.end(), {shown(one.mean, "–", 10), shown(one.sampled_deviation, "–", 4)});
             return row;
           });
   if (propagation.others > 0)
-    text +=
-        fmt::format("\n{} left out: no sense, or another ending\n", counted(propagation.others, "sample"));
+    text += fmt::format(
+        "\nnote: {} of {} samples end in another way, or make no scene; means and deviations are those of "
+        "the "
+        "rest, and the first order knows nothing of this\n",
+        propagation.others, propagation.samples.count);
   for (const auto& note : propagation.notes) text += "\nnote: " + note + "\n";
   return text;
 }

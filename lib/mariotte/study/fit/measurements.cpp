@@ -90,7 +90,9 @@ Columns read_header(const Source& source, const std::vector<Cell>& header) {
       columns.settings.push_back(column);
     else if (column.name != "ending" && column.name != "reason")
       reject(source, header[i].place, fault::wrong_columns,
-             "'" + column.name + "' is no column of measurements, and no key of a scene or a result" +
+             "'" + column.name +
+                 "' is no column of measurements, as speed, diameter, restitution and "
+                 "deviation are, and no key of a scene or a result" +
                  suggestion(column.name, words));
   }
   return columns;
