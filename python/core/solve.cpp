@@ -2,6 +2,7 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <condition_variable>
 #include <exception>
@@ -15,6 +16,7 @@
 #include "mariotte/contact/named_laws.hpp"
 #include "mariotte/core/error.hpp"
 #include "mariotte/impact/chain/chain_batch.hpp"
+#include "mariotte/scene/fault.hpp"
 
 namespace mariotte::python {
 namespace {
@@ -148,26 +150,49 @@ class Crew {
   std::exception_ptr problem_;
 };
 
+/// Whether arrays say all that the law needs.
+bool takes(const contact::NamedLaw& law) {
+  constexpr std::array<std::string_view, 3> given{"stiffness", "exponent", "damping"};
+  return !law.keys.empty() && std::ranges::all_of(law.keys, [&](const contact::LawKey& key) {
+    return std::ranges::find(given, key.key) != given.end();
+  });
+}
+
 const contact::NamedLaw& law_of(const std::string& name) {
-  for (const auto& law : contact::named_laws)
+  std::string known;
+  for (const auto& law : contact::named_laws) {
+    if (!takes(law)) continue;
     if (law.name == name) return law;
-  throw InvalidParameter("unknown law '" + name + "' (" + contact::names_of_laws() + ")",
-                         fault::unknown_word);
+    known += (known.empty() ? "" : ", ") + std::string(law.name);
+  }
+  throw InvalidParameter("solve has no law '" + name + "' (" + known + ")", fault::unknown_word);
+}
+
+double exponent_of(const contact::NamedLaw& law, std::optional<double> given) {
+  const double own = law.exponent.value_or(contact::LawNumbers{}.exponent);
+  if (given && given != own && !law.find("exponent"))
+    throw InvalidParameter("'" + std::string(law.name) + "' has its own exponent (viscoelastic has any)",
+                           fault::misplaced);
+  return given.value_or(own);
+}
+
+void expect_damper(const contact::NamedLaw& law, const Numbers& damping) {
+  if (law.damping()) return;
+  if (std::all_of(damping.data(), damping.data() + damping.size(), [](double c) { return c == 0; })) return;
+  throw InvalidParameter("'" + std::string(law.name) + "' has no damping (viscoelastic has)",
+                         fault::misplaced);
 }
 
 py::tuple solve(Index rows, const Numbers& mass, const Numbers& stiffness, const Numbers& velocity,
-                const Numbers& gap, const Numbers& damping, const std::string& law, double exponent,
-                double accuracy, int threads) {
+                const Numbers& gap, const Numbers& damping, const std::string& law,
+                std::optional<double> exponent, double accuracy, int threads) {
   const contact::NamedLaw* named = nullptr;
+  double power = 0;
   of_option("law", [&] { named = &law_of(law); });
-  const Chains chains{Rows(mass),
-                      Rows(stiffness),
-                      Rows(velocity),
-                      Rows(gap),
-                      Rows(damping),
-                      *named,
-                      named->exponent.value_or(exponent),
-                      {.accuracy = accuracy}};
+  of_option("exponent", [&] { power = exponent_of(*named, exponent); });
+  of_option("damping", [&] { expect_damper(*named, damping); });
+  const Chains chains{Rows(mass),    Rows(stiffness), Rows(velocity), Rows(gap),
+                      Rows(damping), *named,          power,          {.accuracy = accuracy}};
   const Index balls = chains.mass.length;
   Results results(rows, balls);
   {

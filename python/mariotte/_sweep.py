@@ -178,8 +178,8 @@ class Solved(NamedTuple):
 
 
 def solve(mass: Numbers, stiffness: Numbers, velocity: Numbers, *, gap: Numbers = 0.0,
-          damping: Numbers = 0.0, law: str = "hertz", exponent: float = 1.5, accuracy: float = 1e-10,
-          threads: Optional[int] = None) -> Solved:
+          damping: Numbers = 0.0, law: str = "hertz", exponent: Optional[float] = None,
+          accuracy: float = 1e-10, threads: Optional[int] = None) -> Solved:
     """Solve N chains of n balls at once, for Monte Carlo or an optimiser of your own.
 
     Parameters
@@ -189,9 +189,10 @@ def solve(mass: Numbers, stiffness: Numbers, velocity: Numbers, *, gap: Numbers 
     stiffness, gap, damping : array_like
         Of shape (N, n − 1), or what can be spread to that; k in N/m^n, gaps in m, damping in the unit of the law.
     law : str
-        ``linear``, ``hertz``, ``viscoelastic`` or ``hunt-crossley``.
-    exponent : float
-        Of laws that leave it open.
+        ``linear`` or ``hertz``, which have no damping; ``viscoelastic``, ``kelvin-voigt``, ``kuwabara-kono``,
+        ``hunt-crossley`` or ``tsuji``. A sweep takes all other laws of scenes.
+    exponent : float, optional
+        n ≥ 1 of ``viscoelastic`` and ``hunt-crossley``, which leave it open; 3/2 if it is left out.
     accuracy : float
         Wanted error of the final velocities relative to the largest incident speed.
     threads : int, optional
@@ -204,7 +205,8 @@ def solve(mass: Numbers, stiffness: Numbers, velocity: Numbers, *, gap: Numbers 
     Raises
     ------
     InvalidParameter
-        For an array of the wrong shape, by its name, or the first row that makes no sense, by its number from 0.
+        For an array of the wrong shape, by its name, or the first row that makes no sense, by its number from 0; for a
+        damping or an exponent that the law does not have.
 
     Examples
     --------
@@ -221,8 +223,8 @@ def solve(mass: Numbers, stiffness: Numbers, velocity: Numbers, *, gap: Numbers 
     rows = max(one.shape[0] for one in (*of_balls.values(), *of_contacts.values()))
     m, v = (_spread(name, one, rows, balls) for name, one in of_balls.items())
     k, g, c = (_spread(name, one, rows, balls - 1) for name, one in of_contacts.items())
-    return Solved(*_core.solve(rows, m, k, v, g, c, law, number(exponent, "exponent"), number(accuracy, "accuracy"),
-                               _workers(threads)))
+    n = None if exponent is None else number(exponent, "exponent")
+    return Solved(*_core.solve(rows, m, k, v, g, c, law, n, number(accuracy, "accuracy"), _workers(threads)))
 
 
 def _rows(name: str, values: Numbers, unit: str = "") -> Array:

@@ -3,6 +3,7 @@
 import errno
 import os
 import pickle
+import re
 
 import numpy as np
 import pytest
@@ -29,6 +30,30 @@ def test_columns_rows_and_laws_are_named(triplet):
         with pytest.raises(mt.SceneError) as caught:
             call()
         assert (caught.value.key, caught.value.place) == expected
+
+
+@pytest.mark.parametrize("options, key", [(dict(law="hertz", damping=1), "damping"),
+                                          (dict(law="linear", damping=[[0], [1]]), "damping"),
+                                          (dict(law="hertz", exponent=2), "exponent"),
+                                          (dict(law="tsuji", exponent=1), "exponent")])
+def test_solve_refuses_what_the_law_does_not_have_as_a_chain_does(options, key):
+    with pytest.raises(mt.InvalidParameter) as caught:
+        mt.solve(1, 1, [1, 0], **options)
+    own = {**options, key: 2, **({"damping": 1} if options["law"] == "tsuji" else {})}
+    with pytest.raises(mt.SceneError) as of_chain:
+        mt.Chain(mass=[1, 1], velocity=[1, 0], stiffness=1, **own)
+    assert caught.value.key == key and (caught.value.code, of_chain.value.code) == ("S016", "S016")
+    assert of_chain.value.args[0].endswith(caught.value.args[0])
+
+
+def test_solve_names_the_laws_that_it_takes():
+    for name in ("magic", "jkr", "walton-braun", "tabulated"):
+        with pytest.raises(mt.InvalidParameter, match=f"no law '{name}'") as caught:
+            mt.solve(1, 1, [1, 0], law=name)
+    known = re.search(r"\((.*)\)", caught.value.args[0]).group(1).split(", ")
+    assert len(known) == 7
+    for law in known:
+        assert f"``{law}``" in mt.solve.__doc__ and (mt.solve(1, 1, [1, 0], law=law).ending == mt.Ending.separated).all()
 
 
 @pytest.mark.parametrize("arrays, key, shapes",

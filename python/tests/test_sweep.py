@@ -139,7 +139,7 @@ def test_momentum_is_kept_by_all_rows():
 def test_a_row_without_sense_is_named():
     with pytest.raises(mt.InvalidParameter, match="row 1: .*mass"):
         mt.solve([[1, 1], [1, -1]], 1, [1, 0])
-    with pytest.raises(mt.InvalidParameter, match="unknown law"):
+    with pytest.raises(mt.InvalidParameter, match="no law 'magic'"):
         mt.solve(1, 1, [1, 0], law="magic")
     with pytest.raises(ValueError):
         mt.solve(np.ones((2, 3)), 1, np.ones((2, 4)))
