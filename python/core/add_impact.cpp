@@ -192,6 +192,7 @@ void add_impact(py::module_& module) {
           "message",
           [](const Impact& impact) { return of_any(impact, [](auto& one) { return one.message; }); })
       .def_property_readonly("time", &time)
+      .def_property_readonly("warnings", &Impact::warnings)
       .def("number", &number, py::arg("key"))
       .def("json", [](const Impact& impact) { return report::json_text(impact.whole(), impact.scene()); })
       .def("sample", &sample_at, py::arg("times"))

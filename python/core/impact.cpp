@@ -5,14 +5,27 @@
 
 #include "arrays.hpp"
 #include "interruption.hpp"
+#include "mariotte/contact/tabulated.hpp"
 #include "mariotte/core/overload.hpp"
 #include "mariotte/impact/chain/chain_solver.hpp"
 #include "mariotte/impact/impulses.hpp"
-#include "mariotte/impact/shallow.hpp"
 #include "mariotte/impact/watch/chain_run.hpp"
+#include "mariotte/report/warnings.hpp"
 #include "mariotte/scene/judge.hpp"
 
 namespace mariotte::python {
+namespace {
+
+/// Whether results may have to warn of an indentation.
+bool limits_indentation(const model::Chain& chain, const scene::Scene& scene) {
+  const auto ends = [](const contact::Law& law) {
+    const auto* const own = std::get_if<contact::SharedLaw>(&law);
+    return own && dynamic_cast<const contact::Tabulated*>(own->get());
+  };
+  return !scene.touching.empty() || std::ranges::any_of(chain.law, ends);
+}
+
+}  // namespace
 
 scene::Impact simulate(const SceneBox& box, const hybrid::Options& options, impact::RunObserver observers,
                        bool estimate) {
@@ -40,12 +53,13 @@ Impact::Impact(SharedScene box, const hybrid::Options& options, bool until, bool
 
 /// The solver tells nobody how far it is, so it gets so few events that it is done before a hand has moved,
 /// and no time limit, up to which a phase may last. It knows no indentations, so a chain that might end
-/// `invalid` is not for it.
+/// `invalid`, or with a warning of them, is not for it; nor does it know flows, of which one may be asked
+/// for.
 bool Impact::solve_quickly() {
   constexpr Index few = 1000;
   const auto* const chain = std::get_if<model::Chain>(&box_->scene.model);
   if (!chain || impact::divides(options_, *chain) || std::isfinite(options_.max_time)) return false;
-  if (!impact::stays_shallow(*chain, box_->scene.touching)) return false;
+  if (options_.flow || limits_indentation(*chain, box_->scene)) return false;
   auto quick = options_;
   quick.max_events = std::min(quick.max_events, few);
   thread_local impact::ChainSolver solver(impact::Course::of_simulate);
@@ -74,6 +88,14 @@ const scene::Impact& Impact::whole() const {
   }
   if (!whole_) whole_ = std::move(made);  // unless another thread was quicker
   return *whole_;
+}
+
+std::vector<std::string> Impact::warnings() const {
+  auto list = box_->scene.warnings;
+  if (brief_ && brief_->events > 0 && !brief_->estimated_accuracy) return list;
+  const auto of_run = [&](const auto& one) { return report::warnings(one, options_.flow); };
+  for (auto& one : std::visit(of_run, whole())) list.push_back(std::move(one));
+  return list;
 }
 
 scene::Scene Impact::scene() const {

@@ -1,6 +1,7 @@
 // The impact of a scene as Python holds it: quick numbers first, everything else when it is asked for.
 #pragma once
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "mariotte/impact/brief_impact.hpp"
@@ -11,7 +12,7 @@ namespace mariotte::python {
 
 /// A short chain is solved by the quickest solver, which knows ending, time, velocities and impulses. What it
 /// does not know makes `whole` simulate the scene, once; both give the same bits. Other models, and those
-/// whose error is to be estimated, are simulated at once.
+/// whose error is to be estimated, are simulated at once; so are chains whose indentations have limits.
 class Impact {
  public:
   /// Called with the interpreter's lock, which is let go while it runs.
@@ -21,6 +22,8 @@ class Impact {
   /// The quick numbers; empty if there are none.
   const std::optional<impact::BriefImpact>& brief() const { return brief_; }
   const std::vector<double>& icr() const { return icr_; }  ///< nan where there is none
+  /// Of the scene and of the run, as JSON has them; what the quick numbers leave open is computed.
+  std::vector<std::string> warnings() const;
   const hybrid::Options& options() const { return options_; }
   const SceneBox& box() const { return *box_; }
   /// The scene as it was run.

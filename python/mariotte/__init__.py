@@ -5,7 +5,7 @@ Make a scene with :class:`Chain`, :class:`Network`, :class:`Body`, :class:`Bodie
 """
 
 from ._core import version as __version__
-from ._errors import Error, FileError, FitError, InvalidParameter, SceneError
+from ._errors import Error, FileError, FitError, InvalidParameter, ModelWarning, SceneError
 from ._bodies import BodiesImpact, Losses
 from ._events import Event, TipImpact
 from ._impact import (ChainImpact, ContactImpact, Ending, Energy, Flow, Impact, MicrobodyImpact, Momentum,
@@ -21,8 +21,8 @@ from ._trajectory import Samples, Trajectory
 __all__ = [
     "Array", "Bodies", "BodiesImpact", "Body", "CaptureVelocity", "Chain", "ChainImpact", "ContactImpact", "Ending",
     "Energy", "Error", "Estimate", "Event", "FileError", "Fit", "FitError", "Flow", "Impact", "InvalidParameter",
-    "LawOutcome", "Losses", "MicrobodyImpact", "Momentum", "Network", "NetworkImpact", "Restitution", "Samples",
-    "Scene", "SceneError", "Sensitivity", "Solved", "Sweep", "TipImpact", "Trajectory", "__version__",
-    "capture_velocity", "fit", "load", "multiple_impact_law", "parse", "rival_laws", "sensitivity", "simulate", "solve",
-    "sweep", "vjp", "with_law",
+    "LawOutcome", "Losses", "MicrobodyImpact", "ModelWarning", "Momentum", "Network", "NetworkImpact", "Restitution",
+    "Samples", "Scene", "SceneError", "Sensitivity", "Solved", "Sweep", "TipImpact", "Trajectory", "__version__",
+    "capture_velocity", "fit", "load", "multiple_impact_law", "parse", "rival_laws", "sensitivity", "simulate",
+    "solve", "sweep", "vjp", "with_law",
 ]

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import errno
-from typing import Any, List, Tuple
+import warnings
+from typing import Any, List, Sequence, Tuple
 
 
 class Error(Exception):
@@ -84,3 +85,23 @@ def file_error(message: str, code: str, number: int, path: str) -> FileError:
 
 class FitError(Error):
     """A search that found no minimum, or not the only one; the message names the keys."""
+
+
+class ModelWarning(UserWarning):
+    """What has to be said of a scene or a result whose numbers may not be what was wanted.
+
+    Examples
+    --------
+    >>> import mariotte as mt, warnings
+    >>> warnings.simplefilter("error", mt.ModelWarning)  # an exception; "ignore" silences it
+    >>> mt.simulate(mt.Chain(mass=[1, 1], velocity=[0, 1], law="hertz", stiffness=1))
+    Traceback (most recent call last):
+        ...
+    mariotte._errors.ModelWarning: nothing collides: no contact ever closes
+    """
+
+
+def warn(texts: Sequence[str]) -> None:
+    """One warning per text, at the line that has called the caller."""
+    for text in texts:
+        warnings.warn(text, ModelWarning, stacklevel=3)

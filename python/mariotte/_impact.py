@@ -8,9 +8,10 @@ import json
 from typing import TYPE_CHECKING, Any, ClassVar, Dict, List, NamedTuple, Optional, Sequence, Tuple, Type, Union
 
 from . import _core
+from ._errors import warn
 from ._events import Event, TipImpact, event, tip_impact
 from ._files import save
-from ._numbers import Array, Numbers, number
+from ._numbers import Array, Numbers, counted, number
 from ._scene import Body, Chain, Network, Path, Result, Scene
 from ._sensitivity import Sensitivity, sensitivity
 from ._toml import plain
@@ -108,6 +109,11 @@ class Impact:
         return self._run.message
 
     @property
+    def warnings(self) -> List[str]:
+        """What has to be said beside the numbers, of the scene and of the run; :func:`simulate` warns of each."""
+        return self._run.warnings
+
+    @property
     def time(self) -> float:
         """Of the ending [s]."""
         return self._run.time
@@ -202,10 +208,11 @@ class Impact:
         return made
 
     def __str__(self) -> str:
-        return self._run.table()
+        return self._run.table() + "".join(f"\nwarning: {text}" for text in self.warnings)
 
     def __repr__(self) -> str:
-        return f"<mariotte.{type(self).__name__}: {self.ending.name} at {self.time:.6g} s>"
+        warned = f", {counted(len(self.warnings), 'warning')}" if self.warnings else ""
+        return f"<mariotte.{type(self).__name__}: {self.ending.name} at {self.time:.6g} s{warned}>"
 
     def _repr_html_(self) -> str:
         return (f"<pre>{html.escape(str(self))}</pre>"
@@ -376,6 +383,11 @@ def simulate(scene: Scene[Result], *, accuracy: Optional[float] = None, until: O
     InvalidParameter
         For an accuracy, limit or flow that makes no sense.
 
+    Warns
+    -----
+    ModelWarning
+        Of each text in `warnings` of the result.
+
     Examples
     --------
     >>> import mariotte as mt
@@ -386,7 +398,9 @@ def simulate(scene: Scene[Result], *, accuracy: Optional[float] = None, until: O
     if until is not None and max_time is not None:
         raise TypeError("give until, the end that is wanted, or max_time, a limit")
     tight = None if accuracy is None else number(accuracy, "accuracy")
-    result: Result = _simulated(scene, (tight, plain(until), plain(max_time), max_events, flow, estimate))
+    made = _simulated(scene, (tight, plain(until), plain(max_time), max_events, flow, estimate))
+    warn(made.warnings)
+    result: Result = made
     return result
 
 

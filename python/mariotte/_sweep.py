@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from . import _core
 from ._columns import extents, key_of_result, matches, names
-from ._errors import InvalidParameter
+from ._errors import InvalidParameter, warn
 from ._files import save
 from ._keys import whole_key
 from ._numbers import Array, Numbers, number, numbers
@@ -73,6 +73,12 @@ class Sweep(Mapping[str, Array]):
     def reasons(self) -> Dict[int, str]:
         """Why points have no numbers, by the row of the table."""
         return self._run.reasons
+
+    @property
+    def warnings(self) -> List[str]:
+        """What has to be said of the scene; :func:`sweep` warns of each. Points have columns instead, such as
+        ``validity.yield_ratio``."""
+        return self._run.warnings
 
     def __getitem__(self, column: str) -> Array:
         found = self._matches(column)
@@ -146,6 +152,11 @@ def sweep(scene: Scene[Any], axes: Optional[Axes] = None, *, columns: Union[str,
         For keys, values and columns that make no sense at any point. Points that make no sense in some company only
         end as ``Ending.rejected``.
 
+    Warns
+    -----
+    ModelWarning
+        Of values of the scene that look like a mistake, once, not at each point.
+
     Examples
     --------
     >>> import numpy as np, mariotte as mt
@@ -165,6 +176,7 @@ def sweep(scene: Scene[Any], axes: Optional[Axes] = None, *, columns: Union[str,
         scene = scene.replace({"chain.gap": scene.gap})  # one value for all contacts, or none, has no elements
     keys = [key_of_result(scene, column) for column in names(columns)]
     made = _core.sweep(scene._box, listed, keys, _workers(threads))
+    warn(made.warnings)
     return Sweep(scene, made)
 
 

@@ -13,6 +13,11 @@ ROOT = pathlib.Path(os.environ["MARIOTTE_ROOT"])
 SCENES = ROOT / "apps" / "scenes"
 
 
+def pytest_configure(config):
+    """Balls of steel yield at 1 m/s; tests of warnings record them."""
+    config.addinivalue_line("filterwarnings", "ignore::mariotte.ModelWarning")
+
+
 @pytest.fixture
 def finished():
     """Runs the command with these arguments, to an exit code; skips where it was not built."""

@@ -7,6 +7,7 @@ import pickle
 import signal
 import threading
 import time
+import warnings
 
 import numpy as np
 import pytest
@@ -205,6 +206,43 @@ def test_jupyter_shows_the_report(triplet):
     hit = mt.simulate(triplet)
     assert "Impulse correlation ratios" in str(hit) and hit._repr_html_().startswith("<pre>")
     assert "count from 1" in hit._repr_html_()
+
+
+def test_warnings_are_those_of_the_command_and_are_told(command_json):
+    file = SCENES / "microsphere.toml"
+    expected = command_json("run", file)["warnings"]
+    with pytest.warns(mt.ModelWarning) as told:
+        hit = mt.simulate(mt.load(file))
+    assert hit.warnings == expected == [str(one.message) for one in told] and len(expected) == 2
+    assert {one.filename for one in told} == {__file__}
+    assert repr(hit).endswith(", 2 warnings>")
+    assert str(hit).endswith(f"\nwarning: {expected[1]}") and "warning: tip 1: max a/R" in hit._repr_html_()
+
+
+BALLS = dict(radius="10 mm", law="hertz", velocity=[100, 0])
+PLAIN = dict(mass=1, law="hertz", stiffness=1)
+
+
+@pytest.mark.parametrize("chain, flow, words", [
+    (dict(BALLS, material="steel"), None, ["contact 1: max a/R = "]), (dict(PLAIN, velocity=[1, 0]), None, []),
+    (dict(PLAIN, velocity=[0, 1]), None, ["nothing collides"]), (dict(PLAIN, velocity=[1, 0]), "modal", ["no contact"]),
+    (dict(PLAIN, velocity=[0, 0]), None, ["<Chain>:1:1: chain: nothing moves", "nothing collides"])])
+def test_short_chains_have_all_warnings(chain, flow, words):
+    chain = mt.Chain(balls=2, **chain)
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always")
+        hit = mt.simulate(chain, flow=flow)
+    texts = [str(one.message) for one in told]
+    assert texts == hit.warnings == hit.json().get("warnings", []) and ("warning" in repr(hit)) == bool(words)
+    assert len(texts) >= len(words) and all(text.startswith(word) for text, word in zip(texts, words))
+
+
+def test_a_sweep_warns_once_of_its_scene():
+    cradle = mt.Chain(balls=3, mass=1, radius="10 m", law="hertz", stiffness=1, velocity=[1, 0, 0])
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always")
+        grid = mt.sweep(cradle, {"velocity[0]": np.linspace(1, 2, 50)}, columns="velocity")
+    assert [str(one.message) for one in told] == grid.warnings and len(grid.warnings) <= 2
 
 
 def speed_after(scene):
