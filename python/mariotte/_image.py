@@ -18,7 +18,7 @@ _DECADES = 1e-4
 
 def draw_image(axes: Sequence[Any], windows: Sequence[Window], curves: Curves, along: str, events: Sequence[Event],
                logarithmic: bool) -> None:
-    """Colours of even lightness, a row per ball or contact, from 0."""
+    """Colours of even lightness, a row per ball or contact, from 1."""
     least, most = float(curves.values.min(initial=0)), float(curves.values.max(initial=0))
     factor, unit = _core.display([least, most], curves.unit)
     scale, time_unit = _core.display([windows[-1][1]], "s")
@@ -27,7 +27,7 @@ def draw_image(axes: Sequence[Any], windows: Sequence[Window], curves: Curves, a
         cells = factor * _pooled(curves, start, end)
         count = cells.shape[1]
         image = ax.imshow((np.abs(cells) if logarithmic else cells).T, aspect="auto", origin="lower", norm=norm,
-                          extent=(scale * start, scale * end, -0.5, count - 0.5), interpolation="nearest")
+                          extent=(scale * start, scale * end, 0.5, count + 0.5), interpolation="nearest")
         ax.yaxis.get_major_locator().set_params(integer=True)
         tick_events(ax, inside((start, end), events), scale)
     bar = f"|{curves.quantity}|" if logarithmic else curves.quantity

@@ -29,19 +29,19 @@ def write_words(ax: Any, window: Window, events: Sequence[Event]) -> None:
 
 
 def _words(event: Event) -> str:
-    """As "0–1 close", or "2 closes, 0 opens"."""
+    """As "1–2 close", or "3 closes, 1 opens"."""
     verbs = ((event.close, "close"), (event.open, "open"), (event.yields, "yield"), (event.unload, "unload"))
     return ", ".join(f"{_ranges(places)} {verb}{'' if len(places) > 1 else 's'}" for places, verb in verbs if places)
 
 
 def _ranges(places: Sequence[int]) -> str:
-    """As "0–3, 5"."""
+    """As "1–4, 6" of places from 0."""
     runs: List[List[int]] = []
-    for place in places:
-        if runs and place == runs[-1][-1] + 1:
-            runs[-1].append(place)
+    for number in (place + 1 for place in places):
+        if runs and number == runs[-1][-1] + 1:
+            runs[-1].append(number)
         else:
-            runs.append([place])
+            runs.append([number])
     return ", ".join(f"{run[0]}–{run[-1]}" if len(run) > 1 else str(run[0]) for run in runs)
 
 

@@ -44,7 +44,7 @@ class ImpactPlot:
     """Figures of a run. Each takes axes to draw into, or makes a figure, and returns the axes.
 
     Long flights between impacts are left out: then a figure of its own has several panels. What is returned are the
-    first axes, and ``ax.figure.axes`` has all.
+    first axes, and ``ax.figure.axes`` has all. Balls, contacts and tips count from 1 in figures, as in tables.
     """
 
     def __init__(self, impact: "Impact") -> None:
@@ -73,7 +73,7 @@ class ImpactPlot:
             quantity = "velocity of centre v"
         elif dimension > 1 and values.shape[1] > _MOST_CURVES:
             values, quantity = np.linalg.norm(values.reshape(len(values), -1, dimension), axis=2), "speed v"
-            names = [f"{moving} {i}" for i in range(values.shape[1])]
+            names = [f"{moving} {i + 1}" for i in range(values.shape[1])]
         curves = Curves(quantity, unit, names, False, samples.time, values)
         return self._draw(curves, windows, "ball i", logarithmic, ax)
 
@@ -96,7 +96,7 @@ class ImpactPlot:
         factor, unit = _core.display([end], "s")
         scale, velocity_unit = _core.display([float(velocity.min()), float(velocity.max())], "m/s")
         image = ax.imshow(scale * velocity, aspect="auto", origin="lower",
-                          extent=(-0.5, velocity.shape[1] - 0.5, 0, factor * end))
+                          extent=(0.5, velocity.shape[1] + 0.5, 0, factor * end))
         ax.figure.colorbar(image, label=f"velocity v [{velocity_unit}]")
         ax.set(xlabel="ball i", ylabel=f"time t [{unit}]", title=self._impact.scene.title)
         return ax
@@ -127,17 +127,17 @@ def dimension_of(scene: Scene[Any]) -> int:
 
 
 def names_of_velocities(scene: Scene[Any], moving: str, count: int) -> List[str]:
-    """Of the curves, from 0; bodies have names."""
+    """Of the curves, from 1; bodies have names."""
     if isinstance(scene, Body):
         return ["normal", "along $e_2$", "along $e_3$"]
     if isinstance(scene, Chain):
-        return ["wall" if np.isinf(mass) else f"ball {i}" for i, mass in enumerate(scene.mass)]
+        return ["wall" if np.isinf(mass) else f"ball {i + 1}" for i, mass in enumerate(scene.mass)]
     dimension = dimension_of(scene)
     if isinstance(scene, Bodies):
         bodies = [one["name"] or f"body {i + 1}" for i, one in enumerate(scene.json()["bodies"]["body"])]
         return [f"{name} {axis}" for name in bodies for axis in _AXES[:dimension]]
     in_space = scene.json()["network"]["dimension"] > 0
-    return [f"ball {i // dimension} {_AXES[i % dimension]}" if in_space else f"{moving} {i}" for i in range(count)]
+    return [f"ball {i // dimension + 1} {_AXES[i % dimension]}" if in_space else f"{moving} {i + 1}" for i in range(count)]
 
 
 def _acting(impact: "Impact", force: Array) -> Array:
@@ -149,22 +149,22 @@ def _acting(impact: "Impact", force: Array) -> Array:
 
 
 def names_of_contacts(impact: "Impact", count: int) -> List[str]:
-    """Of the curves, from 0, with the two that touch where they are known."""
+    """Of the curves, from 1, with the two that touch where they are known."""
     scene = impact.scene
     pairs = [""] * count
     if isinstance(impact, BodiesImpact):
         pairs = [f" ({'–'.join(pair)})" for pair in impact.between]
     if scene._box.kind == "network":
         balls = [one.get("balls") for one in scene.json()["network"]["contact"]]
-        pairs = [f" ({pair[0] - 1}–{pair[1] - 1})" if pair else "" for pair in balls]
-    return [f"$f_{{{j}}}${pair}" for j, pair in enumerate(pairs)]
+        pairs = [f" ({pair[0]}–{pair[1]})" if pair else "" for pair in balls]
+    return [f"$f_{{{j + 1}}}${pair}" for j, pair in enumerate(pairs)]
 
 
 def _with_friction(normal: Array, friction: Array) -> Tuple[Array, List[str]]:
     """Three forces per tip, and their names."""
     rows, tips = normal.shape
     forces = np.concatenate([normal[:, :, None], friction.reshape(rows, tips, 2)], axis=2)
-    names = [f"tip {i} {direction}" for i in range(tips) for direction in ("normal", "$e_2$", "$e_3$")]
+    names = [f"tip {i + 1} {direction}" for i in range(tips) for direction in ("normal", "$e_2$", "$e_3$")]
     return forces.reshape(rows, 3 * tips), names
 
 

@@ -98,7 +98,7 @@ def cradle():
 def test_forces_are_drawn_per_contact(cradle):
     ax = cradle.plot.forces()
     curves = [line for line in ax.lines if not line.get_label().startswith("_")]
-    assert [line.get_label() for line in curves] == [f"$f_{{{j}}}$" for j in range(4)]
+    assert [line.get_label() for line in curves] == [f"$f_{{{j}}}$" for j in range(1, 5)]
     largest = [line.get_ydata().max() for line in curves]
     assert largest == pytest.approx(cradle.peak_force, rel=1e-2)
     assert ax.get_xlabel() == "time t [µs]" and ax.get_title() == "Five steel balls"
@@ -133,14 +133,14 @@ def shades(ax):
 
 def test_phases_are_shaded_and_named(cradle):
     ax = cradle.plot.forces()
-    assert {"0–3 close", "0 opens", "1 opens", "2 opens"} <= set(words(ax))
+    assert {"1–4 close", "1 opens", "2 opens", "3 opens"} <= set(words(ax))
     assert len(shades(ax)) == 4 and len(set(shades(ax))) == 3
-    assert {"$f_{0}$", "$f_{3}$"} <= set(words(ax))
-    assert {"ball 0", "ball 4"} <= set(words(cradle.plot.velocities()))
+    assert {"$f_{1}$", "$f_{4}$"} <= set(words(ax))
+    assert {"ball 1", "ball 5"} <= set(words(cradle.plot.velocities()))
 
 
 def test_contacts_of_bodies_close_where_they_are_pressed():
-    assert "0–3 close" in words(drawn("cradle_with_friction").plot.velocities())
+    assert "1–4 close" in words(drawn("cradle_with_friction").plot.velocities())
 
 
 def test_long_flights_are_left_out():
@@ -157,13 +157,13 @@ def test_long_flights_are_left_out():
 def test_curves_of_a_microbody_say_what_they_are():
     rod = drawn("microrod")
     labels = [line.get_label() for line in rod.plot.forces().lines if not line.get_label().startswith("_")]
-    assert sorted(labels) == sorted(f"tip {i} {way}" for i in (0, 1) for way in ("normal", "$e_2$", "$e_3$"))
+    assert sorted(labels) == sorted(f"tip {i} {way}" for i in (1, 2) for way in ("normal", "$e_2$", "$e_3$"))
     assert {"normal", "along $e_2$", "along $e_3$"} <= set(words(rod.plot.velocities().figure.axes[-1]))
 
 
 def test_balls_of_a_network_have_axes():
     labels = {line.get_label() for line in drawn("y_chain").plot.velocities().lines}
-    assert {"ball 0 x", "ball 0 y"} <= labels
+    assert {"ball 1 x", "ball 1 y"} <= labels
 
 
 def test_many_curves_are_an_image():
@@ -171,6 +171,7 @@ def test_many_curves_are_an_image():
     forces, velocities = rack.plot.forces(), rack.plot.velocities()
     assert forces.images[0].get_array().shape[0] == len(rack.impulse)
     assert forces.images[0].get_array().max() == pytest.approx(rack.peak_force.max(), rel=1e-2)
+    assert forces.get_ylim() == (0.5, len(rack.impulse) + 0.5)
     speeds = np.asarray(velocities.images[0].get_array())
     assert speeds.shape[0] == len(rack.velocity) // 2
     assert speeds[:, -1] == pytest.approx(np.hypot(rack.velocity[::2], rack.velocity[1::2]), abs=1e-2)
@@ -190,6 +191,7 @@ def test_waves_are_an_image():
     hit = mt.simulate(row, until=30)
     image = hit.plot.waves(rows=50).images[0].get_array()
     assert image.shape == (50, 60) and image[0, 0] == 1
+    assert hit.plot.waves().get_xlim() == (0.5, 60.5)
     unit = pytest.importorskip("pint").UnitRegistry()
     assert hit.plot.waves(until=20_000 * unit.ms).get_ylim() == (0, 20)
 
