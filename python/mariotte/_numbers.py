@@ -23,7 +23,10 @@ Numbers = Union[npt.ArrayLike, Quantity, Sequence[Quantity]]
 
 def numbers(values: Numbers, unit: str = "") -> Array:
     """An array in SI units. `unit` says what quantities are converted to, where only one dimension makes sense."""
-    return np.asarray(_magnitude(values, unit), dtype=np.float64)
+    array = np.asarray(_magnitude(values, unit))
+    if np.iscomplexobj(array):
+        raise ValueError("real numbers are expected, not complex ones")
+    return array.astype(np.float64, copy=False)
 
 
 def listed(values: Numbers, unit: str = "") -> List[float]:

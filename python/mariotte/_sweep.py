@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Dict, Iterator, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, Iterable, Iterator, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -197,7 +197,7 @@ def solve(mass: Numbers, stiffness: Numbers, velocity: Numbers, *, gap: Numbers 
     Parameters
     ----------
     mass, velocity : array_like
-        Of shape (N, n), or what can be spread to that [kg], [m/s]. An infinite mass is a wall.
+        Real, of shape (N, n), or what can be spread to that; N may be 0 [kg], [m/s]. An infinite mass is a wall.
     stiffness, gap, damping : array_like
         Of shape (N, n − 1), or what can be spread to that; k in N/m^n, gaps in m, damping in the unit of the law.
     law : str
@@ -232,11 +232,16 @@ def solve(mass: Numbers, stiffness: Numbers, velocity: Numbers, *, gap: Numbers 
     of_contacts = {"stiffness": _rows("stiffness", stiffness), "gap": _rows("gap", gap, "m"),
                    "damping": _rows("damping", damping)}
     balls = max(one.shape[1] for one in of_balls.values())
-    rows = max(one.shape[0] for one in (*of_balls.values(), *of_contacts.values()))
+    rows = _count(one.shape[0] for one in (*of_balls.values(), *of_contacts.values()))
     m, v = (_spread(name, one, rows, balls) for name, one in of_balls.items())
     k, g, c = (_spread(name, one, rows, balls - 1) for name, one in of_contacts.items())
     n = None if exponent is None else number(exponent, "exponent")
     return Solved(*_core.solve(rows, m, k, v, g, c, law, n, number(accuracy, "accuracy"), _workers(threads)))
+
+
+def _count(lengths: Iterable[int]) -> int:
+    """Rows of all arrays together, of which some may have one for all."""
+    return max({*lengths} - {1}, default=1)
 
 
 def _rows(name: str, values: Numbers, unit: str = "") -> Array:
@@ -244,7 +249,10 @@ def _rows(name: str, values: Numbers, unit: str = "") -> Array:
     try:
         array = np.atleast_2d(numbers(values, unit))
     except ValueError:
-        raise _wrong(name, "is no array of numbers in rows of one length", "S013") from None
+        raise _wrong(name, "is no array of real numbers in rows of one length", "S013") from None
+    if np.isnan(array).any():
+        row = int(np.isnan(array).any(axis=tuple(range(1, array.ndim))).argmax())
+        raise _wrong(name, f"has a value that is not a number in row {row}", "S034", f"row {row}")
     if array.ndim > 2:
         raise _wrong(name, f"has the shape {array.shape}, but one or two dimensions are expected", "S024")
     return array
@@ -253,13 +261,13 @@ def _rows(name: str, values: Numbers, unit: str = "") -> Array:
 def _spread(name: str, array: Array, rows: int, length: int) -> Array:
     """Rows of this length; one row stays one."""
     if array.shape[0] not in (1, rows) or array.shape[1] not in (1, length):
-        raise _wrong(name, f"has the shape {array.shape}, but {(rows, length)} is expected, or 1 in place of either",
-                     "S024")
+        raise _wrong(name, f"has the shape {array.shape}, but {(rows, length)} is expected, or 1 in place of either: "
+                     "rows are chains, (chains, balls) of mass and velocity, (chains, contacts) of all others", "S024")
     return np.ascontiguousarray(np.broadcast_to(array, (array.shape[0], length)))
 
 
-def _wrong(name: str, why: str, code: str) -> InvalidParameter:
-    return InvalidParameter(f"{name} {why}", code, name)
+def _wrong(name: str, why: str, code: str, place: str = "") -> InvalidParameter:
+    return InvalidParameter(f"{name} {why}", code, name, place)
 
 
 def _workers(threads: Optional[int]) -> int:

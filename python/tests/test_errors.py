@@ -62,8 +62,12 @@ def test_solve_names_the_laws_that_it_takes():
                           (dict(mass=1, velocity=[[1, 0]] * 3, gap=np.zeros((2, 1))), "gap", "(2, 1), but (3, 1)"),
                           (dict(mass=1, velocity=[1, 0], damping=[]), "damping", "(1, 0), but (1, 1)"),
                           (dict(mass=1, velocity=np.ones((2, 2, 2))), "velocity", "(2, 2, 2), but one or two"),
-                          (dict(mass=1, velocity=[[1, 0], [1]]), "velocity", "no array of numbers"),
-                          (dict(mass="1 kg", velocity=[1, 0]), "mass", "no array of numbers")])
+                          (dict(mass=1, velocity=[[1, 0], [1]]), "velocity", "no array of real numbers"),
+                          (dict(mass="1 kg", velocity=[1, 0]), "mass", "no array of real numbers"),
+                          (dict(mass=1, velocity=np.array([1j, 0])), "velocity", "no array of real numbers"),
+                          (dict(mass=[1, 1, 1], velocity=np.ones((3, 9))), "mass", "rows are chains, (chains, balls)"),
+                          (dict(mass=[[1, 1], [1, np.nan]], velocity=[1, 0]), "mass", "not a number in row 1"),
+                          (dict(mass=1, velocity=[1, 0], gap=np.nan), "gap", "not a number in row 0")])
 def test_an_array_of_the_wrong_shape_is_named(arrays, key, shapes):
     with pytest.raises(mt.InvalidParameter) as caught:
         mt.solve(**{"stiffness": 1, **arrays})

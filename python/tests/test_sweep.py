@@ -136,6 +136,13 @@ def test_momentum_is_kept_by_all_rows():
     assert many.velocity @ [1, 2, 3] == pytest.approx(velocity @ [1, 2, 3], abs=1e-12)
 
 
+def test_no_chains_have_no_results():
+    none = mt.solve([1, 1, 1], 1e9, np.empty((0, 3)))
+    assert [one.shape for one in none] == [(0, 3), (0, 2), (0,), (0,)]
+    with pytest.raises(mt.InvalidParameter, match=r"velocity has the shape \(0, 3\), but \(2, 3\)"):
+        mt.solve(np.ones((2, 3)), 1e9, np.empty((0, 3)))
+
+
 def test_a_row_without_sense_is_named():
     with pytest.raises(mt.InvalidParameter, match="row 1: .*mass"):
         mt.solve([[1, 1], [1, -1]], 1, [1, 0])
