@@ -12,8 +12,9 @@ from . import _core
 from ._columns import extents, key_of_result, matches, names
 from ._errors import InvalidParameter, warn
 from ._files import save
+from ._impact import Ending
 from ._keys import whole_key
-from ._numbers import Array, Numbers, number, numbers
+from ._numbers import Array, Numbers, counted, number, numbers
 from ._scene import Chain, Path, Scene
 from ._toml import plain
 
@@ -181,12 +182,34 @@ def sweep(scene: Scene[Any], axes: Optional[Axes] = None, *, columns: Union[str,
 
 
 class Solved(NamedTuple):
-    """What :func:`solve` returns; nan where a run could not go on, as `ending` says."""
+    """What :func:`solve` returns; nan where a run could not go on, as `ending` says.
+
+    Examples
+    --------
+    >>> import mariotte as mt
+    >>> many = mt.solve([1, 1, 1], [1, 1], [[1, 0, 0], [2, 0, 0]])
+    >>> many
+    <mariotte.Solved of 2 chains of 3 balls: 2 separated>
+    >>> many.ending == mt.Ending.separated
+    array([ True,  True])
+    """
 
     velocity: Array  #: after the impact, of shape (N, n) [m/s]
     impulse: Array  #: of each contact, of shape (N, n − 1) [N s]
     time: Array  #: of the ending, of shape (N,) [s]
     ending: Endings  #: numbers of :class:`mariotte.Ending`, of shape (N,)
+
+    @property
+    def icr(self) -> Array:
+        """Impulse correlation ratios α_j = p_j/p_{j+1}, of shape (N, n − 2); nan where p_{j+1} = 0."""
+        left, right = self.impulse[:, :-1], self.impulse[:, 1:]
+        return np.divide(left, right, out=np.full(left.shape, np.nan), where=right != 0)
+
+    def __repr__(self) -> str:
+        count = np.bincount(self.ending)
+        ends = ", ".join(f"{count[one]} {Ending(one)}" for one in np.flatnonzero(count))
+        chains, balls = counted(len(self.velocity), "chain"), counted(self.velocity.shape[1], "ball")
+        return f"<mariotte.Solved of {chains} of {balls}: {ends}>"
 
 
 def solve(mass: Numbers, stiffness: Numbers, velocity: Numbers, *, gap: Numbers = 0.0,

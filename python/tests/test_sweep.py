@@ -127,6 +127,7 @@ def test_many_chains_are_solved_to_the_bits_of_single_ones():
                           accuracy=1e-9)
         assert many.velocity[row].tolist() == hit.velocity.tolist()
         assert many.impulse[row].tolist() == hit.impulse.tolist()
+        np.testing.assert_array_equal(many.icr[row], hit.icr)
         assert many.time[row] == hit.time
 
 
@@ -134,6 +135,17 @@ def test_momentum_is_kept_by_all_rows():
     velocity = np.random.default_rng(1).normal(size=(1000, 3))
     many = mt.solve([1, 2, 3], 1e9, velocity, law="viscoelastic", damping=1e3, gap=1e-6)
     assert many.velocity @ [1, 2, 3] == pytest.approx(velocity @ [1, 2, 3], abs=1e-12)
+
+
+def test_many_chains_are_told_in_a_line():
+    velocity = np.zeros((1000, 3))
+    velocity[:, 0] = 1
+    many = mt.solve([1, 1, 1], 1e9, velocity)
+    assert repr(many) == str(many) == "<mariotte.Solved of 1000 chains of 3 balls: 1000 separated>"
+    two = many._replace(ending=np.where(np.arange(1000) < 2, mt.Ending.failed, many.ending))
+    assert repr(two).endswith(": 998 separated, 2 failed>") and repr(mt.solve(1, 1, [1, 0])).count("chain ") == 1
+    assert np.isnan(mt.solve(1, 1, [1, 0, 0], gap=[0, 1], law="linear").icr).tolist() == [[False]]
+    assert np.isnan(mt.solve(1, 1, [-1, 0, 0]).icr).tolist() == [[True]]
 
 
 def test_no_chains_have_no_results():
