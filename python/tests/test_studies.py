@@ -253,6 +253,35 @@ def test_products_with_slopes_are_consistent():
     assert abs(left - right) <= 1e-12 * abs(left)
 
 
+def test_a_change_of_all_elements_is_one_per_element(triplet):
+    found = mt.sensitivity(triplet, to=["mass", "velocity"])
+    at_once = found.jvp({"mass": [1e-3, 0, 2e-3], "velocity[0]": 0.1})
+    one_by_one = found.jvp({"mass[0]": 1e-3, "mass[2]": 2e-3, "velocity[0]": 0.1})
+    assert {name: one.tolist() for name, one in at_once.items()} == {
+        name: one.tolist() for name, one in one_by_one.items()}
+    for change, shapes in (({"mass": 1}, r"mass have the shape \(3,\), not \(\)"),
+                           ({"mass[0]": [1]}, r"mass\[0\] have the shape \(\), not \(1,\)")):
+        with pytest.raises(ValueError, match=shapes):
+            found.jvp(change)
+
+
+def test_bodies_have_slopes():
+    pair = mt.load(SCENES / "cradle_with_friction.toml")
+    weights, key = {"bodies[1].velocity": [1, 0]}, "body[0].mass"
+    assert mt.vjp(pair, weights, to=key) == mt.sensitivity(pair, to=key).vjp(weights)
+    for function in (mt.sensitivity, mt.vjp):
+        assert "Chain, Network, Body or Bodies" in function.__doc__
+
+
+def test_a_sweep_has_the_slopes_of_each_scene(triplet):
+    masses = [1, 2]
+    chain = mt.Chain(mass=[1, 1, 1], velocity=[1, 0, 0], law="hertz", stiffness=[1, 1])
+    grid = mt.sweep(chain, {"mass[1]": masses}, columns=[f"sensitivity.velocity[2].mass[{j}]" for j in range(3)])
+    for row, mass in enumerate(masses):
+        slopes = mt.sensitivity(chain.replace({"mass[1]": mass}), to="mass").slopes("velocity")[2]
+        assert grid["sensitivity.velocity[2].mass[*]"][row] == pytest.approx(slopes, rel=1e-9)
+
+
 def test_slopes_of_a_sum_of_velocities_are_those_of_all_outcomes():
     row = mt.load(SCENES / "triplet.toml")
     keys, weights = ["mass", "gap", "chain.radius"], {"velocity": [1, -2, 0.5]}
