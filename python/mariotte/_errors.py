@@ -3,8 +3,14 @@
 from __future__ import annotations
 
 import errno
+import re
 import warnings
 from typing import Any, List, Sequence, Tuple
+
+
+def in_python(text: str) -> str:
+    """A message with options of the command by their names in Python: ``replace`` for ``--set``."""
+    return re.sub(r"--(set|to|free|flow)\b", lambda flag: flag[1].replace("set", "replace"), text)
 
 
 class Error(Exception):
@@ -30,7 +36,7 @@ class SceneError(Error, ValueError):
     Attributes
     ----------
     place : str
-        Where it is wrong: ``file:line:column``, ``--set KEY`` of a value that was replaced, or ``row 3`` of arrays.
+        Where it is wrong: ``file:line:column``, ``replace KEY`` of a value that was replaced, or ``row 3`` of arrays.
     key : str
         The key or the option that is wrong, such as ``chain.radius``; empty if none is.
     more : list of SceneError
@@ -47,9 +53,9 @@ class SceneError(Error, ValueError):
     """
 
     def __init__(self, message: str, code: str, key: str = "", place: str = "") -> None:
-        super().__init__(message, code)
+        super().__init__(in_python(message), code)
         self.key = key
-        self.place = place
+        self.place = in_python(place)
         self.more: List[SceneError] = []
 
 

@@ -8,7 +8,7 @@ import json
 from typing import TYPE_CHECKING, Any, ClassVar, Dict, List, NamedTuple, Optional, Sequence, Tuple, Type, Union
 
 from . import _core
-from ._errors import warn
+from ._errors import in_python, warn
 from ._events import Event, TipImpact, event, tip_impact
 from ._files import save
 from ._numbers import Array, Numbers, counted, number
@@ -106,12 +106,12 @@ class Impact:
     @property
     def message(self) -> str:
         """Why, for endings other than separated and captured; else empty."""
-        return self._run.message
+        return in_python(self._run.message)
 
     @property
     def warnings(self) -> List[str]:
         """What has to be said beside the numbers, of the scene and of the run; :func:`simulate` warns of each."""
-        return self._run.warnings
+        return [in_python(text) for text in self._run.warnings]
 
     @property
     def time(self) -> float:

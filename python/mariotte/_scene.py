@@ -7,6 +7,7 @@ import os
 from typing import TYPE_CHECKING, Any, ClassVar, Dict, Generic, List, Mapping, Optional, Tuple, Type, TypeVar, Union
 
 from . import _core
+from ._errors import in_python
 from ._keys import whole_key
 from ._numbers import Array
 from ._toml import table, toml
@@ -79,7 +80,7 @@ class Scene(Generic[Result]):
     @property
     def warnings(self) -> List[str]:
         """Values that are possible but look like a mistake, each with its place."""
-        return self._box.warnings
+        return [in_python(text) for text in self._box.warnings]
 
     @property
     def sha256(self) -> str:

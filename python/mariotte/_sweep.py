@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from . import _core
 from ._columns import extents, key_of_result, matches, names
-from ._errors import InvalidParameter, warn
+from ._errors import InvalidParameter, in_python, warn
 from ._files import save
 from ._impact import Ending
 from ._keys import whole_key
@@ -79,7 +79,7 @@ class Sweep(Mapping[str, Array]):
     def warnings(self) -> List[str]:
         """What has to be said of the scene; :func:`sweep` warns of each. Points have columns instead, such as
         ``validity.yield_ratio``."""
-        return self._run.warnings
+        return [in_python(text) for text in self._run.warnings]
 
     def __getitem__(self, column: str) -> Array:
         found = self._matches(column)
@@ -177,8 +177,9 @@ def sweep(scene: Scene[Any], axes: Optional[Axes] = None, *, columns: Union[str,
         scene = scene.replace({"chain.gap": scene.gap})  # one value for all contacts, or none, has no elements
     keys = [key_of_result(scene, column) for column in names(columns)]
     made = _core.sweep(scene._box, listed, keys, _workers(threads))
-    warn(made.warnings)
-    return Sweep(scene, made)
+    grid = Sweep(scene, made)
+    warn(grid.warnings)
+    return grid
 
 
 class Solved(NamedTuple):

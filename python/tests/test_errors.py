@@ -129,6 +129,16 @@ def test_endings_are_words():
     assert f"{mt.Ending.captured:>10}" == "  captured" and f"{mt.Ending.captured:d}" == "1"
 
 
+def test_options_have_the_names_of_python(triplet):
+    for wrong in (lambda: triplet.replace({"velocty": 1}), lambda: mt.sensitivity(triplet, to="chain.law"),
+                  lambda: mt.fit(triplet, {"velocity[0]": [1], "final.velocity[2]": [1]}, free="stiffness")):
+        with pytest.raises(mt.SceneError) as caught:
+            wrong()
+        assert "--" not in str(caught.value) + caught.value.place
+    finer = triplet.replace({"run.accuracy": 1e-15})
+    assert finer.warnings[0].startswith("replace run.accuracy: ") and finer.warnings[0] in mt.simulate(finer).warnings
+
+
 def test_a_missing_file_is_one_of_python(tmp_path, triplet):
     missing, folder = tmp_path / "none.toml", tmp_path / "none" / "hit.json"
     for call, path in ((lambda: mt.load(missing), missing), (lambda: mt.simulate(triplet).save(folder), folder)):

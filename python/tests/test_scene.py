@@ -108,7 +108,7 @@ def test_values_can_be_replaced():
     assert (chain.velocity[1], other.velocity[1]) == (0, -2)
     with pytest.raises(mt.SceneError) as caught:
         chain.replace({"chain.velocity[9]": 1})
-    assert caught.value.place == "--set chain.velocity[9]" and caught.value.code == "S017"
+    assert caught.value.place == "replace chain.velocity[9]" and caught.value.code == "S017"
 
 
 @pytest.mark.parametrize("scene, short, whole",
