@@ -20,6 +20,11 @@ def key_of_result(scene: Scene[Any], member: str) -> str:
     return "final.time" if member == "time" else _members(scene).get(member, member)
 
 
+def is_member(scene: Scene[Any], name: str) -> bool:
+    """Whether it is a short name of a number or an array of the result."""
+    return key_of_result(scene, name) != name
+
+
 def names(given: Union[str, Sequence[str]]) -> List[str]:
     """Several names; one alone needs no list."""
     return [given] if isinstance(given, str) else list(given)

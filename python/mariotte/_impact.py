@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import difflib
 import enum
 import html
 import json
 from typing import TYPE_CHECKING, Any, ClassVar, Dict, List, NamedTuple, Optional, Sequence, Tuple, Type, Union
 
 from . import _core
+from ._columns import is_member
 from ._errors import in_python, warn
 from ._events import Event, TipImpact, event, tip_impact
 from ._files import save
@@ -137,7 +139,7 @@ class Impact:
     def estimated_accuracy(self) -> float:
         """Upper bound on the error of the velocities, relative to the largest incident speed; nan if none was
         estimated, by a run that doubted itself or because of ``simulate(…, estimate=True)``."""
-        return self["accuracy.estimated"]
+        return float(self["accuracy.estimated"])
 
     @property
     def events(self) -> List[Event]:
@@ -185,8 +187,9 @@ class Impact:
         """
         return self._run.to_cite()
 
-    def __getitem__(self, key: str) -> float:
-        """A number of the result by the key it has in JSON, in SI units; nan where it is undefined.
+    def __getitem__(self, key: str) -> Any:
+        """A number of the result by the key it has in JSON, in SI units; nan where it is undefined. A name that a sweep
+        takes as a column, as ``velocity``, is that member.
 
         Raises
         ------
@@ -199,8 +202,18 @@ class Impact:
         >>> hit = mt.simulate(mt.Chain(mass=[1, 1], velocity=[1, 0], law="hertz", stiffness=1))
         >>> round(hit["contacts[0].peak_force"], 6)
         0.754272
+        >>> hit["velocity"].round(6)
+        array([0., 1.])
         """
-        return self._run.number(key)
+        return getattr(self, key) if is_member(self.scene, key) else self._run.number(key)
+
+    if not TYPE_CHECKING:  # which knows all members
+
+        def __getattr__(self, name: str) -> Any:
+            known = [one for one in dir(type(self)) if not one.startswith("_")]
+            near = difflib.get_close_matches(name, known, n=1)
+            hint = f"did you mean {near[0]}?" if near else f"it has {', '.join(known)}"
+            raise AttributeError(f"{type(self).__name__} has no {name}: {hint}")
 
     def json(self) -> Dict[str, Any]:
         """All of the result, as `mariotte run --json` prints it; there contacts and balls count from 1."""

@@ -1,9 +1,11 @@
 """Results: the bits of the command, without copies, computed when they are asked for."""
 
+import copy
 import gc
 import math
 import multiprocessing
 import pickle
+import re
 import signal
 import threading
 import time
@@ -14,6 +16,7 @@ import pytest
 
 import mariotte as mt
 from conftest import SCENES
+from mariotte._columns import _members
 
 QUICK = ["bernoulli", "big_ball", "captured_sphere", "decorated_chain", "microdumbbell_spinning", "microrod",
          "microsphere", "mixed_laws", "newton_cradle_5", "rack_of_fifteen", "rocking_block", "rod_tilt", "triplet",
@@ -193,6 +196,28 @@ def test_an_index_that_a_result_does_not_have_is_a_key_error(key, count, triplet
     with pytest.raises(KeyError) as caught:
         mt.simulate(triplet)[key]
     assert caught.value.args[0].startswith(key) and f"it has {count}, counted from 0" in caught.value.args[0]
+
+
+@pytest.mark.parametrize("name, hint", [("velocities", "did you mean velocity?"), ("periode", "did you mean periods?"),
+                                        ("contacts", "it has adhesion_loss, cite, ")])
+def test_a_member_that_is_not_there_is_told_with_the_nearest(name, hint, triplet):
+    hit = mt.simulate(triplet)
+    with pytest.raises(AttributeError, match=f"^ChainImpact has no {name}: {re.escape(hint)}"):
+        getattr(hit, name)
+    assert not hasattr(hit, "__array__") and copy.copy(hit).time == hit.time
+
+
+def test_a_column_that_is_not_there_is_told_with_the_nearest(triplet):
+    with pytest.raises(mt.InvalidParameter, match=r"no result has 'velocty' \(did you mean 'final.velocity\[0\]'\?\)"):
+        mt.sweep(triplet, {"velocity[0]": [1]}, columns=["velocty"])
+
+
+@pytest.mark.parametrize("name", ["triplet", "y_chain", "microsphere", "rocking_with_friction"])
+def test_a_result_has_the_names_of_columns(name):
+    scene = mt.load(SCENES / f"{name}.toml")
+    hit = mt.simulate(scene)
+    for column in ["time", *_members(scene)]:
+        np.testing.assert_array_equal(hit[column], getattr(hit, column))
 
 
 def test_contacts_and_bodies_have_their_own_members(triplet):

@@ -188,6 +188,7 @@ BOOST_AUTO_TEST_CASE(a_refusal_names_the_key_that_was_meant) {
   names("final.velocty[1]", "did you mean 'final.velocity[1]'?");
   names("velocity[0]", "did you mean 'final.velocity[0]'?");
   names("velocty[1]", "did you mean 'final.velocity[1]'?");
+  names("velocty", "did you mean 'final.velocity[0]'?");
   names("icr[0", "did you mean 'icr[0]'?");
   names("icr[x]", "did you mean 'icr[0]'?");
   names("contacts[1].peak_forse", "did you mean 'contacts[1].peak_force'?");

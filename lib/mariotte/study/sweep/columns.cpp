@@ -57,10 +57,14 @@ std::vector<std::string> known_keys(const std::vector<std::string>& indices) {
   return known;
 }
 
-/// The name whose part after the first dot is nearest to a key.
+/// The name whose part after the first dot is nearest to a key; without an index if the key has none.
 std::string suggestion_by_end(std::string_view key, std::span<const std::string_view> names) {
   std::vector<std::string_view> ends;
-  for (const auto name : names) ends.push_back(name.substr(name.find('.') + 1));
+  const bool has_index = key.find('[') != key.npos;
+  for (const auto name : names) {
+    const auto end = name.substr(name.find('.') + 1);
+    ends.push_back(has_index ? end : end.substr(0, end.find('[')));
+  }
   const auto end = nearest(key, ends);
   if (end.empty()) return "";
   const auto which = std::find(ends.begin(), ends.end(), end) - ends.begin();
