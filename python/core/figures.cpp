@@ -5,6 +5,7 @@
 #include "bindings.hpp"
 #include "impact.hpp"
 #include "mariotte/core/overload.hpp"
+#include "mariotte/report/figure/axis_names.hpp"
 #include "mariotte/report/figure/label_places.hpp"
 #include "mariotte/report/figure/time_figure.hpp"
 #include "mariotte/report/figure/window.hpp"
@@ -85,6 +86,7 @@ void add_figures(py::module_& module) {
   module.def("free_place", &free_place, py::arg("wanted"), py::arg("taken"));
   module.def("rows_of_words", &report::rows_of_words, py::arg("at"), py::arg("width"), py::arg("rows"));
   module.def("display", &display, py::arg("values"), py::arg("unit"));
+  module.def("with_unit", &report::with_unit, py::arg("name"), py::arg("unit"));
 }
 
 }  // namespace mariotte::python

@@ -10,6 +10,8 @@
 #include "bindings.hpp"
 #include "interruption.hpp"
 #include "mariotte/report/csv/sweep_csv.hpp"
+#include "mariotte/report/figure/sweep_axes.hpp"
+#include "mariotte/report/figure/value_axis.hpp"
 #include "mariotte/report/page/files.hpp"
 #include "mariotte/report/sweep_file.hpp"
 #include "mariotte/scene/key_path.hpp"
@@ -150,6 +152,12 @@ py::list columns(const Sweep& sweep) {
   return all;
 }
 
+const study::Column& column_of(const Sweep& sweep, const std::string& key) {
+  for (const auto& one : sweep.plan().columns)
+    if (one.key == key) return one;
+  throw py::key_error(key);
+}
+
 std::vector<Index> shape(const Sweep& sweep) {
   std::vector<Index> counts;
   for (const auto& axis : sweep.plan().design.axes) counts.push_back(axis.count);
@@ -171,6 +179,18 @@ py::list parameters(const Sweep& sweep) {
     all.append(py::make_tuple(one.key, one.axis, owned(std::move(values), {count}), one.unit));
   }
   return all;
+}
+
+/// What stands beside an axis and in a legend, in gnuplot's enhanced text; `shown` is the key without the
+/// indices of several columns.
+std::string long_label(const Sweep& sweep, const std::string& key, const std::string& shown) {
+  for (const auto& one : sweep.plan().design.parameters)
+    if (one.key == key) return report::parameter_name(one);
+  return report::long_label(shown, column_of(sweep, key));
+}
+
+std::string short_label(const Sweep& sweep, const std::string& key) {
+  return report::short_label(column_of(sweep, key));
 }
 
 void save_csv(const Sweep& sweep, const std::string& path) {
@@ -205,6 +225,8 @@ void add_sweep(py::module_& module) {
                              })
       .def_property_readonly(
           "ending", [](const py::object& self) { return view(self.cast<const Sweep&>().ending(), self); })
+      .def("long_label", &long_label, py::arg("key"), py::arg("shown"))
+      .def("short_label", &short_label, py::arg("key"))
       .def("save_csv", &save_csv, py::arg("path"), py::call_guard<py::gil_scoped_release>())
       .def("save_hdf5", &save_hdf5, py::arg("path"), py::call_guard<py::gil_scoped_release>());
   module.def("sweep", &sweep, py::arg("scene"), py::arg("axes"), py::arg("columns"), py::arg("threads"));

@@ -30,7 +30,7 @@ def make_panels(ax: Any, windows: Sequence[Window], title: str) -> Tuple[List[An
         one.tick_params(left=False)
     for one in axes[0]:
         one.spines[["top", "right"]].set_visible(False)
-        one.locator_params(axis="x", nbins=9 if len(windows) == 1 else 4)
+        one.locator_params(axis="x", nbins=9 if len(windows) == 1 else 3)
     return list(axes[0]), list(windows)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any, List, Sequence, Tuple
 
 import numpy as np
@@ -9,23 +10,26 @@ import numpy as np
 from . import _core
 from ._curves import INVISIBLE, Curves, Window, line_style
 from ._events import Event
+from ._style import text_size
 
-_SMALL = 7.0  # points of the words of events
+_SMALL = 0.8  # words of events beside other text
 _LINE = 0.072  # height of a name, as part of that of a panel
 
 
 def write_words(ax: Any, window: Window, events: Sequence[Event]) -> None:
     """What happens, in two rows above the panel, where there is room."""
     texts = [_words(event) for event in events]
-    widths = [_width(ax, len(text) + 1, _SMALL) for text in texts]
+    size = text_size(_SMALL)
+    widths = [_width(ax, len(text) + 1, size) for text in texts]
     at = [min((event.time - window[0]) / (window[1] - window[0]), 1.05 - 0.5 * width)
           for event, width in zip(events, widths)]
     rows = _core.rows_of_words(at, widths, 2)
     for text, x, row in zip(texts, at, rows):
         if row >= 0:
-            ax.text(x, 1.015 + 0.04 * row, text, transform=ax.transAxes, size=_SMALL, color="#3b4550", ha="center")
+            ax.annotate(text, (x, 1), xycoords="axes fraction", xytext=(0, 2 + 1.3 * size * row),
+                        textcoords="offset points", size=size, color="#3b4550", ha="center", annotation_clip=False)
     if max(rows, default=-1) >= 0 and ax.get_title():
-        ax.set_title(ax.get_title(), pad=12 + 10 * max(rows))
+        ax.set_title(ax.get_title(), pad=5 + 1.3 * size * (1 + max(rows)))
 
 
 def _words(event: Event) -> str:
@@ -95,7 +99,7 @@ def _name_peaks(ax: Any, window: Window, curves: Curves, named: List[Tuple[int, 
         if not first and here != int(np.argmax(sizes)):
             continue
         text = ", ".join(_names(curves, group))
-        width = _width(ax, len(text.replace("$", "").replace("_", "").replace("{", "").replace("}", "")) + 1, 10)
+        width = _width(ax, len(re.sub(r"[$_{}]", "", text)) + 1, text_size())
         x = (curves.time[here] - window[0]) / (window[1] - window[0])
         y = (curves.values[here, group[0]] - span[0]) / (span[1] - span[0])
         left = min(max(x - 0.5 * width, 0.0), max(0.0, 1 - width))

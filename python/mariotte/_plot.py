@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-import re
 from typing import TYPE_CHECKING, Any, List, Optional, Tuple
 
 import numpy as np
 
 from . import _core
 from ._bodies import BodiesImpact
+from ._columns import key_of_result
 from ._curves import Curves, Window, line_style
 from ._figure import draw_curves, make_panels
 from ._image import draw_image
 from ._numbers import Array, Numbers, numbers
 from ._scene import Body, Bodies, Chain, Scene
+from ._style import labelled, mathtext, style_of
 
 if TYPE_CHECKING:
     from ._events import Event
@@ -32,12 +33,6 @@ def _axes(ax: Any) -> Any:
     import matplotlib.pyplot as plt  # type: ignore[import]
 
     return plt.subplots(layout="constrained")[1]
-
-
-def _labelled(name: str, unit: str, symbol: str = "") -> str:
-    """What stands beside an axis: name, symbol and unit."""
-    symbol = re.sub(r"_(\w+)", r"$_{\1}$", symbol)
-    return name + (f"  {symbol}" if symbol else "") + (f" [{unit}]" if unit not in ("", "1") else "")
 
 
 class ImpactPlot:
@@ -89,24 +84,28 @@ class ImpactPlot:
         return self._draw(curves, windows, "", False, ax)
 
     def waves(self, ax: Optional[Any] = None, *, rows: int = 500, until: Optional[Numbers] = None) -> Any:
-        """Velocity over ball and time as an image, for long chains; `until` a time [s]."""
+        """Velocity over time and ball as an image, for long chains, at `rows` times; `until` a time [s]."""
         end = self._impact.time if until is None else float(numbers(until, "s"))
         velocity = self._impact.trajectory.velocity(np.linspace(0, end, rows))
-        ax = _axes(ax)
+        with style_of(ax):
+            return self._waves(velocity, end, _axes(ax))
+
+    def _waves(self, velocity: Array, end: float, ax: Any) -> Any:
         factor, unit = _core.display([end], "s")
         scale, velocity_unit = _core.display([float(velocity.min()), float(velocity.max())], "m/s")
-        image = ax.imshow(scale * velocity, aspect="auto", origin="lower",
-                          extent=(0.5, velocity.shape[1] + 0.5, 0, factor * end))
+        image = ax.imshow(scale * velocity.T, aspect="auto", origin="lower",
+                          extent=(0, factor * end, 0.5, velocity.shape[1] + 0.5))
         ax.figure.colorbar(image, label=f"velocity v [{velocity_unit}]")
-        ax.set(xlabel="ball i", ylabel=f"time t [{unit}]", title=self._impact.scene.title)
+        ax.set(xlabel=f"time t [{unit}]", ylabel="ball i", title=self._impact.scene.title)
         return ax
 
     def _draw(self, curves: Curves, windows: List[Window], along: str, logarithmic: bool, ax: Any) -> Any:
-        axes, windows = make_panels(ax, windows, self._impact.scene.title)
-        if curves.values.shape[1] > _MOST_CURVES:
-            draw_image(axes, windows, curves, along, self._marks(), logarithmic)
-        else:
-            draw_curves(axes, windows, curves, self._marks())
+        with style_of(ax):
+            axes, windows = make_panels(ax, windows, self._impact.scene.title)
+            if curves.values.shape[1] > _MOST_CURVES:
+                draw_image(axes, windows, curves, along, self._marks(), logarithmic)
+            else:
+                draw_curves(axes, windows, curves, self._marks())
         return axes[0]
 
     def _marks(self) -> "List[Event]":
@@ -136,8 +135,9 @@ def names_of_velocities(scene: Scene[Any], moving: str, count: int) -> List[str]
     if isinstance(scene, Bodies):
         bodies = [one["name"] or f"body {i + 1}" for i, one in enumerate(scene.json()["bodies"]["body"])]
         return [f"{name} {axis}" for name in bodies for axis in _AXES[:dimension]]
-    in_space = scene.json()["network"]["dimension"] > 0
-    return [f"ball {i // dimension + 1} {_AXES[i % dimension]}" if in_space else f"{moving} {i + 1}" for i in range(count)]
+    if scene.json()["network"]["dimension"] == 0:
+        return [f"{moving} {i + 1}" for i in range(count)]
+    return [f"ball {i // dimension + 1} {_AXES[i % dimension]}" for i in range(count)]
 
 
 def _acting(impact: "Impact", force: Array) -> Array:
@@ -177,6 +177,10 @@ class SweepPlot:
     def __call__(self, column: str, ax: Optional[Any] = None) -> Any:
         """Curves along one axis; of a single number over two axes a map, or a curve per value of one that has no more
         than seven. Returns the axes."""
+        with style_of(ax):
+            return self._draw(column, ax)
+
+    def _draw(self, column: str, ax: Any) -> Any:
         values = self._sweep[column]
         axes = list(self._sweep.axes.items())
         if len(self._sweep.shape) == 1:
@@ -188,44 +192,51 @@ class SweepPlot:
 
     def _curves(self, column: str, values: Array, axis: Tuple[str, Array], ax: Any) -> Any:
         ax = _axes(ax)
-        names = self._sweep.keys_of(column)
-        for place, (name, curve) in enumerate(zip(names, values.reshape(len(values), -1).T)):
-            ax.plot(axis[1], curve, label=name, **line_style(place))
-        if len(names) > 1:
+        keys = self._sweep.keys_of(column)
+        (along, x), (heights, y) = self._shown(*axis), self._of_column(column, values)
+        for place, (key, curve) in enumerate(zip(keys, heights.reshape(len(values), -1).T)):
+            ax.plot(along, curve, label=mathtext(self._sweep._run.short_label(key)), **line_style(place))
+        if len(keys) > 1:
             ax.legend()
-        if _is_logarithmic(axis[1]):
+        if _is_logarithmic(along):
             ax.set_xscale("log")
-        ax.set(xlabel=self._label(axis[0]), ylabel=self._label(names[0], column if len(names) > 1 else ""),
-               title=self._sweep.scene.title)
+        ax.set(xlabel=x, ylabel=y, title=self._sweep.scene.title)
         return ax
 
-    def _label(self, key: str, name: str = "") -> str:
-        """Of an axis; `name` stands for several keys with one unit and no common symbol."""
-        symbol = self._sweep.symbols.get(key, "") if name in ("", key) else ""
-        return _labelled(name or key, self._sweep.units[key], symbol)
+    def _shown(self, key: str, values: Array, name: str = "") -> Tuple[Array, str]:
+        """Values in the unit that suits them, and what stands beside their axis; `name` is the key of several."""
+        largest = float(np.abs(values[np.isfinite(values)]).max(initial=0))
+        given = self._sweep.units[key]
+        factor, unit = _core.display([largest], given) if given else (1.0, "")
+        return factor * values, labelled(self._sweep._run.long_label(key, name or key), unit)
+
+    def _of_column(self, column: str, values: Array) -> Tuple[Array, str]:
+        keys = self._sweep.keys_of(column)
+        several = key_of_result(self._sweep.scene, column).replace("[*]", "")
+        return self._shown(keys[0], values, several if len(keys) > 1 else "")
 
     def _family(self, column: str, values: Array, short: int, ax: Any) -> Any:
         """A curve along one axis for each value of the short one."""
         ax = _axes(ax)
-        (each, per_curve), (key, along) = self._along(short), self._along(1 - short)
-        for place, (name, curve) in enumerate(zip(_told_apart(per_curve), np.moveaxis(values, short, 0))):
+        (per_curve, each), (along, x) = (self._shown(*self._along(axis)) for axis in (short, 1 - short))
+        heights, y = self._of_column(column, values)
+        for place, (name, curve) in enumerate(zip(_told_apart(per_curve), np.moveaxis(heights, short, 0))):
             ax.plot(along, curve, label=name, **line_style(place))
-        ax.legend(title=self._label(each))
+        ax.legend(title=each)
         if _is_logarithmic(along):
             ax.set_xscale("log")
-        ax.set(xlabel=self._label(key), ylabel=self._label(self._sweep.keys_of(column)[0]),
-               title=self._sweep.scene.title)
+        ax.set(xlabel=x, ylabel=y, title=self._sweep.scene.title)
         return ax
 
     def _map(self, column: str, values: Array, ax: Any) -> Any:
         ax = _axes(ax)
-        rows, columns = (self._along(axis) for axis in (0, 1))
-        image = ax.pcolormesh(columns[1], rows[1], values, shading="nearest")
-        ax.figure.colorbar(image, label=self._label(self._sweep.keys_of(column)[0]))
-        for name, (_, along) in (("y", rows), ("x", columns)):
+        (up, y), (right, x) = (self._shown(*self._along(axis)) for axis in (0, 1))
+        colours, name = self._of_column(column, values)
+        ax.figure.colorbar(ax.pcolormesh(right, up, colours, shading="nearest"), label=name)
+        for axis, along in (("y", up), ("x", right)):
             if _is_logarithmic(along):
-                getattr(ax, f"set_{name}scale")("log")
-        ax.set(xlabel=self._label(columns[0]), ylabel=self._label(rows[0]), title=self._sweep.scene.title)
+                getattr(ax, f"set_{axis}scale")("log")
+        ax.set(xlabel=x, ylabel=y, title=self._sweep.scene.title)
         return ax
 
     def _along(self, axis: int) -> Tuple[str, Array]:

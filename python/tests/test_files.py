@@ -190,10 +190,11 @@ def test_waves_are_an_image():
     row = mt.Chain(balls=60, mass=1, law="hertz", stiffness=1, ball=[{"number": 1, "velocity": 1}])
     hit = mt.simulate(row, until=30)
     image = hit.plot.waves(rows=50).images[0].get_array()
-    assert image.shape == (50, 60) and image[0, 0] == 1
-    assert hit.plot.waves().get_xlim() == (0.5, 60.5)
+    assert image.shape == (60, 50) and image[0, 0] == 1
+    ax = hit.plot.waves()
+    assert ax.get_ylim() == (0.5, 60.5) and (ax.get_xlabel(), ax.get_ylabel()) == ("time t [s]", "ball i")
     unit = pytest.importorskip("pint").UnitRegistry()
-    assert hit.plot.waves(until=20_000 * unit.ms).get_ylim() == (0, 20)
+    assert hit.plot.waves(until=20_000 * unit.ms).get_xlim() == (0, 20)
 
 
 def test_sweeps_are_curves_or_maps(triplet):
@@ -201,15 +202,16 @@ def test_sweeps_are_curves_or_maps(triplet):
     speeds = np.geomspace(0.1, 10, 5)
     curve = mt.sweep(triplet, {"velocity[0]": speeds}, columns=["time"])
     ax = curve.plot("time")
-    assert ax.get_xscale() == "log" and ax.lines[0].get_ydata().tolist() == curve["time"].tolist()
-    assert ax.get_xlabel() == "chain.velocity[0] [m/s]" and ax.get_ylabel() == "final.time  t [s]"
+    assert ax.get_xscale() == "log" and ax.lines[0].get_ydata() == pytest.approx(1e6 * curve["time"])
+    assert ax.get_xlabel() == "initial velocity v⁻$_{1}$ [m/s]" and ax.get_ylabel() == "final time t [µs]"
     balls = mt.sweep(triplet, {"velocity[0]": speeds}, columns=["velocity"]).plot("velocity")
-    assert [line.get_label() for line in balls.lines] == [f"final.velocity[{i}]" for i in range(3)]
+    assert [line.get_label() for line in balls.lines] == [f"v$_{{{i}}}$" for i in (1, 2, 3)]
+    assert balls.get_ylabel() == "final velocity v$_{i}$ [m/s]"
     both = mt.sweep(triplet, {"velocity[0]": np.geomspace(0.1, 10, 8), "velocity[2]": np.linspace(-1, 0, 9)},
                     columns=["icr[0]", "velocity"])
     assert both.plot("icr[0]").collections[0].get_array().size == 72
-    assert both.plot("icr[0]").get_ylabel() == "chain.velocity[0] [m/s]"
-    assert both.plot("icr[0]").figure.axes[1].get_ylabel() == "icr[0]  α$_{j}$"
+    assert both.plot("icr[0]").get_ylabel() == "initial velocity v⁻$_{1}$ [m/s]"
+    assert both.plot("icr[0]").figure.axes[1].get_ylabel() == "impulse correlation ratio α$_{1}$"
     with pytest.raises(ValueError, match="shape"):
         both.plot("velocity")
 
@@ -223,9 +225,31 @@ def test_sweeps_over_a_short_list_have_a_curve_per_value(triplet, short_first):
     rows = grid["icr[0]"] if short_first else grid["icr[0]"].T
     assert [line.get_ydata().tolist() for line in ax.lines] == rows.tolist()
     assert [line.get_label() for line in ax.lines] == ["-1", "0", "0.0005"]
-    assert ax.get_legend().get_title().get_text() == "chain.velocity[2] [m/s]"
-    assert (ax.get_xlabel(), ax.get_xscale()) == ("chain.velocity[0] [m/s]", "log")
+    assert ax.get_legend().get_title().get_text() == "initial velocity v⁻$_{3}$ [m/s]"
+    assert (ax.get_xlabel(), ax.get_xscale()) == ("initial velocity v⁻$_{1}$ [m/s]", "log")
     assert not ax.collections
+
+
+def test_slopes_and_names_of_ones_own_are_labelled_as_by_the_command():
+    pytest.importorskip("matplotlib")
+    scene = mt.Chain(mass=[1, 1, 1], velocity=[1, 0, 0], law="hertz", stiffness=[1, 1])
+    slope = "sensitivity.velocity[2].mass[0]"
+    columns = [slope, "kappa_1 = icr[0] / 2", "contacts[0].peak_force"]
+    grid = mt.sweep(scene, {"gap[1]": [0, 1e-6, 2e-6]}, columns=columns)
+    labels = {name: grid.plot(name).get_ylabel() for name in grid}
+    assert labels == {slope: "slope ∂v$_{3}$/∂m$_{1}$ [kg$^{-1}$ m s$^{-1}$]", "kappa_1": "κ$_{1}$",
+                      "contacts[0].peak_force": "peak force max f$_{1}$ [N]"}
+    assert grid.plot(slope).get_xlabel() == "gap g$_{2}$ [µm]"
+
+
+def test_new_figures_are_as_wide_as_those_of_the_command(cradle, triplet):
+    import matplotlib.pyplot as plt
+
+    grid = mt.sweep(triplet, {"velocity[0]": [1, 2]}, columns="time")
+    for ax in (cradle.plot.forces(), cradle.plot.waves(rows=9), grid.plot("time")):
+        assert 2.54 * ax.figure.get_figwidth() == pytest.approx(8.6) and ax.xaxis.label.get_size() == 7
+    given = plt.subplots()[1]
+    assert cradle.plot.velocities(given).xaxis.label.get_size() == plt.rcParams["font.size"] != 7
 
 
 def test_values_that_are_near_have_the_digits_that_tell_them_apart(triplet):

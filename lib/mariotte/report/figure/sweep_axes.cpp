@@ -105,8 +105,12 @@ std::string axis_settings(const Design& design, std::size_t parameter, char axis
                      limits(one, factor, axis));
 }
 
+std::string parameter_name(const Parameter& one) {
+  return one.is_variable ? greek(one.key) : name_of_input(one.key);
+}
+
 std::string axis_name(const Parameter& one) {
-  return with_unit(one.is_variable ? greek(one.key) : name_of_input(one.key), display_of(one).unit);
+  return with_unit(parameter_name(one), display_of(one).unit);
 }
 
 std::vector<std::string> value_names(const Parameter& one) {

@@ -14,7 +14,10 @@ double coordinate(const study::Design& design, std::size_t parameter, Index poin
 /// gnuplot's settings of an axis, 'x' or 'y': what it shows and what is written along it.
 std::string axis_settings(const study::Design& design, std::size_t parameter, char axis);
 
-/// What a parameter is, with symbol and unit; and its values, as they name curves.
+/// What a parameter is, with its symbol: "gap g_{2}".
+std::string parameter_name(const study::Parameter& parameter);
+
+/// The same with the unit; and its values, as they name curves.
 std::string axis_name(const study::Parameter& parameter);
 std::vector<std::string> value_names(const study::Parameter& parameter);
 

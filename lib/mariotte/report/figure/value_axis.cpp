@@ -15,11 +15,6 @@ bool is_own(const study::Column& column) {
   return !column.written.empty();
 }
 
-std::string label(const std::string& key, const study::Column& column) {
-  if (study::is_slope(column.key)) return "slope " + name_of_slope(key);
-  return is_own(column) ? greek(key) : name_of_result(key, column.symbol);
-}
-
 /// Brings what is shown, whose magnitude is `size`, into the unit that suits it; as `display_for` does.
 std::string prefix_settings(const std::string& name, const study::Column& column, const std::string& axis) {
   if (!takes_prefix(column.unit))
@@ -33,6 +28,11 @@ set {1}label sprintf({2}, steps == 0 ? '' : word('f p n µ m - k M G T', steps +
 }
 
 }  // namespace
+
+std::string long_label(const std::string& key, const study::Column& column) {
+  if (study::is_slope(column.key)) return "slope " + name_of_slope(key);
+  return is_own(column) ? greek(key) : name_of_result(key, column.symbol);
+}
 
 std::string short_label(const study::Column& column) {
   if (study::is_slope(column.key)) return name_of_slope(column.key);
@@ -54,7 +54,7 @@ if (margin > 0 && low <= high) {{ set {0}range [factor*(low-margin):factor*(high
 unset label
 if (low > high) {{ set label 'no numbers' at graph 0.5, 0.5 center }}
 )",
-                     axis, fmt::join(places, " "), prefix_settings(label(key, column), column, axis));
+                     axis, fmt::join(places, " "), prefix_settings(long_label(key, column), column, axis));
 }
 
 std::string logarithmic_colours() {

@@ -8,6 +8,10 @@
 
 namespace mariotte::report {
 
+/// Words and symbol beside an axis that shows columns like this one; `key` is theirs, without indices of
+/// several: "final velocity v_{3}".
+std::string long_label(const std::string& key, const study::Column& column);
+
 /// What a legend calls a column: "v_{3}".
 std::string short_label(const study::Column& column);
 
