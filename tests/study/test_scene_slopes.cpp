@@ -123,6 +123,22 @@ BOOST_AUTO_TEST_CASE(a_stiffer_material_acts_through_stiffnesses_alone) {
   }
 }
 
+// The damping that a restitution stands for is the root of an equation, and moves by rounding alone at some
+// of the points around a number that it does not depend on.
+BOOST_AUTO_TEST_CASE(dampings_of_a_restitution_may_move_by_rounding) {
+  const std::string pair = "[chain]\nmass = [1, 2]\nvelocity = [1, 0.2]\ngap = 1e-3\nstiffness = 1e4\n"
+                           "restitution = 0.8\n";
+  const std::tuple<std::string, std::string, double> cases[] = {
+      {"law = \"viscoelastic\"\nexponent = 1\n", "chain.velocity[0]", -0.2},
+      {"law = \"kelvin-voigt\"\n", "chain.velocity[0]", -0.2},
+      {"law = \"kelvin-voigt\"\nat = 0.7\n", "chain.at", 0},
+      {"law = \"tsuji\"\nat = 0.7\n", "chain.at", 0},
+      {"law = \"tsuji\"\n", "chain.velocity[0]", -0.2},
+      {"law = \"hunt-crossley\"\n", "chain.mass[0]", 0.32}};
+  for (const auto& [law, key, expected] : cases)
+    BOOST_TEST(std::abs(slope(slopes_of(pair + law, {key}), "velocity[0]", 0) - expected) < 1e-9, law << key);
+}
+
 BOOST_AUTO_TEST_CASE(slopes_by_a_diameter_are_half_of_those_by_a_radius) {
   const std::string rest =
       "\ndensity = 1350\n[surface]\nstiffness = 1.74e9\nwork_of_adhesion = 0.38\nzeta_hertz = 1.5\n"

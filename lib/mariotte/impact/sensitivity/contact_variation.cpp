@@ -74,6 +74,9 @@ ContactVariation<Topology>::ContactVariation(const Scaled& model, const model::C
 
 namespace {
 
+/// By how much numbers of a law may differ by rounding: a damping is the root of an equation.
+constexpr double law_rounding = 64 * epsilon;
+
 bool same(const Law& a, const Law& b) {
   if (const auto* power = power_law(a), *other = power_law(b); power && other)
     return power->stiffness == other->stiffness && power->damping == other->damping &&
@@ -130,18 +133,19 @@ void ContactVariation<Topology>::add_coefficients(ForEach&& for_each, const Shif
   if (shifted.is_last()) drop_rounding(base_, shifted.column, shifted.step, slopes);
 }
 
-/// A law that moves differs from point to point. It is compared with the first, as all are restated, and the
-/// base is not: that differs by rounding.
+/// A law that moves differs at some point from the first one; not from the base, which is not restated, and
+/// differs by rounding. From there on, and for the points before, it is kept.
 template <class Topology>
 void ContactVariation<Topology>::add_law(Index j, const ShiftedModel<Scaled>& shifted) {
   const auto& law = shifted.model.law[j];
-  if (shifted.is_first() || same(law, first_law_[j])) return;
   auto& list = contact_[j].law;
-  if (list.empty() || list.back().column != shifted.column)
+  const bool has_moved = !list.empty() && list.back().column == shifted.column;
+  if (shifted.is_first() || (!has_moved && same(law, first_law_[j]))) return;
+  if (!has_moved)
     list.push_back({.column = shifted.column,
                     .step = shifted.step,
                     .points = shifted.points,
-                    .shifted = {first_law_[j]}});
+                    .shifted = std::vector<Law>(shifted.k, first_law_[j])});
   list.back().shifted.push_back(law);
   if (shifted.is_last()) set_power(j, list.back());
 }
@@ -151,9 +155,8 @@ void ContactVariation<Topology>::set_power(Index j, LawSlope& law) const {
   const auto* base = power_law(model_.law[j]);
   if (!base) return;
   const auto slope_of = [&](double contact::PowerLaw::*number) {
-    const auto is_same = [&](const Law& moved) { return power_law(moved)->*number == base->*number; };
-    if (std::all_of(law.shifted.begin(), law.shifted.end(), is_same)) return 0.0;
-    return by_law(law, [&](const Law& moved) { return power_law(moved)->*number; });
+    const double slope = by_law(law, [&](const Law& moved) { return power_law(moved)->*number; });
+    return std::abs(slope * law.step) > law_rounding * std::abs(base->*number) ? slope : 0;
   };
   law.power = {.stiffness = slope_of(&contact::PowerLaw::stiffness),
                .damping = slope_of(&contact::PowerLaw::damping),
