@@ -277,6 +277,36 @@ BOOST_AUTO_TEST_CASE(a_force_pushes_a_network_by_its_mass_matrix) {
   BOOST_TEST(std::abs(impact.energy.residual) < 1e-10);
 }
 
+BOOST_AUTO_TEST_CASE(the_momenta_of_what_no_contact_moves_balance) {
+  model::Network network{.mass = {1, 1, infinity},
+                         .direction = {{{1, 1}, {2, 1}}},
+                         .law = {contact::PowerLaw{1, 0, 1}},
+                         .gap = {1},
+                         .velocity = {0, 0, 0.5}};
+  for (const double end : {3.0, 10.0}) {  // a part of a period, and a whole one
+    network.drive = {
+        {.direction = {{0, 1.0}}, .quantity = Driven::force, .signal = model::sine(1, 0.2 * pi, 0)}};
+    const auto impact = simulate(network, until(end));
+    BOOST_TEST((impact.ending == hybrid::Ending::time_limit), impact.message);
+    BOOST_TEST(std::abs(impact.velocity[0] - (1 - std::cos(0.2 * pi * end)) / (0.2 * pi)) < 1e-9);
+  }
+}
+
+// As of other chains: the last sample is that of the ending.
+BOOST_AUTO_TEST_CASE(the_last_sample_of_a_driven_row_is_that_of_its_end) {
+  const auto row = row_behind_wall({contact::Hertz(1)}, drive(0, Driven::velocity, model::sine(0.1, 1, 0)));
+  std::vector<impact::Sample> samples;
+  const auto take = [&](const impact::Sample& sample) {
+    samples.push_back(sample);
+    return 0.3;
+  };
+  const auto found =
+      simulate(row, until(1), {.samplings = {{.velocities = {1}, .contacts = {}, .take = take}}});
+  BOOST_TEST_REQUIRE(samples.size() == 5u);
+  BOOST_TEST(samples.back().time == 1);
+  BOOST_TEST(samples.back().velocity[0] == found.velocity[1]);
+}
+
 BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused) {
   const auto sine = model::sine(1, 1, 0);
   const auto good = row_behind_wall({contact::Hertz(1)}, drive(0, Driven::velocity, sine));

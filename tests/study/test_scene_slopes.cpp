@@ -126,8 +126,9 @@ BOOST_AUTO_TEST_CASE(a_stiffer_material_acts_through_stiffnesses_alone) {
 // The damping that a restitution stands for is the root of an equation, and moves by rounding alone at some
 // of the points around a number that it does not depend on.
 BOOST_AUTO_TEST_CASE(dampings_of_a_restitution_may_move_by_rounding) {
-  const std::string pair = "[chain]\nmass = [1, 2]\nvelocity = [1, 0.2]\ngap = 1e-3\nstiffness = 1e4\n"
-                           "restitution = 0.8\n";
+  const std::string pair =
+      "[chain]\nmass = [1, 2]\nvelocity = [1, 0.2]\ngap = 1e-3\nstiffness = 1e4\n"
+      "restitution = 0.8\n";
   const std::tuple<std::string, std::string, double> cases[] = {
       {"law = \"viscoelastic\"\nexponent = 1\n", "chain.velocity[0]", -0.2},
       {"law = \"kelvin-voigt\"\n", "chain.velocity[0]", -0.2},

@@ -82,9 +82,15 @@ double NetworkGate::unexplained(const NetworkOutcome& o) {
       natural_[dof] +=
           std::abs(response) * (std::abs(impulse(o, j)) + o.network.reduced_mass[j] * o.network.speed);
     }
-  for (Index k = 0; k < o.layout.drives(); ++k)
-    for (const auto& [dof, response] : o.network.drive[k].response)
-      change_[dof] += o.network.drive[k].is_force ? response * given_impulse(o, k) : after[dof] - before[dof];
+  for (Index k = 0; k < o.layout.drives(); ++k) {
+    const auto& drive = o.network.drive[k];
+    for (const auto& [dof, response] : drive.response) {
+      change_[dof] += drive.is_force ? response * given_impulse(o, k) : after[dof] - before[dof];
+      if (drive.is_force)
+        natural_[dof] += std::abs(response) *
+                         std::max(std::abs(given_impulse(o, k)), model::largest_integral(drive.signal));
+    }
+  }
   double worst = 0;
   for (Index i = 0; i < o.layout.velocities(); ++i) {
     const double apart = std::abs(after[i] - before[i] - change_[i]);

@@ -65,6 +65,7 @@ ChainRun follow_whole(ChainSystem& system, ConstState start, const hybrid::Optio
                      .islands = std::nullopt,
                      .trace = {}};
   system.problem(chain_run.mode);  // forces at the ending are those of the last mode
+  watch.finish(chain_run.run.time, chain_run.run.state);
   if (observers.trace) chain_run.trace = watch.trace.take(chain_run.run.time, chain_run.run.state);
   return chain_run;
 }
