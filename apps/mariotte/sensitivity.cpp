@@ -115,7 +115,8 @@ Command sensitivity_command() {
                          run_options(options->scene),
                          {{"--of",
                            &options->of,
-                           "Outcome, such as velocity, impulse[0], icr or time; may be repeated",
+                           "Outcome, such as velocity, impulse[0], icr, time or, of a microbody, "
+                           "capture_velocity; may be repeated",
                            {.value = "QUANTITY", .takes_one = true}},
                           {"--to",
                            &options->to,

@@ -14,6 +14,7 @@ namespace {
 
 struct Uncertain {
   SceneChoice scene;
+  std::vector<std::string> of;
   study::Samples samples;
   bool json = false;
 };
@@ -26,7 +27,7 @@ int uncertainty(const Uncertain& options) {
         options.scene.path +
         ": no number of the scene has a deviation, as in \"10 mm ± 1 um\" or --set 'KEY=2 ± 1 %'");
   const auto scene = resolve(options.scene, document);
-  const auto found = study::propagate(document, scene, inputs, options.samples);
+  const auto found = study::propagate(document, scene, inputs, options.samples, options.of);
   print(options.json ? report::text(report::json(found)) : report::table(found, scene.title));
   tell_ending(found.ending, "", scene);
   return report::is_wanted(found.ending, scene) ? ExitCode::ok : exit_code(found.ending);
@@ -35,6 +36,7 @@ int uncertainty(const Uncertain& options) {
 constexpr const char* examples = R"(Examples:
   mariotte uncertainty triplet.toml --set 'chain.radius=10 mm ± 1 um'
   mariotte uncertainty triplet.toml --set 'chain.velocity[0]=1 +- 1 %' --samples 1000 --seed 7
+  mariotte uncertainty microsphere.toml --set 'body.radius=2.45 um +- 2 %' --of capture_velocity
   mariotte uncertainty measured.toml --json
 
 What stands behind ± (or +-) is a standard deviation, in units or in per cent. Deviations of outcomes are of
@@ -52,7 +54,11 @@ Command uncertainty_command() {
       .options = joined(
           {scene_options(options->scene),
            run_options(options->scene),
-           {{"--samples",
+           {{"--of",
+             &options->of,
+             "Outcome, such as velocity, icr[0] or capture_velocity; may be repeated",
+             {.value = "QUANTITY", .takes_one = true}},
+            {"--samples",
              &options->samples.count,
              "Runs with random inputs, beside the first order",
              {.value = "N", .check = Range{2, 1e9}}},

@@ -1,9 +1,14 @@
 #include "mariotte/study/propagation/propagation.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
+#include "mariotte/scene/key_path.hpp"
+#include "mariotte/study/capture.hpp"
 #include "mariotte/study/propagation/outcome_columns.hpp"
+#include "mariotte/study/sensitivity/capture_slopes.hpp"
+#include "mariotte/study/sensitivity/scene_numbers.hpp"
 #include "mariotte/study/sensitivity/scene_parameters.hpp"
 #include "mariotte/study/sweep/evaluate.hpp"
 #include "mariotte/study/sweep/variation.hpp"
@@ -108,28 +113,60 @@ void sample_one_by_one(const scene::Document& document, Propagation& result, Spr
   });
 }
 
-void sample(const scene::Document& document, const std::optional<std::vector<Column>>& columns,
+/// A search per sample, with the numbers of that.
+void sample_captures(scene::Document document, Propagation& result, Spreads& spreads) {
+  constexpr double tolerance = 1e-9;
+  const auto design = design_of(result.inputs, result.samples);
+  for (Index point = 0; point < result.samples.count; ++point) try {
+      for (std::size_t i = 0; i < result.inputs.size(); ++i)
+        locate(document.source, document.tree, result.inputs[i].key, {}).value = number(design, i, point);
+      const auto found = capture_velocity(document, tolerance);
+      spreads.add(found.has_value(), [&](std::size_t) { return found->value(); });
+    } catch (const scene::SceneError&) {
+      spreads.leave_out();
+    }
+}
+
+void sample(const scene::Document& document, const std::vector<impact::OutcomeSlopes>& outcomes,
             Propagation& result) {
   Spreads spreads(result);
-  columns ? sample_side_by_side(document, *columns, result, spreads)
-          : sample_one_by_one(document, result, spreads);
+  if (outcomes.size() == 1 && outcomes[0].name == capture_velocity_name)
+    sample_captures(document, result, spreads);
+  else if (const auto columns = columns_of(outcomes))
+    sample_side_by_side(document, *columns, result, spreads);
+  else
+    sample_one_by_one(document, result, spreads);
   spreads.report();
+}
+
+/// Leaves the outcomes that are asked for.
+void keep(const std::vector<std::string>& of, std::vector<UncertainOutcome>& outcomes) {
+  const auto is_wanted = [&](const auto& one, const auto& name) { return is_asked_for(one.name, name); };
+  for (const auto& name : of)
+    if (std::ranges::none_of(outcomes, [&](const auto& one) { return is_wanted(one, name); }))
+      throw InvalidParameter("'" + name + "' is no outcome of this scene");
+  if (of.empty()) return;
+  std::erase_if(outcomes, [&](const auto& one) {
+    return std::ranges::none_of(of, [&](const auto& name) { return is_wanted(one, name); });
+  });
 }
 
 }  // namespace
 
 Propagation propagate(const scene::Document& document, const scene::Scene& scene,
-                      const std::vector<UncertainInput>& inputs, const Samples& samples) {
+                      const std::vector<UncertainInput>& inputs, const Samples& samples,
+                      const std::vector<std::string>& of) {
   std::vector<std::string> keys;
   for (const auto& input : inputs) keys.push_back(input.key);
-  const auto slopes = sensitivity(document, scene, keys);
+  const auto slopes = sensitivity(document, scene, keys, of);
   Propagation result{.ending = slopes.ending,
                      .inputs = inputs,
                      .outcomes = {},
                      .samples = samples,
                      .notes = texts(slopes.notes)};
   for (const auto& outcome : slopes.outcome) result.outcomes.push_back(first_order(outcome, inputs));
-  if (samples.count > 0) sample(document, columns_of(slopes.outcome), result);
+  if (samples.count > 0) sample(document, slopes.outcome, result);
+  keep(of, result.outcomes);
   return result;
 }
 

@@ -6,6 +6,7 @@
 
 #include "mariotte/core/overload.hpp"
 #include "mariotte/scene/field.hpp"
+#include "mariotte/study/sensitivity/capture_slopes.hpp"
 #include "mariotte/study/sensitivity/scene_numbers.hpp"
 #include "mariotte/study/sensitivity/swept_slopes.hpp"
 
@@ -88,6 +89,8 @@ impact::Sensitivity slopes_of(const scene::Scene& scene, Of&& of, OfBody&& param
 impact::Sensitivity sensitivity(const Document& document, const scene::Scene& scene,
                                 const std::vector<std::string>& keys,
                                 const std::vector<std::string>& outcomes, const impact::SlopeWatch& watch) {
+  if (outcomes == std::vector<std::string>{capture_velocity_name})
+    return sensitivity_of_capture(document, keys, watch);
   if (const auto ball = swept_ball(scene, outcomes))
     return sensitivity_of_velocity(document, scene, keys, *ball, watch);
   return slopes_of(

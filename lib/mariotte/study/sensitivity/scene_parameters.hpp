@@ -11,8 +11,9 @@ namespace mariotte::study {
 /// Slopes of the scene's outcome by `keys`: numbers of the model, as "mass[0]", all of one kind, as "mass" or
 /// "contact[1]", or keys of the scene, as "chain.radius". Without keys by all numbers of the model. If all
 /// that is asked of a long row of power laws is one velocity, "velocity[7]", slopes of it alone are swept
-/// back. `watch` is called at every step; what it throws reaches the caller. Throws SceneError for a key that
-/// is no finite number with scenes on both sides of it, and for a scene with [law] alone.
+/// back; if all that is asked of a microbody is "capture_velocity", slopes of that are found. `watch` is
+/// called at every step; what it throws reaches the caller. Throws SceneError for a key that is no finite
+/// number with scenes on both sides of it, and for a scene with [law] alone.
 impact::Sensitivity sensitivity(
     const scene::Document& document, const scene::Scene& scene, const std::vector<std::string>& keys,
     const std::vector<std::string>& outcomes = {}, const impact::SlopeWatch& watch = [] {});

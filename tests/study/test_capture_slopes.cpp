@@ -1,0 +1,78 @@
+#define BOOST_TEST_MODULE study_capture_slopes
+// Slopes of the capture velocity, against differences of capture velocities.
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "mariotte/report/number.hpp"
+#include "mariotte/study/capture.hpp"
+#include "mariotte/study/propagation/propagation.hpp"
+#include "mariotte/study/sensitivity/scene_parameters.hpp"
+#include "support/measured_bodies.hpp"
+
+using namespace mariotte;
+using namespace mariotte::test;
+
+namespace {
+
+impact::Sensitivity slopes_of(const std::string& text, const std::vector<std::string>& keys = {}) {
+  const auto document = scene::parse_document(text, "test");
+  return study::sensitivity(document, resolve(document), keys, {"capture_velocity"});
+}
+
+double captured_below(const std::string& text, const std::string& key, double value) {
+  const auto moved =
+      scene::parse_document(text, "test", {key + "=" + report::exact(value), "run.accuracy=1e-13"});
+  return study::capture_velocity(moved, 1e-15)->value();
+}
+
+/// Times the number, by differences of order four.
+double difference(const std::string& text, const std::string& key, double value) {
+  constexpr double step = 5e-4;
+  const auto across = [&](double h) {
+    return (captured_below(text, key, value * (1 + h)) - captured_below(text, key, value * (1 - h))) /
+           (2 * h);
+  };
+  return (4 * across(step) - across(2 * step)) / 3;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(slopes_are_those_of_differences) {
+  const std::pair<const char*, double> numbers[] = {
+      {"body.radius", 2.45e-6},           {"body.density", 1350},    {"surface.stiffness", 1.74e9},
+      {"surface.work_of_adhesion", 0.38}, {"surface.zeta_hertz", 1}, {"surface.zeta_adhesion", 1}};
+  const auto found = slopes_of(sphere);
+  BOOST_TEST_REQUIRE(found.parameter.size() == std::size(numbers));
+  BOOST_TEST_REQUIRE(found.outcome.size() == 1u);
+  BOOST_TEST(found.notes.empty());
+  for (std::size_t i = 0; i < std::size(numbers); ++i) {
+    const auto& [key, value] = numbers[i];
+    const double expected = difference(sphere, key, value);
+    BOOST_TEST(std::abs(*found.outcome[0].slope[i] * value / expected - 1) < 1e-8, key);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_rod_with_friction_has_them_too) {
+  const auto found = slopes_of(rod, {"length_ratio", "surface.friction"});
+  BOOST_TEST_REQUIRE(found.parameter.size() == 2u);
+  BOOST_TEST(std::abs(*found.outcome[0].slope[0] * 10 / difference(rod, "body.length_ratio", 10) - 1) < 1e-7);
+}
+
+BOOST_AUTO_TEST_CASE(what_is_never_captured_or_no_microbody_is_refused) {
+  const auto free =
+      with(with(sphere, "zeta_hertz = 1", "zeta_hertz = 0"), "zeta_adhesion = 1", "zeta_adhesion = 0");
+  BOOST_CHECK_THROW(slopes_of(free), scene::SceneError);
+  BOOST_CHECK_THROW(slopes_of("[chain]\nmass = [1, 1]\nvelocity = [1, 0]\nlaw = 'hertz'\nstiffness = 1\n"),
+                    scene::SceneError);
+}
+
+BOOST_AUTO_TEST_CASE(samples_scatter_as_the_first_order_says) {
+  auto document = scene::parse_document(sphere, "test", {"body.radius=2.45 um ± 1 %"});
+  const auto inputs = study::take_uncertain_inputs(document);
+  const auto found =
+      study::propagate(document, resolve(document), inputs, {.count = 400, .seed = 2}, {"capture_velocity"});
+  BOOST_TEST_REQUIRE(found.outcomes.size() == 1u);
+  const auto& one = found.outcomes[0];
+  BOOST_TEST(std::abs(*one.sampled_deviation / *one.deviation - 1) < 0.15);  // known to 3.5 %
+  BOOST_TEST(std::abs(*one.mean - *one.value) < 0.2 * *one.deviation);
+}
