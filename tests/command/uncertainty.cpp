@@ -43,7 +43,8 @@ BOOST_FIXTURE_TEST_CASE(samples_that_end_in_another_way_are_told_of, Session) {
   const std::string sphere = std::string("uncertainty ") + MARIOTTE_SCENES + "/microsphere.toml ";
   const auto run = mariotte(sphere + "--set 'incidence.normal_speed=1.3 m/s +- 5 %' --samples 200");
   BOOST_TEST(run.code == 0);
-  BOOST_TEST(has(run.out, " of 200 samples end in another way, or make no scene; means"));
+  BOOST_TEST(
+      has(run.out, " of 200 samples end in another way, have other contacts, or make no scene; means"));
 }
 
 BOOST_FIXTURE_TEST_CASE(a_scene_without_deviations_is_refused, Session) {

@@ -140,6 +140,32 @@ BOOST_AUTO_TEST_CASE(dampings_of_a_restitution_may_move_by_rounding) {
     BOOST_TEST(std::abs(slope(slopes_of(pair + law, {key}), "velocity[0]", 0) - expected) < 1e-9, law << key);
 }
 
+// The model that a scene makes bends or jumps next to the number: two balls within reach of each other are so
+// no more, and the speed of a restitution is that of another contact.
+BOOST_AUTO_TEST_CASE(steps_stay_where_the_model_moves_smoothly) {
+  const std::string rack =
+      "[network]\nradius = 0.01\nmaterial = 'steel'\nlaw = 'hertz'\n[[network.ball]]\n"
+      "position = [-0.02009, 0]\nvelocity = [1, 0]\n[[network.ball]]\nposition = [0, 0]\n"
+      "[[network.ball]]\nposition = [0.0100005, 0.0173205080757]\n";
+  for (int i = 0; i < 6; ++i)
+    BOOST_TEST(slope(slopes_of(rack, {"network.ball[0].position[0]"}), "velocity[" + std::to_string(i) + "]",
+                     0) == 0);
+  const std::string row =
+      "[chain]\nmass = [1, 2, 1.5]\nvelocity = [1, 0, -0.999]\nlaw = 'kuwabara-kono'\n"
+      "stiffness = 1e4\nrestitution = 0.7\ngap = [1e-3, 2e-3]\n";
+  const double expected[] = {-0.0948007, 0.2924116, 0.8023891};  // differences of runs
+  for (int i = 0; i < 3; ++i) {
+    const auto key = "chain.velocity[" + std::to_string(i) + "]";
+    BOOST_TEST(std::abs(slope(slopes_of(row, {key}), "velocity[0]", 0) - expected[i]) < 1e-6, key);
+  }
+  auto symmetric = row;
+  symmetric.replace(symmetric.find("-0.999"), 6, "-1");
+  BOOST_CHECK_EXCEPTION(
+      slopes_of(symmetric, {"chain.velocity[1]"}), scene::SceneError, [](const auto& error) {
+        return std::string(error.what()).find("bends or jumps at this value") != std::string::npos;
+      });
+}
+
 BOOST_AUTO_TEST_CASE(slopes_by_a_diameter_are_half_of_those_by_a_radius) {
   const std::string rest =
       "\ndensity = 1350\n[surface]\nstiffness = 1.74e9\nwork_of_adhesion = 0.38\nzeta_hertz = 1.5\n"

@@ -89,7 +89,8 @@ std::string table(const Propagation& propagation, const std::string& title) {
           });
   if (propagation.others > 0)
     text += fmt::format(
-        "\nnote: {} of {} samples end in another way, or make no scene; means and deviations are those of "
+        "\nnote: {} of {} samples end in another way, have other contacts, or make no scene; means and "
+        "deviations are those of "
         "the "
         "rest, and the first order knows nothing of this\n",
         propagation.others, propagation.samples.count);

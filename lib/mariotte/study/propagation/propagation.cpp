@@ -82,12 +82,21 @@ class Spreads {
   std::vector<Spread> spreads_;
 };
 
+/// Which pairs may touch depends on the reach of a network's balls, and on the places of bodies.
+std::size_t contacts(const scene::Scene& scene) {
+  const auto* network = std::get_if<model::Network>(&scene.model);
+  const auto* bodies = std::get_if<model::Bodies>(&scene.model);
+  return network ? network->law.size() : bodies ? bodies->contact.size() : 0;
+}
+
 void for_each_sample(const scene::Document& document, const Propagation& result, Spreads& spreads,
                      const std::function<void(const scene::Scene&)>& run) {
   const auto design = design_of(result.inputs, result.samples);
   Variation variation(document, design, find_slots(document, design));
+  const auto usual = contacts(resolve(document));
   for (Index point = 0; point < result.samples.count; ++point) try {
-      run(variation.at(point));
+      const auto& scene = variation.at(point);
+      contacts(scene) == usual ? run(scene) : spreads.leave_out();
     } catch (const scene::SceneError&) {
       spreads.leave_out();
     } catch (const InvalidParameter&) {

@@ -29,7 +29,7 @@ struct Propagation {
   std::vector<UncertainInput> inputs;
   std::vector<UncertainOutcome> outcomes;
   Samples samples;
-  Index others = 0;  ///< samples that make no sense or end in another way, which are left out
+  Index others = 0;  ///< samples that make no sense, end in another way or have other contacts: left out
   std::vector<std::string> notes;
 };
 

@@ -1,11 +1,18 @@
 #include "mariotte/study/sensitivity/scene_numbers.hpp"
 
 #include "mariotte/scene/field.hpp"
+#include "mariotte/study/sensitivity/model_numbers.hpp"
 #include "mariotte/study/sensitivity/scene_sizes.hpp"
 
 namespace mariotte::study {
 
 using scene::Document;
+
+namespace {
+
+constexpr double places_tried[] = {-4, -0.4, 0, 0.4, 4};  ///< in steps
+
+}  // namespace
 
 std::optional<SceneNumber> number_at(Document document, const std::string& key) {
   const auto place = add_origin(document.source, "--to " + key);
@@ -27,20 +34,24 @@ SceneNumber expect_number(const Document& document, const std::string& key) {
   reject(copy.source, place, fault::leads_nowhere, "is no finite number of the model or the scene");
 }
 
-double step_around(const Document& document, const std::string& key, const SceneNumber& number,
-                   const std::function<void(double)>& read) {
+double step_around(Document document, const std::string& key, const SceneNumber& number) {
+  const auto place = add_origin(document.source, "--to " + key);
+  auto& node = locate(document.source, document.tree, key, place);
   std::optional<scene::SceneError> why;
   for (const double share : {1e-2, 1e-3, 1e-4, 1e-5}) try {
-      const double step = share * number.size;
-      read(number.value - 4 * step);
-      read(number.value + 4 * step);
-      return step;
+      std::vector<ModelNumber> at[5];
+      for (int i = 0; i < 5; ++i) {
+        node.value = number.value + places_tried[i] * share * number.size;
+        at[i] = model_numbers(resolve(document));
+      }
+      if (is_smooth(at)) return share * number.size;
     } catch (const scene::SceneError& error) {
       why = error;
     }
-  Document copy = document;
-  const auto place = add_origin(copy.source, "--to " + key);
-  reject(copy.source, place, why->fault,
+  if (!why)
+    reject(document.source, place, fault::leads_nowhere,
+           "has no slope: what the scene makes of it bends or jumps at this value");
+  reject(document.source, place, why->fault,
          std::string("has no slope, since the scene ends next to it: ") + why->what());
 }
 

@@ -42,17 +42,18 @@ impact::Parameter<Model> scene_parameter(const scene::Document& document, const 
           }};
 }
 
-/// A hundredth of the size, or as much less as lets `read` the scene at four times that on both sides: bodies
-/// that are moved farther may overlap. Throws SceneError that names the key where there is no such step.
-double step_around(const scene::Document& document, const std::string& key, const SceneNumber& number,
-                   const std::function<void(double)>& read);
+/// A hundredth of the size, or as much less as lets the scene be read at four times that on both sides, with
+/// numbers of its model that move smoothly: bodies that are moved farther may overlap, or touch others, and
+/// the speed at which a restitution holds may be that of another contact. Throws SceneError that names the
+/// key where there is no such step.
+double step_around(scene::Document document, const std::string& key, const SceneNumber& number);
 
 template <class Model>
 impact::Parameter<Model> number_of_scene(const scene::Document& document, const std::string& name,
                                          const std::string& key) {
   const auto number = expect_number(document, key);
   auto parameter = scene_parameter<Model>(document, name, key, number);
-  parameter.step = step_around(document, key, number, parameter.model);
+  parameter.step = step_around(document, key, number);
   return parameter;
 }
 

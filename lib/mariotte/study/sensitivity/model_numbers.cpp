@@ -1,0 +1,102 @@
+#include "mariotte/study/sensitivity/model_numbers.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mariotte/core/overload.hpp"
+
+namespace mariotte::study {
+namespace {
+
+constexpr double rounding = 64 * epsilon;  ///< of differences of places
+
+class Numbers {
+ public:
+  void add(double value, double rounding_of_it = 0) { all_.push_back({value, rounding_of_it}); }
+  void add(const std::vector<double>& list) {
+    for (const double one : list) add(one);
+  }
+  void add(const Vector3& vector) {
+    for (const double one : {vector.e1, vector.e2, vector.e3}) add(one);
+  }
+  void add(const contact::Law& law) {
+    for (const auto& one : contact::parameters(law)) add(one.value);
+  }
+  void add(const std::vector<contact::Law>& laws) {
+    for (const auto& law : laws) add(law);
+  }
+  std::vector<ModelNumber> take() { return std::move(all_); }
+
+ private:
+  std::vector<ModelNumber> all_;
+};
+
+void add(const model::Chain& chain, Numbers& all) {
+  for (const auto* list : {&chain.mass, &chain.velocity, &chain.gap}) all.add(*list);
+  all.add(chain.law);
+  all.add(chain.gravity);
+}
+
+void add(const model::Network& network, Numbers& all) {
+  for (const auto* list : {&network.mass, &network.velocity}) all.add(*list);
+  for (std::size_t j = 0; j < network.gap.size(); ++j)
+    all.add(network.gap[j], network.distance.empty() ? 0 : rounding * network.distance[j]);
+  all.add(network.law);
+  for (const auto& direction : network.direction)
+    for (const auto& [dof, coefficient] : direction) {
+      all.add(static_cast<double>(dof));
+      all.add(coefficient, rounding);
+    }
+}
+
+void add(const model::Microbody& body, Numbers& all) {
+  all.add(body.body.mass);
+  for (const auto& vector : {body.body.inertia, body.velocity, body.spin}) all.add(vector);
+  for (const auto& tip : body.body.tips) all.add(tip.centre), all.add(tip.radius);
+}
+
+void add(const model::Bodies& bodies, Numbers& all) {
+  for (const auto& one : bodies.body) {
+    all.add(one.mass);
+    for (const auto& vector : {one.inertia, one.position, one.velocity, one.spin}) all.add(vector);
+    for (const auto& sphere : one.spheres) all.add(sphere.centre), all.add(sphere.radius);
+  }
+  for (const auto& contact : bodies.contact) {
+    all.add(contact.law);
+    all.add(contact.tangential.friction);
+    all.add(contact.tangential.stiffness);
+  }
+}
+
+/// Second differences that rounding alone can make, relative to the number, beside its own.
+constexpr double noise = 1e-11;
+/// How many times larger they are at ten times the distance, at least and at most.
+constexpr double least_growth = 50, most_growth = 200;
+
+bool is_smooth(const ModelNumber (&x)[5]) {
+  const double middle = x[2].value, near = std::abs(x[1].value - 2 * middle + x[3].value),
+               far = std::abs(x[0].value - 2 * middle + x[4].value);
+  if (!std::isfinite(far)) return std::isinf(middle) && x[0].value == middle && x[4].value == middle;
+  const double most = std::max(std::abs(x[0].value), std::abs(x[4].value)),
+               harmless = noise * most + most_growth * x[2].rounding;
+  return far <= harmless || (far >= least_growth * near && far <= most_growth * near);
+}
+
+}  // namespace
+
+std::vector<ModelNumber> model_numbers(const scene::Scene& scene) {
+  Numbers all;
+  std::visit(Overload{[&](const auto& model) { add(model, all); }, [](const scene::LawAlone&) {}},
+             scene.model);
+  return all.take();
+}
+
+bool is_smooth(const std::vector<ModelNumber> (&at)[5]) {
+  for (const auto& one : at)
+    if (one.size() != at[0].size()) return false;
+  for (std::size_t i = 0; i < at[0].size(); ++i)
+    if (!is_smooth({at[0][i], at[1][i], at[2][i], at[3][i], at[4][i]})) return false;
+  return true;
+}
+
+}  // namespace mariotte::study
