@@ -37,6 +37,12 @@ BOOST_AUTO_TEST_CASE(slopes_are_quotients_of_symbols) {
   BOOST_TEST(name_of_slope("sensitivity.icr[0].gravity") == "∂α_{1}/∂gravity");
 }
 
+BOOST_AUTO_TEST_CASE(numbers_have_a_minus_that_is_no_hyphen) {
+  BOOST_TEST(tick_name(-0.4) == "−0.4");
+  BOOST_TEST(tick_name(1e-6) == "1e-06");
+  BOOST_TEST(tick_name(0) == "0");
+}
+
 BOOST_AUTO_TEST_CASE(names_of_greek_letters_are_letters) {
   BOOST_TEST(greek("kappa") == "κ");
   BOOST_TEST(greek("alpha_12") == "α_{12}");

@@ -60,6 +60,15 @@ BOOST_AUTO_TEST_CASE(axes_have_quantities_symbols_and_engineering_units) {
   BOOST_TEST(has(script, "set ylabel 'velocity v [m/s]'"));
 }
 
+// gnuplot's own format begins with a blank, which shifts a number beside its tick.
+BOOST_AUTO_TEST_CASE(numbers_stand_below_their_ticks_and_have_a_minus_that_is_no_hyphen) {
+  for (const std::size_t balls : {2, 14}) {
+    const auto script = plot_of(balls).script;
+    BOOST_TEST(has(script, "set minussign\nset format '%h'\n"));
+    BOOST_TEST(!has(script, "set format cb\n"));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(twelve_contacts_are_curves_and_more_an_image) {
   BOOST_TEST(has(plot_of(13).script, "index 1 using (1e+06*$2):(0.001*$3) with lines lt 1"));
   const auto script = plot_of(14).script;

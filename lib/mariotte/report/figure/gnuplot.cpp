@@ -68,6 +68,8 @@ std::string script_head() {
 if (!exists('folder')) folder = ''
 set encoding utf8
 set datafile separator comma
+set minussign
+set format '%h'
 set border 3 lc rgb '#555555'
 set tics nomirror out
 set clip two

@@ -137,7 +137,7 @@ std::string script(const HeatMap& map, const TimeAxis& axis, std::size_t first_b
                      shown.logarithmic ? "set logscale cb\nset format cb '10^{%T}'\n" : "",
                      display.factor * shown.least, display.factor * shown.most, bar, display.unit) +
          on_panels(map.file, map.title, axis, all, inside) +
-         "unset logscale\nset format cb\nunset colorbox\nset ytics\nset grid\n";
+         "unset logscale\nset format cb '%h'\nunset colorbox\nset ytics\nset grid\n";
 }
 
 }  // namespace mariotte::report

@@ -50,7 +50,7 @@ std::string decades(const study::Range& range, double scale) {
 }
 
 std::string name(const scene::Node& value, std::size_t position, double factor) {
-  if (const auto* number = std::get_if<double>(&value.value)) return fmt::format("{:g}", factor * *number);
+  if (const auto* number = std::get_if<double>(&value.value)) return tick_name(factor * *number);
   if (const auto* text = std::get_if<std::string>(&value.value)) return *text;
   if (const auto* truth = std::get_if<bool>(&value.value)) return *truth ? "true" : "false";
   return std::to_string(position);

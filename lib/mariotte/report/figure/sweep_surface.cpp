@@ -27,7 +27,7 @@ set style textbox opaque noborder margins 0.5, 0.5
 constexpr const char* contour_lines =
     ", \\\n  $lines using 1:2 with lines lc rgb 'black' lw 2.5 dt solid notitle"
     ", \\\n  $lines using 1:2 with lines lc rgb 'white' lw 1 dt solid notitle"
-    ", \\\n  $lines using 1:2:(sprintf('{/*0.8 %.3g}', $3)) every 1000::8 with labels boxed notitle";
+    ", \\\n  $lines using 1:2:(gprintf('{/*0.8 %.3g}', $3)) every 1000::8 with labels boxed notitle";
 
 }  // namespace
 

@@ -1,5 +1,7 @@
 #include "mariotte/report/figure/ticks.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,6 +12,10 @@ double tick_step(double span, double most) {
   for (const double digit : {1.0, 2.0, 5.0})
     if (digit * decade >= least) return digit * decade;
   return 10 * decade;
+}
+
+std::string tick_name(double value) {
+  return fmt::format("{}{:g}", value < 0 ? "−" : "", std::abs(value));
 }
 
 }  // namespace mariotte::report

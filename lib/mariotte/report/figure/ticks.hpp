@@ -1,9 +1,13 @@
 // Where numbers stand along the axes of figures.
 #pragma once
+#include <string>
 
 namespace mariotte::report {
 
 /// 1, 2 or 5 times a power of ten, so that at most `most` steps fit into `span`.
 double tick_step(double span, double most);
+
+/// Six digits at most, with a minus that is no hyphen, as gnuplot writes beside its own ticks.
+std::string tick_name(double value);
 
 }  // namespace mariotte::report

@@ -135,7 +135,7 @@ std::string tornado_script(const impact::Sensitivity& slopes, const std::string&
   return script_head() +
          "set style fill solid noborder\nset xzeroaxis\nset arrow from 0, graph 0 to 0, graph 1 nohead lc "
          "rgb "
-         "'#555555'\nunset key\nset grid xtics noytics\nset xtics nomirror\nset minussign\nset lmargin "
+         "'#555555'\nunset key\nset grid xtics noytics\nset xtics nomirror\nset lmargin "
          "19\nset rmargin 3\nset border 1\n"
          "set ytics scale 0\n" +
          on_all_terminals(figure, plot + "unset multiplot\n",
