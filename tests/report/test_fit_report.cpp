@@ -129,6 +129,13 @@ BOOST_AUTO_TEST_CASE(there_is_a_curve_per_diameter_through_its_measurements) {
   BOOST_TEST(first.ordinate[static_cast<std::size_t>(next)] >= e);
 }
 
+BOOST_AUTO_TEST_CASE(no_curve_joins_captured_to_separated) {
+  Example example;
+  study::FitCurves curves;
+  curves.curves = {{"", {1, 2, 3}, {0, 0.5, 0.75}, {true, false, false}}};
+  BOOST_TEST(has(report::curves_csv(curves, example.report().measurements), "1,1,0\n\n1,2,0.5\n1,3,0.75\n"));
+}
+
 BOOST_AUTO_TEST_CASE(many_curves_are_not_drawn) {
   std::vector<double> diameters;
   for (int i = 0; i < 9; ++i) diameters.push_back(4 + 0.1 * i);

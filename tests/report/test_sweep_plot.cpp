@@ -193,12 +193,37 @@ BOOST_AUTO_TEST_CASE(a_short_list_beside_another_axis_is_a_curve_per_value) {
     const auto text = report::sweep_plot(design, {{"y", "N", "y"}}, "").script;
     BOOST_TEST(text.find("set xlabel 'b'") != std::string::npos, text);
     BOOST_TEST(text.find("vertical title 'friction μ'") != std::string::npos, text);
-    BOOST_TEST(text.find("using 1:($2 == 1 ? ") != std::string::npos);
+    BOOST_TEST(text.find("using 1:($2 == 1 && ") != std::string::npos);
     BOOST_TEST(text.find("title '0.15'") != std::string::npos);
     BOOST_TEST(text.find("with image") == std::string::npos);
-    BOOST_TEST((text.find("smooth unique") == std::string::npos) == list_first);
+    BOOST_TEST((text.find("every 3::1") == std::string::npos) == list_first);
     const auto svg = drawing(design, {{"y", "N", "y"}}, "2,separated,", "1,separated,").svg;
     BOOST_TEST((svg.empty() || svg.find(">0.15<") != std::string::npos));
+  }
+}
+
+/// Pieces of the second line in an SVG.
+std::size_t pieces(const std::string& svg) {
+  const std::string second = "<path stroke='rgb(  0, 114, 178)'";
+  std::size_t found = 0;
+  for (auto at = svg.find(second); at != svg.npos; at = svg.find(second, at + 1)) {
+    const auto path = svg.substr(at, svg.find("/>", at) - at);
+    found += path.find(" L") != path.npos ? static_cast<std::size_t>(std::count(path.begin(), path.end(), 'M')) : 0;
+  }
+  return found;
+}
+
+BOOST_AUTO_TEST_CASE(no_line_joins_points_of_different_endings_or_counts) {
+  const Columns columns = {{"y"}, {"impacts.count", "1"}};
+  for (const bool list_first : {true, false}) {
+    const auto svg = [&](const char* cells, const char* others) {
+      return drawing(family(list_first), columns, cells, others).svg;
+    };
+    const auto whole = svg("2,1,separated,", "1,1,separated,");
+    if (whole.empty()) continue;  // no gnuplot
+    BOOST_TEST(pieces(whole) == 2u);  // the line, and its sample in the legend
+    BOOST_TEST(pieces(svg("2,1,separated,", "1,1,captured,")) > 10u);  // all points are alone
+    BOOST_TEST(pieces(svg("2,1,separated,", "1,2,separated,")) > 10u);
   }
 }
 

@@ -82,7 +82,7 @@ std::string label_of(const study::Measurements& measurements) {
 std::string measured_plot(const FitReport& report, const study::FitCurves& curves) {
   std::vector<std::string> draw;
   for (std::size_t k = 0; k < curves.curves.size(); ++k) {
-    draw.push_back(fmt::format("'curves.csv' every ::1 using 2:($1=={} ? $3 : NaN) with lines lt {} lw 2 {}",
+    draw.push_back(fmt::format("'curves.csv' skip 1 using 2:($1=={} ? $3 : NaN) with lines lt {} lw 2 {}",
                                k + 1, k + 1, title_of(curves.curves[k])));
     draw.push_back(points(report, curves, k, Places(report.measurements).measured(), "notitle"));
   }
@@ -102,10 +102,12 @@ std::string residual_plot(const FitReport& report, const study::FitCurves& curve
 std::string curves_csv(const study::FitCurves& curves, const study::Measurements& measurements) {
   std::string text = "curve," + cell(measurements.settings[curves.setting].key) + "," +
                      cell(quantity_of(measurements)) + "\n";
-  for (std::size_t k = 0; k < curves.curves.size(); ++k)
-    for (std::size_t i = 0; i < curves.curves[k].abscissa.size(); ++i)
-      text += fmt::format("{},{},{}\n", k + 1, exact(curves.curves[k].abscissa[i]),
-                          exact(curves.curves[k].ordinate[i]));
+  for (std::size_t k = 0; k < curves.curves.size(); ++k) {
+    const auto& curve = curves.curves[k];
+    for (std::size_t i = 0; i < curve.abscissa.size(); ++i)
+      text += fmt::format("{}{},{},{}\n", i > 0 && curve.captured[i] != curve.captured[i - 1] ? "\n" : "",
+                          k + 1, exact(curve.abscissa[i]), exact(curve.ordinate[i]));
+  }
   return text;
 }
 

@@ -9,6 +9,7 @@
 namespace mariotte::report {
 
 /// `curve`, the setting along which it goes [SI], `restitution`; curves count from 1.
+/// An empty line, at which gnuplot ends a line, parts what is captured from what is not.
 std::string curves_csv(const study::FitCurves& curves, const study::Measurements& measurements);
 
 /// plot.gp, which reads points.csv and curves.csv in its folder.

@@ -11,37 +11,59 @@ namespace {
 
 constexpr Index few_points = 40;  // that marks do not hide the curve
 
-/// What gnuplot draws, and what its key calls it.
+/// What gnuplot draws of which rows, and what its key calls it.
 struct Line {
-  std::string height, title;
+  std::string condition, height, title;
 };
 
 std::vector<Line> lines(const study::Design& design, const Columns& columns, const SweepFigure& figure) {
   std::vector<Line> all;
   if (!is_family(design)) {
     for (const auto column : figure.columns)
-      all.push_back({scaled(place(design, column)), short_label(columns[column])});
+      all.push_back({"", scaled(place(design, column)), short_label(columns[column])});
     return all;
   }
   const auto height = scaled(place(design, figure.columns[0]));
   for (const auto& name : value_names(design.parameters[drawn_parameters(design)[1]]))
-    all.push_back({fmt::format("($2 == {} ? {} : NaN)", all.size(), height), name});
+    all.push_back({fmt::format("$2 == {} && ", all.size()), height, name});
   return all;
 }
 
-/// Lines whose points follow each other in plot.csv, those between them being of other lines; gnuplot puts
-/// the others in order.
-bool are_apart(const study::Design& design) {
+/// Points of one line lie apart in plot.csv, so many rows from each other, where those between them are of
+/// other lines.
+std::size_t rows_apart(const study::Design& design) {
   const auto drawn = drawn_parameters(design);
-  return is_family(design) && design.parameters[drawn[0]].axis < design.parameters[drawn[1]].axis;
+  const bool mixed = is_family(design) && design.parameters[drawn[0]].axis < design.parameters[drawn[1]].axis;
+  return mixed ? design.parameters[drawn[1]].list.size() : 1;
 }
 
 std::string style(const study::Design& design) {
   const auto& one = design.parameters[drawn_parameters(design)[0]];
   if (!is_curve(one)) return one.range ? "with points ps 0.4" : "with points";
-  const auto count = design.axes[static_cast<std::size_t>(one.axis)].count;
-  return fmt::format("{}with {}", are_apart(design) ? "smooth unique " : "",
-                     count <= few_points ? "linespoints" : "lines");
+  return design.axes[static_cast<std::size_t>(one.axis)].count <= few_points ? "with linespoints"
+                                                                             : "with lines";
+}
+
+/// What changes where the numbers may jump: how the run ended, and columns that count, as impacts.count.
+std::string state(const study::Design& design, const Columns& columns) {
+  auto text = fmt::format("strcol({})", place(design, columns.size()));
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    if (columns[k].key.ends_with(".count")) text += fmt::format(".','.strcol({})", place(design, k));
+  return text;
+}
+
+/// gnuplot numbers the stretches without a jump along a line.
+constexpr const char* stretches =
+    "stretch(state) = (state eq last ? 0 : (last = state, count = count + 1), count)\n";
+
+/// Every other stretch of line `k`, from the first or the second on: no line crosses a jump.
+std::string half(const study::Design& design, const Columns& columns, const Line& line, std::size_t k,
+                 int parity) {
+  const auto apart = rows_apart(design);
+  return fmt::format("last = '', count = 0, 'plot.csv'{} using 1:({}stretch({}) % 2 == {} ? {} : NaN) {} lt {} {}",
+                     apart > 1 ? fmt::format(" every {}::{}", apart, k) : "", line.condition,
+                     state(design, columns), parity, line.height, style(design), k + 1,
+                     parity ? "title " + quoted(line.title) : "notitle");
 }
 
 std::string key(const study::Design& design, bool several) {
@@ -55,14 +77,14 @@ std::string key(const study::Design& design, bool several) {
 
 std::string curves(const study::Design& design, const Columns& columns, const SweepFigure& figure) {
   std::vector<std::string> draw;
-  for (const auto& [height, title] : lines(design, columns, figure))
-    draw.push_back(fmt::format("'plot.csv' using 1:{} {} lt {} title {}", height, style(design),
-                               draw.size() + 1, quoted(title)));
+  const auto all = lines(design, columns, figure);
+  for (std::size_t k = 0; k < all.size(); ++k)
+    for (const int parity : {1, 0}) draw.push_back(half(design, columns, all[k], k, parity));
   std::vector<std::size_t> places;
   for (const auto column : figure.columns) places.push_back(place(design, column));
-  const bool several = draw.size() > 1;
+  const bool several = all.size() > 1;
   const auto& column = columns[figure.columns[0]];
-  return key(design, several) + "unset colorbox\n" +
+  return key(design, several) + "unset colorbox\n" + stretches +
          value_axis(places, figure.columns.size() > 1 ? figure.key : column.key, column, "y") +
          on_all_terminals(file_name(figure),
                           unless_empty(fmt::format("plot {}", fmt::join(draw, ", \\\n  ")), "(0)"),

@@ -93,7 +93,9 @@ class Collection {
     for (const double place : places(from, to, made_.logarithmic)) {
       settings[made_.setting].value = place;
       try {
-        curve.ordinate.push_back(model_.at(settings, values_).value);
+        const auto predicted = model_.at(settings, values_);
+        curve.ordinate.push_back(predicted.value);
+        curve.captured.push_back(predicted.captured);
         curve.abscissa.push_back(place);
       } catch (const Error&) {
         // Beyond the measurements there may be no scene; the curve has a gap there.

@@ -12,6 +12,7 @@ namespace mariotte::study {
 struct FitCurve {
   std::string name;  ///< these settings as they were written; empty if there are none
   std::vector<double> abscissa = {}, ordinate = {};
+  std::vector<bool> captured = {};
 };
 
 struct FitCurves {
