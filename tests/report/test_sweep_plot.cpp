@@ -264,6 +264,25 @@ BOOST_AUTO_TEST_CASE(maps_have_contours_and_logarithmic_colours_on_demand) {
     BOOST_TEST(drawn(map(8, 9), {{"y"}}, "2,separated,", others, options) == "");
 }
 
+/// Where words that begin with "1." stand in an SVG that are smaller than those of axes.
+std::vector<std::pair<double, double>> small_words(const std::string& svg) {
+  const std::regex word(R"~(translate\(([0-9.]+),([0-9.]+)\)"[^>]*"middle">\s*<text><tspan [^>]*font-size="10[^>]*>1\.)~");
+  std::vector<std::pair<double, double>> all;
+  for (std::sregex_iterator one(svg.begin(), svg.end(), word), end; one != end; ++one)
+    all.emplace_back(std::stod((*one)[1]), std::stod((*one)[2]));
+  return all;
+}
+
+BOOST_AUTO_TEST_CASE(names_of_contours_do_not_cover_each_other) {
+  const scene::Figure options{.window = {}, .logarithmic = false, .contours = 20};
+  const auto svg = drawing(map(30, 30), {{"y"}}, "2,separated,", "1,separated,", options).svg;
+  const auto all = small_words(svg);
+  BOOST_TEST((svg.empty() || all.size() > 1), svg.size());
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      BOOST_TEST((std::abs(all[i].first - all[k].first) > 25 || std::abs(all[i].second - all[k].second) > 12));
+}
+
 BOOST_AUTO_TEST_CASE(axes_of_inputs_say_words_symbol_and_unit) {
   auto design = curve(3);
   auto& one = design.parameters[0];

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <string_view>
 
 #include "mariotte/report/csv/columns.hpp"
 #include "mariotte/report/figure/label_places.hpp"
@@ -37,18 +36,11 @@ struct Words {
   std::vector<Change> changes;  ///< in the order of time
   double first, last;           ///< places of the events
 
-  /// Contacts that do the same in turn are told together.
   void add(const Words& next) {
-    for (const auto& [verb, contacts] : next.changes) {
-      if (changes.empty() || changes.back().verb != std::string_view(verb)) changes.push_back({verb, {}});
-      auto& list = changes.back().contacts;
-      list.insert(list.end(), contacts.begin(), contacts.end());
-      std::sort(list.begin(), list.end());
-      list.erase(std::unique(list.begin(), list.end()), list.end());
-    }
+    changes.insert(changes.end(), next.changes.begin(), next.changes.end());
     last = next.last;
   }
-  /// "3 closes, 1–2 open"; of many the first and the last.
+  /// "3 closes, 1 opens"; of many the first and the last.
   std::string text() const {
     if (changes.size() > most_told) return changes.front().text() + " … " + changes.back().text();
     std::string all;

@@ -122,8 +122,8 @@ std::string script(const HeatMap& map, const TimeAxis& axis, std::size_t first_b
     const auto value = shown.logarithmic ? fmt::format("(abs($3)>{0:g}?{1:g}*abs($3):{1:g}*{0:g})",
                                                        shown.least, display.factor)
                                          : fmt::format("({:g}*$3)", display.factor);
-    return fmt::format("set yrange [0.5:{}]\nset ylabel '{}' offset 1.2,0\n{}{}",
-                       static_cast<double>(count) + 0.5, map.along,
+    return fmt::format("set yrange [0.5:{}]\n{}{}{}", static_cast<double>(count) + 0.5,
+                       panel.is_first ? vertical_name(map.along) : "",
                        panel.is_last ? "set colorbox\n" : "unset colorbox\n",
                        event_marks(axis.events, axis.display, panel.window,
                                    (panel.right - panel.left) * one_column.width)) +

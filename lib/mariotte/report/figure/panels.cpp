@@ -12,6 +12,7 @@ namespace {
 
 constexpr double left_margin = 80, between = 16;  // pixels
 constexpr double bottom = 0.19, top = 0.82;       // parts of the sheet
+constexpr double name_of_time = 0.05, name_of_values = 0.036;
 constexpr double room_of_tick = 14;               // pixels beside a number below the axis
 constexpr double least_share = 0.6;               // of the widest panel
 
@@ -43,16 +44,21 @@ std::string ticks(double start, double end, double width) {
   return fmt::format("{:g}", step_between(start, end, width));
 }
 
-/// Numbers below the panels; the first has the numbers beside the vertical axis, the last the name of the
-/// horizontal one.
+/// Numbers below the panels; the first has the numbers beside the vertical axis.
 std::string horizontal_axis(const Panel& panel, const TimeAxis& axis, double width) {
   const double start = axis.display.factor * panel.window.start, end = axis.display.factor * panel.window.end;
   return fmt::format(
       "set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\nset xrange [{:.10g}:{:.10g}]\n"
-      "set xtics {}\n{}",
-      panel.left, panel.right, start, end, ticks(start, end, width),
-      panel.is_last ? fmt::format("set xlabel 'time t [{}]' offset 0,0.6\n", axis.display.unit)
-                    : "unset xlabel\n");
+      "set xtics {}\n",
+      panel.left, panel.right, start, end, ticks(start, end, width));
+}
+
+/// Title, and the name of the time axis below the middle of all panels.
+std::string words_of_sheet(const std::string& title, const std::string& unit,
+                           const std::vector<Panel>& panels) {
+  return fmt::format(
+      "set label {} at screen 0.5, 0.96 center noenhanced\nset label 'time t [{}]' at screen {:.4f}, {} center\n",
+      quoted(title), unit, 0.5 * (panels.front().left + panels.back().right), name_of_time);
 }
 
 }  // namespace
@@ -77,17 +83,18 @@ std::vector<Panel> panels(const std::vector<Window>& windows, double margin) {
   return all;
 }
 
+std::string vertical_name(const std::string& text) {
+  return fmt::format("set label {} at screen {}, graph 0.5 center rotate\n", quoted(text), name_of_values);
+}
+
 std::string on_panels(const std::string& file, const std::string& title, const TimeAxis& axis,
                       const std::vector<Panel>& panels,
                       const std::function<std::string(const Panel&)>& inside) {
   std::string plot = "set multiplot\n";
   for (const auto& panel : panels) {
     plot += panel.is_first
-                ? fmt::format(
-                      "set border 3\nset ytics nomirror out\nset label {} at screen 0.5, 0.96 center "
-                      "noenhanced\n",
-                      quoted(title))
-                : "set border 1\nunset ytics\nunset ylabel\n";
+                ? "set border 3\nset ytics nomirror out\n" + words_of_sheet(title, axis.display.unit, panels)
+                : "set border 1\nunset ytics\n";
     plot += horizontal_axis(panel, axis, (panel.right - panel.left) * one_column.width);
     plot += inside(panel) + "unset label\nunset arrow\nunset object\n";
   }

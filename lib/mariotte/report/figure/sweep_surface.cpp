@@ -8,7 +8,8 @@
 namespace mariotte::report {
 namespace {
 
-/// $lines, the lines of equal value; gnuplot writes them with blanks between columns, whatever it is asked.
+/// $lines, the lines of equal value, and $names, a point of each that is off those of the others; gnuplot
+/// writes lines with blanks between columns, whatever it is asked.
 std::string contour_table(const std::string& data, Index contours) {
   return fmt::format(
              "set contour base\nunset surface\nset cntrparam levels auto {}\nset table $contours\n"
@@ -19,6 +20,21 @@ do for [i=1:|$contours|] {
   line = $contours[i]
   if (words(line) == 3) { print word(line, 1).','.word(line, 2).','.word(line, 3) } else { print '' }
 }
+set print $names
+print ''
+stats [*:*] [*:*] 'plot.csv' using 1:2 name 'A' nooutput
+width = 0.11 * (A_max_x - A_min_x); height = 0.07 * (A_max_y - A_min_y)
+array at_x[100]; array at_y[100]; named = 0; behind = 0
+covers(k, x, y) = abs(x - at_x[k]) < width && abs(y - at_y[k]) < height
+is_free(x, y) = named == 0 || (sum [k=1:named] covers(k, x, y)) == 0
+do for [i=1:|$contours|] {
+  line = $contours[i]
+  behind = words(line) == 3 ? behind + 1 : 0
+  if (behind > 8 && named < 100 && is_free(word(line, 1) + 0, word(line, 2) + 0)) {
+    named = named + 1; at_x[named] = word(line, 1) + 0; at_y[named] = word(line, 2) + 0; behind = -1e9
+    print word(line, 1).','.word(line, 2).','.word(line, 3)
+  }
+}
 unset print
 set style textbox opaque noborder margins 0.5, 0.5
 )";
@@ -27,7 +43,7 @@ set style textbox opaque noborder margins 0.5, 0.5
 constexpr const char* contour_lines =
     ", \\\n  $lines using 1:2 with lines lc rgb 'black' lw 2.5 dt solid notitle"
     ", \\\n  $lines using 1:2 with lines lc rgb 'white' lw 1 dt solid notitle"
-    ", \\\n  $lines using 1:2:(gprintf('{/*0.8 %.3g}', $3)) every 1000::8 with labels boxed notitle";
+    ", \\\n  $names using 1:2:(gprintf('{/*0.8 %.3g}', $3)) with labels boxed notitle";
 
 }  // namespace
 

@@ -83,8 +83,7 @@ std::string script(const TimeFigure& figure, const TimeAxis& axis) {
   const auto inside = [&](const Panel& panel) {
     auto text = fmt::format("set yrange [{:.8g}:{:.8g}]\n", display.factor * range.least,
                             display.factor * range.most);
-    if (panel.is_first)
-      text += fmt::format("set ylabel '{} [{}]' offset 1.2,0\n", figure.quantity, display.unit);
+    if (panel.is_first) text += vertical_name(fmt::format("{} [{}]", figure.quantity, display.unit));
     text +=
         event_marks(axis.events, axis.display, panel.window, sheet_pixels(panel), panel.is_last ? beyond : 0);
     if (panel.is_last) text += end_labels(figure, groups, named.at_end, range, panel);

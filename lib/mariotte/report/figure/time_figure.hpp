@@ -66,6 +66,9 @@ struct Panel {
 /// short ones, which stay wide enough to be read.
 std::vector<Panel> panels(const std::vector<Window>& windows, double margin);
 
+/// What stands beside the vertical axis, left of the longest number.
+std::string vertical_name(const std::string& text);
+
 /// gnuplot commands for one figure of several panels; `inside` says what each of them shows.
 std::string on_panels(const std::string& file, const std::string& title, const TimeAxis& axis,
                       const std::vector<Panel>& panels,
