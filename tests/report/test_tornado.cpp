@@ -37,7 +37,7 @@ BOOST_AUTO_TEST_CASE(outcomes_that_have_bars_have_a_panel) {
   const auto script = report::tornado_script(two_outcomes(), "Title");
   BOOST_TEST(script.find("final velocity v_{1}") != std::string::npos);
   BOOST_TEST(script.find("final velocity v_{2}") == std::string::npos);
-  BOOST_TEST(script.find("time of the ending t") != std::string::npos);
+  BOOST_TEST(script.find("final time t") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(panels_of_one_body_say_which_component_they_show) {

@@ -25,7 +25,7 @@ constexpr std::array<Word, 19> dictionary{{
     {"velocity", "initial velocity", "v⁻"},
     {"spin", "initial spin", "ω⁻"},
     {"angles", "angle", "α [rad], β [rad], γ [rad]"},
-    {"normal_speed", "incident normal speed", ""},
+    {"normal_speed", "incident normal speed", "v_n"},
     {"tangential_velocity", "tangential velocity", "v_2, v_3"},
     {"stiffness", "stiffness", "k"},
     {"damping", "damping", "c"},

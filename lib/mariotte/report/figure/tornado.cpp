@@ -33,15 +33,15 @@ std::string words_for(const impact::OutcomeSlopes& outcome) {
   constexpr std::array<Word, 13> words{{{"velocity", "final velocity", "v"},
                                         {"impulse", "impulse", "p"},
                                         {"icr", "impulse correlation ratio", "α"},
-                                        {"time", "time of the ending", "t"},
+                                        {"time", "final time", "t"},
                                         {"normal_velocity", "final velocity", "v_1"},
                                         {"v2", "final velocity", "v_2"},
                                         {"v3", "final velocity", "v_3"},
                                         {"w1", "final spin", "ω_1"},
                                         {"w2", "final spin", "ω_2"},
                                         {"w3", "final spin", "ω_3"},
-                                        {"e_n", "restitution of the tip", "e_n"},
-                                        {"e_nm", "restitution of the mass centre", "e_{nm}"},
+                                        {"e_n", "tip restitution", "e_n"},
+                                        {"e_nm", "centre restitution", "e_{nm}"},
                                         {"contact_time", "contact time", "t"}}};
   const auto* found =
       std::find_if(words.begin(), words.end(), [&](const Word& one) { return one.name == outcome.name; });
