@@ -136,6 +136,21 @@ BOOST_AUTO_TEST_CASE(no_curve_joins_captured_to_separated) {
   BOOST_TEST(has(report::curves_csv(curves, example.report().measurements), "1,1,0\n\n1,2,0.5\n1,3,0.75\n"));
 }
 
+BOOST_AUTO_TEST_CASE(figures_say_what_was_measured_and_name_curves_if_there_are_several) {
+  Example example;
+  auto curves = *example.curves();
+  const auto several = report::fit_script(example.report(), curves);
+  for (const char* part : {"set ylabel 'tip restitution e_n'", "set xlabel 'incident normal speed v_n\u00a0[m/s]'",
+                           "title 'measured'", "set label 'diameter 6.89 µm' at graph", "pdfcairo size 8.60cm,"})
+    BOOST_TEST(has(several, part), part);
+  curves.curves.resize(1);
+  curves.curves[0].name.clear();
+  const auto single = report::fit_script(example.report(), curves);
+  BOOST_TEST(has(single, "title 'fitted'"));
+  BOOST_TEST(!has(single, "front textcolor"));
+  BOOST_TEST(!has(single.substr(single.find("residuals.png")), " title "));
+}
+
 BOOST_AUTO_TEST_CASE(many_curves_are_not_drawn) {
   std::vector<double> diameters;
   for (int i = 0; i < 9; ++i) diameters.push_back(4 + 0.1 * i);

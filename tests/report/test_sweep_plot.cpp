@@ -121,7 +121,7 @@ BOOST_AUTO_TEST_CASE(axes_say_words_symbol_and_unit) {
       {"contacts[0].impulse", "N s", "p_j"}, {"contacts[1].impulse", "N s", "p_j"}, {"icr[0]", "1", "α_j"}};
   const auto curves = report::sweep_plot(curve(5), columns, "").script;
   BOOST_TEST(curves.find("set ylabel sprintf('impulse p_j\u00a0[%sN s]', ") != std::string::npos, curves);
-  BOOST_TEST(curves.find("lt 2 title 'p_{2}'") != std::string::npos);
+  BOOST_TEST(curves.find("set label 'p_{2}' at graph") != std::string::npos);
   const auto maps = report::sweep_plot(map(3, 3), columns, "").script;
   BOOST_TEST(maps.find("set cblabel sprintf('impulse p_{2}\u00a0[%sN s]', ") != std::string::npos);
   BOOST_TEST(maps.find("set cblabel 'impulse correlation ratio α_{1}'") != std::string::npos);
@@ -134,6 +134,35 @@ BOOST_AUTO_TEST_CASE(columns_of_ones_own_keep_their_name) {
   BOOST_TEST(curves.find("set ylabel 'my\\_ratio'") != std::string::npos, curves);
   BOOST_TEST(curves.find("set ylabel 'slope ∂v_{3}/∂m_{1}\u00a0[kg^{-1} m s^{-1}]'") != std::string::npos,
              curves);
+}
+
+BOOST_AUTO_TEST_CASE(figures_are_as_wide_as_a_column_and_names_beside_lines_where_they_fit) {
+  Columns columns;
+  for (int i = 0; i < 10; ++i) columns.push_back({"final.velocity[" + std::to_string(i) + "]", "m/s", "v_i"});
+  const auto beside = report::sweep_plot(curve(5), columns, "").script;
+  columns.push_back({"final.velocity[10]", "m/s", "v_i"});
+  const auto below = report::sweep_plot(curve(5), columns, "").script;
+  for (const auto& text : {beside, below, report::sweep_plot(map(3, 3), columns, "").script}) {
+    BOOST_TEST(text.find("pdfcairo size 8.60cm,") != std::string::npos);
+    BOOST_TEST(text.find("pdfcairo size 12") == std::string::npos);
+  }
+  BOOST_TEST(beside.find("set label 'v_{10}' at graph") != std::string::npos);
+  BOOST_TEST(beside.find("set key below") == std::string::npos);
+  BOOST_TEST(below.find("set key below") != std::string::npos);
+  BOOST_TEST(drawn(curve(5), {{"long_name_of_a_column"}}, "1,separated,") == "");
+}
+
+// The ends of v_1 and v_3 are close; v_2 lies between them.
+BOOST_AUTO_TEST_CASE(names_keep_the_order_of_the_ends) {
+  const Columns columns = {{"x[0]", "1", "v_i"}, {"x[1]", "1", "v_i"}, {"x[2]", "1", "v_i"}, {"x[3]", "1", "v_i"}};
+  const auto svg = drawing(curve(5), columns, "1,1.002,1.001,9,separated,").svg;
+  const std::regex name(R"~(translate\([0-9.]+,([0-9.]+)\)"[^>]*"start">\s*<text><tspan [^>]*>v)~");
+  std::vector<double> height;
+  for (std::sregex_iterator one(svg.begin(), svg.end(), name), end; one != end; ++one)
+    height.push_back(std::stod((*one)[1]));
+  if (svg.empty()) return;  // no gnuplot
+  BOOST_TEST_REQUIRE(height.size() == 4u);
+  BOOST_TEST((height[0] > height[2] + 10 && height[2] > height[1] + 10 && height[1] > height[3]));
 }
 
 BOOST_AUTO_TEST_CASE(what_has_no_figure_is_said) {
@@ -192,9 +221,9 @@ BOOST_AUTO_TEST_CASE(a_short_list_beside_another_axis_is_a_curve_per_value) {
     const auto design = family(list_first);
     const auto text = report::sweep_plot(design, {{"y", "N", "y"}}, "").script;
     BOOST_TEST(text.find("set xlabel 'b'") != std::string::npos, text);
-    BOOST_TEST(text.find("vertical title 'friction μ'") != std::string::npos, text);
+    BOOST_TEST(text.find("set label 'friction μ' at graph") != std::string::npos, text);
     BOOST_TEST(text.find("using 1:($2 == 1 && ") != std::string::npos);
-    BOOST_TEST(text.find("title '0.15'") != std::string::npos);
+    BOOST_TEST(text.find("set label '0.15' at graph") != std::string::npos);
     BOOST_TEST(text.find("with image") == std::string::npos);
     BOOST_TEST((text.find("every 3::1") == std::string::npos) == list_first);
     const auto svg = drawing(design, {{"y", "N", "y"}}, "2,separated,", "1,separated,").svg;
@@ -221,9 +250,9 @@ BOOST_AUTO_TEST_CASE(no_line_joins_points_of_different_endings_or_counts) {
     };
     const auto whole = svg("2,1,separated,", "1,1,separated,");
     if (whole.empty()) continue;  // no gnuplot
-    BOOST_TEST(pieces(whole) == 2u);  // the line, and its sample in the legend
-    BOOST_TEST(pieces(svg("2,1,separated,", "1,1,captured,")) > 10u);  // all points are alone
-    BOOST_TEST(pieces(svg("2,1,separated,", "1,2,separated,")) > 10u);
+    BOOST_TEST(pieces(whole) == 1u);
+    BOOST_TEST(pieces(svg("2,1,separated,", "1,1,captured,")) == 0u);  // all points are alone
+    BOOST_TEST(pieces(svg("2,1,separated,", "1,2,separated,")) == 0u);
   }
 }
 

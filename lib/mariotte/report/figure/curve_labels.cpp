@@ -38,13 +38,6 @@ std::vector<std::string> names(const TimeFigure& figure, const Group& group) {
   return all;
 }
 
-/// Letters of enhanced text that are seen.
-std::size_t letters(const std::string& text) {
-  return width(text) - static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-           return c == '{' || c == '}' || c == '_';
-         }));
-}
-
 /// A label of a group's colour; names are the program's own.
 std::string label(const std::string& text, double x, double y, const char* side, std::size_t line) {
   return fmt::format("set label '{}' at graph {:.4f}, graph {:.4f} {} front textcolor lt {}\n", text, x, y,
@@ -97,6 +90,12 @@ std::vector<Box> covered(const TimeFigure& figure, const std::vector<Group>& gro
 }
 
 }  // namespace
+
+std::size_t letters(const std::string& text) {
+  return width(text) - static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+           return c == '{' || c == '}' || c == '_';
+         }));
+}
 
 double sheet_pixels(const Panel& panel) {
   return (panel.right - panel.left) * one_column.width;

@@ -27,6 +27,9 @@ struct Naming {
 
 Naming naming(const TimeFigure& figure, const std::vector<Group>& groups, const Range& range);
 
+/// Letters of enhanced text that are seen.
+std::size_t letters(const std::string& text);
+
 /// Length of the time axis of a panel [pixels].
 double sheet_pixels(const Panel& panel);
 

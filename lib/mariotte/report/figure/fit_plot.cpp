@@ -8,6 +8,7 @@
 #include "mariotte/report/csv/csv_cell.hpp"
 #include "mariotte/report/figure/axis_names.hpp"
 #include "mariotte/report/figure/gnuplot.hpp"
+#include "mariotte/report/figure/line_names.hpp"
 #include "mariotte/report/number.hpp"
 
 namespace mariotte::report {
@@ -17,7 +18,7 @@ constexpr const char* fit_figure = "fit";
 constexpr const char* residuals_figure = "residuals";
 
 std::string axis_name(const std::string& key) {
-  return key == "incidence.normal_speed" ? "incident normal speed v_n [m/s]" : name_of_input(key) + " [SI]";
+  return with_unit(name_of_input(key), key == "incidence.normal_speed" ? "m/s" : "SI");
 }
 
 /// Between the ends of the curves, with tics at 1, 2, 3, 5 and 7 of every decade.
@@ -63,10 +64,10 @@ std::string points(const FitReport& report, const study::FitCurves& curves, std:
 }
 
 /// Micrometres are written as tables of measurements have them, "um".
-std::string title_of(const study::FitCurve& curve) {
-  auto name = curve.name.empty() ? "fit" : curve.name;
+std::string name_of(const study::FitCurve& curve) {
+  auto name = curve.name;
   if (name.ends_with(" um")) name.replace(name.size() - 2, 1, "µ");
-  return fmt::format("title {} noenhanced", quoted(name));
+  return plain(name);
 }
 
 /// Restitution wherever it was measured, or a key of a result.
@@ -74,27 +75,80 @@ std::string quantity_of(const study::Measurements& measurements) {
   return measurements.quantity.starts_with("restitution") ? "restitution" : measurements.quantity;
 }
 
+/// As figures of sweeps call it.
 std::string label_of(const study::Measurements& measurements) {
-  const auto quantity = quantity_of(measurements);
-  return quantity == "restitution" ? "restitution e" : plain(quantity);
+  const auto is_of_body = [](const study::Setting& one) {
+    return one.key.starts_with("incidence.") || one.key.starts_with("body.") || one.key.starts_with("surface.");
+  };
+  const auto& quantity = measurements.quantity;
+  if (quantity == "restitution.centre") return name_of_result(quantity, "e_nm");
+  if (quantity_of(measurements) != "restitution") return name_of_result(quantity, "");
+  const auto& settings = measurements.settings;
+  return std::any_of(settings.begin(), settings.end(), is_of_body) ? name_of_result("restitution.tip", "e_n")
+                                                                   : "restitution e";
 }
 
-std::string measured_plot(const FitReport& report, const study::FitCurves& curves) {
+std::string height_of(std::size_t k) {
+  return fmt::format("($1=={} ? $3 : NaN)", k + 1);
+}
+
+/// The fitted curves with their names, without a name if there is one.
+std::vector<NamedLine> named(const study::FitCurves& curves) {
+  std::vector<NamedLine> lines;
+  if (curves.curves.size() > 1)
+    for (std::size_t k = 0; k < curves.curves.size(); ++k)
+      lines.push_back({"'curves.csv' skip 1", "$2", height_of(k), name_of(curves.curves[k])});
+  return lines;
+}
+
+/// Sets what `names_beside` asks for.
+std::string span(const FitReport& report, const study::FitCurves& curves) {
+  double low = INFINITY, high = -INFINITY;
+  const auto show = [&](double least, double most) { low = std::min(low, least), high = std::max(high, most); };
+  for (const auto& curve : curves.curves)
+    for (const double value : curve.ordinate) show(value, value);
+  for (const auto& row : report.measurements.rows) {
+    const double bar = report.measurements.weighted ? row.deviation : 0;
+    show(row.measured - bar, row.measured + bar);
+  }
+  return fmt::format("low = {:.9g}; high = {:.9g}; factor = 1; margin = {}\n", low, high, high > low ? 0 : 1);
+}
+
+std::string measured_plot(const FitReport& report, const study::FitCurves& curves, bool titled) {
   std::vector<std::string> draw;
   for (std::size_t k = 0; k < curves.curves.size(); ++k) {
-    draw.push_back(fmt::format("'curves.csv' skip 1 using 2:($1=={} ? $3 : NaN) with lines lt {} lw 2 {}",
-                               k + 1, k + 1, title_of(curves.curves[k])));
+    draw.push_back(fmt::format("'curves.csv' skip 1 using 2:{} with lines lt {} lw 2 {}", height_of(k), k + 1,
+                               titled ? "title " + quoted(name_of(curves.curves[k])) : "notitle"));
     draw.push_back(points(report, curves, k, Places(report.measurements).measured(), "notitle"));
   }
-  return fmt::format("plot {}\n", fmt::join(draw, ", \\\n  "));
+  return fmt::format(
+      "plot {}, \\\n  keyentry with points lc rgb '#555555' pt 7 ps 0.8 title 'measured', \\\n"
+      "  keyentry with lines lc rgb '#555555' lw 2 dt solid title 'fitted'\n",
+      fmt::join(draw, ", \\\n  "));
 }
 
 std::string residual_plot(const FitReport& report, const study::FitCurves& curves) {
   std::vector<std::string> draw = {"0 with lines lc rgb '#555555' notitle"};
   for (std::size_t k = 0; k < curves.curves.size(); ++k)
-    draw.push_back(
-        points(report, curves, k, Places(report.measurements).residual(), title_of(curves.curves[k])));
+    draw.push_back(points(report, curves, k, Places(report.measurements).residual(),
+                          curves.curves.size() > 1 ? "title " + quoted(name_of(curves.curves[k])) : "notitle"));
   return fmt::format("plot {}\n", fmt::join(draw, ", \\\n  "));
+}
+
+/// Measurements and curves over the abscissa.
+std::string fitted_figure(const FitReport& report, const study::FitCurves& curves) {
+  const auto lines = named(curves);
+  const bool beside = !lines.empty() && fit_beside(lines, "");
+  return span(report, curves) + (beside ? names_beside(lines, "") : "") +
+         fmt::format("set key below left horizontal\nset ylabel {}\n", quoted(label_of(report.measurements))) +
+         (curves.logarithmic ? logarithmic_axis(curves) : "") +
+         on_all_terminals(fit_figure, measured_plot(report, curves, !lines.empty() && !beside),
+                          sheet_with_names(beside ? 2 : lines.size() + 2));
+}
+
+std::string residual_figure(const FitReport& report, const study::FitCurves& curves) {
+  return names_below("") + "unset label\nset autoscale y\nset ylabel 'measured − predicted'\n" +
+         on_all_terminals(residuals_figure, residual_plot(report, curves), sheet_with_names(named(curves).size()));
 }
 
 }  // namespace
@@ -115,14 +169,10 @@ std::string fit_script(const FitReport& report, const study::FitCurves& curves) 
   const auto key = report.measurements.settings[curves.setting].key;
   const auto head = report.title.empty() ? std::string("Fit") : report.title;
   return script_head() +
-         fmt::format("set xlabel {}\n{}", quoted(axis_name(key)),
-                     curves.logarithmic ? logarithmic_axis(curves) : "") +
-         fmt::format("\nset title {} noenhanced\nset ylabel {}\n", quoted(head),
-                     quoted(label_of(report.measurements))) +
-         on_all_terminals(fit_figure, measured_plot(report, curves), wide) +
-         fmt::format("\nset title {} noenhanced\nset ylabel 'measured − predicted'\n",
-                     quoted(head + ": residuals")) +
-         on_all_terminals(residuals_figure, residual_plot(report, curves), wide);
+         fmt::format("set xlabel {}\nset title {} noenhanced\n", quoted(axis_name(key)), quoted(head)) +
+         fitted_figure(report, curves) +
+         fmt::format("\nset title {} noenhanced\n", quoted(head + ": residuals")) +
+         residual_figure(report, curves);
 }
 
 std::vector<std::string> fit_figures() {

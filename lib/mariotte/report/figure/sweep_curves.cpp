@@ -2,6 +2,7 @@
 
 #include "mariotte/report/figure/drawn_axes.hpp"
 #include "mariotte/report/figure/gnuplot.hpp"
+#include "mariotte/report/figure/line_names.hpp"
 #include "mariotte/report/figure/sweep_axes.hpp"
 #include "mariotte/report/figure/sweep_figure.hpp"
 #include "mariotte/report/figure/value_axis.hpp"
@@ -52,8 +53,9 @@ std::string state(const study::Design& design, const Columns& columns) {
   return text;
 }
 
-/// gnuplot numbers the stretches without a jump along a line.
-constexpr const char* stretches =
+/// What a figure begins with. gnuplot numbers the stretches without a jump along a line.
+constexpr const char* beginning =
+    "unset key\nunset arrow\nset rmargin\nunset colorbox\n"
     "stretch(state) = (state eq last ? 0 : (last = state, count = count + 1), count)\n";
 
 /// Every other stretch of line `k`, from the first or the second on: no line crosses a jump.
@@ -66,29 +68,40 @@ std::string half(const study::Design& design, const Columns& columns, const Line
                      parity ? "title " + quoted(line.title) : "notitle");
 }
 
-std::string key(const study::Design& design, bool several) {
-  if (!several) return "unset key\n";
-  const auto drawn = drawn_parameters(design);
-  const auto title = is_family(design) ? quoted(axis_name(design.parameters[drawn[1]])) : "''";
-  return fmt::format("set key outside right top vertical title {}\n", title);
+/// What the names of a family are values of.
+std::string heading(const study::Design& design) {
+  return is_family(design) ? axis_name(design.parameters[drawn_parameters(design)[1]]) : "";
+}
+
+std::vector<NamedLine> named(const std::vector<Line>& lines) {
+  std::vector<NamedLine> all;
+  for (const auto& [condition, height, title] : lines)
+    all.push_back({"'plot.csv'", "$1", fmt::format("({}1 ? {} : NaN)", condition, height), title});
+  return all;
+}
+
+/// Commands for the names, and the sheet that has room for them.
+std::pair<std::string, Sheet> naming(const std::vector<NamedLine>& lines, const std::string& heading) {
+  if (lines.size() == 1) return {"", one_column};
+  if (fit_beside(lines, heading)) return {names_beside(lines, heading), one_column};
+  return {names_below(heading), sheet_with_names(lines.size())};
 }
 
 }  // namespace
 
 std::string curves(const study::Design& design, const Columns& columns, const SweepFigure& figure) {
-  std::vector<std::string> draw;
   const auto all = lines(design, columns, figure);
+  std::vector<std::string> draw;
   for (std::size_t k = 0; k < all.size(); ++k)
     for (const int parity : {1, 0}) draw.push_back(half(design, columns, all[k], k, parity));
   std::vector<std::size_t> places;
   for (const auto column : figure.columns) places.push_back(place(design, column));
-  const bool several = all.size() > 1;
   const auto& column = columns[figure.columns[0]];
-  return key(design, several) + "unset colorbox\n" + stretches +
-         value_axis(places, figure.columns.size() > 1 ? figure.key : column.key, column, "y") +
+  const auto [names, sheet] = naming(named(all), heading(design));
+  return beginning + value_axis(places, figure.columns.size() > 1 ? figure.key : column.key, column, "y") +
+         names +
          on_all_terminals(file_name(figure),
-                          unless_empty(fmt::format("plot {}", fmt::join(draw, ", \\\n  ")), "(0)"),
-                          several ? wide : one_column);
+                          unless_empty(fmt::format("plot {}", fmt::join(draw, ", \\\n  ")), "(0)"), sheet);
 }
 
 }  // namespace mariotte::report
