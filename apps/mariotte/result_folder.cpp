@@ -20,17 +20,30 @@ namespace {
 
 using Texts = std::map<std::string, std::string>;  // by file name
 
+/// Files by their names, and figures that plot.gp makes.
+struct Files {
+  Texts texts;
+  std::vector<std::string> figures;
+};
+
 constexpr const char* result = "result.json";
 constexpr const char* energy = "energy";
 constexpr const char* spacetime = "spacetime";
 constexpr std::size_t most_balls_traced = 1000;  // some thousand samples of these are about 100 MB of text
 
+std::vector<std::string> files_of(const std::vector<std::string>& figures) {
+  std::vector<std::string> names;
+  for (const auto& figure : figures)
+    for (auto& file : report::files_of_figure(figure)) names.push_back(std::move(file));
+  return names;
+}
+
 std::vector<std::string> file_names() {
   std::vector<std::string> names = {result,       "events.csv",    "trace.csv", "plot.csv", "plot.gp",
                                     "energy.csv", "spacetime.csv", motion_file, report_page};
-  for (const auto& figures :
-       {report::figure_names(), report::files_of_figure(energy), report::files_of_figure(spacetime)})
-    names.insert(names.end(), figures.begin(), figures.end());
+  std::vector<std::string> figures(report::figures_of_runs.begin(), report::figures_of_runs.end());
+  figures.insert(figures.end(), {energy, spacetime});
+  for (const auto& name : files_of(figures)) names.push_back(name);
   return names;
 }
 
@@ -76,22 +89,28 @@ report::RunPlot plot(const impact::MicrobodyImpact& impact, const scene::Scene& 
 }
 
 template <class Impact>
-Texts texts(const Impact& impact, const scene::Scene& scene, const report::Spacetime* waves) {
-  Texts texts = {{"events.csv", report::events_csv(impact)}};
-  if (can_trace(scene)) texts["trace.csv"] = report::trace_csv(impact);
-  if (can_plot(impact.trace)) {
-    auto figures = plot(impact, scene);
-    texts["plot.csv"] = std::move(figures.data);
-    texts["plot.gp"] = std::move(figures.script);
-    add_energy(texts, impact, scene, figures.axis);
-  }
+void add_figures(Files& files, const Impact& impact, const scene::Scene& scene) {
+  auto plotted = plot(impact, scene);
+  files.texts["plot.csv"] = std::move(plotted.data);
+  files.texts["plot.gp"] = std::move(plotted.script);
+  files.figures = std::move(plotted.figures);
+  add_energy(files.texts, impact, scene, plotted.axis);
+  if (files.texts.contains("energy.csv")) files.figures.emplace_back(energy);
+}
+
+template <class Impact>
+Files files_of(const Impact& impact, const scene::Scene& scene, const report::Spacetime* waves) {
+  Files files{.texts = {{"events.csv", report::events_csv(impact)}}, .figures = {}};
+  if (can_trace(scene)) files.texts["trace.csv"] = report::trace_csv(impact);
+  if (can_plot(impact.trace)) add_figures(files, impact, scene);
   if (const auto motion = report::motion(impact, scene); !motion.empty())
-    texts[motion_file] = report::text(motion);
+    files.texts[motion_file] = report::text(motion);
   if (is_image(waves)) {
-    texts["spacetime.csv"] = waves->data();
-    texts["plot.gp"] = report::script_head() + waves->script(scene.title);
+    files.texts["spacetime.csv"] = waves->data();
+    files.texts["plot.gp"] = report::script_head() + waves->script(scene.title);
+    files.figures = {spacetime};
   }
-  return texts;
+  return files;
 }
 
 template <class Impact>
@@ -114,17 +133,11 @@ template <class Impact>
 std::string write(const std::filesystem::path& folder, const report::Json& more, const Impact& impact,
                   const scene::Scene& scene, const report::Spacetime* waves) {
   write_json(folder / result, more, impact, scene);
-  const Texts files = texts(impact, scene, waves);
-  for (const auto& [name, text] : files) report::write_file(folder / name, text);
-  remove_others(folder, files);
-  auto figures = can_plot(impact.trace) ? report::figure_names() : std::vector<std::string>();
-  const auto add = [&](const char* name) {
-    for (const auto& file : report::files_of_figure(name)) figures.push_back(file);
-  };
-  if (files.contains("energy.csv")) add(energy);
-  if (is_image(waves)) add(spacetime);
-  if (figures.empty()) return "the run has no duration";
-  const std::string problem = report::draw(folder, figures);
+  const auto files = files_of(impact, scene, waves);
+  for (const auto& [name, text] : files.texts) report::write_file(folder / name, text);
+  remove_others(folder, files.texts);
+  if (files.figures.empty()) return "the run has no duration";
+  const std::string problem = report::draw(folder, files_of(files.figures));
   if (problem.empty()) return "";
   return fmt::format("{}; data and script are in {}", problem, (folder / "plot.gp").string());
 }

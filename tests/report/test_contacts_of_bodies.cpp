@@ -42,6 +42,40 @@ BOOST_AUTO_TEST_CASE(curves_name_the_numbers_that_events_have) {
   BOOST_TEST(text.find("(floor–rod.2)") == std::string::npos);
 }
 
+BOOST_AUTO_TEST_CASE(friction_and_spins_have_figures_unless_they_are_zero) {
+  auto impact = two_of_three();
+  BOOST_TEST(report::plot(impact, "", names).figures == (std::vector<std::string>{"velocities", "forces"}),
+             boost::test_tools::per_element());
+  impact.trace.friction[1][2].e1 = -3e4;
+  impact.trace.body[1][0].spin.e3 = 7;
+  auto named = names;
+  named.bodies = {"rod"};
+  const auto plot = report::plot(impact, "", named);
+  BOOST_TEST(plot.figures == (std::vector<std::string>{"velocities", "forces", "friction", "spins"}),
+             boost::test_tools::per_element());
+  for (const char* part : {"'f_{t,2} (wall\\_1–rod.2) x'", "'friction f_t [kN]'", "'rod' at", "'spin ω [rad/s]'"})
+    BOOST_TEST(plot.script.find(part) != std::string::npos, part << "\n" << plot.script);
+  for (const char* part : {"(wall\\_1–rod.2) y", "f_{t,1}"})
+    BOOST_TEST(plot.script.find(part) == std::string::npos, part);
+}
+
+BOOST_AUTO_TEST_CASE(friction_of_many_contacts_is_shown_by_its_magnitude) {
+  auto impact = two_of_three();
+  impact.contacts.clear();
+  auto named = names;
+  named.contacts.clear();
+  for (Index j = 0; j < 7; ++j) {
+    impact.contacts.emplace_back().contact = j;
+    named.contacts.push_back("floor–body " + std::to_string(j + 1));
+  }
+  for (auto& row : impact.trace.gap) row.assign(7, 0);
+  for (auto& row : impact.trace.force) row.assign(7, 1);
+  for (auto& row : impact.trace.friction) row.assign(7, {3, 4, 0});
+  const auto plot = report::plot(impact, "", named);
+  BOOST_TEST(plot.script.find("'magnitude of friction f_t [N]'") != std::string::npos);
+  BOOST_TEST(plot.data.find("\n1,0,5\n") != std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(samples_have_columns_of_the_contacts_that_acted) {
   const auto text = report::trace_csv(two_of_three());
   BOOST_TEST(text.find(",gap2 [m],normal_force2 [N],") != std::string::npos, text);

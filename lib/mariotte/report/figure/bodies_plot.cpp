@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <iterator>
 
 #include "mariotte/report/figure/axis_names.hpp"
@@ -29,13 +31,79 @@ std::vector<Value> of_result(const impact::BodiesImpact& impact, const std::vect
   return some;
 }
 
-/// "f_{2} (floor–rod.1)", with the number that events have.
-CurveNames numbered(const impact::BodiesImpact& impact, CurveNames names) {
-  if (names.contacts.empty()) return names;
-  names.contacts = of_result(impact, names.contacts);
-  for (std::size_t j = 0; j < names.contacts.size(); ++j)
-    names.contacts[j] = fmt::format("f_{{{}}} ({})", j + 1, plain(names.contacts[j]));
-  return names;
+/// "f_{2} (floor–rod.1)", with the number that events have; `index` stands before it.
+std::vector<std::string> numbered(const impact::BodiesImpact& impact, const CurveNames& names,
+                                  const char* index) {
+  if (names.contacts.empty()) return {};
+  auto all = of_result(impact, names.contacts);
+  for (std::size_t j = 0; j < all.size(); ++j)
+    all[j] = fmt::format("f_{{{}{}}} ({})", index, j + 1, plain(all[j]));
+  return all;
+}
+
+/// What has a direction: a vector per row and owner, which are contacts or bodies.
+struct Vectors {
+  std::string file, quantity, along, unit;
+  Names names;
+  std::vector<std::string> owner;
+  std::vector<std::vector<Vector3>> rows;
+};
+
+double component(const Vector3& vector, std::size_t axis) {
+  return axis == 0 ? vector.e1 : axis == 1 ? vector.e2 : vector.e3;
+}
+
+/// Appends a curve, unless it is zero throughout.
+template <class Read>
+void add(const Vectors& all, std::size_t owner, const std::string& name, const Read& read, Series& series) {
+  std::vector<double> values;
+  for (const auto& row : all.rows) values.push_back(read(row[owner]));
+  if (std::all_of(values.begin(), values.end(), [](double value) { return value == 0; })) return;
+  series.name.push_back(name);
+  series.rows.resize(values.size());
+  for (std::size_t k = 0; k < values.size(); ++k) series.rows[k].push_back(values[k]);
+}
+
+/// A curve per component of each owner; a spin in the plane has one, which needs no name.
+Series components(const Vectors& all, bool one_alone) {
+  constexpr std::array axis = {" x", " y", " z"};
+  Series series{all.file, all.quantity, all.along, all.unit, all.names, {}, {}};
+  for (std::size_t i = 0; i < all.owner.size(); ++i)
+    for (std::size_t k = 0; k < axis.size(); ++k)
+      add(all, i, all.owner[i] + (one_alone ? "" : axis[k]),
+          [&](const Vector3& vector) { return component(vector, k); }, series);
+  return series;
+}
+
+/// A curve or a line of an image per owner.
+Series magnitudes(const Vectors& all) {
+  Series series{all.file, "magnitude of " + all.quantity, all.along, all.unit, all.names, all.owner, {}};
+  for (const auto& row : all.rows) {
+    auto& values = series.rows.emplace_back();
+    for (const auto& vector : row) values.push_back(std::hypot(vector.e1, vector.e2, vector.e3));
+  }
+  return series;
+}
+
+Series series(const Vectors& all, bool one_alone = false) {
+  constexpr std::size_t most = 12;
+  auto few = components(all, one_alone);
+  return few.name.size() > most ? magnitudes(all) : few;
+}
+
+Series friction(const impact::BodiesImpact& impact, const CurveNames& names) {
+  Vectors all{"friction", "friction f_t", "contact j", "N", Names::at_peak, numbered(impact, names, "t,"), {}};
+  for (const auto& row : impact.trace.friction) all.rows.push_back(of_result(impact, row));
+  return series(all);
+}
+
+Series spins(const impact::BodiesImpact& impact, const CurveNames& names) {
+  Vectors all{"spins", "spin ω", "body i", "rad/s", Names::at_end, names.bodies, {}};
+  for (const auto& row : impact.trace.body) {
+    auto& spin = all.rows.emplace_back();
+    for (const auto& body : row) spin.push_back(body.spin);
+  }
+  return series(all, impact.dimension == 2);
 }
 
 }  // namespace
@@ -52,7 +120,9 @@ RunPlot plot(const impact::BodiesImpact& impact, const std::string& title, const
     marks.close = closing(event);
     if (!marks.open.empty() || !marks.close.empty()) same.events.push_back(std::move(marks));
   }
-  return plot(same, title, numbered(impact, names), figure);
+  auto of_result_alone = names;
+  of_result_alone.contacts = numbered(impact, names, "");
+  return plot(same, title, of_result_alone, figure, {friction(impact, names), spins(impact, names)});
 }
 
 std::vector<Window> windows_of_action(const impact::BodiesTrace& trace) {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "mariotte/core/overload.hpp"
+#include "mariotte/report/figure/axis_names.hpp"
 #include "mariotte/report/table/network_table.hpp"
 
 namespace mariotte::report {
@@ -36,13 +37,6 @@ CurveNames names(const model::Network& network) {
   return names;
 }
 
-/// "rod.1", or "2" of a body without a name.
-std::string short_name(const model::Bodies& bodies, const model::Feature& feature) {
-  const auto name = name_of(bodies, feature);
-  constexpr std::string_view unnamed = "body ";
-  return name.starts_with(unnamed) ? name.substr(unnamed.size()) : name;
-}
-
 CurveNames names(const model::Bodies& bodies) {
   CurveNames names;
   names.dimension = bodies.dimension;
@@ -50,10 +44,10 @@ CurveNames names(const model::Bodies& bodies) {
   for (Index i = 0; i < std::ssize(bodies.body); ++i)
     for (int k = 0; k < bodies.dimension; ++k)
       names.velocities.push_back(
-          fmt::format("{} {}", body_name(bodies, i), axis[static_cast<std::size_t>(k)]));
+          fmt::format("{} {}", plain(body_name(bodies, i)), axis[static_cast<std::size_t>(k)]));
+  for (Index i = 0; i < std::ssize(bodies.body); ++i) names.bodies.push_back(plain(body_name(bodies, i)));
   for (const auto& contact : bodies.contact)
-    names.contacts.push_back(
-        fmt::format("{}–{}", short_name(bodies, contact.a), short_name(bodies, contact.b)));
+    names.contacts.push_back(fmt::format("{}–{}", name_of(bodies, contact.a), name_of(bodies, contact.b)));
   return names;
 }
 

@@ -11,6 +11,7 @@ struct CurveNames {
   std::vector<std::string> velocities;  ///< "ball 2", "wall", "ball 3 x"; or empty: numbers tell all
   /// "f_{4} (1–3)", in gnuplot's enhanced text; of bodies "floor–rod" for all that may touch; or empty
   std::vector<std::string> contacts;
+  std::vector<std::string> bodies = {};  ///< each once; of [bodies] alone
   Index dimension = 1;  ///< velocities of a ball that follow each other
 };
 

@@ -71,8 +71,10 @@ std::vector<impact::Event> contacts(const std::vector<impact::TipEvents>& events
 
 RunPlot plot(const impact::MicrobodyImpact& impact, const std::string& title, const scene::Figure& figure) {
   const auto& trace = impact.trace;
-  RunPlot plot{data(trace), script_head(),
-               time_axis(windows_of_action(trace), contacts(impact.events), figure)};
+  RunPlot plot{.data = data(trace),
+               .script = script_head(),
+               .figures = {"forces", "velocities"},
+               .axis = time_axis(windows_of_action(trace), contacts(impact.events), figure)};
   plot.script += script(forces(trace, title), plot.axis) + script(velocities(trace, title), plot.axis);
   return plot;
 }

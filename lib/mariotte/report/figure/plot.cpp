@@ -48,14 +48,6 @@ std::string block(const std::vector<double>& time, const std::vector<double>& va
   return text + "\n\n";
 }
 
-/// Numbers of one kind, and how a figure of them is called.
-struct Series {
-  std::string file, quantity, along, unit;
-  Names names;
-  std::vector<std::string> name;  ///< of curves
-  Rows rows;
-};
-
 /// Appends the data and the script of one figure; `block` counts the blocks of plot.csv.
 class Writer {
  public:
@@ -66,8 +58,9 @@ class Writer {
   void add(const Series& series) {
     const auto count = columns_of(series.rows);
     plot_.data += fmt::format("# {} [{}]\n", series.quantity, series.unit.empty() ? "SI" : series.unit);
-    if (count > most_curves) return add_map(series);
-    if (count > 0) add_curves(series, count);
+    if (count == 0) return;
+    plot_.figures.push_back(series.file);
+    count > most_curves ? add_map(series) : add_curves(series, count);
   }
 
  private:
@@ -138,22 +131,16 @@ Series forces(const impact::Trace& trace, const CurveNames& names) {
 
 }  // namespace
 
-const std::vector<std::string>& figure_names() {
-  static const auto names = [] {
-    auto all = files_of_figure("forces");
-    for (const auto& file : files_of_figure("velocities")) all.push_back(file);
-    return all;
-  }();
-  return names;
-}
-
 RunPlot plot(const impact::ContactImpact& impact, const std::string& title, const CurveNames& names,
-             const scene::Figure& figure) {
+             const scene::Figure& figure, const std::vector<Series>& more) {
   const auto& trace = impact.trace;
-  RunPlot plot{"", script_head(), time_axis(windows_of_action(trace), impact.events, figure)};
+  RunPlot plot{.data = "",
+               .script = script_head(),
+               .axis = time_axis(windows_of_action(trace), impact.events, figure)};
   Writer writer(trace.time, title, figure, plot);
   writer.add(velocities(trace, names));
   writer.add(forces(trace, names));
+  for (const auto& series : more) writer.add(series);
   return plot;
 }
 
