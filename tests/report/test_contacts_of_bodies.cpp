@@ -53,7 +53,8 @@ BOOST_AUTO_TEST_CASE(friction_and_spins_have_figures_unless_they_are_zero) {
   const auto plot = report::plot(impact, "", named);
   BOOST_TEST(plot.figures == (std::vector<std::string>{"velocities", "forces", "friction", "spins"}),
              boost::test_tools::per_element());
-  for (const char* part : {"'f_{t,2} (wall\\_1–rod.2) x'", "'friction f_t [kN]'", "'rod' at", "'spin ω [rad/s]'"})
+  for (const char* part :
+       {"'f_{t,2} (wall\\_1–rod.2) x'", "'friction f_t [kN]'", "'rod' at", "'spin ω [rad/s]'"})
     BOOST_TEST(plot.script.find(part) != std::string::npos, part << "\n" << plot.script);
   for (const char* part : {"(wall\\_1–rod.2) y", "f_{t,1}"})
     BOOST_TEST(plot.script.find(part) == std::string::npos, part);

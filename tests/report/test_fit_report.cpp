@@ -140,8 +140,9 @@ BOOST_AUTO_TEST_CASE(figures_say_what_was_measured_and_name_curves_if_there_are_
   Example example;
   auto curves = *example.curves();
   const auto several = report::fit_script(example.report(), curves);
-  for (const char* part : {"set ylabel 'tip restitution e_n'", "set xlabel 'incident normal speed v_n\u00a0[m/s]'",
-                           "title 'measured'", "set label 'diameter 6.89 µm' at graph", "pdfcairo size 8.60cm,"})
+  for (const char* part :
+       {"set ylabel 'tip restitution e_n'", "set xlabel 'incident normal speed v_n\u00a0[m/s]'",
+        "title 'measured'", "set label 'diameter 6.89 µm' at graph", "pdfcairo size 8.60cm,"})
     BOOST_TEST(has(several, part), part);
   curves.curves.resize(1);
   curves.curves[0].name.clear();

@@ -93,7 +93,8 @@ BOOST_AUTO_TEST_CASE(more_than_six_balls_in_the_plane_are_shown_by_their_speeds)
     auto trace = trace_of(2 * balls);
     for (auto& row : trace.velocity) row[0] = 3, row[1] = 4;
     const auto plot = report::plot(impact_of(trace), "", {.velocities = {}, .contacts = {}, .dimension = 2});
-    BOOST_TEST(has(plot.script, balls == 7 ? "set label 'speed v [m/s]' at screen" : "set cblabel 'speed v [m/s]'"));
+    BOOST_TEST(
+        has(plot.script, balls == 7 ? "set label 'speed v [m/s]' at screen" : "set cblabel 'speed v [m/s]'"));
     BOOST_TEST(has(plot.script, balls == 7 ? "'ball 1' at" : "set yrange [0.5:20.5]"));
     BOOST_TEST(has(plot.data, balls == 7 ? "\n1,0,5\n" : "\n5,1.4142,"));
   }
@@ -344,6 +345,30 @@ BOOST_AUTO_TEST_CASE(words_of_events_stay_off_the_numbers_of_the_axis_and_off_th
   BOOST_TEST(has(marks(0), fmt::format("opens}}' at graph {:.4f}", 1 - 0.5 * 8 * 5.2 / 200)));
   BOOST_TEST(has(marks(40), "opens}' at graph 1.0000"));
   BOOST_TEST(!has(marks({}), "closes"));
+}
+
+BOOST_AUTO_TEST_CASE(events_of_images_are_ticks_above_them) {
+  auto impact = impact_of(trace_of(14));
+  impact.events = {{2e-5, {}, {0}}};
+  const auto script = report::plot(impact, "").script;
+  BOOST_TEST(count(script, "set arrow from 20, graph 1 to 20, graph 1.025 nohead front") == 2 * terminals);
+  BOOST_TEST(!has(script, "rectangle"));
+}
+
+BOOST_AUTO_TEST_CASE(components_of_a_body_that_are_zero_throughout_are_left_out) {
+  impact::MicrobodyImpact impact;
+  for (const double time : {0.0, 1e-7}) {
+    auto& state = impact.trace.state.emplace_back();
+    state.time = time;
+    state.velocity = {-1, 0, 2};
+    impact.trace.gap.push_back({0});
+    impact.trace.normal_force.push_back({1});
+    impact.trace.friction.push_back({{0, 0, time}});
+  }
+  const auto script = report::plot(impact, "").script;
+  for (const char* name : {"'along e_3'", "'tip 1 normal'", "'tip 1 e_3'"})
+    BOOST_TEST(has(script, name), name);
+  for (const char* name : {"along e_2", "tip 1 e_2"}) BOOST_TEST(!has(script, name), name);
 }
 
 BOOST_AUTO_TEST_CASE(many_events_are_ticks_without_words) {

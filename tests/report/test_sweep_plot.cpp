@@ -154,7 +154,8 @@ BOOST_AUTO_TEST_CASE(figures_are_as_wide_as_a_column_and_names_beside_lines_wher
 
 // The ends of v_1 and v_3 are close; v_2 lies between them.
 BOOST_AUTO_TEST_CASE(names_keep_the_order_of_the_ends) {
-  const Columns columns = {{"x[0]", "1", "v_i"}, {"x[1]", "1", "v_i"}, {"x[2]", "1", "v_i"}, {"x[3]", "1", "v_i"}};
+  const Columns columns = {
+      {"x[0]", "1", "v_i"}, {"x[1]", "1", "v_i"}, {"x[2]", "1", "v_i"}, {"x[3]", "1", "v_i"}};
   const auto svg = drawing(curve(5), columns, "1,1.002,1.001,9,separated,").svg;
   const std::regex name(R"~(translate\([0-9.]+,([0-9.]+)\)"[^>]*"start">\s*<text><tspan [^>]*>v)~");
   std::vector<double> height;
@@ -237,7 +238,9 @@ std::size_t pieces(const std::string& svg) {
   std::size_t found = 0;
   for (auto at = svg.find(second); at != svg.npos; at = svg.find(second, at + 1)) {
     const auto path = svg.substr(at, svg.find("/>", at) - at);
-    found += path.find(" L") != path.npos ? static_cast<std::size_t>(std::count(path.begin(), path.end(), 'M')) : 0;
+    found += path.find(" L") != path.npos
+                 ? static_cast<std::size_t>(std::count(path.begin(), path.end(), 'M'))
+                 : 0;
   }
   return found;
 }
@@ -295,7 +298,8 @@ BOOST_AUTO_TEST_CASE(maps_have_contours_and_logarithmic_colours_on_demand) {
 
 /// Where words that begin with "1." stand in an SVG that are smaller than those of axes.
 std::vector<std::pair<double, double>> small_words(const std::string& svg) {
-  const std::regex word(R"~(translate\(([0-9.]+),([0-9.]+)\)"[^>]*"middle">\s*<text><tspan [^>]*font-size="10[^>]*>1\.)~");
+  const std::regex word(
+      R"~(translate\(([0-9.]+),([0-9.]+)\)"[^>]*"middle">\s*<text><tspan [^>]*font-size="10[^>]*>1\.)~");
   std::vector<std::pair<double, double>> all;
   for (std::sregex_iterator one(svg.begin(), svg.end(), word), end; one != end; ++one)
     all.emplace_back(std::stod((*one)[1]), std::stod((*one)[2]));
@@ -309,7 +313,8 @@ BOOST_AUTO_TEST_CASE(names_of_contours_do_not_cover_each_other) {
   BOOST_TEST((svg.empty() || all.size() > 1), svg.size());
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t k = 0; k < i; ++k)
-      BOOST_TEST((std::abs(all[i].first - all[k].first) > 25 || std::abs(all[i].second - all[k].second) > 12));
+      BOOST_TEST(
+          (std::abs(all[i].first - all[k].first) > 25 || std::abs(all[i].second - all[k].second) > 12));
 }
 
 BOOST_AUTO_TEST_CASE(axes_of_inputs_say_words_symbol_and_unit) {
@@ -327,6 +332,15 @@ BOOST_AUTO_TEST_CASE(axes_of_inputs_say_words_symbol_and_unit) {
   one.is_variable = true;
   BOOST_TEST(report::axis_settings(design, 0, 'x').find("xlabel 'chain.gap[1]\u00a0[µm]'") !=
              std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(angles_are_in_degrees) {
+  auto design = curve(3);
+  design.parameters[0].key = "incidence.angles[1]";
+  design.parameters[0].unit = "1";
+  design.parameters[0].range->to = std::acos(0.0);
+  BOOST_TEST(report::axis_settings(design, 0, 'x').find("xlabel 'angle β\u00a0[deg]'") != std::string::npos);
+  BOOST_TEST(report::coordinate(design, 0, 1) == 45, boost::test_tools::tolerance(1e-12));
 }
 
 BOOST_AUTO_TEST_CASE(numbers_below_a_narrow_range_leave_room_for_each_other) {

@@ -16,7 +16,7 @@ struct Word {
   std::string_view key, words, symbol;
 };
 /// Keys that are not the words themselves, and symbols of what a scene says.
-constexpr std::array<Word, 19> dictionary{{
+constexpr std::array<Word, 20> dictionary{{
     {"icr", "impulse correlation ratio", ""},
     {"mass", "mass", "m"},
     {"diameter", "diameter", "d"},
@@ -24,7 +24,8 @@ constexpr std::array<Word, 19> dictionary{{
     {"gap", "gap", "g"},
     {"velocity", "initial velocity", "v⁻"},
     {"spin", "initial spin", "ω⁻"},
-    {"angles", "angle", "α [rad], β [rad], γ [rad]"},
+    {"angles", "angle", "α, β, γ"},
+    {"angle", "angle", "φ"},
     {"normal_speed", "incident normal speed", "v_n"},
     {"tangential_velocity", "tangential velocity", "v_2, v_3"},
     {"stiffness", "stiffness", "k"},
@@ -78,6 +79,13 @@ std::string with_braces(std::string text) {
   return text;
 }
 
+/// With an index at its end; the minus of "v⁻" stands above it.
+std::string with_index(const std::string& text, const std::string& index) {
+  constexpr std::string_view before = "⁻";
+  if (!text.ends_with(before)) return fmt::format("{}_{{{}}}", text, index);
+  return fmt::format("{}@_{{{}}}^{{−}}", text.substr(0, text.size() - before.size()), index);
+}
+
 /// "α_j" of number 2 is "α_{2}", "max f_n" is "max f_{n,2}", and of "α, β, γ" it is β.
 std::string numbered(std::string_view symbol, const Path& path) {
   std::string text(symbol);
@@ -87,7 +95,7 @@ std::string numbered(std::string_view symbol, const Path& path) {
     return text.substr(0, text.find(", "));
   }
   const auto mark = text.find('_');
-  if (mark == text.npos) return fmt::format("{}_{{{}}}", text, path.number());
+  if (mark == text.npos) return with_index(text, path.number());
   const char letter = text[mark + 1];
   const auto before = letter == 'i' || letter == 'j' ? "" : fmt::format("{},", letter);
   return text.replace(mark, 2, fmt::format("_{{{}{}}}", before, path.number()));
@@ -168,6 +176,11 @@ std::string name_of_slope(const std::string& key) {
   const auto by_words = joined(spaced(parameter.names.back()), "", parameter);
   return fmt::format("∂{}/∂{}", of ? numbered(of->symbol, outcome) : outcome.names.back(),
                      by && !by->symbol.empty() ? numbered(by->symbol, parameter) : by_words);
+}
+
+bool is_angle(const std::string& key) {
+  const auto* known = find(dictionary, path_of(key).names.back());
+  return known && known->words == "angle";
 }
 
 std::string with_unit(const std::string& name, const std::string& unit) {

@@ -70,7 +70,8 @@ Series components(const Vectors& all, bool one_alone) {
   Series series{all.file, all.quantity, all.along, all.unit, all.names, {}, {}};
   for (std::size_t i = 0; i < all.owner.size(); ++i)
     for (std::size_t k = 0; k < axis.size(); ++k)
-      add(all, i, all.owner[i] + (one_alone ? "" : axis[k]),
+      add(
+          all, i, all.owner[i] + (one_alone ? "" : axis[k]),
           [&](const Vector3& vector) { return component(vector, k); }, series);
   return series;
 }
@@ -92,7 +93,8 @@ Series series(const Vectors& all, bool one_alone = false) {
 }
 
 Series friction(const impact::BodiesImpact& impact, const CurveNames& names) {
-  Vectors all{"friction", "friction f_t", "contact j", "N", Names::at_peak, numbered(impact, names, "t,"), {}};
+  Vectors all{"friction", "friction f_t", "contact j", "N", Names::at_peak, numbered(impact, names, "t,"),
+              {}};
   for (const auto& row : impact.trace.friction) all.rows.push_back(of_result(impact, row));
   return series(all);
 }

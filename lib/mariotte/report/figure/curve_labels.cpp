@@ -93,7 +93,7 @@ std::vector<Box> covered(const TimeFigure& figure, const std::vector<Group>& gro
 
 std::size_t letters(const std::string& text) {
   return width(text) - static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-           return c == '{' || c == '}' || c == '_';
+           return c == '{' || c == '}' || c == '_' || c == '@' || c == '^';
          }));
 }
 

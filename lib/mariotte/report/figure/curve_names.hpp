@@ -12,7 +12,7 @@ struct CurveNames {
   /// "f_{4} (1–3)", in gnuplot's enhanced text; of bodies "floor–rod" for all that may touch; or empty
   std::vector<std::string> contacts;
   std::vector<std::string> bodies = {};  ///< each once; of [bodies] alone
-  Index dimension = 1;  ///< velocities of a ball that follow each other
+  Index dimension = 1;                   ///< velocities of a ball that follow each other
 };
 
 /// Of a chain with walls and of balls in the plane or in space; empty for others, and for scenes of so many

@@ -43,8 +43,7 @@ std::string shades_of(const Axis& axis, const std::vector<impact::Event>& events
 }
 
 /// Lines, or ticks that are a pixel apart at least.
-std::string lines(const Axis& axis, const std::vector<impact::Event>& shown) {
-  const bool across = shown.size() <= most_lines;
+std::string lines(const Axis& axis, const std::vector<impact::Event>& shown, bool across) {
   std::string text;
   double last = -1;
   for (const auto& event : shown) {
@@ -58,17 +57,28 @@ std::string lines(const Axis& axis, const std::vector<impact::Event>& shown) {
   return text;
 }
 
+std::vector<impact::Event> shown_by(const Axis& axis, const std::vector<impact::Event>& events) {
+  std::vector<impact::Event> shown;
+  std::copy_if(events.begin(), events.end(), std::back_inserter(shown),
+               [&](const auto& event) { return axis.shows(event.time); });
+  return shown;
+}
+
 }  // namespace
 
 std::string event_marks(const std::vector<impact::Event>& events, const Display& time, const Window& window,
                         double width, std::optional<double> room) {
   const Axis axis{time, window, width};
-  std::vector<impact::Event> shown;
-  std::copy_if(events.begin(), events.end(), std::back_inserter(shown),
-               [&](const auto& event) { return axis.shows(event.time); });
-  if (shown.size() > most_lines) return lines(axis, shown);
-  return shades_of(axis, events) + lines(axis, shown) +
+  const auto shown = shown_by(axis, events);
+  if (shown.size() > most_lines) return lines(axis, shown, false);
+  return shades_of(axis, events) + lines(axis, shown, true) +
          (room ? event_words(shown, window, width, *room) : "");
+}
+
+std::string event_ticks(const std::vector<impact::Event>& events, const Display& time, const Window& window,
+                        double width) {
+  const Axis axis{time, window, width};
+  return lines(axis, shown_by(axis, events), false);
 }
 
 }  // namespace mariotte::report

@@ -17,4 +17,8 @@ namespace mariotte::report {
 std::string event_marks(const std::vector<impact::Event>& events, const Display& time, const Window& window,
                         double width, std::optional<double> room = {});
 
+/// The same above an image, which lines would hide: ticks alone.
+std::string event_ticks(const std::vector<impact::Event>& events, const Display& time, const Window& window,
+                        double width);
+
 }  // namespace mariotte::report

@@ -78,7 +78,8 @@ std::string quantity_of(const study::Measurements& measurements) {
 /// As figures of sweeps call it.
 std::string label_of(const study::Measurements& measurements) {
   const auto is_of_body = [](const study::Setting& one) {
-    return one.key.starts_with("incidence.") || one.key.starts_with("body.") || one.key.starts_with("surface.");
+    return one.key.starts_with("incidence.") || one.key.starts_with("body.") ||
+           one.key.starts_with("surface.");
   };
   const auto& quantity = measurements.quantity;
   if (quantity == "restitution.centre") return name_of_result(quantity, "e_nm");
@@ -104,7 +105,9 @@ std::vector<NamedLine> named(const study::FitCurves& curves) {
 /// Sets what `names_beside` asks for.
 std::string span(const FitReport& report, const study::FitCurves& curves) {
   double low = INFINITY, high = -INFINITY;
-  const auto show = [&](double least, double most) { low = std::min(low, least), high = std::max(high, most); };
+  const auto show = [&](double least, double most) {
+    low = std::min(low, least), high = std::max(high, most);
+  };
   for (const auto& curve : curves.curves)
     for (const double value : curve.ordinate) show(value, value);
   for (const auto& row : report.measurements.rows) {
@@ -130,8 +133,9 @@ std::string measured_plot(const FitReport& report, const study::FitCurves& curve
 std::string residual_plot(const FitReport& report, const study::FitCurves& curves) {
   std::vector<std::string> draw = {"0 with lines lc rgb '#555555' notitle"};
   for (std::size_t k = 0; k < curves.curves.size(); ++k)
-    draw.push_back(points(report, curves, k, Places(report.measurements).residual(),
-                          curves.curves.size() > 1 ? "title " + quoted(name_of(curves.curves[k])) : "notitle"));
+    draw.push_back(
+        points(report, curves, k, Places(report.measurements).residual(),
+               curves.curves.size() > 1 ? "title " + quoted(name_of(curves.curves[k])) : "notitle"));
   return fmt::format("plot {}\n", fmt::join(draw, ", \\\n  "));
 }
 
@@ -140,7 +144,8 @@ std::string fitted_figure(const FitReport& report, const study::FitCurves& curve
   const auto lines = named(curves);
   const bool beside = !lines.empty() && fit_beside(lines, "");
   return span(report, curves) + (beside ? names_beside(lines, "") : "") +
-         fmt::format("set key below left horizontal\nset ylabel {}\n", quoted(label_of(report.measurements))) +
+         fmt::format("set key below left horizontal\nset ylabel {}\n",
+                     quoted(label_of(report.measurements))) +
          (curves.logarithmic ? logarithmic_axis(curves) : "") +
          on_all_terminals(fit_figure, measured_plot(report, curves, !lines.empty() && !beside),
                           sheet_with_names(beside ? 2 : lines.size() + 2));
@@ -148,7 +153,8 @@ std::string fitted_figure(const FitReport& report, const study::FitCurves& curve
 
 std::string residual_figure(const FitReport& report, const study::FitCurves& curves) {
   return names_below("") + "unset label\nset autoscale y\nset ylabel 'measured − predicted'\n" +
-         on_all_terminals(residuals_figure, residual_plot(report, curves), sheet_with_names(named(curves).size()));
+         on_all_terminals(residuals_figure, residual_plot(report, curves),
+                          sheet_with_names(named(curves).size()));
 }
 
 }  // namespace

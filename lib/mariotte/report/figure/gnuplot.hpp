@@ -19,7 +19,7 @@ struct Sheet {
 };
 inline constexpr double letter_width = 7.2;      ///< mean, in these pixels
 inline constexpr Sheet one_column = {450, 320};  ///< beside others of a page, or in a journal's column
-inline constexpr Sheet wide = {680, 420};        ///< two columns of panels
+inline constexpr Sheet wide = {680, 420};        ///< two columns of panels, or a legend beside one
 
 /// Commands that make `name`.png, .svg and .pdf with `plot`, a plot command that ends its line.
 std::string on_all_terminals(const std::string& name, const std::string& plot, const Sheet& sheet);

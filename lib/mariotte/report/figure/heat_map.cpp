@@ -125,7 +125,7 @@ std::string script(const HeatMap& map, const TimeAxis& axis, std::size_t first_b
     return fmt::format("set yrange [0.5:{}]\n{}{}{}", static_cast<double>(count) + 0.5,
                        panel.is_first ? vertical_name(map.along) : "",
                        panel.is_last ? "set colorbox\n" : "unset colorbox\n",
-                       event_marks(axis.events, axis.display, panel.window,
+                       event_ticks(axis.events, axis.display, panel.window,
                                    (panel.right - panel.left) * one_column.width)) +
            fmt::format(
                "plot 'plot.csv' index {} matrix using ({:.9g}+{:.9g}*$2):({}+{}*$1):{} with image notitle\n",

@@ -40,7 +40,8 @@ constexpr const char* spread_places = R"(do for [pass=1:60] { do for [i=1:|Place
 std::string name_of(const NamedLine& line, std::size_t number) {
   return fmt::format(
       "if (At[{0}] > -1e300) {{\n"
-      "  set arrow from At[{0}], End[{0}] to graph 1 + beside, graph Place[{0}] nohead lc rgb '#9aa5b1' lw 0.7 dt "
+      "  set arrow from At[{0}], End[{0}] to graph 1 + beside, graph Place[{0}] nohead lc rgb '#9aa5b1' lw "
+      "0.7 dt "
       "solid\n"
       "  set label {1} at graph 1.01 + beside, graph Place[{0}] left front textcolor lt {0}\n}}\n",
       number, quoted(line.name), number);
@@ -56,7 +57,8 @@ std::string names_beside(const std::vector<NamedLine>& lines, const std::string&
   const double margin = leader + 12 + letter_width * static_cast<double>(longest(lines, heading));
   std::string text = fmt::format(
       "unset key\nunset arrow\nset rmargin at screen {:.4f}\narray At[{}]; array End[{}]; array Place[{}]\n"
-      "room = margin > 0 ? margin : 0.04 * (high - low)\nbottom = factor * (low - room); top = factor * (high + room)\n"
+      "room = margin > 0 ? margin : 0.04 * (high - low)\nbottom = factor * (low - room); top = factor * "
+      "(high + room)\n"
       "if (low <= high) {{ set yrange [bottom:top] }} else {{ bottom = 0; top = 1 }}\n"
       "last_of(x, y) = y == y && x >= at ? (at = x, end = y, 0) : 0\n"
       "space = 0.075; highest = {}; beside = 0.05\n",

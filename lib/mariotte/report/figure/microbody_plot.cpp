@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "mariotte/report/figure/gnuplot.hpp"
 #include "mariotte/report/figure/plot.hpp"
 
@@ -30,12 +32,15 @@ TimeFigure empty_figure(const impact::BodyTrace& trace, const char* file, const 
   return figure;
 }
 
-/// A curve of column `column` of plot.csv, whose values `read` finds in a row of the trace.
+/// A curve of column `column` of plot.csv, whose values `read` finds in a row of the trace; those along the
+/// plane are left out where they are zero throughout.
 template <class Read>
 void add(TimeFigure& figure, const std::string& name, int column, const Read& read) {
   Curve curve{name, "'plot.csv'", 1, column, {}};
   for (std::size_t row = 0; row < figure.time.size(); ++row) curve.value.push_back(read(row));
-  figure.curves.push_back(std::move(curve));
+  const auto is_zero = [](double value) { return value == 0; };
+  if (figure.curves.empty() || !std::all_of(curve.value.begin(), curve.value.end(), is_zero))
+    figure.curves.push_back(std::move(curve));
 }
 
 TimeFigure forces(const impact::BodyTrace& trace, const std::string& title) {

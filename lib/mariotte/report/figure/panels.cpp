@@ -13,8 +13,8 @@ namespace {
 constexpr double left_margin = 80, between = 16;  // pixels
 constexpr double bottom = 0.19, top = 0.82;       // parts of the sheet
 constexpr double name_of_time = 0.05, name_of_values = 0.036;
-constexpr double room_of_tick = 14;               // pixels beside a number below the axis
-constexpr double least_share = 0.6;               // of the widest panel
+constexpr double room_of_tick = 14;  // pixels beside a number below the axis
+constexpr double least_share = 0.6;  // of the widest panel
 
 /// Pixels between numbers up to `most` at multiples of `step`.
 double pixels_of_tick(double most, double step) {
@@ -57,7 +57,8 @@ std::string horizontal_axis(const Panel& panel, const TimeAxis& axis, double wid
 std::string words_of_sheet(const std::string& title, const std::string& unit,
                            const std::vector<Panel>& panels) {
   return fmt::format(
-      "set label {} at screen 0.5, 0.96 center noenhanced\nset label 'time t [{}]' at screen {:.4f}, {} center\n",
+      "set label {} at screen 0.5, 0.96 center noenhanced\nset label 'time t [{}]' at screen {:.4f}, {} "
+      "center\n",
       quoted(title), unit, 0.5 * (panels.front().left + panels.back().right), name_of_time);
 }
 

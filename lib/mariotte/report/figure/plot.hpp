@@ -29,7 +29,7 @@ struct RunPlot {
   std::string data;    ///< plot.csv: velocities before forces
   std::string script;  ///< plot.gp, which makes forces and velocities; more figures may follow
   std::vector<std::string> figures = {};  ///< that it makes
-  TimeAxis axis = {};  ///< of all figures
+  TimeAxis axis = {};                     ///< of all figures
 };
 
 /// Up to twelve balls or contacts are curves, in plot.csv a block per curve with number, time [s] and value

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "mariotte/report/figure/axis_names.hpp"
 #include "mariotte/report/figure/drawn_axes.hpp"
@@ -26,6 +27,8 @@ bool is_logarithmic(const Parameter& one) {
 
 /// In the unit that suits what the axis shows.
 Display display_of(const Parameter& one) {
+  if (is_angle(one.key) && !one.is_variable)
+    return {.factor = 180 / std::numbers::pi, .unit = "deg", .decimals = 0};
   std::vector<double> ends;
   if (one.range) ends = {one.range->from, one.range->to};
   for (const auto& value : one.list)

@@ -62,10 +62,10 @@ constexpr const char* beginning =
 std::string half(const study::Design& design, const Columns& columns, const Line& line, std::size_t k,
                  int parity) {
   const auto apart = rows_apart(design);
-  return fmt::format("last = '', count = 0, 'plot.csv'{} using 1:({}stretch({}) % 2 == {} ? {} : NaN) {} lt {} {}",
-                     apart > 1 ? fmt::format(" every {}::{}", apart, k) : "", line.condition,
-                     state(design, columns), parity, line.height, style(design), k + 1,
-                     parity ? "title " + quoted(line.title) : "notitle");
+  return fmt::format(
+      "last = '', count = 0, 'plot.csv'{} using 1:({}stretch({}) % 2 == {} ? {} : NaN) {} lt {} {}",
+      apart > 1 ? fmt::format(" every {}::{}", apart, k) : "", line.condition, state(design, columns), parity,
+      line.height, style(design), k + 1, parity ? "title " + quoted(line.title) : "notitle");
 }
 
 /// What the names of a family are values of.
