@@ -14,6 +14,7 @@ BOOST_AUTO_TEST_CASE(results_have_words_and_a_symbol_with_numbers_from_1) {
   BOOST_TEST(name_of_result("final.bodies[1].velocity[0]", "v") == "final velocity v_{2,1}");
   BOOST_TEST(name_of_result("restitution.tip", "e_n") == "tip restitution e_n");
   BOOST_TEST(name_of_result("restitution.centre", "e_nm") == "centre restitution e_{nm}");
+  BOOST_TEST(name_of_result("events.count", "") == "number of events");
   BOOST_TEST(name_of_result("energy.friction", "") == "friction energy");
   BOOST_TEST(name_of_result("contacts[1].stored", "") == "stored 2");
 }

@@ -104,6 +104,8 @@ std::string numbered(std::string_view symbol, const Path& path) {
 std::string words_of_result(const Path& path) {
   const auto& first = path.names.front();
   const auto last = spaced(path.names.back());
+  if (last == "count" && path.names.size() > 1)
+    return "number of " + spaced(path.names[path.names.size() - 2]);
   if (const auto* known = find(dictionary, first)) return std::string(known->words);
   if (first == "final") return "final " + last;
   const bool qualifies = first == "energy" || first == "momentum" || first == "restitution";
