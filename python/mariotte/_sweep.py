@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from . import _core
 from ._columns import extents, key_of_result, matches, names
-from ._errors import InvalidParameter, in_python, warn
+from ._errors import InvalidParameter, SceneError, in_python, warn
 from ._files import save
 from ._impact import Ending
 from ._keys import whole_key
@@ -20,6 +20,7 @@ from ._toml import plain
 
 Axes = Mapping[Union[str, Tuple[str, ...]], Any]
 Endings = npt.NDArray[np.uint8]
+_NO_ELEMENT = "S017"  # the code of a key that leads nowhere
 
 
 class Sweep(Mapping[str, Array]):
@@ -173,13 +174,23 @@ def sweep(scene: Scene[Any], axes: Optional[Axes] = None, *, columns: Union[str,
         scene = scene.replace({"run.accuracy": number(accuracy, "accuracy")})
     scene._expect_text()
     listed = _axes(scene, axes or {})
-    if isinstance(scene, Chain) and any(key.startswith("chain.gap[") for key, _, _ in listed):
-        scene = scene.replace({"chain.gap": scene.gap})  # one value for all contacts, or none, has no elements
+    if isinstance(scene, Chain):
+        scene = _with_elements(scene, [key for key, _, _ in listed if key.startswith("chain.gap[")])
     keys = [key_of_result(scene, column) for column in names(columns)]
     made = _core.sweep(scene._box, listed, keys, _workers(threads))
     grid = Sweep(scene, made)
     warn(grid.warnings)
     return grid
+
+
+def _with_elements(scene: Chain, gaps: Sequence[str]) -> Chain:
+    """One gap for all contacts, or none, has no elements to vary; resolved gaps may be indented already."""
+    try:
+        scene.replace({key: 1.0 for key in gaps})
+    except SceneError as error:
+        if error.code == _NO_ELEMENT:
+            return scene.replace({"chain.gap": scene.gap})
+    return scene
 
 
 class Solved(NamedTuple):

@@ -81,6 +81,13 @@ def test_a_law_is_a_key_of_the_chain(triplet):
     assert list(grid.axes) == ["chain.law"] and np.isfinite(grid["time"]).all()
 
 
+def test_gaps_of_a_row_in_equilibrium_are_the_given_ones():
+    row = mt.Chain(mass=[1, 0.5, 2], velocity=[0, 0, 0], gap=[0, 0, 1e-3], law="hertz", stiffness=1e6, wall="left",
+                   gravity=9.81, start="equilibrium", run={"until": 0.02})
+    grid = mt.sweep(row, {"gap[2]": [1e-4, 1e-3]}, columns=["velocity"])
+    assert np.array_equal(grid["velocity"][1], mt.simulate(row).velocity)
+
+
 def test_points_without_sense_are_told(triplet):
     grid = mt.sweep(triplet, {"gap[0]": [0, -1e-9], "precompressed": [False, True]}, columns=["time"])
     assert (grid.ending == mt.Ending.rejected).tolist() == [[False, False], [True, False]]
