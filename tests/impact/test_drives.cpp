@@ -292,6 +292,21 @@ BOOST_AUTO_TEST_CASE(the_momenta_of_what_no_contact_moves_balance) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(what_gravity_draws_apart_never_closes_beside_a_drive) {
+  model::Chain chain{.mass = {infinity, 1, infinity},
+                     .law = {contact::Hertz(1), contact::Hertz(1)},
+                     .gap = {10, 0},
+                     .velocity = {0, 0, 0},
+                     .gravity = 0.25};
+  chain.drive = {drive(0, Driven::velocity, model::sine(0.1, 1, 0))};
+  for (const double accuracy : {1e-6, 1e-12}) {
+    const auto impact = simulate(chain, {.accuracy = accuracy, .max_time = 2});
+    BOOST_TEST(impact.events.empty());
+    BOOST_TEST(impact.contacts[1].periods.empty());
+    BOOST_TEST(std::abs(impact.velocity[1] + 0.5) < 1e-12);
+  }
+}
+
 // As of other chains: the last sample is that of the ending.
 BOOST_AUTO_TEST_CASE(the_last_sample_of_a_driven_row_is_that_of_its_end) {
   const auto row = row_behind_wall({contact::Hertz(1)}, drive(0, Driven::velocity, model::sine(0.1, 1, 0)));

@@ -164,14 +164,22 @@ void tell_approach(const ContactState<Topology>& state, std::size_t first,
       one.approach = state.approach(one.contact);
 }
 
+/// Nothing draws contact j apart that touches at rest: outside forces press it, or a drive may.
+template <class Topology>
+bool may_be_pressed(const ContactState<Topology>& state, Index j) {
+  return state.topology.at.drives() > 0 ? state.drive(j) >= 0 : state.topology.drive(j) > 0;
+}
+
 /// Contacts that carry force at 0+: indented ones, touching ones that approach or are driven together, and
-/// touching ones at rest that stand near one of these; all of these where a drive may press any.
+/// touching ones at rest that stand near one of these; where a drive may press any, all but those that are
+/// drawn apart.
 template <class Topology>
 void contact_set_at(const ContactState<Topology>& state, contact::ContactSet& mode,
                     std::vector<ContactChange>& changes) {
   using contact::ContactMode;
   reset(mode, state.model().law);
   mode.piece.assign(state.topology.at.drives(), 0);
+  const ContactState<Topology> driven{state.topology, state.x, &mode};
   for (Index j = 0; j < state.contacts(); ++j) {
     const double gap = state.gap(j), approach = state.approach(j);
     const auto& law = state.model().law[j];
@@ -180,7 +188,7 @@ void contact_set_at(const ContactState<Topology>& state, contact::ContactSet& mo
       change(mode, j, ContactMode::slack, law, changes);
     else if (gap < 0 || (gap == 0 && approach > state.topology.rest_speed()))
       change(mode, j, ContactMode::closed, law, changes);
-    else if (rests(state, mode[j], j) && (state.topology.drive(j) > 0 || !mode.piece.empty()))
+    else if (rests(state, mode[j], j) && may_be_pressed(driven, j))
       change(mode, j, ContactMode::touching, law, changes);
     if (gap < 0 && !mode.memory.empty()) start_indented(mode.memory[j], law, -gap, approach);
   }
