@@ -18,12 +18,13 @@ const std::vector<flow::Entry> row = {{0, 3}, {1, 3}, {0, 0}, {0, 1}, {1, 0}, {1
 const std::vector<Index> position = {0, 1, 2, 3, 4, -1};
 constexpr Index components = 5;
 using Sizes = std::vector<double>;
+using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 const Sizes equal(components, 1.0);
 
 struct Piece {
   std::vector<double> jacobian[stages];
   double h[stages];
-  Eigen::MatrixXd right = Eigen::MatrixXd::Zero(components * stages, 2);
+  Rows right = Rows::Zero(components * stages, 2);
 };
 
 /// Entries that `is_open` are zero at all points.
@@ -51,8 +52,8 @@ Piece in_units(Piece piece, const Sizes& size) {
 }
 
 /// Of the equations as they are written, where values are of order one.
-double residual(const Piece& piece, const Eigen::MatrixXd& values) {
-  Eigen::MatrixXd rest = values - piece.right;
+double residual(const Piece& piece, const Rows& values) {
+  Rows rest = values - piece.right;
   for (int i = 0; i < stages; ++i)
     for (int j = 0; j < stages; ++j)
       for (std::size_t e = 0; e < row.size(); ++e)

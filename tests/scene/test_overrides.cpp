@@ -73,9 +73,10 @@ BOOST_AUTO_TEST_CASE(a_path_that_leads_nowhere_is_named) {
   BOOST_TEST(complaint("chain.velocity[9]=2") ==
              "--set chain.velocity[9]: no element 9: 'chain.velocity' has 3 (counted from 0)");
   BOOST_TEST(complaint("chain.gap[0]=2") == "--set chain.gap[0]: the scene has no 'chain.gap'");
-  BOOST_TEST(complaint("network.stiffness[0]=2")
-                 .ends_with("has no 'network.stiffness' (it follows from radii and materials; a list, stiffness "
-                            "= [...], has elements that can vary)"));
+  BOOST_TEST(
+      complaint("network.stiffness[0]=2")
+          .ends_with("has no 'network.stiffness' (it follows from radii and materials; a list, stiffness "
+                     "= [...], has elements that can vary)"));
   BOOST_TEST(complaint("chain.mass.young=2") ==
              "--set chain.mass.young: 'chain.mass' is an array, not a table");
   BOOST_TEST(complaint("chain.contact[0][1]=2") ==
