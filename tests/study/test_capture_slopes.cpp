@@ -58,6 +58,30 @@ BOOST_AUTO_TEST_CASE(a_rod_with_friction_has_them_too) {
   BOOST_TEST(std::abs(*found.outcome[0].slope[0] * 10 / difference(rod, "body.length_ratio", 10) - 1) < 1e-7);
 }
 
+// v_c² m is the energy of the jump, ~ w^{5/3} R^{4/3} E^{−2/3}.
+BOOST_AUTO_TEST_CASE(pairs_that_adhere_have_those_of_their_scales) {
+  const std::string law =
+      "law = 'jkr'\neffective_modulus = 1.3e9\neffective_radius = 5e-6\n"
+      "work_of_adhesion = 0.05\n";
+  const std::string pairs[] = {"mass = [7e-13, inf]\nvelocity = [0.15, 0]\n",
+                               "mass = [inf, 7e-13]\nvelocity = [0, -0.15]\n",
+                               "mass = [14e-13, 14e-13]\nvelocity = [0.15, 0]\n"};
+  for (const auto& pair : pairs) {
+    const auto found = slopes_of("[chain]\n" + pair + law, {"mass", "contact"});
+    const auto& slope = found.outcome[0].slope;
+    double by_masses = 0;
+    for (std::size_t i = 0; i < found.parameter.size(); ++i) {
+      const auto& [name, value] = found.parameter[i];
+      const double share = *slope[i] * value / *found.outcome[0].value;
+      if (name.starts_with("mass")) by_masses += share;
+      if (name.ends_with("effective_modulus")) BOOST_TEST(std::abs(share + 1.0 / 3) < 1e-8);
+      if (name.ends_with("effective_radius")) BOOST_TEST(std::abs(share - 2.0 / 3) < 1e-8);
+      if (name.ends_with("work_of_adhesion")) BOOST_TEST(std::abs(share - 5.0 / 6) < 1e-8);
+    }
+    BOOST_TEST(std::abs(by_masses + 0.5) < 1e-8);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(what_is_never_captured_or_no_microbody_is_refused) {
   const auto free =
       with(with(sphere, "zeta_hertz = 1", "zeta_hertz = 0"), "zeta_adhesion = 1", "zeta_adhesion = 0");

@@ -16,8 +16,6 @@ namespace {
 
 using Slope = std::optional<double>;
 
-constexpr const char* speed_name = "normal_speed";
-constexpr const char* speed_key = "incidence.normal_speed";
 constexpr double accuracy = 1e-12, tolerance = 1e-14;
 /// Speeds above v_c, relative to it: the least, and each the double of the one before.
 constexpr double least_distance = 2e-5;
@@ -26,33 +24,75 @@ constexpr std::size_t speeds = powers.size() + 1;
 /// Quotients that the last power changes by more than that are not known so well.
 constexpr double well_known = 1e-6;
 
-void set(scene::Document& document, const std::string& key, double value) {
-  locate(document.source, document.tree, key, {}).value = value;
+/// A scene whose speed can be set.
+struct Strike {
+  scene::Document document;
+  std::string parameter;  ///< by which slopes are those by the speed,
+  double sign = 1;        ///< times this
+  bool is_pair = false;
+};
+
+scene::Node& node(scene::Document& document, const std::string& key) {
+  return locate(document.source, document.tree, key, {});
 }
 
-/// Of one impact, at the accuracy that small rebounds need.
-scene::Document prepared(scene::Document document) {
+/// At the accuracy that small rebounds need.
+Strike prepared(scene::Document document) {
   const auto scene = resolve(document);
+  node(document, "run.accuracy").value = std::min(scene.run.accuracy, accuracy);
   const auto* body = std::get_if<model::Microbody>(&scene.model);
-  if (!body || body->impacts != 1)
-    throw scene::SceneError(
-        document.source.name + ": slopes of the capture velocity are those of a [body] with one impact",
-        fault::no_model);
-  set(document, "run.accuracy", std::min(scene.run.accuracy, accuracy));
-  return document;
+  if (body && body->impacts == 1) return {std::move(document), "normal_speed"};
+  const auto* chain = std::get_if<model::Chain>(&scene.model);
+  if (!chain || chain->law.size() != 1)
+    throw scene::SceneError(document.source.name +
+                                ": slopes of the capture velocity are those of a [body] "
+                                "with one impact, or of two bodies of a [chain]",
+                            fault::no_model);
+  const bool first = std::isfinite(chain->mass[0]);
+  return {std::move(document), first ? "velocity[0]" : "velocity[1]", first ? 1.0 : -1.0, true};
 }
 
-/// −(∂e/∂p)/(∂e/∂v) by parameter; the parameter of the speed itself is left out.
-std::vector<Slope> quotients(const impact::Sensitivity& of_run) {
-  const auto restitution = std::find_if(of_run.outcome.begin(), of_run.outcome.end(),
-                                        [](const auto& one) { return one.name == "e_n"; });
-  std::vector<Slope> list, all = restitution->slope;
+void set_speed(Strike& strike, double speed) {
+  if (!strike.is_pair) {
+    node(strike.document, "incidence.normal_speed").value = speed;
+    return;
+  }
+  const auto velocity = std::get<model::Chain>(resolve(strike.document).model).velocity;
+  scene::Array both(2);
+  both[0].value = strike.sign > 0 ? velocity[1] + speed : velocity[0];
+  both[1].value = strike.sign > 0 ? velocity[1] : velocity[0] - speed;
+  node(strike.document, "chain.velocity").value = std::move(both);
+}
+
+/// Of what vanishes at v_c: the restitution of the tip, or the speed at which two bodies part.
+std::vector<Slope> rebound(const impact::Sensitivity& of_run) {
+  const auto& all = of_run.outcome;
+  const auto restitution =
+      std::find_if(all.begin(), all.end(), [](const auto& one) { return one.name == "e_n"; });
+  if (restitution != all.end()) return restitution->slope;
+  std::vector<Slope> list;
+  for (std::size_t p = 0; p < of_run.parameter.size(); ++p) {
+    const auto &left = all[0].slope[p], &right = all[1].slope[p];  // of both velocities
+    list.push_back(left && right ? Slope(*right - *left) : std::nullopt);
+  }
+  return list;
+}
+
+/// On nothing but the difference of both velocities the capture velocity of a pair depends, and not on that.
+bool is_speed(const Strike& strike, const std::string& parameter) {
+  return parameter == strike.parameter || (strike.is_pair && parameter.starts_with("velocity["));
+}
+
+/// −(∂e/∂p)/(∂e/∂v) by parameter; those of the speed itself are left out.
+std::vector<Slope> quotients(const Strike& strike, const impact::Sensitivity& of_run) {
+  const auto all = rebound(of_run);
+  std::vector<Slope> list;
   Slope by_speed;
   for (std::size_t i = 0; i < all.size(); ++i)
-    if (of_run.parameter[i].name == speed_name) by_speed = all[i];
+    if (of_run.parameter[i].name == strike.parameter) by_speed = all[i];
   for (std::size_t i = 0; i < all.size(); ++i)
-    if (of_run.parameter[i].name != speed_name)
-      list.push_back(all[i] && by_speed ? Slope(-*all[i] / *by_speed) : std::nullopt);
+    if (!is_speed(strike, of_run.parameter[i].name))
+      list.push_back(all[i] && by_speed ? Slope(-strike.sign * *all[i] / *by_speed) : std::nullopt);
   return list;
 }
 
@@ -85,22 +125,22 @@ void add(const Limit& found, const std::string& name, impact::Sensitivity& resul
 impact::Sensitivity sensitivity_of_capture(const scene::Document& document,
                                            const std::vector<std::string>& keys,
                                            const impact::SlopeWatch& watch) {
-  auto moved = prepared(document);
-  const auto found = capture_velocity(moved, tolerance, watch);
+  auto strike = prepared(document);
+  const auto found = capture_velocity(strike.document, tolerance, watch);
   if (!found) throw scene::SceneError(document.source.name + ": " + no_capture_velocity, fault::no_capture);
   auto by = keys;
-  if (!by.empty()) by.push_back(speed_name);
+  if (!by.empty()) by.push_back(strike.parameter);
   impact::Sensitivity result;
   result.ending = hybrid::Ending::separated;
   result.outcome.push_back({capture_velocity_name, {}, "m/s", found->value()});
   std::array<std::vector<Slope>, speeds> at;
   for (std::size_t i = 0; i < speeds; ++i) {
-    set(moved, speed_key, found->value() * (1 + std::ldexp(least_distance, static_cast<int>(i))));
-    const auto of_run = sensitivity(moved, resolve(moved), by, {}, watch);
-    at[i] = quotients(of_run);
+    set_speed(strike, found->value() * (1 + std::ldexp(least_distance, static_cast<int>(i))));
+    const auto of_run = sensitivity(strike.document, resolve(strike.document), by, {}, watch);
+    at[i] = quotients(strike, of_run);
     result.parameter = of_run.parameter;
   }
-  std::erase_if(result.parameter, [](const auto& one) { return one.name == speed_name; });
+  std::erase_if(result.parameter, [&](const auto& one) { return is_speed(strike, one.name); });
   for (std::size_t p = 0; p < result.parameter.size(); ++p) {
     std::array<Slope, speeds> of_one;
     for (std::size_t i = 0; i < speeds; ++i) of_one[i] = at[i][p];
