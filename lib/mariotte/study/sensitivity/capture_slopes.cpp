@@ -83,17 +83,38 @@ bool is_speed(const Strike& strike, const std::string& parameter) {
   return parameter == strike.parameter || (strike.is_pair && parameter.starts_with("velocity["));
 }
 
-/// −(∂e/∂p)/(∂e/∂v) by parameter; those of the speed itself are left out.
-std::vector<Slope> quotients(const Strike& strike, const impact::Sensitivity& of_run) {
+/// Parameters but those of the speed, and −(∂e/∂p)/(∂e/∂v) by each.
+struct Quotients {
+  std::vector<impact::ParameterValue> parameter;
+  std::vector<Slope> value;
+};
+
+Quotients quotients(const Strike& strike, const impact::Sensitivity& of_run) {
   const auto all = rebound(of_run);
-  std::vector<Slope> list;
   Slope by_speed;
   for (std::size_t i = 0; i < all.size(); ++i)
     if (of_run.parameter[i].name == strike.parameter) by_speed = all[i];
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (!is_speed(strike, of_run.parameter[i].name))
-      list.push_back(all[i] && by_speed ? Slope(-strike.sign * *all[i] / *by_speed) : std::nullopt);
-  return list;
+  Quotients result;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (is_speed(strike, of_run.parameter[i].name)) continue;
+    result.parameter.push_back(of_run.parameter[i]);
+    result.value.push_back(all[i] && by_speed ? Slope(-strike.sign * *all[i] / *by_speed) : std::nullopt);
+  }
+  return result;
+}
+
+/// At speeds whose distances from v_c double.
+std::array<Quotients, speeds> quotients_near(Strike& strike, double captured,
+                                             const std::vector<std::string>& keys,
+                                             const impact::SlopeWatch& watch) {
+  auto by = keys;
+  if (!by.empty()) by.push_back(strike.parameter);
+  std::array<Quotients, speeds> all;
+  for (std::size_t i = 0; i < speeds; ++i) {
+    set_speed(strike, captured * (1 + std::ldexp(least_distance, static_cast<int>(i))));
+    all[i] = quotients(strike, sensitivity(strike.document, resolve(strike.document), by, {}, watch));
+  }
+  return all;
 }
 
 /// The limit of what is known at distances that double; empty if some value is missing.
@@ -128,22 +149,14 @@ impact::Sensitivity sensitivity_of_capture(const scene::Document& document,
   auto strike = prepared(document);
   const auto found = capture_velocity(strike.document, tolerance, watch);
   if (!found) throw scene::SceneError(document.source.name + ": " + no_capture_velocity, fault::no_capture);
-  auto by = keys;
-  if (!by.empty()) by.push_back(strike.parameter);
+  const auto near = quotients_near(strike, found->value(), keys, watch);
   impact::Sensitivity result;
   result.ending = hybrid::Ending::separated;
+  result.parameter = near[0].parameter;
   result.outcome.push_back({capture_velocity_name, {}, "m/s", found->value()});
-  std::array<std::vector<Slope>, speeds> at;
-  for (std::size_t i = 0; i < speeds; ++i) {
-    set_speed(strike, found->value() * (1 + std::ldexp(least_distance, static_cast<int>(i))));
-    const auto of_run = sensitivity(strike.document, resolve(strike.document), by, {}, watch);
-    at[i] = quotients(strike, of_run);
-    result.parameter = of_run.parameter;
-  }
-  std::erase_if(result.parameter, [&](const auto& one) { return is_speed(strike, one.name); });
   for (std::size_t p = 0; p < result.parameter.size(); ++p) {
     std::array<Slope, speeds> of_one;
-    for (std::size_t i = 0; i < speeds; ++i) of_one[i] = at[i][p];
+    for (std::size_t i = 0; i < speeds; ++i) of_one[i] = near[i].value[p];
     add(limit(of_one), result.parameter[p].name, result);
   }
   return result;
