@@ -33,8 +33,10 @@ void expect_enough(const Measurements& measurements, std::size_t values) {
 void expect_separation(const FitProblem& problem, const Values& x) {
   const auto all = problem.predicted(x);
   if (std::all_of(all.begin(), all.end(), [](const Prediction& one) { return one.captured; }))
-    throw FitError("every body is predicted to be captured where the search starts; start from less damping",
-                   fault::no_minimum);
+    throw FitError(
+        "every body is predicted to be captured where the search starts; start from less damping, or look "
+        "whether speeds and sizes have the right unit",
+        fault::no_minimum);
 }
 
 /// Smallest value / start that is not taken for zero, where nothing depends on it any more.
