@@ -82,6 +82,23 @@ BOOST_AUTO_TEST_CASE(pairs_that_adhere_have_those_of_their_scales) {
   }
 }
 
+// Nor does what else is asked for change a slope.
+BOOST_AUTO_TEST_CASE(speeds_gaps_and_gravity_have_no_effect) {
+  const auto found = slopes_of(sphere, {"incidence.normal_speed", "radius", "normal_speed"});
+  BOOST_TEST_REQUIRE(found.parameter.size() == 3u);
+  BOOST_TEST(*found.outcome[0].slope[0] == 0);
+  BOOST_TEST(found.parameter[0].value == 5);
+  BOOST_TEST(std::abs(*found.outcome[0].slope[1] / *slopes_of(sphere).outcome[0].slope[0] - 1) < 1e-8);
+  const std::string pair =
+      "[chain]\nmass = [7e-13, 7e-13]\nlaw = 'jkr'\neffective_modulus = 1.3e9\n"
+      "effective_radius = 5e-6\nwork_of_adhesion = 0.05\ngap = 1e-6\n"
+      "[[chain.ball]]\nnumber = 1\nvelocity = 0.15\n";
+  const auto of_pair = slopes_of(pair, {"chain.ball[0].velocity", "chain.gap", "mass[1]"});
+  BOOST_TEST(*of_pair.outcome[0].slope[0] == 0);
+  BOOST_TEST(*of_pair.outcome[0].slope[1] == 0);
+  BOOST_TEST(std::abs(*of_pair.outcome[0].slope[2] * 7e-13 / *of_pair.outcome[0].value + 0.25) < 1e-8);
+}
+
 BOOST_AUTO_TEST_CASE(what_is_never_captured_or_no_microbody_is_refused) {
   const auto free =
       with(with(sphere, "zeta_hertz = 1", "zeta_hertz = 0"), "zeta_adhesion = 1", "zeta_adhesion = 0");

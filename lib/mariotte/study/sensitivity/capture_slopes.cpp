@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include "mariotte/scene/key_path.hpp"
 #include "mariotte/study/capture.hpp"
 #include "mariotte/study/fault.hpp"
+#include "mariotte/study/sensitivity/scene_numbers.hpp"
 #include "mariotte/study/sensitivity/scene_parameters.hpp"
 
 namespace mariotte::study {
@@ -16,52 +18,92 @@ namespace {
 
 using Slope = std::optional<double>;
 
+constexpr const char* speed_key = "incidence.normal_speed";
 constexpr double accuracy = 1e-12, tolerance = 1e-14;
 /// Speeds above v_c, relative to it: the least, and each the double of the one before.
-constexpr double least_distance = 2e-5;
+constexpr double least_distance = 1e-4;
 constexpr std::array powers{1.0, 1.5, 2.0};
 constexpr std::size_t speeds = powers.size() + 1;
 /// Quotients that the last power changes by more than that are not known so well.
 constexpr double well_known = 1e-6;
+/// What a number may move of v_c by rounding alone.
+constexpr double rounding = 1e-11;
 
-/// A scene whose speed can be set.
-struct Strike {
-  scene::Document document;
-  std::string parameter;  ///< by which slopes are those by the speed,
-  double sign = 1;        ///< times this
-  bool is_pair = false;
-};
+using Keys = std::vector<std::string>;
 
-scene::Node& node(scene::Document& document, const std::string& key) {
-  return locate(document.source, document.tree, key, {});
+/// A run at a speed. The last of its parameters is that speed; others like it have no effect.
+using Run = std::function<impact::Sensitivity(double speed)>;
+
+/// Of a pair the capture velocity is that of one impact: without a gap, and without gravity.
+model::Chain struck(model::Chain pair, double speed) {
+  if (std::isfinite(pair.mass[0]))
+    pair.velocity = {speed, 0};
+  else
+    pair.velocity = {0, -speed};
+  pair.gap = {0};
+  pair.gravity = 0;
+  return pair;
 }
 
-/// At the accuracy that small rebounds need.
-Strike prepared(scene::Document document) {
+Run run_of(const scene::Document& document, const model::Chain& pair, const hybrid::Options& options,
+           const Keys& keys, const impact::SlopeWatch& watch) {
+  return [=](double speed) {
+    auto by = chain_parameters(document, pair, keys);
+    for (auto& one : by) {
+      one.model = [model = one.model, speed](double moved) { return struck(model(moved), speed); };
+      one.is_linear = false;
+    }
+    by.push_back({"speed", speed, 0.01 * speed, [pair](double moved) { return struck(pair, moved); }});
+    return impact::sensitivity(struck(pair, speed), by, options, watch);
+  };
+}
+
+bool is_speed(const std::string& name) {
+  return name == "normal_speed" || name == speed_key;
+}
+
+/// Dampings may depend on the speed: the scene is read again at each.
+Run run_of(const scene::Document& document, const hybrid::Options& options, const Keys& keys,
+           const impact::SlopeWatch& watch) {
+  return [=](double speed) {
+    auto at_speed = document;
+    locate(at_speed.source, at_speed.tree, speed_key, {}).value = speed;
+    const auto body = std::get<model::Microbody>(resolve(at_speed).model);
+    auto by = body_parameters(at_speed, keys);
+    for (auto& one : by)
+      if (is_speed(one.name)) one.model = [body](double) { return body; };
+    by.push_back(scene_parameter<model::Microbody>(at_speed, "speed", speed_key, {speed, speed}));
+    return impact::sensitivity(body, by, options, watch);
+  };
+}
+
+/// What parameters are, as the scene gives them, and a run at any speed.
+struct Strike {
+  std::vector<impact::ParameterValue> parameter;
+  Run run;
+};
+
+Strike strike(const scene::Document& document, const Keys& keys, const impact::SlopeWatch& watch) {
   const auto scene = resolve(document);
-  node(document, "run.accuracy").value = std::min(scene.run.accuracy, accuracy);
+  Strike result;
+  const auto take = [&](const auto& list) {
+    for (const auto& one : list) result.parameter.push_back({one.name, one.value});
+  };
   const auto* body = std::get_if<model::Microbody>(&scene.model);
-  if (body && body->impacts == 1) return {std::move(document), "normal_speed"};
   const auto* chain = std::get_if<model::Chain>(&scene.model);
-  if (!chain || chain->law.size() != 1)
+  if (body && body->impacts == 1) {
+    take(body_parameters(document, keys));
+    result.run = run_of(document, scene.run, keys, watch);
+  } else if (chain && chain->law.size() == 1) {
+    take(chain_parameters(document, *chain, keys));
+    result.run = run_of(document, *chain, scene.run, keys, watch);
+  } else {
     throw scene::SceneError(document.source.name +
                                 ": slopes of the capture velocity are those of a [body] "
                                 "with one impact, or of two bodies of a [chain]",
                             fault::no_model);
-  const bool first = std::isfinite(chain->mass[0]);
-  return {std::move(document), first ? "velocity[0]" : "velocity[1]", first ? 1.0 : -1.0, true};
-}
-
-void set_speed(Strike& strike, double speed) {
-  if (!strike.is_pair) {
-    node(strike.document, "incidence.normal_speed").value = speed;
-    return;
   }
-  const auto velocity = std::get<model::Chain>(resolve(strike.document).model).velocity;
-  scene::Array both(2);
-  both[0].value = strike.sign > 0 ? velocity[1] + speed : velocity[0];
-  both[1].value = strike.sign > 0 ? velocity[1] : velocity[0] - speed;
-  node(strike.document, "chain.velocity").value = std::move(both);
+  return result;
 }
 
 /// Of what vanishes at v_c: the restitution of the tip, or the speed at which two bodies part.
@@ -78,43 +120,14 @@ std::vector<Slope> rebound(const impact::Sensitivity& of_run) {
   return list;
 }
 
-/// On nothing but the difference of both velocities the capture velocity of a pair depends, and not on that.
-bool is_speed(const Strike& strike, const std::string& parameter) {
-  return parameter == strike.parameter || (strike.is_pair && parameter.starts_with("velocity["));
-}
-
-/// Parameters but those of the speed, and −(∂e/∂p)/(∂e/∂v) by each.
-struct Quotients {
-  std::vector<impact::ParameterValue> parameter;
-  std::vector<Slope> value;
-};
-
-Quotients quotients(const Strike& strike, const impact::Sensitivity& of_run) {
-  const auto all = rebound(of_run);
-  Slope by_speed;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (of_run.parameter[i].name == strike.parameter) by_speed = all[i];
-  Quotients result;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (is_speed(strike, of_run.parameter[i].name)) continue;
-    result.parameter.push_back(of_run.parameter[i]);
-    result.value.push_back(all[i] && by_speed ? Slope(-strike.sign * *all[i] / *by_speed) : std::nullopt);
-  }
-  return result;
-}
-
-/// At speeds whose distances from v_c double.
-std::array<Quotients, speeds> quotients_near(Strike& strike, double captured,
-                                             const std::vector<std::string>& keys,
-                                             const impact::SlopeWatch& watch) {
-  auto by = keys;
-  if (!by.empty()) by.push_back(strike.parameter);
-  std::array<Quotients, speeds> all;
-  for (std::size_t i = 0; i < speeds; ++i) {
-    set_speed(strike, captured * (1 + std::ldexp(least_distance, static_cast<int>(i))));
-    all[i] = quotients(strike, sensitivity(strike.document, resolve(strike.document), by, {}, watch));
-  }
-  return all;
+/// −(∂e/∂p)/(∂e/∂v) by each parameter.
+std::vector<Slope> quotients(const impact::Sensitivity& of_run) {
+  auto list = rebound(of_run);
+  const auto by_speed = list.back();
+  list.pop_back();
+  for (auto& one : list)
+    if (one) one = by_speed ? Slope(*one == 0 ? 0 : -*one / *by_speed) : std::nullopt;
+  return list;
 }
 
 /// The limit of what is known at distances that double; empty if some value is missing.
@@ -134,31 +147,41 @@ Limit limit(std::array<Slope, speeds> at) {
   return {at[0], std::abs(*at[0] - before) / std::max(std::abs(*at[0]), 1e-300)};
 }
 
-void add(const Limit& found, const std::string& name, impact::Sensitivity& result) {
-  result.outcome[0].slope.push_back(found.value);
-  if (found.value && *found.value != 0 && found.change > well_known)
+/// Without keys, what has no effect is left out.
+bool is_shown(const impact::ParameterValue& one, const Keys& keys) {
+  const auto begins = [&](const char* name) { return one.name.starts_with(name); };
+  return !keys.empty() || !(is_speed(one.name) || begins("velocity[") || begins("gap[") || begins("gravity"));
+}
+
+void add(const Limit& found, const impact::ParameterValue& by, impact::Sensitivity& result) {
+  auto& outcome = result.outcome[0];
+  const double moved = std::abs(found.value.value_or(infinity) * by.value);
+  result.parameter.push_back(by);
+  outcome.slope.push_back(moved > rounding * *outcome.value ? found.value : 0.0);
+  if (found.value && *outcome.slope.back() != 0 && found.change > well_known)
     result.notes.push_back(
-        {fmt::format("the slope by {} is known to a share of {:.0e}", name, found.change)});
+        {fmt::format("the slope by {} is known to a share of {:.0e}", by.name, found.change)});
 }
 
 }  // namespace
 
-impact::Sensitivity sensitivity_of_capture(const scene::Document& document,
-                                           const std::vector<std::string>& keys,
+impact::Sensitivity sensitivity_of_capture(const scene::Document& document, const Keys& keys,
                                            const impact::SlopeWatch& watch) {
-  auto strike = prepared(document);
-  const auto found = capture_velocity(strike.document, tolerance, watch);
+  auto tight = document;
+  locate(tight.source, tight.tree, "run.accuracy", {}).value =
+      std::min(resolve(document).run.accuracy, accuracy);
+  const auto [parameter, run] = strike(tight, keys, watch);
+  const auto found = capture_velocity(tight, tolerance, watch);
   if (!found) throw scene::SceneError(document.source.name + ": " + no_capture_velocity, fault::no_capture);
-  const auto near = quotients_near(strike, found->value(), keys, watch);
+  std::array<std::vector<Slope>, speeds> near;
+  for (std::size_t i = 0; i < speeds; ++i)
+    near[i] = quotients(run(found->value() * (1 + std::ldexp(least_distance, static_cast<int>(i)))));
   impact::Sensitivity result;
   result.ending = hybrid::Ending::separated;
-  result.parameter = near[0].parameter;
   result.outcome.push_back({capture_velocity_name, {}, "m/s", found->value()});
-  for (std::size_t p = 0; p < result.parameter.size(); ++p) {
-    std::array<Slope, speeds> of_one;
-    for (std::size_t i = 0; i < speeds; ++i) of_one[i] = near[i].value[p];
-    add(limit(of_one), result.parameter[p].name, result);
-  }
+  for (std::size_t p = 0; p < parameter.size(); ++p)
+    if (is_shown(parameter[p], keys))
+      add(limit({near[0][p], near[1][p], near[2][p], near[3][p]}), parameter[p], result);
   return result;
 }
 

@@ -52,8 +52,8 @@ constexpr std::array<NamedKey, 16> of_body{{{"radius", "body.radius"},
                                             {"w3", "incidence.spin[2]"}}};
 
 /// What the scene gives and is not zero, and what is asked for by its name.
-std::vector<impact::Parameter<model::Microbody>> body_parameters(const Document& document,
-                                                                 const std::vector<std::string>& asked) {
+std::vector<impact::Parameter<model::Microbody>> all_of_body(const Document& document,
+                                                             const std::vector<std::string>& asked) {
   std::vector<impact::Parameter<model::Microbody>> list;
   for (const auto& [name, key] : of_body) {
     if (std::find(asked.begin(), asked.end(), name) != asked.end()) {
@@ -86,6 +86,17 @@ impact::Sensitivity slopes_of(const scene::Scene& scene, Of&& of, OfBody&& param
 
 }  // namespace
 
+std::vector<impact::Parameter<model::Chain>> chain_parameters(const Document& document,
+                                                              const model::Chain& chain,
+                                                              const std::vector<std::string>& keys) {
+  return chosen(document, keys, impact::parameters(chain));
+}
+
+std::vector<impact::Parameter<model::Microbody>> body_parameters(const Document& document,
+                                                                 const std::vector<std::string>& keys) {
+  return chosen(document, keys, all_of_body(document, keys));
+}
+
 impact::Sensitivity sensitivity(const Document& document, const scene::Scene& scene,
                                 const std::vector<std::string>& keys,
                                 const std::vector<std::string>& outcomes, const impact::SlopeWatch& watch) {
@@ -98,7 +109,7 @@ impact::Sensitivity sensitivity(const Document& document, const scene::Scene& sc
       [&](const auto& model, const auto& all) {
         return impact::sensitivity(model, chosen(document, keys, all), scene.run, watch);
       },
-      [&] { return body_parameters(document, keys); });
+      [&] { return all_of_body(document, keys); });
 }
 
 impact::Sensitivity outcomes(const scene::Scene& scene) {
