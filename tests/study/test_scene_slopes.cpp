@@ -140,6 +140,28 @@ BOOST_AUTO_TEST_CASE(dampings_of_a_restitution_may_move_by_rounding) {
     BOOST_TEST(std::abs(slope(slopes_of(pair + law, {key}), "velocity[0]", 0) - expected) < 1e-9, law << key);
 }
 
+// High powers of a number, as the mass of the last of many tapered balls, and small ones to an exponent.
+BOOST_AUTO_TEST_CASE(steps_are_small_where_the_model_moves_fast) {
+  const std::string tapered =
+      "[chain]\nballs = 20\nradius = 0.01\ntaper = 0.94\nmaterial = 'steel'\n"
+      "law = 'hertz'\nvelocity = [1" +
+      [] {
+        std::string rest;
+        for (int i = 1; i < 20; ++i) rest += ", 0";
+        return rest;
+      }() +
+      "]\n[run]\naccuracy = 1e-12\n";
+  BOOST_TEST(deviation(tapered, "velocity[19]", "chain.taper") < 1e-7);
+  const std::string small =
+      "[chain]\nmass = [1e-12, 2e-12, 1e-12]\nlaw = \"hunt-crossley\"\nstiffness = 1e10\n"
+      "damping = 100\nexponent = 3\nvelocity = [1e-3, 0, 0]\n";
+  const auto by_key = slopes_of(small, {"chain.exponent"}), by_contact = slopes_of(small, {"contact"});
+  double sum = 0;
+  for (std::size_t i = 0; i < by_contact.parameter.size(); ++i)
+    if (by_contact.parameter[i].name.ends_with("exponent")) sum += slope(by_contact, "velocity[0]", i);
+  BOOST_TEST(std::abs(slope(by_key, "velocity[0]", 0) / sum - 1) < 1e-8);
+}
+
 // The model that a scene makes bends or jumps next to the number: two balls within reach of each other are so
 // no more, and the speed of a restitution is that of another contact.
 BOOST_AUTO_TEST_CASE(steps_stay_where_the_model_moves_smoothly) {

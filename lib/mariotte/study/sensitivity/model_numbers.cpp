@@ -19,8 +19,13 @@ class Numbers {
   void add(const Vector3& vector) {
     for (const double one : {vector.e1, vector.e2, vector.e3}) add(one);
   }
+  /// Forces of powers are compared at small depths, where they change most with the exponent.
   void add(const contact::Law& law) {
-    for (const auto& one : contact::parameters(law)) add(one.value);
+    constexpr double small = 1e-9;
+    for (const auto& one : contact::parameters(law)) {
+      add(one.value);
+      if (one.key == "exponent") add(std::pow(small, one.value));
+    }
   }
   void add(const std::vector<contact::Law>& laws) {
     for (const auto& law : laws) add(law);
@@ -69,16 +74,17 @@ void add(const model::Bodies& bodies, Numbers& all) {
 }
 
 /// Second differences that rounding alone can make, relative to the number, beside its own.
-constexpr double noise = 1e-11;
-/// How many times larger they are at ten times the distance, at least and at most.
-constexpr double least_growth = 50, most_growth = 200;
+constexpr double noise = 1e-11, times_rounding = 2e4;
+/// How many times larger they are at ten times the distance. Of pᵐ with a step of h p they are (m h)²·4/3
+/// more than a hundred times as large, and the stencil is off by (m h)⁸/630.
+constexpr double least_growth = 98, most_growth = 102;
 
 bool is_smooth(const ModelNumber (&x)[5]) {
   const double middle = x[2].value, near = std::abs(x[1].value - 2 * middle + x[3].value),
                far = std::abs(x[0].value - 2 * middle + x[4].value);
   if (!std::isfinite(far)) return std::isinf(middle) && x[0].value == middle && x[4].value == middle;
   const double most = std::max(std::abs(x[0].value), std::abs(x[4].value)),
-               harmless = noise * most + most_growth * x[2].rounding;
+               harmless = noise * most + times_rounding * x[2].rounding;
   return far <= harmless || (far >= least_growth * near && far <= most_growth * near);
 }
 

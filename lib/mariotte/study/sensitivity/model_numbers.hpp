@@ -17,8 +17,8 @@ struct ModelNumber {
 std::vector<ModelNumber> model_numbers(const scene::Scene& scene);
 
 /// Whether a number moves smoothly from −h to h, as lists at −h, −h/10, 0, h/10 and h tell: its second
-/// difference grows with the square of the distance. Where it bends at once the difference grows with the
-/// distance, or begins on the way.
+/// difference grows with the square of the distance, and hardly faster. Where it bends at once the difference
+/// grows with the distance, or begins on the way.
 bool is_smooth(const std::vector<ModelNumber> (&at)[5]);
 
 }  // namespace mariotte::study
