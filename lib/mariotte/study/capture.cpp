@@ -1,10 +1,20 @@
 #include "mariotte/study/capture.hpp"
 
+#include "mariotte/scene/field.hpp"
 #include "mariotte/scene/key_path.hpp"
 #include "mariotte/scene/restitution.hpp"
 #include "mariotte/study/pair_choice.hpp"
 
 namespace mariotte::study {
+namespace {
+
+/// A restitution is kept at every speed unless the scene says at which one it was measured.
+bool always_parts(const scene::Document& document) {
+  const auto surface = scene::find(scene::Field{&document.tree, ""}, "surface");
+  return surface && scene::find(*surface, "restitution") && !scene::find(*surface, "at");
+}
+
+}  // namespace
 
 std::optional<impact::CaptureVelocity> capture_velocity(scene::Document document, double tolerance,
                                                         const std::function<void()>& watch) {
@@ -15,6 +25,7 @@ std::optional<impact::CaptureVelocity> capture_velocity(scene::Document document
                                     approach > 0 ? approach : 1, tolerance);
   }
   const auto& body = body_of(scene, document.source.name, "captured");
+  if (always_parts(document)) return std::nullopt;
   // ζ's are read again at every speed, since the damping they stand for depends on it.
   const auto at_speed = [&](double speed) {
     watch();
