@@ -14,7 +14,7 @@ from ._figure import draw_curves, make_panels
 from ._image import draw_image
 from ._numbers import Array, Numbers, numbers
 from ._scene import Body, Bodies, Chain, Scene
-from ._style import labelled, mathtext, style_of
+from ._style import labelled, mathtext, style_of, text_size
 
 if TYPE_CHECKING:
     from ._events import Event
@@ -84,7 +84,12 @@ class ImpactPlot:
         return self._draw(curves, windows, "", False, ax)
 
     def waves(self, ax: Optional[Any] = None, *, rows: int = 500, until: Optional[Numbers] = None) -> Any:
-        """Velocity over time and ball as an image, for long chains, at `rows` times; `until` a time [s]."""
+        """Velocity over time and ball as an image, for long chains, at `rows` times; `until` a time [s].
+
+        Raises ValueError for what is no chain.
+        """
+        if not isinstance(self._impact.scene, Chain):
+            raise ValueError("waves() shows the balls of a chain; velocities() shows those of other scenes")
         end = self._impact.time if until is None else float(numbers(until, "s"))
         velocity = self._impact.trajectory.velocity(np.linspace(0, end, rows))
         with style_of(ax):
@@ -168,6 +173,25 @@ def _with_friction(normal: Array, friction: Array) -> Tuple[Array, List[str]]:
     return forces.reshape(rows, 3 * tips), names
 
 
+def _with_gaps(along: Array, curve: Array, ending: Any) -> Tuple[Array, Array]:
+    """Points of a line, which has a gap where the next one ends in another way."""
+    gaps = 1 + np.flatnonzero(np.diff(ending))
+    return np.insert(along, gaps, np.nan), np.insert(curve, gaps, np.nan)
+
+
+def _style_of_line(place: int, along: Array) -> Any:
+    """One point is no line."""
+    return {**line_style(place), **({"marker": "o"} if len(along) == 1 else {})}
+
+
+def _name_lines(ax: Any, count: int) -> None:
+    """Many names stand beside the figure, in columns."""
+    if count <= _MOST_OF_A_FAMILY:
+        ax.legend()
+    else:
+        ax.legend(loc="center left", bbox_to_anchor=(1, 0.5), ncol=-(-count // 13), fontsize=text_size(0.8))
+
+
 class SweepPlot:
     """Figures of a sweep: ``grid.plot("icr[0]")``."""
 
@@ -195,9 +219,10 @@ class SweepPlot:
         keys = self._sweep.keys_of(column)
         (along, x), (heights, y) = self._shown(*axis), self._of_column(column, values)
         for place, (key, curve) in enumerate(zip(keys, heights.reshape(len(values), -1).T)):
-            ax.plot(along, curve, label=mathtext(self._sweep._run.short_label(key)), **line_style(place))
+            name = mathtext(self._sweep._run.short_label(key))
+            ax.plot(*_with_gaps(along, curve, self._sweep.ending), label=name, **_style_of_line(place, along))
         if len(keys) > 1:
-            ax.legend()
+            _name_lines(ax, len(keys))
         if _is_logarithmic(along):
             ax.set_xscale("log")
         ax.set(xlabel=x, ylabel=y, title=self._sweep.scene.title)
@@ -220,8 +245,9 @@ class SweepPlot:
         ax = _axes(ax)
         (per_curve, each), (along, x) = (self._shown(*self._along(axis)) for axis in (short, 1 - short))
         heights, y = self._of_column(column, values)
+        ends = np.moveaxis(self._sweep.ending, short, 0)
         for place, (name, curve) in enumerate(zip(_told_apart(per_curve), np.moveaxis(heights, short, 0))):
-            ax.plot(along, curve, label=name, **line_style(place))
+            ax.plot(*_with_gaps(along, curve, ends[place]), label=name, **_style_of_line(place, along))
         ax.legend(title=each)
         if _is_logarithmic(along):
             ax.set_xscale("log")

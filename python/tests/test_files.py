@@ -216,6 +216,17 @@ def test_sweeps_are_curves_or_maps(triplet):
         both.plot("velocity")
 
 
+def test_curves_of_sweeps_have_gaps_where_the_ending_changes():
+    sphere = mt.load(SCENES / "microsphere.toml")
+    grid = mt.sweep(sphere, {"incidence.normal_speed": [1, 1.2, 2, 3]}, columns=["restitution.tip"])
+    drawn = grid.plot("restitution.tip").lines[0].get_ydata()
+    assert np.isnan(drawn).tolist() == [False, False, True, False, False]
+    one = mt.sweep(sphere, {"incidence.normal_speed": [2]}, columns=["restitution.tip"]).plot("restitution.tip")
+    assert one.lines[0].get_marker() == "o"
+    with pytest.raises(ValueError, match="balls of a chain"):
+        mt.simulate(sphere).plot.waves()
+
+
 @pytest.mark.parametrize("short_first", [True, False])
 def test_sweeps_over_a_short_list_have_a_curve_per_value(triplet, short_first):
     pytest.importorskip("matplotlib")
