@@ -102,6 +102,9 @@ BOOST_AUTO_TEST_CASE(speeds_gaps_and_gravity_have_no_effect) {
 BOOST_AUTO_TEST_CASE(what_is_never_captured_or_no_microbody_is_refused) {
   const auto kept = with(with(sphere, "zeta_hertz = 1\n", "restitution = 0.7\n"), "zeta_adhesion = 1\n", "");
   BOOST_CHECK_THROW(slopes_of(kept), scene::SceneError);
+  const auto document = scene::parse_document(sphere, "test");
+  BOOST_CHECK_THROW(study::sensitivity(document, resolve(document), {}, {"e_n", "capture_velocity"}),
+                    InvalidParameter);
   BOOST_TEST(!study::capture_velocity(scene::parse_document(kept, "test"), 1e-6));
   const auto free =
       with(with(sphere, "zeta_hertz = 1", "zeta_hertz = 0"), "zeta_adhesion = 1", "zeta_adhesion = 0");

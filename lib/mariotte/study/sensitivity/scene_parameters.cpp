@@ -100,8 +100,11 @@ std::vector<impact::Parameter<model::Microbody>> body_parameters(const Document&
 impact::Sensitivity sensitivity(const Document& document, const scene::Scene& scene,
                                 const std::vector<std::string>& keys,
                                 const std::vector<std::string>& outcomes, const impact::SlopeWatch& watch) {
-  if (outcomes == std::vector<std::string>{capture_velocity_name})
+  if (std::find(outcomes.begin(), outcomes.end(), capture_velocity_name) != outcomes.end()) {
+    if (outcomes.size() > 1)
+      throw InvalidParameter("capture_velocity is asked for alone: other outcomes are those of one run");
     return sensitivity_of_capture(document, keys, watch);
+  }
   if (const auto ball = swept_ball(scene, outcomes))
     return sensitivity_of_velocity(document, scene, keys, *ball, watch);
   return slopes_of(
