@@ -227,6 +227,26 @@ BOOST_AUTO_TEST_CASE(contacts_that_close_together_after_a_long_flight_keep_the_a
   BOOST_TEST(impact::difference(brief.velocity, truth.velocity, speed) < 1e-10);
 }
 
+/// Two balls part too slowly to tell, and fly for 53 times as long as a third one pushes them later: how far
+/// apart they are then is ten times the length of the flight of what may be left out.
+BOOST_AUTO_TEST_CASE(a_flight_of_ten_durations_is_long) {
+  const auto damped = [](double stiffness, double damping, double exponent) {
+    return contact::PowerLaw{stiffness, damping, exponent};
+  };
+  const model::Chain chain{.mass = {1, 1, 1, 1, 1},
+                           .law = {damped(2.6466358948876487, 0.0068372098390351438, 1.1612418601502654),
+                                   damped(0.54842776230433077, 0.0040850303018798674, 2.2151364094083816),
+                                   damped(2.0899927085986221, 76.981438569023908, 1),
+                                   damped(0.13824934099424246, 0.04376690737643274, 2.8466084340497191)},
+                           .gap = {0, 0.86762835436484864, 0.16353968981074041, 0.12333498142638522},
+                           .velocity = {-0.13347465137237591, -0.13347465137280537, -0.13366329959560605,
+                                        -0.13366329959539328, 0.021936714161810533}};
+  const auto truth = impact::simulate(chain, {.accuracy = 1e-13});
+  for (const double accuracy : {1e-8, 1e-9, 1e-10})
+    BOOST_TEST(impact::difference(impact::simulate(chain, {.accuracy = accuracy}).velocity, truth.velocity,
+                                  model::reference_speed(chain)) < accuracy);
+}
+
 /// Balls of one velocity but for 10⁻⁷ to 10⁻¹³ of it fly for 10⁶ times as long as they push: what a run of
 /// this accuracy and one a little tighter leave out alike is as large as what moves them.
 BOOST_AUTO_TEST_CASE(a_long_flight_asks_for_a_run_that_is_tighter_by_its_length) {

@@ -42,8 +42,9 @@ inline Index single_wave(Index contacts) {
 }
 inline constexpr Index first_impact = 1;
 
-/// Durations of a contact that a flight may last before errors count that it makes larger.
-inline constexpr double long_flight = 100;
+/// Durations of a contact that a flight may last before errors count that it makes larger: an approach below
+/// a tenth of the accuracy is left out.
+inline constexpr double long_flight = 10;
 /// How many times larger flights have made errors, beyond that.
 inline double growth_in_flight(const Passage& passage) {
   return std::max(1.0, passage.flight / long_flight);
