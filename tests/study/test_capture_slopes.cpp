@@ -123,3 +123,14 @@ BOOST_AUTO_TEST_CASE(samples_scatter_as_the_first_order_says) {
   BOOST_TEST(std::abs(*one.sampled_deviation / *one.deviation - 1) < 0.15);  // known to 3.5 %
   BOOST_TEST(std::abs(*one.mean - *one.value) < 0.2 * *one.deviation);
 }
+
+// A spin makes the tip slip from the start: with none, slopes differ by side.
+BOOST_AUTO_TEST_CASE(a_velocity_of_zero_has_a_slope_too) {
+  const std::string key = "incidence.tangential_velocity[1]";
+  const auto tilted = with(rod, "angles = [0, 0, 0]",
+                           "angles = [0, 0.7, 0]\nspin = [0, 1e4, 0]\ntangential_velocity = [0, 0]");
+  const auto found = slopes_of(tilted, {key});
+  const double expected = (captured_below(tilted, key, 1e-4) - captured_below(tilted, key, -1e-4)) / 2e-4;
+  BOOST_TEST_REQUIRE(std::abs(expected) > 1e-3);
+  BOOST_TEST(std::abs(*found.outcome[0].slope[0] / expected - 1) < 1e-5);
+}

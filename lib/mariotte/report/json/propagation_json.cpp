@@ -90,9 +90,7 @@ std::string table(const Propagation& propagation, const std::string& title) {
   if (propagation.others > 0)
     text += fmt::format(
         "\nnote: {} of {} samples end in another way, have other contacts, or make no scene; means and "
-        "deviations are those of "
-        "the "
-        "rest, and the first order knows nothing of this\n",
+        "deviations are those of the rest, and the first order knows nothing of this\n",
         propagation.others, propagation.samples.count);
   for (const auto& note : propagation.notes) text += "\nnote: " + note + "\n";
   return text;

@@ -131,7 +131,7 @@ void sample_captures(scene::Document document, Propagation& result, Spreads& spr
         locate(document.source, document.tree, result.inputs[i].key, {}).value = number(design, i, point);
       const auto found = capture_velocity(document, tolerance);
       spreads.add(found.has_value(), [&](std::size_t) { return found->value(); });
-    } catch (const scene::SceneError&) {
+    } catch (const Error&) {  // of a scene, or of a run on the way
       spreads.leave_out();
     }
 }

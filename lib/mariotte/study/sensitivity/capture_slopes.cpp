@@ -26,6 +26,8 @@ constexpr std::array powers{1.0, 1.5, 2.0};
 constexpr std::size_t speeds = powers.size() + 1;
 /// Quotients that the last power changes by more than that are not known so well.
 constexpr double well_known = 1e-6;
+/// Of a parameter, the distance within which its slopes are looked for.
+constexpr double share_of_step = 0.01;
 /// What a number may move of v_c by rounding alone.
 constexpr double rounding = 1e-11;
 
@@ -77,9 +79,15 @@ Run run_of(const scene::Document& document, const hybrid::Options& options, cons
   };
 }
 
-/// What parameters are, as the scene gives them, and a run at any speed.
+/// A parameter as the scene gives it, and how large a change of it counts as one: of zeros, too.
+struct Asked {
+  impact::ParameterValue parameter;
+  double size;
+};
+
+/// What is asked for, and a run at any speed.
 struct Strike {
-  std::vector<impact::ParameterValue> parameter;
+  std::vector<Asked> asked;
   Run run;
 };
 
@@ -87,7 +95,7 @@ Strike strike(const scene::Document& document, const Keys& keys, const impact::S
   const auto scene = resolve(document);
   Strike result;
   const auto take = [&](const auto& list) {
-    for (const auto& one : list) result.parameter.push_back({one.name, one.value});
+    for (const auto& one : list) result.asked.push_back({{one.name, one.value}, one.step / share_of_step});
   };
   const auto* body = std::get_if<model::Microbody>(&scene.model);
   const auto* chain = std::get_if<model::Chain>(&scene.model);
@@ -153,14 +161,15 @@ bool is_shown(const impact::ParameterValue& one, const Keys& keys) {
   return !keys.empty() || !(is_speed(one.name) || begins("velocity[") || begins("gap[") || begins("gravity"));
 }
 
-void add(const Limit& found, const impact::ParameterValue& by, impact::Sensitivity& result) {
+void add(const Limit& found, const Asked& by, impact::Sensitivity& result) {
   auto& outcome = result.outcome[0];
-  const double moved = std::abs(found.value.value_or(infinity) * by.value);
-  result.parameter.push_back(by);
-  outcome.slope.push_back(moved > rounding * *outcome.value ? found.value : 0.0);
-  if (found.value && *outcome.slope.back() != 0 && found.change > well_known)
+  auto slope = found.value;
+  if (slope && std::abs(*slope * by.size) <= rounding * *outcome.value) slope = 0;
+  result.parameter.push_back(by.parameter);
+  outcome.slope.push_back(slope);
+  if (slope && *slope != 0 && found.change > well_known)
     result.notes.push_back(
-        {fmt::format("the slope by {} is known to a share of {:.0e}", by.name, found.change)});
+        {fmt::format("the slope by {} is known to a share of {:.0e}", by.parameter.name, found.change)});
 }
 
 }  // namespace
@@ -170,7 +179,7 @@ impact::Sensitivity sensitivity_of_capture(const scene::Document& document, cons
   auto tight = document;
   locate(tight.source, tight.tree, "run.accuracy", {}).value =
       std::min(resolve(document).run.accuracy, accuracy);
-  const auto [parameter, run] = strike(tight, keys, watch);
+  const auto [asked, run] = strike(tight, keys, watch);
   const auto found = capture_velocity(tight, tolerance, watch);
   if (!found) throw scene::SceneError(document.source.name + ": " + no_capture_velocity, fault::no_capture);
   std::array<std::vector<Slope>, speeds> near;
@@ -179,9 +188,9 @@ impact::Sensitivity sensitivity_of_capture(const scene::Document& document, cons
   impact::Sensitivity result;
   result.ending = hybrid::Ending::separated;
   result.outcome.push_back({capture_velocity_name, {}, "m/s", found->value()});
-  for (std::size_t p = 0; p < parameter.size(); ++p)
-    if (is_shown(parameter[p], keys))
-      add(limit({near[0][p], near[1][p], near[2][p], near[3][p]}), parameter[p], result);
+  for (std::size_t p = 0; p < asked.size(); ++p)
+    if (is_shown(asked[p].parameter, keys))
+      add(limit({near[0][p], near[1][p], near[2][p], near[3][p]}), asked[p], result);
   return result;
 }
 
