@@ -11,7 +11,7 @@
 namespace mariotte::report {
 namespace {
 
-constexpr Index least_points = 2, most_points = 24, share_of_points = 10;
+constexpr Index least_points = 2, most_points = 8, share_of_points = 10;
 constexpr std::size_t most_of_scenes = 3;
 
 /// What points have to be warned of.
