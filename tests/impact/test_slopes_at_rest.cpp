@@ -3,6 +3,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
+#include "mariotte/impact/bodies/bodies_impact.hpp"
 #include "mariotte/impact/sensitivity/sensitivity.hpp"
 
 using namespace mariotte;
@@ -93,4 +94,70 @@ BOOST_AUTO_TEST_CASE(a_microsphere_along_the_normal_is_next_to_rolling) {
   BOOST_TEST(slope_of("w2", 0) * size == -5.0 / 7, tight);
   BOOST_TEST(slope_of("w3", 1) == 2.0 / 7, tight);
   BOOST_TEST(slope_of("v2", 1) / size == 2.0 / 7, tight);
+}
+
+namespace {
+
+/// A rod falls on a floor with one end, without slip.
+Bodies rod(double friction, double velocity) {
+  auto body = ball({0, 0.02, 0}, {velocity, -1, 0});
+  body.spheres = {{{-0.02, 0, 0}, radius}, {{0.02, 0, 0}, radius}};
+  body.inertia = {moment, 5 * moment, 5 * moment};
+  body.angle = 0.3;
+  Bodies bodies{.dimension = 2, .body = {body}};
+  bodies.plane = {{.name = "", .normal = {0, 1, 0}}};
+  bodies.contact = {{.a = {0, -1},
+                     .b = {0, 0},
+                     .law = contact::Hertz{1e9},
+                     .tangential = {model::TangentialLaw::rigid, friction, 0}}};
+  return bodies;
+}
+
+std::vector<std::string> one_sided(const impact::Sensitivity& slopes) {
+  for (const auto& note : slopes.notes)
+    if (note.text.starts_with("a contact closes without slip")) return note.parameters;
+  return {};
+}
+
+}  // namespace
+
+// Against the way it goes friction turns first: one side of the difference is told, and a note names what
+// has such slopes.
+BOOST_AUTO_TEST_CASE(slopes_of_a_landing_that_slips_from_rest_have_one_side) {
+  const auto slopes = impact::sensitivity(rod(0.1, 0), impact::parameters(rod(0.1, 0)));
+  BOOST_TEST(one_sided(slopes) == (std::vector<std::string>{"body[0].velocity[0]", "body[0].spin"}),
+             boost::test_tools::per_element());
+  const auto spin = [](double velocity) {
+    return impact::simulate(rod(0.1, velocity), {.accuracy = 1e-13}).body[0].spin.e3;
+  };
+  const double h = 1e-5, right = (spin(h) - spin(0)) / h, left = (spin(0) - spin(-h)) / h,
+               told = slope(rod(0.1, 0), "bodies[0].spin", "body[0].velocity[0]");
+  BOOST_TEST(std::abs(right - left) > 0.01 * std::abs(told));
+  BOOST_TEST(std::min(std::abs(right - told), std::abs(left - told)) < 1e-3 * std::abs(told));
+  const auto held = impact::sensitivity(rod(0.9, 0), impact::parameters(rod(0.9, 0)));
+  BOOST_TEST(one_sided(held).empty());
+}
+
+BOOST_AUTO_TEST_CASE(slopes_of_a_microrod_that_slips_from_rest_have_one_side) {
+  constexpr double size = 2.45e-6;
+  model::Microbody body;
+  body.body = model::rod(size, 10, 1350);
+  body.law = std::vector(2, contact::brach_dunn({.stiffness = 1.74e9, .adhesion = 0.38}, size, 1e-3, 1e-3));
+  body.friction = {0.3};
+  body.attitude = from_euler({0, 0.7, 0});
+  body.velocity = {-0.6737, 0, 0};
+  const auto by = [&](const char* name, auto change, double step) {
+    return impact::Parameter<model::Microbody>{name, 0, step, [=](double value) {
+                                                 auto moved = body;
+                                                 change(moved, value);
+                                                 return moved;
+                                               }};
+  };
+  using model::Microbody;
+  const auto slopes = impact::sensitivity(
+      body, {by(
+                 "spin", [](Microbody& one, double value) { one.spin.e2 = value; }, 10),
+             by(
+                 "faster", [](Microbody& one, double value) { one.velocity.e1 -= value; }, 1e-3)});
+  BOOST_TEST(one_sided(slopes) == std::vector<std::string>{"spin"}, boost::test_tools::per_element());
 }

@@ -7,11 +7,11 @@ using model::Mechanics;
 using model::MicrobodySystem;
 using model::TipContact;
 
-bool sticks_at_start(const MicrobodySystem& system, ConstState x0) {
+model::TipMode first_tip(const MicrobodySystem& system, ConstState x0) {
   model::MicrobodyMode mode;
   std::vector<model::MicrobodyChange> ignored;
   system.mode_at(x0, mode, ignored);
-  return mode.tip[0].contact == TipContact::sticking && system.body().friction.coefficient > 0;
+  return mode.tip[0];
 }
 
 /// What impulses in the plane do to a tip.
@@ -64,12 +64,26 @@ class Pushed {
 
 void rest_at_start(const MicrobodySystem& system, const std::vector<ShiftedBodies>& shifted, ConstState x0,
                    SlopeMatrix& start) {
-  if (!sticks_at_start(system, x0)) return;
+  const bool sticks = first_tip(system, x0).contact == TipContact::sticking;
+  if (!sticks || system.body().friction.coefficient == 0) return;
   const Pushed pushed(system, x0);
   for (Index c = 0; c < start.columns; ++c) {
     const auto slip = pushed.slip(shifted[static_cast<std::size_t>(c)], start.column(c));
     pushed.add(pushed.impulse(-1 * slip), start.column(c));
   }
+}
+
+std::vector<bool> slips_at_start(const MicrobodySystem& system, const std::vector<ShiftedBodies>& shifted,
+                                 ConstState x0, const SlopeMatrix& start) {
+  constexpr double rounding = 1e-9;
+  std::vector<bool> moved(shifted.size(), false);
+  if (!first_tip(system, x0).at_touch) return moved;
+  const Pushed pushed(system, x0);
+  for (std::size_t c = 0; c < moved.size(); ++c) {
+    const double slip = shifted[c].step * norm(pushed.slip(shifted[c], start.column(static_cast<Index>(c))));
+    moved[c] = slip > rounding * system.body().speed;
+  }
+  return moved;
 }
 
 }  // namespace mariotte::impact

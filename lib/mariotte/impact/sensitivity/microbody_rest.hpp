@@ -9,4 +9,10 @@ namespace mariotte::impact {
 void rest_at_start(const model::MicrobodySystem& system, const std::vector<ShiftedBodies>& shifted,
                    ConstState x0, SlopeMatrix& start);
 
+/// Where its first tip starts to slip instead: by parameter, whether it gives the tip a slip at once, against
+/// which friction would turn. Slopes by these have one side.
+std::vector<bool> slips_at_start(const model::MicrobodySystem& system,
+                                 const std::vector<ShiftedBodies>& shifted, ConstState x0,
+                                 const SlopeMatrix& start);
+
 }  // namespace mariotte::impact

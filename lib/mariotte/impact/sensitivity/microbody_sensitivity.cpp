@@ -78,6 +78,7 @@ class BodySlopes {
     run_options.accuracy = system_.accuracy();
     auto behind = start_;
     rest_at_start(system_, shifted_, x0_, behind);
+    one_sided_ = slips_at_start(system_, shifted_, x0_, start_);
     end_ = SlopeLoop(system_, variation, run_options, watch).follow(x0_, behind);
     result_.in_doubt = variation.slips_from_rest();
     if (result_.in_doubt) result_.notes.push_back(slip_from_rest_note());
@@ -92,6 +93,7 @@ class BodySlopes {
     add_readings();
     add_time();
     add_notes(end_, system_.body().scale.time, moving_with_the_end(), result_);
+    add_note_of_landing(one_sided_, result_);
     add_note_of_capture();
     leave_out_unbounded(result_);
     return std::move(result_);
@@ -184,6 +186,7 @@ class BodySlopes {
   const model::MicrobodyLayout& layout_;
   double accuracy_;
   double turning_loss_ = 0;
+  std::vector<bool> one_sided_;  ///< by parameter
   std::vector<double> x0_;
   SlopeMatrix start_;
   std::vector<ShiftedBodies> shifted_;

@@ -139,6 +139,16 @@ SlopeNote fading_spring_note(double error, Names outcomes) {
   return {.text = text, .outcomes = std::move(outcomes), .error = error};
 }
 
+void add_note_of_landing(const std::vector<bool>& moved, Sensitivity& result) {
+  auto parameters = names_of(result.parameter, [&](std::size_t c) { return moved[c]; });
+  if (parameters.empty()) return;
+  result.notes.push_back(
+      {.text =
+           "a contact closes without slip and starts to slip: where a parameter gives it a slip the other "
+           "way, friction turns first, so slopes differ by side; told is that without a turn",
+       .parameters = std::move(parameters)});
+}
+
 void leave_out_unbounded(Sensitivity& slopes) {
   SlopeNote note{.text = "slopes that are missing are unbounded: an event is met with no speed at all"};
   std::vector<bool> is_missing(slopes.parameter.size(), false);

@@ -43,6 +43,9 @@ void leave_out_unbounded(Sensitivity& slopes);
 /// Throws InvalidParameter for more slopes than memory and patience allow.
 void expect_few(Index components, Index parameters);
 
+/// Of a contact that closes without slip and slips; `moved` are parameters that give it one.
+void add_note_of_landing(const std::vector<bool>& moved, Sensitivity& result);
+
 /// Of the events that cross slowly, the slowest during the run or at its end.
 template <class System>
 void add_slowest(const SlopeRun<System>& end, bool is_end, double unit, const Names& ending,

@@ -24,10 +24,18 @@ inline bool concerns(const SlopeNote& note, const std::string& outcome, const st
   return has(note.outcomes, outcome) && has(note.parameters, parameter);
 }
 
-/// What notes say, in their order.
+/// What notes say, in their order, and of which parameters.
 inline std::vector<std::string> texts(const std::vector<SlopeNote>& notes) {
+  constexpr std::size_t most_names = 4;
   std::vector<std::string> list;
-  for (const auto& note : notes) list.push_back(note.text);
+  for (const auto& note : notes) {
+    auto& text = list.emplace_back(note.text);
+    const auto& names = note.parameters;
+    if (names.size() > most_names) text += " (by " + std::to_string(names.size()) + " parameters)";
+    if (names.empty() || names.size() > most_names) continue;
+    for (const auto& name : names) text += (&name == &names.front() ? " (by " : ", ") + name;
+    text += ")";
+  }
   return list;
 }
 

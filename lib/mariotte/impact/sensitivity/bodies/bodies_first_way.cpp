@@ -49,6 +49,7 @@ bool agrees(const Vec<Sloped, D>& way, const std::vector<double>& taken) {
 template <int D>
 void BodiesVariation<D>::begin(const Mode& before, const Mode& after, ConstState x,
                                const SlopeMatrix& slopes) {
+  see_landings(before, after, x, slopes);
   const auto places = leaving(before, after);
   for (const Index place : places)
     if (!set_way(place, after, holding(after, {place}), x, slopes) &&
@@ -56,6 +57,26 @@ void BodiesVariation<D>::begin(const Mode& before, const Mode& after, ConstState
       for (auto& field : field_) field.set_start(after.closed[place].slot, std::nullopt);
       has_unknown_way_ = true;
     }
+}
+
+/// Contacts that close without slip and slip at once.
+template <int D>
+void BodiesVariation<D>::see_landings(const Mode& before, const Mode& after, ConstState x,
+                                      const SlopeMatrix& slopes) {
+  constexpr double rounding = 1e-9;
+  const double rest = base_.rest_speed();
+  for (const auto& one : after.closed) {
+    const auto& tangential = base_.contact[one.contact].tangential;
+    if (place_of(before, one.contact) >= 0 || one.friction != Friction::slip || tangential.has_spring())
+      continue;
+    for (Index c = 0; c < columns(); ++c) {
+      const auto slip = evaluate(c - c % lanes, after, x, slopes).motion(one.contact).slip;
+      double at = 0, by = 0;
+      for (int k = 0; k < D; ++k)
+        at += slip[k].value * slip[k].value, by += std::abs(slip[k].slope[c % lanes]);
+      if (at <= rest * rest && by > rounding * base_.speed * natural_[c]) one_sided_[c] = true;
+    }
+  }
 }
 
 /// False if another direction than this has been taken.

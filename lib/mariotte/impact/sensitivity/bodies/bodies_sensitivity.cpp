@@ -44,6 +44,7 @@ class GroupSlopes {
     add_notes(end_, 1, {}, result_);
     result_.in_doubt = variation_.has_unknown_way();
     if (result_.in_doubt) result_.notes.push_back(unknown_way_note());
+    add_note_of_landing(variation_.one_sided(), result_);
     leave_out_unbounded(result_);
     return std::move(result_);
   }

@@ -38,6 +38,7 @@ BodiesVariation<D>::BodiesVariation(model::BodiesSystem<D>& system,
   for (const auto& one : setting_) field_.emplace_back(one);
   totals_.assign(system.setting().contact.size(), SlopeMatrix(BodiesLayout<D>::tangents + 4, columns()));
   faded_.assign(totals_.size(), 0);
+  one_sided_.assign(natural_.size(), false);
 }
 
 /// Attitudes act through spheres that are not at mass centres, and through moments that are not equal; the

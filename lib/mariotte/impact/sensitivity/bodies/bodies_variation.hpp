@@ -82,6 +82,8 @@ class BodiesVariation {
   const SlopedSetting<D>& numbers(Index column) const { return setting_[column / model::slope_lanes]; }
   /// True if a slip has left rest in space and slopes do not know how its first direction moves.
   bool has_unknown_way() const { return has_unknown_way_; }
+  /// By parameter, whether it gives a contact a slip that has closed without and slips.
+  const std::vector<bool>& one_sided() const { return one_sided_; }
 
  private:
   std::vector<Index> active(const Mode& mode) const;
@@ -95,6 +97,7 @@ class BodiesVariation {
   /// Whether a contact sticks rigidly that has slipped, or not acted.
   bool comes_to_rest(const Mode& before, const Mode& after) const;
   void stop_slip(const Mode& mode, ConstState x, SlopeMatrix& slopes);
+  void see_landings(const Mode& before, const Mode& after, ConstState x, const SlopeMatrix& slopes);
   bool set_way(Index place, const Mode& mode, const Mode& held, ConstState x, const SlopeMatrix& slopes);
   void begin_at_zero(const BodiesPassage<D>& event);
   std::vector<double> rates_behind(const BodiesPassage<D>& event, Index guard) const;
@@ -110,6 +113,7 @@ class BodiesVariation {
   std::vector<SlopeMatrix> totals_;
   std::vector<double> faded_;
   bool has_unknown_way_ = false;
+  std::vector<bool> one_sided_;
 };
 
 }  // namespace mariotte::impact
