@@ -103,3 +103,25 @@ BOOST_AUTO_TEST_CASE(a_ball_that_returns_to_its_dent_says_that_it_nearly_yields)
   const auto notes = notes_until(20);
   BOOST_TEST(std::count_if(notes.begin(), notes.end(), is_near) == 1);
 }
+
+// Two dampers begin at one instant, and a mass draws them apart. The second begins by the clock of the first:
+// its force c δ^q δ̇ with a small q is there at depths that no piece resolves, and a note says what that may
+// cost.
+BOOST_AUTO_TEST_CASE(steep_dampers_that_begin_together_say_what_is_not_resolved) {
+  const auto row = [](double exponent) {
+    const contact::Law steep = contact::Viscoelastic{.stiffness = 1, .damping = 0.5, .exponent = exponent};
+    return model::Chain{.mass = {1, 1, 1, 1, 1},
+                        .law = {steep, contact::Hertz{1}, contact::Hertz{1}, steep},
+                        .gap = {0.1, 0.5, 0.5, 0.1},
+                        .velocity = {1, 0, 0, 0, -1}};
+  };
+  const auto error = [&](double exponent) {
+    double largest = 0;
+    for (const auto& note : impact::sensitivity(row(exponent), impact::parameters(row(exponent))).notes)
+      if (note.text.find("contact 1") != std::string::npos && std::isfinite(note.error))
+        largest = std::max(largest, note.error);
+    return largest;
+  };
+  BOOST_TEST(error(1.01) > 0.5);
+  BOOST_TEST(error(1.5) == 0);
+}

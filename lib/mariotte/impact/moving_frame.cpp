@@ -6,7 +6,7 @@
 namespace mariotte::impact {
 
 MovingFrame frame_of_first(std::span<const double> velocities, std::size_t dimension) {
-  constexpr double slow = 1e-2;
+  constexpr double slow = 0.1;
   MovingFrame frame{.dimension = dimension};
   std::copy_n(velocities.begin(), dimension, frame.velocity.begin());
   double largest = 0, within = 0;

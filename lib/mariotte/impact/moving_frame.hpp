@@ -21,7 +21,7 @@ struct MovingFrame {
   double at(std::size_t place) const { return velocity[place % dimension]; }
 };
 
-/// The frame of the first ball if all others keep within a hundredth of its velocity; of coordinates in turn,
+/// The frame of the first ball if all others keep within a tenth of its velocity; of coordinates in turn,
 /// at most three of a ball.
 MovingFrame frame_of_first(std::span<const double> velocities, std::size_t dimension);
 

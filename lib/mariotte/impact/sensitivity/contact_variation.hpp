@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mariotte/impact/sensitivity/coefficient_slopes.hpp"
+#include "mariotte/impact/sensitivity/late_damping.hpp"
 #include "mariotte/impact/sensitivity/push_slopes.hpp"
 #include "mariotte/impact/sensitivity/slope_matrix.hpp"
 #include "mariotte/impact/sensitivity/stencil.hpp"
@@ -114,6 +115,8 @@ class ContactVariation {
     const Index j = layout_.guard_contact[i];
     return before[j] == contact::ContactMode::open && after[j] == contact::ContactMode::closed;
   }
+  /// By how much of their size slopes are off where its contact closes by the clock of another one.
+  double lost_at_onset(Index i) const { return lost_at_contact(model_.law[layout_.guard_contact[i]]); }
   /// By the clock of guard i, where it is a gap, that is where its law begins, without what rounding leaves
   /// of a long flight.
   void place_gap(Index i, ConstState x, const contact::ContactSet& mode, SlopeMatrix& slopes) const {

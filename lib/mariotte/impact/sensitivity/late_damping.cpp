@@ -13,18 +13,23 @@ namespace {
 /// Measured by differences of runs for q from 0.001 to 0.25: slopes are off by up to 3 · 10^{−28 q}.
 constexpr double factor = 4, unresolved_depth = 1e-28;
 
-double lost(const contact::Law& law) {
-  const auto* branched = contact::branched(law);
-  const auto power = branched && branched->pulls() ? branched->power({}) : std::nullopt;
+template <class Power>
+double lost(const std::optional<Power>& power) {
   if (!power || !(power->damping > 0) || power->exponent == 1) return 0;
   return factor * std::pow(unresolved_depth, damping_exponent(power->grows, power->exponent));
 }
 
 }  // namespace
 
+double lost_at_contact(const contact::Law& law) {
+  if (const auto* branched = contact::branched(law)) return lost(branched->power({}));
+  return lost(contact::powers(law));
+}
+
 void note_late_damping(std::span<const contact::Law> laws, double accuracy, Sensitivity& slopes) {
   double error = 0;
-  for (const auto& law : laws) error = std::max(error, lost(law));
+  for (const auto& law : laws)
+    if (contact::pulls(law)) error = std::max(error, lost_at_contact(law));
   if (!(error > accuracy)) return;
   char text[160];
   std::snprintf(

@@ -1,4 +1,4 @@
-// Damped contacts that are followed to δ = 0 although their damper pulls there: the force c δ^q δ̇ with a
+// Damped contacts that end, or begin by another clock than their own, at δ = 0: the force c δ^q δ̇ with a
 // small q stays until depths that no piece resolves, and falls to zero within them.
 #pragma once
 #include <span>
@@ -8,7 +8,12 @@
 
 namespace mariotte::impact {
 
-/// A note by how much of their size slopes may be off for it, if that is more than the accuracy.
+/// By how much of their size slopes may be off where a law is followed to δ = 0 or from there; 0 without a
+/// damper, and where its force jumps.
+double lost_at_contact(const contact::Law& law);
+
+/// Of laws that pull to δ = 0: a note by how much of their size slopes may be off for it, if that is more
+/// than the accuracy.
 void note_late_damping(std::span<const contact::Law> laws, double accuracy, Sensitivity& slopes);
 
 }  // namespace mariotte::impact

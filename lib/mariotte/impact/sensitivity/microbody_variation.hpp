@@ -61,6 +61,8 @@ class MicrobodyVariation {
     return before.tip[tip].contact == model::TipContact::clear &&
            after.tip[tip].contact != model::TipContact::clear;
   }
+  /// Its forces rise like δ^{1/2} at least.
+  double lost_at_onset(Index) const { return 0; }
   /// Whether no tip touches.
   bool is_free(const model::MicrobodyMode& mode) const {
     for (Index tip = 0; tip < system_.layout().tips; ++tip)

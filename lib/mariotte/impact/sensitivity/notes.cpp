@@ -57,15 +57,19 @@ SlopeNote noise_ending_note(Names outcomes) {
 }
 
 SlopeNote coincidence_note(const CoincidentEvents& events, double unit, Names outcomes, Names parameters) {
-  char text[160];
+  char text[160], more[160] = "slopes of velocities hold on both sides as far as forces have no jumps there";
   std::snprintf(text, sizeof text,
-                "events of %s and %s fall together at %.6g s, and parameters draw them apart",
+                "events of %s and %s fall together at %.6g s, and parameters draw them apart; ",
                 events.first.c_str(), events.second.c_str(), events.time * unit);
-  return {.text = text + std::string("; slopes of velocities hold on both sides as far as forces have no "
-                                     "jumps there"),
+  if (events.error > 0 && std::isfinite(events.error))
+    std::snprintf(more, sizeof more,
+                  "slopes may be off by %.1g of their size, since a damper begins within depths that are not "
+                  "resolved",
+                  events.error);
+  return {.text = text + std::string(more),
           .outcomes = std::move(outcomes),
           .parameters = std::move(parameters),
-          .error = events.jumps ? infinity : 0};
+          .error = events.error};
 }
 
 SlopeNote near_closing_note(const std::string& what, double speed, Names outcomes, Names parameters) {

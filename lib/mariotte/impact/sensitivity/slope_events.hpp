@@ -90,7 +90,7 @@ void SlopeLoop<System, Variation>::jump(Observer& observer, const typename Syste
   typename System::Mode last = before;
   system_.transition(last, workspace_.fired, x, ignored);
   const auto clock = clock_at(fired, before, last, rate);
-  bool any_jump = false;
+  double error = 0;
   for (std::size_t k = 0; k < fired.size(); ++k) {
     auto mode = last;
     if (fired.size() > 1) {
@@ -98,7 +98,9 @@ void SlopeLoop<System, Variation>::jump(Observer& observer, const typename Syste
       system_.transition(mode, {fired[k]}, x, ignored);
     }
     const auto next = rates(mode);
-    any_jump = any_jump || jumps(rate, next);
+    if (jumps(rate, next)) error = infinity;
+    if (k != clock && variation_.closes(fired[k], before, mode))
+      error = std::max(error, variation_.lost_at_onset(fired[k]));
     for (Index c = 0; c < variation_.columns(); ++c)
       for (std::size_t r = 0; r < next.size(); ++r)
         if (const double jump = rate[r] - next[r]; jump != 0)
@@ -107,7 +109,7 @@ void SlopeLoop<System, Variation>::jump(Observer& observer, const typename Syste
   }
   observer.slopes = after_all;
   for (auto& one : result.coincident)
-    if (one.time == result.run.time) one.jumps = any_jump;
+    if (one.time == result.run.time) one.error = error > options_.accuracy ? error : 0;
   if (!clock) return;
   shift_clock(observer, rate, times[*clock]);
   if constexpr (requires { variation_.place_gap(fired[*clock], x, before, observer.slopes); })

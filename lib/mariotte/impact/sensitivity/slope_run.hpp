@@ -34,7 +34,9 @@ struct CoincidentEvents {
   double time;
   std::string first, second;  ///< whose guards they are, of two of them
   std::vector<bool> apart;    ///< by parameter: moves them apart
-  bool jumps = true;          ///< forces do there, so slopes depend on which comes first
+  /// By how much of their size slopes may be off: infinite where forces jump, so that they depend on which
+  /// comes first.
+  double error = infinity;
 };
 
 /// Where a run ended and how that moves, dimensionless.
