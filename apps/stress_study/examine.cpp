@@ -100,7 +100,7 @@ class Examination {
   Verdict verdict() {
     for (const double accuracy : accuracies) {
       add({.flow = "auto", .accuracy = accuracy, .balances = accuracy == accuracies.back()}, accuracy);
-      if (extent_.brisk && trials_.front().found.work > most_brisk_work) return left_out();
+      if (extent_.brisk && trials_.front().found.work > most_brisk_work) return left_out(number_);
     }
     best_ = trial({.flow = "auto", .accuracy = tight}, tight);
     general_ = general_flows(scene_, best_.found.time);
@@ -171,8 +171,6 @@ class Examination {
     trials_.push_back(std::move(trial));
   }
 
-  Verdict left_out() const { return {.scene = number_, .error = {-1, -1, -1}, .left_out = true}; }
-
   Verdict described(const Judgement& judgement) const {
     Verdict verdict{.scene = number_,
                     .worst = judgement.worst,
@@ -209,7 +207,7 @@ Verdict examine(const std::vector<Family>& list, std::uint64_t seed, std::uint64
   const double start = measuring::cpu_seconds();
   const auto scene = scene_of(list, seed, number);
   auto verdict = list[family_of(list, number)].slopes
-                     ? examine_slopes(slope_subject(scene, Dice(~seed, number)), number, announce)
+                     ? examine_slopes(slope_subject(scene, Dice(~seed, number)), number, announce, extent.brisk)
                      : Examination(scene, number, announce, extent).verdict();
   verdict.cost = measuring::cpu_seconds() - start;
   return verdict;

@@ -26,6 +26,11 @@ struct Verdict {
   std::vector<std::string> findings = {};
 };
 
+/// Of a scene that takes too long for a brisk campaign.
+inline Verdict left_out(std::uint64_t scene) {
+  return {.scene = scene, .error = {-1, -1, -1}, .left_out = true};
+}
+
 /// Told what is about to be run.
 using Announce = std::function<void(const std::string&)>;
 

@@ -16,6 +16,8 @@ using impact::Sensitivity;
 
 /// Differences of which more than this share of the slope is uncertain cannot tell anything.
 constexpr double most_doubt = 1e-4;
+/// CPU time of slopes beyond which a brisk campaign leaves a scene out; differences take hundreds of runs [s].
+constexpr double most_brisk_seconds = 0.01;
 /// By how much of their units numbers are moved to tell how slopes follow.
 constexpr double perturbation = 1e-6;
 
@@ -37,8 +39,9 @@ double largest(const std::vector<double>& list) {
 
 class SlopeExamination {
  public:
-  SlopeExamination(const SlopeSubject& subject, std::uint64_t number, const Announce& announce)
-      : subject_(subject), announce_(announce) {
+  SlopeExamination(const SlopeSubject& subject, std::uint64_t number, const Announce& announce,
+                   bool brisk)
+      : subject_(subject), announce_(announce), brisk_(brisk) {
     verdict_.scene = number;
   }
 
@@ -48,6 +51,7 @@ class SlopeExamination {
       const double start = measuring::cpu_seconds();
       slopes_.push_back(subject_.slopes(accuracy));
       verdict_.seconds = measuring::cpu_seconds() - start;
+      if (brisk_ && verdict_.seconds > most_brisk_seconds) return left_out(verdict_.scene);
     }
     sizes_ = outcome_sizes(slopes_.back(), subject_);
     for (std::size_t c = 0; c < subject_.probes.size(); ++c) {
@@ -148,6 +152,7 @@ class SlopeExamination {
 
   const SlopeSubject& subject_;
   const Announce& announce_;
+  bool brisk_;
   std::vector<Sensitivity> slopes_;
   std::vector<double> sizes_;
   std::map<std::size_t, std::vector<double>> amplification_;  ///< by number and outcome
@@ -156,8 +161,9 @@ class SlopeExamination {
 
 }  // namespace
 
-Verdict examine_slopes(const SlopeSubject& subject, std::uint64_t number, const Announce& announce) {
-  return SlopeExamination(subject, number, announce).verdict();
+Verdict examine_slopes(const SlopeSubject& subject, std::uint64_t number, const Announce& announce,
+                       bool brisk) {
+  return SlopeExamination(subject, number, announce, brisk).verdict();
 }
 
 }  // namespace mariotte::stress_study
