@@ -5,7 +5,6 @@
 
 #include "arrays.hpp"
 #include "interruption.hpp"
-#include "mariotte/contact/tabulated.hpp"
 #include "mariotte/core/overload.hpp"
 #include "mariotte/impact/chain/chain_solver.hpp"
 #include "mariotte/impact/impulses.hpp"
@@ -14,19 +13,6 @@
 #include "mariotte/scene/judge.hpp"
 
 namespace mariotte::python {
-namespace {
-
-/// Whether results may have to warn of an indentation.
-bool limits_indentation(const model::Chain& chain, const scene::Scene& scene) {
-  const auto ends = [](const contact::Law& law) {
-    const auto* const own = std::get_if<contact::SharedLaw>(&law);
-    return own && dynamic_cast<const contact::Tabulated*>(own->get());
-  };
-  return !scene.touching.empty() || std::ranges::any_of(chain.law, ends);
-}
-
-}  // namespace
-
 scene::Impact simulate(const SceneBox& box, const hybrid::Options& options, impact::RunObserver observers,
                        bool estimate) {
   observers.gives_up = [interruption = Interruption()]() mutable { return interruption(), false; };
@@ -59,7 +45,7 @@ bool Impact::solve_quickly() {
   constexpr Index few = 1000;
   const auto* const chain = std::get_if<model::Chain>(&box_->scene.model);
   if (!chain || impact::divides(options_, *chain) || std::isfinite(options_.max_time)) return false;
-  if (options_.flow || limits_indentation(*chain, box_->scene)) return false;
+  if (options_.flow || has_validity(box_->scene)) return false;
   auto quick = options_;
   quick.max_events = std::min(quick.max_events, few);
   thread_local impact::ChainSolver solver(impact::Course::of_simulate);

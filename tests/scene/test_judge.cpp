@@ -135,9 +135,12 @@ BOOST_AUTO_TEST_CASE(an_indentation_beyond_the_radius_is_refused_by_name) {
 }
 
 BOOST_AUTO_TEST_CASE(nothing_is_said_of_bodies_without_a_radius) {
-  const auto validity =
-      run("[chain]\nmass = [1, 1]\nvelocity = [1, 0]\nlaw = 'hertz'\nstiffness = 1\n").validity;
+  const std::string points = "[chain]\nmass = [1, 1]\nvelocity = [1, 0]\nlaw = 'hertz'\nstiffness = 1\n";
+  const auto validity = run(points).validity;
   for (const auto& one : impact::validity_limits) BOOST_TEST(!(validity.*one.number), one.key);
+  BOOST_TEST(!has_validity(scene::parse(points, "s.toml")));
+  BOOST_TEST(has_validity(scene::parse(pair("1 m/s"), "s.toml")));
+  BOOST_TEST(has_validity(scene::read(MARIOTTE_SCENES "/microsphere.toml")));
 }
 
 BOOST_AUTO_TEST_CASE(a_linear_spring_has_an_indentation_but_no_pressure) {

@@ -9,6 +9,7 @@
 
 #include "mariotte/contact/named_laws.hpp"
 #include "mariotte/report/warnings.hpp"
+#include "mariotte/scene/judge.hpp"
 #include "mariotte/scene/restitution.hpp"
 #include "mariotte/scene/scene.hpp"
 #include "mariotte/scene/simulate.hpp"
@@ -166,8 +167,9 @@ BOOST_AUTO_TEST_CASE(a_table_that_ends_before_the_indentation_is_told) {
   std::ofstream(folder.path / "curve.csv") << "indentation [m], force [N]\n0.1, 0.1\n0.2, 0.2\n";
   std::ofstream(folder.path / "pair.toml") << "[chain]\nmass = [1, 2]\nvelocity = [1, 0]\n"
                                               "law = 'tabulated'\ntable = 'curve.csv'\n";
-  const auto impact =
-      std::get<impact::ChainImpact>(scene::simulate(scene::read((folder.path / "pair.toml").string())));
+  const auto scene = scene::read((folder.path / "pair.toml").string());
+  BOOST_TEST(has_validity(scene));
+  const auto impact = std::get<impact::ChainImpact>(scene::simulate(scene));
   BOOST_REQUIRE(impact.validity.table_ratio);
   BOOST_TEST(impact.validity.table_ratio->value == std::sqrt(2.0 / 3) / 0.2,
              boost::test_tools::tolerance(1e-8));

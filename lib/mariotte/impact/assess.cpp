@@ -142,4 +142,9 @@ void assess(MicrobodyImpact& impact, const model::Microbody& body, std::span<con
   refuse_depth(impact, "tip");
 }
 
+bool has_validity(std::span<const contact::Law> laws, std::span<const Touching> touching) {
+  return !touching.empty() ||
+         std::ranges::any_of(laws, [](const auto& law) { return std::isfinite(end_of_table(law)); });
+}
+
 }  // namespace mariotte::impact

@@ -15,4 +15,7 @@ void assess(ContactImpact& impact, std::span<const contact::Law> laws, std::span
 void assess(BodiesImpact& impact, const model::Bodies& bodies, std::span<const Touching> touching);
 void assess(MicrobodyImpact& impact, const model::Microbody& body, std::span<const Touching> touching);
 
+/// Whether a run of contacts with these laws may have a number of the validity.
+bool has_validity(std::span<const contact::Law> laws, std::span<const Touching> touching);
+
 }  // namespace mariotte::impact

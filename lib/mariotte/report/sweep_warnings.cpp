@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "mariotte/scene/judge.hpp"
 #include "mariotte/scene/simulate.hpp"
 #include "mariotte/study/sweep/variation.hpp"
 
@@ -34,6 +35,7 @@ void note(const scene::Scene& scene, const study::SweepPlan& plan, Index point, 
 void look(study::Variation& variation, const study::SweepPlan& plan, Index point, Found& found) try {
   const auto& scene = variation.at(point);
   note(scene, plan, point, found);
+  if (!has_validity(scene)) return;
   const auto impact = scene::simulate(scene);
   const auto& validity =
       std::visit([](const auto& one) -> const impact::Validity& { return one.validity; }, impact);

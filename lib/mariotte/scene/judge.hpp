@@ -14,4 +14,7 @@ void judge(impact::NetworkImpact& impact, const Scene& scene);
 void judge(impact::MicrobodyImpact& impact, const Scene& scene);
 void judge(impact::BodiesImpact& impact, const Scene& scene);
 
+/// Whether there may be a number to fill in.
+bool has_validity(const Scene& scene);
+
 }  // namespace mariotte::scene
