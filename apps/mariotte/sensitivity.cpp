@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -11,7 +10,6 @@
 #include "mariotte/report/page/files.hpp"
 #include "mariotte/report/reason.hpp"
 #include "mariotte/scene/simulate.hpp"
-#include "mariotte/study/sensitivity/scene_numbers.hpp"
 #include "mariotte/study/sensitivity/scene_parameters.hpp"
 #include "run_notes.hpp"
 #include "scene_choice.hpp"
@@ -27,25 +25,6 @@ struct Slopes {
   std::string out;
   bool force = false;
 };
-
-/// "velocity" asks for all of them, "velocity[1]" for one; "bodies[0]" for all of that body.
-bool is_wanted(const impact::OutcomeSlopes& outcome, const std::vector<std::string>& of) {
-  return of.empty() || std::any_of(of.begin(), of.end(), [&](const auto& name) {
-           return study::is_asked_for(impact::name_of(outcome), name);
-         });
-}
-
-void keep_wanted(impact::Sensitivity& slopes, const std::vector<std::string>& of) {
-  for (const auto& name : of)
-    if (std::none_of(slopes.outcome.begin(), slopes.outcome.end(),
-                     [&](const auto& one) { return is_wanted(one, {name}); }))
-      throw UsageError("--of " + name + ": no such outcome; there are " + [&] {
-        std::string names;
-        for (const auto& one : slopes.outcome) names += (names.empty() ? "" : ", ") + impact::name_of(one);
-        return names;
-      }());
-  std::erase_if(slopes.outcome, [&](const auto& one) { return !is_wanted(one, of); });
-}
 
 /// The usual result of a run with what it takes to repeat it, and the slopes.
 report::Json json(const impact::Sensitivity& slopes, const scene::Scene& scene, const SceneChoice& choice) {
@@ -76,12 +55,12 @@ void write_folder(const Slopes& options, const impact::Sensitivity& slopes, cons
     note(problem + "; data and script are in " + (folder / "plot.gp").string());
 }
 
-int sensitivity(const Slopes& options) {
+int sensitivity(const Slopes& options) try {
   if (!options.out.empty()) report::prepare_folder(options.out, file_names(), options.force);
   const auto document = open(options.scene);
   const auto scene = resolve(options.scene, document);
   auto slopes = study::sensitivity(document, scene, options.to, options.of);
-  keep_wanted(slopes, options.of);
+  study::keep_asked_for(slopes.outcome, options.of);
   if (options.json)
     print(report::text(json(slopes, scene, options.scene)));
   else
@@ -89,6 +68,8 @@ int sensitivity(const Slopes& options) {
   if (!options.out.empty()) write_folder(options, slopes, scene);
   tell_ending(slopes.ending, slopes.message, scene);
   return report::is_wanted(slopes.ending, scene) ? ExitCode::ok : exit_code(slopes.ending);
+} catch (const study::UnknownOutcome& problem) {
+  throw UsageError(std::string("--of ") + problem.what());
 }
 
 constexpr const char* examples = R"(Examples:

@@ -6,6 +6,7 @@
 #include "command_line/terminal.hpp"
 #include "mariotte/report/json/propagation_json.hpp"
 #include "mariotte/report/reason.hpp"
+#include "mariotte/study/sensitivity/scene_parameters.hpp"
 #include "run_notes.hpp"
 #include "scene_choice.hpp"
 
@@ -19,7 +20,7 @@ struct Uncertain {
   bool json = false;
 };
 
-int uncertainty(const Uncertain& options) {
+int uncertainty(const Uncertain& options) try {
   auto document = open(options.scene);
   const auto inputs = study::take_uncertain_inputs(document);
   if (inputs.empty())
@@ -31,6 +32,8 @@ int uncertainty(const Uncertain& options) {
   print(options.json ? report::text(report::json(found)) : report::table(found, scene.title));
   tell_ending(found.ending, "", scene);
   return report::is_wanted(found.ending, scene) ? ExitCode::ok : exit_code(found.ending);
+} catch (const study::UnknownOutcome& problem) {
+  throw UsageError(std::string("--of ") + problem.what());
 }
 
 constexpr const char* examples = R"(Examples:

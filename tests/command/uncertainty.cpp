@@ -52,3 +52,9 @@ BOOST_FIXTURE_TEST_CASE(a_scene_without_deviations_is_refused, Session) {
   BOOST_TEST(run.code == 2);
   BOOST_TEST(has(run.err, "no number of the scene has a deviation"));
 }
+
+BOOST_FIXTURE_TEST_CASE(an_outcome_that_there_is_not_is_told_so, Session) {
+  const auto run = mariotte(triplet + "--set 'chain.velocity[0]=1 ± 1 %' --of speed");
+  BOOST_TEST(run.code == 2);
+  BOOST_TEST(has(run.err, "--of speed: no such outcome; there are velocity[0], "));
+}

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mariotte/study/propagation/propagation.hpp"
+#include "mariotte/study/sensitivity/scene_parameters.hpp"
 
 using namespace mariotte;
 
@@ -20,10 +21,11 @@ scene::Document document_of(const std::string& text) {
   return scene::parse_document(text, "pair.toml");
 }
 
-study::Propagation propagated(const std::string& text, study::Samples samples = {}) {
+study::Propagation propagated(const std::string& text, study::Samples samples = {},
+                              const std::vector<std::string>& of = {}) {
   auto document = document_of(text);
   const auto inputs = study::take_uncertain_inputs(document);
-  return study::propagate(document, resolve(document), inputs, samples);
+  return study::propagate(document, resolve(document), inputs, samples, of);
 }
 
 void expect_refused(const std::string& value, const std::string& message) {
@@ -92,6 +94,25 @@ accuracy = 1e-9
       BOOST_TEST(many.outcomes[i].sampled_deviation.value() == single.outcomes[i].sampled_deviation.value(),
                  boost::test_tools::tolerance(1e-6));
     }
+}
+
+// Side by side, and one by one.
+BOOST_AUTO_TEST_CASE(outcomes_that_are_asked_for_are_as_among_all) {
+  const std::string sphere =
+      "[body]\nshape = 'sphere'\nradius = '2.45 um'\ndensity = 1350\n[surface]\nlaw = 'brach-dunn'\n"
+      "stiffness = 1.74e9\nwork_of_adhesion = 0.38\nzeta_hertz = 1.5\nzeta_adhesion = 0.5\n"
+      "[incidence]\nnormal_speed = '5 m/s ± 1 %'\n";
+  const study::Samples samples{.count = 20, .seed = 5};
+  for (const auto& [text, name] : {std::pair{pair, "velocity[1]"}, std::pair{sphere, "e_n"}}) {
+    const auto alone = propagated(text, samples, {name});
+    BOOST_TEST_REQUIRE(alone.outcomes.size() == 1u);
+    for (const auto& one : propagated(text, samples).outcomes)
+      if (one.name == name) {
+        BOOST_TEST(alone.outcomes[0].deviation.value() == one.deviation.value());
+        BOOST_TEST(alone.outcomes[0].sampled_deviation.value() == one.sampled_deviation.value());
+      }
+  }
+  BOOST_CHECK_THROW(propagated(pair, {}, {"velocity[1]", "speed"}), study::UnknownOutcome);
 }
 
 BOOST_AUTO_TEST_CASE(samples_of_one_seed_are_the_same) {

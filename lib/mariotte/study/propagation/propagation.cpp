@@ -1,6 +1,5 @@
 #include "mariotte/study/propagation/propagation.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -8,7 +7,6 @@
 #include "mariotte/study/capture.hpp"
 #include "mariotte/study/propagation/outcome_columns.hpp"
 #include "mariotte/study/sensitivity/capture_slopes.hpp"
-#include "mariotte/study/sensitivity/scene_numbers.hpp"
 #include "mariotte/study/sensitivity/scene_parameters.hpp"
 #include "mariotte/study/sweep/evaluate.hpp"
 #include "mariotte/study/sweep/variation.hpp"
@@ -115,9 +113,11 @@ void sample_side_by_side(const scene::Document& document, const std::vector<Colu
   evaluations.finish();
 }
 
-void sample_one_by_one(const scene::Document& document, Propagation& result, Spreads& spreads) {
+void sample_one_by_one(const scene::Document& document, const std::vector<std::string>& of,
+                       Propagation& result, Spreads& spreads) {
   for_each_sample(document, result, spreads, [&](const auto& scene) {
-    const auto found = outcomes(scene);
+    auto found = outcomes(scene);
+    keep_asked_for(found.outcome, of);
     spreads.add(found.ending == result.ending, [&](std::size_t i) { return found.outcome[i].value; });
   });
 }
@@ -137,27 +137,15 @@ void sample_captures(scene::Document document, Propagation& result, Spreads& spr
 }
 
 void sample(const scene::Document& document, const std::vector<impact::OutcomeSlopes>& outcomes,
-            Propagation& result) {
+            const std::vector<std::string>& of, Propagation& result) {
   Spreads spreads(result);
   if (outcomes.size() == 1 && outcomes[0].name == capture_velocity_name)
     sample_captures(document, result, spreads);
   else if (const auto columns = columns_of(outcomes))
     sample_side_by_side(document, *columns, result, spreads);
   else
-    sample_one_by_one(document, result, spreads);
+    sample_one_by_one(document, of, result, spreads);
   spreads.report();
-}
-
-/// Leaves the outcomes that are asked for.
-void keep(const std::vector<std::string>& of, std::vector<UncertainOutcome>& outcomes) {
-  const auto is_wanted = [&](const auto& one, const auto& name) { return is_asked_for(one.name, name); };
-  for (const auto& name : of)
-    if (std::ranges::none_of(outcomes, [&](const auto& one) { return is_wanted(one, name); }))
-      throw InvalidParameter("'" + name + "' is no outcome of this scene");
-  if (of.empty()) return;
-  std::erase_if(outcomes, [&](const auto& one) {
-    return std::ranges::none_of(of, [&](const auto& name) { return is_wanted(one, name); });
-  });
 }
 
 }  // namespace
@@ -167,15 +155,15 @@ Propagation propagate(const scene::Document& document, const scene::Scene& scene
                       const std::vector<std::string>& of) {
   std::vector<std::string> keys;
   for (const auto& input : inputs) keys.push_back(input.key);
-  const auto slopes = sensitivity(document, scene, keys, of);
+  auto slopes = sensitivity(document, scene, keys, of);
+  keep_asked_for(slopes.outcome, of);
   Propagation result{.ending = slopes.ending,
                      .inputs = inputs,
                      .outcomes = {},
                      .samples = samples,
                      .notes = texts(slopes.notes)};
   for (const auto& outcome : slopes.outcome) result.outcomes.push_back(first_order(outcome, inputs));
-  if (samples.count > 0) sample(document, slopes.outcome, result);
-  keep(of, result.outcomes);
+  if (samples.count > 0) sample(document, slopes.outcome, of, result);
   return result;
 }
 

@@ -34,8 +34,7 @@ struct Propagation {
 };
 
 /// Of a document whose uncertain inputs have been taken; of all outcomes, or of those that are asked for, as
-/// "velocity[0]", "icr" or "capture_velocity". Throws as `sensitivity`; InvalidParameter if there is no such
-/// outcome.
+/// "velocity[0]", "icr" or "capture_velocity". Throws as `sensitivity` and `keep_asked_for`.
 Propagation propagate(const scene::Document& document, const scene::Scene& scene,
                       const std::vector<UncertainInput>& inputs, const Samples& samples,
                       const std::vector<std::string>& of = {});

@@ -124,4 +124,18 @@ impact::Sensitivity outcomes(const scene::Scene& scene) {
       [] { return std::vector<impact::Parameter<model::Microbody>>{}; });
 }
 
+void keep_asked_for(std::vector<impact::OutcomeSlopes>& all, const std::vector<std::string>& of) {
+  const auto is_wanted = [](const auto& one, const auto& key) { return is_asked_for(name_of(one), key); };
+  for (const auto& key : of)
+    if (std::none_of(all.begin(), all.end(), [&](const auto& one) { return is_wanted(one, key); })) {
+      std::string names;
+      for (const auto& one : all) names += (names.empty() ? "" : ", ") + name_of(one);
+      throw UnknownOutcome(key + ": no such outcome; there are " + names);
+    }
+  if (of.empty()) return;
+  std::erase_if(all, [&](const auto& one) {
+    return std::none_of(of.begin(), of.end(), [&](const auto& key) { return is_wanted(one, key); });
+  });
+}
+
 }  // namespace mariotte::study

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "mariotte/core/error.hpp"
 #include "mariotte/impact/sensitivity/sensitivity.hpp"
 #include "mariotte/scene/document.hpp"
 
@@ -27,5 +28,14 @@ impact::Sensitivity sensitivity(
 
 /// The same outcomes without slopes. Throws as `sensitivity`.
 impact::Sensitivity outcomes(const scene::Scene& scene);
+
+/// An outcome that is asked for and that a scene does not have; what() says which it has.
+struct UnknownOutcome : InvalidParameter {
+  using InvalidParameter::InvalidParameter;
+};
+
+/// Leaves those of `all` that are asked for, by "velocity[1]", or by "velocity" or "bodies[0]" several at
+/// once; all of them if nothing is. Throws UnknownOutcome.
+void keep_asked_for(std::vector<impact::OutcomeSlopes>& all, const std::vector<std::string>& of);
 
 }  // namespace mariotte::study
