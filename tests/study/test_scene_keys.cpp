@@ -102,6 +102,26 @@ BOOST_AUTO_TEST_CASE(steps_stay_where_the_model_moves_smoothly) {
       });
 }
 
+// A hundredth of an angle of a hundred turns is a turn, and one of a typical number is all of a short normal.
+BOOST_AUTO_TEST_CASE(steps_turn_what_they_move_by_little) {
+  const auto slopes_with = [](const std::string& angle, const std::string& normal, const std::string& key) {
+    return slopes_of(
+        "[bodies]\ndimension = 2\nlaw = 'hertz'\nstiffness = 1e9\ntangential = 'spring'\nfriction = 0.3\n"
+        "tangential_stiffness = 1e5\n[[bodies.body]]\nshape = 'rod'\nradius = 0.01\nlength = 0.05\n"
+        "mass = 0.1\nposition = [0, 0.04]\nvelocity = [0.3, -1]\nangle = " +
+            angle + "\n[[bodies.plane]]\nnormal = [0, " + normal + "]\n",
+        {key});
+  };
+  const std::string angle = "bodies.body[0].angle", normal = "bodies.plane[0].normal[0]";
+  const auto by_angle = slopes_with("0.6", "1", angle),
+             by_turns = slopes_with("628.918530717958647", "1", angle);
+  const auto by_normal = slopes_with("0.6", "1", normal), by_short = slopes_with("0.6", "0.01", normal);
+  for (const char* outcome : {"bodies[0].velocity[0]", "bodies[0].velocity[1]", "bodies[0].spin"}) {
+    BOOST_TEST(std::abs(slope(by_turns, outcome, 0) / slope(by_angle, outcome, 0) - 1) < 1e-9);
+    BOOST_TEST(std::abs(slope(by_short, outcome, 0) / slope(by_normal, outcome, 0) - 100) < 1e-7);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(slopes_by_a_diameter_are_half_of_those_by_a_radius) {
   const std::string rest =
       "\ndensity = 1350\n[surface]\nstiffness = 1.74e9\nwork_of_adhesion = 0.38\nzeta_hertz = 1.5\n"

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 #include "mariotte/core/overload.hpp"
 
 namespace mariotte::study {
 namespace {
 
-constexpr double rounding = 64 * epsilon;  ///< of differences of places
+constexpr double rounding = 64 * epsilon;  ///< of differences of places, and of parts of directions
 
 class Numbers {
  public:
@@ -18,6 +19,10 @@ class Numbers {
   }
   void add(const Vector3& vector) {
     for (const double one : {vector.e1, vector.e2, vector.e3}) add(one);
+  }
+  /// Parts of a direction or an attitude, and cosine and sine of an angle.
+  void add_direction(std::initializer_list<double> parts) {
+    for (const double one : parts) add(one, rounding);
   }
   /// Forces of powers are compared at small depths, where they change most with the exponent.
   void add(const contact::Law& law) {
@@ -54,10 +59,20 @@ void add(const model::Network& network, Numbers& all) {
     }
 }
 
+void add(const Quaternion& attitude, Numbers& all) {
+  all.add_direction({attitude.w, attitude.x, attitude.y, attitude.z});
+}
+
 void add(const model::Microbody& body, Numbers& all) {
   all.add(body.body.mass);
   for (const auto& vector : {body.body.inertia, body.velocity, body.spin}) all.add(vector);
   for (const auto& tip : body.body.tips) all.add(tip.centre), all.add(tip.radius);
+  for (const auto& law : body.law)
+    for (const double one : {law.stiffness, law.adhesion, law.damping_hertz, law.damping_adhesion})
+      all.add(one);
+  add(body.attitude, all);
+  all.add(body.friction.coefficient);
+  all.add(body.gravity);
 }
 
 void add(const model::Bodies& bodies, Numbers& all) {
@@ -65,11 +80,19 @@ void add(const model::Bodies& bodies, Numbers& all) {
     all.add(one.mass);
     for (const auto& vector : {one.inertia, one.position, one.velocity, one.spin}) all.add(vector);
     for (const auto& sphere : one.spheres) all.add(sphere.centre), all.add(sphere.radius);
+    add(one.attitude, all);
+    all.add_direction({std::cos(one.angle), std::sin(one.angle)});
   }
+  for (const auto& one : bodies.plane) {
+    all.add_direction({one.normal.e1, one.normal.e2, one.normal.e3});
+    for (const auto& vector : {one.point, one.velocity}) all.add(vector);
+  }
+  all.add(bodies.gravity);
   for (const auto& contact : bodies.contact) {
     all.add(contact.law);
     all.add(contact.tangential.friction);
     all.add(contact.tangential.stiffness);
+    all.add(contact.share);
   }
 }
 

@@ -12,8 +12,8 @@ struct ModelNumber {
   double rounding = 0;
 };
 
-/// Masses, places, velocities and numbers of laws. Lists of two models that touch in other places differ in
-/// length, or in the places that networks push.
+/// Masses, places, directions, velocities and numbers of laws. Lists of two models that touch in other places
+/// differ in length, or in the places that networks push.
 std::vector<ModelNumber> model_numbers(const scene::Scene& scene);
 
 /// Whether a number moves smoothly from −h to h, as lists at −h, −h/10, 0, h/10 and h tell: its second
