@@ -132,6 +132,8 @@ BOOST_FIXTURE_TEST_CASE(a_key_in_the_wrong_table_is_told_where_it_belongs, Sessi
   BOOST_TEST(has(mariotte("check three.toml --set chain.until=1").err, "(it belongs to [run])"));
   BOOST_TEST(has(mariotte("check three.toml --set run.law=hertz").err,
                  "(it belongs to the contacts: [chain], [network] or [bodies])"));
+  BOOST_TEST(has(mariotte("check three.toml --set run.radius=1").err,
+                 "(it belongs to what has that size: [chain], [network], [body] or [bodies])"));
   BOOST_TEST(has(mariotte("check three.toml --set chain.young=1e9").err, "(it belongs to a material: "));
   BOOST_TEST(
       has(mariotte("check three.toml --set chain.impacts=2").err, "(it belongs to [run], beside a [body])"));

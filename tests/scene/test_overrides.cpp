@@ -77,6 +77,13 @@ BOOST_AUTO_TEST_CASE(a_path_that_leads_nowhere_is_named) {
       complaint("network.stiffness[0]=2")
           .ends_with("has no 'network.stiffness' (it follows from radii and materials; a list, stiffness "
                      "= [...], has elements that can vary)"));
+  BOOST_TEST(
+      complaint("network.contact[0].gap=2") ==
+      "--set network.contact[0].gap: the scene has no 'network.contact' (contacts of balls share the keys of "
+      "[network])");
+  BOOST_TEST(complaint("bodies.contact[0].gap=2")
+                 .ends_with("(a table [[bodies.contact]] has what is different at one contact)"));
+  BOOST_TEST(complaint("contact[0].gap=2").ends_with("the scene has no 'contact'"));
   BOOST_TEST(complaint("chain.mass.young=2") ==
              "--set chain.mass.young: 'chain.mass' is an array, not a table");
   BOOST_TEST(complaint("chain.contact[0][1]=2") ==

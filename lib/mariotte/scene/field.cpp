@@ -65,13 +65,13 @@ std::string elsewhere(std::string_view key) {
   struct Home {
     std::string_view key, hint;
   };
-  constexpr std::string_view run = " (it belongs to [run])",
-                             material =
-                                 " (it belongs to a material: material = { young = \"210 GPa\", ... })",
-                             top = " (it belongs above the first table)",
-                             incidence = " (it belongs to [incidence], beside a [body])",
-                             surface = " (it belongs to [surface], beside a [body])",
-                             sized = " (it belongs to what has that size: [chain], [body] or [bodies])";
+  constexpr std::string_view
+      run = " (it belongs to [run])",
+      material = " (it belongs to a material: material = { young = \"210 GPa\", ... })",
+      top = " (it belongs above the first table)",
+      incidence = " (it belongs to [incidence], beside a [body])",
+      surface = " (it belongs to [surface], beside a [body])",
+      sized = " (it belongs to what has that size: [chain], [network], [body] or [bodies])";
   constexpr std::array homes{
       Home{"accuracy", run},
       Home{"max_time", run},

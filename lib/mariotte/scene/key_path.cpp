@@ -74,11 +74,12 @@ Node& element(Node& node, std::size_t index, const Path& path, const std::string
 }
 
 /// What a scene may leave to other keys, and has no elements then.
-std::string where_from(std::string_view name) {
+std::string where_from(std::string_view name, const std::string& parent) {
   if (name == "stiffness")
     return " (it follows from radii and materials; a list, stiffness = [...], has elements that can vary)";
-  if (name == "contact") return " (a table [[chain.contact]] has what is different at one contact)";
-  return "";
+  if (name != "contact" || parent.empty()) return "";
+  if (parent == "network") return " (contacts of balls share the keys of [network])";
+  return " (a table [[" + parent + ".contact]] has what is different at one contact)";
 }
 
 Node& member(Node& node, std::string_view name, const Path& path, const std::string& parent,
@@ -86,7 +87,7 @@ Node& member(Node& node, std::string_view name, const Path& path, const std::str
   Table* const table = node.table();
   if (!table) path.fail("'" + parent + "' is " + kind(node) + ", not a table");
   if (Entry* const entry = find(*table, name)) return entry->node;
-  if (path.index_follows()) path.fail("the scene has no '" + path.walked() + "'" + where_from(name));
+  if (path.index_follows()) path.fail("the scene has no '" + path.walked() + "'" + where_from(name, parent));
   table->push_back({std::string(name), place, Node{Table{}, place}});
   return table->back().node;
 }
