@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <iterator>
 
 #include "mariotte/report/figure/axis_names.hpp"
@@ -81,15 +80,14 @@ Series magnitudes(const Vectors& all) {
   Series series{all.file, "magnitude of " + all.quantity, all.along, all.unit, all.names, all.owner, {}};
   for (const auto& row : all.rows) {
     auto& values = series.rows.emplace_back();
-    for (const auto& vector : row) values.push_back(std::hypot(vector.e1, vector.e2, vector.e3));
+    for (const auto& vector : row) values.push_back(norm(vector));
   }
   return series;
 }
 
 Series series(const Vectors& all, bool one_alone = false) {
-  constexpr std::size_t most = 12;
   auto few = components(all, one_alone);
-  return few.name.size() > most ? magnitudes(all) : few;
+  return few.name.size() > most_curves ? magnitudes(all) : few;
 }
 
 Series friction(const impact::BodiesImpact& impact, const CurveNames& names) {

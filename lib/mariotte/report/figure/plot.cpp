@@ -13,8 +13,7 @@ namespace {
 
 using Rows = std::vector<std::vector<double>>;
 
-constexpr std::size_t most_curves = 12;  // more are an image
-constexpr double invisible = 1e-4;       // of the height of a figure
+constexpr double invisible = 1e-4;  // of the height of a figure
 
 std::size_t columns_of(const Rows& rows) {
   return rows.empty() ? 0 : rows.front().size();

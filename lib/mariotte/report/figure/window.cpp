@@ -7,7 +7,6 @@ namespace mariotte::report {
 namespace {
 
 constexpr double visible = 1e-3, visible_in_image = 1e-2;  // of the largest force
-constexpr std::size_t most_curves = 12;                    // more contacts are an image
 constexpr double long_flight = 3;                          // in durations of all the action
 constexpr std::size_t most_windows = 3;
 constexpr double margin = 0.1;  // of what is shown

@@ -1,5 +1,6 @@
 // The parts of a run that its figures show.
 #pragma once
+#include <cstddef>
 #include <vector>
 
 #include "mariotte/impact/bodies/bodies_impact.hpp"
@@ -7,6 +8,9 @@
 #include "mariotte/impact/microbody/microbody_impact.hpp"
 
 namespace mariotte::report {
+
+/// Of one figure; more are an image.
+inline constexpr std::size_t most_curves = 12;
 
 /// A part of a run [s].
 struct Window {
