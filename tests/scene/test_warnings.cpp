@@ -16,9 +16,13 @@ balls = 2
 velocity = [1, 0]
 )";
 
-/// The only warning of the scene with one value overridden.
-std::string warning(const std::string& override) {
-  const auto warnings = parse(text, "f", {override}).warnings;
+const std::string two_bodies =
+    "[bodies]\nlaw = 'hertz'\nstiffness = 1\nradius = 1\ndensity = 1000\n[[bodies.body]]\n"
+    "position = [0, 0]\nvelocity = [1, 0]\n[[bodies.body]]\nposition = [5000, 0]\n";
+
+/// The only warning of a scene with one value overridden.
+std::string warning(const std::string& override, const std::string& scene = text) {
+  const auto warnings = parse(scene, "f", {override}).warnings;
   BOOST_TEST(warnings.size() == 1u, override);
   return warnings.empty() ? "" : warnings.front();
 }
@@ -55,22 +59,13 @@ BOOST_AUTO_TEST_CASE(slips_in_sizes_are_suspicious_wherever_they_stand) {
   BOOST_REQUIRE(of_body.size() == 2u);
   BOOST_TEST(of_body[0].starts_with("f:4:11: body.density: outside 50 to 25000"));
   BOOST_TEST(of_body[1].starts_with("f:3:12: body.diameter: a radius of more than 1 mm"));
-  const std::string bodies =
-      "[bodies]\nlaw = 'hertz'\nstiffness = 1\nradius = 2000\ndensity = 1\n"
-      "[[bodies.body]]\nshape = 'ball'\nposition = [0, 0, 0]\nvelocity = [1, 0, 0]\n"
-      "[[bodies.body]]\nshape = 'ball'\nposition = [5000, 0, 0]\nvelocity = [0, 0, 0]";
-  BOOST_TEST(parse(bodies, "f").warnings.size() == 2u);  // said once, for both
+  const auto of_both = parse(two_bodies, "f", {"bodies.radius=2000", "bodies.density=1"}).warnings;
+  BOOST_TEST(of_both.size() == 2u);  // said once
 }
 
 BOOST_AUTO_TEST_CASE(angles_in_degrees_are_suspicious) {
-  const std::string bodies =
-      "[bodies]\ndimension = 2\nlaw = 'linear'\nstiffness = 1\nfriction = 0\n"
-      "[[bodies.body]]\nshape = 'block'\nsize = [1, 2]\nmass = 1\nangle = 30\nposition = [0, 0]\n"
-      "velocity = [1, 0]\n"
-      "[[bodies.body]]\nshape = 'ball'\nradius = 1\nmass = 1\nposition = [5, 0]\nvelocity = [0, 0]";
-  const auto warnings = parse(bodies, "f").warnings;
-  BOOST_REQUIRE(warnings.size() == 1u);
-  BOOST_TEST(warnings[0].starts_with("f:10:9: bodies.body[0].angle: more than a full turn"));
+  BOOST_TEST(warning("bodies.body[0].angle=30", two_bodies)
+                 .starts_with("--set bodies.body[0].angle: more than a full turn"));
 }
 
 BOOST_AUTO_TEST_CASE(accuracies_beyond_reason_are_suspicious) {
