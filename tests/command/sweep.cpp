@@ -243,6 +243,19 @@ BOOST_FIXTURE_TEST_CASE(points_beyond_the_limits_of_their_model_are_told_of, Ses
   BOOST_TEST(mariotte("sweep steel.toml --out quiet --column final.time --quiet").err == "");
 }
 
+// gnuplot has no range around a single place, and none where nothing is.
+BOOST_FIXTURE_TEST_CASE(one_point_and_columns_without_numbers_are_drawn_without_a_word, Session) {
+  for (const char* table :
+       {"key = 'chain.velocity[0]'\nvalues = [1]\n", "key = 'chain.velocity[0]'\nvalues = [-1, -2]\n",
+        "key = 'chain.contact[0].law'\nvalues = ['linear']\n",
+        "key = 'chain.velocity[0]'\nfrom = 1\nto = 2\ncount = 1\nscale = 'log'\n"}) {
+    write("few.toml", std::string(support::three_balls) + "[[sweep]]\n" + table);
+    const auto sweep = mariotte("sweep few.toml --out out --force");
+    BOOST_TEST(sweep.code == 0, table);
+    BOOST_TEST(sweep.err == "", table);
+  }
+}
+
 BOOST_FIXTURE_TEST_CASE(points_beyond_double_precision_have_no_result, Session) {
   write("fast.toml", std::string(support::three_balls) +
                          "[[sweep]]\nkey = 'chain.velocity[0]'\nvalues = [1, 1e160, 1e-170, 1e100, 1e308]\n");

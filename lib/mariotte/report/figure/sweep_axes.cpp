@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "mariotte/report/figure/axis_names.hpp"
 #include "mariotte/report/figure/drawn_axes.hpp"
@@ -83,11 +84,27 @@ std::string ticks(const Design& design, std::size_t parameter, double factor, ch
   return axis == 'x' && span > 0 ? fmt::format("{:g}", tick_step(span, most_ticks)) : "autofreq";
 }
 
-/// Random points leave some of their range empty at its ends.
-std::string limits(const Parameter& one, double factor, char axis) {
+/// Where all points stand, if that is one place.
+std::optional<double> only_place(const Design& design, std::size_t parameter) {
+  const double first = coordinate(design, parameter, 0);
+  for (Index point = 1; point < design.points(); ++point)
+    if (coordinate(design, parameter, point) != first) return std::nullopt;
+  return first;
+}
+
+/// Random points leave some of their range empty at its ends; around one place gnuplot knows none.
+std::string limits(const Design& design, std::size_t parameter, double factor, char axis) {
+  const auto range = [axis](double least, double most) {
+    return fmt::format("set {}range [{:.9g}:{:.9g}]\n", axis, least, most);
+  };
+  if (const auto place = only_place(design, parameter)) {
+    const double room = *place == 0 ? 1 : 0.01 * std::abs(*place);
+    return range(*place - room, *place + room);
+  }
+  const auto& one = design.parameters[parameter];
   if (!is_random(one) || one.range->normal || is_logarithmic(one)) return "";
   const auto [least, most] = std::minmax(one.range->from, one.range->to);
-  return fmt::format("set {}range [{:.9g}:{:.9g}]\n", axis, factor * least, factor * most);
+  return range(factor * least, factor * most);
 }
 
 }  // namespace
@@ -105,7 +122,7 @@ std::string axis_settings(const Design& design, std::size_t parameter, char axis
   const double factor = display_of(one).factor;
   return fmt::format("set {0}label {1}\nset {0}tics nomirror out {2}\nset autoscale {0}fix\n{3}", axis,
                      quoted(axis_name(one)), ticks(design, parameter, factor, axis),
-                     limits(one, factor, axis));
+                     limits(design, parameter, factor, axis));
 }
 
 std::string parameter_name(const Parameter& one) {

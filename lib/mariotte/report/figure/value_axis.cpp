@@ -43,16 +43,15 @@ std::string value_axis(const std::vector<std::size_t>& places, const std::string
                        const study::Column& column, const std::string& axis) {
   return fmt::format(R"(set autoscale {0}
 low = 1e300; high = -1e300
+show(value) = (low = value < low ? value : low, high = value > high ? value : high, 0)
 do for [c in '{1}'] {{
-  undefine S_*
-  stats [*:*] [*:*] 'plot.csv' using (column(int(c))) name 'S' nooutput
-  if (exists('S_records')) {{ low = S_min < low ? S_min : low; high = S_max > high ? S_max : high }}
+  stats [*:*] [*:*] 'plot.csv' using (valid(int(c)) ? show(column(int(c))) : 0) nooutput
 }}
 size = low > high ? 0 : abs(low) > abs(high) ? abs(low) : abs(high)
 {2}margin = high - low > 1e-9 * size ? 0 : size > 0 ? 0.001 * size : 1
 if (margin > 0 && low <= high) {{ set {0}range [factor*(low-margin):factor*(high+margin)] }}
 unset label
-if (low > high) {{ set label 'no numbers' at graph 0.5, 0.5 center }}
+if (low > high) {{ set {0}range [-1:1]; set label 'no numbers' at graph 0.5, 0.5 center }}
 )",
                      axis, fmt::join(places, " "), prefix_settings(long_label(key, column), column, axis));
 }
