@@ -14,7 +14,7 @@ from ._figure import draw_curves, make_panels
 from ._image import draw_image
 from ._numbers import Array, Numbers, numbers
 from ._scene import Body, Bodies, Chain, Scene
-from ._style import labelled, mathtext, style_of, text_size
+from ._style import labelled, mathtext, style_of, text_size, wrapped
 
 if TYPE_CHECKING:
     from ._events import Event
@@ -101,12 +101,12 @@ class ImpactPlot:
         image = ax.imshow(scale * velocity.T, aspect="auto", origin="lower",
                           extent=(0, factor * end, 0.5, velocity.shape[1] + 0.5))
         ax.figure.colorbar(image, label=f"velocity v [{velocity_unit}]")
-        ax.set(xlabel=f"time t [{unit}]", ylabel="ball i", title=self._impact.scene.title)
+        ax.set(xlabel=f"time t [{unit}]", ylabel="ball i", title=wrapped(self._impact.scene.title))
         return ax
 
     def _draw(self, curves: Curves, windows: List[Window], along: str, logarithmic: bool, ax: Any) -> Any:
         with style_of(ax):
-            axes, windows = make_panels(ax, windows, self._impact.scene.title)
+            axes, windows = make_panels(ax, windows, wrapped(self._impact.scene.title))
             if curves.values.shape[1] > _MOST_CURVES:
                 draw_image(axes, windows, curves, along, self._marks(), logarithmic)
             else:
@@ -225,7 +225,7 @@ class SweepPlot:
             _name_lines(ax, len(keys))
         if _is_logarithmic(along):
             ax.set_xscale("log")
-        ax.set(xlabel=x, ylabel=y, title=self._sweep.scene.title)
+        ax.set(xlabel=x, ylabel=y, title=wrapped(self._sweep.scene.title))
         return ax
 
     def _shown(self, key: str, values: Array, name: str = "") -> Tuple[Array, str]:
@@ -251,7 +251,7 @@ class SweepPlot:
         ax.legend(title=each)
         if _is_logarithmic(along):
             ax.set_xscale("log")
-        ax.set(xlabel=x, ylabel=y, title=self._sweep.scene.title)
+        ax.set(xlabel=x, ylabel=y, title=wrapped(self._sweep.scene.title))
         return ax
 
     def _map(self, column: str, values: Array, ax: Any) -> Any:
@@ -262,7 +262,7 @@ class SweepPlot:
         for axis, along in (("y", up), ("x", right)):
             if _is_logarithmic(along):
                 getattr(ax, f"set_{axis}scale")("log")
-        ax.set(xlabel=x, ylabel=y, title=self._sweep.scene.title)
+        ax.set(xlabel=x, ylabel=y, title=wrapped(self._sweep.scene.title))
         return ax
 
     def _along(self, axis: int) -> Tuple[str, Array]:

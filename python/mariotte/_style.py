@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import textwrap
 from typing import Any
 
 from . import _core
@@ -26,6 +27,11 @@ def text_size(share: float = 1.0) -> float:
     import matplotlib.pyplot as plt
 
     return share * float(plt.rcParams["font.size"])
+
+
+def wrapped(title: str) -> str:
+    """A title in lines that fit the figure, as those of the command."""
+    return textwrap.fill(title, 48, max_lines=3, placeholder=" …")
 
 
 def labelled(name: str, unit: str) -> str:

@@ -104,6 +104,15 @@ def test_forces_are_drawn_per_contact(cradle):
     assert ax.get_xlabel() == "time t [µs]" and ax.get_title() == "Five steel balls"
 
 
+def test_long_titles_stay_in_their_figure(cradle):
+    title = "Five steel balls that hang from threads on a cold morning in a laboratory far away from here"
+    ax = mt.simulate(cradle.scene.replace({"title": title})).plot.forces()
+    assert ax.get_title().replace("\n", " ") == title
+    ax.figure.canvas.draw()
+    box = ax.title.get_window_extent()
+    assert box.x0 >= 0 and box.x1 <= ax.figure.bbox.width and box.y1 <= ax.figure.bbox.height
+
+
 def test_velocities_and_energy_are_drawn(cradle):
     ends = [line.get_ydata()[-1] for line in cradle.plot.velocities().lines[:5]]
     assert ends == pytest.approx(cradle.velocity, abs=1e-9)

@@ -9,6 +9,7 @@
 #include "mariotte/report/figure/axis_names.hpp"
 #include "mariotte/report/figure/gnuplot.hpp"
 #include "mariotte/report/figure/line_names.hpp"
+#include "mariotte/report/figure/title.hpp"
 #include "mariotte/report/number.hpp"
 
 namespace mariotte::report {
@@ -174,11 +175,8 @@ std::string curves_csv(const study::FitCurves& curves, const study::Measurements
 std::string fit_script(const FitReport& report, const study::FitCurves& curves) {
   const auto key = report.measurements.settings[curves.setting].key;
   const auto head = report.title.empty() ? std::string("Fit") : report.title;
-  return script_head() +
-         fmt::format("set xlabel {}\nset title {} noenhanced\n", quoted(axis_name(key)), quoted(head)) +
-         fitted_figure(report, curves) +
-         fmt::format("\nset title {} noenhanced\n", quoted(head + ": residuals")) +
-         residual_figure(report, curves);
+  return script_head() + fmt::format("set xlabel {}", quoted(axis_name(key))) + set_title(head) +
+         fitted_figure(report, curves) + set_title(head + ": residuals") + residual_figure(report, curves);
 }
 
 std::vector<std::string> fit_figures() {

@@ -6,6 +6,7 @@
 #include "mariotte/report/figure/gnuplot.hpp"
 #include "mariotte/report/figure/ticks.hpp"
 #include "mariotte/report/figure/time_figure.hpp"
+#include "mariotte/report/figure/title.hpp"
 
 namespace mariotte::report {
 namespace {
@@ -54,12 +55,11 @@ std::string horizontal_axis(const Panel& panel, const TimeAxis& axis, double wid
 }
 
 /// Title, and the name of the time axis below the middle of all panels.
-std::string words_of_sheet(const std::string& title, const std::string& unit,
-                           const std::vector<Panel>& panels) {
+std::string words_of_sheet(const Title& title, const std::string& unit, const std::vector<Panel>& panels) {
   return fmt::format(
       "set label {} at screen 0.5, 0.96 center noenhanced\nset label 'time t [{}]' at screen {:.4f}, {} "
       "center\n",
-      quoted(title), unit, 0.5 * (panels.front().left + panels.back().right), name_of_time);
+      title.text, unit, 0.5 * (panels.front().left + panels.back().right), name_of_time);
 }
 
 }  // namespace
@@ -91,15 +91,17 @@ std::string vertical_name(const std::string& text) {
 std::string on_panels(const std::string& file, const std::string& title, const TimeAxis& axis,
                       const std::vector<Panel>& panels,
                       const std::function<std::string(const Panel&)>& inside) {
+  const auto head = wrapped(title);
+  const double below_head = top - static_cast<double>(head.more_height) / one_column.height;
   std::string plot = "set multiplot\n";
   for (const auto& panel : panels) {
     plot += panel.is_first
-                ? "set border 3\nset ytics nomirror out\n" + words_of_sheet(title, axis.display.unit, panels)
+                ? "set border 3\nset ytics nomirror out\n" + words_of_sheet(head, axis.display.unit, panels)
                 : "set border 1\nunset ytics\n";
     plot += horizontal_axis(panel, axis, (panel.right - panel.left) * one_column.width);
     plot += inside(panel) + "unset label\nunset arrow\nunset object\n";
   }
-  return fmt::format("\nset tmargin at screen {}\nset bmargin at screen {}\n", top, bottom) +
+  return fmt::format("\nset tmargin at screen {}\nset bmargin at screen {}\n", below_head, bottom) +
          on_all_terminals(file, plot + "unset multiplot\n", one_column);
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "mariotte/report/figure/gnuplot.hpp"
+#include "mariotte/report/figure/title.hpp"
 
 namespace mariotte::report {
 namespace {
@@ -64,7 +65,7 @@ std::string Spacetime::script(const std::string& title) const {
   const auto time = time_display();
   const auto [slowest, fastest] = std::minmax_element(velocities.begin(), velocities.end());
   const auto speed = display_for(velocities, "m/s");
-  std::string text = fmt::format("\nset title {} noenhanced\n", quoted(title));
+  std::string text = set_title(title);
   text += fmt::format("set xlabel 'ball i'\nset ylabel 'time t [{}]'\nset cblabel 'velocity v [{}]'\n",
                       time.unit, speed.unit);
   text += fmt::format("set xrange [0.5:{}]\nset yrange [0:{:.8g}]\nset tics out nomirror\n",

@@ -8,6 +8,7 @@
 #include "mariotte/report/figure/gnuplot.hpp"
 #include "mariotte/report/figure/sweep_axes.hpp"
 #include "mariotte/report/figure/sweep_figure.hpp"
+#include "mariotte/report/figure/title.hpp"
 
 namespace mariotte::report {
 namespace {
@@ -53,7 +54,7 @@ SweepPlot sweep_plot(const study::Design& design, const Columns& columns, const 
   }
   plot.script = script_head() + axes(design);
   for (const auto& figure : figures) {
-    plot.script += fmt::format("\nset title {} noenhanced\n", quoted(title));
+    plot.script += set_title(title);
     plot.script +=
         is_surface(design) ? surface(design, columns, figure, options) : curves(design, columns, figure);
     const auto files = files_of_figure(file_name(figure));

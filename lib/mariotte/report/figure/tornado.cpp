@@ -12,6 +12,7 @@
 #include "mariotte/report/figure/gnuplot.hpp"
 #include "mariotte/report/figure/palette.hpp"
 #include "mariotte/report/figure/ticks.hpp"
+#include "mariotte/report/figure/title.hpp"
 #include "mariotte/report/number.hpp"
 
 namespace mariotte::report {
@@ -19,6 +20,8 @@ namespace {
 
 constexpr const char* figure = "tornado";
 constexpr std::size_t most_bars = 8, most_panels = 12;
+constexpr const char* what_is_shown = "% of the outcome per % of the parameter";
+constexpr std::size_t letters_of_wide = 88;       ///< in a title of both columns
 constexpr int head_height = 74, bar_height = 20;  ///< of a panel, in pixels of the screen
 
 struct Panel {
@@ -84,12 +87,10 @@ std::string commands(const Panel& panel, std::size_t number, std::size_t places)
 }
 
 /// A narrow figure says below its axis what it shows.
-std::string heading(const std::string& title, std::size_t rows, std::size_t columns) {
-  const std::string shown = "% of the outcome per % of the parameter";
-  const auto layout = [&](const std::string& text) {
-    return fmt::format("set multiplot layout {},{} title {} noenhanced\n", rows, columns, quoted(text));
-  };
-  return columns > 1 ? layout(title + ": " + shown) : layout(title) + "set xlabel " + quoted(shown) + "\n";
+std::string heading(const Title& title, std::size_t rows, std::size_t columns) {
+  const auto layout =
+      fmt::format("set multiplot layout {},{} title {} noenhanced\n", rows, columns, title.text);
+  return columns > 1 ? layout : layout + "set xlabel " + quoted(what_is_shown) + "\n";
 }
 
 }  // namespace
@@ -128,10 +129,12 @@ std::string tornado_script(const impact::Sensitivity& slopes, const std::string&
   std::size_t most = 0;
   for (const auto& panel : list) most = std::max(most, panel.bars.size());
   const std::size_t columns = list.size() > 1 ? 2 : 1, rows = (list.size() + columns - 1) / columns;
-  std::string plot = heading(title.empty() ? "Sensitivity" : title, rows, columns);
+  const auto name = title.empty() ? "Sensitivity" : title;
+  const auto head = columns > 1 ? wrapped(name + ": " + what_is_shown, letters_of_wide) : wrapped(name);
+  std::string plot = heading(head, rows, columns);
   for (std::size_t k = 0; k < list.size(); ++k) plot += commands(list[k], k + 1, most);
-  const auto height =
-      static_cast<int>(rows) * (head_height + bar_height * static_cast<int>(most)) + (columns > 1 ? 30 : 50);
+  const auto height = static_cast<int>(rows) * (head_height + bar_height * static_cast<int>(most)) +
+                      (columns > 1 ? 30 : 50) + head.more_height;
   return script_head() +
          "set style fill solid noborder\nset xzeroaxis\nset arrow from 0, graph 0 to 0, graph 1 nohead lc "
          "rgb "
