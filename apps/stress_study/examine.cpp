@@ -206,9 +206,10 @@ Verdict examine(const std::vector<Family>& list, std::uint64_t seed, std::uint64
   announce("drawing");
   const double start = measuring::cpu_seconds();
   const auto scene = scene_of(list, seed, number);
-  auto verdict = list[family_of(list, number)].slopes
-                     ? examine_slopes(slope_subject(scene, Dice(~seed, number)), number, announce, extent.brisk)
-                     : Examination(scene, number, announce, extent).verdict();
+  auto verdict =
+      list[family_of(list, number)].slopes
+          ? examine_slopes(slope_subject(scene, Dice(~seed, number)), number, announce, extent.brisk)
+          : Examination(scene, number, announce, extent).verdict();
   verdict.cost = measuring::cpu_seconds() - start;
   return verdict;
 }

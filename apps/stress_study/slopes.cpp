@@ -16,7 +16,8 @@ using impact::Sensitivity;
 
 /// Differences of which more than this share of the slope is uncertain cannot tell anything.
 constexpr double most_doubt = 1e-4;
-/// CPU time of slopes beyond which a brisk campaign leaves a scene out; differences take hundreds of runs [s].
+/// CPU time of slopes beyond which a brisk campaign leaves a scene out; differences take hundreds of runs
+/// [s].
 constexpr double most_brisk_seconds = 0.01;
 /// By how much of their units numbers are moved to tell how slopes follow.
 constexpr double perturbation = 1e-6;
@@ -39,8 +40,7 @@ double largest(const std::vector<double>& list) {
 
 class SlopeExamination {
  public:
-  SlopeExamination(const SlopeSubject& subject, std::uint64_t number, const Announce& announce,
-                   bool brisk)
+  SlopeExamination(const SlopeSubject& subject, std::uint64_t number, const Announce& announce, bool brisk)
       : subject_(subject), announce_(announce), brisk_(brisk) {
     verdict_.scene = number;
   }

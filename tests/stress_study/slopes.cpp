@@ -10,6 +10,7 @@
 #include "family.hpp"
 #include "group_units.hpp"
 #include "mariotte/scene/scene.hpp"
+#include "measuring/timing.hpp"
 
 using namespace mariotte;
 using namespace mariotte::stress_study;
@@ -54,7 +55,8 @@ SlopeSubject exponential(double factor, std::vector<impact::SlopeNote> notes = {
 }
 
 Verdict examined(const SlopeSubject& subject) {
-  return examine_slopes(subject, 0, [](const std::string&) {});
+  return examine_slopes(
+      subject, 0, [](const std::string&) {}, false);
 }
 
 }  // namespace
@@ -218,4 +220,17 @@ BOOST_AUTO_TEST_CASE(impulses_of_a_hardly_touching_pair_are_weighed_by_what_stop
   const auto slopes = subject.slopes(1e-10);
   for (std::size_t i = 0; i < slopes.outcome.size(); ++i)
     if (slopes.outcome[i].name == "impulse") BOOST_TEST(outcome_sizes(slopes, subject)[i] == subject.impulse);
+}
+
+BOOST_AUTO_TEST_CASE(brisk_campaigns_leave_out_slopes_that_take_long) {
+  auto slow = exponential(1);
+  slow.slopes = [quick = slow.slopes](double accuracy) {
+    const double start = measuring::cpu_seconds();
+    while (measuring::cpu_seconds() - start < 0.02) {
+    }
+    return quick(accuracy);
+  };
+  const auto silent = [](const std::string&) {};
+  BOOST_TEST(examine_slopes(slow, 0, silent, true).left_out);
+  BOOST_TEST(!examine_slopes(slow, 0, silent, false).left_out);
 }
