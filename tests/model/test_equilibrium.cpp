@@ -4,6 +4,8 @@
 #include <numbers>
 
 #include "mariotte/contact/hunt_crossley.hpp"
+#include "mariotte/contact/stated_law.hpp"
+#include "mariotte/contact/thornton.hpp"
 #include "mariotte/impact/chain/chain_impact.hpp"
 #include "mariotte/model/chain/equilibrium.hpp"
 
@@ -73,6 +75,18 @@ BOOST_AUTO_TEST_CASE(a_row_at_rest_stays_at_rest) {
   const auto impact = impact::simulate(chain, {.max_time = 1e-2});
   BOOST_TEST((impact.ending == hybrid::Ending::time_limit));
   for (const double velocity : impact.velocity) BOOST_TEST(std::abs(velocity) < 1e-9);  // falling: 0.1 m/s
+}
+
+// δ_y + (m g − f_y)/(πp_y R): beyond its elastic part.
+BOOST_AUTO_TEST_CASE(a_contact_that_yields_under_the_weight_carries_it) {
+  const contact::Thornton law(1e6, 0.01, 1e4);
+  model::Chain chain{
+      .mass = {infinity, 1}, .law = {contact::state(law)}, .gap = {0}, .velocity = {0, 0}, .gravity = 9.81};
+  put_at_rest(chain, 0);
+  BOOST_TEST(-chain.gap[0] == law.limit() + (9.81 - law.yield_force()) / law.slope(), tolerance(1e-12));
+  const auto impact = impact::simulate(chain, {.max_time = 0.05});
+  BOOST_TEST(std::abs(impact.velocity[1]) < 1e-9);
+  BOOST_TEST(impact.contacts[0].peak_force == 9.81, tolerance(1e-9));
 }
 
 BOOST_AUTO_TEST_CASE(what_has_no_wall_below_it_falls_and_weighs_nothing) {

@@ -68,6 +68,13 @@ void end(Memory& past, const BranchedLaw& law);
 void yield(Memory& past);
 void turn(Memory& past, const BranchedLaw& law, double indentation);
 
+/// Force at rest of a contact that has never been deeper than now [N].
+inline double first_loading(const BranchedLaw& law, double indentation) {
+  Memory past;
+  if (indentation > law.yield_indentation(past)) yield(past);
+  return law.force(past, indentation, 0).value;
+}
+
 /// Lost to yielding so far by a contact at this indentation [J].
 inline double plastic_loss(const BranchedLaw& law, const Memory& past, double indentation) {
   const double depth = past.branch == Branch::plastic ? indentation : past.peak;

@@ -71,7 +71,11 @@ Force load(const CustomLaw& law, double indentation, double rate) {
 }
 
 double static_indentation(const CustomLaw& law, double force) {
-  return where_reached([&](double depth) { return law.force(depth, 0).value; }, force, law.name());
+  const auto at_rest = [&](double depth) {
+    const auto* branched = law.branched();
+    return branched ? first_loading(*branched, depth) : law.force(depth, 0).value;
+  };
+  return where_reached(at_rest, force, law.name());
 }
 
 SharedLaw in_units(const SharedLaw& law, const Scale& scale) {

@@ -63,7 +63,7 @@ Force smooth_force(const CustomLaw& law, double indentation, double rate);
 /// The load likewise.
 Force load(const CustomLaw& law, double indentation, double rate);
 
-/// Indentation at which the contact carries a force at rest [m].
+/// Indentation at which the contact carries a force at rest [m], loaded for the first time.
 double static_indentation(const CustomLaw& law, double force);
 
 /// The same law with δ, δ̇, force and energy in other units. Throws InvalidParameter if no indentation
