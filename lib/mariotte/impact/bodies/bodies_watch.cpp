@@ -101,6 +101,15 @@ std::array<double, 3> largest(const Rows& row, double end) {
   return most;
 }
 
+/// Whether the last terms of a polynomial are small beside the largest value. Forces of a contact that hardly
+/// touches, and moves nothing, need not be followed so far.
+bool has_converged(std::span<const double> row, double end, double largest) {
+  constexpr double share = 1e-4;
+  const auto last = row.size() - 1;
+  const double terms = std::abs(row[last]) * end + std::abs(row[last - 1]);
+  return terms * std::pow(end, static_cast<double>(last - 1)) <= share * largest;
+}
+
 double wrapped(double angle) {
   const double rest = std::remainder(angle, 2 * std::numbers::pi);
   return rest <= -std::numbers::pi ? std::numbers::pi : rest;
@@ -153,6 +162,8 @@ void BodiesObserver<D>::search(const flow::Step& step) {
   for (std::size_t k = 0; k < mode_.closed.size(); ++k) {
     const auto& one = forces_[k];
     const auto [normal, friction, depth] = largest({one.normal, one.friction, one.depth}, one.end);
+    if (!has_converged(one.normal, one.end, normal) || !has_converged(one.friction, one.end, friction))
+      return sample_forces(step);
     raise(k, {normal, one.is_square ? std::sqrt(friction) : friction, depth});
   }
 }
