@@ -63,6 +63,29 @@ BOOST_AUTO_TEST_CASE(a_captured_pair_rings_at_the_frequency_of_its_well) {
   BOOST_TEST(std::abs(impact.energy.residual) < 1e-12);
 }
 
+// Beyond critical damping no turn of the rate tells that a pair is held.
+BOOST_AUTO_TEST_CASE(a_pair_that_creeps_to_rest_in_its_well_is_bound) {
+  for (const char* name : {"jkr", "dmt"})
+    for (const double damping : {4.0, 8.0, 20.0, 100.0}) {
+      const nlohmann::json law = {{"law", name},
+                                  {"effective_modulus", 0.75},
+                                  {"effective_radius", 1},
+                                  {"work_of_adhesion", 1e-3},
+                                  {"damping", damping}};
+      const model::Chain pair{.mass = {1, 1}, .law = {test::law_of(law)}, .gap = {0.1}, .velocity = {1, 0}};
+      const auto expect_bound = [&](const auto& model, double accuracy) {
+        const auto impact = impact::simulate(model, {.accuracy = accuracy});
+        BOOST_TEST((impact.ending == Ending::bound), name << ' ' << damping << impact.message);
+        BOOST_TEST(test::difference(impact.velocity, {0.5, 0.5}) <= accuracy);
+        BOOST_TEST(impact.time < 5000);
+      };
+      for (const double accuracy : {1e-6, 1e-10}) {
+        expect_bound(pair, accuracy);
+        expect_bound(model::as_network(pair), accuracy);
+      }
+    }
+}
+
 BOOST_AUTO_TEST_CASE(three_bonded_balls_have_the_modes_of_a_free_row) {
   const auto impact = impact::simulate(bonded({1e-4, 0, 0}));
   BOOST_TEST((impact.ending == Ending::bound), impact.message);

@@ -10,8 +10,8 @@
 namespace mariotte::study {
 
 inline constexpr const char* no_capture_velocity =
-    "no capture velocity within a factor of a million of the scene's speed: without damping, or with one "
-    "restitution at all speeds, bodies always part again";
+    "no capture velocity within a factor of a million of the scene's speed: bodies always part again, as "
+    "without damping or with one restitution at all speeds, or never, as with very strong damping";
 
 /// Of a microbody, or of two bodies of a chain. Found from the scene's normal speed, or approach, on; all
 /// else is as the scene says, but for the damping that ζ's or a restitution stand for where they depend on

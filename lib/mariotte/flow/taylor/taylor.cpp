@@ -23,8 +23,8 @@ bool is_finite(const Window& w) {
   return std::all_of(w.velocity.begin(), w.velocity.end(), [](double v) { return std::isfinite(v); });
 }
 
-/// A contact may have left the noise, on either side, or sunk into it, or its load has: the problem is to
-/// say.
+/// A contact may have left the noise, on either side, or sunk into it, or its load has, or one that adheres
+/// has come to rest without a turn: the problem is to say.
 bool concerns_problem(const Window& w, const taylor::Values& values) {
   const auto& l = w.lanes;
   bool any = false;
@@ -32,8 +32,10 @@ bool concerns_problem(const Window& w, const taylor::Values& values) {
     any |= l.indentation[j] < l.fades_below[j] && std::abs(l.rate[j]) <= w.fade_speed;
     any |= std::abs(l.indentation[j]) > l.leaves_noise[j];
   }
-  for (int j = 0; l.damped && j < l.count; ++j)
+  for (int j = 0; l.damped && j < l.count; ++j) {
     any |= w.contact(j).role == Role::closed && has_faint_load(w, j);
+    any |= l.branched && l.turn_side[j] != 0 && std::abs(l.rate[j]) <= l.turn_level[j];
+  }
   return any;
 }
 

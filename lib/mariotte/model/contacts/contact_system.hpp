@@ -40,7 +40,7 @@ class ContactSystem {
   /// Contacts that touched but were never pressed noticeably open at the end.
   void finish(Mode& mode, std::vector<Change>& changes) const { open_touching(mode, model_.law, changes); }
   TopologyPhase<Topology>& problem(Mode& mode) {
-    phase_.bind(mode);
+    phase_.bind(mode, !stay_);
     return phase_;
   }
 

@@ -21,8 +21,8 @@ class TopologyPhase final : public ContactPhase {
   const typename Topology::Flows& flows() const { return flows_; }
 
   /// From now on follow `mode`, which must outlive the phase; accepted steps turn its touching contacts
-  /// closed.
-  void bind(contact::ContactSet& mode);
+  /// closed. `ends_bound`: it is over once adhesion holds together for ever what has come to rest.
+  void bind(contact::ContactSet& mode, bool ends_bound);
 
   Index size() const override { return at().size; }
   void derivative(ConstState x, State dx) const override;
@@ -63,6 +63,7 @@ class TopologyPhase final : public ContactPhase {
   bool watches_turns(Index j) const { return at().branch_guard[j] != ContactLayout::absent; }
   contact::Memory past(Index j) const { return memory_of(*mode_, j); }
   bool has_impulse(Index j) const { return at().impulse[j] != ContactLayout::absent; }
+  bool is_held(ConstState x) const;
   double clear_load(ConstState x, Index j) const;
   contact::Force load(ConstState x, Index j) const {
     return contact::load(law(j), -x[at().gap[j]], topology_.approach(x, j));
@@ -89,7 +90,8 @@ class TopologyPhase final : public ContactPhase {
   std::vector<std::optional<contact::ContactMode>> watched_;  ///< by contact: the mode as which it is watched
   std::vector<WidthBranch> widths_;                           ///< by contact, where its branch is one
   contact::ContactSet* mode_ = nullptr;
-  Index active_ = 0;          ///< contacts that carry force
+  Index active_ = 0;  ///< contacts that carry force
+  bool ends_bound_ = false;
   bool needs_field_ = false;  ///< a contact that is not open follows no power, or there is a drive
   double time_scale_ = 1;
 };

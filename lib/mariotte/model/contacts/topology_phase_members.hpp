@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mariotte/model/contacts/bound.hpp"
 #include "mariotte/model/contacts/topology_phase.hpp"
 
 namespace mariotte::model {
@@ -42,8 +43,9 @@ void TopologyPhase<Topology>::find_magnitudes() {
 }
 
 template <class Topology>
-void TopologyPhase<Topology>::bind(contact::ContactSet& mode) {
+void TopologyPhase<Topology>::bind(contact::ContactSet& mode, bool ends_bound) {
   mode_ = &mode;
+  ends_bound_ = ends_bound && at().drives() == 0;
   active_ = 0;
   needs_field_ = at().drives() > 0;
   double shortest = infinity, any = infinity;
@@ -337,6 +339,17 @@ double TopologyPhase<Topology>::damping_group() const {
   return largest;
 }
 
+/// All closed contacts adhere, have come to rest and never open again. Overdamped ones creep there, and no
+/// turn of their rate tells.
+template <class Topology>
+bool TopologyPhase<Topology>::is_held(ConstState x) const {
+  for (Index j = 0; j < contacts(); ++j)
+    if (contact::carries_force((*mode_)[j]) &&
+        (!contact::adheres(law(j)) || std::abs(approach(x, j)) > topology_.model.noise_speed))
+      return false;
+  return is_bound(held_together(ContactState<Topology>{topology_, x, mode_}, *mode_));
+}
+
 template <class Topology>
 flow::Accepted TopologyPhase<Topology>::accept(ConstState x) {
   using contact::ContactMode;
@@ -354,6 +367,7 @@ flow::Accepted TopologyPhase<Topology>::accept(ConstState x) {
     watch(j);
     accepted = flow::Accepted::rewatched;
   }
+  if (ends_bound_ && active_ > 0 && is_held(x)) return flow::Accepted::ended;
   return accepted;
 }
 
