@@ -158,5 +158,23 @@ BOOST_AUTO_TEST_CASE(laws_that_yield_and_adhere_are_read) {
   const auto bodies = read(text + "[run]\nuntil = 1\n");
   BOOST_TEST(contact::adheres(bodies.contact[0].law));
   text.replace(text.find("\"spring\""), 8, "\"mindlin\"");
-  check_refused(text, "beside the law 'jkr' friction is rigid or a spring");
+  check_refused(text, "beside a law that pulls or yields, as 'jkr' does here, friction is rigid or a spring");
+}
+
+BOOST_AUTO_TEST_CASE(corners_of_a_block_may_say_that_they_are_points) {
+  const auto bodies = read(R"([bodies]
+dimension = 2
+law = "hertz"
+stiffness = 1e9
+[[bodies.body]]
+shape = "block"
+size = [0.1, 0.2]
+radius = 0
+mass = 1
+position = [0, 1]
+[[bodies.plane]]
+normal = [0, 1]
+)");
+  BOOST_TEST_REQUIRE(bodies.body[0].spheres.size() == 4u);
+  for (const auto& corner : bodies.body[0].spheres) BOOST_TEST(corner.radius == 0);
 }

@@ -114,7 +114,8 @@ void read_block(const Reader& read, const std::optional<Material>& material, mod
   const double a = size[0], b = size[1], c = has_depth ? size[2] : 0;
   body.mass = read.mass(a * b * c, material);
   body.inertia = (body.mass / 12) * Vector3{b * b + c * c, a * a + c * c, a * a + b * b};
-  const double round = read.own("radius") || read.own("diameter") ? *read.radius() : 0;
+  const double round =
+      find_radius(read.source, read.table, large_body, Domain::not_negative).value_or(0);  // its own alone
   const double least = flat ? std::min(a, b) : std::min({a, b, c});
   if (round > least / 2)
     reject(read.source, field, fault::out_of_range, "is smaller than the rounding of its corners");

@@ -25,10 +25,11 @@ void expect_one_size(const Source& source, const Field& table) {
     reject(source, *diameter, fault::contradiction, "'radius' is given, too; give one of them");
 }
 
-std::optional<double> find_radius(Source& source, const Field& table, const LargeRadius& large) {
+std::optional<double> find_radius(Source& source, const Field& table, const LargeRadius& large,
+                                  Domain domain) {
   expect_one_size(source, table);
-  if (const auto radius = find(table, "radius")) return read_radius(source, *radius, large);
-  if (const auto diameter = find(table, "diameter")) return read_diameter(source, *diameter, large);
+  if (const auto radius = find(table, "radius")) return read_radius(source, *radius, large, domain);
+  if (const auto diameter = find(table, "diameter")) return read_diameter(source, *diameter, large, domain);
   return {};
 }
 

@@ -24,6 +24,7 @@ double read_diameter(Source& source, const Field& field, const LargeRadius& larg
 void expect_one_size(const Source& source, const Field& table);
 
 /// If either is there.
-std::optional<double> find_radius(Source& source, const Field& table, const LargeRadius& large = large_body);
+std::optional<double> find_radius(Source& source, const Field& table, const LargeRadius& large = large_body,
+                                  Domain domain = Domain::positive);
 
 }  // namespace mariotte::scene
