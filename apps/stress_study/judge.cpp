@@ -59,6 +59,14 @@ void take_balance(const Trial& trial, Judgement& judgement) {
       fmt::format("{}: a balance does not close: {:.3g} of the energy", trial.name, imbalance));
 }
 
+/// Peaks are told to fewer digits than velocities.
+void take_peaks(const Trial& trial, Judgement& judgement) {
+  constexpr double gross = 1e-3;
+  if (trial.found.peak_misfit <= gross) return;
+  judgement.findings.push_back(fmt::format("{}: a largest force is {:.2g} of the largest of all off its law",
+                                           trial.name, trial.found.peak_misfit));
+}
+
 /// Periods that bring no impulse beyond the tolerance are below what was asked for: whether a touch counts as
 /// one, or a rest as two, is decided by less.
 bool same_impulses(const Trial& trial, const Trial& best) {
@@ -94,6 +102,7 @@ Judgement judge(const Trial& best, const std::vector<Trial>& trials, const Measu
   for (const auto& trial : trials) {
     if (!take_ending(trial, judgement)) continue;
     take_balance(trial, judgement);
+    take_peaks(trial, judgement);
     if (!comparable) continue;
     take_deviation(trial, best, measure, judgement);
     take_counts(trial, best, measure, judgement);

@@ -13,6 +13,7 @@
 #include "mariotte/impact/microbody/microbody_solver.hpp"
 #include "mariotte/impact/network/network_impact.hpp"
 #include "measuring/timing.hpp"
+#include "peaks.hpp"
 
 namespace mariotte::stress_study {
 namespace {
@@ -79,6 +80,7 @@ void run(const model::Chain& chain, const hybrid::Options& options, bool balance
   double fastest = speed;
   for (const double v : impact.velocity) fastest = std::max(fastest, std::abs(v));
   found.imbalance = imbalance(impact, moving_mass(chain) * speed * fastest);
+  found.peak_misfit = peak_misfit(impact.contacts, [&](std::size_t j) { return chain.law[j]; });
 }
 
 void run(const model::Network& network, const hybrid::Options& options, bool, double speed, Found& found) {
@@ -89,6 +91,7 @@ void run(const model::Network& network, const hybrid::Options& options, bool, do
   const double energy = impact.energy.initial + std::abs(impact.energy.work);
   add_contacts(impact, energy / speed, found);
   found.imbalance = std::max(energy > 0 ? imbalance(impact, energy) : 0.0, impact.momentum_residual);
+  found.peak_misfit = peak_misfit(impact.contacts, [&](std::size_t j) { return network.law[j]; });
 }
 
 void add_motion(const Body& scene, const Vector3& velocity, const Vector3& spin, Found& found) {
@@ -147,6 +150,9 @@ void run(const Group& scene, const hybrid::Options& options, bool, double speed,
     gained = std::max({gained, -contact.losses.friction, -contact.losses.rescale, -contact.losses.damper});
   }
   found.imbalance = gained / (mass * speed * speed + std::abs(impact.energy.work));
+  found.peak_misfit = peak_misfit(impact.contacts, [&](std::size_t k) {
+    return bodies.contact[static_cast<std::size_t>(impact.contacts[k].contact)].law;
+  });
 }
 
 }  // namespace

@@ -31,10 +31,11 @@ struct Found {
   std::vector<double> impulse = {};  ///< per contact, over moving mass × reference speed
   double estimate = 0;               ///< of the error, if the run says one
   double imbalance = 0;              ///< worst of the balances, relative to the energy at the reference speed
-  double rounding = 0;               ///< of velocities in the frame of the scene, over the reference speed
-  bool refused = false;              ///< by name, before it began
-  Index work = 0;                    ///< evaluations of the right-hand side, or of its series
-  double seconds = 0;                ///< CPU time
+  double peak_misfit = 0;  ///< of largest forces of elastic contacts, relative to the largest of all
+  double rounding = 0;     ///< of velocities in the frame of the scene, over the reference speed
+  bool refused = false;    ///< by name, before it began
+  Index work = 0;          ///< evaluations of the right-hand side, or of its series
+  double seconds = 0;      ///< CPU time
 };
 
 /// Changes of the set of contacts after which a run is given up.

@@ -71,6 +71,13 @@ BOOST_AUTO_TEST_CASE(an_open_balance_is_found) {
   BOOST_TEST(judged(wrong).findings.size() == 1u);
 }
 
+BOOST_AUTO_TEST_CASE(a_largest_force_off_its_law_is_found) {
+  auto wrong = trial(three_balls, 1e-10);
+  BOOST_TEST(wrong.found.peak_misfit < 1e-6);
+  wrong.found.peak_misfit = 0.01;
+  BOOST_TEST(judged(wrong).findings.size() == 1u);
+}
+
 BOOST_AUTO_TEST_CASE(failures_and_limits_are_found_and_refusals_counted) {
   auto wrong = trial(three_balls, 1e-10);
   for (const auto ending : {hybrid::Ending::failed, hybrid::Ending::unsure}) {
