@@ -4,6 +4,7 @@
 
 #include "mariotte/hybrid/ending.hpp"
 #include "mariotte/model/contacts/bound.hpp"
+#include "mariotte/model/contacts/creeping.hpp"
 #include "mariotte/model/contacts/topology_phase.hpp"
 
 namespace mariotte::model {
