@@ -51,6 +51,17 @@ BOOST_AUTO_TEST_CASE(table_says_how_the_run_ended_and_why) {
   BOOST_TEST(has(text, "the time limit of 4 s was reached"));
 }
 
+BOOST_AUTO_TEST_CASE(table_says_that_gravity_brings_balls_back) {
+  auto [impact, scene] = long_chain(3);
+  auto& chain = std::get<model::Chain>(scene.model);
+  BOOST_TEST(!has(report::table(impact, scene), "gravity"));
+  chain.mass[0] = infinity;
+  chain.gravity = 9.81;
+  BOOST_TEST(has(report::table(impact, scene), "gravity brings balls back to the wall"));
+  impact.ending = hybrid::Ending::time_limit;
+  BOOST_TEST(!has(report::table(impact, scene), "gravity"));
+}
+
 BOOST_AUTO_TEST_CASE(table_shows_every_part_of_the_result) {
   auto impact = support::three_balls_impact();
   impact.validity.contact_radius_ratio = impact::Extreme{0.25, 1};

@@ -72,6 +72,15 @@ void validate(const Chain& chain) {
   expect_wall(chain);
 }
 
+bool falls_back(const Chain& chain) {
+  if (chain.gravity == 0) return false;
+  for (std::size_t j = 0; j + 1 < chain.mass.size(); ++j) {
+    const auto below = chain.gravity > 0 ? j : j + 1, above = chain.gravity > 0 ? j + 1 : j;
+    if (std::isinf(chain.mass[below]) && !std::isinf(chain.mass[above])) return true;
+  }
+  return false;
+}
+
 void expect_end(const Chain& chain, double max_time) {
   if (std::isfinite(max_time)) return;
   expect_end(chain.drive, max_time);

@@ -26,6 +26,9 @@ struct Chain {
 /// where one is a force.
 void validate(const Chain& chain);
 
+/// Whether gravity, towards decreasing position or upwards, pulls some ball back to a wall.
+bool falls_back(const Chain& chain);
+
 /// Throws InvalidParameter if there is a drive, or a wall moves towards another, which squeezes what is
 /// between them for ever, and no `max_time` [s] ends that.
 void expect_end(const Chain& chain, double max_time);

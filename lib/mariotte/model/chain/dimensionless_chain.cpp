@@ -15,16 +15,6 @@ double reduced_mass(double a, double b) {
   return std::isinf(b) ? a : a / (1 + a / b);
 }
 
-/// Gravity towards decreasing position pulls a ball back to a wall on its left; upwards gravity mirrors that.
-bool pulls_back(const Chain& chain) {
-  if (chain.gravity == 0) return false;
-  for (std::size_t j = 0; j + 1 < chain.mass.size(); ++j) {
-    const auto below = chain.gravity > 0 ? j : j + 1, above = chain.gravity > 0 ? j + 1 : j;
-    if (std::isinf(chain.mass[below]) && !std::isinf(chain.mass[above])) return true;
-  }
-  return false;
-}
-
 /// Masses and gravity in the units of `d`.
 void scale_balls(const Chain& chain, DimensionlessChain& d) {
   for (auto* list : {&d.mass, &d.inverse_mass, &d.gravity}) list->clear();
@@ -79,7 +69,7 @@ void make_dimensionless(const Chain& chain, double accuracy, DimensionlessChain&
   scale_contacts({chain.law, chain.gap, chain.velocity}, reference_speed(chain, speeds.all()), accuracy, d);
   d.scale.refinement = speeds.refinement();
   scale_balls(chain, d);
-  d.falls_back = pulls_back(chain);
+  d.falls_back = falls_back(chain);
   d.drive.clear();
   for (const auto& drive : chain.drive) {
     auto response = drive.direction;

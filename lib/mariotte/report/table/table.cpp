@@ -29,6 +29,9 @@ std::string summary(const impact::ContactImpact& impact, const std::string& size
                   shown(time, impact.time), time.unit, size, impact.requested_accuracy);
   if (impact.estimated_accuracy) text += fmt::format(", {:.1e} estimated", *impact.estimated_accuracy);
   if (const auto why = reason(impact.ending, impact.message, scene); !why.empty()) text += "\n" + why;
+  const auto* chain = std::get_if<model::Chain>(&scene.model);
+  if (impact.ending == hybrid::Ending::separated && chain && falls_back(*chain))
+    text += "\ngravity brings balls back to the wall; run.until follows them on";
   for (const double one : impact.bound_frequency)
     text += fmt::format("\nheld together by adhesion, rings on at {:.6g} Hz", one);
   return text + "\n";
