@@ -68,11 +68,11 @@ void end(Memory& past, const BranchedLaw& law);
 void yield(Memory& past);
 void turn(Memory& past, const BranchedLaw& law, double indentation);
 
-/// Force at rest of a contact that has never been deeper than now [N].
-inline double first_loading(const BranchedLaw& law, double indentation) {
+/// Of a contact that has never been deeper than now.
+inline Memory loaded_first(const BranchedLaw& law, double indentation) {
   Memory past;
   if (indentation > law.yield_indentation(past)) yield(past);
-  return law.force(past, indentation, 0).value;
+  return past;
 }
 
 /// Lost to yielding so far by a contact at this indentation [J].

@@ -73,7 +73,8 @@ Force load(const CustomLaw& law, double indentation, double rate) {
 double static_indentation(const CustomLaw& law, double force) {
   const auto at_rest = [&](double depth) {
     const auto* branched = law.branched();
-    return branched ? first_loading(*branched, depth) : law.force(depth, 0).value;
+    return branched ? branched->force(loaded_first(*branched, depth), depth, 0).value
+                    : law.force(depth, 0).value;
   };
   return where_reached(at_rest, force, law.name());
 }

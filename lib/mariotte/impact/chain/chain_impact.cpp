@@ -195,7 +195,7 @@ ChainImpact simulate_within(const model::Chain& chain, const hybrid::Options& op
       return difference(a.velocity, b.velocity, reference_speed(chain));
     });
   impact.requested_accuracy = options.accuracy;
-  if (impact.ending == hybrid::Ending::failed && chain.gravity != 0 && std::isinf(options.max_time))
+  if (impact.ending == hybrid::Ending::failed && falls_back(chain) && std::isinf(options.max_time))
     impact.message += "; balls that come to rest under gravity need a time limit";
   return impact;
 }

@@ -45,10 +45,8 @@ void turn(contact::ContactSet& mode, Index j, const contact::Law& law, double in
 void start_indented(contact::Memory& past, const contact::Law& law, double indentation, double rate) {
   const auto* branches = branched(law);
   if (!branches) return;
-  past = {.recedes = rate < 0};
-  if (indentation <= branches->yield_indentation(past)) return;
-  past.branch = past.recedes ? Branch::unloading : Branch::plastic;
-  if (past.recedes) past.peak = indentation;
+  past = loaded_first(*branches, indentation);
+  if (rate < 0) turn(past, *branches, indentation);
 }
 
 void reset(contact::ContactSet& mode, const std::vector<contact::Law>& laws) {

@@ -60,7 +60,7 @@ class ContactSystem {
   bool pass_kinks(Mode& mode, const std::vector<Index>& fired, State x) const;
   void redirect(Mode& mode, Index j, ConstState x, std::vector<Change>& changes) const;
   void fire(Mode& mode, Index guard, ConstState x, std::vector<Change>& changes) const;
-  void settle(Mode& mode, Index j, const std::vector<Index>& fired, ConstState x,
+  void settle(Mode& mode, Index j, const std::vector<Index>& fired, CreepingForces<Topology>& forces,
               std::vector<Change>& changes) const;
 };
 
@@ -80,11 +80,11 @@ void ContactSystem<Topology>::fire(Mode& mode, Index guard, ConstState x,
 
 /// What a contact does that no guard has told of.
 template <class Topology>
-void ContactSystem<Topology>::settle(Mode& mode, Index j, const std::vector<Index>& fired, ConstState x,
-                                     std::vector<Change>& changes) const {
+void ContactSystem<Topology>::settle(Mode& mode, Index j, const std::vector<Index>& fired,
+                                     CreepingForces<Topology>& forces, std::vector<Change>& changes) const {
   using contact::ContactMode;
   if (!contact::carries_force(mode[j])) return;
-  const auto now = state(x, &mode);
+  const auto& now = forces.state();
   const auto has_fired = [&] {
     return std::any_of(fired.begin(), fired.end(),
                        [&](Index guard) { return layout_.guard_contact[guard] == j; });
@@ -95,7 +95,7 @@ void ContactSystem<Topology>::settle(Mode& mode, Index j, const std::vector<Inde
     change(mode, j, ContactMode::open, model_.law[j], changes);
   } else if (mode[j] == ContactMode::touching && has_loaded(now, j)) {
     mode[j] = ContactMode::closed;  // no event
-  } else if (has_let_go(now, mode, j) && !has_fired()) {
+  } else if (has_let_go(forces, j) && !has_fired()) {
     change(mode, j, ContactMode::slack, model_.law[j], changes);
   }
 }
@@ -143,12 +143,20 @@ void ContactSystem<Topology>::transition(Mode& mode, const std::vector<Index>& f
   if (pass_kinks(mode, fired, x))
     for (Index j = 0; j < layout_.contacts(); ++j) redirect(mode, j, x, changes);
   for (const Index guard : fired) fire(mode, guard, x, changes);
-  for (Index j = 0; j < layout_.contacts(); ++j)
-    if (mode[j] == contact::ContactMode::slack && is_loaded_again(state(x, &mode), mode, j))
-      change(mode, j, contact::ContactMode::closed, model_.law[j], changes);
+  CreepingForces<Topology> forces(state(x, &mode), mode);
+  const auto for_each_contact = [&](const auto& use) {
+    for (Index j = 0; j < layout_.contacts(); ++j) {
+      const auto before = changes.size();
+      use(j);
+      if (changes.size() != before) forces.forget();
+    }
+  };
+  for_each_contact([&](Index j) {
+    if (is_loaded_again(forces, j)) change(mode, j, contact::ContactMode::closed, model_.law[j], changes);
+  });
   for (auto settled = changes.size() + 1; settled != changes.size();) {  // what lets go may have held others
     settled = changes.size();
-    for (Index j = 0; j < layout_.contacts(); ++j) settle(mode, j, fired, x, changes);
+    for_each_contact([&](Index j) { settle(mode, j, fired, forces, changes); });
   }
   tell_approach(state(x, &mode), known, changes);
 }

@@ -36,65 +36,86 @@ double growth_under(const ContactState<Topology>& state, Index j, const Force& f
   return load.by_indentation * state.approach(j) + load.by_rate * bend;
 }
 
-/// Forces of all contacts. Those that creep have the forces under which no load changes, or none where they
-/// would pull: projected Gauss-Seidel iteration from zero, which rises in a row and then ends with the least.
+/// Forces of contacts at a state. Those of contacts that creep are lost in rounding, and are found from what
+/// presses them, once for all that are asked.
 template <class Topology>
-std::vector<double> creeping_forces(const ContactState<Topology>& state, const contact::ContactSet& mode) {
-  std::vector<double> force(state.contacts());
-  std::vector<Index> creeping;
-  for (Index j = 0; j < state.contacts(); ++j)
-    if (creeps(state, mode, j))
-      creeping.push_back(j);
-    else
-      force[j] = state.force_in(mode, j);
-  const auto settle = [&](Index j) {
-    const double held = state.load(j).by_rate / state.model().reduced_mass[j];
-    const double growth = growth_under(state, j, [&](Index i) { return force[i]; });
-    const double now = growth > 0 && held > 0 ? growth / held : 0;
-    const bool moves = std::abs(now - force[j]) > 1e-6 * now;
-    force[j] = now;
-    return moves;
-  };
-  for (int sweep = 0; sweep < most_creeping_sweeps; ++sweep) {
-    Index moved = 0;
-    for (const Index j : creeping) moved += settle(j);
-    if (moved == 0) break;
-    std::reverse(creeping.begin(), creeping.end());
-  }
-  return force;
-}
+class CreepingForces {
+ public:
+  CreepingForces(const ContactState<Topology>& state, const contact::ContactSet& mode)
+      : state_(state), mode_(mode) {}
+  const ContactState<Topology>& state() const { return state_; }
+  contact::ContactMode mode(Index j) const { return mode_[j]; }
+  /// Whether the load of closed contact j is rounding.
+  bool creeps(Index j) const { return model::creeps(state_, mode_, j); }
 
-/// How fast the load of contact j would grow if it carried no force. What creeps beside it has a force that
-/// is lost in rounding, and is computed from what presses it.
-template <class Topology>
-double free_growth(const ContactState<Topology>& state, const contact::ContactSet& mode, Index j) {
-  bool beside = false;
-  state.topology.for_each_near(j, [&](Index i) { beside = beside || (i != j && creeps(state, mode, i)); });
-  if (!beside) return growth_under(state, j, [&](Index i) { return state.force_in(mode, i); });
-  const auto force = creeping_forces(state, mode);
-  return growth_under(state, j, [&](Index i) { return force[i]; });
-}
+  /// How fast the load of contact j would grow if it carried no force.
+  double free_growth(Index j) {
+    bool beside = false;
+    state_.topology.for_each_near(j, [&](Index i) { beside = beside || (i != j && creeps(i)); });
+    if (!beside) return growth_under(state_, j, [&](Index i) { return state_.force_in(mode_, i); });
+    if (force_.empty()) find();
+    return growth(j);
+  }
+  /// The mode of a contact has changed.
+  void forget() { force_.clear(); }
+
+ private:
+  double growth(Index j) const {
+    return growth_under(state_, j, [&](Index i) { return force_[i]; });
+  }
+
+  /// Under which no load of those that creep changes, or none where they would pull: projected Gauss-Seidel
+  /// iteration from zero, which rises in a row and then ends with the least.
+  void find() {
+    std::vector<Index> creeping;
+    force_.assign(state_.contacts(), 0.0);
+    for (Index j = 0; j < state_.contacts(); ++j)
+      if (creeps(j))
+        creeping.push_back(j);
+      else
+        force_[j] = state_.force_in(mode_, j);
+    for (int sweep = 0; sweep < most_creeping_sweeps; ++sweep) {
+      Index moved = 0;
+      for (const Index j : creeping) moved += settle(j);
+      if (moved == 0) break;
+      std::reverse(creeping.begin(), creeping.end());
+    }
+  }
+  /// True if the force of contact j has changed.
+  bool settle(Index j) {
+    const double held = state_.load(j).by_rate / state_.model().reduced_mass[j], grows = growth(j);
+    const double now = grows > 0 && held > 0 ? grows / held : 0;
+    const bool moves = std::abs(now - force_[j]) > 1e-6 * now;
+    force_[j] = now;
+    return moves;
+  }
+
+  ContactState<Topology> state_;
+  const contact::ContactSet& mode_;
+  std::vector<double> force_;
+};
 
 /// The load of slack contact j is positive and its neighbours' forces let it grow: it pushes again. Where a
 /// load has vanished but for rounding, its guard may stand beyond zero already, and would never fire.
 template <class Topology>
-bool is_loaded_again(const ContactState<Topology>& state, const contact::ContactSet& mode, Index j) {
-  return state.load(j).value > 0 && free_growth(state, mode, j) > 0;
+bool is_loaded_again(CreepingForces<Topology>& now, Index j) {
+  return now.mode(j) == contact::ContactMode::slack && now.state().load(j).value > 0 &&
+         now.free_growth(j) > 0;
 }
 
 /// The load of contact j has passed zero beyond rounding, and no guard has told: where it stood beyond zero
 /// as the phase began, its guard never fires.
 template <class Topology>
-bool has_passed(const ContactState<Topology>& state, const contact::ContactSet& mode, Index j) {
-  return mode[j] == contact::ContactMode::slack && state.load(j).value > load_noise(state, j) &&
-         is_loaded_again(state, mode, j);
+bool has_passed(CreepingForces<Topology>& now, Index j) {
+  return now.mode(j) == contact::ContactMode::slack &&
+         now.state().load(j).value > load_noise(now.state(), j) && is_loaded_again(now, j);
 }
 
 /// The load of closed contact j is rounding, and would not grow without its force: it has let go. A contact
 /// that creeps has such a load for long, whose sign is that of this growth.
 template <class Topology>
-bool has_let_go(const ContactState<Topology>& state, const contact::ContactSet& mode, Index j) {
-  return creeps(state, mode, j) && !(free_growth(state, mode, j) > 0);
+bool has_let_go(CreepingForces<Topology>& now, Index j) {
+  return now.creeps(j) && !(now.free_growth(j) > 0);
 }
 
 }  // namespace mariotte::model

@@ -69,12 +69,14 @@ void BodiesVariation<D>::see_landings(const Mode& before, const Mode& after, Con
     const auto& tangential = base_.contact[one.contact].tangential;
     if (place_of(before, one.contact) >= 0 || one.friction != Friction::slip || tangential.has_spring())
       continue;
-    for (Index c = 0; c < columns(); ++c) {
-      const auto slip = evaluate(c - c % lanes, after, x, slopes).motion(one.contact).slip;
-      double at = 0, by = 0;
-      for (int k = 0; k < D; ++k)
-        at += slip[k].value * slip[k].value, by += std::abs(slip[k].slope[c % lanes]);
-      if (at <= rest * rest && by > rounding * base_.speed * natural_[c]) one_sided_[c] = true;
+    for (Index first = 0; first < columns(); first += lanes) {
+      const auto slip = evaluate(first, after, x, slopes).motion(one.contact).slip;
+      double square = 0;
+      for (int k = 0; k < D; ++k) square += slip[k].value * slip[k].value;
+      if (square > rest * rest) break;
+      for (Index c = first; c < std::min(first + lanes, columns()); ++c)
+        for (int k = 0; k < D; ++k)
+          if (std::abs(slip[k].slope[c - first]) > rounding * base_.speed * natural_[c]) one_sided_[c] = true;
     }
   }
 }
