@@ -10,7 +10,7 @@
 namespace mariotte::stress_study {
 namespace {
 
-constexpr int lengths = 8;
+constexpr int lengths = 10;
 constexpr double shortening = 0.25;
 /// Of what outcomes are, or are compared with: rounding of the best runs.
 constexpr double noise = 1e-14;
@@ -90,12 +90,14 @@ class Shrinking {
             epsilon * std::abs(probe_.value * slope)) /
            step;
   }
-  /// Two that agree may do so by chance; what is left of a shorter step is noise, which steps divide.
+  /// Two that agree may do so by chance; what is left of a shorter step is noise, which steps divide. What
+  /// shorter steps contradict belongs to another order of events.
   void compare(std::size_t i, double next) {
     if (best_.slope.empty()) best_ = {Values(sizes_.size(), 0.0), Values(sizes_.size(), infinity)};
     const double doubt = std::max(
         {std::abs(now_[i] - before_[i]), shortening * std::abs(next - now_[i]), rounding(i, now_[i], step_)});
-    if (doubt < best_.doubt[i]) best_.slope[i] = now_[i], best_.doubt[i] = doubt;
+    const bool contradicts = std::abs(now_[i] - best_.slope[i]) > tolerated * (doubt + best_.doubt[i]);
+    if (doubt < best_.doubt[i] || contradicts) best_.slope[i] = now_[i], best_.doubt[i] = doubt;
   }
 
   const Formula& formula_;

@@ -108,10 +108,14 @@ std::vector<impact::Parameter<Model>> named_as(const std::vector<impact::Paramet
 template <class Model>
 SlopeSubject subject_of(const Model& model, double speed, double max_time, Dice& dice) {
   SlopeSubject subject{.speed = speed};
-  std::vector<impact::Parameter<Model>> by;
+  std::vector<impact::Parameter<Model>> all;
   for (auto& one : impact::parameters(model))
-    if (unit_of(model, one, speed)) by.push_back(std::move(one));
-  by = some_of(std::move(by), dice);
+    if (const auto unit = unit_of(model, one, speed)) {
+      all.push_back(std::move(one));
+      subject.all_units.push_back(*unit);
+    }
+  subject.all_slopes = [=] { return impact::sensitivity(model, all, options_for(max_time, best_accuracy)); };
+  const auto by = some_of(all, dice);
   const auto slopes_of = [by, max_time](const Model& moved, double accuracy) {
     const std::vector<impact::Parameter<Model>> list = named_as(by, moved);
     return impact::sensitivity(moved, list, options_for(max_time, accuracy));

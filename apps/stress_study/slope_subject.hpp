@@ -29,6 +29,9 @@ struct SlopeSubject {
   double spin = 0;     ///< that gives the farthest point of the largest body this speed, likewise
   std::vector<Probe> probes = {};
   std::function<impact::Sensitivity(double accuracy)> slopes = {};
+  /// By every number that has a natural unit, likewise; empty if the scene is not asked for them.
+  std::function<impact::Sensitivity()> all_slopes = {};
+  std::vector<double> all_units = {};  ///< of these numbers
 };
 
 /// Numbers that can move both ways: gaps of contacts that touch are left out.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "differences.hpp"
 #include "measuring/timing.hpp"
@@ -115,7 +116,7 @@ class SlopeExamination {
       verdict_.error[k] = std::max(verdict_.error[k], share / accuracies[k]);
       verdict_.worst = std::max(verdict_.worst, share / accuracies[k]);
       if (share <= tolerated * accuracies[k]) continue;
-      const double growth = amplification(c)[i] / size;
+      const double growth = std::max(amplification(c)[i], delay(i)) / size;
       if (share <= tolerated * accuracies[k] * growth) continue;
       find(fmt::format(
                "{} is {:.12g} at {:.0e}, differences {:.12g} ± {:.1e}; perturbations grow {:.2g} times", what,
@@ -150,10 +151,24 @@ class SlopeExamination {
     return known;
   }
 
+  /// By how much an instant moves with any number of the scene, relative to itself: balls that meet late and
+  /// slowly meet at another time for every error of their velocities.
+  double delay(std::size_t i) {
+    if (slopes_.back().outcome[i].unit != "s" || !subject_.all_slopes) return 0;
+    announce_("slopes by all numbers");
+    if (!all_slopes_) all_slopes_ = subject_.all_slopes();
+    double most = 0;
+    for (std::size_t c = 0; c < subject_.all_units.size(); ++c)
+      if (const auto slope = all_slopes_->outcome[i].slope[c])
+        most = std::max(most, std::abs(*slope * subject_.all_units[c] / sizes_[i]));
+    return most;
+  }
+
   const SlopeSubject& subject_;
   const Announce& announce_;
   bool brisk_;
   std::vector<Sensitivity> slopes_;
+  std::optional<Sensitivity> all_slopes_;  ///< at the best accuracy, where they are needed
   std::vector<double> sizes_;
   std::map<std::size_t, std::vector<double>> amplification_;  ///< by number and outcome
   Verdict verdict_;
