@@ -18,6 +18,8 @@ constexpr int most_sweeps = 60;
 constexpr double weak = 3;        ///< of what a piece does: a few sweeps cost less than a division
 constexpr double stiff = 1e3;     ///< what has not died away is then left in all orders alike
 constexpr double reserve = 1000;  ///< of the accuracy: what such a piece may leave
+constexpr double rounded = 4 * stages * epsilon;
+constexpr double clearly = 4;  ///< too large, though slopes may grow within a piece
 
 /// By rows, since what a component does, it does to all columns.
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -63,7 +65,7 @@ struct Collocation::Memory {
   std::vector<flow::Entry> pattern;
   Eigen::VectorXd magnitude, weight;  ///< weight: the inverse, of components that tell how large columns are
   Eigen::RowVectorXd natural;
-  Eigen::RowVectorXd given;   ///< to a component
+  Rows given;                 ///< to a component, at all points
   Eigen::RowVectorXd extent;  ///< of columns in a piece
   double accuracy;
   Index size, columns;
@@ -117,15 +119,14 @@ struct Collocation::Memory {
     const Index m = std::ssize(active);
     value.resize(m * stages, columns);
     for (int i = 0; i < stages; ++i) value.middleRows(i * m, m) = now;
-    for (int j = 0; j < stages; ++j) {
-      const auto b = source_at(j);
-      for (Index k = 0; k < m; ++k) {
-        given = rate[j] * b.row(active[k]);
-        if (given.isZero(0)) continue;
-        for (int i = 0; i < stages; ++i) value.row(i * m + k) += gauss.integral[i][j] * given;
-      }
+    const std::span<double> values{value.data(), static_cast<std::size_t>(value.size())};
+    given.resize(stages, columns);
+    for (Index k = 0; k < m; ++k) {
+      for (int j = 0; j < stages; ++j) given.row(j) = rate[j] * source_at(j).row(active[k]);
+      if (!given.isZero(0))
+        equations->add_integral(k, {given.data(), static_cast<std::size_t>(given.size())}, values);
     }
-    equations->solve(jacobian, rate, {value.data(), static_cast<std::size_t>(value.size())});
+    equations->solve(jacobian, rate, values);
     for (int i = 0; i < stages; ++i) set_slope(i, value.middleRows(i * m, m));
     return true;
   }
@@ -207,10 +208,35 @@ struct Collocation::Memory {
     return {size_of[0] + size_of[1], size_of[2] + size_of[3]};
   }
 
+  /// The highest coefficients as they would be if slopes stayed as they are: those of the Jacobian. A piece
+  /// that is clearly too long by these need not be solved.
+  double foreseen(const SlopeMatrix& slopes) {
+    const Eigen::Map<const Eigen::MatrixXd> s(slopes.values.data(), size, columns);
+    extent = (weight.asDiagonal() * s).cwiseAbs().colwise().maxCoeff().cwiseMax(natural);
+    double most = 0;
+    for (std::size_t e = 0; e < pattern.size(); ++e) {
+      const double last = highest_of(e);
+      if (last <= 0) continue;
+      const double reach = s.row(pattern[e].column).cwiseAbs().cwiseQuotient(extent).maxCoeff();
+      most = std::max(most, last * reach / magnitude[pattern[e].row]);
+    }
+    return most;
+  }
+  /// Of one entry, beyond what rounding leaves.
+  double highest_of(std::size_t entry) const {
+    double last = 0, largest = 0;
+    for (int k = 2; k < tail_length; ++k) {
+      double sum = 0;
+      for (int i = 0; i < stages; ++i) sum += gauss.tail[k][i] * rate[i] * jacobian[i][entry];
+      last += std::abs(sum);
+    }
+    for (int i = 0; i < stages; ++i) largest = std::max(largest, std::abs(rate[i] * jacobian[i][entry]));
+    return last - rounded * largest;
+  }
+
   /// What rounding leaves of the highest coefficients: rates are differences of large terms where dampers are
   /// strong.
   double rounding() const {
-    constexpr double share = 4 * stages * epsilon;
     const Index m = std::ssize(active);
     double most = 0;
     for (int i = 0; i < stages; ++i)
@@ -219,7 +245,7 @@ struct Collocation::Memory {
         const auto state = value.row(i * m + position[pattern[e].column]);
         if (factor != 0) most = std::max(most, factor * state.cwiseAbs().cwiseQuotient(extent).maxCoeff());
       }
-    return share * most;
+    return rounded * most;
   }
 
   /// Of the last halving the error is kept, and where halving does not help: of what is rounding. `whole` is
@@ -236,9 +262,15 @@ struct Collocation::Memory {
     return is_last;
   }
 
+  static bool ends_at_root(Edges edges, double u, double width) {
+    return edges.beyond == 0 && u + width == 1;
+  }
+
   bool solve_piece(LinearField& field, double start, double end, Edges edges, double u, double width,
                    SlopeMatrix& slopes, bool last, double whole) {
     read(field, start, end, edges, u, width);
+    if (!last && !ends_at_root(edges, u, width) && foreseen(slopes) > clearly * largest_tail(accuracy))
+      return false;
     Eigen::Map<Eigen::MatrixXd> s(slopes.values.data(), size, columns);
     now.resize(std::ssize(active), columns);
     for (std::size_t k = 0; k < active.size(); ++k) now.row(k) = s.row(active[k]);
@@ -254,7 +286,7 @@ struct Collocation::Memory {
              SlopeMatrix& slopes, int depth, double whole = infinity) {
     const int most = edges.beyond == 0 ? most_halvings_at_root : most_halvings;
     if (solve_piece(field, start, end, edges, u, width, slopes, depth == most, whole)) return;
-    const double own = edges.beyond == 0 && u + width == 1 ? highest : infinity;
+    const double own = ends_at_root(edges, u, width) ? highest : infinity;
     carry(field, start, end, edges, u, width / 2, slopes, depth + 1);
     carry(field, start, end, edges, u + width / 2, width / 2, slopes, depth + 1, own);
   }

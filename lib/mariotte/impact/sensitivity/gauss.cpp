@@ -73,8 +73,12 @@ double remainder(double before, double last) {
   return last * square * square;
 }
 
+double largest_tail(double accuracy) {
+  return 3 * std::sqrt(accuracy);
+}
+
 bool is_resolved(double before, double last, double accuracy) {
-  return last <= 3 * std::sqrt(accuracy) && remainder(before, last) <= 10 * accuracy;
+  return last <= largest_tail(accuracy) && remainder(before, last) <= 10 * accuracy;
 }
 
 }  // namespace mariotte::impact

@@ -22,6 +22,8 @@ extern const Gauss gauss;
 /// order of its interpolant, so its error is the coefficient so far beyond the last ones, if they go on to
 /// fall as they do. Next to a root they are small but fall slowly.
 double remainder(double before, double last);
+/// More than this is not resolved, however it falls.
+double largest_tail(double accuracy);
 bool is_resolved(double before, double last, double accuracy);
 
 }  // namespace mariotte::impact

@@ -2,17 +2,35 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "mariotte/impact/sensitivity/gauss.hpp"
 
 namespace mariotte::impact {
+namespace {
+
+using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using Values = Eigen::Map<Rows>;
+using Square = Eigen::Matrix<double, stages, stages, Eigen::RowMajor>;
+/// One component at all points.
+using History = Eigen::Matrix<double, stages, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// Integrals up to the points, of what components are at them.
+auto integral() {
+  return Eigen::Map<const Square>(gauss.integral[0]);
+}
+
+/// One of so many components.
+auto history(Index component, Index components, Values& values) {
+  return Eigen::Map<History, 0, Eigen::OuterStride<>>(values.row(component).data(), stages, values.cols(),
+                                                      Eigen::OuterStride<>(components * values.cols()));
+}
+
+}  // namespace
 
 class StageSystem::Equations {
  public:
-  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  using Values = Eigen::Map<Rows>;
-
   Equations(const std::vector<flow::Entry>& pattern, const std::vector<Index>& position,
             std::vector<double> magnitude);
   Index unknowns() const;
@@ -34,9 +52,22 @@ class StageSystem::Equations {
   void scale();
   void add_direct(const Link& link);
   void add_through(const Link& link);
-  void add(const Links& links, bool of_known, Values& values) const;
-  void add_to(const Link& link, Values& values) const;
-  double rise(const Link& link, int point) const { return h_[point] * jacobian_[point][link.entry]; }
+  template <class Counts>
+  void add(const Links& links, Counts&& counts, Values& values);
+  auto own_history(Index component, Values& values) const {
+    return history(component, std::ssize(place_), values);
+  }
+  auto system_of(Index row, Index column) {
+    const Index n = std::ssize(unknown_);
+    using Strides = Eigen::Stride<Eigen::Dynamic, Eigen::Dynamic>;
+    return Eigen::Map<Eigen::Matrix<double, stages, stages>, 0, Strides>(&system_(row, column),
+                                                                         Strides(n * system_.rows(), n));
+  }
+  auto rises(const Link& link) const {
+    Eigen::Matrix<double, stages, 1> list;
+    for (int j = 0; j < stages; ++j) list[j] = h_[j] * jacobian_[j][link.entry];
+    return list;
+  }
   bool acts(const Link& link) const;
   bool is_known(Index component) const { return place_[component] < 0; }
 
@@ -47,6 +78,7 @@ class StageSystem::Equations {
   Links among_kept_, to_kept_, to_eliminated_;
   Eigen::MatrixXd system_;
   Rows right_;
+  History change_;
   const std::vector<double>* jacobian_ = nullptr;
   const double* h_ = nullptr;
 };
@@ -58,6 +90,7 @@ StageSystem::Equations::Equations(const std::vector<flow::Entry>& pattern, const
   for (std::size_t e = 0; e < pattern.size(); ++e)
     if (const Index row = position[pattern[e].row]; row >= 0)
       links.push_back({row, position[pattern[e].column], e});
+  std::stable_sort(links.begin(), links.end(), [](const Link& a, const Link& b) { return a.row < b.row; });
   Index components = 0;
   for (const Index k : position) components = std::max(components, k + 1);
   place_.resize(components);
@@ -109,11 +142,13 @@ void StageSystem::Equations::solve(const std::vector<double>* jacobian, const do
   h_ = h;
   find_unknown();
   set_system();
-  add(to_eliminated_, true, values);
-  add(among_kept_, true, values);
-  for (const auto& link : to_kept_) add_to(link, values);
+  const auto comes_from_known = [&](const Link& link) { return is_known(link.column); };
+  add(to_eliminated_, comes_from_known, values);
+  add(among_kept_, comes_from_known, values);
+  add(
+      to_kept_, [](const Link&) { return true; }, values);
   if (!unknown_.empty()) divide(values);
-  add(to_eliminated_, false, values);
+  add(to_eliminated_, std::not_fn(comes_from_known), values);
 }
 
 void StageSystem::Equations::divide(Values& values) {
@@ -147,45 +182,32 @@ void StageSystem::Equations::set_system() {
     if (acts(link)) add_through(link);
 }
 
-/// What known components, or the others, do by these links.
-void StageSystem::Equations::add(const Links& links, bool of_known, Values& values) const {
-  for (const auto& link : links)
-    if (is_known(link.column) == of_known) add_to(link, values);
+/// What components do by those of these links that count. Links of a row follow each other.
+template <class Counts>
+void StageSystem::Equations::add(const Links& links, Counts&& counts, Values& values) {
+  for (auto link = links.begin(); link != links.end();) {
+    const Index row = link->row;
+    bool changes = false;
+    change_.setZero(stages, values.cols());
+    for (; link != links.end() && link->row == row; ++link) {
+      if (!counts(*link)) continue;
+      change_ += rises(*link).asDiagonal() * own_history(link->column, values);
+      changes = true;
+    }
+    if (changes) own_history(row, values) += integral().lazyProduct(change_);
+  }
 }
 
 void StageSystem::Equations::add_direct(const Link& link) {
-  const Index n = std::ssize(unknown_), row = place_[link.row], column = place_[link.column];
-  for (int j = 0; j < stages; ++j) {
-    const double factor = rise(link, j);
-    if (factor == 0) continue;
-    for (int i = 0; i < stages; ++i) system_(i * n + row, j * n + column) -= gauss.integral[i][j] * factor;
-  }
+  system_of(place_[link.row], place_[link.column]) -= integral() * rises(link).asDiagonal();
 }
 
 /// What kept components do to one by way of an eliminated one.
 void StageSystem::Equations::add_through(const Link& link) {
-  const Index n = std::ssize(unknown_), row = place_[link.row];
-  double twice[stages][stages] = {};
-  for (int j = 0; j < stages; ++j)
-    for (int i = 0; i < stages; ++i)
-      for (int k = 0; k < stages; ++k)
-        twice[k][i] += gauss.integral[i][j] * rise(link, j) * gauss.integral[j][k];
-  for (const auto& next : to_eliminated_) {
-    if (next.row != link.column || is_known(next.column)) continue;
-    for (int k = 0; k < stages; ++k)
-      for (int i = 0; i < stages; ++i)
-        system_(i * n + row, k * n + place_[next.column]) -= twice[k][i] * rise(next, k);
-  }
-}
-
-void StageSystem::Equations::add_to(const Link& link, Values& values) const {
-  const Index all = std::ssize(place_);
-  for (int j = 0; j < stages; ++j) {
-    const double factor = rise(link, j);
-    if (factor == 0) continue;
-    for (int i = 0; i < stages; ++i)
-      values.row(i * all + link.row) += gauss.integral[i][j] * factor * values.row(j * all + link.column);
-  }
+  const Square twice = integral() * rises(link).asDiagonal() * integral();
+  for (const auto& next : to_eliminated_)
+    if (next.row == link.column && !is_known(next.column))
+      system_of(place_[link.row], place_[next.column]) -= twice * rises(next).asDiagonal();
 }
 
 StageSystem::StageSystem(const std::vector<flow::Entry>& pattern, const std::vector<Index>& position,
@@ -197,10 +219,18 @@ Index StageSystem::unknowns() const {
   return equations_->unknowns();
 }
 
+void StageSystem::add_integral(Index component, std::span<const double> source,
+                               std::span<double> values) const {
+  const Index rows = equations_->rows(), columns = std::ssize(source) / stages;
+  Values all(values.data(), rows, columns);
+  history(component, rows / stages, all) +=
+      integral().lazyProduct(Eigen::Map<const History>(source.data(), stages, columns));
+}
+
 void StageSystem::solve(const std::vector<double>* jacobian, const double* h, std::span<double> values) {
   if (values.empty()) return;
   const Index rows = equations_->rows();
-  Equations::Values all(values.data(), rows, std::ssize(values) / rows);
+  Values all(values.data(), rows, std::ssize(values) / rows);
   equations_->solve(jacobian, h, all);
 }
 

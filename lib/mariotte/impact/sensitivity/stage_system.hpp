@@ -23,6 +23,9 @@ class StageSystem {
 
   /// Unknowns of a division, at most.
   Index unknowns() const;
+  /// Adds to values what sources have given at each point: theirs at all points one component after the
+  /// other.
+  void add_integral(Index component, std::span<const double> source, std::span<double> values) const;
   /// R becomes Z: values by point and component, one such row after the other. Entries of J by point, and h.
   void solve(const std::vector<double>* jacobian, const double* h, std::span<double> values);
 
