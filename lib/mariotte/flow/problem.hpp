@@ -53,6 +53,9 @@ class Problem {
 
   /// Natural size of each component: an error of accuracy × magnitude is what the user allows.
   virtual std::span<const double> magnitudes() const = 0;
+  /// How large velocities are beside their natural size, at least 1: rounding of a large one blurs the rates
+  /// of all.
+  virtual double swiftness(ConstState /*x*/) const { return 1; }
   /// Shortest natural time of what is active.
   virtual double time_scale() const = 0;
 

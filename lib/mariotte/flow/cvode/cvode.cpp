@@ -20,10 +20,9 @@ namespace {
 /// Local tolerance for a wanted global error. Measured on the reference chains (tests/flow, convergence):
 /// Adams turns a local tolerance into an error 10 to 300 times as large, BDF 100 to 1000 times. What BDF is
 /// used for is stiff: rates are wrong by many roundings, and a tolerance near one would never be met.
-double local_tolerance(CvodeMethod method, double accuracy) {
-  const bool adams = method == CvodeMethod::adams;
-  const double factor = adams ? 3e-4 : 1e-4;
-  return std::max(factor * accuracy, (adams ? 4 : 64) * epsilon);
+double local_tolerance(CvodeMethod method, double accuracy, double swiftness) {
+  if (method == CvodeMethod::adams) return std::max(3e-4 * accuracy, 4 * epsilon);
+  return std::max(1e-4 * accuracy, std::max(64.0, 4 * swiftness) * epsilon);
 }
 
 /// Accuracy beyond which creeping contacts are not resolved: CVODE's errors begin there.
@@ -135,7 +134,8 @@ struct Cvode::Memory {
 
   void restart(Problem& next, State x, const Request& request) {
     problem = &next;
-    tolerance = local_tolerance(method, resolving_accuracy(next, request.accuracy, finest));
+    tolerance =
+        local_tolerance(method, resolving_accuracy(next, request.accuracy, finest), next.swiftness(x));
     complaint.clear();
     std::copy(x.begin(), x.end(), writable(state.get()).begin());
     check(CVodeReInit(cvode.get(), 0, state.get()), "a restart");

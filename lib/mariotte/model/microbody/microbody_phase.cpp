@@ -144,6 +144,14 @@ void MicrobodyPhase::bind_series() {
   tip_.other_tip = layout_.tips > 1 ? guard_index(1 - i, TipGuard::gap) : -1;
 }
 
+/// A well may make a body far faster than it came.
+double MicrobodyPhase::swiftness(ConstState x) const {
+  double most = 1;
+  for (const Index first : {layout_.place.velocity, layout_.place.momentum})
+    for (Index i = first; i < first + 3; ++i) most = std::max(most, std::abs(x[i]) / magnitudes_[i]);
+  return most;
+}
+
 /// A slip that turns has no other bound.
 double MicrobodyPhase::damping_group() const {
   return closed_ > 0 && slip_turns() ? infinity : normal_damping_group();

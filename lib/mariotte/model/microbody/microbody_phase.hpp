@@ -51,6 +51,7 @@ class MicrobodyPhase final : public flow::Problem {
   void guard_rates(ConstState x, ConstState dx, State rates) const override;
   std::span<const flow::Crossing> crossings() const override { return crossings_; }
   std::span<const double> magnitudes() const override { return magnitudes_; }
+  double swiftness(ConstState x) const override;
   double time_scale() const override { return time_scale_; }
   std::vector<flow::Entry> pattern() const override { return mechanics_.pattern(); }
   void jacobian(ConstState x, State values) const override { mechanics_.jacobian(x, mode_, values); }
