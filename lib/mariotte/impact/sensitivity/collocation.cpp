@@ -15,9 +15,9 @@ constexpr int most_halvings_at_root = 5;  ///< nearer to it the indentation is r
 constexpr Index largest_division = 480;   ///< beyond it sweeps cost less than a division
 constexpr Index cheapest_division = 120;  ///< up to it a division costs less than sweeps
 constexpr int most_sweeps = 60;
-constexpr double weak = 3;        ///< of what a piece does: a few sweeps cost less than a division
-constexpr double stiff = 1e3;     ///< what has not died away is then left in all orders alike
-constexpr double reserve = 1000;  ///< of the accuracy: what such a piece may leave
+constexpr double weak = 3;       ///< of what a piece does: a few sweeps cost less than a division
+constexpr double stiff = 10;     ///< what has not died away is then left in all orders alike
+constexpr double reserve = 100;  ///< of the accuracy: what such a piece may leave
 constexpr double rounded = 4 * stages * epsilon;
 constexpr double clearly = 4;  ///< too large, though slopes may grow within a piece
 
