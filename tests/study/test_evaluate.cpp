@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "mariotte/impact/microbody/microbody_impact.hpp"
+#include "mariotte/impact/quantities/quantity.hpp"
 #include "mariotte/impact/sensitivity/sensitivity.hpp"
 #include "mariotte/scene/scene.hpp"
 #include "mariotte/study/sweep/batch.hpp"
@@ -279,4 +280,28 @@ BOOST_AUTO_TEST_CASE(slopes_that_a_scene_does_not_have_are_refused) {
   refused("sensitivity.velocity[0].mas[0]", three(), "did you mean 'mass[0]'?");
   refused("sensitivity.velocity[0]", three(), "this scene has no parameter ''");
   refused("sensitivity.e_n.radius", rod({}), "slopes are columns of chains and networks alone");
+}
+
+/// What is counted by the run has no elements before it.
+template <class Impact>
+void expect_first_elements(const scene::Scene& scene) {
+  for (const auto& quantity : impact::quantities<Impact>()) {
+    if (!quantity.read) continue;
+    std::string key(quantity.is.key);
+    for (std::size_t at; (at = key.find("[]")) != std::string::npos;) key.replace(at, 2, "[0]");
+    BOOST_TEST_CONTEXT(key) {
+      try {
+        evaluated(expanded({key}, scene), scene);
+      } catch (const std::exception& problem) {  // the scene has no such element, or it is no number
+        BOOST_TEST(problem.what() != "");
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_first_element_of_every_array_can_be_asked_for) {
+  expect_first_elements<impact::ChainImpact>(three());
+  expect_first_elements<impact::NetworkImpact>(scene::read(MARIOTTE_SCENES "/rack_break.toml"));
+  expect_first_elements<impact::MicrobodyImpact>(rod({}));
+  expect_first_elements<impact::BodiesImpact>(scene::read(MARIOTTE_SCENES "/dropped_rod.toml"));
 }
