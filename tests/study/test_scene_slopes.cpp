@@ -249,6 +249,38 @@ BOOST_AUTO_TEST_CASE(slopes_of_sums_of_velocities_are_swept_back) {
   }
 }
 
+// What a time limit ends in the middle of a contact moves on as the limit does.
+BOOST_AUTO_TEST_CASE(slopes_by_the_time_limit_are_the_rates_at_the_end) {
+  const std::string run = "[run]\naccuracy = 1e-10\nuntil = ";
+  const std::string pair =
+      "[chain]\nmass = [2.0, 3.0]\nvelocity = [1.5, 0]\nlaw = \"linear\"\nstiffness = 5\n";
+  const auto found = slopes_of(run + "0.5\n" + pair, {"run.until"});
+  const double omega = std::sqrt(5 / 1.2), force = 5 * 1.5 / omega * std::sin(omega * 0.5);
+  BOOST_TEST(std::abs(slope(found, "velocity[0]", 0) + force / 2) < 1e-10);
+  BOOST_TEST(std::abs(slope(found, "impulse[0]", 0) - force) < 1e-10);
+  BOOST_TEST(slope(found, "time", 0) == 1);
+  const auto after = slopes_of(run + "5\n" + pair, {"run.until"});
+  BOOST_TEST(slope(after, "velocity[0]", 0) == 0);
+  const std::string network =
+      run +
+      "0.5\n[network]\nmass = [2, 3]\nvelocity = [1.5, 0]\n[[network.contact]]\nlaw = \"linear\"\n"
+      "stiffness = 5\ngap = 0\ndirection = [-1, 1]\n";
+  BOOST_TEST(std::abs(slope(slopes_of(network, {"run.until"}), "velocity[0]", 0) + force / 2) < 1e-10);
+  const std::string ball =
+      run +
+      "1.0\n[bodies]\ngravity = [0, -0.1]\nlaw = \"hertz\"\nstiffness = 5\ntangential = \"spring\"\n"
+      "tangential_stiffness = 3\nfriction = 0.3\n[[bodies.body]]\nname = \"ball\"\nradius = 1\nmass = 1\n"
+      "position = [0, 1]\nvelocity = [0.3, -1]\n[[bodies.plane]]\nname = \"floor\"\npoint = [0, 0]\nnormal = "
+      "[0, 1]\n";
+  BOOST_TEST(deviation(ball, "bodies[0].velocity[1]", "run.until") < 1e-8);
+  BOOST_TEST(deviation(ball, "bodies[0].spin", "run.until") < 1e-8);
+  const std::string sphere =
+      run +
+      "30e-9\n[body]\nshape = \"sphere\"\nradius = 2.45e-6\ndensity = 1350\n[surface]\nstiffness = 1.74e9\n"
+      "work_of_adhesion = 0.38\nzeta_hertz = 1.5\n[incidence]\nnormal_speed = 5\n";
+  BOOST_TEST(deviation(sphere, "normal_velocity", "run.until") < 1e-7);
+}
+
 BOOST_AUTO_TEST_CASE(what_cannot_be_swept_back_is_refused) {
   BOOST_TEST(study::sweeps_back(scene::parse(triplet, "test")));
   BOOST_TEST(

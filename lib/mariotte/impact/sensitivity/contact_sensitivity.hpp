@@ -58,6 +58,7 @@ class ContactSensitivity {
     });
     natural_ = variation.natural_slopes();
     end_ = SlopeLoop(system, variation, hybrid::scaled(options, base.scale), watch).follow(x0_, start_);
+    move_limit(by, base.scale.time, end_);
     near_yield_ = variation.near_yield();
     for (const auto& one : by) result_.parameter.push_back({one.name, one.value});
   }

@@ -80,6 +80,7 @@ class BodySlopes {
     rest_at_start(system_, shifted_, x0_, behind);
     one_sided_ = slips_at_start(system_, shifted_, x0_, start_);
     end_ = SlopeLoop(system_, variation, run_options, watch).follow(x0_, behind);
+    move_limit(by, system_.body().scale.time, end_);
     result_.in_doubt = variation.slips_from_rest();
     if (result_.in_doubt) result_.notes.push_back(slip_from_rest_note());
     turning_loss_ = variation.turning_loss();

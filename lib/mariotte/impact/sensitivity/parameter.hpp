@@ -18,6 +18,7 @@ struct Parameter {
   std::function<Model(double)> model;       ///< of any value so near
   std::optional<Dimension> dimension = {};  ///< empty where it is not known, as of degrees of freedom
   bool is_linear = false;  ///< start, forces and accelerations are linear in it: two models tell its slopes
+  double limit = 0;        ///< by how much the time limit of the run moves with it
 };
 
 }  // namespace mariotte::impact

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "mariotte/hybrid/simulate.hpp"
+#include "mariotte/impact/sensitivity/parameter.hpp"
 #include "mariotte/impact/sensitivity/phase_slopes.hpp"
 
 namespace mariotte::impact {
@@ -54,6 +55,13 @@ struct SlopeRun {
   std::vector<CoincidentEvents> coincident;
   double unresolved = 0;  ///< error beyond what is asked, relative to the slopes
 };
+
+/// What a time limit has ended ends later with the limit, which is in units of `time`.
+template <class System, class Model>
+void move_limit(const std::vector<Parameter<Model>>& by, double time, SlopeRun<System>& end) {
+  if (end.run.ending != hybrid::Ending::time_limit) return;
+  for (std::size_t c = 0; c < by.size(); ++c) end.time[c] = by[c].limit / time;
+}
 
 /// `System` with its mode and `Variation`, which gives f_p and γ_p and is told what contacts remember.
 /// `watch` is called at every step.

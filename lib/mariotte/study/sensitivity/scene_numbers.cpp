@@ -55,6 +55,12 @@ double step_around(Document document, const std::string& key, const SceneNumber&
          std::string("has no slope, since the scene ends next to it: ") + why->what());
 }
 
+bool is_time_limit(const Document& document, const std::string& key) {
+  if (key != "run.until" && key != "run.max_time") return false;
+  const auto number = number_at(document, key);
+  return number && number->value == resolve(document).run.max_time;
+}
+
 bool is_asked_for(const std::string& name, const std::string& key) {
   return name.starts_with(key) &&
          (name.size() == key.size() || name[key.size()] == '[' || name[key.size()] == '.');

@@ -48,12 +48,16 @@ impact::Parameter<Model> scene_parameter(const scene::Document& document, const 
 /// key where there is no such step.
 double step_around(scene::Document document, const std::string& key, const SceneNumber& number);
 
+/// Whether the key is the time limit of the run.
+bool is_time_limit(const scene::Document& document, const std::string& key);
+
 template <class Model>
 impact::Parameter<Model> number_of_scene(const scene::Document& document, const std::string& name,
                                          const std::string& key) {
   const auto number = expect_number(document, key);
   auto parameter = scene_parameter<Model>(document, name, key, number);
   parameter.step = step_around(document, key, number);
+  parameter.limit = is_time_limit(document, key) ? 1 : 0;
   return parameter;
 }
 

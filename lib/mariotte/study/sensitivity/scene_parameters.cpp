@@ -105,7 +105,9 @@ impact::Sensitivity sensitivity(const Document& document, const scene::Scene& sc
       throw InvalidParameter("capture_velocity is asked for alone: other outcomes are those of one run");
     return sensitivity_of_capture(document, keys, watch);
   }
-  if (const auto ball = swept_ball(scene, outcomes))
+  const bool moves_end = std::any_of(keys.begin(), keys.end(),
+                                     [&](const std::string& key) { return is_time_limit(document, key); });
+  if (const auto ball = moves_end ? std::nullopt : swept_ball(scene, outcomes))
     return sensitivity_of_velocity(document, scene, keys, *ball, watch);
   return slopes_of(
       scene,

@@ -29,6 +29,7 @@ class GroupSlopes {
         start_(std::ssize(x0_), std::ssize(by)),
         variation_(system_, shifted(by, options.accuracy, watch)),
         end_(SlopeLoop(system_, variation_, options, resolution, watch).follow(x0_, start_)) {
+    move_limit(by, 1, end_);
     for (const auto& one : by) result_.parameter.push_back({one.name, one.value});
   }
 
