@@ -120,6 +120,9 @@ BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused_where_it_stands) {
   BOOST_TEST(
       has(rejection("end = 'left'\nquantity = 'force'\nsignal = 'pulse'\namplitude = 1\nduration = 1\n"),
           "s.toml:8:7: chain.drive.end: a force moves no wall"));
+  for (const std::string angular : {"6 rad/s", "360 deg/s"})
+    BOOST_TEST(has(rejection(left + "signal = 'sine'\namplitude = '1 mm'\nfrequency = '" + angular + "'\n"),
+                   "counts periods"));
   BOOST_TEST(has(rejection(left + "signal = 'sine'\namplitude = '1 N'\nfrequency = 1\n"), "a length (m)"));
   BOOST_TEST(has(rejection(left + "signal = 'sine'\namplitude = 1\n"), "'frequency' is missing"));
   BOOST_TEST(has(rejection(left + sine + "duration = 1\n"), "does not belong to the signal 'sine'"));

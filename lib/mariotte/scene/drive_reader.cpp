@@ -58,6 +58,16 @@ model::Signal read_table(const Source& source, const Field& table, std::size_t q
   }
 }
 
+/// Periods per time; an angle per time is 2π times as much.
+double read_frequency(const Source& source, const Field& field) {
+  const auto* text = std::get_if<std::string>(&field.node->value);
+  for (const char* angle : {"rad", "deg"})
+    if (text && text->find(angle) != std::string::npos)
+      reject(source, field, fault::wrong_dimension,
+             "counts periods, as \"10 Hz\"; an angular frequency is 2π times as much");
+  return number(source, field, per_second, Domain::positive);
+}
+
 model::Signal read_signal(const Source& source, const Field& table, std::size_t quantity) {
   const auto signal = choice(source, needed(source, table, "signal"), "signal", signals);
   expect_keys_of(source, table, signal);
@@ -67,7 +77,7 @@ model::Signal read_signal(const Source& source, const Field& table, std::size_t 
   if (signals[signal] == "pulse")
     return model::half_sine(
         amplitude, number(source, needed(source, table, "duration"), dimension::time, Domain::positive));
-  const double frequency = number(source, needed(source, table, "frequency"), per_second, Domain::positive);
+  const double frequency = read_frequency(source, needed(source, table, "frequency"));
   const double phase = optional_number(source, table, "phase", dimension::none, Domain::finite, 0);
   return model::sine(amplitude, 2 * std::numbers::pi * frequency, phase);
 }
