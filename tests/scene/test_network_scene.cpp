@@ -5,6 +5,7 @@
 
 #include "mariotte/contact/hertz.hpp"
 #include "mariotte/scene/scene.hpp"
+#include "mariotte/scene/simulate.hpp"
 
 namespace {
 
@@ -152,6 +153,21 @@ BOOST_AUTO_TEST_CASE(balls_that_would_pass_through_each_other_are_suspicious) {
              std::string::npos);
   BOOST_TEST(warnings_of("[0.1, 1]").empty());  // it meets ball 2 first
   BOOST_TEST(warnings_of("[-1, 0]").size() == 0u);
+}
+
+BOOST_AUTO_TEST_CASE(so_are_those_that_would_do_so_after_an_impact) {
+  const auto missed_if_ball_3_has = [](const std::string& velocity) {
+    const auto scene = scene::parse(
+        "[network]\nradius = 1\nmass = 1\nlaw = 'linear'\nstiffness = 1\n"
+        "[[network.ball]]\nposition = [0, 0]\nvelocity = [1, 0]\n[[network.ball]]\nposition = [2, 0]\n"
+        "[[network.ball]]\nposition = [5, 0]\nvelocity = " +
+            velocity + "\n",
+        "s.toml");
+    BOOST_TEST(scene.warnings.empty());  // each ball of those that touch meets the other first
+    return std::get<impact::NetworkImpact>(scene::simulate(scene)).missed;
+  };
+  BOOST_TEST((missed_if_ball_3_has("[-1, 0]") == std::vector{std::pair<Index, Index>{1, 2}}));
+  BOOST_TEST((missed_if_ball_3_has("[2, 0]").empty()));
 }
 
 BOOST_AUTO_TEST_CASE(a_network_at_rest_is_suspicious) {

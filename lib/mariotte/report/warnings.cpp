@@ -56,6 +56,16 @@ List warnings(const impact::ContactImpact& impact, std::optional<flow::Kind> ask
   return list;
 }
 
+List warnings(const impact::NetworkImpact& impact, std::optional<flow::Kind> asked) {
+  auto list = warnings(static_cast<const impact::ContactImpact&>(impact), asked);
+  for (const auto& [i, j] : impact.missed)
+    list.push_back(
+        fmt::format("balls {} and {} fly towards each other after the run from beyond 'reach', and will pass "
+                    "through each other",
+                    i + 1, j + 1));
+  return list;
+}
+
 List warnings(const impact::BodiesImpact& impact, std::optional<flow::Kind> asked) {
   const bool again = std::any_of(impact.contacts.begin(), impact.contacts.end(),
                                  [](const auto& contact) { return contact.periods.size() > 1; });

@@ -1,7 +1,10 @@
 #include "mariotte/scene/judge.hpp"
 
+#include <algorithm>
+
 #include "mariotte/core/overload.hpp"
 #include "mariotte/impact/assess.hpp"
+#include "mariotte/scene/missed_meetings.hpp"
 
 namespace mariotte::scene {
 
@@ -9,8 +12,28 @@ void judge(impact::ChainImpact& impact, const Scene& scene) {
   assess(impact, std::get<model::Chain>(scene.model).law, scene.touching);
 }
 
+namespace {
+
+/// From where the balls were at the start, which the impact has hardly moved; beside those that the scene has
+/// been warned of.
+std::vector<std::pair<Index, Index>> missed_afterwards(const impact::NetworkImpact& impact,
+                                                       const Scene& scene) {
+  if (impact.ending != hybrid::Ending::separated || scene.ball.empty()) return {};
+  auto balls = scene.ball;
+  auto velocity = impact.velocity.begin();
+  for (auto& ball : balls)
+    for (double& one : ball.velocity) one = *velocity++;
+  auto missed = missed_meetings(balls, scene.reach);
+  const auto told = missed_meetings(scene.ball, scene.reach);
+  std::erase_if(missed, [&](const auto& pair) { return std::ranges::find(told, pair) != told.end(); });
+  return missed;
+}
+
+}  // namespace
+
 void judge(impact::NetworkImpact& impact, const Scene& scene) {
   assess(impact, std::get<model::Network>(scene.model).law, scene.touching);
+  impact.missed = missed_afterwards(impact, scene);
 }
 
 void judge(impact::MicrobodyImpact& impact, const Scene& scene) {

@@ -79,7 +79,8 @@ ResolvedModel resolve_network(Source& source, const Field& root, const Field& ne
   auto resolved = read_network(source, network);
   if (purpose != Purpose::rest) expect_limit_of_drive(source, root, network);
   expect_valid(source, root, {"network"}, resolved.network);
-  return {std::move(resolved.network), std::move(resolved.radius), std::move(resolved.touching)};
+  return {std::move(resolved.network), std::move(resolved.radius), std::move(resolved.touching),
+          std::move(resolved.ball), resolved.reach};
 }
 
 /// Gravity brings bodies back to a plane for ever.

@@ -15,6 +15,8 @@ struct ResolvedModel {
   Model model;
   std::vector<double> radius = {};
   std::vector<impact::Touching> touching = {};
+  std::vector<model::Ball> ball = {};
+  double reach = 0;
 };
 
 /// What is to be simulated needs a model; for the law its own masses are enough. Throws SceneError; warns of

@@ -200,6 +200,8 @@ ResolvedNetwork read_ball_network(Source& source, const Field& network, bool pre
   for (const auto& [i, j] : pairs) resolved.touching.push_back(scene::touching(balls.body[i], balls.body[j]));
   warn_of_missed_meetings(source, balls, reach);
   if (model.law.empty()) reject_lonely(source, network, balls.ball);
+  resolved.ball = std::move(balls.ball);
+  resolved.reach = reach;
   return resolved;
 }
 

@@ -9,7 +9,9 @@ namespace mariotte::scene {
 struct ResolvedNetwork {
   model::Network network;
   std::vector<double> radius;                   ///< of the balls [m]; empty where the network has none
-  std::vector<impact::Touching> touching = {};  ///< as in `Scene`
+  std::vector<impact::Touching> touching = {};  ///< this and what follows as in `Scene`
+  std::vector<model::Ball> ball = {};
+  double reach = 0;
 };
 
 /// Of balls, given by [[network.ball]], or of dofs, given by mass, velocity and [[network.contact]].

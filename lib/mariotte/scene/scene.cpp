@@ -73,6 +73,8 @@ Scene read_scene(Source& source, const Field& root, Purpose purpose) {
     scene.model = std::move(resolved.model);
     scene.radius = std::move(resolved.radius);
     scene.touching = std::move(resolved.touching);
+    scene.ball = std::move(resolved.ball);
+    scene.reach = resolved.reach;
   });
   errors.raise();
   if (!run || !find(*run, "max_events"))

@@ -47,8 +47,10 @@ using Model = std::variant<LawAlone, model::Chain, model::Network, model::Microb
 struct Scene {
   std::string title;
   Model model;
-  std::optional<Law> law;      ///< of scenes with [law]
-  std::vector<double> radius;  ///< n values [m], infinite for planes; empty unless every ball has one
+  std::optional<Law> law;              ///< of scenes with [law]
+  std::vector<double> radius;          ///< n values [m], infinite for planes; empty unless every ball has one
+  std::vector<model::Ball> ball = {};  ///< of a network of balls
+  double reach = 0;                    ///< beyond which these have no contacts [m]
   /// One per contact, or tip; empty if nothing is known of the bodies.
   std::vector<impact::Touching> touching;
   hybrid::Options run;

@@ -12,6 +12,8 @@ struct NetworkImpact : ContactImpact {
   /// Largest angle by which the direction of a closed contact of balls would have turned [rad]; directions
   /// are kept. Empty for other dofs.
   std::optional<double> turning;
+  /// Balls, from 0, that fly towards each other after the run though no contact is between them.
+  std::vector<std::pair<Index, Index>> missed = {};
   double momentum_residual = 0;  ///< of v⁺ − v⁻ = M⁻¹Gᵀp, relative, in the norm of the kinetic energy
 };
 
