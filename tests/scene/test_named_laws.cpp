@@ -110,6 +110,20 @@ BOOST_AUTO_TEST_CASE(a_law_refuses_keys_of_others_in_a_table_of_its_own) {
       "has an end of its own");
 }
 
+BOOST_AUTO_TEST_CASE(keys_that_no_contact_takes_are_suspicious) {
+  const auto warnings_of = [](const std::string& keys) {
+    return scene::parse("[chain]\nmass = [1, 1, 1]\nvelocity = [1, 0, 0]\nstiffness = 1\n" + keys, "law")
+        .warnings;
+  };
+  const auto idle = warnings_of("law = 'hertz'\nyield_pressure = 1\ntable = 'nowhere.csv'\n");
+  BOOST_TEST_REQUIRE(idle.size() == 2u);
+  BOOST_TEST(idle[0].find("chain.yield_pressure: has no effect") != std::string::npos);
+  BOOST_TEST(idle[1].find("chain.table") != std::string::npos);
+  BOOST_TEST(warnings_of("law = ['hertz', 'thornton']\nyield_pressure = 1\neffective_radius = 1\n"
+                         "effective_modulus = 1\n")
+                 .empty());
+}
+
 BOOST_AUTO_TEST_CASE(modulus_and_radius_follow_from_the_balls) {
   const auto scene = scene::parse(
       "[chain]\nradius = ['10 mm', '20 mm']\nmaterial = 'steel'\n"

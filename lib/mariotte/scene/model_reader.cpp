@@ -5,6 +5,7 @@
 #include "mariotte/scene/bodies_reader.hpp"
 #include "mariotte/scene/body_reader.hpp"
 #include "mariotte/scene/chain_reader.hpp"
+#include "mariotte/scene/idle_keys.hpp"
 #include "mariotte/scene/network_reader.hpp"
 
 namespace mariotte::scene {
@@ -68,6 +69,7 @@ void expect_limit_of_drive(const Source& source, const Field& root, const Field&
 
 ResolvedModel resolve_chain(Source& source, const Field& root, const Field& chain, Purpose purpose) {
   auto resolved = read_chain(source, chain, gravity(root));
+  warn_of_idle_keys(source, chain);
   if (resolved.at_rest && purpose != Purpose::rest) expect_limit(source, root, chain);
   if (purpose != Purpose::rest) expect_limit_of_drive(source, root, chain);
   expect_valid(source, root, {"chain", "run"}, resolved.chain);
@@ -77,6 +79,7 @@ ResolvedModel resolve_chain(Source& source, const Field& root, const Field& chai
 ResolvedModel resolve_network(Source& source, const Field& root, const Field& network, Purpose purpose) {
   if (const auto field = gravity(root)) reject(source, *field, fault::misplaced, "does not act on networks");
   auto resolved = read_network(source, network);
+  warn_of_idle_keys(source, network);
   if (purpose != Purpose::rest) expect_limit_of_drive(source, root, network);
   expect_valid(source, root, {"network"}, resolved.network);
   return {std::move(resolved.network), std::move(resolved.radius), std::move(resolved.touching),
@@ -95,6 +98,7 @@ ResolvedModel resolve_bodies(Source& source, const Field& root, const Field& bod
   if (const auto field = gravity(root))
     reject(source, *field, fault::misplaced, "of [bodies] is a vector, 'bodies.gravity'");
   auto resolved = read_bodies(source, bodies);
+  warn_of_idle_keys(source, bodies);
   expect_end(source, root, bodies, resolved.bodies);
   try {
     model::validate(resolved.bodies);
