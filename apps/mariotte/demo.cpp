@@ -8,6 +8,7 @@
 #include "command_line/terminal.hpp"
 #include "example.hpp"
 #include "mariotte/report/text.hpp"
+#include "run_notes.hpp"
 
 namespace mariotte::command {
 namespace {
@@ -35,7 +36,7 @@ int demo(const Demo& options) {
   const auto scene = scene::parse(example(options.name), options.name);
   const auto impact = scene::simulate(scene);
   print(report::table_text(impact, scene));
-  return std::visit([](const auto& one) { return exit_code(one.ending); }, impact);
+  return tell_run(impact, scene, false);
 }
 
 }  // namespace

@@ -13,10 +13,8 @@
 #include "mariotte/report/json/json.hpp"
 #include "mariotte/report/json/json_parts.hpp"
 #include "mariotte/report/json/json_stream.hpp"
-#include "mariotte/report/reason.hpp"
 #include "mariotte/report/table/network_table.hpp"
 #include "mariotte/report/table/table.hpp"
-#include "mariotte/report/warnings.hpp"
 #include "mariotte/scene/judge.hpp"
 #include "mariotte/scene/text_file.hpp"
 #include "report_page.hpp"
@@ -121,15 +119,14 @@ template <class Impact, class... Waves>
 int finish(const Run& options, const Impact& impact, const scene::Scene& scene, Waves... waves) {
   if (!options.out.empty()) write(options, impact, scene, waves...);
   show(options, impact, scene);
-  if (!options.scene.quiet)
-    for (const auto& one : report::warnings(impact, scene.run.flow)) warning(one);
-  tell_ending(impact.ending, impact.message, scene);
+  tell_warnings(report::warnings(impact, scene.run.flow), options.scene.quiet);
+  const int code = tell_ending(impact.ending, impact.message, scene);
   if (interruption() != 0) {
     if (impact.ending != hybrid::Ending::interrupted)
       warning("interrupted: the end was reached, but its accuracy was not checked any more");
     return 128 + interruption();
   }
-  return report::is_wanted(impact.ending, scene) ? ExitCode::ok : exit_code(impact.ending);
+  return code;
 }
 
 /// Refuses a trace that nobody can want, and tells of a large one.

@@ -305,6 +305,7 @@ BOOST_FIXTURE_TEST_CASE(demo_needs_no_file, Session) {
   BOOST_TEST(demo.code == 0);
   BOOST_TEST(has(demo.out, "separated at"));
   BOOST_TEST(has(demo.out, "5 balls"));
+  BOOST_TEST(mariotte("demo coin").code == 0);  // it ends where its scene says
 }
 
 BOOST_FIXTURE_TEST_CASE(an_empty_value_is_not_no_value, Session) {
