@@ -116,6 +116,9 @@ BOOST_FIXTURE_TEST_CASE(capture_finds_the_speed_below_which_a_body_stays, Bodies
   const double speed = json("capture captured_sphere.toml")["capture_velocity"];
   BOOST_TEST(std::abs(speed - 1.81857741) < 1e-7);
   BOOST_TEST(has(mariotte("capture captured_sphere.toml --tolerance 1e-3").out, "capture velocity 1.8"));
+  const auto stopped = mariotte("capture captured_sphere.toml --set run.until='1 ns'");
+  BOOST_TEST(stopped.code == 4);
+  BOOST_TEST(has(stopped.err, "a run ended with time_limit: until = 1e-09 s was reached before the end"));
   const auto elastic =
       mariotte("capture captured_sphere.toml --set surface.zeta_hertz=0 --set surface.zeta_adhesion=0");
   BOOST_TEST(elastic.code == 1);

@@ -1,6 +1,6 @@
 #include "mariotte/report/reason.hpp"
 
-#include <fmt/format.h>
+#include "mariotte/hybrid/reached_limit.hpp"
 
 namespace mariotte::report {
 
@@ -26,9 +26,8 @@ std::string reason(hybrid::Ending ending, const std::string& message, const hybr
     case Ending::bound:
       return "";
     case Ending::time_limit:
-      return fmt::format("max_time = {:g} s was reached before the end", options.max_time);
     case Ending::event_limit:
-      return fmt::format("max_events = {} was reached before the end", options.max_events);
+      return reached_limit(ending, options);
     case Ending::interrupted:
       return "interrupted; this is what was computed until then";
     case Ending::unsure:

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "mariotte/hybrid/reached_limit.hpp"
 #include "mariotte/impact/laws/restitution.hpp"
 #include "mariotte/scene/field.hpp"
 #include "mariotte/scene/key_path.hpp"
@@ -169,7 +170,8 @@ Prediction FitModel::of_body(const model::Microbody& body, const hybrid::Options
   const auto& end = solver_.solve(first_impact(body), options);
   if (end.ending == hybrid::Ending::captured) return {.value = 0, .captured = true};
   if (end.ending != hybrid::Ending::separated)
-    throw Error(std::string("the run ended with ") + hybrid::name(end.ending) + ": " + end.message);
+    throw Error(std::string("the run ended with ") + hybrid::name(end.ending) + ": " +
+                (end.message.empty() ? reached_limit(end.ending, options) : end.message));
   const auto e =
       impact::restitution(tip_velocity(body, 0), end.tip_velocity, body.velocity.e1, end.velocity.e1);
   return {.value = measurements_.quantity == "restitution.centre" ? e.centre : e.tip, .captured = false};

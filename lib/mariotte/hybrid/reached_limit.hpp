@@ -1,0 +1,13 @@
+// The limit that stopped a run, as a sentence.
+#pragma once
+#include <string>
+
+#include "mariotte/hybrid/ending.hpp"
+#include "mariotte/hybrid/options.hpp"
+
+namespace mariotte::hybrid {
+
+/// "max_time = 2 s was reached before the end", by the key that the scene has; empty at any other ending.
+std::string reached_limit(Ending ending, const Options& options);
+
+}  // namespace mariotte::hybrid
