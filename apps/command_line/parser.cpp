@@ -1,9 +1,11 @@
 #include "command_line/parser.hpp"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 
 #include "command_line/exit_code.hpp"
 #include "command_line/terminal.hpp"
+#include "command_line/values.hpp"
 #include "mariotte/core/nearest.hpp"
 
 namespace mariotte::command {
@@ -46,6 +48,16 @@ std::string is_not_empty(const std::string& text) {
   return text.empty() ? "an empty value names nothing" : "";
 }
 
+bool takes_numbers(const Target& target) {
+  return std::holds_alternative<double*>(target) || std::holds_alternative<std::vector<double>*>(target);
+}
+
+/// No range leaves out "nan", which compares with nothing.
+std::string is_finite(const std::string& text) {
+  const auto value = number(text);
+  return !value || std::isfinite(*value) ? "" : "must be a finite number, not " + text;
+}
+
 CLI::Option* declare(CLI::App& app, const Option& option) {
   auto& made = *add(app, option);
   const auto& usage = option.usage;
@@ -55,6 +67,7 @@ CLI::Option* declare(CLI::App& app, const Option& option) {
   if (usage.shows_default) made.capture_default_str();
   made.required(usage.required);
   std::visit(AddCheck{made, option.target}, usage.check);
+  if (takes_numbers(option.target)) made.check(is_finite, "");
   // A shell variable that is not set makes `--out ""`, which is not the same as no --out.
   if (made.get_items_expected_max() > 0) made.check(is_not_empty, "");
   return &made;

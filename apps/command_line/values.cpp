@@ -1,9 +1,11 @@
 #include "command_line/values.hpp"
 
+#include <cmath>
 #include <cstdlib>
 #include <sstream>
 
-#include "mariotte/core/error.hpp"
+#include "command_line/exit_code.hpp"
+#include "mariotte/core/quantity.hpp"
 #include "mariotte/flow/choose.hpp"
 
 namespace mariotte::command {
@@ -21,6 +23,20 @@ std::vector<std::string> split(const std::string& text, char separator) {
   std::istringstream stream(text);
   for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
   return parts;
+}
+
+double quantity(const std::string& option, const std::string& text, const Dimension& dimension) {
+  try {
+    return parse_quantity(text, dimension);
+  } catch (const QuantityError& problem) {
+    throw UsageError(option + ": " + problem.what());
+  }
+}
+
+double positive_quantity(const std::string& option, const std::string& text, const Dimension& dimension) {
+  const double value = quantity(option, text, dimension);
+  if (value > 0 && std::isfinite(value)) return value;
+  throw UsageError(option + ": must be positive and finite, not " + text);
 }
 
 std::string is_accuracy(const std::string& text) {

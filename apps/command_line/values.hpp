@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "mariotte/core/dimension.hpp"
+
 namespace mariotte::command {
 
 /// The number that the whole text is, "inf" and "nan" included; nothing if it is none.
@@ -11,6 +13,11 @@ std::optional<double> number(const std::string& text);
 
 /// What stands between the separators; the empty text has one part, and none follows a last separator.
 std::vector<std::string> split(const std::string& text, char separator);
+
+/// The value in SI of an option that takes a number with a unit. Throws UsageError that names the option.
+double quantity(const std::string& option, const std::string& text, const Dimension& dimension);
+/// The same of one that must be positive, and finite.
+double positive_quantity(const std::string& option, const std::string& text, const Dimension& dimension);
 
 std::string is_accuracy(const std::string& text);
 std::string is_flow(const std::string& text);

@@ -7,8 +7,8 @@
 #include "command.hpp"
 #include "command_line/exit_code.hpp"
 #include "command_line/terminal.hpp"
+#include "command_line/values.hpp"
 #include "mariotte/core/overload.hpp"
-#include "mariotte/core/quantity.hpp"
 #include "mariotte/impact/modes/vibrations.hpp"
 #include "mariotte/report/csv/columns.hpp"
 #include "mariotte/report/json/json.hpp"
@@ -32,11 +32,7 @@ struct Found {
 
 std::optional<double> end_force(const std::string& text) {
   if (text.empty()) return std::nullopt;
-  try {
-    return parse_quantity(text, dimension::stiffness(0));
-  } catch (const QuantityError& problem) {
-    throw UsageError(std::string("--force: ") + problem.what());
-  }
+  return positive_quantity("--force", text, dimension::stiffness(0));
 }
 
 Found find(const Modes& options, const scene::Scene& scene) {

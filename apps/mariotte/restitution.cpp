@@ -7,6 +7,7 @@
 #include "command.hpp"
 #include "command_line/exit_code.hpp"
 #include "command_line/terminal.hpp"
+#include "command_line/values.hpp"
 #include "mariotte/report/csv/columns.hpp"
 #include "mariotte/report/json/json.hpp"
 #include "mariotte/study/pair_choice.hpp"
@@ -17,7 +18,7 @@ namespace {
 
 struct Curve {
   SceneChoice scene;
-  double from = 0, to = 0;
+  std::string from, to;
   int count = 21;
   bool json = false;
 };
@@ -27,13 +28,19 @@ struct Point {
   std::optional<double> closed_form;
 };
 
-std::vector<Point> points(const Curve& curve, const impact::Pair& pair) {
+std::vector<double> speeds(const Curve& curve) {
+  const double from = positive_quantity("--from", curve.from, dimension::velocity);
+  const double to = positive_quantity("--to", curve.to, dimension::velocity);
+  std::vector<double> all = {from};
+  for (int i = 1; i < curve.count; ++i)
+    all.push_back(from * std::pow(to / from, static_cast<double>(i) / (curve.count - 1)));
+  return all;
+}
+
+std::vector<Point> points(const std::vector<double>& speeds, const impact::Pair& pair) {
   std::vector<Point> all;
-  for (int i = 0; i < curve.count; ++i) {
-    const double part = curve.count == 1 ? 0 : static_cast<double>(i) / (curve.count - 1);
-    const double speed = curve.from * std::pow(curve.to / curve.from, part);
+  for (const double speed : speeds)
     all.push_back({speed, impact::restitution(pair, speed), impact::closed_restitution(pair, speed)});
-  }
   return all;
 }
 
@@ -63,14 +70,15 @@ report::Json json(const std::vector<Point>& curve, const scene::Scene& scene, co
 int restitution(const Curve& options) {
   const auto scene = read(options.scene);
   const auto pair = study::pair_of(scene, options.scene.path, "followed at other speeds");
-  const auto curve = points(options, pair);
+  const auto at = speeds(options);
+  const auto curve = points(at, pair);
   print(options.json ? report::text(json(curve, scene, pair)) : table(curve, scene, pair));
   return ExitCode::ok;
 }
 
 constexpr const char* examples = R"(Examples:
   mariotte restitution steel_pair.toml --from 0.01 --to 10
-  mariotte restitution fine_powder.toml --from 0.05 --to 2 --count 50 --json
+  mariotte restitution fine_powder.toml --from "5 cm/s" --to 2 --count 50 --json
 
 The contact of two bodies alone, at speeds whose logarithms are evenly spaced; 0 where adhesion keeps them.
 )";
@@ -85,8 +93,8 @@ Command restitution_command() {
       .footer = examples,
       .options = joined(
           {scene_options(options->scene),
-           {{"--from", &options->from, "Smallest speed [m/s]", {.check = Positive{}, .required = true}},
-            {"--to", &options->to, "Largest speed [m/s]", {.check = Positive{}, .required = true}},
+           {{"--from", &options->from, "Smallest speed [m/s]", {.value = "SPEED", .required = true}},
+            {"--to", &options->to, "Largest speed [m/s]", {.value = "SPEED", .required = true}},
             {"--count", &options->count, "How many speeds", {.check = Range{1, 1e6}, .shows_default = true}},
             {"--json", &options->json, "One JSON object on stdout"}}}),
       .act = [options] { return restitution(*options); }};

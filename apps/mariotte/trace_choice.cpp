@@ -8,7 +8,6 @@
 #include "command_line/exit_code.hpp"
 #include "command_line/values.hpp"
 #include "interruption.hpp"
-#include "mariotte/core/quantity.hpp"
 #include "mariotte/report/page/files.hpp"
 
 namespace mariotte::command {
@@ -39,14 +38,7 @@ std::vector<Index> places(const std::string& list, std::size_t count) {
 }
 
 double interval(const std::string& text) {
-  if (text.empty()) return 0;
-  try {
-    const double value = parse_quantity(text, dimension::time);
-    if (value > 0) return value;
-  } catch (const QuantityError& problem) {
-    throw UsageError(std::string("--every: ") + problem.what());
-  }
-  throw UsageError("--every must be positive");
+  return text.empty() ? 0 : positive_quantity("--every", text, dimension::time);
 }
 
 }  // namespace

@@ -270,6 +270,29 @@ BOOST_FIXTURE_TEST_CASE(every_command_explains_itself_with_an_example, Session) 
   }
 }
 
+BOOST_FIXTURE_TEST_CASE(numbers_of_options_are_finite, Session) {
+  const std::string scenes = MARIOTTE_SCENES "/";
+  for (const auto& line : {"capture " + scenes + "captured_sphere.toml --tolerance nan",
+                           "fit " + scenes + "sphere_fit.toml " + scenes + "sphere_fit.csv --confidence nan",
+                           std::string("run three.toml --trace w.csv --every inf"),
+                           "restitution " + scenes + "steel_pair.toml --from 1 --to inf"}) {
+    const auto run = mariotte(line);
+    BOOST_TEST(support::is_refused(run), line);
+    BOOST_TEST(has(run.err, "finite"), run.err);
+    BOOST_TEST(has(run.err, "[U003]"), run.err);
+  }
+}
+
+BOOST_FIXTURE_TEST_CASE(speeds_of_a_restitution_have_units, Session) {
+  const std::string pair = "restitution " MARIOTTE_SCENES "/steel_pair.toml --count 2 ";
+  const auto with_units = mariotte(pair + "--from '10 cm/s' --to '1 m/s'");
+  BOOST_TEST(with_units.code == 0);
+  BOOST_TEST(with_units.out == mariotte(pair + "--from 0.1 --to 1").out);
+  BOOST_TEST(
+      has(mariotte(pair + "--from 0 --to 1").err, "--from: must be positive and finite, not 0 [U003]"));
+  BOOST_TEST(has(mariotte(pair + "--from 1 --to '1 m'").err, "--to: expected "));
+}
+
 BOOST_FIXTURE_TEST_CASE(version_names_the_version, Session) {
   BOOST_TEST(mariotte("version").out.starts_with("mariotte " MARIOTTE_VERSION "\n"));
   BOOST_TEST(mariotte("--version").out == "mariotte " MARIOTTE_VERSION "\n");

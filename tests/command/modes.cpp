@@ -40,6 +40,9 @@ BOOST_FIXTURE_TEST_CASE(a_force_stands_for_walls_at_free_ends, Session) {
   const auto metres = mariotte("modes row.toml --force \"1 mm\"");
   BOOST_TEST(metres.code == 2);
   BOOST_TEST(has(metres.err, "--force: "));
+  const auto endless = mariotte("modes row.toml --force inf");
+  BOOST_TEST(endless.code == 2);
+  BOOST_TEST(has(endless.err, "--force: must be positive and finite, not inf [U003]"));
 }
 
 BOOST_FIXTURE_TEST_CASE(a_body_has_no_modes, Session) {
