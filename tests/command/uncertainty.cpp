@@ -58,3 +58,11 @@ BOOST_FIXTURE_TEST_CASE(an_outcome_that_there_is_not_is_told_so, Session) {
   BOOST_TEST(run.code == 2);
   BOOST_TEST(has(run.err, "--of speed: no such outcome; there are velocity[0], "));
 }
+
+BOOST_FIXTURE_TEST_CASE(a_deviation_has_a_unit_where_its_value_has_one, Session) {
+  const auto bare = mariotte(triplet + "--set 'chain.velocity[0]=100 cm/s ± 1'");
+  BOOST_TEST(bare.code == 3);
+  BOOST_TEST(has(bare.err, "--set chain.velocity[0]"), bare.err);
+  BOOST_TEST(has(bare.err, "the deviation '1' has no unit: write '1 cm/s', or per cent [S020]"), bare.err);
+  BOOST_TEST(mariotte(triplet + "--set 'chain.velocity[0]=100 cm/s ± 1 %'").code == 0);
+}

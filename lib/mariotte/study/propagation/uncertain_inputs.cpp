@@ -46,15 +46,27 @@ void collect(Node& node, const std::string& key, std::vector<Written>& list) {
   }
 }
 
+/// A bare number beside a unit would be one of SI, which nobody means.
+void expect_unit(const Document& document, const Written& written, const Node& value) {
+  const auto* text = std::get_if<std::string>(&value.value);
+  const auto unit = text ? parse_quantity(*text).unit : "";
+  if (unit.empty() || !parse_quantity(written.deviation).unit.empty()) return;
+  reject(document.source, {&value, written.key}, fault::no_quantity,
+         "the deviation '" + written.deviation + "' has no unit: write '" + written.deviation + " " + unit +
+             "', or per cent");
+}
+
 /// Per cent of the value, or a quantity of its dimension.
-double deviation_of(const Document& document, const Written& written, const Dimension& dimension,
-                    double value) {
+double deviation_of(const Document& document, const Written& written, const Node& of,
+                    const Dimension& dimension, double value) {
   const auto& text = written.deviation;
   const bool relative = text.ends_with('%');
   const Node node{relative ? trimmed(text.substr(0, text.size() - 1)) : text, written.place};
   const double size = number(document.source, {&node, written.key}, relative ? dimension::none : dimension,
                              scene::Domain::positive);
-  return relative ? 0.01 * size * std::abs(value) : size;
+  if (relative) return 0.01 * size * std::abs(value);
+  expect_unit(document, written, of);
+  return size;
 }
 
 UncertainInput input_of(const Document& document, const Written& written,
@@ -66,7 +78,8 @@ UncertainInput input_of(const Document& document, const Written& written,
   if (value == 0)
     reject(document.source, field, fault::wrong_type,
            "is zero: with a deviation, its outcomes have slopes on one side only");
-  return {written.key, written.place, value, deviation_of(document, written, *reading.dimension, value)};
+  return {written.key, written.place, value,
+          deviation_of(document, written, *reading.node, *reading.dimension, value)};
 }
 
 }  // namespace
