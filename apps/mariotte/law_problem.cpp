@@ -1,11 +1,11 @@
 #include "law_problem.hpp"
 
 #include <algorithm>
-#include <map>
 
 #include "command_line/exit_code.hpp"
 #include "command_line/terminal.hpp"
-#include "mariotte/core/quantity.hpp"
+#include "command_line/values.hpp"
+#include "law_table.hpp"
 #include "mariotte/impact/network/network_impact.hpp"
 #include "mariotte/report/reason.hpp"
 #include "mariotte/scene/text_file.hpp"
@@ -15,17 +15,9 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-double number(const std::string& flag, const std::string& text, const Dimension& dimension) {
-  try {
-    return parse_quantity(text, dimension);
-  } catch (const QuantityError& problem) {
-    throw UsageError("--" + flag + ": " + problem.what());
-  }
-}
-
-std::vector<double> numbers(const std::string& flag, const Texts& texts, const Dimension& dimension) {
+std::vector<double> quantities(const std::string& option, const Texts& texts, const Dimension& dimension) {
   std::vector<double> values;
-  for (const auto& text : texts) values.push_back(number(flag, text, dimension));
+  for (const auto& text : texts) values.push_back(quantity(option, text, dimension));
   return values;
 }
 
@@ -38,17 +30,17 @@ impact::EnergyFrame frame(const std::string& text) {
 /// What the flags say beside [law].
 void add_flags(scene::Law& law, const LawChoice& choice) {
   if (!choice.mass.empty()) {
-    law.mass = numbers("mass", choice.mass, dimension::mass);
-    law.velocity = numbers("velocity", choice.velocity, dimension::velocity);
+    law.mass = quantities("--mass", choice.mass, dimension::mass);
+    law.velocity = quantities("--velocity", choice.velocity, dimension::velocity);
     if (law.velocity.size() != law.mass.size())
       throw UsageError("--velocity: needs one value per mass (" + std::to_string(law.mass.size()) +
                        "), got " + std::to_string(law.velocity.size()));
   }
-  if (!choice.direction.empty()) law.direction = numbers("direction", choice.direction, dimension::none);
+  if (!choice.direction.empty()) law.direction = quantities("--direction", choice.direction, dimension::none);
   if (!choice.icr.empty())
-    law.direction = impact::direction_of_ratios(numbers("icr", choice.icr, dimension::none));
+    law.direction = impact::direction_of_ratios(quantities("--icr", choice.icr, dimension::none));
   if (!choice.energy_ratio.empty())
-    law.energy_ratio = number("energy-ratio", choice.energy_ratio, dimension::none);
+    law.energy_ratio = quantity("--energy-ratio", choice.energy_ratio, dimension::none);
   if (!choice.frame.empty()) law.frame = frame(choice.frame);
 }
 
@@ -59,38 +51,16 @@ void warn_of_gain(const LawChoice& choice, const scene::Law& law) {
           ": above 1 the impact gains energy, which only contacts that are pressed before it can give");
 }
 
-impact::IcrTable read_table(const std::string& path) {
-  try {
-    return impact::parse_icr_table(scene::read_text(path));
-  } catch (const InvalidParameter& problem) {
-    throw scene::SceneError(path + ": " + problem.what(), fault::no_icr_table);
-  }
+/// What a chain or the flags have collide; nothing of other models.
+Balls balls(const scene::Law& law, const scene::Scene& scene) {
+  if (!law.mass.empty()) return {law.mass, law.velocity};
+  const auto* chain = std::get_if<model::Chain>(&scene.model);
+  return chain ? Balls{chain->mass, chain->velocity} : Balls{};
 }
 
-/// One value per axis: those of --at, and of axes that have only one.
-std::vector<double> place(const impact::IcrTable& table, const Texts& at) {
-  std::map<std::string, double> given;
-  for (const auto& text : at) {
-    const auto equals = text.find('=');
-    if (equals == std::string::npos) throw UsageError("--at: write NAME=VALUE, not " + text);
-    given[text.substr(0, equals)] = number("at", text.substr(equals + 1), dimension::none);
-  }
-  std::vector<double> values;
-  for (const auto& axis : table.axis) {
-    if (!given.contains(axis.name) && axis.values.size() > 1)
-      throw UsageError(
-          "give --at " + axis.name + "=VALUE: the table has " + std::to_string(axis.values.size()),
-          fault::law_incomplete);
-    values.push_back(given.contains(axis.name) ? given[axis.name] : axis.values[0]);
-    given.erase(axis.name);
-  }
-  if (!given.empty()) throw UsageError("--at: the table has no axis '" + given.begin()->first + "'");
-  return values;
-}
-
-void take_from_table(LawProblem& problem, scene::Law& law, const LawChoice& choice) {
-  const auto table = read_table(choice.table);
-  problem.from_table = impact::look_up(table, place(table, choice.at));
+void take_from_table(LawProblem& problem, scene::Law& law, const LawChoice& choice,
+                     const scene::Scene& scene) {
+  problem.from_table = look_up(choice.table, choice.at, balls(law, scene));
   const auto& parameters = problem.from_table->parameters;
   law.direction = parameters.direction;
   law.energy_ratio = parameters.energy_ratio;
@@ -160,7 +130,7 @@ void take_from(LawProblem&, scene::Law&, const scene::LawAlone&, const hybrid::O
 
 std::optional<double> restitution(const LawChoice& choice) {
   if (choice.restitution.empty()) return {};
-  const double value = number("restitution", choice.restitution, dimension::none);
+  const double value = quantity("--restitution", choice.restitution, dimension::none);
   if (!(value >= 0 && value <= 1))
     throw InvalidParameter("--restitution: must be between 0 and 1, not " + choice.restitution);
   return value;
@@ -195,7 +165,7 @@ LawProblem law_problem(const LawChoice& choice, const scene::Scene& scene) {
   LawProblem problem;
   problem.report.title = scene.title;
   problem.report.scene_sha256 = scene.sha256;
-  if (!choice.table.empty()) take_from_table(problem, law, choice);
+  if (!choice.table.empty()) take_from_table(problem, law, choice, scene);
   problem.rivals.restitution = restitution(choice).value_or(1);
   const bool own = !law.mass.empty();
   if (!own) std::visit([&](const auto& model) { take_from(problem, law, model, scene.run); }, scene.model);

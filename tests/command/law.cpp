@@ -166,6 +166,33 @@ BOOST_FIXTURE_TEST_CASE(tables_stand_in_for_a_simulation, Session) {
   BOOST_TEST(mariotte("law --table missing.csv" + balls).code == 6);
 }
 
+BOOST_FIXTURE_TEST_CASE(a_table_is_for_its_masses_and_velocities_alone, Session) {
+  BOOST_TEST(mariotte("study icr-table --kappa 1:4:4 --mass-3 0.3 --v-3 -0.5 --out k.csv").code == 0);
+  const auto answer = [&](const std::string& rest) { return mariotte("law --table k.csv --at " + rest); };
+  // In the frame of the second ball; 0.03/0.1 and 0.3 differ by rounding.
+  BOOST_TEST(answer("kappa=2 --mass 0.1,0.1,0.03 --velocity 3,1,0").code == 0);
+  const struct {
+    const char* rest;
+    const char* reason;
+  } cases[] = {
+      {"kappa=2 --mass 1,2,0.3 --velocity 1,0,-0.5", "mass-2 = 2.000000 is outside the table"},
+      {"kappa=2 --mass 1,1,0.3 --velocity 1,0,0", "v-3 = 0.000000 is outside the table"},
+      {"kappa=2,v-3=-0.5 --mass 1,1,0.3 --velocity 1,0,0", "--at v-3=-0.5: masses and velocities make it 0"},
+      {"kappa=2 --mass 1,1,0.3 --velocity -1,0,0.5", "in the table the first ball strikes the second"},
+  };
+  for (const auto& c : cases) {
+    const auto run = answer(c.rest);
+    BOOST_TEST(run.code == 1);
+    BOOST_TEST(has(run.err, c.reason), run.err);
+    BOOST_TEST(has(run.err, "[L005]"));
+  }
+  const auto scene = mariotte("law three.toml --table k.csv --at kappa=2");
+  BOOST_TEST(has(scene.err, "mass-3 = 1.000000 is outside the table"), scene.err);
+  const auto twice = answer("kappa=2,kappa=3 --mass 1,1,0.3 --velocity 1,0,-0.5");
+  BOOST_TEST(twice.code == 2);
+  BOOST_TEST(has(twice.err, "--at: kappa is given twice [U003]"));
+}
+
 BOOST_FIXTURE_TEST_CASE(rows_of_many_balls_have_tables_too, Session) {
   const auto table = mariotte("study icr-table --balls 3:6");
   BOOST_TEST(table.code == 0);
@@ -174,6 +201,10 @@ BOOST_FIXTURE_TEST_CASE(rows_of_many_balls_have_tables_too, Session) {
   BOOST_TEST(run.code == 0);
   BOOST_TEST(Json::parse(run.out)["interpolation"]["velocity_error"] < 1e-9);
   BOOST_TEST(mariotte("law --table rows.csv --at balls=7 --mass 1,1 --velocity 1,0").code == 1);
+  BOOST_TEST(mariotte("law --table rows.csv --mass 1,1,1,1 --velocity 2,0,0,0").code == 0);
+  const auto heavy = mariotte("law --table rows.csv --mass 1,1,1,2 --velocity 2,0,0,0");
+  BOOST_TEST(heavy.code == 1);
+  BOOST_TEST(has(heavy.err, "the table is of equal balls"));
   for (const std::string bad :
        {"--balls 1", "--balls 3:2", "--balls 3 --kappa 2", "--kappa 1:2:2", "--kappa 2:1:9",
         "--kappa -1:1:9:log", "--kappa 1:2", "--law soft", "--kappa x"})
