@@ -11,6 +11,7 @@
 #include "mariotte/core/counted.hpp"
 #include "mariotte/report/json/json.hpp"
 #include "mariotte/study/fault.hpp"
+#include "run_notes.hpp"
 #include "scene_choice.hpp"
 
 namespace mariotte::command {
@@ -47,7 +48,7 @@ int capture(const Capture& options) {
     return ExitCode::check_failed;
   }
   print(options.json ? report::text(json(*found, scene)) : table(*found, scene));
-  return ExitCode::ok;
+  return tell_run_at(found->separated, study::at_speed(document, found->separated), options.scene.quiet);
 }
 
 constexpr const char* examples = R"(Examples:

@@ -10,6 +10,7 @@
 #include "command_line/terminal.hpp"
 #include "fit_folder.hpp"
 #include "mariotte/core/counted.hpp"
+#include "mariotte/report/limit_count.hpp"
 #include "scene_choice.hpp"
 
 namespace mariotte::command {
@@ -37,6 +38,20 @@ void warn_of_captured(const study::Fit& fit, const study::Measurements& measurem
                         count == 1 ? "a capture" : "captures"));
 }
 
+/// Runs of some measurements, at the values that were found.
+int tell_limits(study::FitModel& model, const study::Fit& fit, bool quiet) {
+  const auto rows = report::some_of(std::ssize(fit.predicted));
+  report::LimitCount limits;
+  for (const Index row : rows) limits.look(model.scene_of_row(static_cast<std::size_t>(row), fit.values()));
+  if (!quiet)
+    for (const auto& one : limits.sentences(rows.size(), "measurements")) warning(one);
+  if (limits.invalid() == 0) return ExitCode::ok;
+  error(fmt::format("at {} of {} measurements that were looked at, a contact is deeper than any law holds",
+                    limits.invalid(), rows.size()),
+        fault::invalid);
+  return ExitCode::solver_failed;
+}
+
 int finish(const Options& options, const scene::Scene& scene, study::FitModel& model, const study::Fit& fit) {
   const report::FitReport report{
       .fit = fit, .measurements = model.measurements(), .title = scene.title, .scene_sha256 = scene.sha256};
@@ -46,7 +61,7 @@ int finish(const Options& options, const scene::Scene& scene, study::FitModel& m
     if (!shortfall.empty() && !options.scene.quiet) warning("no figures: " + shortfall);
   }
   print(options.json ? report::text(report::json(report)) : report::table(report));
-  return ExitCode::ok;
+  return tell_limits(model, fit, options.scene.quiet);
 }
 
 /// Of a body its damping, unless the user says otherwise.

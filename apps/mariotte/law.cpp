@@ -7,18 +7,21 @@
 #include "law_problem.hpp"
 #include "mariotte/impact/fault.hpp"
 #include "mariotte/report/table/law_report.hpp"
+#include "run_notes.hpp"
 
 namespace mariotte::command {
 namespace {
 
-int show(const LawChoice& choice, const report::FrictionLawReport& report) {
+int show(const LawChoice& choice, const scene::Scene& scene, const report::FrictionLawReport& report) {
   print(choice.json ? report::text(report::json(report)) : report::table(report));
-  return ExitCode::ok;
+  return tell_run(scene::simulate(scene), scene, choice.scene.quiet);
 }
 
 int apply(const LawChoice& choice, const scene::Scene& scene) {
   auto problem = law_problem(choice, scene);
-  if (problem.simulation_ended != hybrid::Ending::separated) return exit_code(problem.simulation_ended);
+  tell_warnings(problem.warnings, choice.scene.quiet);
+  if (const auto code = tell_ending(problem.simulation_ended, problem.message, scene); code != ExitCode::ok)
+    return code;
   auto& report = problem.report;
   report.outcome = impact::multiple_impact(report.before, report.parameters);
   if (problem.from_table)
@@ -33,9 +36,11 @@ int apply(const LawChoice& choice, const scene::Scene& scene) {
 
 int law(const LawChoice& choice) {
   try {
-    const auto scene = scene_of(choice);
-    const auto* bodies = std::get_if<model::Bodies>(&scene.model);
-    return bodies ? show(choice, friction_laws(choice, scene, *bodies)) : apply(choice, scene);
+    auto scene = scene_of(choice);
+    if (const auto* bodies = std::get_if<model::Bodies>(&scene.model))
+      return show(choice, scene, friction_laws(choice, scene, *bodies));
+    scene.until = false;  // the law is that of a whole impact
+    return apply(choice, scene);
   } catch (const impact::OutsideTable& problem) {
     error(problem.what(), fault::outside_table);
     return ExitCode::check_failed;

@@ -7,8 +7,8 @@
 #include "command_line/values.hpp"
 #include "law_table.hpp"
 #include "mariotte/impact/network/network_impact.hpp"
-#include "mariotte/report/reason.hpp"
-#include "mariotte/scene/text_file.hpp"
+#include "mariotte/report/warnings.hpp"
+#include "mariotte/scene/judge.hpp"
 
 namespace mariotte::command {
 namespace {
@@ -70,11 +70,12 @@ void take_from_table(LawProblem& problem, scene::Law& law, const LawChoice& choi
 /// Impulses and energies of a simulated impact stand in for what is not given.
 template <class Model>
 void complete_by_simulation(LawProblem& problem, scene::Law& law, const Model& model,
-                            const hybrid::Options& run) {
-  const auto impact = impact::simulate(model, run);
+                            const scene::Scene& scene) {
+  auto impact = impact::simulate(model, scene.run);
+  judge(impact, scene);
   problem.simulation_ended = impact.ending;
-  if (const auto why = report::reason(impact.ending, impact.message, run); !why.empty())
-    error(why, fault_of(impact.ending));
+  problem.message = impact.message;
+  problem.warnings = report::warnings(impact, scene.run.flow);
   const auto found = impact::parameters_of(impact, law.frame);
   if (law.direction.empty()) law.direction = found.direction;
   if (!law.energy_ratio) law.energy_ratio = found.energy_ratio;
@@ -96,35 +97,34 @@ void add_contacts(impact::RivalParameters& parameters, const std::vector<contact
 /// Everything that the scene's model says: what collides, its contacts and, where the law is not complete,
 /// its simulation.
 template <class Model>
-void take_from_contacts(LawProblem& problem, scene::Law& law, const Model& model,
-                        const hybrid::Options& run) {
-  if (law.direction.empty() || !law.energy_ratio) complete_by_simulation(problem, law, model, run);
+void take_from_contacts(LawProblem& problem, scene::Law& law, const Model& model, const scene::Scene& scene) {
+  if (law.direction.empty() || !law.energy_ratio) complete_by_simulation(problem, law, model, scene);
   add_contacts(problem.rivals, model.law);
 }
 
-void take_from(LawProblem& problem, scene::Law& law, const model::Chain& chain, const hybrid::Options& run) {
-  take_from_contacts(problem, law, chain, run);
+void take_from(LawProblem& problem, scene::Law& law, const model::Chain& chain, const scene::Scene& scene) {
+  take_from_contacts(problem, law, chain, scene);
   problem.report.before = impact::chain_configuration(chain.mass, chain.velocity);
 }
 
 void take_from(LawProblem& problem, scene::Law& law, const model::Network& network,
-               const hybrid::Options& run) {
-  take_from_contacts(problem, law, network, run);
+               const scene::Scene& scene) {
+  take_from_contacts(problem, law, network, scene);
   problem.report.before = impact::configuration_of(network);
   problem.report.moving = impact::moving(network);
   problem.report.velocity_unit = impact::velocity_unit(network);
 }
 
 /// The reader refuses a [body] for this purpose, and [bodies] have laws of their own.
-void take_from(LawProblem&, scene::Law&, const model::Microbody&, const hybrid::Options&) {
+void take_from(LawProblem&, scene::Law&, const model::Microbody&, const scene::Scene&) {
   throw UsageError("the multiple-impact law needs a [chain] or [network]", fault::law_incomplete);
 }
 
-void take_from(LawProblem&, scene::Law&, const model::Bodies&, const hybrid::Options&) {
+void take_from(LawProblem&, scene::Law&, const model::Bodies&, const scene::Scene&) {
   throw UsageError("the multiple-impact law needs a [chain] or [network]", fault::law_incomplete);
 }
 
-void take_from(LawProblem&, scene::Law&, const scene::LawAlone&, const hybrid::Options&) {
+void take_from(LawProblem&, scene::Law&, const scene::LawAlone&, const scene::Scene&) {
   throw UsageError("give a scene, or --mass and --velocity", fault::law_incomplete);
 }
 
@@ -168,7 +168,7 @@ LawProblem law_problem(const LawChoice& choice, const scene::Scene& scene) {
   if (!choice.table.empty()) take_from_table(problem, law, choice, scene);
   problem.rivals.restitution = restitution(choice).value_or(1);
   const bool own = !law.mass.empty();
-  if (!own) std::visit([&](const auto& model) { take_from(problem, law, model, scene.run); }, scene.model);
+  if (!own) std::visit([&](const auto& model) { take_from(problem, law, model, scene); }, scene.model);
   if (law.direction.empty()) throw UsageError("give --icr, --direction or --table", fault::law_incomplete);
   if (!law.energy_ratio) throw UsageError("give --energy-ratio", fault::law_incomplete);
   if (own) problem.report.before = impact::chain_configuration(law.mass, law.velocity);

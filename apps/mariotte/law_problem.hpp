@@ -28,6 +28,8 @@ struct LawProblem {
   report::LawReport report;        ///< all but its outcomes
   impact::RivalParameters rivals;  ///< stiffnesses and exponent of a chain whose exponents are all equal
   hybrid::Ending simulation_ended = hybrid::Ending::separated;
+  std::string message;                ///< why, for endings other than separated
+  std::vector<std::string> warnings;  ///< of the simulation
 };
 
 /// The scene of the choice, or one without a model.

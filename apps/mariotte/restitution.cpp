@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -10,7 +11,9 @@
 #include "command_line/values.hpp"
 #include "mariotte/report/csv/columns.hpp"
 #include "mariotte/report/json/json.hpp"
+#include "mariotte/study/capture.hpp"
 #include "mariotte/study/pair_choice.hpp"
+#include "run_notes.hpp"
 #include "scene_choice.hpp"
 
 namespace mariotte::command {
@@ -68,12 +71,14 @@ report::Json json(const std::vector<Point>& curve, const scene::Scene& scene, co
 }
 
 int restitution(const Curve& options) {
-  const auto scene = read(options.scene);
+  const auto document = open(options.scene);
+  const auto scene = resolve(options.scene, document);
   const auto pair = study::pair_of(scene, options.scene.path, "followed at other speeds");
   const auto at = speeds(options);
   const auto curve = points(at, pair);
   print(options.json ? report::text(json(curve, scene, pair)) : table(curve, scene, pair));
-  return ExitCode::ok;
+  const double fastest = std::max(at.front(), at.back());  // it goes deepest
+  return tell_run_at(fastest, study::at_speed(document, fastest), options.scene.quiet);
 }
 
 constexpr const char* examples = R"(Examples:

@@ -8,10 +8,9 @@
 #include "mariotte/report/figure/tornado.hpp"
 #include "mariotte/report/json/sensitivity_json.hpp"
 #include "mariotte/report/page/files.hpp"
-#include "mariotte/report/reason.hpp"
 #include "mariotte/scene/simulate.hpp"
 #include "mariotte/study/sensitivity/scene_parameters.hpp"
-#include "run_notes.hpp"
+#include "run_of_slopes.hpp"
 #include "scene_choice.hpp"
 
 namespace mariotte::command {
@@ -61,13 +60,14 @@ int sensitivity(const Slopes& options) try {
   const auto scene = resolve(options.scene, document);
   auto slopes = study::sensitivity(document, scene, options.to, options.of);
   study::keep_asked_for(slopes.outcome, options.of);
+  const auto of_run = take_ending(slopes, scene_of(slopes.outcome, document, scene));
   if (options.json)
     print(report::text(json(slopes, scene, options.scene)));
   else
     print(options.csv ? report::csv(slopes) : report::table(slopes, scene.title));
   if (!options.out.empty()) write_folder(options, slopes, scene);
-  tell_ending(slopes.ending, slopes.message, scene);
-  return report::is_wanted(slopes.ending, scene) ? ExitCode::ok : exit_code(slopes.ending);
+  tell_warnings(of_run, options.scene.quiet);
+  return tell_ending(slopes.ending, slopes.message, scene);
 } catch (const study::UnknownOutcome& problem) {
   throw UsageError(std::string("--of ") + problem.what());
 }

@@ -5,9 +5,8 @@
 #include "command_line/exit_code.hpp"
 #include "command_line/terminal.hpp"
 #include "mariotte/report/json/propagation_json.hpp"
-#include "mariotte/report/reason.hpp"
 #include "mariotte/study/sensitivity/scene_parameters.hpp"
-#include "run_notes.hpp"
+#include "run_of_slopes.hpp"
 #include "scene_choice.hpp"
 
 namespace mariotte::command {
@@ -28,10 +27,11 @@ int uncertainty(const Uncertain& options) try {
         options.scene.path +
         ": no number of the scene has a deviation, as in \"10 mm ± 1 um\" or --set 'KEY=2 ± 1 %'");
   const auto scene = resolve(options.scene, document);
-  const auto found = study::propagate(document, scene, inputs, options.samples, options.of);
+  auto found = study::propagate(document, scene, inputs, options.samples, options.of);
+  const auto of_run = take_ending(found, scene_of(found.outcomes, document, scene));
   print(options.json ? report::text(report::json(found)) : report::table(found, scene.title));
-  tell_ending(found.ending, "", scene);
-  return report::is_wanted(found.ending, scene) ? ExitCode::ok : exit_code(found.ending);
+  tell_warnings(of_run, options.scene.quiet);
+  return tell_ending(found.ending, found.message, scene);
 } catch (const study::UnknownOutcome& problem) {
   throw UsageError(std::string("--of ") + problem.what());
 }

@@ -21,7 +21,7 @@ struct Fits : Session {
 }  // namespace
 
 BOOST_FIXTURE_TEST_CASE(fit_prints_values_with_their_errors, Fits) {
-  const auto fit = mariotte("fit spheres.toml measured.csv");
+  const auto fit = mariotte("fit spheres.toml measured.csv -q");
   BOOST_TEST(fit.code == 0);
   BOOST_TEST(fit.err == "");
   for (const char* part : {"30 measurements of measured.csv", "surface.zeta_hertz", "standard error",

@@ -109,6 +109,13 @@ BOOST_FIXTURE_TEST_CASE(law_of_a_simulated_scene_gives_the_simulated_velocities,
   BOOST_TEST(lossy["icr"] == answer["icr"]);
 }
 
+BOOST_FIXTURE_TEST_CASE(a_limit_that_stops_the_simulation_is_told_by_its_key, Session) {
+  const auto until = mariotte("law three.toml --set run.until=1e-3");
+  BOOST_TEST(until.code == 5);
+  BOOST_TEST(until.err == "mariotte: warning: until = 0.001 s was reached before the end\n");
+  BOOST_TEST(has(mariotte("law three.toml --set run.max_time=1e-3").err, "max_time = 0.001 s was reached"));
+}
+
 BOOST_FIXTURE_TEST_CASE(a_scene_with_a_law_needs_no_chain, Session) {
   write("law.toml",
         "title = \"Plain\"\n[law]\nmass = [1, 1, 1]\nvelocity = [\"1 m/s\", 0, 0]\nicr = [1.5]\n"

@@ -3,21 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
-#include "mariotte/scene/judge.hpp"
-#include "mariotte/scene/simulate.hpp"
+#include "mariotte/report/limit_count.hpp"
 #include "mariotte/study/sweep/variation.hpp"
 
 namespace mariotte::report {
 namespace {
 
-constexpr Index least_points = 2, most_points = 8, share_of_points = 10;
 constexpr std::size_t most_of_scenes = 3;
 
 /// What points have to be warned of.
 struct Found {
-  std::array<Index, impact::validity_limits.size()> beyond = {};  ///< points, by limit
+  LimitCount limits;
   std::vector<std::string> of_scenes = {};
 };
 
@@ -35,12 +32,7 @@ void note(const scene::Scene& scene, const study::SweepPlan& plan, Index point, 
 void look(study::Variation& variation, const study::SweepPlan& plan, Index point, Found& found) try {
   const auto& scene = variation.at(point);
   note(scene, plan, point, found);
-  if (!has_validity(scene)) return;
-  const auto impact = scene::simulate(scene);
-  const auto& validity =
-      std::visit([](const auto& one) -> const impact::Validity& { return one.validity; }, impact);
-  for (std::size_t i = 0; i < found.beyond.size(); ++i)
-    found.beyond[i] += is_beyond(impact::validity_limits[i], validity);
+  found.limits.look(scene);
 } catch (const Error&) {
 }
 
@@ -48,19 +40,12 @@ void look(study::Variation& variation, const study::SweepPlan& plan, Index point
 
 std::vector<std::string> warnings(const study::SweepPlan& plan) {
   study::Variation variation(plan.document, plan.design, std::nullopt);
-  const Index points = plan.design.points(),
-              looked_at = std::min(points, std::clamp(points / share_of_points, least_points, most_points));
+  const auto points = some_of(plan.design.points());
   Found found;
-  for (Index k = 0; k < looked_at; ++k)
-    look(variation, plan, looked_at == 1 ? 0 : k * (points - 1) / (looked_at - 1), found);
+  for (const Index point : points) look(variation, plan, point, found);
   auto list = std::move(found.of_scenes);
-  for (std::size_t i = 0; i < found.beyond.size(); ++i) {
-    const auto& one = impact::validity_limits[i];
-    if (found.beyond[i] == 0) continue;
-    list.push_back(fmt::format("at {} of {} points that were looked at, {} is {} {:g}: {} (--column {})",
-                               found.beyond[i], looked_at, one.symbol, one.from_below ? "above" : "below",
-                               one.limit, one.otherwise, one.key));
-  }
+  for (auto& one : found.limits.sentences(points.size(), "points", "--column"))
+    list.push_back(std::move(one));
   return list;
 }
 

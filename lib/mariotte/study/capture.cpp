@@ -1,5 +1,7 @@
 #include "mariotte/study/capture.hpp"
 
+#include <cmath>
+
 #include "mariotte/scene/field.hpp"
 #include "mariotte/scene/key_path.hpp"
 #include "mariotte/scene/restitution.hpp"
@@ -16,6 +18,16 @@ bool always_parts(const scene::Document& document) {
 
 }  // namespace
 
+model::Chain struck(model::Chain pair, double speed) {
+  if (std::isfinite(pair.mass[0]))
+    pair.velocity = {speed, 0};
+  else
+    pair.velocity = {0, -speed};
+  pair.gap = {0};
+  pair.gravity = 0;
+  return pair;
+}
+
 std::optional<impact::CaptureVelocity> capture_velocity(scene::Document document, double tolerance,
                                                         const std::function<void()>& watch) {
   const auto scene = resolve(document);
@@ -29,10 +41,22 @@ std::optional<impact::CaptureVelocity> capture_velocity(scene::Document document
   // ζ's are read again at every speed, since the damping they stand for depends on it.
   const auto at_speed = [&](double speed) {
     watch();
-    locate(document.source, document.tree, "incidence.normal_speed", {}).value = speed;
+    locate(document.source, document.tree, speed_key, {}).value = speed;
     return std::get<model::Microbody>(resolve(document).model);
   };
   return impact::capture_velocity(at_speed, -body.velocity.e1, tolerance, scene.run);
+}
+
+scene::Scene at_speed(scene::Document document, double speed) {
+  auto scene = resolve(document);
+  if (auto* chain = std::get_if<model::Chain>(&scene.model)) {
+    *chain = struck(*chain, speed);
+    scene.run = {.accuracy = scene.run.accuracy};
+    scene.until = false;
+    return scene;
+  }
+  locate(document.source, document.tree, speed_key, {}).value = speed;
+  return resolve(document);
 }
 
 }  // namespace mariotte::study

@@ -9,6 +9,7 @@
 
 namespace mariotte::study {
 
+inline constexpr const char* speed_key = "incidence.normal_speed";  ///< of a microbody
 inline constexpr const char* no_capture_velocity =
     "no capture velocity within a factor of a million of the scene's speed: bodies always part again, as "
     "without damping or with one restitution at all speeds, or never, as with very strong damping";
@@ -19,5 +20,12 @@ inline constexpr const char* no_capture_velocity =
 /// scene of anything else, and what impact::capture_velocity throws.
 std::optional<impact::CaptureVelocity> capture_velocity(
     scene::Document document, double tolerance, const std::function<void()>& watch = [] {});
+
+/// Two bodies of a chain as they strike at a speed [m/s], without gap and gravity.
+model::Chain struck(model::Chain pair, double speed);
+
+/// The scene of such an impact at a speed. Of a pair all but its contact is left out: gap, gravity and
+/// limits.
+scene::Scene at_speed(scene::Document document, double speed);
 
 }  // namespace mariotte::study

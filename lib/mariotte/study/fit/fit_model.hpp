@@ -36,6 +36,10 @@ class FitModel {
   /// Called before every impact from now on; what it throws ends the fit, unless it is an Error.
   void watch(std::function<void()> watch) { watch_ = std::move(watch); }
 
+  /// The scene of row `row` with these values of the free keys.
+  scene::Scene scene_of_row(std::size_t row, std::span<const double> values) {
+    return scene_at(measurements_.rows[row].values, values);
+  }
   /// What row `row` would measure with these values of the free keys. Throws Error that names the row.
   Prediction of_row(std::size_t row, std::span<const double> values);
 

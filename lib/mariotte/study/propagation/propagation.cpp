@@ -158,6 +158,7 @@ Propagation propagate(const scene::Document& document, const scene::Scene& scene
   auto slopes = sensitivity(document, scene, keys, of);
   keep_asked_for(slopes.outcome, of);
   Propagation result{.ending = slopes.ending,
+                     .message = slopes.message,
                      .inputs = inputs,
                      .outcomes = {},
                      .samples = samples,

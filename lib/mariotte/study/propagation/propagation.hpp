@@ -26,6 +26,7 @@ struct UncertainOutcome {
 
 struct Propagation {
   hybrid::Ending ending;
+  std::string message;  ///< why, for endings other than separated
   std::vector<UncertainInput> inputs;
   std::vector<UncertainOutcome> outcomes;
   Samples samples;

@@ -18,7 +18,6 @@ namespace {
 
 using Slope = std::optional<double>;
 
-constexpr const char* speed_key = "incidence.normal_speed";
 constexpr double accuracy = 1e-12, tolerance = 1e-14;
 /// Speeds above v_c, relative to it: the least, and each the double of the one before.
 constexpr double least_distance = 1e-4;
@@ -35,17 +34,6 @@ using Keys = std::vector<std::string>;
 
 /// A run at a speed. The last of its parameters is that speed; others like it have no effect.
 using Run = std::function<impact::Sensitivity(double speed)>;
-
-/// Of a pair the capture velocity is that of one impact: without a gap, and without gravity.
-model::Chain struck(model::Chain pair, double speed) {
-  if (std::isfinite(pair.mass[0]))
-    pair.velocity = {speed, 0};
-  else
-    pair.velocity = {0, -speed};
-  pair.gap = {0};
-  pair.gravity = 0;
-  return pair;
-}
 
 Run run_of(const scene::Document& document, const model::Chain& pair, const hybrid::Options& options,
            const Keys& keys, const impact::SlopeWatch& watch) {
