@@ -58,6 +58,11 @@ std::string is_finite(const std::string& text) {
   return !value || std::isfinite(*value) ? "" : "must be a finite number, not " + text;
 }
 
+/// Else "-1" would be the largest of all numbers.
+std::string has_no_sign(const std::string& text) {
+  return text.starts_with("-") ? "must not be negative, but is " + text : "";
+}
+
 CLI::Option* declare(CLI::App& app, const Option& option) {
   auto& made = *add(app, option);
   const auto& usage = option.usage;
@@ -68,6 +73,7 @@ CLI::Option* declare(CLI::App& app, const Option& option) {
   made.required(usage.required);
   std::visit(AddCheck{made, option.target}, usage.check);
   if (takes_numbers(option.target)) made.check(is_finite, "");
+  if (std::holds_alternative<std::uint64_t*>(option.target)) made.check(has_no_sign, "");
   // A shell variable that is not set makes `--out ""`, which is not the same as no --out.
   if (made.get_items_expected_max() > 0) made.check(is_not_empty, "");
   return &made;

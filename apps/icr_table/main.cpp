@@ -144,7 +144,7 @@ command::OptionList declare(CommandLine& line) {
        {{"--balls", &line.ranges["balls"], "Rows of N equal balls instead of triplets", {.value = "N[:N]"}},
         {"--accuracy", &line.accuracy, "Accuracy of the simulations", {.check = command::is_accuracy}},
         {"--out", &line.out, "File to write; standard output without", {.value = "FILE"}},
-        {"--force", &line.force, "Overwrite the file"}}});
+        {"--force", &line.force, "Overwrite the file", {.needs = {"--out"}}}}});
 }
 
 std::string table(const CommandLine& line) {

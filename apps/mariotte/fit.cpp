@@ -115,7 +115,7 @@ OptionList declare(Options& options) {
        run_options(options.scene),
        {{"--out", &options.out, "Write result files and figures into this folder", {.value = "DIR"}},
         {"--json", &options.json, "One JSON object on stdout instead of the table"},
-        {"--force", &options.force, "Overwrite files of an earlier fit"}}});
+        {"--force", &options.force, "Overwrite files of an earlier fit", {.needs = {"--out"}}}}});
 }
 
 }  // namespace

@@ -136,7 +136,7 @@ Command modes_command() {
       .footer = examples,
       .options = joined({scene_options(options->scene),
                          {{"--force", &options->force, "Press the ends of a row with it", {.value = "FORCE"}},
-                          {"--shapes", &options->shapes, "Displacements of each mode, with --json"},
+                          {"--shapes", &options->shapes, "Displacements of each mode", {.needs = {"--json"}}},
                           {"--json", &options->json, "One JSON object on stdout"}}}),
       .act = [options] { return modes(*options); }};
 }

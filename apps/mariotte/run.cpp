@@ -199,6 +199,8 @@ int run(const Run&, const scene::LawAlone& nothing, const scene::Scene&) {
 }
 
 int run(const Run& options) {
+  if (options.force && options.out.empty() && options.trace.file.empty())
+    throw UsageError("--force requires --out or --trace");
   await_interruption();
   const auto scene = read(options.scene);
   if (!options.out.empty()) prepare_result_folder(options.out, options.force);

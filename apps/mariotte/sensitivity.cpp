@@ -88,30 +88,30 @@ scene and version, is in the JSON; --csv alone is the table and nothing else.
 
 Command sensitivity_command() {
   auto options = std::make_shared<Slopes>();
-  return {
-      .name = "sensitivity",
-      .about = "Tell how the outcome of a scene changes with its parameters",
-      .footer = examples,
-      .options = joined({scene_options(options->scene),
-                         run_options(options->scene),
-                         {{"--of",
-                           &options->of,
-                           "Outcome, such as velocity, impulse[0], icr, time or, of a microbody, "
-                           "capture_velocity; may be repeated",
-                           {.value = "QUANTITY", .takes_one = true}},
-                          {"--to",
-                           &options->to,
-                           "Parameter, such as mass[0], contact[1].stiffness or a key of the scene; may be "
-                           "repeated",
-                           {.value = "KEY", .takes_one = true}},
-                          {"--json", &options->json, "One JSON object on stdout"},
-                          {"--csv", &options->csv, "A table for other programs", {.excludes = {"--json"}}},
-                          {"--out",
-                           &options->out,
-                           "Write slopes.csv, result.json and a picture of relative slopes into this folder",
-                           {.value = "DIR"}},
-                          {"--force", &options->force, "Overwrite files of an earlier call"}}}),
-      .act = [options] { return sensitivity(*options); }};
+  return {.name = "sensitivity",
+          .about = "Tell how the outcome of a scene changes with its parameters",
+          .footer = examples,
+          .options = joined(
+              {scene_options(options->scene),
+               run_options(options->scene),
+               {{"--of",
+                 &options->of,
+                 "Outcome, such as velocity, impulse[0], icr, time or, of a microbody, "
+                 "capture_velocity; may be repeated",
+                 {.value = "QUANTITY", .takes_one = true}},
+                {"--to",
+                 &options->to,
+                 "Parameter, such as mass[0], contact[1].stiffness or a key of the scene; may be "
+                 "repeated",
+                 {.value = "KEY", .takes_one = true}},
+                {"--json", &options->json, "One JSON object on stdout"},
+                {"--csv", &options->csv, "A table for other programs", {.excludes = {"--json"}}},
+                {"--out",
+                 &options->out,
+                 "Write slopes.csv, result.json and a picture of relative slopes into this folder",
+                 {.value = "DIR"}},
+                {"--force", &options->force, "Overwrite files of an earlier call", {.needs = {"--out"}}}}}),
+          .act = [options] { return sensitivity(*options); }};
 }
 
 }  // namespace mariotte::command

@@ -50,24 +50,25 @@ first order, by the exact slopes of `mariotte sensitivity`; --samples adds runs 
 
 Command uncertainty_command() {
   auto options = std::make_shared<Uncertain>();
-  return {
-      .name = "uncertainty",
-      .about = "Tell how uncertain the outcome of a scene is whose numbers have deviations",
-      .footer = examples,
-      .options = joined(
-          {scene_options(options->scene),
-           run_options(options->scene),
-           {{"--of",
-             &options->of,
-             "Outcome, such as velocity, icr[0] or capture_velocity; may be repeated",
-             {.value = "QUANTITY", .takes_one = true}},
-            {"--samples",
-             &options->samples.count,
-             "Runs with random inputs, beside the first order",
-             {.value = "N", .check = Range{2, 1e9}}},
-            {"--seed", &options->samples.seed, "Of the random inputs", {.value = "N", .shows_default = true}},
-            {"--json", &options->json, "One JSON object on stdout"}}}),
-      .act = [options] { return uncertainty(*options); }};
+  return {.name = "uncertainty",
+          .about = "Tell how uncertain the outcome of a scene is whose numbers have deviations",
+          .footer = examples,
+          .options = joined({scene_options(options->scene),
+                             run_options(options->scene),
+                             {{"--of",
+                               &options->of,
+                               "Outcome, such as velocity, icr[0] or capture_velocity; may be repeated",
+                               {.value = "QUANTITY", .takes_one = true}},
+                              {"--samples",
+                               &options->samples.count,
+                               "Runs with random inputs, beside the first order",
+                               {.value = "N", .check = Range{2, 1e9}}},
+                              {"--seed",
+                               &options->samples.seed,
+                               "Of the random inputs",
+                               {.value = "N", .shows_default = true, .needs = {"--samples"}}},
+                              {"--json", &options->json, "One JSON object on stdout"}}}),
+          .act = [options] { return uncertainty(*options); }};
 }
 
 }  // namespace mariotte::command

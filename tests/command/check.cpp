@@ -283,6 +283,23 @@ BOOST_FIXTURE_TEST_CASE(numbers_of_options_are_finite, Session) {
   }
 }
 
+BOOST_FIXTURE_TEST_CASE(options_that_would_have_no_effect_are_refused, Session) {
+  const std::string scenes = MARIOTTE_SCENES "/";
+  const std::pair<std::string, std::string> cases[] = {
+      {"run three.toml --force", "--force requires --out or --trace"},
+      {"sensitivity three.toml --force", "--force requires --out"},
+      {"fit " + scenes + "sphere_fit.toml " + scenes + "sphere_fit.csv --force", "--force requires --out"},
+      {"modes " + scenes + "pressed_row.toml --shapes", "--shapes requires --json"},
+      {"study icr-table --force", "--force requires --out"}};
+  for (const auto& [line, why] : cases) {
+    const auto run = mariotte(line);
+    BOOST_TEST(run.code == 2, line);
+    BOOST_TEST(run.out == "", line);
+    BOOST_TEST(has(run.err, why), run.err);
+    BOOST_TEST(has(run.err, "[U003]"), run.err);
+  }
+}
+
 BOOST_FIXTURE_TEST_CASE(speeds_of_a_restitution_have_units, Session) {
   const std::string pair = "restitution " MARIOTTE_SCENES "/steel_pair.toml --count 2 ";
   const auto with_units = mariotte(pair + "--from '10 cm/s' --to '1 m/s'");

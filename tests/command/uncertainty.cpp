@@ -66,3 +66,13 @@ BOOST_FIXTURE_TEST_CASE(a_deviation_has_a_unit_where_its_value_has_one, Session)
   BOOST_TEST(has(bare.err, "the deviation '1' has no unit: write '1 cm/s', or per cent [S020]"), bare.err);
   BOOST_TEST(mariotte(triplet + "--set 'chain.velocity[0]=100 cm/s ± 1 %'").code == 0);
 }
+
+BOOST_FIXTURE_TEST_CASE(a_seed_is_one_of_samples_and_not_negative, Session) {
+  const std::string uncertain = triplet + "--set 'chain.velocity[0]=1 ± 1 %' ";
+  const auto negative = mariotte(uncertain + "--samples 10 --seed -1");
+  BOOST_TEST(support::is_refused(negative));
+  BOOST_TEST(has(negative.err, "--seed: must not be negative, but is -1"), negative.err);
+  const auto alone = mariotte(uncertain + "--seed 7");
+  BOOST_TEST(support::is_refused(alone));
+  BOOST_TEST(has(alone.err, "--seed requires --samples"), alone.err);
+}
