@@ -53,4 +53,8 @@ std::string is_flow(const std::string& text) {
   }
 }
 
+std::string is_file_name(const std::string& text) {
+  return text == "-" ? "'-' is no name of a file" : "";
+}
+
 }  // namespace mariotte::command

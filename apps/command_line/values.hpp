@@ -21,5 +21,7 @@ double positive_quantity(const std::string& option, const std::string& text, con
 
 std::string is_accuracy(const std::string& text);
 std::string is_flow(const std::string& text);
+/// "-" is standard output to many programs, but not to these.
+std::string is_file_name(const std::string& text);
 
 }  // namespace mariotte::command

@@ -143,7 +143,10 @@ command::OptionList declare(CommandLine& line) {
        axes,
        {{"--balls", &line.ranges["balls"], "Rows of N equal balls instead of triplets", {.value = "N[:N]"}},
         {"--accuracy", &line.accuracy, "Accuracy of the simulations", {.check = command::is_accuracy}},
-        {"--out", &line.out, "File to write; standard output without", {.value = "FILE"}},
+        {"--out",
+         &line.out,
+         "File to write; standard output without",
+         {.value = "FILE", .check = command::is_file_name}},
         {"--force", &line.force, "Overwrite the file", {.needs = {"--out"}}}}});
 }
 

@@ -4,6 +4,7 @@
 #include "command.hpp"
 #include "command_line/exit_code.hpp"
 #include "command_line/terminal.hpp"
+#include "command_line/values.hpp"
 #include "example.hpp"
 #include "mariotte/report/page/files.hpp"
 
@@ -42,7 +43,7 @@ Command init_command() {
           .about = "Write the scene of an example, to start from",
           .footer = examples,
           .options = {{"NAME", &options->name, "Which one", {.required = true, .choices = example_names()}},
-                      {"FILE", &options->file, "Where to (default: NAME.toml here)"},
+                      {"FILE", &options->file, "Where to (default: NAME.toml here)", {.check = is_file_name}},
                       {"--force", &options->force, "Overwrite the file"}},
           .act = [options] { return init(*options); }};
 }

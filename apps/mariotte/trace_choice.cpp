@@ -13,28 +13,44 @@
 namespace mariotte::command {
 namespace {
 
-Index number(const std::string& text, const std::string& list, std::size_t count) {
+/// A list of places, and the option that has it.
+struct List {
+  const char* option;
+  std::string text;
+};
+
+[[noreturn]] void reject(const List& list, const std::string& why) {
+  throw UsageError(fmt::format("{} {}: {}", list.option, list.text, why));
+}
+
+Index number(const std::string& text, const List& list, std::size_t count) {
   Index value = 0;
   const char* end = text.data() + text.size();
   const auto [stop, problem] = std::from_chars(text.data(), end, value);
   if (problem != std::errc() || stop != end || value < 1 || value > static_cast<Index>(count))
-    throw UsageError(fmt::format("'{}' in '{}' is no number from 1 to {}", text, list, count));
+    reject(list, fmt::format("'{}' is no number from 1 to {}", text, count));
   return value;
 }
 
 /// "1,5,10:20,100:1000:50", from 1; the places from 0.
-std::vector<Index> places(const std::string& list, std::size_t count) {
+std::vector<Index> places(const List& list, std::size_t count) {
   std::vector<Index> found;
-  for (const auto& part : split(list, ',')) {
+  for (const auto& part : split(list.text, ',')) {
     const auto range = split(part, ':');
     const Index from = number(range.front(), list, count);
     const Index to = range.size() > 1 ? number(range[1], list, count) : from;
     const Index step = range.size() > 2 ? number(range[2], list, count) : 1;
-    if (range.size() > 3) throw UsageError(fmt::format("'{}': write N, FROM:TO or FROM:TO:STEP", part));
-    if (from > to) throw UsageError(fmt::format("'{}' in '{}' names nothing: it runs backwards", part, list));
+    if (range.size() > 3) reject(list, fmt::format("'{}': write N, FROM:TO or FROM:TO:STEP", part));
+    if (from > to) reject(list, fmt::format("'{}' names nothing: it runs backwards", part));
     for (Index place = from; place <= to; place += step) found.push_back(place - 1);
   }
   return found;
+}
+
+std::string is_trace_name(const std::string& text) {
+  const auto ending = std::filesystem::path(text).extension();
+  const bool is_known = ending == ".csv" || ending == ".h5" || ending == ".hdf5";
+  return is_known ? "" : fmt::format("'{}' does not end in .csv, .h5 or .hdf5", text);
 }
 
 double interval(const std::string& text) {
@@ -46,8 +62,8 @@ double interval(const std::string& text) {
 OptionList trace_options(TraceChoice& choice) {
   return {{"--trace",
            &choice.file,
-           "Write samples into this file as they come: CSV, or HDF5 if it ends in .h5",
-           {.value = "FILE"}},
+           "Write samples into this file as they come: CSV, or HDF5 if it ends in .h5 or .hdf5",
+           {.value = "FILE", .check = is_trace_name}},
           {"--every",
            &choice.every,
            "Time between samples, such as \"1 us\" (default: natural time of the quickest contact)",
@@ -65,10 +81,11 @@ OptionList trace_options(TraceChoice& choice) {
 std::unique_ptr<RunningTrace> start_trace(const TraceChoice& choice, std::size_t balls, bool force,
                                           const report::Attributes& origin) {
   if (choice.file.empty()) return nullptr;
-  const auto all = [](std::size_t count) { return fmt::format("1:{}", count); };
-  impact::Sampling sampling{
-      .velocities = places(choice.balls.empty() ? all(balls) : choice.balls, balls),
-      .contacts = places(choice.contacts.empty() ? all(balls - 1) : choice.contacts, balls - 1)};
+  const auto chosen = [](const char* option, const std::string& text, std::size_t count) {
+    return places({option, text.empty() ? fmt::format("1:{}", count) : text}, count);
+  };
+  impact::Sampling sampling{.velocities = chosen("--balls", choice.balls, balls),
+                            .contacts = chosen("--contacts", choice.contacts, balls - 1)};
   const double every = interval(choice.every);
   if (!force && std::filesystem::exists(std::filesystem::symlink_status(choice.file)))
     throw report::FileError("cannot write " + choice.file + ": it exists already (--force overwrites)",

@@ -258,6 +258,7 @@ BOOST_FIXTURE_TEST_CASE(init_writes_a_scene_to_start_from, Session) {
   BOOST_TEST(mariotte("init y_chain mine.toml").code == 0);
   BOOST_TEST(support::content(folder / "mine.toml") == support::content(MARIOTTE_SCENES "/y_chain.toml"));
   BOOST_TEST(mariotte("init").code == 2);
+  BOOST_TEST(has(mariotte("init triplet -").err, "'-' is no name of a file"));
 }
 
 BOOST_FIXTURE_TEST_CASE(every_command_explains_itself_with_an_example, Session) {

@@ -167,7 +167,18 @@ BOOST_FIXTURE_TEST_CASE(a_trace_without_sense_gives_code_2, Session) {
 
 BOOST_FIXTURE_TEST_CASE(a_range_that_runs_backwards_is_told_so, Session) {
   BOOST_TEST(has(mariotte("run three.toml --trace w.csv --balls 1,3:2").err,
-                 "'3:2' in '1,3:2' names nothing: it runs backwards"));
+                 "--balls 1,3:2: '3:2' names nothing: it runs backwards"));
+  BOOST_TEST(has(mariotte("run three.toml --trace w.csv --contacts 4").err,
+                 "--contacts 4: '4' is no number from 1 to 2"));
+}
+
+BOOST_FIXTURE_TEST_CASE(a_trace_is_named_by_what_it_is, Session) {
+  for (const std::string name : {"w.json", "w.H5", "w", "-"}) {
+    const auto run = mariotte("run three.toml --trace " + name);
+    BOOST_TEST(support::is_refused(run), name);
+    BOOST_TEST(has(run.err, "'" + name + "' does not end in .csv, .h5 or .hdf5"), run.err);
+    BOOST_TEST(entries() == 1);
+  }
 }
 
 BOOST_FIXTURE_TEST_CASE(a_run_without_a_collision_says_so, Session) {
