@@ -32,7 +32,10 @@ std::string is_figure(const std::string& text) {
 
 std::string notes() {
   std::string text = "\nFigures:\n";
-  for (const auto& figure : figures()) text += fmt::format("  {:<10}{}\n", figure.name, figure.title);
+  std::size_t width = 0;
+  for (const auto& figure : figures()) width = std::max(width, figure.name.size());
+  for (const auto& figure : figures())
+    text += fmt::format("  {:<{}}  {}\n", figure.name, width, figure.title);
   return text + R"(
 A folder per figure holds its data, script, pictures and checks.
 

@@ -223,6 +223,7 @@ BOOST_FIXTURE_TEST_CASE(completions_offer_flows_codes_scenes_and_figures, Sessio
   BOOST_TEST(offered("demo newton") == "newton_cradle_5\n");
   BOOST_TEST(offered("init y_") == "y_chain\n");
   BOOST_TEST(has(offered("reproduce acary-2"), "acary-2b"));
+  BOOST_TEST(has(offered("reproduce kharaz-r"), "kharaz-restitution"));
 }
 
 BOOST_FIXTURE_TEST_CASE(other_shells_have_completions, Session) {
