@@ -137,6 +137,11 @@ std::string unknown_word(const CLI::App& app) {
   return "";
 }
 
+void expect_known_words(const CLI::App& app) {
+  const auto misspelt = unknown_word(app);
+  if (!misspelt.empty()) throw UsageError(misspelt + " (see --help)", fault::unknown_argument);
+}
+
 Fault fault_of(const CLI::ParseError& problem) {
   if (dynamic_cast<const CLI::ExtrasError*>(&problem)) return fault::unknown_argument;
   return dynamic_cast<const CLI::RequiredError*>(&problem) ? fault::missing_argument : fault::bad_argument;
@@ -189,21 +194,31 @@ HelpPage described(const CLI::App& app, const Command& command) {
   return page;
 }
 
+/// "help run" is "run --help".
+std::vector<const char*> words(const Command& program, int argc, const char* const* argv) {
+  std::vector<const char*> all(argv, argv + argc);
+  if (program.commands.empty() || argc < 2 || std::string_view(argv[1]) != "help") return all;
+  all.erase(all.begin() + 1);
+  all.push_back("--help");
+  return all;
+}
+
 }  // namespace
 
 std::function<int()> parse(const Command& program, int argc, const char* const* argv) {
   CLI::App app(program.about, program.name);
   declare(app, program);
   try {
-    app.parse(argc, argv);
+    const auto given = words(program, argc, argv);
+    app.parse(static_cast<int>(given.size()), given.data());
     return chosen(program, app);
   } catch (const CLI::CallForHelp&) {
+    expect_known_words(app);
     return printed(app.help());
   } catch (const CLI::CallForVersion& version) {
     return printed(std::string(version.what()) + "\n");
   } catch (const CLI::ParseError& problem) {
-    const auto misspelt = unknown_word(app);
-    if (!misspelt.empty()) throw UsageError(misspelt + " (see --help)", fault::unknown_argument);
+    expect_known_words(app);
     throw UsageError(std::string(problem.what()) + " (see --help)", fault_of(problem));
   }
 }

@@ -20,7 +20,7 @@ constexpr const char* examples = R"(Examples:
   mariotte fit microsphere.toml measured.csv     its damping from measured restitution
   mariotte materials                             materials that scenes can name, with sources
   mariotte explain S010                          what an error means, by the code of its message
-  mariotte run --help                            all about one command
+  mariotte help run                              all about one command, as run --help
 
 Exit codes: 0 ok, 1 check failed, 2 usage, 3 scene error, 4 solver failure, 5 a limit was reached,
 6 file error, 130 or 143 interrupted.

@@ -285,6 +285,16 @@ BOOST_FIXTURE_TEST_CASE(numbers_of_options_are_finite, Session) {
   }
 }
 
+BOOST_FIXTURE_TEST_CASE(help_is_a_command_as_well, Session) {
+  BOOST_TEST(mariotte("help").out == mariotte("--help").out);
+  BOOST_TEST(mariotte("help run").out == mariotte("run --help").out);
+  BOOST_TEST(mariotte("help study").out == mariotte("study --help").out);
+  BOOST_TEST(mariotte("help run").code == 0);
+  const auto unknown = mariotte("help sensitivty");
+  BOOST_TEST(unknown.code == 2);
+  BOOST_TEST(has(unknown.err, "did you mean 'sensitivity'?"));
+}
+
 BOOST_FIXTURE_TEST_CASE(options_that_would_have_no_effect_are_refused, Session) {
   const std::string scenes = MARIOTTE_SCENES "/";
   const std::pair<std::string, std::string> cases[] = {
