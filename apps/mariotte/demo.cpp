@@ -24,7 +24,7 @@ std::string list() {
   const auto longer = [](const auto& a, const auto& b) { return a.size() < b.size(); };
   const auto width = std::max_element(names.begin(), names.end(), longer)->size();
   for (const auto& name : names)
-    text += fmt::format("{:<{}}  {}\n", name, width, scene::parse(example(name), name).title);
+    text += fmt::format("{:<{}}  {}\n", name, width, scene::parse(example(name).scene, name).title);
   return text;
 }
 
@@ -33,7 +33,7 @@ int demo(const Demo& options) {
     print(list());
     return ExitCode::ok;
   }
-  const auto scene = scene::parse(example(options.name), options.name);
+  const auto scene = scene::parse(example(options.name).scene, options.name);
   const auto impact = scene::simulate(scene);
   print(report::table_text(impact, scene));
   return tell_run(impact, scene, false);

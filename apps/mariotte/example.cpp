@@ -14,10 +14,10 @@ Words example_names() {
   return names;
 }
 
-std::string example(const std::string& name) {
+Example example(const std::string& name) {
   std::vector<std::string_view> names;
   for (const auto& one : example_scenes) {
-    if (name == one.name) return one.text;
+    if (name == one.name) return {one.text, one.data};
     names.emplace_back(one.name);
   }
   throw UsageError(fmt::format("no example is called '{}'{} (mariotte demo --list lists them)", name,

@@ -9,7 +9,12 @@ namespace mariotte::command {
 /// All names, in alphabetical order.
 Words example_names();
 
-/// The text of one. Throws UsageError for a name that there is not, with the nearest.
-std::string example(const std::string& name);
+struct Example {
+  std::string scene;
+  std::string data;  ///< measurements to fit it to, as CSV; mostly empty
+};
+
+/// Throws UsageError for a name that there is not, with the nearest.
+Example example(const std::string& name);
 
 }  // namespace mariotte::command

@@ -17,14 +17,32 @@ struct Init {
   bool force = false;
 };
 
-int init(const Init& options) {
-  const auto text = example(options.name);
-  const auto file = options.file.empty() ? options.name + ".toml" : options.file;
-  if (!options.force && std::filesystem::exists(std::filesystem::symlink_status(file)))
-    throw report::FileError("cannot write " + file + ": it exists already (--force overwrites)",
+void expect_new(const std::filesystem::path& file) {
+  if (std::filesystem::exists(std::filesystem::symlink_status(file)))
+    throw report::FileError("cannot write " + file.string() + ": it exists already (--force overwrites)",
                             fault::exists);
-  report::write_file(file, text);
-  note("wrote " + file + "; mariotte run " + file + " follows it");
+}
+
+/// The command that the scene is for.
+std::string next_step(const Example& example, const std::string& file, const std::string& data) {
+  if (!example.data.empty()) return "fit " + file + " " + data;
+  return example.scene.find("[[sweep]]") == std::string::npos ? "run " + file
+                                                              : "sweep " + file + " --out results";
+}
+
+int init(const Init& options) {
+  const auto what = example(options.name);
+  const auto file = options.file.empty() ? options.name + ".toml" : options.file;
+  const auto data = std::filesystem::path(file).replace_extension("csv").string();
+  const bool has_data = !what.data.empty();
+  if (!options.force) {
+    expect_new(file);
+    if (has_data) expect_new(data);
+  }
+  report::write_file(file, what.scene);
+  if (has_data) report::write_file(data, what.data);
+  note("wrote " + file + (has_data ? " and " + data : "") + "; mariotte " + next_step(what, file, data) +
+       " is for " + (has_data ? "them" : "it"));
   return ExitCode::ok;
 }
 
