@@ -134,6 +134,13 @@ BOOST_FIXTURE_TEST_CASE(another_sweep_is_refused_and_its_journal_untouched, Fold
   BOOST_CHECK_THROW(Journal(path, "y", 4), study::JournalError);
   BOOST_CHECK_THROW(Journal(path, "x", 5), study::JournalError);
   BOOST_TEST(content() == before);
+  auto damaged = before;
+  damaged[before.find("sweep")] = 'S';
+  replace(damaged);
+  BOOST_CHECK_EXCEPTION(Journal(path, "x", 4), study::JournalError, [](const auto& problem) {
+    return std::string(problem.what()).find("the first line, which says what is swept, is damaged") !=
+           std::string::npos;
+  });
   replace("no journal at all");
   BOOST_CHECK_THROW(Journal(path, "x", 4), study::JournalError);
   BOOST_TEST(content() == "no journal at all");

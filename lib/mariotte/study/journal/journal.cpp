@@ -84,6 +84,8 @@ std::size_t Journal::scan(const std::filesystem::path& path) {
            fault::foreign_journal);
   };
   while (std::getline(stream, line) && !stream.eof()) {
+    if (offset == 0 && !is_heading(line))
+      fail(path, "the first line, which says what is swept, is damaged (--force starts anew)");
     if (offset == 0) expect(line + "\n" == heading);
     if (const auto rows = read_rows(line); rows && counts(*rows))
       entries_.push_back({file, offset, line.size(), {rows->first, rows->count}, rows->failed});

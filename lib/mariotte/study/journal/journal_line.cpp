@@ -91,6 +91,10 @@ std::string rows_line(const Rows& rows) {
   return sealed(body += "\"}");
 }
 
+bool is_heading(std::string_view line) {
+  return opened(line).starts_with("\"sweep\":");
+}
+
 std::optional<Rows> read_rows(std::string_view line) {
   auto body = opened(line);
   Rows rows;

@@ -23,6 +23,9 @@ struct Rows {
 std::string heading_line(std::string_view identity, Index points);
 std::string rows_line(const Rows& rows);
 
+/// Whether a line without its line break is the heading of some journal.
+bool is_heading(std::string_view line);
+
 /// The rows of a line without its line break; empty if it is torn, altered, or a line of another kind.
 std::optional<Rows> read_rows(std::string_view line);
 
