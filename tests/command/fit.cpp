@@ -98,6 +98,11 @@ BOOST_FIXTURE_TEST_CASE(bad_data_are_refused_by_file_line_and_column, Fits) {
   const auto bad = mariotte("fit spheres.toml bad.csv");
   BOOST_TEST(bad.code == 3);
   BOOST_TEST(has(bad.err, "bad.csv:3:3: "), bad.err);
+  write("foreign.csv", "speed,contacts[0].peak_force\n5,0.8\n6,0.8\n7,0.8\n");
+  const auto foreign = mariotte("fit spheres.toml foreign.csv");
+  BOOST_TEST(foreign.code == 3);
+  BOOST_TEST(has(foreign.err, "foreign.csv:1:7: no result has 'contacts[0].peak_force'"), foreign.err);
+  BOOST_TEST(has(foreign.err, "[W004]"));
   write("few.csv", "speed,restitution\n5,0.8\n6,0.8\n");
   BOOST_TEST(mariotte("fit spheres.toml few.csv").code == 3);
   BOOST_TEST(mariotte("fit spheres.toml missing.csv").code == 6);

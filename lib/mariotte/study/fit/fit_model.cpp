@@ -72,7 +72,12 @@ void FitModel::expect_quantity(const scene::Scene& scene) {
           fault::no_model);
     keys = {"final.velocity[0]", "final.velocity[1]"};
   }
-  evaluate_ = make_evaluate(expand_columns(keys, scene));
+  try {
+    evaluate_ = make_evaluate(expand_columns(keys, scene));
+  } catch (const ColumnError& problem) {
+    throw scene::SceneError(
+        place_of(measurements_.file, measurements_.quantity_place) + ": " + problem.what(), problem.fault);
+  }
   columns_.resize(keys.size());
   outcomes_ = outcomes_of(keys, scene);
 }

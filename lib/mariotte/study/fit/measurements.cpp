@@ -170,6 +170,7 @@ Measurements parse_measurements(const std::string& text, const std::string& name
   Measurements measurements{.file = name,
                             .settings = {},
                             .quantity = columns.measured->name,
+                            .quantity_place = table.header[columns.measured->number].place,
                             .weighted = columns.deviation.has_value(),
                             .rows = {}};
   for (const auto& column : columns.settings)

@@ -41,6 +41,7 @@ struct Measurements {
   std::string file;
   std::vector<Setting> settings;         ///< at least one
   std::string quantity = "restitution";  ///< that was measured: a key of the result
+  scene::Place quantity_place;           ///< of its column, in the header
   bool weighted = false;                 ///< deviations are given
   std::vector<Measurement> rows;
 };
