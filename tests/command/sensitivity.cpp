@@ -87,6 +87,10 @@ BOOST_FIXTURE_TEST_CASE(what_there_is_no_slope_of_or_by_is_told_so, Session) {
   const auto parameter = mariotte(triplet + "--to chain.law");
   BOOST_TEST(parameter.code == 3);
   BOOST_TEST(has(parameter.err, "--to chain.law"));
+  const auto beyond = mariotte(triplet + "--to 'mass[99]'");
+  BOOST_TEST(beyond.code == 3);
+  BOOST_TEST(has(beyond.err, "--to mass[99]: the last is mass[2] [S017]"), beyond.err);
+  BOOST_TEST(has(mariotte(triplet + "--to 'contact[2].stiffness'").err, "the last is contact[1] [S017]"));
 }
 
 BOOST_FIXTURE_TEST_CASE(slopes_and_their_picture_are_written_into_a_folder, Session) {

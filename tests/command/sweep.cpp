@@ -312,6 +312,8 @@ BOOST_FIXTURE_TEST_CASE(errors_have_their_codes_and_leave_nothing, Session) {
   BOOST_TEST(mariotte("sweep few.toml --out out --column icr").code == 2);
   BOOST_TEST(has(mariotte("sweep few.toml --out out --column final.velocty[0]").err,
                  "did you mean 'final.velocity[0]'"));
+  const auto word = mariotte("sweep few.toml --out out --column a=chain.contact[0].law");
+  BOOST_TEST(has(word.err, "'chain.contact[0].law' is no number that the scene gives ["), word.err);
   BOOST_TEST(mariotte("sweep few.toml --out out --threads 0").code == 2);
   BOOST_TEST(!fs::exists(folder / "out"));
   BOOST_TEST(mariotte("sweep few.toml --out few.toml").code == 6);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 
 #include "mariotte/core/overload.hpp"
@@ -15,6 +16,29 @@ namespace {
 
 using scene::Document;
 
+/// "mass" and 7 of "mass[7].x"; no number where there is no index.
+std::pair<std::string, std::optional<Index>> name_and_index(const std::string& key) {
+  const auto open = key.find('[');
+  if (open == key.npos) return {key, {}};
+  Index index = 0;
+  const auto [end, problem] = std::from_chars(key.data() + open + 1, key.data() + key.size(), index);
+  return {key.substr(0, open), problem == std::errc() ? std::optional(index) : std::nullopt};
+}
+
+/// An index beyond the last of numbers that the model has.
+template <class Model>
+void expect_within(const Document& document, const std::string& key,
+                   const std::vector<impact::Parameter<Model>>& all) {
+  const auto [name, index] = name_and_index(key);
+  std::optional<Index> last;
+  for (const auto& one : all)
+    if (const auto [of, at] = name_and_index(one.name); of == name) last = std::max(last, at);
+  if (!index || !last || *index <= *last) return;
+  auto source = document.source;
+  reject(source, add_origin(source, "--to " + key), fault::leads_nowhere,
+         "the last is " + name + "[" + std::to_string(*last) + "]");
+}
+
 template <class Model>
 std::vector<impact::Parameter<Model>> chosen(const Document& document, const std::vector<std::string>& keys,
                                              const std::vector<impact::Parameter<Model>>& all) {
@@ -24,7 +48,9 @@ std::vector<impact::Parameter<Model>> chosen(const Document& document, const std
     const auto before = list.size();
     for (const auto& one : all)
       if (is_asked_for(one.name, key)) list.push_back(one);
-    if (list.size() == before) list.push_back(number_of_scene<Model>(document, key, key));
+    if (list.size() > before) continue;
+    expect_within(document, key, all);
+    list.push_back(number_of_scene<Model>(document, key, key));
   }
   return list;
 }

@@ -37,12 +37,13 @@ void add_keys(const scene::Node& node, const std::string& key, std::vector<std::
     keys.push_back(key);
 }
 
-/// What a name that stands for nothing was meant to be.
+/// What a name that stands for nothing was meant to be; nothing if the scene has it, but as no number.
 std::string suggestion(const std::string& name, const scene::Document& document, const Design& design) {
   std::vector<std::string> keys;
   for (const auto& one : design.parameters) keys.push_back(one.key);
   for (const auto& one : design.derived) keys.push_back(one.key);
   add_keys(document.tree, "", keys);
+  if (std::find(keys.begin(), keys.end(), name) != keys.end()) return "";
   return mariotte::suggestion(name, std::vector<std::string_view>(keys.begin(), keys.end()));
 }
 
