@@ -189,3 +189,23 @@ BOOST_AUTO_TEST_CASE(balls_that_leave_deep_wells_keep_the_accuracy) {
     BOOST_TEST(test::difference(linked.velocity, end) < std::max(accuracy, 2e-12) * fastest);
   }
 }
+
+// Balls that come slowly are drawn into a deep well, where their time is a quadrature that rounding alone may
+// leave without a result. Expected: Adams, BDF and a simulator without events.
+BOOST_AUTO_TEST_CASE(a_pair_that_is_drawn_in_slowly_yields_at_every_accuracy) {
+  const nlohmann::json law = {{"law", "thornton-ning"},
+                              {"effective_modulus", 5.0518048298119815},
+                              {"effective_radius", 2.0671698862562535},
+                              {"yield_pressure", 0.93460007391938416},
+                              {"work_of_adhesion", 0.077320017607449082}};
+  const model::Chain pair{.mass = {0.54537928450866446, 0.50900458496467826},
+                          .law = {test::law_of(law)},
+                          .gap = {0.071843077124189553},
+                          .velocity = {0.18299786837251664, 0.16141070143012559}};
+  for (const double accuracy : {1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-12}) {
+    const auto impact =
+        impact::simulate(pair, {.accuracy = accuracy, .max_time = 5.3521739374562172, .max_events = 100});
+    BOOST_TEST(std::abs(impact.velocity[0] - 0.202677202) < 1e-9 + 10 * accuracy);
+    BOOST_TEST(std::abs(impact.contacts[0].peak_indentation - 0.3001483582557) < 1e-12 + 10 * accuracy);
+  }
+}

@@ -97,7 +97,8 @@ bool Pair::is_of_branch(Index guard) const {
   return phase_->branch_guard >= 0 && (guard == phase_->branch_guard || guard == phase_->branch_guard + 1);
 }
 
-/// What ends a branch: the contact yields, if it comes so deep, or turns, where that is watched.
+/// What ends a branch: the contact yields, if it comes so deep, or turns, where that is watched. A time that
+/// could not be computed is not a number, and must not pass for an event that never comes.
 std::optional<Pair::End> Pair::end_of_branch(const Problem& problem, const PairMotion& motion,
                                              const Indentation& begin) const {
   const Index yield = phase_->branch_guard, turn = yield + 1;
@@ -108,7 +109,7 @@ std::optional<Pair::End> Pair::end_of_branch(const Problem& problem, const PairM
         if (problem.crossings()[yield] != Crossing::none) {
           const auto yields = one.reach(begin.value - value_[yield]);
           const bool is_noise = !(yields.there.rate > phase_->yield_speed);
-          if (yields.time < infinity && !is_noise) return End{yields.time, yield, yields.there};
+          if (yields.time != infinity && !is_noise) return End{yields.time, yield, yields.there};
         }
         if (problem.crossings()[turn] != Crossing::falling) return std::nullopt;
         const auto [parting, there] = one.recede(phase_->turn_speed);
@@ -127,7 +128,7 @@ Pair::End Pair::first_event(const Problem& problem, const PairMotion& motion,
                             const Indentation& begin) const {
   const PairPhase& phase = *phase_;
   const auto branch = end_of_branch(problem, motion, begin);
-  End end = branch && branch->duration < infinity ? *branch : opening(motion);
+  End end = branch && branch->duration != infinity ? *branch : opening(motion);
   const auto last = end.last;
   const double longest = end.duration;
   for (Index i = 0; i < problem.guard_count(); ++i) {

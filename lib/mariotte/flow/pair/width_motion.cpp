@@ -37,14 +37,14 @@ struct GaussRule {
   }
 };
 
-/// By two rules that agree, on halves where they do not; not a number if they never do, as where a motion
-/// begins at a turn in its well.
+/// By two rules that agree, but for rounding, on halves where they do not; not a number if they never do, as
+/// where a motion begins at a turn in its well.
 template <class Function>
 double integral(Function&& f, double from, double to, double tolerance, int halvings = 12) {
   static const GaussRule<16> coarse;
   static const GaussRule<24> fine;
   const double sum = fine(f, from, to);
-  if (std::abs(sum - coarse(f, from, to)) <= tolerance) return sum;
+  if (std::abs(sum - coarse(f, from, to)) <= std::max(tolerance, 16 * epsilon * std::abs(sum))) return sum;
   if (halvings == 0) return std::numeric_limits<double>::quiet_NaN();
   const double middle = 0.5 * (from + to);
   return integral(f, from, middle, 0.5 * tolerance, halvings - 1) +
