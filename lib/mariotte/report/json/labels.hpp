@@ -12,8 +12,8 @@ struct Label {
 
 inline constexpr std::array labels = {
     Label{"ending",
-          "how the run ended: `separated`, `captured`, `bound`, `time_limit`, `event_limit`, "
-          "`interrupted`, `unsure`, `invalid` or `failed`"},
+          "how the run ended: `separated`, `captured`, `bound`, `time_limit` (by `until`, too), "
+          "`event_limit`, `interrupted`, `unsure`, `invalid` or `failed`"},
     Label{"title", "title of the scene"},
     Label{"model", "`chain`, `network`, `microbody` or `bodies`"},
     Label{"message", "why the run ended so; left out if it ended by itself"},

@@ -17,7 +17,8 @@ constexpr const char* introduction = R"(# What a result says
 <!-- This page is generated: build/tests/doc/doc_result_format > doc/result_format.md -->
 
 `mariotte run --json` prints one object with these keys, and `--out` writes it as `result.json`. Numbers are in
-SI units and have 17 significant digits. A number that is undefined is `null`.
+SI units and have 17 significant digits. A number that is undefined is `null`;
+numbers of `validity` that the scene does not say enough for are left out.
 
 `[]` stands for an index. Indices count from 0; balls, contacts and tips that are named in a value count from 1.
 Each key with a unit is also a [column of a sweep](sweeps.md#columns): `contacts[1].impulse`. A column may have
@@ -86,8 +87,8 @@ std::string result_format() {
   for (const auto& [key, meaning] : labels) text += fmt::format("| `{}` | {} |\n", key, meaning);
   text += "\n## Chains\n\n" + table(chain, all);
   text +=
-      "\n## Contact networks\n\nAs of a chain, but for these keys; of the momentum only the residual is "
-      "told.\n";
+      "\n## Contact networks\n\nAs of a chain, but for these keys; there is no `icr`, since contacts have no "
+      "order, and of the momentum only the residual is told.\n";
   text += "Velocities of balls are in m/s, those of other degrees of freedom in the units of the scene.\n\n";
   text += table(impact::quantities<impact::NetworkImpact>(),
                 [&](const auto& one) { return !has_same(chain, one); });
