@@ -254,9 +254,9 @@ struct Collocation::Memory {
   bool resolves(const SlopeMatrix& slopes, bool is_last, double whole) {
     const auto [before, last] = tails(slopes);
     highest = last;
-    const bool is_stiff = last > reserve * accuracy && strength() > stiff;
+    const bool swings = strength() > stiff, is_stiff = swings && last > reserve * accuracy;
     if (is_resolved(before, last, accuracy) && !is_stiff) return true;
-    const bool is_noise = last >= whole;
+    const bool is_noise = last >= whole && !swings;
     is_last |= is_noise || last <= rounding();
     if (is_last) unresolved = std::max(unresolved, is_noise || is_stiff ? last : remainder(before, last));
     return is_last;
@@ -284,7 +284,7 @@ struct Collocation::Memory {
 
   void carry(LinearField& field, double start, double end, Edges edges, double u, double width,
              SlopeMatrix& slopes, int depth, double whole = infinity) {
-    const int most = edges.beyond == 0 ? most_halvings_at_root : most_halvings;
+    const int most = ends_at_root(edges, u, width) ? most_halvings_at_root : most_halvings;
     if (solve_piece(field, start, end, edges, u, width, slopes, depth == most, whole)) return;
     const double own = ends_at_root(edges, u, width) ? highest : infinity;
     carry(field, start, end, edges, u, width / 2, slopes, depth + 1);
