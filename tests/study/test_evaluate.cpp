@@ -282,26 +282,27 @@ BOOST_AUTO_TEST_CASE(slopes_that_a_scene_does_not_have_are_refused) {
   refused("sensitivity.e_n.radius", rod({}), "slopes are columns of chains and networks alone");
 }
 
-/// What is counted by the run has no elements before it.
+/// How many quantities have a column where every index is 0. What is counted by the run has no elements
+/// before it; others the scene may not have, or they are words.
 template <class Impact>
-void expect_first_elements(const scene::Scene& scene) {
+int first_elements(const scene::Scene& scene) {
+  int found = 0;
   for (const auto& quantity : impact::quantities<Impact>()) {
     if (!quantity.read) continue;
     std::string key(quantity.is.key);
     for (std::size_t at; (at = key.find("[]")) != std::string::npos;) key.replace(at, 2, "[0]");
-    BOOST_TEST_CONTEXT(key) {
-      try {
-        evaluated(expanded({key}, scene), scene);
-      } catch (const std::exception& problem) {  // the scene has no such element, or it is no number
-        BOOST_TEST(problem.what() != "");
-      }
+    try {
+      evaluated(expanded({key}, scene), scene);
+      ++found;
+    } catch (const study::ColumnError&) {
     }
   }
+  return found;
 }
 
 BOOST_AUTO_TEST_CASE(the_first_element_of_every_array_can_be_asked_for) {
-  expect_first_elements<impact::ChainImpact>(three());
-  expect_first_elements<impact::NetworkImpact>(scene::read(MARIOTTE_SCENES "/rack_break.toml"));
-  expect_first_elements<impact::MicrobodyImpact>(rod({}));
-  expect_first_elements<impact::BodiesImpact>(scene::read(MARIOTTE_SCENES "/dropped_rod.toml"));
+  BOOST_TEST(first_elements<impact::ChainImpact>(three()) > 40);
+  BOOST_TEST(first_elements<impact::NetworkImpact>(scene::read(MARIOTTE_SCENES "/rack_break.toml")) > 30);
+  BOOST_TEST(first_elements<impact::MicrobodyImpact>(rod({})) > 50);
+  BOOST_TEST(first_elements<impact::BodiesImpact>(scene::read(MARIOTTE_SCENES "/dropped_rod.toml")) > 50);
 }
