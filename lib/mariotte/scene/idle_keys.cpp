@@ -17,7 +17,7 @@ void add_names(const Node& node, std::vector<std::string_view>& names) {
 }
 
 /// Of the whole and of its contacts.
-std::vector<std::string_view> names_of_laws(const Field& whole) {
+std::vector<std::string_view> laws_named_in(const Field& whole) {
   std::vector<std::string_view> names;
   if (const auto law = find(whole, "law")) add_names(*law->node, names);
   const auto contacts = find(whole, "contact");
@@ -43,7 +43,7 @@ bool is_common(std::string_view key) {
 }  // namespace
 
 void warn_of_idle_keys(Source& source, const Field& whole) {
-  const auto names = names_of_laws(whole);
+  const auto names = laws_named_in(whole);
   const auto is_used = [&](const NamedLaw& law) { return std::ranges::find(names, law.name) != names.end(); };
   for (const auto key : law_keys) {
     const auto field = find(whole, key);

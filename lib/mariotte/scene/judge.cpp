@@ -24,6 +24,7 @@ std::vector<std::pair<Index, Index>> missed_afterwards(const impact::NetworkImpa
   for (auto& ball : balls)
     for (double& one : ball.velocity) one = *velocity++;
   auto missed = missed_meetings(balls, scene.reach);
+  if (missed.empty()) return {};
   const auto told = missed_meetings(scene.ball, scene.reach);
   std::erase_if(missed, [&](const auto& pair) { return std::ranges::find(told, pair) != told.end(); });
   return missed;

@@ -250,13 +250,15 @@ struct Collocation::Memory {
 
   /// Of the last halving the error is kept, and where halving does not help: of what is rounding. `whole` is
   /// what the coefficients of a piece that ends at a root were before it was halved: where they have not
-  /// become smaller the indentation is rounding, and nothing says that higher ones fall.
+  /// become smaller though no swing is left to be resolved, the indentation is rounding, and nothing says
+  /// that higher ones fall.
   bool resolves(const SlopeMatrix& slopes, bool is_last, double whole) {
     const auto [before, last] = tails(slopes);
     highest = last;
-    const bool swings = strength() > stiff, is_stiff = swings && last > reserve * accuracy;
+    const auto swings = [&] { return strength() > stiff; };
+    const bool is_stiff = last > reserve * accuracy && swings();
     if (is_resolved(before, last, accuracy) && !is_stiff) return true;
-    const bool is_noise = last >= whole && !swings;
+    const bool is_noise = last >= whole && !swings();
     is_last |= is_noise || last <= rounding();
     if (is_last) unresolved = std::max(unresolved, is_noise || is_stiff ? last : remainder(before, last));
     return is_last;
