@@ -41,8 +41,8 @@ int init(const Init& options) {
   }
   report::write_file(file, what.scene);
   if (has_data) report::write_file(data, what.data);
-  note("wrote " + file + (has_data ? " and " + data : "") + "; mariotte " + next_step(what, file, data) +
-       " is for " + (has_data ? "them" : "it"));
+  note("wrote " + file + (has_data ? " and " + data : "") + "; next: mariotte " +
+       next_step(what, file, data));
   return ExitCode::ok;
 }
 

@@ -264,15 +264,14 @@ BOOST_FIXTURE_TEST_CASE(init_writes_a_scene_to_start_from, Session) {
 
 BOOST_FIXTURE_TEST_CASE(init_says_the_command_that_a_scene_is_for, Session) {
   const auto sphere = mariotte("init sphere_fit mine.toml");
-  BOOST_TEST(sphere.err ==
-             "mariotte: wrote mine.toml and mine.csv; mariotte fit mine.toml mine.csv is for them\n");
+  BOOST_TEST(sphere.err == "mariotte: wrote mine.toml and mine.csv; next: mariotte fit mine.toml mine.csv\n");
   BOOST_TEST(support::content(folder / "mine.csv") == support::content(MARIOTTE_SCENES "/sphere_fit.csv"));
   BOOST_TEST(mariotte("fit mine.toml mine.csv").code == 0);
   support::fs::remove(folder / "mine.toml");
   BOOST_TEST(mariotte("init sphere_fit mine.toml").code == 6);
   BOOST_TEST(mariotte("init triplet_map").err ==
-             "mariotte: wrote triplet_map.toml; mariotte sweep triplet_map.toml --out results is for it\n");
-  BOOST_TEST(has(mariotte("init triplet").err, "; mariotte run triplet.toml is for it\n"));
+             "mariotte: wrote triplet_map.toml; next: mariotte sweep triplet_map.toml --out results\n");
+  BOOST_TEST(has(mariotte("init triplet").err, "; next: mariotte run triplet.toml\n"));
 }
 
 BOOST_FIXTURE_TEST_CASE(every_command_explains_itself_with_an_example, Session) {
