@@ -12,8 +12,9 @@ namespace {
 
 constexpr int lengths = 10;
 constexpr double shortening = 0.25;
-/// Of what outcomes are, or are compared with: rounding of the best runs.
-constexpr double noise = 1e-14;
+constexpr double clearly = 2;  ///< times the doubts of two estimates: they contradict each other
+/// Of what outcomes are, or are compared with: least rounding of the best runs.
+constexpr double least_noise = 1e-14;
 
 using Values = std::vector<double>;
 
@@ -45,6 +46,19 @@ class Neighbours {
       if (k != 0) read(probe.outcomes(probe.value + k * step), base, values_[k + reach]);
   }
   double step() const { return step_; }
+  /// By how much each outcome differs from the base at most, over its size; infinite where the run is
+  /// another.
+  Values spread(const impact::Sensitivity& base, const Values& sizes) const {
+    Values most(sizes.size(), 0.0);
+    for (std::size_t k = 0; k < values_.size(); ++k)
+      for (std::size_t i = 0; i < most.size(); ++i) {
+        if (k == reach || !(sizes[i] > 0)) continue;
+        if (values_[k].empty()) return Values(sizes.size(), infinity);
+        const double apart = std::abs(values_[k][i] - base.outcome[i].value.value_or(0));
+        most[i] = std::max(most[i], apart / sizes[i]);
+      }
+    return most;
+  }
   /// Per unit of outcomes and of the number.
   Values slope(const Formula& formula, const Values& sizes, double unit) const {
     Values sum(sizes.size(), 0.0);
@@ -67,11 +81,21 @@ class Neighbours {
   std::array<Values, 2 * reach + 1> values_;
 };
 
+/// What rounding makes of each outcome, over its size: runs whose number differs by rounding tell it.
+Values noise(const Probe& probe, const impact::Sensitivity& base, const Values& sizes) {
+  const double step = representable(probe, 16 * epsilon * std::max(std::abs(probe.value), probe.unit));
+  auto list = Neighbours(probe, step, base).spread(base, sizes);
+  for (std::size_t i = 0; i < list.size(); ++i)
+    if (sizes[i] > 0)
+      list[i] += least_noise * std::max(1.0, std::abs(base.outcome[i].value.value_or(0) / sizes[i]));
+  return list;
+}
+
 /// One formula with ever shorter steps.
 class Shrinking {
  public:
-  Shrinking(const Formula& formula, const Probe& probe, const impact::Sensitivity& base, const Values& sizes)
-      : formula_(formula), probe_(probe), base_(base), sizes_(sizes) {}
+  Shrinking(const Formula& formula, const Probe& probe, const Values& sizes, const Values& noise)
+      : formula_(formula), probe_(probe), sizes_(sizes), noise_(noise) {}
 
   void add(const Neighbours& near) {
     const auto next = near.slope(formula_, sizes_, probe_.unit);
@@ -85,9 +109,7 @@ class Shrinking {
  private:
   /// Runs round their outcomes, and the number itself.
   double rounding(std::size_t i, double slope, double step) const {
-    const double value = std::max(1.0, std::abs(base_.outcome[i].value.value_or(0) / sizes_[i]));
-    return (noise * magnified(formula_) / 2 * value * probe_.unit +
-            epsilon * std::abs(probe_.value * slope)) /
+    return (noise_[i] * magnified(formula_) / 2 * probe_.unit + epsilon * std::abs(probe_.value * slope)) /
            step;
   }
   /// Two that agree may do so by chance; what is left of a shorter step is noise, which steps divide. What
@@ -96,14 +118,14 @@ class Shrinking {
     if (best_.slope.empty()) best_ = {Values(sizes_.size(), 0.0), Values(sizes_.size(), infinity)};
     const double doubt = std::max(
         {std::abs(now_[i] - before_[i]), shortening * std::abs(next - now_[i]), rounding(i, now_[i], step_)});
-    const bool contradicts = std::abs(now_[i] - best_.slope[i]) > tolerated * (doubt + best_.doubt[i]);
+    const bool contradicts = std::abs(now_[i] - best_.slope[i]) > clearly * (doubt + best_.doubt[i]);
     if (doubt < best_.doubt[i] || contradicts) best_.slope[i] = now_[i], best_.doubt[i] = doubt;
   }
 
   const Formula& formula_;
   const Probe& probe_;
-  const impact::Sensitivity& base_;
   const Values& sizes_;
+  const Values& noise_;
   Values before_, now_;  ///< with the last two steps
   double step_ = 0;      ///< the last one
   Estimate best_;
@@ -136,8 +158,9 @@ std::vector<const Estimate*> Differences::of(std::size_t i) const {
 
 Differences differences(const Probe& probe, const impact::Sensitivity& base, const Values& sizes,
                         double steepness) {
-  Shrinking both(both_sides, probe, base, sizes), left(left_side, probe, base, sizes),
-      right(right_side, probe, base, sizes);
+  const auto rounding = noise(probe, base, sizes);
+  Shrinking both(both_sides, probe, sizes, rounding), left(left_side, probe, sizes, rounding),
+      right(right_side, probe, sizes, rounding);
   double step = std::min(probe.step, 0.1 * probe.unit / steepness);
   for (int k = 0; k < lengths; ++k, step *= shortening) {
     const double exact = representable(probe, step);
