@@ -1,5 +1,7 @@
 #include "mariotte/impact/sensitivity/contact_variation.hpp"
 
+#include <algorithm>
+
 #include "mariotte/contact/branched_law.hpp"
 #include "mariotte/core/bracket.hpp"
 #include "mariotte/model/chain/chain_topology.hpp"
@@ -36,7 +38,11 @@ double end_of(const Law& law, const Memory& past) {
 
 double law_force_slope(contact::ContactMode mode, const Law& law, const LawSlope& slope, double indentation,
                        double rate, const Memory& past) {
-  if (const auto* power = power_law(law)) return power_force_slope(*power, slope.power, indentation, rate);
+  if (const auto* power = power_law(law)) {
+    const bool touches = mode == contact::ContactMode::touching;
+    const bool is_idle = touches && !(contact::load(law, std::max(0.0, indentation), rate).value > 0);
+    return is_idle ? 0 : power_force_slope(*power, slope.power, indentation, rate);
+  }
   const double end = end_of(law, past);
   const double force = by_law(slope, [&](const Law& moved) {
     return force_in(mode, moved, indentation + (end_of(moved, past) - end), rate, past).value;
@@ -306,6 +312,21 @@ void ContactVariation<Topology>::jacobian(const flow::Problem& problem, ConstSta
       gap = std::min(gap, -least);
   }
   problem.jacobian(pressed_, values);
+}
+
+template <class Topology>
+std::vector<Index> ContactVariation<Topology>::unmet(const std::vector<Index>& fired,
+                                                     const contact::ContactSet& before,
+                                                     const contact::ContactSet& after) const {
+  using contact::ContactMode;
+  std::vector<Index> list;
+  for (Index j = 0; j < layout_.contacts(); ++j) {
+    if (before[j] != ContactMode::closed || after[j] != ContactMode::slack) continue;
+    const bool has_fired = std::any_of(fired.begin(), fired.end(),
+                                       [&](Index guard) { return layout_.guard_contact[guard] == j; });
+    if (!has_fired) list.push_back(layout_.load_guard[j]);
+  }
+  return list;
 }
 
 template <class Topology>

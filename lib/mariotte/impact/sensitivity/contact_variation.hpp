@@ -110,6 +110,10 @@ class ContactVariation {
   std::vector<Index> guards_at_start(const contact::ContactSet& mode, ConstState x) const;
   /// The mode before guard i has fired at the start.
   void open_at_start(contact::ContactSet& mode, Index i) const { mode[i] = contact::ContactMode::open; }
+  /// Guards beside those that have fired: loads of contacts that creep and let go at the same instant, as far
+  /// as rounding can tell.
+  std::vector<Index> unmet(const std::vector<Index>& fired, const contact::ContactSet& before,
+                           const contact::ContactSet& after) const;
   /// Whether its contact has closed by guard i.
   bool closes(Index i, const contact::ContactSet& before, const contact::ContactSet& after) const {
     const Index j = layout_.guard_contact[i];
@@ -120,7 +124,7 @@ class ContactVariation {
   /// By the clock of guard i, where it is a gap, that is where its law begins, without what rounding leaves
   /// of a long flight.
   void place_gap(Index i, ConstState x, const contact::ContactSet& mode, SlopeMatrix& slopes) const {
-    if (!has_root(i, mode)) return;
+    if (layout_.kind(i) != model::GuardKind::gap) return;
     std::vector<double> level(columns_);
     guard_slopes(i, x, mode, level);
     for (Index c = 0; c < columns_; ++c) slopes(layout_.gap[layout_.guard_contact[i]], c) = -level[c];
@@ -137,10 +141,13 @@ class ContactVariation {
   /// those of the gap at fixed time and of the time.
   void remember(Index i, const contact::ContactSet& before, const contact::ContactSet& after,
                 const SlopeMatrix& slopes, ConstState rate, std::span<const double> time);
-  /// Whether forces may have a root where guard i is met: a load that vanishes does so while its contact is
-  /// indented.
+  /// Whether slopes of the force may grow without bound where guard i is met: a load that vanishes does so
+  /// while its contact is indented. Those of a linear contact do not, so its slopes stay at the instant of
+  /// the state, however little before or behind the root that is.
   bool has_root(Index i, const contact::ContactSet&) const {
-    return layout_.kind(i) == model::GuardKind::gap;
+    if (layout_.kind(i) != model::GuardKind::gap) return false;
+    const auto* power = power_law(model_.law[layout_.guard_contact[i]]);
+    return !(power && power->exponent == 1);
   }
   /// The state at which guard i is zero, next to one where it nearly is: roots of rounding are much.
   void meet(Index i, const contact::ContactSet& mode, State x) const;

@@ -80,48 +80,70 @@ void MicrobodyVariation::jacobian(const flow::Problem&, ConstState x, const Micr
   mechanics(base_).jacobian(x, sliding_freely(mode, x), values);
 }
 
-/// Direction of the slip of a tip, and its slope by parameter c.
-MicrobodyVariation::Direction MicrobodyVariation::direction(const model::TipMode& tip, Index i, ConstState x,
-                                                            Index c) const {
-  if (tip.start != model::SlipStart::moving) return {tip.direction, {}};
-  const Vector3 slip = system_.mechanics().tip(x, i).slip;
-  const double size = norm(slip);
-  if (size == 0) return {tip.direction, {}};
-  const Vector3 unit = (1 / size) * slip;
-  Vector3 slope;
-  for (std::size_t k = 0; k < stencil.size(); ++k)
-    slope = slope + (stencil[k].weight / shifted_[c].step) * mechanics(shifted_[c].at[k]).tip(x, i).slip;
-  return {unit, (1 / size) * (slope - dot(slope, unit) * unit)};
+/// Tips that slide with friction.
+std::vector<MicrobodyVariation::Slide> MicrobodyVariation::slides(ConstState x,
+                                                                  const MicrobodyMode& mode) const {
+  std::vector<Slide> list;
+  const auto here = mechanics(base_);
+  for (Index i = 0; i < system_.layout().tips; ++i) {
+    const auto& tip = mode.tip[i];
+    if (tip.contact != TipContact::sliding || base_.friction.coefficient == 0) continue;
+    const auto motion = here.tip(x, i);
+    const double size = norm(motion.slip);
+    const bool turns = tip.start == model::SlipStart::moving && size > 0;
+    list.push_back({i, turns ? size : infinity, turns ? (1 / size) * motion.slip : tip.direction,
+                    here.normal_force(motion, i)});
+  }
+  return list;
 }
 
-/// Friction jumps where slip or normal force change their signs, which the points may do before the body
-/// does: all points have the signs of the body.
-MicrobodyMode MicrobodyVariation::mode_at(const MicrobodyMode& mode, ConstState x, Index c,
-                                          std::size_t k) const {
-  auto result = mode;
-  const auto there = mechanics(shifted_[c].at[k]), here = mechanics(base_);
-  for (Index i = 0; i < system_.layout().tips; ++i) {
-    auto& tip = result.tip[i];
-    if (tip.contact != TipContact::sliding || base_.friction.coefficient == 0) continue;
-    const auto [unit, slope] = direction(tip, i, x, c);
-    const double moved = there.normal_force(there.tip(x, i), i), own = here.normal_force(here.tip(x, i), i);
-    const double sign = moved * own < 0 ? -1 : 1;
-    tip.direction = sign * (unit + (stencil[k].offset * shifted_[c].step) * slope);
-    tip.start = model::SlipStart::turning;
+/// The mode at all points of parameter c. Friction jumps where slip or normal force change their signs, which
+/// the points may do before the body does: all points have the signs of the body.
+std::array<MicrobodyMode, stencil.size()> MicrobodyVariation::modes_at(const MicrobodyMode& mode,
+                                                                       const std::vector<Slide>& slides,
+                                                                       ConstState x, Index c) const {
+  std::array<MicrobodyMode, stencil.size()> result;
+  result.fill(mode);
+  for (const auto& [tip, slip, direction, force] : slides) {
+    Vector3 slope;
+    std::array<double, stencil.size()> sign;
+    for (std::size_t k = 0; k < stencil.size(); ++k) {
+      const auto there = mechanics(shifted_[c].at[k]);
+      const auto motion = there.tip(x, tip);
+      slope = slope + (stencil[k].weight / shifted_[c].step) * motion.slip;
+      sign[k] = there.normal_force(motion, tip) * force < 0 ? -1 : 1;
+    }
+    const Vector3 turn = (1 / slip) * (slope - dot(slope, direction) * direction);
+    for (std::size_t k = 0; k < stencil.size(); ++k) {
+      result[k].tip[tip].direction = sign[k] * (direction + (stencil[k].offset * shifted_[c].step) * turn);
+      result[k].tip[tip].start = model::SlipStart::turning;
+    }
   }
   return result;
 }
 
 void MicrobodyVariation::source(ConstState x, const MicrobodyMode& mode, SlopeMatrix& b) const {
   const auto free = sliding_freely(mode, x);
+  const auto sliding = slides(x, free);
   std::vector<double> dx(x.size());
   b.clear();
-  for (Index c = 0; c < columns(); ++c)
+  for (Index c = 0; c < columns(); ++c) {
+    const auto modes = modes_at(free, sliding, x, c);
     for (std::size_t k = 0; k < stencil.size(); ++k) {
-      mechanics(shifted_[c].at[k]).derivative(x, mode_at(free, x, c, k), dx);
+      mechanics(shifted_[c].at[k]).derivative(x, modes[k], dx);
       const double weight = stencil[k].weight / shifted_[c].step;
       for (Index r = 0; r < b.rows; ++r) b(r, c) += weight * dx[r];
     }
+  }
+}
+
+double MicrobodyVariation::cancellation(ConstState x, const MicrobodyMode& mode) const {
+  if (system_.body().motion != flow::TipPhase::Motion::spatial || base_.friction.coefficient == 0) return 1;
+  double least = base_.speed;
+  for (Index i = 0; i < system_.layout().tips; ++i)
+    if (mode.tip[i].contact == TipContact::sliding)
+      least = std::min(least, std::max(norm(system_.mechanics().tip(x, i).slip), epsilon * base_.speed));
+  return base_.speed / least;
 }
 
 double MicrobodyVariation::guard_rate(const flow::Problem&, Index i, ConstState x, ConstState dx,
@@ -180,10 +202,7 @@ void MicrobodyVariation::see(const flow::Step& step, const MicrobodyMode& mode) 
 }
 
 std::vector<Index> MicrobodyVariation::telling(const std::vector<Index>& fired, const MicrobodyMode& before,
-                                               ConstState x) const {
-  auto after = before;
-  std::vector<model::MicrobodyChange> ignored;
-  system_.transition(after, fired, x, ignored);
+                                               const MicrobodyMode& after) const {
   auto list = fired;
   for (Index i = 0; i < system_.layout().tips; ++i) {
     if (before.tip[i].contact == TipContact::clear || after.tip[i].contact != TipContact::clear) continue;

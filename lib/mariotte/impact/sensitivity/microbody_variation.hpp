@@ -29,6 +29,8 @@ class MicrobodyVariation {
   void jacobian(const flow::Problem& problem, ConstState x, const model::MicrobodyMode& mode,
                 State values) const;
   void source(ConstState x, const model::MicrobodyMode& mode, SlopeMatrix& b) const;
+  /// By how much errors of both exceed rounding: the direction of a slip is known as well as the slip.
+  double cancellation(ConstState x, const model::MicrobodyMode& mode) const;
   double guard_rate(const flow::Problem& problem, Index i, ConstState x, ConstState dx,
                     const model::MicrobodyMode& mode) const;
   void guard_slopes(Index i, ConstState x, const model::MicrobodyMode& mode, std::span<double> slopes) const;
@@ -53,7 +55,7 @@ class MicrobodyVariation {
   /// Guards that tell when an event happens, of those that have fired: a tip that lets go does so where its
   /// gap says, though a guard of its friction may have fired within rounding of that.
   std::vector<Index> telling(const std::vector<Index>& fired, const model::MicrobodyMode& before,
-                             ConstState x) const;
+                             const model::MicrobodyMode& after) const;
   /// Whether its tip has touched by guard i.
   bool closes(Index i, const model::MicrobodyMode& before, const model::MicrobodyMode& after) const {
     if (i >= model::escape_guard(system_.layout().tips)) return false;
@@ -81,11 +83,17 @@ class MicrobodyVariation {
 
  private:
   model::Mechanics mechanics(const model::DimensionlessMicrobody& body) const;
-  struct Direction {
-    Vector3 unit, slope;
+  /// A tip that slides with friction.
+  struct Slide {
+    Index tip;
+    double slip;        ///< its size; infinite where its direction is given
+    Vector3 direction;  ///< of the slip
+    double force;       ///< normal
   };
-  Direction direction(const model::TipMode& tip, Index i, ConstState x, Index c) const;
-  model::MicrobodyMode mode_at(const model::MicrobodyMode& mode, ConstState x, Index c, std::size_t k) const;
+  std::vector<Slide> slides(ConstState x, const model::MicrobodyMode& mode) const;
+  std::array<model::MicrobodyMode, stencil.size()> modes_at(const model::MicrobodyMode& mode,
+                                                            const std::vector<Slide>& slides, ConstState x,
+                                                            Index c) const;
   model::MicrobodyMode sliding_freely(model::MicrobodyMode mode, ConstState x) const;
 
   const model::MicrobodySystem& system_;

@@ -53,14 +53,21 @@ std::vector<std::vector<double>> SlopeLoop<System, Variation>::event_times(const
   return times;
 }
 
-/// Guards that tell when what happens at one instant happens.
+/// Guards that tell when what happens at one instant happens: where no flow has met them, as far as they
+/// cross so fast that their time is no rounding.
 template <class System, class Variation>
-std::vector<Index> SlopeLoop<System, Variation>::telling(const typename System::Mode& before) const {
-  const auto& fired = workspace_.fired;
-  if constexpr (requires { variation_.telling(fired, before, ConstState(workspace_.run.state)); })
-    return variation_.telling(fired, before, workspace_.run.state);
-  else
-    return fired;
+std::vector<Index> SlopeLoop<System, Variation>::telling(const typename System::Mode& before) {
+  auto after = before;
+  std::vector<typename System::Change> ignored;
+  auto behind = workspace_.run.state;
+  system_.transition(after, workspace_.fired, behind, ignored);
+  auto guards = workspace_.fired;
+  if constexpr (requires { variation_.telling(guards, before, after); })
+    guards = variation_.telling(guards, before, after);
+  if constexpr (requires { variation_.unmet(guards, before, after); })
+    for (const Index guard : variation_.unmet(workspace_.fired, before, after))
+      if (speed_of(guard, rates(workspace_.mode)) >= slow) guards.push_back(guard);
+  return guards;
 }
 
 /// The place among guards that have fired of the one that sets the clock, if any does.
@@ -81,7 +88,7 @@ std::optional<std::size_t> SlopeLoop<System, Variation>::clock_at(const std::vec
 template <class System, class Variation>
 void SlopeLoop<System, Variation>::jump(Observer& observer, const typename System::Mode& before,
                                         ConstState rate, SlopeRun<System>& result) {
-  const auto fired = telling(before);
+  const auto& fired = telling_;
   const auto times = event_times(observer, fired, rate, result);
   for (Index c = 0; c < variation_.columns(); ++c) result.time[c] += shift_[c];
   auto& x = workspace_.run.state;
@@ -127,7 +134,7 @@ void SlopeLoop<System, Variation>::reset(Observer& observer, const typename Syst
   std::vector<typename System::Change> ignored;
   system_.transition(after, fired, behind, ignored);
   const auto next = rates(after, behind);
-  const auto guards = variation_.telling(fired, before, after);
+  const auto& guards = telling_;
   if (guards.empty()) {
     system_.problem(workspace_.mode);
     return;

@@ -91,7 +91,7 @@ class SlopeLoop {
             SlopeRun<System>& result);
   double speed_of(Index guard, ConstState rate);
   bool sets_clock(Index guard, ConstState rate);
-  std::vector<Index> telling(const typename System::Mode& before) const;
+  std::vector<Index> telling(const typename System::Mode& before);
   std::optional<std::size_t> clock_at(const std::vector<Index>& fired, const typename System::Mode& before,
                                       const typename System::Mode& after, ConstState rate);
   void shift_clock(Observer& observer, ConstState rate, const std::vector<double>& time);
@@ -105,6 +105,8 @@ class SlopeLoop {
     return dx;
   }
   std::vector<double> rates(typename System::Mode& mode) { return rates(mode, workspace_.run.state); }
+  /// Speed of a guard at which errors of the run, 1e-12 of it, are no more than its square.
+  static constexpr double slow = 1e-6;
   /// Whether events begin and end what is integrated.
   static constexpr bool resets = requires(const Variation& variation, const typename System::Mode& mode) {
     variation.contact_of(Index{}, mode);
@@ -142,7 +144,8 @@ class SlopeLoop {
   double resolution_;
   const std::function<void()>& watch_;
   hybrid::Workspace<System> workspace_;
-  std::vector<double> shift_;  ///< Σ τ_p by parameter, where events reset
+  std::vector<Index> telling_;  ///< guards that tell when the event happens
+  std::vector<double> shift_;   ///< Σ τ_p by parameter, where events reset
 };
 
 template <class System, class Variation>
@@ -161,7 +164,6 @@ std::vector<double> SlopeLoop<System, Variation>::time_slopes(const Observer& ob
   for (Index c = 0; c < variation_.columns(); ++c)
     slopes[c] = -(slopes[c] + along(observer.slopes.column(c))) / crossing;
   const double speed = variation_.crossing_speed(guard, crossing, workspace_.mode);
-  constexpr double slow = 1e-6;  // errors of the run, 1e-12 of it, then are no more than its square
   if (speed < slow) result.delicate.push_back({time, variation_.name(guard, workspace_.mode), speed});
   return slopes;
 }
@@ -256,7 +258,8 @@ SlopeRun<System> SlopeLoop<System, Variation>::follow(ConstState x0, const Slope
     }
     result.run.time = time.value();
     const auto before = mode;
-    for (const Index guard : telling(before)) variation_.settle(guard, before, run.state);
+    telling_ = telling(before);
+    for (const Index guard : telling_) variation_.settle(guard, before, run.state);
     pass(observer, before, rates(mode), result);
     system_.transition(mode, fired, run.state, changes);
   }
