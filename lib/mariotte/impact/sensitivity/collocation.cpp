@@ -18,8 +18,7 @@ constexpr int most_sweeps = 60;
 constexpr double weak = 3;       ///< of what a piece does: a few sweeps cost less than a division
 constexpr double stiff = 10;     ///< what has not died away is then left in all orders alike
 constexpr double reserve = 100;  ///< of the accuracy: what such a piece may leave
-constexpr double rounded = 4 * stages * epsilon;
-constexpr double clearly = 4;  ///< too large, though slopes may grow within a piece
+constexpr double clearly = 4;    ///< too large, though slopes may grow within a piece
 
 /// By rows, since what a component does, it does to all columns.
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -74,6 +73,7 @@ struct Collocation::Memory {
   std::vector<double> jacobian[stages];
   SlopeMatrix source[stages];
   double rate[stages];
+  double rounded = 0;  ///< relative error of A and B
   std::optional<StageSystem> equations;
   Rows right, value, now;
   Rows coefficient[tail_length];
@@ -97,7 +97,8 @@ struct Collocation::Memory {
       const auto now_at = moment(edges, u + width * gauss.point[i]);
       const double time =
           now_at.past < 0.5 ? start + (end - start) * now_at.past : end - (end - start) * now_at.left;
-      field.at(time, (end - start) * now_at.left, jacobian[i], source[i]);
+      const double magnified = field.at(time, (end - start) * now_at.left, jacobian[i], source[i]);
+      rounded = std::max(i > 0 ? rounded : 0, 4 * stages * epsilon * magnified);
       rate[i] = width * (end - start) * now_at.rate;
     }
   }

@@ -17,8 +17,9 @@ namespace mariotte::impact {
 class LinearField {
  public:
   virtual ~LinearField() = default;
-  /// A at the places of `pattern`, in its order, and B, where `left` is the time until the end.
-  virtual void at(double time, double left, std::span<double> jacobian, SlopeMatrix& source) = 0;
+  /// A at the places of `pattern`, in its order, and B, where `left` is the time until the end. Returns by
+  /// how much their errors exceed rounding of what they are.
+  virtual double at(double time, double left, std::span<double> jacobian, SlopeMatrix& source) = 0;
 };
 
 /// Whether a phase begins with a step, and where it will end, in lengths of the step beyond its end: forces

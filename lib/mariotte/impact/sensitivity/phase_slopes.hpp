@@ -69,10 +69,13 @@ class PhaseSlopes final : public hybrid::PhaseObserver {
    public:
     Along(const PhaseSlopes& owner, const flow::Step& step)
         : owner_(owner), step_(step), x_(owner.problem_.size()) {}
-    void at(double time, double left, std::span<double> jacobian, SlopeMatrix& source) override {
+    double at(double time, double left, std::span<double> jacobian, SlopeMatrix& source) override {
       owner_.state_at(step_, time, left, x_);
       owner_.variation_.jacobian(owner_.problem_, x_, owner_.mode_, jacobian);
       owner_.variation_.source(x_, owner_.mode_, source);
+      if constexpr (requires { owner_.variation_.cancellation(x_, owner_.mode_); })
+        return owner_.variation_.cancellation(x_, owner_.mode_);
+      return 1;
     }
 
    private:
