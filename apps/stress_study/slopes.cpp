@@ -102,7 +102,8 @@ class SlopeExamination {
     }
   }
 
-  /// Deviations count that differences can tell, and that the scene does not amplify.
+  /// Deviations count that differences can tell, and that the scene does not amplify. A contact that creeps
+  /// may let go at one accuracy and not at another, and so end the run; both results say which.
   void compare_one(const std::string& what, std::size_t c, std::size_t i,
                    const std::vector<const Estimate*>& expected, double size) {
     const bool is_told = std::all_of(expected.begin(), expected.end(),
@@ -110,6 +111,10 @@ class SlopeExamination {
     if (expected.empty() || !is_told) return;
     verdict_.naive = true;
     for (std::size_t k = 0; k < accuracies.size(); ++k) {
+      if (slopes_[k].ending != slopes_.back().ending) {
+        ++verdict_.refusals;
+        continue;
+      }
       const double own = own_column(slopes_[k], c)[i];
       const auto [error, nearest] = deviation(own, i, expected);
       const double share = error / size;
