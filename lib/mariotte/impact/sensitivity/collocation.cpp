@@ -1,6 +1,7 @@
 #include "mariotte/impact/sensitivity/collocation.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -62,6 +63,7 @@ Moment moment(Edges edges, double u) {
 
 struct Collocation::Memory {
   std::vector<flow::Entry> pattern;
+  std::vector<std::size_t> entries;   ///< places in the pattern of rows that are needed
   Eigen::VectorXd magnitude, weight;  ///< weight: the inverse, of components that tell how large columns are
   Eigen::RowVectorXd natural;
   Rows given;                 ///< to a component, at all points
@@ -80,6 +82,11 @@ struct Collocation::Memory {
   Rows slope[stages];
   double highest = 0;  ///< coefficients of the last piece
   double unresolved = 0;
+
+  void find_entries(const std::vector<Index>& unneeded) {
+    for (std::size_t e = 0; e < pattern.size(); ++e)
+      if (std::find(unneeded.begin(), unneeded.end(), pattern[e].row) == unneeded.end()) entries.push_back(e);
+  }
 
   void find_active() {
     position.assign(size, -1);
@@ -109,7 +116,7 @@ struct Collocation::Memory {
   template <class State>
   void set_slope(int i, const State& state) {
     slope[i] = source_at(i);
-    for (std::size_t e = 0; e < pattern.size(); ++e)
+    for (const std::size_t e : entries)
       if (jacobian[i][e] != 0)
         slope[i].row(pattern[e].row) += jacobian[i][e] * state.row(position[pattern[e].column]);
     slope[i] *= rate[i];
@@ -137,7 +144,7 @@ struct Collocation::Memory {
     double most = 0;
     for (int i = 0; i < stages; ++i) {
       Eigen::VectorXd sum = Eigen::VectorXd::Zero(size);
-      for (std::size_t e = 0; e < pattern.size(); ++e)
+      for (const std::size_t e : entries)
         sum[pattern[e].row] += std::abs(jacobian[i][e]) * magnitude[pattern[e].column];
       for (const Index k : active) most = std::max(most, std::abs(rate[i]) * sum[k] / magnitude[k]);
     }
@@ -215,7 +222,7 @@ struct Collocation::Memory {
     const Eigen::Map<const Eigen::MatrixXd> s(slopes.values.data(), size, columns);
     extent = (weight.asDiagonal() * s).cwiseAbs().colwise().maxCoeff().cwiseMax(natural);
     double most = 0;
-    for (std::size_t e = 0; e < pattern.size(); ++e) {
+    for (const std::size_t e : entries) {
       const double last = highest_of(e);
       if (last <= 0) continue;
       const double reach = s.row(pattern[e].column).cwiseAbs().cwiseQuotient(extent).maxCoeff();
@@ -241,7 +248,7 @@ struct Collocation::Memory {
     const Index m = std::ssize(active);
     double most = 0;
     for (int i = 0; i < stages; ++i)
-      for (std::size_t e = 0; e < pattern.size(); ++e) {
+      for (const std::size_t e : entries) {
         const double factor = std::abs(rate[i] * jacobian[i][e]) / magnitude[pattern[e].row];
         const auto state = value.row(i * m + position[pattern[e].column]);
         if (factor != 0) most = std::max(most, factor * state.cwiseAbs().cwiseQuotient(extent).maxCoeff());
@@ -296,7 +303,8 @@ struct Collocation::Memory {
 };
 
 Collocation::Collocation(std::vector<flow::Entry> pattern, std::span<const double> magnitudes,
-                         std::span<const double> sizes, double accuracy, const std::vector<Index>& places)
+                         std::span<const double> sizes, double accuracy, const std::vector<Index>& places,
+                         const std::vector<Index>& unneeded)
     : memory_(std::make_unique<Memory>()) {
   auto& m = *memory_;
   m.pattern = std::move(pattern);
@@ -307,6 +315,7 @@ Collocation::Collocation(std::vector<flow::Entry> pattern, std::span<const doubl
   m.weight = m.magnitude.cwiseInverse();
   for (const Index i : places) m.weight[i] = 0;
   m.accuracy = accuracy;
+  m.find_entries(unneeded);
   m.find_active();
   std::vector<double> natural;
   for (const Index i : m.active) natural.push_back(magnitudes[i]);

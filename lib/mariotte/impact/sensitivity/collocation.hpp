@@ -35,9 +35,11 @@ class Collocation {
  public:
   /// Components have natural `magnitudes`, and columns natural sizes relative to these: what is small beside
   /// both need not be resolved; `places` are components whose slopes tell nothing of that, as where bodies
-  /// are that have flown along. A has entries at the places of `pattern` alone.
+  /// are that have flown along. Those that are `unneeded` change by B alone. A has entries at the places of
+  /// `pattern` alone.
   Collocation(std::vector<flow::Entry> pattern, std::span<const double> magnitudes,
-              std::span<const double> sizes, double accuracy, const std::vector<Index>& places = {});
+              std::span<const double> sizes, double accuracy, const std::vector<Index>& places = {},
+              const std::vector<Index>& unneeded = {});
   ~Collocation();
   Collocation(const Collocation&) = delete;
   Collocation& operator=(const Collocation&) = delete;

@@ -109,8 +109,8 @@ void ContactVariation<Topology>::add(const ShiftedModel<Scaled>& shifted) {
 }
 
 template <class Topology>
-std::vector<Index> ContactVariation<Topology>::places() const {
-  auto list = layout_.gap;
+std::vector<Index> ContactVariation<Topology>::unneeded() const {
+  std::vector<Index> list;
   for (const Index work : layout_.work)
     if (work != model::ContactLayout::absent) list.push_back(work);
   return list;
@@ -199,21 +199,19 @@ void ContactVariation<Topology>::add_force(Index j, ConstState x, const contact:
   const double indentation = -x[layout_.gap[j]], rate = topology.approach(x, j);
   const auto past = memory_of(mode, j);
   const auto f = force_in(mode[j], base, indentation, rate, past);
-  const auto add = [&](Index c, double force_slope, double rate_slope) {
+  const auto add = [&](Index c, double force_slope) {
     topology.for_each_push(j, [&](Index place, double change) { b(place, c) += change * force_slope; });
     if (layout_.impulse[j] != model::ContactLayout::absent) b(layout_.impulse[j], c) += force_slope;
-    if (layout_.work[j] != model::ContactLayout::absent)
-      b(layout_.work[j], c) += force_slope * rate + f.value * rate_slope;
   };
   for (const auto& term : own.push) b(term.place, term.column) += term.slope * f.value;
   for (const auto& law : own.law)
-    add(law.column, law_force_slope(mode[j], base, law, indentation, rate, past), 0);
+    add(law.column, law_force_slope(mode[j], base, law, indentation, rate, past));
   for (Index c = 0; c < columns_ && !own.direction.empty(); ++c)
-    if (const double turned = rate_slope(j, c, x); turned != 0) add(c, f.by_rate * turned, turned);
+    if (const double turned = rate_slope(j, c, x); turned != 0) add(c, f.by_rate * turned);
   if (!(past.peak > 0)) return;
   const double by_peak = memory_force_slope(mode[j], base, indentation, rate, past);
   for (Index c = 0; c < columns_; ++c)
-    if (peak_(c, j) != 0) add(c, by_peak * peak_(c, j), 0);
+    if (peak_(c, j) != 0) add(c, by_peak * peak_(c, j));
 }
 
 template <class Topology>

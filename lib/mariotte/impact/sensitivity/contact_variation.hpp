@@ -73,9 +73,10 @@ class ContactVariation {
   Index columns() const { return columns_; }
   /// Slopes that are a hundredth of a state over its parameter.
   const std::vector<double>& natural_slopes() const { return natural_; }
-  /// Gaps, which grow as long as balls fly, and energies, which no outcome needs: they do not tell how large
-  /// slopes are.
-  std::vector<Index> places() const;
+  /// Gaps, which grow as long as balls fly: they do not tell how large slopes are.
+  std::vector<Index> places() const { return layout_.gap; }
+  /// Energies: nothing depends on them, and no outcome is one.
+  std::vector<Index> unneeded() const;
   /// Carry slopes along a step that is known as a formula; false if it is not.
   bool advance(const flow::Step& step, const contact::ContactSet& mode, SlopeMatrix& slopes) const {
     return push_slopes_.advance(step, mode, slopes);

@@ -52,8 +52,8 @@ class PhaseSlopes final : public hybrid::PhaseObserver {
     const double beyond = find_end(step);
     Along field(*this, step);
     if (!collocation_)
-      collocation_.emplace(pattern(), problem_.magnitudes(), variation_.natural_slopes(), accuracy_,
-                           places());
+      collocation_.emplace(pattern(), problem_.magnitudes(), variation_.natural_slopes(), accuracy_, places(),
+                           unneeded());
     reached_ = end_.value_or(step.end);
     collocation_->advance(field, from, reached_,
                           {.begins = step.start == 0, .beyond = beyond, .is_steep = is_steep_}, slopes);
@@ -93,6 +93,11 @@ class PhaseSlopes final : public hybrid::PhaseObserver {
 
   std::vector<Index> places() const {
     if constexpr (requires { variation_.places(); }) return variation_.places();
+    return {};
+  }
+
+  std::vector<Index> unneeded() const {
+    if constexpr (requires { variation_.unneeded(); }) return variation_.unneeded();
     return {};
   }
 
