@@ -83,10 +83,13 @@ double size_of(const Sensitivity& slopes, const impact::OutcomeSlopes& outcome) 
 
 /// Largest difference from slopes of order eight of runs at these steps, relative to the slope and to what
 /// the outcome changes by as its parameter doubles: the best step, as rounding of runs and their bend oppose.
+/// Infinite if some of these runs end in another way.
 double deviation(const Sensitivity& slopes, std::size_t c, const impact::Parameter<Bodies>& by, double step) {
   std::vector<Sensitivity> run;
   for (const auto& point : impact::stencil)
     run.push_back(impact::sensitivity(by.model(by.value + point.offset * step), {}, to(1e-12)));
+  for (const auto& one : run)
+    if (one.ending != slopes.ending) return infinity;
   double worst = 0;
   for (std::size_t i = 0; i < slopes.outcome.size(); ++i) {
     const auto& outcome = slopes.outcome[i];

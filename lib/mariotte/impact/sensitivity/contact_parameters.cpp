@@ -3,6 +3,7 @@
 
 #include "mariotte/impact/sensitivity/law_parameters.hpp"
 #include "mariotte/impact/sensitivity/sensitivity.hpp"
+#include "mariotte/impact/sensitivity/stencil.hpp"
 
 namespace mariotte::impact {
 namespace {
@@ -53,7 +54,7 @@ void add_laws(const Shared<Model>& model, List<Model>& parameters) {
 /// Velocities and gaps are the state at the start, which is linear in them.
 template <class Model>
 List<Model> common(const Shared<Model>& model, bool has_masses, bool has_balls) {
-  const auto share = [](double value) { return 0.01 * value; };
+  const auto share = [](double value) { return stencil_share * value; };
   const auto unit = [](double) { return 1.0; };
   const auto of_balls = [&](const Dimension& dimension) { return has_balls ? Known(dimension) : Known(); };
   List<Model> list;

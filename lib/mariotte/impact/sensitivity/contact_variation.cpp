@@ -98,7 +98,7 @@ bool same(const Law& a, const Law& b) {
 template <class Topology>
 void ContactVariation<Topology>::add(const ShiftedModel<Scaled>& shifted) {
   const Topology base{model_, layout_}, moved{shifted.model, layout_};
-  natural_[shifted.column] = 1e-4 / shifted.step;
+  natural_[shifted.column] = natural_slope(shifted.step);
   for (Index i = 0; i < layout_.velocities(); ++i)
     acceleration_(i, shifted.column) += shifted.share() * (moved.acceleration(i) - base.acceleration(i));
   for (Index j = 0; j < layout_.contacts(); ++j) {

@@ -5,6 +5,7 @@
 #include "mariotte/contact/branched_law.hpp"
 #include "mariotte/contact/named_laws.hpp"
 #include "mariotte/core/error.hpp"
+#include "mariotte/impact/sensitivity/stencil.hpp"
 
 namespace mariotte::impact {
 namespace {
@@ -57,7 +58,7 @@ std::vector<LawParameterChoice> law_parameters(const Law& law) {
     if (!key || !is_chosen(law, number)) continue;
     // Lengths of a micrometre to the power n change by e^{14 dn}.
     const double step =
-        number.key == "exponent" ? 1e-3 * std::min(1.0, number.value - 1) : 0.01 * number.value;
+        number.key == "exponent" ? 1e-3 * std::min(1.0, number.value - 1) : stencil_share * number.value;
     const auto moved_to = [=, start = numbers(*known, law)](double value) {
       auto moved = start;
       moved.*(key->number) = value;

@@ -50,7 +50,7 @@ MicrobodyVariation::MicrobodyVariation(const model::MicrobodySystem& system,
                                        const std::vector<ShiftedBodies>& shifted)
     : system_(system), shifted_(shifted), base_(system.body()) {
   base_.motion = flow::TipPhase::Motion::spatial;
-  for (const auto& one : shifted) natural_.push_back(1e-4 / one.step);
+  for (const auto& one : shifted) natural_.push_back(natural_slope(one.step));
 }
 
 std::vector<Index> MicrobodyVariation::places() const {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 
+#include "mariotte/impact/sensitivity/stencil.hpp"
 #include "mariotte/scene/key_path.hpp"
 #include "mariotte/study/capture.hpp"
 #include "mariotte/study/fault.hpp"
@@ -25,8 +26,6 @@ constexpr std::array powers{1.0, 1.5, 2.0};
 constexpr std::size_t speeds = powers.size() + 1;
 /// Quotients that the last power changes by more than that are not known so well.
 constexpr double well_known = 1e-6;
-/// Of a parameter, the distance within which its slopes are looked for.
-constexpr double share_of_step = 0.01;
 /// What a number may move of v_c by rounding alone.
 constexpr double rounding = 1e-11;
 
@@ -83,7 +82,8 @@ Strike strike(const scene::Document& document, const Keys& keys, const impact::S
   const auto scene = resolve(document);
   Strike result;
   const auto take = [&](const auto& list) {
-    for (const auto& one : list) result.asked.push_back({{one.name, one.value}, one.step / share_of_step});
+    for (const auto& one : list)
+      result.asked.push_back({{one.name, one.value}, one.step / impact::stencil_share});
   };
   const auto* body = std::get_if<model::Microbody>(&scene.model);
   const auto* chain = std::get_if<model::Chain>(&scene.model);

@@ -1,5 +1,6 @@
 #include "mariotte/study/sensitivity/scene_numbers.hpp"
 
+#include "mariotte/impact/sensitivity/stencil.hpp"
 #include "mariotte/scene/field.hpp"
 #include "mariotte/study/sensitivity/model_numbers.hpp"
 #include "mariotte/study/sensitivity/scene_sizes.hpp"
@@ -38,7 +39,7 @@ double step_around(Document document, const std::string& key, const SceneNumber&
   const auto place = add_origin(document.source, "--to " + key);
   auto& node = locate(document.source, document.tree, key, place);
   std::optional<scene::SceneError> why;
-  for (const double share : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) try {
+  for (const double share : {impact::stencil_share, 1e-3, 1e-4, 1e-5, 1e-6}) try {
       std::vector<ModelNumber> at[5];
       for (int i = 0; i < 5; ++i) {
         node.value = number.value + places_tried[i] * share * number.size;

@@ -42,7 +42,7 @@ impact::Parameter<Model> scene_parameter(const scene::Document& document, const 
           }};
 }
 
-/// A hundredth of the size, or as much less as lets the scene be read at four times that on both sides, with
+/// The step of the stencil, or as much less as lets the scene be read at four times that on both sides, with
 /// numbers of its model that move smoothly: bodies that are moved farther may overlap, or touch others, and
 /// the speed at which a restitution holds may be that of another contact. Throws SceneError that names the
 /// key where there is no such step.

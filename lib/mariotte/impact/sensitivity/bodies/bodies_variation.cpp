@@ -34,7 +34,7 @@ BodiesVariation<D>::BodiesVariation(model::BodiesSystem<D>& system,
       base_(system.setting()),
       setting_(sloped_settings(base_, shifted)),
       base_field_(base_) {
-  for (const auto& one : shifted) natural_.push_back(1e-4 / one.step);
+  for (const auto& one : shifted) natural_.push_back(natural_slope(one.step));
   for (const auto& one : setting_) field_.emplace_back(one);
   totals_.assign(system.setting().contact.size(), SlopeMatrix(BodiesLayout<D>::tangents + 4, columns()));
   faded_.assign(totals_.size(), 0);
