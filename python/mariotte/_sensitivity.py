@@ -31,7 +31,7 @@ class Sensitivity:
 
     @property
     def outcomes(self) -> List[str]:
-        """Names: ``"velocity"``, ``"impulse"``, ``"icr"``, ``"time"``, those of a body, or of bodies, such as
+        """Names: ``"velocity"``, ``"impulse"``, ``"icr"``, ``"time"``, ``"dissipated"``, those of a body, or of bodies, such as
         ``"bodies[0].velocity"``."""
         return list(self._found["derivative"])
 

@@ -21,6 +21,7 @@ inline constexpr Dimension mass{.kg = 1};
 inline constexpr Dimension time{.s = 1};
 inline constexpr Dimension velocity{.m = 1, .s = -1};
 inline constexpr Dimension acceleration{.m = 1, .s = -2};
+inline constexpr Dimension energy{.kg = 1, .m = 2, .s = -2};
 inline constexpr Dimension pressure{.kg = 1, .m = -1, .s = -2};
 inline constexpr Dimension density{.kg = 1, .m = -3};
 

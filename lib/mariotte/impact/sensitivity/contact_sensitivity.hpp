@@ -48,7 +48,8 @@ class ContactSensitivity {
       : base_(base),
         layout_(expect_few_of(system.layout(), std::ssize(by))),
         impulses_(base, layout_, std::ssize(by)),
-        start_(layout_.size, std::ssize(by)) {
+        start_(layout_.size, std::ssize(by)),
+        turned_(layout_.contacts(), std::ssize(by)) {
     initial_state(base, layout_, x0_);
     ContactVariation<Topology> variation(base, layout_, std::ssize(by), options.accuracy);
     for_each_shifted(base, by, watch, [&](const ShiftedModel<Scaled>& shifted) {
@@ -60,6 +61,9 @@ class ContactSensitivity {
     end_ = SlopeLoop(system, variation, hybrid::scaled(options, base.scale), watch).follow(x0_, start_);
     move_limit(by, base.scale.time, end_);
     near_yield_ = variation.near_yield();
+    for (Index c = 0; c < columns(); ++c)
+      for (Index j = 0; j < layout_.contacts(); ++j)
+        turned_(j, c) = variation.rate_slope(j, c, x0_) + variation.rate_slope(j, c, end_.run.state);
     for (const auto& one : by) result_.parameter.push_back({one.name, one.value});
   }
 
@@ -213,6 +217,39 @@ class ContactSensitivity {
         return (slopes(j, c) - *ratio * slopes(j + 1, c)) / p[j + 1];
       });
     }
+    if (impulses_tell_losses()) add_dissipated(p, slopes);
+  }
+
+  /// Nothing but contacts moves anything, and none stores energy at the start or at the end.
+  bool impulses_tell_losses() const {
+    const Topology topology{base_, layout_};
+    for (Index i = 0; i < layout_.velocities(); ++i)
+      if (topology.acceleration(i) != 0) return false;
+    const auto is_pressed = [&](Index gap) { return x0_[gap] < 0; };
+    const auto dissipates = [](const contact::Law& law) { return contact::dissipates(law); };
+    return end_.run.ending == hybrid::Ending::separated &&
+           std::none_of(layout_.gap.begin(), layout_.gap.end(), is_pressed) &&
+           std::any_of(base_.law.begin(), base_.law.end(), dissipates);
+  }
+
+  /// ½ Σ p (δ̇⁻ + δ̇⁺): impulses take so much from the motion, whatever masses are.
+  void add_dissipated(const std::vector<double>& p, const SlopeMatrix& slopes) {
+    const Topology topology{base_, layout_};
+    const auto both = [&](ConstState before, ConstState after, Index j) {
+      return topology.approach(before, j) + topology.approach(after, j);
+    };
+    const double unit = 0.5 * base_.scale.energy();
+    double value = 0;
+    for (Index j = 0; j < layout_.contacts(); ++j) value += unit * p[j] * both(x0_, end_.run.state, j);
+    add("dissipated", {}, "J", value, [&](Index c) {
+      std::vector<double> after(layout_.size);
+      for (Index r = 0; r < layout_.size; ++r) after[r] = slope(r, c);
+      double sum = 0;
+      for (Index j = 0; j < layout_.contacts(); ++j)
+        sum += slopes(j, c) * both(x0_, end_.run.state, j) +
+               p[j] * (both(start_.column(c), after, j) + turned_(j, c));
+      return unit * sum;
+    });
   }
 
   void add_time() {
@@ -226,6 +263,7 @@ class ContactSensitivity {
   const model::ContactLayout& layout_;
   Impulses impulses_;
   SlopeMatrix start_;
+  SlopeMatrix turned_;  ///< slopes of the approach at the start and at the end by directions, together
   std::vector<double> near_yield_;
   std::vector<double> natural_;  ///< slopes that are a hundredth of a state over its parameter
   std::vector<double> x0_, moved_;

@@ -99,6 +99,8 @@ class ContactVariation {
   }
   /// ∂γ/∂p of guard i at a state, by parameter.
   void guard_slopes(Index i, ConstState x, const contact::ContactSet& mode, std::span<double> slopes) const;
+  /// What directions that move do to the approach of contact j at a state.
+  double rate_slope(Index j, Index column, ConstState x) const;
   /// How fast guard i crosses at this rate, relative to what is natural.
   double crossing_speed(Index i, double rate, const contact::ContactSet& mode) const;
   /// In which what guard i watches moves by its own size.
@@ -163,7 +165,6 @@ class ContactVariation {
   void add_law(Index j, const ShiftedModel<Scaled>& shifted);
   void set_power(Index j, LawSlope& law) const;
   void add_force(Index j, ConstState x, const contact::ContactSet& mode, SlopeMatrix& b) const;
-  double rate_slope(Index j, Index column, ConstState x) const;
   double turning_point(const flow::Step& step, Index j) const;
 
   const Scaled& model_;

@@ -169,8 +169,11 @@ std::string name_of_input(const std::string& key) {
 }
 
 std::string name_of_slope(const std::string& key) {
-  constexpr std::array<Word, 4> outcomes{
-      {{"velocity", "", "v"}, {"impulse", "", "p"}, {"icr", "", "α"}, {"time", "", "t"}}};
+  constexpr std::array<Word, 5> outcomes{{{"velocity", "", "v"},
+                                          {"impulse", "", "p"},
+                                          {"icr", "", "α"},
+                                          {"time", "", "t"},
+                                          {"dissipated", "", "D"}}};
   const auto dot = key.find('.', key.find('.') + 1);
   const auto outcome = path_of(key.substr(0, dot)), parameter = path_of(key.substr(dot + 1));
   const auto* of = find(outcomes, outcome.names.back());

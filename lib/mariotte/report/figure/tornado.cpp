@@ -33,10 +33,11 @@ std::string words_for(const impact::OutcomeSlopes& outcome) {
   struct Word {
     std::string_view name, words, symbol;
   };
-  constexpr std::array<Word, 13> words{{{"velocity", "final velocity", "v"},
+  constexpr std::array<Word, 14> words{{{"velocity", "final velocity", "v"},
                                         {"impulse", "impulse", "p"},
                                         {"icr", "impulse correlation ratio", "α"},
                                         {"time", "final time", "t"},
+                                        {"dissipated", "dissipated energy", "D"},
                                         {"normal_velocity", "final velocity", "v_1"},
                                         {"v2", "final velocity", "v_2"},
                                         {"v3", "final velocity", "v_3"},

@@ -12,7 +12,7 @@ struct Place {
 };
 constexpr std::array places = {Place{"velocity", "final.velocity", ""},
                                Place{"impulse", "contacts", ".impulse"}, Place{"icr", "icr", ""},
-                               Place{"time", "final.time", ""}};
+                               Place{"time", "final.time", ""}, Place{"dissipated", "energy.dissipated", ""}};
 
 }  // namespace
 

@@ -26,6 +26,8 @@ std::vector<std::string> outcome_names(const Model& model) {
   add("velocity", model.velocity.size());
   add("impulse", model.law.size());
   add("icr", model.law.empty() ? 0 : model.law.size() - 1);
+  const auto dissipates = [](const contact::Law& law) { return contact::dissipates(law); };
+  if (std::any_of(model.law.begin(), model.law.end(), dissipates)) names.push_back("dissipated");
   return names;
 }
 
@@ -45,6 +47,7 @@ Dimension difference(const Dimension& a, const Dimension& b) {
 template <class Model>
 std::optional<Dimension> dimension_of(const std::string& outcome, const Model& model) {
   if (outcome == "time") return dimension::time;
+  if (outcome == "dissipated") return dimension::energy;
   if (outcome.starts_with("icr")) return dimension::none;
   if (outcome.starts_with("impulse")) return dimension::damping(0);
   if constexpr (std::is_same_v<Model, model::Network>)
