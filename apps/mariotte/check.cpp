@@ -10,6 +10,7 @@
 #include "mariotte/report/json/json.hpp"
 #include "mariotte/report/table/table.hpp"
 #include "mariotte/study/sweep/design_reader.hpp"
+#include "mariotte/study/sweep/sweep_reader.hpp"
 #include "scene_choice.hpp"
 
 namespace mariotte::command {
@@ -20,11 +21,14 @@ struct CheckOptions {
   bool json = false;
 };
 
-/// What its [[sweep]] tables would do, if the scene has any. Throws SceneError if they make no sense.
+/// What its [[sweep]] tables would do, if the scene has any. Throws SceneError if they or its columns make no
+/// sense.
 std::string check_sweep(scene::Document document, bool quiet) {
-  if (!find(*document.tree.table(), "sweep")) return "";
+  const bool has_sweep = find(*document.tree.table(), "sweep");
   document.source.warnings.clear();  // the scene has told them
-  const auto design = study::read_design(document);
+  const auto design = has_sweep ? study::read_design(document) : study::Design();
+  study::expect_own_columns(document, design);
+  if (!has_sweep) return "";
   if (!quiet)
     for (const auto& one : document.source.warnings) warning(one);
   return fmt::format("\nSweep\n  {}, varying {}\n", counted(design.points(), "point"),

@@ -43,6 +43,25 @@ BOOST_FIXTURE_TEST_CASE(check_tells_what_a_sweep_would_do_or_why_it_cannot, Sess
   BOOST_TEST(bad.err.starts_with("mariotte: error: bad.toml:11:14: "));
 }
 
+BOOST_FIXTURE_TEST_CASE(check_refuses_columns_that_no_run_could_give, Session) {
+  const std::string sweep = "[[sweep]]\nkey = 'chain.mass[0]'\nvalues = [1, 2]\n";
+  for (const auto& end : {std::string(), sweep}) {
+    const auto check = [&](const std::string& columns) {
+      write("mine.toml", "columns = [" + columns + "]\n" + support::three_balls + end);
+      return mariotte("check mine.toml");
+    };
+    const auto bad = check("'icr[0]', 'final.velocty[0]'");
+    BOOST_TEST(bad.code == 3);
+    BOOST_TEST(has(bad.err,
+                   "mine.toml:1:22: columns[1]: no result has 'final.velocty[0]' (did you mean "
+                   "'final.velocity[0]'?) [W004]"),
+               bad.err);
+    BOOST_TEST(check("'foo'").code == 3);
+    BOOST_TEST(has(check("'a = icr[0]', 'a = icr[0]'").err, "mine.toml:1:26: columns[1]: there are two"));
+    BOOST_TEST(check("'icr[*]', 'events[*].time', 'contacts[*].periods[*][0]', 'a = icr[0] / 2'").code == 0);
+  }
+}
+
 BOOST_FIXTURE_TEST_CASE(a_scene_that_cannot_be_read_gives_code_6, Session) {
   const auto run = mariotte("run missing.toml");
   BOOST_TEST(run.code == 6);

@@ -105,8 +105,12 @@ class Expansion {
   using Impact = decltype(impact::unfilled(std::declval<const Model&>()));
 
  public:
-  Expansion(const Model& model, const scene::Scene& scene)
-      : model_(model), scene_(scene), run_(scene.run), result_(impact::unfilled(model)) {}
+  Expansion(const Model& model, const scene::Scene& scene, Counting counting)
+      : model_(model),
+        scene_(scene),
+        run_(scene.run),
+        result_(impact::unfilled(model)),
+        may_run_(counting == Counting::by_run) {}
 
   std::vector<Column> operator()(const std::vector<std::string>& keys) {
     for (const auto& key : keys.empty() ? default_keys() : keys)
@@ -157,9 +161,9 @@ class Expansion {
   Index length(const Entry<Impact>& entry, std::size_t level) {
     for (std::size_t k = 0; k <= level; ++k) {
       const auto& array = *entry.arrays[k];
-      if (array.counted_by_run && !is_run_) {
+      if (array.counted_by_run && may_run_) {
         result_ = impact::simulate(model_, run_);
-        is_run_ = true;
+        may_run_ = false;
       }
       const Index count = array.count(result_, entry.at).value_or(0);
       if (k == level) return count;
@@ -192,16 +196,17 @@ class Expansion {
   const scene::Scene& scene_;
   const hybrid::Options& run_;
   Impact result_;  ///< its lengths alone, until the scene has been run
-  bool is_run_ = false;
+  bool may_run_;   ///< and has not been yet
   std::vector<Column> columns_;
   std::set<std::string> known_;
 };
 
 }  // namespace
 
-std::vector<Column> expand_columns(const std::vector<std::string>& keys, const scene::Scene& scene) {
+std::vector<Column> expand_columns(const std::vector<std::string>& keys, const scene::Scene& scene,
+                                   Counting counting) {
   using Columns = std::vector<Column>;
-  return std::visit(Overload{[&](const auto& model) { return Expansion(model, scene)(keys); },
+  return std::visit(Overload{[&](const auto& model) { return Expansion(model, scene, counting)(keys); },
                              [](const scene::LawAlone& nothing) -> Columns { scene::refuse(nothing); }},
                     scene.model);
 }

@@ -29,9 +29,15 @@ struct Column {
   std::string written = {};       ///< "name = expression" of one that is computed from others; else empty
 };
 
+/// Whether a scene may be run to tell how many elements `[*]` stands for; if not, and nothing less tells, it
+/// stands for none.
+enum class Counting { by_run, without_run };
+
 /// The keys with `[*]` written out for a scene like this one, each once: "icr[*]" as "icr[0]", "icr[1]", …;
 /// without any keys, those that say most about it. Nothing is simulated, unless * stands for something that
-/// only a run can count, as events. Throws ColumnError for a key that is no number of such a result.
-std::vector<Column> expand_columns(const std::vector<std::string>& keys, const scene::Scene& scene);
+/// only a run can count, as events, and `counting` allows it. Throws ColumnError for a key that is no number
+/// of such a result.
+std::vector<Column> expand_columns(const std::vector<std::string>& keys, const scene::Scene& scene,
+                                   Counting counting = Counting::by_run);
 
 }  // namespace mariotte::study

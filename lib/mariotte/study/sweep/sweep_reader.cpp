@@ -34,11 +34,11 @@ std::vector<Index> other_points(const Design& design) {
 
 /// The columns of the example. An index that it has too few balls for is right if another point has enough.
 std::vector<Column> expand(const Keys& keys, const scene::Scene& scene, Variation& points,
-                           const Design& design) try {
-  return expand_columns(keys, scene);
+                           const Design& design, Counting counting) try {
+  return expand_columns(keys, scene, counting);
 } catch (const BeyondEnd&) {
   for (const Index point : other_points(design)) try {
-      return expand_columns(keys, points.at(point));
+      return expand_columns(keys, points.at(point), counting);
     } catch (const Error&) {  // not this one, either
     }
   throw;
@@ -47,8 +47,9 @@ std::vector<Column> expand(const Keys& keys, const scene::Scene& scene, Variatio
 /// Adds columns to a plan, each once.
 class ColumnReader {
  public:
-  ColumnReader(SweepPlan& plan, const scene::Scene& scene, Variation& points)
-      : plan_(plan), scene_(scene), points_(points) {}
+  ColumnReader(SweepPlan& plan, const scene::Scene& scene, Variation& points,
+               Counting counting = Counting::by_run)
+      : plan_(plan), scene_(scene), points_(points), counting_(counting) {}
 
   void add(const std::string& text) {
     if (const auto sign = text.find('='); sign != text.npos) return add_formula(text, sign);
@@ -56,7 +57,7 @@ class ColumnReader {
   }
   /// Empty: those that say most.
   void add_keys(const Keys& keys) {
-    for (auto& column : expand(keys, scene_, points_, plan_.design)) {
+    for (auto& column : expand(keys, scene_, points_, plan_.design, counting_)) {
       if (is_known(column.key)) continue;
       plan_.outputs.push_back({.result = result(column)});
       plan_.columns.push_back(std::move(column));
@@ -82,7 +83,7 @@ class ColumnReader {
   }
   Term term(const std::string& name) {
     if (is_input(name, plan_.design)) return input_term(name, plan_.document, plan_.design);
-    const auto columns = expand({name}, scene_, points_, plan_.design);
+    const auto columns = expand({name}, scene_, points_, plan_.design, counting_);
     return {.kind = Term::Kind::result, .which = result(columns.front())};
   }
   void add_formula(const std::string& text, std::size_t sign) try {
@@ -100,10 +101,13 @@ class ColumnReader {
   SweepPlan& plan_;
   const scene::Scene& scene_;
   Variation& points_;
+  Counting counting_;
 };
 
-/// Those of the scene file; each is tried where it stands, by `check`.
-Keys own_columns(const scene::Document& document, const auto& check) {
+/// Those of the scene file; each is tried where it stands, without a run.
+Keys own_columns(SweepPlan trial, const scene::Scene& scene, Variation& points) {
+  const auto& document = trial.document;
+  ColumnReader reader(trial, scene, points, Counting::without_run);
   const auto list = find(scene::Field{&document.tree, ""}, "columns");
   if (!list) return {};
   Keys keys;
@@ -111,7 +115,7 @@ Keys own_columns(const scene::Document& document, const auto& check) {
     const auto field = element(*list, i);
     keys.push_back(text(document.source, field));
     try {
-      check(keys.back());
+      reader.add(keys.back());
     } catch (const ColumnError& error) {
       reject(document.source, field, error.fault, error.what());
     }
@@ -127,10 +131,7 @@ SweepPlan read_sweep(scene::Document document, const Keys& columns) {
   plan.design = read_design(plan.document);
   Variation points(plan.document, plan.design, std::nullopt);
   const auto scene = example(points, plan.design);
-  const auto own = own_columns(plan.document, [&](const std::string& text) {
-    auto trial = plan;
-    ColumnReader(trial, scene, points).add(text);
-  });
+  const auto own = own_columns(plan, scene, points);
   ColumnReader reader(plan, scene, points);
   for (const auto& text : columns.empty() ? own : columns) reader.add(text);
   if (plan.columns.empty()) reader.add_keys({});
@@ -138,6 +139,15 @@ SweepPlan read_sweep(scene::Document document, const Keys& columns) {
   plan.figure = scene.figure;
   plan.warnings = scene.warnings;
   return plan;
+}
+
+void expect_own_columns(const scene::Document& document, const Design& design) {
+  SweepPlan plan;
+  plan.document = document;
+  plan.design = design;
+  Variation points(document, design, std::nullopt);
+  const auto scene = example(points, design);
+  own_columns(std::move(plan), scene, points);
 }
 
 }  // namespace mariotte::study

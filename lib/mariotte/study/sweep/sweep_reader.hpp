@@ -30,4 +30,8 @@ struct SweepPlan {
 /// A column is a key of a result, or "name = expression" of keys of the result and of the scene.
 SweepPlan read_sweep(scene::Document document, const std::vector<std::string>& columns = {});
 
+/// Refuse a column of a scene file that no point of its design could give, where it stands; runs nothing.
+/// Throws SceneError.
+void expect_own_columns(const scene::Document& document, const Design& design);
+
 }  // namespace mariotte::study
