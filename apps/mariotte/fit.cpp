@@ -7,6 +7,7 @@
 
 #include "command.hpp"
 #include "command_line/exit_code.hpp"
+#include "command_line/named_files.hpp"
 #include "command_line/terminal.hpp"
 #include "fit_folder.hpp"
 #include "mariotte/core/counted.hpp"
@@ -73,6 +74,9 @@ std::vector<std::string> free_keys(const Options& options, const scene::Scene& s
 }
 
 int fit(const Options& options) try {
+  expect_distinct({{"SCENE", {options.scene.path}},
+                   {"DATA", {options.data}},
+                   {"--out", within(options.out, fit_names())}});
   auto document = open(options.scene);
   const auto scene = resolve(options.scene, document);
   const auto free = free_keys(options, scene);

@@ -17,17 +17,17 @@ std::vector<std::string> figure_files() {
   return names;
 }
 
-std::vector<std::string> file_names() {
+}  // namespace
+
+std::vector<std::string> fit_names() {
   std::vector<std::string> names = {"fit.json", "points.csv"};
   for (const auto& name : figure_files()) names.push_back(name);
   return names;
 }
 
-}  // namespace
-
 void prepare_fit_folder(const std::filesystem::path& folder, bool force) {
-  report::prepare_folder(folder, file_names(), force);
-  report::remove_unfinished(folder, file_names());
+  report::prepare_folder(folder, fit_names(), force);
+  report::remove_unfinished(folder, fit_names());
   report::remove_unfinished(folder, {"figures"});
 }
 

@@ -2,10 +2,14 @@
 #pragma once
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "mariotte/report/figure/fit_plot.hpp"
 
 namespace mariotte::command {
+
+/// Names of all files that a fit may leave in its folder.
+std::vector<std::string> fit_names();
 
 /// Create the folder; without `force`, throw report::FileError if it holds a file that would be written.
 void prepare_fit_folder(const std::filesystem::path& folder, bool force);

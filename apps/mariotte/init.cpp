@@ -3,6 +3,7 @@
 
 #include "command.hpp"
 #include "command_line/exit_code.hpp"
+#include "command_line/named_files.hpp"
 #include "command_line/terminal.hpp"
 #include "command_line/values.hpp"
 #include "example.hpp"
@@ -35,6 +36,7 @@ int init(const Init& options) {
   const auto file = options.file.empty() ? options.name + ".toml" : options.file;
   const auto data = std::filesystem::path(file).replace_extension("csv").string();
   const bool has_data = !what.data.empty();
+  if (has_data) expect_distinct({{"FILE", {file}}, {"its measurements", {data}}});
   if (!options.force) {
     expect_new(file);
     if (has_data) expect_new(data);

@@ -38,15 +38,6 @@ std::vector<std::string> files_of(const std::vector<std::string>& figures) {
   return names;
 }
 
-std::vector<std::string> file_names() {
-  std::vector<std::string> names = {result,       "events.csv",    "trace.csv", "plot.csv", "plot.gp",
-                                    "energy.csv", "spacetime.csv", motion_file, report_page};
-  std::vector<std::string> figures(report::figures_of_runs.begin(), report::figures_of_runs.end());
-  figures.insert(figures.end(), {energy, spacetime});
-  for (const auto& name : files_of(figures)) names.push_back(name);
-  return names;
-}
-
 // One sample or none makes no curve.
 bool can_plot(const impact::Trace& trace) {
   return trace.time.size() > 1;
@@ -124,7 +115,7 @@ void write_json(const std::filesystem::path& path, const report::Json& more, con
 
 // A figure of an earlier run must not be taken for one of this run.
 void remove_others(const std::filesystem::path& folder, const Texts& texts) {
-  auto names = file_names();
+  auto names = result_names();
   std::erase_if(names, [&](const std::string& name) { return name == result || texts.contains(name); });
   report::remove_files(folder, names);
 }
@@ -154,14 +145,23 @@ bool can_trace(const scene::Scene& scene) {
   return std::visit(size, scene.model) <= most_balls_traced;
 }
 
+std::vector<std::string> result_names() {
+  std::vector<std::string> names = {result,       "events.csv",    "trace.csv", "plot.csv", "plot.gp",
+                                    "energy.csv", "spacetime.csv", motion_file, report_page};
+  std::vector<std::string> figures(report::figures_of_runs.begin(), report::figures_of_runs.end());
+  figures.insert(figures.end(), {energy, spacetime});
+  for (const auto& name : files_of(figures)) names.push_back(name);
+  return names;
+}
+
 std::vector<std::string> result_files(const std::filesystem::path& folder) {
-  auto names = file_names();
+  auto names = result_names();
   std::erase_if(names, [&](const std::string& name) { return !std::filesystem::exists(folder / name); });
   return names;
 }
 
 void prepare_result_folder(const std::filesystem::path& folder, bool force) {
-  const auto names = file_names();
+  const auto names = result_names();
   report::prepare_folder(folder, names, force);
   report::remove_unfinished(folder, names);
   report::remove_unfinished(folder, {"figures"});

@@ -17,7 +17,10 @@ namespace mariotte::command {
 /// Whether samples of the scene fit into memory and files of sensible size.
 bool can_trace(const scene::Scene& scene);
 
-/// Names of the files of a run that are in the folder.
+/// Names of all files that a run may leave in its folder.
+std::vector<std::string> result_names();
+
+/// Those that are in the folder.
 std::vector<std::string> result_files(const std::filesystem::path& folder);
 
 /// Create the folder; without `force`, throw report::FileError if it holds a file that would be written.

@@ -7,6 +7,7 @@
 
 #include "command.hpp"
 #include "command_line/exit_code.hpp"
+#include "command_line/named_files.hpp"
 #include "command_line/terminal.hpp"
 #include "interruption.hpp"
 #include "mariotte/core/counted.hpp"
@@ -201,6 +202,9 @@ int run(const Run&, const scene::LawAlone& nothing, const scene::Scene&) {
 int run(const Run& options) {
   if (options.force && options.out.empty() && options.trace.file.empty())
     throw UsageError("--force requires --out or --trace");
+  expect_distinct({{"SCENE", {options.scene.path}},
+                   {"--out", within(options.out, result_names())},
+                   {"--trace", trace_files(options.trace)}});
   await_interruption();
   const auto scene = read(options.scene);
   if (!options.out.empty()) prepare_result_folder(options.out, options.force);

@@ -8,6 +8,7 @@
 #include "command_line/exit_code.hpp"
 #include "command_line/values.hpp"
 #include "interruption.hpp"
+#include "mariotte/report/csv/csv_metadata.hpp"
 #include "mariotte/report/page/files.hpp"
 
 namespace mariotte::command {
@@ -76,6 +77,11 @@ OptionList trace_options(TraceChoice& choice) {
            &choice.contacts,
            "Contacts to trace (default: all)",
            {.value = "LIST", .needs = {"--trace"}}}};
+}
+
+std::vector<std::filesystem::path> trace_files(const TraceChoice& choice) {
+  if (choice.file.empty()) return {};
+  return {choice.file, report::metadata_name(choice.file)};
 }
 
 std::unique_ptr<RunningTrace> start_trace(const TraceChoice& choice, std::size_t balls, bool force,

@@ -1,7 +1,9 @@
 // `--trace` of `mariotte run`: what is sampled, how often, into which file.
 #pragma once
+#include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "command_line/declaration.hpp"
 #include "mariotte/report/trace_file.hpp"
@@ -16,6 +18,9 @@ struct TraceChoice {
 
 /// --trace, --every, --balls and --contacts.
 OptionList trace_options(TraceChoice& choice);
+
+/// The files that it writes: none, or the trace and what describes it.
+std::vector<std::filesystem::path> trace_files(const TraceChoice& choice);
 
 /// A trace on its way to its file; `sampling` feeds the file as long as this lives.
 struct RunningTrace {

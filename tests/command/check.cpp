@@ -293,6 +293,13 @@ BOOST_FIXTURE_TEST_CASE(init_says_the_command_that_a_scene_is_for, Session) {
   BOOST_TEST(has(mariotte("init triplet").err, "; next: mariotte run triplet.toml\n"));
 }
 
+BOOST_FIXTURE_TEST_CASE(init_does_not_write_measurements_over_their_scene, Session) {
+  const auto init = mariotte("init sphere_fit mine.csv");
+  BOOST_TEST(support::is_refused(init), init.err);
+  BOOST_TEST(has(init.err, "FILE and its measurements are one file, mine.csv [U003]"));
+  BOOST_TEST(!support::fs::exists(folder / "mine.csv"));
+}
+
 BOOST_FIXTURE_TEST_CASE(every_command_explains_itself_with_an_example, Session) {
   for (const char* command : {"", "run", "check", "sweep", "report", "law", "explain", "demo", "version"}) {
     const auto help = mariotte(std::string(command) + " --help");

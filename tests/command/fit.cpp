@@ -40,6 +40,15 @@ BOOST_FIXTURE_TEST_CASE(the_example_gives_its_truth_back_within_the_intervals, F
   }
 }
 
+BOOST_FIXTURE_TEST_CASE(measurements_are_not_overwritten_by_the_points_of_their_fit, Fits) {
+  fs::rename(folder / "measured.csv", folder / "points.csv");
+  const auto before = support::content(folder / "points.csv");
+  const auto fit = mariotte("fit spheres.toml points.csv --out . --force");
+  BOOST_TEST(support::is_refused(fit), fit.err);
+  BOOST_TEST(has(fit.err, "DATA and --out are one file, "), fit.err);
+  BOOST_TEST(support::content(folder / "points.csv") == before);
+}
+
 BOOST_FIXTURE_TEST_CASE(a_wider_confidence_makes_wider_intervals, Fits) {
   const auto width = [&](const std::string& confidence) {
     const auto fit =

@@ -88,6 +88,18 @@ BOOST_FIXTURE_TEST_CASE(results_are_not_overwritten_unless_forced, Session) {
   BOOST_TEST(content(folder / "results/result.json") != before);
 }
 
+BOOST_FIXTURE_TEST_CASE(two_outputs_of_one_run_are_two_files, Session) {
+  for (const std::string trace : {"results/trace.csv", "./results/../results/events.csv", "three.toml.csv"}) {
+    fs::copy_file(folder / "three.toml", folder / "three.toml.csv", fs::copy_options::overwrite_existing);
+    const auto run = mariotte("run three.toml.csv --out results --force --trace " + trace);
+    BOOST_TEST(support::is_refused(run), run.err);
+    BOOST_TEST(has(run.err, " and --trace are one file, " + trace + " [U003]"), run.err);
+    BOOST_TEST(content(folder / "three.toml.csv") == support::three_balls);
+    BOOST_TEST(!fs::exists(folder / "results"));
+  }
+  BOOST_TEST(mariotte("run three.toml --out results --trace results/wave.csv").code == 0);
+}
+
 BOOST_FIXTURE_TEST_CASE(a_limit_gives_code_5_and_keeps_the_partial_result, Session) {
   const auto run = mariotte("run three.toml --json --out results --set run.max_events=1");
   BOOST_TEST(run.code == 5);
