@@ -17,6 +17,14 @@ std::vector<std::string> figure_files() {
   return names;
 }
 
+/// Of those, what an earlier fit has left, and no file of somebody else.
+std::vector<std::string> earlier_files(const std::filesystem::path& folder) {
+  if (!std::filesystem::exists(folder / "fit.json")) return {};
+  auto names = report::figures_of_script(folder / "plot.gp");
+  names.insert(names.end(), {"curves.csv", "plot.gp"});
+  return names;
+}
+
 }  // namespace
 
 std::vector<std::string> fit_names() {
@@ -33,9 +41,9 @@ void prepare_fit_folder(const std::filesystem::path& folder, bool force) {
 
 std::string write_fit_folder(const std::filesystem::path& folder, const report::FitReport& report,
                              const std::optional<study::FitCurves>& curves) {
+  report::remove_files(folder, earlier_files(folder));
   report::write_file(folder / "fit.json", report::text(report::json(report)));
   report::write_file(folder / "points.csv", report::points_csv(report, curves));
-  report::remove_files(folder, figure_files());
   if (!curves) return "no column of numbers parts the measurements into few curves";
   report::write_file(folder / "curves.csv", report::curves_csv(*curves, report.measurements));
   report::write_file(folder / "plot.gp", report::fit_script(report, *curves));

@@ -113,20 +113,32 @@ void write_json(const std::filesystem::path& path, const report::Json& more, con
   file.commit();
 }
 
+const std::vector<std::string> data_names = {"events.csv", "trace.csv",     "plot.csv",  "plot.gp",
+                                             "energy.csv", "spacetime.csv", motion_file, report_page};
+
+/// What an earlier run has left, and no file of somebody else.
+std::vector<std::string> earlier_files(const std::filesystem::path& folder) {
+  if (!std::filesystem::exists(folder / result)) return {};
+  auto names = report::figures_of_script(folder / "plot.gp");
+  names.insert(names.end(), data_names.begin(), data_names.end());
+  return names;
+}
+
 // A figure of an earlier run must not be taken for one of this run.
-void remove_others(const std::filesystem::path& folder, const Texts& texts) {
-  auto names = result_names();
-  std::erase_if(names, [&](const std::string& name) { return name == result || texts.contains(name); });
-  report::remove_files(folder, names);
+void remove_others(const std::filesystem::path& folder, std::vector<std::string> earlier,
+                   const Texts& texts) {
+  std::erase_if(earlier, [&](const std::string& name) { return texts.contains(name); });
+  report::remove_files(folder, earlier);
 }
 
 template <class Impact>
 std::string write(const std::filesystem::path& folder, const report::Json& more, const Impact& impact,
                   const scene::Scene& scene, const report::Spacetime* waves) {
+  const auto earlier = earlier_files(folder);
   write_json(folder / result, more, impact, scene);
   const auto files = files_of(impact, scene, waves);
+  remove_others(folder, earlier, files.texts);
   for (const auto& [name, text] : files.texts) report::write_file(folder / name, text);
-  remove_others(folder, files.texts);
   if (files.figures.empty()) return "the run has no duration";
   const std::string problem = report::draw(folder, files_of(files.figures));
   if (problem.empty()) return "";
@@ -146,8 +158,8 @@ bool can_trace(const scene::Scene& scene) {
 }
 
 std::vector<std::string> result_names() {
-  std::vector<std::string> names = {result,       "events.csv",    "trace.csv", "plot.csv", "plot.gp",
-                                    "energy.csv", "spacetime.csv", motion_file, report_page};
+  std::vector<std::string> names = {result};
+  names.insert(names.end(), data_names.begin(), data_names.end());
   std::vector<std::string> figures(report::figures_of_runs.begin(), report::figures_of_runs.end());
   figures.insert(figures.end(), {energy, spacetime});
   for (const auto& name : files_of(figures)) names.push_back(name);

@@ -25,17 +25,12 @@ bool is_random(const study::Design& design) {
                      [](const study::Parameter& one) { return one.range && one.range->seed; });
 }
 
-/// Figures of another sweep must not be taken for those of this one.
-void remove_figures(const std::filesystem::path& folder) {
-  std::vector<std::string> figures;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const auto name = entry.path().filename().string();
-    const auto kinds = report::files_of_figure("");
-    const auto is_figure = [&](const std::string& kind) { return name.ends_with(kind); };
-    if (name.starts_with("sweep.") && std::any_of(kinds.begin(), kinds.end(), is_figure))
-      figures.push_back(name);
-  }
-  report::remove_files(folder, figures);
+/// What another sweep has left must not be taken for this one's; files of somebody else stay.
+void remove_earlier(const std::filesystem::path& folder) {
+  if (study::journals(folder).empty() && !std::filesystem::exists(folder / "sweep.json")) return;
+  study::remove_journals(folder);
+  report::remove_files(folder, report::figures_of_script(folder / "plot.gp"));
+  report::remove_files(folder, names);
 }
 
 /// All but figures and page; sweep.csv, without which there is no result, comes last. Returns what the
@@ -82,9 +77,7 @@ void prepare(const SweepFiles& files, const study::SweepPlan& plan, bool force) 
   const auto& folder = files.folder;
   report::prepare_folder(folder, {}, force);
   if (force) {
-    study::remove_journals(folder);
-    report::remove_files(folder, names);
-    remove_figures(folder);
+    remove_earlier(folder);
   } else if (study::journals(folder).empty()) {
     report::prepare_folder(folder, names, false);
   }

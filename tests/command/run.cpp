@@ -88,6 +88,22 @@ BOOST_FIXTURE_TEST_CASE(results_are_not_overwritten_unless_forced, Session) {
   BOOST_TEST(content(folder / "results/result.json") != before);
 }
 
+BOOST_FIXTURE_TEST_CASE(forced_results_leave_alone_what_no_run_has_written, Session) {
+  fs::create_directory(folder / "results");
+  const auto stays = [&](const std::string& name) {
+    write("results/" + name, "mine");
+    const auto run = mariotte("run three.toml --out results --force");
+    return run.code == 0 && content(folder / "results" / name) == "mine";
+  };
+  BOOST_TEST(stays("spacetime.csv"));
+  BOOST_TEST(stays("notes.txt"));
+  BOOST_TEST(stays("spins.svg"));
+  const bool drawn = fs::exists(folder / "results/forces.svg");
+  BOOST_TEST(drawn == (shell("command -v gnuplot").code == 0));
+  BOOST_TEST(mariotte("run three.toml --out results --force --set 'chain.velocity=[0, 0, 0]'").code == 0);
+  BOOST_TEST(!fs::exists(folder / "results/forces.svg"));
+}
+
 BOOST_FIXTURE_TEST_CASE(two_outputs_of_one_run_are_two_files, Session) {
   for (const std::string trace : {"results/trace.csv", "./results/../results/events.csv", "three.toml.csv"}) {
     fs::copy_file(folder / "three.toml", folder / "three.toml.csv", fs::copy_options::overwrite_existing);

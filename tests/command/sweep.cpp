@@ -120,6 +120,19 @@ BOOST_FIXTURE_TEST_CASE(a_sweep_is_drawn_unless_it_shall_not, Session) {
   BOOST_TEST(has(missing.err, "gnuplot is not installed; data and script are in bare/plot.gp"));
 }
 
+BOOST_FIXTURE_TEST_CASE(a_forced_sweep_removes_what_the_last_one_wrote_and_nothing_else, Session) {
+  write("few.toml", few);
+  BOOST_TEST(mariotte("sweep few.toml --out out --column 'icr[0]'").code == 0);
+  write("out/sweep.icr_0.edited.svg", "mine");
+  BOOST_TEST(mariotte("sweep few.toml --out out --column energy.final --force").code == 0);
+  BOOST_TEST(content(folder / "out/sweep.icr_0.edited.svg") == "mine");
+  BOOST_TEST(!fs::exists(folder / "out/sweep.icr_0.svg"));
+  fs::create_directory(folder / "other");
+  write("other/report.html", "mine");
+  BOOST_TEST(mariotte("sweep few.toml --out other --no-figures --force").code == 0);
+  BOOST_TEST(content(folder / "other/report.html") == "mine");
+}
+
 BOOST_FIXTURE_TEST_CASE(a_step_that_misses_the_end_of_its_range_warns_once, Session) {
   write("steps.toml", std::string(support::three_balls) +
                           "[[sweep]]\nkey = 'chain.velocity[0]'\nfrom = 1\nto = 2\nstep = 0.3\n");

@@ -27,6 +27,9 @@ std::string on_all_terminals(const std::string& name, const std::string& plot, c
 /// The files that these commands make.
 std::vector<std::string> files_of_figure(const std::string& name);
 
+/// The files that a script makes by these commands, without a folder; none if there is no script.
+std::vector<std::string> figures_of_script(const std::filesystem::path& script);
+
 /// "5.4 patchlevel 4", or empty if gnuplot is not installed.
 std::string gnuplot_version();
 
