@@ -12,6 +12,7 @@
 #include "mariotte/impact/modes/vibrations.hpp"
 #include "mariotte/report/csv/columns.hpp"
 #include "mariotte/report/json/json.hpp"
+#include "mariotte/report/number.hpp"
 #include "scene_choice.hpp"
 
 namespace mariotte::command {
@@ -54,8 +55,8 @@ Found find(const Modes& options, const scene::Scene& scene) {
 
 std::string table_of(const impact::Rest& rest) {
   const auto row = [&](Index j) -> report::TableRow {
-    return {fmt::format("{}", j + 1), fmt::format("{:.10g}", rest.force[j]),
-            fmt::format("{:.10g}", rest.indentation[j]), fmt::format("{:.10g}", rest.stiffness[j])};
+    return {fmt::format("{}", j + 1), report::rounded(rest.force[j], 10),
+            report::rounded(rest.indentation[j], 10), report::rounded(rest.stiffness[j], 10)};
   };
   return report::columns({"contact", "force F [N]", "indentation δ [m]", "stiffness ∂F/∂δ [N/m]"},
                          std::ssize(rest.force), row);
@@ -64,8 +65,8 @@ std::string table_of(const impact::Rest& rest) {
 std::string table_of(const impact::Vibrations& vibrations) {
   const auto row = [&](Index i) -> report::TableRow {
     const double frequency = vibrations.frequency[i];
-    return {fmt::format("{}", i + 1), fmt::format("{:.12g}", frequency),
-            fmt::format("{:.10g}", frequency / (2 * std::numbers::pi))};
+    return {fmt::format("{}", i + 1), report::rounded(frequency, 12),
+            report::rounded(frequency / (2 * std::numbers::pi), 10)};
   };
   auto text = report::columns({"mode", "ω [rad/s]", "frequency [Hz]"}, std::ssize(vibrations.frequency), row);
   if (vibrations.rigid_motions > 0)

@@ -17,6 +17,7 @@
 #include "mariotte/report/csv/sweep_csv.hpp"
 #include "mariotte/report/csv/sweep_rows.hpp"
 #include "mariotte/report/json/sweep_json.hpp"
+#include "mariotte/report/number.hpp"
 #include "mariotte/report/page/provenance.hpp"
 #include "mariotte/report/sweep_warnings.hpp"
 #include "mariotte/scene/sha256.hpp"
@@ -87,7 +88,7 @@ std::string table(const report::ColumnStatistics& columns) {
     const auto& one = all[static_cast<std::size_t>(i)];
     report::TableRow cells = {one.key};
     for (const double value : {one.mean, one.deviation, one.q05, one.q50, one.q95})
-      cells.push_back(fmt::format("{:.5g}", value));
+      cells.push_back(report::rounded(value, 5));
     return cells;
   };
   return report::columns({"column [SI]", "mean", "deviation", "5 %", "median", "95 %"}, std::ssize(all), row);

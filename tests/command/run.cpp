@@ -286,6 +286,14 @@ BOOST_FIXTURE_TEST_CASE(an_end_that_is_wanted_is_no_limit, Session) {
   BOOST_TEST(!result.contains("message"));
 }
 
+BOOST_FIXTURE_TEST_CASE(no_zero_of_a_table_or_a_csv_has_a_sign, Session) {
+  BOOST_TEST(!has(mariotte("check three.toml --set 'chain.velocity=[1, -0.0, 0]'").out, " -0 "));
+  BOOST_TEST(mariotte("run " MARIOTTE_SCENES "/captured_sphere.toml --out out -q").code == 0);
+  BOOST_TEST(mariotte("run three.toml --set 'chain.velocity=[1, -0.0, 0]' --trace out/wave.csv").code == 0);
+  const auto found = shell("grep -lE '(^|,)-0(,|$)' out/*.csv");
+  BOOST_TEST(found.out == "");
+}
+
 // The pair meets after 10^8 s, and its contact lasts for some seconds.
 constexpr const char* far_apart =
     "[chain]\nmass = [1, 1]\nvelocity = [1, 0]\ngap = 1e8\nlaw = 'linear'\nstiffness = 1\n";

@@ -6,6 +6,8 @@
 
 using mariotte::report::display_for;
 using mariotte::report::exact;
+using mariotte::report::fixed;
+using mariotte::report::rounded;
 using mariotte::report::shown;
 
 namespace {
@@ -50,6 +52,14 @@ BOOST_AUTO_TEST_CASE(there_are_no_kiloseconds) {
 BOOST_AUTO_TEST_CASE(zero_is_shown_without_a_sign) {
   const auto display = display_for(std::vector{1.0, -0.0}, "m/s");
   BOOST_TEST(shown(display, -0.0) == "0.0000000");
+}
+
+BOOST_AUTO_TEST_CASE(no_text_of_a_number_has_a_zero_with_a_sign) {
+  BOOST_TEST(exact(-0.0) == "0");
+  BOOST_TEST(rounded(-0.0, 8) == "0");
+  BOOST_TEST(fixed(-0.0, 3) == "0.000");
+  BOOST_TEST(fixed(-1e-9, 3) == "0.000");
+  BOOST_TEST(fixed(-1e-3, 3) == "-0.001");
 }
 
 BOOST_AUTO_TEST_CASE(a_value_too_small_for_its_column_is_not_shown_as_zero) {

@@ -52,9 +52,7 @@ bool takes_prefix(std::string_view unit) {
 }
 
 std::string exact(double value) {
-  std::string text;
-  append_exact(value, text);
-  return text;
+  return rounded(value, 17);
 }
 
 void append_exact(double value, std::string& text) {
@@ -64,8 +62,20 @@ void append_exact(double value, std::string& text) {
 void append_rounded(double value, int digits, std::string& text) {
   std::array<char, 32> letters;
   const auto [end, problem] =
-      std::to_chars(letters.begin(), letters.end(), value, std::chars_format::general, digits);
+      std::to_chars(letters.begin(), letters.end(), value + 0.0, std::chars_format::general, digits);
   text += std::isnan(value) ? "nan" : std::string_view(letters.begin(), end);
+}
+
+std::string rounded(double value, int digits) {
+  std::string text;
+  append_rounded(value, digits, text);
+  return text;
+}
+
+std::string fixed(double value, int decimals) {
+  auto text = fmt::format("{:.{}f}", value, decimals);
+  const bool is_zero = text.find_first_not_of("-0.") == text.npos;
+  return is_zero && text.front() == '-' ? text.substr(1) : text;
 }
 
 Display display_for(std::span<const double> values, const std::string& unit) {
@@ -81,10 +91,9 @@ Display display_for(std::span<const double> values, const std::string& unit) {
 
 std::string shown(const Display& display, double value) {
   const double scaled = display.factor * value;
-  if (scaled == 0) return fmt::format("{:.{}f}", 0.0, display.decimals);
-  if (std::abs(scaled) < std::pow(10.0, -display.decimals) || std::abs(scaled) >= 1e12)
-    return fmt::format("{:.2e}", scaled);
-  return fmt::format("{:.{}f}", scaled, display.decimals);
+  const bool is_tiny = scaled != 0 && std::abs(scaled) < std::pow(10.0, -display.decimals);
+  if (is_tiny || std::abs(scaled) >= 1e12) return fmt::format("{:.2e}", scaled);
+  return fixed(scaled, display.decimals);
 }
 
 }  // namespace mariotte::report

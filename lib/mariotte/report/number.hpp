@@ -1,4 +1,4 @@
-// Numbers as text: exact for programs, scaled and aligned for people.
+// Numbers as text: exact for programs, scaled and aligned for people. Zero has no sign.
 #pragma once
 #include <span>
 #include <string>
@@ -12,6 +12,9 @@ std::string exact(double value);
 void append_exact(double value, std::string& text);
 /// With so many significant digits.
 void append_rounded(double value, int digits, std::string& text);
+std::string rounded(double value, int digits);
+/// With so many digits after the point.
+std::string fixed(double value, int decimals);
 
 /// How the numbers of one column or axis are shown: multiplied by `factor`, in `unit`, with `decimals`.
 struct Display {

@@ -8,6 +8,7 @@
 #include "mariotte/core/types.hpp"
 #include "mariotte/report/figure/event_marks.hpp"
 #include "mariotte/report/figure/gnuplot.hpp"
+#include "mariotte/report/number.hpp"
 
 namespace mariotte::report {
 namespace {
@@ -54,8 +55,7 @@ std::string block(const HeatMap& map, const Window& window) {
     auto i =
         static_cast<std::size_t>(std::lower_bound(map.time.begin(), map.time.end(), from) - map.time.begin());
     for (; i < map.time.size() && map.time[i] < to; ++i) pool(map.value[i], width, cells);
-    for (std::size_t k = 0; k < cells.size(); ++k)
-      text += fmt::format("{}{:.5g}", k > 0 ? "," : "", cells[k]);
+    for (std::size_t k = 0; k < cells.size(); ++k) append_rounded(cells[k], 5, text += k > 0 ? "," : "");
     text += "\n";
   }
   return text + "\n\n";

@@ -4,6 +4,7 @@
 
 #include "mariotte/report/figure/gnuplot.hpp"
 #include "mariotte/report/figure/plot.hpp"
+#include "mariotte/report/number.hpp"
 
 namespace mariotte::report {
 namespace {
@@ -16,10 +17,13 @@ std::string data(const impact::BodyTrace& trace) {
       "# time [s], v1, v2, v3 [m/s], then normal force and friction along e2, e3 of each tip [N]\n";
   for (std::size_t row = 0; row < trace.state.size(); ++row) {
     const auto& v = trace.state[row].velocity;
-    text += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g}", trace.state[row].time, v.e1, v.e2, v.e3);
-    for (std::size_t i = 0; i < trace.gap[row].size(); ++i)
-      text += fmt::format(",{:.9g},{:.9g},{:.9g}", trace.normal_force[row][i], trace.friction[row][i].e2,
-                          trace.friction[row][i].e3);
+    append_rounded(trace.state[row].time, 9, text);
+    for (const double one : {v.e1, v.e2, v.e3}) append_rounded(one, 9, text += ',');
+    for (std::size_t i = 0; i < trace.gap[row].size(); ++i) {
+      const auto& friction = trace.friction[row][i];
+      for (const double one : {trace.normal_force[row][i], friction.e2, friction.e3})
+        append_rounded(one, 9, text += ',');
+    }
     text += "\n";
   }
   return text;

@@ -7,6 +7,7 @@
 
 #include "mariotte/report/figure/gnuplot.hpp"
 #include "mariotte/report/figure/heat_map.hpp"
+#include "mariotte/report/number.hpp"
 
 namespace mariotte::report {
 namespace {
@@ -42,7 +43,7 @@ std::string block(const std::vector<double>& time, const std::vector<double>& va
     const bool at_end = i == 0 || i + 1 == time.size();
     if (!at_end && !differs(i) && !differs(i + 1)) continue;
     kept = value[i];
-    text += fmt::format("{},{:.9g},{:.9g}\n", number, time[i], kept);
+    text += fmt::format("{},{},{}\n", number, rounded(time[i], 9), rounded(kept, 9));
   }
   return text + "\n\n";
 }

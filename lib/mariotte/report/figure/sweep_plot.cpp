@@ -9,6 +9,7 @@
 #include "mariotte/report/figure/sweep_axes.hpp"
 #include "mariotte/report/figure/sweep_figure.hpp"
 #include "mariotte/report/figure/title.hpp"
+#include "mariotte/report/number.hpp"
 
 namespace mariotte::report {
 namespace {
@@ -69,7 +70,7 @@ void append_drawn(const study::Design& design, Index first, std::string_view row
     const auto row = rows.substr(0, rows.find('\n') + 1);
     rows.remove_prefix(row.size());
     if (!is_drawn(design, point)) continue;
-    for (const auto parameter : drawn) text += fmt::format("{:.9g},", coordinate(design, parameter, point));
+    for (const auto parameter : drawn) text += rounded(coordinate(design, parameter, point), 9) + ",";
     text += row;
     if (is_map(design) && ends_column(design, point)) text += "\n";
   }

@@ -61,6 +61,7 @@ void JsonStream::number(double value) {
     return;
   }
   const auto before = text_.size();
+  if (value == 0 && std::signbit(value)) text_ += '-';  // programs get the same double
   append_exact(value, text_);
   if (text_.find_first_of(".e", before) == text_.npos) text_ += ".0";  // so that no reader takes it for whole
 }

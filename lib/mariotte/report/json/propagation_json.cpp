@@ -6,6 +6,7 @@
 
 #include "mariotte/report/csv/columns.hpp"
 #include "mariotte/report/json/json_parts.hpp"
+#include "mariotte/report/number.hpp"
 
 namespace mariotte::report {
 namespace {
@@ -27,7 +28,7 @@ Json outcome_json(const UncertainOutcome& outcome, bool sampled) {
 }
 
 std::string shown(const std::optional<double>& value, const char* otherwise, int digits) {
-  return value ? fmt::format("{:.{}g}", *value, digits) : otherwise;
+  return value ? rounded(*value, digits) : otherwise;
 }
 
 /// What rounding alone makes is none.

@@ -35,18 +35,17 @@ namespace {
 
 std::string relative(const impact::OutcomeSlopes& outcome, double slope, double parameter) {
   if (!outcome.value || *outcome.value == 0 || parameter == 0) return "–";
-  return fmt::format("{:+.4g}", slope * parameter / *outcome.value);
+  return fmt::format("{:+.4g}", slope * parameter / *outcome.value + 0.0);
 }
 
 std::string rows(const impact::Sensitivity& slopes, const impact::OutcomeSlopes& outcome) {
   const auto row = [&](Index i) -> TableRow {
     const auto& [name, value] = slopes.parameter[static_cast<std::size_t>(i)];
     const auto& slope = outcome.slope[static_cast<std::size_t>(i)];
-    if (!slope) return {name, fmt::format("{:.6g}", value), "none", "–"};
-    return {name, fmt::format("{:.6g}", value), fmt::format("{:+.10g}", *slope),
-            relative(outcome, *slope, value)};
+    if (!slope) return {name, rounded(value, 6), "none", "–"};
+    return {name, rounded(value, 6), fmt::format("{:+.10g}", *slope + 0.0), relative(outcome, *slope, value)};
   };
-  const auto value = outcome.value ? fmt::format("{:.10g} {}", *outcome.value, outcome.unit) : "undefined";
+  const auto value = outcome.value ? rounded(*outcome.value, 10) + " " + outcome.unit : "undefined";
   return fmt::format("\n{} = {}\n", name_of(outcome), value) +
          columns({"by", "value [SI]", "slope [SI]", "% per %"}, std::ssize(slopes.parameter), row);
 }

@@ -5,6 +5,7 @@
 
 #include "mariotte/core/overload.hpp"
 #include "mariotte/report/csv/columns.hpp"
+#include "mariotte/report/number.hpp"
 #include "mariotte/report/table/network_table.hpp"
 #include "mariotte/report/table/restitution_table.hpp"
 #include "mariotte/report/table/table.hpp"
@@ -14,7 +15,7 @@ namespace mariotte::report {
 namespace {
 
 std::string number(double value) {
-  return fmt::format("{:.10g}", value);
+  return rounded(value, 10);
 }
 
 std::string heading(const model::Chain& chain, const scene::Scene& scene) {

@@ -5,13 +5,14 @@
 #include <cmath>
 
 #include "mariotte/report/csv/columns.hpp"
+#include "mariotte/report/number.hpp"
 #include "mariotte/report/table/quantity_table.hpp"
 
 namespace mariotte::report {
 namespace {
 
 std::string ratio(const std::string& name, const std::optional<double>& value) {
-  return value ? line(name, fmt::format("{:.10f}", *value)) : "";
+  return value ? line(name, fixed(*value, 10)) : "";
 }
 
 double momentum_scale(const model::Chain& chain) {

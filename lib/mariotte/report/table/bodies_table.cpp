@@ -56,11 +56,11 @@ std::string events(const impact::BodiesImpact& impact, const Display& time) {
 }
 
 std::string three(const Vector3& v, int dimension) {
-  return dimension == 2 ? fmt::format("{:.8g}, {:.8g}", v.e1, v.e2)
-                        : fmt::format("{:.8g}, {:.8g}, {:.8g}", v.e1, v.e2, v.e3);
+  const auto two = rounded(v.e1, 8) + ", " + rounded(v.e2, 8);
+  return dimension == 2 ? two : two + ", " + rounded(v.e3, 8);
 }
 std::string turn(const Vector3& v, int dimension) {
-  return dimension == 2 ? fmt::format("{:.8g}", v.e3) : three(v, 3);
+  return dimension == 2 ? rounded(v.e3, 8) : three(v, 3);
 }
 
 std::string motion(const impact::BodiesImpact& impact, const model::Bodies& bodies) {
@@ -81,12 +81,12 @@ std::string contacts(const impact::BodiesImpact& impact) {
     return {fmt::format("{}", i + 1),
             fmt::format("{} – {}", one.between[0], one.between[1]),
             fmt::format("{}", one.periods.size()),
-            fmt::format("{:.6g}", one.normal_impulse),
-            impact.dimension == 2 ? fmt::format("{:.6g}", one.tangential_impulse.e1)
-                                  : fmt::format("{:.6g}", norm(one.tangential_impulse)),
-            fmt::format("{:.5g}", one.peak_force),
-            fmt::format("{:.5g}", one.losses.friction),
-            fmt::format("{:.5g}", one.losses.total() - one.losses.friction)};
+            rounded(one.normal_impulse, 6),
+            impact.dimension == 2 ? rounded(one.tangential_impulse.e1, 6)
+                                  : rounded(norm(one.tangential_impulse), 6),
+            rounded(one.peak_force, 5),
+            rounded(one.losses.friction, 5),
+            rounded(one.losses.total() - one.losses.friction, 5)};
   };
   return "\nContacts\n" + columns({"", "between", "periods", "∫ f_n dt [N s]", "∫ f_t dt", "peak f_n [N]",
                                    "friction [J]", "other loss [J]"},
@@ -102,7 +102,7 @@ std::string meetings(const impact::BodiesImpact& impact) {
   const auto& first = impact.contacts[met[0]];
   if (met.size() == 1) return pair_table(first.meeting, first.periods.size());
   const auto speed = [](const std::optional<double>& one) {
-    return one ? fmt::format("{:.6g}", *one) : std::string("–");
+    return one ? rounded(*one, 6) : std::string("–");
   };
   const auto row = [&](Index i) -> TableRow {
     const auto& [approach, separation] = impact.contacts[met[i]].meeting;
@@ -162,8 +162,8 @@ std::string table_of_bodies(const model::Bodies& bodies, const scene::Scene& sce
   const auto body = [&](Index i) -> TableRow {
     const auto& one = bodies.body[i];
     return {body_name(bodies, i),
-            fmt::format("{:.8g}", one.mass),
-            d == 2 ? fmt::format("{:.8g}", one.inertia.e3) : three(one.inertia, 3),
+            rounded(one.mass, 8),
+            d == 2 ? rounded(one.inertia.e3, 8) : three(one.inertia, 3),
             fmt::format("{}", one.spheres.size()),
             three(one.position, d),
             three(one.velocity, d),
@@ -178,12 +178,12 @@ std::string table_of_bodies(const model::Bodies& bodies, const scene::Scene& sce
     return {fmt::format("{}", i + 1),
             fmt::format("{} – {}", name_of(bodies, one.a), name_of(bodies, one.b)),
             std::string(name(one.law)),
-            power ? fmt::format("{:.8g}", power->stiffness) : "",
-            power ? fmt::format("{:.6g}", power->damping) : "",
+            power ? rounded(power->stiffness, 8) : "",
+            power ? rounded(power->damping, 6) : "",
             name(one.tangential.law),
-            fmt::format("{:.6g}", one.tangential.friction),
-            one.tangential.has_spring() ? fmt::format("{:.8g}", one.tangential.stiffness) : "",
-            fmt::format("{:.8g}", start_gap(bodies, one))};
+            rounded(one.tangential.friction, 6),
+            one.tangential.has_spring() ? rounded(one.tangential.stiffness, 8) : "",
+            rounded(start_gap(bodies, one), 8)};
   };
   text += "\n" +
           columns({"", "contact", "law", "k [N/mⁿ]", "c [N s/mⁿ]", "tangential", "μ", "k_t or κ", "gap [m]"},

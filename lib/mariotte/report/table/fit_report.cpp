@@ -40,7 +40,7 @@ std::string summary(const FitReport& report) {
 std::string values(const study::Fit& fit) {
   const auto row = [&](Index i) -> TableRow {
     const auto& [key, start, value, error, lower, upper] = fit.estimates[static_cast<std::size_t>(i)];
-    return {key, fmt::format("{:.6g}", start), fmt::format("{:.8g}", value), fmt::format("{:.2g}", error),
+    return {key, rounded(start, 6), rounded(value, 8), rounded(error, 2),
             fmt::format("{:.6g} to {:.6g}", lower, upper)};
   };
   return "\nValues [SI]\n" + columns({"key", "start", "value", "standard error",
@@ -54,8 +54,7 @@ std::string correlation(const study::Fit& fit) {
   for (std::size_t i = 1; i <= fit.estimates.size(); ++i) header.push_back(std::to_string(i));
   const auto row = [&](Index i) {
     TableRow cells = {fit.estimates[static_cast<std::size_t>(i)].key};
-    for (const double one : fit.correlation[static_cast<std::size_t>(i)])
-      cells.push_back(fmt::format("{:.3f}", one));
+    for (const double one : fit.correlation[static_cast<std::size_t>(i)]) cells.push_back(fixed(one, 3));
     return cells;
   };
   return "\nCorrelation\n" + columns(header, std::ssize(fit.estimates), row);
@@ -63,8 +62,7 @@ std::string correlation(const study::Fit& fit) {
 
 /// As many digits as restitution has, or six.
 std::string measured_text(const FitReport& report, double value) {
-  return report.measurements.quantity.starts_with("restitution") ? fmt::format("{:.6f}", value)
-                                                                 : fmt::format("{:.6g}", value);
+  return report.measurements.quantity.starts_with("restitution") ? fixed(value, 6) : rounded(value, 6);
 }
 
 std::string residuals(const FitReport& report) {
@@ -81,8 +79,7 @@ std::string residuals(const FitReport& report) {
     cells.push_back(measured_text(report, one.measured));
     cells.push_back(predicted.captured ? "captured" : measured_text(report, predicted.value));
     cells.push_back(measured_text(report, residual(report, number)));
-    if (report.measurements.weighted)
-      cells.push_back(fmt::format("{:.2f}", residual(report, number) / one.deviation));
+    if (report.measurements.weighted) cells.push_back(fixed(residual(report, number) / one.deviation, 2));
     return cells;
   };
   return "\nResiduals\n" + columns(header, std::ssize(report.measurements.rows), row);

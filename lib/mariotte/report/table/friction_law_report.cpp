@@ -41,13 +41,13 @@ std::string laws(const impact::FirstImpact& impact) {
   const auto row = [&](Index i) -> TableRow {
     const auto& o = impact.outcomes[static_cast<std::size_t>(i)];
     return {o.law,
-            o.restitution ? fmt::format("{:.6f}", *o.restitution) : "",
+            o.restitution ? fixed(*o.restitution, 6) : "",
             shown(impulse, o.impulse.normal),
             shown(impulse, o.impulse.tangential),
             shown(speed, o.velocity.normal),
             shown(speed, o.velocity.tangential),
             shown(loss, o.loss),
-            fmt::format("{:.6f}", ratio(impact, o))};
+            fixed(ratio(impact, o), 6)};
   };
   return "\nLaws\n" + columns({"law", "e", "impulse [" + impulse.unit + "]",
                                "of friction [" + impulse.unit + "]", "opens with [" + speed.unit + "]",

@@ -65,7 +65,7 @@ std::string contacts(const LawReport& report) {
   const auto row = [&](Index j) -> TableRow {
     const auto k = static_cast<std::size_t>(j);
     const bool ratio = k < icr.size() && icr[k];
-    return {fmt::format("{}", j + 1), shown(impulse, p[k]), ratio ? fmt::format("{:.10f}", *icr[k]) : "",
+    return {fmt::format("{}", j + 1), shown(impulse, p[k]), ratio ? fixed(*icr[k], 10) : "",
             shown(rate, rates[k])};
   };
   return "\nContacts\n" + columns({"contact", "impulse [" + impulse.unit + "]", "α to the next",
@@ -74,7 +74,7 @@ std::string contacts(const LawReport& report) {
 }
 
 std::string ratio(const char* name, const std::optional<double>& value) {
-  return value ? line(name, fmt::format("{:.10f}", *value)) : "";
+  return value ? line(name, fixed(*value, 10)) : "";
 }
 
 std::string energies(const LawReport& report) {
@@ -99,7 +99,7 @@ double difference(const std::vector<double>& a, const std::vector<double>& b) {
 std::string dispersion(const LawReport& report, const impact::LawOutcome& outcome) {
   const auto& before = report.before;
   if (!model::is_diagonal(before.mass, std::ssize(before.velocity))) return "";
-  return fmt::format("{:.6f}", energy_dispersion(before, outcome.velocity));
+  return fixed(energy_dispersion(before, outcome.velocity), 6);
 }
 
 std::string rivals(const LawReport& report) {
@@ -115,11 +115,9 @@ std::string rivals(const LawReport& report) {
   }
   const auto row = [&](Index i) -> TableRow {
     const auto& [name, outcome] = laws[static_cast<std::size_t>(i)];
-    return {name, impact::name(outcome.status), fmt::format("{:.6f}", outcome.ratio_lab.value_or(1)),
+    return {name, impact::name(outcome.status), fixed(outcome.ratio_lab.value_or(1), 6),
             dispersion(report, outcome),
-            reference(report).empty()
-                ? ""
-                : fmt::format("{:.6f}", difference(outcome.velocity, reference(report)))};
+            reference(report).empty() ? "" : fixed(difference(outcome.velocity, reference(report)), 6)};
   };
   return fmt::format("\nLaws, others with restitution {:g}\n", report.restitution) +
          columns({"law", "outcome", "T⁺/T⁻", "dispersion", "velocities differ by [m/s]"}, std::ssize(laws),

@@ -73,8 +73,8 @@ std::string motion(const impact::MicrobodyImpact& impact, const model::Microbody
   constexpr const char* angles[] = {"alpha", "beta", "gamma"};
   const auto row = [&](Index i) -> TableRow {
     if (i >= 6)
-      return {fmt::format("{} [deg]", angles[i - 6]), fmt::format("{:.8f}", tilt_before[i - 6] / degree),
-              fmt::format("{:.8f}", tilt_after[i - 6] / degree)};
+      return {fmt::format("{} [deg]", angles[i - 6]), fixed(tilt_before[i - 6] / degree, 8),
+              fixed(tilt_after[i - 6] / degree, 8)};
     const auto& display = i < 3 ? velocity : spin;
     return {fmt::format("{} {} [{}]", i < 3 ? "velocity" : "spin", names[i % 3], display.unit),
             shown(display, before[i]), shown(display, after[i])};
@@ -88,10 +88,10 @@ std::string impacts(const impact::MicrobodyImpact& impact, const Display& time) 
     return {fmt::format("{}", one.tip + 1),
             shown(time, one.start),
             one.end ? shown(time, *one.end) : "",
-            fmt::format("{:.8g}", one.normal_velocity_in),
-            one.end ? fmt::format("{:.8g}", one.normal_velocity_out) : "",
-            fmt::format("{:.6g}", 1e6 * one.peak_force),
-            fmt::format("{:.6g}", 1e9 * one.peak_indentation)};
+            rounded(one.normal_velocity_in, 8),
+            one.end ? rounded(one.normal_velocity_out, 8) : "",
+            rounded(1e6 * one.peak_force, 6),
+            rounded(1e9 * one.peak_indentation, 6)};
   };
   return "\nImpacts\n" + columns({"tip", "from [" + time.unit + "]", "to [" + time.unit + "]",
                                   "ṅ before [m/s]", "ṅ after [m/s]", "peak force [µN]", "indentation [nm]"},
@@ -101,8 +101,7 @@ std::string impacts(const impact::MicrobodyImpact& impact, const Display& time) 
 std::string restitution(const impact::MicrobodyImpact& impact) {
   if (!impact::has_restitution(impact)) return "";
   const auto& e = impact.restitution;
-  return "\nRestitution\n" + line("tip", fmt::format("{:.10f}", e.tip)) +
-         line("mass centre", fmt::format("{:.10f}", e.centre));
+  return "\nRestitution\n" + line("tip", fixed(e.tip, 10)) + line("mass centre", fixed(e.centre, 10));
 }
 
 constexpr BalanceLine energies[] = {{"before", "energy.initial"},
@@ -140,7 +139,7 @@ std::string table(const impact::MicrobodyImpact& impact, const scene::Scene& sce
 std::string table_of_body(const model::Microbody& body, const scene::Scene& scene) {
   const auto angles = to_euler(body.attitude);
   const auto three = [](const Vector3& v) {
-    return fmt::format("{:.10g}, {:.10g}, {:.10g}", v.e1, v.e2, v.e3);
+    return rounded(v.e1, 10) + ", " + rounded(v.e2, 10) + ", " + rounded(v.e3, 10);
   };
   std::string text = (scene.title.empty() ? "Microbody" : scene.title) + "\n";
   text += fmt::format("mass {:.10g} kg · moments of inertia {} kg m²\n", body.body.mass,
@@ -148,21 +147,17 @@ std::string table_of_body(const model::Microbody& body, const scene::Scene& scen
   const auto row = [&](Index i) -> TableRow {
     const auto& tip = body.body.tips[static_cast<std::size_t>(i)];
     const auto& law = body.law[static_cast<std::size_t>(i)];
-    return {fmt::format("{}", i + 1),
-            three(tip.centre),
-            fmt::format("{:.10g}", tip.radius),
-            fmt::format("{:.10g}", law.stiffness),
-            fmt::format("{:.10g}", law.adhesion),
-            fmt::format("{:.8g}", law.damping_hertz),
-            fmt::format("{:.8g}", law.damping_adhesion)};
+    return {fmt::format("{}", i + 1),        three(tip.centre),         rounded(tip.radius, 10),
+            rounded(law.stiffness, 10),      rounded(law.adhesion, 10), rounded(law.damping_hertz, 8),
+            rounded(law.damping_adhesion, 8)};
   };
   text += "\n" + columns({"tip", "centre [m]", "radius [m]", "√r K [N/m^1.5]", "2πf₀√r [N/m^0.5]",
                           "C_H [s/m]", "C_A [s/m]"},
                          std::ssize(body.body.tips), row);
   text += restitutions(body);
   text += fmt::format("\nvelocity {} m/s · spin {} rad/s\n", three(body.velocity), three(body.spin));
-  text += fmt::format("angles {:.10g}, {:.10g}, {:.10g} deg · friction {:.10g} · gravity {:.10g} m/s²\n",
-                      angles.alpha / degree, angles.beta / degree, angles.gamma / degree,
+  text += fmt::format("angles {} deg · friction {:.10g} · gravity {:.10g} m/s²\n",
+                      three({angles.alpha / degree, angles.beta / degree, angles.gamma / degree}),
                       body.friction.coefficient, body.gravity);
   return text + fmt::format("impacts {} · accuracy {:.3g} · flow {}\n", body.impacts, scene.run.accuracy,
                             flow::name(scene.run.flow));

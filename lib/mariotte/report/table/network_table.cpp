@@ -66,9 +66,7 @@ std::vector<std::string> contact_names(const model::Network& network) {
 std::string direction_table(const impact::ContactImpact& impact) {
   const auto& r = impact.impulse_direction;
   if (std::all_of(r.begin(), r.end(), [](double one) { return one == 0; })) return "";
-  const auto row = [&](Index j) -> TableRow {
-    return {fmt::format("{}", j + 1), fmt::format("{:.10f}", r[j])};
-  };
+  const auto row = [&](Index j) -> TableRow { return {fmt::format("{}", j + 1), fixed(r[j], 10)}; };
   return "\nImpulse direction\n" + columns({"contact", "r"}, std::ssize(r), row);
 }
 

@@ -15,7 +15,7 @@ std::string pair_table(const impact::MeetingSpeeds& speeds, std::size_t periods)
   const auto display = display_for(std::vector{*approach, *separation}, "m/s");
   return "\nPair\n" + line("approach [" + display.unit + "]", shown(display, *approach)) +
          line("separation [" + display.unit + "]", shown(display, *separation)) +
-         line("restitution", fmt::format("{:.10f}", *separation / *approach));
+         line("restitution", fixed(*separation / *approach, 10));
 }
 
 }  // namespace mariotte::report

@@ -70,7 +70,7 @@ std::string periods(const impact::ContactHistory& contact, const Display& time) 
   if (contact.periods.empty()) return "never";
   const auto& [start, end] = contact.periods.front();
   const auto more = contact.periods.size() - 1;
-  return fmt::format("{:.5g}–{}{}", time.factor * start, end ? fmt::format("{:.5g}", time.factor * *end) : "",
+  return fmt::format("{:.5g}–{}{}", time.factor * start, end ? rounded(time.factor * *end, 5) : "",
                      more > 0 ? fmt::format(" +{}", more) : "");
 }
 
@@ -100,7 +100,7 @@ std::string ratios(const impact::ContactImpact& impact) {
   if (impact.icr.empty()) return "";
   const auto row = [&](Index j) -> TableRow {
     const auto& ratio = impact.icr[static_cast<std::size_t>(j)];
-    return {fmt::format("{}/{}", j + 1, j + 2), ratio ? fmt::format("{:.10f}", *ratio) : "undefined"};
+    return {fmt::format("{}/{}", j + 1, j + 2), ratio ? fixed(*ratio, 10) : "undefined"};
   };
   return "\nImpulse correlation ratios\n" + columns({"contacts", "α"}, std::ssize(impact.icr), row);
 }
