@@ -279,7 +279,7 @@ BOOST_FIXTURE_TEST_CASE(an_end_that_is_wanted_is_no_limit, Session) {
   const auto run = mariotte("run three.toml --set run.until=2 --out results --report -q");
   BOOST_TEST(run.code == 0);
   BOOST_TEST(run.err == "");
-  BOOST_TEST(has(run.out, "ended at 2.0000000 s"));
+  BOOST_TEST(has(run.out, "time_limit (run.until) at 2.0000000 s"));
   const auto result = Json::parse(content(folder / "results/result.json"));
   BOOST_TEST(result["ending"] == "time_limit");
   BOOST_TEST(result["final"]["time"] == 2.0);

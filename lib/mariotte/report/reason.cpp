@@ -9,7 +9,7 @@ bool is_wanted(hybrid::Ending ending, const scene::Scene& scene) {
 }
 
 std::string ending_name(hybrid::Ending ending, const scene::Scene& scene) {
-  return is_wanted(ending, scene) ? "ended" : hybrid::name(ending);
+  return std::string(hybrid::name(ending)) + (is_wanted(ending, scene) ? " (run.until)" : "");
 }
 
 std::string reason(hybrid::Ending ending, const std::string& message, const scene::Scene& scene) {

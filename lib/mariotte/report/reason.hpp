@@ -11,7 +11,7 @@ namespace mariotte::report {
 /// Whether a run went on until the time that the scene names as its end.
 bool is_wanted(hybrid::Ending ending, const scene::Scene& scene);
 
-/// "separated" and so on, as results say; "ended" at the end that is wanted.
+/// "separated" and so on, as results say; "time_limit (run.until)" at the end that is wanted.
 std::string ending_name(hybrid::Ending ending, const scene::Scene& scene);
 
 /// The message of a run or, if it has none, the limit of `options` that was reached; empty if it came to an

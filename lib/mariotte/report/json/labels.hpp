@@ -12,7 +12,8 @@ struct Label {
 
 inline constexpr std::array labels = {
     Label{"ending",
-          "how the run ended: `separated`, `captured`, `bound`, `time_limit` (by `until`, too), "
+          "how the run ended: `separated`, `captured`, `bound`, `time_limit` (by `until`, too, "
+          "without a `message` then; the table says `time_limit (run.until)`), "
           "`event_limit`, `interrupted`, `unsure`, `invalid` or `failed`"},
     Label{"title", "title of the scene"},
     Label{"model", "`chain`, `network`, `microbody` or `bodies`"},
