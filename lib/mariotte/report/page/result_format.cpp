@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "mariotte/impact/quantities/quantity.hpp"
+#include "mariotte/report/json/command_keys.hpp"
 #include "mariotte/report/json/labels.hpp"
 
 namespace mariotte::report {
@@ -16,12 +17,12 @@ constexpr const char* introduction = R"(# What a result says
 
 <!-- This page is generated: build/tests/doc/doc_result_format > doc/result_format.md -->
 
-`mariotte run --json` prints one object with these keys, and `--out` writes it as `result.json`. Numbers are in
-SI units and have 17 significant digits. A number that is undefined is `null`;
-numbers of `validity` that the scene does not say enough for are left out.
+`mariotte run --json` prints one object with these keys, and `--out` writes it as `result.json`; those of other
+commands [come last](#mariotte-law). Numbers are in SI units and have 17 significant digits. A number that is
+undefined is `null`; numbers of `validity` that the scene does not say enough for are left out.
 
 `[]` stands for an index. Indices count from 0; balls, contacts and tips that are named in a value count from 1.
-Each key with a unit is also a [column of a sweep](sweeps.md#columns): `contacts[1].impulse`. A column may have
+Each key of a run with a unit is also a [column of a sweep](sweeps.md#columns): `contacts[1].impulse`. A column may have
 `[*]` for all indices. `.count` after an array is its length: `events.count`.
 
 Columns of `sweep.csv` are named by key and unit, `final.velocity[0] [m/s]`, as those of `trace.csv` are by symbol
@@ -78,6 +79,15 @@ bool has_same(const std::vector<Quantity>& list, const Other& other) {
   return std::any_of(list.begin(), list.end(), [&](const Quantity& one) { return row(one) == row(other); });
 }
 
+std::string section(const CommandResult& result) {
+  auto text = fmt::format("\n## {}\n\n", result.command);
+  if (!result.about.empty()) text += fmt::format("{}\n\n", result.about);
+  text += "| Key | Unit | Meaning |\n|---|---|---|\n";
+  for (const auto& [key, unit, meaning] : result.keys)
+    text += fmt::format("| `{}` | {} | {} |\n", key, unit.empty() ? "–" : unit, cell(std::string(meaning)));
+  return text;
+}
+
 }  // namespace
 
 std::string result_format() {
@@ -95,7 +105,9 @@ std::string result_format() {
   text += "\n## Microbodies\n\nThe axis e1 is normal to the plane, e2 and e3 lie in it.\n\n";
   text += table(impact::quantities<impact::MicrobodyImpact>(), all);
   text += "\n## Bodies with friction\n\nVectors have two components in the plane and three in space.\n\n";
-  return text + table(impact::quantities<impact::BodiesImpact>(), all);
+  text += table(impact::quantities<impact::BodiesImpact>(), all);
+  for (const auto& one : command_results) text += section(one);
+  return text;
 }
 
 }  // namespace mariotte::report
