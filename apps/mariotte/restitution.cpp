@@ -11,6 +11,7 @@
 #include "command_line/values.hpp"
 #include "mariotte/report/csv/columns.hpp"
 #include "mariotte/report/json/json.hpp"
+#include "mariotte/report/table/law_name.hpp"
 #include "mariotte/study/capture.hpp"
 #include "mariotte/study/pair_choice.hpp"
 #include "run_notes.hpp"
@@ -54,7 +55,8 @@ std::string table(const std::vector<Point>& curve, const scene::Scene& scene, co
             closed ? fmt::format("{:.12f}", *closed) : "–"};
   };
   return fmt::format("{}\nRestitution of a pair with the law {}, reduced mass {:.10g} kg\n",
-                     scene.title.empty() ? "Chain" : scene.title, name(pair.law), pair.reduced_mass) +
+                     scene.title.empty() ? "Chain" : scene.title, report::law_name(pair.law),
+                     pair.reduced_mass) +
          report::columns({"speed [m/s]", "restitution e", "in closed form"}, std::ssize(curve), row);
 }
 

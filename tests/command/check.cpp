@@ -120,6 +120,21 @@ BOOST_FIXTURE_TEST_CASE(check_prints_the_restitution_of_damped_contacts, Session
   BOOST_TEST(has(bodies, "  0.70000000  "));
 }
 
+BOOST_FIXTURE_TEST_CASE(check_names_a_damped_law_as_scenes_do, Session) {
+  const auto shown = [&](const std::string& law) {
+    return mariotte("check three.toml --set 'chain.contact=[{stiffness = 1, " + law + "}]'").out;
+  };
+  BOOST_TEST(has(shown("law = \"kelvin-voigt\", restitution = 0.9"), "viscoelastic (kelvin-voigt)"));
+  BOOST_TEST(has(shown("law = \"kelvin-voigt\", damping = 1, separation = \"indentation\""),
+                 "viscoelastic (kelvin-voigt)"));
+  BOOST_TEST(has(shown("law = \"viscoelastic\", damping = 1"), "viscoelastic (kuwabara-kono)"));
+  BOOST_TEST(has(shown("law = \"viscoelastic\", damping = 1, exponent = 2"), "  viscoelastic  "));
+  BOOST_TEST(has(shown("law = \"hertz\""), "  hertz  "));
+  const auto bodies =
+      mariotte("check " MARIOTTE_SCENES "/rocking_with_friction.toml --set bodies.damping=4000");
+  BOOST_TEST(has(bodies.out, " viscoelastic ("), bodies.out);
+}
+
 BOOST_FIXTURE_TEST_CASE(version_says_what_the_program_can_use, Session) {
   const auto version = mariotte("version").out;
   for (const char* part : {"\nMPI ", "\nHDF5 ", "\ngnuplot "}) BOOST_TEST(has(version, part));

@@ -6,6 +6,7 @@
 #include "mariotte/core/overload.hpp"
 #include "mariotte/report/csv/columns.hpp"
 #include "mariotte/report/number.hpp"
+#include "mariotte/report/table/law_name.hpp"
 #include "mariotte/report/table/network_table.hpp"
 #include "mariotte/report/table/restitution_table.hpp"
 #include "mariotte/report/table/table.hpp"
@@ -55,7 +56,7 @@ TableRow contact_row(const std::string& name, const contact::Law& law, double ga
       damping = number(value);
     else
       others += fmt::format("{}{} {}", others.empty() ? "" : ", ", key, number(value));
-  return {name, std::string(contact::name(law)), stiffness, damping, exponent, number(gap), others};
+  return {name, law_name(law), stiffness, damping, exponent, number(gap), others};
 }
 
 std::string contacts(const std::vector<contact::Law>& laws, const std::vector<double>& gaps,

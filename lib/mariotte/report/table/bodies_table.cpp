@@ -7,6 +7,7 @@
 #include "mariotte/report/reason.hpp"
 #include "mariotte/report/table/background.hpp"
 #include "mariotte/report/table/balance_tables.hpp"
+#include "mariotte/report/table/law_name.hpp"
 #include "mariotte/report/table/pair_speeds.hpp"
 #include "mariotte/report/table/quantity_table.hpp"
 #include "mariotte/report/table/restitution_table.hpp"
@@ -177,7 +178,7 @@ std::string table_of_bodies(const model::Bodies& bodies, const scene::Scene& sce
     const auto* power = contact::power_law(one.law);
     return {fmt::format("{}", i + 1),
             fmt::format("{} – {}", name_of(bodies, one.a), name_of(bodies, one.b)),
-            std::string(name(one.law)),
+            law_name(one.law),
             power ? rounded(power->stiffness, 8) : "",
             power ? rounded(power->damping, 6) : "",
             name(one.tangential.law),
