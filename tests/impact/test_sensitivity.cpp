@@ -95,6 +95,7 @@ BOOST_AUTO_TEST_CASE(slopes_of_chains_are_those_of_the_references) {
     BOOST_TEST_REQUIRE(found.parameter.size() == names.size());
     for (std::size_t k = 0; k < names.size(); ++k) BOOST_TEST(found.parameter[k].name == names[k]);
     for (const auto& outcome : found.outcome) {
+      if (outcome.name == "dissipated") continue;  // has a test of its own
       const auto reference = expected(c.at("derivative"), outcome);
       for (std::size_t k = 0; k < names.size(); ++k)
         BOOST_TEST_CONTEXT(outcome.name << outcome.index.value_or(0) << " by " << names[k])
@@ -136,7 +137,8 @@ BOOST_AUTO_TEST_CASE(slopes_obey_the_units_of_mass_length_and_time) {
       const std::array<double, 3> own = outcome.name == "velocity"  ? std::array<double, 3>{0, 1, -1}
                                         : outcome.name == "impulse" ? std::array<double, 3>{1, 1, -1}
                                         : outcome.name == "icr"     ? std::array<double, 3>{0, 0, 0}
-                                                                    : std::array<double, 3>{0, 0, 1};
+                                        : outcome.name == "time"    ? std::array<double, 3>{0, 0, 1}
+                                                                    : std::array<double, 3>{1, 2, -2};
       if (!outcome.value) continue;
       for (int unit = 0; unit < 3; ++unit) {
         double sum = 0, size = std::abs(*outcome.value);
