@@ -41,6 +41,23 @@ BOOST_AUTO_TEST_CASE(pairs_of_linear_contacts_have_right_slopes_at_every_accurac
   }
 }
 
+// Two light balls rattle for long, each between two heavier ones, and meet these as slowly as late. A mass
+// draws the last meetings apart by 10³ indentations. Expected: differences of runs.
+BOOST_AUTO_TEST_CASE(pairs_of_slow_meetings_have_slopes_to_five_digits) {
+  const double heavy = 13870.709114680463, light = 0.52062057270059692, middle = 2.3701829324438672;
+  const double outer = 8.4368527370293557e-10, fast = 5.0421602577943545e-09, slow = 8.9974140826459814e-10;
+  const contact::Hertz law(0.0015807628242407016);
+  const model::Chain chain{
+      .mass = {heavy, light, middle, middle, light, heavy},
+      .law = {law, law, law, law, law},
+      .gap = {0.00016957332558091115, 0, 8.9388084849844306e-05, 0, 0.00016957332558091115},
+      .velocity = {-outer, fast, -slow, slow, -fast, outer}};
+  for (const double accuracy : {1e-6, 1e-7, 1e-9})
+    BOOST_TEST(
+        std::abs(slope(chain, {.accuracy = accuracy}, "velocity[4]", "mass[2]").value() / 6.3506459e-10 - 1) <
+        1e-5);
+}
+
 // The two contacts in the middle creep, and let go at the end of the run: whichever is the later one.
 BOOST_AUTO_TEST_CASE(two_creeping_contacts_end_a_run_at_a_time_without_slope) {
   const contact::Viscoelastic outer{0.9858824552228127, 0.16696211328834348, 1.5};

@@ -64,14 +64,10 @@ Sensitivity sensitivity(const model::Chain& chain, const std::vector<Parameter<m
   const auto moved = within(frame, by);
   model::ChainSystem system;
   using Run = ContactSensitivity<model::ChainSystem, model::ChainTopology, ChainImpulses>;
-  auto found = resolved(
-      asked,
-      [&](const hybrid::Options& options) {
-        system.reset(moving, options.accuracy, std::isfinite(options.max_time));
-        Run run(system, system.chain(), moved, options, watch);
-        return std::pair(run.take(), run.time_loss());
-      },
-      Run::note_loss);
+  auto found = resolved_contacts(asked, [&](const hybrid::Options& options) {
+    system.reset(moving, options.accuracy, std::isfinite(options.max_time));
+    return Run(system, system.chain(), moved, options, watch);
+  });
   note_late_damping(moving.law, asked.accuracy, found);
   leave(frame, found);
   return found;

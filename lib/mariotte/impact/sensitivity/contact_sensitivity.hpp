@@ -35,6 +35,20 @@ void for_each_shifted(const Scaled& base, const std::vector<Parameter<Model>>& b
   }
 }
 
+/// With as many digits as slopes need; `run_at(options)` is a ContactSensitivity.
+template <class RunAt>
+Sensitivity resolved_contacts(const hybrid::Options& asked, RunAt&& run_at) {
+  bool at_onset = false;
+  const auto once = [&](const hybrid::Options& options) {
+    auto run = run_at(options);
+    at_onset = run.onset_loss() > run.time_loss();
+    return std::pair(run.take(), std::max(run.onset_loss(), run.time_loss()));
+  };
+  return resolved(asked, once, [&](double error) {
+    return at_onset ? shared_onset_note(error) : slow_ending_note(error, {"time"});
+  });
+}
+
 /// A contact system with its slopes. `Impulses` sees the models around each parameter; `at(interval, p)`
 /// fills p, and `add_slopes(c, interval, p)` adds what masses and gravity do at fixed states.
 template <class System, class Topology, class Impulses>
@@ -69,7 +83,8 @@ class ContactSensitivity {
 
   /// Of the slopes of the time, in multiples of those of the state.
   double time_loss() const { return end_.time_loss; }
-  static SlopeNote note_loss(double error) { return slow_ending_note(error, {"time"}); }
+  /// Of slopes behind contacts that close by the clock of another one.
+  double onset_loss() const { return end_.onset_loss; }
   Sensitivity take() {
     result_.ending = end_.run.ending;
     result_.message = end_.run.message;

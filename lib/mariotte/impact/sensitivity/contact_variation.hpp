@@ -132,6 +132,9 @@ class ContactVariation {
     guard_slopes(i, x, mode, level);
     for (Index c = 0; c < columns_; ++c) slopes(layout_.gap[layout_.guard_contact[i]], c) = -level[c];
   }
+  /// How large slopes of the gap of guard i are beside those of velocities, in natural units: where its
+  /// contact closes by the clock of another one, forces take as much from what is left of them later.
+  double gap_reach(Index i, const SlopeMatrix& slopes) const;
   /// Whether nothing pushes.
   bool is_free(const contact::ContactSet& mode) const {
     for (Index j = 0; j < layout_.contacts(); ++j)

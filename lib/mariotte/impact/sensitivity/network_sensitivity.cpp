@@ -1,3 +1,5 @@
+#include <optional>
+
 #include "mariotte/impact/network/network_frame.hpp"
 #include "mariotte/impact/sensitivity/contact_sensitivity.hpp"
 #include "mariotte/impact/sensitivity/frame_slopes.hpp"
@@ -35,14 +37,11 @@ Sensitivity sensitivity(const model::Network& network, const std::vector<Paramet
   const auto moving = within(frame, network);
   const auto moved = within(frame, by);
   using Run = ContactSensitivity<model::NetworkSystem, model::NetworkTopology, NetworkImpulses>;
-  auto found = resolved(
-      asked,
-      [&](const hybrid::Options& options) {
-        model::NetworkSystem system(moving, options.accuracy, std::isfinite(options.max_time));
-        Run run(system, system.network(), moved, options, watch);
-        return std::pair(run.take(), run.time_loss());
-      },
-      Run::note_loss);
+  std::optional<model::NetworkSystem> system;
+  auto found = resolved_contacts(asked, [&](const hybrid::Options& options) {
+    system.emplace(moving, options.accuracy, std::isfinite(options.max_time));
+    return Run(*system, system->network(), moved, options, watch);
+  });
   note_late_damping(moving.law, asked.accuracy, found);
   leave(frame, found);
   return found;

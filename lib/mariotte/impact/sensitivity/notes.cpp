@@ -41,6 +41,15 @@ SlopeNote turning_slip_note(double error) {
   return {.text = text, .error = error};
 }
 
+SlopeNote shared_onset_note(double error) {
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "contacts close at one instant, slowly, and parameters draw them apart so far that slopes "
+                "may be off by %.1g of their size",
+                error);
+  return {.text = text, .error = error};
+}
+
 SlopeNote shared_ending_note(Names outcomes, Names parameters) {
   return {.text =
               "several contacts end the run at one instant, and parameters draw their times apart: the "

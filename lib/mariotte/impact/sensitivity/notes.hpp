@@ -31,6 +31,7 @@ SlopeNote near_yield_note(const std::string& what, double depth);
 SlopeNote slip_from_rest_note();
 SlopeNote unknown_way_note();
 SlopeNote turning_slip_note(double error);
+SlopeNote shared_onset_note(double error);
 SlopeNote shared_ending_note(Names outcomes, Names parameters);
 SlopeNote noise_ending_note(Names outcomes);
 SlopeNote slow_ending_note(double error, Names outcomes);

@@ -115,12 +115,17 @@ void SlopeLoop<System, Variation>::jump(Observer& observer, const typename Syste
     variation_.remember(fired[k], before, mode, observer.slopes, rate, times[k]);
   }
   observer.slopes = after_all;
+  constexpr double least = 1e-13;  // nobody asks for less
   for (auto& one : result.coincident)
-    if (one.time == result.run.time) one.error = error > options_.accuracy ? error : 0;
+    if (one.time == result.run.time) one.error = error > std::max(least, options_.accuracy) ? error : 0;
   if (!clock) return;
   shift_clock(observer, rate, times[*clock]);
   if constexpr (requires { variation_.place_gap(fired[*clock], x, before, observer.slopes); })
     variation_.place_gap(fired[*clock], x, before, observer.slopes);
+  if constexpr (requires { variation_.gap_reach(fired[*clock], observer.slopes); })
+    for (const Index guard : fired)
+      if (guard != fired[*clock] && variation_.closes(guard, before, last))
+        result.onset_loss = std::max(result.onset_loss, variation_.gap_reach(guard, observer.slopes));
 }
 
 /// Of a state of which parts begin, end, or are told anew.

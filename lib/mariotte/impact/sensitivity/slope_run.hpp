@@ -51,6 +51,7 @@ struct SlopeRun {
   std::vector<bool> time_is_shared;  ///< by parameter: guards that ended the run move apart in time
   bool time_is_noise = false;        ///< what ended the run is within the noise
   double time_loss = 0;              ///< error of the time's slopes over that of the state's
+  double onset_loss = 0;             ///< the same of slopes behind contacts that close by another's clock
   std::vector<DelicateEvent> delicate;
   std::vector<CoincidentEvents> coincident;
   double unresolved = 0;  ///< error beyond what is asked, relative to the slopes
