@@ -59,6 +59,11 @@ inline Force load(const Law& law, double indentation, double rate) {
 
 /// Elastic energy at an indentation [J].
 double stored_energy(const Law& law, double indentation);
+/// True of a power law with n = 1, damped or not.
+inline bool is_linear(const Law& law) {
+  const auto* power = power_law(law);
+  return power && power->exponent == 1;
+}
 /// True if the contact loses energy: it may go slack, and the work put into it is integrated.
 inline bool dissipates(const Law& law) {
   if (const auto* power = power_law(law)) return dissipates(*power);

@@ -62,22 +62,16 @@ class ContactSensitivity {
       : base_(base),
         layout_(expect_few_of(system.layout(), std::ssize(by))),
         impulses_(base, layout_, std::ssize(by)),
-        start_(layout_.size, std::ssize(by)),
-        turned_(layout_.contacts(), std::ssize(by)) {
+        variation_(base, layout_, std::ssize(by), options.accuracy),
+        start_(layout_.size, std::ssize(by)) {
     initial_state(base, layout_, x0_);
-    ContactVariation<Topology> variation(base, layout_, std::ssize(by), options.accuracy);
     for_each_shifted(base, by, watch, [&](const ShiftedModel<Scaled>& shifted) {
       add_start(shifted);
-      variation.add(shifted);
+      variation_.add(shifted);
       impulses_.add(shifted);
     });
-    natural_ = variation.natural_slopes();
-    end_ = SlopeLoop(system, variation, hybrid::scaled(options, base.scale), watch).follow(x0_, start_);
+    end_ = SlopeLoop(system, variation_, hybrid::scaled(options, base.scale), watch).follow(x0_, start_);
     move_limit(by, base.scale.time, end_);
-    near_yield_ = variation.near_yield();
-    for (Index c = 0; c < columns(); ++c)
-      for (Index j = 0; j < layout_.contacts(); ++j)
-        turned_(j, c) = variation.rate_slope(j, c, x0_) + variation.rate_slope(j, c, end_.run.state);
     for (const auto& one : by) result_.parameter.push_back({one.name, one.value});
   }
 
@@ -143,7 +137,7 @@ class ContactSensitivity {
     constexpr double share = 1e-4;
     return names_of(result_.parameter, [&](std::size_t c) {
       const double moves = std::abs(Topology{base_, layout_}.approach(slopes.column(c), j));
-      if (speed < slow * base_.speed) return moves / natural_[c] > slow;
+      if (speed < slow * base_.speed) return moves / variation_.natural_slopes()[c] > slow;
       return share * std::abs(result_.parameter[c].value) * moves > speed;
     });
   }
@@ -178,9 +172,8 @@ class ContactSensitivity {
   /// Linear contacts that touch hardly approaching, or parting: pressed they act at once, apart not at all.
   void add_slow_starts() {
     for (Index j = 0; j < layout_.contacts(); ++j) {
-      const auto* power = contact::power_law(base_.law[j]);
       const double speed = std::abs(Topology{base_, layout_}.approach(x0_, j));
-      if (!(power && power->exponent == 1 && x0_[layout_.gap[j]] == 0 && speed > 0 &&
+      if (!(contact::is_linear(base_.law[j]) && x0_[layout_.gap[j]] == 0 && speed > 0 &&
             speed < slow * base_.speed))
         continue;
       auto moving = moving_approach(start_, j, speed);
@@ -192,11 +185,12 @@ class ContactSensitivity {
 
   /// What returns as fast as it has left turns where it did, and yields beyond.
   void add_near_yields() {
+    const auto& distance = variation_.near_yield();
     for (Index j = 0; j < layout_.contacts(); ++j)
-      if (std::abs(near_yield_[j]) < slow)
+      if (std::abs(distance[j]) < slow)
         result_.notes.push_back(
             near_yield_note("contact " + std::to_string(j + 1),
-                            std::max(0.0, near_yield_[j]) * base_.length[j] * base_.scale.length));
+                            std::max(0.0, distance[j]) * base_.length[j] * base_.scale.length));
   }
 
   template <class Slope>
@@ -262,7 +256,8 @@ class ContactSensitivity {
       double sum = 0;
       for (Index j = 0; j < layout_.contacts(); ++j)
         sum += slopes(j, c) * both(x0_, end_.run.state, j) +
-               p[j] * (both(start_.column(c), after, j) + turned_(j, c));
+               p[j] * (both(start_.column(c), after, j) + variation_.rate_slope(j, c, x0_) +
+                       variation_.rate_slope(j, c, end_.run.state));
       return unit * sum;
     });
   }
@@ -277,10 +272,8 @@ class ContactSensitivity {
   const Scaled& base_;
   const model::ContactLayout& layout_;
   Impulses impulses_;
+  ContactVariation<Topology> variation_;
   SlopeMatrix start_;
-  SlopeMatrix turned_;  ///< slopes of the approach at the start and at the end by directions, together
-  std::vector<double> near_yield_;
-  std::vector<double> natural_;  ///< slopes that are a hundredth of a state over its parameter
   std::vector<double> x0_, moved_;
   SlopeRun<System> end_;
   Sensitivity result_;

@@ -304,9 +304,8 @@ void ContactVariation<Topology>::jacobian(const flow::Problem& problem, ConstSta
   constexpr double least = 1e-300;
   pressed_.assign(x.begin(), x.end());
   for (Index j = 0; j < layout_.contacts(); ++j) {
-    const auto* power = power_law(model_.law[j]);
     double& gap = pressed_[layout_.gap[j]];
-    if (mode[j] == contact::ContactMode::touching && power && power->exponent == 1)
+    if (mode[j] == contact::ContactMode::touching && contact::is_linear(model_.law[j]))
       gap = std::min(gap, -least);
   }
   problem.jacobian(pressed_, values);

@@ -152,8 +152,7 @@ class ContactVariation {
   /// the state, however little before or behind the root that is.
   bool has_root(Index i, const contact::ContactSet&) const {
     if (layout_.kind(i) != model::GuardKind::gap) return false;
-    const auto* power = power_law(model_.law[layout_.guard_contact[i]]);
-    return !(power && power->exponent == 1);
+    return !contact::is_linear(model_.law[layout_.guard_contact[i]]);
   }
   /// The state at which guard i is zero, next to one where it nearly is: roots of rounding are much.
   void meet(Index i, const contact::ContactSet& mode, State x) const;

@@ -126,8 +126,7 @@ class BodiesField {
   /// meets no kink.
   T depth_of(const Contact& one, const ContactMotion<T, D>& c) const {
     if constexpr (is_recorded<T>) return c.indentation;
-    const auto* power = contact::power_law(one.law);
-    return contact::branched(one.law) || (power && power->exponent == 1) ? T(-c.gap) : c.indentation;
+    return contact::branched(one.law) || contact::is_linear(one.law) ? T(-c.gap) : c.indentation;
   }
 
   /// Elastic force and stiffness k_t of the same power of δ: f_n/k_t = ratio δ.

@@ -172,8 +172,7 @@ bool BodiesVariation<D>::has_root(Index i, const BodiesMode& mode) const {
   if (i >= system_.problem(mode).gap_guard(0)) return true;
   const auto guard = static_cast<SlotGuard>(i % model::guards_per_slot);
   if (guard != SlotGuard::open) return D == 3 && guard == SlotGuard::friction;
-  const auto* power = contact::power_law(system_.setting().contact[contact_of(i, mode)].law);
-  return !(power && power->exponent == 1);
+  return !contact::is_linear(system_.setting().contact[contact_of(i, mode)].law);
 }
 
 template <int D>
