@@ -195,25 +195,24 @@ struct Collocation::Memory {
     return (unknowns > cheapest_division && strength() <= weak && sweep()) || divide();
   }
 
-  /// Largest coefficients of the interpolants of the rates, relative to the slopes of their column: of the
-  /// two orders before the last two, and of these.
-  std::pair<double, double> tails(const SlopeMatrix& slopes) {
+  /// Highest coefficients of the interpolants of the rates, relative to the slopes of their column.
+  Tail tail(const SlopeMatrix& slopes) {
     const Eigen::Map<const Eigen::MatrixXd> s(slopes.values.data(), size, columns);
     for (auto& part : coefficient) part.setZero(size, columns);
-    const auto unit = magnitude.cwiseInverse().asDiagonal();
     const auto telling = weight.asDiagonal();
-    Eigen::RowVectorXd reach = (telling * s).cwiseAbs().colwise().maxCoeff();
+    extent = natural.cwiseMax((telling * s).cwiseAbs().colwise().maxCoeff());
     for (int i = 0; i < stages; ++i) {
-      reach = reach.cwiseMax((telling * slope[i]).cwiseAbs().colwise().maxCoeff());
+      extent = extent.cwiseMax((telling * slope[i]).cwiseAbs().colwise().maxCoeff());
       for (int k = 0; k < tail_length; ++k) coefficient[k] += gauss.tail[k][i] * slope[i];
     }
-    extent = reach.cwiseMax(natural);
-    double size_of[tail_length];
-    for (int k = 0; k < tail_length; ++k) {
-      const Eigen::RowVectorXd most = (unit * coefficient[k]).cwiseAbs().colwise().maxCoeff();
-      size_of[k] = most.cwiseQuotient(extent).maxCoeff();
-    }
-    return {size_of[0] + size_of[1], size_of[2] + size_of[3]};
+    Tail most;
+    const auto size_of = [&](int k, Index r, Index c) { return std::abs(coefficient[k](r, c)); };
+    for (Index r = 0; r < size; ++r)
+      for (Index c = 0; c < columns; ++c) {
+        const double unit = magnitude[r] * extent[c];
+        most.add((size_of(0, r, c) + size_of(1, r, c)) / unit, (size_of(2, r, c) + size_of(3, r, c)) / unit);
+      }
+    return most;
   }
 
   /// The highest coefficients as they would be if slopes stayed as they are: those of the Jacobian. A piece
@@ -261,14 +260,15 @@ struct Collocation::Memory {
   /// become smaller though no swing is left to be resolved, the indentation is rounding, and nothing says
   /// that higher ones fall.
   bool resolves(const SlopeMatrix& slopes, bool is_last, double whole) {
-    const auto [before, last] = tails(slopes);
+    const auto found = tail(slopes);
+    const double last = found.last;
     highest = last;
     const auto swings = [&] { return strength() > stiff; };
     const bool is_stiff = last > reserve * accuracy && swings();
-    if (is_resolved(before, last, accuracy) && !is_stiff) return true;
+    if (is_resolved(found, accuracy) && !is_stiff) return true;
     const bool is_noise = last >= whole && !swings();
     is_last |= is_noise || last <= rounding();
-    if (is_last) unresolved = std::max(unresolved, is_noise || is_stiff ? last : remainder(before, last));
+    if (is_last) unresolved = std::max(unresolved, is_noise || is_stiff ? last : found.rest);
     return is_last;
   }
 

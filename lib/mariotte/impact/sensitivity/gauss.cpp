@@ -77,8 +77,12 @@ double largest_tail(double accuracy) {
   return 3 * std::sqrt(accuracy);
 }
 
+bool is_resolved(const Tail& tail, double accuracy) {
+  return tail.last <= largest_tail(accuracy) && tail.rest <= 10 * accuracy;
+}
+
 bool is_resolved(double before, double last, double accuracy) {
-  return last <= largest_tail(accuracy) && remainder(before, last) <= 10 * accuracy;
+  return is_resolved({.last = last, .rest = remainder(before, last)}, accuracy);
 }
 
 }  // namespace mariotte::impact

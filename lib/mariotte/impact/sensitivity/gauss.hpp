@@ -1,5 +1,6 @@
 // Collocation in eight Gauss points of [0, 1], and whether they resolve what they are asked for.
 #pragma once
+#include <algorithm>
 
 namespace mariotte::impact {
 
@@ -25,5 +26,17 @@ double remainder(double before, double last);
 /// More than this is not resolved, however it falls.
 double largest_tail(double accuracy);
 bool is_resolved(double before, double last, double accuracy);
+
+/// Of functions that are integrated together: each falls as it does.
+struct Tail {
+  double last = 0;  ///< largest coefficients of the last two orders
+  double rest = 0;  ///< largest remainder
+
+  void add(double before, double after) {
+    last = std::max(last, after);
+    rest = std::max(rest, remainder(before, after));
+  }
+};
+bool is_resolved(const Tail& tail, double accuracy);
 
 }  // namespace mariotte::impact
