@@ -6,6 +6,7 @@
 #include "mariotte/contact/hunt_crossley.hpp"
 #include "mariotte/contact/jkr.hpp"
 #include "mariotte/contact/named_laws.hpp"
+#include "mariotte/contact/thornton_ning.hpp"
 #include "mariotte/contact/tsuji.hpp"
 #include "mariotte/contact/walton_braun.hpp"
 #include "mariotte/impact/chain/chain_solver.hpp"
@@ -87,6 +88,47 @@ BOOST_AUTO_TEST_CASE(adhesive_contacts_let_go_with_slopes_that_know_their_roundi
   std::erase_if(by, [](const auto& one) { return one.name != "velocity[0]"; });
   const auto found = impact::sensitivity(chain, by, {.accuracy = 1e-10});
   BOOST_TEST(std::abs(found.outcome[2].slope[0].value() - 0.0326083918045) < 5e-10);
+}
+
+// Force and indentation of a dented contact have a fold where it lets go, with a slope without bound: what a
+// dent rounds there must not count as indentation.
+BOOST_AUTO_TEST_CASE(dented_adhesive_contacts_let_go_with_slopes_that_hardly_move) {
+  const auto slope_at = [](double pressure) {
+    const contact::ThorntonNing law(0.44908054460201613, 0.58909261727350071, pressure, 0.022853974783125383);
+    const model::Chain chain{.mass = {0.5374474078868714, 1.1858953039840856},
+                             .law = {contact::state(law)},
+                             .gap = {0.17342769965795668},
+                             .velocity = {-0.20641173529486445, -0.95871265506153258}};
+    auto by = impact::parameters(chain);
+    by.resize(1);
+    return impact::sensitivity(chain, by, {.accuracy = 1e-10}).outcome[0].slope[0].value();
+  };
+  const double pressure = 0.22857234034107271, middle = slope_at(pressure);
+  for (const double share : {-1e-9, -1e-11, -1e-13, 1e-13, 1e-11, 1e-9})
+    BOOST_TEST(std::abs(slope_at(pressure * (1 + share)) - middle) < 1e-9);
+}
+
+// By the exponent of an outer contact everything loses its symmetry, and slopes are large for long; by that
+// of the middle one they turn where dampers begin. A piece is as short as each of them needs.
+BOOST_AUTO_TEST_CASE(slopes_by_one_number_do_not_depend_on_what_else_is_asked) {
+  const contact::Viscoelastic outer{566208.97828474699, 6300.4258875649812, 3};
+  const model::Chain chain{
+      .mass = {6.8036588326924528e-05, 6.6753434152064603e-05, 6.6753434152064603e-05,
+               6.8036588326924528e-05},
+      .law = {outer, contact::Viscoelastic{2183.7044577873489, 6.3585153960040994, 2}, outer},
+      .gap = {2.6142786375869227e-06, 0, 2.6142786375869227e-06},
+      .velocity = {7.0052622528693145e-05, 0.00010769596180580733, -0.00010769596180580733,
+                   -7.0052622528693145e-05}};
+  auto by = impact::parameters(chain);
+  std::erase_if(by, [](const auto& one) { return !one.name.ends_with("exponent"); });
+  for (const double accuracy : {1e-8, 1e-10}) {
+    const auto together = impact::sensitivity(chain, by, {.accuracy = accuracy});
+    const auto alone = impact::sensitivity(chain, {by[1]}, {.accuracy = accuracy});
+    for (std::size_t i = 0; i < chain.velocity.size(); ++i) {
+      const double expected = alone.outcome[i].slope[0].value();
+      BOOST_TEST(std::abs(together.outcome[i].slope[1].value() / expected - 1) < 3 * accuracy);
+    }
+  }
 }
 
 // It leaves the dent at half its speed, comes back from the other wall as fast, and turns where it did.
