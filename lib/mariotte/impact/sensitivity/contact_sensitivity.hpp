@@ -38,15 +38,13 @@ void for_each_shifted(const Scaled& base, const std::vector<Parameter<Model>>& b
 /// With as many digits as slopes need; `run_at(options)` is a ContactSensitivity.
 template <class RunAt>
 Sensitivity resolved_contacts(const hybrid::Options& asked, RunAt&& run_at) {
-  bool at_onset = false;
+  SlopeLoss loss{};
   const auto once = [&](const hybrid::Options& options) {
     auto run = run_at(options);
-    at_onset = run.onset_loss() > run.time_loss();
-    return std::pair(run.take(), std::max(run.onset_loss(), run.time_loss()));
+    loss = run.loss();
+    return std::pair(run.take(), loss.times);
   };
-  return resolved(asked, once, [&](double error) {
-    return at_onset ? shared_onset_note(error) : slow_ending_note(error, {"time"});
-  });
+  return resolved(asked, once, [&](double error) { return loss.note(error); });
 }
 
 /// A contact system with its slopes. `Impulses` sees the models around each parameter; `at(interval, p)`
@@ -75,10 +73,15 @@ class ContactSensitivity {
     for (const auto& one : by) result_.parameter.push_back({one.name, one.value});
   }
 
-  /// Of the slopes of the time, in multiples of those of the state.
-  double time_loss() const { return end_.time_loss; }
-  /// Of slopes behind contacts that close by the clock of another one.
-  double onset_loss() const { return end_.onset_loss; }
+  /// The largest there is. Pieces leave a tenth of what they may.
+  SlopeLoss loss() const {
+    const auto slow_ending = [](double error) { return slow_ending_note(error, {"time"}); };
+    const SlopeLoss all[] = {{end_.time_loss, slow_ending},
+                             {end_.onset_loss, shared_onset_note},
+                             {0.1 * end_.shrinkage, shrinking_note}};
+    const auto is_less = [](const SlopeLoss& a, const SlopeLoss& b) { return a.times < b.times; };
+    return *std::max_element(std::begin(all), std::end(all), is_less);
+  }
   Sensitivity take() {
     result_.ending = end_.run.ending;
     result_.message = end_.run.message;
@@ -165,7 +168,8 @@ class ContactSensitivity {
       if (!moving.empty())
         result_.notes.push_back(
             near_closing_note(name, speed * base_.scale.velocity, pushed_by(j), std::move(moving)));
-      if (speed > 0 && speed <= base_.noise_speed) result_.notes.push_back(closing_in_noise_note(name));
+      if (speed > 0 && speed <= base_.noise_speed)
+        result_.notes.push_back(closing_in_noise_note(name, pushed_by(j)));
     }
   }
 

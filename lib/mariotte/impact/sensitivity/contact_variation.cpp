@@ -345,15 +345,19 @@ void ContactVariation<Topology>::remember(Index i, const contact::ContactSet& be
 }
 
 template <class Topology>
+double ContactVariation<Topology>::reach(const SlopeMatrix& slopes, Index column) const {
+  double size = 100 * natural_[column];
+  for (const Index place : layout_.velocity)
+    size = std::max(size, std::abs(slopes(place, column)) / model_.speed);
+  return size;
+}
+
+template <class Topology>
 double ContactVariation<Topology>::gap_reach(Index i, const SlopeMatrix& slopes) const {
   const Index j = layout_.guard_contact[i];
   double most = 0;
-  for (Index c = 0; c < columns_; ++c) {
-    double size = 100 * natural_[c];
-    for (const Index place : layout_.velocity)
-      size = std::max(size, std::abs(slopes(place, c)) / model_.speed);
-    most = std::max(most, std::abs(slopes(layout_.gap[j], c)) / model_.length[j] / size);
-  }
+  for (Index c = 0; c < columns_; ++c)
+    most = std::max(most, std::abs(slopes(layout_.gap[j], c)) / model_.length[j] / reach(slopes, c));
   return most;
 }
 

@@ -132,6 +132,8 @@ class ContactVariation {
     guard_slopes(i, x, mode, level);
     for (Index c = 0; c < columns_; ++c) slopes(layout_.gap[layout_.guard_contact[i]], c) = -level[c];
   }
+  /// How large slopes of velocities by a parameter are in natural units, at least as its own.
+  double reach(const SlopeMatrix& slopes, Index column) const;
   /// How large slopes of the gap of guard i are beside those of velocities, in natural units: where its
   /// contact closes by the clock of another one, forces take as much from what is left of them later.
   double gap_reach(Index i, const SlopeMatrix& slopes) const;

@@ -50,6 +50,16 @@ SlopeNote shared_onset_note(double error) {
   return {.text = text, .error = error};
 }
 
+SlopeNote shrinking_note(double error) {
+  char text[160];
+  std::snprintf(
+      text, sizeof text,
+      "slopes on the way are so much larger than those of the outcome that these may be off by %.1g "
+      "of their size",
+      error);
+  return {.text = text, .error = error};
+}
+
 SlopeNote shared_ending_note(Names outcomes, Names parameters) {
   return {.text =
               "several contacts end the run at one instant, and parameters draw their times apart: the "
@@ -91,10 +101,11 @@ SlopeNote near_closing_note(const std::string& what, double speed, Names outcome
           .parameters = std::move(parameters)};
 }
 
-SlopeNote closing_in_noise_note(const std::string& what) {
+SlopeNote closing_in_noise_note(const std::string& what, Names pushed) {
   return {.text = "whether " + what +
-                  " closes once more cannot be told, so the time of the ending may be another",
-          .outcomes = {"time"}};
+                  " closes once more cannot be told, so the time of the ending may be another, and slopes of "
+                  "what it would push",
+          .outcomes = std::move(pushed)};
 }
 
 SlopeNote hardly_touching_note(const std::string& what, double speed, Names parameters) {

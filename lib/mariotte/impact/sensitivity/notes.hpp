@@ -25,13 +25,14 @@ SlopeNote grazing_note(const DelicateEvent& event, double unit, Names outcomes);
 /// By `parameters`.
 SlopeNote coincidence_note(const CoincidentEvents& events, double unit, Names outcomes, Names parameters);
 SlopeNote near_closing_note(const std::string& what, double speed, Names outcomes, Names parameters);
-SlopeNote closing_in_noise_note(const std::string& what);
+SlopeNote closing_in_noise_note(const std::string& what, Names pushed);
 SlopeNote hardly_touching_note(const std::string& what, double speed, Names parameters);
 SlopeNote near_yield_note(const std::string& what, double depth);
 SlopeNote slip_from_rest_note();
 SlopeNote unknown_way_note();
 SlopeNote turning_slip_note(double error);
 SlopeNote shared_onset_note(double error);
+SlopeNote shrinking_note(double error);
 SlopeNote shared_ending_note(Names outcomes, Names parameters);
 SlopeNote noise_ending_note(Names outcomes);
 SlopeNote slow_ending_note(double error, Names outcomes);

@@ -14,6 +14,12 @@ inline hybrid::Options for_slopes(hybrid::Options options) {
   return options;
 }
 
+/// How many times the error of a run some slopes have, and what is said where doubles have no more digits.
+struct SlopeLoss {
+  double times;
+  SlopeNote (*note)(double error);
+};
+
 /// `once` is a run with slopes at an accuracy, and how many times its error some of them have; pieces may
 /// leave ten times as much. Where that is more than was asked, another run has more digits; `note(error)`
 /// tells if doubles do not have so many.
@@ -25,7 +31,8 @@ Sensitivity resolved(const hybrid::Options& asked, Once&& once, Note&& note) {
   if (!(left * options.accuracy * loss > asked.accuracy)) return found;
   options.accuracy = std::clamp(asked.accuracy / (left * loss), least, options.accuracy);
   std::tie(found, loss) = once(options);
-  if (options.accuracy * loss > 2 * asked.accuracy) found.notes.push_back(note(options.accuracy * loss));
+  const double error = left * options.accuracy * loss;
+  if (error > 2 * asked.accuracy) found.notes.push_back(note(error));
   return found;
 }
 

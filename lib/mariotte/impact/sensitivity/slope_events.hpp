@@ -162,6 +162,23 @@ void SlopeLoop<System, Variation>::note_loss(ConstState rate, SlopeRun<System>& 
                                   variation_.natural_time(guard) / result.run.time / speed_of(guard, rate));
 }
 
+/// What is large on the way leaves its errors in what is small at the end.
+template <class System, class Variation>
+void SlopeLoop<System, Variation>::note_reach(const Observer& observer) {
+  if constexpr (has_reach)
+    for (Index c = 0; c < variation_.columns(); ++c)
+      reach_[c] = std::max(reach_[c], variation_.reach(observer.slopes, c));
+}
+
+template <class System, class Variation>
+double SlopeLoop<System, Variation>::shrinkage(const SlopeMatrix& slopes) const {
+  double most = 1;
+  if constexpr (has_reach)
+    for (Index c = 0; c < variation_.columns(); ++c)
+      most = std::max(most, reach_[c] / variation_.reach(slopes, c));
+  return most;
+}
+
 /// From S⁻ to S⁺ at the guards that have fired; the mode is still the one before them.
 template <class System, class Variation>
 void SlopeLoop<System, Variation>::pass(Observer& observer, const typename System::Mode& before,

@@ -52,6 +52,7 @@ struct SlopeRun {
   bool time_is_noise = false;        ///< what ended the run is within the noise
   double time_loss = 0;              ///< error of the time's slopes over that of the state's
   double onset_loss = 0;             ///< the same of slopes behind contacts that close by another's clock
+  double shrinkage = 1;              ///< slopes at an event over those at the end
   std::vector<DelicateEvent> delicate;
   std::vector<CoincidentEvents> coincident;
   double unresolved = 0;  ///< error beyond what is asked, relative to the slopes
@@ -88,6 +89,8 @@ class SlopeLoop {
   std::vector<std::vector<double>> event_times(const Observer& observer, const std::vector<Index>& guards,
                                                ConstState rate, SlopeRun<System>& result);
   void note_loss(ConstState rate, SlopeRun<System>& result);
+  void note_reach(const Observer& observer);
+  double shrinkage(const SlopeMatrix& slopes) const;
   void jump(Observer& observer, const typename System::Mode& before, ConstState rate,
             SlopeRun<System>& result);
   double speed_of(Index guard, ConstState rate);
@@ -111,6 +114,11 @@ class SlopeLoop {
   /// Whether events begin and end what is integrated.
   static constexpr bool resets = requires(const Variation& variation, const typename System::Mode& mode) {
     variation.contact_of(Index{}, mode);
+  };
+
+  /// Whether it is told how large slopes are.
+  static constexpr bool has_reach = requires(const Variation& variation, const SlopeMatrix& slopes) {
+    variation.reach(slopes, Index{});
   };
 
   /// Whether the time of a guard follows from numbers of the scene.
@@ -147,6 +155,7 @@ class SlopeLoop {
   hybrid::Workspace<System> workspace_;
   std::vector<Index> telling_;  ///< guards that tell when the event happens
   std::vector<double> shift_;   ///< Σ τ_p by parameter, where events reset
+  std::vector<double> reach_;   ///< largest slopes at an event by parameter
 };
 
 template <class System, class Variation>
@@ -208,6 +217,7 @@ SlopeRun<System> SlopeLoop<System, Variation>::follow(ConstState x0, const Slope
   result.time.assign(variation_.columns(), 0.0);
   result.time_is_shared.assign(variation_.columns(), false);
   shift_.assign(variation_.columns(), 0.0);
+  reach_.assign(variation_.columns(), 0.0);
   CompensatedSum time;
   const auto end = [&](Ending ending, std::string message = {}) {
     result.run.ending = ending;
@@ -262,6 +272,7 @@ SlopeRun<System> SlopeLoop<System, Variation>::follow(ConstState x0, const Slope
     telling_ = telling(before);
     for (const Index guard : telling_) variation_.settle(guard, before, run.state);
     pass(observer, before, rates(mode), result);
+    note_reach(observer);
     system_.transition(mode, fired, run.state, changes);
   }
   result.run.flows = run.flows;
@@ -273,6 +284,7 @@ SlopeRun<System> SlopeLoop<System, Variation>::follow(ConstState x0, const Slope
       for (std::size_t r = 0; r < result.rate.size(); ++r)
         observer.slopes(r, c) -= result.rate[r] * shift_[c];
   result.slopes = std::move(observer.slopes);
+  result.shrinkage = shrinkage(result.slopes);
   return result;
 }
 
