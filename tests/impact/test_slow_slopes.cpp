@@ -208,3 +208,16 @@ BOOST_AUTO_TEST_CASE(swings_are_resolved_up_to_where_contacts_let_go) {
     BOOST_TEST(std::abs(slope(slopes_of(chain, accuracy), "velocity[1]", "velocity[0]") + 1.25463949929) <
                1e-8 + accuracy);
 }
+
+// A contact closes slowly while another presses: by the clock of its gap all slopes are large at first, and
+// those of its impulse small at the end.
+BOOST_AUTO_TEST_CASE(slopes_that_shrink_have_the_digits_that_were_asked_for) {
+  const model::Chain chain{.mass = {0.82139536235467236, 1.5119518634461586, 3.3140749337933637},
+                           .law = {contact::Hertz{15.70477757482926}, contact::Hertz{0.085760467009678765}},
+                           .gap = {1.0978408678076627e-07, 2.7174440370574039e-05},
+                           .velocity = {1, 0, 0}};
+  const auto at = [&](double accuracy) { return slope(slopes_of(chain, accuracy), "impulse[1]", "gap[1]"); };
+  const double exact = at(1e-12);
+  BOOST_TEST(std::abs(at(1e-6) / exact - 1) < 1e-3);
+  BOOST_TEST(std::abs(at(1e-8) / exact - 1) < 1e-5);
+}
