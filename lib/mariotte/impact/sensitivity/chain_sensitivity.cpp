@@ -1,6 +1,5 @@
 #include "mariotte/impact/chain/chain_frame.hpp"
 #include "mariotte/impact/sensitivity/contact_sensitivity.hpp"
-#include "mariotte/impact/sensitivity/frame_slopes.hpp"
 #include "mariotte/impact/sensitivity/late_damping.hpp"
 #include "mariotte/model/chain/chain_system.hpp"
 
@@ -61,12 +60,11 @@ Sensitivity sensitivity(const model::Chain& chain, const std::vector<Parameter<m
   model::expect_end(chain, asked.max_time);
   const auto frame = moving_frame(chain);
   const auto moving = within(frame, chain);
-  const auto moved = within(frame, by);
   model::ChainSystem system;
   using Run = ContactSensitivity<model::ChainSystem, model::ChainTopology, ChainImpulses>;
   auto found = resolved_contacts(asked, [&](const hybrid::Options& options) {
     system.reset(moving, options.accuracy, std::isfinite(options.max_time));
-    return Run(system, system.chain(), moved, options, watch);
+    return Run(system, system.chain(), frame, by, options, watch);
   });
   note_late_damping(moving.law, asked.accuracy, found);
   leave(frame, found);

@@ -6,6 +6,7 @@
 #include "mariotte/core/error.hpp"
 #include "mariotte/impact/impulses.hpp"
 #include "mariotte/impact/sensitivity/contact_variation.hpp"
+#include "mariotte/impact/sensitivity/frame_slopes.hpp"
 #include "mariotte/impact/sensitivity/notes.hpp"
 #include "mariotte/impact/sensitivity/resolved.hpp"
 #include "mariotte/impact/sensitivity/sensitivity.hpp"
@@ -18,10 +19,10 @@ inline void expect_no_drive(const std::vector<model::Drive>& drives) {
   if (!drives.empty()) throw InvalidParameter("slopes of what is driven are not computed");
 }
 
-/// `use` of the models around each parameter, one after the other in the same memory.
+/// `use` of the models around each parameter as seen within the frame, one after the other in the same memory.
 template <class Scaled, class Model, class Use>
-void for_each_shifted(const Scaled& base, const std::vector<Parameter<Model>>& by, const SlopeWatch& watch,
-                      Use&& use) {
+void for_each_shifted(const Scaled& base, const MovingFrame& frame, const std::vector<Parameter<Model>>& by,
+                      const SlopeWatch& watch, Use&& use) {
   auto moved = base;
   for (std::size_t c = 0; c < by.size(); ++c) {
     watch();
@@ -29,7 +30,7 @@ void for_each_shifted(const Scaled& base, const std::vector<Parameter<Model>>& b
     std::span<const StencilPoint> points = stencil;
     if (one.is_linear) points = linear_stencil;
     for (std::size_t k = 0; k < points.size(); ++k) {
-      restate(one.model(one.value + points[k].offset * one.step), moved);
+      restate(within(frame, one.model(one.value + points[k].offset * one.step)), moved);
       use(ShiftedModel<Scaled>{moved, static_cast<Index>(c), one.step, points, k});
     }
   }
@@ -54,16 +55,18 @@ class ContactSensitivity {
  public:
   using Scaled = typename Topology::Model;
 
+  /// `base` is seen within the frame.
   template <class Model>
-  ContactSensitivity(System& system, const Scaled& base, const std::vector<Parameter<Model>>& by,
-                     const hybrid::Options& options, const SlopeWatch& watch)
+  ContactSensitivity(System& system, const Scaled& base, const MovingFrame& frame,
+                     const std::vector<Parameter<Model>>& by, const hybrid::Options& options,
+                     const SlopeWatch& watch)
       : base_(base),
         layout_(expect_few_of(system.layout(), std::ssize(by))),
         impulses_(base, layout_, std::ssize(by)),
         variation_(base, layout_, std::ssize(by), options.accuracy),
         start_(layout_.size, std::ssize(by)) {
     initial_state(base, layout_, x0_);
-    for_each_shifted(base, by, watch, [&](const ShiftedModel<Scaled>& shifted) {
+    for_each_shifted(base, frame, by, watch, [&](const ShiftedModel<Scaled>& shifted) {
       add_start(shifted);
       variation_.add(shifted);
       impulses_.add(shifted);

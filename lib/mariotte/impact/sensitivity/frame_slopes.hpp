@@ -12,17 +12,6 @@ Model within(const MovingFrame& frame, Model model) {
   return model;
 }
 
-/// Parameters of the model within the frame.
-template <class Model>
-std::vector<Parameter<Model>> within(const MovingFrame& frame, std::vector<Parameter<Model>> by) {
-  if (frame)
-    for (auto& one : by)
-      one.model = [frame, outside = std::move(one.model)](double value) {
-        return within(frame, outside(value));
-      };
-  return by;
-}
-
 /// Velocities as seen from outside again.
 inline void leave(const MovingFrame& frame, Sensitivity& found) {
   if (!frame) return;

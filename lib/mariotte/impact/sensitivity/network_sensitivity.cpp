@@ -2,7 +2,6 @@
 
 #include "mariotte/impact/network/network_frame.hpp"
 #include "mariotte/impact/sensitivity/contact_sensitivity.hpp"
-#include "mariotte/impact/sensitivity/frame_slopes.hpp"
 #include "mariotte/impact/sensitivity/late_damping.hpp"
 #include "mariotte/model/network/network_system.hpp"
 
@@ -35,12 +34,11 @@ Sensitivity sensitivity(const model::Network& network, const std::vector<Paramet
   hybrid::validate(asked);
   const auto frame = moving_frame(network);
   const auto moving = within(frame, network);
-  const auto moved = within(frame, by);
   using Run = ContactSensitivity<model::NetworkSystem, model::NetworkTopology, NetworkImpulses>;
   std::optional<model::NetworkSystem> system;
   auto found = resolved_contacts(asked, [&](const hybrid::Options& options) {
     system.emplace(moving, options.accuracy, std::isfinite(options.max_time));
-    return Run(*system, system->network(), moved, options, watch);
+    return Run(*system, system->network(), frame, by, options, watch);
   });
   note_late_damping(moving.law, asked.accuracy, found);
   leave(frame, found);

@@ -47,17 +47,19 @@ std::size_t quickest_contact(const std::vector<contact::Law>& law, const std::ve
 
 /// c L^n/(M V).
 double scaled_damping(const contact::PowerLaw& law, const Scale& scale) {
-  return law.damping == 0 ? 0 : law.damping * std::pow(scale.length, law.exponent) / scale.momentum();
+  const double width = contact::contact_width(law.exponent, scale.length);
+  return law.damping == 0 ? 0 : law.damping * (width * scale.length) / scale.momentum();
 }
 
 /// k L^{n+1}/(M V²) and c L^n/(M V) of a power law. Any other law is asked in its own units.
 contact::Law in_units(const contact::Law& law, const Scale& scale) {
   const auto* power = power_law(law);
   if (!power) return contact::in_units(std::get<contact::SharedLaw>(law), scale);
-  const double n = power->exponent;
-  return contact::PowerLaw{.stiffness = power->stiffness * std::pow(scale.length, n + 1) / scale.energy(),
-                           .damping = scaled_damping(*power, scale),
-                           .exponent = n};
+  const double n = power->exponent, square = scale.length * scale.length;
+  return contact::PowerLaw{
+      .stiffness = power->stiffness * (contact::contact_width(n, scale.length) * square) / scale.energy(),
+      .damping = scaled_damping(*power, scale),
+      .exponent = n};
 }
 
 /// A law with the reference's exponent divides by its stiffness instead of going through L, which makes the
