@@ -19,7 +19,8 @@ inline void expect_no_drive(const std::vector<model::Drive>& drives) {
   if (!drives.empty()) throw InvalidParameter("slopes of what is driven are not computed");
 }
 
-/// `use` of the models around each parameter as seen within the frame, one after the other in the same memory.
+/// `use` of the models around each parameter as seen within the frame, one after the other in the same
+/// memory.
 template <class Scaled, class Model, class Use>
 void for_each_shifted(const Scaled& base, const MovingFrame& frame, const std::vector<Parameter<Model>>& by,
                       const SlopeWatch& watch, Use&& use) {

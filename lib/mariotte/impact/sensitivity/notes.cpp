@@ -148,6 +148,16 @@ SlopeNote unresolved_note(double error) {
   return {.text = text, .error = error};
 }
 
+SlopeNote long_way_note(double error) {
+  char text[160];
+  std::snprintf(
+      text, sizeof text,
+      "indentations are so small beside the way to the first contact that slopes may be off by %.1g "
+      "of their size",
+      error);
+  return {.text = text, .error = error};
+}
+
 SlopeNote faded_spring_note(Names outcomes) {
   auto text = outcomes.front() +
               " has no slopes: Mindlin's spring holds so long that what it loses last is met at a depth "

@@ -38,6 +38,7 @@ SlopeNote noise_ending_note(Names outcomes);
 SlopeNote slow_ending_note(double error, Names outcomes);
 SlopeNote waiting_note(Names parameters);
 SlopeNote unresolved_note(double error);
+SlopeNote long_way_note(double error);
 SlopeNote faded_spring_note(Names outcomes);
 SlopeNote fading_spring_note(double error, Names outcomes);
 /// Slopes that are no numbers are left out; a note says so.

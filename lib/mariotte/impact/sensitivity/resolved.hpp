@@ -8,9 +8,12 @@
 
 namespace mariotte::impact {
 
-/// Slopes ask for the second derivatives of what the run is computed from.
+/// Slopes ask for the second derivatives of what the run is computed from: it has so small a share of their
+/// errors.
+inline constexpr double slope_share = 0.01;
+
 inline hybrid::Options for_slopes(hybrid::Options options) {
-  options.accuracy = std::max(1e-14, 0.01 * options.accuracy);
+  options.accuracy = std::max(1e-14, slope_share * options.accuracy);
   return options;
 }
 

@@ -3,6 +3,7 @@
 
 #include "mariotte/impact/sensitivity/bodies/bodies_variation.hpp"
 #include "mariotte/impact/sensitivity/notes.hpp"
+#include "mariotte/impact/sensitivity/resolved.hpp"
 #include "mariotte/impact/sensitivity/sensitivity.hpp"
 #include "mariotte/impact/sensitivity/slope_run.hpp"
 
@@ -180,12 +181,15 @@ class GroupSlopes {
 template <int D>
 Sensitivity slopes_in(const Bodies& bodies, const std::vector<Parameter<Bodies>>& by, hybrid::Options options,
                       const SlopeWatch& watch) {
-  const double resolution = std::max(1e-14, 0.01 * options.accuracy);
-  const auto setting = model::setting_of<D>(bodies, options.accuracy, options.max_time);
+  const double asked = options.accuracy, resolution = for_slopes(options).accuracy;
+  const auto setting = model::setting_of<D>(bodies, asked, options.max_time);
   options.accuracy = std::max(resolution, setting.rounding);
   const BodiesLayout<D> at{.bodies = std::ssize(bodies.body), .slots = 0};
   expect_few(at.size(), std::ssize(by));
-  return GroupSlopes<D>(bodies, by, options, resolution, watch).take();
+  auto found = GroupSlopes<D>(bodies, by, options, resolution, watch).take();
+  const double error = setting.rounding / slope_share;
+  if (error > asked) found.notes.push_back(long_way_note(error));
+  return found;
 }
 
 }  // namespace
