@@ -1,6 +1,5 @@
 // Slopes through the roots of forces: where contacts of any exponent and damping begin, and where they end.
 #define BOOST_TEST_MODULE slopes_at_roots
-#include <algorithm>
 #include <boost/test/unit_test.hpp>
 
 #include "mariotte/contact/hunt_crossley.hpp"
@@ -8,7 +7,6 @@
 #include "mariotte/contact/named_laws.hpp"
 #include "mariotte/contact/thornton_ning.hpp"
 #include "mariotte/contact/tsuji.hpp"
-#include "mariotte/contact/walton_braun.hpp"
 #include "mariotte/impact/chain/chain_solver.hpp"
 #include "mariotte/impact/sensitivity/sensitivity.hpp"
 
@@ -60,19 +58,6 @@ BOOST_AUTO_TEST_CASE(dampers_that_pull_until_the_end_have_slopes) {
   const auto tsuji = std::make_shared<contact::Tsuji>(3, 0.4);
   expect_slopes_of_differences(three_balls(contact::uncut(tsuji), contact::Hertz{2}, 0.3));
   expect_slopes_of_differences(three_balls(contact::Linear{2}, contact::uncut(tsuji), 0.3));
-}
-
-BOOST_AUTO_TEST_CASE(balls_that_touch_and_hardly_move_have_slopes_of_one_side) {
-  const auto notes_of = [](double approach) {
-    const model::Chain chain{.mass = {1, 1, 1},
-                             .law = {contact::Linear{1}, contact::Linear{1}},
-                             .gap = {0, 0},
-                             .velocity = {1, approach, 0}};
-    return impact::sensitivity(chain, impact::parameters(chain)).notes;
-  };
-  BOOST_TEST_REQUIRE(notes_of(1e-9).size() == 1u);
-  BOOST_TEST(notes_of(1e-9)[0].text.starts_with("contact 2 touches at the start with 1e-09 m/s"));
-  BOOST_TEST(notes_of(0.1).empty());
 }
 
 // What is left of the last step, which ends where the contact lets go, is rounding. The slope is that of
@@ -129,21 +114,6 @@ BOOST_AUTO_TEST_CASE(slopes_by_one_number_do_not_depend_on_what_else_is_asked) {
       BOOST_TEST(std::abs(together.outcome[i].slope[1].value() / expected - 1) < 3 * accuracy);
     }
   }
-}
-
-// It leaves the dent at half its speed, comes back from the other wall as fast, and turns where it did.
-BOOST_AUTO_TEST_CASE(a_ball_that_returns_to_its_dent_says_that_it_nearly_yields) {
-  const model::Chain chain{.mass = {infinity, 1, infinity},
-                           .law = {contact::state(contact::WaltonBraun(1, 4)), contact::Hertz{1}},
-                           .gap = {0.5, 1},
-                           .velocity = {0, -1, 0}};
-  const auto notes_until = [&](double time) {
-    return impact::sensitivity(chain, impact::parameters(chain), {.accuracy = 1e-10, .max_time = time}).notes;
-  };
-  const auto is_near = [](const auto& note) { return note.text.starts_with("contact 1 turns "); };
-  for (const auto& note : notes_until(5)) BOOST_TEST(!is_near(note), note.text);
-  const auto notes = notes_until(20);
-  BOOST_TEST(std::count_if(notes.begin(), notes.end(), is_near) == 1);
 }
 
 // Two dampers begin at one instant, and a mass draws them apart. The second begins by the clock of the first:

@@ -95,7 +95,8 @@ class ContactSensitivity {
     add_notes(end_, base_.scale.time, moving_with_the_end(), result_);
     add_near_closings();
     add_slow_starts();
-    add_near_yields();
+    add_near_turns(variation_.near_yield(), near_yield_note);
+    add_near_turns(variation_.near_closing(), near_miss_note);
     leave_out_unbounded(result_);
     return std::move(result_);
   }
@@ -191,14 +192,13 @@ class ContactSensitivity {
     }
   }
 
-  /// What returns as fast as it has left turns where it did, and yields beyond.
-  void add_near_yields() {
-    const auto& distance = variation_.near_yield();
+  /// What returns as fast as it has left turns where it did, and yields beyond; or an open contact turns next
+  /// to where it would close.
+  void add_near_turns(const std::vector<double>& distance, SlopeNote (*note)(const std::string&, double)) {
     for (Index j = 0; j < layout_.contacts(); ++j)
       if (std::abs(distance[j]) < slow)
-        result_.notes.push_back(
-            near_yield_note("contact " + std::to_string(j + 1),
-                            std::max(0.0, distance[j]) * base_.length[j] * base_.scale.length));
+        result_.notes.push_back(note("contact " + std::to_string(j + 1),
+                                     std::max(0.0, distance[j]) * base_.length[j] * base_.scale.length));
   }
 
   template <class Slope>

@@ -74,6 +74,7 @@ ContactVariation<Topology>::ContactVariation(const Scaled& model, const model::C
       natural_(columns),
       contact_(layout.contacts()),
       near_yield_(layout.contacts(), infinity),
+      near_closing_(layout.contacts(), infinity),
       acceleration_(layout.velocities(), columns_),
       peak_(columns_, layout.contacts()),
       push_slopes_(model, layout, contact_, acceleration_, natural_, accuracy) {}
@@ -269,12 +270,12 @@ double ContactVariation<Topology>::crossing_speed(Index i, double rate, const co
   return 1;
 }
 
-/// Indentation where contact j turns within a step, or 0.
+/// Indentation where contact j turns within a step, if it does.
 template <class Topology>
-double ContactVariation<Topology>::turning_point(const flow::Step& step, Index j) const {
+std::optional<double> ContactVariation<Topology>::turning_point(const flow::Step& step, Index j) const {
   const Topology topology{model_, layout_};
   const double before = topology.approach(step.before, j), after = topology.approach(step.after, j);
-  if (!(before > 0 && after <= 0)) return 0;
+  if (!(before > 0 && after <= 0)) return std::nullopt;
   std::vector<double> x(step.before.size());
   const auto approach = [&](double time) {
     step.at(time, x);
@@ -284,17 +285,26 @@ double ContactVariation<Topology>::turning_point(const flow::Step& step, Index j
   return -x[layout_.gap[j]];
 }
 
+/// What contact j would have to go on, where it turns within a step.
+template <class Topology>
+double ContactVariation<Topology>::left_to_yield(const flow::Step& step, Index j,
+                                                 const contact::ContactSet& mode) const {
+  const auto* branches = branched(model_.law[j]);
+  if (!branches || mode[j] != contact::ContactMode::closed) return infinity;
+  const auto past = memory_of(mode, j);
+  const double yields = branches->yield_indentation(past);
+  if (past.branch == contact::Branch::plastic || !(yields < infinity)) return infinity;
+  const auto depth = turning_point(step, j);
+  return depth && *depth > 0 ? yields - *depth : infinity;
+}
+
 template <class Topology>
 void ContactVariation<Topology>::see(const flow::Step& step, const contact::ContactSet& mode) const {
   for (Index j = 0; j < layout_.contacts(); ++j) {
-    const auto* branches = branched(model_.law[j]);
-    if (!branches || mode[j] != contact::ContactMode::closed) continue;
-    const auto past = memory_of(mode, j);
-    if (past.branch == contact::Branch::plastic || !(branches->yield_indentation(past) < infinity)) continue;
-    const double depth = turning_point(step, j);
-    if (depth > 0)
-      near_yield_[j] =
-          std::min(near_yield_[j], (branches->yield_indentation(past) - depth) / model_.length[j]);
+    near_yield_[j] = std::min(near_yield_[j], left_to_yield(step, j, mode) / model_.length[j]);
+    if (mode[j] != contact::ContactMode::open) continue;
+    if (const auto depth = turning_point(step, j))
+      near_closing_[j] = std::min(near_closing_[j], -*depth / model_.length[j]);
   }
 }
 

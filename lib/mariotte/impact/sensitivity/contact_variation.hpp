@@ -5,6 +5,7 @@
 // all others and for what a contact remembers.
 #pragma once
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "mariotte/impact/sensitivity/coefficient_slopes.hpp"
@@ -81,10 +82,11 @@ class ContactVariation {
   bool advance(const flow::Step& step, const contact::ContactSet& mode, SlopeMatrix& slopes) const {
     return push_slopes_.advance(step, mode, slopes);
   }
-  /// Notices contacts that turn next to where they would yield.
+  /// Notices contacts that turn next to where they would yield or close.
   void see(const flow::Step& step, const contact::ContactSet& mode) const;
   /// By contact: how far from that, in natural indentations.
   const std::vector<double>& near_yield() const { return near_yield_; }
+  const std::vector<double>& near_closing() const { return near_closing_; }
   /// ∂f/∂p at a state.
   void source(ConstState x, const contact::ContactSet& mode, SlopeMatrix& b) const;
   /// ∂f/∂x. A linear contact that touches at rest is pressed, however little.
@@ -169,7 +171,8 @@ class ContactVariation {
   void add_law(Index j, const ShiftedModel<Scaled>& shifted);
   void set_power(Index j, LawSlope& law) const;
   void add_force(Index j, ConstState x, const contact::ContactSet& mode, SlopeMatrix& b) const;
-  double turning_point(const flow::Step& step, Index j) const;
+  std::optional<double> turning_point(const flow::Step& step, Index j) const;
+  double left_to_yield(const flow::Step& step, Index j, const contact::ContactSet& mode) const;
 
   const Scaled& model_;
   const model::ContactLayout& layout_;
@@ -178,7 +181,7 @@ class ContactVariation {
   std::vector<ContactSlope> contact_;
   mutable std::vector<double> pressed_;  ///< a state, as its slopes see it
   mutable std::vector<double> guard_rates_;
-  mutable std::vector<double> near_yield_;
+  mutable std::vector<double> near_yield_, near_closing_;
   SlopeMatrix acceleration_;             ///< by velocity and parameter
   SlopeMatrix peak_;                     ///< by parameter and contact
   PlacedCoefficients base_, moved_;      ///< of a contact in two models

@@ -19,6 +19,14 @@ SlopeNote grazing_note(const DelicateEvent& event, double unit, Names outcomes) 
           .outcomes = std::move(outcomes)};
 }
 
+SlopeNote near_miss_note(const std::string& what, double gap) {
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "%s turns %.2g m before it would close: slopes are those of a contact that does not",
+                what.c_str(), gap);
+  return {.text = text};
+}
+
 SlopeNote slip_from_rest_note() {
   return {.text =
               "a slip in space starts from rest: its direction is known no better than rounding at "

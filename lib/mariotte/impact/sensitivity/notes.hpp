@@ -28,6 +28,7 @@ SlopeNote near_closing_note(const std::string& what, double speed, Names outcome
 SlopeNote closing_in_noise_note(const std::string& what, Names pushed);
 SlopeNote hardly_touching_note(const std::string& what, double speed, Names parameters);
 SlopeNote near_yield_note(const std::string& what, double depth);
+SlopeNote near_miss_note(const std::string& what, double gap);
 SlopeNote slip_from_rest_note();
 SlopeNote unknown_way_note();
 SlopeNote turning_slip_note(double error);
