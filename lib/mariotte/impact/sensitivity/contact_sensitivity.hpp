@@ -1,15 +1,12 @@
 // From the run of a chain or a network with slopes to its outcomes.
 #pragma once
 #include <algorithm>
-#include <cmath>
 
 #include "mariotte/core/error.hpp"
 #include "mariotte/impact/impulses.hpp"
-#include "mariotte/impact/sensitivity/contact_variation.hpp"
+#include "mariotte/impact/sensitivity/contact_notes.hpp"
 #include "mariotte/impact/sensitivity/frame_slopes.hpp"
-#include "mariotte/impact/sensitivity/notes.hpp"
 #include "mariotte/impact/sensitivity/resolved.hpp"
-#include "mariotte/impact/sensitivity/sensitivity.hpp"
 #include "mariotte/impact/sensitivity/slope_run.hpp"
 
 namespace mariotte::impact {
@@ -93,10 +90,7 @@ class ContactSensitivity {
     add_impulses();
     add_time();
     add_notes(end_, base_.scale.time, moving_with_the_end(), result_);
-    add_near_closings();
-    add_slow_starts();
-    add_near_turns(variation_.near_yield(), near_yield_note);
-    add_near_turns(variation_.near_closing(), near_miss_note);
+    ContactNotes<Topology>(base_, layout_, variation_, result_).add({x0_, start_}, end_);
     leave_out_unbounded(result_);
     return std::move(result_);
   }
@@ -130,75 +124,11 @@ class ContactSensitivity {
     return slopes;
   }
 
-  static constexpr double slow = 1e-6;  ///< share of the speed of a model
-
   /// The time alone, unless something presses or falls then.
   Names moving_with_the_end() const {
     const auto moves = [&](Index place) { return end_.rate[place] != 0; };
     if (std::any_of(layout_.velocity.begin(), layout_.velocity.end(), moves)) return {};
     return {"time"};
-  }
-
-  /// Parameters that move the approach of contact j: next to none by their natural sizes, another so that a
-  /// ten-thousandth of them turns it.
-  Names moving_approach(const SlopeMatrix& slopes, Index j, double speed) const {
-    constexpr double share = 1e-4;
-    return names_of(result_.parameter, [&](std::size_t c) {
-      const double moves = std::abs(Topology{base_, layout_}.approach(slopes.column(c), j));
-      if (speed < slow * base_.speed) return moves / variation_.natural_slopes()[c] > slow;
-      return share * std::abs(result_.parameter[c].value) * moves > speed;
-    });
-  }
-
-  /// What changes where contact j closes once more.
-  Names pushed_by(Index j) const {
-    Names names{"impulse[" + std::to_string(j) + "]", "icr[" + std::to_string(j) + "]", "time"};
-    if (j > 0) names.push_back("icr[" + std::to_string(j - 1) + "]");
-    Topology{base_, layout_}.for_each_push(j, [&](Index place, double change) {
-      const auto i =
-          std::find(layout_.velocity.begin(), layout_.velocity.end(), place) - layout_.velocity.begin();
-      if (change != 0) names.push_back("velocity[" + std::to_string(i) + "]");
-    });
-    return names;
-  }
-
-  /// Open contacts whose balls go on together or nearly so: they close again as soon as some number moves.
-  void add_near_closings() {
-    if (end_.run.ending != hybrid::Ending::separated) return;
-    for (Index j = 0; j < layout_.contacts(); ++j) {
-      const double speed = std::abs(Topology{base_, layout_}.approach(end_.run.state, j));
-      if (contact::carries_force(end_.mode[j])) continue;
-      const auto name = "contact " + std::to_string(j + 1);
-      auto moving = moving_approach(end_.slopes, j, speed);
-      if (!moving.empty())
-        result_.notes.push_back(
-            near_closing_note(name, speed * base_.scale.velocity, pushed_by(j), std::move(moving)));
-      if (speed > 0 && speed <= base_.noise_speed)
-        result_.notes.push_back(closing_in_noise_note(name, pushed_by(j)));
-    }
-  }
-
-  /// Linear contacts that touch hardly approaching, or parting: pressed they act at once, apart not at all.
-  void add_slow_starts() {
-    for (Index j = 0; j < layout_.contacts(); ++j) {
-      const double speed = std::abs(Topology{base_, layout_}.approach(x0_, j));
-      if (!(contact::is_linear(base_.law[j]) && x0_[layout_.gap[j]] == 0 && speed > 0 &&
-            speed < slow * base_.speed))
-        continue;
-      auto moving = moving_approach(start_, j, speed);
-      if (!moving.empty())
-        result_.notes.push_back(hardly_touching_note("contact " + std::to_string(j + 1),
-                                                     speed * base_.scale.velocity, std::move(moving)));
-    }
-  }
-
-  /// What returns as fast as it has left turns where it did, and yields beyond; or an open contact turns next
-  /// to where it would close.
-  void add_near_turns(const std::vector<double>& distance, SlopeNote (*note)(const std::string&, double)) {
-    for (Index j = 0; j < layout_.contacts(); ++j)
-      if (std::abs(distance[j]) < slow)
-        result_.notes.push_back(note("contact " + std::to_string(j + 1),
-                                     std::max(0.0, distance[j]) * base_.length[j] * base_.scale.length));
   }
 
   template <class Slope>
