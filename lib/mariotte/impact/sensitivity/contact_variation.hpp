@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mariotte/impact/sensitivity/coefficient_slopes.hpp"
+#include "mariotte/impact/sensitivity/force_slope.hpp"
 #include "mariotte/impact/sensitivity/late_damping.hpp"
 #include "mariotte/impact/sensitivity/push_slopes.hpp"
 #include "mariotte/impact/sensitivity/slope_matrix.hpp"
@@ -31,34 +32,6 @@ struct ShiftedModel {
   /// dF/dp is the sum over all points of what F differs from that of the base, times this.
   double share() const { return points[k].weight / step; }
 };
-
-/// dk δⁿ + dc δⁿ⁻¹ δ̇ + dn ln δ · f: the force of a power law as its numbers change.
-double power_force_slope(const contact::PowerLaw& law, const contact::PowerLaw& slope, double indentation,
-                         double rate);
-/// ∂f/∂p at fixed δ, δ̇ and memory, for a law that is `shifted`. With the indentation at which a contact lets
-/// go its force moves as a whole, and may have a root there; so points keep their distance from it.
-double law_force_slope(contact::ContactMode mode, const contact::Law& law, const LawSlope& slope,
-                       double indentation, double rate, const contact::Memory& past);
-/// ∂f/∂δ*, the slope by what the contact remembers.
-double memory_force_slope(contact::ContactMode mode, const contact::Law& law, double indentation, double rate,
-                          const contact::Memory& past);
-/// Slopes of `value(law, past)` by parameter and by memory.
-template <class Value>
-double by_law(const LawSlope& slope, Value&& value) {
-  if (slope.shifted.empty()) return 0;
-  return stencil_slope(slope.points, slope.step, [&](std::size_t k) { return value(slope.shifted[k]); });
-}
-/// A step by which the peak that a contact remembers may move.
-double memory_step(const contact::Memory& past);
-template <class Value>
-double by_memory(const contact::Memory& past, Value&& value) {
-  const double step = memory_step(past);
-  return stencil_slope(step, [&](std::size_t k) {
-    auto moved = past;
-    moved.peak += stencil[k].offset * step;
-    return value(moved);
-  });
-}
 
 /// Of a model with P parameters. `peak` is what contacts remember, by contact and parameter; the run moves
 /// it.
