@@ -94,6 +94,19 @@ BOOST_AUTO_TEST_CASE(a_wall_keeps_its_velocity_and_its_impulse_is_known) {
   BOOST_TEST(std::abs(impact.energy.residual) < 1e-10);
 }
 
+// The momentum of a ball ten million times as heavy has no digits for what it gives.
+BOOST_AUTO_TEST_CASE(impulses_of_balls_that_strike_a_heavy_one_have_all_their_digits) {
+  const double heavy = 2022.58, light = 2.6e-4, reduced = heavy * light / (heavy + light), approach = 0.5;
+  for (const bool heavy_first : {true, false}) {
+    const model::Chain pair{.mass = {heavy_first ? heavy : light, heavy_first ? light : heavy},
+                            .law = {contact::Hertz{450}},
+                            .gap = {0},
+                            .velocity = {heavy_first ? 0.0625 : 0.5625, heavy_first ? -0.4375 : 0.0625}};
+    const auto impact = impact::simulate(pair, {.accuracy = 1e-14});
+    BOOST_TEST(std::abs(impact.contacts[0].impulse / (2 * reduced * approach) - 1) < 1e-14);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(between_two_walls_every_impulse_is_known) {
   const model::Chain chain{.mass = {infinity, 1, 2, 1, infinity},
                            .law = {hertz, hertz, hertz, hertz},

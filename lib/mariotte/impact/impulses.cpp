@@ -1,5 +1,6 @@
 #include "mariotte/impact/impulses.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace mariotte::impact {
@@ -24,23 +25,22 @@ double lost_momentum(const model::DimensionlessChain& chain, const model::ChainL
 
 }  // namespace
 
+Index heaviest_ball(const model::DimensionlessChain& chain) {
+  const auto& list = chain.inverse_mass;
+  return list.rend() - std::min_element(list.rbegin(), list.rend()) - 1;
+}
+
 void impulses(const model::DimensionlessChain& chain, const model::ChainLayout& layout,
-              const Interval& interval, std::vector<double>& p) {
+              const Interval& interval, Index heaviest, std::vector<double>& p) {
   const Index n = layout.velocities();
   p.assign(n - 1, 0.0);
-  const auto is_wall = [&](Index i) { return chain.inverse_mass[i] == 0; };
-  Index right_end = n - 1;  // the trailing balls up to the last wall are summed from the free right end
-  for (; right_end > 0 && !is_wall(right_end); --right_end) {
-    p[right_end - 1] =
-        (right_end == n - 1 ? 0 : p[right_end]) - lost_momentum(chain, layout, interval, right_end);
-  }
-  if (right_end == 0 && !is_wall(0)) right_end = n;  // no wall: from the left, as the ratios read
-  for (Index j = 0; j + 1 < n && j < right_end; ++j) {
-    if (is_wall(j))
+  for (Index i = n - 1; i > heaviest; --i)
+    p[i - 1] = (i == n - 1 ? 0 : p[i]) - lost_momentum(chain, layout, interval, i);
+  for (Index j = 0; j < heaviest; ++j)
+    if (chain.inverse_mass[j] == 0)
       p[j] = interval.after[layout.impulse[j]] - interval.before[layout.impulse[j]];
     else
       p[j] = (j == 0 ? 0 : p[j - 1]) + lost_momentum(chain, layout, interval, j);
-  }
 }
 
 void count_periods(const std::vector<hybrid::Timed<model::ContactChange>>& changes, Index contacts,

@@ -15,10 +15,18 @@ struct Interval {
   double time;
 };
 
-/// p_j = ∫ f_j dt of all n−1 contacts, from momentum: p_j = p_{j−1} − m_j (Δv_j + γ t), started at a free end
-/// of the chain where p = 0. Only between two walls does it rest on the integral of a wall's force. Fills p.
+/// The last of the heaviest, or the last wall.
+Index heaviest_ball(const model::DimensionlessChain& chain);
+
+/// p_j = ∫ f_j dt of all n−1 contacts, from momentum: p_j = p_{j−1} − m_j (Δv_j + γ t), started at the free
+/// ends of the chain where p = 0, up to the heaviest ball, whose momentum has the largest rounding. Only
+/// between two walls does it rest on the integral of a wall's force. Fills p.
 void impulses(const model::DimensionlessChain& chain, const model::ChainLayout& layout,
-              const Interval& interval, std::vector<double>& p);
+              const Interval& interval, Index heaviest, std::vector<double>& p);
+inline void impulses(const model::DimensionlessChain& chain, const model::ChainLayout& layout,
+                     const Interval& interval, std::vector<double>& p) {
+  impulses(chain, layout, interval, heaviest_ball(chain), p);
+}
 
 /// A contact starts to carry force.
 inline bool starts_force(const model::ContactChange& change) {

@@ -12,6 +12,7 @@ class ChainImpulses {
   ChainImpulses(const model::DimensionlessChain& chain, const model::ChainLayout& layout, Index columns)
       : layout_(layout),
         chain_(chain),
+        heaviest_(heaviest_ball(chain)),
         mass_(layout.velocities(), columns),
         gravity_(layout.velocities(), columns) {}
 
@@ -23,7 +24,9 @@ class ChainImpulses {
       gravity_(i, shifted.column) += shifted.share() * (shifted.model.gravity[i] - chain_.gravity[i]);
     }
   }
-  void at(const Interval& interval, std::vector<double>& p) const { impulses(chain_, layout_, interval, p); }
+  void at(const Interval& interval, std::vector<double>& p) const {
+    impulses(chain_, layout_, interval, heaviest_, p);
+  }
   /// They are linear in masses, and in gravity: a central difference is exact.
   void add_slopes(Index c, const Interval& interval, std::vector<double>& p) const {
     const auto is_zero = [](double slope) { return slope == 0; };
@@ -38,7 +41,7 @@ class ChainImpulses {
         moved.mass[i] = chain_.mass[i] + by * mass[i];
         moved.gravity[i] = chain_.gravity[i] + by * gravity[i];
       }
-      impulses(moved, layout_, interval, part);
+      impulses(moved, layout_, interval, heaviest_, part);
       for (std::size_t j = 0; j < p.size(); ++j) p[j] += part[j] / (2 * by);
     }
   }
@@ -46,6 +49,7 @@ class ChainImpulses {
  private:
   const model::ChainLayout& layout_;
   const model::DimensionlessChain& chain_;
+  Index heaviest_;  ///< of the chain that is not moved
   SlopeMatrix mass_, gravity_;
   std::vector<double> step_;  ///< by parameter
 };
