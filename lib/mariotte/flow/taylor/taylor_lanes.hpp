@@ -28,12 +28,11 @@ struct Links {
 /// j and j+1. Plain pointers: code compiled for different instruction sets shares nothing but this layout.
 class Lanes {
   LaneTable table_;
-  int used_ = 0;  ///< lanes from there on are zero
 
  public:
   Lanes();
   Lanes(Lanes&&) = default;
-  /// Lanes that are not among the first `lanes` become idle, as many as an expansion takes in.
+  /// Lanes that are not among the first `lanes` become idle: all their numbers are zero.
   void resize(int lanes);
 
   int count = 0;
