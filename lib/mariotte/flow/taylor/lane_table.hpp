@@ -14,6 +14,8 @@ class LaneTable {
 
   /// Room for `lanes` numbers in each row. True if the rows have moved: all numbers are zero then.
   bool reserve(int lanes);
+  /// Make numbers first … last − 1 of each row zero.
+  void clear(int first, int last);
   double* row(int i) const { return data_ + static_cast<long>(i) * room_; }
 
  private:

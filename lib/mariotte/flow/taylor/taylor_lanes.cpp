@@ -29,24 +29,25 @@ bool LaneTable::reserve(int lanes) {
   return true;
 }
 
+void LaneTable::clear(int first, int last) {
+  for (int i = 0; first < last && i < rows_; ++i) std::fill(row(i) + first, row(i) + last, 0.0);
+}
+
 Lanes::Lanes() : table_(24) {
   resize(0);
 }
 
 void Lanes::resize(int lanes) {
-  double** const rows[] = {&indentation, &rate,      &width,      &active,      &acts_above,   &stiffness,
-                           &steepening,  &damping,   &stiffening, &power,       &left,         &right,
-                           &drive,       &side,      &level,      &leeway,      &load_side,    &yield_side,
-                           &yield_level, &turn_side, &turn_level, &fades_below, &leaves_noise, &weight};
-  int i = 0;
   if (table_.reserve(lanes)) {
-    used_ = 0;
-    for (double** row : rows) *row = table_.row(i++);
+    count = 0;
+    int i = 0;
+    for (double** row : {&indentation, &rate,      &width,      &active,      &acts_above,   &stiffness,
+                         &steepening,  &damping,   &stiffening, &power,       &left,         &right,
+                         &drive,       &side,      &level,      &leeway,      &load_side,    &yield_side,
+                         &yield_level, &turn_side, &turn_level, &fades_below, &leaves_noise, &weight})
+      *row = table_.row(i++);
   }
-  const int last = std::min(used_, (lanes + whole - 1) / whole * whole);
-  for (int j = lanes; j < last; ++j)
-    for (double** row : rows) (*row)[j] = 0;
-  used_ = std::max(used_, lanes);
+  table_.clear(lanes, count);
   count = lanes;
 }
 

@@ -28,12 +28,11 @@ struct Links {
 /// j and j+1. Plain pointers: code compiled for different instruction sets shares nothing but this layout.
 class Lanes {
   LaneTable table_;
-  int used_ = 0;  ///< lanes from there on are zero
 
  public:
   Lanes();
   Lanes(Lanes&&) = default;
-  /// Lanes that are not among the first `lanes` become idle, as many as an expansion takes in.
+  /// Lanes that are not among the first `lanes` become idle: all their numbers are zero.
   void resize(int lanes);
 
   int count = 0;
@@ -127,7 +126,7 @@ std::size_t size_for(const Lanes& lanes);
 /// machine has.
 std::unique_ptr<Expansion> make_expansion(std::size_t size);
 
-/// For processors with AVX-512 that do not lower their clock for it: Ice Lake, Zen 4 and later.
+/// For processors with AVX-512 that do not lower their clock for it: Ice Lake, Zen 5 and later.
 std::unique_ptr<Expansion> make_avx512_expansion(std::size_t size);
 /// For processors with AVX2 and FMA.
 std::unique_ptr<Expansion> make_avx2_expansion(std::size_t size);

@@ -85,7 +85,7 @@ void begin(Window& w, std::span<const PhaseContact> contacts) {
     if (l.branched) std::fill_n(row, l.count, 0.0);
   l.resize(static_cast<int>(contacts.size()));
   l.damped = l.mixed = l.general = l.branched = l.widened = false;
-  w.branch.assign(contacts.size(), nullptr);
+  w.branch.resize(contacts.size());
   l.branch = w.branch.data();
   for (auto* row : {&w.impulse, &w.work, &w.stored}) row->assign(contacts.size(), 0);
   w.outside_time = infinity;

@@ -145,7 +145,8 @@ void ContactSystem<Topology>::transition(Mode& mode, const std::vector<Index>& f
   for (const Index guard : fired) fire(mode, guard, x, changes);
   CreepingForces<Topology> forces(state(x, &mode), mode);
   const auto for_each_contact = [&](const auto& use) {
-    for (Index j = 0; j < layout_.contacts(); ++j) {
+    for (Index j = 0, count = layout_.contacts(); j < count; ++j) {
+      if (mode[j] == contact::ContactMode::open) continue;  // only its guard can change that
       const auto before = changes.size();
       use(j);
       if (changes.size() != before) forces.forget();
