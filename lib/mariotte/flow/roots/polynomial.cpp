@@ -182,7 +182,8 @@ bool falls(std::span<const double> c, double end) {
 std::optional<double> first_fall(std::span<const double> c, double end) {
   while (c.size() > 1 && c[0] == 0) c = c.subspan(1);  // a root at 0 is divided out
   if (c.size() < 2) return std::nullopt;
-  if (lower_bound(c, end) > 0) return std::nullopt;
+  const auto rises = [&] { return c[0] > 0 && lower_bound(c.subspan(1), end) > 0; };
+  if (lower_bound(c, end) > 0 || rises()) return std::nullopt;
   if (falls(c, end) || (c[0] > 0 && bends_down(c, end))) return only_root(c, 0, end);
   const Search search{c, c.size() - 1};
   return search.first(from_powers(c, end), 0, end, 0);
