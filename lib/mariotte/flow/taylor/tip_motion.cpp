@@ -93,10 +93,12 @@ double coefficient(const PlanarSeries& series, const TipPhase& phase, int k) {
 
 double coefficient(const SpatialSeries& series, const TipPhase& phase, int k) {
   const double reach = std::abs(phase.body.arm[phase.tip]) + phase.body.radius[phase.tip];
+  const double inverse = series.parameter[series.inverse];
   double most = contact_coefficient(series, phase, k);
   for (int i = 0; i < 3; ++i)
-    most = std::max(
-        {most, std::abs(series[series.velocity + i][k]), reach * std::abs(series[series.spin + i][k])});
+    most = std::max({most, std::abs(series[series.velocity + i][k]),
+                     reach * inverse * std::abs(series[series.momentum + i][k])});
+  for (int i = 0; i < 2; ++i) most = std::max(most, reach * std::abs(series[series.spin + i][k]));
   return most;
 }
 
