@@ -36,9 +36,9 @@ inline Quaternion normalized(const Quaternion& q) {
   return {q.w / size, q.x / size, q.y / size, q.z / size};
 }
 
-/// v + 2 i × (i × v + w v) with the imaginary part i.
+/// v + 2 i × (i × v + w v) with the imaginary part i. Inline: a call would wait for numbers just stored.
 template <class T>
-BasicVector3<T> rotate(const BasicQuaternion<T>& q, const std::type_identity_t<BasicVector3<T>>& v) {
+inline BasicVector3<T> rotate(const BasicQuaternion<T>& q, const std::type_identity_t<BasicVector3<T>>& v) {
   const BasicVector3<T> imaginary{q.x, q.y, q.z};
   return v + 2.0 * cross(imaginary, cross(imaginary, v) + q.w * v);
 }

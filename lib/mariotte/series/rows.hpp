@@ -22,8 +22,8 @@ MARIOTTE_SERIES_INLINE auto& part_of(V& a, int i) {
     return a;
 }
 
-/// Every series is a row; six sums of products of rows run side by side, so that nothing waits. More would
-/// not fit into the registers.
+/// Every series is a row; up to six sums of products of rows run side by side, so that nothing waits. More
+/// would not fit into the registers.
 template <class Field, int MostOrder, class V>
 class Rows {
  public:
@@ -129,9 +129,10 @@ class Rows<Field, MostOrder, double> {
 
   template <int count>
   MARIOTTE_SERIES_INLINE void convolve(int k, double* total) const {
-    constexpr int size = (count + width - 1) / width, group = 6;
-    unrolled<(size + group - 1) / group>([&](auto g) MARIOTTE_SERIES_LAMBDA {
-      convolve_some<g * group, (size - g * group < group ? size - g * group : group)>(k, total);
+    constexpr int size = (count + width - 1) / width, groups = (size + 5) / 6;
+    unrolled<groups>([&](auto g) MARIOTTE_SERIES_LAMBDA {
+      constexpr int first = g * size / groups, next = (g + 1) * size / groups;
+      convolve_some<first, next - first>(k, total);
     });
   }
 

@@ -124,10 +124,11 @@ double near_root(std::span<const double> c, double low, double high, double firs
 }
 
 /// Newton's method for the root of a polynomial that falls through zero once from low to high, kept between
-/// them. The next step is as the square of this one; it is not taken where that is rounding.
-std::optional<double> only_root(std::span<const double> c, double low, double high) {
+/// them; infinite if it does not fall so far. The next step is as the square of this one; it is not taken
+/// where that is rounding.
+double only_root(std::span<const double> c, double low, double high) {
   const double first = low == 0 ? c[0] : horner(c, low), last = horner(c, high);
-  if (last > 0) return std::nullopt;
+  if (last > 0) return infinity;
   if (!(first > 0)) return low;
   double x = near_root(c, low, high, first, last), before = 0;
   for (int i = 0; i < 60; ++i) {
@@ -148,14 +149,14 @@ struct Search {
   std::span<const double> c;
   std::size_t n;
 
-  /// The polynomial is positive right of `from`.
-  std::optional<double> first(Bernstein b, double from, double to, int depth) const {
+  /// The first fall, or infinity; the polynomial is positive right of `from`.
+  double first(Bernstein b, double from, double to, int depth) const {
     const auto last = b.begin() + static_cast<Index>(n) + 1;
-    if (std::all_of(b.begin() + 1, last, [](double value) { return value > 0; })) return std::nullopt;
+    if (std::all_of(b.begin() + 1, last, [](double value) { return value > 0; })) return infinity;
     if (std::is_sorted(b.begin(), last, std::greater<>()) || depth == deepest) return only_root(c, from, to);
     const auto right = halve(b, n);
     const double middle = 0.5 * (from + to);
-    if (const auto early = first(b, from, middle, depth + 1)) return early;
+    if (const double early = first(b, from, middle, depth + 1); early != infinity) return early;
     if (right[0] <= 0) return middle;
     return first(right, middle, to, depth + 1);
   }
@@ -179,11 +180,12 @@ bool falls(std::span<const double> c, double end) {
   return lower_bound(slope, end, [](std::size_t k) { return -static_cast<double>(k + 1); }) > 0;
 }
 
-std::optional<double> first_fall(std::span<const double> c, double end) {
+double place_of_fall(std::span<const double> c, double end) {
   while (c.size() > 1 && c[0] == 0) c = c.subspan(1);  // a root at 0 is divided out
-  if (c.size() < 2) return std::nullopt;
+  if (c.size() < 2) return infinity;
   if (falls(c, end)) return only_root(c, 0, end);
-  if (lower_bound(c, end) > 0) return std::nullopt;
+  const auto stays_above = [&] { return c[0] > 0 && lower_bound(c.subspan(1), end) > 0; };
+  if (lower_bound(c, end) > 0 || stays_above()) return infinity;
   if (c[0] > 0 && bends_down(c, end)) return only_root(c, 0, end);
   const Search search{c, c.size() - 1};
   return search.first(from_powers(c, end), 0, end, 0);

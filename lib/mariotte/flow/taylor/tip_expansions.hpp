@@ -1,34 +1,42 @@
-// The expansions of the fields of one motion: each has memory once it is used.
+// Taylor series of every field of a tip. Code compiled for different instruction sets shares nothing but this
+// layout.
 #pragma once
-#include <tuple>
+#include <memory>
 
-#include "mariotte/flow/taylor/tip_series.hpp"
-#include "mariotte/series/series.hpp"
+#include "mariotte/flow/taylor/tip_fields.hpp"
+#include "mariotte/flow/tip_phase.hpp"
 
 namespace mariotte::flow {
 
-template <class Field>
-using TipExpansion = series::Series<Field, most_order, double>;
+inline constexpr int most_order = 22;
+/// Coefficients of one quantity, by order.
+using PowerSeries = std::array<double, most_order + 2>;
 
-template <class... Fields>
+/// Where a motion starts; its enumerations name the rows, the states to start from, and the parameters.
+template <class Motion>
+struct TipStart : Motion {
+  std::array<double, Motion::states> start = {};  ///< zero where nothing else is said
+  std::array<double, Motion::parameters> parameter = {};
+};
+
+/// Memory of one run. Each gives the coefficients 0 … order of every row, by the field of the phase; valid
+/// until the next call.
 class TipExpansions {
  public:
-  template <class Field>
-  TipExpansion<Field>& get() {
-    auto& one = std::get<std::unique_ptr<TipExpansion<Field>>>(all_);
-    if (!one) one = std::make_unique<TipExpansion<Field>>();
-    return *one;
-  }
-  /// The first row, after expansion.
-  template <class Field>
-  const PowerSeries* expand(const TipSeries<typename Field::Motion>& from, int order) {
-    auto& expansion = get<Field>();
-    expansion.expand(from.start, from.parameter, order);
-    return &expansion[0];
-  }
-
- private:
-  std::tuple<std::unique_ptr<TipExpansion<Fields>>...> all_;
+  virtual ~TipExpansions() = default;
+  virtual const PowerSeries* expand(const TipPhase& phase, const TipStart<NormalMotion>& from, int order) = 0;
+  virtual const PowerSeries* expand(const TipPhase& phase, const TipStart<PlanarMotion>& from, int order) = 0;
+  virtual const PowerSeries* expand(const TipPhase& phase, const TipStart<SpatialMotion>& from,
+                                    int order) = 0;
 };
+
+/// With the widest registers that this machine has.
+std::unique_ptr<TipExpansions> make_tip_expansions();
+
+std::unique_ptr<TipExpansions> make_avx2_tip_expansions();
+std::unique_ptr<TipExpansions> make_baseline_tip_expansions();
+
+/// Of a slip from rest: how fast a turn of û along `across` changes u' along it.
+double turn_response(const TipStart<SpatialMotion>& from, const std::array<double, 2>& across);
 
 }  // namespace mariotte::flow

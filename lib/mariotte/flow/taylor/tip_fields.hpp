@@ -81,24 +81,23 @@ struct PlanarMotion : TipParameters {
 ///     cos' = −2 s ω sin,  sin' = 2 s ω cos,  w = v₁ + ω d₂,  u = v₂ − ω ℓ₁
 ///     v₁' = f/m − 2 s g,  v₂' = y/m,  I ω' = d₂ f − ℓ₁ y
 ///     sliding: y = −μ σ_F σ_u f      sticking: (I/m + ℓ₁²) y = ℓ₁ d₂ f + I ω ℓ₁'
-/// ω d₂ is a sum of ω cos and ω sin.
 template <bool sticks, bool works>
 struct PlanarField : PlanarMotion {
   using Motion = PlanarMotion;
   template <class T>
   static constexpr auto rates(const std::array<T, states>& x, const std::array<T, parameters>& p) {
     const T pace = 2.0 * x[s];
-    const T spin_cosine = x[spin] * x[cosine], spin_sine = x[spin] * x[sine];
-    const T speed = x[normal] + p[arm] * (p[run_start] * spin_cosine - p[rise_start] * spin_sine);
-    const auto contact = tip_contact<PlanarMotion>(x[s], speed, p);
+    const T turn = pace * x[spin];
     const T up = p[rise_start] * x[cosine] + p[run_start] * x[sine];
     const T across = p[arm] * (p[run_start] * x[cosine] - p[rise_start] * x[sine]);
+    const T speed = x[normal] + x[spin] * across;
+    const auto contact = tip_contact<PlanarMotion>(x[s], speed, p);
     const T lever = p[arm] * up + p[sinking] * contact.area - p[radius];
     const T u = x[tangential] - x[spin] * lever;
     std::array<T, rows> row{};
     tip_common<PlanarMotion, works>(x[s], speed, contact, p, row);
-    row[cosine] = -(pace * spin_sine);
-    row[sine] = pace * spin_cosine;
+    row[cosine] = -(turn * x[sine]);
+    row[sine] = turn * x[cosine];
     if constexpr (sticks) {
       const T lever_rate =
           p[arm] * (p[rise_start] * row[cosine] + p[run_start] * row[sine]) - p[sinking] * (pace * speed);
@@ -122,7 +121,8 @@ struct PlanarField : PlanarMotion {
 };
 
 /// Rows of the motion in space of a symmetric body: velocity of the mass centre, angular momentum H, unit
-/// axis a, p = H·a, turn ψ, position in the plane, and û where the slip starts from rest; w, ω, u, y, u'.
+/// axis a, p = H·a, turn ψ, position in the plane, and û where the slip starts from rest; w, and in the plane
+/// ω, u, y, u'.
 struct SpatialMotion : TipParameters {
   enum {
     s,
@@ -143,7 +143,7 @@ struct SpatialMotion : TipParameters {
     pressure,
     force,
     spin,
-    slip = spin + 3,
+    slip = spin + 2,
     friction = slip + 2,
     slip_rate = friction + 2,
     rows = slip_rate + 2
@@ -191,13 +191,11 @@ struct SpatialField : SpatialMotion {
     const auto contact = tip_contact<SpatialMotion>(x[s], row[w], p);
     tip_common<SpatialMotion, works>(x[s], row[w], contact, p, row);
     const T turn = p[twist] * x[along];
-    for (int i = 0; i < 3; ++i) {
-      row[spin + i] = p[inverse] * h[i] + turn * a[i];
-      row[axis + i] = pace * swing[i];
-    }
+    for (int i = 0; i < 3; ++i) row[axis + i] = pace * swing[i];
+    for (int i = 0; i < 2; ++i) row[spin + i] = p[inverse] * h[i + 1] + turn * a[i + 1];
     const T reach = grip == Grip::sinking_sliding ? p[radius] - contact.area : p[radius];
-    row[slip] = x[velocity + 1] + p[arm] * swing[1] - reach * row[spin + 2];
-    row[slip + 1] = x[velocity + 2] + p[arm] * swing[2] + reach * row[spin + 1];
+    row[slip] = x[velocity + 1] + p[arm] * swing[1] - reach * row[spin + 1];
+    row[slip + 1] = x[velocity + 2] + p[arm] * swing[2] + reach * row[spin];
     grip_plane(x, p, p[arm] * a[0] - reach, row);
     move(x, p, reach, row);
     return row;

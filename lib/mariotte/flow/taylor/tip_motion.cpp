@@ -73,6 +73,14 @@ Quaternion attitude_at(const TipPhase& phase, ConstState x) {
   return quaternion_at(x, phase.place.attitude);
 }
 
+/// Rotation about an axis, up to its size: the half of an angle by its cosine and sine.
+Quaternion turn(const Vector3& axis, double cosine, double sine) {
+  const bool is_wide = cosine < 0;
+  const double w = is_wide ? std::abs(sine) : 1 + cosine;
+  const double half = is_wide ? std::copysign(1 - cosine, sine) : sine;
+  return {w, half * axis.e1, half * axis.e2, half * axis.e3};
+}
+
 void store_attitude(const TipPhase& phase, const Quaternion& q, State x) {
   const auto unit = normalized(q);
   put(x, phase.place.attitude, unit);
@@ -93,10 +101,12 @@ double coefficient(const PlanarSeries& series, const TipPhase& phase, int k) {
 
 double coefficient(const SpatialSeries& series, const TipPhase& phase, int k) {
   const double reach = std::abs(phase.body.arm[phase.tip]) + phase.body.radius[phase.tip];
+  const double inverse = series.parameter[series.inverse];
   double most = contact_coefficient(series, phase, k);
   for (int i = 0; i < 3; ++i)
-    most = std::max(
-        {most, std::abs(series[series.velocity + i][k]), reach * std::abs(series[series.spin + i][k])});
+    most = std::max({most, std::abs(series[series.velocity + i][k]),
+                     reach * inverse * std::abs(series[series.momentum + i][k])});
+  for (int i = 0; i < 2; ++i) most = std::max(most, reach * std::abs(series[series.spin + i][k]));
   return most;
 }
 
@@ -168,8 +178,7 @@ void store(const PlanarSeries& series, const TipPhase& phase, double tau, int or
     x[phase.place.position] += at(series.position) * phase.tangent.e2;
     x[phase.place.position + 1] += at(series.position) * phase.tangent.e3;
   }
-  const double angle = std::atan2(at(series.sine), at(series.cosine));
-  store_attitude(phase, rotation(phase.axis, angle) * attitude_at(phase, start), x);
+  store_attitude(phase, turn(phase.axis, at(series.cosine), at(series.sine)) * attitude_at(phase, start), x);
 }
 
 void store(const SpatialSeries& series, const TipPhase& phase, double tau, int order, ConstState start,

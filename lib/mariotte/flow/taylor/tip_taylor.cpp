@@ -21,12 +21,11 @@ std::span<const double> terms(const PowerSeries& row, int order) {
 
 /// First τ at which a guard falls through zero. What is zero to `rounding` at the start does not fire unless
 /// it falls from there; what is below fires at once.
-std::optional<double> fall(PowerSeries row, int order, double end, double rounding) {
-  if (std::abs(row[0]) <= rounding) row[0] = 0;
-  int k = 0;
+std::optional<double> fall(const PowerSeries& row, int order, double end, double rounding) {
+  int k = std::abs(row[0]) <= rounding ? 1 : 0;
   while (k < order && row[k] == 0) ++k;
   if (row[k] < 0) return 0.0;
-  return first_fall(terms(row, order), end);
+  return first_fall(terms(row, order).subspan(k), end);
 }
 
 /// Where w, negative or rising at the start, has been positive and falls through zero again. Where it may

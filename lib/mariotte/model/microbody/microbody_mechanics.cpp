@@ -94,7 +94,8 @@ void Mechanics::derivative(ConstState x, const MicrobodyMode& mode, State dx) co
 double Mechanics::stored(ConstState x) const {
   double sum = 0;
   for (Index i = 0; i < layout.tips; ++i)
-    sum += contact::stored_energy(body.law[static_cast<std::size_t>(i)], tip(x, i).indentation);
+    sum +=
+        contact::stored_energy(body.law[static_cast<std::size_t>(i)], std::max(0.0, -x[layout.place.gap[i]]));
   return sum;
 }
 
