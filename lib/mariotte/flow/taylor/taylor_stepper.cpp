@@ -30,7 +30,7 @@ constexpr double safe_radius = 0.7;
 /// How many times the tolerance the last term but one may be: what is left out begins behind the last. Along
 /// an island of a longer row errors add up.
 double last_but_one(const Window& window) {
-  return window.row && window.row->is_slice ? 1 : 4;
+  return window.row && window.row->is_slice ? 1 : 3;
 }
 /// How many times the tolerance the two terms before the last two may be. Where coefficients fall evenly they
 /// are less, so this bounds a step only where the last two are small by chance.
