@@ -74,14 +74,15 @@ double loss(std::span<const double> c, double end, Factor&& factor) {
   return 0.5 * (even + end * odd);
 }
 
-/// Of Σ factor(k) c[k] xᵏ on [0, end]: the Bernstein form of four terms less what the others can take away.
+/// Of Σ factor(k) c[k] xᵏ on [0, end]: the Bernstein form of four terms less, if that is positive, what the
+/// others can take away.
 template <class Factor>
 double lower_bound(std::span<const double> c, double end, Factor&& factor) {
   const auto term = [&](std::size_t k) { return k < c.size() ? factor(k) * c[k] : 0; };
   const double square = end * end;
   const double a = term(0), b = end * term(1), d = square * term(2), e = square * end * term(3);
-  const double inner = std::min(a + b / 3, a + (2 * b + d) / 3);
-  return std::min({a, inner, a + b + d + e}) - square * square * loss(c, end, factor);
+  const double inner = std::min(a + b / 3, a + (2 * b + d) / 3), least = std::min({a, inner, a + b + d + e});
+  return least > 0 ? least - square * square * loss(c, end, factor) : least;
 }
 double lower_bound(std::span<const double> c, double end) {
   return lower_bound(c, end, [](std::size_t) { return 1.0; });
