@@ -221,3 +221,21 @@ BOOST_AUTO_TEST_CASE(slopes_that_shrink_have_the_digits_that_were_asked_for) {
   BOOST_TEST(std::abs(at(1e-6) / exact - 1) < 1e-3);
   BOOST_TEST(std::abs(at(1e-8) / exact - 1) < 1e-5);
 }
+
+// 956 times the light ball meets one of the heavy ones. In other units of time nothing changes, so that
+// Σ v ∂u/∂v + 2 Σ k ∂u/∂k = u; slopes by the first velocity are those of differences of runs.
+BOOST_AUTO_TEST_CASE(a_light_ball_that_rattles_on_linear_contacts_has_slopes) {
+  const model::Chain chain{.mass = {1, 1e-6, 2},
+                           .law = {contact::Linear{1e9}, contact::Linear{1e9}},
+                           .gap = {1e-3, 1e-3},
+                           .velocity = {1, 0, 0}};
+  const auto found = slopes_of(chain, 1e-10);
+  BOOST_TEST(std::abs(slope(found, "velocity[1]", "velocity[0]") - 129.1443902) < 1e-4);
+  for (const char* name : {"velocity[0]", "velocity[2]"}) {
+    const auto by_stiffness =
+        slope(found, name, "contact[0].stiffness") + slope(found, name, "contact[1].stiffness");
+    const auto u = std::find_if(found.outcome.begin(), found.outcome.end(),
+                                [&](const auto& one) { return name_of(one) == name; });
+    BOOST_TEST(std::abs(slope(found, name, "velocity[0]") + 2e9 * by_stiffness - *u->value) < 1e-7);
+  }
+}

@@ -131,6 +131,12 @@ class ContactVariation {
     if (layout_.kind(i) != model::GuardKind::gap) return false;
     return !contact::is_linear(model_.law[layout_.guard_contact[i]]);
   }
+  /// Whether a force may begin as a power: that of a linear contact is smooth from its onset on.
+  bool may_begin_steeply(const contact::ContactSet& mode) const {
+    for (Index j = 0; j < layout_.contacts(); ++j)
+      if (contact::carries_force(mode[j]) && !contact::is_linear(model_.law[j])) return true;
+    return false;
+  }
   /// The state at which guard i is zero, next to one where it nearly is: roots of rounding are much.
   void meet(Index i, const contact::ContactSet& mode, State x) const;
   /// A contact closes and opens exactly where its law begins and ends.

@@ -55,8 +55,9 @@ class PhaseSlopes final : public hybrid::PhaseObserver {
       collocation_.emplace(pattern(), problem_.magnitudes(), variation_.natural_slopes(), accuracy_, places(),
                            unneeded());
     reached_ = end_.value_or(step.end);
-    collocation_->advance(field, from, reached_,
-                          {.begins = step.start == 0, .beyond = beyond, .is_steep = is_steep_}, slopes);
+    collocation_->advance(
+        field, from, reached_,
+        {.begins = step.start == 0 && may_begin_steeply(), .beyond = beyond, .is_steep = is_steep_}, slopes);
   }
   bool has_slopes() const override { return true; }
   /// What comes next is another phase, even if it begins at the same time.
@@ -99,6 +100,13 @@ class PhaseSlopes final : public hybrid::PhaseObserver {
   std::vector<Index> unneeded() const {
     if constexpr (requires { variation_.unneeded(); }) return variation_.unneeded();
     return {};
+  }
+
+  /// Whether a contact may have begun that is not smooth there.
+  bool may_begin_steeply() const {
+    if constexpr (requires { variation_.may_begin_steeply(mode_); })
+      return variation_.may_begin_steeply(mode_);
+    return true;
   }
 
   /// How far beyond the step a guard will be met, in lengths of the step. One that ends the phase is met a

@@ -168,6 +168,16 @@ void BodiesVariation<D>::guard_slopes(Index i, ConstState x, const BodiesMode& m
 }
 
 template <int D>
+bool BodiesVariation<D>::may_begin_steeply(const Mode& mode) const {
+  return std::any_of(mode.closed.begin(), mode.closed.end(), [&](const model::ClosedContact& one) {
+    const auto& contact = system_.setting().contact[one.contact];
+    const auto friction = contact.tangential.law;
+    return !contact::is_linear(contact.law) || friction == model::TangentialLaw::mindlin ||
+           (D == 3 && friction != model::TangentialLaw::none);
+  });
+}
+
+template <int D>
 bool BodiesVariation<D>::has_root(Index i, const BodiesMode& mode) const {
   if (i >= system_.problem(mode).gap_guard(0)) return true;
   const auto guard = static_cast<SlotGuard>(i % model::guards_per_slot);

@@ -56,6 +56,8 @@ class BodiesVariation {
   /// Where a contact opens forces end as a power, and a direction where a slip in space comes to rest. Other
   /// guards are left where a run has told them, within the noise that it allows them.
   bool has_root(Index i, const Mode& mode) const;
+  /// Whether a force may begin as a power, or a slip in space from rest.
+  bool may_begin_steeply(const Mode& mode) const;
   void meet(Index, const Mode&, State) const {}
   void settle(Index, const Mode&, State) const {}
 
