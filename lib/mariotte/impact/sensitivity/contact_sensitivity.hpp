@@ -79,7 +79,8 @@ class ContactSensitivity {
     const auto slow_ending = [](double error) { return slow_ending_note(error, {"time"}); };
     const SlopeLoss all[] = {{end_.time_loss, slow_ending},
                              {end_.onset_loss, shared_onset_note},
-                             {0.1 * end_.shrinkage, shrinking_note}};
+                             {0.1 * end_.shrinkage, shrinking_note},
+                             {0.1 * growth(), growing_note}};
     const auto is_less = [](const SlopeLoss& a, const SlopeLoss& b) { return a.times < b.times; };
     return *std::max_element(std::begin(all), std::end(all), is_less);
   }
@@ -102,6 +103,19 @@ class ContactSensitivity {
   }
   Index columns() const { return start_.columns; }
   double slope(Index place, Index c) const { return end_.slopes(place, c) + end_.rate[place] * end_.time[c]; }
+
+  /// By how much velocities change with a parameter, relative to both, or with those at the start: slopes
+  /// grow with errors as these do.
+  double growth() const {
+    double most = 0;
+    for (Index c = 0; c < columns(); ++c) {
+      double moved = 0;
+      for (const Index place : layout_.velocity) moved = std::max(moved, std::abs(start_(place, c)));
+      const double size = moved > 0 ? base_.speed / moved : std::abs(result_.parameter[c].value);
+      most = std::max(most, size * variation_.reach(end_.slopes, c));
+    }
+    return most;
+  }
 
   /// The work of a contact that starts indented is its stored energy.
   void add_start(const ShiftedModel<Scaled>& shifted) {

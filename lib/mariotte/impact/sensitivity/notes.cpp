@@ -68,6 +68,13 @@ SlopeNote shrinking_note(double error) {
   return {.text = text, .error = error};
 }
 
+SlopeNote growing_note(double error) {
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "errors grow so much on the way that slopes may be off by %.1g of their size", error);
+  return {.text = text, .error = error};
+}
+
 SlopeNote shared_ending_note(Names outcomes, Names parameters) {
   return {.text =
               "several contacts end the run at one instant, and parameters draw their times apart: the "

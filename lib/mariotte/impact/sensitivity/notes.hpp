@@ -34,6 +34,7 @@ SlopeNote unknown_way_note();
 SlopeNote turning_slip_note(double error);
 SlopeNote shared_onset_note(double error);
 SlopeNote shrinking_note(double error);
+SlopeNote growing_note(double error);
 SlopeNote shared_ending_note(Names outcomes, Names parameters);
 SlopeNote noise_ending_note(Names outcomes);
 SlopeNote slow_ending_note(double error, Names outcomes);

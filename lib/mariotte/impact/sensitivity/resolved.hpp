@@ -23,6 +23,15 @@ struct SlopeLoss {
   SlopeNote (*note)(double error);
 };
 
+/// Slopes that a note says to be off by more than a tenth tell nothing.
+inline void leave_out_doubtful(SlopeNote& note, Sensitivity& found) {
+  if (note.error <= 0.1) return;
+  for (auto& outcome : found.outcome)
+    for (std::size_t c = 0; c < outcome.slope.size(); ++c)
+      if (concerns(note, name_of(outcome), found.parameter[c].name)) outcome.slope[c].reset();
+  note.text += ": they are left out";
+}
+
 /// `once` is a run with slopes at an accuracy, and how many times its error some of them have; pieces may
 /// leave ten times as much. Where that is more than was asked, another run has more digits; `note(error)`
 /// tells if doubles do not have so many.
@@ -35,7 +44,10 @@ Sensitivity resolved(const hybrid::Options& asked, Once&& once, Note&& note) {
   options.accuracy = std::clamp(asked.accuracy / (left * loss), least, options.accuracy);
   std::tie(found, loss) = once(options);
   const double error = left * options.accuracy * loss;
-  if (error > 2 * asked.accuracy) found.notes.push_back(note(error));
+  if (error > 2 * asked.accuracy) {
+    found.notes.push_back(note(error));
+    leave_out_doubtful(found.notes.back(), found);
+  }
   return found;
 }
 
