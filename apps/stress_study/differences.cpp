@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "judge.hpp"
+#include "mariotte/impact/sensitivity/resolved.hpp"
 
 namespace mariotte::stress_study {
 namespace {
@@ -81,13 +82,23 @@ class Neighbours {
   std::array<Values, 2 * reach + 1> values_;
 };
 
+/// What a run has lost, as a share of its outcomes: slopes make a hundred times that of it.
+double lost(const impact::Sensitivity& base) {
+  double most = 0;
+  for (const auto& note : base.notes)
+    if (note.outcomes.empty() && note.parameters.empty() && std::isfinite(note.error))
+      most = std::max(most, impact::slope_share * note.error);
+  return most;
+}
+
 /// What rounding makes of each outcome, over its size: runs whose number differs by rounding tell it.
 Values noise(const Probe& probe, const impact::Sensitivity& base, const Values& sizes) {
   const double step = representable(probe, 16 * epsilon * std::max(std::abs(probe.value), probe.unit));
   auto list = Neighbours(probe, step, base).spread(base, sizes);
   for (std::size_t i = 0; i < list.size(); ++i)
     if (sizes[i] > 0)
-      list[i] += least_noise * std::max(1.0, std::abs(base.outcome[i].value.value_or(0) / sizes[i]));
+      list[i] +=
+          (least_noise + lost(base)) * std::max(1.0, std::abs(base.outcome[i].value.value_or(0) / sizes[i]));
   return list;
 }
 
