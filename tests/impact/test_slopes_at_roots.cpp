@@ -7,6 +7,7 @@
 #include "mariotte/contact/named_laws.hpp"
 #include "mariotte/contact/thornton_ning.hpp"
 #include "mariotte/contact/tsuji.hpp"
+#include "mariotte/contact/walton_braun.hpp"
 #include "mariotte/impact/chain/chain_solver.hpp"
 #include "mariotte/impact/sensitivity/sensitivity.hpp"
 
@@ -91,6 +92,22 @@ BOOST_AUTO_TEST_CASE(dented_adhesive_contacts_let_go_with_slopes_that_hardly_mov
   const double pressure = 0.22857234034107271, middle = slope_at(pressure);
   for (const double share : {-1e-9, -1e-11, -1e-13, 1e-13, 1e-11, 1e-9})
     BOOST_TEST(std::abs(slope_at(pressure * (1 + share)) - middle) < 1e-9);
+}
+
+// It springs back a million times as hard as it is pressed: v⁺ = −√(k₁/k₂) v.
+BOOST_AUTO_TEST_CASE(contacts_that_unload_steeply_have_slopes) {
+  const double loading = 1e3, unloading = 1e9;
+  const model::Chain pair{.mass = {1, infinity},
+                          .law = {contact::state(contact::WaltonBraun(loading, unloading))},
+                          .gap = {1},
+                          .velocity = {1, 0}};
+  auto by = impact::parameters(pair);
+  std::erase_if(by, [](const auto& one) { return !one.name.ends_with("loading_stiffness"); });
+  BOOST_TEST_REQUIRE(by.size() == 2u);
+  const auto& slope = impact::sensitivity(pair, by, {.accuracy = 1e-10}).outcome[0].slope;
+  const double half = 0.5 * std::sqrt(loading / unloading);
+  BOOST_TEST(std::abs(slope[0].value() * loading / -half - 1) < 1e-7);
+  BOOST_TEST(std::abs(slope[1].value() * unloading / half - 1) < 1e-6);
 }
 
 // By the exponent of an outer contact everything loses its symmetry, and slopes are large for long; by that

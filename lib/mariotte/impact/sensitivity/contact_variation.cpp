@@ -341,6 +341,7 @@ template <class Topology>
 void ContactVariation<Topology>::settle(Index i, const contact::ContactSet& before, State x) const {
   meet(i, before, x);
   if (layout_.kind(i) != GuardKind::gap || before[i] != contact::ContactMode::closed) return;
+  if (!contact::adheres(model_.law[i])) return;
   const double deepest = std::max(model_.length[i], memory_of(before, i).peak);
   x[layout_.gap[i]] += 8 * epsilon * deepest;  // beyond the end by the last digits, where the law is cut off
 }

@@ -139,7 +139,7 @@ class ContactVariation {
   }
   /// The state at which guard i is zero, next to one where it nearly is: roots of rounding are much.
   void meet(Index i, const contact::ContactSet& mode, State x) const;
-  /// A contact closes and opens exactly where its law begins and ends.
+  /// A contact closes and opens exactly where its law begins and ends: if it pulls there, a little beyond.
   void settle(Index i, const contact::ContactSet& before, State x) const;
 
  private:

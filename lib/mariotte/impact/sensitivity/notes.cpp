@@ -198,6 +198,15 @@ void add_note_of_landing(const std::vector<bool>& moved, Sensitivity& result) {
        .parameters = std::move(parameters)});
 }
 
+void add_doubt(SlopeNote note, Sensitivity& result) {
+  const bool is_left_out = note.error > 0.1;
+  for (auto& outcome : result.outcome)
+    for (std::size_t c = 0; is_left_out && c < outcome.slope.size(); ++c)
+      if (concerns(note, name_of(outcome), result.parameter[c].name)) outcome.slope[c].reset();
+  if (is_left_out) note.text += ": they are left out";
+  result.notes.push_back(std::move(note));
+}
+
 void leave_out_unbounded(Sensitivity& slopes) {
   SlopeNote note{.text = "slopes that are missing are unbounded: an event is met with no speed at all"};
   std::vector<bool> is_missing(slopes.parameter.size(), false);

@@ -51,6 +51,9 @@ void expect_few(Index components, Index parameters);
 /// Of a contact that closes without slip and slips; `moved` are parameters that give it one.
 void add_note_of_landing(const std::vector<bool>& moved, Sensitivity& result);
 
+/// Add a note of an error. Slopes that may be off by more than a tenth tell nothing, and are left out.
+void add_doubt(SlopeNote note, Sensitivity& result);
+
 /// Of the events that cross slowly, the slowest during the run or at its end.
 template <class System>
 void add_slowest(const SlopeRun<System>& end, bool is_end, double unit, const Names& ending,
@@ -72,7 +75,7 @@ void add_notes(const SlopeRun<System>& end, double unit, const Names& ending, Se
                          names_of(result.parameter, [&](std::size_t c) { return one.apart[c]; })));
   const auto shared = names_of(result.parameter, [&](std::size_t c) { return end.time_is_shared[c]; });
   if (!shared.empty()) result.notes.push_back(shared_ending_note(ending, shared));
-  if (end.unresolved > 0) result.notes.push_back(unresolved_note(end.unresolved));
+  if (end.unresolved > 0) add_doubt(unresolved_note(end.unresolved), result);
   if (end.time_is_noise) result.notes.push_back(noise_ending_note(ending));
 }
 

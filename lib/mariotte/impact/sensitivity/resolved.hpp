@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "mariotte/hybrid/simulate.hpp"
+#include "mariotte/impact/sensitivity/notes.hpp"
 #include "mariotte/impact/sensitivity/sensitivity.hpp"
 
 namespace mariotte::impact {
@@ -23,15 +24,6 @@ struct SlopeLoss {
   SlopeNote (*note)(double error);
 };
 
-/// Slopes that a note says to be off by more than a tenth tell nothing.
-inline void leave_out_doubtful(SlopeNote& note, Sensitivity& found) {
-  if (note.error <= 0.1) return;
-  for (auto& outcome : found.outcome)
-    for (std::size_t c = 0; c < outcome.slope.size(); ++c)
-      if (concerns(note, name_of(outcome), found.parameter[c].name)) outcome.slope[c].reset();
-  note.text += ": they are left out";
-}
-
 /// `once` is a run with slopes at an accuracy, and how many times its error some of them have; pieces may
 /// leave ten times as much. Where that is more than was asked, another run has more digits; `note(error)`
 /// tells if doubles do not have so many.
@@ -45,8 +37,7 @@ Sensitivity resolved(const hybrid::Options& asked, Once&& once, Note&& note) {
   std::tie(found, loss) = once(options);
   const double error = left * options.accuracy * loss;
   if (error > 2 * asked.accuracy) {
-    found.notes.push_back(note(error));
-    leave_out_doubtful(found.notes.back(), found);
+    add_doubt(note(error), found);
   }
   return found;
 }
