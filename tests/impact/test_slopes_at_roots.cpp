@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE(contacts_that_unload_steeply_have_slopes) {
   auto by = impact::parameters(pair);
   std::erase_if(by, [](const auto& one) { return !one.name.ends_with("loading_stiffness"); });
   BOOST_TEST_REQUIRE(by.size() == 2u);
-  const auto& slope = impact::sensitivity(pair, by, {.accuracy = 1e-10}).outcome[0].slope;
+  const auto slope = impact::sensitivity(pair, by, {.accuracy = 1e-10}).outcome[0].slope;
   const double half = 0.5 * std::sqrt(loading / unloading);
   BOOST_TEST(std::abs(slope[0].value() * loading / -half - 1) < 1e-7);
   BOOST_TEST(std::abs(slope[1].value() * unloading / half - 1) < 1e-6);
