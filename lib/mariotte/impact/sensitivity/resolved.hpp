@@ -36,9 +36,7 @@ Sensitivity resolved(const hybrid::Options& asked, Once&& once, Note&& note) {
   options.accuracy = std::clamp(asked.accuracy / (left * loss), least, options.accuracy);
   std::tie(found, loss) = once(options);
   const double error = left * options.accuracy * loss;
-  if (error > 2 * asked.accuracy) {
-    add_doubt(note(error), found);
-  }
+  if (error > 2 * asked.accuracy) add_doubt(note(error), found);
   return found;
 }
 
