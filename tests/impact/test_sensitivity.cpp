@@ -376,7 +376,10 @@ BOOST_AUTO_TEST_CASE(a_damper_that_pulls_to_the_end_has_a_note_that_is_large_eno
     double allowed = 1e-10;
     for (const auto& note : found.notes) allowed = std::max(allowed, note.error);
     BOOST_TEST_CONTEXT("exponent " << exponent) {
-      BOOST_TEST(std::abs(slope(found, "velocity", 0, "mass[0]") - difference) < allowed + 1e-9);
+      if (const auto& own = found.outcome[0].slope[0])
+        BOOST_TEST(std::abs(*own - difference) < allowed + 1e-9);
+      else
+        BOOST_TEST(allowed > 0.1);  // left out
       BOOST_TEST(allowed < 3);
     }
   }

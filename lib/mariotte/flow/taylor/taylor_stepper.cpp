@@ -27,11 +27,6 @@ constexpr double kept_stride = 0.75;
 constexpr double share_of_strong_roots = 1.7;
 /// Share of the radius of convergence that a step may use.
 constexpr double safe_radius = 0.7;
-/// How many times the tolerance the last term but one may be: what is left out begins behind the last. Along
-/// an island of a longer row errors add up.
-double last_but_one(const Window& window) {
-  return window.row && window.row->is_slice ? 1 : 3;
-}
 /// How many times the tolerance the two terms before the last two may be. Where coefficients fall evenly they
 /// are less, so this bounds a step only where the last two are small by chance.
 constexpr double before_last = 300;
@@ -193,11 +188,11 @@ int Stepper::narrowest() const {
   return found;
 }
 
-/// Where the last coefficient comes to the tolerance, and the one before nearly so, but no further than a
-/// safe share of the radius of convergence: beyond, a weak singularity, a contact about to let go, hides
-/// behind small coefficients. From a turn on a motion has every second coefficient only: the last ones of δ
-/// and δ̇ are one number, which may be small by chance. So the two before are looked at, too. Where either
-/// vanish, the others are rounding, and say nothing.
+/// Where the last coefficients come to the tolerance, but no further than a safe share of the radius of
+/// convergence: beyond, a weak singularity, a contact about to let go, hides behind small coefficients. From
+/// a turn on a motion has every second coefficient only: the last ones of δ and δ̇ are one number, which may
+/// be small by chance. So the two before are looked at, too. Where either vanish, the others are rounding,
+/// and say nothing.
 double Stepper::reach(const Piece& piece) const {
   const bool fresh = piece.clock != Expansion::plain && window.lanes.rate[piece.clock] > 0;
   const int group = fresh ? 5 : 2;  // near an onset four of five vanish, or nearly so
@@ -208,8 +203,7 @@ double Stepper::reach(const Piece& piece) const {
     end = std::min(end, rough_root(most / std::max(size[i], tiny), first + i));
   };
   for (int i = 0; i < group; ++i) {
-    const bool is_last = fresh || i + 1 == group;
-    bound(group + i, (is_last ? 1 : last_but_one(window)) * precision_.tolerance);
+    bound(group + i, precision_.tolerance);
     if (!fresh) bound(i, before_last * precision_.tolerance);
     last = std::max(last, size[group + i]);
     before = std::max(before, size[i]);
