@@ -20,6 +20,8 @@ constexpr double most_doubt = 1e-4;
 /// CPU time of slopes beyond which a brisk campaign leaves a scene out; differences take hundreds of runs
 /// [s].
 constexpr double most_brisk_seconds = 0.01;
+/// Slopes that may be off by more than this are left out.
+constexpr double left_out_from = 0.1;
 /// By how much of their units numbers are moved to tell how slopes follow.
 constexpr double perturbation = 1e-6;
 
@@ -96,7 +98,7 @@ class SlopeExamination {
       const auto what =
           fmt::format("{}[{}] by {}", outcome.name, outcome.index.value_or(0), subject_.probes[c].name);
       if (std::isnan(best[i]))
-        find(what + " has no slope, and no note says why", accuracies.size() - 1, i, c, infinity);
+        find(what + " has no slope, and no note says why", accuracies.size() - 1, i, c, left_out_from);
       else
         compare_one(what, c, i, expected.of(i), size);
     }

@@ -203,7 +203,7 @@ void add_doubt(SlopeNote note, Sensitivity& result) {
   for (auto& outcome : result.outcome)
     for (std::size_t c = 0; is_left_out && c < outcome.slope.size(); ++c)
       if (concerns(note, name_of(outcome), result.parameter[c].name)) outcome.slope[c].reset();
-  if (is_left_out) note.text += ": they are left out", note.error = infinity;
+  if (is_left_out) note.text += ": they are left out";
   result.notes.push_back(std::move(note));
 }
 
