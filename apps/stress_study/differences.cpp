@@ -6,14 +6,14 @@
 #include <utility>
 
 #include "judge.hpp"
-#include "mariotte/impact/sensitivity/resolved.hpp"
 
 namespace mariotte::stress_study {
 namespace {
 
 constexpr int lengths = 10;
 constexpr double shortening = 0.25;
-constexpr double clearly = 2;  ///< times the doubts of two estimates: they contradict each other
+constexpr double clearly = 2;   ///< times the doubts of two estimates: they contradict each other
+constexpr double hair = 1e-12;  ///< of the unit of a number: what it moves is next to rounding
 /// Of what outcomes are, or are compared with: least rounding of the best runs.
 constexpr double least_noise = 1e-14;
 
@@ -60,6 +60,19 @@ class Neighbours {
       }
     return most;
   }
+  /// By how much each outcome is off the middle of those on both sides at most, over its size.
+  Values bend(const impact::Sensitivity& base, const Values& sizes) const {
+    Values most(sizes.size(), 0.0);
+    for (int k = 1; k <= reach; ++k)
+      for (std::size_t i = 0; i < most.size(); ++i) {
+        if (!(sizes[i] > 0)) continue;
+        const auto &before = values_[reach - k], &after = values_[reach + k];
+        if (before.empty() || after.empty()) return Values(sizes.size(), infinity);
+        const double middle = 0.5 * (before[i] + after[i]);
+        most[i] = std::max(most[i], std::abs(middle - base.outcome[i].value.value_or(0)) / sizes[i]);
+      }
+    return most;
+  }
   /// Per unit of outcomes and of the number.
   Values slope(const Formula& formula, const Values& sizes, double unit) const {
     Values sum(sizes.size(), 0.0);
@@ -82,23 +95,16 @@ class Neighbours {
   std::array<Values, 2 * reach + 1> values_;
 };
 
-/// What a run has lost, as a share of its outcomes: slopes make a hundred times that of it.
-double lost(const impact::Sensitivity& base) {
-  double most = 0;
-  for (const auto& note : base.notes)
-    if (note.outcomes.empty() && note.parameters.empty() && std::isfinite(note.error))
-      most = std::max(most, impact::slope_share * note.error);
-  return most;
-}
-
-/// What rounding makes of each outcome, over its size: runs whose number differs by rounding tell it.
+/// What rounding makes of each outcome, over its size: runs whose number differs by rounding tell it, and
+/// those a little further away what jumps there are between them.
 Values noise(const Probe& probe, const impact::Sensitivity& base, const Values& sizes) {
   const double step = representable(probe, 16 * epsilon * std::max(std::abs(probe.value), probe.unit));
   auto list = Neighbours(probe, step, base).spread(base, sizes);
+  const auto jumps = Neighbours(probe, representable(probe, hair * probe.unit), base).bend(base, sizes);
   for (std::size_t i = 0; i < list.size(); ++i)
     if (sizes[i] > 0)
       list[i] +=
-          (least_noise + lost(base)) * std::max(1.0, std::abs(base.outcome[i].value.value_or(0) / sizes[i]));
+          jumps[i] + least_noise * std::max(1.0, std::abs(base.outcome[i].value.value_or(0) / sizes[i]));
   return list;
 }
 

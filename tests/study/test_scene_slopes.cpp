@@ -306,3 +306,40 @@ BOOST_AUTO_TEST_CASE(an_impact_after_a_very_long_flight_says_how_exact_its_slope
   const auto tells = [](const impact::SlopeNote& note) { return note.error > 1e-6 && note.error < infinity; };
   BOOST_TEST(std::count_if(found.notes.begin(), found.notes.end(), tells) == 1);
 }
+
+// A linear contact is smooth from its onset on, so slopes need no more pieces there than the accuracy asks
+// for.
+BOOST_AUTO_TEST_CASE(a_rod_that_falls_on_linear_contacts_has_slopes_at_every_accuracy) {
+  const auto at = [](const std::string& accuracy) {
+    return slope(
+        slopes_of(
+            "[run]\nmax_time = 0.08\naccuracy = " + accuracy +
+                "\n[bodies]\ndimension = 2\nlaw = \"linear\"\nstiffness = 186912803737.24487\nshare = 0\n"
+                "tangential = \"rigid\"\nfriction = 0.024922980952437369\n[[bodies.body]]\n"
+                "mass = 0.020148488124587555\nposition = [0, 0.025]\n"
+                "velocity = [-0.9673928106699774, -0.91437939966270232]\nangle = -1.6421636100445522\n"
+                "shape = \"rod\"\nradius = 0.005\nlength = 0.014668705140922873\n"
+                "spin = -59.456639841367746\n[[bodies.plane]]\nnormal = [0, 1]\n",
+            {"body[0].velocity[1]"}),
+        "bodies[0].velocity[1]", 0);
+  };
+  BOOST_TEST(std::abs(at("1e-6") - at("1e-10")) < 1e-6);
+  BOOST_TEST(std::abs(at("1e-8") - at("1e-10")) < 1e-8);
+}
+
+BOOST_AUTO_TEST_CASE(slopes_of_a_run_without_a_digit_are_left_out_with_a_note) {
+  const auto found = slopes_of(
+      "[network]\nmass = [1, 1, 1]\nvelocity = [-0.6306389410509874, 0.7860422678166059, "
+      "-0.1683176747029167]\n"
+      "law = \"linear\"\n[run]\nmax_time = 100\n"
+      "[[network.contact]]\ndirection = [0.7274930810808169, 0, -0.7309372164657033]\n"
+      "gap = 0.001856736083980787\nstiffness = 1000\n"
+      "[[network.contact]]\ndirection = [-0.6719650032194537, 0, 0.287143297419596]\n"
+      "gap = 0.001323591829275181\nstiffness = 1000\n"
+      "[[network.contact]]\ndirection = [1, 0, 0]\ngap = 0.012628755614028918\nstiffness = 1000\n",
+      {"mass"});
+  for (const auto& outcome : found.outcome)
+    for (const auto& one : outcome.slope) BOOST_TEST(!one);
+  const auto tells = [](const impact::SlopeNote& note) { return note.text.ends_with("they are left out"); };
+  BOOST_TEST(std::count_if(found.notes.begin(), found.notes.end(), tells) == 1);
+}

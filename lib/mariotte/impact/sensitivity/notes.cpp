@@ -7,6 +7,16 @@
 #include "mariotte/core/error.hpp"
 
 namespace mariotte::impact {
+namespace {
+
+/// "errors grow so much that slopes may be off by 2e-06 of their size".
+SlopeNote doubt(const std::string& cause, double error, const std::string& more = {}) {
+  char size[32];
+  std::snprintf(size, sizeof size, "%.1g", error);
+  return {.text = cause + " that slopes may be off by " + size + " of their size" + more, .error = error};
+}
+
+}  // namespace
 
 SlopeNote grazing_note(const DelicateEvent& event, double unit, Names outcomes) {
   char text[200];
@@ -40,39 +50,19 @@ SlopeNote unknown_way_note() {
 }
 
 SlopeNote turning_slip_note(double error) {
-  char text[160];
-  std::snprintf(
-      text, sizeof text,
-      "a slip in space passes so near to rest that slopes may be off by %.1g of their size: friction "
-      "turns about there",
-      error);
-  return {.text = text, .error = error};
+  return doubt("a slip in space passes so near to rest", error, ": friction turns about there");
 }
 
 SlopeNote shared_onset_note(double error) {
-  char text[160];
-  std::snprintf(text, sizeof text,
-                "contacts close at one instant, slowly, and parameters draw them apart so far that slopes "
-                "may be off by %.1g of their size",
-                error);
-  return {.text = text, .error = error};
+  return doubt("contacts close at one instant, slowly, and parameters draw them apart so far", error);
 }
 
 SlopeNote shrinking_note(double error) {
-  char text[160];
-  std::snprintf(
-      text, sizeof text,
-      "slopes on the way are so much larger than those of the outcome that these may be off by %.1g "
-      "of their size",
-      error);
-  return {.text = text, .error = error};
+  return doubt("slopes on the way are so much larger than those of the outcome", error);
 }
 
 SlopeNote growing_note(double error) {
-  char text[160];
-  std::snprintf(text, sizeof text,
-                "errors grow so much on the way that slopes may be off by %.1g of their size", error);
-  return {.text = text, .error = error};
+  return doubt("errors grow so much on the way", error);
 }
 
 SlopeNote shared_ending_note(Names outcomes, Names parameters) {
@@ -164,13 +154,7 @@ SlopeNote unresolved_note(double error) {
 }
 
 SlopeNote long_way_note(double error) {
-  char text[160];
-  std::snprintf(
-      text, sizeof text,
-      "indentations are so small beside the way to the first contact that slopes may be off by %.1g "
-      "of their size",
-      error);
-  return {.text = text, .error = error};
+  return doubt("indentations are so small beside the way to the first contact", error);
 }
 
 SlopeNote faded_spring_note(Names outcomes) {
@@ -199,11 +183,12 @@ void add_note_of_landing(const std::vector<bool>& moved, Sensitivity& result) {
 }
 
 void add_doubt(SlopeNote note, Sensitivity& result) {
-  const bool is_left_out = note.error > 0.1;
-  for (auto& outcome : result.outcome)
-    for (std::size_t c = 0; is_left_out && c < outcome.slope.size(); ++c)
-      if (concerns(note, name_of(outcome), result.parameter[c].name)) outcome.slope[c].reset();
-  if (is_left_out) note.text += ": they are left out";
+  if (note.error > 0.1) {
+    note.text += ": they are left out";
+    for (auto& outcome : result.outcome)
+      for (std::size_t c = 0; c < outcome.slope.size(); ++c)
+        if (concerns(note, name_of(outcome), result.parameter[c].name)) outcome.slope[c].reset();
+  }
   result.notes.push_back(std::move(note));
 }
 

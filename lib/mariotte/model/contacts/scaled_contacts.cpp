@@ -47,8 +47,8 @@ std::size_t quickest_contact(const std::vector<contact::Law>& law, const std::ve
 
 /// c L^n/(M V).
 double scaled_damping(const contact::PowerLaw& law, const Scale& scale) {
-  const double width = contact::contact_width(law.exponent, scale.length);
-  return law.damping == 0 ? 0 : law.damping * (width * scale.length) / scale.momentum();
+  if (law.damping == 0) return 0;
+  return law.damping * (contact::contact_width(law.exponent, scale.length) * scale.length) / scale.momentum();
 }
 
 /// k L^{n+1}/(M V²) and c L^n/(M V) of a power law. Any other law is asked in its own units.
