@@ -213,10 +213,9 @@ BOOST_AUTO_TEST_CASE(a_point_that_does_not_rise_is_told_by_its_line) {
                                    {"0, 1\n1, 2\n", 2},
                                    {"0, 0\n\n1, 2\n2, -1\n", 5}}) {
     std::ofstream(folder.path / "curve.csv") << "indentation, force\n" << rows;
-    BOOST_CHECK_EXCEPTION(scene::read((folder.path / "pair.toml").string()), scene::SceneError,
-                          [line](const scene::SceneError& error) {
-                            return std::string(error.what()).find("curve.csv:" + std::to_string(line)) !=
-                                   std::string::npos;
-                          });
+    const auto names = [place = "curve.csv:" + std::to_string(line)](const scene::SceneError& error) {
+      return std::string(error.what()).find(place) != std::string::npos;
+    };
+    BOOST_CHECK_EXCEPTION(scene::read((folder.path / "pair.toml").string()), scene::SceneError, names);
   }
 }

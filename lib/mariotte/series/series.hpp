@@ -30,16 +30,20 @@ class Series {
  public:
   using Row = typename Rows<Field, MostOrder, V>::Row;
 
-  /// Coefficients 0 … order of states and values, for a start and parameters; order ≥ 1.
-  void expand(const States<Field, V>& start, const Parameters<Field, V>& parameters, int order) {
-    expand_states(start, parameters, order);
+  /// Coefficients 0 … order of states and values, for a start and parameters; order ≥ 1. Those up to the
+  /// order `known` are here from the call before, which had the same start.
+  void expand(const States<Field, V>& start, const Parameters<Field, V>& parameters, int order,
+              int known = 0) {
+    expand_states(start, parameters, order, known);
     finish(order);
   }
   /// The same without coefficient `order` of values.
-  void expand_states(const States<Field, V>& start, const Parameters<Field, V>& parameters, int order) {
-    begin(start, parameters);
-    States<Field, V> newest = coefficients(1);
-    for (int k = 1; k < order; ++k) stage(k, stay_in_registers ? &newest : nullptr);
+  void expand_states(const States<Field, V>& start, const Parameters<Field, V>& parameters, int order,
+                     int known = 0) {
+    if (known == 0) begin(start, parameters);
+    const int first = known == 0 ? 1 : known;
+    States<Field, V> newest = coefficients(first);
+    for (int k = first; k < order; ++k) stage(k, stay_in_registers ? &newest : nullptr);
   }
 
   /// Order 0, and order 1 of the states.

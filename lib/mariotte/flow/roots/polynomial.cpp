@@ -184,9 +184,9 @@ bool falls(std::span<const double> c, double end) {
 double place_of_fall(std::span<const double> c, double end) {
   while (c.size() > 1 && c[0] == 0) c = c.subspan(1);  // a root at 0 is divided out
   if (c.size() < 2) return infinity;
+  if (lower_bound(c, end) > 0) return infinity;
   if (falls(c, end)) return only_root(c, 0, end);
-  const auto stays_above = [&] { return c[0] > 0 && lower_bound(c.subspan(1), end) > 0; };
-  if (lower_bound(c, end) > 0 || stays_above()) return infinity;
+  if (c[0] > 0 && lower_bound(c.subspan(1), end) > 0) return infinity;
   if (c[0] > 0 && bends_down(c, end)) return only_root(c, 0, end);
   const Search search{c, c.size() - 1};
   return search.first(from_powers(c, end), 0, end, 0);

@@ -20,14 +20,17 @@ struct TipStart : Motion {
 };
 
 /// Memory of one run. Each gives the coefficients 0 … order of every row, by the field of the phase; valid
-/// until the next call.
+/// until the next call. Those up to the order `known` may be taken from the call before, if it had the same
+/// start.
 class TipExpansions {
  public:
   virtual ~TipExpansions() = default;
-  virtual const PowerSeries* expand(const TipPhase& phase, const TipStart<NormalMotion>& from, int order) = 0;
-  virtual const PowerSeries* expand(const TipPhase& phase, const TipStart<PlanarMotion>& from, int order) = 0;
-  virtual const PowerSeries* expand(const TipPhase& phase, const TipStart<SpatialMotion>& from,
-                                    int order) = 0;
+  virtual const PowerSeries* expand(const TipPhase& phase, const TipStart<NormalMotion>& from, int order,
+                                    int known = 0) = 0;
+  virtual const PowerSeries* expand(const TipPhase& phase, const TipStart<PlanarMotion>& from, int order,
+                                    int known = 0) = 0;
+  virtual const PowerSeries* expand(const TipPhase& phase, const TipStart<SpatialMotion>& from, int order,
+                                    int known = 0) = 0;
 };
 
 /// With the widest registers that this machine has.

@@ -36,18 +36,23 @@ using FromRest = SpatialField<Grip::from_rest, true>;
 
 class Expansions final : public TipExpansions {
  public:
-  const PowerSeries* expand(const TipPhase& phase, const TipStart<NormalMotion>& from, int order) override {
-    return follows_works(phase) ? by<NormalField<true>>(from, order) : by<NormalField<false>>(from, order);
+  const PowerSeries* expand(const TipPhase& phase, const TipStart<NormalMotion>& from, int order,
+                            int known) override {
+    return follows_works(phase) ? by<NormalField<true>>(from, order, known)
+                                : by<NormalField<false>>(from, order, known);
   }
-  const PowerSeries* expand(const TipPhase& phase, const TipStart<PlanarMotion>& from, int order) override {
-    return phase.sticking ? planar<true>(phase, from, order) : planar<false>(phase, from, order);
+  const PowerSeries* expand(const TipPhase& phase, const TipStart<PlanarMotion>& from, int order,
+                            int known) override {
+    return phase.sticking ? planar<true>(phase, from, order, known)
+                          : planar<false>(phase, from, order, known);
   }
-  const PowerSeries* expand(const TipPhase& phase, const TipStart<SpatialMotion>& from, int order) override {
-    if (phase.sticking) return spatial<Grip::sticking>(phase, from, order);
-    if (phase.friction == 0) return spatial<Grip::none>(phase, from, order);
+  const PowerSeries* expand(const TipPhase& phase, const TipStart<SpatialMotion>& from, int order,
+                            int known) override {
+    if (phase.sticking) return spatial<Grip::sticking>(phase, from, order, known);
+    if (phase.friction == 0) return spatial<Grip::none>(phase, from, order, known);
     if (phase.slip != TipPhase::Slip::moving) return from_rest(phase, from, order);
-    return phase.indented ? spatial<Grip::sinking_sliding>(phase, from, order)
-                          : spatial<Grip::sliding>(phase, from, order);
+    return phase.indented ? spatial<Grip::sinking_sliding>(phase, from, order, known)
+                          : spatial<Grip::sliding>(phase, from, order, known);
   }
 
  private:
@@ -55,20 +60,21 @@ class Expansions final : public TipExpansions {
 
   /// The first row, after expansion.
   template <class Field>
-  const PowerSeries* by(const TipStart<typename Field::Motion>& from, int order) {
+  const PowerSeries* by(const TipStart<typename Field::Motion>& from, int order, int known) {
     auto& expansion = memory_.get<Field>();
-    expansion.expand(from.start, from.parameter, order);
+    expansion.expand(from.start, from.parameter, order, known);
     return &expansion[0];
   }
   template <bool sticks>
-  const PowerSeries* planar(const TipPhase& phase, const TipStart<PlanarMotion>& from, int order) {
-    return follows_works(phase) ? by<PlanarField<sticks, true>>(from, order)
-                                : by<PlanarField<sticks, false>>(from, order);
+  const PowerSeries* planar(const TipPhase& phase, const TipStart<PlanarMotion>& from, int order, int known) {
+    return follows_works(phase) ? by<PlanarField<sticks, true>>(from, order, known)
+                                : by<PlanarField<sticks, false>>(from, order, known);
   }
   template <Grip grip>
-  const PowerSeries* spatial(const TipPhase& phase, const TipStart<SpatialMotion>& from, int order) {
-    return follows_works(phase) ? by<SpatialField<grip, true>>(from, order)
-                                : by<SpatialField<grip, false>>(from, order);
+  const PowerSeries* spatial(const TipPhase& phase, const TipStart<SpatialMotion>& from, int order,
+                             int known) {
+    return follows_works(phase) ? by<SpatialField<grip, true>>(from, order, known)
+                                : by<SpatialField<grip, false>>(from, order, known);
   }
   const PowerSeries* from_rest(const TipPhase& phase, const TipStart<SpatialMotion>& from, int order) {
     auto& expansion = memory_.get<FromRest>();

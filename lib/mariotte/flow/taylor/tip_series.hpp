@@ -8,8 +8,11 @@ namespace mariotte::flow {
 template <class Motion>
 class TipSeries : public TipStart<Motion> {
  public:
-  /// Coefficients 0 … order of every row, by the field of this phase.
-  void expand(const TipPhase& phase, int order) { rows_ = expansions_->expand(phase, *this, order); }
+  /// Coefficients 0 … order of every row, by the field of this phase; from `known` on, if those up to there
+  /// are here.
+  void expand(const TipPhase& phase, int order, int known) {
+    rows_ = expansions_->expand(phase, *this, order, known);
+  }
   const PowerSeries& operator[](int row) const { return rows_[row]; }
 
  private:

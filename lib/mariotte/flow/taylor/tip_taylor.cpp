@@ -1,6 +1,7 @@
 #include "mariotte/flow/taylor/tip_taylor.hpp"
 
 #include <tuple>
+#include <utility>
 
 #include "mariotte/core/bracket.hpp"
 #include "mariotte/flow/roots/rough_root.hpp"
@@ -14,6 +15,12 @@ namespace {
 /// A slip that friction holds down to a small, turning rest is stiff: |u| bounds the steps. So is a tip that
 /// creeps in its well by strong damping. What needs more steps, or has no finite series, is left to BDF.
 constexpr SeriesLimits limits{.steps = 5000, .stalled = 200};
+
+/// Where a tip that sticks breaks loose while its force changes sign, it slides for a moment before and a
+/// moment after. What may be such a moment is expanded so far first, and no further if that shows its end.
+constexpr int brief_order = 8;
+/// Share of the incident speed.
+constexpr double slow_slip = 0.1;
 
 std::span<const double> terms(const PowerSeries& row, int order) {
   return {row.data(), static_cast<std::size_t>(order) + 1};
@@ -136,19 +143,24 @@ class TipMotionSeries final {
     problem_ = &problem;
     phase_ = *problem.tip();
     accuracy_ = resolving_accuracy(problem, asked, 64 * epsilon);
-    order_ = series_order(accuracy_);
+    full_order_ = series_order(accuracy_);
     guards_.resize(problem.guard_count());
   }
 
-  int order() const { return order_; }
+  int order() const { return full_order_; }
   std::span<const double> time() const { return terms(series_[series_.time], order_); }
   bool is_stalled(const Step& step) const { return step.end - step.start <= 2 * epsilon * step.end; }
 
   double expand(ConstState x, bool first) {
     if (!first) phase_.slip = TipPhase::Slip::moving;
     load(series_, phase_, x);
-    series_.expand(phase_, order_);
-    return step_length(series_, phase_, accuracy_, order_);
+    order_ = 0;
+    if (first && may_be_brief()) {
+      const double reach = reach_of(std::min(brief_order, full_order_));
+      if (any_guard([&](Index, const PowerSeries& row) { return horner(terms(row, order_), reach) < 0; }))
+        return reach;
+    }
+    return reach_of(full_order_);
   }
 
   SeriesEnd end(double reach, bool first, State x) {
@@ -168,8 +180,33 @@ class TipMotionSeries final {
   const Problem* problem_ = nullptr;
   TipPhase phase_;
   double accuracy_ = 0;
-  int order_ = 0;
+  int order_ = 0, full_order_ = 0;
   std::vector<double> guards_;
+
+  void expand_to(int order) { series_.expand(phase_, order, std::exchange(order_, order)); }
+  /// Expand up to this order: how far the series is good enough.
+  double reach_of(int order) {
+    expand_to(order);
+    return step_length(series_, phase_, accuracy_, order_);
+  }
+
+  template <class Is>
+  bool any_guard(Is&& is) {
+    bool any = false;
+    each_guard(series_, phase_, order_,
+               [&](Index guard, const PowerSeries& row, double) { any = any || is(guard, row); });
+    return any;
+  }
+
+  /// It has just broken loose, or slips so slowly that it may soon hold again.
+  bool may_be_brief() {
+    if (phase_.stop < 0) return false;
+    if (phase_.slip != TipPhase::Slip::moving) return phase_.slip == TipPhase::Slip::breaking;
+    expand_to(1);
+    return any_guard([&](Index guard, const PowerSeries& row) {
+      return guard == phase_.stop && row[0] < slow_slip * phase_.speed;
+    });
+  }
 
   double unrest(double place, State x) {
     state(place, before, x);

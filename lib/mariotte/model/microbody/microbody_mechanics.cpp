@@ -48,8 +48,14 @@ Eigen::Vector2d along_itself(const Eigen::Vector2d& free, const Eigen::Matrix2d&
 
 bool hold(std::span<const double> mobility, std::span<const double> free, std::span<double> friction) {
   const Index size = std::ssize(free);
+  if (size == 2) {  // one tip
+    const Eigen::Map<const Eigen::Matrix2d> one(mobility.data());
+    Eigen::Map<Eigen::Vector2d>(friction.data()) =
+        -(one.inverse() * Eigen::Map<const Eigen::Vector2d>(free.data()));
+    return false;
+  }
   Matrix matrix = Eigen::Map<const Matrix>(mobility.data(), size, size);
-  const bool redundant = size > 2 && regularise(matrix);
+  const bool redundant = regularise(matrix);
   Eigen::Map<Vector>(friction.data(), size) =
       -matrix.partialPivLu().solve(Eigen::Map<const Vector>(free.data(), size));
   return redundant;
