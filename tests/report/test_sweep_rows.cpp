@@ -52,6 +52,7 @@ BOOST_AUTO_TEST_CASE(what_a_sweep_writes_is_believed) {
   BOOST_TEST(believed(with("1.5,", ",")));  // a quantity that this impact has not
   for (const char* ending : {"captured", "bound", "event_limit", "interrupted"})
     BOOST_TEST(believed(with("separated", ending)), ending);
+  BOOST_TEST(believed(with("separated,", "separated,what is to say of slopes")));
 }
 
 BOOST_AUTO_TEST_CASE(other_cells_are_not) {
@@ -59,7 +60,7 @@ BOOST_AUTO_TEST_CASE(other_cells_are_not) {
     BOOST_TEST(!believed(with("1.5", cell)), cell);
   BOOST_TEST(!believed(with("separated", "departed")));
   BOOST_TEST(!believed(with("time_limit", "failed")));   // with numbers
-  BOOST_TEST(!believed(with("rejected", "separated")));  // with a reason
+  BOOST_TEST(!believed(with("rejected", "separated")));  // one without numbers less
   BOOST_TEST(!believed(with("2,soft", "2.5,soft")));     // another point
   BOOST_TEST(!believed(with("soft", "hard")));
 }

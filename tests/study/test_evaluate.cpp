@@ -1,11 +1,12 @@
 #define BOOST_TEST_MODULE study_evaluate
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <fstream>
 
 #include "mariotte/impact/microbody/microbody_impact.hpp"
 #include "mariotte/impact/quantities/quantity.hpp"
-#include "mariotte/impact/sensitivity/sensitivity.hpp"
 #include "mariotte/scene/scene.hpp"
+#include "mariotte/study/sensitivity/scene_parameters.hpp"
 #include "mariotte/study/sweep/batch.hpp"
 #include "mariotte/study/sweep/sweep_reader.hpp"
 #include "study/sweep_scenes.hpp"
@@ -248,38 +249,89 @@ BOOST_AUTO_TEST_CASE(a_limit_keeps_the_numbers_that_were_reached) {
   BOOST_TEST(numbers[0] == 0.5, boost::test_tools::tolerance(1e-14));
 }
 
+/// The columns of the first point of a sweep over one value.
+struct Swept {
+  study::SweepPlan plan;
+  std::vector<double> numbers;
+  study::Verdict verdict;
+};
+Swept swept(const std::string& scene, const std::string& key, const Keys& columns) {
+  auto plan = study::read_sweep(
+      scene::parse_document(scene + "\n[[sweep]]\nkey = '" + key + "'\nvalues = [2]\n", "s.toml"), columns);
+  study::Variation points(plan.document, plan.design, study::find_slots(plan.document, plan.design));
+  study::PointEvaluation evaluation(plan);
+  study::Batch batch;
+  evaluate(points, evaluation, plan.columns.size(), 0, 1, batch);
+  return {std::move(plan), batch.numbers, batch.verdicts[0]};
+}
+
+/// The slope that `sensitivity` gives.
+double slope(const scene::Document& document, const std::string& outcome, const std::string& number) {
+  const auto all = study::sensitivity(document, resolve(document), {number});
+  for (const auto& one : all.outcome)
+    if (name_of(one) == outcome) return one.slope[0].value();
+  return 0;
+}
+
+const std::string three_steel_balls =
+    "[chain]\nradius = ['10 mm', '12 mm', '10 mm']\nmaterial = 'steel'\nlaw = 'hertz'\nvelocity = [1, 0, "
+    "0]\n";
+
 BOOST_AUTO_TEST_CASE(slopes_are_columns_beside_others) {
-  const auto scene = three();
   const Keys keys = {"final.velocity[0]", "sensitivity.velocity[2].mass[0]",
-                     "sensitivity.time.contact[1].stiffness"};
-  BOOST_TEST(expanded(keys, scene) == keys, boost::test_tools::per_element());
-  BOOST_TEST(study::expand_columns(keys, scene)[1].unit == "kg^-1 m s^-1");
-  BOOST_TEST(study::expand_columns({"sensitivity.icr[0].velocity[0]"}, scene)[0].unit == "s/m");
-  const auto numbers = evaluated(keys, scene);
-  const auto& chain = std::get<model::Chain>(scene.model);
-  const auto slopes = impact::sensitivity(chain, impact::parameters(chain), scene.run);
-  const auto slope = [&](const char* outcome, Index index, const char* parameter) {
-    for (const auto& one : slopes.outcome)
-      for (std::size_t c = 0; c < slopes.parameter.size(); ++c)
-        if (one.name == outcome && one.index.value_or(0) == index && slopes.parameter[c].name == parameter)
-          return one.slope[c].value();
-    return 0.0;
-  };
-  BOOST_TEST(numbers[0] == evaluated({"final.velocity[0]"}, scene)[0]);
-  BOOST_TEST(numbers[1] == slope("velocity", 2, "mass[0]"), boost::test_tools::tolerance(1e-9));
-  BOOST_TEST(numbers[2] == slope("time", 0, "contact[1].stiffness"), boost::test_tools::tolerance(1e-9));
+                     "sensitivity.time.contact[1].stiffness", "sensitivity.icr[0].velocity[0]"};
+  const auto [plan, numbers, verdict] = swept(test::three_balls, "chain.mass[1]", keys);
+  BOOST_TEST(plan.columns[1].unit == "kg^-1 m s^-1");
+  BOOST_TEST(plan.columns[3].unit == "s/m");
+  const auto document = scene::parse_document(test::three_balls, "s.toml", {"chain.mass[1]=2"});
+  BOOST_TEST(numbers[0] == evaluated({"final.velocity[0]"}, resolve(document))[0]);
+  BOOST_TEST(numbers[1] == slope(document, "velocity[2]", "mass[0]"), boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(numbers[2] == slope(document, "time", "contact[1].stiffness"),
+             boost::test_tools::tolerance(1e-9));
+}
+
+BOOST_AUTO_TEST_CASE(slopes_by_numbers_of_the_scene_are_columns) {
+  const auto [plan, numbers, verdict] =
+      swept(three_steel_balls, "chain.velocity[0]", {"sensitivity.velocity[2].chain.radius[0]"});
+  BOOST_TEST(verdict.reason == "");
+  BOOST_TEST(plan.columns[0].unit == "s^-1");
+  const auto document = scene::parse_document(three_steel_balls, "s.toml", {"chain.velocity[0]=2"});
+  BOOST_TEST(numbers[0] != 0);
+  BOOST_TEST(numbers[0] == slope(document, "velocity[2]", "chain.radius[0]"),
+             boost::test_tools::tolerance(1e-9));
+}
+
+BOOST_AUTO_TEST_CASE(slopes_of_bodies_are_columns) {
+  std::ifstream file(MARIOTTE_SCENES "/oblique_sphere.toml");
+  const std::string scene{std::istreambuf_iterator<char>(file), {}};
+  const auto [plan, numbers, verdict] =
+      swept(scene, "bodies.body[0].spin", {"sensitivity.bodies[0].velocity[0].body[0].velocity[0]"});
+  const auto document = scene::parse_document(scene, "s.toml", {"bodies.body[0].spin=2"});
+  BOOST_TEST(numbers[0] == slope(document, "bodies[0].velocity[0]", "body[0].velocity[0]"),
+             boost::test_tools::tolerance(1e-9));
+}
+
+BOOST_AUTO_TEST_CASE(a_point_says_why_it_has_no_slope) {
+  const auto [plan, numbers, verdict] =
+      swept("[chain]\nmass = [1, 2, 1]\nvelocity = [1, 0, -1]\nlaw = 'hertz'\nstiffness = 1\n",
+            "chain.stiffness", {"sensitivity.time.mass[0]"});
+  BOOST_TEST(verdict.ending == "separated");
+  BOOST_TEST(verdict.reason.find("several contacts end the run at one instant") != std::string::npos,
+             verdict.reason);
 }
 
 BOOST_AUTO_TEST_CASE(slopes_that_a_scene_does_not_have_are_refused) {
-  const auto refused = [](const char* key, const scene::Scene& scene, const char* message) {
-    BOOST_CHECK_EXCEPTION(study::expand_columns({key}, scene), study::ColumnError, [&](const auto& error) {
-      return std::string(error.what()).find(message) != std::string::npos;
-    });
+  const auto refused = [](const std::string& key, const char* message) {
+    BOOST_CHECK_EXCEPTION(swept(test::three_balls, "chain.mass[1]", {key}), study::ColumnError,
+                          [&](const auto& error) {
+                            BOOST_TEST_INFO(error.what());
+                            return std::string(error.what()).find(message) != std::string::npos;
+                          });
   };
-  refused("sensitivity.velocity[3].mass[0]", three(), "this scene has no outcome 'velocity[3]'");
-  refused("sensitivity.velocity[0].mas[0]", three(), "did you mean 'mass[0]'?");
-  refused("sensitivity.velocity[0]", three(), "this scene has no parameter ''");
-  refused("sensitivity.e_n.radius", rod({}), "slopes are columns of chains and networks alone");
+  refused("sensitivity.velocity[3].mass[0]", "this scene has no outcome 'velocity[3]'");
+  refused("sensitivity.velocity[0].mas[0]", "did you mean 'mass[0]'?");
+  refused("sensitivity.velocity[0]", "this scene has no number ''");
+  BOOST_CHECK_THROW(study::expand_columns({"sensitivity.velocity[0].mass[0]"}, three()), study::ColumnError);
 }
 
 /// How many quantities have a column where every index is 0. What is counted by the run has no elements

@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE(samples_of_one_seed_are_the_same) {
 }
 
 BOOST_AUTO_TEST_CASE(what_is_no_deviation_is_refused_where_it_stands) {
-  expect_refused("\"1 m/s ± 0 m/s\"", "positive");
+  expect_refused("\"1 m/s ± 0 m/s\"", "its deviation must be positive");
   expect_refused("\"1 m/s ± 1 s\"", "m/s");
   expect_refused("\"0 m/s ± 1 mm/s\"", "is zero");
   expect_refused("\"1 m/s ± \"", "");

@@ -35,7 +35,7 @@ class Reader {
       return cell.empty() || (has_numbers && !std::isnan(number(cell)));
     };
     return std::all_of(cells_.begin(), cells_.begin() + static_cast<std::ptrdiff_t>(columns_), fits) &&
-           cells_.back().empty() == has_numbers;
+           (has_numbers || !cells_.back().empty());
   }
   Index failed() const { return failed_; }
 

@@ -6,9 +6,9 @@
 namespace mariotte::report {
 
 /// True if there is one line per point, each with the values that the design gives to its point, so many
-/// columns that are numbers or empty, a known ending, and a reason if and only if there are no numbers; and
-/// if the count of points without numbers is right. A checksum tells what a disk has altered; this tells what
-/// another hand has written.
+/// columns that are numbers or empty, a known ending, and a reason if there are no numbers; and if the count
+/// of points without numbers is right. A checksum tells what a disk has altered; this tells what another hand
+/// has written.
 bool are_rows_of(const study::Design& design, std::size_t columns, const study::Rows& rows);
 
 }  // namespace mariotte::report

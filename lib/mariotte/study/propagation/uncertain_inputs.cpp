@@ -62,8 +62,10 @@ double deviation_of(const Document& document, const Written& written, const Node
   const auto& text = written.deviation;
   const bool relative = text.ends_with('%');
   const Node node{relative ? trimmed(text.substr(0, text.size() - 1)) : text, written.place};
-  const double size = number(document.source, {&node, written.key}, relative ? dimension::none : dimension,
-                             scene::Domain::positive);
+  const scene::Field field{&node, written.key};
+  const double size =
+      number(document.source, field, relative ? dimension::none : dimension, scene::Domain::finite);
+  if (!(size > 0)) reject(document.source, field, fault::out_of_range, "its deviation must be positive");
   if (relative) return 0.01 * size * std::abs(value);
   expect_unit(document, written, of);
   return size;

@@ -24,7 +24,7 @@ std::optional<SceneNumber> number_at(Document document, const std::string& key) 
   const auto& dimension = watch.readings[0].dimension;
   if (!dimension) return std::nullopt;
   const double value = number(document.source, {&node, key}, *dimension, scene::Domain::any);
-  return SceneNumber{value, value == 0 ? typical(scene, *dimension) : std::abs(value)};
+  return SceneNumber{value, value == 0 ? typical(scene, *dimension) : std::abs(value), *dimension};
 }
 
 SceneNumber expect_number(const Document& document, const std::string& key) {

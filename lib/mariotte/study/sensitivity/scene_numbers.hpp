@@ -16,6 +16,7 @@ namespace mariotte::study {
 struct SceneNumber {
   double value = 0;
   double size = 0;
+  Dimension dimension = {};
 };
 
 /// The number that a key leads to, if the scene has it and reads it as one.

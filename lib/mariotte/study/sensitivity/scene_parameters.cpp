@@ -143,6 +143,18 @@ impact::Sensitivity sensitivity(const Document& document, const scene::Scene& sc
       [&] { return all_of_body(document, keys); });
 }
 
+std::vector<std::string> number_names(const Document& document, const scene::Scene& scene) {
+  std::vector<std::string> names;
+  const auto add = [&](const auto& all) {
+    for (const auto& one : all) names.push_back(one.name);
+  };
+  std::visit(Overload{[&](const model::Microbody&) { add(all_of_body(document, {})); },
+                      [&](const auto& model) { add(impact::parameters(model)); },
+                      [](const scene::LawAlone& nothing) { scene::refuse(nothing); }},
+             scene.model);
+  return names;
+}
+
 impact::Sensitivity outcomes(const scene::Scene& scene) {
   return slopes_of(
       scene,

@@ -16,6 +16,9 @@ std::vector<impact::Parameter<model::Chain>> chain_parameters(const scene::Docum
 std::vector<impact::Parameter<model::Microbody>> body_parameters(const scene::Document& document,
                                                                  const std::vector<std::string>& keys);
 
+/// The numbers of the model, by the names that `sensitivity` takes.
+std::vector<std::string> number_names(const scene::Document& document, const scene::Scene& scene);
+
 /// Slopes of the scene's outcome by `keys`: numbers of the model, as "mass[0]", all of one kind, as "mass" or
 /// "contact[1]", or keys of the scene, as "chain.radius". Without keys by all numbers of the model. If all
 /// that is asked of a long row of power laws is one velocity, "velocity[7]", slopes of it alone are swept

@@ -8,7 +8,7 @@ namespace {
 
 /// An exception is an answer, too: this point has no result, the others do.
 void put(Variation& variation, PointEvaluation& evaluation, const PointRow& row) try {
-  evaluation.put(variation.at(row.point), row);
+  evaluation.put(variation, row);
 } catch (const scene::SceneError& error) {
   *row.verdict = {.ending = "rejected", .reason = error.what()};
 } catch (const InvalidParameter& error) {

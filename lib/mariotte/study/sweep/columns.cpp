@@ -105,9 +105,10 @@ class Expansion {
   using Impact = decltype(impact::unfilled(std::declval<const Model&>()));
 
  public:
-  Expansion(const Model& model, const scene::Scene& scene, Counting counting)
+  Expansion(const Model& model, const scene::Scene& scene, Counting counting, const scene::Document* document)
       : model_(model),
         scene_(scene),
+        document_(document),
         run_(scene.run),
         result_(impact::unfilled(model)),
         may_run_(counting == Counting::by_run) {}
@@ -139,10 +140,11 @@ class Expansion {
   }
 
   void add_slope(const std::string& key) {
-    expect_slope(key, scene_);
+    if (!document_) throw ColumnError("'" + key + "': slopes are columns of sweeps alone");
+    const WrittenScene example{*document_, scene_};
+    expect_slope(key, example);
     if (known_.insert(key).second)
-      columns_.push_back(
-          {key, unit_of_slope(key, scene_), "", "slope of an outcome by a number of the model"});
+      columns_.push_back({key, unit_of_slope(key, example), "", "slope of an outcome by a number"});
   }
 
   /// Throws BeyondEnd if the model is too small for the index.
@@ -194,6 +196,7 @@ class Expansion {
 
   const Model& model_;
   const scene::Scene& scene_;
+  const scene::Document* document_;
   const hybrid::Options& run_;
   Impact result_;  ///< its lengths alone, until the scene has been run
   bool may_run_;   ///< and has not been yet
@@ -204,11 +207,12 @@ class Expansion {
 }  // namespace
 
 std::vector<Column> expand_columns(const std::vector<std::string>& keys, const scene::Scene& scene,
-                                   Counting counting) {
+                                   Counting counting, const scene::Document* document) {
   using Columns = std::vector<Column>;
-  return std::visit(Overload{[&](const auto& model) { return Expansion(model, scene, counting)(keys); },
-                             [](const scene::LawAlone& nothing) -> Columns { scene::refuse(nothing); }},
-                    scene.model);
+  return std::visit(
+      Overload{[&](const auto& model) { return Expansion(model, scene, counting, document)(keys); },
+               [](const scene::LawAlone& nothing) -> Columns { scene::refuse(nothing); }},
+      scene.model);
 }
 
 }  // namespace mariotte::study

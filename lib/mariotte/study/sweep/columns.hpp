@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "mariotte/core/error.hpp"
-#include "mariotte/scene/scene.hpp"
+#include "mariotte/scene/document.hpp"
 #include "mariotte/study/fault.hpp"
 
 namespace mariotte::study {
@@ -36,8 +36,10 @@ enum class Counting { by_run, without_run };
 /// The keys with `[*]` written out for a scene like this one, each once: "icr[*]" as "icr[0]", "icr[1]", …;
 /// without any keys, those that say most about it. Nothing is simulated, unless * stands for something that
 /// only a run can count, as events, and `counting` allows it. Throws ColumnError for a key that is no number
-/// of such a result.
+/// of such a result. Slopes are asked of the `document` that the scene was read from; without it there are
+/// none.
 std::vector<Column> expand_columns(const std::vector<std::string>& keys, const scene::Scene& scene,
-                                   Counting counting = Counting::by_run);
+                                   Counting counting = Counting::by_run,
+                                   const scene::Document* document = nullptr);
 
 }  // namespace mariotte::study

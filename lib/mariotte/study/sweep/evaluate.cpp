@@ -77,14 +77,16 @@ class Evaluator {
       if (is_slope(columns[i].key)) slopes_.push_back(slope_column(columns[i].key, i));
   }
 
-  Verdict operator()(const scene::Scene& scene, std::span<double> out) {
+  Verdict operator()(const scene::Scene& scene, std::span<double> out,
+                     const scene::Document* document = nullptr) {
     auto verdict =
         std::visit(Overload{[&]<class Model>(const Model& model) {
                               return std::get<OfModel<Model>>(all_).evaluate(model, scene, out);
                             },
                             [](const scene::LawAlone& nothing) -> Verdict { scene::refuse(nothing); }},
                    scene.model);
-    if (!slopes_.empty() && verdict.has_numbers()) fill_slopes(scene, slopes_, out);
+    if (document && !slopes_.empty() && verdict.has_numbers())
+      verdict.reason = fill_slopes({*document, scene}, slopes_, out);
     return verdict;
   }
   /// The model of a scene of which only what its quickest solver tells is asked; null of others.
@@ -135,13 +137,13 @@ Evaluations::Evaluations(const std::vector<Column>& columns, Take take)
     : parts_(new Parts{Evaluator(columns), std::move(take), std::vector<double>(columns.size())}) {}
 Evaluations::~Evaluations() = default;
 
-void Evaluations::put(Index which, const scene::Scene& scene) {
+void Evaluations::put(Index which, const scene::Scene& scene, const scene::Document* document) {
   auto& [evaluate, take, numbers, chains, bodies] = *parts_;
   if (const auto* chain = evaluate.brief_model<model::Chain>(scene))
     return chains.put(which, *chain, scene.run);
   if (const auto* body = evaluate.brief_model<model::Microbody>(scene))
     return bodies.put(which, *body, scene.run);
-  auto verdict = evaluate(scene, numbers);
+  auto verdict = evaluate(scene, numbers, document);
   take(which, std::move(verdict), numbers);
 }
 

@@ -13,7 +13,7 @@ namespace mariotte::study {
 /// How one point ended.
 struct Verdict {
   std::string ending = "separated";  ///< as in a result; "rejected" for a scene that makes no sense
-  std::string reason = {};           ///< why there are no numbers, if there are none
+  std::string reason = {};  ///< why there are no numbers, if there are none; what is to say of slopes
 
   /// Whether the numbers mean something: the run ended by itself, or at a limit that the scene sets.
   bool has_numbers() const;
@@ -35,8 +35,9 @@ class Evaluations {
 
   Evaluations(const std::vector<Column>& columns, Take take);
   ~Evaluations();
-  /// It is taken now, later, or by `finish`. Throws what a scene that makes no sense throws.
-  void put(Index which, const scene::Scene& scene);
+  /// It is taken now, later, or by `finish`. Columns that are slopes need the `document` that the scene was
+  /// read from. Throws what a scene that makes no sense throws.
+  void put(Index which, const scene::Scene& scene, const scene::Document* document = nullptr);
   void finish();
 
  private:

@@ -1,8 +1,11 @@
 #include "mariotte/study/sweep/point_evaluation.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
+
+#include "mariotte/study/sweep/slope_columns.hpp"
 
 namespace mariotte::study {
 namespace {
@@ -14,13 +17,16 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 PointEvaluation::PointEvaluation(const SweepPlan& plan)
     : design_(plan.design),
       outputs_(plan.outputs),
+      has_slopes_(std::any_of(plan.results.begin(), plan.results.end(),
+                              [](const Column& one) { return is_slope(one.key); })),
       evaluations_(plan.results, [this](Index which, Verdict verdict, std::span<const double> results) {
         keep(rows_[static_cast<std::size_t>(which)], std::move(verdict), results);
       }) {}
 
-void PointEvaluation::put(const scene::Scene& scene, const PointRow& row) {
+void PointEvaluation::put(Variation& points, const PointRow& row) {
+  const auto& scene = points.at(row.point);
   rows_.push_back(row);
-  evaluations_.put(std::ssize(rows_) - 1, scene);
+  evaluations_.put(std::ssize(rows_) - 1, scene, has_slopes_ ? &points.document(row.point) : nullptr);
 }
 
 void PointEvaluation::finish() {

@@ -2,6 +2,7 @@
 #pragma once
 #include "mariotte/study/sweep/evaluate.hpp"
 #include "mariotte/study/sweep/sweep_reader.hpp"
+#include "mariotte/study/sweep/variation.hpp"
 
 namespace mariotte::study {
 
@@ -20,7 +21,7 @@ class PointEvaluation {
   PointEvaluation& operator=(const PointEvaluation&) = delete;
 
   /// Fills in a row now, later, or by `finish`; it must stay where it is until then.
-  void put(const scene::Scene& scene, const PointRow& row);
+  void put(Variation& points, const PointRow& row);
   void finish();
 
  private:
@@ -28,6 +29,7 @@ class PointEvaluation {
 
   Design design_;
   std::vector<Output> outputs_;
+  bool has_slopes_;
   std::vector<PointRow> rows_;  ///< that have been put in since the last `finish`
   Evaluations evaluations_;
 };

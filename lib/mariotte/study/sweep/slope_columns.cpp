@@ -1,12 +1,14 @@
 #include "mariotte/study/sweep/slope_columns.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <limits>
 
 #include "mariotte/core/nearest.hpp"
-#include "mariotte/impact/sensitivity/sensitivity.hpp"
+#include "mariotte/study/sensitivity/scene_numbers.hpp"
+#include "mariotte/study/sensitivity/scene_parameters.hpp"
 #include "mariotte/study/sweep/columns.hpp"
 
 namespace mariotte::study {
@@ -15,10 +17,10 @@ namespace {
 constexpr std::string_view prefix = "sensitivity.";
 
 template <class Model>
-constexpr bool has_parameters = std::is_same_v<Model, model::Chain> || std::is_same_v<Model, model::Network>;
+constexpr bool has_balls = std::is_same_v<Model, model::Chain> || std::is_same_v<Model, model::Network>;
 
 template <class Model>
-std::vector<std::string> outcome_names(const Model& model) {
+std::vector<std::string> names_of_balls(const Model& model) {
   std::vector<std::string> names{"time"};
   const auto add = [&](const char* name, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) names.push_back(fmt::format("{}[{}]", name, i));
@@ -31,6 +33,17 @@ std::vector<std::string> outcome_names(const Model& model) {
   return names;
 }
 
+std::vector<std::string> outcome_names(const scene::Scene& scene) {
+  return std::visit(
+      [&]<class Model>(const Model& model) {
+        if constexpr (has_balls<Model>) return names_of_balls(model);
+        std::vector<std::string> names;
+        for (const auto& one : outcomes(scene).outcome) names.push_back(name_of(one));
+        return names;
+      },
+      scene.model);
+}
+
 void expect_known(const std::string& key, const char* what, const std::string& name,
                   const std::vector<std::string>& known) {
   if (std::find(known.begin(), known.end(), name) != known.end()) return;
@@ -39,8 +52,16 @@ void expect_known(const std::string& key, const char* what, const std::string& n
       fmt::format("'{}': this scene has no {} '{}'{}", key, what, name, suggestion(name, names)));
 }
 
-Dimension difference(const Dimension& a, const Dimension& b) {
-  return {.kg = a.kg - b.kg, .m = a.m - b.m, .s = a.s - b.s};
+std::optional<SceneNumber> find_number(const scene::Document& document, const std::string& key) try {
+  return number_at(document, key);
+} catch (const scene::SceneError&) {
+  return {};
+}
+
+/// Of a slope: no angle is meant by s⁻¹.
+std::string quotient(const Dimension& a, const Dimension& b) {
+  const auto unit = unit_of({.kg = a.kg - b.kg, .m = a.m - b.m, .s = a.s - b.s});
+  return unit == "rad/s" ? "s^-1" : unit;
 }
 
 /// Of "velocity[2]".
@@ -63,62 +84,55 @@ bool is_slope(std::string_view key) {
 
 SlopeColumn slope_column(std::string_view key, std::size_t column) {
   const auto names = key.substr(prefix.size());
-  const auto dot = std::min(names.find('.'), names.size());
+  auto dot = names.find('.');
+  if (names.starts_with("bodies[") && dot != names.npos) dot = names.find('.', dot + 1);
+  dot = std::min(dot, names.size());
   return {column, std::string(names.substr(0, dot)),
           std::string(names.substr(std::min(dot + 1, names.size())))};
 }
 
-void expect_slope(const std::string& key, const scene::Scene& scene) {
+void expect_slope(const std::string& key, const WrittenScene& example) {
   const auto wanted = slope_column(key, 0);
-  std::visit(
-      [&]<class Model>(const Model& model) {
-        if constexpr (has_parameters<Model>) {
-          expect_known(key, "outcome", wanted.outcome, outcome_names(model));
-          std::vector<std::string> names;
-          for (const auto& one : impact::parameters(model)) names.push_back(one.name);
-          expect_known(key, "parameter", wanted.parameter, names);
-        } else {
-          throw ColumnError(fmt::format("'{}': slopes are columns of chains and networks alone", key));
-        }
-      },
-      scene.model);
+  expect_known(key, "outcome", wanted.outcome, outcome_names(example.scene));
+  const auto names = number_names(example.document, example.scene);
+  if (!find_number(example.document, wanted.number)) expect_known(key, "number", wanted.number, names);
 }
 
-std::string unit_of_slope(const std::string& key, const scene::Scene& scene) {
+std::string unit_of_slope(const std::string& key, const WrittenScene& example) {
   const auto wanted = slope_column(key, 0);
-  std::string unit = "SI";
-  std::visit(
-      [&]<class Model>(const Model& model) {
-        if constexpr (has_parameters<Model>) {
+  const auto of_scene = find_number(example.document, wanted.number);
+  return std::visit(
+      [&]<class Model>(const Model& model) -> std::string {
+        if constexpr (has_balls<Model>) {
           const auto outcome = dimension_of(wanted.outcome, model);
+          if (of_scene && outcome) return quotient(*outcome, of_scene->dimension);
           for (const auto& one : impact::parameters(model))
-            if (one.name == wanted.parameter && one.dimension && outcome)
-              unit = unit_of(difference(*outcome, *one.dimension));
+            if (one.name == wanted.number && one.dimension && outcome)
+              return quotient(*outcome, *one.dimension);
         }
+        return "SI";
       },
-      scene.model);
-  return unit;
+      example.scene.model);
 }
 
-void fill_slopes(const scene::Scene& scene, const std::vector<SlopeColumn>& columns, std::span<double> out) {
-  for (const auto& one : columns) out[one.column] = std::numeric_limits<double>::quiet_NaN();
-  std::visit(
-      [&]<class Model>(const Model& model) {
-        if constexpr (has_parameters<Model>) {
-          auto by = impact::parameters(model);
-          std::erase_if(by, [&](const auto& parameter) {
-            return std::none_of(columns.begin(), columns.end(),
-                                [&](const auto& one) { return one.parameter == parameter.name; });
-          });
-          const auto slopes = impact::sensitivity(model, by, scene.run);
-          for (const auto& one : columns)
-            for (const auto& outcome : slopes.outcome)
-              for (std::size_t c = 0; c < by.size(); ++c)
-                if (by[c].name == one.parameter && name_of(outcome) == one.outcome && outcome.slope[c])
-                  out[one.column] = *outcome.slope[c];
-        }
-      },
-      scene.model);
+std::string fill_slopes(const WrittenScene& point, const std::vector<SlopeColumn>& columns,
+                        std::span<double> out) {
+  std::vector<std::string> numbers;
+  for (const auto& one : columns) {
+    out[one.column] = std::numeric_limits<double>::quiet_NaN();
+    if (std::find(numbers.begin(), numbers.end(), one.number) == numbers.end()) numbers.push_back(one.number);
+  }
+  auto slopes = sensitivity(point.document, point.scene, numbers);
+  for (const auto& one : columns)
+    for (const auto& outcome : slopes.outcome)
+      for (std::size_t c = 0; c < slopes.parameter.size(); ++c)
+        if (slopes.parameter[c].name == one.number && name_of(outcome) == one.outcome && outcome.slope[c])
+          out[one.column] = *outcome.slope[c];
+  std::erase_if(slopes.notes, [&](const impact::SlopeNote& note) {
+    return std::none_of(columns.begin(), columns.end(),
+                        [&](const auto& one) { return concerns(note, one.outcome, one.number); });
+  });
+  return fmt::format("{}", fmt::join(texts(slopes.notes), "; "));
 }
 
 }  // namespace mariotte::study

@@ -12,11 +12,21 @@ namespace {
 
 using Keys = std::vector<std::string>;
 
+/// A point that stands for all.
+struct Example {
+  scene::Scene scene;
+  scene::Document document;
+};
+Example example_at(Variation& points, Index point) {
+  auto scene = points.at(point);
+  return {std::move(scene), points.document(point)};
+}
+
 /// The first point, or the last one if the first makes no sense.
-scene::Scene example(Variation& points, const Design& design) try {
-  return points.at(0);
+Example find_example(Variation& points, const Design& design) try {
+  return example_at(points, 0);
 } catch (const Error&) {
-  return points.at(design.points() - 1);
+  return example_at(points, design.points() - 1);
 }
 
 /// Points whose scenes may have other numbers of balls than the first: every value of a list, the end of a
@@ -33,12 +43,13 @@ std::vector<Index> other_points(const Design& design) {
 }
 
 /// The columns of the example. An index that it has too few balls for is right if another point has enough.
-std::vector<Column> expand(const Keys& keys, const scene::Scene& scene, Variation& points,
-                           const Design& design, Counting counting) try {
-  return expand_columns(keys, scene, counting);
+std::vector<Column> expand(const Keys& keys, const Example& example, Variation& points, const Design& design,
+                           Counting counting) try {
+  return expand_columns(keys, example.scene, counting, &example.document);
 } catch (const BeyondEnd&) {
   for (const Index point : other_points(design)) try {
-      return expand_columns(keys, points.at(point), counting);
+      const auto other = example_at(points, point);
+      return expand_columns(keys, other.scene, counting, &other.document);
     } catch (const Error&) {  // not this one, either
     }
   throw;
@@ -47,9 +58,9 @@ std::vector<Column> expand(const Keys& keys, const scene::Scene& scene, Variatio
 /// Adds columns to a plan, each once.
 class ColumnReader {
  public:
-  ColumnReader(SweepPlan& plan, const scene::Scene& scene, Variation& points,
+  ColumnReader(SweepPlan& plan, const Example& example, Variation& points,
                Counting counting = Counting::by_run)
-      : plan_(plan), scene_(scene), points_(points), counting_(counting) {}
+      : plan_(plan), example_(example), points_(points), counting_(counting) {}
 
   void add(const std::string& text) {
     if (const auto sign = text.find('='); sign != text.npos) return add_formula(text, sign);
@@ -57,7 +68,7 @@ class ColumnReader {
   }
   /// Empty: those that say most.
   void add_keys(const Keys& keys) {
-    for (auto& column : expand(keys, scene_, points_, plan_.design, counting_)) {
+    for (auto& column : expand(keys, example_, points_, plan_.design, counting_)) {
       if (is_known(column.key)) continue;
       plan_.outputs.push_back({.result = result(column)});
       plan_.columns.push_back(std::move(column));
@@ -83,7 +94,7 @@ class ColumnReader {
   }
   Term term(const std::string& name) {
     if (is_input(name, plan_.design)) return input_term(name, plan_.document, plan_.design);
-    const auto columns = expand({name}, scene_, points_, plan_.design, counting_);
+    const auto columns = expand({name}, example_, points_, plan_.design, counting_);
     return {.kind = Term::Kind::result, .which = result(columns.front())};
   }
   void add_formula(const std::string& text, std::size_t sign) try {
@@ -99,15 +110,15 @@ class ColumnReader {
   }
 
   SweepPlan& plan_;
-  const scene::Scene& scene_;
+  const Example& example_;
   Variation& points_;
   Counting counting_;
 };
 
 /// Those of the scene file; each is tried where it stands, without a run.
-Keys own_columns(SweepPlan trial, const scene::Scene& scene, Variation& points) {
+Keys own_columns(SweepPlan trial, const Example& example, Variation& points) {
   const auto& document = trial.document;
-  ColumnReader reader(trial, scene, points, Counting::without_run);
+  ColumnReader reader(trial, example, points, Counting::without_run);
   const auto list = find(scene::Field{&document.tree, ""}, "columns");
   if (!list) return {};
   Keys keys;
@@ -130,9 +141,10 @@ SweepPlan read_sweep(scene::Document document, const Keys& columns) {
   plan.document = std::move(document);
   plan.design = read_design(plan.document);
   Variation points(plan.document, plan.design, std::nullopt);
-  const auto scene = example(points, plan.design);
-  const auto own = own_columns(plan, scene, points);
-  ColumnReader reader(plan, scene, points);
+  const auto example = find_example(points, plan.design);
+  const auto& scene = example.scene;
+  const auto own = own_columns(plan, example, points);
+  ColumnReader reader(plan, example, points);
   for (const auto& text : columns.empty() ? own : columns) reader.add(text);
   if (plan.columns.empty()) reader.add_keys({});
   plan.title = scene.title;
@@ -146,8 +158,8 @@ void expect_own_columns(const scene::Document& document, const Design& design) {
   plan.document = document;
   plan.design = design;
   Variation points(document, design, std::nullopt);
-  const auto scene = example(points, design);
-  own_columns(std::move(plan), scene, points);
+  const auto example = find_example(points, design);
+  own_columns(std::move(plan), example, points);
 }
 
 }  // namespace mariotte::study

@@ -97,6 +97,11 @@ Variation::Variation(scene::Document document, const Design& design, const std::
       list.push_back(all[slot]);
 }
 
+const scene::Document& Variation::document(Index point) {
+  assign(document_, design_, values(design_, point));
+  return document_;
+}
+
 const scene::Scene& Variation::at(Index point) {
   if (numbers_.empty()) return scene_ = resolved(document_, design_, point);
   for (std::size_t i = 0; i < numbers_.size(); ++i) {

@@ -29,6 +29,8 @@ class Variation {
 
   /// The scene of a point; holds until the next call. Throws SceneError.
   const scene::Scene& at(Index point);
+  /// What it is read from; holds until the next call.
+  const scene::Document& document(Index point);
 
  private:
   scene::Document document_;
