@@ -27,6 +27,15 @@ std::optional<SceneNumber> number_at(Document document, const std::string& key) 
   return SceneNumber{value, value == 0 ? typical(scene, *dimension) : std::abs(value), *dimension};
 }
 
+std::vector<std::string> elements_of(Document document, const std::string& key) {
+  const auto place = add_origin(document.source, "--to " + key);
+  const auto* list = locate(document.source, document.tree, key, place).array();
+  if (!list || list->empty()) return {key};
+  std::vector<std::string> keys;
+  for (std::size_t i = 0; i < list->size(); ++i) keys.push_back(key + "[" + std::to_string(i) + "]");
+  return keys;
+}
+
 SceneNumber expect_number(const Document& document, const std::string& key) {
   const auto found = number_at(document, key);
   if (found && std::isfinite(found->value)) return *found;

@@ -22,6 +22,9 @@ struct SceneNumber {
 /// The number that a key leads to, if the scene has it and reads it as one.
 std::optional<SceneNumber> number_at(scene::Document document, const std::string& key);
 
+/// The key, or those of all elements of the list that it leads to.
+std::vector<std::string> elements_of(scene::Document document, const std::string& key);
+
 /// The number by which slopes are asked. Throws SceneError if it is none, or infinite.
 SceneNumber expect_number(const scene::Document& document, const std::string& key);
 

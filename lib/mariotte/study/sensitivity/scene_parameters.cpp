@@ -50,7 +50,8 @@ std::vector<impact::Parameter<Model>> chosen(const Document& document, const std
       if (is_asked_for(one.name, key)) list.push_back(one);
     if (list.size() > before) continue;
     expect_within(document, key, all);
-    list.push_back(number_of_scene<Model>(document, key, key));
+    for (const auto& one : elements_of(document, key))
+      list.push_back(number_of_scene<Model>(document, one, one));
   }
   return list;
 }

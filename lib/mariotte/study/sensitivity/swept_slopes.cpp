@@ -32,9 +32,11 @@ void choose(const Document& document, const std::vector<std::string>& keys, cons
     for (std::size_t i = 0; i < all.size(); ++i)
       if (is_asked_for(all[i].name, key)) add(all[i], by_all[i]);
     if (result.parameter.size() > before) continue;
-    const auto number = number_of_scene<model::Chain>(document, key, key);
-    if (number.limit != 0) throw InvalidParameter(key + ": slopes by the time limit are not swept back");
-    add({key, number.value}, known(slope_by(slopes, number)));
+    for (const auto& one : elements_of(document, key)) {
+      const auto number = number_of_scene<model::Chain>(document, one, one);
+      if (number.limit != 0) throw InvalidParameter(one + ": slopes by the time limit are not swept back");
+      add({one, number.value}, known(slope_by(slopes, number)));
+    }
   }
   note_waiting(result);
 }
