@@ -133,7 +133,7 @@ int sweep(const Options& options, Ranks& ranks) {
   const auto progress = compute(options, plan, *journal, ranks);
   ranks.meet();
   if (!ranks.first()) return ExitCode::ok;
-  journal->reload();
+  if (ranks.count() > 1) journal->reload();
   if (!journal->missing().empty()) {
     tell_interrupted(options.files.folder, plan, *journal);
     return 128 + (interruption() != 0 ? interruption() : SIGTERM);  // or another rank was told to stop
