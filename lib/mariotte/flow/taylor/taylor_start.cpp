@@ -77,8 +77,8 @@ void Start::coefficients(int lane, std::span<double> indentation, std::span<doub
 }
 
 /// What a contact's own force takes away grows faster than what the others give: if a struck contact is still
-/// indented without what they give, or a pressed one by half of it, they have been all the while. An open gap
-/// has not closed if it would stay open with all pushes and without its own opening speed.
+/// indented without what they give, or a pressed one by half of it, they have been all the while. Pushes
+/// grow, so an open gap falls faster and faster: if all pushes leave it open, it has been all the while.
 double Start::margin(int lane, double time, const Travel& travel) const {
   const auto& l = *lanes_;
   switch (lane_[lane].part) {
@@ -87,9 +87,7 @@ double Start::margin(int lane, double time, const Travel& travel) const {
     case Part::pressed:
       return 0.5 * travel.given - travel.drawn - travel.own;
     case Part::passive:
-      return l.side[lane] < 0
-                 ? l.level[lane] - l.indentation[lane] - std::fmax(0.0, l.rate[lane]) * time - travel.given
-                 : 0;
+      return l.side[lane] < 0 ? l.level[lane] - l.indentation[lane] - l.rate[lane] * time - travel.given : 0;
   }
   return 0;
 }
