@@ -111,17 +111,25 @@ double kinetic_energy(const Configuration& c, const Numbers& velocity) {
 }
 
 double relative_energy(const Configuration& c, const Numbers& velocity) {
+  return relative_energies(c, {velocity})[0];
+}
+
+Numbers relative_energies(const Configuration& c, const std::vector<Numbers>& velocities) {
   const auto scaled = scaled_directions(c);
   // L⁻¹ Gᵀ Π = Q R: wᵀ (G M⁻¹ Gᵀ)⁺ w is the square of R⁻ᵀ Πᵀ w, over the rank alone.
   const Eigen::SparseQR<Sparse, Eigen::COLAMDOrdering<int>> qr(scaled);
   const Index rank = qr.rank();
-  const auto rates = gap_rates(c, velocity);
-  Vector w = (qr.colsPermutation().transpose() * view(rates)).head(rank);
   // Eigen does not sort the entries of R; those of a copy by rows are sorted.
   const Eigen::SparseMatrix<double, Eigen::RowMajor> rows = qr.matrixR();
   const Sparse r = Sparse(rows).topLeftCorner(rank, rank);
-  r.transpose().triangularView<Eigen::Lower>().solveInPlace(w);
-  return 0.5 * w.squaredNorm();
+  Numbers energies;
+  for (const auto& velocity : velocities) {
+    const auto rates = gap_rates(c, velocity);
+    Vector w = (qr.colsPermutation().transpose() * view(rates)).head(rank);
+    r.transpose().triangularView<Eigen::Lower>().solveInPlace(w);
+    energies.push_back(0.5 * w.squaredNorm());
+  }
+  return energies;
 }
 
 }  // namespace mariotte::impact

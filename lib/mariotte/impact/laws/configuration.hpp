@@ -40,5 +40,8 @@ double kinetic_energy(const Configuration& configuration, const std::vector<doub
 /// ½ wᵀ (G M⁻¹ Gᵀ)⁺ w: the part of the kinetic energy that impulses at the contacts can change. For a chain
 /// without walls it is the kinetic energy relative to the mass centre, with walls at rest all of it.
 double relative_energy(const Configuration& configuration, const std::vector<double>& velocity);
+/// Those of several velocities, for little more than one.
+std::vector<double> relative_energies(const Configuration& configuration,
+                                      const std::vector<std::vector<double>>& velocities);
 
 }  // namespace mariotte::impact

@@ -37,7 +37,8 @@ void judge(LawOutcome& outcome, const Configuration& c, double slow) {
 
 void add_ratios(LawOutcome& outcome, const Configuration& c) {
   outcome.ratio_lab = energy_ratio(kinetic_energy(c, outcome.velocity), kinetic_energy(c, c.velocity));
-  outcome.ratio_centre = energy_ratio(relative_energy(c, outcome.velocity), relative_energy(c, c.velocity));
+  const auto relative = relative_energies(c, {outcome.velocity, c.velocity});
+  outcome.ratio_centre = energy_ratio(relative[0], relative[1]);
 }
 
 std::string digits(double value) {

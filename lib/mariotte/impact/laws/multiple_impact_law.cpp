@@ -80,13 +80,13 @@ Numbers direction_of_ratios(const Numbers& icr) {
 
 LawParameters parameters_of(const Configuration& before, const Numbers& impulse,
                             const Numbers& velocity_after, EnergyFrame frame) {
-  const auto energy = frame == EnergyFrame::given ? kinetic_energy : relative_energy;
-  const double kinetic = energy(before, before.velocity);
-  if (!(kinetic > 0))
+  const auto energy =
+      frame == EnergyFrame::mass_centre
+          ? relative_energies(before, {before.velocity, velocity_after})
+          : Numbers{kinetic_energy(before, before.velocity), kinetic_energy(before, velocity_after)};
+  if (!(energy[0] > 0))
     throw InvalidParameter("without energy before the impact the energy ratio has no meaning");
-  return {.direction = direction(impulse),
-          .energy_ratio = energy(before, velocity_after) / kinetic,
-          .frame = frame};
+  return {.direction = direction(impulse), .energy_ratio = energy[1] / energy[0], .frame = frame};
 }
 
 LawParameters parameters_of(const ContactImpact& impact, EnergyFrame frame) {

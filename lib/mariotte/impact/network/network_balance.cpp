@@ -41,11 +41,10 @@ EnergyBalance energy_balance(const model::Network& network, const Configuration&
   }
   balance.work = drive_work + wall_work(network, before, generalised_impulse(before, impulses_of(impact)));
   balance.residual = balance.final + balance.stored + balance.dissipated - balance.initial - balance.work;
-  const auto ratio = [&](auto energy) {
-    return energy_ratio(energy(before, impact.velocity), energy(before, before.velocity));
-  };
-  balance.ratio_lab = ratio(kinetic_energy);
-  balance.ratio_centre = ratio(relative_energy);
+  balance.ratio_lab =
+      energy_ratio(kinetic_energy(before, impact.velocity), kinetic_energy(before, before.velocity));
+  const auto relative = relative_energies(before, {impact.velocity, before.velocity});
+  balance.ratio_centre = energy_ratio(relative[0], relative[1]);
   return balance;
 }
 
