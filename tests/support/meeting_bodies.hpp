@@ -1,10 +1,12 @@
 // Random scenes of bodies that meet, with any friction.
 #pragma once
 #include <cmath>
+#include <memory>
 #include <random>
 
 #include "mariotte/contact/brach_dunn_law.hpp"
 #include "mariotte/contact/dmt.hpp"
+#include "mariotte/contact/hunt_crossley.hpp"
 #include "mariotte/contact/jkr.hpp"
 #include "mariotte/contact/thornton.hpp"
 #include "mariotte/contact/thornton_ning.hpp"
@@ -118,6 +120,8 @@ class Scenes {
         return contact::Linear(1e6);
       case 1:
         return contact::Viscoelastic{1e9, in(1e2, 1e4), 1.5};
+      case 2:
+        return std::make_shared<contact::HuntCrossley>(1e9, in(0.05, 0.5));
       default:
         return contact::Hertz(1e9);
     }

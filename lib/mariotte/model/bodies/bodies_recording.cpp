@@ -22,7 +22,7 @@ bool BodiesPhase<D>::can_be_recorded(const ClosedContact& mode) const {
   const auto& one = setting_.contact[mode.contact];
   const bool slips_in_space = D == 3 && mode.friction == Friction::slip && !mode.slack;
   if (!model::can_be_recorded(one.law, mode.past) || slips_in_space || !(one.time > shortest)) return false;
-  const auto* power = contact::power_law(one.law);
+  const auto power = contact::powers(one.law);
   return one.tangential.law != TangentialLaw::mindlin || (power && power->exponent == 1.5);
 }
 

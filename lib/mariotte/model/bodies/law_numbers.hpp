@@ -22,8 +22,9 @@ T width_of(const contact::PowerLaw& law, const T& depth) {
 }
 
 /// What has the sign of the force of a law that can be recorded.
-inline series::Traced recorded_load(const contact::PowerLaw& law, const series::Traced& depth,
+inline series::Traced recorded_load(const contact::DampedPower& law, const series::Traced& depth,
                                     const series::Traced& rate) {
+  if (law.grows == Damping::as_force) return law.stiffness + law.damping * rate;
   return law.stiffness * depth + law.damping * rate;
 }
 
@@ -79,7 +80,7 @@ T law_force(const SettingContact<D, N>& one, const contact::Memory& past, const 
 template <class T, int D, class N>
 T law_load(const SettingContact<D, N>& one, const T& depth, const T& rate) {
   if constexpr (is_recorded<T>) {
-    return recorded_load(*contact::power_law(one.law), depth, rate);
+    return recorded_load(*contact::powers(one.law), depth, rate);
   } else {
     const double d = series::value_of(depth), r = series::value_of(rate);
     T load = answer(contact::load(one.law, d, r), depth, rate);

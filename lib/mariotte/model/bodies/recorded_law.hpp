@@ -1,5 +1,5 @@
-// Contact laws on a tape: powers δⁿ⁻¹ (k δ + c δ̇) with n = 1 or 3/2, also from another origin and less a
-// pull, branches in the root of a contact radius, and tips with a ring of adhesion.
+// Contact laws on a tape: powers δⁿ⁻¹ (k δ + c δ̇) and δⁿ (k + c δ̇) with n = 1 or 3/2, also from another
+// origin and less a pull, branches in the root of a contact radius, and tips with a ring of adhesion.
 #pragma once
 #include <cmath>
 #include <optional>
@@ -22,12 +22,16 @@ struct RecordedForce {
 inline std::optional<contact::ShiftedPower> recorded_power(const contact::Law& law,
                                                            const contact::Memory& past) {
   std::optional<contact::ShiftedPower> power;
-  if (const auto* own = contact::power_law(law))
-    power = {own->stiffness, own->exponent, 0, own->damping};
+  if (const auto own = contact::powers(law))
+    power = {.stiffness = own->stiffness,
+             .exponent = own->exponent,
+             .origin = 0,
+             .damping = own->damping,
+             .grows = own->grows};
   else if (const auto* branches = contact::branched(law))
     power = branches->power(past);
   if (!power || (power->exponent != 1 && power->exponent != 1.5)) return std::nullopt;
-  if (power->damping > 0 && power->grows != Damping::as_slope) return std::nullopt;
+  if (power->damping > 0 && power->grows == Damping::as_root) return std::nullopt;
   return power;
 }
 
@@ -54,6 +58,13 @@ inline RecordedForce recorded_force(const contact::ShiftedPower& law, const seri
   const double n = law.exponent;
   if (n == 1.5) f.root = sqrt(f.left);
   const Traced width = f.root ? *f.root : Traced(1.0);
+  if (law.damping > 0 && law.grows == Damping::as_force) {
+    const Traced push = width * (law.stiffness + law.damping * rate);
+    f.value = push * f.left - law.pull;
+    f.by_rate = law.damping * (width * f.left);
+    f.by_indentation = n * push;
+    return f;
+  }
   f.value = width * (law.stiffness * f.left + law.damping * rate) - law.pull;
   f.by_rate = law.damping * width;
   f.by_indentation = n * law.stiffness * width;
