@@ -19,8 +19,9 @@ struct LinkedPhase {
   std::span<const ContactDirection> response;       ///< columns of M⁻¹ Gᵀ
   std::span<const ContactDirection> half_response;  ///< columns of L⁻¹ Gᵀ, M = L Lᵀ
   Coupling coupling;
-  double speed = 1;       ///< natural relative speed
-  double fade_speed = 0;  ///< rate at which a contact fades that is less deep than its faded()
+  double speed = 1;          ///< natural relative speed
+  double reached_speed = 1;  ///< of it what dampers do not hold back: what rounding of rates is relative to
+  double fade_speed = 0;     ///< rate at which a contact fades that is less deep than its faded()
 };
 
 /// Other links may draw apart what touches at rest. Until it has left the noise its smooth force would pull

@@ -19,9 +19,10 @@ struct SerialPhase {
   /// Contact j joins bodies j and j+1.
   std::vector<Body> body;
   std::vector<PhaseContact> contact;
-  double speed = 1;       ///< natural relative speed
-  double fade_speed = 0;  ///< rate at which a contact fades that is less deep than its faded()
-  bool is_slice = false;  ///< the bodies are some of a longer row, which a touching contact may press
+  double speed = 1;          ///< natural relative speed
+  double reached_speed = 1;  ///< of it what dampers do not hold back: what rounding of rates is relative to
+  double fade_speed = 0;     ///< rate at which a contact fades that is less deep than its faded()
+  bool is_slice = false;     ///< the bodies are some of a longer row, which a touching contact may press
 };
 
 /// True if what a touching contact presses may lie beyond the phase.

@@ -37,8 +37,8 @@ struct Modal::Memory {
   LinkedVibration linked;
   Vibration* vibration = nullptr;  ///< one of these
   std::vector<Watched> watched;
-  Index guards = 0;  ///< as many of the watched are in use
-  double speed = 0;  ///< natural
+  Index guards = 0;                     ///< as many of the watched are in use
+  double speed = 0, reached_speed = 0;  ///< natural; what rounding of rates is relative to
   std::vector<double> start, before, after, bounds;
   std::vector<double> watched_from;  ///< by contact: touched at rest, it is watched once out of the noise
   Wave scratch;
@@ -48,11 +48,13 @@ struct Modal::Memory {
   bool take(const SerialPhase& phase) {
     vibration = &row;
     speed = phase.speed;
+    reached_speed = phase.reached_speed;
     return are_linear(phase.contact) && !has_acceleration(phase) && !presses_beyond(phase) && row.find(phase);
   }
   bool take(const LinkedPhase& phase) {
     vibration = &linked;
     speed = phase.speed;
+    reached_speed = phase.reached_speed;
     return are_linear(phase.contact) && linked.find(phase);
   }
 
@@ -88,7 +90,7 @@ struct Modal::Memory {
   void watch_load(Index j, double sign) {
     const auto& motion = vibration->of(j);
     const double load = sign * motion.force.at(vibration->modes(), 0);
-    const double noise = 16 * epsilon * contact(j).damping * speed;
+    const double noise = 16 * epsilon * contact(j).damping * reached_speed;
     watch(contact(j).load_guard, j, motion.force, sign, load <= noise ? noise : 0);
   }
   /// A strong damper would pull noticeably before its contact parts.
@@ -96,7 +98,7 @@ struct Modal::Memory {
     const auto& c = contact(j);
     const auto& motion = vibration->of(j);
     if (may_pull(c, speed))
-      watch(pulls, j, motion.force, 1, 64 * epsilon * c.damping * speed);
+      watch(pulls, j, motion.force, 1, 64 * epsilon * c.damping * reached_speed);
     else
       watch(parts, j, motion.depth, 1, 1.01 * c.loaded());
   }

@@ -9,6 +9,7 @@ void ChainFlows::reset(const ChainTopology& chain) {
   serial_.body.clear();
   serial_.contact.clear();
   serial_.speed = model.speed;
+  serial_.reached_speed = model.reached_speed;
   serial_.fade_speed = model.fade_speed_ratio * model.noise_speed;
   for (Index i = 0; i < at.velocities(); ++i)
     serial_.body.push_back({at.velocity[i], model.inverse_mass[i], -model.gravity[i]});

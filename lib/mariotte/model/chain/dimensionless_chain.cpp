@@ -32,8 +32,7 @@ SquaredSpeeds squared_speeds(const Chain& chain) {
   for (std::size_t j = 0; j < chain.gap.size(); ++j) {
     speeds.given += 2 * std::abs(chain.gravity) * std::max(0.0, chain.gap[j]);
     const double mass = reduced_mass(chain.mass[j], chain.mass[j + 1]);
-    if (chain.gap[j] < 0)
-      speeds.given += 2 * std::max(0.0, contact::stored_energy(chain.law[j], -chain.gap[j])) / mass;
+    if (chain.gap[j] < 0) speeds.release(chain.law[j], -chain.gap[j], mass);
     speeds.adhesion = std::max(speeds.adhesion, 2 * well_energy(chain.law[j]) / mass);
   }
   for (const auto& drive : chain.drive) {
@@ -67,7 +66,7 @@ void make_dimensionless(const Chain& chain, double accuracy, DimensionlessChain&
     d.reduced_mass.push_back(reduced_mass(chain.mass[j], chain.mass[j + 1]));
   const auto speeds = squared_speeds(chain);
   scale_contacts({chain.law, chain.gap, chain.velocity}, reference_speed(chain, speeds.all()), accuracy, d);
-  d.scale.refinement = speeds.refinement();
+  take_speeds(speeds, d);
   scale_balls(chain, d);
   d.falls_back = falls_back(chain);
   d.drive.clear();
@@ -104,6 +103,7 @@ void copy_slice(const DimensionlessChain& whole, Index first, Index last, Dimens
   copy(whole.law, slice.law, last);
   slice.scale = whole.scale;
   slice.speed = whole.speed;
+  slice.reached_speed = whole.reached_speed;
   slice.noise_speed = whole.noise_speed;
   slice.fade_speed_ratio = whole.fade_speed_ratio;
   slice.fade_depth_ratio = whole.fade_depth_ratio;

@@ -82,6 +82,19 @@ contact::Law scaled(const StatedContacts& stated, std::size_t j, const Scale& sc
 
 }  // namespace
 
+void SquaredSpeeds::release(const contact::Law& law, double indentation, double mass) {
+  const double squared = 2 * std::max(0.0, contact::stored_energy(law, indentation)) / mass;
+  const auto force = contact::force(law, indentation, 0);
+  const double held = force.by_rate > 0 ? force.value / force.by_rate : infinity;
+  released += squared;
+  let_through += contact::pulls(law) ? squared : std::min(squared, held * held);
+}
+
+void take_speeds(const SquaredSpeeds& speeds, ScaledContacts& d) {
+  d.scale.refinement = speeds.refinement();
+  d.reached_speed = speeds.all() > 0 ? d.speed * std::sqrt(speeds.reached() / speeds.all()) : d.speed;
+}
+
 void scale_contacts(const StatedContacts& stated, double speed, double accuracy, ScaledContacts& d) {
   NaturalLength natural_length, slow_length;
   const auto quickest = quickest_contact(stated.law, d.reduced_mass, speed, natural_length);

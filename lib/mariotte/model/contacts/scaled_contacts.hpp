@@ -18,6 +18,7 @@ struct ScaledContacts {
   std::vector<contact::Law> law;      ///< one per contact, as all that is not said to be of velocities
   std::vector<double> gap, velocity;  ///< at the start
   double speed = 1;                   ///< reference speed: largest that can matter
+  double reached_speed = 1;           ///< of it what dampers do not hold back
   std::vector<double> reduced_mass;   ///< 1/(G M⁻¹ Gᵀ)_jj
   std::vector<double> length, time;   ///< natural ones of each contact alone
   double noise_speed = 0;             ///< approach speed that cannot be told from rest
@@ -38,20 +39,31 @@ struct StatedContacts {
   const std::vector<double>& velocity;
 };
 
-/// Squares of the speed that a scene gives, and of the one that adhesion gives to what meets.
+/// Squares of the speed that a scene gives, of the one that its indentations do, and as much of that as their
+/// dampers let through, and of the one that adhesion gives to what meets.
 struct SquaredSpeeds {
-  double given = 0, adhesion = 0;
+  double given = 0, released = 0, let_through = 0, adhesion = 0;
 
-  double all() const { return given + adhesion; }
+  double all() const { return given + released + adhesion; }
+  double reached() const { return given + let_through + adhesion; }
   /// Share of an accuracy that phases may spend: an error of the large speed V in a well is one of V/v of the
   /// small speed v behind it, and the accuracy is meant relative to v, not V.
-  double refinement() const { return given > 0 ? std::max(given / all(), 1e-4) : 1; }
+  double refinement() const {
+    const double before = given + released;
+    return before > 0 ? std::max(before / all(), 1e-4) : 1;
+  }
+  /// What a contact indented at the start gives to a reduced mass: its energy, unless its damper takes all of
+  /// its force before.
+  void release(const contact::Law& law, double indentation, double mass);
 };
 
 /// Convert into `d`, whose memory is reused and whose `reduced_mass` says those in the scene's units. The
 /// contact with the shortest natural time at the reference speed sets the units: it alone, so that a
 /// mirrored chain has the same. `accuracy` decides what is slow: a tenth of what may be wrong anyway.
 void scale_contacts(const StatedContacts& stated, double speed, double accuracy, ScaledContacts& d);
+
+/// What follows from the speeds of a scene once its contacts are in units.
+void take_speeds(const SquaredSpeeds& speeds, ScaledContacts& d);
 
 /// The same contacts with other numbers, in the units that `d` already has; natural sizes stay as they are.
 void restate_contacts(const StatedContacts& stated, ScaledContacts& d);

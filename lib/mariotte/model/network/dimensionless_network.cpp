@@ -27,8 +27,7 @@ SquaredSpeeds squared_speeds(const Network& network, const Numbers& mass,
   }
   for (std::size_t j = 0; j < mass.size(); ++j) {
     speeds.adhesion = std::max(speeds.adhesion, 2 * well_energy(network.law[j]) / mass[j]);
-    if (network.gap[j] < 0)
-      speeds.given += 2 * std::max(0.0, contact::stored_energy(network.law[j], -network.gap[j])) / mass[j];
+    if (network.gap[j] < 0) speeds.release(network.law[j], -network.gap[j], mass[j]);
   }
   for (std::size_t k = 0; k < network.drive.size(); ++k) {
     const double given = driven_speed(network.drive[k], dot(network.drive[k].direction, pushes[k]));
@@ -81,7 +80,7 @@ void make_dimensionless(const Network& network, double accuracy, DimensionlessNe
   const auto speeds = squared_speeds(network, d.reduced_mass, pushes);
   scale_contacts({network.law, network.gap, network.velocity}, speeds.all() > 0 ? std::sqrt(speeds.all()) : 1,
                  accuracy, d);
-  d.scale.refinement = speeds.refinement();
+  take_speeds(speeds, d);
   d.drive.clear();
   for (std::size_t k = 0; k < pushes.size(); ++k)
     d.drive.push_back(in_units(network.drive[k], pushes[k], d.scale));

@@ -58,6 +58,7 @@ void NetworkFlows::find_row(const DimensionlessNetwork& network) {
 void NetworkFlows::make_serial(const NetworkTopology& topology) {
   const auto& [network, at] = topology;
   serial_.speed = network.speed;
+  serial_.reached_speed = network.reached_speed;
   serial_.fade_speed = network.noise_speed;
   serial_.body.resize(row_.size() + 1);
   serial_.contact.resize(row_.size());
@@ -77,6 +78,7 @@ void NetworkFlows::make_linked(const NetworkTopology& topology) {
   linked_.response = network.response;
   linked_.half_response = network.half_response;
   linked_.speed = network.speed;
+  linked_.reached_speed = network.reached_speed;
   linked_.fade_speed = network.fade_speed_ratio * network.noise_speed;
   linked_.coupling.clear();
   for (Index j = 0; j < network.contacts(); ++j) {
