@@ -8,8 +8,8 @@
 namespace mariotte::flow {
 
 inline constexpr int most_orders = 20;
-/// Coefficients by order.
-using PushPolynomial = std::array<double, most_orders + 1>;
+/// Coefficients by order, with room for registers of up to eight that are whole.
+using PushPolynomial = std::array<double, 24>;
 
 /// Contacts of power laws in a clock σ that starts at 0:
 ///   dt/dσ = `pace`,   δ, δ̇ and, with n = 1 or 3/2, δⁿ⁻¹ are polynomials of σ.

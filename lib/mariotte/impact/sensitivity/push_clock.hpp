@@ -72,7 +72,7 @@ class ClockSeries {
       if (force.has_log) growth += 2 * force.all[i] * own.exponent;
       return;
     }
-    growth += force.spring[i] * own.stiffness;
+    if (force.has_spring) growth += force.spring[i] * own.stiffness;
     if (force.has_damper) growth += force.damper[i] * own.damping;
     if (own.has_exponent) growth += force.by_exponent[i] * own.exponent;
   }

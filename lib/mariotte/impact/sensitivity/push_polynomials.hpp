@@ -19,39 +19,36 @@ inline double value_at(double place, const PushPolynomial& x, int last) {
   return sum;
 }
 
-/// Coefficients 0 to `order` of a product, several of them side by side.
-inline void multiply(const PushPolynomial& a, const PushPolynomial& b, int order, PushPolynomial& result) {
+/// As many registers of coefficients of a product, each by itself; `a` stands behind zeros.
+template <int count>
+inline void multiply_registers(const double* a, const PushPolynomial& b, PushPolynomial& result) {
   using registers::width;
   typedef double Loose __attribute__((vector_size(MARIOTTE_VECTOR_BYTES), aligned(8)));
-  constexpr int room = flow::most_orders + 1 + 2 * width;
-  double shifted[room] = {};  // a behind zeros
-  for (int i = 0; i <= order; ++i) shifted[width + i] = a[i];
-  for (int first = 0; first <= order; first += width) {
-    registers::Vec even{}, odd{};
-    const auto part = [&](int k) {
-      return b[k] * *reinterpret_cast<const Loose*>(shifted + width + first - k);
-    };
-    const int last = std::min(order, first + width - 1);
-    int k = 0;
-    for (; k < last; k += 2) even += part(k), odd += part(k + 1);
-    if (k == last) even += part(k);
-    even += odd;
-    for (int i = first; i <= last; ++i) result[i] = even[i - first];
-  }
+  registers::Vec sum[count] = {};
+#pragma GCC unroll 64
+  for (int k = 0; k < count * width; ++k)
+#pragma GCC unroll 64
+    for (int n = k / width; n < count; ++n)
+      sum[n] += b[k] * *reinterpret_cast<const Loose*>(a + n * width - k);
+  for (int n = 0; n < count; ++n) *reinterpret_cast<Loose*>(&result[n * width]) = sum[n];
 }
 
-inline void divide(const PushPolynomial& a, const PushPolynomial& b, int order, PushPolynomial& result) {
-  const double share = 1 / b[0];
-  for (int i = 0; i <= order; ++i) {
-    double even = a[i], odd = 0;
-    int k = 0;
-    for (; k + 1 < i; k += 2) {
-      even -= b[i - k] * result[k];
-      odd -= b[i - k - 1] * result[k + 1];
-    }
-    if (k < i) even -= b[i - k] * result[k];
-    result[i] = share * (even + odd);
-  }
+/// Coefficients 0 to `order` of a product. Those behind, as far as registers are whole, are anything.
+template <int count = 1>
+inline void multiply(const PushPolynomial& a, const PushPolynomial& b, int order, PushPolynomial& result) {
+  constexpr int held = count * registers::width;
+  if constexpr (held < flow::most_orders + 1)
+    if (order >= held) return multiply<count + 1>(a, b, order, result);
+  double shifted[registers::width + held] = {};
+  std::copy_n(a.begin(), held, shifted + registers::width);
+  multiply_registers<count>(shifted + registers::width, b, result);
+}
+
+/// Coefficient n of the root of x, of which the ones before are known.
+inline double next_of_root(const PushPolynomial& x, int n, const PushPolynomial& root) {
+  double sum = x[n];
+  for (int k = 1; k < n; ++k) sum -= root[k] * root[n - k];
+  return 0.5 * sum / root[0];
 }
 
 /// ln of a series that starts above zero.

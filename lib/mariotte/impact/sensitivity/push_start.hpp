@@ -34,7 +34,7 @@ class StartSeries {
     const auto& force = forces.contact[j];
     auto& r = rows[j];
     Pack slope = convolution(force.by_depth, r.depth, i);
-    if (e == 1) slope += force.spring[i] * columns.contact[j].stiffness;
+    if (e == 1 && force.has_spring) slope += force.spring[i] * columns.contact[j].stiffness;
     r.impulse[i] = powers.once(i) * slope;
     r.travel[i] = powers.twice(i) * r.impulse[i];
   }
