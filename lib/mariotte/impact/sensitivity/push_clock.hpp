@@ -15,6 +15,7 @@ template <int N>
 struct Row {
   static constexpr int orders = flow::most_orders + 1;
   Lanes<N> depth[orders], rate[orders], impulse[orders], travel[orders];
+  Product<N> by_depth, by_rate, paced;  ///< what depth and rate do to the force, and the pace of the impulse
 };
 
 template <int N>
@@ -48,21 +49,16 @@ class ClockSeries {
     const auto& force = forces.contact[j];
     const auto& series = *forces.series;
     auto& r = rows[j];
-    r.depth[i] = depth(forces, columns, rows, j, i);
+    const bool is_integral = force.is_damped && series.is_time && i > 0;  // of the rate
+    r.depth[i] = is_integral ? Pack(reciprocal.of[i] * r.rate[i - 1]) : depth(forces, columns, rows, j, i);
     if (force.is_damped) r.rate[i] = rate(forces, columns, rows, j, i);
-    Pack growth = by_motion(force, r, i);
+    Pack growth = r.by_depth.next(force.by_depth, r.depth, i, series.order);
+    if (force.is_damped) growth += r.by_rate.next(force.by_rate, r.rate, i, series.order);
     add_law(force, columns.contact[j], i, growth);
-    Pack way = series.is_time ? Pack(r.impulse[i]) : convolution(series.pace, r.impulse, i);
+    Pack way = series.is_time ? r.impulse[i] : r.paced.next(series.pace, r.impulse, i, series.order);
     if (logs) growth += -(*logs)[j].impulse[i + 1], way += -(*logs)[j].travel[i + 1];
     r.impulse[i + 1] = reciprocal.of[i + 1] * growth;
     r.travel[i + 1] = reciprocal.of[i + 1] * way;
-  }
-
-  /// What depth and rate do to the force.
-  static MARIOTTE_SERIES_INLINE Pack by_motion(const Force& force, const Row<N>& r, int i) {
-    Pack sum = convolution(force.by_depth, r.depth, i);
-    if (force.is_damped) sum += convolution(force.by_rate, r.rate, i);
-    return sum;
   }
 
   /// What the numbers of the law do to it.

@@ -19,17 +19,20 @@ inline double value_at(double place, const PushPolynomial& x, int last) {
   return sum;
 }
 
+typedef double Loose __attribute__((vector_size(MARIOTTE_VECTOR_BYTES), aligned(8)));
+inline registers::Vec load(const double* from) {
+  return *reinterpret_cast<const Loose*>(from);
+}
+
 /// As many registers of coefficients of a product, each by itself; `a` stands behind zeros.
 template <int count>
 inline void multiply_registers(const double* a, const PushPolynomial& b, PushPolynomial& result) {
   using registers::width;
-  typedef double Loose __attribute__((vector_size(MARIOTTE_VECTOR_BYTES), aligned(8)));
   registers::Vec sum[count] = {};
 #pragma GCC unroll 64
   for (int k = 0; k < count * width; ++k)
 #pragma GCC unroll 64
-    for (int n = k / width; n < count; ++n)
-      sum[n] += b[k] * *reinterpret_cast<const Loose*>(a + n * width - k);
+    for (int n = k / width; n < count; ++n) sum[n] += b[k] * load(a + n * width - k);
   for (int n = 0; n < count; ++n) *reinterpret_cast<Loose*>(&result[n * width]) = sum[n];
 }
 
@@ -44,21 +47,43 @@ inline void multiply(const PushPolynomial& a, const PushPolynomial& b, int order
   multiply_registers<count>(shifted + registers::width, b, result);
 }
 
+/// A product with a series that becomes known order by order: each gives later ones its part at once.
+class GrowingProduct {
+ public:
+  /// Coefficient i of a x, the one after that of the last call; no more than `orders` are wanted.
+  MARIOTTE_SERIES_INLINE double next(const double* a, double x, int i, int orders) {
+    using registers::width;
+    if (i == 0) std::fill(std::begin(later_), std::end(later_), registers::Vec{});
+    const int count = (orders - i - 1) / width + 1;
+    for (int n = 0; n < count; ++n) later_[n] += x * load(a + n * width);
+    const double found = later_[0][0];
+    for (int n = 0; n < count; ++n) later_[n] = registers::window<1>(later_[n], later_[n + 1]);
+    return found;
+  }
+
+ private:
+  registers::Vec later_[sizeof(PushPolynomial) / sizeof(registers::Vec) + 1];  ///< what later ones have
+};
+
 /// Coefficient n of the root of x, of which the ones before are known.
 inline double next_of_root(const PushPolynomial& x, int n, const PushPolynomial& root) {
-  double sum = x[n];
-  for (int k = 1; k < n; ++k) sum -= root[k] * root[n - k];
-  return 0.5 * sum / root[0];
+  double sum = n % 2 == 0 ? root[n / 2] * root[n / 2] : 0;
+  for (int k = 1; 2 * k < n; ++k) sum += 2 * root[k] * root[n - k];
+  return 0.5 * (x[n] - sum) / root[0];
 }
 
 /// ln of a series that starts above zero.
 inline void logarithm(const PushPolynomial& x, int order, PushPolynomial& result) {
   const double share = 1 / x[0];
+  GrowingProduct rest;
+  PushPolynomial beyond{};
+  std::copy_n(x.begin() + 1, order, beyond.begin());
   result[0] = std::log(x[0]);
+  double taken = 0;
   for (int i = 1; i <= order; ++i) {
-    double sum = 0;
-    for (int k = 1; k < i; ++k) sum += k * result[k] * x[i - k];
-    result[i] = share * (x[i] - reciprocal.of[i] * sum);
+    const double slope = share * (i * x[i] - taken);
+    result[i] = reciprocal.of[i] * slope;
+    taken = rest.next(beyond.data(), slope, i - 1, order);
   }
 }
 
