@@ -74,16 +74,19 @@ inline double next_of_root(const PushPolynomial& x, int n, const PushPolynomial&
 
 /// ln of a series that starts above zero.
 inline void logarithm(const PushPolynomial& x, int order, PushPolynomial& result) {
-  const double share = 1 / x[0];
-  GrowingProduct rest;
-  PushPolynomial beyond{};
-  std::copy_n(x.begin() + 1, order, beyond.begin());
+  PushPolynomial slope, share;  // i times coefficient i, and x over its first
+  for (int i = 1; i <= order; ++i) share[i] = x[i] / x[0];
   result[0] = std::log(x[0]);
-  double taken = 0;
   for (int i = 1; i <= order; ++i) {
-    const double slope = share * (i * x[i] - taken);
-    result[i] = reciprocal.of[i] * slope;
-    taken = rest.next(beyond.data(), slope, i - 1, order);
+    double even = i * share[i], odd = 0;
+    int k = 1;
+    for (; k + 1 < i; k += 2) {
+      even -= slope[k] * share[i - k];
+      odd -= slope[k + 1] * share[i - k - 1];
+    }
+    if (k < i) even -= slope[k] * share[i - k];
+    slope[i] = even + odd;
+    result[i] = reciprocal.of[i] * slope[i];
   }
 }
 
