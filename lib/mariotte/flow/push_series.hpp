@@ -27,7 +27,7 @@ struct PushSeries {
   double power = 0;       ///< of t in z
   bool is_time = true;    ///< σ is time
   bool has_roots = true;  ///< all exponents are 1 or 3/2
-  PushPolynomial pace;
+  PushPolynomial pace{};
   std::vector<Contact> contact;
   std::vector<Contact>
       dozing;  ///< so shallow that their force is left out: depths and rates; none at a start

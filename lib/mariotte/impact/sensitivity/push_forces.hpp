@@ -74,13 +74,13 @@ struct Forces {
       half_square = {0, 0, 0.5};
       return;
     }
-    integrate(series->pace, last(), time);
-    PushPolynomial room{};
-    if (has_square) integrate(paced(time, room), last(), half_square);
+    integrate(series->pace, time);
+    PushPolynomial room;
+    if (has_square) integrate(paced(time, room), half_square);
   }
 
   void set_force(const Contact& c, const PushSeries::Contact& own, Force& f) const {
-    PushPolynomial room{};
+    PushPolynomial room;
     const auto& width = paced(own.root, room);
     f.is_damped = c.law.damping != 0;
     f.has_spring = !c.slope->law.empty();
@@ -93,11 +93,11 @@ struct Forces {
 
   void set_whole(const contact::PowerLaw& law, const PushSeries::Contact& own, const PushPolynomial& width,
                  Force& f) const {
-    PushPolynomial load{};
+    PushPolynomial load;
     if (f.is_damped)
-      combine(law.stiffness, own.depth, law.damping, own.rate, last(), load);
+      combine(law.stiffness, own.depth, law.damping, own.rate, load);
     else
-      scale(law.stiffness, own.depth, last(), load);
+      scale(law.stiffness, own.depth, load);
     multiply(width, load, last(), f.all);
   }
 
@@ -106,27 +106,26 @@ struct Forces {
     multiply(width, own.depth, last(), f.spring);
     if (f.has_damper) multiply(width, own.rate, last(), f.damper);
     if (f.is_damped)
-      combine(law.stiffness, f.spring, law.damping, f.damper, last(), f.all);
+      combine(law.stiffness, f.spring, law.damping, f.damper, f.all);
     else
-      scale(law.stiffness, f.spring, last(), f.all);
+      scale(law.stiffness, f.spring, f.all);
   }
 
   /// By depth and rate. Of a damped Hertz contact, δ^{1/2} (k δ + c δ̇), the former has the part c d√δ/dt.
   void set_slopes(const contact::PowerLaw& law, const PushSeries::Contact& own, const PushPolynomial& width,
                   Force& f) const {
     const double stiffness = law.exponent * law.stiffness;
-    scale(stiffness, width, last(), f.by_depth);
+    scale(stiffness, width, f.by_depth);
     if (!f.is_damped) return;
-    scale(law.damping, width, last(), f.by_rate);
+    scale(law.damping, width, f.by_rate);
     PushPolynomial growth;
-    if (law.exponent != 1)
-      combine(stiffness, width, law.damping, root_growth(own, growth), last(), f.by_depth);
+    if (law.exponent != 1) combine(stiffness, width, law.damping, root_growth(own, growth), f.by_depth);
   }
 
   /// d√δ/dσ. The contact whose root is the clock's pace has half of its rate.
   const PushPolynomial& root_growth(const PushSeries::Contact& own, PushPolynomial& room) const {
     if (own.owns_clock) {
-      scale(0.5, own.rate, last(), room);
+      scale(0.5, own.rate, room);
       return room;
     }
     for (int i = 1; i <= last(); ++i) room[i - 1] = i * own.root[i];
@@ -145,9 +144,9 @@ struct Forces {
   }
 
   void integrate_clock(Force& f) const {
-    PushPolynomial room{};
-    integrate(f.all, last(), f.impulse);
-    integrate(paced(f.impulse, room), last(), f.travel);
+    PushPolynomial room;
+    integrate(f.all, f.impulse);
+    integrate(paced(f.impulse, room), f.travel);
   }
 
   /// Of forces t^{3/2} zⁱ.

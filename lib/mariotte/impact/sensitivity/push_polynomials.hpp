@@ -24,27 +24,23 @@ inline registers::Vec load(const double* from) {
   return *reinterpret_cast<const Loose*>(from);
 }
 
-/// As many registers of coefficients of a product, each by itself; `a` stands behind zeros.
-template <int count>
-inline void multiply_registers(const double* a, const PushPolynomial& b, PushPolynomial& result) {
-  using registers::width;
-  registers::Vec sum[count] = {};
-#pragma GCC unroll 64
-  for (int k = 0; k < count * width; ++k)
-#pragma GCC unroll 64
-    for (int n = k / width; n < count; ++n) sum[n] += b[k] * load(a + n * width - k);
-  for (int n = 0; n < count; ++n) *reinterpret_cast<Loose*>(&result[n * width]) = sum[n];
-}
-
-/// Coefficients 0 to `order` of a product. Those behind, as far as registers are whole, are anything.
+/// Coefficients 0 to `order` of a product, in as many registers. Those behind are anything.
 template <int count = 1>
 inline void multiply(const PushPolynomial& a, const PushPolynomial& b, int order, PushPolynomial& result) {
-  constexpr int held = count * registers::width;
+  using registers::width;
+  constexpr int held = count * width;
   if constexpr (held < flow::most_orders + 1)
     if (order >= held) return multiply<count + 1>(a, b, order, result);
-  double shifted[registers::width + held] = {};
-  std::copy_n(a.begin(), held, shifted + registers::width);
-  multiply_registers<count>(shifted + registers::width, b, result);
+  auto shifted = registers::each<count>([&](int n) { return load(&a[n * width]); });
+  registers::LaneVector<count> sum(0.0);
+#pragma GCC unroll 8
+  for (int k = 0; k < width; ++k, shifted = registers::from_left(shifted))
+#pragma GCC unroll 16
+    for (int first = 0; first < count; ++first)
+#pragma GCC unroll 16
+      for (int n = first; n < count; ++n) sum.part[n] += b[first * width + k] * shifted.part[n - first];
+  for (int n = 0; n < count; ++n) *reinterpret_cast<Loose*>(&result[n * width]) = sum.part[n];
+  std::fill(result.begin() + held, result.end(), 0.0);
 }
 
 /// A product with a series that becomes known order by order: each gives later ones its part at once.
@@ -72,37 +68,41 @@ inline double next_of_root(const PushPolynomial& x, int n, const PushPolynomial&
   return 0.5 * (x[n] - sum) / root[0];
 }
 
-/// ln of a series that starts above zero.
+/// ln of a series that starts above zero: i times its coefficients are the quotient of such multiples by the
+/// series.
 inline void logarithm(const PushPolynomial& x, int order, PushPolynomial& result) {
-  PushPolynomial slope, share;  // i times coefficient i, and x over its first
-  for (int i = 1; i <= order; ++i) share[i] = x[i] / x[0];
+  PushPolynomial share{}, multiple{};  // from order 1 on
+  for (std::size_t i = 1; i < x.size(); ++i) {
+    share[i - 1] = x[i] / x[0];
+    multiple[i - 1] = static_cast<double>(i) * share[i - 1];
+  }
+  constexpr int parts = std::tuple_size_v<PushPolynomial> / registers::width;
+  const auto read = [](const PushPolynomial& from) {
+    return registers::each<parts>([&](int n) { return load(&from[n * registers::width]); });
+  };
+  const auto divisor = read(share);
+  auto left = read(multiple);
   result[0] = std::log(x[0]);
   for (int i = 1; i <= order; ++i) {
-    double even = i * share[i], odd = 0;
-    int k = 1;
-    for (; k + 1 < i; k += 2) {
-      even -= slope[k] * share[i - k];
-      odd -= slope[k + 1] * share[i - k - 1];
-    }
-    if (k < i) even -= slope[k] * share[i - k];
-    slope[i] = even + odd;
-    result[i] = reciprocal.of[i] * slope[i];
+    const double next = left.part[0][0];
+    result[i] = reciprocal.of[i] * next;
+    left = registers::from_right(left) - next * divisor;
   }
 }
 
 /// a x + b y.
-inline void combine(double a, const PushPolynomial& x, double b, const PushPolynomial& y, int order,
+inline void combine(double a, const PushPolynomial& x, double b, const PushPolynomial& y,
                     PushPolynomial& result) {
-  for (int i = 0; i <= order; ++i) result[i] = a * x[i] + b * y[i];
+  for (std::size_t i = 0; i < x.size(); ++i) result[i] = a * x[i] + b * y[i];
 }
-inline void scale(double a, const PushPolynomial& x, int order, PushPolynomial& result) {
-  for (int i = 0; i <= order; ++i) result[i] = a * x[i];
+inline void scale(double a, const PushPolynomial& x, PushPolynomial& result) {
+  for (std::size_t i = 0; i < x.size(); ++i) result[i] = a * x[i];
 }
 
-/// ∫ x from 0, to order + 1.
-inline void integrate(const PushPolynomial& x, int order, PushPolynomial& result) {
+/// ∫ x from 0.
+inline void integrate(const PushPolynomial& x, PushPolynomial& result) {
   result[0] = 0;
-  for (int i = 0; i <= order; ++i) result[i + 1] = reciprocal.of[i + 1] * x[i];
+  for (std::size_t i = 1; i < x.size(); ++i) result[i] = reciprocal.of[i] * x[i - 1];
 }
 
 }  // namespace mariotte::impact::MARIOTTE_INSTRUCTION_SET
