@@ -19,11 +19,6 @@ inline double value_at(double place, const PushPolynomial& x, int last) {
   return sum;
 }
 
-typedef double Loose __attribute__((vector_size(MARIOTTE_VECTOR_BYTES), aligned(8)));
-inline registers::Vec load(const double* from) {
-  return *reinterpret_cast<const Loose*>(from);
-}
-
 /// Coefficients 0 to `order` of a product, in as many registers. Those behind are anything.
 template <int count = 1>
 inline void multiply(const PushPolynomial& a, const PushPolynomial& b, int order, PushPolynomial& result) {
@@ -31,7 +26,7 @@ inline void multiply(const PushPolynomial& a, const PushPolynomial& b, int order
   constexpr int held = count * width;
   if constexpr (held < flow::most_orders + 1)
     if (order >= held) return multiply<count + 1>(a, b, order, result);
-  auto shifted = registers::each<count>([&](int n) { return load(&a[n * width]); });
+  auto shifted = registers::load_loose<count>(a.data());
   registers::LaneVector<count> sum(0.0);
 #pragma GCC unroll 8
   for (int k = 0; k < width; ++k, shifted = registers::from_left(shifted))
@@ -39,7 +34,7 @@ inline void multiply(const PushPolynomial& a, const PushPolynomial& b, int order
     for (int first = 0; first < count; ++first)
 #pragma GCC unroll 16
       for (int n = first; n < count; ++n) sum.part[n] += b[first * width + k] * shifted.part[n - first];
-  for (int n = 0; n < count; ++n) *reinterpret_cast<Loose*>(&result[n * width]) = sum.part[n];
+  registers::store_loose(sum, result.data());
   std::fill(result.begin() + held, result.end(), 0.0);
 }
 
@@ -51,7 +46,8 @@ class GrowingProduct {
     using registers::width;
     if (i == 0) std::fill(std::begin(later_), std::end(later_), registers::Vec{});
     const int count = (orders - i - 1) / width + 1;
-    for (int n = 0; n < count; ++n) later_[n] += x * load(a + n * width);
+    for (int n = 0; n < count; ++n)
+      later_[n] += x * *reinterpret_cast<const registers::Loose*>(a + n * width);
     const double found = later_[0][0];
     for (int n = 0; n < count; ++n) later_[n] = registers::window<1>(later_[n], later_[n + 1]);
     return found;
@@ -77,11 +73,8 @@ inline void logarithm(const PushPolynomial& x, int order, PushPolynomial& result
     multiple[i - 1] = static_cast<double>(i) * share[i - 1];
   }
   constexpr int parts = std::tuple_size_v<PushPolynomial> / registers::width;
-  const auto read = [](const PushPolynomial& from) {
-    return registers::each<parts>([&](int n) { return load(&from[n * registers::width]); });
-  };
-  const auto divisor = read(share);
-  auto left = read(multiple);
+  const auto divisor = registers::load_loose<parts>(share.data());
+  auto left = registers::load_loose<parts>(multiple.data());
   result[0] = std::log(x[0]);
   for (int i = 1; i <= order; ++i) {
     const double next = left.part[0][0];
