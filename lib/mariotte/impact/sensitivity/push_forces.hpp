@@ -14,6 +14,7 @@ using Start = PushExpansion::Start;
 struct Force {
   PushPolynomial spring, damper, all, by_depth, by_rate, by_exponent;
   PushPolynomial impulse, travel;
+  double ratio;  ///< n k/c
   bool is_damped;
   bool has_spring, has_damper;  ///< known apart, for slopes by the numbers of the law
   bool has_log;                 ///< the slope by the exponent has 2 ln σ times the force, too
@@ -118,19 +119,28 @@ struct Forces {
     scale(stiffness, width, f.by_depth);
     if (!f.is_damped) return;
     scale(law.damping, width, f.by_rate);
+    f.ratio = stiffness / law.damping;
+    if (series->is_time) f.by_rate[series->order] = law.damping * last_of_root(law, own);
     PushPolynomial growth;
-    if (law.exponent != 1) combine(stiffness, width, law.damping, root_growth(own, growth), f.by_depth);
+    if (law.exponent != 1 && !series->is_time)
+      combine(stiffness, width, law.damping, root_growth(law, own, growth), f.by_depth);
   }
 
   /// d√δ/dσ. The contact whose root is the clock's pace has half of its rate.
-  const PushPolynomial& root_growth(const PushSeries::Contact& own, PushPolynomial& room) const {
+  const PushPolynomial& root_growth(const contact::PowerLaw& law, const PushSeries::Contact& own,
+                                    PushPolynomial& room) const {
     if (own.owns_clock) {
       scale(0.5, own.rate, room);
       return room;
     }
     for (int i = 1; i <= last(); ++i) room[i - 1] = i * own.root[i];
-    room[last()] = series->order * next_of_root(own.depth, series->order, own.root);
+    room[last()] = series->order * last_of_root(law, own);
     return room;
+  }
+
+  /// One order beyond those that are known.
+  double last_of_root(const contact::PowerLaw& law, const PushSeries::Contact& own) const {
+    return law.exponent == 1 ? 0 : next_of_root(own.depth, series->order, own.root);
   }
 
   /// The force times ln δ. In the clock of a contact that closes that is ln (δ/σ²) and 2 ln σ.
