@@ -6,6 +6,7 @@
 namespace mariotte::flow::taylor::MARIOTTE_INSTRUCTION_SET {
 
 typedef double Vec __attribute__((vector_size(MARIOTTE_VECTOR_BYTES)));
+typedef double Loose __attribute__((vector_size(MARIOTTE_VECTOR_BYTES), aligned(8)));  ///< at any place
 typedef long long Mask __attribute__((vector_size(MARIOTTE_VECTOR_BYTES)));
 inline constexpr int width = MARIOTTE_VECTOR_BYTES / 8;
 
@@ -109,6 +110,14 @@ MARIOTTE_SERIES_INLINE LaneVector<N> load(const double* from) {
 template <int N>
 MARIOTTE_SERIES_INLINE void store(const LaneVector<N>& r, double* to) {
   for (int i = 0; i < N; ++i) *reinterpret_cast<Vec*>(to + width * i) = r.part[i];
+}
+template <int N>
+MARIOTTE_SERIES_INLINE LaneVector<N> load_loose(const double* from) {
+  return each<N>([&](int i) { return *reinterpret_cast<const Loose*>(from + width * i); });
+}
+template <int N>
+MARIOTTE_SERIES_INLINE void store_loose(const LaneVector<N>& r, double* to) {
+  for (int i = 0; i < N; ++i) *reinterpret_cast<Loose*>(to + width * i) = r.part[i];
 }
 template <int N>
 MARIOTTE_SERIES_INLINE LaneVector<N> operator+(const LaneVector<N>& a, const LaneVector<N>& b) {

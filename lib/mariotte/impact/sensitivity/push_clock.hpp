@@ -3,18 +3,21 @@
 //
 //   I' = pace φ,   W' = pace I,   S_δ = S_δ(0) + t S_δ̇(0) + t²/2 S_a + Σ (what contacts do per impulse) W,
 //
-// and the slope of the rate likewise from I. By the exponent of a damped contact that closes, slopes are
-// A + ln σ B with two series each: B follows the same equations, and I_A' = pace φ_A − I_B/σ.
+// and the slope of the rate likewise from I. Where the clock is time, the damper c δⁿ⁻¹ δ̇ = (c/n) d(δⁿ)/dt
+// has the slope d(c δⁿ⁻¹ S_δ)/dt: one product tells all of φ. By the exponent of a damped contact that
+// closes, slopes are A + ln σ B with two series each: B follows the same equations, and I_A' = pace φ_A −
+// I_B/σ.
 #pragma once
 #include "mariotte/impact/sensitivity/push_columns.hpp"
 
 namespace mariotte::impact::MARIOTTE_INSTRUCTION_SET {
 
-/// By order, of one contact: slopes of depth and rate, of the impulse and of its integral.
+/// By order, of one contact: slopes of depth and rate, c δⁿ⁻¹ S_δ, slopes of the impulse and of its integral.
 template <int N>
 struct Row {
   static constexpr int orders = flow::most_orders + 1;
-  Lanes<N> depth[orders], rate[orders], impulse[orders], travel[orders];
+  Lanes<N> depth[orders], rate[orders], damped[orders], impulse[orders], travel[orders];
+  Product<N> by_depth, by_rate, paced;  ///< what depth and rate do to the force, and the pace of the impulse
 };
 
 template <int N>
@@ -26,43 +29,54 @@ class ClockSeries {
   /// All of the slopes, or A where there are `logs`.
   void expand(const Forces& forces, const Columns<N>& columns, const Rows* logs, Rows& rows) {
     is_log_ = false;
-    fill(forces, columns, logs, rows);
+    forces.series->is_time ? fill<true>(forces, columns, logs, rows)
+                           : fill<false>(forces, columns, logs, rows);
   }
   /// B.
   void expand_logs(const Forces& forces, const Columns<N>& columns, Rows& rows) {
     is_log_ = true;
-    fill(forces, columns, nullptr, rows);
+    fill<false>(forces, columns, nullptr, rows);
   }
 
  private:
+  template <bool is_time>
   void fill(const Forces& forces, const Columns<N>& columns, const Rows* logs, Rows& rows) {
     rows.resize(forces.contact.size());
     for (auto& own : rows) own.impulse[0] = own.travel[0] = Pack(0.0);
     for (int i = 0; i < forces.series->order; ++i)
-      for (std::size_t j = 0; j < rows.size(); ++j) next(forces, columns, logs, rows, j, i);
+      for (std::size_t j = 0; j < rows.size(); ++j) next<is_time>(forces, columns, logs, rows, j, i);
   }
 
   /// Order i of depth and rate, and i + 1 of what the force gives.
+  template <bool is_time>
   MARIOTTE_SERIES_INLINE void next(const Forces& forces, const Columns<N>& columns, const Rows* logs,
                                    Rows& rows, std::size_t j, int i) const {
     const auto& force = forces.contact[j];
     const auto& series = *forces.series;
     auto& r = rows[j];
-    r.depth[i] = depth(forces, columns, rows, j, i);
+    const bool is_whole = is_time && force.is_damped;
+    if (i == 0 || !is_whole) r.depth[i] = depth(forces, columns, rows, j, i);
     if (force.is_damped) r.rate[i] = rate(forces, columns, rows, j, i);
-    Pack growth = by_motion(force, r, i);
+    Pack growth = is_whole ? by_damped(force, r, i, series.order) : by_motion(force, r, i, series.order);
     add_law(force, columns.contact[j], i, growth);
-    Pack way = series.is_time ? Pack(r.impulse[i]) : convolution(series.pace, r.impulse, i);
+    Pack way = is_time ? r.impulse[i] : r.paced.next(series.pace, r.impulse, i, series.order);
     if (logs) growth += -(*logs)[j].impulse[i + 1], way += -(*logs)[j].travel[i + 1];
     r.impulse[i + 1] = reciprocal.of[i + 1] * growth;
     r.travel[i + 1] = reciprocal.of[i + 1] * way;
   }
 
   /// What depth and rate do to the force.
-  static MARIOTTE_SERIES_INLINE Pack by_motion(const Force& force, const Row<N>& r, int i) {
-    Pack sum = convolution(force.by_depth, r.depth, i);
-    if (force.is_damped) sum += convolution(force.by_rate, r.rate, i);
+  static MARIOTTE_SERIES_INLINE Pack by_motion(const Force& force, Row<N>& r, int i, int order) {
+    Pack sum = r.by_depth.next(force.by_depth, r.depth, i, order);
+    if (force.is_damped) sum += r.by_rate.next(force.by_rate, r.rate, i, order);
     return sum;
+  }
+  /// The same where the rate is that of the depth, of which order i + 1 is known then.
+  static MARIOTTE_SERIES_INLINE Pack by_damped(const Force& force, Row<N>& r, int i, int order) {
+    if (i == 0) r.damped[0] = r.by_rate.next(force.by_rate, r.depth, 0, order + 1);
+    r.depth[i + 1] = reciprocal.of[i + 1] * r.rate[i];
+    r.damped[i + 1] = r.by_rate.next(force.by_rate, r.depth, i + 1, order + 1);
+    return force.ratio * r.damped[i] + (i + 1.0) * r.damped[i + 1];
   }
 
   /// What the numbers of the law do to it.
@@ -72,7 +86,7 @@ class ClockSeries {
       if (force.has_log) growth += 2 * force.all[i] * own.exponent;
       return;
     }
-    growth += force.spring[i] * own.stiffness;
+    if (force.has_spring) growth += force.spring[i] * own.stiffness;
     if (force.has_damper) growth += force.damper[i] * own.damping;
     if (own.has_exponent) growth += force.by_exponent[i] * own.exponent;
   }

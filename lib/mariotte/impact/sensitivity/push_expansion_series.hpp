@@ -18,7 +18,8 @@ class Expansion final : public PushExpansion {
       };
       const Index left = start.velocity.columns - first;
       const bool is_first = first == 0;
-      const double reached = left <= four       ? carry(one_)
+      const double reached = left == 1          ? carry(lone_)
+                             : left <= four     ? carry(one_)
                              : left <= 2 * four ? carry(two_)
                              : left <= 3 * four ? carry(three_)
                                                 : carry(four_);
@@ -33,6 +34,7 @@ class Expansion final : public PushExpansion {
   static constexpr int four = 4, unit = four / registers::width;
   Forces forces_;
   // Made when they are needed first.
+  std::unique_ptr<PackSeries<0>> lone_;
   std::unique_ptr<PackSeries<unit>> one_;
   std::unique_ptr<PackSeries<2 * unit>> two_;
   std::unique_ptr<PackSeries<3 * unit>> three_;

@@ -1,4 +1,5 @@
-// The series of as many parameters as N registers hold, as far as they are right, for one instruction set.
+// The series of as many parameters as N registers hold, or of a lone one with N = 0, as far as they are
+// right, for one instruction set.
 #pragma once
 #include "mariotte/impact/sensitivity/push_clock.hpp"
 #include "mariotte/impact/sensitivity/push_end.hpp"

@@ -19,65 +19,83 @@ inline double value_at(double place, const PushPolynomial& x, int last) {
   return sum;
 }
 
-/// Coefficients 0 to `order` of a product, several of them side by side.
+/// Coefficients 0 to `order` of a product, in as many registers. Those behind are anything.
+template <int count = 1>
 inline void multiply(const PushPolynomial& a, const PushPolynomial& b, int order, PushPolynomial& result) {
   using registers::width;
-  typedef double Loose __attribute__((vector_size(MARIOTTE_VECTOR_BYTES), aligned(8)));
-  constexpr int room = flow::most_orders + 1 + 2 * width;
-  double shifted[room] = {};  // a behind zeros
-  for (int i = 0; i <= order; ++i) shifted[width + i] = a[i];
-  for (int first = 0; first <= order; first += width) {
-    registers::Vec even{}, odd{};
-    const auto part = [&](int k) {
-      return b[k] * *reinterpret_cast<const Loose*>(shifted + width + first - k);
-    };
-    const int last = std::min(order, first + width - 1);
-    int k = 0;
-    for (; k < last; k += 2) even += part(k), odd += part(k + 1);
-    if (k == last) even += part(k);
-    even += odd;
-    for (int i = first; i <= last; ++i) result[i] = even[i - first];
-  }
+  constexpr int held = count * width;
+  if constexpr (held < flow::most_orders + 1)
+    if (order >= held) return multiply<count + 1>(a, b, order, result);
+  auto shifted = registers::load_loose<count>(a.data());
+  registers::LaneVector<count> sum(0.0);
+#pragma GCC unroll 8
+  for (int k = 0; k < width; ++k, shifted = registers::from_left(shifted))
+#pragma GCC unroll 16
+    for (int first = 0; first < count; ++first)
+#pragma GCC unroll 16
+      for (int n = first; n < count; ++n) sum.part[n] += b[first * width + k] * shifted.part[n - first];
+  registers::store_loose(sum, result.data());
+  std::fill(result.begin() + held, result.end(), 0.0);
 }
 
-inline void divide(const PushPolynomial& a, const PushPolynomial& b, int order, PushPolynomial& result) {
-  const double share = 1 / b[0];
-  for (int i = 0; i <= order; ++i) {
-    double even = a[i], odd = 0;
-    int k = 0;
-    for (; k + 1 < i; k += 2) {
-      even -= b[i - k] * result[k];
-      odd -= b[i - k - 1] * result[k + 1];
-    }
-    if (k < i) even -= b[i - k] * result[k];
-    result[i] = share * (even + odd);
+/// A product with a series that becomes known order by order: each gives later ones its part at once.
+class GrowingProduct {
+ public:
+  /// Coefficient i of a x, the one after that of the last call; no more than `orders` are wanted.
+  MARIOTTE_SERIES_INLINE double next(const double* a, double x, int i, int orders) {
+    using registers::width;
+    if (i == 0) std::fill(std::begin(later_), std::end(later_), registers::Vec{});
+    const int count = (orders - i - 1) / width + 1;
+    for (int n = 0; n < count; ++n)
+      later_[n] += x * *reinterpret_cast<const registers::Loose*>(a + n * width);
+    const double found = later_[0][0];
+    for (int n = 0; n < count; ++n) later_[n] = registers::window<1>(later_[n], later_[n + 1]);
+    return found;
   }
+
+ private:
+  registers::Vec later_[sizeof(PushPolynomial) / sizeof(registers::Vec) + 1];  ///< what later ones have
+};
+
+/// Coefficient n of the root of x, of which the ones before are known.
+inline double next_of_root(const PushPolynomial& x, int n, const PushPolynomial& root) {
+  double sum = n % 2 == 0 ? root[n / 2] * root[n / 2] : 0;
+  for (int k = 1; 2 * k < n; ++k) sum += 2 * root[k] * root[n - k];
+  return 0.5 * (x[n] - sum) / root[0];
 }
 
-/// ln of a series that starts above zero.
+/// ln of a series that starts above zero: i times its coefficients are the quotient of such multiples by the
+/// series.
 inline void logarithm(const PushPolynomial& x, int order, PushPolynomial& result) {
-  const double share = 1 / x[0];
+  PushPolynomial share{}, multiple{};  // from order 1 on
+  for (std::size_t i = 1; i < x.size(); ++i) {
+    share[i - 1] = x[i] / x[0];
+    multiple[i - 1] = static_cast<double>(i) * share[i - 1];
+  }
+  constexpr int parts = std::tuple_size_v<PushPolynomial> / registers::width;
+  const auto divisor = registers::load_loose<parts>(share.data());
+  auto left = registers::load_loose<parts>(multiple.data());
   result[0] = std::log(x[0]);
   for (int i = 1; i <= order; ++i) {
-    double sum = 0;
-    for (int k = 1; k < i; ++k) sum += k * result[k] * x[i - k];
-    result[i] = share * (x[i] - reciprocal.of[i] * sum);
+    const double next = left.part[0][0];
+    result[i] = reciprocal.of[i] * next;
+    left = registers::from_right(left) - next * divisor;
   }
 }
 
 /// a x + b y.
-inline void combine(double a, const PushPolynomial& x, double b, const PushPolynomial& y, int order,
+inline void combine(double a, const PushPolynomial& x, double b, const PushPolynomial& y,
                     PushPolynomial& result) {
-  for (int i = 0; i <= order; ++i) result[i] = a * x[i] + b * y[i];
+  for (std::size_t i = 0; i < x.size(); ++i) result[i] = a * x[i] + b * y[i];
 }
-inline void scale(double a, const PushPolynomial& x, int order, PushPolynomial& result) {
-  for (int i = 0; i <= order; ++i) result[i] = a * x[i];
+inline void scale(double a, const PushPolynomial& x, PushPolynomial& result) {
+  for (std::size_t i = 0; i < x.size(); ++i) result[i] = a * x[i];
 }
 
-/// ∫ x from 0, to order + 1.
-inline void integrate(const PushPolynomial& x, int order, PushPolynomial& result) {
+/// ∫ x from 0.
+inline void integrate(const PushPolynomial& x, PushPolynomial& result) {
   result[0] = 0;
-  for (int i = 0; i <= order; ++i) result[i + 1] = reciprocal.of[i + 1] * x[i];
+  for (std::size_t i = 1; i < x.size(); ++i) result[i] = reciprocal.of[i] * x[i - 1];
 }
 
 }  // namespace mariotte::impact::MARIOTTE_INSTRUCTION_SET

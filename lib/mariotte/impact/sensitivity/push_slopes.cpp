@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mariotte/impact/sensitivity/shallow_push.hpp"
 #include "mariotte/model/chain/chain_topology.hpp"
 #include "mariotte/model/network/network_topology.hpp"
 
@@ -48,6 +49,14 @@ template <class Topology>
 double PushSlopes<Topology>::along(Index j, const SlopeMatrix& motion, Index column) const {
   double sum = 0;
   for (const auto& [v, g] : reach_[j].direction) sum += g * motion(v, column);
+  return sum;
+}
+
+/// The same where velocities are at their places in a state.
+template <class Topology>
+double PushSlopes<Topology>::gap_rate(Index j, const SlopeMatrix& slopes, Index column) const {
+  double sum = 0;
+  for (const auto& [v, g] : reach_[j].direction) sum += g * slopes(layout_.velocity[v], column);
   return sum;
 }
 
@@ -100,9 +109,7 @@ bool PushSlopes<Topology>::follow_alone(const flow::Step& step, Index j, const S
   for (const auto& slope : contact_[j].law) by_stiffness[slope.column] = slope.power.stiffness;
   for (Index c = 0; c < slopes.columns; ++c) {
     if (along(j, acceleration_, c) != 0) return false;
-    double start_rate = 0;
-    for (const auto& [v, g] : reach_[j].direction) start_rate -= g * slopes(layout_.velocity[v], c);
-    const double start_depth = -slopes(layout_.gap[j], c);
+    const double start_rate = -gap_rate(j, slopes, c), start_depth = -slopes(layout_.gap[j], c);
     const double stretch = 0.5 * (by_stiffness[c] / law.stiffness + by_mobility[c] / u);
     const double other = start_rate - rate * stretch;
     const double a = (0.5 * (n + 1) * rate * start_depth - depth * other) / energy;
@@ -175,33 +182,76 @@ bool PushSlopes<Topology>::follow_series(const flow::Step& step, SlopeMatrix& sl
     if (!PushExpansion::knows(*power_law(model_.law[contact_at_[one.gap]]), contact_[contact_at_[one.gap]]))
       return false;
   moved_ = slopes;
-  if (!carry(series_, moved_, most_pieces) || !are_awake(step, slopes, moved_)) return false;
+  if (!carry(series_, moved_, most_pieces) || !add_shallow(step, slopes, moved_)) return false;
   slopes = moved_;
   return true;
 }
 
-/// Contacts so shallow that the flow leaves out their force must have no slope that matters, either.
+/// Contacts so shallow that the flow leaves out their force must have no slope that matters, or only to first
+/// order.
 template <class Topology>
-bool PushSlopes<Topology>::are_awake(const flow::Step& step, const SlopeMatrix& before,
-                                     const SlopeMatrix& after) const {
+bool PushSlopes<Topology>::add_shallow(const flow::Step& step, const SlopeMatrix& before,
+                                       SlopeMatrix& after) {
   for (const Index j : pushing_) {
     const auto is_own = [&](const auto& one) { return contact_at_[one.gap] == j; };
     if (std::any_of(series_.contact.begin(), series_.contact.end(), is_own)) continue;
     const Index gap = layout_.gap[j];
-    const auto stiffness_at = [&](ConstState x) {
-      const double rate = Topology{model_, layout_}.approach(x, j);
-      return std::abs(contact::smooth_force(*power_law(model_.law[j]), -x[gap], rate).by_indentation);
+    const double gain = largest_gain(step, j);
+    const auto change = [&](Index c) {
+      return gain * std::max(std::abs(before(gap, c)), std::abs(after(gap, c)));
     };
-    const double stiffness = std::max(stiffness_at(step.before), stiffness_at(step.after));
-    const double gain = (step.end - step.start) * reach_[j].mobility * stiffness;
-    for (Index c = 0; c < after.columns; ++c) {
-      double largest = natural_[c];
-      for (Index v = 0; v < velocity_.rows; ++v) largest = std::max(largest, std::abs(velocity_(v, c)));
-      const double moved = std::max(std::abs(before(gap, c)), std::abs(after(gap, c)));
-      if (gain * moved > share * accuracy_ * largest) return false;
-    }
+    if (is_small(change)) continue;
+    if (step.before[gap] != 0 || !push_shallow(step, j, before, after)) return false;
   }
   return true;
+}
+
+/// What contact j does in the step to the rate of its gap, per slope of that.
+template <class Topology>
+double PushSlopes<Topology>::largest_gain(const flow::Step& step, Index j) const {
+  const auto stiffness_at = [&](ConstState x) {
+    const double rate = Topology{model_, layout_}.approach(x, j);
+    return std::abs(
+        contact::smooth_force(*power_law(model_.law[j]), -x[layout_.gap[j]], rate).by_indentation);
+  };
+  const double stiffness = std::max(stiffness_at(step.before), stiffness_at(step.after));
+  return (step.end - step.start) * reach_[j].mobility * stiffness;
+}
+
+/// Beside velocities at the end.
+template <class Topology>
+template <class Change>
+bool PushSlopes<Topology>::is_small(Change&& change) const {
+  for (Index c = 0; c < velocity_.columns; ++c) {
+    double largest = natural_[c];
+    for (Index v = 0; v < velocity_.rows; ++v) largest = std::max(largest, std::abs(velocity_(v, c)));
+    if (change(c) > share * accuracy_ * largest) return false;
+  }
+  return true;
+}
+
+/// False if slopes of its depth are not straight enough.
+template <class Topology>
+bool PushSlopes<Topology>::push_shallow(const flow::Step& step, Index j, const SlopeMatrix& before,
+                                        SlopeMatrix& after) {
+  const Index gap = layout_.gap[j];
+  const auto push = shallow_push(step, *power_law(model_.law[j]), gap, [&](ConstState x) {
+    return Topology{model_, layout_}.approach(x, j);
+  });
+  displacement_.clear();
+  impulse_.clear();
+  for (Index c = 0; c < before.columns; ++c) {
+    const double depth = -before(gap, c), rate = -gap_rate(j, before, c);
+    give(j, c, push.impulse_by_depth * depth + push.impulse_by_rate * rate,
+         push.travel_by_depth * depth + push.travel_by_rate * rate);
+  }
+  finish(after);
+  return is_small([&](Index c) {
+    const double rate = gap_rate(j, before, c);
+    const double bend = after(gap, c) - before(gap, c) - (step.end - step.start) * rate;
+    return reach_[j].mobility *
+           (push.spring * std::abs(bend) + push.damper * std::abs(gap_rate(j, after, c) - rate));
+  });
 }
 
 template <class Topology>

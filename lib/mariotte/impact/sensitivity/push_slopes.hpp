@@ -50,11 +50,16 @@ class PushSlopes {
   bool follow_series(const flow::Step& step, SlopeMatrix& slopes);
   bool carry(flow::PushSeries& series, SlopeMatrix& slopes, int pieces);
   double expand(const flow::PushSeries& series, const SlopeMatrix& slopes);
-  bool are_awake(const flow::Step& step, const SlopeMatrix& before, const SlopeMatrix& after) const;
+  bool add_shallow(const flow::Step& step, const SlopeMatrix& before, SlopeMatrix& after);
+  double largest_gain(const flow::Step& step, Index j) const;
+  template <class Change>
+  bool is_small(Change&& change) const;
+  bool push_shallow(const flow::Step& step, Index j, const SlopeMatrix& before, SlopeMatrix& after);
   void fly(double duration, const SlopeMatrix& slopes);
   void give(Index j, Index column, double impulse, double travel);
   void finish(SlopeMatrix& slopes) const;
   double along(Index j, const SlopeMatrix& motion, Index column) const;
+  double gap_rate(Index j, const SlopeMatrix& slopes, Index column) const;
 
   const Scaled& model_;
   const model::ContactLayout& layout_;

@@ -33,8 +33,8 @@ class StartSeries {
     const Powers powers{e + 0.5, forces.series->power};
     const auto& force = forces.contact[j];
     auto& r = rows[j];
-    Pack slope = convolution(force.by_depth, r.depth, i);
-    if (e == 1) slope += force.spring[i] * columns.contact[j].stiffness;
+    Pack slope = r.by_depth.next(force.by_depth, r.depth, i, forces.series->order);
+    if (e == 1 && force.has_spring) slope += force.spring[i] * columns.contact[j].stiffness;
     r.impulse[i] = powers.once(i) * slope;
     r.travel[i] = powers.twice(i) * r.impulse[i];
   }

@@ -13,11 +13,6 @@ constexpr double small = 1e-15;  ///< change by the last sweep
 
 }  // namespace
 
-UntilEnd::UntilEnd() {
-  for (int j = 0; j < stages; ++j)
-    for (int i = 0; i < stages; ++i) weight_[j][i] = gauss.weight[j] - gauss.integral[i][j];
-}
-
 PieceSweep::PieceSweep(const model::DimensionlessChain& chain, const MotionRecord& motion, RowSlopes& slopes)
     : chain_(chain),
       slopes_(slopes),
@@ -66,7 +61,9 @@ void PieceSweep::prepare(const MotionRecord::Stretch& stretch) {
     drift_[j] += slopes_.gap[j];
     drift_[j + 1] -= slopes_.gap[j];
   }
-  const auto left = until_end_(piece_->pace);
+  Nodes left{};  // until the end
+  for (int j = 0; j < stages; ++j)
+    for (int i = 0; i < stages; ++i) left[i] += until_end_.weight[j][i] * piece_->pace[j];
   for (const Index b : balls_)
     for (int i = 0; i < stages; ++i) value_[b][i] = base_[b][i] = slopes_.velocity[b] - drift_[b] * left[i];
 }
@@ -110,18 +107,20 @@ double PieceSweep::take_next() {
 /// `held` is λ_g at the end, but for what drifts by it already.
 void PieceSweep::turn(Push& own, double held) {
   const Index j = own.number;
-  for (int i = 0; i < stages; ++i) {
-    own.mu[i] = turning(j, [&](Index b) { return value_[b][i]; });
-    own.gap_rate[i] = own.by_depth[i] * own.mu[i];
-  }
-  const auto given = until_end_(own.gap_rate);
-  for (int i = 0; i < stages; ++i)
-    own.velocity_rate[i] = piece_->pace[i] * (held - given[i]) - own.by_rate[i] * own.mu[i];
-  const auto turned = until_end_(own.velocity_rate);
-  for (int i = 0; i < stages; ++i) {
-    next_[j][i] -= turned[i];
-    next_[j + 1][i] += turned[i];
-  }
+  turn_contact_({.until_end = until_end_,
+                 .left_mobility = chain_.inverse_mass[j],
+                 .right_mobility = chain_.inverse_mass[j + 1],
+                 .left = value_[j].data(),
+                 .right = value_[j + 1].data(),
+                 .by_depth = own.by_depth.data(),
+                 .by_rate = own.by_rate.data(),
+                 .pace = piece_->pace.data(),
+                 .held = held,
+                 .mu = own.mu.data(),
+                 .gap_rate = own.gap_rate.data(),
+                 .velocity_rate = own.velocity_rate.data(),
+                 .next_left = next_[j].data(),
+                 .next_right = next_[j + 1].data()});
 }
 
 void PieceSweep::finish(const MotionRecord::Stretch& stretch) {

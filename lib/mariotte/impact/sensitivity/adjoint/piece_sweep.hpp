@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "mariotte/impact/sensitivity/adjoint/contact_turn.hpp"
 #include "mariotte/impact/sensitivity/adjoint/motion_record.hpp"
 
 namespace mariotte::impact {
@@ -14,22 +15,6 @@ namespace mariotte::impact {
 struct RowSlopes {
   std::vector<double> mass, velocity;                     ///< by ball; `velocity` at the start
   std::vector<double> gap, stiffness, damping, exponent;  ///< by contact; `gap` at the start
-};
-
-/// ∫ from each point to the end, by Lagrange polynomials.
-class UntilEnd {
- public:
-  UntilEnd();
-  Nodes operator()(const Nodes& rate) const {
-    Nodes sum;
-    for (int i = 0; i < stages; ++i) sum[i] = weight_[0][i] * rate[0];
-    for (int j = 1; j < stages; ++j)
-      for (int i = 0; i < stages; ++i) sum[i] += weight_[j][i] * rate[j];
-    return sum;
-  }
-
- private:
-  double weight_[stages][stages];  ///< by the point that is taken
 };
 
 /// Takes the pieces of a motion from the last to the first.
@@ -73,6 +58,7 @@ class PieceSweep {
   std::vector<MotionRecord::Contact>::const_iterator contact_;
   std::vector<Nodes>::const_iterator rate_;
   UntilEnd until_end_;
+  TurnContact turn_contact_ = choose_turn();
   std::vector<Push> push_;
   std::size_t acting_ = 0;                  ///< the first of them; the others are shallow
   std::vector<Index> balls_;                ///< of all of them
