@@ -95,12 +95,18 @@ class Neighbours {
   std::array<Values, 2 * reach + 1> values_;
 };
 
+/// Moves what is next to rounding, but no number across zero: a gap may not be negative.
+double hair_of(const Probe& probe) {
+  const double most = hair * probe.unit, own = std::abs(probe.value) / (2 * reach);
+  return representable(probe, own > 0 ? std::min(most, own) : most);
+}
+
 /// What rounding makes of each outcome, over its size: runs whose number differs by rounding tell it, and
 /// those a little further away what jumps there are between them.
 Values noise(const Probe& probe, const impact::Sensitivity& base, const Values& sizes) {
   const double step = representable(probe, 16 * epsilon * std::max(std::abs(probe.value), probe.unit));
   auto list = Neighbours(probe, step, base).spread(base, sizes);
-  const auto jumps = Neighbours(probe, representable(probe, hair * probe.unit), base).bend(base, sizes);
+  const auto jumps = Neighbours(probe, hair_of(probe), base).bend(base, sizes);
   for (std::size_t i = 0; i < list.size(); ++i)
     if (sizes[i] > 0)
       list[i] +=
