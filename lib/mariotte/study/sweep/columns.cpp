@@ -111,6 +111,7 @@ class Expansion {
         document_(document),
         run_(scene.run),
         result_(impact::unfilled(model)),
+        counting_(counting),
         may_run_(counting == Counting::by_run) {}
 
   std::vector<Column> operator()(const std::vector<std::string>& keys) {
@@ -142,7 +143,7 @@ class Expansion {
   void add_slope(const std::string& key) {
     if (!document_) throw ColumnError("'" + key + "': slopes are columns of sweeps alone");
     const WrittenScene example{*document_, scene_};
-    expect_slope(key, example);
+    expect_slope(key, example, counting_ == Counting::by_run);
     if (known_.insert(key).second)
       columns_.push_back({key, unit_of_slope(key, example), "", "slope of an outcome by a number"});
   }
@@ -199,7 +200,8 @@ class Expansion {
   const scene::Document* document_;
   const hybrid::Options& run_;
   Impact result_;  ///< its lengths alone, until the scene has been run
-  bool may_run_;   ///< and has not been yet
+  Counting counting_;
+  bool may_run_;  ///< and has not been yet
   std::vector<Column> columns_;
   std::set<std::string> known_;
 };

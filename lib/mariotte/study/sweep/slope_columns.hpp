@@ -28,8 +28,8 @@ struct WrittenScene {
 };
 
 /// Throws ColumnError if this scene has no such outcome, or no such number. Balls in a row or a network have
-/// outcomes that are known; bodies are run once to tell theirs.
-void expect_slope(const std::string& key, const WrittenScene& example);
+/// outcomes that are known; bodies have to be run to tell theirs, if they `may_run`.
+void expect_slope(const std::string& key, const WrittenScene& example, bool may_run);
 
 /// That of the outcome by that of the number, "kg^-1 m s^-1"; "SI" where one of them is not known.
 std::string unit_of_slope(const std::string& key, const WrittenScene& example);
