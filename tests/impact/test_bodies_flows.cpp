@@ -109,6 +109,38 @@ BOOST_AUTO_TEST_CASE(what_is_stated_to_touch_does_so_where_it_stands) {
   }
 }
 
+/// Loads 1 + a δ̇ fade to rounding while contacts push, and must not come and go by it.
+BOOST_AUTO_TEST_CASE(faded_loads_make_no_events) {
+  constexpr double radius = 0.01, mass = 0.03, moment = 0.4 * mass * radius * radius;
+  model::Bodies bodies{.dimension = 2, .gravity = {0, -9.81, 0}};
+  bodies.plane = {{.name = "", .point = {0, -0.01001, 0}, .normal = {0, 1, 0}}};
+  for (int i = 0; i < 2; ++i) {
+    model::Body one{.name = "", .mass = mass, .inertia = {moment, moment, moment}};
+    one.spheres = {{{}, radius}};
+    one.position = {0.01976 * i, 0.0031 * i, 0};
+    one.velocity = i == 0 ? Vector3{0.167, 0.034, 0} : Vector3{-0.335, -0.106, 0};
+    one.spin = {0, 0, i == 0 ? 4.8 : -8.1};
+    bodies.body.push_back(one);
+    bodies.contact.push_back({.a = {0, -1}, .b = {i, 0}});
+  }
+  bodies.contact.push_back({.a = {0, 0}, .b = {1, 0}});
+  for (auto& contact : bodies.contact) {
+    contact.law = std::make_shared<contact::HuntCrossley>(1.8e7, 3460, 1.5);
+    contact.tangential = {TangentialLaw::spring, 0.7, 1.4e7};
+  }
+  const auto run = [&](double accuracy, std::optional<flow::Kind> kind) {
+    auto asked = options(accuracy, kind);
+    asked.max_time = 0.02;
+    return impact::simulate(bodies, asked);
+  };
+  const auto cvode = run(1e-10, flow::Kind::cvode_adams);
+  for (const double accuracy : {1e-8, 1e-10, 1e-12}) {
+    const auto series = run(accuracy, {});
+    BOOST_TEST(series.events.size() < 40);
+    BOOST_TEST(difference(series, cvode) < 1e-7);
+  }
+}
+
 /// Fifteen balls have 105 pairs: only near ones are watched, and nothing is missed.
 BOOST_AUTO_TEST_CASE(pairs_that_are_far_apart_need_not_be_watched) {
   Scenes scenes(3);

@@ -103,6 +103,23 @@ BOOST_AUTO_TEST_CASE(a_pair_lets_go_where_the_gap_opens) {
   BOOST_TEST(std::abs(impact.gap[0]) < 1e-10 * impact.contacts[0].peak_indentation);
 }
 
+// 1 + a δ̇ fades to less than rounding long before the gap opens. Times by quadrature of the closed form
+// k δ²/2 = m ((v − w)/a − ln((1 + a v)/(1 + a w))/a²).
+BOOST_AUTO_TEST_CASE(a_load_that_has_faded_lets_nothing_go) {
+  for (const auto& [damping, time] :
+       {std::pair{40.0, 0.206016887027}, {100, 0.320013443839}, {300, 0.549903338047}})
+    for (const double accuracy : {1e-6, 1e-10, 1e-12, 1e-13})
+      for (const auto flow : {std::optional<flow::Kind>(), std::optional(flow::Kind::cvode_adams)}) {
+        const auto impact =
+            impact::simulate({.mass = {1, 1},
+                              .law = {std::make_shared<contact::HuntCrossley>(1000, damping, 1)},
+                              .gap = {0},
+                              .velocity = {1, 0}},
+                             {.accuracy = accuracy, .flow = flow});
+        BOOST_TEST(impact.time == time, boost::test_tools::tolerance(1e-7));
+      }
+}
+
 BOOST_AUTO_TEST_CASE(a_contact_drawn_apart_faster_than_its_damping_allows_goes_slack) {
   // Ball 1 leaves with more than 1/a: all that contact 1 has stored is lost.
   const auto impact =

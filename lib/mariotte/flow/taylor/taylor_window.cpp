@@ -220,18 +220,17 @@ double load_noise(const Window& w, int lane, double rate_error) {
     size = std::abs(w.velocity[lane]) + std::abs(w.velocity[lane + 1]);
   else
     for (const auto& [dof, g] : w.network->direction[lane]) size += std::abs(g * w.velocity[dof]);
-  const double damping = l.damping[lane] + l.stiffening[lane] * std::abs(l.indentation[lane]);
-  return damping * std::max(16 * epsilon * size, rate_error);
+  return (l.damping[lane] + l.stiffening[lane]) * std::max(16 * epsilon * size, rate_error);
 }
 
 bool has_faint_load(const Window& w, int lane) {
   const auto& l = w.lanes;
   if (w.contact(lane).load_guard < 0 || !(l.rate[lane] < 0)) return false;
-  const double d = l.indentation[lane];
+  const double d = l.indentation[lane], noise = load_noise(w, lane, 0);
+  if (l.stiffening[lane] > 0) return l.stiffness[lane] + l.stiffening[lane] * l.rate[lane] < noise;
   const double stiffness =
       l.stiffness[lane] + (l.steepening[lane] > 0 ? l.steepening[lane] * std::pow(d, l.power[lane]) : 0);
-  const double damping = l.damping[lane] + l.stiffening[lane] * d;
-  return stiffness * d + damping * l.rate[lane] < load_noise(w, lane, 0);
+  return stiffness * d + l.damping[lane] * l.rate[lane] < noise;
 }
 
 void write(const Window& w, State x) {

@@ -62,7 +62,8 @@ T BodiesPhase<D>::load_guard(const BodiesField<T, D, N>& field, const ClosedCont
   const auto& one = field.setting().contact[mode.contact];
   if (contact::pulls(one.law)) return mode.slack ? c.normal - setting_.gap_noise * one.force : c.normal;
   if (!contact::goes_slack(one.law)) return T(1.0);
-  return law_load<T>(one, c.motion.indentation, -c.motion.gap_rate);
+  const T load = law_load<T>(one, c.motion.indentation, -c.motion.gap_rate);
+  return mode.slack ? load : load + load_noise<T>(one.law, setting_.rest_speed());
 }
 
 template <int D>

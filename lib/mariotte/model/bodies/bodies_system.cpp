@@ -182,8 +182,9 @@ void BodiesSystem<D>::slacken(Mode& mode, ConstState x, std::vector<Change>& cha
   for (std::size_t i = 0; i < mode.closed.size(); ++i) {
     auto& one = mode.closed[i];
     const auto& now = field_.contact(i);
-    if (!may_let_go(one) || !(now.motion.gap_rate > 0) || !(load_of(setting_.contact[one.contact], now) < 0))
-      continue;
+    const auto& contact = setting_.contact[one.contact];
+    const double noise = load_noise<double>(contact.law, setting_.rest_speed());
+    if (!may_let_go(one) || !(now.motion.gap_rate > 0) || !(load_of(contact, now) < -noise)) continue;
     one.slack = true;
     changes.push_back({one.contact, BodyEvent::slack});
   }

@@ -28,6 +28,15 @@ inline series::Traced recorded_load(const contact::DampedPower& law, const serie
   return law.stiffness * depth + law.damping * rate;
 }
 
+/// What an error of the rate makes of a load without δ, 1 + a δ̇, in the units of T's load: such a load fades
+/// to that while its contact pushes. 0 of others.
+template <class T>
+double load_noise(const contact::Law& law, double rate_error) {
+  const auto powers = contact::powers(law);
+  if (!powers || powers->grows != Damping::as_force) return 0;
+  return powers->damping * rate_error / (is_recorded<T> ? 1 : powers->stiffness);
+}
+
 /// What a law answers, with the slopes that T carries.
 template <class T>
 T answer(const contact::Force& f, const T& depth, const T& rate) {

@@ -112,10 +112,13 @@ bool has_passed(CreepingForces<Topology>& now, Index j) {
 }
 
 /// The load of closed contact j is rounding, and would not grow without its force: it has let go. A contact
-/// that creeps has such a load for long, whose sign is that of this growth.
+/// that creeps has such a load for long, whose sign is that of this growth. A load without δ, 1 + a δ̇, fades
+/// by itself, and so lets go only if it would fall.
 template <class Topology>
 bool has_let_go(CreepingForces<Topology>& now, Index j) {
-  return now.creeps(j) && !(now.free_growth(j) > 0);
+  if (!now.creeps(j)) return false;
+  const double growth = now.free_growth(j);
+  return growth < 0 || (growth == 0 && now.state().load(j).by_indentation != 0);
 }
 
 }  // namespace mariotte::model

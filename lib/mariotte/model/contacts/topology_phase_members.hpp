@@ -195,11 +195,14 @@ double TopologyPhase<Topology>::slow_turn(Index j) const {
 }
 
 /// A slack contact pushes again once its load is clear of what rounding of the velocities makes of it: where
-/// it has vanished, that may be positive, and would never rise through zero.
+/// it has vanished, that may be positive, and would never rise through zero. A load without δ fades to
+/// rounding while its contact pushes, and falls through zero where it is clear of what errors of the rate
+/// make of it.
 template <class Topology>
 double TopologyPhase<Topology>::clear_load(ConstState x, Index j) const {
   const auto own = load(x, j);
-  if ((*mode_)[j] != contact::ContactMode::slack) return own.value;
+  if ((*mode_)[j] != contact::ContactMode::slack)
+    return own.by_indentation != 0 ? own.value : own.value + 10 * own.by_rate * topology_.model.noise_speed;
   double size = 0;
   topology_.for_each_direction(j, [&](Index place, double g) { size += std::abs(g * x[place]); });
   return own.value - 16 * epsilon * size * std::abs(own.by_rate);
