@@ -320,6 +320,16 @@ BOOST_AUTO_TEST_CASE(a_point_says_why_it_has_no_slope) {
              verdict.reason);
 }
 
+BOOST_AUTO_TEST_CASE(a_number_without_slopes_takes_none_from_others) {
+  const auto [plan, numbers, verdict] =
+      swept(three_steel_balls + "gap = [0, 1e-6]\n", "chain.velocity[0]",
+            {"sensitivity.velocity[2].chain.gap[0]", "sensitivity.velocity[2].chain.radius[0]"});
+  BOOST_TEST(verdict.ending == "separated");
+  BOOST_TEST(std::isnan(numbers[0]));
+  BOOST_TEST(numbers[1] > 0);
+  BOOST_TEST(verdict.reason.find("chain.gap[0]") != std::string::npos, verdict.reason);
+}
+
 BOOST_AUTO_TEST_CASE(slopes_that_a_scene_does_not_have_are_refused) {
   const auto refused = [](const std::string& key, const char* message) {
     BOOST_CHECK_EXCEPTION(swept(test::three_balls, "chain.mass[1]", {key}), study::ColumnError,
@@ -331,6 +341,7 @@ BOOST_AUTO_TEST_CASE(slopes_that_a_scene_does_not_have_are_refused) {
   refused("sensitivity.velocity[3].mass[0]", "this scene has no outcome 'velocity[3]'");
   refused("sensitivity.velocity[0].mas[0]", "did you mean 'mass[0]'?");
   refused("sensitivity.velocity[0]", "this scene has no number ''");
+  refused("sensitivity.velocity[0].chain.mass", "'chain.mass' is a list: say which, as 'chain.mass[0]'");
   BOOST_CHECK_THROW(study::expand_columns({"sensitivity.velocity[0].mass[0]"}, three()), study::ColumnError);
 }
 

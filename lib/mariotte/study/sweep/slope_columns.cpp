@@ -51,8 +51,31 @@ void expect_known(const std::string& key, const char* what, const std::string& n
                   const std::vector<std::string>& known) {
   if (std::find(known.begin(), known.end(), name) != known.end()) return;
   const std::vector<std::string_view> names(known.begin(), known.end());
-  throw ColumnError(
-      fmt::format("'{}': this scene has no {} '{}'{}", key, what, name, suggestion(name, names)));
+  const auto problem =
+      fmt::format("'{}': this scene has no {} '{}'{}", key, what, name, suggestion(name, names));
+  const auto open = name.find('[');  // another point may have more of them
+  const auto is_like = [&](const std::string& one) { return one.starts_with(name.substr(0, open + 1)); };
+  if (open != name.npos && std::any_of(known.begin(), known.end(), is_like)) throw BeyondEnd(problem);
+  throw ColumnError(problem);
+}
+
+/// Where "velocity[2]", "bodies[0].spin" or "contacts[0].losses.friction" ends.
+std::size_t end_of_outcome(std::string_view names) {
+  auto end = names.find('.');
+  const auto next = [&] { end = end == names.npos ? end : names.find('.', end + 1); };
+  const bool is_of_contact = names.starts_with("contacts[");
+  if (is_of_contact || names.starts_with("bodies[")) {
+    const bool has_kind = is_of_contact && end != names.npos && names.substr(end).starts_with(".losses.");
+    next();
+    if (has_kind) next();
+  }
+  return std::min(end, names.size());
+}
+
+std::vector<std::string> find_elements(const scene::Document& document, const std::string& key) try {
+  return elements_of(document, key);
+} catch (const scene::SceneError&) {
+  return {};
 }
 
 std::optional<SceneNumber> find_number(const scene::Document& document, const std::string& key) try {
@@ -87,9 +110,7 @@ bool is_slope(std::string_view key) {
 
 SlopeColumn slope_column(std::string_view key, std::size_t column) {
   const auto names = key.substr(prefix.size());
-  auto dot = names.find('.');
-  if (names.starts_with("bodies[") && dot != names.npos) dot = names.find('.', dot + 1);
-  dot = std::min(dot, names.size());
+  const auto dot = end_of_outcome(names);
   return {column, std::string(names.substr(0, dot)),
           std::string(names.substr(std::min(dot + 1, names.size())))};
 }
@@ -98,8 +119,11 @@ void expect_slope(const std::string& key, const WrittenScene& example, bool may_
   const auto wanted = slope_column(key, 0);
   if (const auto names = outcome_names(example.scene, may_run); !names.empty())
     expect_known(key, "outcome", wanted.outcome, names);
-  const auto names = number_names(example.document, example.scene);
-  if (!find_number(example.document, wanted.number)) expect_known(key, "number", wanted.number, names);
+  if (find_number(example.document, wanted.number)) return;
+  if (const auto elements = find_elements(example.document, wanted.number); elements.size() > 1)
+    throw ColumnError(
+        fmt::format("'{}': '{}' is a list: say which, as '{}'", key, wanted.number, elements[0]));
+  expect_known(key, "number", wanted.number, number_names(example.document, example.scene));
 }
 
 std::string unit_of_slope(const std::string& key, const WrittenScene& example) {
@@ -119,24 +143,49 @@ std::string unit_of_slope(const std::string& key, const WrittenScene& example) {
       example.scene.model);
 }
 
-std::string fill_slopes(const WrittenScene& point, const std::vector<SlopeColumn>& columns,
-                        std::span<double> out) {
-  std::vector<std::string> numbers;
-  for (const auto& one : columns) {
-    out[one.column] = std::numeric_limits<double>::quiet_NaN();
-    if (std::find(numbers.begin(), numbers.end(), one.number) == numbers.end()) numbers.push_back(one.number);
-  }
-  auto slopes = sensitivity(point.document, point.scene, numbers);
+namespace {
+
+void take(const impact::Sensitivity& slopes, const std::vector<SlopeColumn>& columns, std::span<double> out) {
   for (const auto& one : columns)
     for (const auto& outcome : slopes.outcome)
       for (std::size_t c = 0; c < slopes.parameter.size(); ++c)
         if (slopes.parameter[c].name == one.number && name_of(outcome) == one.outcome && outcome.slope[c])
           out[one.column] = *outcome.slope[c];
-  std::erase_if(slopes.notes, [&](const impact::SlopeNote& note) {
+}
+
+/// What notes say of columns.
+std::vector<std::string> said(std::vector<impact::SlopeNote> notes, const std::vector<SlopeColumn>& columns) {
+  std::erase_if(notes, [&](const impact::SlopeNote& note) {
     return std::none_of(columns.begin(), columns.end(),
                         [&](const auto& one) { return concerns(note, one.outcome, one.number); });
   });
-  return fmt::format("{}", fmt::join(texts(slopes.notes), "; "));
+  return texts(notes);
+}
+
+}  // namespace
+
+std::string fill_slopes(const WrittenScene& point, const std::vector<SlopeColumn>& columns,
+                        std::span<double> out) {
+  std::vector<std::string> numbers, notes;
+  for (const auto& one : columns) {
+    out[one.column] = std::numeric_limits<double>::quiet_NaN();
+    if (std::find(numbers.begin(), numbers.end(), one.number) == numbers.end()) numbers.push_back(one.number);
+  }
+  const auto fill = [&](const std::vector<std::string>& by) {
+    const auto slopes = sensitivity(point.document, point.scene, by);
+    take(slopes, columns, out);
+    for (auto& text : said(slopes.notes, columns)) notes.push_back(std::move(text));
+  };
+  try {
+    fill(numbers);
+  } catch (const scene::SceneError&) {  // a number of them has no slopes: the others have
+    for (const auto& number : numbers) try {
+        fill({number});
+      } catch (const scene::SceneError& error) {
+        notes.emplace_back(error.what());
+      }
+  }
+  return fmt::format("{}", fmt::join(notes, "; "));
 }
 
 }  // namespace mariotte::study
