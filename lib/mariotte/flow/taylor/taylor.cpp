@@ -124,8 +124,8 @@ Arrival Taylor::follow(Problem& problem, State x, const Request& request, std::v
   auto& m = *memory_;
   auto& stepper = m.stepper;
   const auto& w = stepper.window;
-  const bool has_slopes = request.observer && request.observer->has_slopes();
-  const auto precision = taylor::precision(resolving_accuracy(problem, request.accuracy, 0), has_slopes);
+  auto precision = taylor::precision(resolving_accuracy(problem, request.accuracy, 0));
+  precision.has_slopes = request.observer && request.observer->has_slopes();
   Index steps = 0;
   const auto stop = [&](Outcome outcome, std::string message = {}) {
     write(w, x);

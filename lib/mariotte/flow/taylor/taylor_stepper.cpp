@@ -50,14 +50,11 @@ int finite_order(const Window& window, int order) {
 }  // namespace
 
 /// Higher orders pay for themselves at tighter tolerances; measured by work_precision.
-Precision precision(double accuracy, bool has_slopes) {
-  const int more = has_slopes ? 2 : 0;  // steps with slopes cost so much that longer ones pay
-  Precision p{.tolerance = std::max(local_share * accuracy, 0.25 * epsilon),
-              .order = order_limit,
-              .has_slopes = has_slopes};
+Precision precision(double accuracy) {
+  Precision p{.tolerance = std::max(local_share * accuracy, 0.25 * epsilon), .order = order_limit};
   for (const auto& [above, order] : {std::pair{1e-5, 10}, {1e-7, 12}, {1e-9, 14}, {1e-11, 16}, {1e-13, 18}}) {
     if (!(accuracy > above)) continue;
-    p.order = order + more;
+    p.order = order;
     break;
   }
   return p;

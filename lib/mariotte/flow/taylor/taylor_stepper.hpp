@@ -16,7 +16,7 @@ struct Precision {
 };
 
 /// For a wanted error at the end of the run.
-Precision precision(double accuracy, bool has_slopes);
+Precision precision(double accuracy);
 
 /// The guard that ends a step.
 struct Fall {
