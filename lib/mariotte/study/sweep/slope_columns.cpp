@@ -102,6 +102,23 @@ std::optional<Dimension> dimension_of(const std::string& outcome, const Model& m
   return dimension::velocity;
 }
 
+void take(const impact::Sensitivity& slopes, const std::vector<SlopeColumn>& columns, std::span<double> out) {
+  for (const auto& one : columns)
+    for (const auto& outcome : slopes.outcome)
+      for (std::size_t c = 0; c < slopes.parameter.size(); ++c)
+        if (slopes.parameter[c].name == one.number && name_of(outcome) == one.outcome && outcome.slope[c])
+          out[one.column] = *outcome.slope[c];
+}
+
+/// What notes say of columns.
+std::vector<std::string> said(std::vector<impact::SlopeNote> notes, const std::vector<SlopeColumn>& columns) {
+  std::erase_if(notes, [&](const impact::SlopeNote& note) {
+    return std::none_of(columns.begin(), columns.end(),
+                        [&](const auto& one) { return concerns(note, one.outcome, one.number); });
+  });
+  return texts(notes);
+}
+
 }  // namespace
 
 bool is_slope(std::string_view key) {
@@ -142,27 +159,6 @@ std::string unit_of_slope(const std::string& key, const WrittenScene& example) {
       },
       example.scene.model);
 }
-
-namespace {
-
-void take(const impact::Sensitivity& slopes, const std::vector<SlopeColumn>& columns, std::span<double> out) {
-  for (const auto& one : columns)
-    for (const auto& outcome : slopes.outcome)
-      for (std::size_t c = 0; c < slopes.parameter.size(); ++c)
-        if (slopes.parameter[c].name == one.number && name_of(outcome) == one.outcome && outcome.slope[c])
-          out[one.column] = *outcome.slope[c];
-}
-
-/// What notes say of columns.
-std::vector<std::string> said(std::vector<impact::SlopeNote> notes, const std::vector<SlopeColumn>& columns) {
-  std::erase_if(notes, [&](const impact::SlopeNote& note) {
-    return std::none_of(columns.begin(), columns.end(),
-                        [&](const auto& one) { return concerns(note, one.outcome, one.number); });
-  });
-  return texts(notes);
-}
-
-}  // namespace
 
 std::string fill_slopes(const WrittenScene& point, const std::vector<SlopeColumn>& columns,
                         std::span<double> out) {
