@@ -186,23 +186,22 @@ BOOST_AUTO_TEST_CASE(linear_contacts_that_wait_for_the_wave_have_no_slopes_on_bo
   BOOST_TEST(!std::isnan(all.slopes.mass[41]));
   const auto told = as_sensitivity(row, all, "velocity", 59);
   BOOST_TEST(told.notes.size() == 1U);
-  const impact::Parameter<model::Chain> mass{"mass[41]", row.mass[41], 0.01, [&](double value) {
-                                               auto other = row;
-                                               other.mass[41] = value;
-                                               return other;
+  const impact::Parameter<model::Chain> mass{"mass[41]", row.mass[41], 0.01,
+                                             [&](double value, model::Chain& moved) {
+                                               moved = row;
+                                               moved.mass[41] = value;
                                              }};
   BOOST_TEST(std::abs(slope_by(all.slopes, mass) / all.slopes.mass[41] - 1) < 1e-10);
 }
 
 BOOST_AUTO_TEST_CASE(numbers_of_a_row_may_depend_on_another) {
   const auto row = row_of(hertz, apart);
-  const impact::Parameter<model::Chain> all{"all", 2, 0.02, [&](double value) {
-                                              auto other = row;
-                                              for (auto& law : other.law)
+  const impact::Parameter<model::Chain> all{"all", 2, 0.02, [&](double value, model::Chain& moved) {
+                                              moved = row;
+                                              for (auto& law : moved.law)
                                                 law = contact::Hertz(value * value / 4);
-                                              for (double& mass : other.mass) mass *= value / 2;
-                                              other.gap[2] *= value / 2;
-                                              return other;
+                                              for (double& mass : moved.mass) mass *= value / 2;
+                                              moved.gap[2] *= value / 2;
                                             }};
   const auto forward = impact::sensitivity(row, {all}, usual);
   BOOST_TEST(std::abs(slope_by(swept(row, 4).slopes, all) - forward.outcome[4].slope[0].value()) < 1e-9);

@@ -267,9 +267,9 @@ BOOST_AUTO_TEST_CASE(equal_moments_move_together) {
   bodies.dimension = 3;
   for (const auto& one : impact::parameters(bodies)) BOOST_TEST(one.name != "body[0].inertia[1]");
   const impact::Parameter<Bodies> alone{"moment", bodies.body[0].inertia.e2, 1e-7,
-                                        [bodies](double moved) mutable {
-                                          bodies.body[0].inertia.e2 = moved;
-                                          return bodies;
+                                        [bodies](double value, Bodies& moved) {
+                                          moved = bodies;
+                                          moved.body[0].inertia.e2 = value;
                                         }};
   BOOST_CHECK_THROW(impact::sensitivity(bodies, {alone}), InvalidParameter);
 }
@@ -278,10 +278,11 @@ BOOST_AUTO_TEST_CASE(laws_that_yield_and_exponents_are_refused) {
   auto bodies = sliding(rigid);
   auto law = contact::Viscoelastic{1e9, 0, 1.4};
   bodies.contact[0].law = law;
-  const impact::Parameter<Bodies> exponent{"exponent", 1.4, 1e-3, [bodies, law](double moved) mutable {
-                                             law.exponent = moved;
-                                             bodies.contact[0].law = law;
-                                             return bodies;
+  const impact::Parameter<Bodies> exponent{"exponent", 1.4, 1e-3,
+                                           [bodies, law](double value, Bodies& moved) mutable {
+                                             law.exponent = value;
+                                             moved = bodies;
+                                             moved.contact[0].law = law;
                                            }};
   BOOST_CHECK_THROW(impact::sensitivity(bodies, {exponent}), InvalidParameter);
   bodies.contact[0].law = contact::state(contact::WaltonBraun(1e6, 2e6));

@@ -293,9 +293,9 @@ BOOST_AUTO_TEST_CASE(two_models_tell_slopes_by_what_is_linear) {
   auto by = parameters(chain);
   std::vector<int> models(by.size());
   for (std::size_t c = 0; c < by.size(); ++c)
-    by[c].model = [&models, c, made = by[c].model](double value) {
+    by[c].set = [&models, c, made = by[c].set](double to, model::Chain& moved) {
       ++models[c];
-      return made(value);
+      made(to, moved);
     };
   sensitivity(chain, by);
   for (std::size_t c = 0; c < by.size(); ++c) {

@@ -76,10 +76,9 @@ BOOST_AUTO_TEST_CASE(a_microsphere_along_the_normal_is_next_to_rolling) {
   body.friction = {0.15};
   body.velocity = {-5, 0, 0};
   const auto by = [&](const char* name, Vector3 model::Microbody::*vector, double step) {
-    return impact::Parameter<model::Microbody>{name, 0, step, [=](double value) {
-                                                 auto moved = body;
+    return impact::Parameter<model::Microbody>{name, 0, step, [=](double value, model::Microbody& moved) {
+                                                 moved = body;
                                                  (moved.*vector).e3 = value;
-                                                 return moved;
                                                }};
   };
   const auto found = impact::sensitivity(
@@ -147,10 +146,9 @@ BOOST_AUTO_TEST_CASE(slopes_of_a_microrod_that_slips_from_rest_have_one_side) {
   body.attitude = from_euler({0, 0.7, 0});
   body.velocity = {-0.6737, 0, 0};
   const auto by = [&](const char* name, auto change, double step) {
-    return impact::Parameter<model::Microbody>{name, 0, step, [=](double value) {
-                                                 auto moved = body;
+    return impact::Parameter<model::Microbody>{name, 0, step, [=](double value, model::Microbody& moved) {
+                                                 moved = body;
                                                  change(moved, value);
-                                                 return moved;
                                                }};
   };
   using model::Microbody;

@@ -193,7 +193,10 @@ double place_of_fall(std::span<const double> c, double end) {
 }
 
 double rise_to(std::span<const double> c, double value, double end) {
-  double low = 0, high = end, x = end;
+  const double last = horner(c, end);
+  if (!(last > value)) return end;
+  if (!(value > 0)) return 0;
+  double low = 0, high = end, x = end * std::sqrt(value / last);  // straight or square growth is soon found
   for (int i = 0; i < 100; ++i) {
     const ValueAndSlope at(c, x);
     (at.value > value ? high : low) = x;

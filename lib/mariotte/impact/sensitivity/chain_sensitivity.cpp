@@ -6,7 +6,7 @@
 namespace mariotte::impact {
 namespace {
 
-/// Impulses from momentum, which masses and gravity change.
+/// Impulses from momentum, which moves with masses and gravity.
 class ChainImpulses {
  public:
   ChainImpulses(const model::DimensionlessChain& chain, const model::ChainLayout& layout, Index columns)
@@ -17,7 +17,6 @@ class ChainImpulses {
         gravity_(layout.velocities(), columns) {}
 
   void add(const ShiftedModel<model::DimensionlessChain>& shifted) {
-    if (shifted.is_first()) step_.push_back(shifted.step);
     for (Index i = 0; i < mass_.rows; ++i) {
       if (chain_.inverse_mass[i] == 0) continue;
       mass_(i, shifted.column) += shifted.share() * (shifted.model.mass[i] - chain_.mass[i]);
@@ -27,23 +26,17 @@ class ChainImpulses {
   void at(const Interval& interval, std::vector<double>& p) const {
     impulses(chain_, layout_, interval, heaviest_, p);
   }
-  /// They are linear in masses, and in gravity: a central difference is exact.
+  /// p_j at fixed states is a sum of momenta from a free end of the chain on.
   void add_slopes(Index c, const Interval& interval, std::vector<double>& p) const {
-    const auto is_zero = [](double slope) { return slope == 0; };
-    const auto mass = mass_.column(c), gravity = gravity_.column(c);
-    if (std::all_of(mass.begin(), mass.end(), is_zero) &&
-        std::all_of(gravity.begin(), gravity.end(), is_zero))
-      return;
-    auto moved = chain_;
-    std::vector<double> part;
-    for (const double by : {step_[c], -step_[c]}) {
-      for (Index i = 0; i < mass_.rows; ++i) {
-        moved.mass[i] = chain_.mass[i] + by * mass[i];
-        moved.gravity[i] = chain_.gravity[i] + by * gravity[i];
-      }
-      impulses(moved, layout_, interval, heaviest_, part);
-      for (std::size_t j = 0; j < p.size(); ++j) p[j] += part[j] / (2 * by);
-    }
+    const auto lost = [&](Index i) {
+      const Index v = layout_.velocity[i];
+      const double change = interval.before[v] - interval.after[v] - chain_.gravity[i] * interval.time;
+      return mass_(i, c) * change - chain_.mass[i] * gravity_(i, c) * interval.time;
+    };
+    double sum = 0;
+    for (Index i = mass_.rows - 1; i > heaviest_; --i) p[i - 1] += sum -= lost(i);
+    sum = 0;
+    for (Index i = 0; i < heaviest_; ++i) p[i] += sum = chain_.inverse_mass[i] == 0 ? 0 : sum + lost(i);
   }
 
  private:
@@ -51,7 +44,6 @@ class ChainImpulses {
   const model::DimensionlessChain& chain_;
   Index heaviest_;  ///< of the chain that is not moved
   SlopeMatrix mass_, gravity_;
-  std::vector<double> step_;  ///< by parameter
 };
 
 }  // namespace

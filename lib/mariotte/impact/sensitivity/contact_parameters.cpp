@@ -28,12 +28,11 @@ void add_elements(const Shared<Model>& model, std::vector<double> Model::*list, 
   for (std::size_t i = 0; i < ((*model).*list).size(); ++i) {
     const double value = ((*model).*list)[i];
     if (std::isinf(value)) continue;
-    const auto moved_to = [model, list, i](double moved) {
-      auto other = *model;
-      (other.*list)[i] = moved;
-      return other;
+    const auto move = [model, list, i](double to, Model& other) {
+      other = *model;
+      (other.*list)[i] = to;
     };
-    parameters.push_back({numbered(name, i), value, step(value), moved_to, dimension, is_linear});
+    parameters.push_back({numbered(name, i), value, step(value), move, dimension, is_linear});
   }
 }
 
@@ -41,12 +40,11 @@ template <class Model>
 void add_laws(const Shared<Model>& model, List<Model>& parameters) {
   for (std::size_t j = 0; j < model->law.size(); ++j)
     for (auto& number : law_parameters(model->law[j])) {
-      const auto moved_to = [model, j, law = std::move(number.law)](double moved) {
-        auto other = *model;
-        other.law[j] = law(moved);
-        return other;
+      const auto move = [model, j, law = std::move(number.law)](double to, Model& other) {
+        other = *model;
+        other.law[j] = law(to);
       };
-      parameters.push_back({numbered("contact", j) + "." + number.key, number.value, number.step, moved_to,
+      parameters.push_back({numbered("contact", j) + "." + number.key, number.value, number.step, move,
                             number.dimension, number.is_linear});
     }
 }
@@ -71,13 +69,11 @@ std::vector<Parameter<model::Chain>> parameters(const model::Chain& chain) {
   const auto shared = std::make_shared<const model::Chain>(chain);
   auto list = common(shared, true, true);
   if (chain.gravity == 0) return list;
-  const auto moved_to = [shared](double moved) {
-    auto other = *shared;
-    other.gravity = moved;
-    return other;
+  const auto move = [shared](double to, model::Chain& other) {
+    other = *shared;
+    other.gravity = to;
   };
-  list.push_back(
-      {"gravity", chain.gravity, std::abs(chain.gravity), moved_to, dimension::acceleration, true});
+  list.push_back({"gravity", chain.gravity, std::abs(chain.gravity), move, dimension::acceleration, true});
   return list;
 }
 

@@ -22,13 +22,16 @@ template <class Scaled, class Model, class Use>
 void for_each_shifted(const Scaled& base, const MovingFrame& frame, const std::vector<Parameter<Model>>& by,
                       const SlopeWatch& watch, Use&& use) {
   auto moved = base;
+  Model model;
   for (std::size_t c = 0; c < by.size(); ++c) {
     watch();
     const auto& one = by[c];
     std::span<const StencilPoint> points = stencil;
     if (one.is_linear) points = linear_stencil;
     for (std::size_t k = 0; k < points.size(); ++k) {
-      restate(within(frame, one.model(one.value + points[k].offset * one.step)), moved);
+      one.set(one.value + points[k].offset * one.step, model);
+      if (frame) enter(frame, model.velocity);
+      restate(model, moved);
       use(ShiftedModel<Scaled>{moved, static_cast<Index>(c), one.step, points, k});
     }
   }

@@ -28,7 +28,10 @@ ContactVariation<Topology>::ContactVariation(const Scaled& model, const model::C
       near_closing_(layout.contacts(), infinity),
       acceleration_(layout.velocities(), columns_),
       peak_(columns_, layout.contacts()),
-      push_slopes_(model, layout, contact_, acceleration_, natural_, accuracy) {}
+      base_(layout.contacts()),
+      push_slopes_(model, layout, contact_, acceleration_, natural_, accuracy) {
+  for (Index j = 0; j < layout.contacts(); ++j) read(model, j, base_[j]);
+}
 
 namespace {
 
@@ -68,27 +71,27 @@ std::vector<Index> ContactVariation<Topology>::unneeded() const {
   return list;
 }
 
-/// Slopes of what contact j pushes, and of what moves it.
 template <class Topology>
-void ContactVariation<Topology>::add_directions(Index j, const ShiftedModel<Scaled>& shifted) {
-  add_coefficients([j](const Topology& t, auto&& add) { t.for_each_push(j, add); }, shifted,
-                   contact_[j].push);
-  add_coefficients([j](const Topology& t, auto&& add) { t.for_each_direction(j, add); }, shifted,
-                   contact_[j].direction);
+void ContactVariation<Topology>::read(const Scaled& model, Index j, Directions& directions) const {
+  const Topology topology{model, layout_};
+  const auto into = [](PlacedCoefficients& list) {
+    list.clear();
+    return [&list](Index place, double value) { list.add(place, value); };
+  };
+  topology.for_each_push(j, into(directions.push));
+  topology.for_each_direction(j, into(directions.direction));
 }
 
 template <class Topology>
-template <class ForEach>
-void ContactVariation<Topology>::add_coefficients(ForEach&& for_each, const ShiftedModel<Scaled>& shifted,
-                                                  std::vector<ContactSlope::Term>& slopes) {
-  const auto read = [&](const Scaled& model, PlacedCoefficients& list) {
-    list.clear();
-    for_each(Topology{model, layout_}, [&](Index place, double value) { list.add(place, value); });
+void ContactVariation<Topology>::add_directions(Index j, const ShiftedModel<Scaled>& shifted) {
+  const auto add = [&](const PlacedCoefficients& base, const PlacedCoefficients& moved,
+                       std::vector<ContactSlope::Term>& slopes) {
+    if (!(moved == base)) add_difference(base, moved, shifted.column, shifted.share(), slopes);
+    if (shifted.is_last()) drop_rounding(base, shifted.column, shifted.step, slopes);
   };
-  read(model_, base_);
-  read(shifted.model, moved_);
-  if (!(moved_ == base_)) add_difference(base_, moved_, shifted.column, shifted.share(), slopes);
-  if (shifted.is_last()) drop_rounding(base_, shifted.column, shifted.step, slopes);
+  read(shifted.model, j, moved_);
+  add(base_[j].push, moved_.push, contact_[j].push);
+  add(base_[j].direction, moved_.direction, contact_[j].direction);
 }
 
 /// A law that moves differs at some point from the first one; not from the base, which is not restated, and

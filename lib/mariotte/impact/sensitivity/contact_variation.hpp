@@ -143,10 +143,13 @@ class ContactVariation {
   void settle(Index i, const contact::ContactSet& before, State x) const;
 
  private:
+  /// What a contact pushes, and what moves it.
+  struct Directions {
+    PlacedCoefficients push, direction;
+  };
+
+  void read(const Scaled& model, Index j, Directions& directions) const;
   void add_directions(Index j, const ShiftedModel<Scaled>& shifted);
-  template <class ForEach>
-  void add_coefficients(ForEach&& for_each, const ShiftedModel<Scaled>& shifted,
-                        std::vector<ContactSlope::Term>& slopes);
   void add_law(Index j, const ShiftedModel<Scaled>& shifted);
   void set_power(Index j, LawSlope& law) const;
   void add_force(Index j, ConstState x, const contact::ContactSet& mode, SlopeMatrix& b) const;
@@ -163,7 +166,8 @@ class ContactVariation {
   mutable std::vector<double> near_yield_, near_closing_;
   SlopeMatrix acceleration_;             ///< by velocity and parameter
   SlopeMatrix peak_;                     ///< by parameter and contact
-  PlacedCoefficients base_, moved_;      ///< of a contact in two models
+  std::vector<Directions> base_;         ///< by contact
+  Directions moved_;                     ///< of one contact in another model
   std::vector<contact::Law> first_law_;  ///< at the first point of a stencil
   mutable PushSlopes<Topology> push_slopes_;
 };

@@ -18,6 +18,8 @@ struct Row {
   static constexpr int orders = flow::most_orders + 1;
   Lanes<N> depth[orders], rate[orders], damped[orders], impulse[orders], travel[orders];
   Product<N> by_depth, by_rate, paced;  ///< what depth and rate do to the force, and the pace of the impulse
+
+  Row() {}  // nothing is read before it is set
 };
 
 template <int N>
@@ -57,25 +59,25 @@ class ClockSeries {
     const bool is_whole = is_time && force.is_damped;
     if (i == 0 || !is_whole) r.depth[i] = depth(forces, columns, rows, j, i);
     if (force.is_damped) r.rate[i] = rate(forces, columns, rows, j, i);
-    Pack growth = is_whole ? by_damped(force, r, i, series.order) : by_motion(force, r, i, series.order);
+    Pack growth = is_whole ? by_damped(force, r, i) : by_motion(force, r, i);
     add_law(force, columns.contact[j], i, growth);
-    Pack way = is_time ? r.impulse[i] : r.paced.next(series.pace, r.impulse, i, series.order);
+    Pack way = is_time ? r.impulse[i] : r.paced.next(series.pace, r.impulse, i);
     if (logs) growth += -(*logs)[j].impulse[i + 1], way += -(*logs)[j].travel[i + 1];
     r.impulse[i + 1] = reciprocal.of[i + 1] * growth;
     r.travel[i + 1] = reciprocal.of[i + 1] * way;
   }
 
   /// What depth and rate do to the force.
-  static MARIOTTE_SERIES_INLINE Pack by_motion(const Force& force, Row<N>& r, int i, int order) {
-    Pack sum = r.by_depth.next(force.by_depth, r.depth, i, order);
-    if (force.is_damped) sum += r.by_rate.next(force.by_rate, r.rate, i, order);
+  static MARIOTTE_SERIES_INLINE Pack by_motion(const Force& force, Row<N>& r, int i) {
+    Pack sum = r.by_depth.next(force.by_depth, r.depth, i);
+    if (force.is_damped) sum += r.by_rate.next(force.by_rate, r.rate, i);
     return sum;
   }
   /// The same where the rate is that of the depth, of which order i + 1 is known then.
-  static MARIOTTE_SERIES_INLINE Pack by_damped(const Force& force, Row<N>& r, int i, int order) {
-    if (i == 0) r.damped[0] = r.by_rate.next(force.by_rate, r.depth, 0, order + 1);
+  static MARIOTTE_SERIES_INLINE Pack by_damped(const Force& force, Row<N>& r, int i) {
+    if (i == 0) r.damped[0] = r.by_rate.next(force.by_rate, r.depth, 0);
     r.depth[i + 1] = reciprocal.of[i + 1] * r.rate[i];
-    r.damped[i + 1] = r.by_rate.next(force.by_rate, r.depth, i + 1, order + 1);
+    r.damped[i + 1] = r.by_rate.next(force.by_rate, r.depth, i + 1);
     return force.ratio * r.damped[i] + (i + 1.0) * r.damped[i + 1];
   }
 

@@ -56,7 +56,8 @@ struct PushEnd {
     return sum;
   }
   static void tell(const Columns<N>& columns, const Pack& values, std::size_t row, SlopeMatrix& to) {
-    for (Index c = 0; c < columns.count; ++c) to(static_cast<Index>(row), columns.first + c) = values[c];
+    double* at = &to(static_cast<Index>(row), columns.first);
+    for (Index c = 0; c < columns.count; ++c) at[c * to.rows] = values[c];
   }
 };
 

@@ -66,16 +66,43 @@ MARIOTTE_SERIES_INLINE Lanes<N> convolution(const PushPolynomial& a, const Lanes
 
 /// Coefficients 0, 1, … of a product with a series that becomes known order by order.
 template <int N>
-struct Product {
-  MARIOTTE_SERIES_INLINE Lanes<N> next(const PushPolynomial& a, const Lanes<N>* x, int i, int /*orders*/) {
+class Product {
+ public:
+  MARIOTTE_SERIES_INLINE Lanes<N> next(const PushPolynomial& a, const Lanes<N>* x, int i) {
     return convolution(a, x, i);
   }
 };
-/// Where no lanes are needed, registers hold orders.
+/// Where no lanes are needed, registers hold orders: as many coefficients are summed side by side.
 template <>
-struct Product<0> : GrowingProduct {
-  MARIOTTE_SERIES_INLINE Lanes<0> next(const PushPolynomial& a, const Lanes<0>* x, int i, int orders) {
-    return GrowingProduct::next(a.data(), x[i], i, orders);
+class Product<0> {
+ public:
+  /// Coefficient i, the one after that of the last call.
+  MARIOTTE_SERIES_INLINE Lanes<0> next(const PushPolynomial& a, const Lanes<0>* x, int i) {
+    const int place = i % registers::width;
+    if (place == 0) begin(a, x, i);
+    sums_ += x[i].value * shifted_[place];
+    return sums_[place];
+  }
+
+ private:
+  using Vec = registers::Vec;
+  Vec sums_;
+  Vec shifted_[registers::width];  ///< the first coefficients of a behind 0, 1, … zeros
+
+  /// What orders below i give coefficients i, i + 1, …
+  MARIOTTE_SERIES_INLINE void begin(const PushPolynomial& a, const Lanes<0>* x, int i) {
+    const auto from = [&](int k) { return Vec(*reinterpret_cast<const registers::Loose*>(a.data() + k)); };
+    if (i == 0) {
+      shifted_[0] = from(0);
+      for (int k = 1; k < registers::width; ++k)
+        shifted_[k] = registers::window<registers::width - 1>(Vec{}, shifted_[k - 1]);
+    }
+    Vec even{}, odd{};
+    for (int k = 0; k < i; k += 2) {
+      even += x[k].value * from(i - k);
+      odd += x[k + 1].value * from(i - k - 1);
+    }
+    sums_ = even + odd;
   }
 };
 

@@ -38,25 +38,6 @@ inline void multiply(const PushPolynomial& a, const PushPolynomial& b, int order
   std::fill(result.begin() + held, result.end(), 0.0);
 }
 
-/// A product with a series that becomes known order by order: each gives later ones its part at once.
-class GrowingProduct {
- public:
-  /// Coefficient i of a x, the one after that of the last call; no more than `orders` are wanted.
-  MARIOTTE_SERIES_INLINE double next(const double* a, double x, int i, int orders) {
-    using registers::width;
-    if (i == 0) std::fill(std::begin(later_), std::end(later_), registers::Vec{});
-    const int count = (orders - i - 1) / width + 1;
-    for (int n = 0; n < count; ++n)
-      later_[n] += x * *reinterpret_cast<const registers::Loose*>(a + n * width);
-    const double found = later_[0][0];
-    for (int n = 0; n < count; ++n) later_[n] = registers::window<1>(later_[n], later_[n + 1]);
-    return found;
-  }
-
- private:
-  registers::Vec later_[sizeof(PushPolynomial) / sizeof(registers::Vec) + 1];  ///< what later ones have
-};
-
 /// Coefficient n of the root of x, of which the ones before are known.
 inline double next_of_root(const PushPolynomial& x, int n, const PushPolynomial& root) {
   double sum = n % 2 == 0 ? root[n / 2] * root[n / 2] : 0;

@@ -256,14 +256,15 @@ bool PushSlopes<Topology>::push_shallow(const flow::Step& step, Index j, const S
 
 template <class Topology>
 void PushSlopes<Topology>::finish(SlopeMatrix& slopes) const {
-  for (Index c = 0; c < slopes.columns; ++c) {
-    const auto state = slopes.column(c);
-    const auto velocity = velocity_.column(c), displacement = displacement_.column(c);
-    for (std::size_t v = 0; v < velocity.size(); ++v) state[layout_.velocity[v]] = velocity[v];
-    for (std::size_t j = 0; j < reach_.size(); ++j) {
-      for (const auto& [v, g] : reach_[j].direction) state[layout_.gap[j]] += g * displacement[v];
-      if (layout_.impulse[j] != model::ContactLayout::absent) state[layout_.impulse[j]] += impulse_(j, c);
-    }
+  const auto add = [&](Index place, double share, const SlopeMatrix& motion, Index row) {
+    for (Index c = 0; c < slopes.columns; ++c) slopes(place, c) += share * motion(row, c);
+  };
+  for (Index v = 0; v < velocity_.rows; ++v)
+    for (Index c = 0; c < slopes.columns; ++c) slopes(layout_.velocity[v], c) = velocity_(v, c);
+  for (std::size_t j = 0; j < reach_.size(); ++j) {
+    for (const auto& [v, g] : reach_[j].direction) add(layout_.gap[j], g, displacement_, v);
+    const Index impulse = layout_.impulse[j];
+    if (impulse != model::ContactLayout::absent) add(impulse, 1, impulse_, static_cast<Index>(j));
   }
 }
 

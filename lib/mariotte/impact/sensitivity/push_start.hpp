@@ -33,7 +33,7 @@ class StartSeries {
     const Powers powers{e + 0.5, forces.series->power};
     const auto& force = forces.contact[j];
     auto& r = rows[j];
-    Pack slope = r.by_depth.next(force.by_depth, r.depth, i, forces.series->order);
+    Pack slope = r.by_depth.next(force.by_depth, r.depth, i);
     if (e == 1 && force.has_spring) slope += force.spring[i] * columns.contact[j].stiffness;
     r.impulse[i] = powers.once(i) * slope;
     r.travel[i] = powers.twice(i) * r.impulse[i];

@@ -70,16 +70,14 @@ template <class Model>
 std::vector<impact::Parameter<Model>> FitModel::parameters(std::span<const double> values) {
   std::vector<impact::Parameter<Model>> list;
   for (std::size_t i = 0; i < values.size(); ++i)
-    list.push_back({free_[i], values[i], share * values[i], [this, i, value = values[i]](double moved) {
-                      set_free(i, moved);
-                      auto scene = resolve(document_);
-                      set_free(i, value);
-                      auto& model = std::get<Model>(scene.model);
-                      if constexpr (std::is_same_v<Model, model::Microbody>)
-                        return first_impact(model);
-                      else
-                        return std::move(model);
-                    }});
+    list.push_back(
+        {free_[i], values[i], share * values[i], [this, i, value = values[i]](double to, Model& moved) {
+           set_free(i, to);
+           auto scene = resolve(document_);
+           set_free(i, value);
+           moved = std::move(std::get<Model>(scene.model));
+           if constexpr (std::is_same_v<Model, model::Microbody>) moved = first_impact(moved);
+         }});
   return list;
 }
 

@@ -39,10 +39,14 @@ Run run_of(const scene::Document& document, const model::Chain& pair, const hybr
   return [=](double speed) {
     auto by = chain_parameters(document, pair, keys);
     for (auto& one : by) {
-      one.model = [model = one.model, speed](double moved) { return struck(model(moved), speed); };
+      one.set = [set = one.set, speed](double to, model::Chain& moved) {
+        set(to, moved);
+        moved = struck(std::move(moved), speed);
+      };
       one.is_linear = false;
     }
-    by.push_back({"speed", speed, 0.01 * speed, [pair](double moved) { return struck(pair, moved); }});
+    by.push_back(
+        {"speed", speed, 0.01 * speed, [pair](double to, model::Chain& moved) { moved = struck(pair, to); }});
     return impact::sensitivity(struck(pair, speed), by, options, watch);
   };
 }
@@ -60,7 +64,7 @@ Run run_of(const scene::Document& document, const hybrid::Options& options, cons
     const auto body = std::get<model::Microbody>(resolve(at_speed).model);
     auto by = body_parameters(at_speed, keys);
     for (auto& one : by)
-      if (is_speed(one.name)) one.model = [body](double) { return body; };
+      if (is_speed(one.name)) one.set = [body](double, model::Microbody& moved) { moved = body; };
     by.push_back(scene_parameter<model::Microbody>(at_speed, "speed", speed_key, {speed, speed}));
     return impact::sensitivity(body, by, options, watch);
   };

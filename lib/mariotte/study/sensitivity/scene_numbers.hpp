@@ -36,13 +36,13 @@ template <class Model>
 impact::Parameter<Model> scene_parameter(const scene::Document& document, const std::string& name,
                                          const std::string& key, const SceneNumber& number) {
   return {name, number.value, 0.01 * number.size,
-          [copy = std::make_shared<scene::Document>(document), key](double moved) {
+          [copy = std::make_shared<scene::Document>(document), key](double to, Model& moved) {
             auto& node = locate(copy->source, copy->tree, key, {});
             const auto before = node.value;
-            node.value = moved;
+            node.value = to;
             auto scene = resolve(*copy);
             node.value = before;
-            return std::get<Model>(std::move(scene.model));
+            moved = std::get<Model>(std::move(scene.model));
           }};
 }
 

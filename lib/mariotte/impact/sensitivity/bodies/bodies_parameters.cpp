@@ -66,12 +66,11 @@ class List {
   }
   void add(std::string name, const Dimension& dimension, double step, Place place) {
     const double value = value_at(place);
-    const auto moved_to = [shared = shared_, place](double moved) {
-      auto other = *shared;
-      place(other) = moved;
-      return other;
+    const auto move = [shared = shared_, place](double to, Bodies& other) {
+      other = *shared;
+      place(other) = to;
     };
-    list_.push_back({std::move(name), value, step, moved_to, dimension});
+    list_.push_back({std::move(name), value, step, move, dimension});
   }
   /// By a share of its own value, if that is not zero.
   void add(std::string name, const Dimension& dimension, Place place) {
@@ -115,12 +114,11 @@ class List {
     const auto& j = shared_->body[i].inertia;
     if (j.e1 != j.e2 || j.e2 != j.e3)
       return add_vector(name, inertia, [i](Bodies& all) -> Vector3& { return all.body[i].inertia; });
-    const auto moved_to = [shared = shared_, i](double moved) {
-      auto other = *shared;
-      other.body[i].inertia = {moved, moved, moved};
-      return other;
+    const auto move = [shared = shared_, i](double to, Bodies& other) {
+      other = *shared;
+      other.body[i].inertia = {to, to, to};
     };
-    list_.push_back({name, j.e1, share * j.e1, moved_to, inertia});
+    list_.push_back({name, j.e1, share * j.e1, move, inertia});
   }
   void add_spheres(const std::string& name, std::size_t i) {
     const auto& spheres = shared_->body[i].spheres;
@@ -133,12 +131,11 @@ class List {
     const auto name = at("contact", j) + ".";
     for (auto& number : law_parameters(shared_->contact[j].law)) {
       if (number.key == "exponent") continue;
-      const auto moved_to = [shared = shared_, j, law = std::move(number.law)](double moved) {
-        auto other = *shared;
-        other.contact[j].law = law(moved);
-        return other;
+      const auto move = [shared = shared_, j, law = std::move(number.law)](double to, Bodies& other) {
+        other = *shared;
+        other.contact[j].law = law(to);
       };
-      list_.push_back({name + number.key, number.value, number.step, moved_to, number.dimension});
+      list_.push_back({name + number.key, number.value, number.step, move, number.dimension});
     }
     const auto& tangential = shared_->contact[j].tangential;
     if (tangential.law == model::TangentialLaw::none) return;
