@@ -9,6 +9,7 @@ set(MARIOTTE_PUBLIC_HEADERS
   core/overload.hpp
   core/quaternion.hpp
   core/scale.hpp
+  core/signal_piece.hpp
   core/types.hpp
   core/vector3.hpp
   contact/brach_dunn.hpp

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "mariotte/core/types.hpp"
+#include "mariotte/flow/drives.hpp"
 #include "mariotte/flow/linked_phase.hpp"
 #include "mariotte/flow/serial_phase.hpp"
 #include "mariotte/flow/tip_phase.hpp"
@@ -78,6 +79,9 @@ class Problem {
   virtual const SerialPhase* serial() const { return nullptr; }
   /// The present mode as contacts that link dofs in any way, if it is that and no series.
   virtual const LinkedPhase* linked() const { return nullptr; }
+
+  /// What drives either of them, if anything does.
+  virtual const Drives* drives() const { return nullptr; }
 
   /// The present mode as one tip of a symmetric body on a plane, or as such a body in free flight.
   virtual const TipPhase* tip() const { return nullptr; }

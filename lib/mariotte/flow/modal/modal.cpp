@@ -196,6 +196,7 @@ Modal::Modal() : memory_(std::make_unique<Memory>()) {}
 Modal::~Modal() = default;
 
 bool Modal::admits(const Problem& problem) {
+  if (problem.drives()) return false;
   if (const auto* row = problem.serial()) return memory_->take(*row);
   const auto* linked = problem.linked();
   return linked && memory_->take(*linked);

@@ -78,7 +78,7 @@ ConcaveGap concave_gap(const PairPhase& phase, Index guard, double value, double
 }  // namespace
 
 bool Pair::admits(const Problem& problem) {
-  const auto* phase = problem.serial();
+  const auto* phase = problem.drives() ? nullptr : problem.serial();
   phase_ = phase ? find_pair(*phase) : std::nullopt;
   return phase_.has_value();
 }

@@ -202,7 +202,7 @@ double rise_to(std::span<const double> c, double value, double end) {
     (at.value > value ? high : low) = x;
     double next = x - (at.value - value) / at.slope;
     if (!(next > low && next < high)) next = 0.5 * (low + high);
-    if (std::abs(next - x) <= 4 * epsilon * end) return next;
+    if (std::abs(next - x) <= 4 * epsilon * x) return next;
     x = next;
   }
   return x;

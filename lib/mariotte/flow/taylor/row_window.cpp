@@ -48,6 +48,7 @@ void find_outside(Window& w) {
     if (time >= w.outside_time) continue;
     w.outside_time = time;
     w.outside = j;
+    w.outside_guard = phase.contact[j].guard;
   }
 }
 
@@ -120,7 +121,7 @@ Range range_of(const SerialPhase& phase, ConstState x) {
 }  // namespace
 
 void place(Window& w, const SerialPhase& phase, State x, double time) {
-  const auto [from, to] = range_of(phase, x);
+  const auto [from, to] = w.drives ? Range{0, std::ssize(phase.contact) - 1} : range_of(phase, x);
   w.row = &phase;
   w.network = nullptr;
   w.speed = phase.speed;
@@ -134,7 +135,7 @@ void place(Window& w, const SerialPhase& phase, State x, double time) {
   for (int body = 0; body <= w.lanes.count; ++body) w.velocity[body] = x[phase.body[from + body].velocity];
   find_outside(w);
   w.lanes.linked = false;
-  if (w.lanes.count > row_limit || w.lanes.widened) couple(w);
+  if (w.lanes.count > row_limit || w.lanes.widened || w.drives) couple(w);
   settle(w);
 }
 

@@ -87,12 +87,10 @@ struct Taylor::Memory {
               std::vector<Index>& fired) {
     const auto& w = stepper.window;
     write(w, x);
-    if (fall.guard < 0) {
+    fired.push_back(fall.guard < 0 ? w.outside_guard : fall.guard);
+    if (fall.guard < 0 && w.outside >= 0) {
       const auto& outside = w.row->contact[w.outside];
       x[outside.gap] = 0 - outside.level;
-      fired.push_back(outside.guard);
-    } else {
-      fired.push_back(fall.guard);
     }
     const double together = simultaneity_window(problem, accuracy);
     if (stepper.may_fall_soon(fall, together)) simultaneous.collect(problem, x, together, fired);

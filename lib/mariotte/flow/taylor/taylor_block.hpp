@@ -177,6 +177,8 @@ class Block : RowQuantities {
         copy(root, lane, c);
         c[order_] = 0;
         return;
+      case Quantity::impulse:
+        return copy(impulse, lane, c);
       case Quantity::clock:
         return clocked_ ? copy(clock, first_, c) : set_power(0, c);
       case Quantity::time:

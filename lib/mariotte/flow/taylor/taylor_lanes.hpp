@@ -9,6 +9,8 @@
 namespace mariotte::flow::taylor {
 
 inline constexpr int order_limit = 20;
+/// Of one quantity, by order.
+using Coefficients = std::array<double, order_limit + 1>;
 /// An expansion of rows is compiled for each of these numbers of lanes.
 inline constexpr std::array lane_sizes = {4, 8, 12, 16, 32};
 /// Longer rows are expanded as networks are.
@@ -41,8 +43,10 @@ class Lanes {
   bool general = false;   ///< some power p is neither 0 nor 1/2
   bool branched = false;  ///< some yield or turn is watched
   bool linked = false;    ///< `links` says what lanes do to each other; else they are a row
+  bool driven = false;    ///< `bend` is more of δ̈ than `drive`; of linked lanes, in plain time
   bool widened = false;   ///< the forces are those of `branch`, not powers
   Links links;
+  const double* bend = nullptr;                ///< coefficients of each order for all lanes
   const WidthBranch* const* branch = nullptr;  ///< of each lane, if widened; null of one without force
   double* indentation;                         ///< δ; negative where open
   double* rate;                                ///< δ̇
@@ -97,8 +101,8 @@ class Values {
   bool may_change;        ///< some contact may have faded or left the noise
 };
 
-/// What is evaluated of a contact, δ, δ̇, what has the sign of its force, and δᵖ, and of the clock.
-enum class Quantity { indentation, rate, load, root, clock, time };
+/// What is evaluated of a contact, δ, δ̇, what has the sign of its force, δᵖ and ∫ f dt, and of the clock.
+enum class Quantity { indentation, rate, load, root, impulse, clock, time };
 
 /// Series of all lanes in a clock σ. Plain: t = σ. Of a lane c: dt = √δ_c dσ, in which onset (δ_c = 0,
 /// δ̇_c > 0) and separation of c are ordinary points; for windows without general exponents. If widened:

@@ -9,9 +9,6 @@
 
 namespace mariotte::flow::taylor {
 
-/// Of one quantity, by order.
-using Coefficients = std::array<double, order_limit + 1>;
-
 /// A series and how far it is followed.
 struct Piece {
   Expansion* series = nullptr;   ///< null for the start series

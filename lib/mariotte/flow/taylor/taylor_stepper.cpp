@@ -5,6 +5,7 @@
 
 #include "mariotte/flow/roots/polynomial.hpp"
 #include "mariotte/flow/roots/rough_root.hpp"
+#include "mariotte/flow/taylor/drive_series.hpp"
 #include "mariotte/flow/taylor/felt.hpp"
 
 namespace mariotte::flow::taylor {
@@ -63,10 +64,7 @@ Precision precision(double accuracy) {
 void Stepper::begin(const Problem& problem, State x, double time, const Precision& precision) {
   precision_ = precision;
   last_clock_ = Expansion::plain;
-  if (const auto* row = problem.serial())
-    place(window, *row, x, time);
-  else
-    place(window, *problem.linked(), x, time);
+  place(window, problem, x, time);
   values_.resize(window.lanes.count);
 }
 
@@ -93,7 +91,7 @@ bool Stepper::is_struck(int lane) const {
 /// undeformed, and some do so together.
 bool Stepper::starts() {
   const auto& l = window.lanes;
-  if (l.damped || l.general) return false;
+  if (l.damped || l.general || l.driven) return false;
   parts_.assign(l.count, Start::Part::passive);
   if (!finds_struck() || !finds_pressed()) return false;
   const auto is_passive = [](Start::Part part) { return part == Start::Part::passive; };
@@ -160,7 +158,7 @@ bool Stepper::counts_root(int lane) const {
 int Stepper::choose_clock() const {
   const auto& l = window.lanes;
   int clock = Expansion::plain;
-  if (l.general) return clock;
+  if (l.general || l.driven) return clock;
   if (l.widened) return narrowest();
   double soonest = (has_strong_roots() ? share_of_strong_roots : landing_share(window)) * stride;
   for (int j = 0; j < l.count; ++j) {
@@ -232,11 +230,13 @@ Piece Stepper::series_piece() {
   Piece piece{.series = &expansion(), .clock = choose_clock()};
   for (int j = 0; j < l.count; ++j) l.active[j] = l.indentation[j] > l.acts_above[j];
   if (piece.clock != Expansion::plain && window.pushes(piece.clock)) l.active[piece.clock] = 1;
-  for (int j = 0; window.network && j < l.count; ++j) doze(j);
+  for (int j = 0; window.is_linked() && j < l.count; ++j) doze(j);
   for (int j = 0; l.general && j < l.count; ++j) listen(j);
   piece.order = finite_order(window, precision_.order);
+  if (l.driven) expand_drives(window, piece.order);
   piece.series->expand(l, piece.order, piece.clock);
-  piece.end = reach(piece);
+  if (l.driven) find_works(window, *piece.series, piece.order);
+  piece.end = std::min(reach(piece), reach_of_drives(window, piece.order, precision_.tolerance));
   if (piece.clock != Expansion::plain) land(piece);
   shorten(piece, piece.end);
   return piece;

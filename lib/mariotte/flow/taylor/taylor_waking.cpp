@@ -34,7 +34,7 @@ void Stepper::listen(int lane) {
 /// piece, unless a drive draws it apart. Other links may draw it, too.
 bool Stepper::cannot_be_late(const Piece& piece, int lane) const {
   if (values_.indentation[lane] > late * window.lanes.acts_above[lane]) return false;
-  if (!window.network) return !(window.lanes.drive[lane] < 0);
+  if (!window.is_linked()) return !(window.lanes.drive[lane] < 0);
   return piece.start || (dozes(lane) && values_.margin[lane] >= 0);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mariotte/flow/roots/polynomial.hpp"
 #include "mariotte/flow/taylor/window_parts.hpp"
 
 namespace mariotte::flow::taylor {
@@ -52,6 +53,13 @@ void velocities_of_row(const Window& w, const Values& values, Use&& use) {
   move(count, 0);
 }
 
+/// use(number of a velocity, by how much drives change it) after a time of the step.
+template <class Use>
+void for_each_gain(const Window& w, double time, Use&& use) {
+  for (const auto& one : w.driven)
+    for (const auto& [number, share] : one.on_velocity) use(number, share * horner(one.gain, time));
+}
+
 void add_impulses(const Window& w, const Values& values, State velocity) {
   for (int lane = 0; lane < w.lanes.count; ++lane) {
     const double impulse = impulse_of(w, values, lane);
@@ -60,11 +68,30 @@ void add_impulses(const Window& w, const Values& values, State velocity) {
   }
 }
 
+/// In the state.
+Index place_of(const Window& w, Index velocity) {
+  return w.row ? w.row->body[w.first + velocity].velocity : velocity;
+}
+
 void write_velocities(const Window& w, const Values& values, State x) {
-  if (w.row)
-    return velocities_of_row(w, values, [&](int i, double v) { x[w.row->body[w.first + i].velocity] = v; });
-  std::copy(w.velocity.begin(), w.velocity.end(), x.begin());
-  add_impulses(w, values, x);
+  if (w.row) {
+    velocities_of_row(w, values, [&](int i, double v) { x[place_of(w, i)] = v; });
+  } else {
+    std::copy(w.velocity.begin(), w.velocity.end(), x.begin());
+    add_impulses(w, values, x);
+  }
+  for_each_gain(w, values.time, [&](int i, double gain) { x[place_of(w, i)] += gain; });
+}
+
+/// The clock, and what drives have done, so long after the start of the step.
+void write_drives(const Window& w, double time, State x) {
+  if (!w.drives) return;
+  x[w.drives->clock] = w.x[w.drives->clock] + (w.time + time - w.since);
+  for (std::size_t k = 0; k < w.driven.size(); ++k) {
+    const auto& one = w.driven[k];
+    const Index work = w.drives->drive[k].work;
+    x[work] = w.x[work] + (one.done + (time > 0 ? horner(one.work, time) : 0));
+  }
 }
 
 void set_rates(Window& w) {
@@ -89,6 +116,15 @@ void begin(Window& w, std::span<const PhaseContact> contacts) {
   l.branch = w.branch.data();
   for (auto* row : {&w.impulse, &w.work, &w.stored}) row->assign(contacts.size(), 0);
   w.outside_time = infinity;
+}
+
+void place(Window& w, const Problem& problem, State x, double time) {
+  w.drives = problem.drives();
+  if (const auto* row = problem.serial())
+    place(w, *row, x, time);
+  else
+    place(w, *problem.linked(), x, time);
+  begin_drives(w);
 }
 
 namespace {
@@ -205,6 +241,8 @@ void advance(Window& w, const Values& values) {
     velocities_of_row(w, values, [&](int i, double v) { w.velocity[i] = v; });
   else
     add_impulses(w, values, w.velocity);
+  for_each_gain(w, values.time, [&](int i, double gain) { w.velocity[i] += gain; });
+  for (auto& one : w.driven) one.done += horner(one.work, values.time);
   std::copy_n(values.indentation, l.count, l.indentation);
   set_rates(w);
   for (int lane = 0; lane < l.count; ++lane) w.impulse[lane] += impulse_of(w, values, lane);
@@ -241,8 +279,8 @@ void write(const Window& w, State x) {
     if (c.impulse >= 0) x[c.impulse] = w.x[c.impulse] + w.impulse[lane];
     if (c.work >= 0) x[c.work] = w.x[c.work] + work_of(w, lane, w.lanes.indentation[lane], 0);
   }
-  for (std::size_t i = 0; i < w.velocity.size(); ++i)
-    x[w.row ? w.row->body[w.first + i].velocity : static_cast<Index>(i)] = w.velocity[i];
+  for (std::size_t i = 0; i < w.velocity.size(); ++i) x[place_of(w, static_cast<Index>(i))] = w.velocity[i];
+  write_drives(w, 0, x);
 }
 
 void write(const Window& w, const Values& values, State x) {
@@ -254,6 +292,7 @@ void write(const Window& w, const Values& values, State x) {
     if (c.work >= 0) x[c.work] = w.x[c.work] + work_of(w, lane, values.indentation[lane], values.work[lane]);
   }
   write_velocities(w, values, x);
+  write_drives(w, values.time, x);
 }
 
 }  // namespace mariotte::flow::taylor

@@ -9,6 +9,18 @@
 
 namespace mariotte::flow::taylor {
 
+/// A drive during a step, as series in time.
+struct DriveSeries {
+  struct Share {
+    int of;
+    double coefficient;
+  };
+  std::vector<Share> on_lane, on_velocity;  ///< of its change
+  Coefficients gain;                        ///< ∫ of that
+  Coefficients work;                        ///< that it does
+  double done = 0;                          ///< before the step, since the window was placed
+};
+
 /// The contacts that are expanded, one lane each, and the motion of all others.
 struct Window {
   const SerialPhase* row = nullptr;  ///< one of the two is what the window shows
@@ -26,23 +38,28 @@ struct Window {
   std::vector<double> impulse, work;  ///< since `since`
   std::vector<double> stored;         ///< at `since`
   std::vector<const WidthBranch*> branch;  ///< of each lane
-  double outside_time = infinity;          ///< when the first of the gaps outside closes
-  Index outside = -1;                      ///< that contact
-  std::vector<Index> loose;                ///< contacts outside whose gaps change
-  bool falls_outside = false;              ///< bodies may fall there
+  double outside_time = infinity;  ///< when the first of the gaps outside closes, or a drive has a kink
+  Index outside_guard = -1;        ///< that of either
+  Index outside = -1;              ///< that contact, or −1
+  std::vector<Index> loose;        ///< contacts outside whose gaps change
+  bool falls_outside = false;      ///< bodies may fall there
+  const Drives* drives = nullptr;  ///< all is inside then
+  std::vector<DriveSeries> driven;
+  std::vector<double> bend;  ///< Lanes::bend
 
   const PhaseContact& contact(int lane) const { return contacts[lane]; }
   /// Of lane's contact the force is a function with a branch point at δ = 0.
   bool is_sharp(int lane) const { return lanes.power[lane] > 0; }
   bool has_root(int lane) const { return contact(lane).role == Role::closed && is_sharp(lane); }
   bool pushes(int lane) const { return contact(lane).pushes(); }
+  /// Others than its neighbours in a row may draw a contact apart.
+  bool is_linked() const { return network || drives; }
   /// Something may draw contacts apart whose force is left out, so that one is deepest within a step.
-  bool may_draw() const { return network || falls_outside || is_pulled; }
+  bool may_draw() const { return is_linked() || falls_outside || is_pulled; }
 };
 
 /// Place the window around what moves or pushes at `time`, where the whole state is x.
-void place(Window& window, const SerialPhase& phase, State x, double time);
-void place(Window& window, const LinkedPhase& phase, State x, double time);
+void place(Window& window, const Problem& problem, State x, double time);
 
 /// A contact at the edge is about to push on a body outside.
 bool has_outgrown(const Window& window);

@@ -18,6 +18,13 @@ inline bool is_onset(const PhaseContact& contact, double indentation) {
   return contact.role == Role::closed && indentation <= 16 * epsilon * contact.length;
 }
 
+/// Place the window over a row; around what moves or pushes unless it is driven.
+void place(Window& window, const SerialPhase& phase, State x, double time);
+/// Over linked contacts.
+void place(Window& window, const LinkedPhase& phase, State x, double time);
+/// What drives do to its lanes and velocities, and when the first has a kink.
+void begin_drives(Window& window);
+
 /// Make one lane for each of the contacts.
 void begin(Window& window, std::span<const PhaseContact> contacts);
 

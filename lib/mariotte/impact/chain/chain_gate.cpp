@@ -78,15 +78,15 @@ void pass_gate(const ChainOutcome& o, double accuracy, hybrid::Ending& ending, s
   const double allowed = share * (energy + largest_wall_speed(o) * momentum);
   const auto balance = energy_balance(o.chain, o.layout, o.energies, o.impulses, o.interval);
   const auto momenta = momentum_balance(o.chain, o.layout, o.interval);
+  const double explained = allowed + share * std::abs(balance.work);
   const bool parts = ending == hybrid::Ending::separated && !o.chain.falls_back;
   const Balance balances[] = {
       {"an approach at the end", approach(o, [&](auto mode) { return parts || is_slack(mode); }),
        balance_allowance * o.chain.noise_speed},
-      {"the energy balance, in units of the run,", balance.residual,
-       allowed + share * std::abs(balance.work)},
+      {"the energy balance, in units of the run,", balance.residual, explained},
       {"the momentum balance, in units of the run,", momenta.residual, share * momentum + rounding(o)},
       {"an impulse that pulls, or of a contact that never closed", wrong_impulse(o), share * momentum},
-      {"the energy that a contact has gained", energy_gain(o), allowed},
+      {"the energy that a contact has gained", energy_gain(o), explained},
       {"an indentation without force, relative to what cannot be told from rest,",
        unloaded_depth(o.chain, o.layout, o.mode, o.interval.after, accuracy), 1},
   };

@@ -35,10 +35,11 @@ class TopologyPhase final : public ContactPhase {
   std::vector<flow::Entry> pattern() const override;
   void jacobian(ConstState x, State values) const override;
   double damping_group() const override;
-  bool is_ballistic() const override { return active_ == 0 && !needs_field_; }
+  bool is_ballistic() const override { return active_ == 0 && !needs_field_ && at().drives() == 0; }
   void second_derivative(ConstState x, State ddx) const override;
   const flow::SerialPhase* serial() const override { return needs_field_ ? nullptr : flows_.serial(); }
   const flow::LinkedPhase* linked() const override { return needs_field_ ? nullptr : flows_.linked(); }
+  const flow::Drives* drives() const override { return at().drives() > 0 ? &drives_ : nullptr; }
   flow::Accepted accept(ConstState x) override;
   std::string component(Index index) const override { return component_name(at(), index); }
 
@@ -80,9 +81,11 @@ class TopologyPhase final : public ContactPhase {
   void watch(Index j);
   bool follow_branch(Index j);
   void find_magnitudes();
+  void find_drives();
 
   Topology topology_;
   typename Topology::Flows flows_;
+  flow::Drives drives_;
   std::vector<double> magnitudes_;
   std::vector<Index> driver_;   ///< by place: the drive that prescribes this velocity, or absent
   std::vector<double> levels_;  ///< by contact: its gap guard is gap + level
@@ -92,7 +95,7 @@ class TopologyPhase final : public ContactPhase {
   contact::ContactSet* mode_ = nullptr;
   Index active_ = 0;  ///< contacts that carry force
   bool ends_bound_ = false;
-  bool needs_field_ = false;  ///< a contact that is not open follows no power, or there is a drive
+  bool needs_field_ = false;  ///< a contact that is not open follows no power
   double time_scale_ = 1;
 };
 

@@ -15,11 +15,31 @@ void TopologyPhase<Topology>::reset() {
   levels_.assign(contacts(), 0.0);
   watched_.assign(contacts(), std::nullopt);
   find_magnitudes();
-  driver_.assign(at().size, ContactLayout::absent);
-  for (Index k = 0; k < at().drives(); ++k)
-    if (!topology_.model.drive[k].is_force)
-      for (const auto& term : topology_.model.drive[k].direction) driver_[at().velocity[term.dof]] = k;
+  find_drives();
   flows_.reset(topology_);
+}
+
+template <class Topology>
+void TopologyPhase<Topology>::find_drives() {
+  const auto placed = [&](ContactDirection terms) {
+    for (auto& term : terms) term.dof = at().velocity[term.dof];
+    return terms;
+  };
+  driver_.assign(at().size, ContactLayout::absent);
+  drives_.clock = at().clock;
+  drives_.drive.clear();
+  for (Index k = 0; k < at().drives(); ++k) {
+    const auto& drive = topology_.model.drive[k];
+    drives_.drive.push_back({.direction = placed(drive.direction),
+                             .response = placed(drive.response),
+                             .is_force = drive.is_force,
+                             .change = {},
+                             .end = infinity,
+                             .guard = at().kink_guard(k),
+                             .work = at().drive_work[k]});
+    for (const auto& term : drives_.drive.back().direction)
+      if (!drive.is_force) driver_[term.dof] = k;
+  }
 }
 
 template <class Topology>
@@ -48,7 +68,7 @@ void TopologyPhase<Topology>::bind(contact::ContactSet& mode, bool ends_bound) {
   mode_ = &mode;
   ends_bound_ = ends_bound && at().drives() == 0;
   active_ = 0;
-  needs_field_ = at().drives() > 0;
+  needs_field_ = false;
   double shortest = infinity, any = infinity;
   for (Index j = 0; j < contacts(); ++j) {
     const bool remembers = !power_law(law(j));
@@ -61,8 +81,12 @@ void TopologyPhase<Topology>::bind(contact::ContactSet& mode, bool ends_bound) {
     shortest = std::min(shortest, time);
   }
   time_scale_ = active_ == 0 ? any : shortest;
-  for (Index k = 0; k < at().drives(); ++k)
-    crossings_[at().kink_guard(k)] = next_kink(k) < infinity ? flow::Crossing::rising : flow::Crossing::none;
+  for (Index k = 0; k < at().drives(); ++k) {
+    auto& drive = drives_.drive[k];
+    drive.change = piece(topology_.model.drive[k].change, k);
+    drive.end = next_kink(k);
+    crossings_[drive.guard] = drive.end < infinity ? flow::Crossing::rising : flow::Crossing::none;
+  }
 }
 
 /// Tells the flows of the branch of contact j, unless it is open; false if it, or a law without branches, is

@@ -85,20 +85,6 @@ Signal smooth_curve(const std::vector<SignalPoint>& points) {
   return signal;
 }
 
-double value(const SignalPiece& p, double time) {
-  const double s = time - p.start;
-  const double sum = p.power[0] + s * (p.power[1] + s * (p.power[2] + s * p.power[3]));
-  return p.amplitude == 0 ? sum : sum + p.amplitude * std::sin(p.frequency * time + p.phase);
-}
-
-SignalPiece rate(const SignalPiece& p) {
-  return {.start = p.start,
-          .amplitude = p.amplitude * p.frequency,
-          .frequency = p.frequency,
-          .phase = p.phase + std::numbers::pi / 2,
-          .power = {p.power[1], 2 * p.power[2], 3 * p.power[3], 0}};
-}
-
 Signal rate(const Signal& signal) {
   Signal result;
   for (const auto& piece : signal.piece) result.piece.push_back(rate(piece));

@@ -1,20 +1,11 @@
 // Functions of time that are smooth but for kinks: what a drive prescribes.
 #pragma once
-#include <array>
 #include <vector>
 
+#include "mariotte/core/signal_piece.hpp"
 #include "mariotte/core/types.hpp"
 
 namespace mariotte::model {
-
-/// a sin(ω t + φ) + c₀ + c₁ s + c₂ s² + c₃ s³ with s = t − start.
-struct SignalPiece {
-  double start = 0;                  ///< from this time on [s]
-  double amplitude = 0;              ///< a, in the unit of the signal
-  double frequency = 0;              ///< ω ≥ 0 [rad/s]
-  double phase = 0;                  ///< φ [rad]
-  std::array<double, 4> power = {};  ///< c₀ to c₃
-};
 
 /// Pieces in order of time, at least one. The first starts at 0; the last goes on for ever.
 struct Signal {
@@ -37,10 +28,7 @@ Signal straight_lines(const std::vector<SignalPoint>& points);
 /// The monotone cubic through points; else the same.
 Signal smooth_curve(const std::vector<SignalPoint>& points);
 
-/// Of a piece, at any time: it goes on smoothly beyond its ends.
-double value(const SignalPiece& piece, double time);
-/// The derivative of a piece.
-SignalPiece rate(const SignalPiece& piece);
+using mariotte::rate;
 /// The derivative of all pieces.
 Signal rate(const Signal& signal);
 /// The piece that holds at a time.

@@ -16,7 +16,7 @@ Json term(const Term& term) {
 }
 
 Json drive(const model::Drive& drive) {
-  const auto piece = [](const model::SignalPiece& p) -> Json {
+  const auto piece = [](const SignalPiece& p) -> Json {
     return {{"start", p.start},
             {"amplitude", p.amplitude},
             {"angular_frequency", p.frequency},
