@@ -1,6 +1,6 @@
 #include "mariotte/impact/laws/configuration.hpp"
 
-#include <Eigen/SparseQR>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +13,6 @@ namespace {
 using Numbers = std::vector<double>;
 using Vector = Eigen::VectorXd;
 using Matrix = Eigen::MatrixXd;
-using Sparse = Eigen::SparseMatrix<double>;
 
 Index dofs(const Configuration& c) {
   return std::ssize(c.velocity);
@@ -30,19 +29,6 @@ Eigen::Map<const Vector> view(const Numbers& numbers) {
 }
 Eigen::Map<const Matrix> full_mass(const Configuration& c) {
   return {c.mass.data(), dofs(c), dofs(c)};
-}
-
-/// L⁻¹ Gᵀ, n × m, with M = L Lᵀ.
-Sparse scaled_directions(const Configuration& c) {
-  std::vector<ContactDirection> columns;
-  model::half_responses(c.mass, c.contact, dofs(c), columns);
-  std::vector<Eigen::Triplet<double>> places;
-  for (Index j = 0; j < contacts(c); ++j)
-    for (const auto& [dof, coefficient] : columns[j])
-      places.emplace_back(static_cast<int>(dof), static_cast<int>(j), coefficient);
-  Sparse scaled(dofs(c), contacts(c));
-  scaled.setFromTriplets(places.begin(), places.end());
-  return scaled;
 }
 
 void expect(bool holds, const char* rule) {
@@ -96,40 +82,12 @@ Numbers velocity_change(const Configuration& c, const Numbers& p) {
   return model::solve(c.mass, generalised_impulse(c, p));
 }
 
-Numbers compliance(const Configuration& c) {
-  const auto scaled = scaled_directions(c);
-  const Matrix product = Matrix(scaled.transpose() * scaled);
-  return {product.data(), product.data() + product.size()};
-}
-
 double kinetic_energy(const Configuration& c, const Numbers& velocity) {
   if (!is_diagonal(c)) return 0.5 * view(velocity).dot(full_mass(c) * view(velocity));
   double sum = 0;
   for (Index i = 0; i < dofs(c); ++i)
     if (std::isfinite(c.mass[i])) sum += c.mass[i] * velocity[i] * velocity[i];
   return 0.5 * sum;
-}
-
-double relative_energy(const Configuration& c, const Numbers& velocity) {
-  return relative_energies(c, {velocity})[0];
-}
-
-Numbers relative_energies(const Configuration& c, const std::vector<Numbers>& velocities) {
-  const auto scaled = scaled_directions(c);
-  // L⁻¹ Gᵀ Π = Q R: wᵀ (G M⁻¹ Gᵀ)⁺ w is the square of R⁻ᵀ Πᵀ w, over the rank alone.
-  const Eigen::SparseQR<Sparse, Eigen::COLAMDOrdering<int>> qr(scaled);
-  const Index rank = qr.rank();
-  // Eigen does not sort the entries of R; those of a copy by rows are sorted.
-  const Eigen::SparseMatrix<double, Eigen::RowMajor> rows = qr.matrixR();
-  const Sparse r = Sparse(rows).topLeftCorner(rank, rank);
-  Numbers energies;
-  for (const auto& velocity : velocities) {
-    const auto rates = gap_rates(c, velocity);
-    Vector w = (qr.colsPermutation().transpose() * view(rates)).head(rank);
-    r.transpose().triangularView<Eigen::Lower>().solveInPlace(w);
-    energies.push_back(0.5 * w.squaredNorm());
-  }
-  return energies;
 }
 
 }  // namespace mariotte::impact

@@ -37,8 +37,10 @@ std::vector<double> compliance(const Configuration& configuration);
 /// ½ vᵀ M v of any velocities. Walls do not count.
 double kinetic_energy(const Configuration& configuration, const std::vector<double>& velocity);
 
-/// ½ wᵀ (G M⁻¹ Gᵀ)⁺ w: the part of the kinetic energy that impulses at the contacts can change. For a chain
-/// without walls it is the kinetic energy relative to the mass centre, with walls at rest all of it.
+/// ½ wᵀ (G M⁻¹ Gᵀ)⁺ w: the part of the kinetic energy that impulses at the contacts can change, the least
+/// with these gap rates. For a chain without walls it is the kinetic energy relative to the mass centre, with
+/// walls at rest all of it. Where walls squeeze what touches, no velocities have these rates; those of the
+/// nearest rates count, each rate over that of a unit impulse.
 double relative_energy(const Configuration& configuration, const std::vector<double>& velocity);
 /// Those of several velocities, for little more than one.
 std::vector<double> relative_energies(const Configuration& configuration,
