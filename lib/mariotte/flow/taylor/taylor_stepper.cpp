@@ -15,10 +15,16 @@ namespace {
 /// Share of the accuracy that one step may spend: errors add up along a chain, and behind its wave they must
 /// not look like approaches.
 constexpr double local_share = 0.03;
+/// The short steps that one contact needs are steps of many others.
+bool shares_steps(const Window& window) {
+  return window.network && window.lanes.count > 5;
+}
 /// A contact that would let go within this share of a step is landed in its own clock. Earlier is dearer:
 /// near its end a contact is so weak that it hardly bounds the step, among many less than among few, and
-/// least in a longer row, where one lets go after the other. Measured by work_precision and scaling_study.
+/// least in a longer row, where one lets go after the other. Measured by work_precision, scaling_study and
+/// stiffness_study.
 double landing_share(const Window& window) {
+  if (shares_steps(window)) return 1;
   if (window.row && window.row->is_slice) return 0.15;
   return window.lanes.count > 5 ? 0.2 : 0.5;
 }
@@ -151,7 +157,7 @@ bool Stepper::has_strong_roots() const {
 
 /// A contact nears its end; or leaves its onset, where that counts, and the clock has been its own since.
 bool Stepper::counts_root(int lane) const {
-  return window.lanes.rate[lane] < 0 || (lane == last_clock_ && has_strong_roots());
+  return window.lanes.rate[lane] < 0 || (lane == last_clock_ && (has_strong_roots() || shares_steps(window)));
 }
 
 /// The lane whose onset or separation limits a series in time.
