@@ -23,7 +23,7 @@ void TurningObserver::observe(const flow::Step& step) {
         (phase_.velocity(step.before, i) + 4 * phase_.velocity(inside_, i) + phase_.velocity(step.after, i));
   for (Index j = 0; j < phase_.contacts(); ++j)
     if (phase_.gap(step.before, j) < 0 || phase_.gap(step.after, j) < 0)
-      largest_ = std::max(largest_, std::atan(length_ * across(j) / network_.distance[j]));
+      largest_ = std::max(largest_, length_ * across(j) / network_.distance[j]);
 }
 
 double TurningObserver::across(Index contact) const {

@@ -1,5 +1,6 @@
 // How far the directions of contacts would turn if they did not stay those of the start.
 #pragma once
+#include <cmath>
 #include <vector>
 
 #include "mariotte/core/scale.hpp"
@@ -17,7 +18,7 @@ class TurningObserver {
   TurningObserver(const model::Network& network, const model::ContactPhase& phase, const Scale& scale);
 
   void observe(const flow::Step& step);
-  double largest() const { return largest_; }  ///< so far [rad]
+  double largest() const { return std::atan(largest_); }  ///< so far [rad]
 
  private:
   double across(Index contact) const;
@@ -27,7 +28,7 @@ class TurningObserver {
   double length_;              ///< of one unit of `moved_` [m]
   std::vector<double> moved_;  ///< every coordinate since the start
   std::vector<double> inside_;
-  double largest_ = 0;
+  double largest_ = 0;  ///< tangent
 };
 
 }  // namespace mariotte::impact
