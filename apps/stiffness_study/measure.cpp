@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <functional>
 
 #include "mariotte/flow/choose.hpp"
 #include "mariotte/impact/chain/chain_impact.hpp"
@@ -63,9 +64,7 @@ Run describe(const ImpactCase& one, const impact::ContactImpact& impact, const s
 }
 
 /// With memory in place.
-double seconds(impact::ChainSolver& solver, const model::Chain& chain, const hybrid::Options& options,
-               double batch) {
-  const auto solve = [&] { solver.solve(chain, options); };
+double seconds(const std::function<void()>& solve, double batch) {
   const double first = measuring::timed(solve);
   if (first > 10 * batch) return first;  // long enough to be measured by itself
   return measuring::least_seconds(solve, measuring::timed(solve), {batch, batches});
@@ -86,7 +85,7 @@ Run measure_briefly(const ImpactCase& one, const Request& request) {
   const auto balls = chain(one);
   const auto asked = options(one, request);
   auto run = describe(one, solver.solve(balls, asked));
-  run.seconds = seconds(solver, balls, asked, request.batch);
+  run.seconds = seconds([&] { solver.solve(balls, asked); }, request.batch);
   return run;
 }
 
@@ -97,7 +96,8 @@ Run measure_fully(const ImpactCase& one, const Request& request) {
   const double first = measuring::timed([&] { impact = impact::simulate(balls, asked); });
   auto run = describe(one, impact, request.flow);
   impact::ChainSolver solver;
-  run.seconds = run.admitted && request.batch > 0 ? seconds(solver, balls, asked, request.batch) : first;
+  const auto solve = [&] { solver.solve(balls, asked); };
+  run.seconds = run.admitted && request.batch > 0 ? seconds(solve, request.batch) : first;
   return run;
 }
 
@@ -105,14 +105,10 @@ Run measure_packing(const ImpactCase& one, const Request& request) {
   const auto disks = packing(one);
   const auto asked = options(one, request);
   impact::NetworkImpact impact;
-  double least = measuring::timed([&] { impact = impact::simulate(disks, asked); });
-  for (double spent = least; spent < request.batch;) {
-    const double again = measuring::timed([&] { impact = impact::simulate(disks, asked); });
-    least = std::min(least, again);
-    spent += again;
-  }
+  const auto solve = [&] { impact = impact::simulate(disks, asked); };
+  const double first = measuring::timed(solve);
   auto run = describe(one, impact, request.flow);
-  run.seconds = least;
+  run.seconds = request.batch > 0 ? seconds(solve, request.batch) : first;
   return run;
 }
 
