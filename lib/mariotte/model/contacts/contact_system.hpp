@@ -83,21 +83,20 @@ template <class Topology>
 void ContactSystem<Topology>::settle(Mode& mode, Index j, const std::vector<Index>& fired,
                                      CreepingForces<Topology>& forces, std::vector<Change>& changes) const {
   using contact::ContactMode;
-  if (!contact::carries_force(mode[j])) return;
   const auto& now = forces.state();
-  const auto has_fired = [&] {
-    return std::any_of(fired.begin(), fired.end(),
-                       [&](Index guard) { return layout_.guard_contact[guard] == j; });
-  };
-  if (mode[j] == ContactMode::closed && has_faded(now, j) && !has_fired()) {
-    change(mode, j, ContactMode::hovering, model_.law[j], changes);
-  } else if (mode[j] == ContactMode::touching && has_parted(now, j)) {
-    change(mode, j, ContactMode::open, model_.law[j], changes);
-  } else if (mode[j] == ContactMode::touching && has_loaded(now, j)) {
-    mode[j] = ContactMode::closed;  // no event
-  } else if (has_let_go(forces, j) && !has_fired()) {
-    change(mode, j, ContactMode::slack, model_.law[j], changes);
+  if (mode[j] == ContactMode::touching) {
+    if (has_parted(now, j))
+      change(mode, j, ContactMode::open, model_.law[j], changes);
+    else if (has_loaded(now, j))
+      mode[j] = ContactMode::closed;  // no event
+    return;
   }
+  if (mode[j] != ContactMode::closed) return;
+  const bool fades = has_faded(now, j);
+  if (!fades && !has_let_go(forces, j)) return;
+  const auto is_own = [&](Index guard) { return layout_.guard_contact[guard] == j; };
+  if (std::none_of(fired.begin(), fired.end(), is_own))
+    change(mode, j, fades ? ContactMode::hovering : ContactMode::slack, model_.law[j], changes);
 }
 
 /// Drives that have come to the end of a piece go on with the next. True if a velocity is prescribed anew.

@@ -386,8 +386,9 @@ flow::Accepted TopologyPhase<Topology>::accept(ConstState x) {
   CreepingForces<Topology> forces(state, *mode_);
   for (Index j = 0; j < contacts(); ++j) {
     auto& mode = (*mode_)[j];
-    if (mode == ContactMode::closed && has_faded(state, j)) return flow::Accepted::ended;
-    if (has_passed(forces, j) || has_let_go(forces, j)) return flow::Accepted::ended;
+    if (mode == ContactMode::closed && (has_faded(state, j) || has_let_go(forces, j)))
+      return flow::Accepted::ended;
+    if (mode == ContactMode::slack && has_passed(forces, j)) return flow::Accepted::ended;
     if (mode != ContactMode::touching) continue;
     if (has_parted(state, j)) return flow::Accepted::ended;
     if (!has_loaded(state, j)) continue;
