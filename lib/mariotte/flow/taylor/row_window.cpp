@@ -18,7 +18,7 @@ double drive(const SerialPhase& phase, Index j) {
 bool is_active(const SerialPhase& phase, ConstState x, Index j) {
   const auto& c = phase.contact[j];
   if (c.role != Role::touching) return c.role != Role::open;
-  return -x[c.gap] > wake_depth(c, phase.speed) || rate(phase, x, j) > 0 || drive(phase, j) != 0;
+  return rate(phase, x, j) > 0 || drive(phase, j) != 0 || -x[c.gap] > wake_depth(c, phase.speed);
 }
 
 /// First time after 0 at which an open gap that flies freely falls to −level.
@@ -33,14 +33,10 @@ double closing_time(const SerialPhase& phase, ConstState x, Index j) {
   return push > 0 ? (root - speed) / push : infinity;
 }
 
-/// What moves outside of the window, and which gap there closes first.
-void find_outside(Window& w) {
+/// What of contacts from … to − 1 moves, and which gap closes first.
+void find_loose(Window& w, Index from, Index to) {
   const auto& phase = *w.row;
-  w.outside_time = infinity;
-  w.loose.clear();
-  w.falls_outside = has_acceleration(phase);
-  for (Index j = 0; j < static_cast<Index>(phase.contact.size()); ++j) {
-    if (j >= w.first && j < w.first + w.lanes.count) continue;
+  for (Index j = from; j < to; ++j) {
     if (rate(phase, w.x, j) == 0 && drive(phase, j) == 0) continue;
     w.loose.push_back(j);
     if (phase.contact[j].role != Role::open) continue;
@@ -50,6 +46,14 @@ void find_outside(Window& w) {
     w.outside = j;
     w.outside_guard = phase.contact[j].guard;
   }
+}
+
+void find_outside(Window& w) {
+  w.outside_time = infinity;
+  w.loose.clear();
+  w.falls_outside = has_acceleration(*w.row);
+  find_loose(w, 0, w.first);
+  find_loose(w, w.first + w.lanes.count, std::ssize(w.row->contact));
 }
 
 void fill(Window& w, int lane) {

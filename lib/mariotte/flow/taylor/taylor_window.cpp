@@ -147,7 +147,7 @@ void fill_law(Lanes& l, int lane, const PhaseContact& c) {
   l.power[lane] = c.exponent - 1;
   l.steepening[lane] = l.damping[lane] = l.stiffening[lane] = 0;
   if (c.damping > 0) fill_damper(l, lane, c);
-  l.general |= l.power[lane] != 0 && l.power[lane] != 0.5;
+  l.general |= c.exponent != 1 && c.exponent != 1.5;
 }
 
 }  // namespace
