@@ -103,19 +103,23 @@ class Block : RowQuantities {
       most = largest(most, heard_.part[i] * magnitude(row_[stretch][k].part[i]));
     for (int i = 0; lanes_->widened && !still_ && i < N; ++i)
       most = largest(most, width_weight_.part[i] * magnitude(row_[WidthQuantities::width][k].part[i]));
-    double largest_part = most[0];
-    for (int i = 1; i < width; ++i) largest_part = most[i] > largest_part ? most[i] : largest_part;
-    return largest_part;
+    return largest_of(most);
   }
 
   void evaluate(double place, Values& values) const {
     const auto side = of(lanes_->side);
     const auto &depths = row_[indentation], &impulses = row_[impulse];
-    auto d = depths[order_], p = impulses[order_], loss = loss_of(side * d);
-    for (int k = order_ - 1; k >= 0; --k) {
+    auto d = depths[order_], p = impulses[order_], amount = magnitude(d);
+    int k = order_ - 1;
+    for (; k >= 4; --k) {
       d = place * d + depths[k];
       p = place * p + impulses[k];
-      if (k >= 4) loss = place * loss + loss_of(side * depths[k]);
+      amount = place * amount + magnitude(depths[k]);
+    }
+    const auto loss = 0.5 * (amount - side * d);
+    for (; k >= 0; --k) {
+      d = place * d + depths[k];
+      p = place * p + impulses[k];
     }
     store(d, values.indentation + first_);
     store(p, values.impulse + first_);

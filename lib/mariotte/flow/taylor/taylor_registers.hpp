@@ -74,6 +74,11 @@ MARIOTTE_SERIES_INLINE Vec window(Vec a, Vec b) {
                                  first + 6, first + 7);
 #endif
 }
+MARIOTTE_SERIES_INLINE double largest_of(Vec a) {
+  if constexpr (width > 4) a = largest(a, window<width / 2>(a, a));
+  if constexpr (width > 2) a = largest(a, window<2>(a, a));
+  return largest(a, window<1>(a, a))[0];
+}
 
 /// N registers of lanes.
 template <int N>
@@ -138,6 +143,10 @@ MARIOTTE_SERIES_INLINE LaneVector<N> operator/(const LaneVector<N>& a, const Lan
 template <int N>
 MARIOTTE_SERIES_INLINE LaneVector<N> operator-(const LaneVector<N>& a) {
   return each<N>([&](int i) { return -a.part[i]; });
+}
+template <int N>
+MARIOTTE_SERIES_INLINE LaneVector<N> magnitude(const LaneVector<N>& a) {
+  return each<N>([&](int i) { return magnitude(a.part[i]); });
 }
 template <int N>
 MARIOTTE_SERIES_INLINE LaneVector<N> sqrt(const LaneVector<N>& a) {
