@@ -42,15 +42,19 @@ constexpr double before_last = 300;
 constexpr double freed_stride = 8;
 constexpr double tiny = 1e-300;  ///< keeps quotients of vanishing coefficients finite
 
-/// Order up to which no coefficient overflows: where a contact has hardly begun, they grow like (δ̇/δ)ᵏ.
-int finite_order(const Window& window, int order) {
+/// Tell which contacts carry force. Returns the order up to which no coefficient overflows: where a contact
+/// has hardly begun, they grow like (δ̇/δ)ᵏ.
+int activate(Window& window, int order) {
   constexpr double harmless = 1e13, decades = 270;
-  const auto& l = window.lanes;
+  auto& l = window.lanes;
   double fastest = harmless;
-  for (int j = 0; j < l.count; ++j)
-    if (std::abs(l.rate[j]) > fastest * l.indentation[j] && l.indentation[j] > 0 && l.active[j] > 0 &&
-        window.is_sharp(j))
-      fastest = std::abs(l.rate[j]) / l.indentation[j];
+  for (int j = 0; j < l.count; ++j) {
+    const double depth = l.indentation[j];
+    const bool acts = depth > l.acts_above[j];
+    l.active[j] = acts;
+    if (acts && std::abs(l.rate[j]) > fastest * depth && depth > 0 && window.is_sharp(j))
+      fastest = std::abs(l.rate[j]) / depth;
+  }
   return fastest == harmless ? order : std::min(order, static_cast<int>(decades / std::log10(fastest)));
 }
 
@@ -72,13 +76,10 @@ void Stepper::begin(const Problem& problem, State x, double time, const Precisio
   last_clock_ = Expansion::plain;
   place(window, problem, x, time);
   values_.resize(window.lanes.count);
-}
-
-Expansion& Stepper::expansion() {
   const auto size = size_for(window.lanes);
   auto& chosen = expansions_[size];
   if (!chosen) chosen = make_expansion(size);
-  return *chosen;
+  series_ = chosen.get();
 }
 
 void Stepper::shorten(Piece& piece, double place) {
@@ -233,12 +234,10 @@ double Stepper::reach_of_rounding(const Piece& piece) const {
 
 Piece Stepper::series_piece() {
   auto& l = window.lanes;
-  Piece piece{.series = &expansion(), .clock = choose_clock()};
-  for (int j = 0; j < l.count; ++j) l.active[j] = l.indentation[j] > l.acts_above[j];
+  Piece piece{.series = series_, .order = activate(window, precision_.order), .clock = choose_clock()};
   if (piece.clock != Expansion::plain && window.pushes(piece.clock)) l.active[piece.clock] = 1;
   for (int j = 0; window.is_linked() && j < l.count; ++j) doze(j);
   for (int j = 0; l.general && j < l.count; ++j) listen(j);
-  piece.order = finite_order(window, precision_.order);
   if (l.driven) expand_drives(window, piece.order);
   piece.series->expand(l, piece.order, piece.clock);
   if (l.driven) find_works(window, *piece.series, piece.order);

@@ -69,7 +69,6 @@ class Stepper {
   void shorten(Piece& piece, double place);
   double reach(const Piece& piece) const;
   double reach_of_rounding(const Piece& piece) const;
-  Expansion& expansion();
   void doze(int lane);
   void listen(int lane);
   /// A touching contact whose force is left out, and which is watched for the depth at which it would be
@@ -97,6 +96,7 @@ class Stepper {
   Start start_;
   std::vector<Start::Part> parts_;
   std::array<std::unique_ptr<Expansion>, lane_sizes.size() + 1> expansions_;
+  Expansion* series_ = nullptr;  ///< the one for the window
 };
 
 }  // namespace mariotte::flow::taylor

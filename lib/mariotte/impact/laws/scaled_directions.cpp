@@ -80,7 +80,10 @@ double relative_energy(const Configuration& c, const Numbers& velocity) {
 Numbers relative_energies(const Configuration& c, const std::vector<Numbers>& velocities) {
   auto a = scaled_directions(c);
   Vector unit(a.cols());
-  for (Index j = 0; j < a.cols(); ++j) unit[j] = 1 / a.col(j).norm();
+  for (Index j = 0; j < a.cols(); ++j) {
+    const double length = a.col(j).norm();
+    unit[j] = length > 0 ? 1 / length : 0;  // between walls no impulse changes anything
+  }
   a = a * unit.asDiagonal();
   const ShortestSolution shortest(a);
   Numbers energies;
