@@ -8,6 +8,7 @@
 #include "mariotte/impact/sensitivity/adjoint/adjoint.hpp"
 
 using namespace mariotte;
+namespace tt = boost::test_tools;
 
 namespace {
 
@@ -205,6 +206,35 @@ BOOST_AUTO_TEST_CASE(numbers_of_a_row_may_depend_on_another) {
                                             }};
   const auto forward = impact::sensitivity(row, {all}, usual);
   BOOST_TEST(std::abs(slope_by(swept(row, 4).slopes, all) - forward.outcome[4].slope[0].value()) < 1e-9);
+}
+
+// The second row vibrates without an event, so its motion is one stretch; of the third some contacts are
+// damped and open.
+BOOST_AUTO_TEST_CASE(a_motion_without_room_is_recorded_by_more_runs) {
+  auto pressed = row_of(hertz, {-0.1, -0.2, -0.15, -0.1});
+  pressed.mass.front() = pressed.mass.back() = infinity;
+  pressed.velocity = {0, 0.01, 0, 0, 0};
+  pressed.precompressed = true;
+  const std::vector<contact::Law> damped(9, PowerLaw{1, 0.05, 1.5});
+  const hybrid::Options until{.accuracy = 1e-10, .max_time = 40};
+  for (const auto& [row, options] : {std::pair{row_of(hertz, apart), usual},
+                                     {pressed, until},
+                                     {row_of(damped, std::vector(9, 0.01)), usual}}) {
+    std::vector<double> weights(row.mass.size());
+    weights[row.mass.size() - 2] = 1;
+    const auto all = impact::adjoint(row, weights, options);
+    BOOST_TEST(all.runs == 1);
+    for (const std::size_t room : {all.bytes / 3, all.bytes / 20}) {
+      const auto found = impact::adjoint(
+          row, weights, options, [] {}, room);
+      BOOST_TEST(found.runs >= 3);
+      BOOST_TEST(found.bytes < all.bytes / 2);
+      BOOST_TEST(found.pieces == all.pieces);
+      BOOST_TEST(found.slopes.mass == all.slopes.mass, tt::tolerance(1e-12) << tt::per_element());
+      BOOST_TEST(found.slopes.velocity == all.slopes.velocity, tt::tolerance(1e-12) << tt::per_element());
+      BOOST_TEST(found.slopes.stiffness == all.slopes.stiffness, tt::tolerance(1e-12) << tt::per_element());
+    }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(what_is_not_known_is_refused) {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "mariotte/core/error.hpp"
 #include "mariotte/impact/chain/chain_frame.hpp"
+#include "mariotte/impact/sensitivity/adjoint/motion_recorder.hpp"
 #include "mariotte/impact/sensitivity/contact_sensitivity.hpp"
 #include "mariotte/impact/sensitivity/frame_slopes.hpp"
 #include "mariotte/impact/sensitivity/resolved.hpp"
@@ -19,30 +19,36 @@ namespace {
 using model::Chain;
 using model::DimensionlessChain;
 
-/// A row as islands follow it, with its motion.
-struct RecordedRun {
-  DimensionlessChain chain;
-  model::ChainLayout layout;
-  MotionRecord motion;
-  model::Islands::Run run;
-};
+/// A row as islands follow it, as often as its motion is asked for.
+class RecordedRow {
+ public:
+  RecordedRow(const Chain& chain, hybrid::Options options, const SlopeWatch& watch) : watch_(watch) {
+    if (!options.flow) options.flow = flow::Kind::taylor;  // closed forms are no series
+    make_dimensionless(chain, options.accuracy, chain_);
+    options_ = tightened(options, chain.mass.size());
+    fade_later(chain_, options_.accuracy);
+    make_layout(chain_, layout_);
+    initial_state(chain_, layout_, start_);
+  }
 
-void follow(const Chain& chain, hybrid::Options options, const SlopeWatch& watch, RecordedRun& recorded) {
-  if (!options.flow) options.flow = flow::Kind::taylor;  // closed forms are no series
-  auto& scaled = recorded.chain;
-  make_dimensionless(chain, options.accuracy, scaled);
-  const auto inner = tightened(options, chain.mass.size());
-  fade_later(scaled, inner.accuracy);
-  make_layout(scaled, recorded.layout);
-  std::vector<double> start;
-  initial_state(scaled, recorded.layout, start);
-  model::Islands islands(scaled, recorded.layout, start, hybrid::scaled(inner, scaled.scale),
-                         /*stay=*/std::isfinite(options.max_time), [&] {
-                           return std::make_unique<MotionRecorder>(inner.accuracy, watch, recorded.motion);
-                         });
-  islands.run();
-  recorded.run = std::move(islands.result());
-}
+  const DimensionlessChain& chain() const { return chain_; }
+  const model::ChainLayout& layout() const { return layout_; }
+  model::Islands::Run follow(MotionMemory& memory) const {
+    model::Islands islands(chain_, layout_, start_, hybrid::scaled(options_, chain_.scale),
+                           /*stay=*/std::isfinite(options_.max_time), [&] {
+                             return std::make_unique<MotionRecorder>(options_.accuracy, watch_, memory);
+                           });
+    islands.run();
+    return std::move(islands.result());
+  }
+
+ private:
+  const SlopeWatch& watch_;
+  hybrid::Options options_;
+  DimensionlessChain chain_;
+  model::ChainLayout layout_;
+  std::vector<double> start_;
+};
 
 /// In the units of the chain, per its units. Units of a stiffness depend on the exponent.
 void restore_units(const DimensionlessChain& chain, RowSlopes& slopes) {
@@ -77,32 +83,23 @@ bool touches_at_rest(const Chain& chain, std::size_t j) {
          chain.velocity[j] == chain.velocity[j + 1];
 }
 
-/// Whether an island has been there before, and has only been cut anew.
-bool goes_on(const MotionRecord::Stretch& stretch, const std::vector<Instant>& left) {
-  constexpr double same = 1e-9;  // in units of a short contact
-  return std::any_of(left.begin() + stretch.first, left.begin() + stretch.last + 1,
-                     [&](Instant time) { return stretch.start - time < same; });
-}
-
-/// By contact: it was taken into an island that was there, for a wave came to it.
-std::vector<char> find_waiting(const MotionRecord& motion, std::size_t balls) {
-  std::vector<char> seen(balls - 1, 0), waiting(balls - 1, 0);
-  std::vector<Instant> left(balls, {-infinity});
-  for (const auto& stretch : motion.stretch) {
-    const bool goes = goes_on(stretch, left);
-    for (Index j = stretch.first; j < stretch.last; ++j)
-      if (!std::exchange(seen[j], 1)) waiting[j] = goes;
-    std::fill(left.begin() + stretch.first, left.begin() + stretch.last + 1, stretch.end);
-  }
-  return waiting;
-}
-
 /// Slopes that differ on both sides.
-void leave_out_waiting(const Chain& chain, const MotionRecord& motion, RowSlopes& slopes) {
-  const auto waiting = find_waiting(motion, chain.mass.size());
+void leave_out_waiting(const Chain& chain, const std::vector<char>& waiting, RowSlopes& slopes) {
   for (std::size_t j = 0; j < chain.law.size(); ++j)
     if (waiting[j] && touches_at_rest(chain, j))
       slopes.gap[j] = slopes.velocity[j] = slopes.velocity[j + 1] = std::numeric_limits<double>::quiet_NaN();
+}
+
+/// What the memory has, and by more runs what had no room there.
+void pass_all(const RecordedRow& row, const MotionMemory& memory, BackSweep& sweep, Adjoint& result) {
+  sweep.pass(memory.motion());
+  ++result.runs;
+  result.pieces += std::ssize(memory.motion().piece);
+  result.bytes = std::max(result.bytes, memory.motion().bytes());
+  if (!memory.edge()) return;
+  MotionMemory before(row.chain().contacts(), memory.most_bytes(), memory.edge());
+  row.follow(before);
+  pass_all(row, before, sweep, result);
 }
 
 }  // namespace
@@ -121,27 +118,26 @@ const char* why_no_adjoint(const Chain& chain) {
 }
 
 Adjoint adjoint(const Chain& chain, std::span<const double> weights, const hybrid::Options& asked,
-                const SlopeWatch& watch) {
+                const SlopeWatch& watch, std::size_t most_bytes) {
   model::validate(chain);
   hybrid::validate(asked);
   model::expect_end(chain, asked.max_time);
   if (const char* why = why_no_adjoint(chain)) throw InvalidParameter(why);
   if (weights.size() != chain.mass.size()) throw InvalidParameter("there must be one weight per ball");
-  RecordedRun recorded;
   const auto frame = moving_frame(chain);
-  follow(within(frame, chain), for_slopes(asked), watch, recorded);
-  const auto& [scaled, layout, motion, run] = recorded;
-  Adjoint result{.ending = run.ending,
-                 .message = run.message,
-                 .slopes = {},
-                 .pieces = std::ssize(motion.piece),
-                 .bytes = motion.bytes()};
+  const RecordedRow row(within(frame, chain), for_slopes(asked), watch);
+  const auto& scaled = row.chain();
+  MotionMemory memory(scaled.contacts(), most_bytes);
+  const auto run = row.follow(memory);
+  Adjoint result{.ending = run.ending, .message = run.message, .slopes = {}};
   for (std::size_t i = 0; i < weights.size(); ++i)
-    result.value +=
-        weights[i] * (run.state[layout.velocity[i]] * scaled.scale.velocity + (frame ? frame.at(i) : 0));
-  result.slopes = sweep_back(scaled, motion, {run.time}, weights);
+    result.value += weights[i] *
+                    (run.state[row.layout().velocity[i]] * scaled.scale.velocity + (frame ? frame.at(i) : 0));
+  BackSweep sweep(scaled, {run.time}, weights);
+  pass_all(row, memory, sweep, result);
+  result.slopes = sweep.take();
   restore_units(scaled, result.slopes);
-  leave_out_waiting(chain, motion, result.slopes);
+  leave_out_waiting(chain, memory.waiting(), result.slopes);
   return result;
 }
 

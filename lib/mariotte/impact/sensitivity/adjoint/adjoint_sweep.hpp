@@ -12,8 +12,22 @@
 
 namespace mariotte::impact {
 
-/// Of a row of power laws without gravity, which has ended at `end`; one weight per ball.
-RowSlopes sweep_back(const model::DimensionlessChain& chain, const MotionRecord& motion, Instant end,
-                     std::span<const double> weights);
+/// Of a row of power laws without gravity.
+class BackSweep {
+ public:
+  /// From the end of a run on; one weight per ball. `chain` must outlive this.
+  BackSweep(const model::DimensionlessChain& chain, Instant end, std::span<const double> weights);
+  /// Through the last stretches that have not been passed.
+  void pass(const MotionRecord& motion);
+  /// Those at the start.
+  RowSlopes take();
+
+ private:
+  void fly(Index first, Index last, Instant time);
+
+  const model::DimensionlessChain& chain_;
+  RowSlopes slopes_;
+  std::vector<Instant> since_;  ///< by contact: the time at which those stand that do not push
+};
 
 }  // namespace mariotte::impact

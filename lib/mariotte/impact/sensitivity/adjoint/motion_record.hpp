@@ -8,10 +8,8 @@
 #include <vector>
 
 #include "mariotte/core/instant.hpp"
-#include "mariotte/flow/push_series.hpp"
+#include "mariotte/core/types.hpp"
 #include "mariotte/impact/sensitivity/gauss.hpp"
-#include "mariotte/impact/sensitivity/sensitivity.hpp"
-#include "mariotte/model/islands/island.hpp"
 
 namespace mariotte::impact {
 
@@ -27,11 +25,13 @@ inline double total(const Nodes& rate) {
 
 /// Lists from the first to the last; each element says how many of the next list belong to it.
 struct MotionRecord {
-  /// Balls `first` to `last` between two events.
+  /// Balls `first` to `last` between two events, the first of which was at `begin`; or a part of that.
   struct Stretch {
     Index first, last;
-    Instant start, end;
-    Index pieces = 0;
+    Instant begin;
+    Index part = 0;
+    Instant start = begin, end = begin;
+    Index pieces = 0, contacts = 0, rates = 0;
     Index closings = 0;  ///< contacts whose force begins with a jump at the start
   };
   struct Piece {
@@ -53,41 +53,8 @@ struct MotionRecord {
   std::size_t bytes() const;
 };
 
-/// Records one stretch after the other of the rows that islands follow. Throws InvalidParameter at a step
-/// that is no series.
-class MotionRecorder final : public model::IslandObserver {
- public:
-  /// Steps are divided until what is `accuracy` of the motion does not count. `all` must outlive this.
-  MotionRecorder(double accuracy, const SlopeWatch& watch, MotionRecord& all)
-      : accuracy_(accuracy), watch_(watch), all_(all) {}
-
-  void begin(const model::ChainSystem& slice, Index first, Instant start) override;
-  void observe(const flow::Step& step) override;
-  void keep() override;
-
- private:
-  struct Places;
-  const contact::PowerLaw& law(Index number) const {
-    return *power_law(slice_->chain().law[number - seen_.stretch.front().first]);
-  }
-  void note_closings(ConstState x);
-  Places places(double begin, double width) const;
-  void add(const flow::Step& step, double begin, double width, int halvings);
-  Index number_of(Index gap) const;
-  void add_contact(const flow::PushSeries::Contact& contact, const Places& places);
-  bool ends(const flow::PushSeries::Contact& contact, const Nodes& depth) const;
-  void drop(std::size_t contacts, std::size_t rates);
-  void add_dozing(const flow::Step& step, const Places& places);
-  bool is_shallow(const flow::PushSeries::Contact& contact) const;
-  bool are_resolved(const MotionRecord::Piece& piece) const;
-
-  double accuracy_;
-  const SlopeWatch& watch_;
-  MotionRecord& all_;
-  const model::ChainSystem* slice_ = nullptr;
-  MotionRecord seen_;  ///< of the present stretch
-  double end_ = 0;     ///< of its last step
-  flow::PushSeries series_;
-};
+/// Stretches `from` to `to` − 1.
+MotionRecord part_of(const MotionRecord& motion, Index from, Index to);
+void append(MotionRecord& motion, const MotionRecord& more);
 
 }  // namespace mariotte::impact

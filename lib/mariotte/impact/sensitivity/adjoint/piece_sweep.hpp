@@ -8,6 +8,7 @@
 
 #include "mariotte/impact/sensitivity/adjoint/contact_turn.hpp"
 #include "mariotte/impact/sensitivity/adjoint/motion_record.hpp"
+#include "mariotte/model/chain/dimensionless_chain.hpp"
 
 namespace mariotte::impact {
 
