@@ -91,15 +91,17 @@ void leave_out_waiting(const Chain& chain, const std::vector<char>& waiting, Row
 }
 
 /// What the memory has, and by more runs what had no room there.
-void pass_all(const RecordedRow& row, const MotionMemory& memory, BackSweep& sweep, Adjoint& result) {
-  sweep.pass(memory.motion());
-  ++result.runs;
-  result.pieces += std::ssize(memory.motion().piece);
-  result.bytes = std::max(result.bytes, memory.motion().bytes());
-  if (!memory.edge()) return;
-  MotionMemory before(row.chain().contacts(), memory.most_bytes(), memory.edge());
-  row.follow(before);
-  pass_all(row, before, sweep, result);
+void pass_all(const RecordedRow& row, MotionMemory& memory, BackSweep& sweep, Adjoint& result) {
+  for (;;) {
+    sweep.pass(memory.motion());
+    ++result.runs;
+    result.pieces += std::ssize(memory.motion().piece);
+    result.bytes = std::max(result.bytes, memory.motion().bytes());
+    const auto edge = memory.edge();
+    if (!edge) return;
+    memory = MotionMemory(row.chain().contacts(), memory.most_bytes(), edge);
+    row.follow(memory);
+  }
 }
 
 }  // namespace
@@ -134,10 +136,11 @@ Adjoint adjoint(const Chain& chain, std::span<const double> weights, const hybri
     result.value += weights[i] *
                     (run.state[row.layout().velocity[i]] * scaled.scale.velocity + (frame ? frame.at(i) : 0));
   BackSweep sweep(scaled, {run.time}, weights);
+  const auto waiting = memory.waiting();
   pass_all(row, memory, sweep, result);
   result.slopes = sweep.take();
   restore_units(scaled, result.slopes);
-  leave_out_waiting(chain, memory.waiting(), result.slopes);
+  leave_out_waiting(chain, waiting, result.slopes);
   return result;
 }
 

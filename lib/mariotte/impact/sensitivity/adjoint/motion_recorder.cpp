@@ -125,7 +125,7 @@ void MotionRecorder::close_part() {
   part.rates = std::ssize(seen_.rate);
   part.closings = std::ssize(seen_.closing);
   append(done_, seen_);
-  if (done_.bytes() <= memory_.most_bytes()) return;
+  if (2 * done_.bytes() <= memory_.most_bytes()) return;
   const Index count = std::ssize(done_.stretch), left_out = count / 2;
   done_ = part_of(done_, left_out, count);
   missing_ += left_out;
