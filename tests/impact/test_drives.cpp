@@ -283,6 +283,40 @@ BOOST_AUTO_TEST_CASE(a_force_pushes_a_network_by_its_mass_matrix) {
   BOOST_TEST(std::abs(impact.energy.residual) < 1e-10);
 }
 
+// Within one step of a series a force presses what touches and draws it apart again.
+BOOST_AUTO_TEST_CASE(what_touches_at_rest_is_watched_as_soon_as_it_is_pressed) {
+  const auto run = [](const contact::Law& law, flow::Kind kind, double accuracy) {
+    model::Chain chain{.mass = {infinity, 1}, .law = {law}, .gap = {0}, .velocity = {0, 0}};
+    chain.drive = {drive(1, Driven::force, model::straight_lines({{0, -0.01}, {0.3, 0.04}, {1, 0.04}}))};
+    auto options = until(2, accuracy);
+    options.flow = kind;
+    return simulate(chain, options);
+  };
+  for (const contact::Law& law :
+       {contact::Law(contact::Linear(4)), contact::Law(contact::PowerLaw{4, 0.3, 1}),
+        contact::state(contact::WaltonBraun(4, 9)), contact::Law(contact::Hertz(4))}) {
+    const auto right = run(law, flow::Kind::cvode_adams, 1e-12);
+    for (const double accuracy : {1e-6, 1e-10, 1e-13}) {
+      const auto found = run(law, flow::Kind::taylor, accuracy);
+      BOOST_TEST(found.velocity[1] == right.velocity[1],
+                 boost::test_tools::tolerance(std::max(accuracy, 1e-10)));
+      BOOST_TEST(found.contacts[0].peak_force == right.contacts[0].peak_force,
+                 boost::test_tools::tolerance(std::max(10 * accuracy, 1e-9)));
+      BOOST_TEST(found.events.size() == right.events.size());
+    }
+  }
+}
+
+// A ball that a wall draws away from another slowly parts from it at once.
+BOOST_AUTO_TEST_CASE(what_is_drawn_apart_is_open) {
+  model::Chain chain{.mass = {infinity, 1}, .law = {contact::Hertz(1)}, .gap = {0}, .velocity = {0, 0}};
+  chain.drive = {drive(1, Driven::force, model::half_sine(1e-3, 20))};
+  const auto impact = simulate(chain, until(10));
+  BOOST_TEST_REQUIRE(impact.contacts[0].periods.size() == 1U);
+  BOOST_TEST(impact.contacts[0].periods[0].end.value_or(infinity) < 0.1);
+  BOOST_TEST(impact.contacts[0].peak_force == 0);
+}
+
 BOOST_AUTO_TEST_CASE(the_momenta_of_what_no_contact_moves_balance) {
   model::Network network{.mass = {1, 1, infinity},
                          .direction = {{{1, 1}, {2, 1}}},

@@ -243,8 +243,25 @@ Piece Stepper::series_piece() {
   if (l.driven) find_works(window, *piece.series, piece.order);
   piece.end = std::min(reach(piece), reach_of_drives(window, piece.order, precision_.tolerance));
   if (piece.clock != Expansion::plain) land(piece);
+  for (int j = 0; l.driven && j < l.count; ++j) end_beyond_noise(piece, j);
   shorten(piece, piece.end);
   return piece;
+}
+
+/// A drive may press what touches at rest, and draw it apart again, within a step. End it where such a
+/// contact has left the noise on either side, from where on it is watched.
+void Stepper::end_beyond_noise(Piece& piece, int lane) const {
+  const auto& l = window.lanes;
+  const double level = 1.5 * l.leaves_noise[lane];
+  if (!(std::abs(l.indentation[lane]) < level && level < infinity)) return;
+  Coefficients c;
+  const auto used = piece.coefficients(Quantity::indentation, lane, c);
+  for (const double side : {-1.0, 1.0}) {
+    Coefficients left;
+    for (int k = 0; k <= piece.order; ++k) left[k] = side * c[k];
+    left[0] += level;
+    piece.end = std::min(piece.end, flow::place_of_fall(std::span(left).first(used.size()), piece.end));
+  }
 }
 
 /// End a piece in a contact's own clock where that contact lets go: behind, time would run backwards. There
@@ -261,6 +278,8 @@ void Stepper::land(Piece& piece) {
 Piece Stepper::next(bool first, double time) {
   auto start = first ? start_piece() : std::nullopt;
   Piece piece = start ? *start : series_piece();
+  if (first && window.lanes.driven)  // who looks for turns learns where what rests is driven to
+    shorten(piece, std::min(piece.end, stride));
   if (!(values_.time < time)) {
     shorten(piece, piece.place(time, values_.time));
     values_.time = time;

@@ -62,6 +62,7 @@ class Stepper {
   int narrowest() const;
   Piece series_piece();
   void land(Piece& piece);
+  void end_beyond_noise(Piece& piece, int lane) const;
   void end_at_turn(Piece& piece, int lane);
   void end_at(Fall& fall, Piece& piece);
   void stand_at(const Fall& fall, const Piece& piece);
