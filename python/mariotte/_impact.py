@@ -53,7 +53,7 @@ class Energy(NamedTuple):
     final: float  #: kinetic energy at the end
     stored: float  #: in closed contacts at the end
     dissipated: float
-    work: float  #: of gravity and moving walls
+    work: float  #: of gravity, moving walls and forces
     residual: float  #: error of the balance
 
 

@@ -160,7 +160,7 @@ List<I> energies() {
       {.is = {"energy.adhesion_loss", "J", "",
               "of the dissipated energy, what snapping in and letting go took"},
        .read = energy<&One::adhesion>},
-      {.is = {"energy.work", "J", "", "work of gravity and moving walls on the balls"},
+      {.is = {"energy.work", "J", "", "work of gravity, moving walls and forces on the balls"},
        .read = energy<&One::work>},
       {.is = {"energy.residual", "J", "", "final + stored + dissipated − initial − work, the error"},
        .read = energy<&One::residual>},

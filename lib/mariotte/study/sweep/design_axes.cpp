@@ -136,6 +136,11 @@ Dimension of_variable(const Source& source, const Field& table) {
   }
 }
 
+/// A frequency counts periods; of other rates none is known.
+std::string unit_of(const Parameter& parameter, const Dimension& dimension) {
+  return parameter.key.ends_with("frequency") ? "Hz" : unit_of(dimension);
+}
+
 }  // namespace
 
 void read_axes(Document& document, const Meaning& meaning, Design& design) {
@@ -144,7 +149,7 @@ void read_axes(Document& document, const Meaning& meaning, Design& design) {
     auto& parameter = design.parameters[i];
     const auto dimension =
         parameter.is_variable ? std::optional(of_variable(document.source, all[i])) : meaning[i];
-    if (dimension) parameter.unit = unit_of(*dimension);
+    if (dimension) parameter.unit = unit_of(parameter, *dimension);
     const Index count = read_values(document.source, all[i], dimension, parameter);
     place_on_axis(document.source, all[i], count, design, parameter);
   }
