@@ -37,6 +37,14 @@ void for_each_shifted(const Scaled& base, const MovingFrame& frame, const std::v
   }
 }
 
+/// Where contacts remember, errors of what they remember count in slopes, too.
+inline hybrid::Options refined(hybrid::Options options, const std::vector<contact::Law>& laws) {
+  const auto remembers = [](const contact::Law& law) { return !power_law(law); };
+  if (std::any_of(laws.begin(), laws.end(), remembers))
+    options.accuracy = std::max(1e-14, 0.3 * options.accuracy);
+  return options;
+}
+
 /// With as many digits as slopes need; `run_at(options)` is a ContactSensitivity.
 template <class RunAt>
 Sensitivity resolved_contacts(const hybrid::Options& asked, RunAt&& run_at) {
@@ -72,7 +80,8 @@ class ContactSensitivity {
       variation_.add(shifted);
       impulses_.add(shifted);
     });
-    end_ = SlopeLoop(system, variation_, hybrid::scaled(options, base.scale), watch).follow(x0_, start_);
+    const auto inner = hybrid::scaled(refined(options, base.law), base.scale);
+    end_ = SlopeLoop(system, variation_, inner, watch).follow(x0_, start_);
     move_limit(by, base.scale.time, end_);
     for (const auto& one : by) result_.parameter.push_back({one.name, one.value});
   }
