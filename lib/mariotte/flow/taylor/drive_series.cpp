@@ -112,7 +112,8 @@ void find_shares(const Window& w, const Drive& drive, DriveSeries& one) {
 }  // namespace
 
 void begin_drives(Window& w) {
-  w.lanes.driven = w.drives;
+  w.bend.resize(w.drives ? static_cast<std::size_t>(order_limit * w.lanes.count) : 0);
+  w.lanes.bend = w.drives ? w.bend.data() : nullptr;
   w.driven.assign(w.drives ? w.drives->drive.size() : 0, {});
   for (std::size_t k = 0; k < w.driven.size(); ++k) {
     const auto& drive = w.drives->drive[k];
@@ -126,8 +127,7 @@ void begin_drives(Window& w) {
 }
 
 void expand_drives(Window& w, int order) {
-  w.bend.assign(order * w.lanes.count, 0.0);
-  w.lanes.bend = w.bend.data();
+  std::fill(w.bend.begin(), w.bend.end(), 0.0);
   const double time = w.x[w.drives->clock] + (w.time - w.since);
   for (std::size_t k = 0; k < w.driven.size(); ++k) {
     auto& one = w.driven[k];

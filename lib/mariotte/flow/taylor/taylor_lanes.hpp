@@ -43,10 +43,9 @@ class Lanes {
   bool general = false;   ///< some power p is neither 0 nor 1/2
   bool branched = false;  ///< some yield or turn is watched
   bool linked = false;    ///< `links` says what lanes do to each other; else they are a row
-  bool driven = false;    ///< `bend` is more of δ̈ than `drive`; of linked lanes, in plain time
   bool widened = false;   ///< the forces are those of `branch`, not powers
   Links links;
-  const double* bend = nullptr;                ///< coefficients of each order for all lanes
+  const double* bend = nullptr;  ///< more of δ̈ than `drive`, if any: by order, of all linked lanes
   const WidthBranch* const* branch = nullptr;  ///< of each lane, if widened; null of one without force
   double* indentation;                         ///< δ; negative where open
   double* rate;                                ///< δ̇

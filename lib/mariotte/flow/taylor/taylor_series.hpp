@@ -116,7 +116,7 @@ class LinkedSeries final : public Expansion {
     const auto* impulse = reinterpret_cast<const double*>(push_.data());
     auto* bend = reinterpret_cast<double*>(bend_.data());
     for (int j = 0; j < lanes_->count; ++j) bend[j] = share * pace * lanes_->drive[j];
-    for (int j = 0; lanes_->driven && j < lanes_->count; ++j)
+    for (int j = 0; lanes_->bend && j < lanes_->count; ++j)
       bend[j] += share * lanes_->bend[k * lanes_->count + j];
     for (const auto& push : pushes_) bend[push.on] += push.weight * impulse[push.by];
     for (std::size_t i = 0; i < blocks_.size(); ++i)

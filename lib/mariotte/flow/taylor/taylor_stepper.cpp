@@ -98,7 +98,7 @@ bool Stepper::is_struck(int lane) const {
 /// undeformed, and some do so together.
 bool Stepper::starts() {
   const auto& l = window.lanes;
-  if (l.damped || l.general || l.driven) return false;
+  if (l.damped || l.general || window.drives) return false;
   parts_.assign(l.count, Start::Part::passive);
   if (!finds_struck() || !finds_pressed()) return false;
   const auto is_passive = [](Start::Part part) { return part == Start::Part::passive; };
@@ -165,7 +165,7 @@ bool Stepper::counts_root(int lane) const {
 int Stepper::choose_clock() const {
   const auto& l = window.lanes;
   int clock = Expansion::plain;
-  if (l.general || l.driven) return clock;
+  if (l.general || window.drives) return clock;
   if (l.widened) return narrowest();
   double soonest = (has_strong_roots() ? share_of_strong_roots : landing_share(window)) * stride;
   for (int j = 0; j < l.count; ++j) {
@@ -238,12 +238,12 @@ Piece Stepper::series_piece() {
   if (piece.clock != Expansion::plain && window.pushes(piece.clock)) l.active[piece.clock] = 1;
   for (int j = 0; window.is_linked() && j < l.count; ++j) doze(j);
   for (int j = 0; l.general && j < l.count; ++j) listen(j);
-  if (l.driven) expand_drives(window, piece.order);
+  if (window.drives) expand_drives(window, piece.order);
   piece.series->expand(l, piece.order, piece.clock);
-  if (l.driven) find_works(window, *piece.series, piece.order);
+  if (window.drives) find_works(window, *piece.series, piece.order);
   piece.end = std::min(reach(piece), reach_of_drives(window, piece.order, precision_.tolerance));
   if (piece.clock != Expansion::plain) land(piece);
-  for (int j = 0; l.driven && j < l.count; ++j) end_beyond_noise(piece, j);
+  for (int j = 0; window.drives && j < l.count; ++j) end_beyond_noise(piece, j);
   shorten(piece, piece.end);
   return piece;
 }
@@ -278,7 +278,7 @@ void Stepper::land(Piece& piece) {
 Piece Stepper::next(bool first, double time) {
   auto start = first ? start_piece() : std::nullopt;
   Piece piece = start ? *start : series_piece();
-  if (first && window.lanes.driven)  // who looks for turns learns where what rests is driven to
+  if (first && window.drives)  // who looks for turns learns where what rests is driven to
     shorten(piece, std::min(piece.end, stride));
   if (!(values_.time < time)) {
     shorten(piece, piece.place(time, values_.time));

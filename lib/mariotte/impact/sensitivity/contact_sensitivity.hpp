@@ -39,9 +39,10 @@ void for_each_shifted(const Scaled& base, const MovingFrame& frame, const std::v
 
 /// Where contacts remember, errors of what they remember count in slopes, too.
 inline hybrid::Options refined(hybrid::Options options, const std::vector<contact::Law>& laws) {
+  constexpr double share = 0.3;
   const auto remembers = [](const contact::Law& law) { return !power_law(law); };
   if (std::any_of(laws.begin(), laws.end(), remembers))
-    options.accuracy = std::max(1e-14, 0.3 * options.accuracy);
+    options.accuracy = std::max(16 * epsilon, share * options.accuracy);
   return options;
 }
 
