@@ -100,11 +100,11 @@ class DrivenStep {
 };
 
 void find_shares(const Window& w, const Drive& drive, DriveSeries& one) {
-  for (const auto& [place, coefficient] : drive.response) {
-    const int number = number_of(w, place);
-    one.on_velocity.push_back({number, coefficient});
+  for (const auto& term : drive.response) {
+    const int number = number_of(w, term.dof);
+    one.on_velocity.push_back({number, term.coefficient});
     for_each_lane_at(w, number, [&](int lane, double g, double) {
-      if (g != 0) one.on_lane.push_back({lane, -g * coefficient});
+      if (g != 0) one.on_lane.push_back({lane, -g * term.coefficient});
     });
   }
 }
