@@ -237,6 +237,24 @@ BOOST_AUTO_TEST_CASE(a_motion_without_room_is_recorded_by_more_runs) {
   }
 }
 
+// Runs begin at states on the way, so that not much more than twice the motion is followed.
+BOOST_AUTO_TEST_CASE(a_motion_in_a_tenth_of_its_memory_is_followed_twice) {
+  model::Chain row = row_of(std::vector<contact::Law>(59, contact::Hertz(1)), std::vector(59, 0.3));
+  for (std::size_t i = 0; i < 60; ++i) row.velocity[i] = std::sin(40.0 * static_cast<double>(i));
+  std::vector<double> weights(60);
+  weights[30] = 1;
+  Index steps = 0;
+  const auto count = [&] { ++steps; };
+  const auto all = impact::adjoint(row, weights, usual, count);
+  const Index once = std::exchange(steps, 0);
+  const auto found = impact::adjoint(row, weights, usual, count, all.bytes / 10);
+  BOOST_TEST(found.bytes <= all.bytes / 10);
+  BOOST_TEST(found.runs > 10);
+  BOOST_TEST(steps > once);
+  BOOST_TEST(steps < 2.5 * static_cast<double>(once));
+  BOOST_TEST(found.slopes.gap == all.slopes.gap, tt::tolerance(1e-9) << tt::per_element());
+}
+
 BOOST_AUTO_TEST_CASE(what_is_not_known_is_refused) {
   auto row = row_of(hertz, touching);
   BOOST_CHECK_THROW(impact::adjoint(row, std::vector<double>(4), usual), InvalidParameter);

@@ -55,6 +55,11 @@ class FreeBalls {
 
   /// The whole state at t.
   std::vector<double> take(Instant t);
+  /// What a copy takes.
+  std::size_t bytes() const {
+    return x_.size() * sizeof(double) + mode_.size() +
+           (contact_time_.size() + ball_time_.size()) * sizeof(Instant);
+  }
 
  private:
   double level(Index j) const {

@@ -28,15 +28,17 @@ class IslandObserver : public flow::StepObserver {
 /// Makes the log of one stretch.
 using IslandObserverMaker = std::function<std::unique_ptr<IslandObserver>()>;
 
-/// Balls first … last. The first and the last fly freely, whatever the others do, unless the chain ends
-/// there.
-struct Island {
+/// Balls first … last, and where they are for certain. The first and the last fly freely, whatever the others
+/// do, unless the chain ends there.
+struct IslandStart {
   Index first = 0, last = 0;
-  ChainSystem system;  ///< of the slice
-  // Where it is for certain.
   Instant clock;
   std::vector<double> start;
   contact::ContactSet held;
+};
+
+struct Island : IslandStart {
+  ChainSystem system;  ///< of the slice
   // Where it gets next if nothing interferes.
   std::vector<double> x;
   contact::ContactSet mode;

@@ -43,6 +43,11 @@ class IslandQueue {
   }
   void cancel_arrival(Index island) { ++arrival_[island]; }
 
+  /// What a copy takes.
+  std::size_t bytes() const {
+    return (meeting_.size() + arrival_.size()) * sizeof(unsigned) + heap_.size() * sizeof(Appointment);
+  }
+
   /// The earliest, or null.
   const Appointment* next() {
     while (!heap_.empty() && !is_valid(heap_.front())) drop();

@@ -9,7 +9,7 @@ using contact::ContactMode;
 using flow::Outcome;
 using hybrid::Ending;
 
-Islands::Islands(const DimensionlessChain& chain, const ChainLayout& layout, ConstState start,
+Islands::Islands(const DimensionlessChain& chain, const ChainLayout& layout, FreeBalls balls,
                  const hybrid::Options& options, bool stay, IslandObserverMaker make_log)
     : chain_(chain),
       options_(options),
@@ -17,20 +17,23 @@ Islands::Islands(const DimensionlessChain& chain, const ChainLayout& layout, Con
       stay_(stay),
       margin_of_rows_(margin_of_rows(chain)),
       make_log_(std::move(make_log)),
-      balls_(chain, layout, start),
+      balls_(std::move(balls)),
       owner_(layout.velocities(), -1),
       queue_(layout.contacts()),
       snapshot_(balls_, owner_, islands_, options) {
   for (Index j = 0; j < layout.contacts(); ++j)
     if (layout.impulse[j] != ChainLayout::absent) walls_.push_back(j);
+}
+
+Islands::Islands(const DimensionlessChain& chain, const ChainLayout& layout, ConstState start,
+                 const hybrid::Options& options, bool stay, IslandObserverMaker make_log)
+    : Islands(chain, layout, FreeBalls(chain, layout, start), options, stay, std::move(make_log)) {
   contact_set_at(balls_.state(), balls_.modes(), changes_);
 }
 
 void Islands::run(SnapshotObserver* observer) {
   observer_ = observer;
-  from_ = 0;
-  to_ = balls_.contacts() - 1;
-  cut();
+  begin();
   for (record(); run_.message.empty(); record()) {
     const auto* next = queue_.next();
     if (!next || is_over()) return end(Ending::separated);
@@ -44,6 +47,19 @@ void Islands::run(SnapshotObserver* observer) {
     keep(queue_.pop());
   }
   end(Ending::failed);
+}
+
+void Islands::begin() {
+  if (islands_.empty()) {
+    from_ = 0;
+    to_ = balls_.contacts() - 1;
+    return cut();
+  }
+  for (Index id = 0; id < std::ssize(islands_); ++id)
+    if (std::find(unused_.begin(), unused_.end(), id) == unused_.end()) {
+      prepare(*islands_[id]);
+      go_on(id);
+    }
 }
 
 bool Islands::is_beyond_limit(const Appointment& next) const {
@@ -77,10 +93,7 @@ void Islands::arrive(Index id) {
   auto& island = *islands_[id];
   commit(island);
   const auto repetition = find_repetition(island);
-  if (!repetition && is_well_cut(island)) {
-    follow(island, options_.max_time - now_.value);
-    return queue_.arrive(id, island.arrives());
-  }
+  if (!repetition && is_well_cut(island)) return go_on(id);
   from_ = balls_.contacts();
   to_ = -1;
   absorb(id);
@@ -198,11 +211,16 @@ void Islands::dissolve(Index id) {
   unused_.push_back(id);
 }
 
+Island& Islands::add_island() {
+  islands_.push_back(std::make_unique<Island>());
+  if (make_log_) islands_.back()->log = make_log_();
+  return *islands_.back();
+}
+
 void Islands::form(Index first, Index last) {
   if (unused_.empty()) {
     unused_.push_back(std::ssize(islands_));
-    islands_.push_back(std::make_unique<Island>());
-    if (make_log_) islands_.back()->log = make_log_();
+    add_island();
   }
   const Index id = unused_.back();
   unused_.pop_back();
@@ -214,16 +232,26 @@ void Islands::form(Index first, Index last) {
   island.first = first;
   island.last = last;
   island.clock = now_;
-  island.system.reset(chain_, first, last, margin_of_rows_);
   const auto state = balls_.slice(first, last);
   island.start.assign(state.begin(), state.end());
   copy_slice(balls_.modes(), first, last, island.held);
-  island.may_be_steady = may_become_steady(island);
-  follow(island, options_.max_time - now_.value);
-  queue_.arrive(id, island.arrives());
+  prepare(island);
+  go_on(id);
   ++count_.formed;
   count_.widest = std::max(count_.widest, last - first);
   count_.at_once = std::max(count_.at_once, std::ssize(islands_) - std::ssize(unused_));
+}
+
+void Islands::prepare(Island& island) const {
+  island.system.reset(chain_, island.first, island.last, margin_of_rows_);
+  island.may_be_steady = may_become_steady(island);
+}
+
+/// Follow an island to its next guard: uncertain until its turn comes.
+void Islands::go_on(Index id) {
+  auto& island = *islands_[id];
+  follow(island, options_.max_time - island.clock.value);
+  queue_.arrive(id, island.arrives());
 }
 
 }  // namespace mariotte::model

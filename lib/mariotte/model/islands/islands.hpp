@@ -14,9 +14,9 @@
 #include "mariotte/flow/choose.hpp"
 #include "mariotte/hybrid/options.hpp"
 #include "mariotte/hybrid/trajectory.hpp"
+#include "mariotte/model/islands/checkpoint.hpp"
 #include "mariotte/model/islands/free_balls.hpp"
 #include "mariotte/model/islands/island.hpp"
-#include "mariotte/model/islands/island_queue.hpp"
 #include "mariotte/model/islands/snapshot.hpp"
 
 namespace mariotte::model {
@@ -39,16 +39,25 @@ class Islands {
   /// Options are dimensionless; `stay` as for ChainSystem; `make_log` may be empty.
   Islands(const DimensionlessChain& chain, const ChainLayout& layout, ConstState start,
           const hybrid::Options& options, bool stay, IslandObserverMaker make_log);
+  /// Goes on from where another run of the same chain was. What it counts and lists begins there.
+  Islands(const DimensionlessChain& chain, const ChainLayout& layout, const Checkpoint& from,
+          const hybrid::Options& options, bool stay, IslandObserverMaker make_log);
 
   /// To the ending; `observer` may be null.
   void run(SnapshotObserver* observer = nullptr);
+  /// Where the run is. For an observer that is told how far it has come.
+  Checkpoint checkpoint() const;
   /// Valid after `run`.
   Run& result() { return run_; }
   const contact::ContactSet& mode() { return balls_.modes(); }
   const IslandCount& count() const { return count_; }
 
  private:
+  Islands(const DimensionlessChain& chain, const ChainLayout& layout, FreeBalls balls,
+          const hybrid::Options& options, bool stay, IslandObserverMaker make_log);
+
   // One appointment after the other.
+  void begin();
   bool is_over();
   bool is_beyond_limit(const Appointment& next) const;
   void keep(const Appointment& appointment);
@@ -64,7 +73,10 @@ class Islands {
   void follow(Island& island, double limit, bool patient = false);
   void commit(Island& island);
   void dissolve(Index id);
+  Island& add_island();
   void form(Index first, Index last);
+  void prepare(Island& island) const;
+  void go_on(Index id);
 
   // A steady wave.
   bool may_become_steady(const Island& island) const;

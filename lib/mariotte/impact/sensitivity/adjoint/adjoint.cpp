@@ -6,12 +6,12 @@
 
 #include "mariotte/core/error.hpp"
 #include "mariotte/impact/chain/chain_frame.hpp"
+#include "mariotte/impact/sensitivity/adjoint/checkpoints.hpp"
 #include "mariotte/impact/sensitivity/adjoint/motion_recorder.hpp"
 #include "mariotte/impact/sensitivity/contact_sensitivity.hpp"
 #include "mariotte/impact/sensitivity/frame_slopes.hpp"
 #include "mariotte/impact/sensitivity/resolved.hpp"
 #include "mariotte/impact/watch/chain_run.hpp"
-#include "mariotte/model/islands/islands.hpp"
 
 namespace mariotte::impact {
 namespace {
@@ -33,12 +33,16 @@ class RecordedRow {
 
   const DimensionlessChain& chain() const { return chain_; }
   const model::ChainLayout& layout() const { return layout_; }
-  model::Islands::Run follow(MotionMemory& memory) const {
-    model::Islands islands(chain_, layout_, start_, hybrid::scaled(options_, chain_.scale),
-                           /*stay=*/std::isfinite(options_.max_time), [&] {
-                             return std::make_unique<MotionRecorder>(options_.accuracy, watch_, memory);
-                           });
-    islands.run();
+  /// From the start, or from a state on the way.
+  model::Islands::Run follow(MotionMemory& memory, Checkpoints& checkpoints,
+                             const MotionCheckpoint* from = nullptr) const {
+    const auto options = hybrid::scaled(options_, chain_.scale);
+    const bool stay = std::isfinite(options_.max_time);
+    const auto record = [&] { return std::make_unique<MotionRecorder>(options_.accuracy, watch_, memory); };
+    auto islands = from ? model::Islands(chain_, layout_, from->state, options, stay, record)
+                        : model::Islands(chain_, layout_, start_, options, stay, record);
+    CheckpointObserver observer(islands, memory, checkpoints);
+    islands.run(&observer);
     return std::move(islands.result());
   }
 
@@ -91,16 +95,19 @@ void leave_out_waiting(const Chain& chain, const std::vector<char>& waiting, Row
 }
 
 /// What the memory has, and by more runs what had no room there.
-void pass_all(const RecordedRow& row, MotionMemory& memory, BackSweep& sweep, Adjoint& result) {
+void pass_all(const RecordedRow& row, MotionMemory& memory, Checkpoints& checkpoints, BackSweep& sweep,
+              Adjoint& result) {
   for (;;) {
     sweep.pass(memory.motion());
     ++result.runs;
     result.pieces += std::ssize(memory.motion().piece);
-    result.bytes = std::max(result.bytes, memory.motion().bytes());
+    result.bytes = std::max(result.bytes, memory.motion().bytes() + checkpoints.bytes());
     const auto edge = memory.edge();
     if (!edge) return;
-    memory = MotionMemory(row.chain().contacts(), memory.most_bytes(), edge);
-    row.follow(memory);
+    const auto* from = checkpoints.last_before(edge->number);
+    memory = MotionMemory(row.chain().contacts(), memory.most_bytes(), *edge,
+                          from ? from->before : MotionMemory::Progress{});
+    row.follow(memory, checkpoints, from);
   }
 }
 
@@ -129,15 +136,16 @@ Adjoint adjoint(const Chain& chain, std::span<const double> weights, const hybri
   const auto frame = moving_frame(chain);
   const RecordedRow row(within(frame, chain), for_slopes(asked), watch);
   const auto& scaled = row.chain();
-  MotionMemory memory(scaled.contacts(), most_bytes);
-  const auto run = row.follow(memory);
+  Checkpoints checkpoints(most_bytes / 4);
+  MotionMemory memory(scaled.contacts(), most_bytes - most_bytes / 4);
+  const auto run = row.follow(memory, checkpoints);
   Adjoint result{.ending = run.ending, .message = run.message, .slopes = {}};
   for (std::size_t i = 0; i < weights.size(); ++i)
     result.value += weights[i] *
                     (run.state[row.layout().velocity[i]] * scaled.scale.velocity + (frame ? frame.at(i) : 0));
   BackSweep sweep(scaled, {run.time}, weights);
   const auto waiting = memory.waiting();
-  pass_all(row, memory, sweep, result);
+  pass_all(row, memory, checkpoints, sweep, result);
   result.slopes = sweep.take();
   restore_units(scaled, result.slopes);
   leave_out_waiting(chain, waiting, result.slopes);

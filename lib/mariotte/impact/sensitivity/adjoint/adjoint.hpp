@@ -14,17 +14,17 @@ struct Adjoint {
   double value = 0;     ///< of the sum
   RowSlopes slopes;
   Index pieces = 0;       ///< of the run
-  Index runs = 0;         ///< that it took to have all of them
-  std::size_t bytes = 0;  ///< that were held at once
+  Index runs = 0;         ///< that it took to have all of them, most of them of a part of the way
+  std::size_t bytes = 0;  ///< that were held at once, states on the way included
 };
 
 /// What `adjoint` does not know of a chain: gravity, drives, laws that are no power laws; null if nothing.
 const char* why_no_adjoint(const model::Chain& chain);
 
 /// One weight per ball. What it costs does not depend on the number of parameters. Slopes by a damping that
-/// is 0 and an exponent that is 1 have one side. The motion is kept as far as it has room in `most_bytes`;
-/// each time as many of its steps before are missing, the row runs again. Throws InvalidParameter as
-/// `simulate`, for what is not known, and where other flows than series follow the row.
+/// is 0 and an exponent that is 1 have one side. The motion is kept as far as it has room in `most_bytes`,
+/// a quarter of which is for states on the way; from these the row runs again for what is missing. Throws
+/// InvalidParameter as `simulate`, for what is not known, and where other flows than series follow the row.
 Adjoint adjoint(
     const model::Chain& chain, std::span<const double> weights, const hybrid::Options& options = {},
     const SlopeWatch& watch = [] {}, std::size_t most_bytes = std::size_t{1} << 30);

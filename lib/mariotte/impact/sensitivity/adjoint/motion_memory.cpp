@@ -6,12 +6,15 @@
 
 namespace mariotte::impact {
 
-MotionMemory::MotionMemory(Index contacts, std::size_t most_bytes, const std::optional<Edge>& until)
-    : most_bytes_(most_bytes),
-      until_(until),
-      seen_(contacts, 0),
-      waiting_(contacts, 0),
-      left_(contacts + 1, {-infinity}) {}
+MotionMemory::MotionMemory(Index contacts, std::size_t most_bytes)
+    : most_bytes_(most_bytes), seen_(contacts, 0), waiting_(contacts, 0), left_(contacts + 1, {-infinity}) {}
+
+MotionMemory::MotionMemory(Index contacts, std::size_t most_bytes, const Edge& until, const Progress& before)
+    : MotionMemory(contacts, most_bytes) {
+  until_ = until;
+  first_ = before.parts;
+  progress_ = before;
+}
 
 std::optional<Index> MotionMemory::wanted(const MotionRecord::Stretch& stretch) const {
   if (!until_) return std::nullopt;
@@ -40,8 +43,9 @@ void MotionMemory::note_waiting(const MotionRecord::Stretch& last_part) {
 
 void MotionMemory::add(Index missing, const MotionRecord& parts) {
   note_waiting(parts.stretch.back());
-  const Index number = next_ + missing, count = std::ssize(parts.stretch);
-  next_ = number + count;
+  const Index number = progress_.parts + missing;
+  progress_.parts = number + std::ssize(parts.stretch);
+  progress_.bytes += parts.bytes() + missing * (parts.bytes() / parts.stretch.size());
   if (until_ && number >= until_->number) return;
   if (missing > 0) {
     motion_ = {};

@@ -15,8 +15,16 @@ class MotionMemory {
     MotionRecord::Stretch stretch;
   };
 
-  /// Of the parts before an edge, or of all.
-  MotionMemory(Index contacts, std::size_t most_bytes, const std::optional<Edge>& until = {});
+  /// How much has been recorded, whether it is there or not.
+  struct Progress {
+    Index parts = 0;
+    std::size_t bytes = 0;
+  };
+
+  /// Of all parts.
+  MotionMemory(Index contacts, std::size_t most_bytes);
+  /// Of the parts before an edge, recorded by a run that goes on after those `before`.
+  MotionMemory(Index contacts, std::size_t most_bytes, const Edge& until, const Progress& before);
 
   /// The next stretch, of which the first `missing` parts have been left out.
   void add(Index missing, const MotionRecord& parts);
@@ -24,6 +32,9 @@ class MotionMemory {
   std::optional<Index> wanted(const MotionRecord::Stretch& stretch) const;
 
   const MotionRecord& motion() const { return motion_; }
+  const Progress& progress() const { return progress_; }
+  /// All parts before the edge have been seen.
+  bool is_complete() const { return until_ && progress_.parts >= until_->number; }
   /// If something has been left out.
   std::optional<Edge> edge() const;
   std::size_t most_bytes() const { return most_bytes_; }
@@ -36,7 +47,7 @@ class MotionMemory {
   std::size_t most_bytes_;
   std::optional<Edge> until_;
   Index first_ = 0;  ///< number of the first part that is there
-  Index next_ = 0;   ///< and of the one that comes
+  Progress progress_;
   MotionRecord motion_;
   std::vector<char> seen_, waiting_;  ///< by contact
   std::vector<Instant> left_;         ///< by ball: end of the last stretch
