@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "mariotte/model/contacts/bound.hpp"
+#include "mariotte/model/contacts/start_balance.hpp"
 #include "mariotte/model/representable.hpp"
 
 namespace mariotte::model {
@@ -25,6 +26,22 @@ void scale_balls(const Chain& chain, DimensionlessChain& d) {
   }
 }
 
+/// v̇_j − v̇_{j+1} at the start, of balls that are no walls.
+std::vector<double> start_approach(const Chain& chain) {
+  const auto force = start_forces({chain.law, chain.gap, chain.velocity});
+  std::vector<double> rate(chain.mass.size(), 0), approach;
+  for (std::size_t i = 0; i < rate.size(); ++i) {
+    const double pushed = (i > 0 ? force[i - 1] : 0) - (i < force.size() ? force[i] : 0);
+    rate[i] = std::isinf(chain.mass[i]) ? 0 : pushed / chain.mass[i] - chain.gravity;
+  }
+  for (const auto& drive : chain.drive) {
+    const auto ball = drive.direction.front().dof;
+    rate[ball] += start_force(drive) / chain.mass[ball];
+  }
+  for (std::size_t j = 0; j < force.size(); ++j) approach.push_back(rate[j] - rate[j + 1]);
+  return approach;
+}
+
 SquaredSpeeds squared_speeds(const Chain& chain) {
   const auto [slowest, fastest] = std::minmax_element(chain.velocity.begin(), chain.velocity.end());
   const double spread = std::min(*fastest - *slowest, std::max(std::abs(*slowest), std::abs(*fastest)));
@@ -35,10 +52,7 @@ SquaredSpeeds squared_speeds(const Chain& chain) {
     if (chain.gap[j] < 0) speeds.release(chain.law[j], -chain.gap[j], mass);
     speeds.adhesion = std::max(speeds.adhesion, 2 * well_energy(chain.law[j]) / mass);
   }
-  for (const auto& drive : chain.drive) {
-    const double given = driven_speed(drive, 1 / chain.mass[drive.direction.front().dof]);
-    speeds.given += given * given;
-  }
+  for (const auto& drive : chain.drive) speeds.drive(drive, 1 / chain.mass[drive.direction.front().dof]);
   return speeds;
 }
 
@@ -64,8 +78,11 @@ void make_dimensionless(const Chain& chain, double accuracy, DimensionlessChain&
   d.reduced_mass.clear();
   for (std::size_t j = 0; j < chain.law.size(); ++j)
     d.reduced_mass.push_back(reduced_mass(chain.mass[j], chain.mass[j + 1]));
-  const auto speeds = squared_speeds(chain);
-  scale_contacts({chain.law, chain.gap, chain.velocity}, reference_speed(chain, speeds.all()), accuracy, d);
+  const StatedContacts stated{chain.law, chain.gap, chain.velocity};
+  auto speeds = squared_speeds(chain);
+  if (speeds.released > 0)
+    speeds.unbalanced = unbalanced_speeds(stated, d.reduced_mass, start_approach(chain));
+  scale_contacts(stated, reference_speed(chain, speeds.all()), accuracy * speeds.in_balance(), d);
   take_speeds(speeds, d);
   scale_balls(chain, d);
   d.falls_back = falls_back(chain);

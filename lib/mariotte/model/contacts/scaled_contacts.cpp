@@ -90,6 +90,21 @@ void SquaredSpeeds::release(const contact::Law& law, double indentation, double 
   let_through += contact::pulls(law) ? squared : std::min(squared, held * held);
 }
 
+double SquaredSpeeds::in_balance() const {
+  constexpr double least = 1e-6, rounding = 1e-11;
+  const double vibration = std::min(given + driven_changes + unbalanced, before());
+  const double share = before() > 0 ? std::sqrt(vibration / before()) : 1;
+  return share < rounding ? 1 : std::max(share, least);
+}
+
+void SquaredSpeeds::drive(const Drive& drive, double inverse_mass) {
+  auto changes = drive;
+  for (auto& piece : changes.signal.piece) piece.power[0] -= start_force(drive);
+  const double speed = driven_speed(drive, inverse_mass), change = driven_speed(changes, inverse_mass);
+  driven += speed * speed;
+  driven_changes += change * change;
+}
+
 void take_speeds(const SquaredSpeeds& speeds, ScaledContacts& d) {
   d.scale.refinement = speeds.refinement();
   d.reached_speed = speeds.all() > 0 ? d.speed * std::sqrt(speeds.reached() / speeds.all()) : d.speed;

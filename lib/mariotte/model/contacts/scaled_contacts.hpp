@@ -39,19 +39,27 @@ struct StatedContacts {
   const std::vector<double>& velocity;
 };
 
-/// Squares of the speed that a scene gives, of the one that its indentations do, and as much of that as their
-/// dampers let through, and of the one that adhesion gives to what meets.
+/// Squares of the speed that a scene gives, by velocities and gravity; of the one that drives do, and those
+/// less the forces that they start with; of the one that indentations give back, as much of that as their
+/// dampers let through, and as forces give at once that do not balance; and of the speed that adhesion gives
+/// to what meets.
 struct SquaredSpeeds {
-  double given = 0, released = 0, let_through = 0, adhesion = 0;
+  double given = 0, driven = 0, driven_changes = 0;
+  double released = 0, let_through = 0, unbalanced = infinity, adhesion = 0;
 
-  double all() const { return given + released + adhesion; }
-  double reached() const { return given + let_through + adhesion; }
-  /// Share of an accuracy that phases may spend: an error of the large speed V in a well is one of V/v of the
-  /// small speed v behind it, and the accuracy is meant relative to v, not V.
-  double refinement() const {
-    const double before = given + released;
-    return before > 0 ? std::max(before / all(), 1e-4) : 1;
-  }
+  double before() const { return given + driven + released; }
+  double all() const { return before() + adhesion; }
+  double reached() const { return given + driven + let_through + adhesion; }
+  /// Share of an accuracy that phases may spend.
+  double refinement() const { return in_wells() * in_balance(); }
+  /// An error of the large speed V in a well is one of V/v of the small speed v behind it, and the accuracy
+  /// is meant relative to v, not V.
+  double in_wells() const { return before() > 0 ? std::max(before() / all(), 1e-4) : 1; }
+  /// What is pressed and in balance vibrates with what moves it, not with what its indentations hold back.
+  /// Vibrations that are no more than rounding do not count.
+  double in_balance() const;
+  /// A drive on what has this inverse mass along it.
+  void drive(const Drive& drive, double inverse_mass);
   /// What a contact indented at the start gives to a reduced mass: its energy, unless its damper takes all of
   /// its force before.
   void release(const contact::Law& law, double indentation, double mass);

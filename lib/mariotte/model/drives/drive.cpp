@@ -47,6 +47,10 @@ double start_velocity(const Drive& drive) {
   return drive.quantity == Driven::force ? 0 : value(velocity(drive).piece.front(), 0);
 }
 
+double start_force(const Drive& drive) {
+  return drive.quantity == Driven::force ? value(drive.signal.piece.front(), 0) : 0;
+}
+
 double driven_speed(const Drive& drive, double inverse_mass) {
   if (drive.quantity == Driven::force) return inverse_mass * largest_integral(drive.signal);
   return largest(velocity(drive));

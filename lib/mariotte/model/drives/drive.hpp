@@ -21,6 +21,8 @@ struct Drive {
 
 /// The velocity that a drive prescribes at the start [m/s]; 0 of a force.
 double start_velocity(const Drive& drive);
+/// The force at the start [N]; 0 of a motion.
+double start_force(const Drive& drive);
 /// About the largest speed of what is driven, by a prescribed motion or by a force on what has an inverse
 /// mass [1/kg] along it, as far as its signal has kinks [m/s].
 double driven_speed(const Drive& drive, double inverse_mass);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mariotte/model/contacts/bound.hpp"
+#include "mariotte/model/contacts/start_balance.hpp"
 #include "mariotte/model/representable.hpp"
 
 namespace mariotte::model {
@@ -29,11 +30,24 @@ SquaredSpeeds squared_speeds(const Network& network, const Numbers& mass,
     speeds.adhesion = std::max(speeds.adhesion, 2 * well_energy(network.law[j]) / mass[j]);
     if (network.gap[j] < 0) speeds.release(network.law[j], -network.gap[j], mass[j]);
   }
-  for (std::size_t k = 0; k < network.drive.size(); ++k) {
-    const double given = driven_speed(network.drive[k], dot(network.drive[k].direction, pushes[k]));
-    speeds.given += given * given;
-  }
+  for (std::size_t k = 0; k < network.drive.size(); ++k)
+    speeds.drive(network.drive[k], dot(network.drive[k].direction, pushes[k]));
   return speeds;
+}
+
+/// How fast each contact is indented faster and faster at the start.
+Numbers start_approach(const Network& network, const StatedContacts& stated,
+                       const std::vector<ContactDirection>& response,
+                       const std::vector<ContactDirection>& pushes) {
+  Numbers rate(network.velocity.size(), 0), approach;
+  const auto push = [&](const ContactDirection& by, double force) {
+    for (const auto& [dof, coefficient] : by) rate[dof] += coefficient * force;
+  };
+  const auto force = start_forces(stated);
+  for (std::size_t j = 0; j < force.size(); ++j) push(response[j], force[j]);
+  for (std::size_t k = 0; k < pushes.size(); ++k) push(pushes[k], start_force(network.drive[k]));
+  for (const auto& direction : network.direction) approach.push_back(-gap_rate(direction, rate));
+  return approach;
 }
 
 void empty_lists(Index count, std::vector<std::vector<Index>>& lists) {
@@ -77,9 +91,12 @@ void make_dimensionless(const Network& network, double accuracy, DimensionlessNe
   for (std::size_t j = 0; j < d.response.size(); ++j)
     d.reduced_mass.push_back(1 / dot(d.direction[j], d.response[j]));
   const auto pushes = network.drive.empty() ? std::vector<ContactDirection>() : pushes_of_drives(network);
-  const auto speeds = squared_speeds(network, d.reduced_mass, pushes);
-  scale_contacts({network.law, network.gap, network.velocity}, speeds.all() > 0 ? std::sqrt(speeds.all()) : 1,
-                 accuracy, d);
+  const StatedContacts stated{network.law, network.gap, network.velocity};
+  auto speeds = squared_speeds(network, d.reduced_mass, pushes);
+  if (speeds.released > 0)
+    speeds.unbalanced =
+        unbalanced_speeds(stated, d.reduced_mass, start_approach(network, stated, d.response, pushes));
+  scale_contacts(stated, speeds.all() > 0 ? std::sqrt(speeds.all()) : 1, accuracy * speeds.in_balance(), d);
   take_speeds(speeds, d);
   d.drive.clear();
   for (std::size_t k = 0; k < pushes.size(); ++k)

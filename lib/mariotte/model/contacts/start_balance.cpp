@@ -1,0 +1,30 @@
+#include "mariotte/model/contacts/start_balance.hpp"
+
+#include <algorithm>
+
+namespace mariotte::model {
+
+std::vector<double> start_forces(const StatedContacts& stated) {
+  std::vector<double> force(stated.law.size(), 0);
+  for (std::size_t j = 0; j < force.size(); ++j)
+    if (stated.gap[j] < 0) force[j] = contact::force(stated.law[j], -stated.gap[j], 0).value;
+  return force;
+}
+
+double unbalanced_speeds(const StatedContacts& stated, const std::vector<double>& reduced_mass,
+                         const std::vector<double>& approach) {
+  constexpr double near = 1e-4;  // of the energy
+  double sum = 0;
+  for (std::size_t j = 0; j < approach.size(); ++j) {
+    if (!(stated.gap[j] < 0)) continue;
+    const double indentation = -stated.gap[j], mass = reduced_mass[j];
+    const double stiffness = contact::force(stated.law[j], indentation, 0).by_indentation;
+    const double released = 2 * contact::stored_energy(stated.law[j], indentation) / mass;
+    const double unbalanced = approach[j] * approach[j] * mass / stiffness;
+    if (!(stiffness > 0) || !(unbalanced <= near * released)) return infinity;
+    sum += unbalanced;
+  }
+  return sum;
+}
+
+}  // namespace mariotte::model

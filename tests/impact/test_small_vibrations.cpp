@@ -1,0 +1,80 @@
+// What is pressed and in balance vibrates as its stiffness says, to the accuracy relative to the vibration.
+#define BOOST_TEST_MODULE small vibrations
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "mariotte/contact/stated_law.hpp"
+#include "mariotte/impact/chain/chain_impact.hpp"
+#include "mariotte/impact/network/network_impact.hpp"
+#include "mariotte/model/chain/dimensionless_chain.hpp"
+
+using namespace mariotte;
+
+namespace {
+
+constexpr double speed = 3e-7, duration = 40;
+
+/// A ball of mass 1 on Hertz contacts, each pressed to δ = 1 by a force of 1, where ∂f/∂δ = 3/2.
+model::Chain ball_between_walls() {
+  return {.mass = {infinity, 1, infinity},
+          .law = {contact::Hertz(1), contact::Hertz(1)},
+          .gap = {-1, -1},
+          .velocity = {0, speed, 0},
+          .precompressed = true};
+}
+
+model::Chain ball_on_a_wall(double force) {
+  return {.mass = {infinity, 1},
+          .law = {contact::Hertz(1)},
+          .gap = {-1},
+          .velocity = {0, speed},
+          .precompressed = true,
+          .drive = {{.direction = {{1, 1.0}},
+                     .quantity = model::Driven::force,
+                     .signal = model::straight_lines({{0, -force}, {1, -force}})}}};
+}
+
+/// Error relative to the speed of the vibration.
+double error(double velocity, double stiffness) {
+  return std::abs(velocity / speed - std::cos(std::sqrt(stiffness) * duration));
+}
+
+hybrid::Options options(double accuracy, std::optional<flow::Kind> flow = {}) {
+  return {.accuracy = accuracy, .max_time = duration, .flow = flow};
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_pressed_ball_vibrates_to_the_accuracy_asked_for) {
+  const auto found = [](double accuracy, flow::Kind flow) {
+    return error(impact::simulate(ball_between_walls(), options(accuracy, flow)).velocity[1], 3);
+  };
+  for (const double accuracy : {1e-5, 1e-6, 1e-8}) BOOST_TEST(found(accuracy, flow::Kind::taylor) < accuracy);
+  for (const double accuracy : {1e-5, 1e-6}) BOOST_TEST(found(accuracy, flow::Kind::cvode_adams) < accuracy);
+}
+
+// A contact on one side alone has an overtone, relative to the vibration as that is to the indentation.
+BOOST_AUTO_TEST_CASE(forces_and_networks_are_held_in_balance_too) {
+  for (const double accuracy : {1e-5, 1e-6, 1e-8}) {
+    const auto held = impact::simulate(ball_on_a_wall(1), options(accuracy));
+    BOOST_TEST(error(held.velocity[1], 1.5) < accuracy + 0.2 * speed);
+    const auto network = model::as_network(ball_between_walls());
+    BOOST_TEST(error(impact::simulate(network, options(accuracy)).velocity[1], 3) < accuracy);
+  }
+}
+
+// Without the force the ball is let go, and what it gets back is what counts. A row at rest has nothing.
+BOOST_AUTO_TEST_CASE(only_what_is_in_balance_and_moves_asks_for_more_digits) {
+  const auto refinement = [](const model::Chain& chain) {
+    model::DimensionlessChain scaled;
+    make_dimensionless(chain, 1e-8, scaled);
+    return scaled.scale.refinement;
+  };
+  BOOST_TEST(refinement(ball_on_a_wall(0)) == 1);
+  BOOST_TEST(refinement(ball_on_a_wall(0.5)) == 1);
+  auto row = ball_between_walls();
+  row.velocity[1] = 1e-3;
+  BOOST_TEST(refinement(row) == 1e-3 / std::sqrt(1.6), boost::test_tools::tolerance(1e-6));
+  row.velocity[1] = 0;
+  BOOST_TEST(refinement(row) == 1);
+}
