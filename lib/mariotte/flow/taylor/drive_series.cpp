@@ -121,7 +121,7 @@ void begin_drives(Window& w) {
     const double kink = w.since + (drive.end - w.x[w.drives->clock]);
     if (!(kink < w.outside_time)) continue;
     w.outside_time = kink;
-    w.outside = -1;
+    w.outside = nullptr;
     w.outside_guard = drive.guard;
   }
 }

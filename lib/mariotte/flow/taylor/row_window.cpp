@@ -21,39 +21,14 @@ bool is_active(const SerialPhase& phase, ConstState x, Index j) {
   return rate(phase, x, j) > 0 || drive(phase, j) != 0 || -x[c.gap] > wake_depth(c, phase.speed);
 }
 
-/// First time after 0 at which an open gap that flies freely falls to −level.
-double closing_time(const SerialPhase& phase, ConstState x, Index j) {
-  const auto& c = phase.contact[j];
-  const double gap = x[c.gap] + c.level, speed = rate(phase, x, j), push = drive(phase, j);
-  if (push == 0) return speed > 0 ? std::max(0.0, gap / speed) : infinity;
-  const double square = speed * speed + 2 * push * gap;  // gap − speed t − push t²/2 = 0
-  if (square < 0) return infinity;
-  const double root = std::sqrt(square);
-  if (speed > 0) return std::max(0.0, 2 * gap / (speed + root));
-  return push > 0 ? (root - speed) / push : infinity;
-}
-
-/// What of contacts from … to − 1 moves, and which gap closes first.
-void find_loose(Window& w, Index from, Index to) {
-  const auto& phase = *w.row;
-  for (Index j = from; j < to; ++j) {
-    if (rate(phase, w.x, j) == 0 && drive(phase, j) == 0) continue;
-    w.loose.push_back(j);
-    if (phase.contact[j].role != Role::open) continue;
-    const double time = w.since + closing_time(phase, w.x, j);
-    if (time >= w.outside_time) continue;
-    w.outside_time = time;
-    w.outside = j;
-    w.outside_guard = phase.contact[j].guard;
-  }
-}
-
 void find_outside(Window& w) {
-  w.outside_time = infinity;
-  w.loose.clear();
-  w.falls_outside = has_acceleration(*w.row);
-  find_loose(w, 0, w.first);
-  find_loose(w, w.first + w.lanes.count, std::ssize(w.row->contact));
+  const auto& phase = *w.row;
+  w.falls_outside = has_acceleration(phase);
+  const auto add = [&](Index from, Index to) {
+    for (Index j = from; j < to; ++j) add_loose(w, phase.contact[j], rate(phase, w.x, j), drive(phase, j));
+  };
+  add(0, w.first);
+  add(w.first + w.lanes.count, std::ssize(phase.contact));
 }
 
 void fill(Window& w, int lane) {
@@ -133,7 +108,9 @@ void place(Window& w, const SerialPhase& phase, State x, double time) {
   w.x = x;
   w.since = w.time = time;
   w.first = from;
-  begin(w, std::span(phase.contact).subspan(from, to - from + 1));
+  w.contacts.clear();
+  for (Index j = from; j <= to; ++j) w.contacts.push_back(&phase.contact[j]);
+  begin(w);
   for (int lane = 0; lane < w.lanes.count; ++lane) fill(w, lane);
   w.velocity.resize(w.lanes.count + 1);
   for (int body = 0; body <= w.lanes.count; ++body) w.velocity[body] = x[phase.body[from + body].velocity];
@@ -143,8 +120,7 @@ void place(Window& w, const SerialPhase& phase, State x, double time) {
   settle(w);
 }
 
-bool has_outgrown(const Window& w) {
-  if (!w.row) return false;
+bool has_outgrown_row(const Window& w) {
   const int last = w.lanes.count - 1;
   const auto awake = [&](int j) { return w.lanes.indentation[j] > w.lanes.acts_above[j]; };
   const bool at_left_end = w.first == 0,
@@ -152,18 +128,11 @@ bool has_outgrown(const Window& w) {
   return (!at_left_end && awake(0)) || (!at_right_end && awake(last));
 }
 
-void write_outside(const Window& w, double elapsed, State x) {
-  if (!w.row) return;
-  const auto& phase = *w.row;
-  if (x.data() != w.x.data()) std::copy(w.x.begin(), w.x.end(), x.begin());
-  for (const Index j : w.loose)
-    x[phase.contact[j].gap] =
-        w.x[phase.contact[j].gap] - elapsed * (rate(phase, w.x, j) + 0.5 * elapsed * drive(phase, j));
-  if (!w.falls_outside) return;
+void write_falls(const Window& w, double elapsed, State x) {
+  const auto& body = w.row->body;
   const auto is_inside = [&](Index i) { return i >= w.first && i <= w.first + w.lanes.count; };
-  for (Index i = 0; i < static_cast<Index>(phase.body.size()); ++i)
-    if (!is_inside(i))
-      x[phase.body[i].velocity] = w.x[phase.body[i].velocity] + elapsed * phase.body[i].acceleration;
+  for (Index i = 0; i < std::ssize(body); ++i)
+    if (!is_inside(i)) x[body[i].velocity] = w.x[body[i].velocity] + elapsed * body[i].acceleration;
 }
 
 }  // namespace mariotte::flow::taylor

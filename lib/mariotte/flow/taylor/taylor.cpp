@@ -88,10 +88,7 @@ struct Taylor::Memory {
     const auto& w = stepper.window;
     write(w, x);
     fired.push_back(fall.guard < 0 ? w.outside_guard : fall.guard);
-    if (fall.guard < 0 && w.outside >= 0) {
-      const auto& outside = w.row->contact[w.outside];
-      x[outside.gap] = 0 - outside.level;
-    }
+    if (fall.guard < 0 && w.outside) x[w.outside->gap] = 0 - w.outside->level;
     const double together = simultaneity_window(problem, accuracy);
     if (stepper.may_fall_soon(fall, together)) simultaneous.collect(problem, x, together, fired);
   }

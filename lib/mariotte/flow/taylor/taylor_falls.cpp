@@ -82,8 +82,7 @@ void Stepper::stand_at(const Fall& fall, const Piece& piece) {
 
 bool Stepper::may_fall_soon(const Fall& fall, double time) const {
   const auto& l = window.lanes;
-  if (window.is_linked() || l.damped || l.branched || window.outside_time <= window.time + 2 * time)
-    return true;
+  if (window.drives || l.damped || l.branched || window.outside_time <= window.time + 2 * time) return true;
   for (int j = 0; j < l.count; ++j) {
     const double left = l.side[j] * l.indentation[j] + l.level[j];
     if (j != fall.lane && l.side[j] != 0 && left <= 2 * time * std::abs(l.rate[j])) return true;

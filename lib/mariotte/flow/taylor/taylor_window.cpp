@@ -64,7 +64,7 @@ void add_impulses(const Window& w, const Values& values, State velocity) {
   for (int lane = 0; lane < w.lanes.count; ++lane) {
     const double impulse = impulse_of(w, values, lane);
     if (impulse == 0) continue;
-    for (const auto& [dof, change] : w.network->response[lane]) velocity[dof] += change * impulse;
+    for (const auto& [dof, change] : w.network->response[w.number(lane)]) velocity[dof] += change * impulse;
   }
 }
 
@@ -100,22 +100,57 @@ void set_rates(Window& w) {
     for (int lane = 0; lane < w.lanes.count; ++lane) rate[lane] = w.velocity[lane] - w.velocity[lane + 1];
   else
     for (int lane = 0; lane < w.lanes.count; ++lane)
-      rate[lane] = -gap_rate(w.network->direction[lane], w.velocity);
+      rate[lane] = -gap_rate(w.network->direction[w.number(lane)], w.velocity);
 }
 
 }  // namespace
 
-void begin(Window& w, std::span<const PhaseContact> contacts) {
-  w.contacts = contacts;
+void begin(Window& w) {
+  const auto count = w.contacts.size();
   auto& l = w.lanes;
   for (double* row : {l.yield_side, l.turn_side})
     if (l.branched) std::fill_n(row, l.count, 0.0);
-  l.resize(static_cast<int>(contacts.size()));
+  l.resize(static_cast<int>(count));
   l.damped = l.mixed = l.general = l.branched = l.widened = false;
-  w.branch.resize(contacts.size());
+  w.branch.resize(count);
   l.branch = w.branch.data();
-  for (auto* row : {&w.impulse, &w.work, &w.stored}) row->assign(contacts.size(), 0);
+  for (auto* row : {&w.impulse, &w.work, &w.stored}) row->assign(count, 0);
   w.outside_time = infinity;
+  w.outside = nullptr;
+  w.loose.clear();
+  w.at_edge.clear();
+}
+
+namespace {
+
+/// First time after 0 at which an open gap that flies freely falls to −level.
+double closing_time(double gap, double rate, double acceleration) {
+  if (acceleration == 0) return rate > 0 ? std::max(0.0, gap / rate) : infinity;
+  const double square = rate * rate + 2 * acceleration * gap;  // gap − rate t − acceleration t²/2 = 0
+  if (square < 0) return infinity;
+  const double root = std::sqrt(square);
+  if (rate > 0) return std::max(0.0, 2 * gap / (rate + root));
+  return acceleration > 0 ? (root - rate) / acceleration : infinity;
+}
+
+}  // namespace
+
+void add_loose(Window& w, const PhaseContact& c, double rate, double acceleration) {
+  if (rate == 0 && acceleration == 0) return;
+  w.loose.push_back({c.gap, rate, acceleration});
+  if (c.role != Role::open) return;
+  const double time = w.since + closing_time(w.x[c.gap] + c.level, rate, acceleration);
+  if (time >= w.outside_time) return;
+  w.outside_time = time;
+  w.outside = &c;
+  w.outside_guard = c.guard;
+}
+
+void write_outside(const Window& w, double elapsed, State x) {
+  if (x.data() != w.x.data()) std::copy(w.x.begin(), w.x.end(), x.begin());
+  for (const auto& one : w.loose)
+    x[one.gap] = w.x[one.gap] - elapsed * (one.rate + 0.5 * elapsed * one.acceleration);
+  if (w.falls_outside) write_falls(w, elapsed, x);
 }
 
 void place(Window& w, const Problem& problem, State x, double time) {
@@ -169,7 +204,7 @@ void fill(Window& w, int lane, double rate) {
 void settle(Window& w) {
   auto& l = w.lanes;
   for (int lane = 0; lane < l.count; ++lane) w.stored[lane] = stored_energy(w, lane, l.indentation[lane]);
-  w.is_pulled = std::any_of(w.contacts.begin(), w.contacts.end(), [](const auto& c) { return c.pull != 0; });
+  w.is_pulled = std::any_of(w.contacts.begin(), w.contacts.end(), [](const auto* c) { return c->pull != 0; });
   if (!w.is_pulled) return;
   for (int lane = 0; lane < l.count; ++lane) {
     for_each_felt(l, lane, [&](int other, double weight) {
@@ -251,13 +286,17 @@ void advance(Window& w, const Values& values) {
     if (w.branch[lane]) l.width[lane] = values.width[lane];
 }
 
+bool has_outgrown(const Window& w) {
+  return w.row ? has_outgrown_row(w) : has_outgrown_network(w);
+}
+
 double load_noise(const Window& w, int lane, double rate_error) {
   const auto& l = w.lanes;
   double size = 0;
   if (w.row)
     size = std::abs(w.velocity[lane]) + std::abs(w.velocity[lane + 1]);
   else
-    for (const auto& [dof, g] : w.network->direction[lane]) size += std::abs(g * w.velocity[dof]);
+    for (const auto& [dof, g] : w.network->direction[w.number(lane)]) size += std::abs(g * w.velocity[dof]);
   return (l.damping[lane] + l.stiffening[lane]) * std::max(16 * epsilon * size, rate_error);
 }
 

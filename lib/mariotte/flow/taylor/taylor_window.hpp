@@ -1,5 +1,5 @@
-// The contacts that the Taylor flow expands. Of a row these are the ones that carry force and one more on
-// each side; everything outside flies freely. Of other links these are all.
+// The contacts that the Taylor flow expands: the ones that carry force, and those whose bodies they move.
+// Everything outside flies freely.
 #pragma once
 #include <span>
 #include <vector>
@@ -21,18 +21,27 @@ struct DriveSeries {
   double done = 0;                          ///< before the step, since the window was placed
 };
 
+/// A contact outside whose gap changes, from what it is at `since`.
+struct Loose {
+  Index gap;
+  double rate;          ///< δ̇ at `since`
+  double acceleration;  ///< δ̈
+};
+
 /// The contacts that are expanded, one lane each, and the motion of all others.
 struct Window {
   const SerialPhase* row = nullptr;  ///< one of the two is what the window shows
   const LinkedPhase* network = nullptr;
-  std::span<const PhaseContact> contacts;  ///< one per lane
-  double speed = 1, fade_speed = 0;        ///< those of the phase
-  State x;                                 ///< the whole state at `since`; what is outside is as it was then
-  double since = 0;                        ///< local time of the phase
+  std::vector<const PhaseContact*> contacts;  ///< one per lane
+  double speed = 1, fade_speed = 0;           ///< those of the phase
+  State x;           ///< the whole state at `since`; what is outside is as it was then
+  double since = 0;  ///< local time of the phase
   double time = 0;
   Index first = 0;  ///< contact of lane 0
   Lanes lanes;
-  Coupling coupling;                  ///< of a long row
+  Coupling coupling;                  ///< of a long row, or of a part of a network
+  std::vector<char> at_edge;          ///< of a network: lanes that push on bodies outside
+  std::vector<int> lane_of, found;    ///< of a network: of each contact, or −1; those inside
   std::vector<double> velocity;       ///< of bodies first, first + 1, … of a row, of all dofs of a network
   bool is_pulled = false;             ///< some contact has a constant pull
   std::vector<double> impulse, work;  ///< since `since`
@@ -40,14 +49,16 @@ struct Window {
   std::vector<const WidthBranch*> branch;  ///< of each lane
   double outside_time = infinity;  ///< when the first of the gaps outside closes, or a drive has a kink
   Index outside_guard = -1;        ///< that of either
-  Index outside = -1;              ///< that contact, or −1
-  std::vector<Index> loose;        ///< contacts outside whose gaps change
+  const PhaseContact* outside = nullptr;  ///< that contact, or null
+  std::vector<Loose> loose;
   bool falls_outside = false;      ///< bodies may fall there
   const Drives* drives = nullptr;  ///< all is inside then
   std::vector<DriveSeries> driven;
   std::vector<double> bend;  ///< Lanes::bend
 
-  const PhaseContact& contact(int lane) const { return contacts[lane]; }
+  const PhaseContact& contact(int lane) const { return *contacts[lane]; }
+  /// Of a network: the number of lane's contact in the phase.
+  Index number(int lane) const { return contacts[lane] - network->contact.data(); }
   /// Of lane's contact the force is a function with a branch point at δ = 0.
   bool is_sharp(int lane) const { return lanes.power[lane] > 0; }
   bool has_root(int lane) const { return contact(lane).role == Role::closed && is_sharp(lane); }

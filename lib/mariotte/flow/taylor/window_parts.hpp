@@ -22,11 +22,17 @@ inline bool is_onset(const PhaseContact& contact, double indentation) {
 void place(Window& window, const SerialPhase& phase, State x, double time);
 /// Over linked contacts.
 void place(Window& window, const LinkedPhase& phase, State x, double time);
+/// A contact at the edge is about to push on a body outside.
+bool has_outgrown_row(const Window& window);
+bool has_outgrown_network(const Window& window);
 /// What drives do to its lanes and velocities, and when the first has a kink.
 void begin_drives(Window& window);
 
-/// Make one lane for each of the contacts.
-void begin(Window& window, std::span<const PhaseContact> contacts);
+/// Make one lane for each of `contacts`.
+void begin(Window& window);
+
+/// A contact outside, of an indentation that changes by a rate and an acceleration.
+void add_loose(Window& window, const PhaseContact& contact, double rate, double acceleration);
 
 /// Fill a lane from its contact, which has the rate δ̇, and the window's state.
 void fill(Window& window, int lane, double rate);
@@ -39,5 +45,7 @@ void link(Window& window, const Coupling& coupling);
 
 /// Write what stands outside, `elapsed` after the window was placed, to x, which may be the window's own.
 void write_outside(const Window& window, double elapsed, State x);
+/// The velocities of the bodies of a row that fall there.
+void write_falls(const Window& window, double elapsed, State x);
 
 }  // namespace mariotte::flow::taylor
