@@ -11,6 +11,10 @@ struct Approach {
   double meeting = infinity;  ///< when the balls would touch [s]
 };
 
+bool moves(const model::Ball& ball) {
+  return std::any_of(ball.velocity.begin(), ball.velocity.end(), [](double v) { return v != 0; });
+}
+
 /// |d + w t| = R for the smaller t, with centres apart by d that change by w.
 Approach approach(const model::Ball& a, const model::Ball& b) {
   double dd = 0, dw = 0, ww = 0;
@@ -31,9 +35,12 @@ Approach approach(const model::Ball& a, const model::Ball& b) {
 
 std::vector<std::pair<Index, Index>> missed_meetings(const std::vector<model::Ball>& balls, double reach) {
   std::vector<double> first(balls.size(), infinity);
+  std::vector<char> moving;
+  for (const auto& ball : balls) moving.push_back(moves(ball));
   const auto each_pair = [&](auto&& visit) {
     for (std::size_t i = 0; i < balls.size(); ++i)
-      for (std::size_t j = i + 1; j < balls.size(); ++j) visit(i, j, approach(balls[i], balls[j]));
+      for (std::size_t j = i + 1; j < balls.size(); ++j)
+        if (moving[i] || moving[j]) visit(i, j, approach(balls[i], balls[j]));
   };
   each_pair([&](std::size_t i, std::size_t j, const Approach& one) {
     first[i] = std::min(first[i], one.meeting);

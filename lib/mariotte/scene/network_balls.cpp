@@ -180,21 +180,18 @@ ResolvedNetwork read_ball_network(Source& source, const Field& network, bool pre
   model.precompressed = precompressed;
   read_drives(source, network, model);
   Pairs pairs;
-  for (Index i = 0; i < std::ssize(balls.ball); ++i) {
-    resolved.radius.push_back(balls.ball[i].radius);
-    for (Index j = i + 1; j < std::ssize(balls.ball); ++j) {
-      auto [direction, gap, distance] = contact_of(source, balls, i, j, touching, reach);
-      if (direction.empty()) continue;
-      if (gap < 0 && !precompressed)
-        reject(
-            source, balls.table[j], fault::overlap,
-            "balls " + std::to_string(i + 1) + " and " + std::to_string(j + 1) +
-                " overlap ('touching' is the distance taken as none; precompressed = true allows overlaps)");
-      pairs.emplace_back(i, j);
-      model.direction.push_back(std::move(direction));
-      model.gap.push_back(gap);
-      model.distance.push_back(distance);
-    }
+  for (const auto& ball : balls.ball) resolved.radius.push_back(ball.radius);
+  for (const auto& [i, j] : model::near_pairs(balls.ball, std::max(reach, touching))) {
+    auto [direction, gap, distance] = contact_of(source, balls, i, j, touching, reach);
+    if (direction.empty()) continue;
+    if (gap < 0 && !precompressed)
+      reject(source, balls.table[j], fault::overlap,
+             "balls " + std::to_string(i + 1) + " and " + std::to_string(j + 1) +
+                 " overlap ('touching' is the distance taken as none; precompressed = true allows overlaps)");
+    pairs.emplace_back(i, j);
+    model.direction.push_back(std::move(direction));
+    model.gap.push_back(gap);
+    model.distance.push_back(distance);
   }
   read_laws(source, tables, balls, pairs, model);
   for (const auto& [i, j] : pairs) resolved.touching.push_back(scene::touching(balls.body[i], balls.body[j]));

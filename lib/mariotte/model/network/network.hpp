@@ -54,14 +54,16 @@ struct BallContact {
   double gap;
   double distance = 0;  ///< of the centres [m]
 };
-/// Of two of the balls, wherever they are. Throws InvalidParameter if they are at one place.
-BallContact ball_contact(const std::vector<Ball>& balls, Index i, Index j);
-
-/// The two balls that a contact of a network of balls joins, from 0; empty for other networks.
+/// Numbers of two balls, from 0, the smaller first.
 struct BallPair {
   Index left, right;
 };
-/// Of one contact.
+/// Those that may be within `reach` of each other, in order: all that are, and others nearly so.
+std::vector<BallPair> near_pairs(const std::vector<Ball>& balls, double reach);
+/// Of two of the balls, wherever they are. Throws InvalidParameter if they are at one place.
+BallContact ball_contact(const std::vector<Ball>& balls, Index i, Index j);
+
+/// The balls that a contact of a network of balls joins; empty for other networks.
 std::optional<BallPair> balls_of(const Network& network, Index contact);
 
 /// Freedoms of the balls without contacts. Throws InvalidParameter.
@@ -70,15 +72,14 @@ Network free_balls(const std::vector<Ball>& balls);
 template <class LawOfPair>
 Network ball_network(const std::vector<Ball>& balls, double reach, LawOfPair&& law) {
   auto network = free_balls(balls);
-  for (Index i = 0; i < std::ssize(balls); ++i)
-    for (Index j = i + 1; j < std::ssize(balls); ++j) {
-      auto [direction, gap, distance] = ball_contact(balls, i, j);
-      if (direction.empty() || gap > reach) continue;
-      network.direction.push_back(std::move(direction));
-      network.gap.push_back(gap);
-      network.distance.push_back(distance);
-      network.law.push_back(law(i, j));
-    }
+  for (const auto& [i, j] : near_pairs(balls, reach)) {
+    auto [direction, gap, distance] = ball_contact(balls, i, j);
+    if (direction.empty() || gap > reach) continue;
+    network.direction.push_back(std::move(direction));
+    network.gap.push_back(gap);
+    network.distance.push_back(distance);
+    network.law.push_back(law(i, j));
+  }
   return network;
 }
 
