@@ -4,6 +4,7 @@
 #include "mariotte/flow/taylor/row_fields.hpp"
 #include "mariotte/flow/taylor/taylor_lanes.hpp"
 #include "mariotte/flow/taylor/taylor_registers.hpp"
+#include "mariotte/flow/taylor/taylor_widths.hpp"
 #include "mariotte/series/series.hpp"
 
 namespace mariotte::flow::taylor::MARIOTTE_INSTRUCTION_SET {
@@ -77,7 +78,7 @@ class Block : RowQuantities {
   void begin(auto& series) {
     if constexpr (std::is_same_v<decltype(&series), decltype(width_plain_.get())> ||
                   std::is_same_v<decltype(&series), decltype(width_landing_.get())>)
-      series.begin(width_states(), width_parameters());
+      series.begin(width_states(start_, of(lanes_->width)), width_parameters());
     else
       series.begin(start_, parameters_);
   }
@@ -334,37 +335,12 @@ class Block : RowQuantities {
     store(bound(loads, side, LaneVector<N>(0.0), loss, place), values.load_margin + first_);
   }
 
-  using WidthStart = std::array<LaneVector<N>, WidthField<Pace::plain>::states>;
-  using WidthNumbers = std::array<LaneVector<N>, WidthField<Pace::plain>::parameters>;
-
-  WidthStart width_states() const {
-    WidthStart start;
-    for (int i = 0; i < states; ++i) start[i] = start_[i];
-    start[WidthQuantities::width] = of(lanes_->width);
-    return start;
-  }
-  /// One without force has φ = 1.
-  WidthNumbers width_parameters() {
-    using Q = WidthQuantities;
-    WidthNumbers p;
-    for (auto& one : p) one = LaneVector<N>(0.0);
-    p[Q::owner] = parameters_[chosen];
-    p[Q::other] = parameters_[free];
-    width_weight_ = LaneVector<N>(0.0);
-    for (int lane = 0; lane < size; ++lane) {
-      const int i = lane / width, k = lane % width;
-      const auto* branch = first_ + lane < lanes_->count ? lanes_->branch[first_ + lane] : nullptr;
-      p[Q::pull].part[i][k] = branch ? branch->curve.s : -1;
-      if (!branch) continue;
-      width_weight_.part[i][k] = 1 / lanes_->width[first_ + lane];
-      p[Q::steepness].part[i][k] = 4 / branch->curve.radius;
-      p[Q::push0].part[i][k] = branch->push[0];
-      p[Q::push1].part[i][k] = branch->push[1];
-      p[Q::push3].part[i][k] = branch->push[3];
-      p[Q::push4].part[i][k] = branch->push[4];
-      p[Q::push6].part[i][k] = branch->push[6];
-      p[Q::loss].part[i][k] = branch->damping;
-    }
+  WidthNumbers<N> width_parameters() {
+    const auto numbers = width_numbers<N>(*lanes_, first_);
+    auto p = numbers.parameter;
+    p[WidthQuantities::owner] = parameters_[chosen];
+    p[WidthQuantities::other] = parameters_[free];
+    width_weight_ = numbers.weight;
     return p;
   }
   void evaluate_widths(double place, Values& values) const {
