@@ -58,6 +58,27 @@ double interval(const std::string& text) {
   return text.empty() ? 0 : positive_quantity("--every", text, dimension::time);
 }
 
+void expect_new(const std::string& file) {
+  if (std::filesystem::exists(std::filesystem::symlink_status(file)))
+    throw report::FileError("cannot write " + file + ": it exists already (--force overwrites)",
+                            fault::exists);
+}
+
+/// Opens the file, once more for samples that come anew. The trace must stay where it is.
+void feed(const std::string& name, const report::Attributes& origin, RunningTrace& trace) {
+  const auto open = [&trace, name, origin] {
+    trace.file.reset();
+    trace.file = report::new_trace_file(name, trace.sampling.velocities, trace.sampling.contacts, origin);
+  };
+  open();
+  trace.sampling.take = [&trace](const impact::Sample& sample) {
+    trace.file->add(sample);
+    if (interruption() != 0) return infinity;
+    return trace.every > 0 ? trace.every : sample.natural_time;
+  };
+  trace.sampling.restart = open;
+}
+
 }  // namespace
 
 OptionList trace_options(TraceChoice& choice) {
@@ -90,19 +111,13 @@ std::unique_ptr<RunningTrace> start_trace(const TraceChoice& choice, std::size_t
   const auto chosen = [](const char* option, const std::string& text, std::size_t count) {
     return places({option, text.empty() ? fmt::format("1:{}", count) : text}, count);
   };
-  impact::Sampling sampling{.velocities = chosen("--balls", choice.balls, balls),
-                            .contacts = chosen("--contacts", choice.contacts, balls - 1)};
-  const double every = interval(choice.every);
-  if (!force && std::filesystem::exists(std::filesystem::symlink_status(choice.file)))
-    throw report::FileError("cannot write " + choice.file + ": it exists already (--force overwrites)",
-                            fault::exists);
-  auto file = report::new_trace_file(choice.file, sampling.velocities, sampling.contacts, origin);
-  sampling.take = [to = file.get(), every](const impact::Sample& sample) {
-    to->add(sample);
-    if (interruption() != 0) return infinity;
-    return every > 0 ? every : sample.natural_time;
-  };
-  return std::make_unique<RunningTrace>(RunningTrace{every, std::move(sampling), std::move(file)});
+  auto trace = std::make_unique<RunningTrace>();
+  trace->sampling.velocities = chosen("--balls", choice.balls, balls);
+  trace->sampling.contacts = chosen("--contacts", choice.contacts, balls - 1);
+  trace->every = interval(choice.every);
+  if (!force) expect_new(choice.file);
+  feed(choice.file, origin, *trace);
+  return trace;
 }
 
 }  // namespace mariotte::command

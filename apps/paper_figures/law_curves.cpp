@@ -28,7 +28,7 @@ Cycle cycle(const ShownLaw& one) {
   };
   const auto impact =
       impact::simulate({.mass = {2, 2}, .law = {one.law}, .gap = {0}, .velocity = {one.speed, 0}}, {},
-                       {.samplings = {{.contacts = {0}, .take = take}}});
+                       {.samplings = {{.contacts = {0}, .take = take, .restart = [&] { cycle = {}; }}}});
   const double e = (impact.velocity[1] - impact.velocity[0]) / one.speed;
   cycle.lost = 0.5 * one.speed * one.speed * (1 - e * e);
   return cycle;

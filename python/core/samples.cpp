@@ -122,8 +122,10 @@ Samples sample(const Impact& impact, const std::vector<double>& times) {
   for (;;) {
     Samples samples = with_shape(box.scene);
     Taker taker{.times = times, .samples = samples};
-    const impact::Sampling sampling{
-        .velocities = all(samples.velocities), .contacts = all(samples.contacts), .take = std::ref(taker)};
+    const impact::Sampling sampling{.velocities = all(samples.velocities),
+                                    .contacts = all(samples.contacts),
+                                    .take = std::ref(taker),
+                                    .restart = [&] { samples = with_shape(box.scene); }};
     simulate(box, options, {.samplings = {sampling}});
     taker.finish();
     const double apart = impact::difference(expected, taker.last.velocity, speed);

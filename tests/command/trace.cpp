@@ -1,6 +1,7 @@
 // The traces that `mariotte run --trace` writes.
 #define BOOST_TEST_MODULE command_trace
 #include <boost/test/unit_test.hpp>
+#include <sstream>
 
 #include "long_chain.hpp"
 #include "session.hpp"
@@ -27,6 +28,25 @@ BOOST_FIXTURE_TEST_CASE(a_trace_holds_what_was_asked_for, Session) {
   BOOST_TEST(entries() == 4);
   const auto about = nlohmann::json::parse(content(folder / "wave.csv-metadata.json"));
   BOOST_TEST(about["notes"][0]["scene"] == "sixty.toml");
+}
+
+// Contacts close again and again, so that the scene is run at tighter accuracies.
+BOOST_FIXTURE_TEST_CASE(a_trace_is_that_of_the_result, Session) {
+  write("rattle.toml",
+        "[chain]\nmass = [20, 0.3, 2, 0.7, 20]\nvelocity = [0.5, 0, 0.2, 0, -0.5]\n"
+        "gap = [0.1, 0.7, 0.4, 0.9]\nlaw = 'hertz'\nstiffness = 1\n");
+  const auto run = mariotte("run rattle.toml --accuracy 1e-7 --json --trace wave.csv --contacts 1");
+  const auto result = nlohmann::json::parse(run.out);
+  BOOST_TEST(result["accuracy"]["estimated"].get<double>() <= 1e-7);
+  const auto trace = content(folder / "wave.csv");
+  BOOST_TEST(trace.find("time") == trace.rfind("time"));
+  std::istringstream last(trace.substr(trace.rfind('\n', trace.size() - 2) + 1));
+  std::string cell;
+  std::getline(last, cell, ',');
+  for (const double velocity : result["final"]["velocity"]) {
+    std::getline(last, cell, ',');
+    BOOST_TEST(std::stod(cell) == velocity);
+  }
 }
 
 BOOST_FIXTURE_TEST_CASE(a_trace_can_be_hdf5, Session) {

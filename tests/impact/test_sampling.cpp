@@ -30,10 +30,12 @@ std::vector<Sample> sampled(const model::Chain& chain, const hybrid::Options& op
   std::vector<Sample> samples;
   const Sampling sampling{.velocities = all(chain.mass.size()),
                           .contacts = all(chain.law.size()),
-                          .take = [&](const Sample& sample) {
-                            samples.push_back(sample);
-                            return interval;
-                          }};
+                          .take =
+                              [&](const Sample& sample) {
+                                samples.push_back(sample);
+                                return interval;
+                              },
+                          .restart = [&] { samples.clear(); }};
   impact::simulate(chain, options, RunObserver{.samplings = {sampling}});
   return samples;
 }

@@ -75,3 +75,12 @@ BOOST_AUTO_TEST_CASE(the_script_draws_what_the_data_hold) {
   BOOST_TEST(data.find("\n0.25,0.25,0.25,") != std::string::npos);
   BOOST_TEST(script.find("spacetime.png") != std::string::npos);
 }
+
+BOOST_AUTO_TEST_CASE(samples_that_come_anew_make_the_image_alone) {
+  report::Spacetime image(3), other(3);
+  feed(image, 25, 50);
+  image.sampling().restart();
+  feed(image, 100, 50);
+  feed(other, 100, 50);
+  BOOST_TEST(image.data() == other.data());
+}

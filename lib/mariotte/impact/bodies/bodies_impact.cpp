@@ -7,7 +7,7 @@
 #include "mariotte/impact/bodies/bodies_balance.hpp"
 #include "mariotte/impact/bodies/bodies_watch.hpp"
 #include "mariotte/impact/flow_uses.hpp"
-#include "mariotte/impact/promise.hpp"
+#include "mariotte/impact/sampled_promise.hpp"
 #include "mariotte/model/fault.hpp"
 
 namespace mariotte::impact {
@@ -157,17 +157,19 @@ BodiesImpact simulate_in(const model::Bodies& bodies, const hybrid::Options& opt
   model::expect_digits(setting);
   double attainable = setting.rounding;
   auto possible = options;
-  const auto run = [&](const model::Bodies& same, const hybrid::Options& tighter) {
-    return simulate_once<D>(same, tighter, observers, attainable);
+  const auto run = [&](const model::Bodies& same, const hybrid::Options& how, const RunObserver& watched) {
+    return simulate_once<D>(same, how, watched, attainable);
   };
   const auto run_as_possible = [&] {
     possible.accuracy = std::max(options.accuracy, attainable);
-    return run(bodies, possible);
+    return run(bodies, possible, observers);
   };
   auto impact = run_as_possible();
-  if (!observers.samplings.empty()) return impact;
-  if (attainable > possible.accuracy) impact = run_as_possible();
-  keep_promise(bodies, possible, passage(impact, attainable), impact, run,
+  if (attainable > possible.accuracy) {
+    restart(observers);
+    impact = run_as_possible();
+  }
+  keep_promise(bodies, possible, passage(impact, attainable), observers, impact, run,
                [&](const auto& a, const auto& b) { return difference(bodies, a, b); });
   if (attainable > options.accuracy)
     impact.estimated_accuracy = std::max(attainable, impact.estimated_accuracy.value_or(0));

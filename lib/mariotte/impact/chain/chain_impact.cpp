@@ -11,7 +11,7 @@
 #include "mariotte/impact/chain/chain_solver.hpp"
 #include "mariotte/impact/flow_uses.hpp"
 #include "mariotte/impact/impulses.hpp"
-#include "mariotte/impact/promise.hpp"
+#include "mariotte/impact/sampled_promise.hpp"
 #include "mariotte/impact/watch/chain_run.hpp"
 #include "mariotte/impact/watch/event_list.hpp"
 #include "mariotte/impact/watch/sampler.hpp"
@@ -163,9 +163,11 @@ ChainImpact simulate_islands(const model::Chain& chain, const hybrid::Options& o
 ChainImpact simulate_once(const model::Chain& chain, const hybrid::Options& options,
                           const RunObserver& observers) {
   const auto balls = chain.mass.size();
-  return divides(options, chain) || (!observers.samplings.empty() && !is_one_system(chain))
-             ? simulate_islands(chain, options, observers)
-             : simulate_whole(chain, tightened(options, balls), observers);
+  auto impact = divides(options, chain) || (!observers.samplings.empty() && !is_one_system(chain))
+                    ? simulate_islands(chain, options, observers)
+                    : simulate_whole(chain, tightened(options, balls), observers);
+  impact.requested_accuracy = options.accuracy;
+  return impact;
 }
 
 /// A flow that shares no formula with what `options` lets run: CVODE, or the choice itself beside CVODE.
@@ -187,13 +189,10 @@ bool may_have_steady_waves(const model::Chain& chain) {
 ChainImpact simulate_within(const model::Chain& chain, const hybrid::Options& options,
                             const RunObserver& observers) {
   auto impact = simulate_once(chain, options, observers);
-  const auto again = [&](const model::Chain& same, const hybrid::Options& tighter) {
-    return simulate_once(same, tighter, observers);
-  };
-  if (observers.samplings.empty())  // what was sampled cannot be taken back
-    keep_promise(chain, options, passage(impact), impact, again, [&](const auto& a, const auto& b) {
-      return difference(a.velocity, b.velocity, reference_speed(chain));
-    });
+  keep_promise(chain, options, passage(impact), observers, impact, simulate_once,
+               [&](const auto& a, const auto& b) {
+                 return difference(a.velocity, b.velocity, reference_speed(chain));
+               });
   impact.requested_accuracy = options.accuracy;
   if (impact.ending == hybrid::Ending::failed && falls_back(chain) && std::isinf(options.max_time))
     impact.message += "; balls that come to rest under gravity need a time limit";

@@ -8,7 +8,7 @@
 #include "mariotte/impact/microbody/microbody_difference.hpp"
 #include "mariotte/impact/microbody/microbody_gate.hpp"
 #include "mariotte/impact/microbody/microbody_watch.hpp"
-#include "mariotte/impact/promise.hpp"
+#include "mariotte/impact/sampled_promise.hpp"
 
 namespace mariotte::impact {
 
@@ -203,13 +203,9 @@ MicrobodyImpact simulate(const model::Microbody& body, const hybrid::Options& op
                .harmless = first_impact,
                .periods = std::ssize(impact.impacts)};
   count_flows(gone, impact.flows);
-  const auto again = [&](const model::Microbody& same, const hybrid::Options& tighter) {
-    return simulate_once(same, tighter, observers);
-  };
-  if (observers.samplings.empty())  // what was sampled cannot be taken back
-    keep_promise(body, options, gone, impact, again, [&](const auto& a, const auto& b) {
-      return difference(body, a.final.velocity - b.final.velocity, a.final.spin - b.final.spin);
-    });
+  keep_promise(body, options, gone, observers, impact, simulate_once, [&](const auto& a, const auto& b) {
+    return difference(body, a.final.velocity - b.final.velocity, a.final.spin - b.final.spin);
+  });
   impact.requested_accuracy = options.accuracy;
   return impact;
 }

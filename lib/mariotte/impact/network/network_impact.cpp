@@ -12,6 +12,7 @@
 #include "mariotte/impact/network/network_gate.hpp"
 #include "mariotte/impact/network/network_run.hpp"
 #include "mariotte/impact/network/network_solver.hpp"
+#include "mariotte/impact/sampled_promise.hpp"
 #include "mariotte/impact/watch/contact_watch.hpp"
 #include "mariotte/model/network/network_system.hpp"
 
@@ -124,13 +125,9 @@ NetworkImpact simulate_once(const model::Network& network, const hybrid::Options
 NetworkImpact simulate_within(const model::Network& network, const hybrid::Options& options,
                               const RunObserver& observers) {
   auto impact = simulate_once(network, options, observers);
-  const auto again = [&](const model::Network& same, const hybrid::Options& tighter) {
-    return simulate_once(same, tighter, observers);
-  };
-  if (observers.samplings.empty())  // what was sampled cannot be taken back
-    keep_promise(network, options, passage(impact), impact, again, [&](const auto& a, const auto& b) {
-      return rate_difference(network, a.velocity, b.velocity);
-    });
+  keep_promise(
+      network, options, passage(impact), observers, impact, simulate_once,
+      [&](const auto& a, const auto& b) { return rate_difference(network, a.velocity, b.velocity); });
   impact.requested_accuracy = options.accuracy;
   return impact;
 }

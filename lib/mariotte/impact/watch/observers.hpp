@@ -24,6 +24,9 @@ struct Sampling {
   /// Takes a sample and says how long until the next, > 0 [s]. The first is of the start, the last of the
   /// ending.
   std::function<double(const Sample&)> take = {};
+  /// Told before a run that stays in the place of a sampled one, at a tighter accuracy, is sampled: its
+  /// samples come from the start, and those before do not count. May be empty.
+  std::function<void()> restart = {};
 };
 
 /// How far a run is.
@@ -34,8 +37,8 @@ struct Progress {
 
 /// Who looks on while a model is simulated.
 struct RunObserver {
-  bool trace = false;                    ///< keep samples in the result, at most a few thousand rows
-  std::vector<Sampling> samplings = {};  ///< a run with samplings is not repeated at a tighter accuracy
+  bool trace = false;  ///< keep samples in the result, at most a few thousand rows
+  std::vector<Sampling> samplings = {};
   /// Told after every event; may be empty. A run that is repeated at a tighter accuracy tells its way once
   /// more. What it throws ends the run and reaches the caller.
   std::function<void(const Progress&)> progress = {};

@@ -18,9 +18,8 @@ constexpr std::size_t most_columns = 500, most_rows_of_image = 1000;
 Spacetime::Spacetime(std::size_t balls) : balls_(balls), stride_((balls + most_columns - 1) / most_columns) {}
 
 impact::Sampling Spacetime::sampling() {
-  impact::Sampling sampling{.velocities = {}, .contacts = {}, .take = [this](const impact::Sample& sample) {
-                              return take(sample);
-                            }};
+  impact::Sampling sampling{.take = [this](const impact::Sample& sample) { return take(sample); },
+                            .restart = [this] { rows_.clear(), interval_ = 0; }};
   for (std::size_t i = 0; i < balls_; i += stride_) sampling.velocities.push_back(static_cast<Index>(i));
   return sampling;
 }
