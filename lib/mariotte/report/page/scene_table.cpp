@@ -6,6 +6,7 @@
 #include "mariotte/core/overload.hpp"
 #include "mariotte/report/csv/columns.hpp"
 #include "mariotte/report/number.hpp"
+#include "mariotte/report/table/drive_table.hpp"
 #include "mariotte/report/table/law_name.hpp"
 #include "mariotte/report/table/network_table.hpp"
 #include "mariotte/report/table/restitution_table.hpp"
@@ -126,16 +127,18 @@ std::string limits(const hybrid::Options& run) {
 
 std::string table(const model::Chain& chain, const scene::Scene& scene) {
   return heading(chain, scene) + "\n" + balls(chain, scene) + "\n" + contacts(chain.law, chain.gap, {}) +
-         restitutions(chain) + limits(scene.run);
+         drive_table(chain.drive, "ball", 1) + restitutions(chain) + limits(scene.run);
 }
 
 std::string table(const model::Network& network, const scene::Scene& scene) {
+  const bool placed = network.dimension > 0;
   return (scene.title.empty() ? "Contact network" : scene.title) + "\n" + size_of(network) +
          (network.precompressed ? ", precompressed" : "") +
          (network.drive.empty() ? "\n\n" : ", driven\n\n") +
-         (network.dimension > 0 ? placed_balls(network, scene) : dofs(network)) + "\n" +
-         contacts(network.law, network.gap, contact_names(network)) + restitutions(network) +
-         limits(scene.run);
+         (placed ? placed_balls(network, scene) : dofs(network)) + "\n" +
+         contacts(network.law, network.gap, contact_names(network)) +
+         drive_table(network.drive, placed ? "ball" : "degree of freedom", placed ? network.dimension : 1) +
+         restitutions(network) + limits(scene.run);
 }
 
 }  // namespace
