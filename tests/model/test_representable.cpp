@@ -203,6 +203,29 @@ BOOST_AUTO_TEST_CASE(the_likeliest_reason_is_named) {
   BOOST_TEST(key(chain) == "gap");
 }
 
+// Series and steps of integrators know nothing below rounding; SUNDIALS gave up on them.
+BOOST_AUTO_TEST_CASE(drives_that_turn_too_fast_are_refused_by_every_solver) {
+  auto chain = test::equal_chain(3);
+  chain.mass[0] = infinity;
+  chain.velocity[0] = 0;
+  const hybrid::Options options{.max_time = 1e-12};
+  for (const double frequency : {1.0, 1e12, 1e17, 1e100, 1e300}) {
+    chain.drive = {{.direction = {{0, 1.0}}, .signal = model::sine(1, frequency, 0)}};
+    const auto refused = [&](const auto& solve) {
+      try {
+        return solve(), false;
+      } catch (const model::Unrepresentable& refusal) {
+        return refusal.reason.key == "frequency" && refusal.reason.drive == 0;
+      }
+    };
+    BOOST_TEST_CONTEXT("frequency " << frequency) {
+      BOOST_TEST(refused([&] { impact::simulate(chain, options); }) == (frequency > 1e15));
+      BOOST_TEST(refused([&] { ChainSolver().solve(chain, options); }) == (frequency > 1e15));
+      BOOST_TEST(refused([&] { impact::simulate(model::as_network(chain), options); }) == (frequency > 1e15));
+    }
+  }
+}
+
 // A wave's forerunner is slower than anything; beside a ball that moves it is rest.
 BOOST_AUTO_TEST_CASE(a_tiny_speed_beside_others_is_no_reason) {
   auto chain = test::equal_chain(3);

@@ -133,3 +133,37 @@ BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused_where_it_stands) {
       has(rejection(left + "signal = 'pulse'\namplitude = 1\nduration = 0\n"), "chain.drive.duration: "));
   BOOST_TEST(has(rejection_of(row + "[chain.drive]\n" + left + sine), "it needs 'run.until'"));
 }
+
+BOOST_AUTO_TEST_CASE(what_double_precision_cannot_follow_is_refused_where_it_stands) {
+  const auto refused = [](const std::string& quantity, const std::string& signal, const std::string& place) {
+    const auto what = rejection("end = 'left'\nquantity = '" + quantity + "'\n" + signal);
+    return has(what, "s.toml:" + place + ": ") && has(what, "double precision");
+  };
+  for (const std::string quantity : {"position", "velocity"}) {
+    for (const std::string fast : {"1e40", "1e100", "1e200", "1e300"}) {
+      BOOST_TEST(refused(quantity, "signal = 'sine'\namplitude = 1e-8\nfrequency = " + fast + "\n",
+                         "12:13: chain.drive.frequency"));
+      BOOST_TEST(refused(quantity,
+                         "signal = 'pulse'\namplitude = 1e-8\nduration = 1e-" + fast.substr(2) + "\n",
+                         "12:12: chain.drive.duration"));
+    }
+    BOOST_TEST(refused(quantity, "signal = 'sine'\namplitude = 1e200\nfrequency = 10\n",
+                       "11:13: chain.drive.amplitude"));
+    BOOST_TEST(refused(quantity, "signal = 'sine'\namplitude = 1\nfrequency = 1e308\n", "7:1: chain.drive"));
+  }
+  const std::string right = "end = 'right'\nquantity = 'force'\n";
+  BOOST_TEST(has(rejection(right + "signal = 'sine'\namplitude = 1\nfrequency = 1e100\n"),
+                 "chain.drive.frequency: cannot be computed with in double precision"));
+  BOOST_TEST(rejection(right + "signal = 'sine'\namplitude = 1\nfrequency = 1e9\n") == "accepted");
+}
+
+BOOST_AUTO_TEST_CASE(the_drive_that_cannot_be_followed_is_named) {
+  const std::string push = "quantity = 'velocity'\nsignal = 'sine'\namplitude = 1e-8\nfrequency = ";
+  const auto text = row + "[[chain.drive]]\nend = 'left'\n" + push + "1\n[[chain.drive]]\nend = 'right'\n" +
+                    push + "1e100\n" + until;
+  BOOST_TEST(has(rejection_of(text), "chain.drive[1].frequency: "));
+  const std::string network =
+      "[network]\nmass = [inf, 1]\nvelocity = [0, 0]\nlaw = 'linear'\nstiffness = 1\ngap = 1\n"
+      "[[network.contact]]\ndirection = [-1, 1]\n[network.drive]\nnumber = 1\n";
+  BOOST_TEST(has(rejection_of(network + push + "1e100\n" + until), "network.drive.frequency: "));
+}

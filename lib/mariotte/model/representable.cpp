@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 namespace mariotte::model {
 namespace {
@@ -16,15 +17,25 @@ bool is_bounded(double value) {
   return std::abs(value) <= largest_size;
 }
 
+/// How fast a piece of drive k turns: the frequency of a sine, or the duration of a pulse.
+StatedNumber stated_frequency(const std::vector<Drive>& drives, Index k, const SignalPiece& piece) {
+  const double frequency = piece.frequency / (2 * std::numbers::pi);
+  if (drives[static_cast<std::size_t>(k)].signal.piece.size() == 1) return {"frequency", -1, frequency, k};
+  return {"duration", -1, 0.5 / frequency, k};
+}
+
 /// The stated number that is farthest from 1.
 class Culprit {
  public:
-  void consider(std::string_view key, double value, Index place = -1) {
-    if (value == 0 || std::isinf(value)) return;
-    const double distance = std::abs(std::log(std::abs(value)));
+  void consider(const StatedNumber& number) {
+    if (number.value == 0 || std::isinf(number.value)) return;
+    const double distance = std::abs(std::log(std::abs(number.value)));
     if (distance <= distance_) return;
     distance_ = distance;
-    number_ = {key, place, value};
+    number_ = number;
+  }
+  void consider(std::string_view key, double value, Index place = -1) {
+    consider(StatedNumber{key, place, value});
   }
   void consider(std::string_view key, const std::vector<double>& values) {
     for (Index i = 0; i < std::ssize(values); ++i) consider(key, values[i], i);
@@ -34,6 +45,14 @@ class Culprit {
       for (const auto& parameter : parameters(law))
         if (parameter.key != "exponent") consider(parameter.key, parameter.value);
     }
+  }
+  void consider(const std::vector<Drive>& drives) {
+    for (Index k = 0; k < std::ssize(drives); ++k)
+      for (const auto& piece : drives[static_cast<std::size_t>(k)].signal.piece) {
+        consider({"amplitude", -1, piece.amplitude, k});
+        consider(stated_frequency(drives, k, piece));
+        consider({"table", -1, piece.power[0], k});
+      }
   }
   [[noreturn]] void refuse() const {
     std::array<char, 256> text{};
@@ -64,9 +83,19 @@ bool fits(const contact::Law& law, double length) {
   return fits(f.value) && is_bounded(f.by_indentation) && is_bounded(f.by_rate);
 }
 
-/// Laws, gaps and natural sizes of the contacts of a scaled chain or network.
+/// All but frequencies.
+bool is_bounded(const Signal& signal) {
+  return std::all_of(signal.piece.begin(), signal.piece.end(), [](const SignalPiece& p) {
+    return is_bounded(p.start) && is_bounded(p.amplitude) && is_bounded(p.phase) &&
+           std::all_of(p.power.begin(), p.power.end(), [](double c) { return is_bounded(c); });
+  });
+}
+
+/// Laws, gaps, drives and natural sizes of the contacts of a scaled chain or network.
 template <class Scaled>
 bool contacts_fit(const Scaled& d) {
+  for (const auto& drive : d.drive)
+    if (!is_bounded(drive.signal) || !is_bounded(drive.change)) return false;
   for (std::size_t j = 0; j < d.law.size(); ++j)
     if (!fits(d.law[j], d.length[j]) || !is_bounded(d.gap[j]) || !fits(d.reduced_mass[j]) ||
         !fits(d.length[j]) || !fits(d.time[j]) || !is_bounded(d.gap[j] / d.speed * d.scale.time))
@@ -89,6 +118,22 @@ void expect_resolved_damping(const Scaled& d, const std::vector<contact::Law>& l
     throw Unrepresentable(
         text.data(), {"damping", static_cast<Index>(j), power_law(laws[j]) ? contact::damping(laws[j]) : 0});
   }
+}
+
+/// Throw unless drives do not turn much faster than contacts can follow.
+template <class Scaled>
+void expect_resolved_drives(const Scaled& d, const std::vector<Drive>& drives) {
+  for (std::size_t k = 0; k < drives.size(); ++k)
+    for (const auto& piece : d.drive[k].signal.piece) {
+      if (piece.frequency <= largest_driven_angle) continue;
+      std::array<char, 256> text{};
+      std::snprintf(
+          text.data(), text.size(),
+          "cannot be computed with in double precision: drive %d turns by %.1e rad within the shortest "
+          "natural time, and %.0e is the most",
+          static_cast<int>(k + 1), piece.frequency, largest_driven_angle);
+      throw Unrepresentable(text.data(), stated_frequency(drives, static_cast<Index>(k), piece));
+    }
 }
 
 /// Something sets contacts in motion, but its square is lost to underflow. `spread` is the largest relative
@@ -174,7 +219,9 @@ bool fits(const DimensionlessMicrobody& d) {
 
 Culprit culprit(const Chain& chain) {
   Culprit culprit;
-  culprit.consider("velocity", chain.velocity);
+  for (Index i = 0; i < std::ssize(chain.velocity); ++i)
+    if (!prescribes(chain.drive, i)) culprit.consider("velocity", chain.velocity[i], i);
+  culprit.consider(chain.drive);
   culprit.consider("mass", chain.mass);
   culprit.consider("gap", chain.gap);
   culprit.consider(chain.law);
@@ -184,7 +231,9 @@ Culprit culprit(const Chain& chain) {
 
 Culprit culprit(const Network& network) {
   Culprit culprit;
-  for (const double v : network.velocity) culprit.consider("velocity", v);
+  for (Index i = 0; i < std::ssize(network.velocity); ++i)
+    if (!prescribes(network.drive, i)) culprit.consider("velocity", network.velocity[i]);
+  culprit.consider(network.drive);
   for (const double mass : network.mass) culprit.consider("mass", mass);
   for (const double gap : network.gap) culprit.consider("gap", gap);
   culprit.consider(network.law);
@@ -213,11 +262,13 @@ Culprit culprit(const Microbody& body) {
 void expect_representable(const Chain& chain, const DimensionlessChain& scaled) {
   if (!fits(scaled, chain)) culprit(chain).refuse();
   expect_resolved_damping(scaled, chain.law);
+  expect_resolved_drives(scaled, chain.drive);
 }
 
 void expect_representable(const Network& network, const DimensionlessNetwork& scaled) {
   if (!fits(scaled, network)) culprit(network).refuse();
   expect_resolved_damping(scaled, network.law);
+  expect_resolved_drives(scaled, network.drive);
 }
 
 void expect_representable(const Microbody& body, const DimensionlessMicrobody& scaled) {

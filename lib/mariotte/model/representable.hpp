@@ -19,11 +19,16 @@ inline constexpr double smallest_size = 1e-290, largest_size = 1e290;
 /// it still carries when its dampers have stopped it, ratio⁻² of what it began with, is rounding.
 inline constexpr double largest_damping_group = 1e12;
 
+/// Angle ω T of a drive within the shortest natural time of a contact beyond which nothing is computed: what
+/// it moves within a period is rounding of the indentation.
+inline constexpr double largest_driven_angle = 1e15;
+
 /// A stated number, as scenes call it: "velocity", "mass", "stiffness" …
 struct StatedNumber {
   std::string_view key = "velocity";
   Index place = -1;  ///< among the balls or contacts of a chain, from 0; −1 elsewhere
   double value = 0;
+  Index drive = -1;  ///< of which it is, from 0; −1 of none
 };
 
 /// Numbers too large or too small for a run in double precision. `reason` is the one that is farthest from 1,
@@ -38,8 +43,8 @@ struct Unrepresentable : InvalidParameter {
 /// Throw Unrepresentable unless every size of the scaled model, and its units as numbers of the scene's
 /// units, lie between smallest_size and largest_size: masses, lengths and times of contacts, stiffnesses; the
 /// units of speed squared, force, momentum and energy; and unless speeds, gaps, damping, gravity, flight
-/// times and energies lie below largest_size, and damping groups below largest_damping_group. A drive of the
-/// motion that is too small to square is no rest.
+/// times, energies and drives lie below largest_size, damping groups below largest_damping_group and angles
+/// of drives below largest_driven_angle. A drive of the motion that is too small to square is no rest.
 void expect_representable(const Chain& chain, const DimensionlessChain& scaled);
 void expect_representable(const Network& network, const DimensionlessNetwork& scaled);
 void expect_representable(const Microbody& body, const DimensionlessMicrobody& scaled);

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "mariotte/core/error.hpp"
+#include "mariotte/model/fault.hpp"
 #include "mariotte/scene/table_columns.hpp"
 
 namespace mariotte::scene {
@@ -86,19 +87,12 @@ model::Signal read_signal(const Source& source, const Field& table, std::size_t 
 model::Drive read_drive(const Source& source, const Field& table) {
   expect_keys(source, table, keys);
   const auto quantity = choice(source, needed(source, table, "quantity"), "quantity", quantities);
-  return {.direction = {},
-          .quantity = static_cast<Driven>(quantity),
-          .signal = read_signal(source, table, quantity)};
-}
-
-/// One table, or several.
-std::vector<Field> drive_tables(const Field& whole) {
-  const auto field = find(whole, "drive");
-  if (!field) return {};
-  if (!field->node->array()) return {*field};
-  std::vector<Field> tables;
-  for (Index k = 0; k < std::ssize(*field->node->array()); ++k) tables.push_back(element(*field, k));
-  return tables;
+  model::Drive drive{.direction = {},
+                     .quantity = static_cast<Driven>(quantity),
+                     .signal = read_signal(source, table, quantity)};
+  if (!std::isfinite(start_velocity(drive) + start_force(drive)))
+    reject(source, table, fault::unrepresentable, "is too fast for double precision");
+  return drive;
 }
 
 void refuse_keys(const Source& source, const Field& table, std::initializer_list<const char*> others,
@@ -108,6 +102,15 @@ void refuse_keys(const Source& source, const Field& table, std::initializer_list
 }
 
 }  // namespace
+
+std::vector<Field> drive_tables(const Field& whole) {
+  const auto field = find(whole, "drive");
+  if (!field) return {};
+  if (!field->node->array()) return {*field};
+  std::vector<Field> tables;
+  for (Index k = 0; k < std::ssize(*field->node->array()); ++k) tables.push_back(element(*field, k));
+  return tables;
+}
 
 std::vector<model::Drive> read_drives(const Source& source, const Field& chain, std::span<Ball> balls) {
   std::vector<model::Drive> drives;

@@ -8,6 +8,9 @@
 
 namespace mariotte::scene {
 
+/// The tables of the drives in [chain] or [network], in order.
+std::vector<Field> drive_tables(const Field& whole);
+
 /// The drives of [chain.drive]. What moves as prescribed becomes a wall, with the velocity that it has at the
 /// start. Throws SceneError.
 std::vector<model::Drive> read_drives(const Source& source, const Field& chain, std::span<Ball> balls);

@@ -5,15 +5,21 @@
 #include "mariotte/scene/bodies_reader.hpp"
 #include "mariotte/scene/body_reader.hpp"
 #include "mariotte/scene/chain_reader.hpp"
+#include "mariotte/scene/drive_reader.hpp"
 #include "mariotte/scene/idle_keys.hpp"
 #include "mariotte/scene/network_reader.hpp"
 
 namespace mariotte::scene {
 namespace {
 
-/// Where the first of the tables that has its key says a number; else the first table.
+/// Where its drive, or the first of the tables that has its key, says a number; else that drive or the first
+/// table.
 Field where_said(const model::StatedNumber& number, const Field& root,
                  std::initializer_list<const char*> tables) {
+  if (number.drive >= 0) {
+    const auto table = drive_tables(*find(root, *tables.begin())).at(static_cast<std::size_t>(number.drive));
+    return find(table, number.key).value_or(table);
+  }
   for (const auto* name : tables) {
     const auto table = find(root, name);
     const auto field = table && table->node->table() ? find(*table, number.key) : std::nullopt;
