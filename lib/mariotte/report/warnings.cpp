@@ -5,19 +5,47 @@
 
 #include <algorithm>
 
+#include "mariotte/impact/passage.hpp"
+
 namespace mariotte::report {
 namespace {
 
 using List = std::vector<std::string>;
 
-constexpr const char* errors_grow = "contacts close so often that errors grow";
+constexpr const char* close_often = "contacts close so often that errors grow";
+constexpr const char* fly_long = "contacts push together after a flight so long that errors grow";
+constexpr const char* add_up = "the errors of all steps, and rounding, add up";
+constexpr const char* lose_digits =
+    "indentations are so small beside the way to the first contact that digits are lost";
+
+/// What has made errors grow. A contact that closes no more often than is `harmless` is not the cause.
+template <class Contact>
+const char* growth(const std::vector<Contact>& contacts, Index harmless) {
+  if (std::any_of(contacts.begin(), contacts.end(),
+                  [&](const Contact& contact) { return std::ssize(contact.periods) > harmless; }))
+    return close_often;
+  return impact::longest_flight(contacts) > impact::long_flight ? fly_long : add_up;
+}
+
+const char* growth(const impact::ContactImpact& impact) {
+  return growth(impact.contacts, impact::single_wave(1));
+}
+
+const char* growth(const impact::BodiesImpact& impact) {
+  const auto* why = growth(impact.contacts, impact::first_impact);
+  return why != close_often && impact.lost_digits > impact.requested_accuracy ? lose_digits : why;
+}
+
+const char* growth(const impact::MicrobodyImpact& impact) {
+  return std::ssize(impact.impacts) > impact::first_impact ? close_often : add_up;
+}
 
 template <class Impact>
-void warn_of_error(const Impact& impact, const char* why, List& list) {
+void warn_of_error(const Impact& impact, List& list) {
   if (impact.estimated_accuracy && *impact.estimated_accuracy > impact.requested_accuracy)
     list.push_back(
         fmt::format("velocities may be wrong by {:.1e} of the largest speed, where {:g} was asked: {}",
-                    *impact.estimated_accuracy, impact.requested_accuracy, why));
+                    *impact.estimated_accuracy, impact.requested_accuracy, growth(impact)));
 }
 
 template <class Impact>
@@ -49,7 +77,7 @@ void warn_of_limits(const impact::Validity& validity, const char* thing, List& l
 
 List warnings(const impact::ContactImpact& impact, std::optional<flow::Kind> asked) {
   List list;
-  warn_of_error(impact, errors_grow, list);
+  warn_of_error(impact, list);
   warn_of_nothing(impact, list);
   warn_of_flow(impact.flows, asked, list);
   warn_of_limits(impact.validity, "contact", list);
@@ -67,13 +95,8 @@ List warnings(const impact::NetworkImpact& impact, std::optional<flow::Kind> ask
 }
 
 List warnings(const impact::BodiesImpact& impact, std::optional<flow::Kind> asked) {
-  const bool again = std::any_of(impact.contacts.begin(), impact.contacts.end(),
-                                 [](const auto& contact) { return contact.periods.size() > 1; });
   List list;
-  warn_of_error(impact,
-                again ? errors_grow
-                      : "indentations are so small beside the way to the first contact that digits are lost",
-                list);
+  warn_of_error(impact, list);
   warn_of_nothing(impact, list);
   warn_of_flow(impact.flows, asked, list);
   warn_of_limits(impact.validity, "contact", list);
@@ -82,7 +105,7 @@ List warnings(const impact::BodiesImpact& impact, std::optional<flow::Kind> aske
 
 List warnings(const impact::MicrobodyImpact& impact, std::optional<flow::Kind> asked) {
   List list;
-  warn_of_error(impact, errors_grow, list);
+  warn_of_error(impact, list);
   warn_of_flow(impact.flows, asked, list);
   warn_of_limits(impact.validity, "tip", list);
   return list;

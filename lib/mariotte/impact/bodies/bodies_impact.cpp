@@ -171,6 +171,7 @@ BodiesImpact simulate_in(const model::Bodies& bodies, const hybrid::Options& opt
   }
   keep_promise(bodies, possible, passage(impact, attainable), observers, impact, run,
                [&](const auto& a, const auto& b) { return difference(bodies, a, b); });
+  impact.lost_digits = attainable;
   if (attainable > options.accuracy)
     impact.estimated_accuracy = std::max(attainable, impact.estimated_accuracy.value_or(0));
   impact.requested_accuracy = options.accuracy;
