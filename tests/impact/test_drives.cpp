@@ -416,3 +416,50 @@ BOOST_AUTO_TEST_CASE(the_jacobian_of_a_driven_phase_is_that_of_its_field) {
                  problem.component(r) << " by " << problem.component(c));
   }
 }
+
+// What counts of a signal is what comes before the end, and how fast it makes bodies that contacts hold.
+BOOST_AUTO_TEST_CASE(what_a_signal_does_after_the_end_does_not_matter) {
+  const auto pushed = [](double last, double accuracy) {
+    const auto force = model::straight_lines({{0, 0}, {1, -0.01}, {2, -0.01}, {last, -0.01}});
+    auto row = row_behind_wall({contact::Hertz(1), contact::Hertz(1)}, drive(2, Driven::force, force));
+    return simulate(row, until(30, accuracy)).velocity;
+  };
+  const auto walled = [](double last, double accuracy) {
+    const auto motion = model::straight_lines({{0, 0}, {1, 0.01}, {40, 0.01}, {last, 1e6}});
+    return simulate(
+               row_behind_wall({contact::Hertz(1), contact::Hertz(1)}, drive(0, Driven::velocity, motion)),
+               until(30, accuracy))
+        .velocity;
+  };
+  for (const double accuracy : {1e-4, 1e-8}) {
+    const auto soon = pushed(31, accuracy), walled_soon = walled(41, accuracy);
+    const auto exact = pushed(31, 1e-12), walled_exact = walled(41, 1e-12);
+    for (const double last : {1e3, 1e9}) {
+      BOOST_TEST(pushed(last, accuracy) == soon, boost::test_tools::per_element());
+      BOOST_TEST(walled(last, accuracy) == walled_soon, boost::test_tools::per_element());
+    }
+    for (std::size_t i = 1; i < 3; ++i) {
+      BOOST_TEST(std::abs(soon[i] - exact[i]) < 0.1 * accuracy);
+      BOOST_TEST(std::abs(walled_soon[i] - walled_exact[i]) < 0.1 * accuracy);
+    }
+  }
+}
+
+// A hundred seconds of a force that a contact holds would make a free ball a thousand times as fast.
+BOOST_AUTO_TEST_CASE(a_force_that_grows_slowly_moves_a_ball_as_its_stiffness_says) {
+  const double frequency = 2 * pi * 1e-5, force = 10;
+  auto row =
+      row_behind_wall({contact::Linear(4)}, drive(1, Driven::force, model::sine(-force, frequency, 0)));
+  // m ẍ + k x = −F sin ω t from rest.
+  const double natural = 2, amplitude = -force / (natural * natural - frequency * frequency);
+  const auto velocity = [&](double t) {
+    return amplitude * frequency * (std::cos(frequency * t) - std::cos(natural * t));
+  };
+  for (const double accuracy : {1e-4, 1e-7}) {
+    const auto solved = simulate(row, until(100, accuracy));
+    BOOST_TEST(std::abs(solved.velocity[1] - velocity(100)) < accuracy * std::abs(amplitude) * frequency * 2);
+    impact::ChainSolver solver;
+    BOOST_TEST(std::abs(solver.solve(row, until(100, accuracy)).velocity[1] - velocity(100)) <
+               accuracy * std::abs(amplitude) * frequency * 2);
+  }
+}

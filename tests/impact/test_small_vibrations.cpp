@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mariotte/contact/stated_law.hpp"
+#include "mariotte/contact/thornton.hpp"
 #include "mariotte/impact/chain/chain_impact.hpp"
 #include "mariotte/impact/network/network_impact.hpp"
 #include "mariotte/model/chain/dimensionless_chain.hpp"
@@ -63,7 +64,7 @@ BOOST_AUTO_TEST_CASE(forces_and_networks_are_held_in_balance_too) {
   }
 }
 
-// Without the force the ball is let go, and what it gets back is what counts. A row at rest has nothing.
+// Without the force the ball is let go, and what it gets back is what counts. A row at rest should stay so.
 BOOST_AUTO_TEST_CASE(only_what_is_in_balance_and_moves_asks_for_more_digits) {
   const auto refinement = [](const model::Chain& chain) {
     model::DimensionlessChain scaled;
@@ -76,5 +77,25 @@ BOOST_AUTO_TEST_CASE(only_what_is_in_balance_and_moves_asks_for_more_digits) {
   row.velocity[1] = 1e-3;
   BOOST_TEST(refinement(row) == 1e-3 / std::sqrt(1.6), boost::test_tools::tolerance(1e-6));
   row.velocity[1] = 0;
-  BOOST_TEST(refinement(row) == 1);
+  BOOST_TEST(refinement(row) == 1e-6);
+}
+
+// A contact that its load has made yield is as stiff as it is then.
+BOOST_AUTO_TEST_CASE(what_yields_under_its_load_is_in_balance_too) {
+  auto row = ball_between_walls();
+  row.law[0] = contact::state(contact::Thornton(1, 1, 0.3));
+  row.gap[0] = -contact::static_indentation(row.law[0], 1);
+  const auto velocity = [&](double accuracy) { return impact::simulate(row, options(accuracy)).velocity[1]; };
+  const double exact = velocity(1e-9);
+  for (const double accuracy : {1e-4, 1e-6})
+    BOOST_TEST(std::abs(velocity(accuracy) - exact) < accuracy * speed);
+}
+
+// Digits that a vibration cannot have beside what it is pressed by.
+BOOST_AUTO_TEST_CASE(rounding_of_indentations_is_in_the_estimate) {
+  const auto coarse = impact::simulate(ball_between_walls(), options(1e-6)),
+             fine = impact::simulate(ball_between_walls(), options(1e-12));
+  BOOST_TEST(coarse.estimated_accuracy.value_or(0) < 1e-6);
+  BOOST_TEST(fine.estimated_accuracy.value_or(0) > 1e-9);
+  BOOST_TEST(error(fine.velocity[1], 3) < fine.estimated_accuracy.value_or(0));
 }

@@ -84,6 +84,22 @@ std::optional<double> keep_promise(const hybrid::Options& asked, const Passage& 
   return shaken ? std::max(*shaken, agreed ? *last : 0) : last;
 }
 
+/// Something moves at the start, or is driven.
+template <class Model>
+bool moves(const Model& model) {
+  return !model.drive.empty() ||
+         std::any_of(model.velocity.begin(), model.velocity.end(), [](double v) { return v != 0; });
+}
+
+/// A speed that is so much smaller than the largest, which indentations hold back, has rounding of that: the
+/// estimate says so where it is more than was asked for.
+inline void add_rounding(double largest_speed, double reference_speed, double asked,
+                         std::optional<double>& estimate) {
+  const double rounding = 64 * epsilon * largest_speed / reference_speed;
+  if (reference_speed < largest_speed && rounding > asked)
+    estimate = std::max(rounding, estimate.value_or(0));
+}
+
 /// Upper bound on the error of a result that is `apart` from a run which is tighter by far, but has an error
 /// of its own: a tenth at most, or what it says itself.
 inline double error_bound(double apart, std::optional<double> of_tighter) {

@@ -11,6 +11,7 @@
 #include "mariotte/impact/chain/chain_solver.hpp"
 #include "mariotte/impact/flow_uses.hpp"
 #include "mariotte/impact/impulses.hpp"
+#include "mariotte/impact/reached_speed.hpp"
 #include "mariotte/impact/sampled_promise.hpp"
 #include "mariotte/impact/watch/chain_run.hpp"
 #include "mariotte/impact/watch/event_list.hpp"
@@ -186,17 +187,25 @@ bool may_have_steady_waves(const model::Chain& chain) {
   return std::any_of(chain.law.begin(), chain.law.end(), model::lets_waves_be_steady);
 }
 
-ChainImpact simulate_within(const model::Chain& chain, const hybrid::Options& options,
-                            const RunObserver& observers) {
+ChainImpact simulate_known(const model::Chain& chain, const hybrid::Options& options,
+                           const RunObserver& observers) {
   auto impact = simulate_once(chain, options, observers);
   keep_promise(chain, options, passage(impact), observers, impact, simulate_once,
                [&](const auto& a, const auto& b) {
                  return difference(a.velocity, b.velocity, reference_speed(chain));
                });
+  if (chain.precompressed && moves(chain))
+    add_rounding(largest_speed(chain), reference_speed(chain), options.accuracy, impact.estimated_accuracy);
   impact.requested_accuracy = options.accuracy;
   if (impact.ending == hybrid::Ending::failed && falls_back(chain) && std::isinf(options.max_time))
     impact.message += "; balls that come to rest under gravity need a time limit";
   return impact;
+}
+
+ChainImpact simulate_within(const model::Chain& chain, const hybrid::Options& options,
+                            const RunObserver& observers) {
+  if (chain.drive.empty()) return simulate_known(chain, options, observers);
+  return simulate_known(with_reached_speeds(chain, options, observers, simulate_once), options, observers);
 }
 
 }  // namespace
@@ -215,10 +224,14 @@ ChainImpact simulate(const model::Chain& chain, const hybrid::Options& options,
   return impact;
 }
 
+model::Chain with_reached_speeds(const model::Chain& chain, const hybrid::Options& options) {
+  return with_reached_speeds(chain, options, {}, simulate_once);
+}
+
 double estimate_accuracy(const model::Chain& chain, const hybrid::Options& options,
                          const ChainImpact& result) {
   constexpr double cvode_floor = 1e-12;
-  const double speed = reference_speed(chain);
+  const double speed = reference_speed(chain.drive.empty() ? chain : with_reached_speeds(chain, options));
   ChainSolver solver;
   auto tighter = options;
   tighter.accuracy = std::max(1e-2 * options.accuracy, 16 * epsilon);

@@ -125,6 +125,9 @@ struct ChainImpact : ContactImpact {
 ChainImpact simulate(const model::Chain& chain, const hybrid::Options& options = {},
                      const RunObserver& observers = {});
 
+/// A driven chain that knows which speeds are reached until the end of a run.
+model::Chain with_reached_speeds(const model::Chain& chain, const hybrid::Options& options);
+
 /// Error of `result.velocity` relative to the largest incident speed: the difference to a run at a tighter
 /// accuracy and what that one may err by itself. Unless the chain is divided into islands also the difference
 /// to a flow that shares no formula with it, CVODE, where that is more than CVODE's own error: that begins at

@@ -6,6 +6,7 @@
 #include "mariotte/impact/brief_run.hpp"
 #include "mariotte/impact/chain/chain_frame.hpp"
 #include "mariotte/impact/chain/chain_gate.hpp"
+#include "mariotte/impact/chain/chain_impact.hpp"
 #include "mariotte/impact/chain/triplet_runs.hpp"
 #include "mariotte/impact/impulses.hpp"
 #include "mariotte/impact/watch/chain_run.hpp"
@@ -82,6 +83,11 @@ struct ChainSolver::Memory {
     return triplet.result(0);
   }
 
+  void run(const model::Chain& chain, const hybrid::Options& options) {
+    chain.drive.empty() ? keep_promise(chain, options)
+                        : keep_promise(with_reached_speeds(chain, options), options);
+  }
+
   void keep_promise(const model::Chain& chain, const hybrid::Options& options) {
     solve(chain, options);
     const auto again = [&](const model::Chain& same, const hybrid::Options& tighter) {
@@ -107,11 +113,11 @@ const BriefImpact& ChainSolver::solve(const model::Chain& chain, const hybrid::O
   if (const auto* impact = m.solve_triplet(chain, options)) return *impact;
   const auto frame = moving_frame(chain);
   if (!frame) {
-    m.keep_promise(chain, options);
+    m.run(chain, options);
   } else {
     m.moving = chain;
     enter(frame, m.moving.velocity);
-    m.keep_promise(m.moving, options);
+    m.run(m.moving, options);
     leave(frame, m.impact);
   }
   return m.impact;

@@ -88,7 +88,7 @@ double NetworkGate::unexplained(const NetworkOutcome& o) {
       change_[dof] += drive.is_force ? response * given_impulse(o, k) : after[dof] - before[dof];
       if (drive.is_force)
         natural_[dof] += std::abs(response) *
-                         std::max(std::abs(given_impulse(o, k)), model::largest_integral(drive.signal));
+                         std::max(std::abs(given_impulse(o, k)), model::largest_integral(drive.signal, time));
     }
   }
   double worst = 0;

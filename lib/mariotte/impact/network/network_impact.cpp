@@ -12,6 +12,7 @@
 #include "mariotte/impact/network/network_gate.hpp"
 #include "mariotte/impact/network/network_run.hpp"
 #include "mariotte/impact/network/network_solver.hpp"
+#include "mariotte/impact/reached_speed.hpp"
 #include "mariotte/impact/sampled_promise.hpp"
 #include "mariotte/impact/watch/contact_watch.hpp"
 #include "mariotte/model/network/network_system.hpp"
@@ -122,14 +123,25 @@ NetworkImpact simulate_once(const model::Network& network, const hybrid::Options
   return impact;
 }
 
-NetworkImpact simulate_within(const model::Network& network, const hybrid::Options& options,
-                              const RunObserver& observers) {
+NetworkImpact simulate_known(const model::Network& network, const hybrid::Options& options,
+                             const RunObserver& observers) {
   auto impact = simulate_once(network, options, observers);
-  keep_promise(
-      network, options, passage(impact), observers, impact, simulate_once,
-      [&](const auto& a, const auto& b) { return rate_difference(network, a.velocity, b.velocity); });
+  keep_promise(network, options, passage(impact), observers, impact, simulate_once,
+               [&](const auto& a, const auto& b) {
+                 return rate_difference(network, reference_speed(network), a.velocity, b.velocity);
+               });
+  if (network.precompressed && moves(network)) {
+    const auto [largest, reference] = model::speeds(network);
+    add_rounding(largest, reference, options.accuracy, impact.estimated_accuracy);
+  }
   impact.requested_accuracy = options.accuracy;
   return impact;
+}
+
+NetworkImpact simulate_within(const model::Network& network, const hybrid::Options& options,
+                              const RunObserver& observers) {
+  if (network.drive.empty()) return simulate_known(network, options, observers);
+  return simulate_known(with_reached_speeds(network, options, observers, simulate_once), options, observers);
 }
 
 }  // namespace
@@ -152,13 +164,19 @@ NetworkImpact simulate(const model::Network& network, const hybrid::Options& opt
   return impact;
 }
 
+model::Network with_reached_speeds(const model::Network& network, const hybrid::Options& options) {
+  return with_reached_speeds(network, options, {}, simulate_once);
+}
+
 double estimate_accuracy(const model::Network& network, const hybrid::Options& options,
                          const NetworkImpact& result) {
   auto tighter = options;
   tighter.accuracy = std::max(1e-2 * options.accuracy, 16 * epsilon);
   NetworkSolver solver;
   const auto& own = solver.solve(network, tighter);
-  return error_bound(rate_difference(network, result.velocity, own.velocity), own.estimated_accuracy);
+  const double speed =
+      reference_speed(network.drive.empty() ? network : with_reached_speeds(network, options));
+  return error_bound(rate_difference(network, speed, result.velocity, own.velocity), own.estimated_accuracy);
 }
 
 }  // namespace mariotte::impact

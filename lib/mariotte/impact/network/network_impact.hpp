@@ -22,8 +22,11 @@ struct NetworkImpact : ContactImpact {
 NetworkImpact simulate(const model::Network& network, const hybrid::Options& options = {},
                        const RunObserver& observers = {});
 
-/// Error of the gap rates that follow from `result.velocity`, relative to the largest one before, from a
-/// second run at a tighter accuracy.
+/// A driven network that knows which speeds are reached until the end of a run.
+model::Network with_reached_speeds(const model::Network& network, const hybrid::Options& options);
+
+/// Error of the gap rates that follow from `result.velocity`, relative to the reference speed, from a second
+/// run at a tighter accuracy.
 double estimate_accuracy(const model::Network& network, const hybrid::Options& options,
                          const NetworkImpact& result);
 

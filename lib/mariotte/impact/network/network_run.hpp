@@ -14,23 +14,15 @@ inline bool is_felt(const model::DimensionlessNetwork& d, Index j, double impuls
   return std::abs(impulse) > accuracy * d.reduced_mass[j] * d.speed;
 }
 
-/// Largest gap rate at the start [m/s].
-inline double incident_speed(const model::Network& network) {
-  double most = 0;
-  for (const auto& row : network.direction) most = std::max(most, std::abs(gap_rate(row, network.velocity)));
-  return most;
-}
-
-/// Largest difference of the gap rates that two sets of velocities have, relative to the largest one at the
-/// start unless that is 0; infinite if one is not a number.
-inline double rate_difference(const model::Network& network, ConstState a, ConstState b) {
+/// Largest difference of the gap rates that two sets of velocities have, relative to `speed` unless that is
+/// 0; infinite if one is not a number.
+inline double rate_difference(const model::Network& network, double speed, ConstState a, ConstState b) {
   double most = 0;
   for (const auto& row : network.direction) {
     const double apart = std::abs(gap_rate(row, a) - gap_rate(row, b));
     most = apart <= most ? most : apart;
     if (std::isnan(most)) return infinity;
   }
-  const double speed = incident_speed(network);
   return speed > 0 ? most / speed : most;
 }
 

@@ -7,6 +7,7 @@
 #include "mariotte/impact/brief_run.hpp"
 #include "mariotte/impact/network/network_frame.hpp"
 #include "mariotte/impact/network/network_gate.hpp"
+#include "mariotte/impact/network/network_impact.hpp"
 #include "mariotte/impact/network/network_run.hpp"
 #include "mariotte/model/network/network_system.hpp"
 
@@ -48,13 +49,18 @@ struct NetworkSolver::Memory {
     impact.widest = system.layout().contacts();
   }
 
+  void run(const model::Network& network, const hybrid::Options& options) {
+    network.drive.empty() ? keep_promise(network, options)
+                          : keep_promise(with_reached_speeds(network, options), options);
+  }
+
   void keep_promise(const model::Network& network, const hybrid::Options& options) {
     solve(network, options);
     const auto again = [&](const model::Network& same, const hybrid::Options& tighter) {
       solve(same, tighter);
     };
     impact::keep_promise(network, options, gone, impact, looser, again, [&](const auto& a, const auto& b) {
-      return rate_difference(network, a.velocity, b.velocity);
+      return rate_difference(network, reference_speed(network), a.velocity, b.velocity);
     });
   }
 };
@@ -69,11 +75,11 @@ const BriefImpact& NetworkSolver::solve(const model::Network& network, const hyb
   model::expect_end(network, options.max_time);
   const auto frame = moving_frame(network);
   if (!frame) {
-    m.keep_promise(network, options);
+    m.run(network, options);
   } else {
     m.moving = network;
     enter(frame, m.moving.velocity);
-    m.keep_promise(m.moving, options);
+    m.run(m.moving, options);
     leave(frame, m.impact.velocity);
   }
   return m.impact;

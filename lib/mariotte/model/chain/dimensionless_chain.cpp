@@ -16,6 +16,13 @@ double reduced_mass(double a, double b) {
   return std::isinf(b) ? a : a / (1 + a / b);
 }
 
+std::vector<double> reduced_masses(const Chain& chain) {
+  std::vector<double> masses;
+  for (std::size_t j = 0; j < chain.law.size(); ++j)
+    masses.push_back(reduced_mass(chain.mass[j], chain.mass[j + 1]));
+  return masses;
+}
+
 /// Masses and gravity in the units of `d`.
 void scale_balls(const Chain& chain, DimensionlessChain& d) {
   for (auto* list : {&d.mass, &d.inverse_mass, &d.gravity}) list->clear();
@@ -53,10 +60,14 @@ SquaredSpeeds squared_speeds(const Chain& chain) {
     speeds.adhesion = std::max(speeds.adhesion, 2 * well_energy(chain.law[j]) / mass);
   }
   for (const auto& drive : chain.drive) speeds.drive(drive, 1 / chain.mass[drive.direction.front().dof]);
+  if (speeds.released > 0)
+    speeds.unbalanced = unbalanced_speeds({chain.law, chain.gap, chain.velocity}, reduced_masses(chain),
+                                          start_approach(chain));
   return speeds;
 }
 
-double reference_speed(const Chain& chain, double squared) {
+/// The root, or that of a static indentation.
+double speed_of(const Chain& chain, double squared) {
   if (squared > 0) return std::sqrt(squared);
   // Nothing moves unless gravity presses touching balls together: the speed gained over a static indentation.
   if (chain.gravity == 0) return 1;
@@ -70,8 +81,13 @@ double reference_speed(const Chain& chain, double squared) {
 
 }  // namespace
 
+double largest_speed(const Chain& chain) {
+  return speed_of(chain, squared_speeds(chain).all());
+}
+
 double reference_speed(const Chain& chain) {
-  return reference_speed(chain, squared_speeds(chain).all());
+  const auto speeds = squared_speeds(chain);
+  return speed_of(chain, speeds.all()) * speeds.in_balance();
 }
 
 void make_dimensionless(const Chain& chain, double accuracy, DimensionlessChain& d) {
@@ -79,10 +95,8 @@ void make_dimensionless(const Chain& chain, double accuracy, DimensionlessChain&
   for (std::size_t j = 0; j < chain.law.size(); ++j)
     d.reduced_mass.push_back(reduced_mass(chain.mass[j], chain.mass[j + 1]));
   const StatedContacts stated{chain.law, chain.gap, chain.velocity};
-  auto speeds = squared_speeds(chain);
-  if (speeds.released > 0)
-    speeds.unbalanced = unbalanced_speeds(stated, d.reduced_mass, start_approach(chain));
-  scale_contacts(stated, reference_speed(chain, speeds.all()), accuracy * speeds.in_balance(), d);
+  const auto speeds = squared_speeds(chain);
+  scale_contacts(stated, speed_of(chain, speeds.all()), accuracy * speeds.in_balance(), d);
   take_speeds(speeds, d);
   scale_balls(chain, d);
   d.falls_back = falls_back(chain);

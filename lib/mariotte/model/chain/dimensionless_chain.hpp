@@ -15,7 +15,10 @@ struct DimensionlessChain : ScaledContacts {
 };
 
 /// Speed that the balls of a validated chain can reach relative to each other: what they start with, and what
-/// gravity and stored energy can add. The accuracy of velocities is relative to it.
+/// gravity, drives and stored energy can add.
+double largest_speed(const Chain& chain);
+/// The one that the accuracy of velocities is relative to: of what is pressed and in balance that of its
+/// vibration.
 double reference_speed(const Chain& chain);
 
 /// Convert a validated chain into `d`, whose memory is reused. `accuracy` decides what is slow: a tenth

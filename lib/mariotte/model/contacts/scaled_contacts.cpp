@@ -91,10 +91,10 @@ void SquaredSpeeds::release(const contact::Law& law, double indentation, double 
 }
 
 double SquaredSpeeds::in_balance() const {
-  constexpr double least = 1e-6, rounding = 1e-11;
+  constexpr double least = 1e-6;
   const double vibration = std::min(given + driven_changes + unbalanced, before());
   const double share = before() > 0 ? std::sqrt(vibration / before()) : 1;
-  return share < rounding ? 1 : std::max(share, least);
+  return std::max(share, least);
 }
 
 void SquaredSpeeds::drive(const Drive& drive, double inverse_mass) {

@@ -55,8 +55,8 @@ struct SquaredSpeeds {
   /// An error of the large speed V in a well is one of V/v of the small speed v behind it, and the accuracy
   /// is meant relative to v, not V.
   double in_wells() const { return before() > 0 ? std::max(before() / all(), 1e-4) : 1; }
-  /// What is pressed and in balance vibrates with what moves it, not with what its indentations hold back.
-  /// Vibrations that are no more than rounding do not count.
+  /// What is pressed and in balance vibrates with what moves it, not with what its indentations hold back; a
+  /// millionth of that at least.
   double in_balance() const;
   /// A drive on what has this inverse mass along it.
   void drive(const Drive& drive, double inverse_mass);

@@ -52,8 +52,9 @@ double start_force(const Drive& drive) {
 }
 
 double driven_speed(const Drive& drive, double inverse_mass) {
-  if (drive.quantity == Driven::force) return inverse_mass * largest_integral(drive.signal);
-  return largest(velocity(drive));
+  const bool pushes = drive.quantity == Driven::force;
+  return std::min(drive.reached, pushes ? inverse_mass * largest_integral(drive.signal, drive.until)
+                                        : largest(velocity(drive), drive.until));
 }
 
 bool prescribes(const std::vector<Drive>& drives, Index dof) {

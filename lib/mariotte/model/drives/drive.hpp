@@ -16,7 +16,9 @@ enum class Driven : unsigned char { position, velocity, force };
 struct Drive {
   ContactDirection direction;
   Driven quantity = Driven::velocity;
-  Signal signal;  ///< [m], [m/s] or [N]
+  Signal signal;              ///< [m], [m/s] or [N]
+  double until = infinity;    ///< of its signal only what is before counts [s]
+  double reached = infinity;  ///< no larger speed comes of it, as far as is known [m/s]
 };
 
 /// The velocity that a drive prescribes at the start [m/s]; 0 of a force.
@@ -24,7 +26,7 @@ double start_velocity(const Drive& drive);
 /// The force at the start [N]; 0 of a motion.
 double start_force(const Drive& drive);
 /// About the largest speed of what is driven, by a prescribed motion or by a force on what has an inverse
-/// mass [1/kg] along it, as far as its signal has kinks [m/s].
+/// mass [1/kg] along it and nothing that holds it, unless less is known to be `reached` [m/s].
 double driven_speed(const Drive& drive, double inverse_mass);
 /// True if a drive prescribes this velocity.
 bool prescribes(const std::vector<Drive>& drives, Index dof);

@@ -104,22 +104,40 @@ double integral(const Signal& signal, double time) {
   return sum;
 }
 
-double largest(const Signal& signal) {
+namespace {
+
+/// How long piece i holds before `until`; 0 of what has no end.
+double duration(const Signal& signal, std::size_t i, double until) {
+  const double start = signal.piece[i].start, end = std::min(until, end_of(signal, i, until));
+  return std::isfinite(end) ? std::max(0.0, end - start) : 0;
+}
+
+/// It swings as far as it can.
+bool swings(const SignalPiece& piece, double duration) {
+  return piece.amplitude != 0 && (duration == 0 || piece.frequency * duration > 1);
+}
+
+}  // namespace
+
+double largest(const Signal& signal, double until) {
+  constexpr int samples = 16;
   double most = 0;
-  for (std::size_t i = 0; i < signal.piece.size(); ++i) {
+  for (std::size_t i = 0; i < signal.piece.size() && signal.piece[i].start < until; ++i) {
     const auto& p = signal.piece[i];
-    const auto end = end_of(signal, i, p.start);
-    most = std::max({most, std::abs(p.amplitude), std::abs(value(p, p.start)),
-                     std::abs(value(p, 0.5 * (p.start + end))), std::abs(value(p, end))});
+    const double lasts = duration(signal, i, until);
+    if (swings(p, lasts)) most = std::max(most, std::abs(p.amplitude));
+    for (int k = 0; k <= samples; ++k)
+      most = std::max(most, std::abs(value(p, p.start + lasts * k / samples)));
   }
   return most;
 }
 
-double largest_integral(const Signal& signal) {
-  double most = 0;
-  for (const auto& p : signal.piece) {
+double largest_integral(const Signal& signal, double until) {
+  double most = std::isfinite(until) ? std::abs(integral(signal, until)) : 0;
+  for (std::size_t i = 0; i < signal.piece.size() && signal.piece[i].start < until; ++i) {
+    const auto& p = signal.piece[i];
     most = std::max(most, std::abs(integral(signal, p.start)));
-    if (p.amplitude != 0) most = std::max(most, 2 * std::abs(p.amplitude) / p.frequency);
+    if (swings(p, duration(signal, i, until))) most = std::max(most, 2 * std::abs(p.amplitude) / p.frequency);
   }
   return most;
 }

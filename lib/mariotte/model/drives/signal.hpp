@@ -35,10 +35,10 @@ Signal rate(const Signal& signal);
 Index piece_at(const Signal& signal, double time);
 /// ∫ of the signal from 0 to a time.
 double integral(const Signal& signal, double time);
-/// About the largest size of the signal.
-double largest(const Signal& signal);
-/// About the largest size of its integral, up to the last kink.
-double largest_integral(const Signal& signal);
+/// About the largest size of the signal until a time, or until its last kink where that is infinite.
+double largest(const Signal& signal, double until);
+/// The same of its integral from 0.
+double largest_integral(const Signal& signal, double until);
 /// The same function in other units of time and value.
 Signal scaled(Signal signal, double time, double value);
 

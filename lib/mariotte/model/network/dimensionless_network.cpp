@@ -14,25 +14,10 @@ using Numbers = std::vector<double>;
 
 /// M⁻¹ w of each drive; of no use where it prescribes a motion.
 std::vector<ContactDirection> pushes_of_drives(const Network& network) {
+  if (network.drive.empty()) return {};
   std::vector<ContactDirection> directions;
   for (const auto& drive : network.drive) directions.push_back(drive.direction);
   return responses(network.mass, directions, std::ssize(network.velocity));
-}
-
-SquaredSpeeds squared_speeds(const Network& network, const Numbers& mass,
-                             const std::vector<ContactDirection>& pushes) {
-  SquaredSpeeds speeds;
-  for (const auto& direction : network.direction) {
-    const double rate = gap_rate(direction, network.velocity);
-    speeds.given = std::max(speeds.given, rate * rate);
-  }
-  for (std::size_t j = 0; j < mass.size(); ++j) {
-    speeds.adhesion = std::max(speeds.adhesion, 2 * well_energy(network.law[j]) / mass[j]);
-    if (network.gap[j] < 0) speeds.release(network.law[j], -network.gap[j], mass[j]);
-  }
-  for (std::size_t k = 0; k < network.drive.size(); ++k)
-    speeds.drive(network.drive[k], dot(network.drive[k].direction, pushes[k]));
-  return speeds;
 }
 
 /// How fast each contact is indented faster and faster at the start.
@@ -48,6 +33,27 @@ Numbers start_approach(const Network& network, const StatedContacts& stated,
   for (std::size_t k = 0; k < pushes.size(); ++k) push(pushes[k], start_force(network.drive[k]));
   for (const auto& direction : network.direction) approach.push_back(-gap_rate(direction, rate));
   return approach;
+}
+
+/// By the responses to contacts and to drives.
+SquaredSpeeds squared_speeds(const Network& network, const Numbers& mass,
+                             const std::vector<ContactDirection>& response,
+                             const std::vector<ContactDirection>& pushes) {
+  SquaredSpeeds speeds;
+  for (const auto& direction : network.direction) {
+    const double rate = gap_rate(direction, network.velocity);
+    speeds.given = std::max(speeds.given, rate * rate);
+  }
+  for (std::size_t j = 0; j < mass.size(); ++j) {
+    speeds.adhesion = std::max(speeds.adhesion, 2 * well_energy(network.law[j]) / mass[j]);
+    if (network.gap[j] < 0) speeds.release(network.law[j], -network.gap[j], mass[j]);
+  }
+  for (std::size_t k = 0; k < network.drive.size(); ++k)
+    speeds.drive(network.drive[k], dot(network.drive[k].direction, pushes[k]));
+  const StatedContacts stated{network.law, network.gap, network.velocity};
+  if (speeds.released > 0)
+    speeds.unbalanced = unbalanced_speeds(stated, mass, start_approach(network, stated, response, pushes));
+  return speeds;
 }
 
 void empty_lists(Index count, std::vector<std::vector<Index>>& lists) {
@@ -84,18 +90,26 @@ void scale_responses(DimensionlessNetwork& d) {
 
 }  // namespace
 
+GapRates speeds(const Network& network) {
+  std::vector<ContactDirection> response;
+  responses(network.mass, network.direction, std::ssize(network.velocity), response);
+  Numbers mass;
+  for (std::size_t j = 0; j < response.size(); ++j)
+    mass.push_back(1 / dot(network.direction[j], response[j]));
+  const auto squared = squared_speeds(network, mass, response, pushes_of_drives(network));
+  const double largest = std::sqrt(squared.all());
+  return {largest, largest * squared.in_balance()};
+}
+
 void make_dimensionless(const Network& network, double accuracy, DimensionlessNetwork& d) {
   d.dofs = std::ssize(network.velocity);
   find_responses(network, d);
   d.reduced_mass.clear();
   for (std::size_t j = 0; j < d.response.size(); ++j)
     d.reduced_mass.push_back(1 / dot(d.direction[j], d.response[j]));
-  const auto pushes = network.drive.empty() ? std::vector<ContactDirection>() : pushes_of_drives(network);
+  const auto pushes = pushes_of_drives(network);
+  const auto speeds = squared_speeds(network, d.reduced_mass, d.response, pushes);
   const StatedContacts stated{network.law, network.gap, network.velocity};
-  auto speeds = squared_speeds(network, d.reduced_mass, pushes);
-  if (speeds.released > 0)
-    speeds.unbalanced =
-        unbalanced_speeds(stated, d.reduced_mass, start_approach(network, stated, d.response, pushes));
   scale_contacts(stated, speeds.all() > 0 ? std::sqrt(speeds.all()) : 1, accuracy * speeds.in_balance(), d);
   take_speeds(speeds, d);
   d.drive.clear();

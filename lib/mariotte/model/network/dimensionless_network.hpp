@@ -18,6 +18,17 @@ struct DimensionlessNetwork : ScaledContacts {
   std::vector<std::vector<Index>> near;         ///< contacts that the push of each one moves
 };
 
+/// About the largest gap rate of a validated network, by velocities, drives and stored energy, and the one
+/// that the accuracy is relative to: of what is pressed and in balance that of its vibration. 0 if nothing
+/// moves it.
+struct GapRates {
+  double largest, reference;
+};
+GapRates speeds(const Network& network);
+inline double reference_speed(const Network& network) {
+  return speeds(network).reference;
+}
+
 /// Of a validated network into `d`, whose memory is reused. `accuracy` decides what is slow: a tenth of what
 /// may be wrong anyway. Throws Unrepresentable.
 void make_dimensionless(const Network& network, double accuracy, DimensionlessNetwork& d);
