@@ -95,9 +95,8 @@ bool moves(const Model& model) {
 /// estimate says so where it is more than was asked for.
 inline void add_rounding(double largest_speed, double reference_speed, double asked,
                          std::optional<double>& estimate) {
-  const double rounding = 64 * epsilon * largest_speed / reference_speed;
-  if (reference_speed < largest_speed && rounding > asked)
-    estimate = std::max(rounding, estimate.value_or(0));
+  const double lost = 64 * epsilon * largest_speed / reference_speed;
+  if (reference_speed < largest_speed && lost > asked) estimate = std::max(lost, estimate.value_or(0));
 }
 
 /// Upper bound on the error of a result that is `apart` from a run which is tighter by far, but has an error
