@@ -16,6 +16,13 @@ struct ForceSeries {
   double end = 0;
 };
 
+/// Indentation of a contact and its rate, as polynomials in the clock of a step, from 0 to `end`.
+struct IndentationSeries {
+  PushPolynomial depth, rate;
+  int order = 0;
+  double end = 0;
+};
+
 /// A dense piece of trajectory, valid during the call that hands it out.
 class Step {
  public:
@@ -30,6 +37,8 @@ class Step {
   virtual void inside(double fraction, State x) const { at(start + fraction * (end - start), x); }
   /// Fill in the series of all contacts that carry force in this step; false if there are none.
   virtual bool series(PushSeries&) const { return false; }
+  /// Fill in the motion of the contact whose gap stands there in the state; false if it is not known.
+  virtual bool indentation(Index /*gap*/, IndentationSeries&) const { return false; }
   /// Fill in the forces of all closed contacts, in the order of the phase; false if they are not known.
   virtual bool forces(std::vector<ForceSeries>&) const { return false; }
 };

@@ -61,6 +61,20 @@ bool PieceStep::series(PushSeries& push) const {
   return true;
 }
 
+bool PieceStep::indentation(Index gap, IndentationSeries& motion) const {
+  if (!piece_.series) return false;
+  const auto& all = window_.contacts;
+  const auto found = std::find_if(all.begin(), all.end(), [&](const auto* c) { return c->gap == gap; });
+  if (found == all.end()) return false;
+  const int lane = static_cast<int>(found - all.begin());
+  piece_.series->coefficients(Quantity::indentation, lane, motion.depth.data());
+  piece_.series->coefficients(Quantity::rate, lane, motion.rate.data());
+  motion.depth[0] += (*found)->origin;
+  motion.order = piece_.order;
+  motion.end = piece_.end;
+  return true;
+}
+
 void PieceStep::fill_force(int lane, PushSeries::Contact& c) const {
   fill_motion(lane, c);
   if (piece_.start)

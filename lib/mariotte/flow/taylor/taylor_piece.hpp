@@ -36,6 +36,7 @@ class PieceStep final : public Step {
   void at(double time, State x) const override;
   void inside(double fraction, State x) const override;
   bool series(PushSeries& push) const override;
+  bool indentation(Index gap, IndentationSeries& motion) const override;
 
  private:
   bool acts(int lane) const;

@@ -6,6 +6,24 @@
 #include "mariotte/core/bracket.hpp"
 
 namespace mariotte::impact {
+namespace {
+
+constexpr double near = 1e-6;
+
+/// Value and slope of a power series.
+struct Point {
+  double value = 0, slope = 0;
+};
+Point at(double place, const flow::PushPolynomial& c, int order) {
+  Point point;
+  for (int k = order; k >= 0; --k) {
+    point.slope = point.slope * place + point.value;
+    point.value = point.value * place + c[k];
+  }
+  return point;
+}
+
+}  // namespace
 
 void PeakObserver::begin(const model::ContactPhase& phase) {
   phase_ = &phase;
@@ -21,16 +39,17 @@ double PeakObserver::force_slope(ConstState x, ConstState dx, Index j) const {
 }
 
 void PeakObserver::take(ConstState x, Index j) {
-  const double depth = -phase_->gap(x, j);
+  take(-phase_->gap(x, j), phase_->approach(x, j), j);
+}
+
+void PeakObserver::take(double depth, double rate, Index j) {
   if (depth <= peaks_[j].indentation && !phase_->is_damped(j)) return;  // nor is the force larger
-  raise(peaks_[j], Peak{.force = phase_->force(x, j).value, .indentation = depth}, all_peaks);
+  raise(peaks_[j], Peak{.force = phase_->force(depth, rate, j).value, .indentation = depth}, all_peaks);
 }
 
 /// A slope of a millionth of that at both ends of the step is near enough: the value is flat there.
 template <class Slope>
 void PeakObserver::search(const flow::Step& step, Index j, double before, double after, Slope&& slope) {
-  constexpr double near = 1e-6;
-  if (!(before > 0 && after < 0)) return;
   double last = -1;  // fraction at which `inside_` is the state
   const auto slope_at = [&](double fraction) {
     step.inside(last = fraction, inside_);
@@ -42,17 +61,38 @@ void PeakObserver::search(const flow::Step& step, Index j, double before, double
   take(inside_, j);
 }
 
+/// The same in the clock of `motion_`.
+template <class Slope>
+void PeakObserver::search_series(Index j, double before, double after, Slope&& slope) {
+  const auto& [depth, rate, order, end] = motion_;
+  const double place = locate_sign_change(slope, 0, before, end, after, near * end);
+  take(at(place, depth, order).value, at(place, rate, order).value, j);
+}
+
 void PeakObserver::search_indentation(const flow::Step& step, Index j) {
-  search(step, j, phase_->approach(step.before, j), phase_->approach(step.after, j),
-         [&](ConstState x) { return phase_->approach(x, j); });
+  const double before = phase_->approach(step.before, j), after = phase_->approach(step.after, j);
+  if (!(before > 0 && after < 0)) return;
+  if (step.indentation(phase_->gap_place(j), motion_))
+    return search_series(j, before, after,
+                         [&](double place) { return at(place, motion_.rate, motion_.order).value; });
+  search(step, j, before, after, [&](ConstState x) { return phase_->approach(x, j); });
 }
 
 void PeakObserver::search_force(const flow::Step& step, Index j) {
-  search(step, j, force_slope(step.before, rate_before_, j), force_slope(step.after, rate_after_, j),
-         [&](ConstState x) {
-           phase_->derivative(x, rate_);
-           return force_slope(x, rate_, j);
-         });
+  const double before = force_slope(step.before, rate_before_, j),
+               after = force_slope(step.after, rate_after_, j);
+  if (!(before > 0 && after < 0)) return;
+  if (step.indentation(phase_->gap_place(j), motion_))
+    return search_series(j, before, after, [&](double place) {
+      const auto depth = at(place, motion_.depth, motion_.order),
+                 rate = at(place, motion_.rate, motion_.order);
+      const auto force = phase_->force(depth.value, rate.value, j);
+      return force.by_indentation * depth.slope + force.by_rate * rate.slope;
+    });
+  search(step, j, before, after, [&](ConstState x) {
+    phase_->derivative(x, rate_);
+    return force_slope(x, rate_, j);
+  });
 }
 
 void PeakObserver::observe(const flow::Step& step) {

@@ -26,7 +26,8 @@ void raise(Peaks& peaks, const Peaks& others, const std::array<double Peaks::*, 
 }
 
 /// Looks at each step for a maximum of δ or f: a slope that falls through zero. The maximum itself is flat,
-/// so a loose place is enough for a tight value.
+/// so a loose place is enough for a tight value. Where a step knows the motion of one contact by itself, no
+/// other is evaluated.
 class PeakObserver {
  public:
   /// From now on look at the steps of this phase, all peaks forgotten; it must outlive the observation.
@@ -38,8 +39,11 @@ class PeakObserver {
   /// ḟ; `dx` is the derivative at x.
   double force_slope(ConstState x, ConstState dx, Index j) const;
   void take(ConstState x, Index j);
+  void take(double depth, double rate, Index j);
   template <class Slope>
   void search(const flow::Step& step, Index j, double before, double after, Slope&& slope);
+  template <class Slope>
+  void search_series(Index j, double before, double after, Slope&& slope);
   void search_indentation(const flow::Step& step, Index j);
   void search_force(const flow::Step& step, Index j);
 
@@ -47,6 +51,7 @@ class PeakObserver {
   std::vector<Peak> peaks_;
   bool damped_ = false;  ///< any contact
   std::vector<double> inside_, rate_, rate_before_, rate_after_;
+  flow::IndentationSeries motion_;  ///< of the contact that is looked at
 };
 
 }  // namespace mariotte::impact

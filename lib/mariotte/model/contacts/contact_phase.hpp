@@ -20,6 +20,10 @@ class ContactPhase : public flow::Problem {
   virtual double approach(ConstState x, Index j) const = 0;
   /// Force of contact j and its slopes; zero unless it carries force.
   virtual contact::Force force(ConstState x, Index j) const = 0;
+  /// Indented by δ, at the rate δ̇.
+  virtual contact::Force force(double indentation, double rate, Index j) const = 0;
+  /// Where its gap stands in the state.
+  virtual Index gap_place(Index j) const = 0;
   virtual bool is_damped(Index j) const = 0;
   /// True if the force of contact j can pull; that of any other is cut off at 0.
   virtual bool pulls(Index j) const = 0;

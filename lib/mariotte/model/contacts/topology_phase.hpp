@@ -52,11 +52,12 @@ class TopologyPhase final : public ContactPhase {
   contact::Force force(ConstState x, Index j) const override {
     return force(-x[at().gap[j]], topology_.approach(x, j), j);
   }
+  contact::Force force(double indentation, double rate, Index j) const override;
+  Index gap_place(Index j) const override { return at().gap[j]; }
   bool is_damped(Index j) const override { return has_work(j); }
   bool pulls(Index j) const override { return contact::pulls(law(j)); }
 
  private:
-  contact::Force force(double indentation, double rate, Index j) const;
   const ContactLayout& at() const { return topology_.at; }
   const contact::Law& law(Index j) const { return topology_.model.law[j]; }
   bool has_work(Index j) const { return at().work[j] != ContactLayout::absent; }
