@@ -463,3 +463,20 @@ BOOST_AUTO_TEST_CASE(a_force_that_grows_slowly_moves_a_ball_as_its_stiffness_say
                accuracy * std::abs(amplitude) * frequency * 2);
   }
 }
+
+// Lanes of a network begin with what pushes: here with its second contact. A ball has two behind it.
+BOOST_AUTO_TEST_CASE(series_of_driven_networks_agree_with_cvode_whichever_contacts_are_open) {
+  const model::Network network{.mass = {infinity, 1, 1, 1},
+                               .direction = {{{0, -1}, {1, 1}}, {{1, -1}, {2, 1}}, {{1, -1}, {3, 1}}},
+                               .law = {contact::Hertz(1), contact::Hertz(2), contact::Hertz(1.5)},
+                               .gap = {0.3, 0, 0.1},
+                               .velocity = {0, 0, 0, 0},
+                               .drive = {drive(0, Driven::velocity, model::sine(1, 0.7, 0)),
+                                         drive(2, Driven::force, model::sine(-0.2, 0.4, 1))}};
+  auto by_cvode = until(20, 1e-12);
+  by_cvode.flow = flow::Kind::cvode_adams;
+  const auto exact = simulate(network, by_cvode), found = simulate(network, until(20));
+  BOOST_TEST(found.flows.front().name == "taylor");
+  for (std::size_t i = 0; i < 4; ++i) BOOST_TEST(std::abs(found.velocity[i] - exact.velocity[i]) < 1e-9);
+  BOOST_TEST(std::abs(found.energy.residual) < 1e-9);
+}

@@ -37,8 +37,8 @@ void for_each_lane_at(const Window& w, int number, Use&& use) {
     return;
   }
   for (int lane = 0; lane < w.lanes.count; ++lane) {
-    const double g = coefficient_of(w.network->direction[lane], number),
-                 push = coefficient_of(w.network->response[lane], number);
+    const double g = coefficient_of(w.network->direction[w.number(lane)], number),
+                 push = coefficient_of(w.network->response[w.number(lane)], number);
     if (g != 0 || push != 0) use(lane, g, push);
   }
 }
