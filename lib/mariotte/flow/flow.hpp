@@ -21,6 +21,7 @@ struct IndentationSeries {
   PushPolynomial depth, rate;
   int order = 0;
   double end = 0;
+  std::size_t found = 0;  ///< among what a step knows; the search for the next goes on there
 };
 
 /// A dense piece of trajectory, valid during the call that hands it out.

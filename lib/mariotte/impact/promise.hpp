@@ -91,12 +91,14 @@ bool moves(const Model& model) {
          std::any_of(model.velocity.begin(), model.velocity.end(), [](double v) { return v != 0; });
 }
 
-/// A speed that is so much smaller than the largest, which indentations hold back, has rounding of that: the
-/// estimate says so where it is more than was asked for.
-inline void add_rounding(double largest_speed, double reference_speed, double asked,
-                         std::optional<double>& estimate) {
-  const double lost = 64 * epsilon * largest_speed / reference_speed;
-  if (reference_speed < largest_speed && lost > asked) estimate = std::max(lost, estimate.value_or(0));
+/// A vibration that is slow beside what indentations hold back has rounding of that: the estimate says so
+/// where it is more than was asked for.
+template <class Model>
+void add_rounding(const Model& model, double asked, std::optional<double>& estimate) {
+  if (!model.precompressed || !moves(model)) return;
+  const auto [largest, reference] = speeds(model);
+  const double lost = 64 * epsilon * largest / reference;
+  if (reference < largest && lost > asked) estimate = std::max(lost, estimate.value_or(0));
 }
 
 /// Upper bound on the error of a result that is `apart` from a run which is tighter by far, but has an error

@@ -4,8 +4,8 @@
 //   speed ← what drives would do to free bodies until the end
 //   repeat
 //     run roughly, and look at the velocities
-//     they come near that speed, or it does not fall any more? done
 //     speed ← three times the largest, but no less than such a run can tell
+//     they came near the speed before, or it does not fall any more? done
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -46,12 +46,13 @@ Model with_reached_speeds(Model model, const hybrid::Options& options, const Run
     double largest = 0;
     run(model, roughly,
         RunObserver{.samplings = {sample_speeds(model.velocity.size(), options.max_time, largest)},
+                    .progress = observers.progress,
                     .gives_up = observers.gives_up});
-    if (largest >= near * speed) break;
     for (auto& drive : model.drive)
       drive.reached = std::min(drive.reached, std::max(3 * largest, told * speed));
-    falls = reference_speed(model) < 0.5 * speed;
-    speed = reference_speed(model);
+    const double now = reference_speed(model);
+    falls = largest < near * speed && now < 0.5 * speed;
+    speed = now;
   }
   return model;
 }

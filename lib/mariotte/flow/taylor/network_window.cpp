@@ -54,6 +54,7 @@ void find_inside(Window& w) {
   w.lane_of.assign(count, -1);
   for (Index j = 0; j < count; ++j)
     if (all || is_active(phase, w.x, j)) add(w, j);
+  if (all) return;
   if (w.found.empty()) add(w, 0);
   const auto active = w.found.size();
   add_moved(w, 0, false);

@@ -64,9 +64,13 @@ bool PieceStep::series(PushSeries& push) const {
 bool PieceStep::indentation(Index gap, IndentationSeries& motion) const {
   if (!piece_.series) return false;
   const auto& all = window_.contacts;
-  const auto found = std::find_if(all.begin(), all.end(), [&](const auto* c) { return c->gap == gap; });
-  if (found == all.end()) return false;
-  const int lane = static_cast<int>(found - all.begin());
+  const auto is_it = [&](const auto* contact) { return contact->gap == gap; };
+  const auto last = all.begin() + static_cast<Index>(std::min(motion.found, all.size()));
+  auto found = std::find_if(last, all.end(), is_it);
+  if (found == all.end()) found = std::find_if(all.begin(), last, is_it);
+  if (found == all.end() || !is_it(*found)) return false;
+  motion.found = static_cast<std::size_t>(found - all.begin());
+  const int lane = static_cast<int>(motion.found);
   piece_.series->coefficients(Quantity::indentation, lane, motion.depth.data());
   piece_.series->coefficients(Quantity::rate, lane, motion.rate.data());
   motion.depth[0] += (*found)->origin;

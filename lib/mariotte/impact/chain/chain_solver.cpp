@@ -97,6 +97,7 @@ struct ChainSolver::Memory {
     impact::keep_promise(chain, options, gone, impact, looser, again, [&](const auto& a, const auto& b) {
       return difference(a.velocity, b.velocity, speed);
     });
+    add_rounding(chain, options.accuracy, impact.estimated_accuracy);
   }
 };
 

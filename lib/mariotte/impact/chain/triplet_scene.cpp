@@ -105,7 +105,7 @@ std::optional<TripletScene> triplet_scene(const model::Chain& chain, const hybri
     scene.stiffness[j] = contact::power_law(chain.law[j])->stiffness;
     scene.gap[j] = chain.gap[j];
   }
-  scene.speed = model::largest_speed(chain);
+  scene.speed = model::speeds(chain).largest;
   if (!is_moderate(scene.speed)) return std::nullopt;
   scale(scene, natural_root);
   return scene;

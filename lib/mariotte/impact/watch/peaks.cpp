@@ -64,9 +64,9 @@ void PeakObserver::search(const flow::Step& step, Index j, double before, double
 /// The same in the clock of `motion_`.
 template <class Slope>
 void PeakObserver::search_series(Index j, double before, double after, Slope&& slope) {
-  const auto& [depth, rate, order, end] = motion_;
-  const double place = locate_sign_change(slope, 0, before, end, after, near * end);
-  take(at(place, depth, order).value, at(place, rate, order).value, j);
+  const auto& m = motion_;
+  const double place = locate_sign_change(slope, 0, before, m.end, after, near * m.end);
+  take(at(place, m.depth, m.order).value, at(place, m.rate, m.order).value, j);
 }
 
 void PeakObserver::search_indentation(const flow::Step& step, Index j) {

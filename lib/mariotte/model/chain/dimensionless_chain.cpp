@@ -81,13 +81,10 @@ double speed_of(const Chain& chain, double squared) {
 
 }  // namespace
 
-double largest_speed(const Chain& chain) {
-  return speed_of(chain, squared_speeds(chain).all());
-}
-
-double reference_speed(const Chain& chain) {
-  const auto speeds = squared_speeds(chain);
-  return speed_of(chain, speeds.all()) * speeds.in_balance();
+Speeds speeds(const Chain& chain) {
+  const auto squared = squared_speeds(chain);
+  const double largest = speed_of(chain, squared.all());
+  return {largest, largest * squared.in_balance()};
 }
 
 void make_dimensionless(const Chain& chain, double accuracy, DimensionlessChain& d) {

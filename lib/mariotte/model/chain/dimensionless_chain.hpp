@@ -14,12 +14,11 @@ struct DimensionlessChain : ScaledContacts {
   bool falls_back = false;                 ///< gravity pulls some ball back to a wall
 };
 
-/// Speed that the balls of a validated chain can reach relative to each other: what they start with, and what
-/// gravity, drives and stored energy can add.
-double largest_speed(const Chain& chain);
-/// The one that the accuracy of velocities is relative to: of what is pressed and in balance that of its
-/// vibration.
-double reference_speed(const Chain& chain);
+/// Of a validated chain.
+Speeds speeds(const Chain& chain);
+inline double reference_speed(const Chain& chain) {
+  return speeds(chain).reference;
+}
 
 /// Convert a validated chain into `d`, whose memory is reused. `accuracy` decides what is slow: a tenth
 /// of what may be wrong anyway. Throws Unrepresentable.

@@ -65,6 +65,12 @@ struct SquaredSpeeds {
   void release(const contact::Law& law, double indentation, double mass);
 };
 
+/// The largest relative speed of a scene, by velocities, gravity, drives and stored energy, and the one that
+/// its accuracy is relative to: of what is pressed and in balance that of its vibration [m/s].
+struct Speeds {
+  double largest, reference;
+};
+
 /// Convert into `d`, whose memory is reused and whose `reduced_mass` says those in the scene's units. The
 /// contact with the shortest natural time at the reference speed sets the units: it alone, so that a
 /// mirrored chain has the same. `accuracy` decides what is slow: a tenth of what may be wrong anyway.

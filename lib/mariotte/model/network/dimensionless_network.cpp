@@ -90,7 +90,7 @@ void scale_responses(DimensionlessNetwork& d) {
 
 }  // namespace
 
-GapRates speeds(const Network& network) {
+Speeds speeds(const Network& network) {
   std::vector<ContactDirection> response;
   responses(network.mass, network.direction, std::ssize(network.velocity), response);
   Numbers mass;

@@ -18,13 +18,8 @@ struct DimensionlessNetwork : ScaledContacts {
   std::vector<std::vector<Index>> near;         ///< contacts that the push of each one moves
 };
 
-/// About the largest gap rate of a validated network, by velocities, drives and stored energy, and the one
-/// that the accuracy is relative to: of what is pressed and in balance that of its vibration. 0 if nothing
-/// moves it.
-struct GapRates {
-  double largest, reference;
-};
-GapRates speeds(const Network& network);
+/// Of a validated network: gap rates, 0 if nothing moves it.
+Speeds speeds(const Network& network);
 inline double reference_speed(const Network& network) {
   return speeds(network).reference;
 }
