@@ -256,8 +256,8 @@ bool PushSlopes<Topology>::push_shallow(const flow::Step& step, Index j, const S
 
 template <class Topology>
 void PushSlopes<Topology>::finish(SlopeMatrix& slopes) const {
-  const auto add = [&](Index place, double share, const SlopeMatrix& motion, Index row) {
-    for (Index c = 0; c < slopes.columns; ++c) slopes(place, c) += share * motion(row, c);
+  const auto add = [&](Index place, double weight, const SlopeMatrix& motion, Index row) {
+    for (Index c = 0; c < slopes.columns; ++c) slopes(place, c) += weight * motion(row, c);
   };
   for (Index v = 0; v < velocity_.rows; ++v)
     for (Index c = 0; c < slopes.columns; ++c) slopes(layout_.velocity[v], c) = velocity_(v, c);
