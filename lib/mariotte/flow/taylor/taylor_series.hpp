@@ -102,10 +102,22 @@ class LinkedSeries final : public Expansion {
   void find_pushes() {
     const auto& [first, lane, weight] = lanes_->links;
     pushes_.clear();
+    end_of_.clear();
     for (int j = 0; j < lanes_->count; ++j) {
       for (int i = first[j]; i < first[j + 1]; ++i)
-        if (lanes_->active[lane[i]] > 0) pushes_.push_back({j, lane[i], weight[i]});
+        if (lanes_->active[lane[i]] > 0) pushes_.push_back({lane[i], weight[i]});
+      end_of_.push_back(pushes_.size());
     }
+  }
+
+  /// What those from `first` to `end` do to one lane. Two sums side by side: one would wait for itself.
+  double bend_by(std::size_t first, std::size_t end, const double* impulse) const {
+    double even = 0, odd = 0;
+    for (; first + 1 < end; first += 2) {
+      even += pushes_[first].weight * impulse[pushes_[first].by];
+      odd += pushes_[first + 1].weight * impulse[pushes_[first + 1].by];
+    }
+    return first < end ? even + pushes_[first].weight * impulse[pushes_[first].by] + odd : even + odd;
   }
 
   /// δ̇ and the clock, order k + 1, from the forces of order k.
@@ -115,10 +127,13 @@ class LinkedSeries final : public Expansion {
       push_[i] = blocks_[i].coefficient(RowQuantities::impulse, k + 1);
     const auto* impulse = reinterpret_cast<const double*>(push_.data());
     auto* bend = reinterpret_cast<double*>(bend_.data());
-    for (int j = 0; j < lanes_->count; ++j) bend[j] = share * pace * lanes_->drive[j];
+    std::size_t first = 0;
+    for (int j = 0; j < lanes_->count; ++j) {
+      bend[j] = share * pace * lanes_->drive[j] + bend_by(first, end_of_[j], impulse);
+      first = end_of_[j];
+    }
     for (int j = 0; lanes_->bend && j < lanes_->count; ++j)
       bend[j] += share * lanes_->bend[k * lanes_->count + j];
-    for (const auto& push : pushes_) bend[push.on] += push.weight * impulse[push.by];
     for (std::size_t i = 0; i < blocks_.size(); ++i)
       blocks_[i].coefficient(RowQuantities::rate, k + 1) = bend_[i];
     if (clock_ == plain) return;
@@ -136,14 +151,15 @@ class LinkedSeries final : public Expansion {
   }
 
   struct Push {
-    int on, by;
+    int by;
     double weight;
   };
 
   const Lanes* lanes_ = nullptr;
   int order_ = 0, clock_ = plain;
   std::vector<Part> blocks_;
-  std::vector<Push> pushes_;
+  std::vector<Push> pushes_;                    ///< on one lane after the other
+  std::vector<std::size_t> end_of_;             ///< of each lane, in `pushes_`
   std::vector<LaneVector<parts>> push_, bend_;  ///< order k + 1 of impulses and of δ̇
 };
 
