@@ -1,5 +1,6 @@
 #include "impact_case.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace mariotte::stiffness_study {
@@ -9,6 +10,25 @@ contact::Law law(const ImpactCase& one, double stiffness) {
   if (one.law == "linear") return contact::Linear{stiffness};
   if (one.law == "hertz") return contact::Hertz{stiffness};
   return contact::Viscoelastic{.stiffness = stiffness, .damping = one.damping, .exponent = one.exponent};
+}
+
+/// In row i and column j of a square packing.
+model::Ball moving_disk(const ImpactCase& one, Index i, Index j) {
+  const double number = static_cast<double>(i * one.side + j);
+  return {.position = {static_cast<double>(i), static_cast<double>(j)},
+          .velocity = {one.speed * std::sin(1 + 7 * number), one.speed * std::cos(2 + 5 * number)},
+          .mass = one.mass,
+          .radius = 0.5};
+}
+
+/// Of a hexagonal one whose corner is struck obliquely.
+model::Ball struck_disk(const ImpactCase& one, Index i, Index j) {
+  const bool is_first = i == 0 && j == 0;
+  return {.position = {static_cast<double>(j) + 0.5 * static_cast<double>(i % 2),
+                       std::sqrt(0.75) * static_cast<double>(i)},
+          .velocity = {is_first ? one.speed : 0, is_first ? 0.3 * one.speed : 0},
+          .mass = one.mass,
+          .radius = 0.5};
 }
 
 }  // namespace
@@ -28,15 +48,12 @@ model::Chain chain(const ImpactCase& one) {
 model::Network packing(const ImpactCase& one) {
   std::vector<model::Ball> disks;
   for (Index i = 0; i < one.side; ++i)
-    for (Index j = 0; j < one.side; ++j) {
-      const double number = static_cast<double>(disks.size());
-      disks.push_back(
-          {.position = {static_cast<double>(i), static_cast<double>(j)},
-           .velocity = {one.speed * std::sin(1 + 7 * number), one.speed * std::cos(2 + 5 * number)},
-           .mass = one.mass,
-           .radius = 0.5});
-    }
-  return model::ball_network(disks, 0, [&](Index, Index) { return law(one, one.stiffness); });
+    for (Index j = 0; j < one.side; ++j)
+      disks.push_back(one.struck ? struck_disk(one, i, j) : moving_disk(one, i, j));
+  auto network = model::ball_network(disks, one.struck ? 1e-9 : 0,
+                                     [&](Index, Index) { return law(one, one.stiffness); });
+  std::fill(network.gap.begin(), network.gap.end(), 0.0);
+  return network;
 }
 
 double exponent(const ImpactCase& one) {

@@ -18,6 +18,7 @@ struct ImpactCase {
   double damping = 0;     ///< c of every contact [N s/m^n]; viscoelastic contacts only
   double exponent = 1.5;  ///< n; viscoelastic contacts only
   Index side = 0;         ///< instead of a row, a square packing of side² disks that move hither and thither
+  bool struck = false;    ///< the packing is hexagonal, and rests but for a disk at its corner
 };
 
 model::Chain chain(const ImpactCase& one);

@@ -48,8 +48,8 @@ Exit codes: 0 ok, 1 a theorem failed, 2 usage, 4 solver failure, 6 file error.
 command::OptionList declare(CommandLine& line) {
   return {{"--study",
            &line.studies,
-           "stiffness, ratio, damping, scaling, conclusions, crossover or network; may be repeated "
-           "(default: all but the last two)",
+           "stiffness, ratio, damping, scaling, conclusions, crossover, network or packing; may be repeated "
+           "(default: all but the last three)",
            {.check = is_study, .takes_one = true}},
           {"--flow", &line.settings.flow, "Only this flow", {.check = command::is_flow}},
           {"--accuracy",

@@ -10,7 +10,8 @@ const std::vector<Study>& studies() {
       {"scaling", "The group Π of damped contacts", true, scaling_study},
       {"conclusions", "The conclusions of the paper, on random chains", true, conclusions_study},
       {"crossover", "Where one flow becomes cheaper than another", false, crossover_study},
-      {"network", "Dense and sparse matrices of contact networks", false, network_study}};
+      {"network", "Dense and sparse matrices of contact networks", false, network_study},
+      {"packing", "A wave through a packing of disks", false, packing_study}};
   return all;
 }
 

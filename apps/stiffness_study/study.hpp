@@ -40,5 +40,7 @@ Findings conclusions_study(const Settings& settings);
 Findings crossover_study(const Settings& settings);
 /// Packings of disks: what a dense and a sparse matrix cost where no band fits.
 Findings network_study(const Settings& settings);
+/// A packing struck at its corner: what a run costs, and in how many parts the contacts push.
+Findings packing_study(const Settings& settings);
 
 }  // namespace mariotte::stiffness_study

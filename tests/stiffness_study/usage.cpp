@@ -42,3 +42,10 @@ BOOST_FIXTURE_TEST_CASE(a_file_that_cannot_be_written_gives_code_6, Session) {
   BOOST_TEST(run.code == 6);
   BOOST_TEST(has(run.err, "missing/study.csv"));
 }
+
+BOOST_FIXTURE_TEST_CASE(a_packing_tells_in_how_many_parts_it_pushes, Session) {
+  const auto run = mariotte("--quick --study packing --flow auto");
+  BOOST_TEST(run.code == 0);
+  BOOST_TEST(has(run.out, "a hexagonal packing of Hertz disks, struck at a corner, auto"));
+  BOOST_TEST(has(run.out, "16 disks: what pushes is in 1.0 parts, with what it moves in 1.0"));
+}
