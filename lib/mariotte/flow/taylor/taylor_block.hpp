@@ -20,6 +20,14 @@ struct RowMaps {
   }
 };
 
+/// The rate of the clock at the start.
+inline double pace_start(const Lanes& lanes, int owner) {
+  if (owner == Expansion::plain) return 0;
+  if (!lanes.widened) return __builtin_sqrt(lanes.indentation[owner]);
+  const double u = lanes.width[owner];
+  return 4 * u * u * u / lanes.branch[owner]->curve.radius - lanes.branch[owner]->curve.s;
+}
+
 /// Lanes `first` to first + N × width of those that are expanded.
 template <int N, Given given>
 class Block : RowQuantities {
@@ -27,6 +35,8 @@ class Block : RowQuantities {
   static constexpr int size = N * width;
 
   void move_to(int first) { first_ = first; }
+  /// No contact pushes, and no load is watched that has a power of δ.
+  bool is_still() const { return still_; }
 
   /// Take over what the series starts from; `owner` is the lane of the clock, `pace_start` its √δ.
   void start(const Lanes& lanes, int order, int owner, double pace_start) {
@@ -45,7 +55,7 @@ class Block : RowQuantities {
     p[power] = of(lanes.power);
     p[drive] = of(lanes.drive);
     divide();
-    still_ = is_still() && !has_stretch();
+    still_ = nothing_pushes() && !has_stretch();
     const auto left = of(lanes.left), right = of(lanes.right);
     mobility_ = left + right;
     if (!damped_) p[strength] = p[strength] * p[stiffness];
@@ -272,8 +282,7 @@ class Block : RowQuantities {
     });
   }
 
-  /// None of the contacts pushes.
-  bool is_still() const {
+  bool nothing_pushes() const {
     Vec any{};
     for (int i = 0; i < N; ++i) any = largest(any, magnitude(parameters_[strength].part[i]));
     for (int i = 0; i < width; ++i)

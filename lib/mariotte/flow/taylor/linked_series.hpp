@@ -1,0 +1,193 @@
+// The expansion of contacts linked in any way, in many blocks of registers.
+#pragma once
+#include <vector>
+
+#include "mariotte/flow/taylor/taylor_block.hpp"
+
+namespace mariotte::flow::taylor::MARIOTTE_INSTRUCTION_SET {
+
+/// Order by order every block in which a contact pushes finds the forces of its contacts, then these
+/// accelerate all of these contacts. When all orders are known, blocks in which none pushes follow one after
+/// the other.
+class LinkedSeries final : public Expansion {
+ public:
+  void expand(const Lanes& lanes, int order, int clock) override {
+    lanes_ = &lanes;
+    order_ = order;
+    clock_ = clock;
+    make_blocks();
+    for (auto& block : blocks_) {
+      block.start(lanes, order, clock, pace_start(lanes, clock));
+      block.with_series([&](auto& series) { block.begin(series); });
+    }
+    find_pushes();
+    accelerate(0);
+    for (int k = 1; k < order; ++k) {
+      for (auto& block : blocks_)
+        if (!block.is_still()) block.with_series([&](auto& series) { series.stage(k); });
+      accelerate(k);
+    }
+    list_impulses();
+    for (std::size_t i = 0; i < blocks_.size(); ++i)
+      if (blocks_[i].is_still()) follow(i);
+  }
+  void sizes(int first, double* size) const override {
+    for (int k = first; k <= order_; ++k) {
+      double most = 0;
+      for (const auto& block : blocks_) {
+        const double size_here = block.size_of(k);
+        most = size_here > most ? size_here : most;
+      }
+      size[k - first] = most;
+    }
+  }
+  void evaluate(double place, Values& values) const override {
+    values.may_fall = values.is_deep = values.may_change = false;
+    for (const auto& block : blocks_) block.evaluate(place, values);
+    values.time = blocks_[0].time_at(place);
+  }
+  void sharpen(double place, Values& values) const override {
+    values.may_fall = false;
+    for (const auto& block : blocks_) block.sharpen(place, values);
+  }
+  void coefficients(Quantity quantity, int lane, double* c) const override {
+    blocks_[lane / Part::size].coefficients(quantity, lane, c);
+  }
+
+ private:
+  static constexpr int parts = 8 / width;
+  using Part = Block<parts, Given::from_outside>;
+  static constexpr int most_orders = (order_limit + 7) / 8 * 8;
+  using Orders = LaneVector<most_orders / width>;  ///< 1, 2, …
+
+  void make_blocks() {
+    const int needed = (lanes_->count + Part::size - 1) / Part::size;
+    blocks_.resize(needed);
+    for (int i = 0; i < needed; ++i) blocks_[i].move_to(i * Part::size);
+    push_.resize(needed);
+    bend_.assign(needed, LaneVector<parts>(0.0));  // idle lanes rest
+    impulses_.resize(needed * Part::size);
+  }
+
+  /// Of what lanes do to each other only that of contacts which push. Each takes the place of one before that
+  /// does not: to ask would cost more.
+  void find_pushes() {
+    const auto& [first, lane, weight] = lanes_->links;
+    pushing_.assign(lanes_->count, 0);
+    for (int j = 0; j < lanes_->count; ++j)
+      pushing_[j] = lanes_->active[j] > 0 && !blocks_[j / Part::size].is_still();
+    pushes_.resize(first[lanes_->count] + 1);
+    first_push_.assign(1, 0);
+    int found = 0;
+    for (int j = 0; j < lanes_->count; ++j) {
+      for (int i = first[j]; i < first[j + 1]; ++i) {
+        pushes_[found] = {lane[i], weight[i]};
+        found += pushing_[lane[i]];
+      }
+      first_push_.push_back(found);
+    }
+  }
+
+  /// One after the last lane of a block.
+  int end_of(std::size_t block) const {
+    const int end = (static_cast<int>(block) + 1) * Part::size;
+    return end < lanes_->count ? end : lanes_->count;
+  }
+
+  /// δ̇ and the clock, order k + 1, from the forces of order k.
+  void accelerate(int k) {
+    for (std::size_t i = 0; i < blocks_.size(); ++i)
+      if (!blocks_[i].is_still()) push_[i] = blocks_[i].coefficient(RowQuantities::impulse, k + 1);
+    const auto* impulse = reinterpret_cast<const double*>(push_.data());
+    auto* bend = reinterpret_cast<double*>(bend_.data());
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+      if (blocks_[i].is_still()) continue;
+      for (int j = static_cast<int>(i) * Part::size; j < end_of(i); ++j)
+        bend[j] = bend_from_outside(k, j) + bend_by(j, impulse);
+      blocks_[i].coefficient(RowQuantities::rate, k + 1) = bend_[i];
+      if (clock_ != plain) set_clock(blocks_[i], k + 1, series::reciprocal.of[k + 1] * growth_of_owner(k));
+    }
+  }
+  double bend_from_outside(int k, int lane) const {
+    if (!lanes_->bend && lanes_->drive[lane] == 0) return 0;
+    const double more = lanes_->bend ? lanes_->bend[k * lanes_->count + lane] : 0;
+    return series::reciprocal.of[k + 1] * (clock_of(k) * lanes_->drive[lane] + more);
+  }
+  /// What the impulses of one order do to a lane. Two sums side by side: one would wait for itself.
+  double bend_by(int lane, const double* impulse) const {
+    const auto *push = pushes_.data() + first_push_[lane], *end = pushes_.data() + first_push_[lane + 1];
+    double even = 0, odd = 0;
+    for (; push + 1 < end; push += 2) {
+      even += push[0].weight * impulse[push[0].by];
+      odd += push[1].weight * impulse[push[1].by];
+    }
+    return push < end ? even + push->weight * impulse[push->by] + odd : even + odd;
+  }
+  /// Of a number that holds many lanes.
+  static double& of_lane(auto& number, int lane) { return reinterpret_cast<double*>(&number)[lane]; }
+  static void set_clock(Part& block, int k, double rate) {
+    block.coefficient(RowQuantities::clock, k) = LaneVector<parts>(rate);
+  }
+  const Part& owner() const { return blocks_[clock_ / Part::size]; }
+  double clock_of(int k) const {
+    return clock_ == plain ? k == 0 : owner().at(RowQuantities::clock, k, clock_);
+  }
+  /// Of the rate of the clock.
+  double growth_of_owner(int k) const {
+    return lanes_->widened ? owner().at(WidthQuantities::growth, k, clock_)
+                           : 0.5 * owner().at(RowQuantities::rate, k, clock_);
+  }
+
+  /// By lane, of those that push.
+  void list_impulses() {
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+      if (blocks_[i].is_still()) continue;
+      for (int k = 1; k <= order_; ++k) {
+        auto& of_lanes = blocks_[i].coefficient(RowQuantities::impulse, k);
+        for (int lane = 0; lane < Part::size; ++lane)
+          at(impulses_[static_cast<int>(i) * Part::size + lane], k) =
+              of_lanes.part[lane / width][lane % width];
+      }
+    }
+  }
+  static double& at(Orders& orders, int k) { return of_lane(orders, k - 1); }
+
+  /// A block in which no contact pushes.
+  void follow(std::size_t i) {
+    auto& block = blocks_[i];
+    const int first = static_cast<int>(i) * Part::size;
+    for (int lane = 0; lane < Part::size; ++lane) {
+      auto bend = first + lane < lanes_->count ? bend_of(first + lane) : Orders(0.0);
+      for (int k = 1; k <= order_; ++k)
+        of_lane(block.coefficient(RowQuantities::rate, k), lane) = at(bend, k);
+    }
+    for (int k = 1; clock_ != plain && k <= order_; ++k) set_clock(block, k, clock_of(k));
+    block.with_series([&](auto& series) {
+      for (int k = 1; k < order_; ++k) series.stage(k);
+    });
+  }
+  /// All orders of the rate of a lane.
+  Orders bend_of(int lane) const {
+    Orders bend(0.0);
+    for (int p = first_push_[lane]; p < first_push_[lane + 1]; ++p)
+      bend = bend + pushes_[p].weight * impulses_[pushes_[p].by];
+    for (int k = 1; k <= order_; ++k) at(bend, k) += bend_from_outside(k - 1, lane);
+    return bend;
+  }
+
+  struct Push {
+    int by;
+    double weight;
+  };
+
+  const Lanes* lanes_ = nullptr;
+  int order_ = 0, clock_ = plain;
+  std::vector<Part> blocks_;
+  std::vector<char> pushing_;                   ///< lanes
+  std::vector<Push> pushes_;                    ///< on one lane after the other
+  std::vector<int> first_push_;                 ///< on each lane
+  std::vector<LaneVector<parts>> push_, bend_;  ///< order k + 1 of impulses and of δ̇
+  std::vector<Orders> impulses_;                ///< of each lane that pushes
+};
+
+}  // namespace mariotte::flow::taylor::MARIOTTE_INSTRUCTION_SET
