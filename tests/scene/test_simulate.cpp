@@ -41,3 +41,17 @@ BOOST_AUTO_TEST_CASE(texts_are_those_of_the_command_for_every_kind_of_result) {
     BOOST_TEST(report::trace_text(impact).starts_with("time [s],"));
   }
 }
+
+// At 0.24 s a contact begins at a depth that positions cannot tell from zero, with a damper that makes its
+// cap grow sooner than its spring.
+BOOST_AUTO_TEST_CASE(a_contact_within_rounding_of_its_onset_goes_on) {
+  const auto scene = scene::read(
+      MARIOTTE_SCENES "/climbing_dumbbell.toml",
+      {"bodies.friction=0.001", "bodies.law=\"kuwabara-kono\"", "bodies.stiffness=21104295.91399529",
+       "bodies.damping=13.932437636068071", "run.until=0.4"});
+  const auto impact = std::get<impact::BodiesImpact>(scene::simulate(scene));
+  BOOST_TEST((impact.ending == hybrid::Ending::time_limit));
+  Index steps = 0;
+  for (const auto& flow : impact.flows) steps += flow.steps;
+  BOOST_TEST(steps < 20000);
+}

@@ -50,16 +50,25 @@ bool may_move_root(const Terms& terms) {
   return terms.tail() > 1e-3 * terms.moves;
 }
 
+/// Whether the first terms keep a guard above zero at a share of the step, more than the others do.
+bool leads(const Terms& terms, std::size_t first, double share) {
+  const auto all = terms.all();
+  return horner(all.first(first), share) > std::abs(horner(all, share) - horner(all.first(first), share));
+}
+
 /// First share of the step at which a guard falls through zero. One that starts behind zero is measured from
 /// there, unless it goes on falling. Leading terms that are smaller than `rounding` of its change are zero,
-/// unless it falls from above: the noise that it is allowed then tells which way it went.
+/// unless it falls from above: the noise that it is allowed then tells which way it went. They are not zero
+/// either where they are what keeps it above.
 std::optional<double> fall(const Terms& terms, double rounding) {
   const auto& c = terms.at;
   std::size_t k = 0;
   const auto is_zero = [&] { return std::abs(c[k]) <= rounding * terms.moves || (k == 0 && c[0] < 0); };
   while (k + 1 < terms.count && is_zero()) ++k;
   if (k > 0 && c[k] < 0 && !(c[0] > 0)) return 0.0;
-  return first_fall(c[k] < 0 ? terms.all() : terms.all().subspan(k), 1);
+  if (c[k] < 0) return first_fall(terms.all(), 1);
+  const auto share = first_fall(terms.all().subspan(k), 1);
+  return share && leads(terms, k, 0.5 * *share) ? first_fall(terms.all(), 1) : share;
 }
 
 /// Steps end a little earlier where a guard is in doubt, and so the next one tells.

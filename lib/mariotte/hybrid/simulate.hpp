@@ -127,7 +127,8 @@ std::optional<flow::Arrival> follow_phase(System& system, const Options& options
     }
 }
 
-/// So many modes in turn that end at the instant at which they begin will go on to do so.
+/// So many modes in turn that end at the instant at which they begin, but for rounding of the time, will go
+/// on to do so.
 inline constexpr Index most_at_once = 10000;
 
 /// Run a system from state x until an ending; the result stays in the workspace. Options are in the system's
@@ -165,13 +166,12 @@ const Trajectory<typename System::Change>& simulate(System& system, ConstState x
     if (run.events >= options.max_events) return end(Ending::event_limit);
     if (observer && observer->gives_up()) return end(Ending::interrupted);
 
-    const double began = time.value();
     auto arrival = follow_phase(system, options, workspace, time, observer);
     if (!arrival) return end(Ending::interrupted);
     if (arrival->outcome == flow::Outcome::limit) return end(Ending::time_limit);
     if (arrival->outcome == flow::Outcome::never) return end(Ending::separated);
     if (arrival->outcome == flow::Outcome::failed) return end(Ending::failed, std::move(arrival->message));
-    at_once = time.value() > began ? 0 : at_once + 1;
+    at_once = arrival->duration > epsilon * time.value() ? 0 : at_once + 1;
     if (at_once > most_at_once) return end(Ending::failed, "contacts change without end at one instant");
     try {
       system.transition(mode, workspace.fired, x, changes);
