@@ -2,6 +2,7 @@
 // whatever rounding says. Numbers are those of integrations with small steps and smoothed friction elsewhere.
 #define BOOST_TEST_MODULE impact bodies friction
 #include <boost/test/unit_test.hpp>
+#include <numbers>
 
 #include "mariotte/contact/hunt_crossley.hpp"
 #include "mariotte/contact/named_laws.hpp"
@@ -122,6 +123,48 @@ BOOST_AUTO_TEST_CASE(tips_that_cannot_both_stick_have_no_doubt) {
       check_end(impact::simulate(flat_rod(), options), velocity, spin, 1e-8);
       check_end(impact::simulate(boosted(flat_rod(), by), options), velocity + by, spin, 1e-8);
     }
+}
+
+// Its cap falls to zero in a slip that takes 10⁻¹⁰ of the contact. ξ'' = −ωₜ² ξ with ωₜ² = 7 kₜ/(2 m), but
+// for the lever, which is half a percent shorter where the ball is pressed most.
+BOOST_AUTO_TEST_CASE(what_a_spring_holds_where_its_contact_ends_is_lost_to_friction) {
+  constexpr double mass = 0.01, radius = 0.01, stiffness = 4e6, tangential = 1.6e6, speed = 1;
+  model::Bodies bodies{.dimension = 2,
+                       .body = {{.mass = mass,
+                                 .inertia = {0, 0, 0.4 * mass * radius * radius},
+                                 .spheres = {{{}, radius}},
+                                 .position = {0, radius, 0},
+                                 .velocity = {speed, -1, 0}}},
+                       .plane = {{.normal = {0, 1, 0}}}};
+  bodies.contact = {{.a = {0, -1}, .b = {0, 0}, .law = contact::Linear{stiffness}}};
+  bodies.named = 1;
+  const double frequency = std::sqrt(3.5 * tangential / mass),
+               time = std::numbers::pi * std::sqrt(mass / stiffness),
+               stretch = speed / frequency * std::sin(frequency * time);
+  for (const double friction : {1e5, 1e7, 1e9})
+    for (const double accuracy : {1e-3, 1e-5, 1e-7}) {
+      bodies.contact[0].tangential = {TangentialLaw::spring, friction, tangential};
+      const auto impact = impact::simulate(bodies, {.accuracy = accuracy});
+      BOOST_TEST((impact.ending == Ending::separated));
+      BOOST_TEST(impact.energy.losses.friction == 0.5 * tangential * stretch * stretch,
+                 boost::test_tools::tolerance(0.02));
+      BOOST_TEST(std::abs(impact.energy.residual) < accuracy * impact.energy.initial);
+    }
+}
+
+// The corner slips and loses its load at one instant.
+BOOST_AUTO_TEST_CASE(what_a_spring_holds_at_its_cap_where_its_load_vanishes_is_lost_to_friction) {
+  auto bodies =
+      above_floor({.mass = 1, .inertia = {0, 0, 0.1 / 12}, .position = {0, 0.154907906, 0}, .angle = 0.12},
+                  0.1, 0, contact::Viscoelastic{.stiffness = 4e5, .damping = 120, .exponent = 1},
+                  {TangentialLaw::spring, 1e9, 3.2e5}, 0);
+  for (auto& sphere : bodies.body[0].spheres) sphere.centre.e2 = -0.15;
+  bodies.gravity = {0, -9.81, 0};
+  for (const double accuracy : {1e-4, 1e-6, 1e-8}) {
+    const auto impact = impact::simulate(bodies, {.accuracy = accuracy, .max_time = 0.4});
+    BOOST_TEST(impact.energy.losses.friction == 1.9301375e-3, boost::test_tools::tolerance(1e-4));
+    BOOST_TEST(std::abs(impact.energy.residual) < 1e-5 * impact.energy.work);
+  }
 }
 
 // Flat on two corners, only the sum of both frictions is determined.

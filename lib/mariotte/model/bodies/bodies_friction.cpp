@@ -71,6 +71,7 @@ void BodiesSystem<D>::begin_friction(Mode& mode, std::size_t place, Start start,
                                      std::vector<Change>& changes) const {
   auto& one = mode.closed[place];
   const auto& c = setting_.contact[one.contact];
+  x[layout(x).losses(one.slot)] += held_by_spring(one, x);
   one.friction = Friction::none;
   if (c.tangential.law == TangentialLaw::none) return;
   const auto now = motion(one.contact, x);

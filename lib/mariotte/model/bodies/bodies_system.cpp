@@ -125,6 +125,29 @@ double BodiesSystem<D>::held_at_the_end(const Mode& mode, std::size_t place, Con
   return now.motion.gap < 0 ? 0.5 * dot(now.friction, now.friction) / now.spring : 0;
 }
 
+/// What a spring of one stiffness still holds where its contact lets go: it is lost in a slip that was too
+/// short to be followed, for its cap falls to zero.
+template <int D>
+double BodiesSystem<D>::held_by_spring(const ClosedContact& one, ConstState x) const {
+  const auto& tangential = setting_.contact[one.contact].tangential;
+  if (one.friction != Friction::stick || tangential.law != TangentialLaw::spring) return 0;
+  double square = 0;
+  for (Index k = 0; k < BodiesLayout<D>::tangents; ++k) {
+    const double stretch = x[layout(x).spring(one.slot) + k];
+    square += stretch * stretch;
+  }
+  return 0.5 * tangential.stiffness * square;
+}
+
+/// What a spring holds at its cap where the load of its contact vanishes at the instant at which it slips.
+template <int D>
+double BodiesSystem<D>::held_at_the_cap(const Mode& mode, std::size_t place, ConstState x) const {
+  const auto& one = mode.closed[place];
+  if (!is_yielding(one)) return 0;
+  const auto& now = field(mode, x).contact(place);
+  return now.normal > 0 && now.spring > 0 ? 0.5 * dot(now.friction, now.friction) / now.spring : 0;
+}
+
 template <int D>
 void BodiesSystem<D>::open(Mode& mode, std::size_t place, std::vector<double>& x,
                            std::vector<Change>& changes) const {
@@ -139,7 +162,7 @@ void BodiesSystem<D>::open(Mode& mode, std::size_t place, std::vector<double>& x
   totals.normal += x[at.normal(one.slot)];
   for (Index k = 0; k < at.tangents; ++k) totals.tangential[k] += x[at.tangential(one.slot) + k];
   const double* loss = &x[at.losses(one.slot)];
-  totals.friction += loss[0];
+  totals.friction += loss[0] + held_by_spring(one, x);
   totals.rescale += loss[1] + held_at_the_end(mode, place, x);
   totals.damper += loss[2];
   std::fill_n(x.begin() + at.spring(one.slot), at.slot_size, 0.0);
@@ -202,6 +225,7 @@ void BodiesSystem<D>::pass_slot(SlotGuard guard, Mode& mode, std::size_t place, 
     case SlotGuard::turn:
       return turn(one, x, changes);
     case SlotGuard::load:
+      x[layout(x).losses(one.slot)] += held_at_the_cap(mode, place, x);
       one.slack = !one.slack;
       changes.push_back({one.contact, one.slack ? BodyEvent::slack : BodyEvent::grip});
       if (!one.slack) begin_friction(mode, place, Start::grip, x, changes);

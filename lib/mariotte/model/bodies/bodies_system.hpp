@@ -75,6 +75,8 @@ class BodiesSystem {
   void break_loose(Mode& mode, std::size_t place, const ContactForces<double, D>& now, std::vector<double>& x,
                    std::vector<Change>& changes) const;
   double held_at_the_end(const Mode& mode, std::size_t place, ConstState x) const;
+  double held_by_spring(const ClosedContact& one, ConstState x) const;
+  double held_at_the_cap(const Mode& mode, std::size_t place, ConstState x) const;
   void open_parted(Mode& mode, std::vector<double>& x, std::vector<Change>& changes) const;
   void slacken(Mode& mode, ConstState x, std::vector<Change>& changes) const;
   void stop_yielding(const std::vector<Index>& slots, Mode& mode, std::vector<double>& x,
