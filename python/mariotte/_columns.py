@@ -16,13 +16,15 @@ _OF_MICROBODIES = {name: f"final.{name}[*]" for name in ("position", "velocity",
 
 
 def key_of_result(scene: Scene[Any], member: str) -> str:
-    """``velocity`` of a chain is ``final.velocity[*]``."""
-    return "final.time" if member == "time" else _members(scene).get(member, member)
-
-
-def is_member(scene: Scene[Any], name: str) -> bool:
-    """Whether it is a short name of a number or an array of the result."""
-    return key_of_result(scene, name) != name
+    """``velocity`` of a chain is ``final.velocity[*]``, ``velocity[1]`` is ``final.velocity[1]``."""
+    if member == "time":
+        return "final.time"
+    name, *indices = re.split(r"(?=\[)", member)
+    key = _members(scene).get(name)
+    if key is None or key.count("[*]") < len(indices):
+        return member
+    given = iter(indices)
+    return re.sub(r"\[\*\]", lambda star: next(given, star.group()), key)
 
 
 def names(given: Union[str, Sequence[str]]) -> List[str]:

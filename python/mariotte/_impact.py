@@ -9,7 +9,7 @@ import json
 from typing import TYPE_CHECKING, Any, ClassVar, Dict, List, NamedTuple, Optional, Sequence, Tuple, Type, Union
 
 from . import _core
-from ._columns import is_member
+from ._columns import key_of_result
 from ._errors import in_python, warn
 from ._events import Event, TipImpact, event, tip_impact
 from ._files import save
@@ -189,7 +189,7 @@ class Impact:
 
     def __getitem__(self, key: str) -> Any:
         """A number of the result by the key it has in JSON, in SI units; nan where it is undefined. A name that a sweep
-        takes as a column, as ``velocity``, is that member.
+        takes as a column, as ``velocity``, is that member, and ``velocity[1]`` a number of it.
 
         Raises
         ------
@@ -204,8 +204,11 @@ class Impact:
         0.754272
         >>> hit["velocity"].round(6)
         array([0., 1.])
+        >>> round(hit["velocity[1]"], 6)
+        1.0
         """
-        return getattr(self, key) if is_member(self.scene, key) else self._run.number(key)
+        whole = key_of_result(self.scene, key)
+        return getattr(self, key) if whole != key and key.isidentifier() else self._run.number(whole)
 
     if not TYPE_CHECKING:  # which knows all members
 

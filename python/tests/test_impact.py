@@ -181,6 +181,14 @@ def test_a_flow_can_be_asked_for(triplet):
     assert hit.velocity == pytest.approx(mt.simulate(triplet).velocity, abs=1e-8)
 
 
+def test_a_number_of_a_member_is_found_by_its_index(triplet):
+    hit = mt.simulate(triplet)
+    assert hit["velocity[1]"] == hit.velocity[1] and hit["peak_force[0]"] == hit.peak_force[0]
+    grid = mt.sweep(triplet, {"velocity[0]": [1, 2]}, columns=["velocity[1]", "impulse[0]"])
+    assert list(grid) == ["final.velocity[1]", "contacts[0].impulse"]
+    assert grid["velocity[1]"].shape == (2,)
+
+
 def test_a_key_that_no_result_has_is_a_key_error(triplet):
     hit = mt.simulate(triplet)
     assert hit["contacts[1].peak_force"] == hit.peak_force[1] and hit["events.count"] == 3
