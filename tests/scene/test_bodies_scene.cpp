@@ -178,3 +178,23 @@ normal = [0, 1]
   BOOST_TEST_REQUIRE(bodies.body[0].spheres.size() == 4u);
   for (const auto& corner : bodies.body[0].spheres) BOOST_TEST(corner.radius == 0);
 }
+
+BOOST_AUTO_TEST_CASE(what_holds_for_all_pairs_is_no_list) {
+  for (const std::string list :
+       {"law = []", "law = [1]", "law = [\"hertz\", \"hertz\"]", "stiffness = [1e9, 1e9]", "tangential = [1]",
+        "tangential_stiffness = [1.2e9]", "friction = []", "friction = [0.1, 0.2, 0.3]", "share = [1]",
+        "exponent = []"}) {
+    auto text = pair;
+    const auto key = list.substr(0, list.find('='));
+    if (const auto old = text.find("\n" + key); old != text.npos)
+      text.erase(old, text.find('\n', old + 1) - old);
+    text.insert(text.find("radius"), list + "\n");
+    check_refused(text, "must be one value for all pairs");
+  }
+}
+
+BOOST_AUTO_TEST_CASE(lists_are_refused_beside_other_errors_and_in_tables_of_contacts) {
+  check_refused("[bodies]\nlaw = []\nfriction = []\nexponent = []\nbody = 1\n",
+                "must be one value for all pairs");
+  check_refused(pair + "[[bodies.contact]]\nbetween = [1, 2]\nfriction = [0.1]\n", "got an array");
+}

@@ -200,6 +200,10 @@ void expect_contact_keys(const Source& source, const Field& table) {
   expect_keys(source, table, keys);
 }
 
+void expect_one_value(const Source& source, const Field& bodies) {
+  expect_no_lists(source, bodies, all_pair_keys, "for all pairs; [[bodies.contact]] says what one has else");
+}
+
 }  // namespace
 
 const std::vector<std::string_view> pair_keys(all_pair_keys.begin(), all_pair_keys.end());
@@ -213,7 +217,7 @@ std::vector<impact::Touching> read_pairs(Source& source, const Field& bodies, co
       expect_contact_keys(source, table);
       add_pairs(source, table, model, pairs);
     });
-  if (!errors.empty()) errors.attempt([&] { check_pairs(source, bodies); });
+  errors.attempt([&] { errors.empty() ? expect_one_value(source, bodies) : check_pairs(source, bodies); });
   errors.raise();
   model.named = std::ssize(pairs);
   if (has_common_law(bodies, touchables)) add_others(model, pairs);
@@ -249,8 +253,10 @@ void check_pairs(const Source& source, const Field& bodies) {
   const LawTables tables{bodies, contact_tables(source, bodies)};
   ErrorList errors;
   for (const auto& table : tables.contacts) errors.attempt([&] { expect_contact_keys(source, table); });
-  if (find(bodies, "law")) errors.attempt([&] { check_laws(source, {bodies, {}}, 1); });
-  errors.attempt([&] { check_laws(source, tables, std::ssize(tables.contacts)); });
+  if (errors.attempt([&] { expect_one_value(source, bodies); })) {
+    if (find(bodies, "law")) errors.attempt([&] { check_laws(source, {bodies, {}}, 1); });
+    errors.attempt([&] { check_laws(source, tables, std::ssize(tables.contacts)); });
+  }
   errors.raise();
 }
 

@@ -269,6 +269,15 @@ contact::Law read_law(const Source& source, const LawTables& tables, Index conta
   reject(source, tables.place_of(contact), error.fault, error.what());
 }
 
+void expect_no_lists(const Source& source, const Field& table, std::span<const std::string_view> keys,
+                     const std::string& why) {
+  ErrorList errors;
+  for (const auto key : keys)
+    if (const auto field = find(table, key); field && field->node->array())
+      errors.attempt([&] { reject(source, *field, fault::misplaced, "must be one value " + why); });
+  errors.raise();
+}
+
 void check_laws(const Source& source, const LawTables& tables, Index count) {
   const Material material{.young = 1, .poisson = 0.3, .density = 1, .yield_strength = {}};
   const Ball sphere{.mass = 1, .radius = 1, .material = material, .velocity = {}};

@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <map>
+#include <span>
 #include <vector>
 
 #include "mariotte/contact/law.hpp"
@@ -53,11 +54,12 @@ struct LawTables {
     if (const auto found = numbered.find(contact); found != numbered.end()) return found->second;
     return contacts.empty() ? whole : contacts[contacts.size() == 1 ? 0 : contact];
   }
-  /// What the scene says of one contact under one key.
+  /// What the scene says of one contact under one key; a list too short stands for itself, and is no value.
   std::optional<Field> find_for(Index contact, std::string_view key) const {
     if (auto own = find(place_of(contact), key); own && &place_of(contact) != &whole) return own;
     auto common = find(whole, key);
-    return common && common->node->array() ? element(*common, contact) : common;
+    const auto* const list = common ? common->node->array() : nullptr;
+    return list && contact < std::ssize(*list) ? element(*common, contact) : common;
   }
 };
 
@@ -77,6 +79,10 @@ struct Encounters {
 /// Throws SceneError.
 contact::Law read_law(const Source& source, const LawTables& tables, Index contact, const BallPair& pair,
                       Encounters& encounters);
+
+/// Rejects lists under keys of a table that have one value for all contacts; `why` ends the sentence.
+void expect_no_lists(const Source& source, const Field& table, std::span<const std::string_view> keys,
+                     const std::string& why);
 
 /// Throws SceneError for what the first laws have wrong, whatever they are between.
 void check_laws(const Source& source, const LawTables& tables, Index count);

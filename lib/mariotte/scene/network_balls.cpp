@@ -128,15 +128,6 @@ void read_laws(const Source& source, const LawTables& tables, const PlacedBalls&
   errors.raise();
 }
 
-void expect_one_law(const Source& source, const Field& network) {
-  ErrorList errors;
-  for (const auto key : law_keys)
-    if (const auto field = find(network, key); field && field->node->array())
-      errors.attempt(
-          [&] { reject(source, *field, fault::misplaced, "must be one value for all contacts of balls"); });
-  errors.raise();
-}
-
 /// Says how far the nearest two are apart, since a `reach` of so much would do.
 [[noreturn]] void reject_lonely(const Source& source, const Field& network,
                                 const std::vector<model::Ball>& balls) {
@@ -168,9 +159,10 @@ ResolvedNetwork read_ball_network(Source& source, const Field& network, bool pre
   double touching = 0, reach = 0;
   ErrorList errors;
   errors.attempt([&] { expect_keys(source, network, keys); });
-  errors.attempt([&] { expect_one_law(source, network); });
+  const bool one_law =
+      errors.attempt([&] { expect_no_lists(source, network, law_keys, "for all contacts of balls"); });
   errors.attempt([&] { touching = read_distance(source, network, "touching", 0); });
-  if (!errors.attempt([&] { balls = read_placed(source, network); }))
+  if (!errors.attempt([&] { balls = read_placed(source, network); }) && one_law)
     errors.attempt([&] { check_laws(source, tables, 1); });
   errors.attempt(
       [&] { reach = read_distance(source, network, "reach", 0.01 * smallest_radius(balls.ball)); });
