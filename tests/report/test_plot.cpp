@@ -257,6 +257,17 @@ BOOST_AUTO_TEST_CASE(a_title_cannot_leave_its_quotes) {
   BOOST_TEST(has(script, "set label 'it''s `date`' at screen"));
 }
 
+BOOST_AUTO_TEST_CASE(a_name_cannot_leave_its_quotes) {
+  impact::ChainImpact impact;
+  impact.trace = trace_of(2);
+  impact.trace.velocity[1] = {0.5, 2};
+  report::CurveNames names;
+  names.velocities = {"a'; system(\"date\"); set label 'b", "O'Brien"};
+  const auto script = report::plot(impact, "", names).script;
+  BOOST_TEST(has(script, "set label 'a''; system(\"date\"); set label ''b' at"));
+  BOOST_TEST(has(script, "set label 'O''Brien' at"));
+}
+
 BOOST_AUTO_TEST_CASE(data_have_a_block_per_ball_and_per_contact) {
   BOOST_TEST(plot_of(2).data ==
              "# velocity v [m/s]\n1,0,1\n1,5e-05,1\n\n\n2,0,1\n2,5e-05,1\n\n\n"

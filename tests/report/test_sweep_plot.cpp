@@ -136,6 +136,26 @@ BOOST_AUTO_TEST_CASE(columns_of_ones_own_keep_their_name) {
              curves);
 }
 
+// Names of columns are the user's; a name that leaves its quotes would be a command.
+BOOST_AUTO_TEST_CASE(names_of_columns_stay_in_their_quotes_and_out_of_paths) {
+  const std::string bad = "x'; set print 'y";
+  const Columns columns = {{.key = bad, .unit = "m/s", .written = "="},
+                           {.key = "../a/b", .written = "="},
+                           {.key = "../a b", .written = "="},
+                           {.key = "100 %d `date`", .unit = "m/s", .written = "="},
+                           {.key = std::string(300, 'n'), .written = "="},
+                           {.key = "two\nlines", .written = "="}};
+  for (const auto& design : {curve(5), map(3, 3)}) {
+    const auto plot = report::sweep_plot(design, columns, "");
+    BOOST_TEST(plot.script.find("'x''; set print ''y") != std::string::npos);
+    BOOST_TEST(plot.script.find("x'; ") == std::string::npos);
+    BOOST_TEST(plot.figures[0] == "sweep.x___set_print__y.pdf");
+    BOOST_TEST(plot.figures[3] == "sweep..._a_b.pdf");
+    BOOST_TEST(plot.figures[6] == "sweep..._a_b_2.pdf");
+    BOOST_TEST(drawn(design, columns, "1,2,3,4,5,6,separated,", "2,3,4,5,6,7,separated,") == "");
+  }
+}
+
 BOOST_AUTO_TEST_CASE(figures_are_as_wide_as_a_column_and_names_beside_lines_where_they_fit) {
   Columns columns;
   for (int i = 0; i < 10; ++i) columns.push_back({"final.velocity[" + std::to_string(i) + "]", "m/s", "v_i"});

@@ -38,10 +38,10 @@ std::vector<std::string> names(const TimeFigure& figure, const Group& group) {
   return all;
 }
 
-/// A label of a group's colour; names are the program's own.
+/// A label of a group's colour.
 std::string label(const std::string& text, double x, double y, const char* side, std::size_t line) {
-  return fmt::format("set label '{}' at graph {:.4f}, graph {:.4f} {} front textcolor lt {}\n", text, x, y,
-                     side, line + 1);
+  return fmt::format("set label {} at graph {:.4f}, graph {:.4f} {} front textcolor lt {}\n", quoted(text), x,
+                     y, side, line + 1);
 }
 
 /// From a curve to its name: thin and grey, unlike data.

@@ -21,7 +21,7 @@ namespace mariotte::report {
 namespace {
 
 constexpr int command_not_found = 127;
-constexpr std::string_view set_output = "set output folder.'";
+constexpr std::string_view set_output = "set output folder.";
 constexpr int text_height = 13;  // in pixels of a sheet
 
 // In the child: gnuplot's words go to stderr, since stdout belongs to the result.
@@ -92,17 +92,17 @@ std::string quoted(std::string text) {
 std::string on_all_terminals(const std::string& name, const std::string& plot, const Sheet& sheet) {
   constexpr double finer = 2.4, centimetres = 8.6 / 450, points = 7.0 / 13;
   const auto terminal = [&](const std::string& options, const char* ending) {
-    return fmt::format("set terminal {}\n{}{}.{}'\n{}", options, set_output, name, ending, plot);
+    return fmt::format("set terminal {}\n{}{}\n{}", options, set_output, quoted(name + ending), plot);
   };
   return terminal(fmt::format("pngcairo size {:.0f},{:.0f} font 'sans,{:.1f}' linewidth {}",
                               finer * sheet.width, finer * sheet.height, 0.75 * finer * text_height, finer),
-                  "png") +
+                  ".png") +
          terminal(fmt::format("svg size {},{} dynamic font 'sans,{}' background 'white'", sheet.width,
                               sheet.height, text_height),
-                  "svg") +
+                  ".svg") +
          terminal(fmt::format("pdfcairo size {:.2f}cm,{:.2f}cm font 'sans,{:.1f}' linewidth 0.7",
                               centimetres * sheet.width, centimetres * sheet.height, points * text_height),
-                  "pdf") +
+                  ".pdf") +
          "unset output\n";
 }
 
@@ -115,7 +115,7 @@ std::vector<std::string> figures_of_script(const std::filesystem::path& script) 
   std::ifstream file(script);
   for (std::string line; std::getline(file, line);) {
     if (!line.starts_with(set_output) || !line.ends_with('\'')) continue;
-    const auto name = line.substr(set_output.size(), line.size() - set_output.size() - 1);
+    const auto name = line.substr(set_output.size() + 1, line.size() - set_output.size() - 2);
     if (name.find('/') == name.npos) names.push_back(name);
   }
   return names;

@@ -100,7 +100,7 @@ std::string curves(const study::Design& design, const Columns& columns, const Sw
   const auto [names, sheet] = naming(named(all), heading(design));
   return beginning + value_axis(places, figure.columns.size() > 1 ? figure.key : column.key, column, "y") +
          names +
-         on_all_terminals(file_name(figure),
+         on_all_terminals(figure.file,
                           unless_empty(fmt::format("plot {}", fmt::join(draw, ", \\\n  ")), "(0)"), sheet);
 }
 

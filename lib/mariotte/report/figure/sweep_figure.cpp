@@ -7,12 +7,25 @@
 #include "mariotte/report/figure/drawn_axes.hpp"
 
 namespace mariotte::report {
+namespace {
 
-std::string file_name(const SweepFigure& figure) {
-  auto key = figure.key;
-  std::replace(key.begin(), key.end(), '[', '_');
-  std::erase(key, ']');
-  return "sweep." + key;
+constexpr std::size_t most_letters = 100;  // file systems take 255
+
+bool is_plain(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '-' ||
+         c == '_';
+}
+
+}  // namespace
+
+std::string file_name(const std::string& key, const std::vector<std::string>& taken) {
+  std::string name = "sweep.";
+  for (const char c : key.substr(0, most_letters))
+    if (c != ']') name += is_plain(c) ? c : '_';
+  auto own = name;
+  for (int k = 2; std::find(taken.begin(), taken.end(), own) != taken.end(); ++k)
+    own = fmt::format("{}_{}", name, k);
+  return own;
 }
 
 std::size_t place(const study::Design& design, std::size_t column) {

@@ -14,11 +14,13 @@ using Columns = std::vector<study::Column>;
 /// One picture, and the columns it shows.
 struct SweepFigure {
   std::string key;
+  std::string file = {};  ///< its name without ending
   std::vector<std::size_t> columns;
 };
 
-/// "sweep.icr_0", without its ending.
-std::string file_name(const SweepFigure& figure);
+/// "sweep.icr_0" for the key icr[0], without its ending: letters, digits, points, minus and underscores, not
+/// among the names that are taken.
+std::string file_name(const std::string& key, const std::vector<std::string>& taken);
 
 /// Position of a column in plot.csv, from 1: the coordinates, the parameters, the columns.
 std::size_t place(const study::Design& design, std::size_t column);

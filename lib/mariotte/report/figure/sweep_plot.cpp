@@ -35,6 +35,11 @@ std::vector<SweepFigure> figures_of(const Columns& columns, bool shared) {
   return figures;
 }
 
+void name_files(std::vector<SweepFigure>& figures) {
+  std::vector<std::string> taken;
+  for (auto& figure : figures) taken.push_back(figure.file = file_name(figure.key, taken));
+}
+
 std::string axes(const study::Design& design) {
   const auto drawn = drawn_parameters(design);
   const auto text = axis_settings(design, drawn[0], 'x');
@@ -53,12 +58,13 @@ SweepPlot sweep_plot(const study::Design& design, const Columns& columns, const 
     plot.shortfall = fmt::format("only the first {} are drawn", most_figures);
     figures.resize(most_figures);
   }
+  name_files(figures);
   plot.script = script_head() + axes(design);
   for (const auto& figure : figures) {
     plot.script += set_title(title);
     plot.script +=
         is_surface(design) ? surface(design, columns, figure, options) : curves(design, columns, figure);
-    const auto files = files_of_figure(file_name(figure));
+    const auto files = files_of_figure(figure.file);
     plot.figures.insert(plot.figures.end(), files.begin(), files.end());
   }
   return plot;

@@ -59,7 +59,7 @@ std::string surface(const study::Design& design, const Columns& columns, const S
          "set rmargin at screen 0.72\n" +
          value_axis({at}, column.key, column, "cb") + (options.logarithmic ? logarithmic_colours() : "") +
          (lined ? "if (low <= high) {\n" + contour_table(data, options.contours) + "}\n" : "") +
-         on_all_terminals(file_name(figure), unless_empty(plot, "2"), one_column);
+         on_all_terminals(figure.file, unless_empty(plot, "2"), one_column);
 }
 
 }  // namespace mariotte::report

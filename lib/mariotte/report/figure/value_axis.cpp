@@ -15,6 +15,12 @@ bool is_own(const study::Column& column) {
   return !column.written.empty();
 }
 
+/// Text that a format of sprintf leaves as it is.
+std::string without_format(std::string text) {
+  for (std::size_t at = 0; (at = text.find('%', at)) != std::string::npos; at += 2) text.insert(at, 1, '%');
+  return text;
+}
+
 /// Brings what is shown, whose magnitude is `size`, into the unit that suits it; as `display_for` does.
 std::string prefix_settings(const std::string& name, const study::Column& column, const std::string& axis) {
   if (!takes_prefix(column.unit))
@@ -24,7 +30,8 @@ steps = steps < -5 ? -5 : steps > {0} ? {0} : steps
 factor = 10.0 ** (-3 * steps)
 set {1}label sprintf({2}, steps == 0 ? '' : word('f p n µ m - k M G T', steps + 6))
 )",
-                     column.unit == "s" ? 0 : 4, axis, quoted(with_unit(name, "%s" + column.unit)));
+                     column.unit == "s" ? 0 : 4, axis,
+                     quoted(with_unit(without_format(name), "%s" + column.unit)));
 }
 
 }  // namespace
