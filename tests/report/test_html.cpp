@@ -36,6 +36,8 @@ BOOST_AUTO_TEST_CASE(text_stands_for_itself) {
   BOOST_TEST(has(page, "&lt;script&gt;"));
   BOOST_TEST(count(page, "<script>") == 1);  // the page's own
   BOOST_TEST(has(page, "alt=\"x&quot;y\""));
+  const auto moving = report::html(Json::object(), {}, {{"note", "</script><b>"}});
+  BOOST_TEST(has(moving, R"("note":"\u003c/script>\u003cb>")"));
 }
 
 BOOST_AUTO_TEST_CASE(the_page_needs_no_other_file) {

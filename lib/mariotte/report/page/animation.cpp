@@ -203,10 +203,12 @@ constexpr const char* script = R"(
 })();
 )";
 
-/// No "</script>" can be in the data, as all of it is numbers and keys.
+/// Without "</script>", which a motion.json from elsewhere could have in its text.
 std::string with_colours(Json motion) {
   motion["colours"] = line_colours;
-  return motion.dump();
+  auto text = motion.dump();
+  for (std::size_t at = 0; (at = text.find('<', at)) != text.npos;) text.replace(at, 1, "\\u003c");
+  return text;
 }
 
 /// Balls or bodies; 0 of what may be neither.
