@@ -50,6 +50,14 @@ BOOST_AUTO_TEST_CASE(inputs_have_the_units_of_their_values) {
   BOOST_TEST(inputs[1].deviation == 0.015, boost::test_tools::tolerance(1e-15));
 }
 
+BOOST_AUTO_TEST_CASE(words_are_no_numbers_with_deviations) {
+  for (const std::string title : {"Steel, E = 210 ± 5 GPa", "210 ± 5 GPa", "2 +- 1"}) {
+    auto document = document_of("title = \"" + title + "\"\n" + pair);
+    BOOST_TEST(study::take_uncertain_inputs(document).size() == 2U);
+    BOOST_TEST(resolve(document).title == title);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_pair_has_the_deviations_of_its_closed_form) {
   // v₁⁺ = v (m − M)/(m + M): by v −0.2, by m 2 M v/(m + M)².
   const auto found = propagated(pair);

@@ -30,6 +30,11 @@ void tell(ReadingLog& watch, const Node* node, const Dimension& dimension) {
     if (reading.node == node) reading.dimension = dimension;
 }
 
+void tell_text(ReadingLog& watch, const Node* node) {
+  for (auto& reading : watch.readings)
+    if (reading.node == node) reading.is_text = true;
+}
+
 double value_of(const Source& source, const Field& field, const Dimension& dimension) {
   if (source.watch) tell(*source.watch, field.node, dimension);
   if (const auto* real = std::get_if<double>(&field.node->value)) return *real;
@@ -187,6 +192,7 @@ Vector3 read_vector(const Source& source, const Field& field, const Dimension& d
 std::string text(const Source& source, const Field& field) {
   const auto* const value = std::get_if<std::string>(&field.node->value);
   if (!value) wrong_type(source, field, "a string");
+  if (source.watch) tell_text(*source.watch, field.node);
   return *value;
 }
 

@@ -15,6 +15,7 @@ struct ReadingLog {
   struct Reading {
     const Node* node;
     std::optional<Dimension> dimension = {};  ///< of the number it was read as; empty if it was read as none
+    bool is_text = false;                     ///< it was read as words
   };
   std::vector<Reading> readings;
 };
@@ -23,7 +24,7 @@ struct Source {
   std::string name;                  ///< the file, as the user wrote it
   std::vector<std::string> origins;  ///< where values come from that are not the file's: "--set KEY"
   std::vector<std::string> warnings = {};
-  ReadingLog* watch = nullptr;  ///< told of every number that is read; may be null
+  ReadingLog* watch = nullptr;  ///< told of every value that is read; may be null
 };
 
 /// "file:line:column", or the origin of what is not the file's, as "--set KEY".

@@ -136,9 +136,9 @@ void FitModel::resolve_row(Measurement& row) {
     throw scene::SceneError(row_place + ": " + error.what(), error.fault);
   }
   for (std::size_t i = 0; i < row.values.size(); ++i) {
-    const auto& [node, dimension] = watch.readings[i];
-    if (!dimension) continue;
-    const double value = number(document_.source, {node, ""}, *dimension, scene::Domain::any);
+    const auto& reading = watch.readings[i];
+    if (!reading.dimension) continue;
+    const double value = number(document_.source, {reading.node, ""}, *reading.dimension, scene::Domain::any);
     row.values[i].value = value;
     if (row.written[i].size() > most_letters) row.written[i] = fmt::format("{:.6g}", value);
   }

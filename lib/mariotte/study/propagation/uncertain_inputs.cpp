@@ -13,9 +13,9 @@ namespace {
 using scene::Document;
 using scene::Node;
 
-/// A value with a deviation, both as text.
+/// A value with a deviation, both as text, and what the scene had there.
 struct Written {
-  std::string key, deviation;
+  std::string key, deviation, whole;
   scene::Place place;
 };
 
@@ -24,18 +24,23 @@ std::string trimmed(const std::string& text) {
   return first == text.npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
-/// "a ± b" and "a +- b".
+/// "a ± b" with either sign, of a text that begins as a number does.
 std::optional<std::pair<std::string, std::string>> split(const std::string& text) {
+  if (trimmed(text).find_first_of("0123456789.+-") != 0) return std::nullopt;
   for (const std::string sign : {"±", "+-"})
     if (const auto at = text.find(sign); at != text.npos)
       return {{trimmed(text.substr(0, at)), trimmed(text.substr(at + sign.size()))}};
   return std::nullopt;
 }
 
+Node& node_of(Document& document, const Written& written) {
+  return locate(document.source, document.tree, written.key, written.place);
+}
+
 void collect(Node& node, const std::string& key, std::vector<Written>& list) {
   if (auto* text = std::get_if<std::string>(&node.value)) {
     if (auto parts = split(*text)) {
-      list.push_back({key, parts->second, node.place});
+      list.push_back({key, parts->second, *text, node.place});
       *text = parts->first;
     }
   } else if (auto* array = node.array()) {
@@ -90,12 +95,14 @@ std::vector<UncertainInput> take_uncertain_inputs(Document& document) {
   std::vector<Written> written;
   collect(document.tree, "", written);
   scene::ReadingLog watch;
-  for (const auto& one : written)
-    watch.readings.push_back({&locate(document.source, document.tree, one.key, one.place)});
+  for (const auto& one : written) watch.readings.push_back({&node_of(document, one)});
   resolve(document, scene::Purpose::simulation, &watch);
   std::vector<UncertainInput> inputs;
   for (std::size_t i = 0; i < written.size(); ++i)
-    inputs.push_back(input_of(document, written[i], watch.readings[i]));
+    if (watch.readings[i].is_text)
+      node_of(document, written[i]).value = written[i].whole;
+    else
+      inputs.push_back(input_of(document, written[i], watch.readings[i]));
   return inputs;
 }
 
