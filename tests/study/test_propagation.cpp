@@ -50,6 +50,15 @@ BOOST_AUTO_TEST_CASE(inputs_have_the_units_of_their_values) {
   BOOST_TEST(inputs[1].deviation == 0.015, boost::test_tools::tolerance(1e-15));
 }
 
+BOOST_AUTO_TEST_CASE(deviations_have_any_of_three_signs) {
+  for (const std::string sign : {"±", "+-", "+/-"}) {
+    auto document = document_of("[chain]\nmass = [\"40 g " + sign +
+                                " 1 g\", 3]\nvelocity = [1, 0]\nlaw = \"linear\"\nstiffness = 5\n");
+    BOOST_TEST(study::take_uncertain_inputs(document).at(0).deviation == 1e-3,
+               boost::test_tools::tolerance(1e-15));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(words_are_no_numbers_with_deviations) {
   for (const std::string title : {"Steel, E = 210 ± 5 GPa", "210 ± 5 GPa", "2 +- 1"}) {
     auto document = document_of("title = \"" + title + "\"\n" + pair);

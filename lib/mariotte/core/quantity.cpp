@@ -47,7 +47,7 @@ Quantity parse_quantity(std::string_view text) {
   const double number = take_number(rest);
   rest = trimmed(rest);
   if (rest.empty()) return {number, {}, {}};
-  for (const char* sign : {"±", "+-", "+/-"})
+  for (const auto sign : deviation_signs)
     if (rest.find(sign) != std::string_view::npos)
       throw QuantityError("got " + quoted(text) + ": deviations are for 'mariotte uncertainty' alone",
                           fault::no_quantity);

@@ -2,6 +2,7 @@
 //
 //     quantity = number [unit] | "inf"
 #pragma once
+#include <array>
 #include <string>
 #include <string_view>
 
@@ -21,6 +22,9 @@ struct Quantity {
   Dimension dimension;
   std::string unit;  ///< as written; empty for a bare number
 };
+
+/// What stands between a number and its standard deviation.
+inline constexpr std::array<std::string_view, 3> deviation_signs{"±", "+-", "+/-"};
 
 /// Throws QuantityError if the text is no quantity; an unknown unit comes with the nearest known one.
 Quantity parse_quantity(std::string_view text);

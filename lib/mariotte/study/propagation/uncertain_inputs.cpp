@@ -27,7 +27,7 @@ std::string trimmed(const std::string& text) {
 /// "a ± b" with either sign, of a text that begins as a number does.
 std::optional<std::pair<std::string, std::string>> split(const std::string& text) {
   if (trimmed(text).find_first_of("0123456789.+-") != 0) return std::nullopt;
-  for (const std::string sign : {"±", "+-"})
+  for (const auto sign : deviation_signs)
     if (const auto at = text.find(sign); at != text.npos)
       return {{trimmed(text.substr(0, at)), trimmed(text.substr(at + sign.size()))}};
   return std::nullopt;
