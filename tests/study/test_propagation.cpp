@@ -50,13 +50,21 @@ BOOST_AUTO_TEST_CASE(inputs_have_the_units_of_their_values) {
   BOOST_TEST(inputs[1].deviation == 0.015, boost::test_tools::tolerance(1e-15));
 }
 
-BOOST_AUTO_TEST_CASE(deviations_have_any_of_three_signs) {
+BOOST_AUTO_TEST_CASE(a_unit_behind_the_deviation_alone_is_that_of_both) {
+  const auto input = [](const std::string& mass) {
+    auto document = document_of("[chain]\nmass = [\"" + mass +
+                                "\", 3]\nvelocity = [1, 0]\nlaw = \"linear\"\nstiffness = 5\n");
+    return study::take_uncertain_inputs(document).at(0);
+  };
   for (const std::string sign : {"±", "+-", "+/-"}) {
-    auto document = document_of("[chain]\nmass = [\"40 g " + sign +
-                                " 1 g\", 3]\nvelocity = [1, 0]\nlaw = \"linear\"\nstiffness = 5\n");
-    BOOST_TEST(study::take_uncertain_inputs(document).at(0).deviation == 1e-3,
-               boost::test_tools::tolerance(1e-15));
+    const auto grams = input("40 " + sign + " 1 g");
+    BOOST_TEST(grams.value == 0.04, boost::test_tools::tolerance(1e-15));
+    BOOST_TEST(grams.deviation == 1e-3, boost::test_tools::tolerance(1e-15));
   }
+  BOOST_TEST(input("40 ± 1").deviation == 1);
+  BOOST_TEST(input("40 ± 1 %").value == 40);
+  BOOST_TEST(input("40 g ± 1 kg").value == 0.04, boost::test_tools::tolerance(1e-15));
+  BOOST_TEST(input("40 g ± 1 kg").deviation == 1);
 }
 
 BOOST_AUTO_TEST_CASE(words_are_no_numbers_with_deviations) {
@@ -143,6 +151,8 @@ BOOST_AUTO_TEST_CASE(samples_of_one_seed_are_the_same) {
 BOOST_AUTO_TEST_CASE(what_is_no_deviation_is_refused_where_it_stands) {
   expect_refused("\"1 m/s ± 0 m/s\"", "its deviation must be positive");
   expect_refused("\"1 m/s ± 1 s\"", "m/s");
+  expect_refused("\"1 ± 1 s\"", "expected a velocity");
+  expect_refused("\"1 m/s ± 1\"", "has no unit");
   expect_refused("\"0 m/s ± 1 mm/s\"", "is zero");
   expect_refused("\"1 m/s ± \"", "");
 }

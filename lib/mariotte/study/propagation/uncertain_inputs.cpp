@@ -24,12 +24,27 @@ std::string trimmed(const std::string& text) {
   return first == text.npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
+/// Empty for a bare number; none of what is no quantity.
+std::optional<std::string> unit_of(const std::string& text) try {
+  return parse_quantity(text).unit;
+} catch (const QuantityError&) {
+  return std::nullopt;
+}
+
+/// A unit behind the deviation alone is that of both: "40 ± 1 g".
+std::string with_unit(const std::string& value, const std::string& deviation) {
+  const auto unit = deviation.ends_with('%') ? std::nullopt : unit_of(deviation);
+  return unit && !unit->empty() && unit_of(value) == "" ? value + " " + *unit : value;
+}
+
 /// "a ± b" with either sign, of a text that begins as a number does.
 std::optional<std::pair<std::string, std::string>> split(const std::string& text) {
   if (trimmed(text).find_first_of("0123456789.+-") != 0) return std::nullopt;
   for (const auto sign : deviation_signs)
-    if (const auto at = text.find(sign); at != text.npos)
-      return {{trimmed(text.substr(0, at)), trimmed(text.substr(at + sign.size()))}};
+    if (const auto at = text.find(sign); at != text.npos) {
+      const auto deviation = trimmed(text.substr(at + sign.size()));
+      return {{with_unit(trimmed(text.substr(0, at)), deviation), deviation}};
+    }
   return std::nullopt;
 }
 
