@@ -94,12 +94,17 @@ std::string table(const report::ColumnStatistics& columns) {
   return report::columns({"column [SI]", "mean", "deviation", "5 %", "median", "95 %"}, std::ssize(all), row);
 }
 
+/// "all with a result", or how many have none or ended at a limit.
+std::string outcome(Index failed, Index limited) {
+  auto text = failed == 0 ? "all with a result" : fmt::format("{} without a result", failed);
+  return limited == 0 ? text : fmt::format("{}, {} ended at a limit", text, limited);
+}
+
 int finish(const Options& options, const study::SweepPlan& plan, study::Journal& journal) {
   const auto written = write(options.files, plan, description(options, plan, journal), journal);
   if (!written.shortfall.empty() && !options.scene.quiet) warning(written.shortfall);
   const Index points = plan.design.points(), failed = journal.failed();
-  print(fmt::format("{}, {}: {}\n", counted(points, "point"),
-                    failed == 0 ? "all with a result" : fmt::format("{} without a result", failed),
+  print(fmt::format("{}, {}: {}\n", counted(points, "point"), outcome(failed, written.limited),
                     (options.files.folder / "sweep.csv").string()));
   if (written.statistics) print(table(*written.statistics));
   if (!options.scene.quiet)

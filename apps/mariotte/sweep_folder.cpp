@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "mariotte/report/csv/sweep_csv.hpp"
+#include "mariotte/report/csv/sweep_rows.hpp"
 #include "mariotte/report/figure/gnuplot.hpp"
 #include "mariotte/report/figure/sweep_plot.hpp"
 #include "mariotte/report/json/sweep_json.hpp"
@@ -33,11 +34,12 @@ void remove_earlier(const std::filesystem::path& folder) {
   report::remove_files(folder, names);
 }
 
-/// All but figures and page; sweep.csv, without which there is no result, comes last. Returns what the
-/// numbers of a random design are like, which sweep.json tells, too.
-std::optional<report::ColumnStatistics> write_tables(const SweepFiles& files, const study::SweepPlan& plan,
-                                                     report::Json what, study::Journal& journal) {
-  std::optional<report::ColumnStatistics> statistics;
+/// All but figures and page; sweep.csv, without which there is no result, comes last. sweep.json tells the
+/// statistics of a random design, too.
+Written write_tables(const SweepFiles& files, const study::SweepPlan& plan, report::Json what,
+                     study::Journal& journal) {
+  Written written;
+  auto& statistics = written.statistics;
   if (is_random(plan.design)) statistics.emplace(report::sweep_header(plan.design, plan.columns));
   report::NewFile csv(files.folder / "sweep.csv"), drawn(files.folder / "plot.csv");
   std::unique_ptr<report::SweepFile> table;
@@ -53,13 +55,14 @@ std::optional<report::ColumnStatistics> write_tables(const SweepFiles& files, co
     drawn.append(text);
     if (table) table->add(rows);
     if (statistics) statistics->add(rows);
+    written.limited += report::count_limited(rows);
   });
   drawn.commit();
   if (table) table->commit();
   if (statistics) what["statistics"] = statistics->json();
   report::write_file(files.folder / "sweep.json", report::text(what));
   csv.commit();
-  return statistics;
+  return written;
 }
 
 std::string draw(const std::filesystem::path& folder, const study::SweepPlan& plan) {
@@ -90,7 +93,7 @@ Written write(const SweepFiles& files, const study::SweepPlan& plan, const repor
   // This process alone writes here: it holds the journal.
   report::remove_unfinished(files.folder, names);
   report::remove_unfinished(files.folder, {"figures"});
-  Written written{.statistics = write_tables(files, plan, what, journal)};
+  auto written = write_tables(files, plan, what, journal);
   if (!files.no_figures) written.shortfall = draw(files.folder, plan);
   if (files.report) write_report_page(files.folder, read_result(files.folder));
   return written;

@@ -26,6 +26,7 @@ void prepare(const SweepFiles& files, const study::SweepPlan& plan, bool force);
 /// What came of it.
 struct Written {
   std::optional<report::ColumnStatistics> statistics = {};  ///< of a random design
+  Index limited = 0;                                        ///< points that ended at a limit
   std::string shortfall = {};                               ///< which figures are missing and why, if any are
 };
 

@@ -73,7 +73,7 @@ class Sweep(Mapping[str, Array]):
 
     @property
     def reasons(self) -> Dict[int, str]:
-        """Why points have no numbers, by the row of the table."""
+        """Why points have no numbers or ended at a limit, by the row of the table."""
         return self._run.reasons
 
     @property

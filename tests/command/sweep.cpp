@@ -243,6 +243,24 @@ BOOST_FIXTURE_TEST_CASE(points_that_fail_are_rows_with_their_reason, Session) {
   BOOST_TEST(!fs::exists(folder / "none"));
 }
 
+BOOST_FIXTURE_TEST_CASE(points_that_end_at_a_limit_are_counted_with_their_reason, Session) {
+  const std::string cases =
+      std::string(support::three_balls) + "[[sweep]]\nkey = 'run.max_events'\nvalues = [1, 1000]\n";
+  write("limited.toml", cases);
+  // Side by side, and one by one.
+  for (const std::string key : {"'final.velocity[2]'", "'contacts[0].peak_force'"}) {
+    const auto sweep = mariotte("sweep limited.toml --out out --force --column " + key);
+    BOOST_TEST(sweep.out == "2 points, all with a result, 1 ended at a limit: out/sweep.csv\n");
+    const auto rows = lines(content(folder / "out/sweep.csv"));
+    BOOST_TEST(rows[1].ends_with(",event_limit,max_events = 1 was reached before the end"), rows[1]);
+    BOOST_TEST(rows[2].ends_with(",separated,"), rows[2]);
+  }
+  write("wanted.toml",
+        std::string(support::three_balls) + "[[sweep]]\nkey = 'run.until'\nvalues = [0.1, 0.2]\n");
+  BOOST_TEST(mariotte("sweep wanted.toml --out wanted --column final.time").out ==
+             "2 points, all with a result: wanted/sweep.csv\n");
+}
+
 BOOST_FIXTURE_TEST_CASE(points_beyond_the_limits_of_their_model_are_told_of, Session) {
   write("steel.toml",
         "[chain]\nradius = 0.01\nmaterial = 'steel'\nlaw = 'hertz'\nballs = 2\nvelocity = [0.01, 0]\n"

@@ -3,6 +3,11 @@
 #include <sstream>
 
 namespace mariotte::hybrid {
+namespace {
+
+constexpr const char* after_limit = " was reached before the end";
+
+}  // namespace
 
 std::string reached_limit(Ending ending, const Options& options) {
   std::ostringstream text;
@@ -12,8 +17,12 @@ std::string reached_limit(Ending ending, const Options& options) {
     text << "max_events = " << options.max_events;
   else
     return "";
-  text << " was reached before the end";
+  text << after_limit;
   return text.str();
+}
+
+bool tells_limit(std::string_view text) {
+  return text.find(after_limit) != text.npos;
 }
 
 }  // namespace mariotte::hybrid

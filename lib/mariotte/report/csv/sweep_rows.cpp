@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mariotte/hybrid/ending.hpp"
+#include "mariotte/hybrid/reached_limit.hpp"
 #include "mariotte/report/csv/csv_cell.hpp"
 #include "mariotte/report/csv/sweep_csv.hpp"
 #include "mariotte/study/sweep/evaluate.hpp"
@@ -58,6 +59,13 @@ bool are_rows_of(const study::Design& design, std::size_t columns, const study::
     rest.remove_prefix(end + 1);
   }
   return rest.empty() && reader.failed() == rows.failed;
+}
+
+Index count_limited(std::string_view rows) {
+  Index count = 0;
+  for (; !rows.empty(); rows.remove_prefix(rows.find('\n') + 1))
+    count += hybrid::tells_limit(rows.substr(0, rows.find('\n')));
+  return count;
 }
 
 }  // namespace mariotte::report

@@ -1,5 +1,7 @@
 // Whether rows of a sweep's journal are rows of this sweep.
 #pragma once
+#include <string_view>
+
 #include "mariotte/study/journal/journal_line.hpp"
 #include "mariotte/study/sweep/design.hpp"
 
@@ -10,5 +12,8 @@ namespace mariotte::report {
 /// of points without numbers is right. A checksum tells what a disk has altered; this tells what another hand
 /// has written.
 bool are_rows_of(const study::Design& design, std::size_t columns, const study::Rows& rows);
+
+/// How many of these lines, with their line breaks, tell of a limit that ended their run.
+Index count_limited(std::string_view rows);
 
 }  // namespace mariotte::report

@@ -11,8 +11,8 @@ namespace mariotte::report {
 Json json(const study::SweepPlan& plan, Index failed);
 
 /// What the sweep.csv of a sweep holds: `columns` with their number of numbers, the least and the greatest;
-/// `endings` with their number of points; `reasons` of points that have no numbers, the commonest first, each
-/// with its number of points and its first row. Rows are counted from 1.
+/// `endings` with their number of points; `reasons` of points that have no numbers or ended at a limit, the
+/// commonest first, each with its number of points and its first row. Rows are counted from 1.
 Json summary(std::istream& csv);
 
 }  // namespace mariotte::report

@@ -68,7 +68,7 @@ constexpr std::array<std::array<const char*, 2>, 23> sections{
      {"derived", "What follows from it"},
      {"columns", "Columns"},
      {"endings", "Endings"},
-     {"reasons", "Why points have no numbers"}}};
+     {"reasons", "Why points have no numbers or ended at a limit"}}};
 const std::set<std::string> elsewhere = {"ending", "title",  "model", "message",    "provenance",
                                          "points", "failed", "scene", "scene_text", "statistics"};
 

@@ -13,7 +13,7 @@ namespace mariotte::study {
 /// How one point ended.
 struct Verdict {
   std::string ending = "separated";  ///< as in a result; "rejected" for a scene that makes no sense
-  std::string reason = {};  ///< why there are no numbers, if there are none; what is to say of slopes
+  std::string reason = {};  ///< why there are no numbers; which limit was reached; what to say of slopes
 
   /// Whether the numbers mean something: the run ended by itself, or at a limit that the scene sets.
   bool has_numbers() const;

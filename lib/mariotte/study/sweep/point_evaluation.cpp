@@ -5,12 +5,22 @@
 #include <limits>
 #include <utility>
 
+#include "mariotte/hybrid/reached_limit.hpp"
 #include "mariotte/study/sweep/slope_columns.hpp"
 
 namespace mariotte::study {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+/// Says first which limit ended a run; the end that its scene wants is none.
+void tell_limit(const hybrid::Options& run, Verdict& verdict) {
+  for (const auto ending : {hybrid::Ending::time_limit, hybrid::Ending::event_limit}) {
+    if (verdict.ending != hybrid::name(ending)) continue;
+    if (ending == hybrid::Ending::time_limit && run.flies_on) continue;
+    verdict.reason = reached_limit(ending, run) + (verdict.reason.empty() ? "" : "; ") + verdict.reason;
+  }
+}
 
 }  // namespace
 
@@ -25,7 +35,7 @@ PointEvaluation::PointEvaluation(const SweepPlan& plan)
 
 void PointEvaluation::put(Variation& points, const PointRow& row) {
   const auto& scene = points.at(row.point);
-  rows_.push_back(row);
+  rows_.push_back({row, scene.run});
   evaluations_.put(std::ssize(rows_) - 1, scene, has_slopes_ ? &points.document(row.point) : nullptr);
 }
 
@@ -34,12 +44,14 @@ void PointEvaluation::finish() {
   rows_.clear();
 }
 
-void PointEvaluation::keep(const PointRow& row, Verdict verdict, std::span<const double> results) const {
+void PointEvaluation::keep(const Pending& pending, Verdict verdict, std::span<const double> results) const {
+  const auto& row = pending.row;
   const auto value_of = [&](const Output& output) {
     return output.formula ? number(design_, *output.formula, row.point, results) : results[output.result];
   };
   const auto finite = [](double value) { return std::isfinite(value) ? value : none; };
   for (std::size_t i = 0; i < outputs_.size(); ++i) row.numbers[i] = finite(value_of(outputs_[i]));
+  tell_limit(pending.run, verdict);
   *row.verdict = std::move(verdict);
 }
 

@@ -1,5 +1,6 @@
 // The columns of points of a sweep: numbers of results, and formulas.
 #pragma once
+#include "mariotte/hybrid/options.hpp"
 #include "mariotte/study/sweep/evaluate.hpp"
 #include "mariotte/study/sweep/sweep_reader.hpp"
 #include "mariotte/study/sweep/variation.hpp"
@@ -25,12 +26,17 @@ class PointEvaluation {
   void finish();
 
  private:
-  void keep(const PointRow& row, Verdict verdict, std::span<const double> results) const;
+  /// A row that waits for its numbers, and the limits of its run.
+  struct Pending {
+    PointRow row;
+    hybrid::Options run;
+  };
+  void keep(const Pending& pending, Verdict verdict, std::span<const double> results) const;
 
   Design design_;
   std::vector<Output> outputs_;
   bool has_slopes_;
-  std::vector<PointRow> rows_;  ///< that have been put in since the last `finish`
+  std::vector<Pending> rows_;  ///< that have been put in since the last `finish`
   Evaluations evaluations_;
 };
 
