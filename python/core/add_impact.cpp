@@ -17,6 +17,7 @@
 #include "mariotte/report/json/json_parts.hpp"
 #include "mariotte/report/page/files.hpp"
 #include "mariotte/report/page/html.hpp"
+#include "mariotte/report/reason.hpp"
 #include "mariotte/report/text.hpp"
 #include "mariotte/report/trace_file.hpp"
 #include "samples.hpp"
@@ -188,9 +189,12 @@ void add_impact(py::module_& module) {
                              [](const Impact& impact) {
                                return static_cast<int>(of_any(impact, [](auto& one) { return one.ending; }));
                              })
-      .def_property_readonly(
-          "message",
-          [](const Impact& impact) { return of_any(impact, [](auto& one) { return one.message; }); })
+      .def_property_readonly("message",
+                             [](const Impact& impact) {
+                               return of_any(impact, [&](auto& one) {
+                                 return report::reason(one.ending, one.message, impact.scene());
+                               });
+                             })
       .def_property_readonly("time", &time)
       .def_property_readonly("warnings", &Impact::warnings)
       .def("number", &number, py::arg("key"))

@@ -153,6 +153,14 @@ def test_endings_are_an_enum(triplet):
     assert captured.ending is mt.Ending.captured
 
 
+def test_a_limit_is_the_message_of_its_run(triplet):
+    assert mt.simulate(triplet, max_events=1).message == "max_events = 1 was reached before the end"
+    assert mt.simulate(triplet, max_time="1 us").message == "max_time = 1e-06 s was reached before the end"
+    assert mt.simulate(triplet, until="1 us").message == "" == mt.simulate(triplet).message
+    assert mt.sweep(triplet, {"run.max_events": [1]}, columns=["velocity"]).reasons == {
+        0: "max_events = 1 was reached before the end"}
+
+
 def test_a_run_beyond_every_law_ends_as_that_of_the_command(command_json, tmp_path):
     balls = dict(radius="5 mm", material="polystyrene", law="hertz")
     endings = {}
