@@ -165,7 +165,7 @@ py::tuple energy_course(const Impact& impact) {
   {
     const py::gil_scoped_release unlocked;
     const auto traced = simulate(impact.box(), impact.options(), {.trace = true});
-    course = report::energy_course(std::get<impact::ChainImpact>(traced).trace, *chain);
+    course = report::energy_course(std::get<impact::ChainImpact>(traced), *chain);
   }
   const auto array = [](std::vector<double>& values) {
     const auto count = std::ssize(values);

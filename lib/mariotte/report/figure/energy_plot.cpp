@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <iterator>
+#include <limits>
 
 #include "mariotte/report/figure/gnuplot.hpp"
 #include "mariotte/report/number.hpp"
@@ -11,11 +12,25 @@
 namespace mariotte::report {
 namespace {
 
+// The sample at the end of a period has its time but for rounding, and forces that are not quite zero.
+constexpr double past_rounding = 1 + 8 * std::numeric_limits<double>::epsilon();
+
+/// Whether one of the periods, which are in order, has begun at a time and not ended.
+bool carries_force(const std::vector<impact::Period>& periods, double time) {
+  const auto begins_later = [](double at, const impact::Period& one) { return at < one.start; };
+  const auto next = std::upper_bound(periods.begin(), periods.end(), time * past_rounding, begins_later);
+  if (next == periods.begin()) return false;
+  const auto& end = std::prev(next)->end;
+  return !end || time * past_rounding < *end;
+}
+
 /// A contact that is indented without force has lost what it stored.
-double stored(const model::Chain& chain, const std::vector<double>& gap, const std::vector<double>& force) {
+double stored(const impact::ChainImpact& impact, std::size_t row, const model::Chain& chain) {
+  const auto& gap = impact.trace.gap[row];
   double sum = 0;
   for (std::size_t j = 0; j < gap.size(); ++j)
-    if (force[j] > 0 && gap[j] < 0) sum += contact::stored_energy(chain.law[j], -gap[j]);
+    if (gap[j] < 0 && carries_force(impact.contacts[j].periods, impact.trace.time[row]))
+      sum += contact::stored_energy(chain.law[j], -gap[j]);
   return sum;
 }
 
@@ -42,14 +57,15 @@ bool flies(const impact::Trace& trace, std::size_t row) {
 
 }  // namespace
 
-EnergyCourse energy_course(const impact::Trace& trace, const model::Chain& chain) {
+EnergyCourse energy_course(const impact::ChainImpact& impact, const model::Chain& chain) {
+  const auto& trace = impact.trace;
   EnergyCourse course;
   for (std::size_t k = 0; k < trace.time.size(); ++k) {
     if (k > 0 && chain.gravity != 0 && flies(trace, k - 1) && flies(trace, k))
       sample_flight(trace, k, chain, course);
     course.time.push_back(trace.time[k]);
     course.kinetic.push_back(kinetic_energy(chain, trace.velocity[k]));
-    course.stored.push_back(stored(chain, trace.gap[k], trace.force[k]));
+    course.stored.push_back(stored(impact, k, chain));
     if (chain.gravity == 0 && chain.drive.empty())
       course.lost.push_back(course.kinetic[0] + course.stored[0] - course.kinetic[k] - course.stored[k]);
   }

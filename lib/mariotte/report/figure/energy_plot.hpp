@@ -14,12 +14,12 @@ struct EnergyCourse {
   std::vector<double> time;
   std::vector<double> kinetic;  ///< of the balls of finite mass
   std::vector<double> stored;   ///< in the contacts that carry force
-  std::vector<double>
-      lost;  ///< what is missing; empty with gravity or drives, whose work the samples do not show
+  /// What is missing; empty with gravity or drives, whose work the samples do not show.
+  std::vector<double> lost;
 };
 
-/// In flight under gravity between the samples, too, where energies are no lines.
-EnergyCourse energy_course(const impact::Trace& trace, const model::Chain& chain);
+/// Of the trace of `impact`; in flight under gravity between the samples, too, where energies are no lines.
+EnergyCourse energy_course(const impact::ChainImpact& impact, const model::Chain& chain);
 
 /// `energy.csv`: time, kinetic, stored and lost energy.
 std::string energy_csv(const EnergyCourse& course);
