@@ -51,6 +51,16 @@ BOOST_AUTO_TEST_CASE(a_contact_that_has_let_go_stores_nothing) {
   BOOST_TEST(course.lost.back() == impact.energy.dissipated, boost::test_tools::tolerance(1e-8));
 }
 
+BOOST_AUTO_TEST_CASE(work_of_a_moving_wall_is_no_loss) {
+  const model::Chain pushed{
+      .mass = {infinity, 1}, .law = {contact::Hertz{1e6}}, .gap = {0}, .velocity = {1, 0}};
+  impact::ChainImpact impact;
+  BOOST_TEST(course_of(pushed, impact).lost.empty());
+  auto struck = pushed;
+  struck.velocity = {0, -1};
+  BOOST_TEST(!course_of(struck, impact).lost.empty());
+}
+
 BOOST_AUTO_TEST_CASE(a_fall_is_sampled_and_its_energy_a_parabola) {
   const model::Chain drop{
       .mass = {infinity, 2}, .law = {contact::Hertz{1e9}}, .gap = {0.1}, .velocity = {0, 0}, .gravity = 9.81};

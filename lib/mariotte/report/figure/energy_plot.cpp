@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 
@@ -55,10 +56,19 @@ bool flies(const impact::Trace& trace, std::size_t row) {
   return std::all_of(trace.force[row].begin(), trace.force[row].end(), zero);
 }
 
+/// Whether gravity, drives or moving walls do work, which the samples do not show.
+bool takes_work(const model::Chain& chain) {
+  bool moves = false;
+  for (std::size_t i = 0; i < chain.mass.size(); ++i)
+    moves = moves || (std::isinf(chain.mass[i]) && chain.velocity[i] != 0);
+  return moves || chain.gravity != 0 || !chain.drive.empty();
+}
+
 }  // namespace
 
 EnergyCourse energy_course(const impact::ChainImpact& impact, const model::Chain& chain) {
   const auto& trace = impact.trace;
+  const bool is_closed = !takes_work(chain);
   EnergyCourse course;
   for (std::size_t k = 0; k < trace.time.size(); ++k) {
     if (k > 0 && chain.gravity != 0 && flies(trace, k - 1) && flies(trace, k))
@@ -66,7 +76,7 @@ EnergyCourse energy_course(const impact::ChainImpact& impact, const model::Chain
     course.time.push_back(trace.time[k]);
     course.kinetic.push_back(kinetic_energy(chain, trace.velocity[k]));
     course.stored.push_back(stored(impact, k, chain));
-    if (chain.gravity == 0 && chain.drive.empty())
+    if (is_closed)
       course.lost.push_back(course.kinetic[0] + course.stored[0] - course.kinetic[k] - course.stored[k]);
   }
   return course;

@@ -14,7 +14,7 @@ struct EnergyCourse {
   std::vector<double> time;
   std::vector<double> kinetic;  ///< of the balls of finite mass
   std::vector<double> stored;   ///< in the contacts that carry force
-  /// What is missing; empty with gravity or drives, whose work the samples do not show.
+  /// What is missing; empty with gravity, drives or moving walls, whose work the samples do not show.
   std::vector<double> lost;
 };
 
