@@ -57,8 +57,7 @@ bool is_image(const report::Spacetime* waves) {
 void add_energy(Texts& texts, const impact::ChainImpact& impact, const scene::Scene& scene,
                 const report::TimeAxis& axis) {
   const auto& chain = std::get<model::Chain>(scene.model);
-  const auto remembers = [](const contact::Law& law) { return contact::branched(law) != nullptr; };
-  if (std::any_of(chain.law.begin(), chain.law.end(), remembers)) return;  // gaps alone tell no energies
+  if (!report::knows_energies(chain)) return;
   const auto course = report::energy_course(impact, chain);
   texts["energy.csv"] = report::energy_csv(course);
   texts["plot.gp"] += report::energy_script(course, scene.title, axis);

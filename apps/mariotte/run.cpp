@@ -218,10 +218,11 @@ constexpr const char* examples = R"(Examples:
   mariotte run cradle.toml --flow cvode-adams --json
   mariotte run solitary_wave.toml --trace wave.csv --every "5 us" --balls 100:1000:100 --contacts 500
 
-With --out DIR: result.json, events.csv, trace.csv, energy.csv, plot.csv, plot.gp and, by gnuplot, forces,
-velocities and energy, of [bodies] also friction and spins, as pdf, png and svg, of more than twelve balls as
-images; of more than 1000 balls spacetime.csv and its image instead. With --report also report.html, all of
-it in one page with a moving picture, made from motion.json.
+With --out DIR: result.json, events.csv, trace.csv, plot.csv, plot.gp and, by gnuplot, forces and velocities,
+of [bodies] also friction and spins, as pdf, png and svg, of more than twelve balls as images; of a chain
+whose contacts neither yield nor adhere also energy.csv and its figure; of more than 1000 balls spacetime.csv
+and its image instead. With --report also report.html, all of it in one page with a moving picture, made from
+motion.json.
 
 With --trace FILE as CSV also FILE-metadata.json: units and meanings of its columns, scene and version, in
 the form of CSV on the Web.

@@ -161,6 +161,8 @@ void save_hdf5(const Impact& impact, const std::string& path) {
 py::tuple energy_course(const Impact& impact) {
   const auto* const chain = std::get_if<model::Chain>(&impact.box().scene.model);
   if (!chain) throw InvalidParameter("energies over time are known of chains only");
+  if (!report::knows_energies(*chain))
+    throw InvalidParameter("energies over time are not known of contacts that yield or adhere");
   report::EnergyCourse course;
   {
     const py::gil_scoped_release unlocked;

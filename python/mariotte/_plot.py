@@ -73,7 +73,11 @@ class ImpactPlot:
         return self._draw(curves, windows, "ball i", logarithmic, ax)
 
     def energy(self, ax: Optional[Any] = None) -> Any:
-        """Kinetic, stored and dissipated energy of a chain over time."""
+        """Kinetic, stored and dissipated energy of a chain over time.
+
+        Dissipated is left out where gravity, drives or moving walls do work. Raises ValueError for other
+        scenes, and for contacts that yield or adhere.
+        """
         time, *energies = self._impact._run.energy_course()
         windows = list(_core.picture(self._impact._run)[1])
         if windows[0][0] > 0:

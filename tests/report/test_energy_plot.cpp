@@ -3,6 +3,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
+#include "mariotte/contact/walton_braun.hpp"
 #include "mariotte/report/figure/energy_plot.hpp"
 #include "mariotte/report/figure/plot.hpp"
 
@@ -59,6 +60,11 @@ BOOST_AUTO_TEST_CASE(work_of_a_moving_wall_is_no_loss) {
   auto struck = pushed;
   struck.velocity = {0, -1};
   BOOST_TEST(!course_of(struck, impact).lost.empty());
+}
+
+BOOST_AUTO_TEST_CASE(gaps_do_not_tell_what_a_contact_with_a_memory_stores) {
+  BOOST_TEST(report::knows_energies(balls(contact::Viscoelastic{1, 0.2, 1.5})));
+  BOOST_TEST(!report::knows_energies(balls(contact::state(contact::WaltonBraun(1, 2)))));
 }
 
 BOOST_AUTO_TEST_CASE(a_fall_is_sampled_and_its_energy_a_parabola) {

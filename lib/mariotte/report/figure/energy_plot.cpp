@@ -66,6 +66,11 @@ bool takes_work(const model::Chain& chain) {
 
 }  // namespace
 
+bool knows_energies(const model::Chain& chain) {
+  const auto remembers = [](const contact::Law& law) { return contact::branched(law) != nullptr; };
+  return std::none_of(chain.law.begin(), chain.law.end(), remembers);
+}
+
 EnergyCourse energy_course(const impact::ChainImpact& impact, const model::Chain& chain) {
   const auto& trace = impact.trace;
   const bool is_closed = !takes_work(chain);

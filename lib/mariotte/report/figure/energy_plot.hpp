@@ -18,6 +18,9 @@ struct EnergyCourse {
   std::vector<double> lost;
 };
 
+/// Whether gaps tell what the contacts store: not where one yields or adheres.
+bool knows_energies(const model::Chain& chain);
+
 /// Of the trace of `impact`; in flight under gravity between the samples, too, where energies are no lines.
 EnergyCourse energy_course(const impact::ChainImpact& impact, const model::Chain& chain);
 

@@ -33,6 +33,12 @@ CSV files begin with their header: comments before it would be taken for it by s
 `csv.DictReader`. What made them – version, scene with its digest, overrides – is `provenance` in
 `result.json` or `sweep.json` of the same folder; HDF5 files have it as attributes of the file.
 
+`energy.csv` has a row per sample of a chain: `kinetic` of the balls of finite mass, `stored` in the contacts that
+carry force, and `dissipated`, which is what both have lost since the start. This is a difference and so holds the
+residual of the balance, where `energy.dissipated` is integrated. It is empty where gravity, drives or moving walls do
+work, which samples do not show. Chains with a contact that yields or adheres have no such file, since gaps alone do not
+tell what it stores; neither have networks, microbodies, bodies and chains of more than 1000 balls.
+
 The last column of a table says what a number costs at each point of a sweep. Where there is no unit, it is the
 cost of `.count`:
 
