@@ -57,6 +57,8 @@ int finish(const Options& options, const scene::Scene& scene, study::FitModel& m
   const report::FitReport report{
       .fit = fit, .measurements = model.measurements(), .title = scene.title, .scene_sha256 = scene.sha256};
   if (!options.scene.quiet) warn_of_captured(fit, model.measurements());
+  if (!options.scene.quiet)
+    for (const auto& one : fit.warnings) warning(fmt::format("{} [{}]", one, fault::undetermined.code));
   if (!options.out.empty()) {
     const auto shortfall = write_fit_folder(options.out, report, study::fit_curves(model, fit));
     if (!shortfall.empty() && !options.scene.quiet) warning("no figures: " + shortfall);

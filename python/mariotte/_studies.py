@@ -10,6 +10,7 @@ import numpy as np
 
 from . import _core
 from ._columns import names
+from ._errors import warn
 from ._keys import whole_key
 from ._numbers import Array, Numbers, number, numbers
 from ._scene import Path, Scene
@@ -111,6 +112,11 @@ class Fit:
         """Root mean square of measured − predicted."""
         return float(self._report["rms"])
 
+    @property
+    def warnings(self) -> List[str]:
+        """Values that the measurements hardly determine."""
+        return list(self._report["warnings"])
+
     def setting(self, key: str) -> Array:
         """What the measurements put into the scene [SI], one per measurement."""
         return np.array([one["settings"][key] for one in self._report["measurements"]])
@@ -156,6 +162,11 @@ def fit(scene: Scene[Any], data: Union[Path, Mapping[str, Column]], *,
     FitError
         If the measurements do not determine the values.
 
+    Warns
+    -----
+    ModelWarning
+        Of values that they hardly determine.
+
     Examples
     --------
     >>> import mariotte as mt
@@ -175,7 +186,9 @@ def fit(scene: Scene[Any], data: Union[Path, Mapping[str, Column]], *,
         text, name = _core.read_text(os.fspath(data)), os.fspath(data)
     keys = [whole_key(scene._box.kind, key) for key in names(free)]
     report, table = _core.fit(scene._box, text, name, keys, number(confidence, "confidence"))
-    return Fit(json.loads(report), table)
+    found = Fit(json.loads(report), table)
+    warn(found.warnings)
+    return found
 
 
 def _estimate(*, key: str, start: float, value: float, standard_error: float, interval: List[float]) -> Estimate:

@@ -54,6 +54,26 @@ double worst(const study::Fit& fit, const std::vector<double>& truth) {
   return largest;
 }
 
+/// Three balls whose first contact is to be found.
+const char* const first_of_two = R"([chain]
+mass = [1, 1, 2]
+velocity = [1, 0, 0]
+law = "kuwabara-kono"
+stiffness = [2000, 5000]
+damping = [40, 40]
+)";
+
+const std::vector<std::string> first_contact = {"chain.stiffness[0]", "chain.damping[0]"};
+
+/// The same five speeds measured twice, to a hundredth.
+study::Measurements speeds_of_third(const std::vector<double>& measured) {
+  constexpr double struck[] = {0.2, 0.5, 1, 2, 4};
+  std::string text = "speed,final.velocity[2],deviation\n";
+  for (std::size_t i = 0; i < measured.size(); ++i)
+    text += fmt::format("{},{},{}\n", struck[i % std::size(struck)], measured[i], measured[i] / 100);
+  return study::parse_measurements(text, "data.csv");
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(a_yield_pressure_follows_from_restitution) {
@@ -101,4 +121,25 @@ BOOST_AUTO_TEST_CASE(exact_slopes_save_runs_and_find_the_same) {
   BOOST_TEST(other.runs_with_slopes == 0);
   BOOST_TEST(worst(exact, other.values()) < 1e-8);
   BOOST_TEST(std::abs(exact.estimates[0].standard_error / other.estimates[0].standard_error - 1) < 1e-6);
+}
+
+// Noise of a hundredth about k = 3000, c = 20. From the best start alone k runs away, to a sum of squares
+// that is a third larger.
+BOOST_AUTO_TEST_CASE(a_search_that_runs_away_starts_again_elsewhere) {
+  const auto measured = speeds_of_third(
+      {0.118573, 0.288411, 0.572313, 1.12901, 2.22423, 0.119662, 0.290666, 0.569235, 1.1327, 2.2352});
+  const auto fit = fitted(first_of_two, measured, first_contact);
+  const auto near = with(with(first_of_two, "[2000", "[3000"), "[40", "[20");
+  BOOST_TEST(worst(fit, fitted(near, measured, first_contact).values()) < 1e-4);
+  BOOST_TEST(fit.warnings.empty());
+}
+
+// Of k = 1e9 and c = 20, which these speeds hardly see, with noise of a hundredth.
+BOOST_AUTO_TEST_CASE(values_that_are_hardly_determined_have_a_warning) {
+  const auto measured = speeds_of_third(
+      {0.11953, 0.292767, 0.578384, 1.12037, 2.22541, 0.120022, 0.295914, 0.573093, 1.131, 2.1823});
+  const auto fit = fitted(first_of_two, measured, first_contact);
+  BOOST_TEST(fit.estimates[0].standard_error > 3 * fit.estimates[0].value);
+  BOOST_TEST_REQUIRE(fit.warnings.size() == 1u);
+  BOOST_TEST(fit.warnings[0].starts_with("the measurements do not determine chain.stiffness[0] ("));
 }

@@ -96,7 +96,7 @@ BOOST_AUTO_TEST_CASE(the_best_of_the_neighbours_is_where_the_search_starts) {
   for (const double factor : {0.25, 1.0, 4.0}) {
     const auto scene = with(truth, "zeta_hertz = 1.5", fmt::format("zeta_hertz = {}", 1.5 / factor));
     study::FitModel model(scene::parse_document(scene, "scene.toml"), dampings, measured);
-    const auto start = study::FitProblem(model).best_start();
+    const auto start = study::FitProblem(model).starts().front();
     BOOST_TEST(std::abs(start[0] - (1 + std::log(factor))) < 1e-14);
     BOOST_TEST(start[1] == 1.0);
   }

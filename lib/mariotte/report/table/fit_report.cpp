@@ -130,6 +130,7 @@ Json json(const FitReport& report) {
           {"degrees_of_freedom", fit.degrees_of_freedom},
           {"runs", fit.runs},
           {"runs_with_slopes", fit.runs_with_slopes},
+          {"warnings", fit.warnings},
           {"measurements", rows},
           {"provenance", provenance_json(sha256)}};
 }

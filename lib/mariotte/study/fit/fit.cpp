@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "mariotte/core/counted.hpp"
 #include "mariotte/study/fault.hpp"
@@ -41,6 +42,11 @@ void expect_separation(const FitProblem& problem, const Values& x) {
 
 /// Smallest value / start that is not taken for zero, where nothing depends on it any more.
 constexpr double nothing = 1e-3;
+/// Standard error / value from which a value is hardly known, and the search tries elsewhere.
+constexpr double loose = 3;
+/// Ratio of sums of squares above which they differ by what searches leave.
+constexpr double alike = 1 - 1e-6;
+constexpr std::size_t most_searches = 8;
 
 const char* why_undetermined(int count, bool vanishes) {
   if (count > 1) return ": these can change together and nothing that was measured does; leave one out";
@@ -65,12 +71,61 @@ void expect_determined(const Values& columns, const FitModel& model, const std::
                  fault::undetermined);
 }
 
+/// A minimum with what tells how well it is known.
+struct Found {
+  Minimum minimum;
+  Values columns;              ///< slopes of the residuals there
+  double squares = 0;          ///< Σ residual²
+  Values relative_error = {};  ///< standard error / value; empty if nothing determines some value
+
+  bool is_firm() const {
+    const auto is_known = [](double error) { return error < loose; };
+    return minimum.converged && !relative_error.empty() &&
+           std::all_of(relative_error.begin(), relative_error.end(), is_known);
+  }
+};
+
+Values relative_errors(const Found& found, Index keys) {
+  if (!undetermined(found.columns, keys, slope_tolerance).empty()) return {};
+  auto errors = uncertainty(found.columns, keys).standard_error;
+  const auto degrees = std::ssize(found.columns) / keys - keys;
+  for (double& one : errors) one *= std::sqrt(found.squares / static_cast<double>(degrees));
+  return errors;
+}
+
+Found search(const FitProblem& problem, const Values& start) {
+  Found found{
+      .minimum = minimise({.count = static_cast<Index>(problem.count()),
+                           .residuals = [&](auto x, auto r) { problem.residuals(x, r); },
+                           .slopes = [&](auto x, auto columns) { problem.search_slopes(x, columns); }},
+                          start),
+      .columns = Values(problem.count() * start.size())};
+  problem.slopes(found.minimum.x, found.columns);
+  found.squares = problem.sum_of_squares(found.minimum.x);
+  found.relative_error = relative_errors(found, std::ssize(start));
+  return found;
+}
+
+/// From the best start; from the next ones, too, until one leads to values that are known.
+Found best_of_searches(const FitProblem& problem, const std::vector<Values>& starts) {
+  auto best = search(problem, starts.front());
+  bool is_firm = best.is_firm();
+  for (std::size_t i = 1; i < std::min(starts.size(), most_searches) && !is_firm; ++i) try {
+      auto found = search(problem, starts[i]);
+      is_firm = found.is_firm();
+      const bool is_better = found.squares < alike * best.squares;
+      if (is_better && found.minimum.converged && !found.relative_error.empty()) best = std::move(found);
+    } catch (const Error&) {
+      // A way on which something cannot be simulated leads nowhere.
+    }
+  return best;
+}
+
 void estimate(const FitModel& model, const std::vector<std::string>& free, const Values& values,
-              const Uncertainty& known, Fit& fit) {
-  const double scatter = std::sqrt(fit.chi_square / static_cast<double>(fit.degrees_of_freedom));
+              const Values& relative_error, Fit& fit) {
   const double reach = student_t(fit.confidence, fit.degrees_of_freedom);
   for (std::size_t j = 0; j < free.size(); ++j) {
-    const double relative = scatter * known.standard_error[j];
+    const double relative = relative_error[j];
     fit.estimates.push_back({.key = free[j],
                              .start = model.start()[j],
                              .value = values[j],
@@ -78,6 +133,17 @@ void estimate(const FitModel& model, const std::vector<std::string>& free, const
                              .lower = values[j] * std::exp(-reach * relative),
                              .upper = values[j] * std::exp(reach * relative)});
   }
+}
+
+void warn_of_loose(Fit& fit) {
+  std::string names;
+  for (const auto& one : fit.estimates)
+    if (!(one.standard_error < loose * one.value))
+      names += fmt::format("{}{} ({:.4g} ± {:.2g})", names.empty() ? "" : ", ", one.key, one.value,
+                           one.standard_error);
+  if (!names.empty())
+    fit.warnings.push_back("the measurements do not determine " + names +
+                           ": start from other values, or leave a key out");
 }
 
 void judge(const Measurements& measurements, Fit& fit) {
@@ -102,24 +168,20 @@ std::vector<double> Fit::values() const {
 Fit fit(FitModel& model, const std::vector<std::string>& free, double confidence) {
   expect_enough(model.measurements(), free.size());
   const FitProblem problem(model);
-  const auto start = problem.best_start();
-  expect_separation(problem, start);
-  const auto found = minimise({.count = static_cast<Index>(problem.count()),
-                               .residuals = [&](auto x, auto r) { problem.residuals(x, r); },
-                               .slopes = [&](auto x, auto columns) { problem.search_slopes(x, columns); }},
-                              start);
-  const auto values = problem.values(found.x);
-  Values columns(problem.count() * free.size());
-  problem.slopes(found.x, columns);
+  const auto starts = problem.starts();
+  expect_separation(problem, starts.front());
+  const auto found = best_of_searches(problem, starts);
+  const auto& [minimum, columns, squares, relative_error] = found;
+  const auto values = problem.values(minimum.x);
   expect_determined(columns, model, free, values);
-  if (!found.converged) throw FitError(found.message, fault::no_minimum);
-  Fit fit{.predicted = problem.predicted(found.x),
+  if (!minimum.converged) throw FitError(minimum.message, fault::no_minimum);
+  Fit fit{.predicted = problem.predicted(minimum.x),
           .degrees_of_freedom = static_cast<Index>(problem.count() - free.size()),
           .confidence = confidence};
   judge(model.measurements(), fit);
-  const auto known = uncertainty(columns, std::ssize(free));
-  fit.correlation = known.correlation;
-  estimate(model, free, values, known, fit);
+  fit.correlation = uncertainty(columns, std::ssize(free)).correlation;
+  estimate(model, free, values, relative_error, fit);
+  warn_of_loose(fit);
   fit.runs = model.runs();
   fit.runs_with_slopes = model.runs_with_slopes();
   return fit;

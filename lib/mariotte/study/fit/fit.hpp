@@ -32,11 +32,13 @@ struct Fit {
   double confidence = 0;
   Index runs = 0;              ///< impacts simulated
   Index runs_with_slopes = 0;  ///< of them, those that carried exact slopes along
+  std::vector<std::string> warnings = {};  ///< of values that the measurements hardly determine
 
   std::vector<double> values() const;
 };
 
-/// Looks around the start by factors of four for the best place to search from. Throws FitError, and
+/// Looks around the start by factors of four for the best place to search from, and searches from the next
+/// ones, too, where that leads to values that are hardly determined. Throws FitError, and
 /// scene::SceneError if there are too few measurements, and Error if a measurement cannot be simulated.
 Fit fit(FitModel& model, const std::vector<std::string>& free, double confidence = 0.95);
 

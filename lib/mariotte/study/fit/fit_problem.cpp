@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <utility>
 
 #include "mariotte/core/error.hpp"
 
@@ -32,6 +32,10 @@ Values neighbour(std::size_t number, std::size_t keys) {
   return x;
 }
 
+double weighted_residual(const Measurement& one, const Prediction& predicted) {
+  return (one.measured - predicted.value) / one.deviation;
+}
+
 }  // namespace
 
 FitProblem::FitProblem(FitModel& model)
@@ -54,10 +58,8 @@ void FitProblem::residuals(std::span<const double> x, std::span<double> r) const
   for (const double one : x)
     if (!(std::abs(one - 1) < widest)) throw Error("a value left the range of the search");
   const auto all = predicted(x);
-  for (std::size_t row = 0; row < r.size(); ++row) {
-    const auto& one = model_.measurements().rows[row];
-    r[row] = (one.measured - all[row].value) / one.deviation;
-  }
+  for (std::size_t row = 0; row < r.size(); ++row)
+    r[row] = weighted_residual(model_.measurements().rows[row], all[row]);
 }
 
 void FitProblem::slopes(std::span<const double> x, std::span<double> columns) const {
@@ -88,26 +90,30 @@ double FitProblem::difference(std::size_t row, std::span<const double> x, std::s
 }
 
 double FitProblem::sum_of_squares(std::span<const double> x) const {
-  Values r(count());
-  residuals(x, r);
-  return std::inner_product(r.begin(), r.end(), r.begin(), 0.0);
+  const auto all = predicted(x);
+  double sum = 0;
+  for (std::size_t row = 0; row < all.size(); ++row)
+    sum += std::pow(weighted_residual(model_.measurements().rows[row], all[row]), 2);
+  return sum;
 }
 
-Values FitProblem::best_start() const {
+std::vector<Values> FitProblem::starts() const {
   const auto keys = model_.start().size();
-  Values best(keys, 1);
-  if (keys > most_scanned) return best;
-  double least = sum_of_squares(best);
-  const auto neighbours = static_cast<std::size_t>(std::lround(std::pow(3, keys)));
+  const Values start(keys, 1);
+  std::vector<std::pair<double, Values>> known = {{sum_of_squares(start), start}};
+  const auto neighbours = keys > most_scanned ? 0 : static_cast<std::size_t>(std::lround(std::pow(3, keys)));
   for (std::size_t number = 0; number < neighbours; ++number) try {
-      const auto x = neighbour(number, keys);
-      const double sum = sum_of_squares(x);
-      if (sum < least) best = x;
-      least = std::min(sum, least);
+      auto x = neighbour(number, keys);
+      const double sum = x == start ? NAN : sum_of_squares(x);
+      if (std::isfinite(sum)) known.emplace_back(sum, std::move(x));
     } catch (const Error&) {
       // A neighbour that cannot be simulated is no place to start from.
     }
-  return best;
+  std::stable_sort(known.begin(), known.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<Values> all;
+  for (auto& one : known) all.push_back(std::move(one.second));
+  return all;
 }
 
 }  // namespace mariotte::study

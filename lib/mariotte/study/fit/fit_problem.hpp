@@ -32,15 +32,16 @@ class FitProblem {
   /// The same on the way to the minimum, where six digits are enough: by what costs less.
   void search_slopes(std::span<const double> x, std::span<double> columns) const;
 
-  /// The best of the start and its neighbours, each value times 1/4, 1 or 4; with more than five keys the
-  /// start alone.
-  std::vector<double> best_start() const;
+  /// Σ residual². Throws Error if a measurement cannot be simulated.
+  double sum_of_squares(std::span<const double> x) const;
+
+  /// The start and its neighbours, each value times 1/4, 1 or 4, the best first; with more than five keys the
+  /// start alone. Throws Error if it cannot be simulated.
+  std::vector<std::vector<double>> starts() const;
 
  private:
   void fill(std::span<const double> x, std::span<double> columns, bool exact) const;
   double difference(std::size_t row, std::span<const double> x, std::size_t j) const;
-  double sum_of_squares(std::span<const double> x) const;
-
   FitModel& model_;
   double step_;  ///< balances the error of the differences against that of the simulations
 };
