@@ -165,7 +165,7 @@ def fit(scene: Scene[Any], data: Union[Path, Mapping[str, Column]], *,
     Warns
     -----
     ModelWarning
-        Of values that they hardly determine.
+        Of values that they hardly determine, or that tend to zero.
 
     Examples
     --------

@@ -44,6 +44,8 @@ void expect_separation(const FitProblem& problem, const Values& x) {
 constexpr double nothing = 1e-3;
 /// Standard error / value from which a value is hardly known, and the search tries elsewhere.
 constexpr double loose = 3;
+/// Value / start below which a look at still less tells whether the value tends to zero.
+constexpr double little = 0.1;
 /// Ratio of sums of squares above which they differ by what searches leave.
 constexpr double alike = 1 - 1e-6;
 constexpr std::size_t most_searches = 8;
@@ -146,6 +148,20 @@ void warn_of_loose(Fit& fit) {
                            ": start from other values, or leave a key out");
 }
 
+/// Where still less fits no worse, only the end of the search keeps the value from zero.
+void warn_of_vanishing(const FitProblem& problem, const Found& found, Fit& fit) {
+  for (std::size_t j = 0; j < fit.estimates.size(); ++j) {
+    const auto& one = fit.estimates[j];
+    if (one.value > little * one.start) continue;
+    auto less = found.minimum.x;
+    less[j] += std::log(nothing);
+    if (problem.sum_of_squares(less) <= found.squares)
+      fit.warnings.push_back(fmt::format(
+          "{} tends to zero: {:.4g} fits no better than a thousandth of it; set it to 0 and leave it out",
+          one.key, one.value));
+  }
+}
+
 void judge(const Measurements& measurements, Fit& fit) {
   double squares = 0;
   for (std::size_t row = 0; row < measurements.rows.size(); ++row) {
@@ -182,6 +198,7 @@ Fit fit(FitModel& model, const std::vector<std::string>& free, double confidence
   fit.correlation = uncertainty(columns, std::ssize(free)).correlation;
   estimate(model, free, values, relative_error, fit);
   warn_of_loose(fit);
+  warn_of_vanishing(problem, found, fit);
   fit.runs = model.runs();
   fit.runs_with_slopes = model.runs_with_slopes();
   return fit;
