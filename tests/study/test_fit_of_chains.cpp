@@ -152,3 +152,13 @@ BOOST_AUTO_TEST_CASE(a_damping_that_tends_to_zero_has_a_warning) {
   BOOST_TEST_REQUIRE(fit.warnings.size() == 1u);
   BOOST_TEST(fit.warnings[0].starts_with("chain.damping tends to zero: "));
 }
+
+BOOST_AUTO_TEST_CASE(a_row_whose_balls_do_not_meet_is_refused_by_its_line) {
+  const auto measured = study::parse_measurements("speed,restitution\n3,0.6\n-2,0.6\n4,0.5\n", "data.csv");
+  const auto is_named = [](const scene::SceneError& error) {
+    return std::string(error.what()).starts_with("data.csv:3:1: the balls do not approach each other") &&
+           error.fault.code == "M006";
+  };
+  BOOST_CHECK_EXCEPTION(fitted(plastic(1e9), measured, {"chain.yield_pressure"}), scene::SceneError,
+                        is_named);
+}

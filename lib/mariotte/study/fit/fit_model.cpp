@@ -121,6 +121,15 @@ void FitModel::set(const std::vector<Node>& settings) {
   }
 }
 
+/// Of a pair whose restitution was measured.
+void FitModel::expect_approach(const scene::Scene& scene) const {
+  if (measurements_.quantity != "restitution") return;
+  const auto& velocity = std::get<model::Chain>(scene.model).velocity;
+  if (!(velocity[0] > velocity[1]))
+    throw scene::SceneError("the balls do not approach each other, so they have no restitution",
+                            fault::no_approach);
+}
+
 /// Texts that the scene reads as numbers become numbers.
 void FitModel::resolve_row(Measurement& row) {
   document_.source.origins.back() = place_of(measurements_.file, row.place);
@@ -129,7 +138,7 @@ void FitModel::resolve_row(Measurement& row) {
   for (const auto& [name, key] : measurements_.settings)
     watch.readings.push_back({.node = &locate(document_.source, document_.tree, key, cell_)});
   try {
-    resolve(document_, scene::Purpose::simulation, &watch);
+    expect_approach(resolve(document_, scene::Purpose::simulation, &watch));
   } catch (const scene::SceneError& error) {
     const auto& row_place = document_.source.origins.back();
     if (std::string_view(error.what()).starts_with(row_place)) throw;

@@ -58,6 +58,7 @@ class FitModel {
   void find_start(const std::vector<std::string>& free);
   void expect_start(std::size_t index);
   void resolve_row(Measurement& row);
+  void expect_approach(const scene::Scene& scene) const;
   void set(const std::vector<scene::Node>& settings);
   void set_free(std::size_t i, double value);
   scene::Scene scene_at(const std::vector<scene::Node>& settings, std::span<const double> values);
