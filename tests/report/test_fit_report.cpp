@@ -100,9 +100,9 @@ BOOST_AUTO_TEST_CASE(json_holds_what_the_fit_found) {
 BOOST_AUTO_TEST_CASE(points_say_to_which_curve_they_belong) {
   Example example;
   const auto text = report::points_csv(example.report(), example.curves());
-  BOOST_TEST(
-      text.starts_with("line,body.radius,incidence.normal_speed,measured,deviation,predicted,residual,"
-                       "captured,curve\n2,"));
+  BOOST_TEST(text.starts_with(
+      "line,body.radius [m],incidence.normal_speed [m/s],measured,deviation,predicted,residual,"
+      "captured,curve\n2,"));
   BOOST_TEST(lines(text) == 17);
   BOOST_TEST(has(text, ",false,1\n"));
   BOOST_TEST(text.ends_with(",false,2\n"));
@@ -166,4 +166,29 @@ BOOST_AUTO_TEST_CASE(gnuplot_draws_the_figures) {
     const auto problem = problem_of_figures(example.report(), *example.curves());
     BOOST_TEST((problem.empty() || problem == "gnuplot is not installed"), problem);
   }
+}
+
+BOOST_AUTO_TEST_CASE(all_that_is_no_pure_number_has_its_unit) {
+  const std::string scene = R"([chain]
+mass = [1, 1]
+velocity = [1, 0]
+law = "hertz"
+stiffness = 1e6
+)";
+  const auto measured =
+      study::parse_measurements("speed,contacts[0].peak_force\n1,250\n2,570\n3,930\n", "data.csv");
+  study::FitModel model(scene::parse_document(scene, "scene.toml"), {"chain.stiffness"}, measured);
+  const auto fit = study::fit(model, {"chain.stiffness"});
+  const report::FitReport report{
+      .fit = fit, .measurements = model.measurements(), .title = "", .scene_sha256 = ""};
+  const auto curves = study::fit_curves(model, fit);
+  BOOST_TEST(report::points_csv(report, curves)
+                 .starts_with(
+                     "line,chain.velocity[0] [m/s],measured [N],deviation [N],predicted [N],residual [N],"));
+  BOOST_TEST(report::curves_csv(*curves, report.measurements)
+                 .starts_with("curve,chain.velocity[0] [m/s],contacts[0].peak_force [N]\n"));
+  const auto script = report::fit_script(report, *curves);
+  for (const char* part : {"set ylabel 'peak force max f_{1}\u00a0[N]'", "v@_{1}^{−}\u00a0[m/s]'",
+                           "set ylabel 'measured − predicted\u00a0[N]'"})
+    BOOST_TEST(has(script, part), part);
 }

@@ -17,6 +17,11 @@ std::string cell(std::string text) {
   return quoted + "\"";
 }
 
+std::string cell(const std::string& key, std::string_view unit) {
+  const bool tells = !unit.empty() && unit != "1" && unit != "SI";
+  return cell(tells ? key + " [" + std::string(unit) + "]" : key);
+}
+
 void split(std::string_view line, std::vector<std::string>& cells) {
   std::size_t count = 0, at = 0;
   do {

@@ -11,6 +11,10 @@ namespace mariotte::report {
 /// Text, quoted where it has to be.
 std::string cell(std::string text);
 
+/// A cell of a header with the unit of its column: "final.time [s]"; of a pure number, a word, or a number
+/// whose unit is not told, the key alone.
+std::string cell(const std::string& key, std::string_view unit);
+
 /// The cells of a line, back from what `cell` made of them, into `cells`, whose memory is reused.
 void split(std::string_view line, std::vector<std::string>& cells);
 

@@ -15,17 +15,11 @@ void append_parameter(const study::Design& design, std::size_t parameter, Index 
     append_value(value(design, parameter, point), text);
 }
 
-/// "final.time [s]"; of a pure number, a word, or a number whose unit is not told, the key alone.
-std::string with_unit(const std::string& key, std::string_view unit) {
-  const bool tells = !unit.empty() && unit != "1" && unit != "SI";
-  return tells ? key + " [" + std::string(unit) + "]" : key;
-}
-
 }  // namespace
 
 std::string sweep_header(const study::Design& design, const std::vector<study::Column>& columns) {
   std::string text;
-  const auto add = [&](const auto& one) { text += cell(with_unit(one.key, one.unit)) + ","; };
+  const auto add = [&](const auto& one) { text += cell(one.key, one.unit) + ","; };
   for (const auto& parameter : design.parameters) add(parameter);
   for (const auto& column : columns) add(column);
   return text + "ending,reason\n";

@@ -18,8 +18,8 @@ namespace {
 constexpr const char* fit_figure = "fit";
 constexpr const char* residuals_figure = "residuals";
 
-std::string axis_name(const std::string& key) {
-  return with_unit(name_of_input(key), key == "incidence.normal_speed" ? "m/s" : "SI");
+std::string axis_name(const study::Setting& setting) {
+  return with_unit(name_of_input(setting.key), setting.unit);
 }
 
 /// Between the ends of the curves, with tics at 1, 2, 3, 5 and 7 of every decade.
@@ -84,7 +84,8 @@ std::string label_of(const study::Measurements& measurements) {
   };
   const auto& quantity = measurements.quantity;
   if (quantity == "restitution.centre") return name_of_result(quantity, "e_nm");
-  if (quantity_of(measurements) != "restitution") return name_of_result(quantity, "");
+  if (quantity_of(measurements) != "restitution")
+    return with_unit(name_of_result(quantity, measurements.symbol), measurements.unit);
   const auto& settings = measurements.settings;
   return std::any_of(settings.begin(), settings.end(), is_of_body) ? name_of_result("restitution.tip", "e_n")
                                                                    : "restitution e";
@@ -153,7 +154,8 @@ std::string fitted_figure(const FitReport& report, const study::FitCurves& curve
 }
 
 std::string residual_figure(const FitReport& report, const study::FitCurves& curves) {
-  return names_below("") + "unset label\nset autoscale y\nset ylabel 'measured − predicted'\n" +
+  return names_below("") + "unset label\nset autoscale y\nset ylabel " +
+         quoted(with_unit("measured − predicted", report.measurements.unit)) + "\n" +
          on_all_terminals(residuals_figure, residual_plot(report, curves),
                           sheet_with_names(named(curves).size()));
 }
@@ -161,8 +163,9 @@ std::string residual_figure(const FitReport& report, const study::FitCurves& cur
 }  // namespace
 
 std::string curves_csv(const study::FitCurves& curves, const study::Measurements& measurements) {
-  std::string text = "curve," + cell(measurements.settings[curves.setting].key) + "," +
-                     cell(quantity_of(measurements)) + "\n";
+  const auto& setting = measurements.settings[curves.setting];
+  std::string text = "curve," + cell(setting.key, setting.unit) + "," +
+                     cell(quantity_of(measurements), measurements.unit) + "\n";
   for (std::size_t k = 0; k < curves.curves.size(); ++k) {
     const auto& curve = curves.curves[k];
     for (std::size_t i = 0; i < curve.abscissa.size(); ++i)
@@ -173,9 +176,9 @@ std::string curves_csv(const study::FitCurves& curves, const study::Measurements
 }
 
 std::string fit_script(const FitReport& report, const study::FitCurves& curves) {
-  const auto key = report.measurements.settings[curves.setting].key;
+  const auto& setting = report.measurements.settings[curves.setting];
   const auto head = report.title.empty() ? std::string("Fit") : report.title;
-  return script_head() + fmt::format("set xlabel {}", quoted(axis_name(key))) + set_title(head) +
+  return script_head() + fmt::format("set xlabel {}", quoted(axis_name(setting))) + set_title(head) +
          fitted_figure(report, curves) + set_title(head + ": residuals") + residual_figure(report, curves);
 }
 

@@ -137,8 +137,10 @@ Json json(const FitReport& report) {
 
 std::string points_csv(const FitReport& report, const std::optional<study::FitCurves>& curves) {
   std::string text = "line";
-  for (const auto& setting : report.measurements.settings) text += "," + cell(setting.key);
-  text += ",measured,deviation,predicted,residual,captured,curve\n";
+  for (const auto& setting : report.measurements.settings) text += "," + cell(setting.key, setting.unit);
+  for (const auto* name : {"measured", "deviation", "predicted", "residual"})
+    text += "," + cell(name, report.measurements.unit);
+  text += ",captured,curve\n";
   for (std::size_t row = 0; row < report.measurements.rows.size(); ++row) {
     const auto& one = report.measurements.rows[row];
     text += std::to_string(one.place.line);

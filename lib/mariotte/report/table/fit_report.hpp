@@ -22,8 +22,8 @@ std::string table(const FitReport& report);
 /// The same in full precision. A deviation that was not given is null.
 Json json(const FitReport& report);
 
-/// `line`, the settings in SI, `measured,deviation,predicted,residual,captured,curve`: one row per
-/// measurement; the curve of the figure, from 1, is left empty where there is no figure.
+/// `line`, the settings in SI, `measured,deviation,predicted,residual,captured,curve`: with units, one row
+/// per measurement; the curve of the figure, from 1, is left empty where there is no figure.
 std::string points_csv(const FitReport& report, const std::optional<study::FitCurves>& curves);
 
 }  // namespace mariotte::report

@@ -44,7 +44,7 @@ FitModel::FitModel(scene::Document document, const std::vector<std::string>& fre
 void FitModel::name_settings(const scene::Scene& scene) {
   const bool is_chain = std::holds_alternative<model::Chain>(scene.model);
   for (std::size_t i = 0; i < measurements_.settings.size(); ++i) {
-    auto& [name, key] = measurements_.settings[i];
+    auto& [name, key, unit] = measurements_.settings[i];
     if (name == "speed" && is_chain) key = "chain.velocity[0]";
     if (name == "diameter") name_diameter(i, is_chain ? "chain" : "body");
   }
@@ -73,7 +73,10 @@ void FitModel::expect_quantity(const scene::Scene& scene) {
     keys = {"final.velocity[0]", "final.velocity[1]"};
   }
   try {
-    evaluate_ = make_evaluate(expand_columns(keys, scene));
+    const auto columns = expand_columns(keys, scene);
+    evaluate_ = make_evaluate(columns);
+    if (quantity != "restitution")
+      measurements_.unit = columns[0].unit, measurements_.symbol = columns[0].symbol;
   } catch (const ColumnError& problem) {
     throw scene::SceneError(
         place_of(measurements_.file, measurements_.quantity_place) + ": " + problem.what(), problem.fault);
@@ -135,8 +138,8 @@ void FitModel::resolve_row(Measurement& row) {
   document_.source.origins.back() = place_of(measurements_.file, row.place);
   set(row.values);
   scene::ReadingLog watch;
-  for (const auto& [name, key] : measurements_.settings)
-    watch.readings.push_back({.node = &locate(document_.source, document_.tree, key, cell_)});
+  for (const auto& one : measurements_.settings)
+    watch.readings.push_back({.node = &locate(document_.source, document_.tree, one.key, cell_)});
   try {
     expect_approach(resolve(document_, scene::Purpose::simulation, &watch));
   } catch (const scene::SceneError& error) {
@@ -149,6 +152,7 @@ void FitModel::resolve_row(Measurement& row) {
     if (!reading.dimension) continue;
     const double value = number(document_.source, {reading.node, ""}, *reading.dimension, scene::Domain::any);
     row.values[i].value = value;
+    measurements_.settings[i].unit = unit_of(*dimension);
     if (row.written[i].size() > most_letters) row.written[i] = fmt::format("{:.6g}", value);
   }
 }

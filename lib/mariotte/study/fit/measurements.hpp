@@ -15,6 +15,7 @@
 //     ending, reason                   left out: the table may come from a sweep
 #pragma once
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mariotte/core/types.hpp"
@@ -26,6 +27,7 @@ namespace mariotte::study {
 struct Setting {
   std::string name;  ///< as the header says
   std::string key;
+  std::string unit = {};  ///< SI, where the scene reads a number: "1" of a pure one
 };
 
 /// One row: what it puts into the scene, and what was measured there.
@@ -42,6 +44,8 @@ struct Measurements {
   std::vector<Setting> settings;         ///< at least one
   std::string quantity = "restitution";  ///< that was measured: a key of the result
   scene::Place quantity_place;           ///< of its column, in the header
+  std::string unit = "1";                ///< of what was measured, as a column of a sweep has it
+  std::string_view symbol = {};          ///< of the same; empty of a restitution
   bool weighted = false;                 ///< deviations are given
   std::vector<Measurement> rows;
 };
