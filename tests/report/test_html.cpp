@@ -102,6 +102,19 @@ BOOST_AUTO_TEST_CASE(a_run_of_a_chain_leads_with_a_sentence_and_its_balls) {
   BOOST_TEST(has(page, "<th>law</th><th>stiffness k [N/mⁿ]</th><th>gap [µm]</th>"));
 }
 
+BOOST_AUTO_TEST_CASE(a_wall_is_no_fastest_ball) {
+  const Json result = {{"ending", "separated"},
+                       {"model", "chain"},
+                       {"final", {{"time", 9e-05}, {"velocity", {-1, -0.5, 0.25}}}},
+                       {"events", Json::array()},
+                       {"scene",
+                        {{"mass", {nullptr, 1.0, 1.0}},
+                         {"velocity", {-1.0, 0.0, 0.0}},
+                         {"gap", {0.0, 0.0}},
+                         {"contact", Json::array({{{"law", "hertz"}, {"stiffness", 1e9}}})}}}};
+  BOOST_TEST(has(report::html(result, {}), "Ball 2 is the fastest then, at -0.5 m/s"));
+}
+
 BOOST_AUTO_TEST_CASE(all_digits_of_a_number_stand_behind_its_four_in_the_same_unit) {
   const auto page = report::html({{"model", "chain"},
                                   {"final", {{"time", 9.182123456789e-05}}},

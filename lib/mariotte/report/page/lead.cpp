@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "mariotte/core/counted.hpp"
 #include "mariotte/report/page/html_table.hpp"
@@ -22,17 +23,23 @@ std::string energy(const Json& result) {
                      100 * after / before);
 }
 
-/// The fastest of the balls of a chain.
+/// Walls have a mass that is no number.
+bool is_wall(const Json& result, std::size_t ball) {
+  const auto mass = result.value("scene", Json::object()).value("mass", Json::array());
+  return ball < mass.size() && mass[ball].is_null();
+}
+
+/// The fastest of the balls of a chain that are no walls.
 std::string fastest(const Json& result) {
   if (result.value("model", "") != "chain") return "";
   const auto& velocity = result["final"]["velocity"];
-  const auto faster = [](const Json& a, const Json& b) {
-    return std::abs(a.get<double>()) < std::abs(b.get<double>());
-  };
-  const auto most = std::max_element(velocity.begin(), velocity.end(), faster);
-  if (most == velocity.end()) return "";
-  return fmt::format(" Ball {} is the fastest then, at {}.", most - velocity.begin() + 1,
-                     quantity(most->get<double>(), "m/s"));
+  const auto speed = [&](std::size_t i) { return std::abs(velocity[i].get<double>()); };
+  std::optional<std::size_t> most;
+  for (std::size_t i = 0; i < velocity.size(); ++i)
+    if (!is_wall(result, i) && (!most || speed(i) > speed(*most))) most = i;
+  if (!most) return "";
+  return fmt::format(" Ball {} is the fastest then, at {}.", *most + 1,
+                     quantity(velocity[*most].get<double>(), "m/s"));
 }
 
 /// What is varied along the axes: "chain.mass[0] and chain.gap[1]".
