@@ -127,6 +127,15 @@ BOOST_AUTO_TEST_CASE(axes_say_words_symbol_and_unit) {
   BOOST_TEST(maps.find("set cblabel 'impulse correlation ratio α_{1}'") != std::string::npos);
 }
 
+BOOST_AUTO_TEST_CASE(what_is_counted_has_whole_ticks) {
+  const std::vector<study::Column> counted = {{"contacts[1].periods.count", "1"}};
+  BOOST_TEST(report::sweep_plot(map(3, 3), counted, "").script.find("set cbtics 1 ") != std::string::npos);
+  const auto made = drawing(map(3, 3), counted, "1,separated,");
+  BOOST_TEST(made.problem.empty(), made.problem);
+  for (const char* part : {"0.999", "1.0005"}) BOOST_TEST(made.svg.find(part) == std::string::npos, part);
+  BOOST_TEST(drawn(curve(5), counted, "1,separated,", "3,separated,") == "");
+}
+
 BOOST_AUTO_TEST_CASE(columns_of_ones_own_keep_their_name) {
   const std::vector<study::Column> columns = {{.key = "my_ratio", .written = "my_ratio = icr[0]"},
                                               {"sensitivity.velocity[2].mass[0]", "kg^-1 m s^-1"}};

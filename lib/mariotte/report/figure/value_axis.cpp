@@ -34,6 +34,13 @@ set {1}label sprintf({2}, steps == 0 ? '' : word('f p n µ m - k M G T', steps +
                      quoted(with_unit(without_format(name), "%s" + column.unit)));
 }
 
+/// Space around a number that is the same everywhere, and ticks: whole ones of what is counted.
+std::string whole_ticks(const study::Column& column, const std::string& axis) {
+  const auto any = fmt::format("set {}tics autofreq\n", axis);
+  if (!column.key.ends_with(".count")) return any;
+  return any + fmt::format("margin = margin > 0 ? 0.5 : 0\nif (high - low < 8) {{ set {}tics 1 }}\n", axis);
+}
+
 }  // namespace
 
 std::string long_label(const std::string& key, const study::Column& column) {
@@ -56,11 +63,12 @@ do for [c in '{1}'] {{
 }}
 size = low > high ? 0 : abs(low) > abs(high) ? abs(low) : abs(high)
 {2}margin = high - low > 1e-9 * size ? 0 : size > 0 ? 0.001 * size : 1
-if (margin > 0 && low <= high) {{ set {0}range [factor*(low-margin):factor*(high+margin)] }}
+{3}if (margin > 0 && low <= high) {{ set {0}range [factor*(low-margin):factor*(high+margin)] }}
 unset label
 if (low > high) {{ set {0}range [-1:1]; set label 'no numbers' at graph 0.5, 0.5 center }}
 )",
-                     axis, fmt::join(places, " "), prefix_settings(long_label(key, column), column, axis));
+                     axis, fmt::join(places, " "), prefix_settings(long_label(key, column), column, axis),
+                     whole_ticks(column, axis));
 }
 
 std::string logarithmic_colours() {
