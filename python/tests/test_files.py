@@ -121,6 +121,13 @@ def test_velocities_and_energy_are_drawn(cradle):
     assert (stored.get_ydata() >= 0).all()
 
 
+def test_energies_are_not_drawn_of_contacts_that_yield():
+    hit = mt.simulate(mt.Chain(mass=[1, 1], velocity=[1, 0], law="walton-braun", loading_stiffness=1e4,
+                               unloading_stiffness=2e4))
+    with pytest.raises(ValueError, match="yield or adhere"):
+        hit.plot.energy()
+
+
 def test_lines_differ_without_colour(cradle):
     lines = cradle.plot.velocities().lines[:5]
     assert len({line.get_color() for line in lines}) == 5

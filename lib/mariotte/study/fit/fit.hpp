@@ -30,8 +30,8 @@ struct Fit {
   double chi_square = 0;                              ///< Σ ((measured − predicted) / deviation)²
   Index degrees_of_freedom = 0;
   double confidence = 0;
-  Index runs = 0;              ///< impacts simulated
-  Index runs_with_slopes = 0;  ///< of them, those that carried exact slopes along
+  Index runs = 0;                          ///< impacts simulated
+  Index runs_with_slopes = 0;              ///< of them, those that carried exact slopes along
   std::vector<std::string> warnings = {};  ///< of values that the measurements hardly determine
 
   std::vector<double> values() const;
