@@ -1,5 +1,6 @@
 """Lets pip build the compiled part by CMake: pip install --no-build-isolation ."""
 
+import os
 import pathlib
 import re
 import shutil
@@ -22,7 +23,7 @@ class BuildByCMake(build_ext):
         subprocess.check_call(["cmake", "-S", ROOT, "-B", folder, f"-DPython_EXECUTABLE={sys.executable}",
                                "-DCMAKE_BUILD_TYPE=Release", "-DMARIOTTE_PYTHON=ON",
                                *(f"-DMARIOTTE_{option}=OFF" for option in options)])
-        subprocess.check_call(["cmake", "--build", folder, "--parallel", "--target", "mariotte_python"])
+        subprocess.check_call(["cmake", "--build", folder, "--parallel", str(os.cpu_count() or 1), "--target", "mariotte_python"])
         target = pathlib.Path(self.get_ext_fullpath(extension.name))
         target.parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(next((folder / "python" / "mariotte").glob("_core.*.so")), target)
