@@ -152,7 +152,7 @@ void FitModel::resolve_row(Measurement& row) {
     if (!reading.dimension) continue;
     const double value = number(document_.source, {reading.node, ""}, *reading.dimension, scene::Domain::any);
     row.values[i].value = value;
-    measurements_.settings[i].unit = unit_of(*dimension);
+    measurements_.settings[i].unit = unit_of(*reading.dimension);
     if (row.written[i].size() > most_letters) row.written[i] = fmt::format("{:.6g}", value);
   }
 }
