@@ -8,6 +8,7 @@
 #include "mariotte/impact/brief_impact.hpp"
 #include "mariotte/impact/impulses.hpp"
 #include "mariotte/impact/promise.hpp"
+#include "mariotte/impact/slowing.hpp"
 #include "mariotte/model/contacts/contact_layout.hpp"
 
 namespace mariotte::impact {
@@ -28,9 +29,9 @@ void describe(const Run& run, const model::ContactLayout& layout, const Scale& s
   }
 }
 
-/// What a run has gone through whose contacts had these periods.
+/// What a run has gone through whose contacts had these periods and laws.
 template <class Run>
-Passage passage(const Run& run, const std::vector<Index>& periods) {
+Passage passage(const Run& run, const std::vector<Index>& periods, const std::vector<contact::Law>& laws) {
   Passage gone{.contacts = std::ssize(periods),
                .harmless = single_wave(std::ssize(periods)),
                .periods = std::accumulate(periods.begin(), periods.end(), Index{0})};
@@ -44,6 +45,7 @@ Passage passage(const Run& run, const std::vector<Index>& periods) {
     if (ends_force(change)) flights.end(time);
   }
   gone.flight = flights.longest();
+  gone.slowing = slowing(run.changes, laws);
   return gone;
 }
 

@@ -18,6 +18,7 @@ struct Passage {
   Index exact = 0;     ///< phases of contact in closed form, which err by rounding alone
   Index cut = 0;       ///< others, whose errors the accuracy sets
   double flight = 0;   ///< the longest one before contacts that push together, over how long they do
+  double slowing = 1;  ///< how many times slower than it met a contact that adheres let go, at most
   double attainable = 16 * epsilon;  ///< accuracy beyond which rounding leaves no run
 };
 
@@ -45,18 +46,22 @@ inline constexpr Index first_impact = 1;
 /// Durations of a contact that a flight may last before errors count that it makes larger: an approach below
 /// a tenth of the accuracy is left out.
 inline constexpr double long_flight = 10;
-/// How many times larger flights have made errors, beyond that.
-inline double growth_in_flight(const Passage& passage) {
-  return std::max(1.0, passage.flight / long_flight);
+/// How many times slower than it met what adheres may part before errors count that it makes larger: those of
+/// the energy are about a tenth of the accuracy.
+inline constexpr double much_slower = 8;
+/// How many times larger flights and what adheres have made errors, beyond that.
+inline double growth(const Passage& passage) {
+  return std::max({1.0, passage.flight / long_flight, passage.slowing / much_slower});
 }
 
 /// True if errors may have grown: contacts have closed so often that what one does wrong is magnified by the
-/// next, or the errors of many steps have added up, or a long flight has moved what pushes together then.
+/// next, or the errors of many steps have added up, or a long flight has moved what pushes together then, or
+/// what adheres has let go slowly.
 /// After very many periods rounding alone decides the end, and each run takes minutes.
 inline bool may_have_erred(const Passage& passage) {
   constexpr Index most = 100'000;
   return (passage.periods > passage.harmless || passage.steps > 60 + 10 * passage.contacts ||
-          passage.flight > long_flight) &&
+          passage.flight > long_flight || passage.slowing >= much_slower) &&
          passage.periods <= most;
 }
 
@@ -70,8 +75,10 @@ inline bool hides_rounding(const Passage& passage, double looser) {
 template <class Impact>
 Passage passage(const Impact& impact) {
   const Index contacts = std::ssize(impact.contacts);
-  Passage gone{
-      .contacts = contacts, .harmless = single_wave(contacts), .flight = longest_flight(impact.contacts)};
+  Passage gone{.contacts = contacts,
+               .harmless = single_wave(contacts),
+               .flight = longest_flight(impact.contacts),
+               .slowing = impact.slowing};
   for (const auto& contact : impact.contacts) gone.periods += std::ssize(contact.periods);
   count_flows(gone, impact.flows);
   return gone;

@@ -4,9 +4,9 @@
 //
 //   a ← the accuracy asked for; run
 //   unless contacts have closed again and again, or pushed for long, or together
-//   after a long flight: done                                                 a single wave pays nothing
+//   after a long flight, or adhesion has let go slowly: done                  a single wave pays nothing
 //   repeat
-//     a ← tighter, as the last difference says, or the longest flight; run again
+//     a ← tighter, as the last difference says, or flight and adhesion; run again
 //     difference of the velocities ≤ accuracy asked for?  → the tighter run, with the difference as estimate
 //     a cannot get tighter?                               → the same
 //   they did not agree, or what they did may hide rounding?
@@ -55,6 +55,15 @@ inline bool may_replace(hybrid::Ending looser, hybrid::Ending tighter) {
   return tighter == looser || (tighter != Ending::event_limit && tighter != Ending::unsure);
 }
 
+/// Two runs end alike; at the edge of capture an error decides whether a body is held or hardly comes off.
+inline bool end_alike(hybrid::Ending a, hybrid::Ending b) {
+  const auto held = [](hybrid::Ending one) {
+    return one == hybrid::Ending::captured || one == hybrid::Ending::bound;
+  };
+  const auto comes_off = [&](hybrid::Ending one) { return one == hybrid::Ending::separated || held(one); };
+  return a == b || (comes_off(a) && comes_off(b));
+}
+
 /// Run tighter until two runs agree within the accuracy that is `asked` for: `run(options)` runs and returns
 /// by how much its velocities differ from those of the run before, or nothing if it may not replace it.
 /// Where that is no measure of the last run, `shake(options)` runs near its accuracy, with inputs moved by
@@ -64,7 +73,7 @@ template <class Run, class Shake>
 std::optional<double> keep_promise(const hybrid::Options& asked, const Passage& gone, Run&& run,
                                    Shake&& shake) {
   const double summed_rounding = epsilon * static_cast<double>(gone.steps);
-  const double feared = asked.accuracy * growth_in_flight(gone);
+  const double feared = asked.accuracy * growth(gone);
   std::optional<double> last;
   auto now = asked;
   double looser = asked.accuracy;
@@ -134,7 +143,7 @@ void keep_promise(const Model& model, const hybrid::Options& asked, const Passag
   const auto shake = [&](const hybrid::Options& options) {
     return most_shaken([&](unsigned which) -> std::optional<double> {
       const auto other = again(shaken(model, which), options);
-      return other.ending == impact.ending ? std::optional(apart(impact, other)) : std::nullopt;
+      return end_alike(other.ending, impact.ending) ? std::optional(apart(impact, other)) : std::nullopt;
     });
   };
   impact.estimated_accuracy = keep_promise(asked, gone, run, shake);
@@ -159,7 +168,7 @@ void keep_promise(const Model& model, const hybrid::Options& asked, Passage gone
       looser = impact;
       solve(shaken(model, which), options);
       std::swap(impact, looser);
-      return looser.ending == impact.ending ? std::optional(apart(impact, looser)) : std::nullopt;
+      return end_alike(looser.ending, impact.ending) ? std::optional(apart(impact, looser)) : std::nullopt;
     });
   };
   const auto estimate = keep_promise(asked, gone, run, shake);

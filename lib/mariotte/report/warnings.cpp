@@ -14,13 +14,15 @@ using List = std::vector<std::string>;
 
 constexpr const char* close_often = "contacts close so often that errors grow";
 constexpr const char* fly_long = "contacts push together after a flight so long that errors grow";
+constexpr const char* let_go_slowly = "what adheres lets go so slowly that errors grow";
 constexpr const char* add_up = "the errors of all steps, and rounding, add up";
 constexpr const char* lose_digits =
     "indentations are so small beside the way to the first contact that digits are lost";
 
 /// What has made errors grow. A contact that closes no more often than is `harmless` is not the cause.
 template <class Contact>
-const char* growth(const std::vector<Contact>& contacts, Index harmless) {
+const char* growth(const std::vector<Contact>& contacts, Index harmless, double slowing) {
+  if (slowing >= impact::much_slower) return let_go_slowly;
   if (std::any_of(contacts.begin(), contacts.end(),
                   [&](const Contact& contact) { return std::ssize(contact.periods) > harmless; }))
     return close_often;
@@ -28,15 +30,18 @@ const char* growth(const std::vector<Contact>& contacts, Index harmless) {
 }
 
 const char* growth(const impact::ContactImpact& impact) {
-  return growth(impact.contacts, impact::single_wave(1));
+  return growth(impact.contacts, impact::single_wave(1), impact.slowing);
 }
 
 const char* growth(const impact::BodiesImpact& impact) {
-  const auto* why = growth(impact.contacts, impact::first_impact);
-  return why != close_often && impact.lost_digits > impact.requested_accuracy ? lose_digits : why;
+  const auto* why = growth(impact.contacts, impact::first_impact, impact.slowing);
+  return why != close_often && why != let_go_slowly && impact.lost_digits > impact.requested_accuracy
+             ? lose_digits
+             : why;
 }
 
 const char* growth(const impact::MicrobodyImpact& impact) {
+  if (impact.slowing >= impact::much_slower) return let_go_slowly;
   return std::ssize(impact.impacts) > impact::first_impact ? close_often : add_up;
 }
 

@@ -8,6 +8,7 @@
 #include "mariotte/impact/bodies/bodies_watch.hpp"
 #include "mariotte/impact/flow_uses.hpp"
 #include "mariotte/impact/sampled_promise.hpp"
+#include "mariotte/impact/slowing.hpp"
 #include "mariotte/model/fault.hpp"
 
 namespace mariotte::impact {
@@ -61,6 +62,16 @@ void add_periods(const std::vector<OneEvent>& events, std::vector<BodyContactHis
   }
 }
 
+double slowing(const std::vector<OneEvent>& events, const model::Bodies& bodies) {
+  Slowing slowing;
+  for (const auto& [time, contact, event, approach] : events) {
+    if (!contact::adheres(bodies.contact[contact].law)) continue;
+    if (event == BodyEvent::close) slowing.meet(contact, approach);
+    if (event == BodyEvent::open) slowing.part(contact, -approach);
+  }
+  return slowing.most();
+}
+
 /// Keeps the contacts that were named and those that have closed, and numbers events by them.
 void keep_used(Index named, const std::vector<OneEvent>& events, BodiesImpact& impact) {
   const auto is_unused = [&](const BodyContactHistory& one) {
@@ -101,6 +112,7 @@ BodiesImpact simulate_once(const model::Bodies& bodies, const hybrid::Options& o
   const auto told = events(run);
   impact.contacts = exchanged(system, workspace.mode, run.state);
   add_periods(told, impact.contacts);
+  impact.slowing = slowing(told, bodies);
   for (std::size_t c = 0; c < impact.contacts.size(); ++c) {
     const auto& peak = watch.peaks()[c];
     impact.contacts[c].peak_force = peak.force;
@@ -143,6 +155,7 @@ Passage passage(const BodiesImpact& impact, double attainable) {
   Passage gone{.contacts = std::ssize(impact.contacts),
                .harmless = std::ssize(impact.contacts),
                .flight = longest_flight(impact.contacts),
+               .slowing = impact.slowing,
                .attainable = std::max(attainable, 16 * epsilon)};
   for (const auto& contact : impact.contacts) gone.periods += std::ssize(contact.periods);
   for (const auto& event : impact.events) gone.periods += std::ssize(event.of(BodyEvent::load));

@@ -99,6 +99,7 @@ struct BodiesImpact {
   std::vector<Skipped> skipped;
   double requested_accuracy = 0;
   std::optional<double> estimated_accuracy;
+  double slowing = 1;      ///< how many times slower than it met a contact that adheres let go, at most
   double lost_digits = 0;  ///< share of indentations that has been lost to rounding on the way to contacts
   BodiesTrace trace;
 };

@@ -13,6 +13,7 @@
 #include "mariotte/impact/impulses.hpp"
 #include "mariotte/impact/reached_speed.hpp"
 #include "mariotte/impact/sampled_promise.hpp"
+#include "mariotte/impact/slowing.hpp"
 #include "mariotte/impact/watch/chain_run.hpp"
 #include "mariotte/impact/watch/event_list.hpp"
 #include "mariotte/impact/watch/sampler.hpp"
@@ -111,6 +112,7 @@ ChainImpact describe(const DimensionlessChain& chain, const ChainLayout& layout,
   impact.energy = in_units(energy_balance(chain, layout, energies, p, interval), scale);
   impact.momentum = in_units(momentum_balance(chain, layout, interval), scale);
   impact.flows = flow_uses(run.flows);
+  impact.slowing = slowing(run.changes, chain.law);
   return impact;
 }
 

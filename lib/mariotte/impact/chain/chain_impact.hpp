@@ -106,6 +106,7 @@ struct ContactImpact {
   Validity validity;  ///< empty unless something is known of the bodies: `scene::simulate` fills it in
   std::vector<FlowUse> flows;
   std::vector<Skipped> skipped;
+  double slowing = 1;  ///< how many times slower than it met a contact that adheres let go, at most
   double requested_accuracy = 0;
   std::optional<double> estimated_accuracy;  ///< where errors may have grown, or from estimate_accuracy
   /// Of small oscillations of the contacts that adhesion holds together for ever, ascending [Hz]; empty but

@@ -41,7 +41,7 @@ struct ChainSolver::Memory {
               impact.ending, impact.message);
     clear_untouched(impact.periods, impact.impulse);
     for (double& p : impact.impulse) p *= chain.scale.momentum();
-    gone = passage(run, impact.periods);
+    gone = passage(run, impact.periods, chain.law);
   }
 
   void solve_whole(const model::Chain& chain, const hybrid::Options& options, bool stay) {

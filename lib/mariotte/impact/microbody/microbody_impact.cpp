@@ -7,6 +7,7 @@
 #include "mariotte/impact/flow_uses.hpp"
 #include "mariotte/impact/microbody/microbody_difference.hpp"
 #include "mariotte/impact/microbody/microbody_gate.hpp"
+#include "mariotte/impact/microbody/microbody_slowing.hpp"
 #include "mariotte/impact/microbody/microbody_watch.hpp"
 #include "mariotte/impact/sampled_promise.hpp"
 
@@ -181,6 +182,7 @@ MicrobodyImpact simulate_once(const model::Microbody& body, const hybrid::Option
   impact.impulse = body.body.mass *
                    (impact.final.velocity - body.velocity + body.gravity * impact.final.time * normal_axis);
   impact.flows = flow_uses(run.flows);
+  impact.slowing = slowing(system, start, run);
   impact.skipped = skipped(system, body, run, observers.trace);
   impact.requested_accuracy = options.accuracy;
   impact.trace = watch.take_trace();
@@ -201,7 +203,8 @@ MicrobodyImpact simulate(const model::Microbody& body, const hybrid::Options& op
   auto impact = simulate_once(body, options, observers);
   Passage gone{.contacts = std::ssize(body.body.tips),
                .harmless = first_impact,
-               .periods = std::ssize(impact.impacts)};
+               .periods = std::ssize(impact.impacts),
+               .slowing = impact.slowing};
   count_flows(gone, impact.flows);
   keep_promise(body, options, gone, observers, impact, simulate_once, [&](const auto& a, const auto& b) {
     return difference(body, a.final.velocity - b.final.velocity, a.final.spin - b.final.spin);

@@ -79,6 +79,7 @@ struct MicrobodyImpact {
   Validity validity;  ///< filled in by `scene::simulate`
   std::vector<FlowUse> flows;
   std::vector<Skipped> skipped;
+  double slowing = 1;  ///< how many times slower than it met a tip that adheres let go, at most
   double requested_accuracy = 0;
   std::optional<double> estimated_accuracy;  ///< where a run took many steps, or from estimate_accuracy
   BodyTrace trace;

@@ -1,8 +1,11 @@
 #include "mariotte/impact/microbody/microbody_solver.hpp"
 
+#include <algorithm>
+
 #include "mariotte/hybrid/simulate.hpp"
 #include "mariotte/impact/microbody/microbody_difference.hpp"
 #include "mariotte/impact/microbody/microbody_gate.hpp"
+#include "mariotte/impact/microbody/microbody_slowing.hpp"
 #include "mariotte/impact/microbody/sphere_runs.hpp"
 #include "mariotte/impact/promise.hpp"
 #include "mariotte/model/microbody/microbody_system.hpp"
@@ -13,11 +16,9 @@ using model::MicrobodySystem;
 
 namespace {
 
-/// Contacts that have ended, as the automaton has said.
-Index count_openings(const std::vector<hybrid::Timed<model::MicrobodyChange>>& changes) {
-  Index count = 0;
-  for (const auto& one : changes) count += one.change.event == model::TipEvent::open;
-  return count;
+/// How often a tip has done so, as the automaton has said.
+Index count(model::TipEvent event, const std::vector<hybrid::Timed<model::MicrobodyChange>>& changes) {
+  return std::ranges::count(changes, event, [](const auto& one) { return one.change.event; });
 }
 
 }  // namespace
@@ -30,7 +31,8 @@ struct MicrobodySolver::Memory {
   SphereRuns sphere;
   NaturalRoot natural_root;
 
-  void report(const MicrobodySystem& system, const hybrid::Trajectory<model::MicrobodyChange>& run) {
+  void report(const MicrobodySystem& system, ConstState start,
+              const hybrid::Trajectory<model::MicrobodyChange>& run) {
     const auto& scale = system.body().scale;
     const auto& place = system.layout().place;
     const ConstState x = run.state;
@@ -41,10 +43,13 @@ struct MicrobodySolver::Memory {
               .velocity = scale.velocity * vector_at(x, place.velocity),
               .spin = (1 / scale.time) * system.mechanics().spin(x),
               .tip_velocity = scale.velocity * system.mechanics().tip(x, 0).velocity,
-              .impacts = count_openings(run.changes),
+              .impacts = count(model::TipEvent::open, run.changes),
               .events = run.events,
               .estimated_accuracy = {}};
-    gone = {.contacts = system.layout().tips, .harmless = first_impact, .periods = impact.impacts};
+    gone = {.contacts = system.layout().tips,
+            .harmless = first_impact,
+            .periods = count(model::TipEvent::close, run.changes),
+            .slowing = slowing(system, start, run)};
     for (const auto kind : flow::kinds) {
       const auto& flow = run.flows[static_cast<std::size_t>(kind)];
       impact.steps += flow.steps;
@@ -59,7 +64,7 @@ struct MicrobodySolver::Memory {
     auto run_options = hybrid::scaled(options, system.body().scale);
     run_options.accuracy = system.accuracy();
     const auto& run = hybrid::simulate(system, start, run_options, workspace);
-    report(system, run);
+    report(system, start, run);
     pass_gate(balances(system, start, run.state, workspace.mode), impact.ending, impact.message);
   }
 

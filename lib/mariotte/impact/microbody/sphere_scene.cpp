@@ -6,6 +6,7 @@
 #include "mariotte/impact/gate.hpp"
 #include "mariotte/impact/lane_scene.hpp"
 #include "mariotte/impact/promise.hpp"
+#include "mariotte/impact/slowing.hpp"
 
 namespace mariotte::impact {
 namespace {
@@ -89,7 +90,11 @@ void restore(const SphereScene& scene, model::Microbody& body) {
 
 bool describe(const SphereScene& scene, double accuracy, BriefMicrobodyImpact& impact) {
   const auto& sphere = scene.sphere;
-  const Passage gone{.contacts = 1, .harmless = first_impact, .periods = 1, .steps = sphere.steps};
+  const Passage gone{.contacts = 1,
+                     .harmless = first_impact,
+                     .periods = 1,
+                     .steps = sphere.steps,
+                     .slowing = sphere.adhesion > 0 ? times_slower(scene.speed, -sphere.rate) : 1};
   if (!sphere.separates || may_have_erred(gone) || !passes_gate(scene, accuracy)) return false;
   const double velocity = -sphere.rate * scene.velocity;
   impact = {.ending = hybrid::Ending::separated,

@@ -14,6 +14,7 @@
 #include "mariotte/impact/network/network_solver.hpp"
 #include "mariotte/impact/reached_speed.hpp"
 #include "mariotte/impact/sampled_promise.hpp"
+#include "mariotte/impact/slowing.hpp"
 #include "mariotte/impact/watch/contact_watch.hpp"
 #include "mariotte/model/network/network_system.hpp"
 
@@ -114,6 +115,7 @@ NetworkImpact simulate_once(const model::Network& network, const hybrid::Options
   impact.momentum_residual = momentum_residual(network, before, impact);
   impact.bound_frequency = bound_frequencies(system, workspace.mode, run, scale);
   impact.flows = flow_uses(run.flows);
+  impact.slowing = slowing(run.changes, system.network().law);
   if (watch.turning) impact.turning = watch.turning->largest();
   impact.skipped = skipped(system, run, observers.trace);
   impact.requested_accuracy = options.accuracy;

@@ -45,7 +45,7 @@ struct NetworkSolver::Memory {
     report_contacts(run, options.accuracy);
     gate.pass({d, system.layout(), workspace.mode, {start, run.state, run.time}}, options.accuracy,
               impact.ending, impact.message);
-    gone = passage(run, impact.periods);
+    gone = passage(run, impact.periods, d.law);
     impact.widest = system.layout().contacts();
   }
 

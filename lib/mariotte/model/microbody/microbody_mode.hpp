@@ -57,6 +57,7 @@ enum class TipEvent : unsigned char { open, close, stick, slip, force_positive, 
 struct MicrobodyChange {
   Index tip;
   TipEvent event;
+  double speed = 0;  ///< of the tip along the normal where it closes or opens, ≥ 0
 };
 
 }  // namespace mariotte::model

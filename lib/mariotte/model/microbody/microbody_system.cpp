@@ -70,9 +70,10 @@ void MicrobodySystem::choose_friction(Mode& mode, Index i, ConstState x, double 
 void MicrobodySystem::close(Mode& mode, Index i, ConstState x, std::vector<Change>& changes) const {
   auto& tip = mode.tip[i];
   const auto& law = body_.law[static_cast<std::size_t>(i)];
+  const double velocity = mechanics().tip(x, i).velocity;
   tip = {.contact = TipContact::sliding};
-  tip.force_sign = law.adhesion > 0 && 1 + law.damping_adhesion * mechanics().tip(x, i).velocity > 0 ? -1 : 1;
-  changes.push_back({i, TipEvent::close});
+  tip.force_sign = law.adhesion > 0 && 1 + law.damping_adhesion * velocity > 0 ? -1 : 1;
+  changes.push_back({i, TipEvent::close, std::abs(velocity)});
 }
 
 bool MicrobodySystem::slides(Index i, ConstState x) const {
@@ -179,7 +180,7 @@ void MicrobodySystem::touch_or_open(Mode& mode, Index i, ConstState x, std::vect
   if (mode.tip[i].contact == TipContact::clear) return close(mode, i, x, changes);
   mode.tip[i] = {};
   ++mode.impacts;
-  changes.push_back({i, TipEvent::open});
+  changes.push_back({i, TipEvent::open, std::abs(mechanics().tip(x, i).velocity)});
 }
 
 /// Tips that part where another guard has fired within rounding of their end: no time is left until then, and
