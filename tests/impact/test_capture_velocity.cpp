@@ -72,3 +72,23 @@ BOOST_AUTO_TEST_CASE(a_run_that_comes_to_no_end_is_an_error) {
   const auto sphere = published(model::sphere(2.45e-6, density));
   BOOST_CHECK_THROW(impact::capture_velocity(sphere, 5, 1e-6, {.max_time = 1e-9}), Error);
 }
+
+// Computed in extended precision elsewhere.
+BOOST_AUTO_TEST_CASE(a_narrow_bracket_has_the_capture_velocity_in_it) {
+  const auto damped = [](double speed) {
+    const double radius = 1.4880031887698726e-07, moment = 1.2863058974850697e-31;
+    model::Microbody body;
+    body.body = {.mass = 1.4523675790961877e-17, .inertia = {moment, moment, moment}, .tips = {{{}, radius}}};
+    body.law = {contact::brach_dunn({.stiffness = 9788933536.768856, .adhesion = 1.9514050401936823e-06},
+                                    radius, 38.6564047719429, 1344.5202622957852)};
+    body.velocity = {-speed, 0, 0};
+    return body;
+  };
+  constexpr double known = 0.010075268435426;
+  for (const double tolerance : {1e-9, 1e-12, 1e-15}) {
+    const auto found = impact::capture_velocity(damped, 7e-4, tolerance);
+    BOOST_TEST_REQUIRE(found.has_value());
+    BOOST_TEST(std::abs(found->value() - known) <= std::max(tolerance, 1e-13) * known);
+    BOOST_TEST(found->separated - found->captured <= std::max(tolerance, 1e-13) * known);
+  }
+}

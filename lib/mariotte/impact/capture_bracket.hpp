@@ -1,7 +1,8 @@
 // Bracketing the speed that parts capture from separation, whatever strikes.
 //
 // Above it the speed of the rebound is ~ √(v − v_c), so its square is nearly straight: two of them tell where
-// it vanishes. Runs on both sides of that close the bracket; where they do not, it is halved.
+// it vanishes. Runs on both sides of that close the bracket; where they do not, it is halved. It is closed no
+// further than runs can tell the two apart.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -10,6 +11,15 @@
 #include "mariotte/impact/microbody/capture_velocity.hpp"
 
 namespace mariotte::impact {
+
+/// Of a run; `speed` is 0 where captured.
+struct ReboundSpeed {
+  double speed = 0;
+  double error = 0;  ///< as the run says
+
+  /// How much the square of the rebound may be off.
+  double blur() const { return error * (2 * speed + error); }
+};
 
 /// The next speed to look at, by the two lowest that have separated.
 class CaptureGuess {
@@ -47,16 +57,18 @@ class CaptureGuess {
 };
 
 /// From `guess` by factors of two, then until the bracket is `tolerance` wide, relative to its speed.
-/// `rebound_at(speed)` is the speed of the rebound, 0 where captured.
+/// `rebound_at(speed)` is a ReboundSpeed.
 template <class Rebound>
 std::optional<CaptureVelocity> bracket_capture(Rebound&& rebound_at, double guess, double tolerance) {
   constexpr int most_doublings = 20;
   CaptureVelocity found;
   CaptureGuess ahead;
-  double rebound = 0;
+  double rebound = 0, blur = 0;
   const auto is_captured = [&](double speed) {
     ++found.runs;
-    rebound = rebound_at(speed);
+    const ReboundSpeed last = rebound_at(speed);
+    rebound = last.speed;
+    blur = last.blur() / speed;
     return rebound == 0;
   };
   const bool start = is_captured(guess);
@@ -73,7 +85,7 @@ std::optional<CaptureVelocity> bracket_capture(Rebound&& rebound_at, double gues
   }
   found.captured = start ? near : far;
   found.separated = start ? far : near;
-  while (found.separated - found.captured > tolerance * found.value()) {
+  while (found.separated - found.captured > std::max(tolerance * found.value(), blur)) {
     const double speed = ahead.next(found, tolerance);
     if (speed <= found.captured || speed >= found.separated) break;  // the two are neighbours as numbers
     (is_captured(speed) ? found.captured : found.separated) = speed;

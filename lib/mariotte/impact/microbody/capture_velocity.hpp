@@ -21,8 +21,9 @@ struct CaptureVelocity {
 using BodyAtSpeed = std::function<model::Microbody(double speed)>;
 
 /// Brackets the capture velocity from `guess` by factors of two, then by where the square of the rebound
-/// vanishes, until the bracket is `tolerance` wide, relative to its speed. Empty if factors up to 2²⁰ on
-/// either side find none: a body without damping is never captured. Where several speeds part capture from
+/// vanishes, until the bracket is `tolerance` wide, relative to its speed, or as narrow as runs can tell:
+/// they are more exact than `options` ask if the tolerance needs it. Empty if factors up to 2²⁰ on either
+/// side find none: a body without damping is never captured. Where several speeds part capture from
 /// separation, which bodies other than spheres admit, one of them is found. Throws Error if a run fails or
 /// reaches a limit.
 std::optional<CaptureVelocity> capture_velocity(const BodyAtSpeed& body, double guess, double tolerance,

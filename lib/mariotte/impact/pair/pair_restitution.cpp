@@ -98,7 +98,8 @@ std::optional<CaptureVelocity> capture_velocity(const Pair& pair, double guess, 
   ChainSolver solver;
   const auto rebound = [&](double speed) {
     const auto& impact = run(solver, pair, speed);
-    return impact.ending == hybrid::Ending::bound ? 0 : impact.velocity[0];
+    const double comes_off = impact.ending == hybrid::Ending::bound ? 0 : impact.velocity[0];
+    return ReboundSpeed{comes_off, speed * impact.estimated_accuracy.value_or(0)};
   };
   return bracket_capture(rebound, guess, tolerance);
 }
