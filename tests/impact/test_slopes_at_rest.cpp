@@ -1,5 +1,6 @@
 // Slopes by motions along a rigid contact that has none: next to rest any slip rests at once. By hand.
 #define BOOST_TEST_MODULE slopes next to rest
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
@@ -158,4 +159,42 @@ BOOST_AUTO_TEST_CASE(slopes_of_a_microrod_that_slips_from_rest_have_one_side) {
              by(
                  "faster", [](Microbody& one, double value) { one.velocity.e1 -= value; }, 1e-3)});
   BOOST_TEST(one_sided(slopes) == std::vector<std::string>{"spin"}, boost::test_tools::per_element());
+}
+
+// A sphere that has come to rest rolls on with 5/7 of its velocity and 2/7 of its turn, whatever friction is.
+BOOST_AUTO_TEST_CASE(a_microsphere_that_sticks_in_space_has_no_slope_of_its_slip_left) {
+  constexpr double size = 2.376023783082572e-06;
+  model::Microbody body;
+  body.body = model::sphere(size, 6520.755269367542);
+  body.law = {contact::brach_dunn({.stiffness = 55837386226.100075, .adhesion = 0.0194035963756924}, size,
+                                  2e-3, 2e-3)};
+  body.friction = {0.08680415746569703};
+  body.velocity = {-7.650247468233224, 1.2206274572280424, 0.5644096808148762};
+  body.spin = {0, -21278.766825967392, 0};
+  using model::Microbody;
+  const auto by = [&](const char* name, auto change, double step) {
+    return impact::Parameter<Microbody>{name, 0, step, [=](double value, Microbody& moved) {
+                                          moved = body;
+                                          change(moved, value);
+                                        }};
+  };
+  const std::vector parameters{
+      by(
+          "friction", [](Microbody& one, double value) { one.friction.coefficient += value; }, 4e-4),
+      by(
+          "v2", [](Microbody& one, double value) { one.velocity.e2 += value; }, 5e-3),
+      by(
+          "w2", [](Microbody& one, double value) { one.spin.e2 += value; }, 100)};
+  for (const double accuracy : {1e-6, 1e-9, 1e-12}) {
+    const auto slopes = impact::sensitivity(body, parameters, {.accuracy = accuracy});
+    const auto expect = [&](const char* name, std::vector<double> known) {
+      const auto found = std::ranges::find(slopes.outcome, name, &impact::OutcomeSlopes::name);
+      const std::array natural{1.0, 1.0, size};
+      for (std::size_t c = 0; c < known.size(); ++c)
+        BOOST_TEST(std::abs(*found->slope[c] - known[c]) <= 10 * std::max(accuracy, 1e-11) * natural[c],
+                   name << " by " << c << " at " << accuracy << ": " << *found->slope[c]);
+    };
+    expect("v2", {0, 5.0 / 7, 0});
+    expect("v3", {0, 0, -2.0 / 7 * size});
+  }
 }

@@ -44,6 +44,29 @@ T guard_of(const Mechanics& mechanics, std::span<const T> x, const MicrobodyMode
   return T(1);
 }
 
+/// The only tip that sticks, if it has slid before.
+std::optional<Index> stopped(const MicrobodyMode& before, const MicrobodyMode& after, Index tips) {
+  std::optional<Index> found;
+  for (Index i = 0; i < tips; ++i) {
+    if (after.tip[i].contact != TipContact::sticking) continue;
+    if (found || before.tip[i].contact != TipContact::sliding) return std::nullopt;
+    found = i;
+  }
+  return found;
+}
+
+/// Friction that acts at once on a body, or on slopes of its state.
+void push(std::span<double> x, const model::MicrobodyLayout& layout, double mass, const Vector3& lever,
+          const Vector3& impulse) {
+  const auto add = [&](Index at, const Vector3& part) {
+    x[at] += part.e1;
+    x[at + 1] += part.e2;
+    x[at + 2] += part.e3;
+  };
+  add(layout.place.velocity, (1 / mass) * impulse);
+  add(layout.place.momentum, cross(lever, impulse));
+}
+
 }  // namespace
 
 MicrobodyVariation::MicrobodyVariation(const model::MicrobodySystem& system,
@@ -190,6 +213,42 @@ void MicrobodyVariation::remember(Index, const MicrobodyMode&, const MicrobodyMo
   for (Index i = 0; i < system_.layout().tips; ++i)
     slips_from_rest_ |=
         after.tip[i].contact == TipContact::sliding && after.tip[i].start != model::SlipStart::moving;
+}
+
+Vector3 MicrobodyVariation::slip_slope(Index tip, ConstState x, std::span<const double> slopes,
+                                       Index c) const {
+  Vector3 sum;
+  std::vector<double> there(x.size());
+  for (std::size_t k = 0; k < stencil.size(); ++k) {
+    const double by = stencil[k].offset * shifted_[c].step;
+    for (std::size_t r = 0; r < x.size(); ++r) there[r] = x[r] + by * slopes[r];
+    sum = sum + (stencil[k].weight / shifted_[c].step) * mechanics(shifted_[c].at[k]).tip(there, tip).slip;
+  }
+  return sum;
+}
+
+// Next to rest the direction of a slip is rounding. What slopes of it miss there is friction, an impulse that
+// takes away what is left of the slopes of the slip.
+void MicrobodyVariation::come_to_rest(const MicrobodyMode& before, const MicrobodyMode& after, ConstState x,
+                                      SlopeMatrix& slopes) const {
+  const auto tip = stopped(before, after, system_.layout().tips);
+  if (!tip) return;
+  const double mass = base_.body.mass;
+  const auto here = mechanics(base_).tip(x, *tip);
+  std::array<double, 4> mobility{};
+  for (const Index along : {0, 1}) {
+    std::vector<double> pushed(x.begin(), x.end());
+    push(pushed, system_.layout(), mass, here.lever, {0, along == 0 ? mass : 0, along == 1 ? mass : 0});
+    const Vector3 change = mechanics(base_).tip(pushed, *tip).slip - here.slip;
+    mobility[2 * along] = change.e2;
+    mobility[2 * along + 1] = change.e3;
+  }
+  for (Index c = 0; c < slopes.columns; ++c) {
+    const Vector3 slip = slip_slope(*tip, x, slopes.column(c), c);
+    std::array<double, 2> impulse{};
+    model::hold(mobility, std::array{slip.e2, slip.e3}, impulse);
+    push(slopes.column(c), system_.layout(), mass, here.lever, {0, mass * impulse[0], mass * impulse[1]});
+  }
 }
 
 void MicrobodyVariation::see(const flow::Step& step, const MicrobodyMode& mode) const {

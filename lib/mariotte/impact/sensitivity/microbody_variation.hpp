@@ -75,6 +75,10 @@ class MicrobodyVariation {
   /// Notices slips in space that start from rest.
   void remember(Index i, const model::MicrobodyMode& before, const model::MicrobodyMode& after,
                 const SlopeMatrix& slopes, ConstState rate, std::span<const double> time);
+  /// A slip that comes to rest does so along every direction, whatever parameters are: none of its slope is
+  /// left.
+  void come_to_rest(const model::MicrobodyMode& before, const model::MicrobodyMode& after, ConstState x,
+                    SlopeMatrix& slopes) const;
   bool slips_from_rest() const { return slips_from_rest_; }
   /// Notices slips in space that come near rest and go on.
   void see(const flow::Step& step, const model::MicrobodyMode& mode) const;
@@ -91,6 +95,7 @@ class MicrobodyVariation {
     double force;       ///< normal
   };
   std::vector<Slide> slides(ConstState x, const model::MicrobodyMode& mode) const;
+  Vector3 slip_slope(Index tip, ConstState x, std::span<const double> slopes, Index c) const;
   std::array<model::MicrobodyMode, stencil.size()> modes_at(const model::MicrobodyMode& mode,
                                                             const std::vector<Slide>& slides, ConstState x,
                                                             Index c) const;

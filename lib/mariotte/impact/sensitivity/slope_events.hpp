@@ -115,6 +115,8 @@ void SlopeLoop<System, Variation>::jump(Observer& observer, const typename Syste
     variation_.remember(fired[k], before, mode, observer.slopes, rate, times[k]);
   }
   observer.slopes = after_all;
+  if constexpr (requires { variation_.come_to_rest(before, last, x, observer.slopes); })
+    variation_.come_to_rest(before, last, x, observer.slopes);
   constexpr double least = 1e-13;  // nobody asks for less
   for (auto& one : result.coincident)
     if (one.time == result.run.time) one.error = error > std::max(least, options_.accuracy) ? error : 0;
