@@ -16,7 +16,7 @@ using model::MicrobodySystem;
 
 namespace {
 
-/// Everything that a body is asked for at its end.
+/// Everything that a body is asked for at its end, and of its first impact.
 struct Reading {
   const char* name;
   const char* unit;
@@ -31,11 +31,13 @@ constexpr std::array<Reading, 8> readings{{{"normal_velocity", "m/s"},
                                            {"e_nm", "1"}}};
 using Readings = std::array<double, readings.size()>;
 
+/// `first` is the state at the end of the first impact.
 Readings read(const DimensionlessMicrobody& body, const model::MicrobodyLayout& layout, ConstState start,
-              ConstState end) {
+              ConstState first, ConstState end) {
   const model::Mechanics mechanics{body, layout};
   const Vector3 v = vector_at(end, layout.place.velocity), w = mechanics.spin(end),
-                before = vector_at(start, layout.place.velocity);
+                before = vector_at(start, layout.place.velocity),
+                behind = vector_at(first, layout.place.velocity);
   const double speed = body.scale.velocity, turn = 1 / body.scale.time;
   return {speed * v.e1,
           speed * v.e2,
@@ -43,8 +45,8 @@ Readings read(const DimensionlessMicrobody& body, const model::MicrobodyLayout& 
           turn * w.e1,
           turn * w.e2,
           turn * w.e3,
-          -mechanics.tip(end, 0).velocity / mechanics.tip(start, 0).velocity,
-          -v.e1 / before.e1};
+          -mechanics.tip(first, 0).velocity / mechanics.tip(start, 0).velocity,
+          -behind.e1 / before.e1};
 }
 
 /// What readings are compared with.
@@ -81,6 +83,8 @@ class BodySlopes {
     one_sided_ = slips_at_start(system_, shifted_, x0_, start_);
     end_ = SlopeLoop(system_, variation, run_options, watch).follow(x0_, behind);
     move_limit(by, system_.body().scale.time, end_);
+    opening_ = variation.opening() ? *variation.opening() : at_the_end();
+    comes_off_ = variation.opening().has_value();
     result_.in_doubt = variation.slips_from_rest();
     if (result_.in_doubt) result_.notes.push_back(slip_from_rest_note());
     turning_loss_ = variation.turning_loss();
@@ -110,18 +114,27 @@ class BodySlopes {
     }
   }
 
+  FirstOpening at_the_end() const {
+    FirstOpening end{end_.run.time, end_.run.state, end_.slopes, end_.time};
+    for (Index c = 0; c < start_.columns; ++c)
+      for (Index r = 0; r < start_.rows; ++r) end.slopes(r, c) += end_.rate[r] * end_.time[c];
+    return end;
+  }
+
   Readings moved(Index c, std::size_t k) const {
     const double by = stencil[k].offset * shifted_[c].step;
-    std::vector<double> before = x0_, after = end_.run.state;
+    const auto end = at_the_end();
+    std::vector<double> before = x0_, first = opening_.state, after = end.state;
     for (Index r = 0; r < start_.rows; ++r) {
       before[r] += by * start_(r, c);
-      after[r] += by * (end_.slopes(r, c) + end_.rate[r] * end_.time[c]);
+      first[r] += by * opening_.slopes(r, c);
+      after[r] += by * end.slopes(r, c);
     }
-    return read(shifted_[c].at[k], layout_, before, after);
+    return read(shifted_[c].at[k], layout_, before, first, after);
   }
 
   void add_readings() {
-    const auto values = read(system_.body(), layout_, x0_, end_.run.state);
+    const auto values = read(system_.body(), layout_, x0_, opening_.state, end_.run.state);
     for (std::size_t i = 0; i < readings.size(); ++i)
       result_.outcome.push_back({readings[i].name, {}, readings[i].unit, values[i], {}});
     for (Index c = 0; c < start_.columns; ++c) {
@@ -133,15 +146,20 @@ class BodySlopes {
     }
   }
 
-  /// The time, and what goes on to move then, by more than the accuracy in a natural time.
+  /// The time, unless the first contact has ended before, and what goes on to move then, by more than the
+  /// accuracy in a natural time.
   Names moving_with_the_end() const {
     constexpr double little = 1e-3;
     const auto& body = system_.body();
     auto later = end_.run.state;
     for (std::size_t r = 0; r < later.size(); ++r) later[r] += little * body.time * end_.rate[r];
-    const auto before = read(body, layout_, x0_, end_.run.state), after = read(body, layout_, x0_, later);
+    const bool ends_first = opening_.time < end_.run.time;
+    const auto &last = end_.run.state, &first = ends_first ? opening_.state : later;
+    const auto before = read(body, layout_, x0_, ends_first ? first : last, last),
+               after = read(body, layout_, x0_, first, later);
     const auto natural = natural_sizes(body);
-    Names names{"contact_time"};
+    Names names;
+    if (!ends_first) names.push_back("contact_time");
     for (std::size_t i = 0; i < readings.size(); ++i) {
       const double size = std::max(std::abs(before[i]), natural[i]);
       if (std::abs(after[i] - before[i]) > accuracy_ * little * size) names.push_back(readings[i].name);
@@ -151,8 +169,8 @@ class BodySlopes {
 
   void add_time() {
     const double unit = system_.body().scale.time;
-    OutcomeSlopes time{"contact_time", {}, "s", end_.run.time * unit, {}};
-    for (Index c = 0; c < start_.columns; ++c) time.slope.push_back(end_.time[c] * unit);
+    OutcomeSlopes time{"contact_time", {}, "s", opening_.time * unit, {}};
+    for (Index c = 0; c < start_.columns; ++c) time.slope.push_back(opening_.time_slopes[c] * unit);
     result_.outcome.push_back(std::move(time));
   }
 
@@ -165,6 +183,19 @@ class BodySlopes {
         .outcomes = {"e_n", "e_nm", "contact_time"}};
     if (end_.time_is_noise)
       for (auto& name : moving_with_the_end()) note.outcomes.push_back(std::move(name));
+    leave_out(std::move(note));
+  }
+
+  /// Of a body that has come off before it was captured.
+  void leave_out_end() {
+    if (!end_.time_is_noise) return;
+    leave_out({.text = "the body is captured in the end, when its motion has come down to the accuracy: this "
+                       "instant has no slopes",
+               .outcomes = moving_with_the_end()});
+  }
+
+  void leave_out(SlopeNote note) {
+    if (note.outcomes.empty()) return;
     for (auto& outcome : result_.outcome)
       if (std::find(note.outcomes.begin(), note.outcomes.end(), outcome.name) != note.outcomes.end())
         std::fill(outcome.slope.begin(), outcome.slope.end(), std::nullopt);
@@ -173,7 +204,8 @@ class BodySlopes {
 
   /// Above the capture velocity v_c the rebound is ~ √(v − v_c): its slopes grow like the inverse.
   void add_note_of_capture() {
-    if (end_.run.ending == hybrid::Ending::captured) return leave_out_rebound();
+    if (end_.run.ending == hybrid::Ending::captured)
+      return comes_off_ ? leave_out_end() : leave_out_rebound();
     for (const auto& outcome : result_.outcome)
       if (outcome.name == "e_n" && std::abs(*outcome.value) < 0.1)
         result_.notes.push_back(
@@ -192,6 +224,8 @@ class BodySlopes {
   SlopeMatrix start_;
   std::vector<ShiftedBodies> shifted_;
   SlopeRun<MicrobodySystem> end_;
+  FirstOpening opening_;
+  bool comes_off_ = false;
   Sensitivity result_;
 };
 

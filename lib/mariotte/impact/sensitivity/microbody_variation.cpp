@@ -215,6 +215,19 @@ void MicrobodyVariation::remember(Index, const MicrobodyMode&, const MicrobodyMo
         after.tip[i].contact == TipContact::sliding && after.tip[i].start != model::SlipStart::moving;
 }
 
+void MicrobodyVariation::keep_opening(const Passage& event) {
+  if (opening_ || event.before.tip[0].contact == TipContact::clear ||
+      event.after.tip[0].contact != TipContact::clear)
+    return;
+  const auto gap = std::ranges::find(event.guard, model::guard_index(0, TipGuard::gap));
+  const auto& time = event.time[gap - event.guard.begin()];
+  opening_ = {event.now, {event.x.begin(), event.x.end()}, event.slopes, event.clock};
+  for (Index c = 0; c < columns(); ++c) {
+    opening_->time_slopes[c] += time[c];
+    for (std::size_t r = 0; r < event.x.size(); ++r) opening_->slopes(r, c) += event.rate[r] * time[c];
+  }
+}
+
 Vector3 MicrobodyVariation::slip_slope(Index tip, ConstState x, std::span<const double> slopes,
                                        Index c) const {
   Vector3 sum;

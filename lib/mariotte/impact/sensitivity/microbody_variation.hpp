@@ -2,6 +2,7 @@
 // from the bodies at its points. The field is the one of a body that may move in any way.
 #pragma once
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "mariotte/flow/flow.hpp"
@@ -18,8 +19,27 @@ struct ShiftedBodies {
   std::array<model::DimensionlessMicrobody, stencil.size()> at;
 };
 
+/// Where the tip that touched first has come off first.
+struct FirstOpening {
+  double time;
+  std::vector<double> state;
+  SlopeMatrix slopes;               ///< of the state at that instant, which moves
+  std::vector<double> time_slopes;  ///< of the instant, by parameter
+};
+
 class MicrobodyVariation {
  public:
+  /// One event: modes on both sides of it, the state and its rates and slopes before it, and slopes of times.
+  struct Passage {
+    const std::vector<Index>& guard;  ///< that tell when it happens
+    const model::MicrobodyMode &before, &after;
+    ConstState x, rate;
+    const SlopeMatrix& slopes;
+    const std::vector<std::vector<double>>& time;  ///< of each guard by the clock of the slopes, by parameter
+    const std::vector<double>& clock;              ///< of that clock
+    double now;
+  };
+
   MicrobodyVariation(const model::MicrobodySystem& system, const std::vector<ShiftedBodies>& shifted);
 
   Index columns() const { return std::ssize(shifted_); }
@@ -79,6 +99,9 @@ class MicrobodyVariation {
   /// left.
   void come_to_rest(const model::MicrobodyMode& before, const model::MicrobodyMode& after, ConstState x,
                     SlopeMatrix& slopes) const;
+  /// Keeps the end of the first contact.
+  void keep_opening(const Passage& event);
+  const std::optional<FirstOpening>& opening() const { return opening_; }
   bool slips_from_rest() const { return slips_from_rest_; }
   /// Notices slips in space that come near rest and go on.
   void see(const flow::Step& step, const model::MicrobodyMode& mode) const;
@@ -105,6 +128,7 @@ class MicrobodyVariation {
   const std::vector<ShiftedBodies>& shifted_;
   model::DimensionlessMicrobody base_;
   std::vector<double> natural_;
+  std::optional<FirstOpening> opening_;
   bool slips_from_rest_ = false;
   mutable NearRest near_rest_;
 };

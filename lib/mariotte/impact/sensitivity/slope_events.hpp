@@ -97,6 +97,8 @@ void SlopeLoop<System, Variation>::jump(Observer& observer, const typename Syste
   typename System::Mode last = before;
   system_.transition(last, workspace_.fired, x, ignored);
   const auto clock = clock_at(fired, before, last, rate);
+  if constexpr (requires { typename Variation::Passage; })
+    variation_.keep_opening({fired, before, last, x, rate, observer.slopes, times, shift_, result.run.time});
   double error = 0;
   for (std::size_t k = 0; k < fired.size(); ++k) {
     auto mode = last;
