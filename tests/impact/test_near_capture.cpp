@@ -133,7 +133,7 @@ BOOST_AUTO_TEST_CASE(what_comes_off_fast_is_run_once) {
 BOOST_AUTO_TEST_CASE(contacts_that_snap_off_keep_their_accuracy_near_capture) {
   impact::ChainSolver chains;
   impact::NetworkSolver networks;
-  for (const double above : {1e-4, 1e-6, 1e-8})
+  for (const double above : {1e-4, 1e-6, 1e-8, 1e-10})
     for (const double accuracy : {1e-6, 1e-8, 1e-10}) {
       const double speed = jkr_capture() * (1 + above), e = std::sqrt(1 - 1 / ((1 + above) * (1 + above)));
       const auto expect = [&](const auto& impact, double velocity) {
@@ -146,7 +146,7 @@ BOOST_AUTO_TEST_CASE(contacts_that_snap_off_keep_their_accuracy_near_capture) {
       BOOST_TEST_CONTEXT("above " << above << " accuracy " << accuracy) {
         expect(chain, chain.velocity[0]);
         expect(network, network.velocity[0]);
-        expect(bodies, bodies.body[0].velocity.e2);
+        if (above > 1e-9) expect(bodies, bodies.body[0].velocity.e2);
         BOOST_TEST(chains.solve(ball, {.accuracy = accuracy}).velocity[0] == chain.velocity[0]);
         BOOST_TEST(networks.solve(model::as_network(ball), {.accuracy = accuracy}).velocity[0] ==
                    network.velocity[0]);

@@ -10,7 +10,9 @@
 #include "mariotte/contact/law.hpp"
 #include "mariotte/core/scale.hpp"
 #include "mariotte/core/types.hpp"
+#include "mariotte/hybrid/ending.hpp"
 #include "mariotte/impact/impulses.hpp"
+#include "mariotte/model/contacts/bound.hpp"
 
 namespace mariotte::impact {
 
@@ -36,9 +38,11 @@ class Slowing {
   double most_ = 1;
 };
 
-/// Of the changes of contacts with these laws. One that has been indented from the start has met at no speed.
+/// Of the changes of contacts with these laws, and of those that stay closed: they lack a speed to come off.
+/// One that has been indented from the start has met at no speed.
 template <class Changes>
-double slowing(const Changes& changes, const std::vector<contact::Law>& laws) {
+double slowing(const Changes& changes, const std::vector<contact::Law>& laws,
+               const std::vector<model::LackedSpeed>& held = {}) {
   Slowing slowing;
   if (std::none_of(laws.begin(), laws.end(), contact::adheres)) return 1;
   for (const auto& [time, change] : changes) {
@@ -46,7 +50,16 @@ double slowing(const Changes& changes, const std::vector<contact::Law>& laws) {
     if (starts_force(change)) slowing.meet(change.contact, change.approach);
     if (ends_force(change)) slowing.part(change.contact, -change.approach);
   }
+  for (const auto& [contact, speed] : held) slowing.part(contact, speed);
   return slowing.most();
+}
+
+/// Of a run of a system, which may have ended bound.
+template <class System, class Run>
+double slowing(const System& system, const contact::ContactSet& mode, const Run& run,
+               const std::vector<contact::Law>& laws) {
+  if (run.ending != hybrid::Ending::bound) return slowing(run.changes, laws);
+  return slowing(run.changes, laws, system.lacked_speeds(mode, run.state));
 }
 
 }  // namespace mariotte::impact

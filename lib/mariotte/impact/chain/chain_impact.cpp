@@ -125,6 +125,7 @@ ChainImpact simulate_whole(const model::Chain& chain, const hybrid::Options& opt
   auto chain_run = follow_whole(system, start, hybrid::scaled(options, system.chain().scale), observers);
   auto impact = describe(system.chain(), system.layout(), start, chain_run, options.accuracy);
   impact.bound_frequency = bound_frequencies(system, chain_run.mode, chain_run.run, system.chain().scale);
+  impact.slowing = slowing(system, chain_run.mode, chain_run.run, chain.law);
   impact.skipped = skipped(system.layout(), chain_run, observers.trace);
   impact.trace = std::move(chain_run.trace);
   return impact;

@@ -50,6 +50,7 @@ struct ChainSolver::Memory {
     const auto& run =
         hybrid::simulate(system, start, hybrid::scaled(options, system.chain().scale), workspace);
     report(system.chain(), system.layout(), run, workspace.mode, options.accuracy);
+    gone.slowing = slowing(system, workspace.mode, run, chain.law);
     impact.widest = system.layout().contacts();
   }
 

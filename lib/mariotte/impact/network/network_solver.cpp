@@ -46,6 +46,7 @@ struct NetworkSolver::Memory {
     gate.pass({d, system.layout(), workspace.mode, {start, run.state, run.time}}, options.accuracy,
               impact.ending, impact.message);
     gone = passage(run, impact.periods, d.law);
+    gone.slowing = slowing(system, workspace.mode, run, d.law);
     impact.widest = system.layout().contacts();
   }
 

@@ -123,6 +123,19 @@ bool is_bound(const HeldTogether& all) {
   });
 }
 
+std::vector<LackedSpeed> lacked_speeds(const HeldTogether& all) {
+  std::vector<LackedSpeed> list;
+  const std::size_t count = all.held.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto& one = all.held[i];
+    const double softness = all.coupling[i * count + i];  // inverse of the reduced mass
+    const double barrier = potential(one, one.law->opening_indentation(one.past));
+    const double square = 2 * softness * (barrier - potential(one, one.indentation)) - one.rate * one.rate;
+    if (square > 0) list.push_back({one.contact, std::sqrt(square)});
+  }
+  return list;
+}
+
 std::vector<double> ringing(const HeldTogether& all) {
   const auto n = std::ssize(all.held);
   if (n == 0) return {};

@@ -38,6 +38,14 @@ bool is_bound(const HeldTogether& contacts);
 /// Angular frequencies of small oscillations of the closed contacts about their rest, in ascending order.
 std::vector<double> ringing(const HeldTogether& contacts);
 
+/// How much faster the two of a closed contact would have to be to come off by themselves.
+struct LackedSpeed {
+  Index contact;
+  double speed;
+};
+/// Of the contacts that lack any, if no other gives them energy.
+std::vector<LackedSpeed> lacked_speeds(const HeldTogether& contacts);
+
 /// Energy that adhesion can give the bodies of a fresh contact; 0 if it does not adhere.
 double well_energy(const contact::Law& law);
 

@@ -38,6 +38,9 @@ class ContactSystem {
   std::vector<double> ringing(const Mode& mode, ConstState x) const {
     return model::ringing(held_together(state(x, &mode), mode));
   }
+  std::vector<LackedSpeed> lacked_speeds(const Mode& mode, ConstState x) const {
+    return model::lacked_speeds(held_together(state(x, &mode), mode));
+  }
   /// Contacts that touched but were never pressed noticeably open at the end.
   void finish(Mode& mode, std::vector<Change>& changes) const { open_touching(mode, model_.law, changes); }
   TopologyPhase<Topology>& problem(Mode& mode) {
