@@ -107,3 +107,16 @@ normal_speed = 1
   BOOST_TEST(body.law[1].stiffness > body.law[0].stiffness);
   BOOST_TEST((body.lever == model::Lever::indented));
 }
+
+// Adhesion alone gives back what it takes, however small the speed is beside its well.
+BOOST_AUTO_TEST_CASE(without_damping_a_restitution_of_one_is_exact) {
+  const auto sphere = [](double work, double speed, const char* more) {
+    return "[body]\nshape = 'sphere'\nradius = 8.521e-06\ndensity = 329.2\n"
+           "[surface]\nstiffness = 3.767e+10\nrestitution = 1\nwork_of_adhesion = " +
+           std::to_string(work) + more + "\n[incidence]\nnormal_speed = " + std::to_string(speed) + "\n";
+  };
+  for (const double work : {0.0, 0.0105, 0.05, 0.2})
+    for (const double speed : {0.02, 0.163, 0.7, 3.0, 11.0})
+      BOOST_TEST(parse(sphere(work, speed, "")).law[0].damping_hertz == 0);
+  BOOST_CHECK_THROW(parse(sphere(0.0105, 0.163, "\ndamping_adhesion = 1e-3")), scene::SceneError);
+}
