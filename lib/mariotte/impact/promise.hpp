@@ -64,6 +64,12 @@ inline bool end_alike(hybrid::Ending a, hybrid::Ending b) {
   return a == b || (comes_off(a) && comes_off(b));
 }
 
+/// Rounding of all steps in the energy of what adhesion hardly lets go, as large as shaking takes it: three
+/// runs may be lucky.
+inline double slowed_rounding(const Passage& gone) {
+  return gone.slowing >= much_slower ? 4 * epsilon * static_cast<double>(gone.steps) * gone.slowing : 0;
+}
+
 /// Run tighter until two runs agree within the accuracy that is `asked` for: `run(options)` runs and returns
 /// by how much its velocities differ from those of the run before, or nothing if it may not replace it.
 /// Where that is no measure of the last run, `shake(options)` runs near its accuracy, with inputs moved by
@@ -90,7 +96,7 @@ std::optional<double> keep_promise(const hybrid::Options& asked, const Passage& 
   if (agreed && !hides_rounding(gone, looser)) return last;
   now.accuracy *= 4;  // so that what the accuracy cuts off shows as well
   const std::optional<double> shaken = shake(now);
-  return shaken ? std::max(*shaken, agreed ? *last : 0) : last;
+  return shaken ? std::max({*shaken, agreed ? *last : 0, slowed_rounding(gone)}) : last;
 }
 
 /// Something moves at the start, or is driven.
