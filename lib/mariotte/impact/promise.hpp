@@ -65,9 +65,10 @@ inline bool end_alike(hybrid::Ending a, hybrid::Ending b) {
 }
 
 /// Rounding of all steps in the energy of what adhesion hardly lets go, as large as shaking takes it: three
-/// runs may be lucky.
+/// runs may be lucky. What comes off faster shows it when it is shaken.
 inline double slowed_rounding(const Passage& gone) {
-  return gone.slowing >= much_slower ? 4 * epsilon * static_cast<double>(gone.steps) * gone.slowing : 0;
+  constexpr double hardly = 8 * much_slower;
+  return gone.slowing >= hardly ? 4 * epsilon * static_cast<double>(gone.steps) * gone.slowing : 0;
 }
 
 /// Run tighter until two runs agree within the accuracy that is `asked` for: `run(options)` runs and returns
