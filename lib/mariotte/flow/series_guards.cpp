@@ -68,7 +68,7 @@ std::optional<double> fall(const Terms& terms, double rounding) {
   if (k > 0 && c[k] < 0 && !(c[0] > 0)) return 0.0;
   if (c[k] < 0) return first_fall(terms.all(), 1);
   const auto share = first_fall(terms.all().subspan(k), 1);
-  return share && leads(terms, k, 0.5 * *share) ? first_fall(terms.all(), 1) : share;
+  return share && k > 0 && leads(terms, k, 0.5 * *share) ? first_fall(terms.all(), 1) : share;
 }
 
 /// Steps end a little earlier where a guard is in doubt, and so the next one tells.

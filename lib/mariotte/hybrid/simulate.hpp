@@ -127,8 +127,8 @@ std::optional<flow::Arrival> follow_phase(System& system, const Options& options
     }
 }
 
-/// So many modes in turn that end at the instant at which they begin, but for rounding of the time, will go
-/// on to do so.
+/// So many modes in turn that end at the instant at which they begin, or within rounding of it without a
+/// change, will go on to do so.
 inline constexpr Index most_at_once = 10000;
 
 /// Run a system from state x until an ending; the result stays in the workspace. Options are in the system's
@@ -166,12 +166,12 @@ const Trajectory<typename System::Change>& simulate(System& system, ConstState x
     if (run.events >= options.max_events) return end(Ending::event_limit);
     if (observer && observer->gives_up()) return end(Ending::interrupted);
 
+    const double began = time.value();
     auto arrival = follow_phase(system, options, workspace, time, observer);
     if (!arrival) return end(Ending::interrupted);
     if (arrival->outcome == flow::Outcome::limit) return end(Ending::time_limit);
     if (arrival->outcome == flow::Outcome::never) return end(Ending::separated);
     if (arrival->outcome == flow::Outcome::failed) return end(Ending::failed, std::move(arrival->message));
-    at_once = arrival->duration > epsilon * time.value() ? 0 : at_once + 1;
     if (at_once > most_at_once) return end(Ending::failed, "contacts change without end at one instant");
     try {
       system.transition(mode, workspace.fired, x, changes);
@@ -179,6 +179,8 @@ const Trajectory<typename System::Change>& simulate(System& system, ConstState x
       record(run, time.value(), changes);
       return end(Ending::failed, impasse.what());
     }
+    const bool is_idle = changes.empty() && arrival->duration <= epsilon * time.value();
+    at_once = time.value() > began && !is_idle ? 0 : at_once + 1;
   }
 }
 

@@ -145,8 +145,7 @@ class LinkedSeries final : public Expansion {
       for (int k = 1; k <= order_; ++k) {
         auto& of_lanes = blocks_[i].coefficient(RowQuantities::impulse, k);
         for (int lane = 0; lane < Part::size; ++lane)
-          at(impulses_[static_cast<int>(i) * Part::size + lane], k) =
-              of_lanes.part[lane / width][lane % width];
+          at(impulses_[i * Part::size + lane], k) = of_lane(of_lanes, lane);
       }
     }
   }
