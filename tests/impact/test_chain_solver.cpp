@@ -1,7 +1,10 @@
 #define BOOST_TEST_MODULE many chains with one solver
 #include <boost/test/unit_test.hpp>
+#include <random>
 
+#include "mariotte/hybrid/simulate.hpp"
 #include "mariotte/impact/chain/chain_solver.hpp"
+#include "mariotte/impact/impulses.hpp"
 #include "support/allocations.hpp"
 #include "support/reference.hpp"
 
@@ -12,6 +15,21 @@ namespace {
 
 long allocations_when_repeated(const std::vector<model::Chain>& chains) {
   return test::allocations_when_repeated<impact::ChainSolver>(chains, {.accuracy = 1e-8});
+}
+
+/// Random rows of Hertz balls, of which the first strikes.
+model::Chain random_row(std::mt19937& random) {
+  std::uniform_real_distribution<> share(0, 1);
+  const auto n = static_cast<std::size_t>(4 + 12 * share(random));
+  const bool touching = share(random) < 0.5;
+  model::Chain row{.mass = {}, .law = {}, .gap = {}, .velocity = std::vector<double>(n)};
+  for (std::size_t i = 0; i < n; ++i) row.mass.push_back(std::pow(4, share(random)));
+  for (std::size_t j = 0; j + 1 < n; ++j) {
+    row.law.push_back(contact::Hertz(std::pow(4, share(random))));
+    row.gap.push_back(touching ? 0 : share(random) * share(random));
+  }
+  row.velocity[0] = 1;
+  return row;
 }
 
 }  // namespace
@@ -76,5 +94,57 @@ BOOST_AUTO_TEST_CASE(contacts_without_force_do_not_bound_a_step) {
     const auto& impact = solver.solve(chain, {.accuracy = accuracy});
     BOOST_TEST((impact.ending == hybrid::Ending::separated));
     BOOST_TEST(impact.steps < 1000);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(rows_that_go_on_past_events_come_to_the_same) {
+  std::mt19937 random(17);
+  impact::ChainSolver quick, stopping(impact::Course::of_simulate);
+  for (int i = 0; i < 300; ++i) {
+    const auto row = random_row(random);
+    for (const double accuracy : {1e-6, 1e-11}) {
+      const auto expected = stopping.solve(row, {.accuracy = accuracy});
+      const auto& impact = quick.solve(row, {.accuracy = accuracy});
+      BOOST_TEST(difference(impact.velocity, expected.velocity) < accuracy);
+      BOOST_TEST(difference(impact.impulse, expected.impulse) <
+                 accuracy * model::kinetic_energy(row, row.velocity));
+      const bool flies_for_long = expected.time > 100;  // the last to meet do so with hardly any speed
+      BOOST_TEST((flies_for_long || std::abs(impact.time - expected.time) < 1000 * accuracy));
+      BOOST_TEST(impact.periods == expected.periods, boost::test_tools::per_element());
+      BOOST_TEST(impact.events == expected.events);
+      BOOST_TEST((impact.ending == expected.ending));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(most_events_of_a_wave_are_passed) {
+  model::ChainSystem system;
+  system.reset(equal_chain(21), 1e-8, false);
+  std::vector<double> start;
+  model::initial_state(system.chain(), system.layout(), start);
+  hybrid::Workspace<model::ChainSystem> workspace;
+  Index phases[2], events[2];
+  for (const bool passes : {false, true}) {
+    workspace.passes_events = passes;
+    const auto& run = hybrid::simulate(system, start, {.accuracy = 1e-8}, workspace);
+    events[passes] = run.events;
+    phases[passes] = run.flows[static_cast<std::size_t>(flow::Kind::taylor)].phases;
+    for (std::size_t i = 1; i < run.changes.size(); ++i)
+      BOOST_TEST(run.changes[i - 1].time <= run.changes[i].time);
+  }
+  BOOST_TEST(events[1] == events[0]);
+  BOOST_TEST(phases[0] > 15);
+  BOOST_TEST(phases[1] < 3);
+}
+
+BOOST_AUTO_TEST_CASE(limits_of_events_hold_where_events_are_passed) {
+  impact::ChainSolver quick, stopping(impact::Course::of_simulate);
+  for (Index most = 1; most <= 22; ++most) {
+    const hybrid::Options options{.accuracy = 1e-13, .max_events = most};
+    const auto expected = stopping.solve(equal_chain(21), options);
+    const auto& impact = quick.solve(equal_chain(21), options);
+    BOOST_TEST(impact.events == expected.events);
+    BOOST_TEST((impact.ending == expected.ending));
+    BOOST_TEST(difference(impact.velocity, expected.velocity) < 1e-9);
   }
 }

@@ -53,6 +53,16 @@ class StepObserver {
   virtual bool has_slopes() const { return false; }
 };
 
+/// Takes events at which a flow need not stop.
+class EventTaker {
+ public:
+  virtual ~EventTaker() = default;
+  /// The guard of a gap has fired, it alone, after a time of the phase, at a rate of its contact's
+  /// indentation. True if the mode is another one now, with the problem, that the same flow follows; else
+  /// nothing is done.
+  virtual bool take(Index guard, double time, double rate) = 0;
+};
+
 /// Why a flow stopped.
 enum class Outcome {
   guard,  ///< guards fired, or the problem ended its mode itself
@@ -79,6 +89,7 @@ struct Request {
   double limit = infinity;           ///< longest duration
   double accuracy = 1e-10;           ///< wanted error at the end of the run, relative to the magnitudes
   StepObserver* observer = nullptr;  ///< may be null
+  EventTaker* events = nullptr;      ///< likewise
   double least_step = 0;  ///< average step below which another flow goes on: the phase is given up as `stiff`
   bool patient = false;   ///< a phase is given up for its length much later
   Index most_steps = usual_steps;  ///< else after so many steps

@@ -11,6 +11,7 @@
 //     if the flow could not go on, or a number is not finite
 //                                      → from t⁺ by another, as long as there is one
 //                                      → failed         state and events until then are kept
+//                                                         likewise after an event that a flow has passed
 //     if mode after mode ends at once  → failed         contacts that chatter without end
 //     if the time limit came first     → time_limit
 //     if no guard can ever cross       → separated
@@ -70,6 +71,14 @@ class AskingObserver final : public flow::StepObserver {
   PhaseObserver& observer_;
 };
 
+/// Systems that change their mode within a phase:
+///   opens_within(mode, guard, approach, changes)   as `transition`, if they do
+template <class S>
+concept OpensWithin = requires(S& system, typename S::Mode& mode, Index guard, double approach,
+                               std::vector<typename S::Change>& changes) {
+  { system.opens_within(mode, guard, approach, changes) } -> std::same_as<bool>;
+};
+
 /// What a run needs; kept from one run to the next, it allocates nothing after the first of its size.
 template <HybridSystem System>
 struct Workspace {
@@ -79,7 +88,41 @@ struct Workspace {
   std::vector<Index> fired;
   std::vector<double> before;                     ///< the state at the beginning of the phase
   Index most_steps = flow::Request::usual_steps;  ///< after which a phase is given up for its length
+  bool passes_events = false;  ///< flows may go on after events, so that results differ by rounding
   Trajectory<typename System::Change> run;
+};
+
+/// Records events at which flows go on. Systems know none unless they open contacts within a phase.
+template <HybridSystem System>
+class RecordingTaker final : public flow::EventTaker {
+ public:
+  /// For phases that begin at a time; all must live as long.
+  RecordingTaker(System& system, const Options& options, Workspace<System>& workspace,
+                 const CompensatedSum& began)
+      : system_(system), options_(options), workspace_(workspace), began_(began) {}
+
+  bool take(Index guard, double time, double rate) override {
+    if constexpr (OpensWithin<System>) {
+      auto& run = workspace_.run;
+      auto& changes = workspace_.changes;
+      if (run.events + 1 >= options_.max_events) return false;
+      if (!system_.opens_within(workspace_.mode, guard, rate, changes)) return false;
+      auto now = began_;
+      now += time;
+      record(run, now.value(), changes);
+      return has_taken_ = true;
+    }
+    return false;
+  }
+  /// The mode is no longer that of the beginning of the phase.
+  bool has_taken() const { return has_taken_; }
+
+ private:
+  System& system_;
+  const Options& options_;
+  Workspace<System>& workspace_;
+  const CompensatedSum& began_;
+  bool has_taken_ = false;
 };
 
 /// What is not finite must not pass for a result.
@@ -97,8 +140,9 @@ template <HybridSystem System>
 std::optional<flow::Arrival> follow_phase(System& system, const Options& options,
                                           Workspace<System>& workspace, CompensatedSum& time,
                                           PhaseObserver* observer) {
-  auto& [flows, mode, changes, fired, before, most_steps, run] = workspace;
+  auto& [flows, mode, changes, fired, before, most_steps, passes_events, run] = workspace;
   auto& x = run.state;
+  RecordingTaker<System> taker(system, options, workspace, time);
   auto& problem = system.problem(mode);
   Turns turns(flows, problem, options.flow, most_steps);
   std::optional<AskingObserver> asking;
@@ -109,7 +153,8 @@ std::optional<flow::Arrival> follow_phase(System& system, const Options& options
       before.assign(x.begin(), x.end());
       const auto request = turns.asking({.limit = options.max_time - time.value(),
                                          .accuracy = options.accuracy,
-                                         .observer = asking ? &*asking : nullptr});
+                                         .observer = asking ? &*asking : nullptr,
+                                         .events = passes_events ? &taker : nullptr});
       auto arrival = turns.flow().follow(problem, x, request, fired);
       refuse_overflow(arrival, x);
       count(run.flows[static_cast<std::size_t>(turns.kind())], arrival);
@@ -117,7 +162,7 @@ std::optional<flow::Arrival> follow_phase(System& system, const Options& options
       const bool failed = arrival.outcome == flow::Outcome::failed;
       if (!failed) time += arrival.duration;
       if (!stiff && !failed) most_steps = turns.most_steps(arrival);
-      if (!stiff && !failed) return arrival;
+      if ((!stiff && !failed) || (failed && taker.has_taken())) return arrival;
       if (failed) x.assign(before.begin(), before.end());
       if (!turns.pass_on(arrival)) return arrival;
     } catch (GivenUp& last) {

@@ -128,6 +128,15 @@ bool has_outgrown_row(const Window& w) {
   return (!at_left_end && awake(0)) || (!at_right_end && awake(last));
 }
 
+bool has_shrunk(const Window& w) {
+  if (!w.row || w.lanes.linked) return false;
+  const auto is_open = [](const PhaseContact* c) { return c->role == Role::open; };
+  const auto busy = std::find_if_not(w.contacts.begin(), w.contacts.end(), is_open);
+  const auto needed = 1 + static_cast<int>(w.contacts.end() - busy);  // one beside them
+  return std::any_of(lane_sizes.begin(), lane_sizes.end(),
+                     [&](int size) { return needed <= size && size < w.lanes.count; });
+}
+
 void write_falls(const Window& w, double elapsed, State x) {
   const auto& body = w.row->body;
   const auto is_inside = [&](Index i) { return i >= w.first && i <= w.first + w.lanes.count; };

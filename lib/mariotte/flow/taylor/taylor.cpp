@@ -93,6 +93,18 @@ struct Taylor::Memory {
     if (stepper.may_fall_soon(fall, together)) simultaneous.collect(problem, x, together, fired);
   }
 
+  /// An undamped contact has opened, and the phase goes on without it: nothing is placed anew.
+  bool passes(const Problem& problem, const taylor::Fall& fall, const Request& request) {
+    auto& w = stepper.window;
+    if (!request.events || fall.guard < 0 || w.drives || w.is_pulled || w.lanes.damped || w.lanes.branched)
+      return false;
+    if (!w.has_root(fall.lane) || fall.guard != w.contact(fall.lane).guard) return false;
+    if (stepper.may_fall_soon(fall, simultaneity_window(problem, request.accuracy))) return false;
+    if (!request.events->take(fall.guard, w.time, w.lanes.rate[fall.lane])) return false;
+    watch(w, fall.lane);
+    return true;
+  }
+
   Accepted accept(Problem& problem) {
     auto& window = stepper.window;
     if (!concerns_problem(window, stepper.values())) return Accepted::unchanged;
@@ -140,7 +152,7 @@ Arrival Taylor::follow(Problem& problem, State x, const Request& request, std::v
 
     const bool cut = fall.guard < 0 && piece.is_cut;
     if (cut && request.limit <= w.outside_time) return stop(Outcome::limit);
-    if (fall.guard >= 0 || cut) {
+    if ((fall.guard >= 0 || cut) && !m.passes(problem, fall, request)) {
       m.finish(problem, fall, request.accuracy, x, fired);
       return Arrival{Outcome::guard, w.time, steps, steps, {}};
     }
@@ -150,7 +162,7 @@ Arrival Taylor::follow(Problem& problem, State x, const Request& request, std::v
       arrival.resumable = !request.patient;
       return arrival;
     }
-    if (has_outgrown(w)) {
+    if (has_outgrown(w) || (fall.guard >= 0 && has_shrunk(w))) {
       write(w, x);
       stepper.begin(problem, x, w.time, precision);
     }

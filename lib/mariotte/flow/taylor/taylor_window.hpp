@@ -75,6 +75,9 @@ void place(Window& window, const Problem& problem, State x, double time);
 /// A contact at the edge is about to push on a body outside.
 bool has_outgrown(const Window& window);
 
+/// Contacts of a row that have opened at its left leave so few that a smaller number of lanes holds them.
+bool has_shrunk(const Window& window);
+
 /// A closed contact opens where its indentation falls to −level.
 inline double end_level(const PhaseContact& contact) {
   return contact.origin - contact.level;

@@ -44,11 +44,20 @@ struct ChainSolver::Memory {
     gone = passage(run, impact.periods, chain.law);
   }
 
+  /// Past events where that is quicker. A phase that fails after one cannot begin anew: then the run does.
+  const model::Islands::Run& simulate(const hybrid::Options& options) {
+    for (const bool passes : {course == Course::quickest, false}) {
+      workspace.passes_events = passes;
+      const auto& run = hybrid::simulate(system, start, options, workspace);
+      if (!passes || run.ending != hybrid::Ending::failed) break;
+    }
+    return workspace.run;
+  }
+
   void solve_whole(const model::Chain& chain, const hybrid::Options& options, bool stay) {
     system.reset(chain, options.accuracy, stay);
     initial_state(system.chain(), system.layout(), start);
-    const auto& run =
-        hybrid::simulate(system, start, hybrid::scaled(options, system.chain().scale), workspace);
+    const auto& run = simulate(hybrid::scaled(options, system.chain().scale));
     report(system.chain(), system.layout(), run, workspace.mode, options.accuracy);
     gone.slowing = slowing(system, workspace.mode, run, chain.law);
     impact.widest = system.layout().contacts();

@@ -47,6 +47,9 @@ class ContactSystem {
     phase_.bind(mode, !stay_);
     return phase_;
   }
+  /// As `transition`, within the phase of `problem`: a contact without a damper or a memory opens while
+  /// others push on. False, and nothing done, if it is something else.
+  bool opens_within(Mode& mode, Index guard, double approach, std::vector<Change>& changes);
 
  protected:
   ContactSystem() : phase_(model_, layout_) {}
@@ -162,6 +165,19 @@ void ContactSystem<Topology>::transition(Mode& mode, const std::vector<Index>& f
     for_each_contact([&](Index j) { settle(mode, j, fired, forces, changes); });
   }
   tell_approach(state(x, &mode), known, changes);
+}
+
+template <class Topology>
+bool ContactSystem<Topology>::opens_within(Mode& mode, Index guard, double approach,
+                                           std::vector<Change>& changes) {
+  constexpr Index alone = 1;  // another flow follows it
+  const Index j = layout_.guard_contact[guard];
+  if (layout_.kind(guard) != GuardKind::gap || mode[j] != contact::ContactMode::closed) return false;
+  if (!mode.memory.empty() || phase_.active() - 1 <= alone) return false;
+  change(mode, j, contact::ContactMode::open, model_.law[j], changes);
+  changes.back().approach = approach;
+  phase_.rebind(j);
+  return true;
 }
 
 template <class Topology>

@@ -23,6 +23,10 @@ class TopologyPhase final : public ContactPhase {
   /// From now on follow `mode`, which must outlive the phase; accepted steps turn its touching contacts
   /// closed. `ends_bound`: it is over once adhesion holds together for ever what has come to rest.
   void bind(contact::ContactSet& mode, bool ends_bound);
+  /// Contact j of the mode has changed, and no other.
+  void rebind(Index j);
+  /// Contacts that carry force.
+  Index active() const { return active_; }
 
   Index size() const override { return at().size; }
   void derivative(ConstState x, State dx) const override;
@@ -80,6 +84,7 @@ class TopologyPhase final : public ContactPhase {
   template <class Use>
   void for_each_given(Use&& use) const;
   void watch(Index j);
+  void count_active();
   bool follow_branch(Index j);
   void find_magnitudes();
   void find_drives();

@@ -67,26 +67,40 @@ template <class Topology>
 void TopologyPhase<Topology>::bind(contact::ContactSet& mode, bool ends_bound) {
   mode_ = &mode;
   ends_bound_ = ends_bound && at().drives() == 0;
-  active_ = 0;
   needs_field_ = false;
-  double shortest = infinity, any = infinity;
   for (Index j = 0; j < contacts(); ++j) {
     const bool remembers = !power_law(law(j));
     if (remembers || watched_[j] != mode[j]) watch(j);
-    const double time = topology_.model.time[j];
-    any = std::min(any, time);
     if (remembers) needs_field_ |= !follow_branch(j);
-    if (!contact::carries_force(mode[j])) continue;
-    ++active_;
-    shortest = std::min(shortest, time);
   }
-  time_scale_ = active_ == 0 ? any : shortest;
+  count_active();
   for (Index k = 0; k < at().drives(); ++k) {
     auto& drive = drives_.drive[k];
     drive.change = piece(topology_.model.drive[k].change, k);
     drive.end = next_kink(k);
     crossings_[drive.guard] = drive.end < infinity ? flow::Crossing::rising : flow::Crossing::none;
   }
+}
+
+template <class Topology>
+void TopologyPhase<Topology>::rebind(Index j) {
+  watch(j);
+  if (!power_law(law(j))) needs_field_ |= !follow_branch(j);
+  count_active();
+}
+
+template <class Topology>
+void TopologyPhase<Topology>::count_active() {
+  active_ = 0;
+  double shortest = infinity, any = infinity;
+  for (Index j = 0; j < contacts(); ++j) {
+    const double time = topology_.model.time[j];
+    any = std::min(any, time);
+    if (!contact::carries_force((*mode_)[j])) continue;
+    ++active_;
+    shortest = std::min(shortest, time);
+  }
+  time_scale_ = active_ == 0 ? any : shortest;
 }
 
 /// Tells the flows of the branch of contact j, unless it is open; false if it, or a law without branches, is
