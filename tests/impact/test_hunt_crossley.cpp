@@ -140,3 +140,34 @@ BOOST_AUTO_TEST_CASE(numbers_that_make_no_law_are_refused) {
   BOOST_CHECK_THROW(contact::HuntCrossley(1, 1, 0.5), InvalidParameter);
   BOOST_CHECK_THROW(contact::HuntCrossley(1, infinity), InvalidParameter);
 }
+
+// a v (1 + e) = ln((1 + a v)/(1 − a e v)) by 40 digits of mpmath: it knows neither stiffness nor exponent.
+BOOST_AUTO_TEST_CASE(large_exponents_rise_late_and_are_heard_in_time) {
+  for (const double exponent : {6, 10, 14, 20, 32, 45, 60, 100})
+    for (const double accuracy : {1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12})
+      for (const auto& [speed, restitution] :
+           {std::pair{0.3, 0.980391402984922064}, {1.0, 0.937475579949905064}}) {
+        const contact::Law law = std::make_shared<contact::HuntCrossley>(1, 0.1, exponent);
+        const auto impact = impact::simulate(
+            {.mass = {1, 1}, .law = {law}, .gap = {0}, .velocity = {speed, 0}}, {.accuracy = accuracy});
+        BOOST_TEST(std::abs(impact.velocity[1] - impact.velocity[0] - restitution * speed) <
+                   (accuracy + 1e-13) * speed);
+      }
+}
+
+BOOST_AUTO_TEST_CASE(so_do_those_of_rows) {
+  const auto row = [](const contact::Law& law) {
+    return model::Chain{.mass = {1, 1, 1}, .law = {law, law}, .gap = {0, 0}, .velocity = {1, 0, 0}};
+  };
+  for (const double exponent : {14, 32, 60}) {
+    const contact::Viscoelastic lossy{.stiffness = 1, .damping = 0.1, .exponent = exponent};
+    for (const auto& chain : {row(lossy), row(std::make_shared<contact::HuntCrossley>(1, 0.1, exponent))}) {
+      const auto expected = impact::simulate(chain, {.accuracy = 1e-12, .flow = flow::Kind::cvode_adams});
+      for (const double accuracy : {1e-3, 1e-6, 1e-10}) {
+        const auto impact = impact::simulate(chain, {.accuracy = accuracy});
+        for (int i = 0; i < 3; ++i)
+          BOOST_TEST(std::abs(impact.velocity[i] - expected.velocity[i]) < accuracy);
+      }
+    }
+  }
+}

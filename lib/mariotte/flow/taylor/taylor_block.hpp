@@ -229,12 +229,12 @@ class Block : RowQuantities {
     values.may_fall = values.may_fall || any_of(any);
   }
   void tell_depths(Values& values) const {
-    const auto depth = of(values.indentation), above = of(lanes_->acts_above),
+    const auto depth = of(values.indentation), late = of(lanes_->late_above),
                least_depth = of(lanes_->fades_below), noise = of(lanes_->leaves_noise);
     Mask deep{}, change{};
     for (int i = 0; i < N; ++i) {
       const Vec d = depth.part[i];
-      deep |= left_out(i) & (Mask)(d > late * above.part[i]);
+      deep |= left_out(i) & (Mask)(d > late.part[i]);
       change |= (Mask)((d < least_depth.part[i]) | (magnitude(d) > noise.part[i]));
     }
     values.is_deep = values.is_deep || any_of(deep);

@@ -33,7 +33,7 @@ void LaneTable::clear(int first, int last) {
   for (int i = 0; first < last && i < rows_; ++i) std::fill(row(i) + first, row(i) + last, 0.0);
 }
 
-Lanes::Lanes() : table_(24) {
+Lanes::Lanes() : table_(25) {
   resize(0);
 }
 
@@ -41,10 +41,11 @@ void Lanes::resize(int lanes) {
   if (table_.reserve(lanes)) {
     count = 0;
     int i = 0;
-    for (double** row : {&indentation, &rate,      &width,      &active,      &acts_above,   &stiffness,
-                         &steepening,  &damping,   &stiffening, &power,       &left,         &right,
-                         &drive,       &side,      &level,      &leeway,      &load_side,    &yield_side,
-                         &yield_level, &turn_side, &turn_level, &fades_below, &leaves_noise, &weight})
+    for (double** row :
+         {&indentation, &rate,        &width,        &active,    &acts_above, &late_above,  &stiffness,
+          &steepening,  &damping,     &stiffening,   &power,     &left,       &right,       &drive,
+          &side,        &level,       &leeway,       &load_side, &yield_side, &yield_level, &turn_side,
+          &turn_level,  &fades_below, &leaves_noise, &weight})
       *row = table_.row(i++);
   }
   table_.clear(lanes, count);

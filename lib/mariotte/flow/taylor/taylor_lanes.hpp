@@ -16,9 +16,6 @@ inline constexpr std::array lane_sizes = {4, 8, 12, 16, 32};
 /// Longer rows are expanded as networks are.
 inline constexpr int row_limit = lane_sizes.back();
 
-/// A contact whose force is left out may sink this many times as deep as where it wakes before it is heard.
-inline constexpr double late = 5;
-
 /// The rows of a Coupling, by lane.
 struct Links {
   const int* first = nullptr;
@@ -52,6 +49,7 @@ class Lanes {
   double* width;                               ///< u of its branch
   double* active;                              ///< 1 where the contact carries force, else 0
   double* acts_above;                          ///< δ from which it does; infinite for one that does not push
+  double* late_above;                          ///< δ to which it may sink before it is heard
   double* stiffness;                           ///< k
   double* steepening;                          ///< l
   double* damping;                             ///< c

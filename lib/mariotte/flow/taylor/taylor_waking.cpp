@@ -10,8 +10,13 @@
 namespace mariotte::flow::taylor {
 namespace {
 
-/// Share of the depth at which a contact is late at which a step ends that would go further.
-constexpr double in_time = 0.6;
+/// Between the depth from which a contact acts, 0, and that at which it is late, 1: where a step ends that
+/// would go further, and what is a fault.
+constexpr double in_time = 0.5, far_too_late = 2.25;
+
+double depth_at(const Lanes& l, int lane, double place) {
+  return l.acts_above[lane] + place * (l.late_above[lane] - l.acts_above[lane]);
+}
 
 }  // namespace
 
@@ -20,7 +25,7 @@ void Stepper::doze(int lane) {
   auto& l = window.lanes;
   if (window.contact(lane).role != Role::touching || !window.is_sharp(lane)) return;
   l.side[lane] = l.active[lane] > 0 ? 0 : -1;
-  l.level[lane] = late * l.acts_above[lane];
+  l.level[lane] = l.late_above[lane];
 }
 
 /// A slack contact whose load has a power of δ is watched for it only where its own force would be heard.
@@ -33,7 +38,7 @@ void Stepper::listen(int lane) {
 /// In a row the others only press a contact whose own force is left out, so that it is deepest at an end of a
 /// piece, unless a drive draws it apart. Other links may draw it, too.
 bool Stepper::cannot_be_late(const Piece& piece, int lane) const {
-  if (values_.indentation[lane] > late * window.lanes.acts_above[lane]) return false;
+  if (values_.indentation[lane] > window.lanes.late_above[lane]) return false;
   if (!window.is_linked()) return !(window.lanes.drive[lane] < 0);
   return piece.start || (dozes(lane) && values_.margin[lane] >= 0);
 }
@@ -62,10 +67,10 @@ std::optional<double> Stepper::waking(const Piece& piece, int lane) const {
   Coefficients c;
   const auto used = piece.coefficients(Quantity::indentation, lane, c);
   for (double& coefficient : c) coefficient = -coefficient;
-  const double depth = late * window.lanes.acts_above[lane];
-  c[0] += depth;
+  const double depth = window.lanes.late_above[lane], start = c[0];
+  c[0] = start + depth;
   if (values_.indentation[lane] <= depth && !flow::first_fall(used, piece.end)) return std::nullopt;
-  c[0] -= (1 - in_time) * depth;
+  c[0] = start + depth_at(window.lanes, lane, in_time);
   return flow::first_fall(used, piece.end);
 }
 
@@ -73,16 +78,15 @@ bool Stepper::is_late() const {
   const auto& l = window.lanes;
   bool any = false;
   for (int j = 0; values_.is_deep && j < l.count; ++j)
-    any |= !(l.active[j] > 0) && values_.indentation[j] > 2 * late * l.acts_above[j];
+    any |= !(l.active[j] > 0) && values_.indentation[j] > depth_at(l, j, far_too_late);
   return any;
 }
 
 /// In a start series what is left out only sinks deeper. Depths grow with some power of time.
 void Stepper::wake_in_start(Piece& piece, int lane) {
   const double depth = std::max(window.lanes.indentation[lane], 0.0),
-               goal = in_time * late * window.lanes.acts_above[lane];
-  for (int tries = 0; tries < 60 && values_.indentation[lane] > late * window.lanes.acts_above[lane];
-       ++tries) {
+               goal = depth_at(window.lanes, lane, in_time);
+  for (int tries = 0; tries < 60 && values_.indentation[lane] > window.lanes.late_above[lane]; ++tries) {
     const double secant = depth > 0 ? (goal - depth) / (values_.indentation[lane] - depth) : 0;
     const double power = rough_root(goal / values_.indentation[lane], 4);
     shorten(piece, piece.end * std::clamp(std::max(secant, power), 0.1, 0.98));

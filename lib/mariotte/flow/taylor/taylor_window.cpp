@@ -234,6 +234,7 @@ void set_limits(Window& w, int lane) {
   const auto& c = w.contact(lane);
   auto& l = w.lanes;
   l.acts_above[lane] = c.pushes() ? wake_depth(c, w.speed) : infinity;
+  l.late_above[lane] = lateness(c) * l.acts_above[lane];
   l.leeway[lane] = w.has_root(lane) ? l.acts_above[lane] : 0;
   l.fades_below[lane] = c.role == Role::closed ? c.faded() : -infinity;
   l.leaves_noise[lane] = c.role == Role::touching ? c.loaded() : infinity;

@@ -13,6 +13,13 @@ inline double wake_depth(const PhaseContact& contact, double speed) {
   return 0.5 * contact.noise_depth / (1 + contact.damping_share(speed));
 }
 
+/// A contact whose force is left out may sink so many times as deep as where it wakes before it is heard: it
+/// stores the same share of what it does at its end for all powers.
+inline double lateness(const PhaseContact& contact) {
+  constexpr double of_hertz = 5;
+  return contact.exponent <= 1.5 ? of_hertz : std::pow(of_hertz, 2.5 / (contact.exponent + 1));
+}
+
 /// A closed contact at its onset, where rounding may have left it beside zero.
 inline bool is_onset(const PhaseContact& contact, double indentation) {
   return contact.role == Role::closed && indentation <= 16 * epsilon * contact.length;
