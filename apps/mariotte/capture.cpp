@@ -51,7 +51,7 @@ int capture(const Capture& options) {
   return tell_run_at(found->separated, study::at_speed(document, found->separated), options.scene.quiet);
 }
 
-constexpr const char* examples = R"(Examples:
+constexpr const char* capture_examples = R"(Examples:
   mariotte capture microsphere.toml
   mariotte capture fine_powder.toml
   mariotte capture microrod.toml --set "incidence.angles[1]=20 deg" --json
@@ -66,7 +66,7 @@ Command capture_command() {
   auto options = std::make_shared<Capture>();
   return {.name = "capture",
           .about = "Find the speed below which a microbody, or a pair that adheres, does not part again",
-          .footer = examples,
+          .footer = capture_examples,
           .options = joined({scene_options(options->scene),
                              {{"--tolerance",
                                &options->tolerance,

@@ -43,7 +43,7 @@ int check(const CheckOptions& options) {
   return ExitCode::ok;
 }
 
-constexpr const char* examples = R"(Examples:
+constexpr const char* check_examples = R"(Examples:
   mariotte check cradle.toml
   mariotte check cradle.toml --set "chain.velocity[0]=2 m/s" --json
 )";
@@ -54,7 +54,7 @@ Command check_command() {
   auto options = std::make_shared<CheckOptions>();
   return {.name = "check",
           .about = "Validate a scene and show it in SI units; run nothing",
-          .footer = examples,
+          .footer = check_examples,
           .options = joined(
               {scene_options(options->scene), {{"--json", &options->json, "One JSON object on stdout"}}}),
           .act = [options] { return check(*options); }};

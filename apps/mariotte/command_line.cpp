@@ -5,7 +5,7 @@
 namespace mariotte::command {
 namespace {
 
-constexpr const char* examples = R"(Examples:
+constexpr const char* first_examples = R"(Examples:
   mariotte demo                                  five steel balls, no file needed
   mariotte init newton_cradle_5 cradle.toml      a scene to start from
   mariotte run cradle.toml                       a table of the impact
@@ -31,7 +31,7 @@ Exit codes: 0 ok, 1 check failed, 2 usage, 3 scene error, 4 solver failure, 5 a 
 int command_line(int argc, char** argv) noexcept {
   Command program{.name = "mariotte",
                   .about = "Stiff, event-driven impacts: balls in a chain, microbodies on a plane.",
-                  .footer = examples,
+                  .footer = first_examples,
                   .version = "mariotte " + report::provenance().version};
   program.commands = {
       run_command(),         check_command(),       law_command(),        sweep_command(),

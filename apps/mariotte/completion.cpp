@@ -6,7 +6,7 @@ namespace mariotte::command {
 namespace {
 
 /// Figures are known to the program that computes them.
-constexpr const char* figures =
+constexpr const char* listed_figures =
     R"(mariotte reproduce --help 2>/dev/null | sed -n '/^Figures:/,/^$/s/^  \([a-z0-9-]*\) .*/\1/p')";
 constexpr const char* has_figures = "reproduce";
 
@@ -14,7 +14,7 @@ bool is_word(const HelpPage::Option& option) {
   return option.long_names.empty();
 }
 
-std::string joined(const Words& words) {
+std::string in_one_line(const Words& words) {
   return fmt::format("{}", fmt::join(words, " "));
 }
 
@@ -34,14 +34,15 @@ void each_choice(const HelpPage& program, auto visit) {
   for (const auto& command : program.commands)
     for (const auto& option : command.options)
       for (const auto& name : option.long_names)
-        if (!option.choices.empty()) visit(command.name + " --" + name, joined(option.choices));
+        if (!option.choices.empty()) visit(command.name + " --" + name, in_one_line(option.choices));
 }
 
 std::string bash_cases(const HelpPage& program) {
   std::string text;
   for (const auto& one : program.commands)
-    text += one.name == has_figures ? fmt::format("    {}) words=\"all $({})\" ;;\n", one.name, figures)
-                                    : fmt::format("    {}) words='{}' ;;\n", one.name, joined(words(one)));
+    text += one.name == has_figures
+                ? fmt::format("    {}) words=\"all $({})\" ;;\n", one.name, listed_figures)
+                : fmt::format("    {}) words='{}' ;;\n", one.name, in_one_line(words(one)));
   return text;
 }
 
@@ -65,7 +66,7 @@ std::string bash(const HelpPage& program) {
 }}
 complete -o filenames -F _mariotte mariotte
 )",
-                     joined(words(program)), choices, bash_cases(program));
+                     in_one_line(words(program)), choices, bash_cases(program));
 }
 
 /// Between single quotes, for zsh and fish.
@@ -80,8 +81,8 @@ std::string zsh(const HelpPage& program) {
   for (const auto& one : program.commands) {
     commands += fmt::format("      {}\n", quoted(one.name + ":" + one.about));
     cases += one.name == has_figures
-                 ? fmt::format("    {}) compadd -- all $({}) ;;\n", one.name, figures)
-                 : fmt::format("    {}) compadd -- {} ;;\n", one.name, joined(words(one)));
+                 ? fmt::format("    {}) compadd -- all $({}) ;;\n", one.name, listed_figures)
+                 : fmt::format("    {}) compadd -- {} ;;\n", one.name, in_one_line(words(one)));
   }
   each_choice(program, [&](const std::string& place, const std::string& values) {
     choices += fmt::format("    '{}') compadd -- {}; return ;;\n", place, values);
@@ -112,14 +113,14 @@ std::string fish(const HelpPage& program) {
                         quoted(command.about));
     const auto after = fmt::format("complete -c mariotte -n '__fish_seen_subcommand_from {}'", command.name);
     if (command.name == has_figures)
-      text += fmt::format("{} -f -a {}\n", after, quoted(fmt::format("({})", figures)));
+      text += fmt::format("{} -f -a {}\n", after, quoted(fmt::format("({})", listed_figures)));
     for (const auto& option : command.options) {
-      const auto values = option.choices.empty() ? "" : " -x -a " + quoted(joined(option.choices));
+      const auto values = option.choices.empty() ? "" : " -x -a " + quoted(in_one_line(option.choices));
       for (const auto& name : option.long_names)
         text += fmt::format("{} -l {} -d {}{}\n", after, name, quoted(option.about),
                             option.value.empty() || !values.empty() ? values : " -r");
       if (is_word(option) && !values.empty())
-        text += after + " -f -a " + quoted(joined(option.choices)) + "\n";
+        text += after + " -f -a " + quoted(in_one_line(option.choices)) + "\n";
     }
   }
   return text;

@@ -35,7 +35,7 @@ std::string page(const std::vector<ErrorEntry>& entries, std::string code) {
       fault::unknown_argument);
 }
 
-constexpr const char* examples = R"(Examples:
+constexpr const char* explain_examples = R"(Examples:
   mariotte explain          all kinds of errors
   mariotte explain S010     one of them: what it means, how to mend it, an example
 
@@ -50,7 +50,7 @@ Command explain_command() {
   for (const auto& entry : error_catalogue()) codes.emplace_back(entry.code);
   return {.name = "explain",
           .about = "Explain an error by its code",
-          .footer = examples,
+          .footer = explain_examples,
           .options = {{"CODE",
                        asked.get(),
                        "Code at the end of a message, such as S010 (default: list all)",

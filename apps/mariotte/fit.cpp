@@ -17,7 +17,7 @@
 namespace mariotte::command {
 namespace {
 
-struct Options {
+struct FitOptions {
   SceneChoice scene;
   std::string data;
   std::vector<std::string> free;
@@ -53,7 +53,8 @@ int tell_limits(study::FitModel& model, const study::Fit& fit, bool quiet) {
   return ExitCode::solver_failed;
 }
 
-int finish(const Options& options, const scene::Scene& scene, study::FitModel& model, const study::Fit& fit) {
+int finish(const FitOptions& options, const scene::Scene& scene, study::FitModel& model,
+           const study::Fit& fit) {
   const report::FitReport report{
       .fit = fit, .measurements = model.measurements(), .title = scene.title, .scene_sha256 = scene.sha256};
   if (!options.scene.quiet) warn_of_captured(fit, model.measurements());
@@ -68,14 +69,14 @@ int finish(const Options& options, const scene::Scene& scene, study::FitModel& m
 }
 
 /// Of a body its damping, unless the user says otherwise.
-std::vector<std::string> free_keys(const Options& options, const scene::Scene& scene) {
+std::vector<std::string> free_keys(const FitOptions& options, const scene::Scene& scene) {
   if (!options.free.empty()) return options.free;
   if (std::holds_alternative<model::Microbody>(scene.model))
     return {"surface.zeta_hertz", "surface.zeta_adhesion"};
   throw UsageError("--free says which keys of the scene are to be found");
 }
 
-int fit(const Options& options) try {
+int fit(const FitOptions& options) try {
   expect_distinct({{"SCENE", {options.scene.path}},
                    {"DATA", {options.data}},
                    {"--out", within(options.out, fit_names())}});
@@ -91,7 +92,7 @@ int fit(const Options& options) try {
   return ExitCode::check_failed;
 }
 
-constexpr const char* examples = R"(Examples:
+constexpr const char* fit_examples = R"(Examples:
   mariotte fit sphere.toml measured.csv
   mariotte fit sphere.toml measured.csv --free surface.zeta_hertz,surface.work_of_adhesion
   mariotte fit rod.toml measured.csv --free surface.friction --json
@@ -104,7 +105,7 @@ svg.
 Measurements that do not determine the values: exit code 1.
 )";
 
-OptionList declare(Options& options) {
+OptionList declare(FitOptions& options) {
   return joined(
       {{{"SCENE", &options.scene.path, "Scene file (TOML), with all that is known", {.required = true}},
         {"DATA", &options.data, "What was measured (CSV)", {.required = true}}},
@@ -127,10 +128,10 @@ OptionList declare(Options& options) {
 }  // namespace
 
 Command fit_command() {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<FitOptions>();
   return {.name = "fit",
           .about = "Find values of a scene from measured restitution, or any other number of its result",
-          .footer = examples,
+          .footer = fit_examples,
           .options = declare(*options),
           .act = [options] { return fit(*options); }};
 }

@@ -18,7 +18,7 @@ std::vector<std::string> figure_files() {
 }
 
 /// Of those, what an earlier fit has left, and no file of somebody else.
-std::vector<std::string> earlier_files(const std::filesystem::path& folder) {
+std::vector<std::string> earlier_fit_files(const std::filesystem::path& folder) {
   if (!std::filesystem::exists(folder / "fit.json")) return {};
   auto names = report::figures_of_script(folder / "plot.gp");
   names.insert(names.end(), {"curves.csv", "plot.gp"});
@@ -41,7 +41,7 @@ void prepare_fit_folder(const std::filesystem::path& folder, bool force) {
 
 std::string write_fit_folder(const std::filesystem::path& folder, const report::FitReport& report,
                              const std::optional<study::FitCurves>& curves) {
-  report::remove_files(folder, earlier_files(folder));
+  report::remove_files(folder, earlier_fit_files(folder));
   report::write_file(folder / "fit.json", report::text(report::json(report)));
   report::write_file(folder / "points.csv", report::points_csv(report, curves));
   if (!curves) return "no column of numbers parts the measurements into few curves";

@@ -48,7 +48,7 @@ int init(const Init& options) {
   return ExitCode::ok;
 }
 
-constexpr const char* examples = R"(Examples:
+constexpr const char* init_examples = R"(Examples:
   mariotte init triplet
   mariotte init tapered_chain mine.toml
 
@@ -61,7 +61,7 @@ Command init_command() {
   auto options = std::make_shared<Init>();
   return {.name = "init",
           .about = "Write the scene of an example, to start from",
-          .footer = examples,
+          .footer = init_examples,
           .options = {{"NAME", &options->name, "Which one", {.required = true, .choices = example_names()}},
                       {"FILE", &options->file, "Where to (default: NAME.toml here)", {.check = is_file_name}},
                       {"--force", &options->force, "Overwrite the file"}},

@@ -51,7 +51,7 @@ int law(const LawChoice& choice) {
   }
 }
 
-constexpr const char* examples = R"(Examples:
+constexpr const char* law_examples = R"(Examples:
   mariotte law --mass 1,1,1 --velocity 1,0,0 --icr 1.5 --energy-ratio 0.9
   mariotte law --mass "100 g,100 g" --velocity "1 m/s,0" --direction 1 --energy-ratio 0.5 --frame mass-centre
   mariotte law cradle.toml                       ratios and e from a simulation of the scene
@@ -109,7 +109,7 @@ Command law_command() {
   auto choice = std::make_shared<LawChoice>();
   return {.name = "law",
           .about = "Apply impact laws: velocities from ratios and energy, or with friction",
-          .footer = examples,
+          .footer = law_examples,
           .options = declare(*choice),
           .act = [choice] { return law(*choice); }};
 }

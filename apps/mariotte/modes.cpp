@@ -119,7 +119,7 @@ int modes(const Modes& options) {
   return ExitCode::ok;
 }
 
-constexpr const char* examples = R"(Examples:
+constexpr const char* modes_examples = R"(Examples:
   mariotte modes pressed_row.toml
   mariotte modes row.toml --force "20 N" --json --shapes
 
@@ -134,7 +134,7 @@ Command modes_command() {
   return {
       .name = "modes",
       .about = "Find the frequencies of small vibrations about static equilibrium",
-      .footer = examples,
+      .footer = modes_examples,
       .options = joined({scene_options(options->scene),
                          {{"--force", &options->force, "Press the ends of a row with it", {.value = "FORCE"}},
                           {"--shapes", &options->shapes, "Displacements of each mode", {.needs = {"--json"}}},

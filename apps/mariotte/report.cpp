@@ -22,7 +22,7 @@ int report(const Report& options) {
   return ExitCode::ok;
 }
 
-constexpr const char* examples = R"(Examples:
+constexpr const char* report_examples = R"(Examples:
   mariotte run cradle.toml --out results && mariotte report results
   mariotte run cradle.toml --out results --report
   mariotte sweep map.toml --out map && mariotte report map
@@ -37,7 +37,7 @@ Command report_command() {
   auto options = std::make_shared<Report>();
   return {.name = "report",
           .about = "Make one page of the files of a run or a sweep",
-          .footer = examples,
+          .footer = report_examples,
           .options = {{"DIR",
                        &options->folder,
                        "Folder that `run --out` or `sweep --out` has filled",

@@ -83,7 +83,7 @@ int restitution(const Curve& options) {
   return tell_run_at(fastest, study::at_speed(document, fastest), options.scene.quiet);
 }
 
-constexpr const char* examples = R"(Examples:
+constexpr const char* restitution_examples = R"(Examples:
   mariotte restitution steel_pair.toml --from 0.01 --to 10
   mariotte restitution fine_powder.toml --from "5 cm/s" --to 2 --count 50 --json
 
@@ -97,7 +97,7 @@ Command restitution_command() {
   return {
       .name = "restitution",
       .about = "Show how the restitution of two bodies depends on their speed",
-      .footer = examples,
+      .footer = restitution_examples,
       .options = joined(
           {scene_options(options->scene),
            {{"--from", &options->from, "Smallest speed [m/s]", {.value = "SPEED", .required = true}},

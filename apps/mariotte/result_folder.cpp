@@ -18,15 +18,15 @@
 namespace mariotte::command {
 namespace {
 
-using Texts = std::map<std::string, std::string>;  // by file name
+using FileTexts = std::map<std::string, std::string>;  // by file name
 
 /// Files by their names, and figures that plot.gp makes.
 struct Files {
-  Texts texts;
+  FileTexts texts;
   std::vector<std::string> figures;
 };
 
-constexpr const char* result = "result.json";
+constexpr const char* result_json = "result.json";
 constexpr const char* energy = "energy";
 constexpr const char* spacetime = "spacetime";
 constexpr std::size_t most_balls_traced = 1000;  // some thousand samples of these are about 100 MB of text
@@ -54,7 +54,7 @@ bool is_image(const report::Spacetime* waves) {
   return waves && waves->is_image();
 }
 
-void add_energy(Texts& texts, const impact::ChainImpact& impact, const scene::Scene& scene,
+void add_energy(FileTexts& texts, const impact::ChainImpact& impact, const scene::Scene& scene,
                 const report::TimeAxis& axis) {
   const auto& chain = std::get<model::Chain>(scene.model);
   if (!report::knows_energies(chain)) return;
@@ -64,9 +64,9 @@ void add_energy(Texts& texts, const impact::ChainImpact& impact, const scene::Sc
 }
 
 // Their samples are not turned into energies.
-void add_energy(Texts&, const impact::NetworkImpact&, const scene::Scene&, const report::TimeAxis&) {}
-void add_energy(Texts&, const impact::MicrobodyImpact&, const scene::Scene&, const report::TimeAxis&) {}
-void add_energy(Texts&, const impact::BodiesImpact&, const scene::Scene&, const report::TimeAxis&) {}
+void add_energy(FileTexts&, const impact::NetworkImpact&, const scene::Scene&, const report::TimeAxis&) {}
+void add_energy(FileTexts&, const impact::MicrobodyImpact&, const scene::Scene&, const report::TimeAxis&) {}
+void add_energy(FileTexts&, const impact::BodiesImpact&, const scene::Scene&, const report::TimeAxis&) {}
 
 report::RunPlot plot(const impact::ContactImpact& impact, const scene::Scene& scene) {
   return report::plot(impact, scene.title, report::curve_names(scene), scene.figure);
@@ -116,8 +116,8 @@ const std::vector<std::string> data_names = {"events.csv", "trace.csv",     "plo
                                              "energy.csv", "spacetime.csv", motion_file, report_page};
 
 /// What an earlier run has left, and no file of somebody else.
-std::vector<std::string> earlier_files(const std::filesystem::path& folder) {
-  if (!std::filesystem::exists(folder / result)) return {};
+std::vector<std::string> earlier_run_files(const std::filesystem::path& folder) {
+  if (!std::filesystem::exists(folder / result_json)) return {};
   auto names = report::figures_of_script(folder / "plot.gp");
   names.insert(names.end(), data_names.begin(), data_names.end());
   return names;
@@ -125,7 +125,7 @@ std::vector<std::string> earlier_files(const std::filesystem::path& folder) {
 
 // A figure of an earlier run must not be taken for one of this run.
 void remove_others(const std::filesystem::path& folder, std::vector<std::string> earlier,
-                   const Texts& texts) {
+                   const FileTexts& texts) {
   std::erase_if(earlier, [&](const std::string& name) { return texts.contains(name); });
   report::remove_files(folder, earlier);
 }
@@ -133,8 +133,8 @@ void remove_others(const std::filesystem::path& folder, std::vector<std::string>
 template <class Impact>
 std::string write(const std::filesystem::path& folder, const report::Json& more, const Impact& impact,
                   const scene::Scene& scene, const report::Spacetime* waves) {
-  const auto earlier = earlier_files(folder);
-  write_json(folder / result, more, impact, scene);
+  const auto earlier = earlier_run_files(folder);
+  write_json(folder / result_json, more, impact, scene);
   const auto files = files_of(impact, scene, waves);
   remove_others(folder, earlier, files.texts);
   for (const auto& [name, text] : files.texts) report::write_file(folder / name, text);
@@ -157,7 +157,7 @@ bool can_trace(const scene::Scene& scene) {
 }
 
 std::vector<std::string> result_names() {
-  std::vector<std::string> names = {result};
+  std::vector<std::string> names = {result_json};
   names.insert(names.end(), data_names.begin(), data_names.end());
   std::vector<std::string> figures(report::figures_of_runs.begin(), report::figures_of_runs.end());
   figures.insert(figures.end(), {energy, spacetime});

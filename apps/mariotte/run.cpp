@@ -211,7 +211,7 @@ int run(const Run& options) {
   return std::visit([&](const auto& model) { return run(options, model, scene); }, scene.model);
 }
 
-constexpr const char* examples = R"(Examples:
+constexpr const char* run_examples = R"(Examples:
   mariotte run cradle.toml
   mariotte run cradle.toml --out results --report --force
   mariotte run cradle.toml --set "chain.velocity[0]=2 m/s" --accuracy 1e-12 --estimate
@@ -247,7 +247,7 @@ Command run_command() {
   auto options = std::make_shared<Run>();
   return {.name = "run",
           .about = "Simulate a scene and print what happened",
-          .footer = examples,
+          .footer = run_examples,
           .options = declare(*options),
           .act = [options] { return run(*options); }};
 }

@@ -72,7 +72,7 @@ int sensitivity(const Slopes& options) try {
   throw UsageError(std::string("--of ") + problem.what());
 }
 
-constexpr const char* examples = R"(Examples:
+constexpr const char* sensitivity_examples = R"(Examples:
   mariotte sensitivity triplet.toml
   mariotte sensitivity triplet.toml --of icr --to contact --to gap
   mariotte sensitivity triplet.toml --to chain.radius --to chain.material.young --csv
@@ -90,7 +90,7 @@ Command sensitivity_command() {
   auto options = std::make_shared<Slopes>();
   return {.name = "sensitivity",
           .about = "Tell how the outcome of a scene changes with its parameters",
-          .footer = examples,
+          .footer = sensitivity_examples,
           .options = joined(
               {scene_options(options->scene),
                run_options(options->scene),

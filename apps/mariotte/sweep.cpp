@@ -33,7 +33,7 @@ namespace {
 
 constexpr auto patience = std::chrono::seconds(3);  // for what a killed mpirun leaves behind to end
 
-struct Options {
+struct SweepOptions {
   SceneChoice scene;
   std::vector<std::string> columns;
   SweepFiles files;
@@ -42,7 +42,7 @@ struct Options {
   bool verbose = false;
 };
 
-study::SweepPlan read(const Options& options, const Ranks& ranks) try {
+study::SweepPlan read(const SweepOptions& options, const Ranks& ranks) try {
   auto plan = study::read_sweep(open(options.scene), options.columns);
   if (!options.scene.quiet && ranks.first())
     for (const auto& one : plan.warnings) warning(one);
@@ -59,7 +59,7 @@ std::string identity(const study::SweepPlan& plan) {
                        report::provenance().version);
 }
 
-study::Progress compute(const Options& options, const study::SweepPlan& plan, study::Journal& journal,
+study::Progress compute(const SweepOptions& options, const study::SweepPlan& plan, study::Journal& journal,
                         Ranks& ranks) {
   const auto missing = journal.missing();
   ProgressLine line(total(missing), options.scene.quiet || !ranks.first());
@@ -74,7 +74,7 @@ study::Progress compute(const Options& options, const study::SweepPlan& plan, st
 }
 
 /// The sweep as a whole, and what it takes to repeat it.
-report::Json description(const Options& options, const study::SweepPlan& plan,
+report::Json description(const SweepOptions& options, const study::SweepPlan& plan,
                          const study::Journal& journal) {
   auto what = report::json(plan, journal.failed());
   what["provenance"]["scene"] = options.scene.path;
@@ -100,7 +100,7 @@ std::string outcome(Index failed, Index limited) {
   return limited == 0 ? text : fmt::format("{}, {} ended at a limit", text, limited);
 }
 
-int finish(const Options& options, const study::SweepPlan& plan, study::Journal& journal) {
+int finish(const SweepOptions& options, const study::SweepPlan& plan, study::Journal& journal) {
   const auto written = write(options.files, plan, description(options, plan, journal), journal);
   if (!written.shortfall.empty() && !options.scene.quiet) warning(written.shortfall);
   const Index points = plan.design.points(), failed = journal.failed();
@@ -120,7 +120,7 @@ void open(const Ranks& ranks, const std::function<void()>& open_one) {
   ranks.meet();
 }
 
-int sweep(const Options& options, Ranks& ranks) {
+int sweep(const SweepOptions& options, Ranks& ranks) {
   const auto start = std::chrono::steady_clock::now();
   await_interruption();
   study::SweepPlan plan;
@@ -150,7 +150,7 @@ int sweep(const Options& options, Ranks& ranks) {
 }
 
 /// One rank that cannot go on ends all, for they would wait for it forever.
-int sweep(const Options& options) {
+int sweep(const SweepOptions& options) {
   Ranks ranks;
   try {
     return sweep(options, ranks);
@@ -160,7 +160,7 @@ int sweep(const Options& options) {
   }
 }
 
-constexpr const char* examples = R"(Examples:
+constexpr const char* sweep_examples = R"(Examples:
   mariotte sweep map.toml --out results
   mariotte sweep map.toml --out results --column "icr[0]" --column "final.velocity[*]"
   mariotte sweep map.toml --out results --threads 1 --set run.accuracy=1e-6 -v
@@ -171,7 +171,7 @@ figures as pdf, png and svg with their data and script, plot.csv and plot.gp. Wi
 columns as datasets, and with --report also report.html, all but the rows in one page.
 )";
 
-OptionList declare(Options& options) {
+OptionList declare(SweepOptions& options) {
   return joined({scene_options(options.scene),
                  {{"--out",
                    &options.files.folder,
@@ -196,10 +196,10 @@ OptionList declare(Options& options) {
 }  // namespace
 
 Command sweep_command() {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SweepOptions>();
   return {.name = "sweep",
           .about = "Simulate a scene for all values of its [[sweep]] tables",
-          .footer = examples,
+          .footer = sweep_examples,
           .options = declare(*options),
           .act = [options] { return sweep(*options); }};
 }

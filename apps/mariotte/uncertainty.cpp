@@ -36,7 +36,7 @@ int uncertainty(const Uncertain& options) try {
   throw UsageError(std::string("--of ") + problem.what());
 }
 
-constexpr const char* examples = R"(Examples:
+constexpr const char* uncertainty_examples = R"(Examples:
   mariotte uncertainty triplet.toml --set 'chain.radius=10 mm ± 1 um'
   mariotte uncertainty triplet.toml --set 'chain.velocity[0]=1 +- 1 %' --samples 1000 --seed 7
   mariotte uncertainty microsphere.toml --set 'body.radius=2.45 um +- 2 %' --of capture_velocity
@@ -52,7 +52,7 @@ Command uncertainty_command() {
   auto options = std::make_shared<Uncertain>();
   return {.name = "uncertainty",
           .about = "Tell how uncertain the outcome of a scene is whose numbers have deviations",
-          .footer = examples,
+          .footer = uncertainty_examples,
           .options = joined({scene_options(options->scene),
                              run_options(options->scene),
                              {{"--of",

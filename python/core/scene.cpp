@@ -23,7 +23,7 @@ Purpose purpose_of(const scene::Document& document) {
   return is_law ? Purpose::law : Purpose::simulation;
 }
 
-SharedScene make(std::string text, std::string name, scene::Overrides overrides) {
+SharedScene make_scene(std::string text, std::string name, scene::Overrides overrides) {
   auto document = scene::parse_document(text, name, overrides);
   auto resolved = resolve(document, purpose_of(document));
   return std::make_shared<const SceneBox>(SceneBox{.text = std::move(text),
@@ -34,7 +34,7 @@ SharedScene make(std::string text, std::string name, scene::Overrides overrides)
 }
 
 SharedScene load(const std::string& path, scene::Overrides overrides) {
-  return make(scene::read_text(path), path, std::move(overrides));
+  return make_scene(scene::read_text(path), path, std::move(overrides));
 }
 
 const char* kind(const SceneBox& box) {
@@ -62,7 +62,7 @@ py::array mass(const py::object& self) {
   return view(std::get<model::Chain>(self.cast<const SceneBox&>().scene.model).mass, self);
 }
 
-py::array velocity(const py::object& self) {
+py::array start_velocity(const py::object& self) {
   if (const auto* const many = bodies(self))
     return view(many->body, &model::Body::velocity, many->dimension, self);
   return of_contacts(
@@ -75,7 +75,7 @@ py::array of_bodies(const py::object& self) {
   return view(many.body, member, many.dimension, self);
 }
 
-py::array spin(const py::object& self) {
+py::array start_spin(const py::object& self) {
   const auto& many = std::get<model::Bodies>(self.cast<const SceneBox&>().scene.model);
   return view_of_spins(many.body, &model::Body::spin, many.dimension, self);
 }
@@ -98,9 +98,9 @@ void add_scene(py::module_& module) {
       .def_property_readonly("accuracy", [](const SceneBox& box) { return box.scene.run.accuracy; })
       .def_readonly("foreign", &SceneBox::foreign)
       .def_property_readonly("mass", &mass)
-      .def_property_readonly("velocity", &velocity)
+      .def_property_readonly("velocity", &start_velocity)
       .def_property_readonly("position", &of_bodies<&model::Body::position>)
-      .def_property_readonly("spin", &spin)
+      .def_property_readonly("spin", &start_spin)
       .def_property_readonly(
           "dimension", [](const SceneBox& box) { return std::get<model::Bodies>(box.scene.model).dimension; })
       .def_property_readonly("gap",
@@ -109,7 +109,7 @@ void add_scene(py::module_& module) {
                                    self, [](const auto& m) -> auto& { return m.gap; });
                              })
       .def("json", &json_text);
-  module.def("scene", &make, py::arg("text"), py::arg("name"), py::arg("overrides"));
+  module.def("scene", &make_scene, py::arg("text"), py::arg("name"), py::arg("overrides"));
   module.def(
       "read_text", [](const std::string& path) { return py::bytes(scene::read_text(path)); },
       py::arg("path"));

@@ -193,14 +193,14 @@ std::string short_label(const Sweep& sweep, const std::string& key) {
   return report::short_label(column_of(sweep, key));
 }
 
-void save_csv(const Sweep& sweep, const std::string& path) {
+void save_sweep_csv(const Sweep& sweep, const std::string& path) {
   report::NewFile file(path);
   file.append(report::sweep_header(sweep.plan().design, sweep.plan().columns));
   sweep.write([&](const std::string& rows) { file.append(rows); });
   file.commit();
 }
 
-void save_hdf5(const Sweep& sweep, const std::string& path) {
+void save_sweep_hdf5(const Sweep& sweep, const std::string& path) {
   const auto file = report::new_hdf5_sweep(path, sweep.plan().design, sweep.plan().columns, sweep.origin());
   sweep.write([&](const std::string& rows) { file->add(rows); });
   file->commit();
@@ -227,8 +227,8 @@ void add_sweep(py::module_& module) {
           "ending", [](const py::object& self) { return view(self.cast<const Sweep&>().ending(), self); })
       .def("long_label", &long_label, py::arg("key"), py::arg("shown"))
       .def("short_label", &short_label, py::arg("key"))
-      .def("save_csv", &save_csv, py::arg("path"), py::call_guard<py::gil_scoped_release>())
-      .def("save_hdf5", &save_hdf5, py::arg("path"), py::call_guard<py::gil_scoped_release>());
+      .def("save_csv", &save_sweep_csv, py::arg("path"), py::call_guard<py::gil_scoped_release>())
+      .def("save_hdf5", &save_sweep_hdf5, py::arg("path"), py::call_guard<py::gil_scoped_release>());
   module.def("sweep", &sweep, py::arg("scene"), py::arg("axes"), py::arg("columns"), py::arg("threads"));
 }
 

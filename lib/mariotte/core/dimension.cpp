@@ -42,7 +42,7 @@ constexpr std::array named{
     Named{dimension::stiffness(1), "a stiffness", "N/m"},
     Named{dimension::damping(1), "a damping", "N s/m"},
     Named{{.kg = 1, .m = 2, .s = -2}, "an energy", "J"},
-    Named{{.s = -1}, "a rate", "rad/s"},
+    Named{dimension::rate, "a rate", "rad/s"},
     Named{{.m = -1, .s = 1}, "an inverse velocity", "s/m"},
 };
 

@@ -24,6 +24,8 @@ inline constexpr Dimension acceleration{.m = 1, .s = -2};
 inline constexpr Dimension energy{.kg = 1, .m = 2, .s = -2};
 inline constexpr Dimension pressure{.kg = 1, .m = -1, .s = -2};
 inline constexpr Dimension density{.kg = 1, .m = -3};
+inline constexpr Dimension inertia{.kg = 1, .m = 2};
+inline constexpr Dimension rate{.s = -1};
 
 /// Of k in f = k δⁿ [N/m^n].
 constexpr Dimension stiffness(double exponent) {

@@ -75,10 +75,6 @@ std::optional<UnitFactor> find_unit(std::string_view word) {
   return {};
 }
 
-std::string quoted(std::string_view text) {
-  return "'" + std::string(text) + "'";
-}
-
 /// Recursive descent over the grammar in the header.
 class UnitParser {
  public:
@@ -185,6 +181,10 @@ class UnitParser {
 
 UnitFactor parse_unit(std::string_view text) {
   return UnitParser(text).all();
+}
+
+std::string quoted(std::string_view text) {
+  return "'" + std::string(text) + "'";
 }
 
 }  // namespace mariotte

@@ -4,6 +4,7 @@
 //     factor = ( prefixed name | "(" unit ")" | "1" ) [ "^" power | "²" | "³" ]
 //     power  = decimal | "(" decimal [ "/" decimal ] ")"
 #pragma once
+#include <string>
 #include <string_view>
 
 #include "mariotte/core/dimension.hpp"
@@ -20,5 +21,8 @@ struct UnitFactor {
 
 /// Throws QuantityError for what is no unit; an unknown name comes with the nearest known one.
 UnitFactor parse_unit(std::string_view text);
+
+/// 'kgm', as messages name what cannot be read.
+std::string quoted(std::string_view text);
 
 }  // namespace mariotte

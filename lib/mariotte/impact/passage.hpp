@@ -41,7 +41,7 @@ inline void count_flows(Passage& passage, const std::vector<FlowUse>& flows) {
 inline Index single_wave(Index contacts) {
   return 2 * contacts;
 }
-inline constexpr Index first_impact = 1;
+inline constexpr Index single_impact = 1;
 
 /// Durations of a contact that a flight may last before errors count that it makes larger: an approach below
 /// a tenth of the accuracy is left out.

@@ -34,7 +34,7 @@ const char* growth(const impact::ContactImpact& impact) {
 }
 
 const char* growth(const impact::BodiesImpact& impact) {
-  const auto* why = growth(impact.contacts, impact::first_impact, impact.slowing);
+  const auto* why = growth(impact.contacts, impact::single_impact, impact.slowing);
   return why != close_often && why != let_go_slowly && impact.lost_digits > impact.requested_accuracy
              ? lose_digits
              : why;
@@ -42,7 +42,7 @@ const char* growth(const impact::BodiesImpact& impact) {
 
 const char* growth(const impact::MicrobodyImpact& impact) {
   if (impact.slowing >= impact::much_slower) return let_go_slowly;
-  return std::ssize(impact.impacts) > impact::first_impact ? close_often : add_up;
+  return std::ssize(impact.impacts) > impact::single_impact ? close_often : add_up;
 }
 
 template <class Impact>

@@ -14,13 +14,11 @@
 namespace mariotte::scene {
 namespace {
 
-constexpr std::array<std::string_view, 5> shapes{"ball", "rod", "dumbbell", "block", "custom"};
-constexpr std::array<std::string_view, 16> keys{
+constexpr std::array<std::string_view, 5> body_shapes{"ball", "rod", "dumbbell", "block", "custom"};
+constexpr std::array<std::string_view, 16> one_body_keys{
     "name",     "shape", "radius", "diameter",   "mass",    "density", "material", "position",
     "velocity", "spin",  "angle",  "quaternion", "inertia", "spheres", "length",   "size"};
 constexpr std::array<std::string_view, 2> sphere_keys{"centre", "radius"};
-constexpr Dimension inertia_dimension{.kg = 1, .m = 2};
-constexpr Dimension spin_dimension{.s = -1};
 
 /// One body as it is read: its own keys go before those of all.
 struct Reader {
@@ -151,12 +149,12 @@ void read_inertia(const Reader& read, model::Body& body) {
   const auto field = read.own("inertia");
   if (!field) return;
   if (!field->node->array()) {
-    const double moment = read.positive(*field, inertia_dimension);
+    const double moment = read.positive(*field, dimension::inertia);
     body.inertia = {moment, moment, moment};
     return;
   }
   if (read.dimension == 2) reject(read.source, *field, fault::wrong_type, "expected one number in the plane");
-  body.inertia = read_vector(read.source, *field, inertia_dimension);
+  body.inertia = read_vector(read.source, *field, dimension::inertia);
 }
 
 void read_attitude(const Reader& read, model::Body& body) {
@@ -181,9 +179,9 @@ void read_spin(const Reader& read, model::Body& body) {
   const auto spin = read.own("spin");
   if (!spin) return;
   if (read.dimension == 2)
-    body.spin.e3 = number(read.source, *spin, spin_dimension, Domain::finite);
+    body.spin.e3 = number(read.source, *spin, dimension::rate, Domain::finite);
   else
-    body.spin = read_vector(read.source, *spin, spin_dimension);
+    body.spin = read_vector(read.source, *spin, dimension::rate);
 }
 
 void read_motion(const Reader& read, model::Body& body, ErrorList& errors) {
@@ -198,7 +196,7 @@ void read_motion(const Reader& read, model::Body& body, ErrorList& errors) {
 
 void read_shape(const Reader& read, const std::optional<Material>& material, model::Body& body) {
   const auto shape = read.any("shape");
-  const auto kind = shape ? shapes[choice(read.source, *shape, "shape", shapes)] : shapes[0];
+  const auto kind = shape ? body_shapes[choice(read.source, *shape, "shape", body_shapes)] : body_shapes[0];
   if (kind == "ball")
     read_ball(read, material, body);
   else if (kind == "block")
@@ -219,12 +217,12 @@ Vector3 read_coordinates(const Source& source, const Field& field, const Dimensi
 }
 
 ShapedBody read_shaped_body(Source& source, const Field& table, const Field& bodies, int dimension, Index i) {
-  if (!table.node->table()) expect_keys(source, table, keys);  // says that it is no table
+  if (!table.node->table()) expect_keys(source, table, one_body_keys);  // says that it is no table
   ShapedBody shaped;
   auto& body = shaped.body;
   Reader read{source, table, bodies, dimension, "body " + std::to_string(i + 1)};
   ErrorList errors;
-  errors.attempt([&] { expect_keys(source, table, keys); });
+  errors.attempt([&] { expect_keys(source, table, one_body_keys); });
   errors.attempt([&] {
     if (const auto field = read.own("name")) read.name = body.name = text(source, *field);
   });

@@ -16,7 +16,6 @@ namespace {
 constexpr std::array<std::string_view, 4> incidence_keys{"normal_speed", "tangential_velocity", "angles",
                                                          "spin"};
 constexpr std::array<std::string_view, 2> after{"stop", "continue"};
-constexpr Dimension spin_dimension{.s = -1};
 constexpr Index most_impacts = 1'000'000;
 
 Field table(const Source& source, const Field& root, const char* key) {
@@ -62,7 +61,7 @@ void read_incidence(Source& source, const Field& incidence, model::Microbody& bo
   errors.attempt([&] { body.velocity.e1 = -read_speed(source, incidence); });
   part("tangential_velocity", [&](const Field& field) { read_tangential(source, field, body); });
   part("angles", [&](const Field& field) { read_angles(source, field, body); });
-  part("spin", [&](const Field& field) { body.spin = read_vector(source, field, spin_dimension); });
+  part("spin", [&](const Field& field) { body.spin = read_vector(source, field, dimension::rate); });
   errors.raise();
 }
 

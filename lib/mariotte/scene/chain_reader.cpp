@@ -16,7 +16,7 @@
 namespace mariotte::scene {
 namespace {
 
-constexpr auto keys = law_keys_and(std::array<std::string_view, 18>{
+constexpr auto chain_keys = law_keys_and(std::array<std::string_view, 18>{
     "precompression", "start", "diameter", "taper", "repeat", "balls", "mass", "radius", "material",
     "velocity", "gap", "gravity", "wall", "wall_material", "ball", "contact", "precompressed", "drive"});
 
@@ -99,11 +99,11 @@ void read_indentations(const Source& source, const Field& chain, const Layout& l
 }  // namespace
 
 ResolvedChain read_chain(Source& source, const Field& chain, const std::optional<Field>& gravity) {
-  if (!chain.node->table()) expect_keys(source, chain, keys);  // says that it is no table
+  if (!chain.node->table()) expect_keys(source, chain, chain_keys);  // says that it is no table
   model::Chain model;
   std::vector<Ball> balls;
   ErrorList errors;
-  errors.attempt([&] { expect_keys(source, chain, keys); });
+  errors.attempt([&] { expect_keys(source, chain, chain_keys); });
   errors.attempt([&] { model.gravity = read_gravity(source, chain, gravity); });
   Layout layout;
   const auto read_rest = [&] {

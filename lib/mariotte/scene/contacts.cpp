@@ -58,7 +58,7 @@ LawTables read_sized_tables(const Source& source, const Field& chain, const Layo
 }
 
 /// Of neighbours at the start [m/s].
-double largest_approach(std::span<const Ball> balls) {
+double approach_of_neighbours(std::span<const Ball> balls) {
   double most = 0;
   for (std::size_t j = 1; j < balls.size(); ++j)
     most = std::max(most, balls[j - 1].velocity.value_or(0) - balls[j].velocity.value_or(0));
@@ -94,7 +94,7 @@ std::vector<contact::Law> read_laws(const Source& source, const Field& chain, co
   const auto tables = read_sized_tables(source, chain, layout);
   Encounters encounters{
       .reduced_mass = [&](Index j) { return reduced_mass(*balls[j].mass, *balls[j + 1].mass); },
-      .speed = largest_approach(balls)};
+      .speed = approach_of_neighbours(balls)};
   std::vector<contact::Law> result;
   result.reserve(layout.contacts());
   const bool common = are_common(tables);

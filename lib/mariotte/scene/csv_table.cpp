@@ -5,7 +5,7 @@
 namespace mariotte::scene {
 namespace {
 
-constexpr std::string_view blanks = " \t\r";
+constexpr std::string_view row_blanks = " \t\r";
 constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 
 /// What is left of one line.
@@ -28,13 +28,13 @@ class Line {
     return {.line = number_, .column = static_cast<int>(text_.size() - rest_.size()) + 1};
   }
 
-  void skip_blanks() { rest_.remove_prefix(std::min(rest_.find_first_not_of(blanks), rest_.size())); }
+  void skip_blanks() { rest_.remove_prefix(std::min(rest_.find_first_not_of(row_blanks), rest_.size())); }
 
   Cell cell() {
     skip_blanks();
     if (rest_.starts_with('"')) return quoted();
     const auto found = rest_.substr(0, rest_.find(','));
-    Cell cell{.text = std::string(found.substr(0, found.find_last_not_of(blanks) + 1)), .place = place()};
+    Cell cell{.text = std::string(found.substr(0, found.find_last_not_of(row_blanks) + 1)), .place = place()};
     rest_.remove_prefix(found.size());
     return cell;
   }
@@ -62,7 +62,7 @@ class Line {
 };
 
 bool says_nothing(std::string_view line) {
-  const auto first = line.find_first_not_of(blanks);
+  const auto first = line.find_first_not_of(row_blanks);
   return first == std::string_view::npos || line[first] == '#';
 }
 

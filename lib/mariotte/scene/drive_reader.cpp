@@ -14,15 +14,14 @@ namespace {
 
 using model::Driven;
 
-constexpr std::array<std::string_view, 11> keys{"end",      "number",    "direction",    "quantity",
-                                                "signal",   "amplitude", "frequency",    "phase",
-                                                "duration", "table",     "interpolation"};
+constexpr std::array<std::string_view, 11> drive_keys{"end",      "number",    "direction",    "quantity",
+                                                      "signal",   "amplitude", "frequency",    "phase",
+                                                      "duration", "table",     "interpolation"};
 constexpr std::array<std::string_view, 3> quantities{"position", "velocity", "force"};
 constexpr std::array<std::string_view, 3> signals{"sine", "pulse", "table"};
 constexpr std::array<std::string_view, 2> ends{"left", "right"};
 constexpr std::array<std::string_view, 2> interpolations{"monotone", "linear"};
 constexpr std::array dimensions{dimension::length, dimension::velocity, dimension::stiffness(0)};
-constexpr Dimension per_second{.s = -1};
 
 /// The keys that each signal takes.
 constexpr std::array<std::array<std::string_view, 3>, 3> keys_of{
@@ -66,7 +65,7 @@ double read_frequency(const Source& source, const Field& field) {
     if (text && text->find(angle) != std::string::npos)
       reject(source, field, fault::wrong_dimension,
              "counts periods, as \"10 Hz\"; an angular frequency is 2π times as much");
-  return number(source, field, per_second, Domain::positive);
+  return number(source, field, dimension::rate, Domain::positive);
 }
 
 model::Signal read_signal(const Source& source, const Field& table, std::size_t quantity) {
@@ -85,7 +84,7 @@ model::Signal read_signal(const Source& source, const Field& table, std::size_t 
 
 /// All of a drive but what it moves.
 model::Drive read_drive(const Source& source, const Field& table) {
-  expect_keys(source, table, keys);
+  expect_keys(source, table, drive_keys);
   const auto quantity = choice(source, needed(source, table, "quantity"), "quantity", quantities);
   model::Drive drive{.direction = {},
                      .quantity = static_cast<Driven>(quantity),

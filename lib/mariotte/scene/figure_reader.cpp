@@ -5,7 +5,7 @@
 namespace mariotte::scene {
 namespace {
 
-constexpr std::array<std::string_view, 3> keys{"window", "logarithmic", "contours"};
+constexpr std::array<std::string_view, 3> figure_keys{"window", "logarithmic", "contours"};
 constexpr Index most_contours = 50;
 
 std::array<double, 2> read_window(const Source& source, const Field& field) {
@@ -19,7 +19,7 @@ std::array<double, 2> read_window(const Source& source, const Field& field) {
 }  // namespace
 
 Figure read_figure(const Source& source, const Field& figure) {
-  expect_keys(source, figure, keys);
+  expect_keys(source, figure, figure_keys);
   Figure options;
   if (const auto field = find(figure, "window")) options.window = read_window(source, *field);
   if (const auto field = find(figure, "logarithmic")) options.logarithmic = boolean(source, *field);

@@ -5,8 +5,8 @@
 namespace mariotte::scene {
 namespace {
 
-constexpr std::array<std::string_view, 6> keys{"mass",      "velocity",     "icr",
-                                               "direction", "energy_ratio", "frame"};
+constexpr std::array<std::string_view, 6> law_table_keys{"mass",      "velocity",     "icr",
+                                                         "direction", "energy_ratio", "frame"};
 constexpr std::array<std::string_view, 2> frames{"given", "mass-centre"};
 
 std::vector<double> read_direction(const Source& source, const Field& law) {
@@ -21,7 +21,7 @@ std::vector<double> read_direction(const Source& source, const Field& law) {
 }  // namespace
 
 Law read_law(const Source& source, const Field& table) {
-  expect_keys(source, table, keys);
+  expect_keys(source, table, law_table_keys);
   Law law;
   const auto mass = find(table, "mass"), velocity = find(table, "velocity");
   if (mass.has_value() != velocity.has_value())

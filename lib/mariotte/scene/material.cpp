@@ -9,7 +9,7 @@
 namespace mariotte::scene {
 namespace {
 
-constexpr std::array<std::string_view, 4> keys{"young", "poisson", "density", "yield_strength"};
+constexpr std::array<std::string_view, 4> material_keys{"young", "poisson", "density", "yield_strength"};
 
 void warn_of_slips(Source& source, const Field& field, const Material& material) {
   // No solid that dense is that soft: rubber and foams stay below 2000 kg/m³, metal and stone above 1 GPa.
@@ -51,7 +51,7 @@ double read_density(Source& source, const Field& field) {
 
 Material read_material(Source& source, const Field& field) {
   if (std::holds_alternative<std::string>(field.node->value)) return named_material(source, field);
-  expect_keys(source, field, keys);
+  expect_keys(source, field, material_keys);
   Material material;
   if (const auto young = find(field, "young"))
     material.young = number(source, *young, dimension::pressure, Domain::positive_or_infinite);

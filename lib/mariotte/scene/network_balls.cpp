@@ -16,7 +16,7 @@
 namespace mariotte::scene {
 namespace {
 
-constexpr auto keys = law_keys_and(std::array<std::string_view, 9>{
+constexpr auto network_of_balls_keys = law_keys_and(std::array<std::string_view, 9>{
     "diameter", "ball", "mass", "radius", "material", "reach", "touching", "precompressed", "drive"});
 constexpr std::array<std::string_view, 6> ball_keys{"diameter", "position", "velocity",
                                                     "mass",     "radius",   "material"};
@@ -158,7 +158,7 @@ ResolvedNetwork read_ball_network(Source& source, const Field& network, bool pre
   PlacedBalls balls;
   double touching = 0, reach = 0;
   ErrorList errors;
-  errors.attempt([&] { expect_keys(source, network, keys); });
+  errors.attempt([&] { expect_keys(source, network, network_of_balls_keys); });
   const bool one_law =
       errors.attempt([&] { expect_no_lists(source, network, law_keys, "for all contacts of balls"); });
   errors.attempt([&] { touching = read_distance(source, network, "touching", 0); });

@@ -12,9 +12,9 @@
 namespace mariotte::scene {
 namespace {
 
-constexpr auto keys = law_keys_and(
+constexpr auto network_keys = law_keys_and(
     std::array<std::string_view, 6>{"mass", "velocity", "contact", "gap", "precompressed", "drive"});
-constexpr auto contact_keys = law_keys_and(std::array<std::string_view, 2>{"direction", "gap"});
+constexpr auto direction_keys = law_keys_and(std::array<std::string_view, 2>{"direction", "gap"});
 
 /// The diagonal, or all rows one after the other. Units are those of the dofs, which only the author
 /// knows.
@@ -64,7 +64,7 @@ LawTables read_tables(const Source& source, const Field& network) {
   ErrorList errors;
   for (Index j = 0; j < std::ssize(*list->node->array()); ++j)
     errors.attempt(
-        [&] { expect_keys(source, tables.contacts.emplace_back(element(*list, j)), contact_keys); });
+        [&] { expect_keys(source, tables.contacts.emplace_back(element(*list, j)), direction_keys); });
   for (const auto key : law_keys_and(std::array<std::string_view, 1>{"gap"}))
     if (const auto field = find(network, key); field && field->node->array())
       errors.attempt(
@@ -116,7 +116,7 @@ model::Network read_freedoms(const Source& source, const Field& network, bool pr
   model.precompressed = precompressed;
   LawTables tables{network, {}};
   ErrorList errors;
-  errors.attempt([&] { expect_keys(source, network, keys); });
+  errors.attempt([&] { expect_keys(source, network, network_keys); });
   const bool moves = errors.attempt([&] { read_motion(source, network, model); });
   const bool listed = errors.attempt([&] { tables = read_tables(source, network); });
   if (moves && listed)
@@ -137,7 +137,7 @@ void warn_of_rest(Source& source, const Field& network, const model::Network& mo
 }  // namespace
 
 ResolvedNetwork read_network(Source& source, const Field& network) {
-  if (!network.node->table()) expect_keys(source, network, keys);  // says that it is no table
+  if (!network.node->table()) expect_keys(source, network, network_keys);  // says that it is no table
   const bool balls = find(network, "ball").has_value(), contacts = find(network, "contact").has_value();
   if (balls == contacts)
     reject(source, network, balls ? fault::contradiction : fault::missing,

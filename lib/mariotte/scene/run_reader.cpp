@@ -8,8 +8,8 @@
 namespace mariotte::scene {
 namespace {
 
-constexpr std::array<std::string_view, 8> keys{"until",   "accuracy", "max_time", "max_events",
-                                               "gravity", "impacts",  "flow",     "after_capture"};
+constexpr std::array<std::string_view, 8> run_keys{"until",   "accuracy", "max_time", "max_events",
+                                                   "gravity", "impacts",  "flow",     "after_capture"};
 constexpr Index no_limit = 1'000'000'000'000'000;  // still a whole number in a double
 
 double read_accuracy(Source& source, const Field& field) {
@@ -36,13 +36,13 @@ void read_until(const Source& source, const Field& run, const Field& until, hybr
 }  // namespace
 
 hybrid::Options read_run(Source& source, const Field& run, bool of_body) {
-  if (!run.node->table()) expect_keys(source, run, keys);  // says that it is no table
+  if (!run.node->table()) expect_keys(source, run, run_keys);  // says that it is no table
   hybrid::Options options;
   ErrorList errors;
   const auto part = [&](const char* key, auto&& read) {
     if (const auto field = find(run, key)) errors.attempt([&] { read(*field); });
   };
-  errors.attempt([&] { expect_keys(source, run, keys); });
+  errors.attempt([&] { expect_keys(source, run, run_keys); });
   part("accuracy", [&](const Field& field) { options.accuracy = read_accuracy(source, field); });
   part("max_time", [&](const Field& field) {
     options.max_time = number(source, field, dimension::time, Domain::positive_or_infinite);

@@ -19,9 +19,9 @@
 namespace mariotte::scene {
 namespace {
 
-constexpr std::array<std::string_view, 12> keys{"title", "chain",   "network",   "bodies",
-                                                "run",   "sweep",   "columns",   "law",
-                                                "body",  "surface", "incidence", "figure"};
+constexpr std::array<std::string_view, 12> scene_keys{"title", "chain",   "network",   "bodies",
+                                                      "run",   "sweep",   "columns",   "law",
+                                                      "body",  "surface", "incidence", "figure"};
 
 /// The digest of the text alone is that of the file; a zero byte, which no scene holds, sets off each
 /// override.
@@ -57,7 +57,7 @@ Scene read_scene(Source& source, const Field& root, Purpose purpose) {
   const auto part = [&](const char* key, auto&& read) {
     if (const auto field = find(root, key)) errors.attempt([&] { read(*field); });
   };
-  errors.attempt([&] { expect_keys(source, root, keys); });
+  errors.attempt([&] { expect_keys(source, root, scene_keys); });
   part("title", [&](const Field& title) { scene.title = read_title(source, title); });
   const auto run = find(root, "run");
   part("run", [&](const Field& field) {

@@ -9,11 +9,10 @@
 namespace mariotte::scene {
 namespace {
 
-constexpr std::array<std::string_view, 4> shapes{"sphere", "dumbbell", "rod", "custom"};
-constexpr std::array<std::string_view, 9> keys{"diameter", "material", "shape",   "radius", "length_ratio",
-                                               "density",  "mass",     "inertia", "tips"};
+constexpr std::array<std::string_view, 4> microbody_shapes{"sphere", "dumbbell", "rod", "custom"};
+constexpr std::array<std::string_view, 9> body_keys{
+    "diameter", "material", "shape", "radius", "length_ratio", "density", "mass", "inertia", "tips"};
 constexpr std::array<std::string_view, 2> tip_keys{"centre", "radius"};
-constexpr Dimension inertia_dimension{.kg = 1, .m = 2};
 
 Field required(const Source& source, const Field& table, std::string_view key) {
   const auto field = find(table, key);
@@ -56,7 +55,7 @@ model::RigidBody read_custom(Source& source, const Field& body) {
   model::RigidBody custom;
   custom.mass = positive(source, required(source, body, "mass"), dimension::mass);
   const auto inertia = required(source, body, "inertia");
-  custom.inertia = read_vector(source, inertia, inertia_dimension);
+  custom.inertia = read_vector(source, inertia, dimension::inertia);
   const auto radius = find_radius(source, body, large_microbody);
   const auto tips = required(source, body, "tips");
   if (!tips.node->array()) reject(source, tips, fault::wrong_type, "expected an array of tables");
@@ -103,8 +102,9 @@ std::string_view guess_shape(const Field& body) {
 model::RigidBody read_rigid_body(Source& source, const Field& body, const std::optional<double>& density) {
   std::string_view shape;
   ErrorList errors;
-  if (!errors.attempt(
-          [&] { shape = shapes[choice(source, required(source, body, "shape"), "shape", shapes)]; }))
+  if (!errors.attempt([&] {
+        shape = microbody_shapes[choice(source, required(source, body, "shape"), "shape", microbody_shapes)];
+      }))
     errors.attempt_on_a_guess([&] { read_as(source, body, guess_shape(body), density); });
   errors.raise();
   return read_as(source, body, shape, density);
@@ -115,7 +115,7 @@ model::RigidBody read_rigid_body(Source& source, const Field& body, const std::o
 Shape read_shape(Source& source, const Field& body) {
   Shape shape;
   ErrorList errors;
-  errors.attempt([&] { expect_keys(source, body, keys); });
+  errors.attempt([&] { expect_keys(source, body, body_keys); });
   const bool known = errors.attempt([&] {
     if (const auto field = find(body, "material")) shape.material = read_material(source, *field);
     shape.density = find_density(source, body, shape.material);

@@ -9,20 +9,20 @@
 namespace mariotte::scene {
 namespace {
 
-constexpr std::array<std::string_view, 14> keys{"material",
-                                                "restitution",
-                                                "at",
-                                                "law",
-                                                "stiffness",
-                                                "work_of_adhesion",
-                                                "zeta_hertz",
-                                                "damping_hertz",
-                                                "zeta_adhesion",
-                                                "damping_adhesion",
-                                                "friction",
-                                                "hertz_prefactor",
-                                                "adhesion_prefactor",
-                                                "lever"};
+constexpr std::array<std::string_view, 14> surface_keys{"material",
+                                                        "restitution",
+                                                        "at",
+                                                        "law",
+                                                        "stiffness",
+                                                        "work_of_adhesion",
+                                                        "zeta_hertz",
+                                                        "damping_hertz",
+                                                        "zeta_adhesion",
+                                                        "damping_adhesion",
+                                                        "friction",
+                                                        "hertz_prefactor",
+                                                        "adhesion_prefactor",
+                                                        "lever"};
 constexpr std::array<std::string_view, 1> laws{"brach-dunn"};
 constexpr std::array<std::string_view, 2> levers{"radius", "indented"};
 constexpr Dimension adhesion_dimension{.kg = 1, .s = -2};
@@ -115,7 +115,7 @@ contact::BrachDunn read_law(const Source& source, const Field& surface, double r
 }  // namespace
 
 void expect_surface_keys(const Source& source, const Field& surface) {
-  expect_keys(source, surface, keys);
+  expect_keys(source, surface, surface_keys);
 }
 
 std::optional<Material> read_surface(Source& source, const Field& surface, const Shape& shape, double speed,

@@ -7,9 +7,9 @@
 namespace mariotte::scene {
 namespace {
 
-constexpr std::array<std::string_view, 14> keys{"key",    "variable", "from",      "to",        "count",
-                                                "step",   "scale",    "values",    "zip",       "random",
-                                                "design", "mean",     "deviation", "expression"};
+constexpr std::array<std::string_view, 14> sweep_keys{
+    "key",    "variable", "from",   "to",     "count", "step",      "scale",
+    "values", "zip",      "random", "design", "mean",  "deviation", "expression"};
 constexpr std::array<std::string_view, 3> designs{"random", "latin", "sobol"};
 constexpr std::array<std::string_view, 2> scales{"linear", "log"};
 constexpr Index largest_seed = 1'000'000'000'000'000;  // still a whole number in a double
@@ -108,7 +108,7 @@ void expect_design(const Source& source, const Field& sweep, const Field& design
 }
 
 void expect_sweep(const Source& source, const Field& sweep) {
-  expect_keys(source, sweep, keys);
+  expect_keys(source, sweep, sweep_keys);
   expect_subject(source, sweep);
   if (const auto design = find(sweep, "design")) expect_design(source, sweep, *design);
   if (const auto expression = find(sweep, "expression")) return expect_expression(source, sweep, *expression);

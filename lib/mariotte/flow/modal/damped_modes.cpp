@@ -8,7 +8,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr int most_sweeps = 100;  ///< ten are usual
+constexpr int most_root_sweeps = 100;  ///< ten are usual
 
 /// Dynamic stiffness k + c λ of a contact.
 Complex stiffness(const DampedRow& row, Index contact, const Root& root) {
@@ -102,7 +102,7 @@ bool refine(std::vector<Root>& roots, const DampedRow& row, std::size_t i, Compl
 
 bool refine_all(std::vector<Root>& roots, const DampedRow& row, std::vector<Complex>& step) {
   step.assign(roots.size(), infinity);
-  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+  for (int sweep = 0; sweep < most_root_sweeps; ++sweep) {
     bool settled = true;
     for (std::size_t i = 0; i < roots.size(); ++i) settled = refine(roots, row, i, step[i]) && settled;
     if (settled) return true;

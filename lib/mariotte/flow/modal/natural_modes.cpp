@@ -7,7 +7,7 @@
 namespace mariotte::flow {
 namespace {
 
-constexpr int most_sweeps = 40;  ///< a dozen is a lot; a fixed mode may stay in its noise for ever
+constexpr int most_jacobi_sweeps = 40;  ///< a dozen is a lot; a fixed mode may stay in its noise for ever
 
 using Columns = Eigen::Map<Eigen::MatrixXd>;
 
@@ -36,7 +36,7 @@ void diagonalize(NaturalModes& modes, Columns& coupling) {
   const Index springs = coupling.cols();
   Columns shape(modes.shape.data(), springs, springs);
   bool turned = true;
-  for (int sweep = 0; turned && sweep < most_sweeps; ++sweep) {
+  for (int sweep = 0; turned && sweep < most_jacobi_sweeps; ++sweep) {
     turned = false;
     for (Index p = 0; p < springs; ++p)
       for (Index q = p + 1; q < springs; ++q) turned = rotate(coupling, shape, p, q) || turned;

@@ -7,7 +7,7 @@ namespace {
 
 /// Bisections until a dip that is still undecided is no deeper than rounding; and how many a step may cost,
 /// since a guard that hovers in rounding noise stays undecided everywhere.
-constexpr int deepest = 40;
+constexpr int deepest_dip = 40;
 constexpr int most_bisections = 1000;
 
 /// +1 for guards that fire falling, −1 for rising ones: seen with this sign, all are positive until they
@@ -53,7 +53,7 @@ GuardPoint Certificate::point(const Problem& problem, const Step& step, Index gu
 std::optional<double> Certificate::search(const Problem& problem, const Step& step, Index guard,
                                           const GuardPoint& from, const GuardPoint& to, int depth) {
   if (keeps_side(from, to) || stays_beyond(from, to)) return std::nullopt;
-  if (depth == deepest || ++bisections_ > most_bisections) return std::nullopt;
+  if (depth == deepest_dip || ++bisections_ > most_bisections) return std::nullopt;
   const auto middle = point(problem, step, guard, 0.5 * (from.time + to.time));
   if (middle.value <= 0 && from.value > 0) {
     const auto value_at = [&](double time) { return point(problem, step, guard, time).value; };

@@ -11,7 +11,7 @@ namespace mariotte::flow {
 namespace {
 
 constexpr std::size_t most_coefficients = 32;
-constexpr int deepest = 50;  ///< halvings until an interval is shorter than rounding
+constexpr int deepest_halving = 50;  ///< halvings until an interval is shorter than rounding
 using Bernstein = std::array<double, most_coefficients>;
 
 /// C(j,k)/C(n,k) at [k][j]: what the power k adds to the Bernstein coefficient j.
@@ -154,7 +154,8 @@ struct Search {
   double first(Bernstein b, double from, double to, int depth) const {
     const auto last = b.begin() + static_cast<Index>(n) + 1;
     if (std::all_of(b.begin() + 1, last, [](double value) { return value > 0; })) return infinity;
-    if (std::is_sorted(b.begin(), last, std::greater<>()) || depth == deepest) return only_root(c, from, to);
+    if (std::is_sorted(b.begin(), last, std::greater<>()) || depth == deepest_halving)
+      return only_root(c, from, to);
     const auto right = halve(b, n);
     const double middle = 0.5 * (from + to);
     if (const double early = first(b, from, middle, depth + 1); early != infinity) return early;

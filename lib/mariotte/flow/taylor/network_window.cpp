@@ -78,7 +78,7 @@ void take_lanes(Window& w) {
 }
 
 /// The part of the coupling that is inside.
-void couple(Window& w) {
+void couple_network(Window& w) {
   const auto& of = w.network->coupling;
   const auto outside = [&](int i) { return w.lane_of[i] < 0; };
   w.coupling.clear();
@@ -113,7 +113,7 @@ void place(Window& w, const LinkedPhase& phase, State x, double time) {
     fill(w, lane, settled_rate(phase, x, j));
   }
   w.velocity.assign(x.begin(), x.begin() + phase.dofs);
-  couple(w);
+  couple_network(w);
   settle(w);
 }
 

@@ -35,9 +35,9 @@ struct Piece {
 };
 
 /// The impact along one direction.
-class Course {
+class DirectedImpact {
  public:
-  Course(const Configuration& c, const CorrelationLaw& law)
+  DirectedImpact(const Configuration& c, const CorrelationLaw& law)
       : restitution_(law.restitution),
         direction_(impact::direction(law.direction)),
         rates_(gap_rates(c, c.velocity)),
@@ -88,7 +88,7 @@ class Course {
 
 LawOutcome ceanga_hurmuzlu(const Configuration& c, const CorrelationLaw& law) {
   validate(c, law);
-  const Course course(c, law);
+  const DirectedImpact course(c, law);
   auto p = course.direction();
   const double size = course.approaches() ? course.size() : 0;
   for (double& impulse : p) impulse *= size;

@@ -10,17 +10,17 @@ namespace mariotte::impact {
 namespace {
 
 using Vector = Eigen::VectorXd;
-using Matrix = Eigen::Map<const Eigen::MatrixXd>;
-using Contacts = std::vector<Index>;
+using Compliance = Eigen::Map<const Eigen::MatrixXd>;
+using ContactSet = std::vector<Index>;
 
 /// Rates smaller than this are rounding of their sums of products, whose errors a solution with W may grow.
-double noise(const Matrix& w, const Vector& p, const Vector& q) {
+double noise(const Compliance& w, const Vector& p, const Vector& q) {
   const Vector terms = w.cwiseAbs() * p.cwiseAbs() + q.cwiseAbs();
   return 1e-14 * static_cast<double>(q.size()) * terms.maxCoeff();
 }
 
 /// The impulses of pushing contacts whose gap rates they bring to zero; the others give none.
-Vector pushed(const Matrix& w, const Vector& q, const Contacts& pushing) {
+Vector pushed(const Compliance& w, const Vector& q, const ContactSet& pushing) {
   Vector p = Vector::Zero(q.size());
   const Vector solution = Eigen::MatrixXd(w(pushing, pushing)).ldlt().solve(Vector(-q(pushing)));
   p(pushing) = solution;
@@ -28,7 +28,7 @@ Vector pushed(const Matrix& w, const Vector& q, const Contacts& pushing) {
 }
 
 /// Towards `target` until the first impulse would turn negative; that contact stops pushing.
-void approach(Vector& p, const Vector& target, Contacts& pushing) {
+void approach(Vector& p, const Vector& target, ContactSet& pushing) {
   double share = 1;
   Index first = pushing.back();
   for (const Index j : pushing) {
@@ -46,10 +46,10 @@ void approach(Vector& p, const Vector& target, Contacts& pushing) {
 std::vector<double> solve_complementarity(const std::vector<double>& compliance,
                                           const std::vector<double>& rates) {
   const Index m = std::ssize(rates);
-  const Matrix w(compliance.data(), m, m);
+  const Compliance w(compliance.data(), m, m);
   const Vector q = Eigen::Map<const Vector>(rates.data(), m);
   Vector p = Vector::Zero(m);
-  Contacts pushing;
+  ContactSet pushing;
   for (Index tries = 0; tries < 30 * (m + 1); ++tries) {
     Vector rate = w * p + q;
     for (const Index j : pushing) rate[j] = 0;

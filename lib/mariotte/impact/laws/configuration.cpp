@@ -12,7 +12,6 @@ namespace {
 
 using Numbers = std::vector<double>;
 using Vector = Eigen::VectorXd;
-using Matrix = Eigen::MatrixXd;
 
 Index dofs(const Configuration& c) {
   return std::ssize(c.velocity);
@@ -27,7 +26,7 @@ bool is_diagonal(const Configuration& c) {
 Eigen::Map<const Vector> view(const Numbers& numbers) {
   return {numbers.data(), std::ssize(numbers)};
 }
-Eigen::Map<const Matrix> full_mass(const Configuration& c) {
+Eigen::Map<const Eigen::MatrixXd> full_mass(const Configuration& c) {
   return {c.mass.data(), dofs(c), dofs(c)};
 }
 

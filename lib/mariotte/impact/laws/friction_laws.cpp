@@ -25,18 +25,18 @@ InContact at_once(const FrictionalContact& c, double after) {
 }
 
 /// Where an impact is whose normal impulse grows bit by bit.
-struct Progress {
+struct ImpulseState {
   InContact impulse, velocity;
   double work = 0;  ///< of the normal force on the bodies
 };
 
 /// How impulse and velocity change with the normal impulse.
-struct Course {
+struct ImpulseRate {
   double ratio;  ///< p_t over p_n
   InContact rate;
 };
 
-Course course(const FrictionalContact& c, double slip) {
+ImpulseRate impulse_rate(const FrictionalContact& c, double slip) {
   const double holding = -c.nt / c.tt;
   const bool sticks = slip == 0 && std::abs(holding) <= c.friction;
   const double ratio = sticks ? holding : std::copysign(c.friction, slip != 0 ? -slip : holding);
@@ -48,7 +48,7 @@ double until_rest(double slip, double rate) {
   return slip * rate < 0 ? -slip / rate : infinity;
 }
 
-void advance(Progress& at, const Course& along, double by) {
+void advance(ImpulseState& at, const ImpulseRate& along, double by) {
   at.work += by * (at.velocity.normal + 0.5 * by * along.rate.normal);
   at.impulse.normal += by;
   at.impulse.tangential += by * along.ratio;
@@ -58,9 +58,9 @@ void advance(Progress& at, const Course& along, double by) {
 
 /// Goes on until `distance`, of what is left on the present course, is within it. Slip ends once at most.
 template <class Distance>
-Progress followed(const FrictionalContact& c, Progress at, Distance&& distance) {
+ImpulseState followed(const FrictionalContact& c, ImpulseState at, Distance&& distance) {
   for (;;) {
-    const auto along = course(c, at.velocity.tangential);
+    const auto along = impulse_rate(c, at.velocity.tangential);
     const double rest = until_rest(at.velocity.tangential, along.rate.tangential);
     const double wanted = distance(at, along);
     advance(at, along, std::min(rest, wanted));
@@ -70,8 +70,8 @@ Progress followed(const FrictionalContact& c, Progress at, Distance&& distance) 
 }
 
 /// A rod that jams may be drawn in until its slip ends, and only then turn back.
-Progress compressed(const FrictionalContact& c) {
-  return followed(c, {{}, c.velocity}, [](const Progress& at, const Course& along) {
+ImpulseState compressed(const FrictionalContact& c) {
+  return followed(c, {{}, c.velocity}, [](const ImpulseState& at, const ImpulseRate& along) {
     return along.rate.normal > 0 ? std::max(0.0, -at.velocity.normal / along.rate.normal) : infinity;
   });
 }
@@ -93,7 +93,8 @@ InContact poisson(const FrictionalContact& c, double e) {
   validate(c, e);
   const auto half = compressed(c);
   const double all = (1 + e) * half.impulse.normal;
-  return followed(c, half, [&](const Progress& at, const Course&) { return all - at.impulse.normal; })
+  return followed(c, half,
+                  [&](const ImpulseState& at, const ImpulseRate&) { return all - at.impulse.normal; })
       .impulse;
 }
 
@@ -102,7 +103,7 @@ InContact stronge(const FrictionalContact& c, double e) {
   const auto half = compressed(c);
   const double all = (1 - e * e) * half.work;  // work of both is negative
   return followed(c, half,
-                  [&](const Progress& at, const Course& along) {
+                  [&](const ImpulseState& at, const ImpulseRate& along) {
                     const double w = at.velocity.normal, left = std::max(0.0, all - at.work);
                     return left > 0 ? 2 * left / (w + std::sqrt(w * w + 2 * along.rate.normal * left)) : 0;
                   })

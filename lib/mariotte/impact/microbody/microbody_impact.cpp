@@ -103,7 +103,7 @@ std::vector<TipImpact> impacts(const MicrobodySystem& system, const Run& run,
 }
 
 /// Height of the mass centre, dimensionless.
-double height(const MicrobodySystem& system, ConstState x) {
+double centre_height(const MicrobodySystem& system, ConstState x) {
   return body_state(system, 0, x).position.e1 / system.body().scale.length;
 }
 
@@ -117,7 +117,8 @@ MicrobodyBalance balance(const MicrobodySystem& system, ConstState before, Const
                           .adhesion_damping = after[work + 1],
                           .friction = after[work + 2]};
   if (body.gravity != 0)
-    energy.work = body.body.mass * body.gravity * (height(system, before) - height(system, after));
+    energy.work =
+        body.body.mass * body.gravity * (centre_height(system, before) - centre_height(system, after));
   energy.residual = energy.final + energy.stored + energy.dissipated() - energy.initial - energy.work;
   for (double* entry : {&energy.initial, &energy.final, &energy.stored, &energy.hertz_damping,
                         &energy.adhesion_damping, &energy.friction, &energy.work, &energy.residual})
@@ -202,7 +203,7 @@ MicrobodyImpact simulate(const model::Microbody& body, const hybrid::Options& op
   hybrid::validate(options);
   auto impact = simulate_once(body, options, observers);
   Passage gone{.contacts = std::ssize(body.body.tips),
-               .harmless = first_impact,
+               .harmless = single_impact,
                .periods = std::ssize(impact.impacts),
                .slowing = impact.slowing};
   count_flows(gone, impact.flows);

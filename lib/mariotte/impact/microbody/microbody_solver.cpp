@@ -47,7 +47,7 @@ struct MicrobodySolver::Memory {
               .events = run.events,
               .estimated_accuracy = {}};
     gone = {.contacts = system.layout().tips,
-            .harmless = first_impact,
+            .harmless = single_impact,
             .periods = count(model::TipEvent::close, run.changes),
             .slowing = slowing(system, start, run)};
     for (const auto kind : flow::kinds) {

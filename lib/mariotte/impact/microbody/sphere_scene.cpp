@@ -91,7 +91,7 @@ void restore(const SphereScene& scene, model::Microbody& body) {
 bool describe(const SphereScene& scene, double accuracy, BriefMicrobodyImpact& impact) {
   const auto& sphere = scene.sphere;
   const Passage gone{.contacts = 1,
-                     .harmless = first_impact,
+                     .harmless = single_impact,
                      .periods = 1,
                      .steps = sphere.steps,
                      .slowing = sphere.adhesion > 0 ? times_slower(scene.speed, -sphere.rate) : 1};

@@ -4,31 +4,32 @@
 namespace mariotte::impact {
 namespace {
 
-using I = BodiesImpact;
 using model::BodyEvent;
 
 template <auto member>
-constexpr auto of_body = [](const I& r, Indices at) { return component(r.body[at[0]].*member, at[1]); };
+constexpr auto of_body =
+    [](const BodiesImpact& r, Indices at) { return component(r.body[at[0]].*member, at[1]); };
 
 /// As many components as the dimension has.
-constexpr auto components = [](const I& r, Indices) -> Count { return r.dimension; };
-constexpr auto in_space = [](const I& r, Indices) -> Count { return r.dimension == 3 ? 3 : 0; };
+constexpr auto components = [](const BodiesImpact& r, Indices) -> Count { return r.dimension; };
+constexpr auto in_space = [](const BodiesImpact& r, Indices) -> Count { return r.dimension == 3 ? 3 : 0; };
 
-Value in_plane(const I& r, double value) {
+Value in_plane(const BodiesImpact& r, double value) {
   return r.dimension == 2 ? Value(value) : Omitted{};
 }
 
-List<I> motion() {
+List<BodiesImpact> motion() {
   return {
-      {.is = {"final.time", "s", "t", "time at which the run ended"}, .read = own<&I::time>},
-      {.is = {"final.bodies[]", "", "", "bodies in the order of the scene"}, .count = size_of<&I::body>},
+      {.is = {"final.time", "s", "t", "time at which the run ended"}, .read = own<&BodiesImpact::time>},
+      {.is = {"final.bodies[]", "", "", "bodies in the order of the scene"},
+       .count = size_of<&BodiesImpact::body>},
       {.is = {"final.bodies[].position[]", "m", "x", "of the mass centre"},
        .read = of_body<&BodyEnd::position>,
        .count = components},
       {.is = {"final.bodies[].angle", "rad", "φ", "in the plane, above −π and at most π"},
-       .read = [](const I& r, Indices at) { return in_plane(r, r.body[at[0]].angle); }},
+       .read = [](const BodiesImpact& r, Indices at) { return in_plane(r, r.body[at[0]].angle); }},
       {.is = {"final.bodies[].quaternion[]", "1", "q", "attitude: w, x, y, z"},
-       .read = [](const I& r, Indices at) -> Value {
+       .read = [](const BodiesImpact& r, Indices at) -> Value {
          const auto& q = r.body[at[0]].attitude;
          return std::array{q.w, q.x, q.y, q.z}[at[1]];
        },
@@ -37,7 +38,7 @@ List<I> motion() {
        .read = of_body<&BodyEnd::velocity>,
        .count = components},
       {.is = {"final.bodies[].spin", "rad/s", "ω", "in the plane: a number"},
-       .read = [](const I& r, Indices at) { return in_plane(r, r.body[at[0]].spin.e3); }},
+       .read = [](const BodiesImpact& r, Indices at) { return in_plane(r, r.body[at[0]].spin.e3); }},
       {.is = {"final.bodies[].spin[]", "rad/s", "ω", "in space: three, space axes"},
        .read = of_body<&BodyEnd::spin>,
        .count = in_space},
@@ -45,19 +46,20 @@ List<I> motion() {
 }
 
 template <auto member>
-constexpr auto contact_at = of_element<&I::contacts, member>;
+constexpr auto contact_at = of_element<&BodiesImpact::contacts, member>;
 template <auto member>
-constexpr auto loss_at = [](const I& r, Indices at) -> Value { return r.contacts[at[0]].losses.*member; };
+constexpr auto loss_at =
+    [](const BodiesImpact& r, Indices at) -> Value { return r.contacts[at[0]].losses.*member; };
 
-List<I> contacts() {
+List<BodiesImpact> contacts() {
   using One = BodyContactHistory;
   return {
       {.is = {"contacts[]", "", "",
               "those that the scene names, in its order, then all others that have closed"},
-       .count = size_of<&I::contacts>,
+       .count = size_of<&BodiesImpact::contacts>,
        .counted_by_run = true},
       {.is = {"contacts[].between[]", "", "", "the two that touch; a plane goes first"},
-       .read = [](const I& r, Indices at) -> Value {
+       .read = [](const BodiesImpact& r, Indices at) -> Value {
          return std::string_view(r.contacts[at[0]].between[at[1]]);
        },
        .count = fixed<2>},
@@ -65,9 +67,11 @@ List<I> contacts() {
        .read = contact_at<&One::normal_impulse>},
       {.is = {"contacts[].tangential_impulse", "N s", "∫ f_t dt",
               "in the plane: on the second of the two, along the normal turned by 90°, which turns with it"},
-       .read = [](const I& r, Indices at) { return in_plane(r, r.contacts[at[0]].tangential_impulse.e1); }},
+       .read = [](const BodiesImpact& r,
+                  Indices at) { return in_plane(r, r.contacts[at[0]].tangential_impulse.e1); }},
       {.is = {"contacts[].tangential_impulse[]", "N s", "∫ f_t dt", "in space: on the second of the two"},
-       .read = [](const I& r, Indices at) { return component(r.contacts[at[0]].tangential_impulse, at[1]); },
+       .read = [](const BodiesImpact& r,
+                  Indices at) { return component(r.contacts[at[0]].tangential_impulse, at[1]); },
        .count = in_space},
       {.is = {"contacts[].losses.friction", "J", "", "lost by slip"},
        .read = loss_at<&ContactLosses::friction>},
@@ -92,15 +96,15 @@ List<I> contacts() {
        .needs_peaks = true},
       {.is = {"contacts[].approach_speed", "m/s", "δ̇⁻",
               "along the normal, at which the two first met; null if they never did"},
-       .read = meeting<&I::contacts, &MeetingSpeeds::approach>},
+       .read = meeting<&BodiesImpact::contacts, &MeetingSpeeds::approach>},
       {.is = {"contacts[].separation_speed", "m/s", "−δ̇⁺",
               "along the normal, at which they first parted; null if they did not"},
-       .read = meeting<&I::contacts, &MeetingSpeeds::separation>},
+       .read = meeting<&BodiesImpact::contacts, &MeetingSpeeds::separation>},
       {.is = {"contacts[].periods[]", "", "", "intervals in which it is closed"},
-       .count = size_in<&I::contacts, &One::periods>,
+       .count = size_in<&BodiesImpact::contacts, &One::periods>,
        .counted_by_run = true},
       {.is = {"contacts[].periods[][]", "s", "", "start and end; the end is null if it is still closed"},
-       .read = [](const I& r, Indices at) -> Value {
+       .read = [](const BodiesImpact& r, Indices at) -> Value {
          const auto& period = r.contacts[at[0]].periods[at[1]];
          return at[2] == 0 ? Value(period.start) : value(period.end);
        },
@@ -109,19 +113,23 @@ List<I> contacts() {
 }
 
 template <BodyEvent event>
-Quantity<I> change(std::string_view key, std::string_view meaning) {
-  return {.is = {key, "1", "i", meaning},
-          .read = [](const I& r, Indices at) -> Value { return r.events[at[0]].of(event)[at[1]] + 1; },
-          .count = [](const I& r, Indices at) -> Count { return std::ssize(r.events[at[0]].of(event)); },
-          .counted_by_run = true};
+Quantity<BodiesImpact> change(std::string_view key, std::string_view meaning) {
+  return {
+      .is = {key, "1", "i", meaning},
+      .read = [](const BodiesImpact& r, Indices at) -> Value { return r.events[at[0]].of(event)[at[1]] + 1; },
+      .count = [](const BodiesImpact& r, Indices at) -> Count {
+        return std::ssize(r.events[at[0]].of(event));
+      },
+      .counted_by_run = true};
 }
 
-List<I> events() {
+List<BodiesImpact> events() {
   return {
       {.is = {"events[]", "", "", "instants at which something changes in a contact"},
-       .count = size_of<&I::events>,
+       .count = size_of<&BodiesImpact::events>,
        .counted_by_run = true},
-      {.is = {"events[].time", "s", "t", "when"}, .read = of_element<&I::events, &BodiesEvents::time>},
+      {.is = {"events[].time", "s", "t", "when"},
+       .read = of_element<&BodiesImpact::events, &BodiesEvents::time>},
       change<BodyEvent::close>("events[].close[]", "contacts that close, from 1"),
       change<BodyEvent::open>("events[].open[]", "contacts that open, from 1"),
       change<BodyEvent::stick>("events[].stick[]", "contacts that begin to stick, from 1"),
@@ -140,9 +148,9 @@ List<I> events() {
 }
 
 template <auto member>
-constexpr auto loss = [](const I& r, Indices) -> Value { return r.energy.losses.*member; };
+constexpr auto loss = [](const BodiesImpact& r, Indices) -> Value { return r.energy.losses.*member; };
 
-List<I> balances() {
+List<BodiesImpact> balances() {
   using One = BodiesBalance;
   return {
       {.is = {"energy.initial", "J", "T⁻", "kinetic energy at the start"}, .read = energy<&One::initial>},
@@ -150,7 +158,7 @@ List<I> balances() {
       {.is = {"energy.stored", "J", "", "in contacts that are closed at the end"},
        .read = energy<&One::stored>},
       {.is = {"energy.dissipated", "J", "", "the five below together"},
-       .read = [](const I& r, Indices) -> Value { return r.energy.losses.total(); }},
+       .read = [](const BodiesImpact& r, Indices) -> Value { return r.energy.losses.total(); }},
       {.is = {"energy.friction", "J", "", "lost by slip"}, .read = loss<&ContactLosses::friction>},
       {.is = {"energy.rescale", "J", "", "lost where Mindlin's stiffness changes"},
        .read = loss<&ContactLosses::rescale>},
@@ -163,10 +171,10 @@ List<I> balances() {
        .read = energy<&One::residual>},
       {.is = {"momentum.residual", "N s", "",
               "size of final − initial − impulses of planes and gravity, the error"},
-       .read = [](const I& r, Indices) -> Value { return norm(r.momentum_residual); }},
+       .read = [](const BodiesImpact& r, Indices) -> Value { return norm(r.momentum_residual); }},
       {.is = {"momentum.angular_residual", "N m s", "",
               "the same of angular momentum about the origin; 0 beside planes and gravity"},
-       .read = [](const I& r, Indices) -> Value { return norm(r.angular_momentum_residual); }},
+       .read = [](const BodiesImpact& r, Indices) -> Value { return norm(r.angular_momentum_residual); }},
   };
 }
 
@@ -175,8 +183,9 @@ List<I> balances() {
 template <>
 const std::vector<Quantity<BodiesImpact>>& quantities() {
   static const auto list = [] {
-    List<I> all = motion();
-    for (const auto& part : {contacts(), events(), balances(), validity<I>(), cost_of_run<I>()})
+    List<BodiesImpact> all = motion();
+    for (const auto& part :
+         {contacts(), events(), balances(), validity<BodiesImpact>(), cost_of_run<BodiesImpact>()})
       append(all, part);
     return all;
   }();

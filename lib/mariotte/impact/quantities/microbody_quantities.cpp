@@ -5,7 +5,6 @@
 namespace mariotte::impact {
 namespace {
 
-using I = MicrobodyImpact;
 using BriefBody = Brief<MicrobodyImpact>;
 
 /// Both are 0 of a captured body, and empty before the tip has separated.
@@ -16,7 +15,7 @@ std::optional<Restitution> restitution_of(const BriefBody& b) {
                      b.impact.velocity.e1);
 }
 
-std::optional<Restitution> restitution_of(const I& r) {
+std::optional<Restitution> restitution_of(const MicrobodyImpact& r) {
   return has_restitution(r) ? std::optional(r.restitution) : std::nullopt;
 }
 
@@ -27,28 +26,29 @@ constexpr auto restitution_at = [](const auto& r, Indices) -> Value {
 };
 
 template <auto member>
-constexpr auto final_vector = [](const I& r, Indices i) { return component(r.final.*member, i[0]); };
+constexpr auto final_vector =
+    [](const MicrobodyImpact& r, Indices i) { return component(r.final.*member, i[0]); };
 
 template <auto member>
 constexpr auto brief_vector =
     [](const BriefBody& b, Indices i) { return i[0] < 3 ? component(b.impact.*member, i[0]) : Value(); };
 
-List<I> motion() {
+List<MicrobodyImpact> body_motion() {
   return {
       {.is = {"final.time", "s", "t", "time at which the run ended"},
-       .read = [](const I& r, Indices) -> Value { return r.final.time; },
+       .read = [](const MicrobodyImpact& r, Indices) -> Value { return r.final.time; },
        .brief = [](const BriefBody& b, Indices) -> Value { return b.impact.time; }},
       {.is = {"final.position[]", "m", "x", "mass centre: height over the plane, then way along e2 and e3"},
        .read = final_vector<&BodyState::position>,
        .count = fixed<3>},
       {.is = {"final.quaternion[]", "1", "q", "attitude: w, x, y, z"},
-       .read = [](const I& r, Indices i) -> Value {
+       .read = [](const MicrobodyImpact& r, Indices i) -> Value {
          const auto& q = r.final.attitude;
          return std::array{q.w, q.x, q.y, q.z}[i[0]];
        },
        .count = fixed<4>},
       {.is = {"final.angles[]", "rad", "α, β, γ", "attitude as angles"},
-       .read = [](const I& r, Indices i) -> Value {
+       .read = [](const MicrobodyImpact& r, Indices i) -> Value {
          const auto angles = to_euler(r.final.attitude);
          return std::array{angles.alpha, angles.beta, angles.gamma}[i[0]];
        },
@@ -71,23 +71,23 @@ List<I> motion() {
 }
 
 template <auto member>
-constexpr auto impact_at = of_element<&I::impacts, member>;
+constexpr auto impact_at = of_element<&MicrobodyImpact::impacts, member>;
 
 /// What is known only once the tip has separated.
 template <auto member>
-constexpr auto after_impact = [](const I& r, Indices at) -> Value {
+constexpr auto after_impact = [](const MicrobodyImpact& r, Indices at) -> Value {
   const auto& one = r.impacts[at[0]];
   return one.end ? value(one.*member) : Value();
 };
 
-List<I> impacts() {
+List<MicrobodyImpact> impacts() {
   using One = TipImpact;
   return {
       {.is = {"impacts[]", "", "", "contacts of a tip, in order of time"},
-       .count = size_of<&I::impacts>,
+       .count = size_of<&MicrobodyImpact::impacts>,
        .counted_by_run = true},
       {.is = {"impacts[].tip", "1", "i", "the tip, from 1"},
-       .read = [](const I& r, Indices at) -> Value { return r.impacts[at[0]].tip + 1; }},
+       .read = [](const MicrobodyImpact& r, Indices at) -> Value { return r.impacts[at[0]].tip + 1; }},
       {.is = {"impacts[].start", "s", "", "when it touches"}, .read = impact_at<&One::start>},
       {.is = {"impacts[].end", "s", "", "when it separates; null if it does not"},
        .read = impact_at<&One::end>},
@@ -100,8 +100,10 @@ List<I> impacts() {
       {.is = {"impacts[].centre_velocity_out", "m/s", "", "normal velocity of the mass centre after"},
        .read = after_impact<&One::centre_velocity_out>},
       {.is = {"impacts[].slip_out[]", "m/s", "", "velocity of the contact point along e2, e3 after"},
-       .read = [](const I& r, Indices at) { return component(r.impacts[at[0]].slip_out, at[1] + 1); },
-       .count = [](const I& r, Indices at) { return r.impacts[at[0]].end ? Count(2) : Count(); },
+       .read = [](const MicrobodyImpact& r,
+                  Indices at) { return component(r.impacts[at[0]].slip_out, at[1] + 1); },
+       .count = [](const MicrobodyImpact& r,
+                   Indices at) { return r.impacts[at[0]].end ? Count(2) : Count(); },
        .counted_by_run = true},
       {.is = {"impacts[].peak_force", "N", "max F_n", "largest push of the plane"},
        .read = impact_at<&One::peak_force>,
@@ -116,31 +118,32 @@ List<I> impacts() {
 }
 
 template <auto member>
-Quantity<I> change(std::string_view key, std::string_view meaning) {
+Quantity<MicrobodyImpact> change(std::string_view key, std::string_view meaning) {
   return {.is = {key, "1", "i", meaning},
           .read = numbered<member>,
-          .count = size_in<&I::events, member>,
+          .count = size_in<&MicrobodyImpact::events, member>,
           .counted_by_run = true};
 }
 
-List<I> events() {
+List<MicrobodyImpact> body_events() {
   return {
       {.is = {"events[]", "", "", "instants at which something changes at a tip"},
-       .count = size_of<&I::events>,
+       .count = size_of<&MicrobodyImpact::events>,
        .counted_by_run = true},
-      {.is = {"events[].time", "s", "t", "when"}, .read = of_element<&I::events, &TipEvents::time>},
+      {.is = {"events[].time", "s", "t", "when"},
+       .read = of_element<&MicrobodyImpact::events, &TipEvents::time>},
       change<&TipEvents::open>("events[].open[]", "tips that separate, from 1"),
       change<&TipEvents::close>("events[].close[]", "tips that touch, from 1"),
       change<&TipEvents::stick>("events[].stick[]", "tips that begin to stick, from 1"),
       change<&TipEvents::slip>("events[].slip[]", "tips that begin to slip, from 1"),
       {.is = {"events[].force_sign[]", "1", "±i",
               "tips that are pushed from now on, negative: pulled; from 1"},
-       .read = [](const I& r, Indices at) -> Value {
+       .read = [](const MicrobodyImpact& r, Indices at) -> Value {
          const auto& [push, pull] = std::tie(r.events[at[0]].push, r.events[at[0]].pull);
          const Index pushed = std::ssize(push);
          return at[1] < pushed ? push[at[1]] + 1 : -(pull[at[1] - pushed] + 1);
        },
-       .count = [](const I& r, Indices at) -> Count {
+       .count = [](const MicrobodyImpact& r, Indices at) -> Count {
          return std::ssize(r.events[at[0]].push) + std::ssize(r.events[at[0]].pull);
        },
        .counted_by_run = true},
@@ -148,7 +151,7 @@ List<I> events() {
   };
 }
 
-List<I> energies() {
+List<MicrobodyImpact> energies() {
   using One = MicrobodyBalance;
   return {
       {.is = {"energy.initial", "J", "T⁻", "kinetic energy at the start"}, .read = energy<&One::initial>},
@@ -156,7 +159,7 @@ List<I> energies() {
       {.is = {"energy.stored", "J", "", "in closed contacts at the end; negative in the well of adhesion"},
        .read = energy<&One::stored>},
       {.is = {"energy.dissipated", "J", "", "the three below together"},
-       .read = [](const I& r, Indices) -> Value { return r.energy.dissipated(); }},
+       .read = [](const MicrobodyImpact& r, Indices) -> Value { return r.energy.dissipated(); }},
       {.is = {"energy.hertz_damping", "J", "", "energy dissipated by the damping of the Hertz force"},
        .read = energy<&One::hertz_damping>},
       {.is = {"energy.adhesion_damping", "J", "", "energy dissipated by the damping of adhesion"},
@@ -168,24 +171,26 @@ List<I> energies() {
   };
 }
 
-Value if_captured(const I& r, Value told) {
+Value if_captured(const MicrobodyImpact& r, Value told) {
   return r.rest ? told : Omitted{};
 }
 
-List<I> others() {
+List<MicrobodyImpact> others() {
   return {
       {.is = {"rest.tip", "1", "i", "captured tip, from 1; rest is null of a body that is not captured"},
-       .read = [](const I& r, Indices) { return if_captured(r, r.rest ? r.rest->tip + 1 : 0); }},
+       .read = [](const MicrobodyImpact& r,
+                  Indices) { return if_captured(r, r.rest ? r.rest->tip + 1 : 0); }},
       {.is = {"rest.indentation", "m", "n", "how deep it comes to rest"},
-       .read = [](const I& r, Indices) { return if_captured(r, r.rest ? r.rest->indentation : 0); }},
+       .read = [](const MicrobodyImpact& r,
+                  Indices) { return if_captured(r, r.rest ? r.rest->indentation : 0); }},
       {.is = {"shared_friction", "", "", "two tips stuck at once, and the least friction was taken"},
-       .read = own<&I::shared_friction>},
+       .read = own<&MicrobodyImpact::shared_friction>},
   };
 }
 
-List<I> momenta() {
+List<MicrobodyImpact> momenta() {
   return {{.is = {"momentum.impulse[]", "N s", "", "impulse of the plane on the body: normal, along e2, e3"},
-           .read = [](const I& r, Indices i) { return component(r.impulse, i[0]); },
+           .read = [](const MicrobodyImpact& r, Indices i) { return component(r.impulse, i[0]); },
            .count = fixed<3>}};
 }
 
@@ -194,9 +199,9 @@ List<I> momenta() {
 template <>
 const std::vector<Quantity<MicrobodyImpact>>& quantities() {
   static const auto list = [] {
-    List<I> all = motion();
-    for (const auto& part :
-         {impacts(), events(), others(), energies(), momenta(), validity<I>(), cost_of_run<I>()})
+    List<MicrobodyImpact> all = body_motion();
+    for (const auto& part : {impacts(), body_events(), others(), energies(), momenta(),
+                             validity<MicrobodyImpact>(), cost_of_run<MicrobodyImpact>()})
       append(all, part);
     return all;
   }();

@@ -10,7 +10,7 @@
 namespace mariotte::model {
 
 /// A value with so many slopes as are carried side by side.
-inline constexpr int slope_lanes = 8;
+inline constexpr Index slope_lanes = 8;
 using Sloped = series::Dual<double, slope_lanes>;
 
 /// One body at one instant.

@@ -14,12 +14,13 @@ struct Column {
   const char* name;
   BodyEvent event;
 };
-constexpr std::array columns = {Column{"close", BodyEvent::close},     Column{"open", BodyEvent::open},
-                                Column{"stick", BodyEvent::stick},     Column{"slip", BodyEvent::slip},
-                                Column{"reverse", BodyEvent::reverse}, Column{"load", BodyEvent::load},
-                                Column{"unload", BodyEvent::unload},   Column{"slack", BodyEvent::slack},
-                                Column{"grip", BodyEvent::grip},       Column{"touch", BodyEvent::touch},
-                                Column{"part", BodyEvent::part},       Column{"yield", BodyEvent::yield}};
+constexpr std::array event_columns = {
+    Column{"close", BodyEvent::close},     Column{"open", BodyEvent::open},
+    Column{"stick", BodyEvent::stick},     Column{"slip", BodyEvent::slip},
+    Column{"reverse", BodyEvent::reverse}, Column{"load", BodyEvent::load},
+    Column{"unload", BodyEvent::unload},   Column{"slack", BodyEvent::slack},
+    Column{"grip", BodyEvent::grip},       Column{"touch", BodyEvent::touch},
+    Column{"part", BodyEvent::part},       Column{"yield", BodyEvent::yield}};
 
 /// "x1 [m],y1 [m]" for names with their unit and one thing.
 std::string names(std::initializer_list<const char*> all, std::size_t which, const char* unit) {
@@ -67,11 +68,11 @@ void append(std::string& text, const impact::BodyEnd& body, bool plane) {
 
 std::string events_csv(const impact::BodiesImpact& impact) {
   std::string text = "time [s]";
-  for (const auto& column : columns) text += fmt::format(",{}", column.name);
+  for (const auto& column : event_columns) text += fmt::format(",{}", column.name);
   text += "\n";
   for (const auto& event : impact.events) {
     text += exact(event.time);
-    for (const auto& column : columns) {
+    for (const auto& column : event_columns) {
       std::vector<Index> counted = event.of(column.event);
       for (auto& one : counted) ++one;
       text += fmt::format(",{}", fmt::join(counted, " "));

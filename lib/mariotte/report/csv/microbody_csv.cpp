@@ -29,7 +29,7 @@ std::string header(std::size_t tips) {
   return text + "\n";
 }
 
-void append(std::string& text, std::initializer_list<double> values) {
+void append_cells(std::string& text, std::initializer_list<double> values) {
   for (const double value : values)
     text.append(text.empty() || text.back() == '\n' ? "" : ",").append(exact(value));
 }
@@ -50,12 +50,12 @@ std::string trace_csv(const impact::MicrobodyImpact& impact) {
   std::string text = header(tips);
   for (std::size_t row = 0; row < trace.state.size(); ++row) {
     const auto& [time, x, q, v, w] = trace.state[row];
-    append(text, {time, x.e1, x.e2, x.e3, v.e1, v.e2, v.e3, w.e1, w.e2, w.e3, q.w, q.x, q.y, q.z});
+    append_cells(text, {time, x.e1, x.e2, x.e3, v.e1, v.e2, v.e3, w.e1, w.e2, w.e3, q.w, q.x, q.y, q.z});
     for (std::size_t i = 0; i < tips; ++i) {
       const auto& friction = trace.friction[row][i];
       const auto& slip = trace.slip[row][i];
-      append(text,
-             {trace.gap[row][i], trace.normal_force[row][i], friction.e2, friction.e3, slip.e2, slip.e3});
+      append_cells(
+          text, {trace.gap[row][i], trace.normal_force[row][i], friction.e2, friction.e3, slip.e2, slip.e3});
     }
     text += "\n";
   }

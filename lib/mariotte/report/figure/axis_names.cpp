@@ -12,11 +12,11 @@
 namespace mariotte::report {
 namespace {
 
-struct Word {
+struct AxisWord {
   std::string_view key, words, symbol;
 };
 /// Keys that are not the words themselves, and symbols of what a scene says.
-constexpr std::array<Word, 20> dictionary{{
+constexpr std::array<AxisWord, 20> dictionary{{
     {"icr", "impulse correlation ratio", ""},
     {"mass", "mass", "m"},
     {"diameter", "diameter", "d"},
@@ -39,9 +39,9 @@ constexpr std::array<Word, 20> dictionary{{
     {"zeta_adhesion", "damping", "ζ_A"},
 }};
 
-const Word* find(std::span<const Word> words, std::string_view key) {
+const AxisWord* find(std::span<const AxisWord> words, std::string_view key) {
   const auto found =
-      std::find_if(words.begin(), words.end(), [&](const Word& one) { return one.key == key; });
+      std::find_if(words.begin(), words.end(), [&](const AxisWord& one) { return one.key == key; });
   return found == words.end() ? nullptr : &*found;
 }
 
@@ -169,11 +169,11 @@ std::string name_of_input(const std::string& key) {
 }
 
 std::string name_of_slope(const std::string& key) {
-  constexpr std::array<Word, 5> outcomes{{{"velocity", "", "v"},
-                                          {"impulse", "", "p"},
-                                          {"icr", "", "α"},
-                                          {"time", "", "t"},
-                                          {"dissipated", "", "D"}}};
+  constexpr std::array<AxisWord, 5> outcomes{{{"velocity", "", "v"},
+                                              {"impulse", "", "p"},
+                                              {"icr", "", "α"},
+                                              {"time", "", "t"},
+                                              {"dissipated", "", "D"}}};
   const auto dot = key.find('.', key.find('.') + 1);
   const auto outcome = path_of(key.substr(0, dot)), parameter = path_of(key.substr(dot + 1));
   const auto* of = find(outcomes, outcome.names.back());

@@ -12,10 +12,10 @@
 namespace mariotte::report {
 namespace {
 
-constexpr std::size_t most_names = 3;   // of curves that coincide
-constexpr std::size_t most_pulses = 4;  // of a curve that leave room for names above peaks
-constexpr double line_height = 0.072;   // of a panel
-constexpr double gap = 14;              // pixels from the end of a curve to its name
+constexpr std::size_t most_joint_names = 3;  // of curves that coincide
+constexpr std::size_t most_pulses = 4;       // of a curve that leave room for names above peaks
+constexpr double label_height = 0.072;       // of a panel
+constexpr double label_gap = 14;             // pixels from the end of a curve to its name
 
 /// How often a curve rises from zero.
 std::size_t pulses(const Curve& curve, double height) {
@@ -32,9 +32,10 @@ std::size_t pulses(const Curve& curve, double height) {
 /// Names of a group, one per line or all in one.
 std::vector<std::string> names(const TimeFigure& figure, const Group& group) {
   std::vector<std::string> all;
-  for (std::size_t k = 0; k < std::min(group.size(), most_names); ++k)
+  for (std::size_t k = 0; k < std::min(group.size(), most_joint_names); ++k)
     all.push_back(figure.curves[group[k]].name);
-  if (group.size() > most_names) all.back() = fmt::format("and {} more", group.size() - most_names + 1);
+  if (group.size() > most_joint_names)
+    all.back() = fmt::format("and {} more", group.size() - most_joint_names + 1);
   return all;
 }
 
@@ -120,17 +121,17 @@ std::string end_labels(const TimeFigure& figure, const std::vector<Group>& group
   for (const auto k : named) {
     const auto& curve = figure.curves[groups[k].front()];
     wanted.push_back(range.place(value_at(figure, curve, panel.window.end)));
-    space.push_back(line_height * static_cast<double>(names(figure, groups[k]).size()));
+    space.push_back(label_height * static_cast<double>(names(figure, groups[k]).size()));
   }
   const auto place = spread(wanted, space);
-  const double beside = 1 + gap / sheet_pixels(panel);
+  const double beside = 1 + label_gap / sheet_pixels(panel);
   std::string text;
   for (std::size_t i = 0; i < named.size(); ++i) {
     const auto lines = names(figure, groups[named[i]]);
     text += leader(1, wanted[i], beside, place[i]);
     for (std::size_t k = 0; k < lines.size(); ++k) {
       const double above = 0.5 * static_cast<double>(lines.size() - 1) - static_cast<double>(k);
-      text += label(lines[k], beside + 0.01, place[i] + above * line_height, "left", named[i]);
+      text += label(lines[k], beside + 0.01, place[i] + above * label_height, "left", named[i]);
     }
   }
   return text;
@@ -151,14 +152,14 @@ std::string peak_labels(const TimeFigure& figure, const std::vector<Group>& grou
     const auto words = fmt::format("{}", fmt::join(names(figure, groups[k]), ", "));
     const double length = letter_width * (static_cast<double>(letters(words)) + 0.5) / sheet_pixels(panel);
     const double x = (figure.time[at] - window.start) / (window.end - window.start);
-    const double y = range.place(curve.value[at]) + (curve.value[at] < 0 ? -1.2 * line_height : 0.02);
+    const double y = range.place(curve.value[at]) + (curve.value[at] < 0 ? -1.2 * label_height : 0.02);
     const double left = std::clamp(x - 0.5 * length, 0.0, std::max(0.0, 1 - length));
-    taken.push_back(free_place({left, y, length, line_height}, taken, curves));
+    taken.push_back(free_place({left, y, length, label_height}, taken, curves));
     const auto& box = taken.back();
     const double middle = box.x + 0.5 * length;
-    if (std::abs(box.y - y) > 0.5 * line_height || std::abs(box.x - left) > 0.3 * length)
-      text += leader(x, range.place(curve.value[at]), middle, box.y > y ? box.y : box.y + line_height);
-    text += label(words, middle, box.y + 0.5 * line_height, "center", k);
+    if (std::abs(box.y - y) > 0.5 * label_height || std::abs(box.x - left) > 0.3 * length)
+      text += leader(x, range.place(curve.value[at]), middle, box.y > y ? box.y : box.y + label_height);
+    text += label(words, middle, box.y + 0.5 * label_height, "center", k);
   }
   return text;
 }
@@ -168,7 +169,7 @@ double margin_of(const TimeFigure& figure, const std::vector<Group>& groups,
   std::size_t most = 0;
   for (const auto k : named)
     for (const auto& name : names(figure, groups[k])) most = std::max(most, letters(name));
-  return most == 0 ? 26 : gap + 8 + letter_width * static_cast<double>(most);
+  return most == 0 ? 26 : label_gap + 8 + letter_width * static_cast<double>(most);
 }
 
 }  // namespace mariotte::report

@@ -14,7 +14,7 @@ namespace mariotte::report {
 namespace {
 
 constexpr std::size_t most_named = 1000;
-constexpr std::array axis = {"x", "y", "z"};
+constexpr std::array axis_letter = {"x", "y", "z"};
 
 CurveNames names(const model::Chain& chain) {
   CurveNames names;
@@ -30,7 +30,7 @@ CurveNames names(const model::Network& network) {
   if (network.dimension == 0 || network.velocity.size() > most_named) return names;
   for (Index i = 0; i < std::ssize(network.velocity); ++i)
     names.velocities.push_back(fmt::format("ball {} {}", i / network.dimension + 1,
-                                           axis[static_cast<std::size_t>(i % network.dimension)]));
+                                           axis_letter[static_cast<std::size_t>(i % network.dimension)]));
   const auto pairs = contact_names(network);
   for (std::size_t j = 0; j < pairs.size(); ++j)
     names.contacts.push_back(fmt::format("f_{{{}}} ({})", j + 1, pairs[j]));
@@ -44,7 +44,7 @@ CurveNames names(const model::Bodies& bodies) {
   for (Index i = 0; i < std::ssize(bodies.body); ++i)
     for (int k = 0; k < bodies.dimension; ++k)
       names.velocities.push_back(
-          fmt::format("{} {}", plain(body_name(bodies, i)), axis[static_cast<std::size_t>(k)]));
+          fmt::format("{} {}", plain(body_name(bodies, i)), axis_letter[static_cast<std::size_t>(k)]));
   for (Index i = 0; i < std::ssize(bodies.body); ++i) names.bodies.push_back(plain(body_name(bodies, i)));
   for (const auto& contact : bodies.contact)
     names.contacts.push_back(fmt::format("{}–{}", name_of(bodies, contact.a), name_of(bodies, contact.b)));

@@ -10,7 +10,7 @@
 namespace mariotte::report {
 namespace {
 
-constexpr std::size_t most_lines = 24;                            // more would hide the curves; ticks do not
+constexpr std::size_t most_marks = 24;                            // more would hide the curves; ticks do not
 constexpr std::array shades = {"#f1f4f8", "#e6ecf3", "#dce4ee"};  // of one, two, three and more contacts
 
 struct Axis {
@@ -70,7 +70,7 @@ std::string event_marks(const std::vector<impact::Event>& events, const Display&
                         double width, std::optional<double> room) {
   const Axis axis{time, window, width};
   const auto shown = shown_by(axis, events);
-  if (shown.size() > most_lines) return lines(axis, shown, false);
+  if (shown.size() > most_marks) return lines(axis, shown, false);
   return shades_of(axis, events) + lines(axis, shown, true) +
          (room ? event_words(shown, window, width, *room) : "");
 }

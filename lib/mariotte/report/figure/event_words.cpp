@@ -11,7 +11,7 @@ namespace mariotte::report {
 namespace {
 
 constexpr double pixels_of_letter = 5.2;
-constexpr int rows = 2;
+constexpr int word_rows = 2;
 constexpr std::size_t most_told = 3;  // changes of several events told together
 
 /// "1–2 close"
@@ -50,18 +50,18 @@ struct Words {
 };
 
 /// Where words are centred and how wide they are, in widths of the axis.
-struct Places {
+struct WordPlaces {
   std::vector<double> at, width;
 };
 
 /// Not before the axis, beside whose upper end stands a number, nor too far beyond its end.
-Places places(const std::vector<Words>& all, double axis, double room) {
-  Places places;
+WordPlaces places(const std::vector<Words>& all, double axis, double room) {
+  WordPlaces places;
   for (const auto& one : all) {
-    const double wide = pixels_of_letter * static_cast<double>(report::width(one.text()) + 1) / axis;
-    const double most = 1 + room / axis - 0.5 * wide;
-    places.width.push_back(wide);
-    places.at.push_back(std::max(std::min(0.5 * (one.first + one.last), most), 0.5 * wide));
+    const double one_width = pixels_of_letter * static_cast<double>(report::width(one.text()) + 1) / axis;
+    const double most = 1 + room / axis - 0.5 * one_width;
+    places.width.push_back(one_width);
+    places.at.push_back(std::max(std::min(0.5 * (one.first + one.last), most), 0.5 * one_width));
   }
   return places;
 }
@@ -69,7 +69,7 @@ Places places(const std::vector<Words>& all, double axis, double room) {
 /// In which rows the words stand; those without room join the words before them.
 std::vector<int> arrange(double axis, double room, std::vector<Words>& all) {
   const auto [at, width] = places(all, axis, room);
-  const auto row = rows_of_words(at, width, rows);
+  const auto row = rows_of_words(at, width, word_rows);
   const auto none = std::find(row.begin() + 1, row.end(), -1) - row.begin();
   if (none == std::ssize(row)) return row;
   all[static_cast<std::size_t>(none) - 1].add(all[static_cast<std::size_t>(none)]);
@@ -88,8 +88,8 @@ std::string event_words(const std::vector<impact::Event>& events, const Window& 
   }
   if (all.empty()) return "";
   const auto row = arrange(width, room, all);
-  const auto [at, wide] = places(all, width, room);
-  if (*std::max_element(wide.begin(), wide.end()) > 1 + room / width) return "";  // lines alone mark them
+  const auto [at, widths] = places(all, width, room);
+  if (*std::max_element(widths.begin(), widths.end()) > 1 + room / width) return "";  // lines alone mark them
   std::string text;
   for (std::size_t i = 0; i < all.size(); ++i)
     text += fmt::format(

@@ -18,7 +18,7 @@ namespace {
 constexpr const char* fit_figure = "fit";
 constexpr const char* residuals_figure = "residuals";
 
-std::string axis_name(const study::Setting& setting) {
+std::string setting_name(const study::Setting& setting) {
   return with_unit(name_of_input(setting.key), setting.unit);
 }
 
@@ -43,8 +43,8 @@ std::string of_curve(std::size_t curve, std::size_t last, std::size_t column) {
 }
 
 /// Columns of points.csv, from 1.
-struct Places {
-  explicit Places(const study::Measurements& measurements) : settings(measurements.settings.size()) {}
+struct ColumnPlaces {
+  explicit ColumnPlaces(const study::Measurements& measurements) : settings(measurements.settings.size()) {}
 
   std::size_t settings;
   std::size_t abscissa(const study::FitCurves& curves) const { return curves.setting + 2; }
@@ -57,7 +57,7 @@ struct Places {
 /// The points of one curve, with error bars if there are deviations.
 std::string points(const FitReport& report, const study::FitCurves& curves, std::size_t k, std::size_t height,
                    const std::string& title) {
-  const Places places(report.measurements);
+  const ColumnPlaces places(report.measurements);
   const auto bars = report.measurements.weighted ? fmt::format(":(${})", places.deviation()) : std::string();
   return fmt::format("'points.csv' every ::1 using {}:{}{} with {} lt {} dt solid lw 1.5 ps 1.6 {}",
                      places.abscissa(curves), of_curve(k, places.curve(), height), bars,
@@ -124,7 +124,7 @@ std::string measured_plot(const FitReport& report, const study::FitCurves& curve
   for (std::size_t k = 0; k < curves.curves.size(); ++k) {
     draw.push_back(fmt::format("'curves.csv' skip 1 using 2:{} with lines lt {} lw 2 {}", height_of(k), k + 1,
                                titled ? "title " + quoted(name_of(curves.curves[k])) : "notitle"));
-    draw.push_back(points(report, curves, k, Places(report.measurements).measured(), "notitle"));
+    draw.push_back(points(report, curves, k, ColumnPlaces(report.measurements).measured(), "notitle"));
   }
   return fmt::format(
       "plot {}, \\\n  keyentry with points lc rgb '#555555' pt 7 ps 0.8 title 'measured', \\\n"
@@ -136,7 +136,7 @@ std::string residual_plot(const FitReport& report, const study::FitCurves& curve
   std::vector<std::string> draw = {"0 with lines lc rgb '#555555' notitle"};
   for (std::size_t k = 0; k < curves.curves.size(); ++k)
     draw.push_back(
-        points(report, curves, k, Places(report.measurements).residual(),
+        points(report, curves, k, ColumnPlaces(report.measurements).residual(),
                curves.curves.size() > 1 ? "title " + quoted(name_of(curves.curves[k])) : "notitle"));
   return fmt::format("plot {}\n", fmt::join(draw, ", \\\n  "));
 }
@@ -178,7 +178,7 @@ std::string curves_csv(const study::FitCurves& curves, const study::Measurements
 std::string fit_script(const FitReport& report, const study::FitCurves& curves) {
   const auto& setting = report.measurements.settings[curves.setting];
   const auto head = report.title.empty() ? std::string("Fit") : report.title;
-  return script_head() + fmt::format("set xlabel {}", quoted(axis_name(setting))) + set_title(head) +
+  return script_head() + fmt::format("set xlabel {}", quoted(setting_name(setting))) + set_title(head) +
          fitted_figure(report, curves) + set_title(head + ": residuals") + residual_figure(report, curves);
 }
 

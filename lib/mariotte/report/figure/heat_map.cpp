@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t most_cells = 250;  // along each axis, about a pixel of the screen
 constexpr double colour_bar = 108;       // pixels, with its numbers and name
-constexpr double decades = 1e-4;
+constexpr double four_decades = 1e-4;
 
 /// How many balls share a cell.
 std::size_t stride(const HeatMap& map) {
@@ -90,7 +90,7 @@ Colours range(const HeatMap& map, const TimeAxis& axis, bool logarithmic) {
 Colours colours(const HeatMap& map, const TimeAxis& axis) {
   if (map.logarithmic) {
     auto all = range(map, axis, true);
-    all.least = std::max(all.least, decades * all.most);
+    all.least = std::max(all.least, four_decades * all.most);
     if (all.most >= 10 * all.least && all.most > 0) return all;
   }
   auto all = range(map, axis, false);

@@ -9,8 +9,8 @@
 namespace mariotte::report {
 namespace {
 
-constexpr std::size_t most_beside = 10, most_letters = 22, names_of_a_row = 3;
-constexpr double leader = 14, height_of_row = 18;  // pixels
+constexpr std::size_t most_beside = 10, most_letters_beside = 22, names_of_a_row = 3;
+constexpr double leader_width = 14, height_of_row = 18;  // pixels
 
 std::size_t longest(const std::vector<NamedLine>& lines, const std::string& heading) {
   auto most = letters(heading);
@@ -50,11 +50,11 @@ std::string name_of(const NamedLine& line, std::size_t number) {
 }  // namespace
 
 bool fit_beside(const std::vector<NamedLine>& lines, const std::string& heading) {
-  return lines.size() <= most_beside && longest(lines, heading) <= most_letters;
+  return lines.size() <= most_beside && longest(lines, heading) <= most_letters_beside;
 }
 
 std::string names_beside(const std::vector<NamedLine>& lines, const std::string& heading) {
-  const double margin = leader + 12 + letter_width * static_cast<double>(longest(lines, heading));
+  const double margin = leader_width + 12 + letter_width * static_cast<double>(longest(lines, heading));
   std::string text = fmt::format(
       "unset key\nunset arrow\nset rmargin at screen {:.4f}\narray At[{}]; array End[{}]; array Place[{}]\n"
       "room = margin > 0 ? margin : 0.04 * (high - low)\nbottom = factor * (low - room); top = factor * "

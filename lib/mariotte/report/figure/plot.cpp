@@ -14,7 +14,7 @@ namespace {
 
 using Rows = std::vector<std::vector<double>>;
 
-constexpr double invisible = 1e-4;  // of the height of a figure
+constexpr double negligible_height = 1e-4;  // of the height of a figure
 
 std::size_t columns_of(const Rows& rows) {
   return rows.empty() ? 0 : rows.front().size();
@@ -68,7 +68,7 @@ class Writer {
     TimeFigure figure{series.file, title_, series.quantity, series.unit, series.names, time_, {}};
     for (std::size_t k = 0; k < count; ++k) {
       auto value = column_of(series.rows, k);
-      plot_.data += block(time_, value, k + 1, invisible * greatest(series.rows));
+      plot_.data += block(time_, value, k + 1, negligible_height * greatest(series.rows));
       figure.curves.push_back(
           {series.name[k], fmt::format("'plot.csv' index {}", block_++), 2, 3, std::move(value)});
     }

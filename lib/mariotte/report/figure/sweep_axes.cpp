@@ -19,7 +19,7 @@ namespace {
 using study::Design;
 using study::Parameter;
 
-constexpr Index most_names = 12;
+constexpr Index most_tick_names = 12;
 constexpr double most_ticks = 5;  // below a map
 
 bool is_logarithmic(const Parameter& one) {
@@ -63,7 +63,7 @@ std::string name(const scene::Node& value, std::size_t position, double factor) 
 std::string names(const Parameter& one) {
   const auto names = value_names(one);
   std::string tics;
-  const std::size_t step = (names.size() + most_names - 1) / most_names;
+  const std::size_t step = (names.size() + most_tick_names - 1) / most_tick_names;
   for (std::size_t k = 0; k < names.size(); k += step)
     tics += fmt::format("{}{} {}", k > 0 ? ", " : "", quoted(names[k]), k);
   return tics;

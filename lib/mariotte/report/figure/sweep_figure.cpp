@@ -9,7 +9,7 @@
 namespace mariotte::report {
 namespace {
 
-constexpr std::size_t most_letters = 100;  // file systems take 255
+constexpr std::size_t most_letters_of_file = 100;  // file systems take 255
 
 bool is_plain(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '-' ||
@@ -20,7 +20,7 @@ bool is_plain(char c) {
 
 std::string file_name(const std::string& key, const std::vector<std::string>& taken) {
   std::string name = "sweep.";
-  for (const char c : key.substr(0, most_letters))
+  for (const char c : key.substr(0, most_letters_of_file))
     if (c != ']') name += is_plain(c) ? c : '_';
   auto own = name;
   for (int k = 2; std::find(taken.begin(), taken.end(), own) != taken.end(); ++k)

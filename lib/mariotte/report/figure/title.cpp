@@ -9,8 +9,8 @@
 namespace mariotte::report {
 namespace {
 
-constexpr std::size_t most_lines = 3;
-constexpr int line_height = 16;  ///< pixels
+constexpr std::size_t most_title_lines = 3;
+constexpr int title_line_height = 16;  ///< pixels
 
 std::vector<std::string> lines_of(const std::string& title, std::size_t most_letters) {
   std::vector<std::string> lines{""};
@@ -29,14 +29,14 @@ std::vector<std::string> lines_of(const std::string& title, std::size_t most_let
 
 Title wrapped(const std::string& title, std::size_t most_letters) {
   auto lines = lines_of(title, most_letters);
-  if (lines.size() > most_lines) {
-    lines.resize(most_lines);
+  if (lines.size() > most_title_lines) {
+    lines.resize(most_title_lines);
     lines.back() += " …";
   }
   Title made{quoted(lines.front())};
   for (std::size_t k = 1; k < lines.size(); ++k) {
     made.text += ".\"\\n\"." + quoted(lines[k]);
-    made.more_height += line_height;
+    made.more_height += title_line_height;
   }
   return made;
 }

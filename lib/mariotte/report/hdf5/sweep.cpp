@@ -10,7 +10,7 @@
 namespace mariotte::report {
 namespace {
 
-constexpr Index most_pending = 65536;  // rows
+constexpr Index most_pending_rows = 65536;  // rows
 
 H5::StrType utf8_text() {
   H5::StrType type(H5::PredType::C_S1, H5T_VARIABLE);
@@ -102,7 +102,7 @@ class Hdf5Sweep final : public SweepFile {
       for (std::size_t i = 0; i < columns_.size(); ++i) columns_[i]->add(cells_.at(i));
       ++pending_;
     }
-    if (pending_ >= most_pending) target_.guarded([&] { write(); });
+    if (pending_ >= most_pending_rows) target_.guarded([&] { write(); });
   }
 
   void commit() override {

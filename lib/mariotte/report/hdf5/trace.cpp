@@ -13,7 +13,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t most_pending = 262144;  // values of one table: 2 MiB
+constexpr std::size_t most_pending_values = 262144;  // values of one table: 2 MiB
 constexpr std::chrono::seconds between_flushes(1);
 
 /// Rows that wait to be written.
@@ -75,7 +75,7 @@ class Hdf5Trace final : public TraceFile {
     tables_[1].add(sample.velocity);
     tables_[2].add(sample.gap);
     tables_[3].add(sample.force);
-    const auto is_full = [](const Table& table) { return table.pending() >= most_pending; };
+    const auto is_full = [](const Table& table) { return table.pending() >= most_pending_values; };
     if (Clock::now() - flushed_ > between_flushes || std::any_of(tables_.begin(), tables_.end(), is_full))
       target_.guarded([&] { flush(); });
   }

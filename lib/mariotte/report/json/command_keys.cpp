@@ -140,7 +140,7 @@ constexpr Key of_uncertainty[] = {
      "no scene; with `--samples`"},
 };
 
-constexpr CommandResult all[] = {
+constexpr CommandResult commands[] = {
     {"`mariotte law`", "Of balls, chains and networks. With `provenance`, as above.", of_law},
     {"`mariotte law` of bodies with friction", "Beside the first impact. With `provenance`, as above.",
      of_friction_laws},
@@ -153,6 +153,6 @@ constexpr CommandResult all[] = {
 
 }  // namespace
 
-const std::span<const CommandResult> command_results(all);
+const std::span<const CommandResult> command_results(commands);
 
 }  // namespace mariotte::report

@@ -15,7 +15,6 @@ namespace mariotte::report {
 namespace {
 
 constexpr std::size_t most_rows = 60;  // of a longer table the first and the last half of these
-constexpr std::size_t most_inline = 12;
 
 template <class Impact>
 const impact::Description* find(std::string_view path) {

@@ -6,12 +6,6 @@
 #include <nlohmann/json.hpp>
 
 namespace mariotte::report {
-namespace {
-
-constexpr std::size_t most_inline = 12;
-
-}  // namespace
-
 std::string escaped(std::string_view text) {
   std::string out;
   for (const char c : text) switch (c) {

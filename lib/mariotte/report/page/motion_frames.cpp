@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t frames_of_window = 240, frames_of_flight = 24;
 
 /// Five digits, which no screen shows.
-Json rounded(const std::vector<double>& row, const std::vector<double>& origin = {}) {
+Json rounded_row(const std::vector<double>& row, const std::vector<double>& origin = {}) {
   auto list = Json::array();
   for (std::size_t k = 0; k < row.size(); ++k) {
     const double value = row[k] - (origin.empty() ? 0 : origin[k]);
@@ -64,8 +64,8 @@ Json as_json(const std::vector<Disc>& discs, const std::vector<DiscContact>& con
   }
   for (const auto& one : contacts)
     all["contacts"].push_back({{"from", one.from}, {"to", one.to}, {"x", one.x}, {"y", one.y}});
-  for (const auto& place : course.place) all["move"].push_back(rounded(place, first));
-  for (const auto& force : course.force) all["force"].push_back(rounded(force));
+  for (const auto& place : course.place) all["move"].push_back(rounded_row(place, first));
+  for (const auto& force : course.force) all["force"].push_back(rounded_row(force));
   return all;
 }
 

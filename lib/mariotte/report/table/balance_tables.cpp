@@ -22,19 +22,19 @@ double momentum_scale(const model::Chain& chain) {
   return scale;
 }
 
-constexpr BalanceLine energies[] = {{"before", "energy.initial"},
-                                    {"work done on the balls", "energy.work", true},
-                                    {"kinetic after", "energy.final"},
-                                    {"stored in contacts", "energy.stored", true},
-                                    {"dissipated in contacts", "energy.dissipated"},
-                                    {"of it by yielding", "energy.plastic_work", true},
-                                    {"of it by adhesion", "energy.adhesion_loss", true}};
+constexpr BalanceLine contact_energies[] = {{"before", "energy.initial"},
+                                            {"work done on the balls", "energy.work", true},
+                                            {"kinetic after", "energy.final"},
+                                            {"stored in contacts", "energy.stored", true},
+                                            {"dissipated in contacts", "energy.dissipated"},
+                                            {"of it by yielding", "energy.plastic_work", true},
+                                            {"of it by adhesion", "energy.adhesion_loss", true}};
 constexpr BalanceLine momenta[] = {{"before", "momentum.initial"}, {"after", "momentum.final"}};
 
 template <class Impact>
 std::string energy(const Impact& impact) {
   const auto& e = impact.energy;
-  return balance_table("Energy", impact, energies, "energy.residual", e.initial + std::abs(e.work)) +
+  return balance_table("Energy", impact, contact_energies, "energy.residual", e.initial + std::abs(e.work)) +
          ratio("T⁺/T⁻, given frame", e.ratio_lab) + ratio("T⁺/T⁻, mass centre", e.ratio_centre);
 }
 

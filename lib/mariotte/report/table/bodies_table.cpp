@@ -113,16 +113,16 @@ std::string meetings(const impact::BodiesImpact& impact) {
          columns({"contact", "approach [m/s]", "separation [m/s]"}, std::ssize(met), row);
 }
 
-constexpr BalanceLine energies[] = {{"kinetic before", "energy.initial"},
-                                    {"work of gravity and planes", "energy.work", true},
-                                    {"kinetic after", "energy.final"},
-                                    {"stored in contacts", "energy.stored", true},
-                                    {"dissipated", "energy.dissipated"},
-                                    {"  by friction", "energy.friction"},
-                                    {"  by rescaling", "energy.rescale", true},
-                                    {"  by dampers", "energy.damper", true},
-                                    {"  by yielding", "energy.plastic_work", true},
-                                    {"  by adhesion", "energy.adhesion_loss", true}};
+constexpr BalanceLine bodies_energies[] = {{"kinetic before", "energy.initial"},
+                                           {"work of gravity and planes", "energy.work", true},
+                                           {"kinetic after", "energy.final"},
+                                           {"stored in contacts", "energy.stored", true},
+                                           {"dissipated", "energy.dissipated"},
+                                           {"  by friction", "energy.friction"},
+                                           {"  by rescaling", "energy.rescale", true},
+                                           {"  by dampers", "energy.damper", true},
+                                           {"  by yielding", "energy.plastic_work", true},
+                                           {"  by adhesion", "energy.adhesion_loss", true}};
 
 /// What damped pairs alone would do, as if their bodies were balls.
 std::string restitutions(const model::Bodies& bodies) {
@@ -152,7 +152,7 @@ std::string table(const impact::BodiesImpact& impact, const scene::Scene& scene,
   const auto time = display_for(std::vector{impact.time}, "s");
   return heading(scene.title.empty() ? "Bodies with friction" : scene.title) + summary(impact, scene, time) +
          events(impact, time) + motion(impact, std::get<model::Bodies>(scene.model)) + contacts(impact) +
-         meetings(impact) + balance_table("Energy", impact, energies, "energy.residual") +
+         meetings(impact) + balance_table("Energy", impact, bodies_energies, "energy.residual") +
          (detail == Detail::full ? background(impact, "contact") : "");
 }
 

@@ -55,7 +55,7 @@ std::string laws(const impact::FirstImpact& impact) {
                               std::ssize(impact.outcomes), row);
 }
 
-Json motion(const impact::PlaneMotion& body) {
+Json velocities(const impact::PlaneMotion& body) {
   return {{"velocity", {body.velocity.e1, body.velocity.e2}}, {"spin", body.spin}};
 }
 
@@ -80,7 +80,7 @@ Json json(const FrictionLawReport& report) {
                 {"loss", o.loss},
                 {"energy", o.energy},
                 {"energy_ratio", ratio(report.impact, o)},
-                {"bodies", list(o.body, motion)}};
+                {"bodies", list(o.body, velocities)}};
   });
   result["provenance"] = provenance_json(report.scene_sha256);
   return result;

@@ -77,7 +77,7 @@ std::string ratio(const char* name, const std::optional<double>& value) {
   return value ? line(name, fixed(*value, 10)) : "";
 }
 
-std::string energies(const LawReport& report) {
+std::string energy_ratios(const LawReport& report) {
   return "\nEnergy\n" + ratio("T⁺/T⁻, given frame", report.outcome.ratio_lab) +
          ratio("T⁺/T⁻, mass centre", report.outcome.ratio_centre) +
          ratio("least possible e", report.outcome.least_energy_ratio);
@@ -174,7 +174,7 @@ Json json(const LawReport& report) {
 std::string table(const LawReport& report) {
   std::string text = heading(report.title.empty() ? "Multiple-impact law" : report.title) + summary(report);
   if (is_real(report)) text += velocities(report) + contacts(report);
-  return text + energies(report) + rivals(report);
+  return text + energy_ratios(report) + rivals(report);
 }
 
 }  // namespace mariotte::report

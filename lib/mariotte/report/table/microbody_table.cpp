@@ -104,14 +104,14 @@ std::string restitution(const impact::MicrobodyImpact& impact) {
   return "\nRestitution\n" + line("tip", fixed(e.tip, 10)) + line("mass centre", fixed(e.centre, 10));
 }
 
-constexpr BalanceLine energies[] = {{"before", "energy.initial"},
-                                    {"work of gravity", "energy.work", true},
-                                    {"kinetic after", "energy.final"},
-                                    {"stored in contacts", "energy.stored", true},
-                                    {"dissipated", "energy.dissipated"},
-                                    {"  by Hertz damping", "energy.hertz_damping"},
-                                    {"  by adhesion damping", "energy.adhesion_damping"},
-                                    {"  by friction", "energy.friction"}};
+constexpr BalanceLine microbody_energies[] = {{"before", "energy.initial"},
+                                              {"work of gravity", "energy.work", true},
+                                              {"kinetic after", "energy.final"},
+                                              {"stored in contacts", "energy.stored", true},
+                                              {"dissipated", "energy.dissipated"},
+                                              {"  by Hertz damping", "energy.hertz_damping"},
+                                              {"  by adhesion damping", "energy.adhesion_damping"},
+                                              {"  by friction", "energy.friction"}};
 
 /// What damped tips would do if they were spheres of the body's mass that strike head on.
 std::string restitutions(const model::Microbody& body) {
@@ -132,7 +132,7 @@ std::string table(const impact::MicrobodyImpact& impact, const scene::Scene& sce
   return heading(scene.title.empty() ? "Microbody on a plane" : scene.title) + summary(impact, scene, time) +
          events(impact, time) + motion(impact, std::get<model::Microbody>(scene.model)) +
          restitution(impact) + impacts(impact, time) +
-         balance_table("Energy", impact, energies, "energy.residual") +
+         balance_table("Energy", impact, microbody_energies, "energy.residual") +
          (detail == Detail::full ? background(impact, "tip") : "");
 }
 

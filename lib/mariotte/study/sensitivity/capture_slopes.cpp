@@ -27,7 +27,7 @@ constexpr std::size_t speeds = powers.size() + 1;
 /// Quotients that the last power changes by more than that are not known so well.
 constexpr double well_known = 1e-6;
 /// What a number may move of v_c by rounding alone.
-constexpr double rounding = 1e-11;
+constexpr double speed_rounding = 1e-11;
 
 using Keys = std::vector<std::string>;
 
@@ -156,7 +156,7 @@ bool is_shown(const impact::ParameterValue& one, const Keys& keys) {
 void add(const Limit& found, const Asked& by, impact::Sensitivity& result) {
   auto& outcome = result.outcome[0];
   auto slope = found.value;
-  if (slope && std::abs(*slope * by.size) <= rounding * *outcome.value) slope = 0;
+  if (slope && std::abs(*slope * by.size) <= speed_rounding * *outcome.value) slope = 0;
   result.parameter.push_back(by.parameter);
   outcome.slope.push_back(slope);
   if (slope && *slope != 0 && found.change > well_known)

@@ -9,7 +9,7 @@
 namespace mariotte::study {
 namespace {
 
-constexpr double rounding = 64 * epsilon;  ///< of differences of places, and of parts of directions
+constexpr double place_rounding = 64 * epsilon;  ///< of differences of places, and of parts of directions
 
 class Numbers {
  public:
@@ -22,7 +22,7 @@ class Numbers {
   }
   /// Parts of a direction or an attitude, and cosine and sine of an angle.
   void add_direction(std::initializer_list<double> parts) {
-    for (const double one : parts) add(one, rounding);
+    for (const double one : parts) add(one, place_rounding);
   }
   /// Forces of powers are compared at small depths, where they change most with the exponent.
   void add(const contact::Law& law) {
@@ -50,12 +50,12 @@ void add(const model::Chain& chain, Numbers& all) {
 void add(const model::Network& network, Numbers& all) {
   for (const auto* list : {&network.mass, &network.velocity}) all.add(*list);
   for (std::size_t j = 0; j < network.gap.size(); ++j)
-    all.add(network.gap[j], network.distance.empty() ? 0 : rounding * network.distance[j]);
+    all.add(network.gap[j], network.distance.empty() ? 0 : place_rounding * network.distance[j]);
   all.add(network.law);
   for (const auto& direction : network.direction)
     for (const auto& [dof, coefficient] : direction) {
       all.add(static_cast<double>(dof));
-      all.add(coefficient, rounding);
+      all.add(coefficient, place_rounding);
     }
 }
 

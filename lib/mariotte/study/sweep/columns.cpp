@@ -73,12 +73,12 @@ std::string suggestion_by_end(std::string_view key, std::span<const std::string_
 
 /// The nearest key that leads to a number; one that ends like `key` is nearer than any misspelling.
 template <class Impact>
-std::string suggestion(const std::string& key) {
+std::string suggested_key(const std::string& key) {
   const auto known = known_keys<Impact>(indices_in(key));
   for (const auto& name : known)
     if (name.ends_with("." + key)) return " (did you mean '" + name + "'?)";
   const std::vector<std::string_view> names(known.begin(), known.end());
-  const auto whole = mariotte::suggestion(key, names);
+  const auto whole = suggestion(key, names);
   return whole.empty() ? suggestion_by_end(key, names) : whole;
 }
 
@@ -87,8 +87,8 @@ template <class Impact>
 Entry<Impact> entry_of(const std::string& key) {
   const auto parsed = impact::parse_key(key);
   if (!parsed)
-    throw ColumnError(
-        fmt::format("'{}' needs an index in brackets, from 0, or * for all{}", key, suggestion<Impact>(key)));
+    throw ColumnError(fmt::format("'{}' needs an index in brackets, from 0, or * for all{}", key,
+                                  suggested_key<Impact>(key)));
   if (const auto entry = impact::find_entry<Impact>(*parsed)) {
     if (!entry->counts && entry->quantity->is.unit.empty())
       throw ColumnError(fmt::format("'{}' is no number", key));
@@ -96,7 +96,7 @@ Entry<Impact> entry_of(const std::string& key) {
   }
   if (impact::find_quantity<Impact>(parsed->pattern + "[]"))
     throw ColumnError(fmt::format("'{}' needs an index in brackets, from 0, or * for all", key));
-  throw ColumnError(fmt::format("no result has '{}'{}", key, suggestion<Impact>(key)));
+  throw ColumnError(fmt::format("no result has '{}'{}", key, suggested_key<Impact>(key)));
 }
 
 /// Writes keys out for one model.

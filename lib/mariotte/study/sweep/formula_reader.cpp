@@ -10,7 +10,8 @@
 namespace mariotte::study {
 namespace {
 
-constexpr std::array<std::string_view, 6> tables{"chain", "network", "body", "surface", "incidence", "run"};
+constexpr std::array<std::string_view, 6> input_tables{"chain",   "network",   "body",
+                                                       "surface", "incidence", "run"};
 
 template <class List>
 std::optional<std::size_t> place_of(const std::string& key, const List& list) {
@@ -38,13 +39,13 @@ void add_keys(const scene::Node& node, const std::string& key, std::vector<std::
 }
 
 /// What a name that stands for nothing was meant to be; nothing if the scene has it, but as no number.
-std::string suggestion(const std::string& name, const scene::Document& document, const Design& design) {
+std::string suggested_name(const std::string& name, const scene::Document& document, const Design& design) {
   std::vector<std::string> keys;
   for (const auto& one : design.parameters) keys.push_back(one.key);
   for (const auto& one : design.derived) keys.push_back(one.key);
   add_keys(document.tree, "", keys);
   if (std::find(keys.begin(), keys.end(), name) != keys.end()) return "";
-  return mariotte::suggestion(name, std::vector<std::string_view>(keys.begin(), keys.end()));
+  return suggestion(name, std::vector<std::string_view>(keys.begin(), keys.end()));
 }
 
 /// A number as the scene reader takes it [SI]; empty if the scene gives none.
@@ -66,7 +67,7 @@ std::optional<double> given(const std::string& name, scene::Document document) t
 
 bool is_input(const std::string& name, const Design& design) {
   const auto table = name.substr(0, name.find_first_of(".["));
-  return std::find(tables.begin(), tables.end(), table) != tables.end() ||
+  return std::find(input_tables.begin(), input_tables.end(), table) != input_tables.end() ||
          place_of(name, design.parameters) || place_of(name, design.derived);
 }
 
@@ -84,7 +85,7 @@ Term input_term(const std::string& name, const scene::Document& document, const 
   const auto value = given(name, document);
   if (!value)
     throw ExpressionError("'" + name + "' is no number that the scene gives" +
-                          suggestion(name, document, design));
+                          suggested_name(name, document, design));
   return {.value = *value};
 }
 

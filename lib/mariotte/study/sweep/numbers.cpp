@@ -15,7 +15,7 @@ bool is_power_law(const contact::Law& law) {
   return power_law(law);
 }
 
-std::vector<double*> numbers(model::Chain& chain, scene::Scene& scene) {
+std::vector<double*> numbers_of_chain(model::Chain& chain, scene::Scene& scene) {
   std::vector<double*> all;
   if (!chain.drive.empty()) return all;
   if (!std::all_of(chain.law.begin(), chain.law.end(), is_power_law)) return all;
@@ -28,17 +28,17 @@ std::vector<double*> numbers(model::Chain& chain, scene::Scene& scene) {
   return all;
 }
 
-bool same_form(const model::Chain& a, const model::Chain& b) {
+bool same_chain(const model::Chain& a, const model::Chain& b) {
   const auto same_law = [](const contact::Law& x, const contact::Law& y) { return x.index() == y.index(); };
   return a.mass.size() == b.mass.size() && a.precompressed == b.precompressed && a.drive.empty() &&
          b.drive.empty() && std::equal(a.law.begin(), a.law.end(), b.law.begin(), b.law.end(), same_law);
 }
 
-bool same_form(const scene::Model& a, const scene::Model& b) {
+bool same_model(const scene::Model& a, const scene::Model& b) {
   return std::visit(
       Overload{[&](const model::Chain& chain) {
                  const auto* other = std::get_if<model::Chain>(&b);
-                 return other && same_form(chain, *other);
+                 return other && same_chain(chain, *other);
                },
                [](const model::Network&) { return false; }, [](const model::Microbody&) { return false; },
                [](const model::Bodies&) { return false; }, [](const scene::LawAlone&) { return false; }},
@@ -49,14 +49,14 @@ bool same_form(const scene::Model& a, const scene::Model& b) {
 
 std::vector<double*> numbers(scene::Scene& scene) {
   using List = std::vector<double*>;
-  return std::visit(Overload{[&](model::Chain& chain) { return numbers(chain, scene); },
+  return std::visit(Overload{[&](model::Chain& chain) { return numbers_of_chain(chain, scene); },
                              [](model::Network&) { return List(); }, [](model::Microbody&) { return List(); },
                              [](model::Bodies&) { return List(); }, [](scene::LawAlone&) { return List(); }},
                     scene.model);
 }
 
 bool same_form(const scene::Scene& a, const scene::Scene& b) {
-  return same_form(a.model, b.model) && a.radius.size() == b.radius.size() && a.touching == b.touching &&
+  return same_model(a.model, b.model) && a.radius.size() == b.radius.size() && a.touching == b.touching &&
          a.run.max_events == b.run.max_events && a.run.flow == b.run.flow && a.title == b.title;
 }
 

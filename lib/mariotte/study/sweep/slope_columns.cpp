@@ -86,7 +86,7 @@ std::optional<SceneNumber> find_number(const scene::Document& document, const st
 
 /// Of a slope: no angle is meant by s⁻¹.
 std::string quotient(const Dimension& a, const Dimension& b) {
-  const auto unit = unit_of({.kg = a.kg - b.kg, .m = a.m - b.m, .s = a.s - b.s});
+  const auto unit = unit_of(Dimension{.kg = a.kg - b.kg, .m = a.m - b.m, .s = a.s - b.s});
   return unit == "rad/s" ? "s^-1" : unit;
 }
 

@@ -14,7 +14,7 @@ using model::Vec;
 
 namespace {
 
-constexpr Index lanes = model::slope_lanes;
+using model::slope_lanes;
 
 /// Contacts that leave rest as none has done before.
 std::vector<Index> leaving(const BodiesMode& before, const BodiesMode& after) {
@@ -69,12 +69,12 @@ void BodiesVariation<D>::see_landings(const Mode& before, const Mode& after, Con
     const auto& tangential = base_.contact[one.contact].tangential;
     if (place_of(before, one.contact) >= 0 || one.friction != Friction::slip || tangential.has_spring())
       continue;
-    for (Index first = 0; first < columns(); first += lanes) {
+    for (Index first = 0; first < columns(); first += slope_lanes) {
       const auto slip = evaluate(first, after, x, slopes).motion(one.contact).slip;
       double square = 0;
       for (int k = 0; k < D; ++k) square += slip[k].value * slip[k].value;
       if (square > rest * rest) break;
-      for (Index c = first; c < std::min(first + lanes, columns()); ++c)
+      for (Index c = first; c < std::min(first + slope_lanes, columns()); ++c)
         for (int k = 0; k < D; ++k)
           if (std::abs(slip[k].slope[c - first]) > rounding * base_.speed * natural_[c]) one_sided_[c] = true;
     }
@@ -86,7 +86,7 @@ template <int D>
 bool BodiesVariation<D>::set_way(Index place, const Mode& mode, const Mode& held, ConstState x,
                                  const SlopeMatrix& slopes) {
   const auto& one = mode.closed[place];
-  for (Index first = 0; first < columns(); first += lanes) {
+  for (Index first = 0; first < columns(); first += slope_lanes) {
     auto& field = evaluate(first, held, x, slopes);
     const auto& friction = field.contact(place).friction;
     const auto way = Sloped(-1.0) / norm(friction) * friction;

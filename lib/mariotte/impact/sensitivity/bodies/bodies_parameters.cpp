@@ -13,7 +13,6 @@ using model::Bodies;
 
 constexpr double share = 0.01;
 constexpr std::size_t few = 12;
-constexpr Dimension inertia{.kg = 1, .m = 2}, spin{.s = -1};
 constexpr std::array components = {&Vector3::e1, &Vector3::e2, &Vector3::e3};
 
 std::string at(const char* name, std::size_t i) {
@@ -101,24 +100,27 @@ class List {
     add_vector(name + "position", dimension::length, of(&model::Body::position), share * sizes_.length);
     add_vector(name + "velocity", dimension::velocity, of(&model::Body::velocity), share * sizes_.speed);
     if (shared_->dimension == 2) {
-      add(name + "inertia", inertia, [i](Bodies& all) -> double& { return all.body[i].inertia.e3; });
+      add(name + "inertia", dimension::inertia,
+          [i](Bodies& all) -> double& { return all.body[i].inertia.e3; });
       add(name + "angle", dimension::none, share, of(&model::Body::angle));
-      add(name + "spin", spin, share * turn, [i](Bodies& all) -> double& { return all.body[i].spin.e3; });
+      add(name + "spin", dimension::rate, share * turn,
+          [i](Bodies& all) -> double& { return all.body[i].spin.e3; });
     } else {
       add_moments(name + "inertia", i);
-      add_vector(name + "spin", spin, of(&model::Body::spin), share * turn);
+      add_vector(name + "spin", dimension::rate, of(&model::Body::spin), share * turn);
     }
   }
   /// Those that are equal move together.
   void add_moments(const std::string& name, std::size_t i) {
     const auto& j = shared_->body[i].inertia;
     if (j.e1 != j.e2 || j.e2 != j.e3)
-      return add_vector(name, inertia, [i](Bodies& all) -> Vector3& { return all.body[i].inertia; });
+      return add_vector(name, dimension::inertia,
+                        [i](Bodies& all) -> Vector3& { return all.body[i].inertia; });
     const auto move = [shared = shared_, i](double to, Bodies& other) {
       other = *shared;
       other.body[i].inertia = {to, to, to};
     };
-    list_.push_back({name, j.e1, share * j.e1, move, inertia});
+    list_.push_back({name, j.e1, share * j.e1, move, dimension::inertia});
   }
   void add_spheres(const std::string& name, std::size_t i) {
     const auto& spheres = shared_->body[i].spheres;

@@ -16,7 +16,7 @@ using model::TangentialLaw;
 
 namespace {
 
-constexpr Index lanes = model::slope_lanes;
+using model::slope_lanes;
 
 /// Along e_z × n in the plane, a vector in space.
 template <class T>
@@ -157,15 +157,15 @@ void BodiesVariation<D>::pass_slot(const BodiesPassage<D>& event, const ClosedCo
   x_.assign(event.x_before.begin(), event.x_before.end());
   typename SpringBehind<D>::Result spring;
   for (Index c = 0; c < columns(); ++c) {
-    if (c % lanes == 0) {
-      for (Index k = 0; k < std::min(lanes, columns() - c); ++k)
+    if (c % slope_lanes == 0) {
+      for (Index k = 0; k < std::min(slope_lanes, columns() - c); ++k)
         for (Index row = 0; row < slopes.rows; ++row) x_[row].slope[k] = met(row, c + k);
-      auto& field = field_[c / lanes];
+      auto& field = field_[c / slope_lanes];
       field.evaluate(at, event.before, std::span<const Sloped>(x_));
       spring = SpringBehind<D>(field, event.before, at, x_)(one);
     }
     for (Index row = first; row < own; ++row)
-      result(row, c) = spring[static_cast<int>(row - first)].slope[c % lanes];
+      result(row, c) = spring[static_cast<int>(row - first)].slope[c % slope_lanes];
     for (Index row = own; row < last; ++row) result(row, c) = goes_on ? met(row, c) : 0;
     for (Index row = first; row < last; ++row) result(row, c) -= event.rate_after[row] * time[c];
   }

@@ -18,7 +18,7 @@ using model::Vec;
 
 namespace {
 
-constexpr Index lanes = model::slope_lanes;
+using model::slope_lanes;
 
 /// Its slopes alone.
 template <int D>
@@ -38,7 +38,7 @@ class Impulses {
       : setting_(setting),
         at_(at),
         first_(first),
-        count_(std::min(lanes, slopes.columns - first)),
+        count_(std::min(slope_lanes, slopes.columns - first)),
         slopes_(slopes) {}
 
   /// On b of a contact, and the opposite on a.
@@ -90,7 +90,7 @@ bool BodiesVariation<D>::comes_to_rest(const Mode& before, const Mode& after) co
 template <int D>
 void BodiesVariation<D>::stop_slip(const Mode& mode, ConstState x, SlopeMatrix& slopes) {
   const auto at = system_.layout(x);
-  for (Index first = 0; first < columns(); first += lanes) {
+  for (Index first = 0; first < columns(); first += slope_lanes) {
     auto& field = evaluate(first, mode, x, slopes);
     const auto& impulse = field.stopping([&](Index contact) { return varied(field.motion(contact).slip); });
     const Impulses<D> impulses(field.setting(), at, first, slopes);

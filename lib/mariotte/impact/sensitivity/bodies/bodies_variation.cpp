@@ -14,7 +14,7 @@ using model::SlotGuard;
 
 namespace {
 
-constexpr Index lanes = model::slope_lanes;
+using model::slope_lanes;
 
 /// A state whose slopes are zero.
 void lift_state(ConstState x, std::vector<Sloped>& result) {
@@ -86,8 +86,8 @@ void BodiesVariation<D>::jacobian(const flow::Problem&, ConstState x, const Bodi
   const auto list = active(mode);
   const Index rows = std::ssize(x), count = std::ssize(list);
   dx_.resize(x.size());
-  for (Index first = 0; first < count; first += lanes) {
-    const Index some = std::min(lanes, count - first);
+  for (Index first = 0; first < count; first += slope_lanes) {
+    const Index some = std::min(slope_lanes, count - first);
     lift_state(x, x_);
     for (Index k = 0; k < some; ++k) x_[list[first + k]].slope[k] = 1;
     base_field_.evaluate(system_.layout(x), mode, std::span<const Sloped>(x_));
@@ -102,12 +102,12 @@ void BodiesVariation<D>::source(ConstState x, const BodiesMode& mode, SlopeMatri
   dx_.resize(x.size());
   lift_state(x, x_);
   for (Index c = 0; c < columns(); ++c) {
-    if (c % lanes == 0) {
-      auto& field = field_[c / lanes];
+    if (c % slope_lanes == 0) {
+      auto& field = field_[c / slope_lanes];
       field.evaluate(system_.layout(x), mode, std::span<const Sloped>(x_));
       field.rates(mode, std::span<const Sloped>(x_), std::span<Sloped>(dx_));
     }
-    for (Index row = 0; row < b.rows; ++row) b(row, c) = dx_[row].slope[c % lanes];
+    for (Index row = 0; row < b.rows; ++row) b(row, c) = dx_[row].slope[c % slope_lanes];
   }
 }
 
@@ -115,9 +115,9 @@ template <int D>
 typename BodiesVariation<D>::Field& BodiesVariation<D>::evaluate(Index first, const BodiesMode& mode,
                                                                  ConstState x,
                                                                  const SlopeMatrix& slopes) const {
-  auto& field = field_[first / lanes];
+  auto& field = field_[first / slope_lanes];
   lift_state(x, x_);
-  for (Index c = first; c < std::min(first + lanes, columns()); ++c)
+  for (Index c = first; c < std::min(first + slope_lanes, columns()); ++c)
     for (Index row = 0; row < slopes.rows; ++row) x_[row].slope[c - first] = slopes(row, c);
   field.evaluate(system_.layout(x), mode, std::span<const Sloped>(x_));
   return field;
@@ -158,12 +158,12 @@ void BodiesVariation<D>::guard_slopes(Index i, ConstState x, const BodiesMode& m
   guard_.resize(phase.guard_count());
   lift_state(x, x_);
   for (Index c = 0; c < columns(); ++c) {
-    if (c % lanes == 0) {
-      auto& field = field_[c / lanes];
+    if (c % slope_lanes == 0) {
+      auto& field = field_[c / slope_lanes];
       field.evaluate(phase.layout(), mode, std::span<const Sloped>(x_));
       phase.guards_of(field, std::span<Sloped>(guard_));
     }
-    slopes[c] = guard_[i].slope[c % lanes];
+    slopes[c] = guard_[i].slope[c % slope_lanes];
   }
 }
 
