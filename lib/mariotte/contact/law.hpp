@@ -75,8 +75,9 @@ bool is_damped(const Law& law);
 inline bool goes_slack(const Law& law) {
   return dissipates(law) && !branched(law);
 }
-/// True if the force of the contact can pull, and true if it holds bodies at rest together.
+/// True if the force of the contact can pull.
 bool pulls(const Law& law);
+/// True if the force of the contact holds bodies at rest together.
 bool adheres(const Law& law);
 /// True if the signs of its rate of indentation are events.
 bool watches_turns(const Law& law);

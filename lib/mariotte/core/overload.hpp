@@ -8,6 +8,7 @@ template <class... Cases>
 struct Overload : Cases... {
   using Cases::operator()...;
 };
+/// The cases say the types.
 template <class... Cases>
 Overload(Cases...) -> Overload<Cases...>;
 

@@ -12,6 +12,7 @@ template <class T>
 struct BasicQuaternion {
   T w = 1, x = 0, y = 0, z = 0;
 };
+/// Of plain numbers.
 using Quaternion = BasicQuaternion<double>;
 
 /// The rotation q, then p.

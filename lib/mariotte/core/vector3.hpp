@@ -11,6 +11,7 @@ struct BasicVector3 {
   T e1 = 0, e2 = 0, e3 = 0;
   bool operator==(const BasicVector3&) const = default;
 };
+/// Of plain numbers.
 using Vector3 = BasicVector3<double>;
 
 /// a + b.

@@ -80,7 +80,12 @@ struct Arrival {
   Index rhs = 0;  ///< evaluations of the right-hand side
   std::string message;
   bool resumable = false;  ///< given up for its length alone: the flow could go on
+  bool exhausted = false;  ///< failed after all steps that a phase may have: another flow would take no less
 };
+
+/// So many steps without an event end a run.
+inline constexpr Index most_steps_of_phase = 10'000'000;
+inline constexpr auto exhaustion = "ten million steps without an event";
 
 /// What a flow is asked for.
 struct Request {

@@ -33,6 +33,7 @@ class Turns {
   /// On to who takes over after this arrival; false if nobody does.
   bool pass_on(const flow::Arrival& arrival) {
     const bool stiff = arrival.outcome == flow::Outcome::stiff;
+    if (arrival.exhausted) return false;
     if (stiff && left_) {
       now_.emplace(*left_);
       left_.reset();

@@ -7,6 +7,7 @@
 
 namespace mariotte::scene {
 
+/// How the figures of a scene look.
 struct Figure {
   std::optional<std::array<double, 2>> window;  ///< from and to [s]; by default where forces can be seen
   bool logarithmic = false;                     ///< colours of images and maps

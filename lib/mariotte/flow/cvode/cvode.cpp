@@ -28,9 +28,7 @@ double local_tolerance(CvodeMethod method, double accuracy, double swiftness) {
 /// Accuracy beyond which creeping contacts are not resolved: CVODE's errors begin there.
 constexpr double finest = 1e-12;
 
-/// A phase that needs more steps than this is not going anywhere; nor is one whose clock stands still so
-/// often.
-constexpr Index step_limit = 10'000'000;
+/// A phase whose clock stands still so often is not going anywhere.
 constexpr Index stall_limit = 100;
 /// Steps after which their average tells whether this flow is the quicker one.
 constexpr Index trial = 2000;
@@ -81,7 +79,7 @@ struct Cvode::Memory {
     check(CVodeSetUserData(cvode.get(), this), "user data");
     check(sundials::send_messages(context, cvode.get(), complaint), "an error handler");
     check(CVodeWFtolerances(cvode.get(), weights), "the weights");
-    check(CVodeSetMaxNumSteps(cvode.get(), step_limit), "the step limit");
+    check(CVodeSetMaxNumSteps(cvode.get(), most_steps_of_phase), "the step limit");
     check(CVodeRootInit(cvode.get(), static_cast<int>(like.guard_count()), guards), "the guards");
     check(CVodeSetMaxErrTestFails(cvode.get(), most_rejections), "the number of rejections");
     check(CVodeSetNoInactiveRootWarn(cvode.get()), "quiet roots");
@@ -229,7 +227,7 @@ Arrival Cvode::follow(Problem& problem, State x, const Request& request, std::ve
   m.restart(problem, x, request);
   Interpolant step(m.cvode.get(), m.dense.get());
   Index stalled = 0;
-  for (Index count = 0; count < step_limit && stalled < stall_limit; ++count) {
+  for (Index count = 0; count < most_steps_of_phase && stalled < stall_limit; ++count) {
     step.start = step.end;
     const int code =
         CVode(m.cvode.get(), step.start + problem.time_scale(), m.state.get(), &step.end, CV_ONE_STEP);
@@ -265,9 +263,9 @@ Arrival Cvode::follow(Problem& problem, State x, const Request& request, std::ve
       return arrival;
     }
   }
-  return m.fail(
-      stalled == stall_limit ? "the step has shrunk to nothing" : "no guard fired within the step limit",
-      step.end, x);
+  auto arrival = m.fail(stalled == stall_limit ? "the step has shrunk to nothing" : exhaustion, step.end, x);
+  arrival.exhausted = stalled < stall_limit;
+  return arrival;
 }
 
 std::string sundials_version() {

@@ -14,7 +14,6 @@ using taylor::Window;
 
 namespace {
 
-constexpr Index step_limit = 10'000'000;
 /// A contact that creeps is left to BDF: explicit steps must not outrun its fastest decay. So many are tried
 /// where BDF has begun with no longer steps: it may have had to find its way.
 constexpr Index patience = 300'000;
@@ -140,7 +139,7 @@ Arrival Taylor::follow(Problem& problem, State x, const Request& request, std::v
   };
   stepper.stride = 0.1 * problem.time_scale();
   stepper.begin(problem, x, 0, precision);
-  while (steps < step_limit) {
+  while (steps < most_steps_of_phase) {
     auto piece = stepper.next(steps == 0, std::min(request.limit, w.outside_time) - w.time);
     const auto fall = stepper.first_fall(piece);
     const bool ends = fall.guard >= 0 || piece.is_cut;  // perhaps at once: a contact at zero that parts
@@ -167,7 +166,9 @@ Arrival Taylor::follow(Problem& problem, State x, const Request& request, std::v
       stepper.begin(problem, x, w.time, precision);
     }
   }
-  return stop(Outcome::failed, "no guard fired within the step limit");
+  auto arrival = stop(Outcome::failed, exhaustion);
+  arrival.exhausted = true;
+  return arrival;
 }
 
 }  // namespace mariotte::flow

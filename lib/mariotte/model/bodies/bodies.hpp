@@ -52,6 +52,7 @@ struct BasicTangential {
 
   bool has_spring() const { return law == TangentialLaw::spring || law == TangentialLaw::mindlin; }
 };
+/// Of plain numbers.
 using Tangential = BasicTangential<double>;
 
 /// Where a contact is: a sphere of a body, or a plane; from 0.
