@@ -1,7 +1,10 @@
 // Restitution of pairs by simulation, in closed form, and from references; capture velocities.
 #define BOOST_TEST_MODULE pair restitution
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 
+#include "mariotte/contact/hunt_crossley.hpp"
+#include "mariotte/contact/tsuji.hpp"
 #include "mariotte/impact/pair/pair_restitution.hpp"
 #include "support/reference_laws.hpp"
 
@@ -33,6 +36,40 @@ BOOST_AUTO_TEST_CASE(closed_forms_are_the_references_and_the_simulation) {
     }
   }
   BOOST_TEST(closed_forms > 25);
+}
+
+// The root of a v (1 + e) = ln[(1 + a v)/(1 − a e v)], by 120 digits of mpmath.
+BOOST_AUTO_TEST_CASE(closed_form_of_hunt_and_crossley_holds_at_all_speeds) {
+  const std::pair<double, double> roots[] = {{1e-8, 0.99999999333333337778},
+                                             {1e-5, 0.99999333337777745185},
+                                             {1e-2, 0.9933774543987673634},
+                                             {0.1, 0.93747557994990506377},
+                                             {1, 0.59362426004004009232},
+                                             {3, 0.30689679829096211452},
+                                             {10, 0.099981624752943886879},
+                                             {36, 0.027777777777777690077},
+                                             {40, 0.024999999999999998398},
+                                             {100, 0.01},
+                                             {1e4, 1e-4},
+                                             {1e8, 1e-8}};
+  for (const auto& [speed, e] : roots) {
+    const Pair pair{std::make_shared<contact::HuntCrossley>(1, 1, 1.5), 0.5};
+    BOOST_TEST(impact::closed_restitution(pair, speed).value() == e, boost::test_tools::tolerance(1e-13));
+  }
+}
+
+// exp(−2ζ arccos(ζ)/√(1−ζ²)) below ζ = 1, exp(−2ζ arcosh(ζ)/√(ζ²−1)) above, by 120 digits of mpmath.
+BOOST_AUTO_TEST_CASE(closed_form_of_linear_damping_holds_at_all_ratios) {
+  const std::pair<double, double> roots[] = {
+      {1e-8, 0.99999996858407415758},  {0.5, 0.29843605919227488654},    {0.9999999, 0.13533530128131886776},
+      {1, 0.13533528323661269189},     {10, 0.0024379340486363733667},   {1.0000001, 0.13533526519191000467},
+      {1e4, 2.4999997649128204923e-9}, {1e8, 2.4999999999999953465e-17}, {1e12, 2.5e-25}};
+  for (const auto& [ratio, e] : roots) {
+    const Pair dashpot{contact::Viscoelastic{.stiffness = 1, .damping = 2 * ratio, .exponent = 1}, 1};
+    const Pair tsuji{std::make_shared<contact::Tsuji>(1, std::sqrt(5.0) * ratio), 1};
+    BOOST_TEST(impact::closed_restitution(dashpot, 1).value() == e, boost::test_tools::tolerance(1e-13));
+    BOOST_TEST(impact::closed_restitution(tsuji, 1).value() == e, boost::test_tools::tolerance(1e-13));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(curves_are_those_of_the_references) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "mariotte/contact/branched_law.hpp"
 #include "mariotte/core/bracket.hpp"
@@ -29,18 +30,31 @@ const BriefImpact& run(ChainSolver& solver, const Pair& pair, double speed) {
 
 /// k δ + c δ̇ with the damping ratio ζ, cut off at f = 0.
 double linear_restitution(double zeta) {
-  const double split = std::sqrt(std::abs((1 - zeta) * (1 + zeta)));
+  const double split = std::sqrt(std::abs(1 - zeta)) * std::sqrt(1 + zeta);
   if (split < 1e-7) return std::exp(-2.0);
-  if (zeta < 1) return std::exp(-zeta / split * std::atan2(2 * zeta * split, 2 * zeta * zeta - 1));
-  return std::exp(-zeta / split * std::log((zeta + split) / (zeta - split)));
+  const double angle = zeta < 1 ? std::atan2(split, zeta) : std::asinh(split);  // arccos ζ, or arcosh ζ
+  return std::exp(-2 * zeta / split * angle);
 }
 
-/// The root of x (1 + e) = ln[(1 + x)/(1 − e x)] at x = a v, which falls from 1 with x.
+/// t + e⁻ᵗ − 1 for t > −1, without cancellation.
+double decay_excess(double t) {
+  if (std::abs(t) >= 1) return t + std::expm1(-t);
+  double term = t * t / 2, sum = 0;
+  for (int k = 3; std::abs(term) > 0.1 * epsilon * sum; ++k) {
+    sum += term;
+    term *= -t / k;
+  }
+  return sum;
+}
+
+/// The root e of x (1 + e) = ln[(1 + x)/(1 − e x)] at x = a v, which falls from 1 with x. With t = −ln(1 − e
+/// x) it is t + e⁻ᵗ − 1 = x − ln(1 + x), and neither side loses digits where e x tends to 1, or to 0.
 double hunt_crossley_restitution(double x) {
-  if (x == 0) return 1;
-  const auto excess = [&](double e) { return std::log1p(x) - std::log1p(-e * x) - x * (1 + e); };
-  const double most = std::min(1.0, 1 / x) * (1 - epsilon);
-  return locate_sign_change(excess, 0, excess(0), most, excess(most), 0);
+  if (x < epsilon) return 1;
+  const double p = std::log1p(x), taken = p < 1 ? decay_excess(-p) : x - p;
+  const auto left = [&](double t) { return std::pair(taken - decay_excess(t), std::expm1(-t)); };
+  const double most = taken + std::sqrt(2 * taken);
+  return -std::expm1(-locate_fall(left, 0, most, 4 * epsilon * most)) / x;
 }
 
 /// The deepest point follows from the energy on the way in, the speed from what is stored there.
