@@ -75,6 +75,21 @@ BOOST_AUTO_TEST_CASE(a_pair_has_the_restitution_that_was_asked_for) {
                  boost::test_tools::tolerance(1e-9));
 }
 
+// Hunt and Crossley's tends to 1/(a v) [its equation], the others to 0 faster. Runs of these know e to 1e-12
+// of the speed, and so does the damping.
+BOOST_AUTO_TEST_CASE(every_law_reaches_small_restitutions) {
+  const std::string pair = "mass = [1, 1]\nvelocity = [1, 0]\nstiffness = 1\nrestitution = ";
+  for (const char* law : {"hunt-crossley'", "kelvin-voigt'", "kuwabara-kono'", "tsuji'",
+                          "viscoelastic'\nexponent = 3", "viscoelastic'\nexponent = 8"})
+    for (const char* e : {"1e-4", "1e-6"}) BOOST_TEST_CONTEXT(law << " " << e) {
+        const auto chain = chain_of(pair + e + "\nlaw = '" + law + "\n");
+        const auto after = impact::simulate(chain, {.accuracy = 1e-12}).velocity;
+        BOOST_TEST(std::abs(after[1] - after[0] - std::stod(e)) < 2e-12);
+      }
+  const auto grown = chain_of(pair + "1e-9\nlaw = 'hunt-crossley'\n");
+  BOOST_TEST(contact::parameters(grown.law[0])[1].value == 1e9, boost::test_tools::tolerance(1e-12));
+}
+
 BOOST_AUTO_TEST_CASE(at_says_the_speed_that_it_is_meant_for) {
   const std::string text =
       "mass = [1, 1]\nlaw = 'viscoelastic'\nstiffness = 1e8\nrestitution = 0.9\nat = '3 m/s'\n";
@@ -144,5 +159,10 @@ BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused_at_its_place) {
   BOOST_TEST(
       has(rejection(damped + "exponent = 1e300\nrestitution = 0.5\n"), "s.toml:7:15: chain.restitution: "));
   BOOST_TEST(has(rejection(damped), "needs a damping, or a restitution"));
+  BOOST_TEST(has(rejection(pair + "law = 'hunt-crossley'\nrestitution = 1e-13\n"),
+                 "has no damping that double precision can carry"));
+  BOOST_TEST(has(rejection("[chain]\nmass = [1, 1]\nvelocity = [1, 0]\nlaw = 'jkr'\neffective_modulus = 1\n"
+                           "effective_radius = 1\nwork_of_adhesion = 0.1\nrestitution = 0.99\n"),
+                 "is more than is left without damping"));
   BOOST_TEST(has(rejection(damped + "damping = 1\nat = 1\n"), "has no effect without 'restitution'"));
 }

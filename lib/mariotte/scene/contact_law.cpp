@@ -108,7 +108,7 @@ double solve_damping(const Source& source, const LawTables& tables, Index contac
       read_encounter(source, tables, contact, field, encounters, depends_on_speed(law.law, numbers.exponent));
   try {
     const auto damping = encounters.solver.damping(law, numbers, e, encounter);
-    if (!damping) reject(source, field, fault::out_of_range, "is smaller than any damping makes it");
+    if (!damping) reject(source, field, fault::out_of_range, "is more than is left without damping");
     if (!(*damping > 0) || !std::isfinite(*damping))
       reject(source, field, fault::out_of_range, "has no damping that double precision can carry");
     return *damping;

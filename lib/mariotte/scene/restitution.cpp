@@ -6,11 +6,12 @@
 #include "mariotte/core/bracket.hpp"
 #include "mariotte/impact/chain/chain_solver.hpp"
 #include "mariotte/impact/microbody/microbody_solver.hpp"
+#include "mariotte/impact/pair/pair_restitution.hpp"
 
 namespace mariotte::scene {
 namespace {
 
-constexpr double greatest = 1e4;  // damping of a pair that creeps apart for ever
+constexpr double greatest = 1e11;  // damping, a tenth of what is computed with
 
 /// The pair as a ball and a wall, to rounding.
 double simulated(impact::ChainSolver& solver, const contact::Law& law, const Encounter& encounter) {
@@ -32,7 +33,8 @@ double simulated(impact::MicrobodySolver& solver, const contact::BrachDunn& law,
   return impact.ending == hybrid::Ending::captured ? 0 : impact.tip_velocity / encounter.speed;
 }
 
-/// The damping at which `restitution(damping)`, which falls from `undamped`, is the one that is wanted.
+/// The damping at which `restitution(damping)`, which falls from `undamped` towards 0, is the one that is
+/// wanted; infinite if it is too large to be computed with.
 template <class Restitution>
 std::optional<double> solve(double wanted, double undamped, double unit, Restitution&& restitution) {
   const auto excess = [&](double damping) { return restitution(damping) - wanted; };
@@ -46,14 +48,15 @@ std::optional<double> solve(double wanted, double undamped, double unit, Restitu
     low = high;
     above = below;
   }
-  return std::nullopt;
+  return infinity;
 }
 
 std::optional<double> dimensionless_damping(const LawChoice& law, double exponent, double wanted) {
   impact::ChainSolver solver;
   return solve(wanted, 1, 1, [&](double damping) {
     const auto made = law.make({.stiffness = 1, .exponent = exponent, .damping = damping});
-    return simulated(solver, made, {.reduced_mass = 1, .speed = 1});
+    const auto closed = impact::closed_restitution({.law = made, .reduced_mass = 1}, 1);
+    return closed ? *closed : simulated(solver, made, {.reduced_mass = 1, .speed = 1});
   });
 }
 

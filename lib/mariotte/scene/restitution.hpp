@@ -51,8 +51,9 @@ struct LawChoice {
 /// Finds dampings, and remembers them.
 class DampingSolver {
  public:
-  /// The damping, in the unit of the law, with which a pair alone has the restitution 0 < e ≤ 1. Empty if no
-  /// damping up to 10⁴ of its natural unit makes it so small, or adhesion alone takes more.
+  /// The damping, in the unit of the law, with which a pair alone has the restitution 0 < e ≤ 1: every law
+  /// reaches all of them, e ~ 1/a or less at large dampings. Infinite if that is 10¹¹ of its natural unit or
+  /// more, empty if adhesion alone takes more.
   std::optional<double> damping(const LawChoice& law, const contact::LawNumbers& numbers, double restitution,
                                 const Encounter& encounter);
 
@@ -62,7 +63,8 @@ class DampingSolver {
 };
 
 /// C_H with which a sphere of this mass [kg] that strikes the surface head on at this speed [m/s] has the
-/// restitution; empty if no C_H does, as where adhesion damping alone takes more.
+/// restitution; infinite if it is too large to be computed with, empty where adhesion damping alone takes
+/// more.
 std::optional<double> hertz_damping(const contact::Surface& surface, double radius, double damping_adhesion,
                                     double restitution, double mass, double speed);
 

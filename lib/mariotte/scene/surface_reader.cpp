@@ -1,6 +1,7 @@
 #include "mariotte/scene/surface_reader.hpp"
 
 #include <array>
+#include <cmath>
 
 #include "mariotte/core/error.hpp"
 #include "mariotte/scene/error_list.hpp"
@@ -70,6 +71,8 @@ double solve_hertz_damping(const Source& source, const Field& surface, const Fie
     const auto damping = hertz_damping(material, radius, damping_adhesion, e, mass, at);
     if (!damping)
       reject(source, restitution, fault::out_of_range, "is out of reach: adhesion damping alone takes more");
+    if (!std::isfinite(*damping))
+      reject(source, restitution, fault::out_of_range, "has no damping that double precision can carry");
     return *damping;
   } catch (const InvalidParameter& error) {
     reject(source, restitution, error.fault, error.what());
