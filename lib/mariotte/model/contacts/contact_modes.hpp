@@ -12,6 +12,7 @@
 //   for_each_direction(j, use), for_each_push(j, use)
 //                            use(place of a velocity, coefficient) for the terms of G_j and of M⁻¹ G_jᵀ
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -102,13 +103,72 @@ bool rests(const ContactState<Topology>& state, contact::ContactMode mode, Index
          std::abs(state.approach(j)) <= state.topology.rest_speed();
 }
 
+/// Force of contact i some time from now, at the most that it can be indented until then by what moves it
+/// now.
+template <class Topology>
+double force_after(const ContactState<Topology>& state, const contact::ContactSet& mode, Index i,
+                   double time) {
+  const auto& model = state.model();
+  const double rate = state.approach(i);
+  const double deeper = rate * time + 0.5 * std::max(0.0, state.topology.drive(i)) * time * time;
+  const double depth = std::max(0.0, deeper - state.gap(i)) + epsilon * model.length[i];
+  return force_in(mode[i], model.law[i], depth, rate, memory_of(mode, i)).value;
+}
+
+/// What bends the motion of contact j by then: outside forces, and those of its neighbours.
+struct Bend {
+  double sum, size;  ///< δ̈, and the sum of the magnitudes of its parts
+  bool is_pulled;    ///< one of them is outside force apart, or adhesion
+};
+template <class Topology>
+Bend bend_after(const ContactState<Topology>& state, const contact::ContactSet& mode, Index j, double time) {
+  const double drive = state.topology.drive(j);
+  Bend bend{drive, std::abs(drive), drive < 0};
+  state.topology.for_each_near(j, [&](Index i) {
+    if (i == j || !contact::carries_force(mode[i])) return;
+    const double force = force_after(state, mode, i, time), part = -state.topology.coupling(j, i) * force;
+    bend.is_pulled |= force < 0;
+    bend.sum += part;
+    bend.size += std::abs(part);
+  });
+  return bend;
+}
+
+/// A contact that touches at rest opens by more than `least` within a time, its motion bent by `bend(t)`.
+template <class Function>
+bool opens_beyond(double least, double time, Function&& bend) {
+  constexpr int steps = 16;
+  const double step = time / steps;
+  double rate = 0, gap = 0;
+  for (int k = 0; k < steps && gap >= 0 && gap <= least; ++k) {
+    const double change = -bend((k + 0.5) * step) * step;
+    gap += (rate + 0.5 * change) * step;
+    rate += change;
+  }
+  return gap > least;
+}
+
+/// Contact j, which touches at rest, is drawn apart at once, by outside forces or adhesion of its neighbours,
+/// and leaves the noise before anything presses it. One that is pressed before stays touching: not every flow
+/// would find so short a gap.
+template <class Topology>
+bool is_drawn_apart(const ContactState<Topology>& state, const contact::ContactSet& mode, Index j) {
+  const double scale = state.model().time[j], noise = 2 * state.model().fading_depth(j);
+  const auto at_once = bend_after(state, mode, j, epsilon * scale);
+  if (!at_once.is_pulled || !(at_once.sum < -64 * epsilon * at_once.size)) return false;
+  const auto bend = [&](double time) { return bend_after(state, mode, j, time).sum; };
+  for (double time = scale; time > epsilon * scale; time /= 2)
+    if (opens_beyond(noise, time, bend)) return true;
+  return false;
+}
+
 /// Touching neighbours at rest are pressed in the same instant as contact `from`, and theirs with them,
-/// δ ~ t^{7/2} in a row [theory page, "Touching at rest"].
+/// δ ~ t^{7/2} in a row [theory page, "Touching at rest"]. Those that are drawn apart stay open.
 template <class Topology>
 void press_near(const ContactState<Topology>& state, contact::ContactSet& mode, Index from,
                 std::vector<ContactChange>& changes) {
   const auto press = [&](Index j) {
-    if (rests(state, mode[j], j))
+    if (rests(state, mode[j], j) && !is_drawn_apart(state, mode, j))
       change(mode, j, contact::ContactMode::touching, state.model().law[j], changes);
   };
   auto next = changes.size();  // those that are pressed press in turn
