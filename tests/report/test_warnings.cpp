@@ -2,6 +2,7 @@
 #define BOOST_TEST_MODULE report_warnings
 #include <boost/test/unit_test.hpp>
 
+#include "mariotte/contact/named_laws.hpp"
 #include "mariotte/report/warnings.hpp"
 
 using namespace mariotte;
@@ -76,4 +77,27 @@ BOOST_AUTO_TEST_CASE(a_body_that_strikes_once_has_not_closed_often) {
   BOOST_TEST(has(report::warnings(impact, {}).front(), add_up));
   impact.impacts.resize(2);
   BOOST_TEST(has(report::warnings(impact, {}).front(), close_often));
+}
+
+// Above critical damping an indentation sinks towards zero for ever.
+BOOST_AUTO_TEST_CASE(contacts_that_fade_are_told) {
+  const auto of_pair = [](double damping, double accuracy) {
+    const model::Chain pair{
+        .mass = {1, 1},
+        .law = {contact::uncut(contact::Viscoelastic{.stiffness = 1, .damping = damping, .exponent = 1})},
+        .gap = {0},
+        .velocity = {1, 0}};
+    const auto network =
+        report::warnings(impact::simulate(model::as_network(pair), {.accuracy = accuracy}), {});
+    const auto chain = report::warnings(impact::simulate(pair, {.accuracy = accuracy}), {});
+    BOOST_TEST(chain == network, boost::test_tools::per_element());
+    return chain;
+  };
+  for (const double accuracy : {1e-6, 1e-10, 1e-12}) {
+    BOOST_TEST(of_pair(0.5, accuracy).empty());
+    const auto told = of_pair(3, accuracy);
+    BOOST_TEST_REQUIRE(told.size() == 1u);
+    BOOST_TEST(has(told[0], "contact 1 faded"));
+    BOOST_TEST(has(told[0], "the time of its opening depends on the accuracy"));
+  }
 }

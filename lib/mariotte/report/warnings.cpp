@@ -59,6 +59,22 @@ void warn_of_nothing(const Impact& impact, List& list) {
     list.push_back("nothing collides: no contact ever closes");
 }
 
+/// The time at which noise ends is no result.
+void warn_of_fading(const impact::ContactImpact& impact, List& list) {
+  constexpr std::size_t most = 5;
+  if (impact.faded.empty()) return;
+  const auto& all = impact.faded;
+  std::vector<Index> numbers;
+  for (const Index j : all) numbers.push_back(j + 1);
+  numbers.resize(std::min(most, all.size()));
+  const auto others = all.size() > most ? fmt::format(" and {} more", all.size() - most) : "";
+  list.push_back(
+      fmt::format("contact{} {}{} faded: force and speed sank to what cannot be told from rest before the "
+                  "contact opened, "
+                  "so the time of its opening depends on the accuracy (velocities do not)",
+                  all.size() > 1 ? "s" : "", fmt::join(numbers, ", "), others));
+}
+
 /// Who asks for a flow to check a result by wants it to have followed some contact.
 void warn_of_flow(const std::vector<impact::FlowUse>& flows, std::optional<flow::Kind> asked, List& list) {
   std::vector<std::string> used;
@@ -84,6 +100,7 @@ List warnings(const impact::ContactImpact& impact, std::optional<flow::Kind> ask
   List list;
   warn_of_error(impact, list);
   warn_of_nothing(impact, list);
+  warn_of_fading(impact, list);
   warn_of_flow(impact.flows, asked, list);
   warn_of_limits(impact.validity, "contact", list);
   return list;

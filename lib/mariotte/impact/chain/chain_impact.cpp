@@ -113,6 +113,7 @@ ChainImpact describe(const DimensionlessChain& chain, const ChainLayout& layout,
   impact.momentum = in_units(momentum_balance(chain, layout, interval), scale);
   impact.flows = flow_uses(run.flows);
   impact.slowing = slowing(run.changes, chain.law);
+  impact.faded = faded_contacts(run.changes, chain.law);
   return impact;
 }
 

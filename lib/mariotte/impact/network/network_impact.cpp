@@ -116,6 +116,7 @@ NetworkImpact simulate_once(const model::Network& network, const hybrid::Options
   impact.bound_frequency = bound_frequencies(system, workspace.mode, run, scale);
   impact.flows = flow_uses(run.flows);
   impact.slowing = slowing(system, workspace.mode, run, system.network().law);
+  impact.faded = faded_contacts(changes, system.network().law);
   if (watch.turning) impact.turning = watch.turning->largest();
   impact.skipped = skipped(system, run, observers.trace);
   impact.requested_accuracy = options.accuracy;

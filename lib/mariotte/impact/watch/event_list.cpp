@@ -61,6 +61,18 @@ ContactChanges beyond_noise(const ContactChanges& changes, const std::vector<boo
   return kept;
 }
 
+std::vector<Index> faded_contacts(const ContactChanges& changes, const std::vector<contact::Law>& laws) {
+  using contact::ContactMode;
+  std::vector<Index> list;
+  for (const auto& [time, change] : changes)
+    if (change.before == ContactMode::closed && change.after == ContactMode::hovering &&
+        contact::pulls(laws[change.contact]))
+      list.push_back(change.contact);
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+  return list;
+}
+
 std::vector<Skipped> skipped_by_flows(const ContactRun& run) {
   const auto used = [&](flow::Kind kind) { return run.flows[static_cast<std::size_t>(kind)].phases; };
   std::vector<Skipped> list;

@@ -26,6 +26,10 @@ void add_periods(std::vector<ContactHistory>& contacts, const ContactChanges& ch
 /// indentations.
 ContactChanges beyond_noise(const ContactChanges& changes, const std::vector<bool>& felt);
 
+/// Contacts whose dampers may pull and that were closed until they had faded, ascending. Those of other laws
+/// end as what a wave leaves behind does, if they fade.
+std::vector<Index> faded_contacts(const ContactChanges& changes, const std::vector<contact::Law>& laws);
+
 /// What the flows of a run made unnecessary.
 std::vector<Skipped> skipped_by_flows(const ContactRun& run);
 

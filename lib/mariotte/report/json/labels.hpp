@@ -22,9 +22,8 @@ inline constexpr std::array labels = {
     Label{"scene_text", "the scene file as it is, of `mariotte run` and up to 1000 balls"},
     Label{"skipped", "what this scene did not need, and why"},
     Label{"warnings[]",
-          "suspicious values of the scene, an accuracy that was not reached, that nothing collides, and "
-          "where the model does not "
-          "hold; left out if there are none"},
+          "suspicious values of the scene, an accuracy that was not reached, that nothing collides, "
+          "contacts that faded, and where the model does not hold; left out if there are none"},
     Label{"provenance.version", "version of the program"},
     Label{"provenance.scene_sha256", "checksum of the scene file with its overrides"},
     Label{"provenance.sundials", "version of SUNDIALS"},
