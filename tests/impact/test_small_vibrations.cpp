@@ -2,6 +2,8 @@
 #define BOOST_TEST_MODULE small vibrations
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <numeric>
+#include <random>
 
 #include "mariotte/contact/stated_law.hpp"
 #include "mariotte/contact/thornton.hpp"
@@ -98,4 +100,40 @@ BOOST_AUTO_TEST_CASE(rounding_of_indentations_is_in_the_estimate) {
   BOOST_TEST(coarse.estimated_accuracy.value_or(0) < 1e-6);
   BOOST_TEST(fine.estimated_accuracy.value_or(0) > 1e-9);
   BOOST_TEST(error(fine.velocity[1], 3) < fine.estimated_accuracy.value_or(0));
+}
+
+// Columns of dampers on a wall, each contact as deep as what stands on it presses it: velocities are
+// rounding, and no estimate says that they are wrong.
+BOOST_AUTO_TEST_CASE(what_rests_has_no_error) {
+  std::mt19937 random(7);
+  const auto between = [&](double low, double high) {
+    return low * std::pow(high / low, std::uniform_real_distribution<double>()(random));
+  };
+  for (int i = 0; i < 40; ++i) {
+    model::Chain column{.mass = {infinity},
+                        .law = {},
+                        .gap = {},
+                        .velocity = {0},
+                        .gravity = between(0.1, 10),
+                        .precompressed = true};
+    const int balls = 1 + i % 4;
+    for (int j = 0; j < balls; ++j) column.mass.push_back(between(0.01, 1));
+    column.velocity.assign(column.mass.size(), 0);
+    for (auto ball = column.mass.begin() + 1; ball != column.mass.end(); ++ball) {
+      const double weight = std::accumulate(ball, column.mass.end(), 0.0) * column.gravity;
+      const contact::Viscoelastic law{
+          .stiffness = between(1e3, 1e6), .damping = between(0.01, 10), .exponent = i % 2 == 0 ? 1 : 1.5};
+      column.gap.push_back(-std::pow(weight / law.stiffness, 1 / law.exponent));
+      column.law.push_back(law);
+    }
+    for (const double accuracy : {1e-6, 1e-10}) {
+      const auto run = impact::simulate(column, {.accuracy = accuracy, .max_time = 0.4});
+      for (const double velocity : run.velocity) BOOST_TEST(std::abs(velocity) < 1e-13);
+      BOOST_TEST(run.estimated_accuracy.value_or(0) <= accuracy);
+    }
+  }
+  auto held = ball_between_walls();
+  held.velocity[1] = 0;
+  BOOST_TEST(impact::simulate(model::as_network(held), options(1e-10)).estimated_accuracy.value_or(0) <=
+             1e-10);
 }

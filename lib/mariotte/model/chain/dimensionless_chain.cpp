@@ -84,7 +84,7 @@ double speed_of(const Chain& chain, double squared) {
 Speeds speeds(const Chain& chain) {
   const auto squared = squared_speeds(chain);
   const double largest = speed_of(chain, squared.all());
-  return {largest, largest * squared.in_balance()};
+  return {largest, largest * squared.accurate_share()};
 }
 
 void make_dimensionless(const Chain& chain, double accuracy, DimensionlessChain& d) {

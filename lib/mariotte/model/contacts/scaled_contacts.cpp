@@ -97,6 +97,12 @@ double SquaredSpeeds::in_balance() const {
   return std::max(share, least);
 }
 
+double SquaredSpeeds::accurate_share() const {
+  constexpr double rounding = 64 * epsilon;
+  const bool is_at_rest = given + driven == 0 && unbalanced <= rounding * rounding * before();
+  return is_at_rest ? 1 : in_balance();
+}
+
 void SquaredSpeeds::drive(const Drive& drive, double inverse_mass) {
   auto changes = drive;
   for (auto& piece : changes.signal.piece) piece.power[0] -= start_force(drive);

@@ -58,6 +58,9 @@ struct SquaredSpeeds {
   /// What is pressed and in balance vibrates with what moves it, not with what its indentations hold back; a
   /// millionth of that at least.
   double in_balance() const;
+  /// Share of the largest speed that the accuracy of velocities is relative to: that of the vibration, but
+  /// where nothing moves, and velocities are rounding, there is none.
+  double accurate_share() const;
   /// A drive on what has this inverse mass along it.
   void drive(const Drive& drive, double inverse_mass);
   /// What a contact indented at the start gives to a reduced mass: its energy, unless its damper takes all of
@@ -66,7 +69,7 @@ struct SquaredSpeeds {
 };
 
 /// The largest relative speed of a scene, by velocities, gravity, drives and stored energy, and the one that
-/// its accuracy is relative to: of what is pressed and in balance that of its vibration [m/s].
+/// its accuracy is relative to: of what is pressed and in balance that of its vibration, if it has any [m/s].
 struct Speeds {
   double largest, reference;
 };

@@ -98,7 +98,7 @@ Speeds speeds(const Network& network) {
     mass.push_back(1 / dot(network.direction[j], response[j]));
   const auto squared = squared_speeds(network, mass, response, pushes_of_drives(network));
   const double largest = std::sqrt(squared.all());
-  return {largest, largest * squared.in_balance()};
+  return {largest, largest * squared.accurate_share()};
 }
 
 void make_dimensionless(const Network& network, double accuracy, DimensionlessNetwork& d) {
