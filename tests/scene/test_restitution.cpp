@@ -145,6 +145,18 @@ BOOST_AUTO_TEST_CASE(a_sphere_on_a_plane_has_it_beside_its_adhesion) {
   BOOST_TEST(impact::simulate(body).restitution.tip == 0.8, boost::test_tools::tolerance(1e-9));
 }
 
+// Without adhesion it is Hunt and Crossley's law, with e ~ 1/(C_H v).
+BOOST_AUTO_TEST_CASE(a_sphere_on_a_plane_reaches_small_restitutions) {
+  const auto scene = scene::parse(
+      "[body]\nshape = 'sphere'\nradius = '2.45 um'\ndensity = 1350\n[surface]\nlaw = 'brach-dunn'\n"
+      "stiffness = '1.74 GPa'\nwork_of_adhesion = 0\nrestitution = 1e-4\n[incidence]\nnormal_speed = 5\n",
+      "s.toml");
+  const auto& body = std::get<model::Microbody>(scene.model);
+  BOOST_TEST(5 * body.law[0].damping_hertz == 1e4,
+             boost::test_tools::tolerance(1e-7));  // runs know e to 1e-12
+  BOOST_TEST(std::abs(impact::simulate(body).restitution.tip - 1e-4) < 1e-10);
+}
+
 BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused_at_its_place) {
   const std::string pair = "[chain]\nmass = [1, 1]\nvelocity = [1, 0]\nstiffness = 1\n";
   const std::string damped = pair + "law = 'viscoelastic'\n";

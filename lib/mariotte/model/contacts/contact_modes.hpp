@@ -118,7 +118,7 @@ double force_after(const ContactState<Topology>& state, const contact::ContactSe
 /// What bends the motion of contact j by then: outside forces, and those of its neighbours.
 struct Bend {
   double sum, size;  ///< δ̈, and the sum of the magnitudes of its parts
-  bool is_pulled;    ///< one of them is outside force apart, or adhesion
+  bool is_pulled;    ///< by outside forces, or by what a neighbour pulls with
 };
 template <class Topology>
 Bend bend_after(const ContactState<Topology>& state, const contact::ContactSet& mode, Index j, double time) {
