@@ -63,16 +63,14 @@ void warn_of_nothing(const Impact& impact, List& list) {
 void warn_of_fading(const impact::ContactImpact& impact, List& list) {
   constexpr std::size_t most = 5;
   if (impact.faded.empty()) return;
-  const auto& all = impact.faded;
-  std::vector<Index> numbers;
-  for (const Index j : all) numbers.push_back(j + 1);
-  numbers.resize(std::min(most, all.size()));
-  const auto others = all.size() > most ? fmt::format(" and {} more", all.size() - most) : "";
-  list.push_back(
-      fmt::format("contact{} {}{} faded: force and speed sank to what cannot be told from rest before the "
-                  "contact opened, "
-                  "so the time of its opening depends on the accuracy (velocities do not)",
-                  all.size() > 1 ? "s" : "", fmt::join(numbers, ", "), others));
+  const auto count = impact.faded.size();
+  std::vector<Index> numbers(impact.faded.begin(), impact.faded.begin() + std::min(most, count));
+  for (Index& number : numbers) ++number;
+  const auto others = count > most ? fmt::format(" and {} more", count - most) : "";
+  list.push_back(fmt::format(
+      "contact{} {}{} faded: force and speed sank to what cannot be told from rest before the contact "
+      "opened, so the time of its opening depends on the accuracy (velocities do not)",
+      count > 1 ? "s" : "", fmt::join(numbers, ", "), others));
 }
 
 /// Who asks for a flow to check a result by wants it to have followed some contact.

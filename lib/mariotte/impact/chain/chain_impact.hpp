@@ -107,8 +107,8 @@ struct ContactImpact {
   std::vector<FlowUse> flows;
   std::vector<Skipped> skipped;
   double slowing = 1;  ///< how many times slower than it met a contact that adheres let go, at most
-  std::vector<Index>
-      faded;  ///< contacts that let go within the noise of their gap: when, the accuracy decides
+  /// Contacts that let go within the noise of their gap: when, the accuracy decides.
+  std::vector<Index> faded;
   double requested_accuracy = 0;
   std::optional<double> estimated_accuracy;  ///< where errors may have grown, or from estimate_accuracy
   /// Of small oscillations of the contacts that adhesion holds together for ever, ascending [Hz]; empty but

@@ -170,13 +170,13 @@ void ContactSystem<Topology>::transition(Mode& mode, const std::vector<Index>& f
 template <class Topology>
 bool ContactSystem<Topology>::opens_within(Mode& mode, Index guard, double approach,
                                            std::vector<Change>& changes) {
-  constexpr Index alone = 1;  // another flow follows it
+  constexpr Index fewest = 3;  // one that would be left alone is followed by another flow
   const Index j = layout_.guard_contact[guard];
   if (layout_.kind(guard) != GuardKind::gap || mode[j] != contact::ContactMode::closed) return false;
-  if (!mode.memory.empty() || phase_.active() - 1 <= alone) return false;
+  if (!mode.memory.empty() || phase_.active() < fewest) return false;
   change(mode, j, contact::ContactMode::open, model_.law[j], changes);
   changes.back().approach = approach;
-  phase_.rebind(j);
+  phase_.open(j);
   return true;
 }
 

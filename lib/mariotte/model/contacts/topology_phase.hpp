@@ -23,8 +23,11 @@ class TopologyPhase final : public ContactPhase {
   /// From now on follow `mode`, which must outlive the phase; accepted steps turn its touching contacts
   /// closed. `ends_bound`: it is over once adhesion holds together for ever what has come to rest.
   void bind(contact::ContactSet& mode, bool ends_bound);
-  /// Contact j of the mode has changed, and no other.
-  void rebind(Index j);
+  /// Contact j of the mode has opened, and nothing else has changed.
+  void open(Index j) {
+    watch(j);
+    count_active();
+  }
   /// Contacts that carry force.
   Index active() const { return active_; }
 
