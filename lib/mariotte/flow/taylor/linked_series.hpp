@@ -35,7 +35,7 @@ class LinkedSeries final : public Expansion {
     for (int k = first; k <= order_; ++k) {
       double most = 0;
       for (const auto& block : blocks_) {
-        const double size_here = block.size_of(k);
+        const double size_here = block.motion().size_of(k);
         most = size_here > most ? size_here : most;
       }
       size[k - first] = most;
@@ -43,30 +43,31 @@ class LinkedSeries final : public Expansion {
   }
   void evaluate(double place, Values& values) const override {
     values.may_fall = values.is_deep = values.may_change = false;
-    for (const auto& block : blocks_) block.evaluate(place, values);
-    values.time = blocks_[0].time_at(place);
+    for (const auto& block : blocks_) block.motion().evaluate(place, values);
+    values.time = blocks_[0].motion().time_at(place);
   }
   void sharpen(double place, Values& values) const override {
     values.may_fall = false;
-    for (const auto& block : blocks_) block.sharpen(place, values);
+    for (const auto& block : blocks_) block.motion().sharpen(place, values);
   }
   void coefficients(Quantity quantity, int lane, double* c) const override {
-    blocks_[lane / Part::size].coefficients(quantity, lane, c);
+    blocks_[lane / at_once].motion().coefficients(quantity, lane, c);
   }
 
  private:
   static constexpr int parts = 8 / width;
   using Part = Block<parts, Given::from_outside>;
+  static constexpr int at_once = parts * width;  ///< lanes of a block
   static constexpr int most_orders = (order_limit + 7) / 8 * 8;
   using Orders = LaneVector<most_orders / width>;  ///< 1, 2, …
 
   void make_blocks() {
-    const int needed = (lanes_->count + Part::size - 1) / Part::size;
+    const int needed = (lanes_->count + at_once - 1) / at_once;
     blocks_.resize(needed);
-    for (int i = 0; i < needed; ++i) blocks_[i].move_to(i * Part::size);
+    for (int i = 0; i < needed; ++i) blocks_[i].move_to(i * at_once);
     push_.resize(needed);
     bend_.assign(needed, LaneVector<parts>(0.0));  // idle lanes rest
-    impulses_.resize(needed * Part::size);
+    impulses_.resize(needed * at_once);
   }
 
   /// Of what lanes do to each other only that of contacts which push. Each takes the place of one before that
@@ -75,7 +76,7 @@ class LinkedSeries final : public Expansion {
     const auto& [first, lane, weight] = lanes_->links;
     pushing_.assign(lanes_->count, 0);
     for (int j = 0; j < lanes_->count; ++j)
-      pushing_[j] = lanes_->active[j] > 0 && !blocks_[j / Part::size].is_still();
+      pushing_[j] = lanes_->active[j] > 0 && !blocks_[j / at_once].is_still();
     pushes_.resize(first[lanes_->count] + 1);
     first_push_.assign(1, 0);
     int found = 0;
@@ -90,7 +91,7 @@ class LinkedSeries final : public Expansion {
 
   /// One after the last lane of a block.
   int end_of(std::size_t block) const {
-    const int end = (static_cast<int>(block) + 1) * Part::size;
+    const int end = (static_cast<int>(block) + 1) * at_once;
     return end < lanes_->count ? end : lanes_->count;
   }
 
@@ -102,7 +103,7 @@ class LinkedSeries final : public Expansion {
     auto* bend = reinterpret_cast<double*>(bend_.data());
     for (std::size_t i = 0; i < blocks_.size(); ++i) {
       if (blocks_[i].is_still()) continue;
-      for (int j = static_cast<int>(i) * Part::size; j < end_of(i); ++j)
+      for (int j = static_cast<int>(i) * at_once; j < end_of(i); ++j)
         bend[j] = bend_from_outside(k, j) + bend_by(j, impulse);
       blocks_[i].coefficient(RowQuantities::rate, k + 1) = bend_[i];
       if (clock_ != plain) set_clock(blocks_[i], k + 1, series::reciprocal.of[k + 1] * growth_of_owner(k));
@@ -128,14 +129,14 @@ class LinkedSeries final : public Expansion {
   static void set_clock(Part& block, int k, double rate) {
     block.coefficient(RowQuantities::clock, k) = LaneVector<parts>(rate);
   }
-  const Part& owner() const { return blocks_[clock_ / Part::size]; }
+  const Part& owner() const { return blocks_[clock_ / at_once]; }
   double clock_of(int k) const {
-    return clock_ == plain ? k == 0 : owner().at(RowQuantities::clock, k, clock_);
+    return clock_ == plain ? k == 0 : owner().motion().at(RowQuantities::clock, k, clock_);
   }
   /// Of the rate of the clock.
   double growth_of_owner(int k) const {
-    return lanes_->widened ? owner().at(WidthQuantities::growth, k, clock_)
-                           : 0.5 * owner().at(RowQuantities::rate, k, clock_);
+    return lanes_->widened ? owner().motion().at(WidthQuantities::growth, k, clock_)
+                           : 0.5 * owner().motion().at(RowQuantities::rate, k, clock_);
   }
 
   /// By lane, of those that push.
@@ -144,8 +145,8 @@ class LinkedSeries final : public Expansion {
       if (blocks_[i].is_still()) continue;
       for (int k = 1; k <= order_; ++k) {
         auto& of_lanes = blocks_[i].coefficient(RowQuantities::impulse, k);
-        for (int lane = 0; lane < Part::size; ++lane)
-          at(impulses_[i * Part::size + lane], k) = of_lane(of_lanes, lane);
+        for (int lane = 0; lane < at_once; ++lane)
+          at(impulses_[i * at_once + lane], k) = of_lane(of_lanes, lane);
       }
     }
   }
@@ -154,8 +155,8 @@ class LinkedSeries final : public Expansion {
   /// A block in which no contact pushes.
   void follow(std::size_t i) {
     auto& block = blocks_[i];
-    const int first = static_cast<int>(i) * Part::size;
-    for (int lane = 0; lane < Part::size; ++lane) {
+    const int first = static_cast<int>(i) * at_once;
+    for (int lane = 0; lane < at_once; ++lane) {
       auto bend = first + lane < lanes_->count ? bend_of(first + lane) : Orders(0.0);
       for (int k = 1; k <= order_; ++k)
         of_lane(block.coefficient(RowQuantities::rate, k), lane) = at(bend, k);

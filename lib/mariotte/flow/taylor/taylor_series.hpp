@@ -14,19 +14,19 @@ class RowSeries final : public Expansion {
         [&](auto& series) { series.expand_states(block_.start_states(), block_.parameter_values(), order); });
   }
   void sizes(int first, double* size) const override {
-    for (int k = first; k <= order_; ++k) size[k - first] = block_.size_of(k);
+    for (int k = first; k <= order_; ++k) size[k - first] = block_.motion().size_of(k);
   }
   void evaluate(double place, Values& values) const override {
     values.may_fall = values.is_deep = values.may_change = false;
-    block_.evaluate(place, values);
-    values.time = block_.time_at(place);
+    block_.motion().evaluate(place, values);
+    values.time = block_.motion().time_at(place);
   }
   void sharpen(double place, Values& values) const override {
     values.may_fall = false;
-    block_.sharpen(place, values);
+    block_.motion().sharpen(place, values);
   }
   void coefficients(Quantity quantity, int lane, double* c) const override {
-    block_.coefficients(quantity, lane, c);
+    block_.motion().coefficients(quantity, lane, c);
   }
 
  private:
