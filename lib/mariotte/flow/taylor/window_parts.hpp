@@ -35,6 +35,9 @@ bool has_outgrown_network(const Window& window);
 /// What drives do to its lanes and velocities, and when the first has a kink.
 void begin_drives(Window& window);
 
+/// What a contact that pushes stores, but for what the series count as work: all of it without dampers.
+double stored_energy(const Window& window, int lane, double indentation);
+
 /// Make one lane for each of `contacts`.
 void begin(Window& window);
 
