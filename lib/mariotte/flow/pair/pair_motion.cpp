@@ -59,9 +59,9 @@ HertzMotion::Place HertzMotion::from_y(double y) const {
   return {y, z, fifth_power_root(z)};
 }
 
-HertzMotion::Place HertzMotion::from_ratio(double ratio) const {
+HertzMotion::Place HertzMotion::from_ratio(double ratio, double side) const {
   const double z = ratio * ratio * std::sqrt(ratio);
-  return {std::sqrt(1 - z), z, ratio};
+  return {std::copysign(std::sqrt(1 - z), side), z, ratio};
 }
 
 double HertzMotion::time(const Place& place) const {
@@ -76,17 +76,11 @@ Indentation HertzMotion::at(double elapsed) const {
   if (wanted >= full_hertz_time) return {0, -speed_};
   const double early = time(from_y(hertz_middle));
   const auto found = [&](const Place& place) { return Indentation{depth_ * place.ratio, -speed_ * place.y}; };
-  if (wanted > early) {  // in δ/δ_m, smooth up to the opening
-    const auto late = [&](double ratio) { return time(from_ratio(ratio)) - wanted; };
-    return found(from_ratio(
-        locate_sign_change(late, 0, full_hertz_time - wanted, hertz_half_depth, early - wanted, epsilon)));
-  }
-  if (wanted < -early) {  // the same mirrored
-    const auto late = [&](double ratio) { return time(from_ratio(ratio)) + wanted; };
-    auto place = from_ratio(
-        locate_sign_change(late, 0, full_hertz_time + wanted, hertz_half_depth, early + wanted, epsilon));
-    place.y = -place.y;
-    return found(place);
+  if (const double away = std::abs(wanted); away > early) {  // in δ/δ_m, smooth up to the opening
+    const auto late = [&](double ratio) { return time(from_ratio(ratio)) - away; };
+    const double ratio =
+        locate_sign_change(late, 0, full_hertz_time - away, hertz_half_depth, early - away, epsilon);
+    return found(from_ratio(ratio, wanted));
   }
   const auto late = [&](double y) { return time(from_y(y)) - wanted; };
   return found(from_y(
@@ -95,8 +89,7 @@ Indentation HertzMotion::at(double elapsed) const {
 
 Reached HertzMotion::reach(double depth) const {
   if (y_start_ >= 0 || !(depth < depth_)) return {infinity, {}};
-  auto place = from_ratio(depth / depth_);
-  place.y = -place.y;
+  const auto place = from_ratio(depth / depth_, -1);
   return {std::max(0.0, tau_ * (time(place) - start_time_)), {depth, -speed_ * place.y}};
 }
 
@@ -116,13 +109,9 @@ double HertzMotion::value(const ConcaveGap& gap, const Place& place) const {
 Reached HertzMotion::meet(const ConcaveGap& gap) const {
   if (gap.coupling == 0) return {-gap.value / gap.rate, at(-gap.value / gap.rate)};
   const double top = std::clamp(gap.rate / (gap.coupling * speed_), y_start_, 1.0);
-  const auto on_way_in = [&](double ratio) {
-    auto place = from_ratio(ratio);
-    place.y = -place.y;
-    return place;
-  };
+  const auto on_way_in = [&](double ratio) { return from_ratio(ratio, -1); };
   const auto in_the_middle = [&](double y) { return from_y(y); };
-  const auto on_way_out = [&](double ratio) { return from_ratio(ratio); };
+  const auto on_way_out = [&](double ratio) { return from_ratio(ratio, 1); };
   const auto by_ratio = [](const Place& place) { return -1.25 / place.y; };
   const auto by_y = [](const Place& place) { return 1 / (place.ratio * std::sqrt(place.ratio)); };
   const auto root = [&](const auto& chart, const auto& time_rate, double from, double to) {

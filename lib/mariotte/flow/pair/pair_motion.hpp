@@ -35,7 +35,7 @@ class HertzMotion {
     double y, z, ratio;  ///< y, 1 − y², δ/δ_m
   };
   Place from_y(double y) const;
-  Place from_ratio(double ratio) const;
+  Place from_ratio(double ratio, double side = 1) const;  ///< y has the sign of `side`
   double time(const Place& place) const;
   double value(const ConcaveGap& gap, const Place& place) const;
 
