@@ -68,7 +68,7 @@ BOOST_AUTO_TEST_CASE(a_hertz_contact_takes_its_known_time) {
 BOOST_AUTO_TEST_CASE(lanes_of_every_kind_give_the_same) {
   for (const double accuracy : {1e-6, 1e-12}) {
     auto expected = many(), all = many();
-    follow(expected, accuracy, make_baseline_sphere_lanes());
+    follow(expected, accuracy, baseline::make_sphere_lanes());
     follow(all, accuracy);
     for (std::size_t i = 0; i < all.size(); ++i) {
       BOOST_TEST(all[i].separates == expected[i].separates);

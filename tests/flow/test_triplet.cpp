@@ -76,8 +76,8 @@ BOOST_AUTO_TEST_CASE(energy_is_kept_and_nothing_approaches_at_the_end) {
 BOOST_AUTO_TEST_CASE(lanes_of_every_kind_give_the_same) {
   for (const double accuracy : {1e-6, 1e-12}) {
     auto expected = many();
-    Triplets(make_baseline_triplet_lanes(Lanewise::scenes)).follow(expected, accuracy);
-    for (const auto& make : {make_triplet_lanes, make_baseline_triplet_lanes})
+    Triplets(baseline::make_triplet_lanes(Lanewise::scenes)).follow(expected, accuracy);
+    for (const auto& make : {make_triplet_lanes, baseline::make_triplet_lanes})
       for (const auto lanewise : {Lanewise::scenes, Lanewise::contacts}) {
         auto all = many();
         Triplets(make(lanewise)).follow(all, accuracy);

@@ -101,7 +101,7 @@ double apart(const flow::BallExpansions::Row* a, const flow::BallExpansions::Row
 
 BOOST_AUTO_TEST_CASE(all_instruction_sets_expand_alike) {
   constexpr int order = 18;
-  const auto best = flow::make_ball_expansions(), baseline = flow::make_baseline_ball_expansions();
+  const auto best = flow::make_ball_expansions(), baseline = flow::baseline::make_ball_expansions();
   for (const bool pair : {false, true})
     for (const auto law : {TangentialLaw::none, TangentialLaw::rigid, TangentialLaw::mindlin})
       for (const auto friction : {Friction::stick, Friction::slip})

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "mariotte/flow/balls/ball_phase.hpp"
+#include "mariotte/flow/instruction_set.hpp"
 
 namespace mariotte::flow {
 
@@ -19,10 +20,6 @@ class BallExpansions {
   virtual BallPhase::Motion at(double place) const = 0;
 };
 
-/// With the widest registers that this machine has.
-std::unique_ptr<BallExpansions> make_ball_expansions();
-
-std::unique_ptr<BallExpansions> make_avx2_ball_expansions();
-std::unique_ptr<BallExpansions> make_baseline_ball_expansions();
+MARIOTTE_PER_INSTRUCTION_SET(std::unique_ptr<BallExpansions>, make_ball_expansions, (), ())
 
 }  // namespace mariotte::flow

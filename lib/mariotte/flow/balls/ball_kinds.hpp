@@ -1,5 +1,4 @@
-// The series of contacts of balls, one for each kind. Included by one source file per instruction set, which
-// names the namespace it lives in.
+// The series of contacts of balls, one for each kind; compiled once per instruction set.
 #pragma once
 #include <cstring>
 #include <utility>
@@ -74,3 +73,8 @@ class Expansions final : public BallExpansions {
 };
 
 }  // namespace mariotte::flow::balls::MARIOTTE_INSTRUCTION_SET
+
+std::unique_ptr<mariotte::flow::BallExpansions>
+mariotte::flow::MARIOTTE_INSTRUCTION_SET::make_ball_expansions() {
+  return std::unique_ptr<BallExpansions>(new balls::MARIOTTE_INSTRUCTION_SET::Expansions);
+}

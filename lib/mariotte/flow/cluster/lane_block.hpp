@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "mariotte/flow/cluster/cluster_field.hpp"
+#include "mariotte/flow/instruction_set.hpp"
 
 namespace mariotte::flow {
 
@@ -26,10 +27,6 @@ class LaneBlock {
   double* rows_ = nullptr;
 };
 
-/// With the widest registers that this machine has.
-std::unique_ptr<LaneBlock> make_lane_block();
-
-std::unique_ptr<LaneBlock> make_avx2_lane_block();
-std::unique_ptr<LaneBlock> make_baseline_lane_block();
+MARIOTTE_PER_INSTRUCTION_SET(std::unique_ptr<LaneBlock>, make_lane_block, (), ())
 
 }  // namespace mariotte::flow

@@ -1,5 +1,4 @@
-// The series of a block of lanes in registers. Included by one source file per instruction set, which names
-// the namespace it lives in.
+// The series of a block of lanes in registers; compiled once per instruction set.
 #pragma once
 #include "mariotte/flow/cluster/lane_block.hpp"
 #include "mariotte/flow/taylor/taylor_registers.hpp"
@@ -31,3 +30,7 @@ class LaneSeries final : public LaneBlock {
 };
 
 }  // namespace mariotte::flow::taylor::MARIOTTE_INSTRUCTION_SET
+
+std::unique_ptr<mariotte::flow::LaneBlock> mariotte::flow::MARIOTTE_INSTRUCTION_SET::make_lane_block() {
+  return std::unique_ptr<LaneBlock>(new taylor::MARIOTTE_INSTRUCTION_SET::LaneSeries);
+}

@@ -3,6 +3,7 @@
 #include <memory>
 #include <span>
 
+#include "mariotte/flow/instruction_set.hpp"
 #include "mariotte/flow/sphere/sphere.hpp"
 #include "mariotte/flow/taylor/taylor_stepper.hpp"
 
@@ -17,12 +18,6 @@ class SphereLanes {
   virtual void follow(std::span<Sphere* const> spheres, const taylor::Precision& precision) = 0;
 };
 
-/// With the widest registers that this machine has.
-std::unique_ptr<SphereLanes> make_sphere_lanes();
-
-/// For processors with AVX2 and FMA.
-std::unique_ptr<SphereLanes> make_avx2_sphere_lanes();
-/// For any processor.
-std::unique_ptr<SphereLanes> make_baseline_sphere_lanes();
+MARIOTTE_PER_INSTRUCTION_SET(std::unique_ptr<SphereLanes>, make_sphere_lanes, (), ())
 
 }  // namespace mariotte::flow

@@ -1,5 +1,4 @@
-// Spheres side by side, for one instruction set: included by one source file for each, which names the
-// namespace.
+// Spheres side by side; compiled once per instruction set.
 #pragma once
 #include "mariotte/flow/lanes/side_by_side.hpp"
 #include "mariotte/flow/sphere/sphere_lanes.hpp"
@@ -30,3 +29,7 @@ class SphereSeries final : public SphereLanes {
 };
 
 }  // namespace mariotte::flow::taylor::MARIOTTE_INSTRUCTION_SET
+
+std::unique_ptr<mariotte::flow::SphereLanes> mariotte::flow::MARIOTTE_INSTRUCTION_SET::make_sphere_lanes() {
+  return std::make_unique<taylor::MARIOTTE_INSTRUCTION_SET::SphereSeries>();
+}

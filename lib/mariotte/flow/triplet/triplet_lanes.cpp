@@ -5,13 +5,6 @@
 #include "mariotte/flow/lanes/lane_precision.hpp"
 
 namespace mariotte::flow {
-std::unique_ptr<TripletLanes> make_triplet_lanes(Lanewise lanewise) {
-#ifdef MARIOTTE_AVX2
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-    return make_avx2_triplet_lanes(lanewise);
-#endif
-  return make_baseline_triplet_lanes(lanewise);
-}
 
 /// Those that are at this stage; false if there is none.
 bool Triplets::advance(std::span<Triplet> triplets, TripletStage stage, const taylor::Precision& precision) {

@@ -4,6 +4,7 @@
 #include <span>
 #include <utility>
 
+#include "mariotte/flow/instruction_set.hpp"
 #include "mariotte/flow/taylor/taylor_stepper.hpp"
 #include "mariotte/flow/triplet/triplet.hpp"
 
@@ -25,13 +26,8 @@ class TripletLanes {
 /// What the lanes of a register hold: many scenes side by side, or the contacts of one.
 enum class Lanewise { scenes, contacts };
 
-/// With the widest registers that this machine has.
-std::unique_ptr<TripletLanes> make_triplet_lanes(Lanewise lanewise = Lanewise::scenes);
-
-/// For processors with AVX2 and FMA.
-std::unique_ptr<TripletLanes> make_avx2_triplet_lanes(Lanewise lanewise);
-/// For any processor.
-std::unique_ptr<TripletLanes> make_baseline_triplet_lanes(Lanewise lanewise);
+MARIOTTE_PER_INSTRUCTION_SET(std::unique_ptr<TripletLanes>, make_triplet_lanes,
+                             (Lanewise lanewise = Lanewise::scenes), (lanewise))
 
 /// The whole course of many triplets, whose stage says at the end whether it is over.
 class Triplets {

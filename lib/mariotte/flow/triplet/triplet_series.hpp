@@ -1,5 +1,4 @@
-// Triplets side by side, for one instruction set: included by one source file for each, which names the
-// namespace.
+// Triplets side by side; compiled once per instruction set.
 #pragma once
 #include <span>
 
@@ -56,10 +55,11 @@ class TripletSeries final : public TripletLanes {
   TripletStart start_;
 };
 
-/// Those for a way to fill the lanes.
-inline std::unique_ptr<TripletLanes> make_triplet_lanes(Lanewise lanewise) {
+}  // namespace mariotte::flow::taylor::MARIOTTE_INSTRUCTION_SET
+
+std::unique_ptr<mariotte::flow::TripletLanes> mariotte::flow::MARIOTTE_INSTRUCTION_SET::make_triplet_lanes(
+    Lanewise lanewise) {
+  using namespace taylor::MARIOTTE_INSTRUCTION_SET;
   if (lanewise == Lanewise::contacts) return std::make_unique<TripletSeries<PairedTripletField>>();
   return std::make_unique<TripletSeries<TripletField>>();
 }
-
-}  // namespace mariotte::flow::taylor::MARIOTTE_INSTRUCTION_SET
