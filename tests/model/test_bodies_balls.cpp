@@ -2,7 +2,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "mariotte/flow/balls/ball_series.hpp"
+#include "mariotte/flow/balls/ball_expansions.hpp"
 #include "mariotte/model/bodies/bodies_phase.hpp"
 #include "support/random_balls.hpp"
 
@@ -63,12 +63,12 @@ double difference(bool pair, TangentialLaw law, const model::BodiesMode& mode) {
   std::vector<double> rates(x.size()), low(x.size()), high(x.size());
   phase.derivative(x, rates);
   const auto start = balls.begin(x, false);
-  flow::BallSeries series;
-  series.expand(balls.contact(), start, 1);
+  const auto series = flow::make_ball_expansions();
+  series->expand(balls.contact(), start, 1);
   const double small = 1e-4 * phase.time_scale() / start[BallMotion::root];
   const auto moved = [&](double by, std::vector<double>& to) {
     auto motion = start;
-    for (int i = 0; i < BallMotion::states; ++i) motion[i] += by * series[i][1];
+    for (int i = 0; i < BallMotion::states; ++i) motion[i] += by * (*series)[i][1];
     balls.move(x, motion, to);
   };
   moved(-small, low);
@@ -83,8 +83,7 @@ double difference(bool pair, TangentialLaw law, const model::BodiesMode& mode) {
 }
 
 /// Largest difference of the terms of two expansions, over the sum of the terms of their row.
-double apart(const flow::BallExpansions::Row* a, const flow::BallExpansions::Row* b, int order,
-             double place) {
+double apart(const flow::BallExpansions& a, const flow::BallExpansions& b, int order, double place) {
   double most = 0;
   for (int i = 0; i < BallMotion::rows; ++i) {
     double size = 0, difference = 0, power = 1;
@@ -114,10 +113,9 @@ BOOST_AUTO_TEST_CASE(all_instruction_sets_expand_alike) {
           auto& balls = *phase.recorded()->balls();
           const auto start = balls.begin(inside(bodies, setting, phase.layout()), false);
           const double place = 0.1 * phase.time_scale() / start[BallMotion::root];
-          const auto* a = best->expand(balls.contact(), start, order);
-          const auto* b = baseline->expand(balls.contact(), start, order);
+          for (const auto* one : {&best, &baseline}) (*one)->expand(balls.contact(), start, order);
           BOOST_TEST_CONTEXT(name(law) << (pair ? ", pair" : "") << (unloading ? ", unloading" : ""))
-          BOOST_TEST(apart(a, b, order, place) < 1e-13);
+          BOOST_TEST(apart(*best, *baseline, order, place) < 1e-13);
         }
 }
 

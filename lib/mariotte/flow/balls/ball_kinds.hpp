@@ -30,14 +30,13 @@ using Kinds = std::make_integer_sequence<int, 2 * grips>;
 /// Has room for one at a time.
 class Expansions final : public BallExpansions {
  public:
-  const Row* expand(const BallContact& contact, const BallPhase::Motion& start, int order) override {
+  void expand(const BallContact& contact, const BallPhase::Motion& start, int order) override {
     const int wanted = 2 * static_cast<int>(contact.grip) + (contact.pair ? 1 : 0);
     order_ = order;
     [&]<int... which>(std::integer_sequence<int, which...>) {
       ((which == wanted && (row_ = expand<which>(contact, start))), ...);
     }
     (Kinds());
-    return row_;
   }
 
   BallPhase::Motion at(double place) const override {
@@ -68,8 +67,6 @@ class Expansions final : public BallExpansions {
   }
 
   decltype(any_of(Kinds())) one_;
-  const Row* row_ = nullptr;
-  int order_ = 0;
 };
 
 }  // namespace mariotte::flow::balls::MARIOTTE_INSTRUCTION_SET

@@ -1,13 +1,13 @@
 #include "mariotte/flow/balls/ball_taylor.hpp"
 
-#include "mariotte/flow/balls/ball_series.hpp"
+#include "mariotte/flow/balls/ball_expansions.hpp"
 #include "mariotte/flow/contact_steps.hpp"
 #include "mariotte/flow/series_guards.hpp"
 
 namespace mariotte::flow {
 namespace {
 
-using Row = std::array<double, BallSeries::most_order + 1>;
+using Row = std::array<double, BallExpansions::most_order + 1>;
 
 /// Order that costs least at an accuracy; measured on random impacts of balls. Of a step more is spent on
 /// guards and states than on these series.
@@ -34,7 +34,7 @@ class BallTaylor::Expansion {
 
   double expand(ConstState x, bool first) {
     start_ = phase_->begin(x, first);
-    series_.expand(*contact_, start_, order());
+    expansions_->expand(*contact_, start_, order());
     if (first) first_cap_ = contact_->parameter[BallMotion::coulomb] * series_[BallMotion::force][0];
     return clear_length(x, step_length());
   }
@@ -70,7 +70,8 @@ class BallTaylor::Expansion {
   bool is_stalled(const Step& step) const { return step.end - step.start < shortest_; }
 
  private:
-  BallSeries series_;
+  std::unique_ptr<BallExpansions> expansions_ = make_ball_expansions();
+  const BallExpansions& series_ = *expansions_;
   BallPhase* phase_ = nullptr;
   const BallContact* contact_ = nullptr;
   BallPhase::Motion start_ = {};
