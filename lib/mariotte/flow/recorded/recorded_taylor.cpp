@@ -3,7 +3,7 @@
 #include "mariotte/flow/balls/ball_taylor.hpp"
 #include "mariotte/flow/cluster/cluster_taylor.hpp"
 #include "mariotte/flow/contact_steps.hpp"
-#include "mariotte/flow/recorded/recorded_guards.hpp"
+#include "mariotte/flow/recorded/recorded_phase.hpp"
 #include "mariotte/flow/roots/simultaneous.hpp"
 #include "mariotte/flow/series_guards.hpp"
 
@@ -28,9 +28,12 @@ double step_length(const Recording& recording, const TapeSeries& series, ConstSt
   });
 }
 
-template <class T>
-T& made(std::optional<T>& one) {
-  return one ? *one : one.emplace();
+/// The guard that opens the contact of this clock, in whose series it is a root of first order; or −1.
+Index landing_guard(const Recording& recording, const TapeClock& clock) {
+  if (clock.kind != TapeClock::Kind::root) return -1;
+  for (const auto& one : recording.contact)
+    if (one.root == clock.root) return one.open;
+  return -1;
 }
 
 }  // namespace
@@ -86,8 +89,13 @@ struct RecordedTaylor::Memory {
   }
 
   SeriesEnd end(double reach, bool first, State x) {
-    SeriesEnd end = end_of_step(recording, series, clock_, reach, first ? accuracy_ : 0);
-    if (end.guard >= 0 && end.place > 0 && end.guard != landing_guard(recording, clock_)) sharpen(end, x);
+    const double rounding = first ? accuracy_ : 0;
+    const Index landing = landing_guard(recording, clock_);
+    SeriesEnd end{reach};
+    if (landing >= 0) look(landing, {series.row(clock_.root)}, rounding, end);
+    for (const auto& one : recording.guard)
+      if (one.guard != landing) look(one.guard, {series.row(one.place), one.sign}, rounding, end);
+    if (end.guard >= 0 && end.place > 0 && end.guard != landing) sharpen(end, x);
     return end;
   }
 
@@ -205,11 +213,13 @@ Arrival RecordedTaylor::follow(Problem& problem, State x, const Request& request
   auto& memory = *memory_;
   Arrival so_far;
   if (auto* balls = problem.recorded()->balls()) {
-    so_far = made(memory.balls).follow(problem, *balls, x, request, fired);
+    if (!memory.balls) memory.balls.emplace();
+    so_far = memory.balls->follow(problem, *balls, x, request, fired);
     if (so_far.outcome != Outcome::stiff) return so_far;
   }
   if (auto* cluster = problem.recorded()->cluster()) {
-    so_far = made(memory.cluster).follow(problem, *cluster, x, request, fired, so_far);
+    if (!memory.cluster) memory.cluster.emplace();
+    so_far = memory.cluster->follow(problem, *cluster, x, request, fired, so_far);
     if (so_far.outcome != Outcome::stiff) return so_far;
   }
   memory.begin(problem, x, request.accuracy);
