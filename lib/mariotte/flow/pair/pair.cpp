@@ -21,31 +21,26 @@ class PairStep final : public Step {
     return std::visit([](const auto& motion) { return motion.turn(); }, motion_);
   }
   void put(double time, const Indentation& now, State x) const {
+    const auto& c = *phase_.contact;
     const double approach = origin_[phase_.left] - origin_[phase_.right];
-    const double indentation = phase_.origin + now.value;
-    const double deepened = indentation + origin_[phase_.gap], lost = approach - now.rate;
-    for (std::size_t i = 0; i < x.size(); ++i) x[i] = origin_[i] + time * free_rate(i, approach);
+    const double indentation = c.origin + now.value;
+    const double deepened = indentation + origin_[c.gap], lost = approach - now.rate;
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] = origin_[i] + time * rate_[i];
+    // As if the pair moved with its mass centre, and what it deepens.
+    const auto put_gap = [&](Index gap, double share) {
+      if (gap >= 0) x[gap] = origin_[gap] + time * (rate_[gap] - share * approach) + share * deepened;
+    };
+    put_gap(phase_.left_gap, phase_.left_share);
+    put_gap(phase_.right_gap, phase_.right_share);
     x[phase_.left] = origin_[phase_.left] - phase_.left_share * lost;
     x[phase_.right] = origin_[phase_.right] + phase_.right_share * lost;
-    x[phase_.gap] = 0 - indentation;  // never −0
-    if (phase_.left_gap >= 0) x[phase_.left_gap] += phase_.left_share * deepened;
-    if (phase_.right_gap >= 0) x[phase_.right_gap] += phase_.right_share * deepened;
+    x[c.gap] = 0 - indentation;  // never −0
     const double m = phase_.law.reduced_mass;
-    if (phase_.work >= 0) x[phase_.work] = origin_[phase_.work] + 0.5 * m * lost * (approach + now.rate);
-    if (phase_.impulse >= 0) x[phase_.impulse] = origin_[phase_.impulse] + m * lost;
+    if (c.work >= 0) x[c.work] = origin_[c.work] + 0.5 * m * lost * (approach + now.rate);
+    if (c.impulse >= 0) x[c.impulse] = origin_[c.impulse] + m * lost;
   }
 
  private:
-  /// Rate of a component as if the pair moved with its mass centre.
-  double free_rate(std::size_t component, double approach) const {
-    const auto i = static_cast<Index>(component);
-    if (i == phase_.left || i == phase_.right || i == phase_.gap || i == phase_.work || i == phase_.impulse)
-      return 0;
-    if (i == phase_.left_gap) return rate_[component] - phase_.left_share * approach;
-    if (i == phase_.right_gap) return rate_[component] - phase_.right_share * approach;
-    return rate_[component];
-  }
-
   const PairPhase& phase_;
   const PairMotion& motion_;
   ConstState origin_, rate_;
@@ -94,14 +89,15 @@ void Pair::begin(const Problem& problem, ConstState x) {
 }
 
 bool Pair::is_of_branch(Index guard) const {
-  return phase_->branch_guard >= 0 && (guard == phase_->branch_guard || guard == phase_->branch_guard + 1);
+  const Index yield = phase_->contact->branch_guard;
+  return yield >= 0 && (guard == yield || guard == yield + 1);
 }
 
 /// What ends a branch: the contact yields, if it comes so deep, or turns, where that is watched. A time that
 /// could not be computed is not a number, and must not pass for an event that never comes.
 std::optional<Pair::End> Pair::end_of_branch(const Problem& problem, const PairMotion& motion,
                                              const Indentation& begin) const {
-  const Index yield = phase_->branch_guard, turn = yield + 1;
+  const Index yield = phase_->contact->branch_guard, turn = yield + 1;
   if (yield < 0) return std::nullopt;
   return std::visit(
       [&](const auto& one) -> std::optional<End> {
@@ -112,7 +108,7 @@ std::optional<Pair::End> Pair::end_of_branch(const Problem& problem, const PairM
           if (yields.time != infinity && !is_noise) return End{yields.time, yield, yields.there};
         }
         if (problem.crossings()[turn] != Crossing::falling) return std::nullopt;
-        const auto [parting, there] = one.recede(phase_->turn_speed);
+        const auto [parting, there] = one.recede(phase_->contact->turn_speed);
         return End{parting, turn, there};
       },
       motion);
@@ -145,7 +141,7 @@ Pair::End Pair::first_event(const Problem& problem, const PairMotion& motion,
 Arrival Pair::follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) {
   const PairPhase& phase = phase_.value();
   begin(problem, x);
-  const Indentation start{-x[phase.gap] - phase.origin, x[phase.left] - x[phase.right]};
+  const Indentation start{-x[phase.contact->gap] - phase.contact->origin, x[phase.left] - x[phase.right]};
   const auto motion = make_pair_motion(phase.law, start);
   const auto end = first_event(problem, motion, start);
   if (!std::isfinite(end.duration)) return {.outcome = Outcome::failed, .message = "it is held together"};
