@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mariotte/core/error.hpp"
 #include "mariotte/flow/ballistic.hpp"
 #include "mariotte/flow/cvode/cvode.hpp"
 #include "mariotte/flow/drift.hpp"
@@ -94,29 +93,17 @@ bool pays(Kind kind, const Problem& problem) {
 }
 
 std::unique_ptr<Flow> make(Kind kind, const Problem& problem) {
-  switch (kind) {
-    case Kind::ballistic:
-      if (problem.free_body()) return std::make_unique<Flight>();
-      if (problem.free_motion()) return std::make_unique<Drift>();
-      return std::make_unique<Ballistic>();
-    case Kind::pair:
-      return std::make_unique<Pair>();
-    case Kind::modal:
-      return std::make_unique<Modal>();
-    case Kind::taylor:
-      if (problem.tip()) return std::make_unique<TipTaylor>();
-      if (problem.recorded()) return std::make_unique<RecordedTaylor>();
-      return std::make_unique<Taylor>();
-    case Kind::cvode_adams:
-      return std::make_unique<Cvode>(CvodeMethod::adams, problem);
-    case Kind::cvode_bdf_dense:
-      return std::make_unique<Cvode>(CvodeMethod::bdf_dense, problem);
-    case Kind::cvode_bdf_band:
-      return std::make_unique<Cvode>(CvodeMethod::bdf_band, problem);
-    case Kind::cvode_bdf_klu:
-      return std::make_unique<Cvode>(CvodeMethod::bdf_klu, problem);
+  if (is_cvode(kind)) return std::make_unique<Cvode>(kind, problem);
+  if (kind == Kind::pair) return std::make_unique<Pair>();
+  if (kind == Kind::modal) return std::make_unique<Modal>();
+  if (kind == Kind::taylor) {
+    if (problem.tip()) return std::make_unique<TipTaylor>();
+    if (problem.recorded()) return std::make_unique<RecordedTaylor>();
+    return std::make_unique<Taylor>();
   }
-  throw Error("unknown kind of flow");
+  if (problem.free_body()) return std::make_unique<Flight>();
+  if (problem.free_motion()) return std::make_unique<Drift>();
+  return std::make_unique<Ballistic>();
 }
 
 /// Those that follow some phases only, the cheapest first; where they do not, another takes over.

@@ -20,8 +20,8 @@ namespace {
 /// Local tolerance for a wanted global error. Measured on the reference chains (tests/flow, convergence):
 /// Adams turns a local tolerance into an error 10 to 300 times as large, BDF 100 to 1000 times. What BDF is
 /// used for is stiff: rates are wrong by many roundings, and a tolerance near one would never be met.
-double local_tolerance(CvodeMethod method, double accuracy, double swiftness) {
-  if (method == CvodeMethod::adams) return std::max(3e-4 * accuracy, 4 * epsilon);
+double local_tolerance(Kind kind, double accuracy, double swiftness) {
+  if (kind == Kind::cvode_adams) return std::max(3e-4 * accuracy, 4 * epsilon);
   return std::max(1e-4 * accuracy, std::max(64.0, 4 * swiftness) * epsilon);
 }
 
@@ -56,7 +56,7 @@ void check(int code, const char* what) {
 }  // namespace
 
 struct Cvode::Memory {
-  CvodeMethod method;
+  Kind kind;
   sundials::Context context;
   sundials::Vector state, dense;
   sundials::NonlinearSolver fixed_point;
@@ -70,11 +70,11 @@ struct Cvode::Memory {
   Certificate certificate;
   Simultaneous simultaneous;
 
-  Memory(CvodeMethod chosen, const Problem& like) : method(chosen), roots(like.guard_count()) {
+  Memory(Kind chosen, const Problem& like) : kind(chosen), roots(like.guard_count()) {
     state.reset(N_VNew_Serial(like.size(), context));
     dense.reset(N_VNew_Serial(like.size(), context));
     N_VConst(0, state.get());
-    cvode.reset(CVodeCreate(method == CvodeMethod::adams ? CV_ADAMS : CV_BDF, context));
+    cvode.reset(CVodeCreate(kind == Kind::cvode_adams ? CV_ADAMS : CV_BDF, context));
     check(CVodeInit(cvode.get(), derivative, 0, state.get()), "the problem");
     check(CVodeSetUserData(cvode.get(), this), "user data");
     check(sundials::send_messages(context, cvode.get(), complaint), "an error handler");
@@ -87,14 +87,11 @@ struct Cvode::Memory {
   }
 
   void attach_solver(const Problem& like) {
-    if (method == CvodeMethod::adams) {
+    if (kind == Kind::cvode_adams) {
       fixed_point.reset(SUNNonlinSol_FixedPoint(state.get(), 0, context));
       check(CVodeSetNonlinearSolver(cvode.get(), fixed_point.get()), "fixed-point iteration");
       return;
     }
-    const auto kind = method == CvodeMethod::bdf_dense  ? MatrixKind::dense
-                      : method == CvodeMethod::bdf_band ? MatrixKind::band
-                                                        : MatrixKind::sparse;
     newton.emplace(kind, like, state.get(), context);
     check(CVodeSetLinearSolver(cvode.get(), newton->solver(), newton->matrix()), "the linear solver");
     check(CVodeSetJacFn(cvode.get(), jacobian), "the Jacobian");
@@ -132,8 +129,7 @@ struct Cvode::Memory {
 
   void restart(Problem& next, State x, const Request& request) {
     problem = &next;
-    tolerance =
-        local_tolerance(method, resolving_accuracy(next, request.accuracy, finest), next.swiftness(x));
+    tolerance = local_tolerance(kind, resolving_accuracy(next, request.accuracy, finest), next.swiftness(x));
     complaint.clear();
     std::copy(x.begin(), x.end(), writable(state.get()).begin());
     check(CVodeReInit(cvode.get(), 0, state.get()), "a restart");
@@ -212,7 +208,7 @@ class Interpolant final : public Step {
 
 }  // namespace
 
-Cvode::Cvode(CvodeMethod method, const Problem& like) : memory_(std::make_unique<Memory>(method, like)) {}
+Cvode::Cvode(Kind kind, const Problem& like) : memory_(std::make_unique<Memory>(kind, like)) {}
 Cvode::~Cvode() = default;
 
 bool Cvode::fits(const Problem& problem) const {
@@ -257,7 +253,7 @@ Arrival Cvode::follow(Problem& problem, State x, const Request& request, std::ve
     stalled += step.end - step.start <= 2 * epsilon * step.end;
     if (count == trial && step.end < trial * request.least_step) return m.finish(Outcome::stiff, step.end, x);
     // a slip in space of two tips that friction holds near zero is stiff, whatever the damping
-    if (count == request.most_steps && m.method == CvodeMethod::adams && !request.patient) {
+    if (count == request.most_steps && m.kind == Kind::cvode_adams && !request.patient) {
       auto arrival = m.finish(Outcome::stiff, step.end, x);
       arrival.resumable = true;
       return arrival;

@@ -3,17 +3,15 @@
 #include <memory>
 
 #include "mariotte/flow/flow.hpp"
+#include "mariotte/flow/kind.hpp"
 
 namespace mariotte::flow {
 
 /// Adams (order ≤ 12) with fixed-point iteration, or BDF (order ≤ 5) with Newton on a dense, band or sparse
-/// matrix.
-enum class CvodeMethod { adams, bdf_dense, bdf_band, bdf_klu };
-
-/// Keeps its memory between phases; made for problems of one size, pattern and number of guards.
+/// matrix. Keeps its memory between phases; made for problems of one size, pattern and number of guards.
 class Cvode final : public Flow {
  public:
-  Cvode(CvodeMethod method, const Problem& like);
+  Cvode(Kind kind, const Problem& like);
   ~Cvode() override;
   bool fits(const Problem& problem) const override;
   Arrival follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) override;

@@ -12,19 +12,14 @@
 
 namespace mariotte::flow {
 
-NewtonMatrix::NewtonMatrix(MatrixKind kind, const Problem& problem, N_Vector like, SUNContext context)
+NewtonMatrix::NewtonMatrix(Kind kind, const Problem& problem, N_Vector like, SUNContext context)
     : size_(problem.size()), kind_(kind), pattern_(problem.pattern()), values_(pattern_.size()) {
-  switch (kind) {
-    case MatrixKind::dense:
-      make_dense(like, context);
-      break;
-    case MatrixKind::band:
-      make_band(like, context);
-      break;
-    case MatrixKind::sparse:
-      make_sparse(like, context);
-      break;
-  }
+  if (kind == Kind::cvode_bdf_dense)
+    make_dense(like, context);
+  else if (kind == Kind::cvode_bdf_band)
+    make_band(like, context);
+  else
+    make_sparse(like, context);
 }
 
 void NewtonMatrix::make_dense(N_Vector like, SUNContext context) {
@@ -70,18 +65,12 @@ void NewtonMatrix::make_sparse(N_Vector like, SUNContext context) {
 bool NewtonMatrix::fill(const Problem& problem, ConstState x, SUNMatrix target) {
   problem.jacobian(x, values_);
   SUNMatZero(target);
-  double* data = nullptr;
-  switch (kind_) {
-    case MatrixKind::dense:
-      data = SM_DATA_D(target);
-      break;
-    case MatrixKind::band:
-      data = SM_DATA_B(target);
-      break;
-    case MatrixKind::sparse:
-      std::copy(column_start_.begin(), column_start_.end(), SM_INDEXPTRS_S(target));
-      std::copy(row_.begin(), row_.end(), SM_INDEXVALS_S(target));
-      data = SM_DATA_S(target);
+  double* const data = kind_ == Kind::cvode_bdf_dense  ? SM_DATA_D(target)
+                       : kind_ == Kind::cvode_bdf_band ? SM_DATA_B(target)
+                                                       : SM_DATA_S(target);
+  if (kind_ == Kind::cvode_bdf_klu) {
+    std::copy(column_start_.begin(), column_start_.end(), SM_INDEXPTRS_S(target));
+    std::copy(row_.begin(), row_.end(), SM_INDEXVALS_S(target));
   }
   for (std::size_t i = 0; i < place_.size(); ++i) data[place_[i]] += values_[i];
   return std::all_of(values_.begin(), values_.end(), [](double value) { return std::isfinite(value); });

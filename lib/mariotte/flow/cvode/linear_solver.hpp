@@ -4,16 +4,15 @@
 #include <vector>
 
 #include "mariotte/flow/cvode/sundials.hpp"
+#include "mariotte/flow/kind.hpp"
 #include "mariotte/flow/problem.hpp"
 
 namespace mariotte::flow {
 
-enum class MatrixKind { dense, band, sparse };
-
-/// A SUNDIALS matrix and its solver, with the place of every entry looked up once.
+/// A SUNDIALS matrix and its solver for a flow by BDF, with the place of every entry looked up once.
 class NewtonMatrix {
  public:
-  NewtonMatrix(MatrixKind kind, const Problem& problem, N_Vector like, SUNContext context);
+  NewtonMatrix(Kind kind, const Problem& problem, N_Vector like, SUNContext context);
 
   SUNMatrix matrix() const { return matrix_.get(); }
   SUNLinearSolver solver() const { return solver_.get(); }
@@ -30,7 +29,7 @@ class NewtonMatrix {
   void make_sparse(N_Vector like, SUNContext context);
 
   Index size_;
-  MatrixKind kind_;
+  Kind kind_;
   std::vector<Entry> pattern_;
   std::vector<Index> place_;                      ///< of each entry in the matrix's data
   std::vector<sunindextype> column_start_, row_;  ///< sparse structure
