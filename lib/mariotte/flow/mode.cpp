@@ -48,30 +48,18 @@ Weight motion_from(const NaturalMode& mode, double value, double rate) {
 
 Weight derivative(const NaturalMode& mode, const Weight& w) {
   const double a = mode.decay, b = mode.second;
-  switch (mode.form) {
-    case Form::oscillating:
-      return {w.odd - a * w.even, -b * b * w.even - a * w.odd};
-    case Form::creeping:
-      return {w.odd - a * w.even, -b * w.odd};
-    case Form::separate:
-      return {-a * w.even, -b * w.odd};
-  }
-  return {};
+  if (mode.form == Form::oscillating) return {w.odd - a * w.even, -b * b * w.even - a * w.odd};
+  if (mode.form == Form::creeping) return {w.odd - a * w.even, -b * w.odd};
+  return {-a * w.even, -b * w.odd};
 }
 
 Weight integral(const NaturalMode& mode, const Weight& w) {
   const double a = mode.decay, b = mode.second;
-  switch (mode.form) {
-    case Form::oscillating: {
-      const double square = a * a + b * b;
-      return {-(a * w.even + w.odd) / square, (b * b * w.even - a * w.odd) / square};
-    }
-    case Form::creeping:
-      return {-(w.even + w.odd / b) / a, -w.odd / b};
-    case Form::separate:
-      return {-w.even / a, -w.odd / b};
-  }
-  return {};
+  const double square = a * a + b * b;
+  if (mode.form == Form::oscillating)
+    return {-(a * w.even + w.odd) / square, (b * b * w.even - a * w.odd) / square};
+  if (mode.form == Form::creeping) return {-(w.even + w.odd / b) / a, -w.odd / b};
+  return {-w.even / a, -w.odd / b};
 }
 
 Weight values(const NaturalMode& mode, double time) {

@@ -184,16 +184,13 @@ void find_shape(DampedModes& modes, const DampedRow& row, Index mode) {
   Complex* force = &modes.force[mode * n];
   force[pivot] = 1;
   depth[pivot] = -(modes.left[pivot] + modes.right[pivot]);
-  for (Index j = pivot; j-- > 0;) {
+  const auto spread = [&](Index from, Index j, const std::vector<Complex>& side) {
     const Complex spring = stiffness(row, j, root);
-    depth[j] = modes.left[j + 1] * force[j + 1] / (1.0 + spring * modes.left[j]);
+    depth[j] = side[from] * force[from] / (1.0 + spring * side[j]);
     force[j] = spring * depth[j];
-  }
-  for (Index j = pivot + 1; j < n; ++j) {
-    const Complex spring = stiffness(row, j, root);
-    depth[j] = modes.right[j - 1] * force[j - 1] / (1.0 + spring * modes.right[j]);
-    force[j] = spring * depth[j];
-  }
+  };
+  for (Index j = pivot; j-- > 0;) spread(j + 1, j, modes.left);
+  for (Index j = pivot + 1; j < n; ++j) spread(j - 1, j, modes.right);
 }
 
 /// |y|²/|y·y| in energies, stored and kinetic; infinite if numbers have overflowed.

@@ -45,17 +45,11 @@ struct Modal::Memory {
   ModalStep::Workspace workspace;
   Simultaneous simultaneous;
 
-  bool take(const SerialPhase& phase) {
-    vibration = &row;
+  bool take(auto& its, const auto& phase) {
+    vibration = &its;
     speed = phase.speed;
     reached_speed = phase.reached_speed;
-    return are_linear(phase.contact) && !has_acceleration(phase) && !presses_beyond(phase) && row.find(phase);
-  }
-  bool take(const LinkedPhase& phase) {
-    vibration = &linked;
-    speed = phase.speed;
-    reached_speed = phase.reached_speed;
-    return are_linear(phase.contact) && linked.find(phase);
+    return are_linear(phase.contact) && its.find(phase);
   }
 
   const PhaseContact& contact(Index j) const { return vibration->contacts()[j]; }
@@ -197,9 +191,10 @@ Modal::~Modal() = default;
 
 bool Modal::admits(const Problem& problem) {
   if (problem.drives()) return false;
-  if (const auto* row = problem.serial()) return memory_->take(*row);
+  if (const auto* row = problem.serial())
+    return !has_acceleration(*row) && !presses_beyond(*row) && memory_->take(memory_->row, *row);
   const auto* linked = problem.linked();
-  return linked && memory_->take(*linked);
+  return linked && memory_->take(memory_->linked, *linked);
 }
 
 Arrival Modal::follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) {
