@@ -4,7 +4,7 @@
 #include <new>
 #include <random>
 
-#include "mariotte/flow/modal/modal.hpp"
+#include "mariotte/flow/flows.hpp"
 #include "mariotte/model/chain/chain_system.hpp"
 #include "support/linear_chains.hpp"
 #include "support/reference.hpp"
@@ -171,9 +171,10 @@ BOOST_AUTO_TEST_CASE(nothing_is_allocated_in_the_second_phase_of_a_size) {
         std::vector{damper(1, 0.1), damper(7, 0.7), damper(2, 0.2)},
         std::vector{damper(1, 0.1), damper(7, 3), contact::Law(contact::Linear{2})}}) {
     const auto chain = equal_masses(laws, {1, 0, 0, 0});
-    flow::Modal modal;
+    const auto modal = flow::make_modal_flow();
     CountPieces observer;
-    const auto first = follow_first(modal, chain, &observer), second = follow_first(modal, chain, &observer);
+    const auto first = follow_first(*modal, chain, &observer),
+               second = follow_first(*modal, chain, &observer);
     BOOST_TEST(first.allocations > 0);
     BOOST_TEST(second.allocations == 0);
     BOOST_TEST(second.x == first.x, boost::test_tools::per_element());
@@ -183,9 +184,9 @@ BOOST_AUTO_TEST_CASE(nothing_is_allocated_in_the_second_phase_of_a_size) {
 BOOST_AUTO_TEST_CASE(a_watcher_sees_few_pieces_that_tile_the_phase) {
   for (const double ratio : {1e-4, 1.0, 1e4, 1e7, 1e10}) {
     const auto chain = equal_masses({contact::Linear{1}, contact::Linear{ratio}}, {1, 0, 0});
-    flow::Modal modal;
+    const auto modal = flow::make_modal_flow();
     CountPieces observer;
-    const auto followed = follow_first(modal, chain, &observer);
+    const auto followed = follow_first(*modal, chain, &observer);
     BOOST_TEST(observer.pieces <= 5);
     BOOST_TEST(observer.tiles);
     BOOST_TEST(observer.end == followed.arrival.duration);

@@ -3,13 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mariotte/flow/ballistic.hpp"
-#include "mariotte/flow/cvode/cvode.hpp"
-#include "mariotte/flow/drift.hpp"
-#include "mariotte/flow/flight.hpp"
-#include "mariotte/flow/modal/modal.hpp"
-#include "mariotte/flow/pair/pair.hpp"
-#include "mariotte/flow/recorded/recorded_taylor.hpp"
+#include "mariotte/flow/flows.hpp"
 #include "mariotte/flow/taylor/taylor.hpp"
 #include "mariotte/flow/taylor/tip_taylor.hpp"
 
@@ -93,17 +87,17 @@ bool pays(Kind kind, const Problem& problem) {
 }
 
 std::unique_ptr<Flow> make(Kind kind, const Problem& problem) {
-  if (is_cvode(kind)) return std::make_unique<Cvode>(kind, problem);
-  if (kind == Kind::pair) return std::make_unique<Pair>();
-  if (kind == Kind::modal) return std::make_unique<Modal>();
+  if (is_cvode(kind)) return make_cvode_flow(kind, problem);
+  if (kind == Kind::pair) return make_pair_flow();
+  if (kind == Kind::modal) return make_modal_flow();
   if (kind == Kind::taylor) {
     if (problem.tip()) return std::make_unique<TipTaylor>();
-    if (problem.recorded()) return std::make_unique<RecordedTaylor>();
+    if (problem.recorded()) return make_recorded_flow();
     return std::make_unique<Taylor>();
   }
-  if (problem.free_body()) return std::make_unique<Flight>();
-  if (problem.free_motion()) return std::make_unique<Drift>();
-  return std::make_unique<Ballistic>();
+  if (problem.free_body()) return make_flight_flow();
+  if (problem.free_motion()) return make_drift_flow();
+  return make_ballistic_flow();
 }
 
 /// Those that follow some phases only, the cheapest first; where they do not, another takes over.

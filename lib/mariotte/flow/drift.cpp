@@ -1,7 +1,4 @@
-#include "mariotte/flow/drift.hpp"
-
-#include <algorithm>
-
+#include "mariotte/flow/flows.hpp"
 #include "mariotte/flow/free_motion.hpp"
 #include "mariotte/flow/roots/simultaneous.hpp"
 
@@ -17,23 +14,36 @@ class Flown final : public Step {
   const FreeMotion& motion_;
 };
 
+class Drift final : public Flow {
+ public:
+  bool fits(const Problem& problem) const override { return problem.free_motion() != nullptr; }
+  Arrival follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) override {
+    const auto& motion = *problem.free_motion();
+    start_.assign(x.begin(), x.end());
+    const double meeting =
+        motion.first_meeting(start_, request.limit, simultaneity_window(problem, request.accuracy), fired);
+    if (!(meeting < infinity) && !(request.limit < infinity))
+      return {.outcome = Outcome::never, .message = {}};
+    const bool ends = request.limit <= meeting;
+    if (ends) fired.clear();
+    Flown step(motion);
+    step.end = ends ? request.limit : meeting;
+    motion.fly(start_, step.end, x);
+    step.before = start_;
+    step.after = x;
+    if (request.observer) request.observer->observe(step);
+    return {
+        .outcome = ends ? Outcome::limit : Outcome::guard, .duration = step.end, .steps = 1, .message = {}};
+  }
+
+ private:
+  std::vector<double> start_;
+};
+
 }  // namespace
 
-Arrival Drift::follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) {
-  const auto& motion = *problem.free_motion();
-  start_.assign(x.begin(), x.end());
-  const double meeting =
-      motion.first_meeting(start_, request.limit, simultaneity_window(problem, request.accuracy), fired);
-  if (!(meeting < infinity) && !(request.limit < infinity)) return {.outcome = Outcome::never, .message = {}};
-  const bool ends = request.limit <= meeting;
-  if (ends) fired.clear();
-  Flown step(motion);
-  step.end = ends ? request.limit : meeting;
-  motion.fly(start_, step.end, x);
-  step.before = start_;
-  step.after = x;
-  if (request.observer) request.observer->observe(step);
-  return {.outcome = ends ? Outcome::limit : Outcome::guard, .duration = step.end, .steps = 1, .message = {}};
+std::unique_ptr<Flow> make_drift_flow() {
+  return std::make_unique<Drift>();
 }
 
 }  // namespace mariotte::flow

@@ -6,6 +6,7 @@
 
 #include "mariotte/core/bracket.hpp"
 #include "mariotte/core/state_vectors.hpp"
+#include "mariotte/flow/flows.hpp"
 
 namespace mariotte::flow {
 namespace {
@@ -164,35 +165,47 @@ class FlightStep final : public Step {
   const Body& body_;
 };
 
+class Flight final : public Flow {
+ public:
+  Arrival follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) override {
+    const FreePhase& phase = *problem.free_body();
+    start_.assign(x.begin(), x.end());
+    const Body body(phase, start_);
+    double touch = infinity;
+    Index tip = -1;
+    for (Index i = 0; i < 2; ++i) {
+      if (phase.place.gap[i] < 0) continue;
+      const double time = first_touch(body.height(i, x[phase.place.gap[i]]));
+      if (time >= touch) continue;
+      touch = time;
+      tip = i;
+    }
+    if (tip < 0) return {.outcome = Outcome::never, .message = {}};
+    const bool touches = touch <= request.limit;
+    FlightStep step(body);
+    step.before = start_;
+    step.end = touches ? touch : request.limit;
+    step.at(step.end, x);
+    if (touches) {
+      x[phase.place.gap[tip]] = 0;
+      fired.push_back(phase.guard[tip]);
+    }
+    step.after = x;
+    if (request.observer) request.observer->observe(step);
+    return {.outcome = touches ? Outcome::guard : Outcome::limit,
+            .duration = step.end,
+            .steps = 1,
+            .message = {}};
+  }
+
+ private:
+  std::vector<double> start_;
+};
+
 }  // namespace
 
-Arrival Flight::follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) {
-  const FreePhase& phase = *problem.free_body();
-  start_.assign(x.begin(), x.end());
-  const Body body(phase, start_);
-  double touch = infinity;
-  Index tip = -1;
-  for (Index i = 0; i < 2; ++i) {
-    if (phase.place.gap[i] < 0) continue;
-    const double time = first_touch(body.height(i, x[phase.place.gap[i]]));
-    if (time >= touch) continue;
-    touch = time;
-    tip = i;
-  }
-  if (tip < 0) return {.outcome = Outcome::never, .message = {}};
-  const bool touches = touch <= request.limit;
-  FlightStep step(body);
-  step.before = start_;
-  step.end = touches ? touch : request.limit;
-  step.at(step.end, x);
-  if (touches) {
-    x[phase.place.gap[tip]] = 0;
-    fired.push_back(phase.guard[tip]);
-  }
-  step.after = x;
-  if (request.observer) request.observer->observe(step);
-  return {
-      .outcome = touches ? Outcome::guard : Outcome::limit, .duration = step.end, .steps = 1, .message = {}};
+std::unique_ptr<Flow> make_flight_flow() {
+  return std::make_unique<Flight>();
 }
 
 }  // namespace mariotte::flow

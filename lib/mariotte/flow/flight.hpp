@@ -1,10 +1,7 @@
 // Free flight of a symmetric body in closed form: the mass centre on a parabola, the axis precessing about
 // the constant angular momentum, the body turning about its axis.
 #pragma once
-#include <vector>
-
 #include "mariotte/core/quaternion.hpp"
-#include "mariotte/flow/flow.hpp"
 #include "mariotte/flow/tip_phase.hpp"
 
 namespace mariotte::flow {
@@ -25,14 +22,5 @@ double first_touch(const TipHeight& height);
 
 /// Attitude after time t, from angular momentum h in space axes.
 Quaternion flown(const Quaternion& attitude, const Vector3& momentum, const SymmetricBody& body, double t);
-
-/// Follows phases with a `free_body()`.
-class Flight final : public Flow {
- public:
-  Arrival follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) override;
-
- private:
-  std::vector<double> start_;
-};
 
 }  // namespace mariotte::flow

@@ -11,6 +11,7 @@
 #include "mariotte/core/counted.hpp"
 #include "mariotte/core/error.hpp"
 #include "mariotte/flow/cvode/linear_solver.hpp"
+#include "mariotte/flow/flows.hpp"
 #include "mariotte/flow/roots/certificate.hpp"
 #include "mariotte/flow/roots/simultaneous.hpp"
 
@@ -53,144 +54,6 @@ void check(int code, const char* what) {
   if (code < 0) throw Error(std::string("SUNDIALS refused ") + what);
 }
 
-}  // namespace
-
-struct Cvode::Memory {
-  Kind kind;
-  sundials::Context context;
-  sundials::Vector state, dense;
-  sundials::NonlinearSolver fixed_point;
-  std::optional<NewtonMatrix> newton;
-  sundials::Cvode cvode;
-  Problem* problem = nullptr;
-  double tolerance = 0;
-  std::string complaint;  ///< SUNDIALS' last message
-  std::vector<double> before;
-  std::vector<int> roots;
-  Certificate certificate;
-  Simultaneous simultaneous;
-
-  Memory(Kind chosen, const Problem& like) : kind(chosen), roots(like.guard_count()) {
-    state.reset(N_VNew_Serial(like.size(), context));
-    dense.reset(N_VNew_Serial(like.size(), context));
-    N_VConst(0, state.get());
-    cvode.reset(CVodeCreate(kind == Kind::cvode_adams ? CV_ADAMS : CV_BDF, context));
-    check(CVodeInit(cvode.get(), derivative, 0, state.get()), "the problem");
-    check(CVodeSetUserData(cvode.get(), this), "user data");
-    check(sundials::send_messages(context, cvode.get(), complaint), "an error handler");
-    check(CVodeWFtolerances(cvode.get(), weights), "the weights");
-    check(CVodeSetMaxNumSteps(cvode.get(), most_steps_of_phase), "the step limit");
-    check(CVodeRootInit(cvode.get(), static_cast<int>(like.guard_count()), guards), "the guards");
-    check(CVodeSetMaxErrTestFails(cvode.get(), most_rejections), "the number of rejections");
-    check(CVodeSetNoInactiveRootWarn(cvode.get()), "quiet roots");
-    attach_solver(like);
-  }
-
-  void attach_solver(const Problem& like) {
-    if (kind == Kind::cvode_adams) {
-      fixed_point.reset(SUNNonlinSol_FixedPoint(state.get(), 0, context));
-      check(CVodeSetNonlinearSolver(cvode.get(), fixed_point.get()), "fixed-point iteration");
-      return;
-    }
-    newton.emplace(kind, like, state.get(), context);
-    check(CVodeSetLinearSolver(cvode.get(), newton->solver(), newton->matrix()), "the linear solver");
-    check(CVodeSetJacFn(cvode.get(), jacobian), "the Jacobian");
-    check(CVodeSetJacEvalFrequency(cvode.get(), jacobian_age), "the age of the Jacobian");
-  }
-
-  // Callbacks: a value that is not finite must never pass for a result.
-  static int derivative(sunrealtype, N_Vector x, N_Vector dx, void* self) {
-    static_cast<Memory*>(self)->problem->derivative(view(x), writable(dx));
-    return all_finite(view(dx)) ? 0 : 1;
-  }
-  static int guards(sunrealtype, N_Vector x, sunrealtype* values, void* self) {
-    const auto& problem = *static_cast<Memory*>(self)->problem;
-    const State out(values, problem.guard_count());
-    problem.guards(view(x), out);
-    return all_finite(out) ? 0 : -1;
-  }
-  static int jacobian(sunrealtype, N_Vector x, N_Vector, SUNMatrix j, void* self, N_Vector, N_Vector,
-                      N_Vector) {
-    auto& memory = *static_cast<Memory*>(self);
-    return memory.newton->fill(*memory.problem, view(x), j) ? 0 : 1;
-  }
-  /// CVODE bounds the root mean square of error × weight; the factor √n makes that a bound on the largest.
-  /// The term with epsilon keeps the demand above rounding.
-  static int weights(N_Vector x, N_Vector weight, void* self) {
-    const auto& memory = *static_cast<Memory*>(self);
-    const auto magnitudes = memory.problem->magnitudes();
-    const auto values = view(x);
-    const auto out = writable(weight);
-    const double share = memory.tolerance / std::sqrt(static_cast<double>(out.size()));
-    for (std::size_t i = 0; i < out.size(); ++i)
-      out[i] = 1 / (share * magnitudes[i] + 8 * epsilon * std::abs(values[i]));
-    return 0;
-  }
-
-  void restart(Problem& next, State x, const Request& request) {
-    problem = &next;
-    tolerance = local_tolerance(kind, resolving_accuracy(next, request.accuracy, finest), next.swiftness(x));
-    complaint.clear();
-    std::copy(x.begin(), x.end(), writable(state.get()).begin());
-    check(CVodeReInit(cvode.get(), 0, state.get()), "a restart");
-    // At an onset the force starts from zero and fools the automatic first step.
-    check(CVodeSetInitStep(cvode.get(), 0.1 * std::sqrt(tolerance) * next.time_scale()), "the first step");
-    const auto crossings = next.crossings();
-    std::transform(crossings.begin(), crossings.end(), roots.begin(),
-                   [](Crossing c) { return static_cast<int>(c); });
-    check(CVodeSetRootDirection(cvode.get(), roots.data()), "the directions of the guards");
-    before.assign(x.begin(), x.end());
-    certificate.begin(next, x);
-  }
-  void append_roots(std::vector<Index>& fired) {
-    check(CVodeGetRootInfo(cvode.get(), roots.data()), "root information");
-    for (std::size_t i = 0; i < roots.size(); ++i)
-      if (roots[i] != 0) fired.push_back(static_cast<Index>(i));
-  }
-
-  /// "velocity 3, gap 2": the components with the largest share of the local error.
-  std::string worst_components() const {
-    sundials::Vector error(N_VClone(state.get())), weight(N_VClone(state.get()));
-    CVodeGetEstLocalErrors(cvode.get(), error.get());
-    CVodeGetErrWeights(cvode.get(), weight.get());
-    const auto e = view(error.get()), w = view(weight.get());
-    std::vector<Index> order(e.size());
-    for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<Index>(i);
-    const auto count = std::min<std::size_t>(3, order.size());
-    std::partial_sort(order.begin(), order.begin() + count, order.end(),
-                      [&](Index a, Index b) { return std::abs(e[a] * w[a]) > std::abs(e[b] * w[b]); });
-    std::string names;
-    for (std::size_t i = 0; i < count; ++i) names += (i ? ", " : "") + problem->component(order[i]);
-    return names;
-  }
-
-  Arrival finish(Outcome outcome, double time, State x, std::string message = {}) {
-    const auto values = view(state.get());
-    std::copy(values.begin(), values.end(), x.begin());
-    long steps = 0, rhs = 0;
-    CVodeGetNumSteps(cvode.get(), &steps);
-    CVodeGetNumRhsEvals(cvode.get(), &rhs);
-    return {outcome, time, steps, rhs, std::move(message)};
-  }
-  Arrival fail(const std::string& reason, double time, State x) {
-    std::string message = reason + " at local time " + std::to_string(time) + " after ";
-    auto arrival = finish(Outcome::failed, time, x);
-    message += counted(arrival.steps, "step") + " (worst components: " + worst_components() + ")";
-    if (!complaint.empty()) message += "; SUNDIALS: " + complaint;
-    arrival.message = std::move(message);
-    return arrival;
-  }
-  Arrival fail(int code, double time, State x) {
-    char* raw = CVodeGetReturnFlagName(code);
-    const std::string flag = raw;
-    std::free(raw);
-    return fail(flag, time, x);
-  }
-  void move_to(double time) { CVodeGetDky(cvode.get(), time, 0, state.get()); }
-};
-
-namespace {
-
 /// CVODE's own interpolating polynomial over its last step.
 class Interpolant final : public Step {
  public:
@@ -206,62 +69,195 @@ class Interpolant final : public Step {
   N_Vector buffer_;
 };
 
+class Cvode final : public Flow {
+ public:
+  Cvode(Kind kind, const Problem& like) : kind_(kind), roots_(like.guard_count()) {
+    state_.reset(N_VNew_Serial(like.size(), context_));
+    dense_.reset(N_VNew_Serial(like.size(), context_));
+    N_VConst(0, state_.get());
+    cvode_.reset(CVodeCreate(kind == Kind::cvode_adams ? CV_ADAMS : CV_BDF, context_));
+    check(CVodeInit(cvode_.get(), derivative, 0, state_.get()), "the problem");
+    check(CVodeSetUserData(cvode_.get(), this), "user data");
+    check(sundials::send_messages(context_, cvode_.get(), complaint_), "an error handler");
+    check(CVodeWFtolerances(cvode_.get(), weights), "the weights");
+    check(CVodeSetMaxNumSteps(cvode_.get(), most_steps_of_phase), "the step limit");
+    check(CVodeRootInit(cvode_.get(), static_cast<int>(like.guard_count()), guards), "the guards");
+    check(CVodeSetMaxErrTestFails(cvode_.get(), most_rejections), "the number of rejections");
+    check(CVodeSetNoInactiveRootWarn(cvode_.get()), "quiet roots");
+    attach_solver(like);
+  }
+  bool fits(const Problem& problem) const override {
+    return problem.size() == N_VGetLength_Serial(state_.get()) &&
+           problem.guard_count() == static_cast<Index>(roots_.size()) && (!newton_ || newton_->fits(problem));
+  }
+  Arrival follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) override {
+    restart(problem, x, request);
+    Interpolant step(cvode_.get(), dense_.get());
+    Index stalled = 0;
+    for (Index count = 0; count < most_steps_of_phase && stalled < stall_limit; ++count) {
+      step.start = step.end;
+      const int code =
+          CVode(cvode_.get(), step.start + problem.time_scale(), state_.get(), &step.end, CV_ONE_STEP);
+      if (code < 0) return fail(code, step.start, x);
+      auto outcome = code == CV_ROOT_RETURN ? std::optional(Outcome::guard) : std::nullopt;
+      if (step.end >= request.limit) {
+        move_to(step.end = request.limit);
+        outcome = Outcome::limit;
+      }
+      step.before = before_;
+      step.after = view(state_.get());
+      if (const auto hidden = certificate_.examine(problem, step)) {
+        move_to(step.end = hidden->time);
+        fired.push_back(hidden->guard);
+        outcome = Outcome::guard;
+      } else if (outcome == Outcome::guard) {
+        append_roots(fired);
+      }
+      if (request.observer) request.observer->observe(step);
+      if (outcome == Outcome::guard)
+        simultaneous_.collect(problem, step.after, simultaneity_window(problem, request.accuracy), fired);
+      const auto accepted = problem.accept(step.after);
+      if (accepted == Accepted::rewatched) certificate_.begin(problem, step.after);
+      if (accepted == Accepted::ended && !outcome) outcome = Outcome::guard;
+      if (outcome) return finish(*outcome, step.end, x);
+      before_.assign(step.after.begin(), step.after.end());
+      stalled += step.end - step.start <= 2 * epsilon * step.end;
+      if (count == trial && step.end < trial * request.least_step) return finish(Outcome::stiff, step.end, x);
+      // a slip in space of two tips that friction holds near zero is stiff, whatever the damping
+      if (count == request.most_steps && kind_ == Kind::cvode_adams && !request.patient) {
+        auto arrival = finish(Outcome::stiff, step.end, x);
+        arrival.resumable = true;
+        return arrival;
+      }
+    }
+    auto arrival = fail(stalled == stall_limit ? "the step has shrunk to nothing" : exhaustion, step.end, x);
+    arrival.exhausted = stalled < stall_limit;
+    return arrival;
+  }
+
+ private:
+  Kind kind_;
+  sundials::Context context_;
+  sundials::Vector state_, dense_;
+  sundials::NonlinearSolver fixed_point_;
+  std::optional<NewtonMatrix> newton_;
+  sundials::Cvode cvode_;
+  Problem* problem_ = nullptr;
+  double tolerance_ = 0;
+  std::string complaint_;  ///< SUNDIALS' last message
+  std::vector<double> before_;
+  std::vector<int> roots_;
+  Certificate certificate_;
+  Simultaneous simultaneous_;
+
+  void attach_solver(const Problem& like) {
+    if (kind_ == Kind::cvode_adams) {
+      fixed_point_.reset(SUNNonlinSol_FixedPoint(state_.get(), 0, context_));
+      check(CVodeSetNonlinearSolver(cvode_.get(), fixed_point_.get()), "fixed-point iteration");
+      return;
+    }
+    newton_.emplace(kind_, like, state_.get(), context_);
+    check(CVodeSetLinearSolver(cvode_.get(), newton_->solver(), newton_->matrix()), "the linear solver");
+    check(CVodeSetJacFn(cvode_.get(), jacobian), "the Jacobian");
+    check(CVodeSetJacEvalFrequency(cvode_.get(), jacobian_age), "the age of the Jacobian");
+  }
+
+  // Callbacks: a value that is not finite must never pass for a result.
+  static int derivative(sunrealtype, N_Vector x, N_Vector dx, void* self) {
+    static_cast<Cvode*>(self)->problem_->derivative(view(x), writable(dx));
+    return all_finite(view(dx)) ? 0 : 1;
+  }
+  static int guards(sunrealtype, N_Vector x, sunrealtype* values, void* self) {
+    const auto& problem = *static_cast<Cvode*>(self)->problem_;
+    const State out(values, problem.guard_count());
+    problem.guards(view(x), out);
+    return all_finite(out) ? 0 : -1;
+  }
+  static int jacobian(sunrealtype, N_Vector x, N_Vector, SUNMatrix j, void* self, N_Vector, N_Vector,
+                      N_Vector) {
+    auto& flow = *static_cast<Cvode*>(self);
+    return flow.newton_->fill(*flow.problem_, view(x), j) ? 0 : 1;
+  }
+  /// CVODE bounds the root mean square of error × weight; the factor √n makes that a bound on the largest.
+  /// The term with epsilon keeps the demand above rounding.
+  static int weights(N_Vector x, N_Vector weight, void* self) {
+    const auto& flow = *static_cast<Cvode*>(self);
+    const auto magnitudes = flow.problem_->magnitudes();
+    const auto values = view(x);
+    const auto out = writable(weight);
+    const double share = flow.tolerance_ / std::sqrt(static_cast<double>(out.size()));
+    for (std::size_t i = 0; i < out.size(); ++i)
+      out[i] = 1 / (share * magnitudes[i] + 8 * epsilon * std::abs(values[i]));
+    return 0;
+  }
+
+  void restart(Problem& next, State x, const Request& request) {
+    problem_ = &next;
+    tolerance_ =
+        local_tolerance(kind_, resolving_accuracy(next, request.accuracy, finest), next.swiftness(x));
+    complaint_.clear();
+    std::copy(x.begin(), x.end(), writable(state_.get()).begin());
+    check(CVodeReInit(cvode_.get(), 0, state_.get()), "a restart");
+    // At an onset the force starts from zero and fools the automatic first step.
+    check(CVodeSetInitStep(cvode_.get(), 0.1 * std::sqrt(tolerance_) * next.time_scale()), "the first step");
+    const auto crossings = next.crossings();
+    std::transform(crossings.begin(), crossings.end(), roots_.begin(),
+                   [](Crossing c) { return static_cast<int>(c); });
+    check(CVodeSetRootDirection(cvode_.get(), roots_.data()), "the directions of the guards");
+    before_.assign(x.begin(), x.end());
+    certificate_.begin(next, x);
+  }
+  void append_roots(std::vector<Index>& fired) {
+    check(CVodeGetRootInfo(cvode_.get(), roots_.data()), "root information");
+    for (std::size_t i = 0; i < roots_.size(); ++i)
+      if (roots_[i] != 0) fired.push_back(static_cast<Index>(i));
+  }
+
+  /// "velocity 3, gap 2": the components with the largest share of the local error.
+  std::string worst_components() const {
+    sundials::Vector error(N_VClone(state_.get())), weight(N_VClone(state_.get()));
+    CVodeGetEstLocalErrors(cvode_.get(), error.get());
+    CVodeGetErrWeights(cvode_.get(), weight.get());
+    const auto e = view(error.get()), w = view(weight.get());
+    std::vector<Index> order(e.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<Index>(i);
+    const auto count = std::min<std::size_t>(3, order.size());
+    std::partial_sort(order.begin(), order.begin() + count, order.end(),
+                      [&](Index a, Index b) { return std::abs(e[a] * w[a]) > std::abs(e[b] * w[b]); });
+    std::string names;
+    for (std::size_t i = 0; i < count; ++i) names += (i ? ", " : "") + problem_->component(order[i]);
+    return names;
+  }
+
+  Arrival finish(Outcome outcome, double time, State x, std::string message = {}) {
+    const auto values = view(state_.get());
+    std::copy(values.begin(), values.end(), x.begin());
+    long steps = 0, rhs = 0;
+    CVodeGetNumSteps(cvode_.get(), &steps);
+    CVodeGetNumRhsEvals(cvode_.get(), &rhs);
+    return {outcome, time, steps, rhs, std::move(message)};
+  }
+  Arrival fail(const std::string& reason, double time, State x) {
+    std::string message = reason + " at local time " + std::to_string(time) + " after ";
+    auto arrival = finish(Outcome::failed, time, x);
+    message += counted(arrival.steps, "step") + " (worst components: " + worst_components() + ")";
+    if (!complaint_.empty()) message += "; SUNDIALS: " + complaint_;
+    arrival.message = std::move(message);
+    return arrival;
+  }
+  Arrival fail(int code, double time, State x) {
+    char* raw = CVodeGetReturnFlagName(code);
+    const std::string flag = raw;
+    std::free(raw);
+    return fail(flag, time, x);
+  }
+  void move_to(double time) { CVodeGetDky(cvode_.get(), time, 0, state_.get()); }
+};
+
 }  // namespace
 
-Cvode::Cvode(Kind kind, const Problem& like) : memory_(std::make_unique<Memory>(kind, like)) {}
-Cvode::~Cvode() = default;
-
-bool Cvode::fits(const Problem& problem) const {
-  const auto& m = *memory_;
-  return problem.size() == N_VGetLength_Serial(m.state.get()) &&
-         problem.guard_count() == static_cast<Index>(m.roots.size()) &&
-         (!m.newton || m.newton->fits(problem));
-}
-
-Arrival Cvode::follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) {
-  auto& m = *memory_;
-  m.restart(problem, x, request);
-  Interpolant step(m.cvode.get(), m.dense.get());
-  Index stalled = 0;
-  for (Index count = 0; count < most_steps_of_phase && stalled < stall_limit; ++count) {
-    step.start = step.end;
-    const int code =
-        CVode(m.cvode.get(), step.start + problem.time_scale(), m.state.get(), &step.end, CV_ONE_STEP);
-    if (code < 0) return m.fail(code, step.start, x);
-    auto outcome = code == CV_ROOT_RETURN ? std::optional(Outcome::guard) : std::nullopt;
-    if (step.end >= request.limit) {
-      m.move_to(step.end = request.limit);
-      outcome = Outcome::limit;
-    }
-    step.before = m.before;
-    step.after = view(m.state.get());
-    if (const auto hidden = m.certificate.examine(problem, step)) {
-      m.move_to(step.end = hidden->time);
-      fired.push_back(hidden->guard);
-      outcome = Outcome::guard;
-    } else if (outcome == Outcome::guard) {
-      m.append_roots(fired);
-    }
-    if (request.observer) request.observer->observe(step);
-    if (outcome == Outcome::guard)
-      m.simultaneous.collect(problem, step.after, simultaneity_window(problem, request.accuracy), fired);
-    const auto accepted = problem.accept(step.after);
-    if (accepted == Accepted::rewatched) m.certificate.begin(problem, step.after);
-    if (accepted == Accepted::ended && !outcome) outcome = Outcome::guard;
-    if (outcome) return m.finish(*outcome, step.end, x);
-    m.before.assign(step.after.begin(), step.after.end());
-    stalled += step.end - step.start <= 2 * epsilon * step.end;
-    if (count == trial && step.end < trial * request.least_step) return m.finish(Outcome::stiff, step.end, x);
-    // a slip in space of two tips that friction holds near zero is stiff, whatever the damping
-    if (count == request.most_steps && m.kind == Kind::cvode_adams && !request.patient) {
-      auto arrival = m.finish(Outcome::stiff, step.end, x);
-      arrival.resumable = true;
-      return arrival;
-    }
-  }
-  auto arrival = m.fail(stalled == stall_limit ? "the step has shrunk to nothing" : exhaustion, step.end, x);
-  arrival.exhausted = stalled < stall_limit;
-  return arrival;
+std::unique_ptr<Flow> make_cvode_flow(Kind kind, const Problem& like) {
+  return std::make_unique<Cvode>(kind, like);
 }
 
 std::string sundials_version() {

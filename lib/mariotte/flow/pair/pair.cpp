@@ -1,7 +1,9 @@
-#include "mariotte/flow/pair/pair.hpp"
-
 #include <algorithm>
 #include <cmath>
+
+#include "mariotte/flow/flows.hpp"
+#include "mariotte/flow/pair/pair_phase.hpp"
+#include "mariotte/flow/roots/simultaneous.hpp"
 
 namespace mariotte::flow {
 namespace {
@@ -70,99 +72,116 @@ ConcaveGap concave_gap(const PairPhase& phase, Index guard, double value, double
   return {value, rate - share * approach, share};
 }
 
+class Pair final : public Flow {
+ public:
+  bool admits(const Problem& problem) override {
+    const auto* phase = problem.drives() ? nullptr : problem.serial();
+    phase_ = phase ? find_pair(*phase) : std::nullopt;
+    return phase_.has_value();
+  }
+
+  Arrival follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) override {
+    const PairPhase& phase = phase_.value();
+    begin(problem, x);
+    const Indentation start{-x[phase.contact->gap] - phase.contact->origin, x[phase.left] - x[phase.right]};
+    const auto motion = make_pair_motion(phase.law, start);
+    const auto end = first_event(problem, motion, start);
+    if (!std::isfinite(end.duration)) return {.outcome = Outcome::failed, .message = "it is held together"};
+    const bool limited = request.limit < end.duration;
+    const double duration = limited ? request.limit : end.duration;
+
+    PairStep step(phase, motion, start_, rate_);
+    if (!limited && (end.guard == phase.guard || is_of_branch(end.guard)))
+      step.put(duration, end.last, x);
+    else
+      step.at(duration, x);
+    if (request.observer) show(step, duration, x, *request.observer);
+    if (!limited) {
+      fired.push_back(end.guard);
+      simultaneous_.collect(problem, x, simultaneity_window(problem, request.accuracy), fired);
+    }
+    return {.outcome = limited ? Outcome::limit : Outcome::guard,
+            .duration = duration,
+            .steps = 1,
+            .rhs = 1,
+            .message = {}};
+  }
+
+ private:
+  /// What ends a phase, unless a limit comes first.
+  struct End {
+    double duration;
+    Index guard;
+    Indentation last;  ///< of the pair, if its own guard ends the phase
+  };
+  void begin(const Problem& problem, ConstState x) {
+    start_.assign(x.begin(), x.end());
+    rate_.resize(x.size());
+    value_.resize(problem.guard_count());
+    value_rate_.resize(problem.guard_count());
+    problem.derivative(x, rate_);
+    problem.guards(x, value_);
+    problem.guard_rates(x, rate_, value_rate_);
+  }
+
+  bool is_of_branch(Index guard) const {
+    const Index yield = phase_->contact->branch_guard;
+    return yield >= 0 && (guard == yield || guard == yield + 1);
+  }
+
+  /// What ends a branch: the contact yields, if it comes so deep, or turns, where that is watched. A time
+  /// that could not be computed is not a number, and must not pass for an event that never comes.
+  std::optional<End> end_of_branch(const Problem& problem, const PairMotion& motion,
+                                   const Indentation& begin) const {
+    const Index yield = phase_->contact->branch_guard, turn = yield + 1;
+    if (yield < 0) return std::nullopt;
+    return std::visit(
+        [&](const auto& one) -> std::optional<End> {
+          // The guard of yield is δ less where that happens.
+          if (problem.crossings()[yield] != Crossing::none) {
+            const auto yields = one.reach(begin.value - value_[yield]);
+            const bool is_noise = !(yields.there.rate > phase_->yield_speed);
+            if (yields.time != infinity && !is_noise) return End{yields.time, yield, yields.there};
+          }
+          if (problem.crossings()[turn] != Crossing::falling) return std::nullopt;
+          const auto [parting, there] = one.recede(phase_->contact->turn_speed);
+          return End{parting, turn, there};
+        },
+        motion);
+  }
+
+  End opening(const PairMotion& motion) const {
+    const auto [duration, last] = std::visit([](const auto& one) { return one.opening(); }, motion);
+    return {duration, phase_->guard, last};
+  }
+
+  /// The contact lets go, yields or turns, unless another gap closes before.
+  End first_event(const Problem& problem, const PairMotion& motion, const Indentation& begin) const {
+    const PairPhase& phase = *phase_;
+    const auto branch = end_of_branch(problem, motion, begin);
+    End end = branch && branch->duration != infinity ? *branch : opening(motion);
+    const auto last = end.last;
+    const double longest = end.duration;
+    for (Index i = 0; i < problem.guard_count(); ++i) {
+      if (i == phase.guard || is_of_branch(i) || problem.crossings()[i] != Crossing::falling) continue;
+      const auto gap = concave_gap(phase, i, value_[i], value_rate_[i], begin.rate);
+      // Touching bodies at rest elsewhere keep a gap of exactly zero: that is no crossing.
+      if (gap.value + gap.rate * longest + gap.coupling * (last.value - begin.value) >= 0) continue;
+      const double time = std::max(0.0, std::visit([&](const auto& one) { return one.fall(gap); }, motion));
+      if (time < end.duration) end = {time, i, last};
+    }
+    return end;
+  }
+
+  std::optional<PairPhase> phase_;
+  std::vector<double> start_, rate_, value_, value_rate_;
+  Simultaneous simultaneous_;
+};
+
 }  // namespace
 
-bool Pair::admits(const Problem& problem) {
-  const auto* phase = problem.drives() ? nullptr : problem.serial();
-  phase_ = phase ? find_pair(*phase) : std::nullopt;
-  return phase_.has_value();
-}
-
-void Pair::begin(const Problem& problem, ConstState x) {
-  start_.assign(x.begin(), x.end());
-  rate_.resize(x.size());
-  value_.resize(problem.guard_count());
-  value_rate_.resize(problem.guard_count());
-  problem.derivative(x, rate_);
-  problem.guards(x, value_);
-  problem.guard_rates(x, rate_, value_rate_);
-}
-
-bool Pair::is_of_branch(Index guard) const {
-  const Index yield = phase_->contact->branch_guard;
-  return yield >= 0 && (guard == yield || guard == yield + 1);
-}
-
-/// What ends a branch: the contact yields, if it comes so deep, or turns, where that is watched. A time that
-/// could not be computed is not a number, and must not pass for an event that never comes.
-std::optional<Pair::End> Pair::end_of_branch(const Problem& problem, const PairMotion& motion,
-                                             const Indentation& begin) const {
-  const Index yield = phase_->contact->branch_guard, turn = yield + 1;
-  if (yield < 0) return std::nullopt;
-  return std::visit(
-      [&](const auto& one) -> std::optional<End> {
-        // The guard of yield is δ less where that happens.
-        if (problem.crossings()[yield] != Crossing::none) {
-          const auto yields = one.reach(begin.value - value_[yield]);
-          const bool is_noise = !(yields.there.rate > phase_->yield_speed);
-          if (yields.time != infinity && !is_noise) return End{yields.time, yield, yields.there};
-        }
-        if (problem.crossings()[turn] != Crossing::falling) return std::nullopt;
-        const auto [parting, there] = one.recede(phase_->contact->turn_speed);
-        return End{parting, turn, there};
-      },
-      motion);
-}
-
-Pair::End Pair::opening(const PairMotion& motion) const {
-  const auto [duration, last] = std::visit([](const auto& one) { return one.opening(); }, motion);
-  return {duration, phase_->guard, last};
-}
-
-/// The contact lets go, yields or turns, unless another gap closes before.
-Pair::End Pair::first_event(const Problem& problem, const PairMotion& motion,
-                            const Indentation& begin) const {
-  const PairPhase& phase = *phase_;
-  const auto branch = end_of_branch(problem, motion, begin);
-  End end = branch && branch->duration != infinity ? *branch : opening(motion);
-  const auto last = end.last;
-  const double longest = end.duration;
-  for (Index i = 0; i < problem.guard_count(); ++i) {
-    if (i == phase.guard || is_of_branch(i) || problem.crossings()[i] != Crossing::falling) continue;
-    const auto gap = concave_gap(phase, i, value_[i], value_rate_[i], begin.rate);
-    // Touching bodies at rest elsewhere keep a gap of exactly zero: that is no crossing.
-    if (gap.value + gap.rate * longest + gap.coupling * (last.value - begin.value) >= 0) continue;
-    const double time = std::max(0.0, std::visit([&](const auto& one) { return one.fall(gap); }, motion));
-    if (time < end.duration) end = {time, i, last};
-  }
-  return end;
-}
-
-Arrival Pair::follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) {
-  const PairPhase& phase = phase_.value();
-  begin(problem, x);
-  const Indentation start{-x[phase.contact->gap] - phase.contact->origin, x[phase.left] - x[phase.right]};
-  const auto motion = make_pair_motion(phase.law, start);
-  const auto end = first_event(problem, motion, start);
-  if (!std::isfinite(end.duration)) return {.outcome = Outcome::failed, .message = "it is held together"};
-  const bool limited = request.limit < end.duration;
-  const double duration = limited ? request.limit : end.duration;
-
-  PairStep step(phase, motion, start_, rate_);
-  if (!limited && (end.guard == phase.guard || is_of_branch(end.guard)))
-    step.put(duration, end.last, x);
-  else
-    step.at(duration, x);
-  if (request.observer) show(step, duration, x, *request.observer);
-  if (!limited) {
-    fired.push_back(end.guard);
-    simultaneous_.collect(problem, x, simultaneity_window(problem, request.accuracy), fired);
-  }
-  return {.outcome = limited ? Outcome::limit : Outcome::guard,
-          .duration = duration,
-          .steps = 1,
-          .rhs = 1,
-          .message = {}};
+std::unique_ptr<Flow> make_pair_flow() {
+  return std::make_unique<Pair>();
 }
 
 }  // namespace mariotte::flow

@@ -1,8 +1,7 @@
-#include "mariotte/flow/recorded/recorded_taylor.hpp"
-
 #include "mariotte/flow/balls/ball_taylor.hpp"
 #include "mariotte/flow/cluster/cluster_taylor.hpp"
 #include "mariotte/flow/contact_steps.hpp"
+#include "mariotte/flow/flows.hpp"
 #include "mariotte/flow/recorded/recorded_phase.hpp"
 #include "mariotte/flow/roots/simultaneous.hpp"
 #include "mariotte/flow/series_guards.hpp"
@@ -36,12 +35,8 @@ Index landing_guard(const Recording& recording, const TapeClock& clock) {
   return -1;
 }
 
-}  // namespace
-
 /// What `follow_by_series` drives.
-struct RecordedTaylor::Memory {
-  std::optional<BallTaylor> balls;  ///< these two are made when first needed
-  std::optional<ClusterTaylor> cluster;
+struct Expansion {
   Recording recording;
   TapeSeries series;
   std::vector<double> before;
@@ -206,32 +201,44 @@ struct RecordedTaylor::Memory {
   }
 };
 
-RecordedTaylor::RecordedTaylor() : memory_(std::make_unique<Memory>()) {}
-RecordedTaylor::~RecordedTaylor() = default;
+class RecordedTaylor final : public Flow {
+ public:
+  bool fits(const Problem& problem) const override { return problem.recorded() != nullptr; }
+  bool admits(const Problem& problem) override { return problem.recorded() != nullptr; }
+  Arrival follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) override {
+    Arrival so_far;
+    if (auto* balls = problem.recorded()->balls()) {
+      if (!balls_) balls_.emplace();
+      so_far = balls_->follow(problem, *balls, x, request, fired);
+      if (so_far.outcome != Outcome::stiff) return so_far;
+    }
+    if (auto* cluster = problem.recorded()->cluster()) {
+      if (!cluster_) cluster_.emplace();
+      so_far = cluster_->follow(problem, *cluster, x, request, fired, so_far);
+      if (so_far.outcome != Outcome::stiff) return so_far;
+    }
+    expansion_.begin(problem, x, request.accuracy);
+    auto arrival = follow_by_series(expansion_, contact_limits, x, request, fired, so_far);
+    if (arrival.outcome != Outcome::stiff) return arrival;
+    const auto opens = expansion_.opening(x);
+    if (!opens || arrival.duration + opens->second > request.limit) return arrival;
+    expansion_.move_on(opens->second, x);
+    expansion_.fire(opens->first, x, fired);
+    arrival.outcome = Outcome::guard;
+    arrival.duration += opens->second;
+    return arrival;
+  }
 
-Arrival RecordedTaylor::follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) {
-  auto& memory = *memory_;
-  Arrival so_far;
-  if (auto* balls = problem.recorded()->balls()) {
-    if (!memory.balls) memory.balls.emplace();
-    so_far = memory.balls->follow(problem, *balls, x, request, fired);
-    if (so_far.outcome != Outcome::stiff) return so_far;
-  }
-  if (auto* cluster = problem.recorded()->cluster()) {
-    if (!memory.cluster) memory.cluster.emplace();
-    so_far = memory.cluster->follow(problem, *cluster, x, request, fired, so_far);
-    if (so_far.outcome != Outcome::stiff) return so_far;
-  }
-  memory.begin(problem, x, request.accuracy);
-  auto arrival = follow_by_series(memory, contact_limits, x, request, fired, so_far);
-  if (arrival.outcome != Outcome::stiff) return arrival;
-  const auto opens = memory.opening(x);
-  if (!opens || arrival.duration + opens->second > request.limit) return arrival;
-  memory.move_on(opens->second, x);
-  memory.fire(opens->first, x, fired);
-  arrival.outcome = Outcome::guard;
-  arrival.duration += opens->second;
-  return arrival;
+ private:
+  std::optional<BallTaylor> balls_;  ///< these two are made when first needed
+  std::optional<ClusterTaylor> cluster_;
+  Expansion expansion_;
+};
+
+}  // namespace
+
+std::unique_ptr<Flow> make_recorded_flow() {
+  return std::make_unique<RecordedTaylor>();
 }
 
 }  // namespace mariotte::flow
