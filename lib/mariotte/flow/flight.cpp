@@ -117,52 +117,48 @@ Quaternion flown(const Quaternion& attitude, const Vector3& momentum, const Symm
 
 namespace {
 
-struct Body {
-  const FreePhase& phase;
-  Quaternion attitude;
-  Vector3 velocity, momentum;
+class FlightStep final : public Step {
+ public:
+  FlightStep(const FreePhase& phase, ConstState x)
+      : phase_(phase),
+        attitude_(quaternion_at(x, phase.place.attitude)),
+        velocity_(vector_at(x, phase.place.velocity)),
+        momentum_(vector_at(x, phase.place.momentum)) {
+    before = x;
+  }
 
-  Body(const FreePhase& free, ConstState x) : phase(free) {
-    const auto& p = free.place;
-    attitude = quaternion_at(x, p.attitude);
-    velocity = vector_at(x, p.velocity);
-    momentum = vector_at(x, p.momentum);
+  void at(double t, State x) const override {
+    std::copy(before.begin(), before.end(), x.begin());
+    const auto& place = phase_.place;
+    for (Index i = 0; i < 2; ++i)
+      if (place.gap[i] >= 0) x[place.gap[i]] = height(i).at(t);
+    x[place.position] += t * velocity_.e2;
+    x[place.position + 1] += t * velocity_.e3;
+    x[place.velocity] -= t * phase_.body.gravity;
+    put(x, place.attitude, flown(attitude_, momentum_, phase_.body, t));
   }
 
   /// The axis turns about the momentum: a₁(t) = const + A cos(Ω t + φ).
-  TipHeight height(Index tip, double gap) const {
-    TipHeight h{.start = gap, .rate = velocity.e1, .gravity = phase.body.gravity};
-    const double size = norm(momentum), arm = phase.body.arm[tip];
+  TipHeight height(Index tip) const {
+    TipHeight h{.start = before[phase_.place.gap[tip]], .rate = velocity_.e1, .gravity = phase_.body.gravity};
+    const double size = norm(momentum_), arm = phase_.body.arm[tip];
     if (size == 0 || arm == 0) return h;
-    const Vector3 pole = (1 / size) * momentum, axis = rotate(attitude, {1, 0, 0});
+    const Vector3 pole = (1 / size) * momentum_, axis = rotate(attitude_, {1, 0, 0});
     const double cosine = (axis - dot(axis, pole) * pole).e1, sine = -cross(pole, axis).e1;
     h.swing = arm * std::hypot(cosine, sine);
     h.phase = std::atan2(sine, cosine);
-    h.turn = size / phase.body.transverse;
+    h.turn = size / phase_.body.transverse;
     if (h.swing < 0) {
       h.swing = -h.swing;
       h.phase += std::numbers::pi;
     }
     return h;
   }
-};
-
-class FlightStep final : public Step {
- public:
-  explicit FlightStep(const Body& body) : body_(body) {}
-  void at(double t, State x) const override {
-    std::copy(before.begin(), before.end(), x.begin());
-    const auto& place = body_.phase.place;
-    for (Index i = 0; i < 2; ++i)
-      if (place.gap[i] >= 0) x[place.gap[i]] = body_.height(i, before[place.gap[i]]).at(t);
-    x[place.position] += t * body_.velocity.e2;
-    x[place.position + 1] += t * body_.velocity.e3;
-    x[place.velocity] -= t * body_.phase.body.gravity;
-    put(x, place.attitude, flown(body_.attitude, body_.momentum, body_.phase.body, t));
-  }
 
  private:
-  const Body& body_;
+  const FreePhase& phase_;
+  Quaternion attitude_;
+  Vector3 velocity_, momentum_;
 };
 
 class Flight final : public Flow {
@@ -170,20 +166,18 @@ class Flight final : public Flow {
   Arrival follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) override {
     const FreePhase& phase = *problem.free_body();
     start_.assign(x.begin(), x.end());
-    const Body body(phase, start_);
+    FlightStep step(phase, start_);
     double touch = infinity;
     Index tip = -1;
     for (Index i = 0; i < 2; ++i) {
       if (phase.place.gap[i] < 0) continue;
-      const double time = first_touch(body.height(i, x[phase.place.gap[i]]));
+      const double time = first_touch(step.height(i));
       if (time >= touch) continue;
       touch = time;
       tip = i;
     }
-    if (tip < 0) return {.outcome = Outcome::never, .message = {}};
+    if (tip < 0) return {.outcome = Outcome::never};
     const bool touches = touch <= request.limit;
-    FlightStep step(body);
-    step.before = start_;
     step.end = touches ? touch : request.limit;
     step.at(step.end, x);
     if (touches) {
@@ -192,10 +186,7 @@ class Flight final : public Flow {
     }
     step.after = x;
     if (request.observer) request.observer->observe(step);
-    return {.outcome = touches ? Outcome::guard : Outcome::limit,
-            .duration = step.end,
-            .steps = 1,
-            .message = {}};
+    return {.outcome = touches ? Outcome::guard : Outcome::limit, .duration = step.end, .steps = 1};
   }
 
  private:
