@@ -100,11 +100,7 @@ class Pair final : public Flow {
       fired.push_back(end.guard);
       simultaneous_.collect(problem, x, simultaneity_window(problem, request.accuracy), fired);
     }
-    return {.outcome = limited ? Outcome::limit : Outcome::guard,
-            .duration = duration,
-            .steps = 1,
-            .rhs = 1,
-            .message = {}};
+    return {.outcome = limited ? Outcome::limit : Outcome::guard, .duration = duration, .steps = 1, .rhs = 1};
   }
 
  private:
