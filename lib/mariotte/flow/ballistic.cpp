@@ -55,27 +55,22 @@ class Ballistic final : public Flow {
     bend_.resize(x.size());
     Index guard = -1;
     const double first = next_crossing(problem, x, guard);
-    if (!std::isfinite(first) && !std::isfinite(request.limit))
-      return {.outcome = Outcome::never, .message = {}};
+    if (!std::isfinite(first) && !std::isfinite(request.limit)) return {.outcome = Outcome::never};
     const bool arrives = first <= request.limit;
     double duration = arrives ? first : request.limit;
 
     Parabola step(rate_, bend_);
     step.before = start_;
     step.at(duration, x);
-    step.start = 0;
     step.end = duration;
     step.after = x;
     if (request.observer) request.observer->observe(step);
-    if (arrives) duration += land(problem, x, guard, duration);
     if (arrives) {
+      duration += land(problem, x, guard, duration);
       fired.push_back(guard);
       simultaneous_.collect(problem, x, simultaneity_window(problem, request.accuracy), fired);
     }
-    return {.outcome = arrives ? Outcome::guard : Outcome::limit,
-            .duration = duration,
-            .steps = 1,
-            .message = {}};
+    return {.outcome = arrives ? Outcome::guard : Outcome::limit, .duration = duration, .steps = 1};
   }
 
  private:

@@ -75,8 +75,7 @@ bool modes_pay(const SerialPhase& phase) {
 
 /// True unless another flow that admits the phase costs less.
 bool pays(Kind kind, const Problem& problem) {
-  if (problem.tip()) return kind == Kind::taylor;
-  if (problem.recorded()) return kind == Kind::taylor;
+  if (problem.tip() || problem.recorded()) return kind == Kind::taylor;
   const auto* row = problem.serial();
   if (kind == Kind::pair) return row;
   const auto* linked = problem.linked();

@@ -22,8 +22,7 @@ class Drift final : public Flow {
     start_.assign(x.begin(), x.end());
     const double meeting =
         motion.first_meeting(start_, request.limit, simultaneity_window(problem, request.accuracy), fired);
-    if (!(meeting < infinity) && !(request.limit < infinity))
-      return {.outcome = Outcome::never, .message = {}};
+    if (!(meeting < infinity) && !(request.limit < infinity)) return {.outcome = Outcome::never};
     const bool ends = request.limit <= meeting;
     if (ends) fired.clear();
     Flown step(motion);
@@ -32,8 +31,7 @@ class Drift final : public Flow {
     step.before = start_;
     step.after = x;
     if (request.observer) request.observer->observe(step);
-    return {
-        .outcome = ends ? Outcome::limit : Outcome::guard, .duration = step.end, .steps = 1, .message = {}};
+    return {.outcome = ends ? Outcome::limit : Outcome::guard, .duration = step.end, .steps = 1};
   }
 
  private:

@@ -78,7 +78,7 @@ struct Arrival {
   double duration = 0;  ///< local time from the start of the phase
   Index steps = 0;
   Index rhs = 0;  ///< evaluations of the right-hand side
-  std::string message;
+  std::string message = {};
   bool resumable = false;  ///< given up for its length alone: the flow could go on
   bool exhausted = false;  ///< failed after all steps that a phase may have: another flow would take no less
 };

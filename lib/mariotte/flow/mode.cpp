@@ -79,21 +79,16 @@ Swing swing(const NaturalMode& mode, double time) {
     const double fade = std::exp(-a * time), odd = fade * sine / b;
     return {{fade * cosine, odd}, {std::expm1(-a * time) * cosine + turned, odd}};
   }
-  const double even = std::expm1(-a * time);
-  if (mode.form == Form::separate) {
-    const double odd = std::expm1(-b * time);
-    return {{std::exp(-a * time), std::exp(-b * time)}, {even, odd}};
-  }
-  const double odd = between(a, b, time);
-  return {{std::exp(-a * time), odd}, {even, odd}};
+  const Weight value = values(mode, time);
+  return {value, {std::expm1(-a * time), mode.form == Form::separate ? std::expm1(-b * time) : value.odd}};
 }
 
 Progress progress(const NaturalMode& mode, double time) {
   const double a = mode.decay, b = mode.second;
-  if (mode.form == Form::separate)
-    return {-a, -b, false, {1, 0}, {0, 1}, std::exp(-a * time), std::exp(-b * time)};
-  if (mode.form == Form::creeping)
-    return {-a, -b, true, {1, 0}, {0, 1}, std::exp(-a * time), between(a, b, time)};
+  if (mode.form != Form::oscillating) {
+    const Weight value = values(mode, time);
+    return {-a, -b, mode.form == Form::creeping, {1, 0}, {0, 1}, value.even, value.odd};
+  }
   const Complex root(-a, b), turn(0, b);
   const double fade = std::exp(-a * time), cosine = std::cos(b * time), sine = std::sin(b * time);
   const Complex first = fade * Complex(cosine, sine);

@@ -126,7 +126,7 @@ Arrival follow_by_series(Expansion& expansion, const SeriesLimits& limits, State
   step.end = so_far.duration;
   Index count = 0, stalled = 0;
   const auto arrive = [&](Outcome outcome) {
-    return Arrival{outcome, step.end, so_far.steps + count, so_far.rhs + count * expansion.order(), {}};
+    return Arrival{outcome, step.end, so_far.steps + count, so_far.rhs + count * expansion.order()};
   };
   while (count < limits.steps && stalled < limits.stalled) {
     const bool first = count++ == 0;

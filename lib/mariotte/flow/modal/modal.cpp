@@ -60,8 +60,7 @@ class Modal final : public Flow {
       if (guard != parts) fired.push_back(guard);
       simultaneous_.collect(problem, x, simultaneity_window(problem, request.accuracy), fired);
     }
-    return {
-        .outcome = event ? Outcome::guard : Outcome::limit, .duration = duration, .steps = 1, .message = {}};
+    return {.outcome = event ? Outcome::guard : Outcome::limit, .duration = duration, .steps = 1};
   }
 
  private:

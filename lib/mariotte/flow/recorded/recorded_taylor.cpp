@@ -204,7 +204,6 @@ struct Expansion {
 class RecordedTaylor final : public Flow {
  public:
   bool fits(const Problem& problem) const override { return problem.recorded() != nullptr; }
-  bool admits(const Problem& problem) override { return problem.recorded() != nullptr; }
   Arrival follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) override {
     Arrival so_far;
     if (auto* balls = problem.recorded()->balls()) {
