@@ -21,7 +21,6 @@ class LaneBlock {
   virtual void finish(int k) = 0;
   /// Coefficient k of a row, for all lanes.
   double* at(int row, int k) { return rows_ + row * stride + k * lanes; }
-  const double* at(int row, int k) const { return rows_ + row * stride + k * lanes; }
 
  protected:
   double* rows_ = nullptr;
