@@ -24,17 +24,6 @@ double falling_root(double value, double rate, double bend) {
   return -(root + r) * (size / bend);
 }
 
-class Parabola final : public Step {
- public:
-  Parabola(ConstState rate, ConstState bend) : rate_(rate), bend_(bend) {}
-  void at(double time, State x) const override {
-    for (std::size_t i = 0; i < x.size(); ++i) x[i] = before[i] + time * (rate_[i] + 0.5 * time * bend_[i]);
-  }
-
- private:
-  ConstState rate_, bend_;
-};
-
 }  // namespace
 
 double first_crossing(Crossing crossing, double value, double rate, double bend) {
@@ -59,7 +48,10 @@ class Ballistic final : public Flow {
     const bool arrives = first <= request.limit;
     double duration = arrives ? first : request.limit;
 
-    Parabola step(rate_, bend_);
+    StepOf step([this](double time, State there) {
+      for (std::size_t i = 0; i < there.size(); ++i)
+        there[i] = start_[i] + time * (rate_[i] + 0.5 * time * bend_[i]);
+    });
     step.before = start_;
     step.at(duration, x);
     step.end = duration;

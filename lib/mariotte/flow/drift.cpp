@@ -5,15 +5,6 @@
 namespace mariotte::flow {
 namespace {
 
-class Flown final : public Step {
- public:
-  explicit Flown(const FreeMotion& motion) : motion_(motion) {}
-  void at(double time, State x) const override { motion_.fly(before, time, x); }
-
- private:
-  const FreeMotion& motion_;
-};
-
 class Drift final : public Flow {
  public:
   bool fits(const Problem& problem) const override { return problem.free_motion() != nullptr; }
@@ -25,9 +16,9 @@ class Drift final : public Flow {
     if (!(meeting < infinity) && !(request.limit < infinity)) return {.outcome = Outcome::never};
     const bool ends = request.limit <= meeting;
     if (ends) fired.clear();
-    Flown step(motion);
+    StepOf step([&](double time, State there) { motion.fly(start_, time, there); });
     step.end = ends ? request.limit : meeting;
-    motion.fly(start_, step.end, x);
+    step.at(step.end, x);
     step.before = start_;
     step.after = x;
     if (request.observer) request.observer->observe(step);

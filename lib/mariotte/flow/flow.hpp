@@ -44,6 +44,17 @@ class Step {
   virtual bool forces(std::vector<ForceSeries>&) const { return false; }
 };
 
+/// A step whose state at a time `at(time, x)` tells.
+template <class At>
+class StepOf final : public Step {
+ public:
+  explicit StepOf(const At& at) : at_(at) {}
+  void at(double time, State x) const override { at_(time, x); }
+
+ private:
+  At at_;
+};
+
 /// Sees every step of a flow; peaks, traces and pictures come from here.
 class StepObserver {
  public:

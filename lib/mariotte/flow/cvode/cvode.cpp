@@ -41,10 +41,7 @@ constexpr Index jacobian_age = 1;
 /// indentation, the first must be very short.
 constexpr int most_rejections = 40;
 
-ConstState view(N_Vector v) {
-  return {N_VGetArrayPointer(v), static_cast<std::size_t>(N_VGetLength_Serial(v))};
-}
-State writable(N_Vector v) {
+State view(N_Vector v) {
   return {N_VGetArrayPointer(v), static_cast<std::size_t>(N_VGetLength_Serial(v))};
 }
 bool all_finite(ConstState values) {
@@ -53,21 +50,6 @@ bool all_finite(ConstState values) {
 void check(int code, const char* what) {
   if (code < 0) throw Error(std::string("SUNDIALS refused ") + what);
 }
-
-/// CVODE's own interpolating polynomial over its last step.
-class Interpolant final : public Step {
- public:
-  Interpolant(void* cvode, N_Vector buffer) : cvode_(cvode), buffer_(buffer) {}
-  void at(double time, State x) const override {
-    CVodeGetDky(cvode_, time, 0, buffer_);
-    const auto values = view(buffer_);
-    std::copy(values.begin(), values.end(), x.begin());
-  }
-
- private:
-  void* cvode_;
-  N_Vector buffer_;
-};
 
 class Cvode final : public Flow {
  public:
@@ -92,7 +74,11 @@ class Cvode final : public Flow {
   }
   Arrival follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) override {
     restart(problem, x, request);
-    Interpolant step(cvode_.get(), dense_.get());
+    StepOf step([this](double time, State there) {  // CVODE's own interpolating polynomial
+      CVodeGetDky(cvode_.get(), time, 0, dense_.get());
+      const auto values = view(dense_.get());
+      std::copy(values.begin(), values.end(), there.begin());
+    });
     Index stalled = 0;
     for (Index count = 0; count < most_steps_of_phase && stalled < stall_limit; ++count) {
       step.start = step.end;
@@ -164,7 +150,7 @@ class Cvode final : public Flow {
 
   // Callbacks: a value that is not finite must never pass for a result.
   static int derivative(sunrealtype, N_Vector x, N_Vector dx, void* self) {
-    static_cast<Cvode*>(self)->problem_->derivative(view(x), writable(dx));
+    static_cast<Cvode*>(self)->problem_->derivative(view(x), view(dx));
     return all_finite(view(dx)) ? 0 : 1;
   }
   static int guards(sunrealtype, N_Vector x, sunrealtype* values, void* self) {
@@ -184,7 +170,7 @@ class Cvode final : public Flow {
     const auto& flow = *static_cast<Cvode*>(self);
     const auto magnitudes = flow.problem_->magnitudes();
     const auto values = view(x);
-    const auto out = writable(weight);
+    const auto out = view(weight);
     const double share = flow.tolerance_ / std::sqrt(static_cast<double>(out.size()));
     for (std::size_t i = 0; i < out.size(); ++i)
       out[i] = 1 / (share * magnitudes[i] + 8 * epsilon * std::abs(values[i]));
@@ -196,7 +182,7 @@ class Cvode final : public Flow {
     tolerance_ =
         local_tolerance(kind_, resolving_accuracy(next, request.accuracy, finest), next.swiftness(x));
     complaint_.clear();
-    std::copy(x.begin(), x.end(), writable(state_.get()).begin());
+    std::copy(x.begin(), x.end(), view(state_.get()).begin());
     check(CVodeReInit(cvode_.get(), 0, state_.get()), "a restart");
     // At an onset the force starts from zero and fools the automatic first step.
     check(CVodeSetInitStep(cvode_.get(), 0.1 * std::sqrt(tolerance_) * next.time_scale()), "the first step");
