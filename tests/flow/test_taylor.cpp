@@ -116,7 +116,7 @@ std::vector<std::unique_ptr<Expansion>> fast_expansions(std::size_t size) {
   all.push_back(make_expansion(size));
 #ifdef __x86_64__
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-    all.push_back(make_avx2_expansion(size));
+    all.push_back(avx2::make_expansion(size));
 #endif
   return all;
 }
@@ -127,7 +127,7 @@ BOOST_AUTO_TEST_CASE(every_instruction_set_gives_the_same_series) {
     const int count = lane_sizes[size] - 1;
     for (const auto load : loads) {
       const auto lanes = random_lanes(count, random, load);
-      const auto baseline = make_baseline_expansion(size);
+      const auto baseline = baseline::make_expansion(size);
       Values a, b;
       a.resize(count);
       b.resize(count);

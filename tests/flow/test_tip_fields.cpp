@@ -41,7 +41,7 @@ void check_spatial() {
 /// Largest difference of a coefficient, relative to the largest of its order.
 template <class Motion>
 double apart(const TipPhase& phase, const TipStart<Motion>& from) {
-  const auto best = make_tip_expansions(), baseline = make_baseline_tip_expansions();
+  const auto best = make_tip_expansions(), baseline = baseline::make_tip_expansions();
   const auto *a = best->expand(phase, from, order), *b = baseline->expand(phase, from, order);
   double most = 0;
   for (int k = 0; k <= order; ++k) {

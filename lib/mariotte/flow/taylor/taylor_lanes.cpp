@@ -4,6 +4,8 @@
 #include <new>
 #include <utility>
 
+#include "mariotte/flow/instruction_set.hpp"
+
 namespace mariotte::flow::taylor {
 namespace {
 
@@ -66,6 +68,15 @@ void Values::resize(int lanes) {
 std::size_t size_for(const Lanes& lanes) {
   if (lanes.linked) return lane_sizes.size();
   return std::lower_bound(lane_sizes.begin(), lane_sizes.end(), lanes.count) - lane_sizes.begin();
+}
+
+std::unique_ptr<Expansion> make_expansion(std::size_t size) {
+#ifdef __x86_64__
+  // Zen 4 takes registers of eight in two halves; before Ice Lake they slow the clock.
+  if (__builtin_cpu_supports("avx512vbmi") && !__builtin_cpu_is("amdfam19h"))
+    return avx512::make_expansion(size);
+#endif
+  return MARIOTTE_WIDEST(make_expansion)(size);
 }
 
 }  // namespace mariotte::flow::taylor

@@ -127,11 +127,14 @@ std::size_t size_for(const Lanes& lanes);
 /// machine has.
 std::unique_ptr<Expansion> make_expansion(std::size_t size);
 
-/// For processors with AVX-512 that do not lower their clock for it: Ice Lake, Zen 5 and later.
-std::unique_ptr<Expansion> make_avx512_expansion(std::size_t size);
-/// For processors with AVX2 and FMA.
-std::unique_ptr<Expansion> make_avx2_expansion(std::size_t size);
-/// For any processor.
-std::unique_ptr<Expansion> make_baseline_expansion(std::size_t size);
+namespace avx512 {
+std::unique_ptr<Expansion> make_expansion(std::size_t size);
+}
+namespace avx2 {
+std::unique_ptr<Expansion> make_expansion(std::size_t size);
+}
+namespace baseline {
+std::unique_ptr<Expansion> make_expansion(std::size_t size);
+}
 
 }  // namespace mariotte::flow::taylor

@@ -36,12 +36,17 @@ class RowSeries final : public Expansion {
 
 /// The series of lane_sizes[size] lanes, or of linked ones.
 template <std::size_t Size = 0>
-inline std::unique_ptr<Expansion> make(std::size_t size) {
+std::unique_ptr<Expansion> make_rows(std::size_t size) {
   if constexpr (Size < lane_sizes.size())
     return size == Size ? std::unique_ptr<Expansion>(new RowSeries<(lane_sizes[Size] + width - 1) / width>)
-                        : make<Size + 1>(size);
+                        : make_rows<Size + 1>(size);
   else
     return std::unique_ptr<Expansion>(new LinkedSeries);
 }
 
 }  // namespace mariotte::flow::taylor::MARIOTTE_INSTRUCTION_SET
+
+std::unique_ptr<mariotte::flow::taylor::Expansion>
+mariotte::flow::taylor::MARIOTTE_INSTRUCTION_SET::make_expansion(std::size_t size) {
+  return make_rows(size);
+}

@@ -5,13 +5,6 @@
 
 namespace mariotte::flow {
 
-std::unique_ptr<TipExpansions> make_tip_expansions() {
-#ifdef MARIOTTE_AVX2
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return make_avx2_tip_expansions();
-#endif
-  return make_baseline_tip_expansions();
-}
-
 double turn_response(const TipStart<SpatialMotion>& from, const std::array<double, 2>& across) {
   using Field = SpatialField<Grip::from_rest, true>;
   using Number = series::Dual<double, 1>;

@@ -3,6 +3,7 @@
 #pragma once
 #include <memory>
 
+#include "mariotte/flow/instruction_set.hpp"
 #include "mariotte/flow/taylor/tip_fields.hpp"
 #include "mariotte/flow/tip_phase.hpp"
 
@@ -33,11 +34,7 @@ class TipExpansions {
                                     int known = 0) = 0;
 };
 
-/// With the widest registers that this machine has.
-std::unique_ptr<TipExpansions> make_tip_expansions();
-
-std::unique_ptr<TipExpansions> make_avx2_tip_expansions();
-std::unique_ptr<TipExpansions> make_baseline_tip_expansions();
+MARIOTTE_PER_INSTRUCTION_SET(std::unique_ptr<TipExpansions>, make_tip_expansions, (), ())
 
 /// Of a slip from rest: how fast a turn of û along `across` changes u' along it.
 double turn_response(const TipStart<SpatialMotion>& from, const std::array<double, 2>& across);

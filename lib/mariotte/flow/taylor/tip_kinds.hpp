@@ -94,3 +94,8 @@ class Expansions final : public TipExpansions {
 };
 
 }  // namespace mariotte::flow::tips::MARIOTTE_INSTRUCTION_SET
+
+std::unique_ptr<mariotte::flow::TipExpansions>
+mariotte::flow::MARIOTTE_INSTRUCTION_SET::make_tip_expansions() {
+  return std::unique_ptr<TipExpansions>(new tips::MARIOTTE_INSTRUCTION_SET::Expansions);
+}

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mariotte/contact/power_law.hpp"
+#include "mariotte/flow/instruction_set.hpp"
 #include "mariotte/flow/push_series.hpp"
 #include "mariotte/impact/sensitivity/contact_slope.hpp"
 #include "mariotte/impact/sensitivity/slope_matrix.hpp"
@@ -54,11 +55,6 @@ class PushExpansion {
   virtual double expand(const flow::PushSeries& series, const Start& start, const Bound& bound, End end) = 0;
 };
 
-/// With the widest vectors that this machine has.
-std::unique_ptr<PushExpansion> make_push_expansion();
-/// For processors with AVX2 and FMA.
-std::unique_ptr<PushExpansion> make_avx2_push_expansion();
-/// For any processor.
-std::unique_ptr<PushExpansion> make_baseline_push_expansion();
+MARIOTTE_PER_INSTRUCTION_SET(std::unique_ptr<PushExpansion>, make_push_expansion, (), ())
 
 }  // namespace mariotte::impact

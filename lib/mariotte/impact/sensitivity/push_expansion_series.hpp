@@ -42,3 +42,8 @@ class Expansion final : public PushExpansion {
 };
 
 }  // namespace mariotte::impact::MARIOTTE_INSTRUCTION_SET
+
+std::unique_ptr<mariotte::impact::PushExpansion>
+mariotte::impact::MARIOTTE_INSTRUCTION_SET::make_push_expansion() {
+  return std::make_unique<Expansion>();
+}

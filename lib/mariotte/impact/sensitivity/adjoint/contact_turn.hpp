@@ -1,5 +1,6 @@
 // What a sweep back through a piece does at one contact, with the widest vectors that this machine has.
 #pragma once
+#include "mariotte/flow/instruction_set.hpp"
 #include "mariotte/impact/sensitivity/gauss.hpp"
 
 namespace mariotte::impact {
@@ -24,9 +25,6 @@ struct ContactTurn {
 };
 
 using TurnContact = void (*)(const ContactTurn&);
-TurnContact choose_turn();
-
-void turn_by_avx2(const ContactTurn& contact);
-void turn_by_baseline(const ContactTurn& contact);
+MARIOTTE_PER_INSTRUCTION_SET(TurnContact, choose_turn, (), ())
 
 }  // namespace mariotte::impact

@@ -1,0 +1,36 @@
+# mariotte_series(<target> <header>… [WIDE <header>…] [PACKED <header>…]): compile each header once per instruction
+# set. It names what it needs with MARIOTTE_INSTRUCTION_SET and MARIOTTE_VECTOR_BYTES; the library chooses when it
+# runs. WIDE: for AVX-512, too. PACKED: numbers are packed by hand; what the compiler would pack beside them costs
+# more.
+function(mariotte_series target)
+  cmake_parse_arguments(PARSE_ARGV 1 series "" "" "WIDE;PACKED")
+  set(bytes_baseline 16)
+  set(bytes_avx2 32)
+  set(bytes_avx512 64)
+  set(flags_avx2 -mavx2 -mfma)
+  set(flags_avx512 -mavx512f -mavx512vl -mavx512dq -mavx512bw -mfma -mprefer-vector-width=512)
+  foreach(header IN LISTS series_UNPARSED_ARGUMENTS series_WIDE series_PACKED)
+    set(sets baseline)
+    if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+      list(APPEND sets avx2)
+      if(header IN_LIST series_WIDE)
+        list(APPEND sets avx512)
+      endif()
+    endif()
+    foreach(set IN LISTS sets)
+      set(source ${PROJECT_BINARY_DIR}/series/${header}_${set}.cpp)
+      file(CONFIGURE OUTPUT ${source} CONTENT "#define MARIOTTE_INSTRUCTION_SET ${set}
+#define MARIOTTE_VECTOR_BYTES ${bytes_${set}}
+#include \"mariotte/${header}.hpp\"\n")
+      set(options -O3 -fno-math-errno ${flags_${set}})
+      if(MARIOTTE_SANITIZE)
+        set(options -O1 -g1 -fno-math-errno ${flags_${set}})
+      endif()
+      if(header IN_LIST series_PACKED)
+        list(APPEND options -fno-tree-slp-vectorize)
+      endif()
+      set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS "${options}")
+      target_sources(${target} PRIVATE ${source})
+    endforeach()
+  endforeach()
+endfunction()
