@@ -4,8 +4,6 @@
 #include <cmath>
 
 #include "mariotte/flow/flows.hpp"
-#include "mariotte/flow/taylor/taylor.hpp"
-#include "mariotte/flow/taylor/tip_taylor.hpp"
 
 namespace mariotte::flow {
 namespace {
@@ -90,9 +88,9 @@ std::unique_ptr<Flow> make(Kind kind, const Problem& problem) {
   if (kind == Kind::pair) return make_pair_flow();
   if (kind == Kind::modal) return make_modal_flow();
   if (kind == Kind::taylor) {
-    if (problem.tip()) return std::make_unique<TipTaylor>();
+    if (problem.tip()) return make_tip_flow();
     if (problem.recorded()) return make_recorded_flow();
-    return std::make_unique<Taylor>();
+    return make_taylor_flow();
   }
   if (problem.free_body()) return make_flight_flow();
   if (problem.free_motion()) return make_drift_flow();

@@ -26,6 +26,18 @@ std::unique_ptr<Flow> make_pair_flow();
 /// the same in all contacts that shake each other.
 std::unique_ptr<Flow> make_modal_flow();
 
+/// Taylor series of high order for contacts whose force is a sum of powers: rows of bodies, or contacts that
+/// link degrees of freedom in any way. Expands the contacts that carry force, in time or in the clock
+/// dt = √δ dσ of the contact that is about to let go, in which separation is an ordinary point. The
+/// polynomial of a step is its dense output and the proof that no guard has fired within it. The order
+/// follows from the accuracy.
+std::unique_ptr<Flow> make_taylor_flow();
+
+/// Taylor series for one tip of a symmetric body in contact with a plane: phases with a `tip()`. Those of
+/// their motion, normal, planar or spatial, as far as the last coefficients allow. Guards are polynomials of
+/// the step; that they keep their sign is proven, so no event is missed.
+std::unique_ptr<Flow> make_tip_flow();
+
 /// Taylor series of a recorded field: the explicit flow for phases of any shape. Expands everything that is
 /// in contact in one clock: t = τ² where contacts begin, dt = √δ dσ of the contact that is nearest to its
 /// beginning or end, else time. Guards are polynomials, and so certified.

@@ -1,8 +1,7 @@
-#include "mariotte/flow/taylor/taylor.hpp"
-
 #include <algorithm>
 #include <cmath>
 
+#include "mariotte/flow/flows.hpp"
 #include "mariotte/flow/roots/simultaneous.hpp"
 #include "mariotte/flow/taylor/taylor_stepper.hpp"
 
@@ -54,71 +53,72 @@ bool are_alike(const std::vector<PhaseContact>& contacts) {
                        std::none_of(contacts.begin(), contacts.end(), is_other));
 }
 
-}  // namespace
+class Taylor final : public Flow {
+ public:
+  bool fits(const Problem& problem) const override { return !problem.tip() && !problem.recorded(); }
+  bool admits(const Problem& problem) override;
+  Arrival follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) override;
 
-struct Taylor::Memory {
-  taylor::Stepper stepper;
-  Simultaneous simultaneous;
-  std::vector<double> before, after;
-  taylor::Values scratch;
+ private:
+  taylor::Stepper stepper_;
+  Simultaneous simultaneous_;
+  std::vector<double> before_, after_;
+  taylor::Values scratch_;
 
   void show(const Piece& piece, StepObserver& observer) {
-    const auto& window = stepper.window;
-    before.resize(window.x.size());
-    after.resize(window.x.size());
-    write(window, before);
-    write(window, stepper.values(), after);
-    PieceStep step(window, piece, stepper.values().time, scratch);
+    const auto& window = stepper_.window;
+    before_.resize(window.x.size());
+    after_.resize(window.x.size());
+    write(window, before_);
+    write(window, stepper_.values(), after_);
+    PieceStep step(window, piece, stepper_.values().time, scratch_);
     step.start = window.time;
-    step.end = window.time + stepper.values().time;
-    step.before = before;
-    step.after = after;
+    step.end = window.time + stepper_.values().time;
+    step.before = before_;
+    step.after = after_;
     observer.observe(step);
   }
 
   void advance(const Piece& piece, const Request& request) {
     if (request.observer) show(piece, *request.observer);
-    stepper.advance(piece);
+    stepper_.advance(piece);
   }
 
   /// State at the event that ends the phase: `fall`, or the contact outside that the window cannot pass.
   void finish(const Problem& problem, const taylor::Fall& fall, double accuracy, State x,
               std::vector<Index>& fired) {
-    const auto& w = stepper.window;
+    const auto& w = stepper_.window;
     write(w, x);
     fired.push_back(fall.guard < 0 ? w.outside_guard : fall.guard);
     if (fall.guard < 0 && w.outside) x[w.outside->gap] = 0 - w.outside->level;
     const double together = simultaneity_window(problem, accuracy);
-    if (stepper.may_fall_soon(fall, together)) simultaneous.collect(problem, x, together, fired);
+    if (stepper_.may_fall_soon(fall, together)) simultaneous_.collect(problem, x, together, fired);
   }
 
   /// An undamped contact has opened, and the phase goes on without it: nothing is placed anew.
   bool passes(const Problem& problem, const taylor::Fall& fall, const Request& request) {
-    auto& w = stepper.window;
+    auto& w = stepper_.window;
     if (!request.events || fall.guard < 0 || w.drives || w.is_pulled || w.lanes.damped || w.lanes.branched)
       return false;
     if (!w.has_root(fall.lane) || fall.guard != w.contact(fall.lane).guard) return false;
-    if (stepper.may_fall_soon(fall, simultaneity_window(problem, request.accuracy))) return false;
+    if (stepper_.may_fall_soon(fall, simultaneity_window(problem, request.accuracy))) return false;
     if (!request.events->take(fall.guard, w.time, w.lanes.rate[fall.lane])) return false;
     watch(w, fall.lane);
     return true;
   }
 
   Accepted accept(Problem& problem) {
-    auto& window = stepper.window;
-    if (!concerns_problem(window, stepper.values())) return Accepted::unchanged;
-    after.resize(window.x.size());
-    write(window, after);
-    const auto accepted = problem.accept(after);
+    auto& window = stepper_.window;
+    if (!concerns_problem(window, stepper_.values())) return Accepted::unchanged;
+    after_.resize(window.x.size());
+    write(window, after_);
+    const auto accepted = problem.accept(after_);
     if (accepted != Accepted::rewatched) return accepted;
     for (int j = 0; j < window.lanes.count; ++j)
       if (window.lanes.leaves_noise[j] < infinity) watch(window, j);
     return accepted;
   }
 };
-
-Taylor::Taylor() : memory_(std::make_unique<Memory>()) {}
-Taylor::~Taylor() = default;
 
 bool Taylor::admits(const Problem& problem) {
   if (const auto* row = problem.serial()) return are_alike(row->contact);
@@ -127,9 +127,7 @@ bool Taylor::admits(const Problem& problem) {
 }
 
 Arrival Taylor::follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) {
-  auto& m = *memory_;
-  auto& stepper = m.stepper;
-  const auto& w = stepper.window;
+  const auto& w = stepper_.window;
   auto precision = taylor::precision(resolving_accuracy(problem, request.accuracy, 0));
   precision.has_slopes = request.observer && request.observer->has_slopes();
   Index steps = 0;
@@ -137,25 +135,25 @@ Arrival Taylor::follow(Problem& problem, State x, const Request& request, std::v
     write(w, x);
     return Arrival{outcome, w.time, steps, steps, std::move(message)};
   };
-  stepper.stride = 0.1 * problem.time_scale();
-  stepper.begin(problem, x, 0, precision);
+  stepper_.stride = 0.1 * problem.time_scale();
+  stepper_.begin(problem, x, 0, precision);
   while (steps < most_steps_of_phase) {
-    auto piece = stepper.next(steps == 0, std::min(request.limit, w.outside_time) - w.time);
-    const auto fall = stepper.first_fall(piece);
+    auto piece = stepper_.next(steps == 0, std::min(request.limit, w.outside_time) - w.time);
+    const auto fall = stepper_.first_fall(piece);
     const bool ends = fall.guard >= 0 || piece.is_cut;  // perhaps at once: a contact at zero that parts
     if (!(piece.end > 0) && !ends) return stop(Outcome::failed, "the series does not converge");
     ++steps;
-    m.advance(piece, request);
+    advance(piece, request);
     if (!is_finite(w)) return stop(Outcome::failed, "a velocity is not finite");
-    if (stepper.is_late()) return stop(Outcome::failed, "a contact was left out for too long");
+    if (stepper_.is_late()) return stop(Outcome::failed, "a contact was left out for too long");
 
     const bool cut = fall.guard < 0 && piece.is_cut;
     if (cut && request.limit <= w.outside_time) return stop(Outcome::limit);
-    if ((fall.guard >= 0 || cut) && !m.passes(problem, fall, request)) {
-      m.finish(problem, fall, request.accuracy, x, fired);
+    if ((fall.guard >= 0 || cut) && !passes(problem, fall, request)) {
+      finish(problem, fall, request.accuracy, x, fired);
       return Arrival{Outcome::guard, w.time, steps, steps, {}};
     }
-    if (m.accept(problem) == Accepted::ended) return stop(Outcome::guard);
+    if (accept(problem) == Accepted::ended) return stop(Outcome::guard);
     if (w.lanes.damped && steps >= (request.patient ? patience : request.most_steps)) {
       auto arrival = stop(Outcome::stiff);
       arrival.resumable = !request.patient;
@@ -163,12 +161,18 @@ Arrival Taylor::follow(Problem& problem, State x, const Request& request, std::v
     }
     if (has_outgrown(w) || (fall.guard >= 0 && has_shrunk(w))) {
       write(w, x);
-      stepper.begin(problem, x, w.time, precision);
+      stepper_.begin(problem, x, w.time, precision);
     }
   }
   auto arrival = stop(Outcome::failed, exhaustion);
   arrival.exhausted = true;
   return arrival;
+}
+
+}  // namespace
+
+std::unique_ptr<Flow> make_taylor_flow() {
+  return std::make_unique<Taylor>();
 }
 
 }  // namespace mariotte::flow

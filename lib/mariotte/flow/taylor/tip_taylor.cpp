@@ -1,5 +1,3 @@
-#include "mariotte/flow/taylor/tip_taylor.hpp"
-
 #include <tuple>
 #include <utility>
 
@@ -235,19 +233,16 @@ class TipMotionSeries final {
   }
 };
 
-}  // namespace
+class TipTaylor final : public Flow {
+ public:
+  bool admits(const Problem& problem) override { return problem.tip() != nullptr; }
+  Arrival follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) override;
 
-struct TipTaylor::Memory {
-  std::tuple<TipMotionSeries<NormalSeries>, TipMotionSeries<PlanarSeries>, TipMotionSeries<SpatialSeries>>
-      expansions;
+ private:
+  TipMotionSeries<NormalSeries> normal_;
+  TipMotionSeries<PlanarSeries> planar_;
+  TipMotionSeries<SpatialSeries> spatial_;
 };
-
-TipTaylor::TipTaylor() : memory_(std::make_unique<Memory>()) {}
-TipTaylor::~TipTaylor() = default;
-
-bool TipTaylor::admits(const Problem& problem) {
-  return problem.tip() != nullptr;
-}
 
 Arrival TipTaylor::follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) {
   const auto motion = problem.tip()->motion;
@@ -255,13 +250,18 @@ Arrival TipTaylor::follow(Problem& problem, State x, const Request& request, std
     expansion.begin(problem, request.accuracy);
     return follow_by_series(expansion, limits, x, request, fired);
   };
-  auto& [normal, planar, spatial] = memory_->expansions;
-  auto arrival = motion == TipPhase::Motion::normal   ? by(normal)
-                 : motion == TipPhase::Motion::planar ? by(planar)
-                                                      : by(spatial);
+  auto arrival = motion == TipPhase::Motion::normal   ? by(normal_)
+                 : motion == TipPhase::Motion::planar ? by(planar_)
+                                                      : by(spatial_);
   if (arrival.outcome == Outcome::stiff)
     problem.accept(x);  // the next flow starts from where the slip is now
   return arrival;
+}
+
+}  // namespace
+
+std::unique_ptr<Flow> make_tip_flow() {
+  return std::make_unique<TipTaylor>();
 }
 
 }  // namespace mariotte::flow
