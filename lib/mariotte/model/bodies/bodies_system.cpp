@@ -193,12 +193,14 @@ void BodiesSystem<D>::open_parted(Mode& mode, std::vector<double>& x, std::vecto
 }
 
 /// Contacts whose load has vanished where another guard fires, or within rounding of that: their own would
-/// fire no more.
+/// fire no more. Of one whose own has just fired the load is rounding, of either sign.
 template <int D>
 void BodiesSystem<D>::slacken(Mode& mode, ConstState x, std::vector<Change>& changes) const {
   const auto may_let_go = [&](const ClosedContact& one) {
     const auto& law = setting_.contact[one.contact].law;
-    return !one.slack && (contact::pulls(law) || contact::goes_slack(law));
+    const Index own = one.slot * guards_per_slot + static_cast<Index>(SlotGuard::load);
+    return !one.slack && (contact::pulls(law) || contact::goes_slack(law)) &&
+           !std::binary_search(fired_.begin(), fired_.end(), own);
   };
   if (std::none_of(mode.closed.begin(), mode.closed.end(), may_let_go)) return;
   field(mode, x);
