@@ -2,6 +2,7 @@
 // precision elsewhere, and closed forms of their friction.
 #define BOOST_TEST_MODULE impact bodies laws
 #include <boost/test/unit_test.hpp>
+#include <random>
 
 #include "mariotte/core/error.hpp"
 #include "mariotte/impact/bodies/bodies_impact.hpp"
@@ -204,4 +205,30 @@ BOOST_AUTO_TEST_CASE(what_has_no_meaning_is_refused) {
   BOOST_CHECK_THROW(impact::simulate(stays), InvalidParameter);
   stays.body[0].velocity = {};
   BOOST_CHECK_THROW(impact::simulate(stays, {.max_time = 1}), InvalidParameter);
+}
+
+// The light ball shakes: contacts let go while they are deep, and push again when the wall throws it back.
+BOOST_AUTO_TEST_CASE(a_light_ball_between_a_wall_and_a_heavy_one_grips_as_in_a_chain) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> share(0, 1);
+  Index grips = 0;
+  for (int i = 0; i < 200; ++i) {
+    const double light = std::pow(10, -4 + 3 * share(random));
+    const contact::PowerLaw law{.stiffness = 1e4,
+                                .damping = std::pow(10, 1 + 2 * share(random)) * std::sqrt(light),
+                                .exponent = i % 2 == 0 ? 1 : 1.5};
+    const model::Chain chain{.mass = {infinity, light, 1},
+                             .law = {law, law},
+                             .gap = {0.01, 0.01 * share(random)},
+                             .velocity = {0, -1, -share(random)}};
+    const auto impact = impact::simulate(row_of(chain), {.accuracy = 1e-10, .max_time = 10});
+    const auto expected = impact::simulate(chain, {.accuracy = 1e-10, .max_time = 10});
+    BOOST_TEST_CONTEXT("scene " << i) {
+      BOOST_TEST((impact.ending == expected.ending));
+      for (int ball : {0, 1})
+        BOOST_TEST(norm(impact.body[ball].velocity - expected.velocity[ball + 1] * along) <= 1e-8);
+    }
+    for (const auto& event : impact.events) grips += std::ssize(event.of(model::BodyEvent::grip));
+  }
+  BOOST_TEST(grips > 30);
 }
