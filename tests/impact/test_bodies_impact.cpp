@@ -373,3 +373,17 @@ BOOST_AUTO_TEST_CASE(gaps_that_no_body_crosses_in_time_cost_no_digits) {
   BOOST_TEST(!impact.estimated_accuracy.has_value());
   check_near(impact.body[0].velocity.e2, -9.81e-8, 1e-20);
 }
+
+// A damped ball starts on a plane that it does not press yet. What is left of its vibration in the end is
+// rounding.
+BOOST_AUTO_TEST_CASE(what_settles_is_compared_with_the_speeds_of_its_vibration) {
+  auto bodies = strike(0, {}, contact::PowerLaw{.stiffness = 1e6, .damping = 100, .exponent = 1});
+  bodies.body[0].velocity = {};
+  bodies.gravity = {0, -9.81, 0};
+  const hybrid::Options options{.accuracy = 1e-10, .max_time = 0.05};
+  const auto impact = impact::simulate(bodies, options);
+  check_near(impact.body[0].velocity.e2, 0, 1e-16);
+  check_near(impact.contacts[0].peak_force, 1.4772228 * mass * 9.81, 1e-6);  // with ζ = 0.27524
+  BOOST_TEST(impact.estimated_accuracy.value_or(0) < 1e-12);
+  BOOST_TEST(impact::estimate_accuracy(bodies, options, impact) < 1e-12);
+}

@@ -133,9 +133,9 @@ BodiesImpact simulate_once(const model::Bodies& bodies, const hybrid::Options& o
 }
 
 /// Largest difference of velocities and of spin × reach, relative to the largest speed at the start, at the
-/// end or at which contacts close.
-double difference(const model::Bodies& bodies, const BodiesImpact& a, const BodiesImpact& b) {
-  double most = 0, speed = 0;
+/// end or at which contacts close, or at least to `speed`.
+double difference(const model::Bodies& bodies, double speed, const BodiesImpact& a, const BodiesImpact& b) {
+  double most = 0;
   for (std::size_t i = 0; i < bodies.body.size(); ++i) {
     const auto& body = bodies.body[i];
     double reach = 0;
@@ -183,7 +183,7 @@ BodiesImpact simulate_in(const model::Bodies& bodies, const hybrid::Options& opt
     impact = run_as_possible();
   }
   keep_promise(bodies, possible, passage(impact, attainable), observers, impact, run,
-               [&](const auto& a, const auto& b) { return difference(bodies, a, b); });
+               [&](const auto& a, const auto& b) { return difference(bodies, setting.sag_speed, a, b); });
   impact.lost_digits = attainable;
   if (attainable > options.accuracy)
     impact.estimated_accuracy = std::max(attainable, impact.estimated_accuracy.value_or(0));
@@ -207,7 +207,10 @@ double estimate_accuracy(const model::Bodies& bodies, const hybrid::Options& opt
   auto tighter = options;
   tighter.accuracy = std::max(options.accuracy / 32, 16 * epsilon);
   const auto own = simulate(bodies, tighter);
-  return error_bound(difference(bodies, result, own), own.estimated_accuracy);
+  const double least = bodies.dimension == 2
+                           ? model::setting_of<2>(bodies, options.accuracy, options.max_time).sag_speed
+                           : model::setting_of<3>(bodies, options.accuracy, options.max_time).sag_speed;
+  return error_bound(difference(bodies, least, result, own), own.estimated_accuracy);
 }
 
 }  // namespace mariotte::impact

@@ -79,21 +79,36 @@ double natural_indentation(const contact::Law& law, double energy) {
                : std::get<contact::SharedLaw>(law)->natural_indentation(energy);
 }
 
-/// Speed that gravity gives, until the end, what is not at rest on a plane yet.
+/// By how much weights press contacts, at most.
+template <int D>
+double sag(const BodiesSetting<D>& setting) {
+  const double g = norm(setting.gravity);
+  double depth = 0;
+  for (const auto& c : setting.contact)
+    if (g > 0)
+      depth = std::max(depth,
+                       contact::static_indentation(c.law, setting.body[setting.sphere[c.b].body].mass * g));
+  return depth;
+}
+
+/// Speed that gravity gives over a height, until the end.
+template <int D>
+double fallen(const BodiesSetting<D>& setting, double height, double max_time) {
+  const double g = norm(setting.gravity);
+  return g == 0 ? 0 : std::min(std::sqrt(2 * g * height), g * max_time);
+}
+
+/// That of what is not at rest on a plane yet.
 template <int D>
 double falling_speed(const BodiesSetting<D>& setting, double max_time) {
-  const double g = norm(setting.gravity);
-  double height = 0;
+  double height = sag(setting);
   for (const auto& c : setting.contact) {
-    const auto& sphere = setting.sphere[c.b];
-    const auto& body = setting.body[sphere.body];
-    if (g == 0) break;
-    height = std::max(height, contact::static_indentation(c.law, body.mass * g));
     if (c.plane < 0) continue;
-    height = std::max(height, c.gap);
-    if (norm(sphere.arm) > 0) height = std::max(height, 0.02 * body.reach);
+    const auto& sphere = setting.sphere[c.b];
+    const double reach = norm(sphere.arm) > 0 ? setting.body[sphere.body].reach : 0;
+    height = std::max({height, c.gap, 0.02 * reach});
   }
-  return g == 0 ? 0 : std::min(std::sqrt(2 * g * height), g * max_time);
+  return fallen(setting, height, max_time);
 }
 
 /// Speed that adhesion gives what it draws in.
@@ -172,6 +187,7 @@ BodiesSetting<D> setting_of(const Bodies& bodies, double accuracy, double max_ti
   const auto first = first_spheres(bodies);
   for (const auto& contact : bodies.contact) add_contact(bodies, contact, first, setting);
   setting.speed = reference_speed(bodies, setting, max_time);
+  setting.sag_speed = fallen(setting, sag(setting), max_time);
   set_natural_sizes(setting);
   setting.smallest_indentation = 1e-60 * setting.length;
   setting.slip_noise = std::max(1e-13, 1e-3 * accuracy);

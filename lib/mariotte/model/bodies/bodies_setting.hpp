@@ -88,6 +88,7 @@ struct BodiesSetting {
   std::vector<Vec<N, D>> plane_velocity;
   std::vector<SettingContact<D, N>> contact;
   double speed = 1;                      ///< what the accuracy is relative to
+  double sag_speed = 0;                  ///< that gravity gives what starts on its contacts
   double length = 1, time = 1;           ///< shortest natural ones of all contacts
   double smallest_indentation = 0;       ///< stands for 0 where a ratio of forces is wanted
   double slip_noise = 0, gap_noise = 0;  ///< share of speed and length that is rounding
