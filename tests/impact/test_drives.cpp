@@ -341,6 +341,26 @@ BOOST_AUTO_TEST_CASE(the_last_sample_of_a_driven_row_is_that_of_its_end) {
   BOOST_TEST(samples.back().velocity[0] == found.velocity[1]);
 }
 
+// The velocity of the wall is one or the other, by rounding; those of the balls are not.
+BOOST_AUTO_TEST_CASE(a_run_that_ends_as_its_wall_stops_is_as_accurate_as_any) {
+  const auto chain_until = [](double time) {
+    model::Chain chain{.mass = {infinity, 0.006, 0.03},
+                       .law = {contact::Linear(1e5), contact::Linear(1e6)},
+                       .gap = {1e-4, 2e-4},
+                       .velocity = {1e-4 / time, 0, 0},
+                       .gravity = 9.81};
+    chain.drive = {stopping(1e-4 / time, time)};
+    return chain;
+  };
+  for (const double time : {17e-3, std::sqrt(3) * 1e-2, 0.0191, 0.0203}) {
+    const auto chain = chain_until(time);
+    const auto ends = simulate(chain, until(time)), goes_on = simulate(chain, until(time * (1 + 1e-9)));
+    for (const int ball : {1, 2}) BOOST_TEST(std::abs(ends.velocity[ball] - goes_on.velocity[ball]) < 1e-9);
+    BOOST_TEST(ends.estimated_accuracy.value_or(0) < 1e-10);
+    BOOST_TEST(impact::estimate_accuracy(chain, until(time), ends) < 1e-10);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused) {
   const auto sine = model::sine(1, 1, 0);
   const auto good = row_behind_wall({contact::Hertz(1)}, drive(0, Driven::velocity, sine));

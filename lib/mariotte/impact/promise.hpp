@@ -24,6 +24,7 @@
 #include "mariotte/hybrid/options.hpp"
 #include "mariotte/impact/passage.hpp"
 #include "mariotte/impact/shaken.hpp"
+#include "mariotte/model/drives/drive.hpp"
 
 namespace mariotte::impact {
 
@@ -37,9 +38,12 @@ inline std::optional<double> next_accuracy(double wanted, double now, double dif
 }
 
 /// Largest difference of velocities, relative to `speed` unless that is 0; infinite if one is not a number.
-inline double difference(std::span<const double> a, std::span<const double> b, double speed) {
+/// Those that `drives` prescribe do not count: where one jumps as the run ends, rounding says which it has.
+inline double difference(std::span<const double> a, std::span<const double> b, double speed,
+                         const std::vector<model::Drive>& drives = {}) {
   double most = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
+    if (prescribes(drives, static_cast<Index>(i))) continue;
     const double apart = std::abs(a[i] - b[i]);
     most = apart <= most ? most : apart;
     if (std::isnan(most)) return infinity;

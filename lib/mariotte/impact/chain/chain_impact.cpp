@@ -196,7 +196,7 @@ ChainImpact simulate_known(const model::Chain& chain, const hybrid::Options& opt
   auto impact = simulate_once(chain, options, observers);
   keep_promise(chain, options, passage(impact), observers, impact, simulate_once,
                [&](const auto& a, const auto& b) {
-                 return difference(a.velocity, b.velocity, reference_speed(chain));
+                 return difference(a.velocity, b.velocity, reference_speed(chain), chain.drive);
                });
   add_rounding(chain, options.accuracy, impact.estimated_accuracy);
   impact.requested_accuracy = options.accuracy;
@@ -242,14 +242,14 @@ double estimate_accuracy(const model::Chain& chain, const hybrid::Options& optio
     tighter.flow = flow::Kind::taylor;
   const auto& own = solver.solve(chain, tighter);
   const double from_tighter =
-      error_bound(difference(result.velocity, own.velocity, speed), own.estimated_accuracy);
+      error_bound(difference(result.velocity, own.velocity, speed, chain.drive), own.estimated_accuracy);
   if (divides(options, chain)) return from_tighter;
   tighter.flow = another_flow(chain, options);
   tighter.accuracy = std::max(tighter.accuracy, cvode_floor);
   const auto& other = solver.solve(chain, tighter);
   using hybrid::Ending;
   if (other.ending == Ending::failed || other.ending == Ending::event_limit) return from_tighter;
-  const double from_other = difference(result.velocity, other.velocity, speed);
+  const double from_other = difference(result.velocity, other.velocity, speed, chain.drive);
   const double others_own = std::max(10 * cvode_floor, 4 * other.estimated_accuracy.value_or(0));
   return from_other > others_own ? std::max(from_tighter, from_other) : from_tighter;
 }

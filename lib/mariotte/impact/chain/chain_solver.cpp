@@ -105,7 +105,7 @@ struct ChainSolver::Memory {
     };
     const double speed = reference_speed(chain);
     impact::keep_promise(chain, options, gone, impact, looser, again, [&](const auto& a, const auto& b) {
-      return difference(a.velocity, b.velocity, speed);
+      return difference(a.velocity, b.velocity, speed, chain.drive);
     });
     add_rounding(chain, options.accuracy, impact.estimated_accuracy);
   }

@@ -15,11 +15,14 @@ inline bool is_felt(const model::DimensionlessNetwork& d, Index j, double impuls
 }
 
 /// Largest difference of the gap rates that two sets of velocities have, relative to `speed` unless that is
-/// 0; infinite if one is not a number.
+/// 0; infinite if one is not a number. As difference(), without what drives prescribe.
 inline double rate_difference(const model::Network& network, double speed, ConstState a, ConstState b) {
   double most = 0;
   for (const auto& row : network.direction) {
-    const double apart = std::abs(gap_rate(row, a) - gap_rate(row, b));
+    double apart = 0;
+    for (const auto& [dof, g] : row)
+      if (!prescribes(network.drive, dof)) apart += g * (a[dof] - b[dof]);
+    apart = std::abs(apart);
     most = apart <= most ? most : apart;
     if (std::isnan(most)) return infinity;
   }
