@@ -107,6 +107,31 @@ BOOST_AUTO_TEST_CASE(an_overdamped_tip_is_captured_without_turning_back) {
     }
 }
 
+// Its weight presses this sphere more than adhesion holds it, and its damping keeps it from turning back.
+// What it does in the plane is nothing to that.
+BOOST_AUTO_TEST_CASE(an_overdamped_sphere_that_rolls_is_captured_as_one_that_slides) {
+  constexpr double radius = 3e-4, along = 0.046;
+  const auto landing = [&](double friction) {
+    auto body = sphere_at(0.46, 0, 0);
+    body.body = model::sphere(radius, 2500);
+    body.law = {contact::brach_dunn({.stiffness = 14e9, .adhesion = 1e-4}, radius, 2e6, 0)};
+    body.friction = {friction};
+    body.velocity.e3 = -along;
+    body.gravity = 9.81;
+    return impact::simulate(body, {.max_time = 1});
+  };
+  const auto slides = landing(0);
+  for (const double friction : {0.0, 0.1, 1.0}) {
+    const auto impact = landing(friction);
+    BOOST_TEST((impact.ending == hybrid::Ending::captured), hybrid::name(impact.ending));
+    BOOST_TEST(impact.final.time == slides.final.time, boost::test_tools::tolerance(1e-5));
+    BOOST_TEST(std::abs(impact.final.velocity.e1) < 1e-10 * 0.46);
+    BOOST_TEST(impact.final.position.e1 == slides.final.position.e1, boost::test_tools::tolerance(1e-12));
+    const double rolling = friction > 0 ? 5.0 / 7 * along : along;
+    BOOST_TEST(impact.final.velocity.e3 == -rolling, boost::test_tools::tolerance(1e-6));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_run_that_ends_within_its_first_contact_has_no_restitution) {
   BOOST_TEST(!has_restitution(impact::simulate(sphere_at(5, 0.007, 0.009), {.max_time = 1e-8})));
   BOOST_TEST(has_restitution(impact::simulate(sphere_at(5, 0.007, 0.009))));

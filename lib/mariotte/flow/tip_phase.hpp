@@ -50,6 +50,7 @@ struct TipPhase {
   bool indented = false;   ///< the lever of friction is r − δ instead of r
   double speed = 1;        ///< what errors of velocities are relative to
   double rest_speed = 0;   ///< a tip that moves no faster along the normal may have come to rest
+  double held_weight = 0;  ///< of a body that cannot swing: it is held by that, too
   double slip_noise = 0;   ///< spatial slip below it is none
   double force_scale = 1;  ///< natural size of forces
   double force_noise = 0;  ///< sticking that needs less friction needs none

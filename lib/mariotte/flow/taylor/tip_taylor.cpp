@@ -105,15 +105,18 @@ double step_length(const Series& series, const TipPhase& phase, double accuracy,
   return squares ? 0.5 * step : step;
 }
 
-/// Where a tip can rest within a step: it moves slowly enough, and is not so deep that its elastic energy
-/// 2/5 k δ^{5/2} − 2/3 b δ^{3/2} is positive, δ > 5/3 b/k.
+/// Where a tip can rest within a step: it moves slowly enough, and is not so deep that its energy
+/// 2/5 k δ^{5/2} − 2/3 b δ^{3/2} − W δ is positive, with the weight W that holds a body which cannot swing.
 struct SlowPart {
   double first, last;
 };
 
 template <class Series>
 std::optional<SlowPart> slow_part(const Series& series, const TipPhase& phase, int order, double end) {
-  const auto in_well = [&](double s) { return 0.4 * phase.stiffness * s * s < 2.0 / 3.0 * phase.adhesion; };
+  const double weight = phase.held_weight;
+  const auto in_well = [&](double s) {
+    return s * (0.4 * phase.stiffness * s * s - 2.0 / 3.0 * phase.adhesion) < weight;
+  };
   if (phase.rest < 0 ||
       !(in_well(series[series.s][0]) || in_well(horner(terms(series[series.s], order), end))))
     return {};

@@ -35,7 +35,7 @@ double MicrobodyPhase::pressure_error(const TipMotion& tip, Index i) const {
 /// Strong damping makes large forces of small errors of a speed. Where a body swings these are kept far below
 /// its rest speed, so that they do not choose when it rests.
 double MicrobodyPhase::unrest(ConstState x) const {
-  if (!(mechanics_.stored(x) < 0)) return 1;
+  if (!(mechanics_.well_energy(x) < 0)) return 1;
   const auto fastest = [&](ConstState at) {
     double speed = 0;
     for (Index i = 0; i < layout_.tips; ++i)

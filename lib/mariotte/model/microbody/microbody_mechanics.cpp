@@ -105,13 +105,19 @@ double Mechanics::stored(ConstState x) const {
   return sum;
 }
 
+double Mechanics::well_energy(ConstState x) const {
+  double deepest = 0;
+  for (Index i = 0; i < layout.tips; ++i) deepest = std::max(deepest, -x[layout.place.gap[i]]);
+  return can_swing(body) ? stored(x) : stored(x) - body.body.mass * body.gravity * deepest;
+}
+
 double Mechanics::lifting_energy(ConstState x) const {
+  const double rise = x[layout.place.velocity];
+  if (!can_swing(body)) return well_energy(x) + 0.5 * body.body.mass * rise * rise;
   const auto& first = body.body.tips[0];
   const double reach = norm(first.centre) + first.radius;
-  const double rest = stored(x) + 2 * body.body.mass * std::abs(body.gravity) * reach;
+  const double rest = well_energy(x) + 2 * body.body.mass * std::abs(body.gravity) * reach;
   if (!body.symmetric) return rest + kinetic(x);
-  const double rise = x[layout.place.velocity];
-  if (first.centre == Vector3{}) return rest + 0.5 * body.body.mass * rise * rise;
   const double own = dot(spin(x), rotate(quaternion_at(x, layout.place.attitude), {1, 0, 0}));
   return rest + kinetic(x) - 0.5 * body.body.inertia.e1 * own * own;
 }

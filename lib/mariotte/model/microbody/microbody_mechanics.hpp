@@ -51,14 +51,16 @@ struct Mechanics {
   /// Places of the Jacobian of `derivative`: whole columns, of what forces and rates depend on.
   std::vector<flow::Entry> pattern() const;
   void jacobian(ConstState x, const MicrobodyMode& mode, State values) const;
-  /// Energy that could lift tips out of the wells of adhesion: below 0 none comes free. Kinetic, stored, and
-  /// the most that gravity can add; without a turn about the body's own axis and, of a sphere, motion in the
-  /// plane.
+  /// Energy that could lift tips out of their wells: below 0 none comes free. Kinetic, without a turn about
+  /// the body's own axis and, of a body that cannot swing, motion in the plane; that of the wells; and the
+  /// most that gravity can add to a swing.
   double lifting_energy(ConstState x) const;
   /// Kinetic energy, relative to space.
   double kinetic(ConstState x) const;
-  /// Energy stored in the contacts, negative in the wells.
+  /// Energy stored in the contacts, negative in the wells of adhesion.
   double stored(ConstState x) const;
+  /// The same with that of the weight, if the body cannot swing: it presses the tip into its well.
+  double well_energy(ConstState x) const;
 };
 
 }  // namespace mariotte::model

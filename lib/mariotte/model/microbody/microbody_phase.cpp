@@ -65,6 +65,7 @@ MicrobodyPhase::MicrobodyPhase(const DimensionlessMicrobody& body, const Microbo
   tip_.indented = body.lever == Lever::indented;
   tip_.speed = body.speed;
   tip_.rest_speed = rest_speed(body, accuracy);
+  tip_.held_weight = can_swing(body) ? 0 : body.body.mass * body.gravity;
   tip_.slip_noise = mechanics_.slip_noise;
   tip_.force_noise = mechanics_.force_noise;
   tip_.force_scale = body.body.mass * body.speed / body.time;
