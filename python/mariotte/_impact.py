@@ -413,6 +413,8 @@ def simulate(scene: Scene[Result], *, accuracy: Optional[float] = None, until: O
     """
     if until is not None and max_time is not None:
         raise TypeError("give until, the end that is wanted, or max_time, a limit")
+    if not (flow is None or isinstance(flow, str)):
+        raise TypeError(f"flow is a word, such as 'taylor', not {flow!r}")
     tight = None if accuracy is None else number(accuracy, "accuracy")
     made = _simulated(scene, (tight, plain(until), plain(max_time), max_events, flow, estimate))
     warn(made.warnings)

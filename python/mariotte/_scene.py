@@ -108,6 +108,8 @@ class Scene(Generic[Result]):
         >>> chain.replace({"chain.velocity[0]": "2 m/s"}).velocity
         array([2., 0.])
         """
+        if not isinstance(values, Mapping):
+            raise TypeError(f"values by key are needed, not {values!r}")
         self._expect_text()
         whole = {whole_key(self._box.kind, key): value for key, value in values.items()}
         made = Scene._of(_core.scene(self._box.text, self._box.name, self._box.overrides + _overrides(whole)))

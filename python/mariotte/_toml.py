@@ -23,6 +23,8 @@ def toml(value: Any) -> str:
     if isinstance(value, Mapping):
         return "{ " + ", ".join(f"{key} = {toml(one)}" for key, one in value.items()) + " }"
     try:
+        if isinstance(value, (bytes, bytearray)):
+            raise TypeError
         entries = list(value)
     except TypeError:
         kind = "None" if value is None else type(value).__name__

@@ -94,6 +94,15 @@ def test_a_path_is_no_scene():
         mt.simulate("cradle.toml")
 
 
+def test_what_is_no_word_and_no_value_is_said_to_be_none(triplet):
+    with pytest.raises(TypeError, match="flow is a word, such as 'taylor', not 3"):
+        mt.simulate(triplet, flow=3)
+    with pytest.raises(TypeError, match="values by key are needed, not None"):
+        triplet.replace(None)
+    with pytest.raises(TypeError, match="law: a scene has no place for bytes"):
+        mt.Chain(mass=[1, 1], velocity=[1, 0], law=b"hertz", stiffness=1)
+
+
 def test_an_end_is_wanted_or_a_limit(triplet):
     with pytest.raises(TypeError, match="until.*max_time"):
         mt.simulate(triplet, until=1e-3, max_time=1e-4)
