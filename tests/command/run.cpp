@@ -280,6 +280,16 @@ BOOST_FIXTURE_TEST_CASE(a_title_has_a_limit, Session) {
   BOOST_TEST(longer.err == "mariotte: error: longer.toml:1:9: title: has more than 1000 bytes [S023]\n");
 }
 
+BOOST_FIXTURE_TEST_CASE(a_title_gives_the_terminal_no_commands, Session) {
+  const auto scene = std::string(support::three_balls).substr(22);
+  write("red.toml", "title = \"\\u001b[31mred\"\n" + scene);
+  const auto red = mariotte("run red.toml");
+  BOOST_TEST(red.code == 3);
+  BOOST_TEST(red.err == "mariotte: error: red.toml:1:9: title: has a control character [S013]\n");
+  write("two.toml", "title = \"one\\ntwo\tthree\"\n" + scene);
+  BOOST_TEST(mariotte("run two.toml").code == 0);
+}
+
 // Results of undamped chains do not depend on how fast they are: they are found, or the scene is refused.
 BOOST_FIXTURE_TEST_CASE(no_speed_makes_nulls_with_code_0, Session) {
   const auto reference = Json::parse(mariotte("run three.toml --json").out)["final"]["velocity"];

@@ -189,9 +189,16 @@ Vector3 read_vector(const Source& source, const Field& field, const Dimension& d
   return {at(0), at(1), at(2)};
 }
 
+/// A terminal would take it for a command.
+bool is_control(char c) {
+  return (c >= 0 && c < ' ' && c != '\t' && c != '\n' && c != '\r') || c == '\x7f';
+}
+
 std::string text(const Source& source, const Field& field) {
   const auto* const value = std::get_if<std::string>(&field.node->value);
   if (!value) wrong_type(source, field, "a string");
+  if (std::any_of(value->begin(), value->end(), is_control))
+    reject(source, field, fault::wrong_type, "has a control character");
   if (source.watch) tell_text(*source.watch, field.node);
   return *value;
 }
