@@ -7,6 +7,23 @@
 
 namespace mariotte::flow::taylor::MARIOTTE_INSTRUCTION_SET {
 
+/// See Expansion; of the N registers from `first` on.
+template <int N>
+Outlook activate(Lanes& lanes, int first, double near, bool onsets) {
+  constexpr double sudden = 1e13;  // of δ̇/δ: coefficients grow like powers of that
+  const Vec counted_below = splat(onsets ? __builtin_inf() : 0);
+  Mask lands{}, begins{};
+  for (int i = 0; i < N; ++i) {
+    const auto at = [&](const double* row) { return *reinterpret_cast<const Vec*>(row + first + width * i); };
+    const auto depth = at(lanes.indentation), rate = at(lanes.rate), speed = magnitude(rate);
+    const auto acts = depth > at(lanes.acts_above), counts = (rate < counted_below) | (depth == Vec{});
+    *reinterpret_cast<Vec*>(lanes.active + first + width * i) = acts ? splat(1) : Vec{};
+    lands |= (Mask)(counts & (at(lanes.rooted) > Vec{}) & (depth < near * speed));
+    begins |= (Mask)(acts & (at(lanes.power) > Vec{}) & (depth > Vec{}) & (speed > sudden * depth));
+  }
+  return {any_of(lands), any_of(begins)};
+}
+
 /// How contacts move, as polynomials in the clock: those of lanes `first` to first + N × width.
 template <int N>
 struct LaneMotion : RowQuantities {

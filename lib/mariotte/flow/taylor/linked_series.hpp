@@ -11,6 +11,14 @@ namespace mariotte::flow::taylor::MARIOTTE_INSTRUCTION_SET {
 /// the other.
 class LinkedSeries final : public Expansion {
  public:
+  Outlook activate(Lanes& lanes, double near, bool onsets) const override {
+    Outlook all{};
+    for (int first = 0; first < lanes.count; first += at_once) {
+      const auto some = MARIOTTE_INSTRUCTION_SET::activate<parts>(lanes, first, near, onsets);
+      all = {all.may_land || some.may_land, all.is_sudden || some.is_sudden};
+    }
+    return all;
+  }
   void expand(const Lanes& lanes, int order, int clock) override {
     lanes_ = &lanes;
     order_ = order;

@@ -50,21 +50,22 @@ class Lanes {
   double* active;                              ///< 1 where the contact carries force, else 0
   double* acts_above;                          ///< δ from which it does; infinite for one that does not push
   double* late_above;                          ///< δ to which it may sink before it is heard
-  double* stiffness;                           ///< k
-  double* steepening;                          ///< l
-  double* damping;                             ///< c
-  double* stiffening;                          ///< h, with which there is no c
-  double* power;                               ///< p of the force δᵖ ((k + l δᵖ) δ + (c + h δ) δ̇)
-  double* left;                                ///< 1/m of body j; if linked, 1/m* of the contact
-  double* right;                               ///< 1/m of body j+1; if linked, 0
-  double* drive;                               ///< δ̈ from outside forces
-  double* side;                                ///< sign that δ is to keep, 0 where nobody watches
-  double* level;                               ///< depth to which an open contact may reach
-  double* leeway;                              ///< more of it within a step that leaves its force out
-  double* load_side;                           ///< sign that the load is to keep, or 0
-  double* yield_side;                          ///< 1 where δ is watched for a yield, else 0
-  double* yield_level;                         ///< there: δ where it yields
-  double* turn_side;                           ///< sign that δ̇ is to keep but for the level, or 0
+  double* rooted;       ///< 1 where a closed contact has a branch point at δ = 0, else 0
+  double* stiffness;    ///< k
+  double* steepening;   ///< l
+  double* damping;      ///< c
+  double* stiffening;   ///< h, with which there is no c
+  double* power;        ///< p of the force δᵖ ((k + l δᵖ) δ + (c + h δ) δ̇)
+  double* left;         ///< 1/m of body j; if linked, 1/m* of the contact
+  double* right;        ///< 1/m of body j+1; if linked, 0
+  double* drive;        ///< δ̈ from outside forces
+  double* side;         ///< sign that δ is to keep, 0 where nobody watches
+  double* level;        ///< depth to which an open contact may reach
+  double* leeway;       ///< more of it within a step that leaves its force out
+  double* load_side;    ///< sign that the load is to keep, or 0
+  double* yield_side;   ///< 1 where δ is watched for a yield, else 0
+  double* yield_level;  ///< there: δ where it yields
+  double* turn_side;    ///< sign that δ̇ is to keep but for the level, or 0
   double* turn_level;
   double* fades_below;   ///< less deep, and slow, a closed contact has let go; or −infinite
   double* leaves_noise;  ///< deeper, or so far apart, one that touches is watched; or infinite
@@ -101,6 +102,12 @@ class Values {
 /// What is evaluated of a contact, δ, δ̇, what has the sign of its force, δᵖ and ∫ f dt, and of the clock.
 enum class Quantity { indentation, rate, load, root, impulse, clock, time };
 
+/// What contacts are about to do.
+struct Outlook {
+  bool may_land;   ///< one with a branch point is near it
+  bool is_sudden;  ///< one has hardly begun
+};
+
 /// Series of all lanes in a clock σ. Plain: t = σ. Of a lane c: dt = √δ_c dσ, in which onset (δ_c = 0,
 /// δ̇_c > 0) and separation of c are ordinary points; for windows without general exponents. If widened:
 /// dt = (dδ/du) dσ, in which the end of c is one.
@@ -108,6 +115,9 @@ class Expansion {
  public:
   static constexpr int plain = -1;
   virtual ~Expansion() = default;
+  /// Tell which contacts carry force. Near are those that are less than the time `near` before their end, at
+  /// their onset, or, with `onsets`, less than that after it.
+  virtual Outlook activate(Lanes& lanes, double near, bool onsets) const = 0;
   virtual void expand(const Lanes& lanes, int order, int clock) = 0;
   /// Largest coefficient k of δ/length, δ̇ and, if damped, work/m* and loads that are watched for their rise,
   /// as rates, for k from `first` to the order.

@@ -7,6 +7,9 @@ namespace mariotte::flow::taylor::MARIOTTE_INSTRUCTION_SET {
 template <int N>
 class RowSeries final : public Expansion {
  public:
+  Outlook activate(Lanes& lanes, double near, bool onsets) const override {
+    return MARIOTTE_INSTRUCTION_SET::activate<N>(lanes, 0, near, onsets);
+  }
   void expand(const Lanes& lanes, int order, int clock) override {
     order_ = order;
     block_.start(lanes, order, clock, pace_start(lanes, clock));

@@ -42,20 +42,15 @@ constexpr double before_last = 300;
 constexpr double freed_stride = 8;
 constexpr double tiny = 1e-300;  ///< keeps quotients of vanishing coefficients finite
 
-/// Tell which contacts carry force. Returns the order up to which no coefficient overflows: where a contact
-/// has hardly begun, they grow like (δ̇/δ)ᵏ.
-int activate(Window& window, int order) {
-  constexpr double harmless = 1e13, decades = 270;
-  auto& l = window.lanes;
-  double fastest = harmless;
-  for (int j = 0; j < l.count; ++j) {
-    const double depth = l.indentation[j];
-    const bool acts = depth > l.acts_above[j];
-    l.active[j] = acts;
-    if (acts && std::abs(l.rate[j]) > fastest * depth && depth > 0 && window.is_sharp(j))
-      fastest = std::abs(l.rate[j]) / depth;
-  }
-  return fastest == harmless ? order : std::min(order, static_cast<int>(decades / std::log10(fastest)));
+/// Up to which no coefficient overflows: where a contact has hardly begun, they grow like (δ̇/δ)ᵏ.
+int harmless_order(const Window& window, int order) {
+  constexpr double decades = 270;
+  const auto& l = window.lanes;
+  double fastest = 1;
+  for (int j = 0; j < l.count; ++j)
+    if (l.active[j] > 0 && l.indentation[j] > 0 && window.is_sharp(j))
+      fastest = std::max(fastest, std::abs(l.rate[j]) / l.indentation[j]);
+  return std::min(order, static_cast<int>(decades / std::log10(fastest)));
 }
 
 }  // namespace
@@ -156,27 +151,41 @@ bool Stepper::has_strong_roots() const {
   return precision_.has_slopes || window.lanes.damped;
 }
 
-/// A contact nears its end; or leaves its onset, where that counts, and the clock has been its own since.
-bool Stepper::counts_root(int lane) const {
-  return window.lanes.rate[lane] < 0 || (lane == last_clock_ && (has_strong_roots() || shares_steps(window)));
+/// A contact that leaves its onset counts, too, as long as the clock is its own.
+bool Stepper::counts_onsets() const {
+  return last_clock_ != Expansion::plain && (has_strong_roots() || shares_steps(window));
 }
 
-/// The lane whose onset or separation limits a series in time.
-int Stepper::choose_clock() const {
+/// The lane whose onset or end, less than the time `near` away, limits a series in time most.
+int Stepper::choose_clock(double near) const {
   const auto& l = window.lanes;
   int clock = Expansion::plain;
-  if (l.general || window.drives) return clock;
-  if (l.widened) return narrowest();
-  double soonest = (has_strong_roots() ? share_of_strong_roots : landing_share(window)) * stride;
   for (int j = 0; j < l.count; ++j) {
     const double depth = l.indentation[j], speed = std::abs(l.rate[j]);
-    if (!(depth < soonest * speed) || !window.has_root(j)) continue;
+    if (!(depth < near * speed) || !window.has_root(j)) continue;
     if (depth == 0 && l.rate[j] > 0) return j;  // it is struck
-    if (!counts_root(j) || depth <= l.acts_above[j]) continue;
-    soonest = depth / speed;
+    const bool counts = l.rate[j] < 0 || (j == last_clock_ && counts_onsets());
+    if (!counts || depth <= l.acts_above[j]) continue;
+    near = depth / speed;
     clock = j;
   }
   return clock;
+}
+
+/// Which contacts carry force, and order and clock of the next series.
+Piece Stepper::plan_piece() {
+  auto& l = window.lanes;
+  Piece piece{.series = series_, .order = precision_.order};
+  const double near = (has_strong_roots() ? share_of_strong_roots : landing_share(window)) * stride;
+  const auto outlook = series_->activate(l, near, counts_onsets());
+  if (outlook.is_sudden) piece.order = harmless_order(window, piece.order);
+  if (l.general || window.drives) return piece;
+  if (l.widened)
+    piece.clock = narrowest();
+  else if (outlook.may_land)
+    piece.clock = choose_clock(near);
+  if (piece.clock != Expansion::plain && window.pushes(piece.clock)) l.active[piece.clock] = 1;
+  return piece;
 }
 
 /// The lane whose contact is nearest to its smallest radius: of the points that no series in time passes, its
@@ -234,8 +243,7 @@ double Stepper::reach_of_rounding(const Piece& piece) const {
 
 Piece Stepper::series_piece() {
   auto& l = window.lanes;
-  Piece piece{.series = series_, .order = activate(window, precision_.order), .clock = choose_clock()};
-  if (piece.clock != Expansion::plain && window.pushes(piece.clock)) l.active[piece.clock] = 1;
+  auto piece = plan_piece();
   for (int j = 0; window.is_linked() && j < l.count; ++j) doze(j);
   for (int j = 0; l.general && j < l.count; ++j) listen(j);
   if (window.drives) expand_drives(window, piece.order);

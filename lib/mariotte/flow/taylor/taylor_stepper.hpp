@@ -56,9 +56,10 @@ class Stepper {
   bool finds_struck();
   bool finds_pressed();
   std::optional<Piece> start_piece();
-  int choose_clock() const;
+  Piece plan_piece();
+  int choose_clock(double near) const;
   bool has_strong_roots() const;
-  bool counts_root(int lane) const;
+  bool counts_onsets() const;
   int narrowest() const;
   Piece series_piece();
   void land(Piece& piece);

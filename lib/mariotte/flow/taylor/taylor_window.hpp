@@ -61,7 +61,7 @@ struct Window {
   Index number(int lane) const { return contacts[lane] - network->contact.data(); }
   /// Of lane's contact the force is a function with a branch point at δ = 0.
   bool is_sharp(int lane) const { return lanes.power[lane] > 0; }
-  bool has_root(int lane) const { return contact(lane).role == Role::closed && is_sharp(lane); }
+  bool has_root(int lane) const { return lanes.rooted[lane] > 0; }
   bool pushes(int lane) const { return contact(lane).pushes(); }
   /// Others than its neighbours in a row may draw a contact apart.
   bool is_linked() const { return network || drives; }

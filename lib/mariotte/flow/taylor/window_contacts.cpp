@@ -113,6 +113,7 @@ void set_limits(Window& w, int lane) {
   auto& l = w.lanes;
   l.acts_above[lane] = c.pushes() ? wake_depth(c, w.speed) : infinity;
   l.late_above[lane] = lateness(c) * l.acts_above[lane];
+  l.rooted[lane] = c.role == Role::closed && w.is_sharp(lane) ? 1 : 0;
   l.leeway[lane] = w.has_root(lane) ? l.acts_above[lane] : 0;
   l.fades_below[lane] = c.role == Role::closed ? c.faded() : -infinity;
   l.leaves_noise[lane] = c.role == Role::touching ? c.loaded() : infinity;
