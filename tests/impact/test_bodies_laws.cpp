@@ -232,3 +232,25 @@ BOOST_AUTO_TEST_CASE(a_light_ball_between_a_wall_and_a_heavy_one_grips_as_in_a_c
   }
   BOOST_TEST(grips > 30);
 }
+
+// It falls so far that its first steps in the contact are shorter than what rounding makes of the gap.
+BOOST_AUTO_TEST_CASE(a_strong_damper_stops_a_fallen_ball_as_in_a_chain) {
+  struct Fall {
+    double exponent, stiffness, damping, mass, speed, gap;
+  };
+  for (const auto& one : {Fall{1.05, 2304542.66, 142.134943, 1.11495e-3, 0.0112488126, 9.79048523e-5},
+                          Fall{1.1, 3958523.73, 11.6505284, 6.00435e-5, 0.0257331878, 6.92342375e-4},
+                          Fall{1.15, 6799574.76, 301.491922, 3.31402e-4, 0.0123870815, 6.11005381e-4}}) {
+    const model::Chain chain{
+        .mass = {infinity, one.mass},
+        .law = {contact::PowerLaw{
+            .stiffness = one.stiffness, .damping = one.damping, .exponent = one.exponent}},
+        .gap = {one.gap},
+        .velocity = {0, -one.speed}};
+    const double soon = one.gap / one.speed + 2e-4;
+    const auto impact = impact::simulate(row_of(chain), {.accuracy = 1e-10, .max_time = soon});
+    const auto expected = impact::simulate(chain, {.accuracy = 1e-10, .max_time = soon});
+    BOOST_TEST((impact.ending == expected.ending), impact.message);
+    BOOST_TEST(norm(impact.body[0].velocity - expected.velocity[1] * along) <= 1e-9 * one.speed);
+  }
+}
