@@ -101,7 +101,21 @@ void BodiesSystem<D>::close(Mode& mode, Index contact, std::vector<double>& x, B
   const auto now = approach(contact, x);
   changes.push_back({contact, event, event == BodyEvent::close ? -now.gap_rate : 0});
   begin_branch(mode.closed[index], now);
+  if (!can_be_recorded(setting_.contact[contact].law, mode.closed[index].past)) sink(contact, now, x);
   if (!mode.closed[index].slack) begin_friction(mode, index, Start::onset, x, changes);
+}
+
+/// CVODE follows what has no series from a depth on that is more than rounding of its gap: the first steps of
+/// a strong damper would not change that. Bodies move on so far.
+template <int D>
+void BodiesSystem<D>::sink(Index contact, const GapMotion<double, D>& now, std::vector<double>& x) const {
+  const auto at = layout(x);
+  const double depth = gap_rounding(setting_, at, setting_.contact[contact], x) / 64;
+  if (!(now.gap_rate < 0)) return;
+  const double time = depth / -now.gap_rate;
+  for (Index i = 0; i < at.bodies; ++i)
+    for (int k = 0; k < D; ++k) x[at.shift(i) + k] += time * x[at.velocity(i) + k];
+  x[at.clock()] += time;
 }
 
 /// One that snaps in pulls at first, and so does one whose pull grows from zero.
