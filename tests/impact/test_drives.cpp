@@ -263,6 +263,28 @@ BOOST_AUTO_TEST_CASE(a_force_pushes_a_network_by_its_mass_matrix) {
 }
 
 // Within one step of a series a force presses what touches and draws it apart again.
+// By a dense matrix rounding moves the wall, too.
+BOOST_AUTO_TEST_CASE(every_flow_pushes_a_ball_on_a_wall_of_a_network) {
+  model::Network network{.mass = {infinity, 4e-3},
+                         .direction = {{{0, -1}, {1, 1}}},
+                         .law = {contact::Hertz(4e10)},
+                         .gap = {0},
+                         .velocity = {0, 0}};
+  network.drive = {{.direction = {{1, 1.0}},
+                    .quantity = Driven::force,
+                    .signal = model::straight_lines({{0, 700}, {2e-5, 500}})}};
+  const auto best = simulate(network, until(1.3e-4));
+  for (const auto kind : {flow::Kind::cvode_adams, flow::Kind::cvode_bdf_dense, flow::Kind::cvode_bdf_band,
+                          flow::Kind::cvode_bdf_klu}) {
+    auto options = until(1.3e-4);
+    options.flow = kind;
+    const auto impact = simulate(network, options);
+    BOOST_TEST((impact.ending == hybrid::Ending::time_limit), impact.message);
+    BOOST_TEST(std::abs(impact.velocity[0]) < 1e-20);
+    BOOST_TEST(impact.velocity[1] == best.velocity[1], boost::test_tools::tolerance(1e-8));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(what_touches_at_rest_is_watched_as_soon_as_it_is_pressed) {
   const auto run = [](const contact::Law& law, flow::Kind kind, double accuracy) {
     model::Chain chain{.mass = {infinity, 1}, .law = {law}, .gap = {0}, .velocity = {0, 0}};

@@ -95,7 +95,8 @@ double NetworkGate::unexplained(const NetworkOutcome& o) {
   for (Index i = 0; i < o.layout.velocities(); ++i) {
     const double apart = std::abs(after[i] - before[i] - change_[i]);
     if (apart == 0) continue;
-    const double part = apart / (natural_[i] + std::abs(before[i]));
+    const double size = natural_[i] + std::abs(before[i]);  // 0 of a wall at rest
+    const double part = apart / (size > 0 ? size : o.network.speed);
     worst = part <= worst ? worst : part;
   }
   return worst;
