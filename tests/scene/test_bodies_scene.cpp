@@ -158,7 +158,8 @@ BOOST_AUTO_TEST_CASE(laws_that_yield_and_adhere_are_read) {
   const auto bodies = read(text + "[run]\nuntil = 1\n");
   BOOST_TEST(contact::adheres(bodies.contact[0].law));
   text.replace(text.find("\"spring\""), 8, "\"mindlin\"");
-  check_refused(text, "beside a law that pulls or yields, as 'jkr' does here, friction is rigid or a spring");
+  check_refused(
+      text, "beside a law that pulls, yields or ends with its indentation, friction is rigid or a spring");
 }
 
 BOOST_AUTO_TEST_CASE(corners_of_a_block_may_say_that_they_are_points) {

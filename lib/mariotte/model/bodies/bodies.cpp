@@ -104,8 +104,7 @@ void check_contact(const Bodies& bodies, const BodyContact& contact) {
     throw InvalidParameter(name() + ": the tangential stiffness must be positive and finite");
   if (tangential.law == TangentialLaw::mindlin && contact::branched(contact.law))
     throw InvalidParameter(name() + ": Mindlin's stiffness is that of a Hertz contact; beside a law that " +
-                           "pulls or yields, as '" + std::string(contact::name(contact.law)) +
-                           "' does here, friction is rigid or a spring");
+                           "pulls, yields or ends with its indentation, friction is rigid or a spring");
   if (!(contact.share >= 0 && contact.share <= 1))
     throw InvalidParameter(name() + ": share must be between 0 and 1");
   if (!contact.a.is_plane() && radii_of(bodies, contact) == 0)
