@@ -20,23 +20,6 @@ double BodiesPhase<D>::cap_noise(const ClosedContact& mode, const ContactMotion<
   return std::max(share, one.tangential.friction * std::abs(stiffness) * setting_.rounding * one.length);
 }
 
-/// A contact that is being pressed ends beyond what rounding makes of its gap: the first steps of a strong
-/// damper are shorter than that. Series follow the gap itself.
-template <int D>
-template <class T, class N>
-double BodiesPhase<D>::opening_noise(const BodiesField<T, D, N>& field, const ClosedContact& mode) const {
-  if (mode.unloading || is_recorded<T>) return 0;
-  constexpr double steps = 64;
-  const auto& one = field.setting().contact[mode.contact];
-  const auto way = [&](Index sphere) {
-    const auto& shift = field.body(field.setting().sphere[sphere].body).shift;
-    double sum = 0;
-    for (int k = 0; k < D; ++k) sum = std::hypot(sum, series::value_of(shift[k]));
-    return sum;
-  };
-  return steps * epsilon * (way(one.b) + (one.plane < 0 ? way(one.a) : 0));
-}
-
 /// Guards that start at zero or return to it have an offset as large as noise: they fire once they are
 /// beyond.
 template <int D>
@@ -101,7 +84,9 @@ void BodiesPhase<D>::guards_of(const BodiesField<T, D, N>& field, std::span<T> v
     const auto& c = field.contact(i);
     const auto set = [&](SlotGuard guard, const T& value) { values[slot_guard(one.slot, guard)] = value; };
     const auto& law = setting_.contact[one.contact].law;
-    set(SlotGuard::open, c.motion.gap + opening_depth(law, one.past) - opening_noise(field, one));
+    // While it is pressed steps may be shorter than rounding of its gap; but series follow the gap itself.
+    const double noise_of_onset = is_recorded<T> || one.unloading ? 0 : one.gap_noise;
+    set(SlotGuard::open, c.motion.gap + opening_depth(law, one.past) - noise_of_onset);
     set(SlotGuard::friction, friction_guard(field, one, c));
     set(SlotGuard::turn, -c.motion.gap_rate + (one.unloading ? -noise : noise));
     set(SlotGuard::load, load_guard(field, one, c));

@@ -26,6 +26,7 @@ struct ClosedContact {
   Friction friction = Friction::none;
   bool unloading = false;
   bool slack = false;
+  double gap_noise = 0;           ///< what a few roundings of its gap may be
   contact::Memory past = {};      ///< where its law has branches
   double sign = 1;                ///< of slip along e_z × n, in the plane
   bool from_rest = false;         ///< rigid slip in space that has not left rest yet

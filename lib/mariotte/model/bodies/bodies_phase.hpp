@@ -82,8 +82,6 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   template <class T>
   double cap_noise(const ClosedContact& mode, const ContactMotion<T, D>& motion) const;
   template <class T, class N>
-  double opening_noise(const BodiesField<T, D, N>& field, const ClosedContact& mode) const;
-  template <class T, class N>
   T friction_guard(const BodiesField<T, D, N>& field, const ClosedContact& mode,
                    const ContactForces<T, D>& c) const;
   template <class T, class N>

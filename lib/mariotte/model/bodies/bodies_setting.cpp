@@ -79,13 +79,13 @@ double natural_indentation(const contact::Law& law, double energy) {
                : std::get<contact::SharedLaw>(law)->natural_indentation(energy);
 }
 
-/// By how much weights press contacts, at most.
+/// By how much weights press contacts whose gap is not wider, at most.
 template <int D>
-double sag(const BodiesSetting<D>& setting) {
+double sag(const BodiesSetting<D>& setting, double widest) {
   const double g = norm(setting.gravity);
   double depth = 0;
   for (const auto& c : setting.contact)
-    if (g > 0)
+    if (g > 0 && c.gap <= widest)
       depth = std::max(depth,
                        contact::static_indentation(c.law, setting.body[setting.sphere[c.b].body].mass * g));
   return depth;
@@ -101,7 +101,7 @@ double fallen(const BodiesSetting<D>& setting, double height, double max_time) {
 /// That of what is not at rest on a plane yet.
 template <int D>
 double falling_speed(const BodiesSetting<D>& setting, double max_time) {
-  double height = sag(setting);
+  double height = sag(setting, infinity);
   for (const auto& c : setting.contact) {
     if (c.plane < 0) continue;
     const auto& sphere = setting.sphere[c.b];
@@ -187,7 +187,7 @@ BodiesSetting<D> setting_of(const Bodies& bodies, double accuracy, double max_ti
   const auto first = first_spheres(bodies);
   for (const auto& contact : bodies.contact) add_contact(bodies, contact, first, setting);
   setting.speed = reference_speed(bodies, setting, max_time);
-  setting.sag_speed = fallen(setting, sag(setting), max_time);
+  setting.sag_speed = fallen(setting, sag(setting, 0), max_time);
   set_natural_sizes(setting);
   setting.smallest_indentation = 1e-60 * setting.length;
   setting.slip_noise = std::max(1e-13, 1e-3 * accuracy);

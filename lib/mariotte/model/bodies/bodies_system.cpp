@@ -90,8 +90,11 @@ void BodiesSystem<D>::close(Mode& mode, Index contact, std::vector<double>& x, B
     at.slots = slots;
     x.resize(at.size(), 0.0);
   }
-  ClosedContact one{
-      .contact = contact, .slot = mode.idle.back(), .past = memory_of(mode, contact), .start = {}};
+  ClosedContact one{.contact = contact,
+                    .slot = mode.idle.back(),
+                    .gap_noise = gap_rounding(setting_, at, setting_.contact[contact], x) / 64,
+                    .past = memory_of(mode, contact),
+                    .start = {}};
   mode.idle.pop_back();
   std::fill_n(x.begin() + at.spring(one.slot), at.slot_size, 0.0);
   const auto place = std::lower_bound(mode.closed.begin(), mode.closed.end(), contact,
@@ -101,18 +104,19 @@ void BodiesSystem<D>::close(Mode& mode, Index contact, std::vector<double>& x, B
   const auto now = approach(contact, x);
   changes.push_back({contact, event, event == BodyEvent::close ? -now.gap_rate : 0});
   begin_branch(mode.closed[index], now);
-  if (!can_be_recorded(setting_.contact[contact].law, mode.closed[index].past)) sink(contact, now, x);
+  sink(mode.closed[index], now, x);
   if (!mode.closed[index].slack) begin_friction(mode, index, Start::onset, x, changes);
 }
 
-/// CVODE follows what has no series from a depth on that is more than rounding of its gap: the first steps of
-/// a strong damper would not change that. Bodies move on so far.
+/// What has no series is followed by CVODE, from a depth on that is more than rounding of its gap: the first
+/// steps of a strong damper would not change that. All bodies move on so far, but hardly: where they meet
+/// slowly that would take long.
 template <int D>
-void BodiesSystem<D>::sink(Index contact, const GapMotion<double, D>& now, std::vector<double>& x) const {
+void BodiesSystem<D>::sink(const ClosedContact& one, const GapMotion<double, D>& now,
+                           std::vector<double>& x) const {
   const auto at = layout(x);
-  const double depth = gap_rounding(setting_, at, setting_.contact[contact], x) / 64;
-  if (!(now.gap_rate < 0)) return;
-  const double time = depth / -now.gap_rate;
+  if (can_be_recorded(setting_.contact[one.contact].law, one.past) || !(now.gap_rate < 0)) return;
+  const double time = std::min(one.gap_noise / -now.gap_rate, soon * setting_.time);
   for (Index i = 0; i < at.bodies; ++i)
     for (int k = 0; k < D; ++k) x[at.shift(i) + k] += time * x[at.velocity(i) + k];
   x[at.clock()] += time;
@@ -212,7 +216,7 @@ template <int D>
 void BodiesSystem<D>::slacken(Mode& mode, ConstState x, std::vector<Change>& changes) const {
   const auto may_let_go = [&](const ClosedContact& one) {
     const auto& law = setting_.contact[one.contact].law;
-    const Index own = one.slot * guards_per_slot + static_cast<Index>(SlotGuard::load);
+    const Index own = phase_.slot_guard(one.slot, SlotGuard::load);
     return !one.slack && (contact::pulls(law) || contact::goes_slack(law)) &&
            !std::binary_search(fired_.begin(), fired_.end(), own);
   };

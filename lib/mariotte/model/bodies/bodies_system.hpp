@@ -47,7 +47,7 @@ class BodiesSystem {
   void close(Mode& mode, Index contact, std::vector<double>& x, BodyEvent event,
              std::vector<Change>& changes) const;
   void open(Mode& mode, std::size_t place, std::vector<double>& x, std::vector<Change>& changes) const;
-  void sink(Index contact, const GapMotion<double, D>& now, std::vector<double>& x) const;
+  void sink(const ClosedContact& one, const GapMotion<double, D>& now, std::vector<double>& x) const;
   void begin_branch(ClosedContact& one, const GapMotion<double, D>& now) const;
   /// A force begins at its onset, or in a contact that has been slack.
   enum class Start { onset, grip };
