@@ -24,19 +24,42 @@ Chains map() {
   return chains;
 }
 
-/// Masses over a decade and stiffnesses over two, the second contact open by up to a few indentations.
+/// Masses over a decade and stiffnesses over two.
+class RandomRows {
+ public:
+  double uniform(double low, double high) { return std::uniform_real_distribution(low, high)(random_); }
+  model::Chain touching(int balls) {
+    model::Chain chain;
+    for (int i = 0; i < balls; ++i) chain.mass.push_back(std::pow(10.0, uniform(-0.5, 0.5)));
+    for (int j = 0; j + 1 < balls; ++j)
+      chain.law.emplace_back(contact::Hertz{std::pow(10.0, uniform(-1, 1))});
+    chain.gap.resize(chain.law.size());
+    chain.velocity.resize(chain.mass.size());
+    chain.velocity[0] = 1;
+    return chain;
+  }
+
+ private:
+  std::mt19937_64 random_{5};
+};
+
+/// The second contact open by up to a few indentations.
 Chains with_gaps() {
-  std::mt19937_64 random(5);
-  const auto uniform = [&](double low, double high) {
-    return std::uniform_real_distribution(low, high)(random);
-  };
+  RandomRows random;
   Chains chains(4096);
   for (auto& chain : chains) {
-    for (int i = 0; i < 3; ++i) chain.mass.push_back(std::pow(10.0, uniform(-0.5, 0.5)));
-    for (int j = 0; j < 2; ++j) chain.law.emplace_back(contact::Hertz{std::pow(10.0, uniform(-1, 1))});
-    chain.gap = {0, uniform(0, 2)};
-    chain.velocity = {1, 0, uniform(-0.5, 0.5)};
+    chain = random.touching(3);
+    chain.gap[1] = random.uniform(0, 2);
+    chain.velocity[2] = random.uniform(-0.5, 0.5);
   }
+  return chains;
+}
+
+/// One ball strikes others that touch.
+Chains cradles(int balls) {
+  RandomRows random;
+  Chains chains(2048);
+  for (auto& chain : chains) chain = random.touching(balls);
   return chains;
 }
 
@@ -94,7 +117,8 @@ class Runs {
   double difference() const {
     double most = 0;
     for (std::size_t i = 0; i < models_.size(); ++i)
-      for (std::size_t k = 0; k < 3; ++k) most = std::max(most, std::abs(alone_[i][k] - lanes_[i][k]));
+      for (std::size_t k = 0; k < alone_[i].size(); ++k)
+        most = std::max(most, std::abs(alone_[i][k] - lanes_[i][k]));
     return most;
   }
 
@@ -131,6 +155,11 @@ std::string lane_cost(const measuring::Patience& patience) {
     text += line<OfChains>("map", of_map, accuracy, patience);
   for (const double accuracy : {1e-6, 1e-10})
     text += line<OfChains>("with gaps", of_gaps, accuracy, patience);
+  for (const int balls : {4, 5, 6, 8}) {
+    const Chains of_cradles = cradles(balls);
+    for (const double accuracy : {1e-6, 1e-8, 1e-10})
+      text += line<OfChains>(fmt::format("{} balls", balls).c_str(), of_cradles, accuracy, patience);
+  }
   const Spheres spheres = microspheres();
   for (const double accuracy : {1e-6, 1e-8, 1e-10, 1e-12})
     text += line<OfSpheres>("microsphere", spheres, accuracy, patience);

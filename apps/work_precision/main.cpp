@@ -131,7 +131,7 @@ command::OptionList declare(Options& options) {
       {"--friction", &options.friction, "Only what bodies with friction cost, by series, CVODE and rivals"},
       {"--laws", &options.laws, "Only what a pair of each named law costs, and by CVODE"},
       {"--lammps", &options.lammps, "Only pairs of balls beside LAMMPS, if it is installed"},
-      {"--lanes", &options.lanes, "Only what three Hertz balls cost one by one, and many side by side"},
+      {"--lanes", &options.lanes, "Only what small impacts cost one by one, and many side by side"},
       {"--csv", &options.csv, "Write every point of the diagrams to this file", {.value = "FILE"}},
       {"--plots",
        &options.plots,

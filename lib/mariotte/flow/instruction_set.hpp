@@ -13,10 +13,22 @@ namespace mariotte::flow {
 #endif
 }
 
+/// Registers of eight that pay: Zen 4 takes them in two halves; before Ice Lake they slow the clock.
+[[gnu::always_inline]] inline bool has_avx512() {
+#ifdef __x86_64__
+  return __builtin_cpu_supports("avx512vbmi") && !__builtin_cpu_is("amdfam19h");
+#else
+  return false;
+#endif
+}
+
 #ifdef __x86_64__
 #define MARIOTTE_WIDEST(function) (mariotte::flow::has_avx2() ? avx2::function : baseline::function)
+#define MARIOTTE_WIDEST_OF_ALL(function) \
+  (mariotte::flow::has_avx512() ? avx512::function : MARIOTTE_WIDEST(function))
 #else
 #define MARIOTTE_WIDEST(function) baseline::function
+#define MARIOTTE_WIDEST_OF_ALL(function) baseline::function
 #endif
 
 /// Declares a function for each set, in its namespace, and one that takes the widest registers of this
@@ -30,6 +42,21 @@ namespace mariotte::flow {
   }                                                                           \
   [[gnu::always_inline]] inline Result function parameters {                  \
     return MARIOTTE_WIDEST(function) arguments;                               \
+  }
+
+/// The same with AVX-512 among them.
+#define MARIOTTE_PER_WIDE_INSTRUCTION_SET(Result, function, parameters, arguments) \
+  namespace avx512 {                                                               \
+  Result function parameters;                                                      \
+  }                                                                                \
+  namespace avx2 {                                                                 \
+  Result function parameters;                                                      \
+  }                                                                                \
+  namespace baseline {                                                             \
+  Result function parameters;                                                      \
+  }                                                                                \
+  [[gnu::always_inline]] inline Result function parameters {                       \
+    return MARIOTTE_WIDEST_OF_ALL(function) arguments;                             \
   }
 
 }  // namespace mariotte::flow

@@ -5,7 +5,7 @@
 #include <span>
 #include <type_traits>
 
-#include "mariotte/flow/roots/polynomial.hpp"
+#include "mariotte/flow/lanes/lane_fall.hpp"
 #include "mariotte/flow/taylor/taylor_registers.hpp"
 #include "mariotte/flow/taylor/taylor_stepper.hpp"
 #include "mariotte/series/series.hpp"
@@ -34,7 +34,7 @@ template <class F>
 class LaneStep {
  public:
   using Number = LaneVector<1>;
-  static constexpr int scenes = F::are_paired ? 1 : width;
+  static constexpr int scenes = F::are_paired ? 1 : width, most_steps = 250;
 
   static constexpr int row(int first, int j) { return F::are_paired ? first : first + j; }
 
@@ -74,13 +74,7 @@ class LaneStep {
   std::optional<double> first_fall(int scene, int j, double end) const {
     double c[order_limit + 1];
     for (int k = 0; k <= order_; ++k) c[k] = at(series_[row(F::root, j)][k], j, scene);
-    const std::span<const double> all(c, static_cast<std::size_t>(order_) + 1);
-    if (c[0] > 0 && falls(all, end)) {
-      const double last = horner(all, end);
-      if (last > 0) return std::nullopt;
-      if (const double root = newton(all, end, last); root >= 0 && root <= end) return root;
-    }
-    return flow::first_fall(all, end);
+    return taylor::MARIOTTE_INSTRUCTION_SET::first_fall({c, static_cast<std::size_t>(order_) + 1}, end);
   }
 
   double value(int scene, int row, int j, double place) const {
@@ -149,24 +143,6 @@ class LaneStep {
   }
   /// What the term k can take away from root i.
   Vec loss_of(int i, int k) const { return largest(-series_[F::root + i][k].part[0], Vec{}); }
-
-  /// The root of a polynomial that falls from above zero to `last`, from that of the parabola through its
-  /// ends; −1 where it does not come soon.
-  static double newton(std::span<const double> c, double end, double last) {
-    const double bend = (last - c[0] - c[1] * end) / (end * end), square = c[1] * c[1] - 4 * bend * c[0];
-    double x = square > 0 ? 2 * c[0] / (__builtin_sqrt(square) - c[1]) : end;
-    for (int i = 0; i < 6; ++i) {
-      double value = 0, slope = 0;
-      for (std::size_t k = c.size(); k-- > 0;) {
-        slope = slope * x + value;
-        value = value * x + c[k];
-      }
-      const double change = value / slope;
-      x -= change;
-      if (change * change <= epsilon * x * x) return x;  // the next one would be its square
-    }
-    return -1;
-  }
 
   int order_ = 0;
   std::array<Number, F::states> state_;

@@ -6,17 +6,21 @@
 
 namespace mariotte::flow::taylor::MARIOTTE_INSTRUCTION_SET {
 
+/// What a look into a step has found.
+enum class Look { goes_on, changed, ended };
+
 /// A lane whose scene has ended takes the next one. A `Step` knows the `Scene` that it loads, one that is
-/// `idle` for lanes that have none, and whether the step of a lane `is_clear`: nothing ends in it.
+/// `idle` for lanes that have none, `most_steps` that a scene of the common course takes, and whether the
+/// step of a lane `is_clear`: nothing ends in it.
 template <class Step>
 class SideBySide {
   using Scene = typename Step::Scene;
 
  public:
-  /// `ends(lane, scene, steps)` looks into a step that is not clear, or one of too many; it says whether the
-  /// scene has ended, and has then taken its state.
-  template <class Ends>
-  void follow(std::span<Scene* const> scenes, const Precision& precision, Ends&& ends) {
+  /// `look(lane, scene, steps)` looks into a step that is not clear, or one of too many. If the scene has
+  /// changed or ended, it has taken its state.
+  template <class Into>
+  void follow(std::span<Scene* const> scenes, const Precision& precision, Into&& look) {
     waiting_ = scenes;
     busy_ = 0;
     for (int lane = 0; lane < Step::scenes; ++lane) take(lane);
@@ -24,14 +28,13 @@ class SideBySide {
       step_.advance(precision);
       for (int lane = 0; lane < Step::scenes; ++lane) {
         ++steps_[lane];
-        if (is_over(steps_[lane]) || !step_.is_clear(lane)) look_into(lane, ends);
+        if (is_over(steps_[lane]) || !step_.is_clear(lane)) look_into(lane, look);
       }
     }
   }
 
   const Step& step() const { return step_; }
-  /// Steps that no scene of the common course takes.
-  static bool is_over(int steps) { return steps > 250; }
+  static bool is_over(int steps) { return steps > Step::most_steps; }
 
  private:
   void take(int lane) {
@@ -41,9 +44,12 @@ class SideBySide {
     steps_[lane] = 0;
   }
 
-  template <class Ends>
-  void look_into(int lane, Ends& ends) {
-    if (!scene_[lane] || !ends(lane, *scene_[lane], steps_[lane])) return;
+  template <class Into>
+  void look_into(int lane, Into& look) {
+    if (!scene_[lane]) return;
+    const Look found = look(lane, *scene_[lane], steps_[lane]);
+    if (found == Look::changed) step_.load(lane, *scene_[lane]);
+    if (found != Look::ended) return;
     --busy_;
     take(lane);
   }

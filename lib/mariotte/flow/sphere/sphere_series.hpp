@@ -55,20 +55,20 @@ class SphereStep : public LaneStep<SphereField> {
 class SphereSeries final : public SphereLanes {
  public:
   void follow(std::span<Sphere* const> spheres, const Precision& precision) override {
-    lanes_.follow(spheres, precision, [&](int lane, Sphere& s, int steps) { return ends(lane, s, steps); });
+    lanes_.follow(spheres, precision, [&](int lane, Sphere& s, int steps) { return look(lane, s, steps); });
   }
 
  private:
   /// It may have left within the step, or will not for want of energy.
-  bool ends(int lane, Sphere& sphere, int steps) const {
+  Look look(int lane, Sphere& sphere, int steps) const {
     const auto& step = lanes_.step();
     const double end = step.end(lane);
     const auto fall = step.remains(lane, 0) ? std::nullopt : step.first_fall(lane, 0, end);
-    if (!fall && step.can_leave(lane) && !lanes_.is_over(steps)) return false;
+    if (!fall && step.can_leave(lane) && !lanes_.is_over(steps)) return Look::goes_on;
     sphere.steps = steps;
     step.put(lane, fall.value_or(end), sphere);
     sphere.separates = fall && sphere.rate < 0 && 0.5 * sphere.rate * sphere.rate > sphere.noise_energy;
-    return true;
+    return Look::ended;
   }
 
   SideBySide<SphereStep> lanes_;

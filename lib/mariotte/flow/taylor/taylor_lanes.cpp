@@ -70,13 +70,4 @@ std::size_t size_for(const Lanes& lanes) {
   return std::lower_bound(lane_sizes.begin(), lane_sizes.end(), lanes.count) - lane_sizes.begin();
 }
 
-std::unique_ptr<Expansion> make_expansion(std::size_t size) {
-#ifdef __x86_64__
-  // Zen 4 takes registers of eight in two halves; before Ice Lake they slow the clock.
-  if (__builtin_cpu_supports("avx512vbmi") && !__builtin_cpu_is("amdfam19h"))
-    return avx512::make_expansion(size);
-#endif
-  return MARIOTTE_WIDEST(make_expansion)(size);
-}
-
 }  // namespace mariotte::flow::taylor

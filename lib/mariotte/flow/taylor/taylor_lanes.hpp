@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "mariotte/core/width_branch.hpp"
+#include "mariotte/flow/instruction_set.hpp"
 #include "mariotte/flow/taylor/lane_table.hpp"
 
 namespace mariotte::flow::taylor {
@@ -135,16 +136,6 @@ std::size_t size_for(const Lanes& lanes);
 
 /// For lane_sizes[size] lanes of a row, or for any number of linked lanes, with the widest vectors that this
 /// machine has.
-std::unique_ptr<Expansion> make_expansion(std::size_t size);
-
-namespace avx512 {
-std::unique_ptr<Expansion> make_expansion(std::size_t size);
-}
-namespace avx2 {
-std::unique_ptr<Expansion> make_expansion(std::size_t size);
-}
-namespace baseline {
-std::unique_ptr<Expansion> make_expansion(std::size_t size);
-}
+MARIOTTE_PER_WIDE_INSTRUCTION_SET(std::unique_ptr<Expansion>, make_expansion, (std::size_t size), (size))
 
 }  // namespace mariotte::flow::taylor

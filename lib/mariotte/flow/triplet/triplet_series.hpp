@@ -22,7 +22,7 @@ class TripletSeries final : public TripletLanes {
   }
 
   void follow(std::span<Triplet* const> triplets, const Precision& precision) override {
-    lanes_.follow(triplets, precision, [&](int lane, Triplet& t, int steps) { return ends(lane, t, steps); });
+    lanes_.follow(triplets, precision, [&](int lane, Triplet& t, int steps) { return look(lane, t, steps); });
   }
 
  private:
@@ -34,7 +34,7 @@ class TripletSeries final : public TripletLanes {
   }
 
   /// A contact may have let go within the step, or not be told from rest.
-  bool ends(int lane, Triplet& t, int steps) const {
+  Look look(int lane, Triplet& t, int steps) const {
     const Step& step = lanes_.step();
     double place = step.end(lane);
     int opens = -1;
@@ -44,11 +44,11 @@ class TripletSeries final : public TripletLanes {
       if (fall && *fall < place) place = *fall, opens = j;
     }
     const auto is_above_noise = [&](int j) { return step.is_above_noise(lane, j, t.noise_speed); };
-    if (opens < 0 && !lanes_.is_over(steps) && is_above_noise(0) && is_above_noise(1)) return false;
+    if (opens < 0 && !lanes_.is_over(steps) && is_above_noise(0) && is_above_noise(1)) return Look::goes_on;
     step.put(lane, place, t);
     t.series_steps += steps;
     let_go(t, opens);
-    return true;
+    return Look::ended;
   }
 
   SideBySide<Step> lanes_;

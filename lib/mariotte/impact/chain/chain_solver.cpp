@@ -7,7 +7,7 @@
 #include "mariotte/impact/chain/chain_frame.hpp"
 #include "mariotte/impact/chain/chain_gate.hpp"
 #include "mariotte/impact/chain/chain_impact.hpp"
-#include "mariotte/impact/chain/triplet_runs.hpp"
+#include "mariotte/impact/chain/row_runs.hpp"
 #include "mariotte/impact/impulses.hpp"
 #include "mariotte/impact/watch/chain_run.hpp"
 
@@ -27,7 +27,7 @@ struct ChainSolver::Memory {
   model::Chain moving;
   BriefImpact impact, looser;
   Passage gone;
-  TripletRuns triplet{flow::Lanewise::contacts};
+  TripletRuns triplet{flow::make_triplet_lanes(flow::Lanewise::contacts)};
   NaturalRoot natural_root;
 
   void report(const DimensionlessChain& chain, const ChainLayout& layout, const model::Islands::Run& run,
@@ -85,7 +85,7 @@ struct ChainSolver::Memory {
   /// Null unless it is one that lanes can follow.
   const BriefImpact* solve_triplet(const model::Chain& chain, const hybrid::Options& options) {
     if (course == Course::of_simulate) return nullptr;
-    const auto scene = triplet_scene(chain, options, natural_root);
+    const auto scene = row_scene<3>(chain, options, natural_root);
     if (!scene) return nullptr;
     triplet.clear();
     triplet.add(*scene, options.accuracy);
