@@ -29,10 +29,12 @@ std::string law_text(std::string_view name, const contact::LawNumbers& numbers) 
   return text;
 }
 
-Normal some_power(Dice& dice, double depth) {
+Normal some_power(Dice& dice, double depth, bool may_be_overdamped) {
   const double exponent = dice.chance(0.7) ? 1.5 : 1;
   const double stiffness = energy / std::pow(depth, exponent + 1);
-  const double damping = dice.chance(0.6) ? 0 : dice.between(0.01, 1) * stiffness * depth / ball_speed;
+  const double strongest = may_be_overdamped && dice.chance(0.2) ? 30 : 1;
+  const double damping =
+      dice.chance(0.6) ? 0 : dice.between(0.01, strongest) * stiffness * depth / ball_speed;
   return {fmt::format("law = \"viscoelastic\"\nexponent = {}\nstiffness = {}\ndamping = {}\n",
                       exact(exponent), exact(stiffness), exact(damping)),
           stiffness, exponent};
@@ -88,7 +90,8 @@ std::string tangential(Dice& dice, const Normal& normal, double depth, bool may_
 Contacts some_contacts(Dice& dice, const Allowed& allowed) {
   const double depth = ball_radius * dice.between(1e-5, 3e-3);
   const bool is_power = dice.chance(0.7);
-  const auto normal = is_power ? some_power(dice, depth) : some_branches(dice, depth, allowed.adhesion);
+  const auto normal =
+      is_power ? some_power(dice, depth, allowed.overdamped) : some_branches(dice, depth, allowed.adhesion);
   const auto share = fmt::format("share = {}\n", dice.pick({0, 0.5, 1}));
   return {depth, depth / ball_speed,
           normal.text + share + tangential(dice, normal, depth, allowed.rigid, is_power)};

@@ -14,9 +14,9 @@ struct Contacts {
   std::string text;
 };
 
-/// What contacts may do: stick without a spring, and hold bodies together.
+/// What contacts may do: stick without a spring, hold bodies together, and damp beyond what is critical.
 struct Allowed {
-  bool rigid = true, adhesion = true;
+  bool rigid = true, adhesion = true, overdamped = true;
 };
 
 Contacts some_contacts(Dice& dice, const Allowed& allowed = {});

@@ -25,10 +25,11 @@ std::string array(const Components& values) {
 
 /// One body, its mass centre at `position`.
 std::string body(Dice& dice, const Components& position, const Components& velocity, double spin,
-                 const std::string& shape) {
+                 const std::string& shape, double lightness = 1) {
   const bool plane = position.size() == 2;
-  auto text = fmt::format("[[bodies.body]]\nmass = {}\nposition = {}\nvelocity = {}\n{}",
-                          exact(mass * dice.uniform(0.5, 2)), array(position), array(velocity), shape);
+  auto text =
+      fmt::format("[[bodies.body]]\nmass = {}\nposition = {}\nvelocity = {}\n{}",
+                  exact(mass * lightness * dice.uniform(0.5, 2)), array(position), array(velocity), shape);
   if (spin == 0) return text;
   const auto part = [&] { return spin * dice.uniform(-1, 1); };
   return text + "spin = " + (plane ? exact(part()) : array({part(), part(), part()})) + "\n";
@@ -139,7 +140,7 @@ Scene dropped(Dice& dice) {
 
 /// A ball on a floor under gravity, pushed or spun, which another one may strike.
 Scene on_the_floor(Dice& dice) {
-  const auto contacts = some_contacts(dice, {.rigid = false, .adhesion = false});
+  const auto contacts = some_contacts(dice, {.rigid = false, .adhesion = false, .overdamped = false});
   std::string text = "gravity = [0, -9.81]\n" +
                      body(dice, {0, radius}, {speed * dice.uniform(0, 1), 0}, some_spin(dice), ball);
   const bool struck = dice.chance(0.5);
@@ -150,9 +151,24 @@ Scene on_the_floor(Dice& dice) {
   return scene_of(2, contacts, text + floor_in_plane + touching("\"plane 1\"", "1"), 60 * contacts.time);
 }
 
+/// A ball on a floor, much lighter than the one that strikes it from above; both may have flown a long way.
+Scene light_between(Dice& dice) {
+  const auto contacts = some_contacts(dice, {.rigid = false, .adhesion = false});
+  const double lightness = dice.between(1e-3, 1), aside = 0.3 * radius * dice.uniform(-1, 1);
+  const double gap = dice.chance(0.5) ? 0 : radius * dice.between(1e-4, 3);
+  const double apart = 2 * radius + contacts.depth * dice.between(1, 30);
+  const auto floor = gap == 0 ? touching("\"plane 1\"", "1") : "";
+  return scene_of(2, contacts,
+                  body(dice, {0, radius + gap}, {0, 0}, some_spin(dice), ball, lightness) +
+                      body(dice, {aside, radius + gap + std::sqrt(apart * apart - aside * aside)},
+                           {0.1 * speed * dice.uniform(-1, 1), -speed}, some_spin(dice), ball) +
+                      floor_in_plane + floor,
+                  40 * contacts.time + 2 * gap / speed);
+}
+
 /// A ball between a resting floor and a wall that moves.
 Scene moving_wall(Dice& dice) {
-  const auto contacts = some_contacts(dice, {.rigid = false, .adhesion = false});
+  const auto contacts = some_contacts(dice, {.rigid = false, .adhesion = false, .overdamped = false});
   const auto wall = fmt::format("[[bodies.plane]]\npoint = [{}, 0]\nnormal = [-1, 0]\nvelocity = [{}, {}]\n",
                                 exact(1.5 * radius), exact(-speed * dice.uniform(0, 1)),
                                 exact(speed * dice.uniform(-1, 1)));
@@ -168,7 +184,7 @@ std::vector<Family> friction_families() {
   return {{"oblique ball", oblique_ball},    {"two balls", two_balls},
           {"row with friction", struck_row}, {"ring", ring},
           {"dropped body", dropped},         {"on the floor", on_the_floor},
-          {"moving wall", moving_wall}};
+          {"light between", light_between},  {"moving wall", moving_wall}};
 }
 
 }  // namespace mariotte::stress_study
