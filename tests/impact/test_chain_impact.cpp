@@ -241,6 +241,20 @@ BOOST_AUTO_TEST_CASE(a_trace_begins_at_the_start_and_ends_at_the_end) {
   BOOST_TEST(std::is_sorted(trace.time.begin(), trace.time.end()));
 }
 
+BOOST_AUTO_TEST_CASE(a_long_rest_takes_no_rows_from_the_impacts_before_it) {
+  const model::Chain ball{.mass = {infinity, 1},
+                          .law = {contact::Viscoelastic{.stiffness = 1e9, .damping = 1e5, .exponent = 1.5}},
+                          .gap = {0.1},
+                          .velocity = {0, 0},
+                          .gravity = 9.81};
+  const auto impact = impact::simulate(ball, {.max_time = 10}, {.trace = true});
+  double strongest = 0;
+  for (const auto& force : impact.trace.force) strongest = std::max(strongest, force[0]);
+  BOOST_TEST(impact.contacts[0].periods.front().start < 0.2);
+  BOOST_TEST(strongest == impact.contacts[0].peak_force, boost::test_tools::tolerance(0.01));
+  BOOST_TEST(impact.trace.time.size() <= 4097u);
+}
+
 BOOST_AUTO_TEST_CASE(nothing_is_traced_unless_asked_for) {
   BOOST_TEST(impact::simulate(equal_chain(3)).trace.time.empty());
 }

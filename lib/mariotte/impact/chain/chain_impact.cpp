@@ -168,9 +168,8 @@ ChainImpact simulate_islands(const model::Chain& chain, const hybrid::Options& o
 ChainImpact simulate_once(const model::Chain& chain, const hybrid::Options& options,
                           const RunObserver& observers) {
   const auto balls = chain.mass.size();
-  auto impact = divides(options, chain) || (!observers.samplings.empty() && !is_one_system(chain))
-                    ? simulate_islands(chain, options, observers)
-                    : simulate_whole(chain, tightened(options, balls), observers);
+  auto impact = divides(options, chain) ? simulate_islands(chain, options, observers)
+                                        : simulate_whole(chain, tightened(options, balls), observers);
   impact.requested_accuracy = options.accuracy;
   return impact;
 }

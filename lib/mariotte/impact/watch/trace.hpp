@@ -9,9 +9,9 @@
 
 namespace mariotte::impact {
 
-/// Keeps every `stride`-th point of those offered, the ends of steps and, where a step is long against the
-/// contact time, points within; the stride doubles, and every other row is dropped, whenever `capacity` rows
-/// are full.
+/// Keeps the ends of steps and, where a step is long against the contact time, points within. Whenever
+/// `capacity` rows are full, a quarter of them is dropped: those that are nearest to the line between their
+/// neighbours. So a rest of many steps does not cost the impacts before it their rows.
 class TraceObserver {
  public:
   static constexpr std::size_t capacity = 4096;
@@ -24,15 +24,11 @@ class TraceObserver {
   Trace take(double time, ConstState x);
 
  private:
-  void offer(double time, ConstState x);
   void keep(double time, ConstState x);
-  void thin();
 
   const model::ContactPhase& phase_;
   const Scale& scale_;
   Trace trace_;
-  Index stride_ = 1;
-  Index offered_ = 0;
 };
 
 /// The trace of a chain of islands: samples at one interval for about as long as a wave takes to cross the

@@ -17,18 +17,31 @@ void Snapshot::move_to(Instant t) {
   seen_.clear();
 }
 
+ConstState Snapshot::follow(std::size_t island, flow::Problem& phase) {
+  const auto& one = *islands_[island];
+  const double elapsed = now_ - one.clock;
+  if (followed_.size() <= island) followed_.resize(island + 1);
+  auto& so_far = followed_[island];
+  if (!(so_far.clock == one.clock) || so_far.start != one.start || so_far.elapsed > elapsed)
+    so_far = {one.clock, one.start, one.start, 0};
+  if (const double rest = elapsed - so_far.elapsed; rest > 0) {
+    std::vector<Index> fired;
+    flows_.choose(phase, requested_)
+        .flow.follow(phase, so_far.state, {.limit = rest, .accuracy = accuracy_}, fired);
+    so_far.elapsed = elapsed;
+  }
+  return so_far.state;
+}
+
 const Snapshot::Seen& Snapshot::see(int island) {
   const auto known =
       std::find_if(seen_.begin(), seen_.end(), [&](const Seen& s) { return s.island == island; });
   if (known != seen_.end()) return *known;
-  auto& one = *islands_[static_cast<std::size_t>(island)];
-  auto x = one.start;
+  const auto number = static_cast<std::size_t>(island);
+  auto& one = *islands_[number];
   auto mode = one.held;
   auto& phase = one.system.problem(mode);
-  if (const double elapsed = now_ - one.clock; elapsed > 0) {
-    std::vector<Index> fired;
-    flows_.choose(phase, requested_).flow.follow(phase, x, {.limit = elapsed, .accuracy = accuracy_}, fired);
-  }
+  const auto x = follow(number, phase);
   auto& seen =
       seen_.emplace_back(Seen{.island = island, .first = one.first, .velocity = {}, .gap = {}, .force = {}});
   const auto& layout = one.system.layout();

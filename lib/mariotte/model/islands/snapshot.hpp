@@ -11,8 +11,9 @@
 
 namespace mariotte::model {
 
-/// Free balls are known in closed form; an island is followed from where it is for certain to the instant,
-/// once, when the first of its balls is asked for. Looking changes nothing.
+/// Free balls are known in closed form; an island is followed to the instant from where it was looked at
+/// before, else from where it is for certain, once, when the first of its balls is asked for. Looking changes
+/// nothing.
 class Snapshot {
  public:
   /// Of balls, owners (−1 if free) and islands that outlive it.
@@ -32,7 +33,14 @@ class Snapshot {
     Index first;
     std::vector<double> velocity, gap, force;
   };
+  /// How far an island has been followed from its certain state.
+  struct Followed {
+    Instant clock;
+    std::vector<double> start, state;
+    double elapsed = 0;
+  };
   const Seen& see(int island);
+  ConstState follow(std::size_t island, flow::Problem& phase);
   /// Null if contact j is not inside an island.
   const Seen* around(Index j);
 
@@ -44,6 +52,7 @@ class Snapshot {
   flow::Flows flows_;
   Instant now_;
   std::vector<Seen> seen_;
+  std::vector<Followed> followed_;  ///< by island
 };
 
 /// Looks at a run from outside, at instants of its own choice. All times are dimensionless.
