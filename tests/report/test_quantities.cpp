@@ -112,9 +112,9 @@ std::set<std::string> check(const Run<Impact>& run) {
 using Keys = std::set<std::string>;
 
 /// What elastic contacts without tables have no value of.
-const Keys without_adhesion = {"bound_frequency[]",   "events[].capture[]", "events[].slip[]",
-                               "events[].stick[]",    "events[].unload[]",  "events[].yield[]",
-                               "validity.table_ratio"};
+const Keys without_adhesion = {"bound_frequency[]",    "events[].capture[]",   "events[].slip[]",
+                               "events[].stick[]",     "events[].unload[]",    "events[].yield[]",
+                               "validity.table_ratio", "validity.tabor_number"};
 
 }  // namespace
 

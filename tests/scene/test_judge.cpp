@@ -158,6 +158,25 @@ BOOST_AUTO_TEST_CASE(the_worst_contact_is_named) {
   BOOST_TEST(validity.contact_radius_ratio->contact == 1);
 }
 
+BOOST_AUTO_TEST_CASE(laws_that_adhere_are_judged_as_hertz_is_and_by_adhesion) {
+  const auto of = [](const std::string& law, const char* diameter) {
+    return run(std::string("[chain]\nballs = 1\nwall = 'right'\ngap = 1e-7\nmaterial = 'polystyrene'\n") +
+               "wall_material = 'fused-silica'\nvelocity = 20\ndiameter = '" + diameter + "'\nlaw = " + law)
+        .validity;
+  };
+  const auto hertz = of("'hertz'", "5 um");
+  BOOST_TEST(!hertz.tabor_number);
+  BOOST_TEST(hertz.yield_ratio->value > 1);
+  for (const std::string law : {"jkr", "dmt", "brach-dunn"}) BOOST_TEST_CONTEXT(law) {
+      const auto sticky = of("'" + law + "'\nwork_of_adhesion = 0.06", "5 um");
+      BOOST_TEST(sticky.yield_ratio->value == hertz.yield_ratio->value, tolerance(0.2));
+      BOOST_TEST(sticky.tabor_number.has_value() == (law != "dmt"));
+    }
+  const auto jkr = of("'jkr'\nwork_of_adhesion = 0.06", "5 um"),
+             small = of("'jkr'\nwork_of_adhesion = 0.06", "320 nm");
+  BOOST_TEST(jkr.tabor_number->value == 2.5 * small.tabor_number->value, tolerance(1e-12));  // ∛(5000/320)
+}
+
 BOOST_AUTO_TEST_CASE(balls_in_the_plane_are_judged_as_those_of_a_row) {
   const auto network = std::get<impact::NetworkImpact>(simulate(scene::parse(
       "[network]\nradius = 5e-3\nmaterial = 'steel'\nlaw = 'hertz'\n[[network.ball]]\nposition = [0, 0]\n"

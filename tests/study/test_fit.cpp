@@ -76,6 +76,31 @@ BOOST_AUTO_TEST_CASE(captured_bodies_among_the_measurements_do_no_harm) {
   BOOST_TEST(!fit.predicted.back().captured);
 }
 
+// Their residuals are zero whatever the noise: to count them would make errors seem smaller.
+BOOST_AUTO_TEST_CASE(captured_bodies_make_no_errors_smaller) {
+  const auto rebounds = noisy(exact(sphere, true_dampings, speeds_and_diameters), 0.02, 7);
+  auto all = rebounds;
+  const auto captured = exact(sphere, true_dampings, table_of({4.9}, speeds(0.2, 0.6, 40)));
+  all.rows.insert(all.rows.end(), captured.rows.begin(), captured.rows.end());
+  const auto with = fitted(sphere, all, dampings), without = fitted(sphere, rebounds, dampings);
+  BOOST_TEST(with.degrees_of_freedom == without.degrees_of_freedom);
+  for (std::size_t j = 0; j < 2; ++j) {
+    BOOST_TEST(with.estimates[j].standard_error == without.estimates[j].standard_error,
+               boost::test_tools::tolerance(1e-6));
+    BOOST_TEST(with.estimates[j].upper == without.estimates[j].upper, boost::test_tools::tolerance(1e-6));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(captured_bodies_alone_are_too_few) {
+  auto measured = exact(sphere, true_dampings, table_of({4.9}, speeds(3, 5, 2)));
+  const auto captured = exact(sphere, true_dampings, table_of({4.9}, speeds(0.2, 0.6, 4)));
+  measured.rows.insert(measured.rows.end(), captured.rows.begin(), captured.rows.end());
+  BOOST_CHECK_EXCEPTION(fitted(sphere, measured, dampings), scene::SceneError, [](const auto& error) {
+    return std::string(error.what()).find("2 measurements of what is not captured cannot give 2 values") !=
+           std::string::npos;
+  });
+}
+
 BOOST_AUTO_TEST_CASE(adhesion_can_be_found_beside_the_dampings) {
   const auto measured = exact(sphere, true_dampings, speeds_and_diameters);
   const auto scene = with(sphere, "0.38", "0.3");

@@ -57,6 +57,9 @@ BOOST_AUTO_TEST_CASE(a_restitution_that_cannot_be_is_refused_where_it_stands) {
   BOOST_TEST(
       refuses("speed,restitution.tip\n5,-0.5\n", "data.csv:2:3: a restitution must be between 0 and 1"));
   BOOST_TEST(refuses("speed,restitution\n5,45\n", "(45 % is 0.45)"));
+  const auto noisy = parse_measurements("speed,restitution\n5,1.02\n0.1,-0.03\n", "f");
+  BOOST_TEST(noisy.rows[0].measured == 1.02);
+  BOOST_TEST(noisy.rows[1].measured == -0.03);
 }
 
 BOOST_AUTO_TEST_CASE(the_table_of_a_sweep_can_be_read) {

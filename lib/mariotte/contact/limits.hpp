@@ -12,6 +12,11 @@ inline double contact_modulus(double stiffness, double radius) {
   return 0.75 * stiffness / std::sqrt(radius);
 }
 
+/// The other way round.
+inline double contact_stiffness(double modulus, double radius) {
+  return 4.0 / 3 * modulus * std::sqrt(radius);
+}
+
 /// p₀ = (2/π) E* √(δ/R) [Pa], in the middle of a Hertz contact [Johnson 1985, §4.2].
 inline double peak_pressure(double modulus, double radius, double indentation) {
   return 2 / std::numbers::pi * modulus * std::sqrt(indentation / radius);
@@ -35,13 +40,17 @@ inline double wave_travel(double radius, double density, double young) {
 /// Distance of atoms at rest [m]: how far adhesion reaches.
 inline constexpr double reach_of_adhesion = 0.4e-9;
 
-/// μ = (R w²/(E*² z₀³))^{1/3}, how far adhesion deforms a tip over how far it reaches [Tabor 1977]. The ring
-/// of force on the edge of the contact belongs to large μ.
+/// μ = (R w²/(E*² z₀³))^{1/3}, how far adhesion deforms a contact over how far it reaches [Tabor 1977]. A
+/// ring of force on the edge of the contact belongs to large μ, as does the law of Johnson, Kendall &
+/// Roberts.
+inline double tabor_number(double modulus, double radius, double work) {
+  return std::cbrt(radius * work * work / (modulus * modulus)) / reach_of_adhesion;
+}
 inline double tabor_number(const BrachDunn& law, double radius) {
-  const double stiffness = law.stiffness / std::sqrt(radius), modulus = 0.75 * stiffness;
+  const double stiffness = law.stiffness / std::sqrt(radius);
   const double line = law.adhesion / (2 * std::numbers::pi * std::sqrt(radius));
   const double work_squared = 2 * std::numbers::pi * line * line * line / (9 * stiffness * radius);
-  return std::cbrt(radius * work_squared / (modulus * modulus)) / reach_of_adhesion;
+  return tabor_number(0.75 * stiffness, radius, std::sqrt(work_squared));
 }
 
 /// ζ of small oscillations about the indentation at which the tip rests in the well; ≥ 1 creeps.

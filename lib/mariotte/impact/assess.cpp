@@ -55,25 +55,36 @@ double contact_time(const History& contact, double end) {
   return known;
 }
 
-/// Stiffness of a law with Hertz's exponent; 0 of any other [N/m^{3/2}].
+/// A number of a law; NaN if it has none of this name.
+double number_of(const std::vector<contact::LawParameter>& all, std::string_view key) {
+  const auto found = std::ranges::find(all, key, &contact::LawParameter::key);
+  return found == all.end() ? std::numeric_limits<double>::quiet_NaN() : found->value;
+}
+
+/// Stiffness of a law with Hertz's exponent that does not yield [N/m^{3/2}]; else 0 or NaN. What has no
+/// exponent of its own has Hertz's.
 double hertz_stiffness(const contact::Law& law) {
   if (const auto* power = contact::power_law(law))
     return power->exponent == hertz_exponent ? power->stiffness : 0;
-  double stiffness = 0, exponent = 0;
-  for (const auto& one : contact::parameters(law)) {
-    if (one.key == "stiffness") stiffness = one.value;
-    if (one.key == "exponent") exponent = one.value;
-  }
-  return exponent == hertz_exponent ? stiffness : 0;
+  const auto all = contact::parameters(law);
+  const double exponent = number_of(all, "exponent"), radius = number_of(all, "effective_radius");
+  if (std::isfinite(number_of(all, "yield_pressure"))) return 0;
+  if (std::isfinite(radius)) return contact::contact_stiffness(number_of(all, "effective_modulus"), radius);
+  return std::isnan(exponent) || exponent == hertz_exponent ? number_of(all, "stiffness") : 0;
+}
+
+/// Of a law whose adhesion acts on the edge of the contact; NaN of any other.
+double tabor_number(const contact::Law& law) {
+  if (contact::power_law(law) || contact::name(law) == "dmt") return std::numeric_limits<double>::quiet_NaN();
+  const auto all = contact::parameters(law);
+  return contact::tabor_number(number_of(all, "effective_modulus"), number_of(all, "effective_radius"),
+                               number_of(all, "work_of_adhesion"));
 }
 
 /// Indentation of the last point of a table; not finite of any other law [m].
 double end_of_table(const contact::Law& law) {
   if (contact::power_law(law)) return std::numeric_limits<double>::quiet_NaN();
-  const auto numbers = contact::parameters(law);
-  const auto last =
-      std::ranges::find(numbers, std::string_view("largest_indentation"), &contact::LawParameter::key);
-  return last == numbers.end() ? std::numeric_limits<double>::quiet_NaN() : last->value;
+  return number_of(contact::parameters(law), "largest_indentation");
 }
 
 /// Contact j of a result, which has this law.
@@ -82,6 +93,7 @@ void assess_contact(Validity& validity, const History& one, const contact::Law& 
                     Index j, double end) {
   if (!(one.peak_indentation > 0)) return;
   largest(validity.table_ratio, one.peak_indentation / end_of_table(law), j);
+  least(validity.tabor_number, tabor_number(law), j);
   if (!(touching.radius > 0)) return;
   assess_depth(validity, one.peak_indentation, touching, j);
   if (const double stiffness = hertz_stiffness(law); stiffness > 0)

@@ -20,14 +20,15 @@ using Values = std::vector<double>;
 // Differences have some six digits; keys whose effects differ by less cannot be told apart.
 constexpr double slope_tolerance = 1e-5;
 
-void expect_enough(const Measurements& measurements, std::size_t values) {
-  const auto rows = measurements.rows.size();
-  if (rows <= values)
-    throw scene::SceneError(
-        fmt::format("{}: {} cannot give {} and {}; at least {} are needed", measurements.file,
-                    counted(rows, "measurement"), counted(values, "value"),
-                    values == 1 ? "its error" : "their errors", values + 1),
-        fault::too_few_rows);
+/// Rows, but for those that nothing can be learned from.
+void expect_enough(const Measurements& measurements, std::size_t rows, std::size_t values) {
+  if (rows > values) return;
+  const bool all = rows == measurements.rows.size();
+  throw scene::SceneError(
+      fmt::format("{}: {}{} cannot give {} and {}; at least {} are needed", measurements.file,
+                  counted(rows, "measurement"), all ? "" : " of what is not captured",
+                  counted(values, "value"), values == 1 ? "its error" : "their errors", values + 1),
+      fault::too_few_rows);
 }
 
 /// A place where nothing separates has no slope that could lead out of it.
@@ -76,8 +77,9 @@ void expect_determined(const Values& columns, const FitModel& model, const std::
 /// A minimum with what tells how well it is known.
 struct Found {
   Minimum minimum;
-  Values columns;              ///< slopes of the residuals there
-  double squares = 0;          ///< Σ residual²
+  Values columns;      ///< slopes of the residuals there
+  double squares = 0;  ///< Σ residual²
+  Index degrees_of_freedom = 0;
   Values relative_error = {};  ///< standard error / value; empty if nothing determines some value
 
   bool is_firm() const {
@@ -88,10 +90,9 @@ struct Found {
 };
 
 Values relative_errors(const Found& found, Index keys) {
-  if (!undetermined(found.columns, keys, slope_tolerance).empty()) return {};
+  if (found.degrees_of_freedom < 1 || !undetermined(found.columns, keys, slope_tolerance).empty()) return {};
   auto errors = uncertainty(found.columns, keys).standard_error;
-  const auto degrees = std::ssize(found.columns) / keys - keys;
-  for (double& one : errors) one *= std::sqrt(found.squares / static_cast<double>(degrees));
+  for (double& one : errors) one *= std::sqrt(found.squares / static_cast<double>(found.degrees_of_freedom));
   return errors;
 }
 
@@ -104,6 +105,7 @@ Found search(const FitProblem& problem, const Values& start) {
       .columns = Values(problem.count() * start.size())};
   problem.slopes(found.minimum.x, found.columns);
   found.squares = problem.sum_of_squares(found.minimum.x);
+  found.degrees_of_freedom = problem.scattering_rows(found.minimum.x) - std::ssize(start);
   found.relative_error = relative_errors(found, std::ssize(start));
   return found;
 }
@@ -162,7 +164,7 @@ void warn_of_vanishing(const FitProblem& problem, const Found& found, Fit& fit) 
   }
 }
 
-void judge(const Measurements& measurements, Fit& fit) {
+void judge(const Measurements& measurements, Index keys, Fit& fit) {
   double squares = 0;
   for (std::size_t row = 0; row < measurements.rows.size(); ++row) {
     const auto& one = measurements.rows[row];
@@ -170,7 +172,7 @@ void judge(const Measurements& measurements, Fit& fit) {
     squares += residual * residual;
     fit.chi_square += residual * residual / (one.deviation * one.deviation);
   }
-  fit.rms = std::sqrt(squares / static_cast<double>(measurements.rows.size()));
+  fit.rms = std::sqrt(squares / static_cast<double>(fit.degrees_of_freedom + keys));
 }
 
 }  // namespace
@@ -182,19 +184,18 @@ std::vector<double> Fit::values() const {
 }
 
 Fit fit(FitModel& model, const std::vector<std::string>& free, double confidence) {
-  expect_enough(model.measurements(), free.size());
+  expect_enough(model.measurements(), model.measurements().rows.size(), free.size());
   const FitProblem problem(model);
   const auto starts = problem.starts();
   expect_separation(problem, starts.front());
   const auto found = best_of_searches(problem, starts);
-  const auto& [minimum, columns, squares, relative_error] = found;
+  const auto& [minimum, columns, squares, degrees, relative_error] = found;
   const auto values = problem.values(minimum.x);
+  expect_enough(model.measurements(), degrees + free.size(), free.size());
   expect_determined(columns, model, free, values);
   if (!minimum.converged) throw FitError(minimum.message, fault::no_minimum);
-  Fit fit{.predicted = problem.predicted(minimum.x),
-          .degrees_of_freedom = static_cast<Index>(problem.count() - free.size()),
-          .confidence = confidence};
-  judge(model.measurements(), fit);
+  Fit fit{.predicted = problem.predicted(minimum.x), .degrees_of_freedom = degrees, .confidence = confidence};
+  judge(model.measurements(), std::ssize(free), fit);
   fit.correlation = uncertainty(columns, std::ssize(free)).correlation;
   estimate(model, free, values, relative_error, fit);
   warn_of_loose(fit);

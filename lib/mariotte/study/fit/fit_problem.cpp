@@ -97,6 +97,14 @@ double FitProblem::sum_of_squares(std::span<const double> x) const {
   return sum;
 }
 
+Index FitProblem::scattering_rows(std::span<const double> x) const {
+  const auto all = predicted(x);
+  Index rows = 0;
+  for (std::size_t row = 0; row < all.size(); ++row)
+    rows += !all[row].captured || model_.measurements().rows[row].measured != 0;
+  return rows;
+}
+
 std::vector<Values> FitProblem::starts() const {
   const auto keys = model_.start().size();
   const Values start(keys, 1);

@@ -35,6 +35,9 @@ class FitProblem {
   /// Σ residual². Throws Error if a measurement cannot be simulated.
   double sum_of_squares(std::span<const double> x) const;
 
+  /// Rows by which residuals scatter: of what is captured both as measured and as predicted nothing does.
+  Index scattering_rows(std::span<const double> x) const;
+
   /// The start and its neighbours, each value times 1/4, 1 or 4, the best first; with more than five keys the
   /// start alone. Throws Error if it cannot be simulated.
   std::vector<std::vector<double>> starts() const;
