@@ -209,6 +209,7 @@ BOOST_AUTO_TEST_CASE(an_index_that_only_some_points_have_is_right) {
   };
   BOOST_TEST(columns("'icr[2]'")[0].key == "icr[2]");
   BOOST_CHECK_THROW(columns("'icr[3]'"), scene::SceneError);
+  BOOST_TEST(columns("'final.velocity[*]'").size() == 5u);
 }
 
 BOOST_AUTO_TEST_CASE(long_chains_have_few_columns_unless_asked) {

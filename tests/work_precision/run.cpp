@@ -177,7 +177,7 @@ BOOST_FIXTURE_TEST_CASE(small_impacts_are_alike_one_by_one_and_side_by_side, Ses
   const auto rows = numbers_of_rows<5>(run.out);
   for (const auto& [accuracy, alone, lanes, ratio, difference] : rows)
     BOOST_TEST(difference <= accuracy, accuracy << " in " << alone << ", " << lanes << ", " << ratio);
-  BOOST_TEST(rows.size() == 11u);
+  BOOST_TEST(rows.size() == 23u);
 }
 
 BOOST_FIXTURE_TEST_CASE(bodies_with_friction_are_as_accurate_as_asked_by_either_flow, Session) {

@@ -1,5 +1,6 @@
 // From the run of a chain or network to its brief impact, the same for both.
 #pragma once
+#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -34,7 +35,8 @@ template <class Run>
 Passage passage(const Run& run, const std::vector<Index>& periods, const std::vector<contact::Law>& laws) {
   Passage gone{.contacts = std::ssize(periods),
                .harmless = single_wave(std::ssize(periods)),
-               .periods = std::accumulate(periods.begin(), periods.end(), Index{0})};
+               .periods = std::accumulate(periods.begin(), periods.end(), Index{0}),
+               .most = *std::max_element(periods.begin(), periods.end())};
   for (const auto kind : flow::kinds) {
     const auto& flow = run.flows[static_cast<std::size_t>(kind)];
     count_flow(gone, kind, flow.phases, flow.steps);

@@ -4,8 +4,8 @@
 
 #include "mariotte/core/types.hpp"
 #include "mariotte/flow/kind.hpp"
-#include "mariotte/impact/flights.hpp"
 #include "mariotte/impact/flow_use.hpp"
+#include "mariotte/impact/longest_flight.hpp"
 
 namespace mariotte::impact {
 
@@ -14,10 +14,11 @@ struct Passage {
   Index contacts = 0;
   Index harmless = 0;  ///< periods up to which none magnifies the errors of another
   Index periods = 0;   ///< of contact, of all contacts together
+  Index most = 0;      ///< of the contact that has closed most often, where that tells
   Index steps = 0;     ///< of series and closed forms; CVODE's are shorter and count a thirtieth
   Index exact = 0;     ///< phases of contact in closed form, which err by rounding alone
   Index cut = 0;       ///< others, whose errors the accuracy sets
-  double flight = 0;   ///< the longest one before contacts that push together, over how long they do
+  double flight = 0;  ///< the longest one before contacts that push together, over how long they do [Flights]
   double slowing = 1;  ///< how many times slower than it met a contact that adheres let go, at most
   double attainable = 16 * epsilon;  ///< accuracy beyond which rounding leaves no run
 };
@@ -43,9 +44,12 @@ inline Index single_wave(Index contacts) {
 }
 inline constexpr Index single_impact = 1;
 
+/// How often one contact may close before its body counts as one that rattles.
+inline constexpr Index rattles = 3;
+
 /// Durations of a contact that a flight may last before errors count that it makes larger: an approach below
 /// a tenth of the accuracy is left out.
-inline constexpr double long_flight = 10;
+inline constexpr double long_flight = 3;
 /// How many times slower than it met what adheres may part before errors count that it makes larger: those of
 /// the energy are about a tenth of the accuracy.
 inline constexpr double much_slower = 8;
@@ -54,14 +58,15 @@ inline double growth(const Passage& passage) {
   return std::max({1.0, passage.flight / long_flight, passage.slowing / much_slower});
 }
 
-/// True if errors may have grown: contacts have closed so often that what one does wrong is magnified by the
-/// next, or the errors of many steps have added up, or a long flight has moved what pushes together then, or
-/// what adheres has let go slowly.
-/// After very many periods rounding alone decides the end, and each run takes minutes.
+/// True if errors may have grown: contacts, or one of them, have closed so often that what one does wrong is
+/// magnified by the next, or the errors of many steps have added up, or a long flight has moved what pushes
+/// together then, or what adheres has let go slowly. After very many periods rounding alone decides the end,
+/// and each run takes minutes.
 inline bool may_have_erred(const Passage& passage) {
   constexpr Index most = 100'000;
-  return (passage.periods > passage.harmless || passage.steps > 60 + 10 * passage.contacts ||
-          passage.flight > long_flight || passage.slowing >= much_slower) &&
+  return (passage.periods > passage.harmless || passage.most > rattles ||
+          passage.steps > 60 + 10 * passage.contacts || passage.flight > long_flight ||
+          passage.slowing >= much_slower) &&
          passage.periods <= most;
 }
 
@@ -79,7 +84,10 @@ Passage passage(const Impact& impact) {
                .harmless = single_wave(contacts),
                .flight = longest_flight(impact.contacts),
                .slowing = impact.slowing};
-  for (const auto& contact : impact.contacts) gone.periods += std::ssize(contact.periods);
+  for (const auto& contact : impact.contacts) {
+    gone.periods += std::ssize(contact.periods);
+    gone.most = std::max(gone.most, std::ssize(contact.periods));
+  }
   count_flows(gone, impact.flows);
   return gone;
 }

@@ -21,7 +21,7 @@ inline constexpr LaneOrder triplet_orders[] = {{1e-5, 10}, {1e-7, 12}, {1e-9, 15
 
 /// Shares of the accuracy that one step may spend. Errors of a small impact hardly add up; those of more
 /// balls do, and one impact magnifies that of another.
-inline constexpr double share_alone = 0.2, share_in_rows = 0.03;
+inline constexpr double share_alone = 0.2, share_in_rows = 0.01;
 
 inline taylor::Precision lane_precision(double accuracy, std::span<const LaneOrder> orders,
                                         double share = share_alone) {

@@ -33,7 +33,7 @@ bool any(const ShortRow& row, Which&& which) {
 }
 
 void start_period(ShortRow& row, int j) {
-  row.is_joined |= any(row, pushes);
+  row.flights.begin(row.time);
   row.role[j] = RowRole::closed;
   if (++row.periods[j] > most_periods) row.stage = RowStage::leaves;
 }
@@ -46,6 +46,7 @@ void close(ShortRow& row, int j) {
 
 void let_go(ShortRow& row, int j) {
   if (!(row.rate[j] < 0)) row.stage = RowStage::leaves;
+  row.flights.end(row.time);
   row.role[j] = RowRole::open;
   row.indentation[j] = 0;
 }
@@ -60,11 +61,6 @@ bool is_near(const ShortRow& row, int j) {
 /// One that comes together too slowly to be told from rest, for long.
 bool has_slipped_in(const ShortRow& row, int j) {
   return row.role[j] == RowRole::open && row.indentation[j] > 0;
-}
-
-/// Nothing pushes any more.
-void end_push(ShortRow& row) {
-  if (row.is_joined && row.quiet > 0) row.flight = std::max(row.flight, row.quiet / (row.time - row.began));
 }
 
 void leave_if_unclear(ShortRow& row) {
@@ -111,7 +107,6 @@ bool ends_alone(ShortRow& row, int c) {
   ++row.events;
   let_go(row, c);
   leave_if_unclear(row);
-  end_push(row);
   return true;
 }
 
@@ -130,9 +125,7 @@ void fly(ShortRow& row) {
   }
   for (int j = 0; j < row.contacts; ++j)
     if (row.role[j] == RowRole::open) row.indentation[j] += soonest * row.rate[j];
-  row.quiet = row.events > 0 ? soonest : 0;
-  row.began = row.time += soonest;
-  row.is_joined = false;
+  row.time += soonest;
   ++row.steps;
   ++row.events;
   close(row, first);
@@ -180,7 +173,6 @@ void change(ShortRow& row, int j) {
   ++row.events;
   row.role[j] == RowRole::open ? close(row, j) : let_go(row, j);
   leave_if_unclear(row);
-  if (!any(row, pushes)) end_push(row);
   if (row.stage != RowStage::leaves) go_on(row);
 }
 

@@ -1,5 +1,6 @@
 // Some bodies in a row with undamped Hertz contacts, of which many are followed side by side.
 #pragma once
+#include "mariotte/core/flights.hpp"
 
 namespace mariotte::flow {
 
@@ -37,10 +38,8 @@ struct ShortRow {
   RowRole role[most] = {};
   int periods[most] = {};
   int events = 0, steps = 0, series_steps = 0;
-  double quiet = 0, began = 0;  ///< how long nothing had pushed, after the first event, before this
-  bool is_joined = false;       ///< several have pushed since
-  double stride = 0;            ///< about the length of the steps before
-  double flight = 0;            ///< the longest such time before several pushed, over how long they did
+  Flights flights = {};
+  double stride = 0;  ///< about the length of the steps before
 };
 
 /// A contact whose force is left out is heard again when it is so many times as deep as it may be without.

@@ -63,7 +63,21 @@ double Start::expand(const Lanes& lanes, const Part* part, int order, double tol
       take(j, k, push * integral.impulse.of[k], integral.travel.of[k]);
     }
   }
-  return rough_root(tolerance / std::max(last, 1e-300), power_ * order);
+  return std::min(rough_root(tolerance / std::max(last, 1e-300), power_ * order),
+                  rough_root(safe_place(), power_));
+}
+
+/// z up to which no depth has a zero, and so its root a series: Σ |d_k| zᵏ < d_0 over k > 0. What is pressed
+/// hardly at first, and more by others later, has one near 0, and the series of its force needs more orders
+/// to show it than there are.
+double Start::safe_place() const {
+  double most = 0;
+  for (int j = 0; j < lanes_->count; ++j) {
+    const auto& d = lane_[j].indentation;
+    for (int k = 1; lane_[j].part != Part::passive && k <= order_; ++k)
+      if (d[k] != 0) most = std::max(most, rough_root(std::abs(d[k] / d[0]), k));
+  }
+  return most > 0 ? 0.5 / most : infinity;
 }
 
 /// Those of pressed contacts begin with t^{7/2} = t z² and t^{7/4} = √t z.

@@ -38,6 +38,7 @@ class Start {
     double given = 0, drawn = 0, own = 0;
   };
   double pushes(int lane, Part from, int k) const;
+  double safe_place() const;
   double margin(int lane, double time, const Travel& travel) const;
 
   const Lanes* lanes_ = nullptr;

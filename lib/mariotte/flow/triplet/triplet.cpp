@@ -37,6 +37,7 @@ bool touches_at_rest(const Triplet& t, int j) {
 }
 
 void start_period(Triplet& t, int j) {
+  t.flights.begin(t.time);
   t.closed[j] = true;
   t.indentation[j] = 0;
   if (!(t.rate[j] > t.noise_speed) && t.rate[j] != 0) leave(t);
@@ -80,6 +81,7 @@ void let_go(Triplet& t, int j) {
   const bool parts = depth <= -rate * t.same_instant;
   const bool rests = std::abs(rate) <= t.noise_speed && t.weight[other] * std::sqrt(depth) <= t.noise_root;
   if (parts || rests) return leave(t);
+  t.flights.end(t.time);
   t.closed[j] = false;
   t.indentation[j] = 0;
   ++t.events;
@@ -95,6 +97,7 @@ void end_pair(Triplet& t, double time, const Indentation& pushing, const Indenta
   ++t.steps;
   ++t.events;
   t.time += time;
+  t.flights.end(t.time);
   t.closed[c] = false;
   for (const auto& [j, now] : {std::pair{c, pushing}, {b, other}})
     t.indentation[j] = now.value, t.rate[j] = now.rate;
@@ -112,7 +115,6 @@ void meet(Triplet* triplet) {
   ++t.steps;
   if (!(time > 0) || motion.duration() - time <= t.same_instant) return leave(t);
   move(t, c, gap, time, now);
-  t.flight = std::max(t.flight, t.quiet / (t.time - t.began));
   close(t, b);
 }
 
@@ -127,8 +129,7 @@ void fly(Triplet* triplet) {
   const int j = times[1] < times[0];
   if (times[1 - j] - times[j] <= t.same_instant) return leave(t);
   ++t.steps;
-  t.quiet = t.events > 0 ? times[j] : 0;
-  t.began = t.time += times[j];
+  t.time += times[j];
   if (!touches_at_rest(t, 1 - j)) t.indentation[1 - j] += times[j] * t.rate[1 - j];
   close(t, j);
 }

@@ -1,5 +1,6 @@
 // Three bodies in a row with two undamped Hertz contacts, of which many are followed side by side.
 #pragma once
+#include "mariotte/core/flights.hpp"
 #include "mariotte/flow/pair/indentation.hpp"
 
 namespace mariotte::flow {
@@ -32,8 +33,7 @@ struct Triplet {
   int striker = 0;  ///< the contact that is struck, where the other is pressed
   int periods[2] = {};
   int events = 0, steps = 0, series_steps = 0;
-  double quiet = 0, began = 0;  ///< how long nothing had pushed, after the first event, before this
-  double flight = 0;            ///< the longest such time before both pushed, over how soon they did
+  Flights flights = {};
 };
 
 /// Closes contact j, which comes to zero depth with a rate above zero, and says what is next.

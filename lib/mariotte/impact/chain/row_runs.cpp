@@ -16,8 +16,9 @@ Passage passage(const Row& row, Index contacts) {
   return {.contacts = contacts,
           .harmless = single_wave(contacts),
           .periods = std::accumulate(row.periods, row.periods + contacts, Index(0)),
+          .most = *std::max_element(row.periods, row.periods + contacts),
           .steps = row.steps + row.series_steps,
-          .flight = row.flight};
+          .flight = row.flights.longest()};
 }
 
 }  // namespace

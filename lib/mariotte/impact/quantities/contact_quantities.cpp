@@ -188,6 +188,15 @@ List<ChainImpact> momenta(const ChainImpact*) {
   };
 }
 
+/// Of two balls alone.
+Value pair_restitution(const ChainImpact& r) {
+  if (r.contacts.size() != 1) return Omitted();
+  const auto& [approach, separation] = r.contacts[0].meeting;
+  if (!approach) return {};
+  if (separation) return *separation / *approach;
+  return r.ending == hybrid::Ending::bound || r.ending == hybrid::Ending::captured ? Value(0.0) : Value();
+}
+
 /// What only a chain has: contacts that follow each other are neighbours.
 List<ChainImpact> ratios(const ChainImpact*) {
   using I = ChainImpact;
@@ -197,6 +206,11 @@ List<ChainImpact> ratios(const ChainImpact*) {
        .count = size_of<&I::icr>,
        .brief = [](const Brief<I>& b,
                    Indices i) { return value(correlation_ratio(b.impact.impulse, i[0])); }},
+      {.is =
+           {"restitution", "1", "e",
+            "of two balls alone: speed at which they first parted over that at which they met; 0 where they "
+            "stay together"},
+       .read = [](const ChainImpact& r, Indices) { return pair_restitution(r); }},
   };
 }
 

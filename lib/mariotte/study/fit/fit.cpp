@@ -104,8 +104,9 @@ Found search(const FitProblem& problem, const Values& start) {
                           start),
       .columns = Values(problem.count() * start.size())};
   problem.slopes(found.minimum.x, found.columns);
-  found.squares = problem.sum_of_squares(found.minimum.x);
-  found.degrees_of_freedom = problem.scattering_rows(found.minimum.x) - std::ssize(start);
+  const auto scatter = problem.scatter(found.minimum.x);
+  found.squares = scatter.squares;
+  found.degrees_of_freedom = scatter.rows - std::ssize(start);
   found.relative_error = relative_errors(found, std::ssize(start));
   return found;
 }

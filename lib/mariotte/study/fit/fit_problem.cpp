@@ -89,20 +89,15 @@ double FitProblem::difference(std::size_t row, std::span<const double> x, std::s
   return (less.captured ? more.value - here.value : here.value - less.value) / step_;
 }
 
-double FitProblem::sum_of_squares(std::span<const double> x) const {
+FitProblem::Scatter FitProblem::scatter(std::span<const double> x) const {
   const auto all = predicted(x);
-  double sum = 0;
-  for (std::size_t row = 0; row < all.size(); ++row)
-    sum += std::pow(weighted_residual(model_.measurements().rows[row], all[row]), 2);
-  return sum;
-}
-
-Index FitProblem::scattering_rows(std::span<const double> x) const {
-  const auto all = predicted(x);
-  Index rows = 0;
-  for (std::size_t row = 0; row < all.size(); ++row)
-    rows += !all[row].captured || model_.measurements().rows[row].measured != 0;
-  return rows;
+  Scatter found;
+  for (std::size_t row = 0; row < all.size(); ++row) {
+    const auto& measured = model_.measurements().rows[row];
+    found.squares += std::pow(weighted_residual(measured, all[row]), 2);
+    found.rows += !all[row].captured || measured.measured != 0;
+  }
+  return found;
 }
 
 std::vector<Values> FitProblem::starts() const {

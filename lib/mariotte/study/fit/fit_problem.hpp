@@ -32,11 +32,14 @@ class FitProblem {
   /// The same on the way to the minimum, where six digits are enough: by what costs less.
   void search_slopes(std::span<const double> x, std::span<double> columns) const;
 
-  /// Σ residual². Throws Error if a measurement cannot be simulated.
-  double sum_of_squares(std::span<const double> x) const;
-
-  /// Rows by which residuals scatter: of what is captured both as measured and as predicted nothing does.
-  Index scattering_rows(std::span<const double> x) const;
+  /// Σ residual², and the rows by which residuals scatter: of what is captured both as measured and as
+  /// predicted nothing does. Throws Error if a measurement cannot be simulated.
+  struct Scatter {
+    double squares = 0;
+    Index rows = 0;
+  };
+  Scatter scatter(std::span<const double> x) const;
+  double sum_of_squares(std::span<const double> x) const { return scatter(x).squares; }
 
   /// The start and its neighbours, each value times 1/4, 1 or 4, the best first; with more than five keys the
   /// start alone. Throws Error if it cannot be simulated.

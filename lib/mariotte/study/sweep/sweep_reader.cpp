@@ -1,7 +1,9 @@
 #include "mariotte/study/sweep/sweep_reader.hpp"
 
 #include <algorithm>
+#include <optional>
 
+#include "mariotte/core/overload.hpp"
 #include "mariotte/scene/field.hpp"
 #include "mariotte/study/sweep/design_reader.hpp"
 #include "mariotte/study/sweep/formula_reader.hpp"
@@ -22,13 +24,6 @@ Example example_at(Variation& points, Index point) {
   return {std::move(scene), points.document(point)};
 }
 
-/// The first point, or the last one if the first makes no sense.
-Example find_example(Variation& points, const Design& design) try {
-  return example_at(points, 0);
-} catch (const Error&) {
-  return example_at(points, design.points() - 1);
-}
-
 /// Points whose scenes may have other numbers of balls than the first: every value of a list, the end of a
 /// range, of one axis at a time.
 std::vector<Index> other_points(const Design& design) {
@@ -40,6 +35,33 @@ std::vector<Index> other_points(const Design& design) {
     for (Index k = listed ? 1 : count - 1; k < count; ++k) points.push_back(k * stride);
   }
   return points;
+}
+
+std::size_t bodies(const scene::Scene& scene) {
+  return std::visit(Overload{[](const model::Chain& chain) { return chain.mass.size(); },
+                             [](const model::Network& network) { return network.velocity.size(); },
+                             [](const model::Bodies& bodies) { return bodies.body.size(); },
+                             [](const model::Microbody&) { return std::size_t(1); },
+                             [](const scene::LawAlone&) { return std::size_t(0); }},
+                    scene.model);
+}
+
+/// The point with the most bodies of the first and those that may have others, so that * stands for all of
+/// them; the last point if none of these makes sense.
+Example find_example(Variation& points, const Design& design) {
+  constexpr std::size_t most_tried = 1000;
+  std::optional<Example> found;
+  const auto look_at = [&](Index point) {
+    try {
+      auto example = example_at(points, point);
+      if (!found || bodies(found->scene) < bodies(example.scene)) found = std::move(example);
+    } catch (const Error&) {  // not this one
+    }
+  };
+  look_at(0);
+  const auto others = other_points(design);
+  for (std::size_t i = 0; i < std::min(others.size(), most_tried); ++i) look_at(others[i]);
+  return found ? *std::move(found) : example_at(points, design.points() - 1);
 }
 
 /// The columns of the example. An index that it has too few balls for is right if another point has enough.
