@@ -179,8 +179,9 @@ double exponent_of(const contact::NamedLaw& law, std::optional<double> given) {
 void expect_damper(const contact::NamedLaw& law, const Numbers& damping) {
   if (law.damping()) return;
   if (std::all_of(damping.data(), damping.data() + damping.size(), [](double c) { return c == 0; })) return;
-  throw InvalidParameter("'" + std::string(law.name) + "' has no damping (viscoelastic has)",
-                         fault::misplaced);
+  throw InvalidParameter(
+      "'" + std::string(law.name) + "' has no damping; take " + contact::names_of_damped_laws(),
+      fault::misplaced);
 }
 
 py::tuple solve(Index rows, const Numbers& mass, const Numbers& stiffness, const Numbers& velocity,

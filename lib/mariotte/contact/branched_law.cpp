@@ -93,11 +93,11 @@ void begin(Memory& past, const BranchedLaw& law) {
     past.branch = Branch::unloading;
   else
     past.branch = law.yield_indentation(past) <= from ? Branch::plastic : Branch::elastic;
-  past.adhesion_loss -= law.stored_energy(past, from);
+  if (law.pulls()) past.adhesion_loss -= law.stored_energy(past, from);
 }
 
 void end(Memory& past, const BranchedLaw& law) {
-  past.adhesion_loss += law.stored_energy(past, law.opening_indentation(past));
+  if (law.pulls()) past.adhesion_loss += law.stored_energy(past, law.opening_indentation(past));
 }
 
 void yield(Memory& past) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 #include "mariotte/contact/brach_dunn_law.hpp"
 #include "mariotte/contact/dmt.hpp"
@@ -164,13 +165,30 @@ const LawKey* NamedLaw::find(std::string_view key) const {
   return place == keys.end() ? nullptr : &*place;
 }
 
-std::string names_of_laws() {
+namespace {
+
+std::string list(const std::vector<std::string_view>& names) {
   std::string text;
-  for (std::size_t i = 0; i < named_laws.size(); ++i) {
-    if (i > 0) text += i + 1 < named_laws.size() ? ", " : " or ";
-    text += named_laws[i].name;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) text += i + 1 < names.size() ? ", " : " or ";
+    text += names[i];
   }
   return text;
+}
+
+}  // namespace
+
+std::string names_of_laws() {
+  std::vector<std::string_view> names;
+  for (const auto& law : named_laws) names.push_back(law.name);
+  return list(names);
+}
+
+std::string names_of_damped_laws() {
+  std::vector<std::string_view> names;
+  for (const auto& law : named_laws)
+    if (law.damping()) names.push_back(law.name);
+  return list(names);
 }
 
 Law uncut(Law law) {

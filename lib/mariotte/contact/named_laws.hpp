@@ -50,8 +50,9 @@ struct NamedLaw {
 /// In the order of the pages.
 extern const std::span<const NamedLaw> named_laws;
 
-/// "linear, hertz or viscoelastic": all names, for messages.
+/// "linear, hertz or viscoelastic": all names, for messages; and those of laws with a damping.
 std::string names_of_laws();
+std::string names_of_damped_laws();
 
 /// The law that goes on pulling until its indentation ends, instead of one that is cut off at f = 0.
 Law uncut(Law law);

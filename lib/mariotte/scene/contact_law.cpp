@@ -66,7 +66,8 @@ double read_damping(const Source& source, const LawTables& tables, Index contact
   const auto unit = key ? key->dimension : dimension::damping;
   const double damping = number(source, *field, unit(numbers.exponent), Domain::not_negative);
   if (!key && damping != 0)
-    reject(source, *field, fault::misplaced, quoted(law) + " has no damping (viscoelastic has)");
+    reject(source, *field, fault::misplaced,
+           quoted(law) + " has no damping; take " + contact::names_of_damped_laws());
   return damping;
 }
 
@@ -103,7 +104,7 @@ double solve_damping(const Source& source, const LawTables& tables, Index contac
   if (e == 1) return 0;
   if (!law.law.damping())
     reject(source, field, fault::misplaced,
-           quoted(law.law) + " has no damping (viscoelastic and hunt-crossley have)");
+           quoted(law.law) + " has no damping; take " + contact::names_of_damped_laws());
   const auto encounter =
       read_encounter(source, tables, contact, field, encounters, depends_on_speed(law.law, numbers.exponent));
   try {

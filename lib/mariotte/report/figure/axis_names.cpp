@@ -109,7 +109,7 @@ std::string words_of_result(const Path& path) {
   if (const auto* known = find(dictionary, first)) return std::string(known->words);
   if (first == "final") return "final " + last;
   const bool qualifies = first == "energy" || first == "momentum" || first == "restitution";
-  return qualifies ? last + " " + first : last;
+  return qualifies && path.names.size() > 1 ? last + " " + first : last;
 }
 
 std::string joined(const std::string& words, const std::string& symbol, const Path& path) {

@@ -45,6 +45,11 @@ constexpr const char* contour_lines =
     ", \\\n  $lines using 1:2 with lines lc rgb 'white' lw 1 dt solid notitle"
     ", \\\n  $names using 1:2:(gprintf('{/*0.8 %.3g}', $3)) with labels boxed notitle";
 
+/// None where all is the same but for rounding.
+std::string contours(const std::string& data, Index count) {
+  return "lined = high - low > 1e-9 * size\nif (lined) {\n" + contour_table(data, count) + "}\n";
+}
+
 }  // namespace
 
 std::string surface(const study::Design& design, const Columns& columns, const SweepFigure& figure,
@@ -54,11 +59,13 @@ std::string surface(const study::Design& design, const Columns& columns, const S
   const bool lined = options.contours > 0 && is_map(design);
   const auto* style = is_map(design) ? "image" : "points pt 7 ps 0.5 lc palette";
   const auto data = "'plot.csv' using 1:2:" + scaled(at);
-  const auto plot = fmt::format("plot {} with {} notitle{}", data, style, lined ? contour_lines : "");
+  const auto plain = fmt::format("plot {} with {} notitle", data, style);
+  const auto plot =
+      lined ? fmt::format("if (lined) {{ {}{}\n}} else {{ {} }}", plain, contour_lines, plain) : plain;
   return "unset key\nunset grid\nset cblabel offset 0.5,0\n"
          "set rmargin at screen 0.72\n" +
          value_axis({at}, column.key, column, "cb") + (options.logarithmic ? logarithmic_colours() : "") +
-         (lined ? "if (low <= high) {\n" + contour_table(data, options.contours) + "}\n" : "") +
+         (lined ? contours(data, options.contours) : "") +
          on_all_terminals(figure.file, unless_empty(plot, "2"), one_column);
 }
 

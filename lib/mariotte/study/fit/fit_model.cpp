@@ -8,6 +8,7 @@
 #include "mariotte/impact/laws/restitution.hpp"
 #include "mariotte/scene/field.hpp"
 #include "mariotte/scene/key_path.hpp"
+#include "mariotte/study/sweep/design_axes.hpp"
 
 namespace mariotte::study {
 namespace {
@@ -152,7 +153,7 @@ void FitModel::resolve_row(Measurement& row) {
     if (!reading.dimension) continue;
     const double value = number(document_.source, {reading.node, ""}, *reading.dimension, scene::Domain::any);
     row.values[i].value = value;
-    measurements_.settings[i].unit = unit_of(*reading.dimension);
+    measurements_.settings[i].unit = unit_of_key(measurements_.settings[i].key, *reading.dimension);
     if (row.written[i].size() > most_letters) row.written[i] = fmt::format("{:.6g}", value);
   }
 }

@@ -136,12 +136,12 @@ Dimension of_variable(const Source& source, const Field& table) {
   }
 }
 
-/// A frequency counts periods; of other rates none is known.
-std::string unit_of(const Parameter& parameter, const Dimension& dimension) {
-  return parameter.key.ends_with("frequency") ? "Hz" : unit_of(dimension);
-}
-
 }  // namespace
+
+std::string unit_of_key(std::string_view key, const Dimension& dimension) {
+  if (key.ends_with("frequency")) return "Hz";
+  return key.ends_with("work_of_adhesion") ? "J/m^2" : unit_of(dimension);
+}
 
 void read_axes(Document& document, const Meaning& meaning, Design& design) {
   const auto all = varied(document);
@@ -149,7 +149,7 @@ void read_axes(Document& document, const Meaning& meaning, Design& design) {
     auto& parameter = design.parameters[i];
     const auto dimension =
         parameter.is_variable ? std::optional(of_variable(document.source, all[i])) : meaning[i];
-    if (dimension) parameter.unit = unit_of(parameter, *dimension);
+    if (dimension) parameter.unit = unit_of_key(parameter.key, *dimension);
     const Index count = read_values(document.source, all[i], dimension, parameter);
     place_on_axis(document.source, all[i], count, design, parameter);
   }
