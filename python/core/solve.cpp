@@ -17,6 +17,7 @@
 #include "mariotte/core/error.hpp"
 #include "mariotte/impact/chain/chain_batch.hpp"
 #include "mariotte/scene/fault.hpp"
+#include "mariotte/study/sweep/sweep.hpp"
 
 namespace mariotte::python {
 namespace {
@@ -94,8 +95,11 @@ class Crew {
       : chains_(chains), rows_(rows), results_(results) {}
 
   void run(int threads) {
-    if (threads < 1)
-      throw WrongOption(InvalidParameter("chains need at least one thread", fault::out_of_range), "threads");
+    try {
+      study::expect_threads(threads, "chains need");
+    } catch (const InvalidParameter& error) {
+      throw WrongOption(error, "threads");
+    }
     working_ = threads;
     std::vector<std::jthread> workers;
     for (int i = 0; i < threads; ++i) workers.emplace_back([this] { work(); });

@@ -307,7 +307,7 @@ def _wrong(name: str, why: str, code: str, place: str = "") -> InvalidParameter:
 
 def _workers(threads: Optional[int]) -> int:
     if threads is not None:
-        return threads
+        return min(threads, 10**6)  # so that it is a number in C++, too, which refuses it
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 

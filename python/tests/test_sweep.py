@@ -107,11 +107,12 @@ def test_threads_do_not_change_a_bit(triplet):
     assert one.table.tobytes() == four.table.tobytes()
 
 
-@pytest.mark.parametrize("threads", [0, -1])
-def test_work_needs_a_thread(threads, triplet):
-    with pytest.raises(mt.InvalidParameter, match="at least one thread"):
+@pytest.mark.parametrize("threads, expected", [(0, "at least one thread"), (-1, "at least one thread"),
+                                               (10**5, "at most 4096"), (10**12, "at most 4096")])
+def test_work_needs_a_number_of_threads_that_can_be(threads, expected, triplet):
+    with pytest.raises(mt.InvalidParameter, match=expected):
         mt.sweep(triplet, AXES, columns=["velocity"], threads=threads)
-    with pytest.raises(mt.InvalidParameter, match="at least one thread"):
+    with pytest.raises(mt.InvalidParameter, match=expected):
         mt.solve(1, [1, 1], [1, 0, 0], threads=threads)
 
 

@@ -1,5 +1,6 @@
 #include "mariotte/study/sweep/sweep.hpp"
 
+#include <fmt/format.h>
 #include <time.h>
 
 #include <algorithm>
@@ -129,9 +130,16 @@ Keep make_rows(const AppendRows& append_rows, Journal& journal) {
 
 }  // namespace
 
+void expect_threads(int threads, const std::string& who) {
+  constexpr int most = 4096;
+  if (threads < 1) throw InvalidParameter(who + " at least one thread", fault::out_of_range);
+  if (threads > most)
+    throw InvalidParameter(fmt::format("{} at most {} threads", who, most), fault::out_of_range);
+}
+
 Progress run(const SweepPlan& plan, Dealer dealer, int threads, const std::function<Keep()>& make_keep,
              const Watch& watch) {
-  if (threads < 1) throw InvalidParameter("a sweep needs at least one thread", fault::out_of_range);
+  expect_threads(threads, "a sweep needs");
   const auto slots = find_slots(plan.document, plan.design);
   Crew crew(std::move(dealer));
   crew.working = threads;

@@ -27,6 +27,9 @@ struct Progress {
 /// Returns false to stop, after the points that are under way.
 using Watch = std::function<bool(const Progress&)>;
 
+/// Throws InvalidParameter, "WHO at least one thread" or "WHO at most 4096 threads".
+void expect_threads(int threads, const std::string& who);
+
 /// Computes the points the dealer has, on so many threads. `watch` is called on this thread, several times a
 /// second and at the end. Throws what a worker threw.
 Progress run(const SweepPlan& plan, Dealer dealer, int threads, const std::function<Keep()>& make_keep,
