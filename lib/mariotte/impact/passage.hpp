@@ -19,7 +19,8 @@ struct Passage {
   Index exact = 0;     ///< phases of contact in closed form, which err by rounding alone
   Index cut = 0;       ///< others, whose errors the accuracy sets
   double flight = 0;  ///< the longest one before contacts that push together, over how long they do [Flights]
-  double slowing = 1;  ///< how many times slower than it met a contact that adheres let go, at most
+  bool creeps = false;  ///< some have come together very slowly [creeping_start.hpp]
+  double slowing = 1;   ///< how many times slower than it met a contact that adheres let go, at most
   double attainable = 16 * epsilon;  ///< accuracy beyond which rounding leaves no run
 };
 
@@ -64,7 +65,7 @@ inline double growth(const Passage& passage) {
 /// and each run takes minutes.
 inline bool may_have_erred(const Passage& passage) {
   constexpr Index most = 100'000;
-  return (passage.periods > passage.harmless || passage.most > rattles ||
+  return (passage.periods > passage.harmless || passage.most > rattles || passage.creeps ||
           passage.steps > 60 + 10 * passage.contacts || passage.flight > long_flight ||
           passage.slowing >= much_slower) &&
          passage.periods <= most;

@@ -7,8 +7,8 @@
 //   after a long flight, or adhesion has let go slowly: done                  a single wave pays nothing
 //   repeat
 //     a ← tighter, as the last difference says, or flight and adhesion; run again
-//     difference of the velocities ≤ accuracy asked for?  → the tighter run, with the difference as estimate
-//     a cannot get tighter?                               → the same
+//     difference of the velocities ≤ accuracy asked for / 4?  → the tighter run, with the difference as
+//     estimate a cannot get tighter?                               → the same
 //   they did not agree, or what they did may hide rounding?
 //     near the last accuracy, run with masses and gaps that are moved by rounding errors: the largest
 //     difference is the estimate
@@ -75,11 +75,15 @@ inline double slowed_rounding(const Passage& gone) {
   return gone.slowing >= hardly ? 4 * epsilon * static_cast<double>(gone.steps) * gone.slowing : 0;
 }
 
-/// Run tighter until two runs agree within the accuracy that is `asked` for: `run(options)` runs and returns
-/// by how much its velocities differ from those of the run before, or nothing if it may not replace it.
-/// Where that is no measure of the last run, `shake(options)` runs near its accuracy, with inputs moved by
-/// rounding errors, and says what that makes of the velocities. Returns the estimate of the error; empty if
-/// the first tighter run has failed.
+/// Share of the accuracy within which two runs have to agree. Where a ball rattles, runs that are both wrong
+/// by far more than the accuracy may differ by less: a tighter one shows it.
+inline constexpr double agreement = 0.25;
+
+/// Run tighter until two runs agree within a share of the accuracy that is `asked` for: `run(options)` runs
+/// and returns by how much its velocities differ from those of the run before, or nothing if it may not
+/// replace it. Where that is no measure of the last run, `shake(options)` runs near its accuracy, with inputs
+/// moved by rounding errors, and says what that makes of the velocities. Returns the estimate of the error;
+/// empty if the first tighter run has failed.
 template <class Run, class Shake>
 std::optional<double> keep_promise(const hybrid::Options& asked, const Passage& gone, Run&& run,
                                    Shake&& shake) {
@@ -88,7 +92,7 @@ std::optional<double> keep_promise(const hybrid::Options& asked, const Passage& 
   std::optional<double> last;
   auto now = asked;
   double looser = asked.accuracy;
-  while (!last || *last > asked.accuracy) {
+  while (!last || *last > agreement * asked.accuracy) {
     const auto accuracy = next_accuracy(asked.accuracy, now.accuracy, last.value_or(feared), gone.attainable);
     if (!accuracy) break;
     looser = std::exchange(now.accuracy, *accuracy);

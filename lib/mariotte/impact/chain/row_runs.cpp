@@ -4,6 +4,7 @@
 #include <numeric>
 #include <utility>
 
+#include "mariotte/impact/creeping_start.hpp"
 #include "mariotte/impact/promise.hpp"
 
 namespace mariotte::impact {
@@ -11,14 +12,23 @@ namespace {
 
 constexpr double attainable = Passage{}.attainable;
 
-template <class Row>
-Passage passage(const Row& row, Index contacts) {
+template <int most>
+bool creeps(const RowScene<most>& scene, double accuracy) {
+  for (int j = 0; j < scene.contacts(); ++j)
+    if (is_creeping(scene.velocity[j] - scene.velocity[j + 1], accuracy, scene.speed)) return true;
+  return false;
+}
+
+template <int most, class Row>
+Passage passage(const RowScene<most>& scene, const Row& row, double accuracy) {
+  const Index contacts = scene.contacts();
   return {.contacts = contacts,
           .harmless = single_wave(contacts),
           .periods = std::accumulate(row.periods, row.periods + contacts, Index(0)),
           .most = *std::max_element(row.periods, row.periods + contacts),
           .steps = row.steps + row.series_steps,
-          .flight = row.flights.longest()};
+          .flight = row.flights.longest(),
+          .creeps = creeps(scene, accuracy)};
 }
 
 }  // namespace
@@ -49,7 +59,7 @@ template <int most, class Lanes, class Row>
 void RowRuns<most, Lanes, Row>::follow_tighter() {
   finer_ = next_accuracy(accuracy_, accuracy_, accuracy_, attainable).value_or(accuracy_);
   for (std::size_t i = 0; i < row_.size(); ++i) {
-    if (!may_have_erred(passage(row_[i], scene_[i].contacts()))) continue;
+    if (!may_have_erred(passage(scene_[i], row_[i], accuracy_))) continue;
     again_.push_back(i);
     tighter_.push_back(dimensionless(scene_[i], finer_));
   }
@@ -69,7 +79,8 @@ const BriefImpact* RowRuns<most, Lanes, Row>::result(std::size_t i) {
   if (!(finer_ < accuracy_) || !described(tighter_[again - again_.begin()], finer_)) return nullptr;
   const double apart = difference(impact_.velocity, looser_.velocity, scene.speed);
   if (apart > 0) impact_.estimated_accuracy = apart;
-  const bool agrees = apart <= accuracy_ && !hides_rounding(passage(row_[i], scene.contacts()), accuracy_);
+  const bool agrees =
+      apart <= agreement * accuracy_ && !hides_rounding(passage(scene, row_[i], accuracy_), accuracy_);
   return agrees ? &impact_ : nullptr;
 }
 
