@@ -22,8 +22,8 @@ struct RowEnd {
 
   template <class Row>
   RowEnd(const RowScene<most>& scene, const Row& row) {
-    for (int i = 0; i < scene.balls; ++i) before[i] = scene.velocity[i] / scene.scale.velocity;
-    for (int first = 0, last; first < scene.balls; first = last + 1) {
+    for (int i = 0; i < scene.balls(); ++i) before[i] = scene.velocity[i] / scene.scale.velocity;
+    for (int first = 0, last; first < scene.balls(); first = last + 1) {
       for (last = first; last < scene.contacts() && row.periods[last] > 0;) ++last;
       find(scene, row, first, last);
     }
@@ -55,7 +55,7 @@ struct RowEnd {
 template <int most, class Row>
 bool passes_gate(const RowScene<most>& scene, const Row& row, const RowEnd<most>& end, double accuracy) {
   double momentum = 0, energy = 0, moved = 0, gained = 0;
-  for (int i = 0; i < scene.balls; ++i) {
+  for (int i = 0; i < scene.balls(); ++i) {
     const double m = scene.mass[i] / scene.scale.mass, before = end.before[i], after = end.after[i];
     const double fastest = scene.speed / scene.scale.velocity + std::max(std::abs(before), std::abs(after));
     momentum += m * fastest;
@@ -86,9 +86,9 @@ bool tell(const RowScene<most>& scene, const Row& row, double accuracy, BriefImp
   impact.ending = hybrid::Ending::separated;
   impact.message.clear();
   impact.time = row.time * scene.scale.time;
-  impact.velocity.resize(scene.balls);
+  impact.velocity.resize(scene.balls());
   impact.impulse.resize(scene.contacts());
-  for (int i = 0; i < scene.balls; ++i) impact.velocity[i] = end.after[i] * scene.scale.velocity;
+  for (int i = 0; i < scene.balls(); ++i) impact.velocity[i] = end.after[i] * scene.scale.velocity;
   for (int j = 0; j < scene.contacts(); ++j) impact.impulse[j] = end.impulse[j] * scene.scale.momentum();
   impact.periods.assign(row.periods, row.periods + scene.contacts());
   impact.events = row.events;

@@ -75,7 +75,7 @@ std::optional<RowScene<most>> row_scene(const model::Chain& chain, const hybrid:
   if (balls < 3 || balls > most || !are_of_hertz(chain) || !asks_for_accuracy_alone(options))
     return std::nullopt;
   RowScene<most> scene{};
-  scene.balls = static_cast<int>(balls);
+  scene.count = static_cast<int>(balls);
   std::copy_n(chain.mass.begin(), balls, scene.mass);
   std::copy_n(chain.velocity.begin(), balls, scene.velocity);
   for (int j = 0; j < scene.contacts(); ++j) {
@@ -90,8 +90,8 @@ std::optional<RowScene<most>> row_scene(const model::Chain& chain, const hybrid:
 
 template <int most>
 void restore(const RowScene<most>& scene, model::Chain& chain) {
-  chain.mass.assign(scene.mass, scene.mass + scene.balls);
-  chain.velocity.assign(scene.velocity, scene.velocity + scene.balls);
+  chain.mass.assign(scene.mass, scene.mass + scene.balls());
+  chain.velocity.assign(scene.velocity, scene.velocity + scene.balls());
   chain.gap.assign(scene.gap, scene.gap + scene.contacts());
   chain.law.resize(scene.contacts(), contact::Hertz(1));
   for (int j = 0; j < scene.contacts(); ++j) chain.law[j] = contact::Hertz(scene.stiffness[j]);

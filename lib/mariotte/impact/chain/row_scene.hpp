@@ -15,13 +15,15 @@ namespace mariotte::impact {
 /// wall, on which nothing else acts.
 template <int most>
 struct RowScene {
-  int balls;
+  int count;  ///< of balls; see `balls`
   double mass[most], velocity[most], stiffness[most - 1], gap[most - 1];
   double speed;           ///< reference speed
   double unit_stiffness;  ///< that is 1 in the units of `scale`
   Scale scale;
 
-  int contacts() const { return balls - 1; }
+  /// A triplet has three, which the compiler then knows.
+  int balls() const { return most == 3 ? 3 : count; }
+  int contacts() const { return balls() - 1; }
 };
 using TripletScene = RowScene<3>;
 using ShortRowScene = RowScene<flow::ShortRow::most + 1>;
