@@ -36,7 +36,7 @@ Passage passage(const Run& run, const std::vector<Index>& periods, const std::ve
   Passage gone{.contacts = std::ssize(periods),
                .harmless = single_wave(std::ssize(periods)),
                .periods = std::accumulate(periods.begin(), periods.end(), Index{0}),
-               .most = *std::max_element(periods.begin(), periods.end())};
+               .most = periods.empty() ? 0 : *std::max_element(periods.begin(), periods.end())};
   for (const auto kind : flow::kinds) {
     const auto& flow = run.flows[static_cast<std::size_t>(kind)];
     count_flow(gone, kind, flow.phases, flow.steps);

@@ -7,8 +7,9 @@
 //   after a long flight, or adhesion has let go slowly: done                  a single wave pays nothing
 //   repeat
 //     a ← tighter, as the last difference says, or flight and adhesion; run again
-//     difference of the velocities ≤ accuracy asked for / 4?  → the tighter run, with the difference as
-//     estimate a cannot get tighter?                               → the same
+//     difference of the velocities ≤ a quarter of what was asked?  → the tighter run, the difference is the
+//                                                                     estimate
+//     a cannot get tighter?                                        → the same
 //   they did not agree, or what they did may hide rounding?
 //     near the last accuracy, run with masses and gaps that are moved by rounding errors: the largest
 //     difference is the estimate
