@@ -19,8 +19,8 @@ struct Passage {
   Index exact = 0;     ///< phases of contact in closed form, which err by rounding alone
   Index cut = 0;       ///< others, whose errors the accuracy sets
   double flight = 0;  ///< the longest one before contacts that push together, over how long they do [Flights]
-  bool creeps = false;  ///< some have come together very slowly [creeping_start.hpp]
-  double slowing = 1;   ///< how many times slower than it met a contact that adheres let go, at most
+  bool starts_slowly = false;  ///< some come together very slowly at the start [slow_start.hpp]
+  double slowing = 1;          ///< how many times slower than it met a contact that adheres let go, at most
   double attainable = 16 * epsilon;  ///< accuracy beyond which rounding leaves no run
 };
 
@@ -61,11 +61,11 @@ inline double growth(const Passage& passage) {
 
 /// True if errors may have grown: contacts, or one of them, have closed so often that what one does wrong is
 /// magnified by the next, or the errors of many steps have added up, or a long flight has moved what pushes
-/// together then, or what adheres has let go slowly. After very many periods rounding alone decides the end,
-/// and each run takes minutes.
+/// together then, or some came together very slowly at first, or what adheres has let go slowly. After very
+/// many periods rounding alone decides the end, and each run takes minutes.
 inline bool may_have_erred(const Passage& passage) {
   constexpr Index most = 100'000;
-  return (passage.periods > passage.harmless || passage.most > rattles || passage.creeps ||
+  return (passage.periods > passage.harmless || passage.most > rattles || passage.starts_slowly ||
           passage.steps > 60 + 10 * passage.contacts || passage.flight > long_flight ||
           passage.slowing >= much_slower) &&
          passage.periods <= most;

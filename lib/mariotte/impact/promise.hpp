@@ -25,6 +25,7 @@
 #include "mariotte/hybrid/options.hpp"
 #include "mariotte/impact/passage.hpp"
 #include "mariotte/impact/shaken.hpp"
+#include "mariotte/impact/slow_start.hpp"
 #include "mariotte/model/drives/drive.hpp"
 
 namespace mariotte::impact {
@@ -145,9 +146,10 @@ std::optional<double> most_shaken(After&& after) {
 /// Where errors may have grown on the way of a result: `again(model, options)` makes a tighter one, which
 /// takes the place of `impact` if it may, until two agree; `apart(a, b)` is by how much two differ.
 template <class Model, class Impact, class Again, class Apart>
-void keep_promise(const Model& model, const hybrid::Options& asked, const Passage& gone, Impact& impact,
+void keep_promise(const Model& model, const hybrid::Options& asked, Passage gone, Impact& impact,
                   Again&& again, Apart&& apart) {
   impact.estimated_accuracy.reset();
+  gone.starts_slowly = starts_slowly(model, asked.accuracy);
   if (!may_have_erred(gone) || impact.ending == hybrid::Ending::interrupted) return;
   const auto run = [&](const hybrid::Options& options) -> std::optional<double> {
     auto tighter = again(model, options);
@@ -171,6 +173,7 @@ template <class Model, class Brief, class Solve, class Apart>
 void keep_promise(const Model& model, const hybrid::Options& asked, Passage gone, Brief& impact,
                   Brief& looser, Solve&& solve, Apart&& apart) {
   impact.estimated_accuracy.reset();
+  gone.starts_slowly = starts_slowly(model, asked.accuracy);
   if (!may_have_erred(gone)) return;
   const auto run = [&](const hybrid::Options& options) -> std::optional<double> {
     looser = impact;

@@ -9,7 +9,6 @@
 #include "mariotte/impact/chain/chain_frame.hpp"
 #include "mariotte/impact/chain/chain_gate.hpp"
 #include "mariotte/impact/chain/chain_solver.hpp"
-#include "mariotte/impact/creeping_start.hpp"
 #include "mariotte/impact/flow_uses.hpp"
 #include "mariotte/impact/impulses.hpp"
 #include "mariotte/impact/reached_speed.hpp"
@@ -194,11 +193,10 @@ bool may_have_steady_waves(const model::Chain& chain) {
 ChainImpact simulate_known(const model::Chain& chain, const hybrid::Options& options,
                            const RunObserver& observers) {
   auto impact = simulate_once(chain, options, observers);
-  auto gone = passage(impact);
-  gone.creeps = creeps(chain, options.accuracy);
-  keep_promise(chain, options, gone, observers, impact, simulate_once, [&](const auto& a, const auto& b) {
-    return difference(a.velocity, b.velocity, reference_speed(chain), chain.drive);
-  });
+  keep_promise(chain, options, passage(impact), observers, impact, simulate_once,
+               [&](const auto& a, const auto& b) {
+                 return difference(a.velocity, b.velocity, reference_speed(chain), chain.drive);
+               });
   add_rounding(chain, options.accuracy, impact.estimated_accuracy);
   impact.requested_accuracy = options.accuracy;
   if (impact.ending == hybrid::Ending::failed && falls_back(chain) && std::isinf(options.max_time))

@@ -8,7 +8,6 @@
 #include "mariotte/impact/chain/chain_gate.hpp"
 #include "mariotte/impact/chain/chain_impact.hpp"
 #include "mariotte/impact/chain/row_runs.hpp"
-#include "mariotte/impact/creeping_start.hpp"
 #include "mariotte/impact/impulses.hpp"
 #include "mariotte/impact/watch/chain_run.hpp"
 
@@ -101,7 +100,6 @@ struct ChainSolver::Memory {
 
   void keep_promise(const model::Chain& chain, const hybrid::Options& options) {
     solve(chain, options);
-    gone.creeps = creeps(chain, options.accuracy);
     const auto again = [&](const model::Chain& same, const hybrid::Options& tighter) {
       solve(same, tighter);
     };

@@ -4,7 +4,6 @@
 #include <numeric>
 #include <utility>
 
-#include "mariotte/impact/creeping_start.hpp"
 #include "mariotte/impact/promise.hpp"
 
 namespace mariotte::impact {
@@ -13,9 +12,9 @@ namespace {
 constexpr double attainable = Passage{}.attainable;
 
 template <int most>
-bool creeps(const RowScene<most>& scene, double accuracy) {
+bool starts_slowly(const RowScene<most>& scene, double accuracy) {
   for (int j = 0; j < scene.contacts(); ++j)
-    if (is_creeping(scene.velocity[j] - scene.velocity[j + 1], accuracy, scene.speed)) return true;
+    if (is_slow(scene.velocity[j] - scene.velocity[j + 1], accuracy, scene.speed)) return true;
   return false;
 }
 
@@ -28,7 +27,7 @@ Passage passage(const RowScene<most>& scene, const Row& row, double accuracy) {
           .most = *std::max_element(row.periods, row.periods + contacts),
           .steps = row.steps + row.series_steps,
           .flight = row.flights.longest(),
-          .creeps = creeps(scene, accuracy)};
+          .starts_slowly = starts_slowly(scene, accuracy)};
 }
 
 }  // namespace
