@@ -52,6 +52,15 @@ model::Chain light_between_heavy() {
   return chain;
 }
 
+/// The last ball presses others for as long as the first one flies: whether they have parted by then is
+/// decided by what is left out of so slow an approach.
+model::Chain creeping_balls() {
+  return {.mass = {2, 0.25, 4, 1},
+          .law = {contact::Hertz{10}, contact::Hertz{10}, contact::Hertz{1}},
+          .gap = {100, 0, 0},
+          .velocity = {1, 0, 0, -1e-5}};
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(tighter_runs_are_asked_for_as_the_difference_says) {
@@ -231,19 +240,27 @@ BOOST_AUTO_TEST_CASE(contacts_that_close_soon_after_each_other_after_a_long_flig
   }
 }
 
-/// The last ball presses others for as long as the first one flies: whether they have parted by then is
-/// decided by what is left out of so slow an approach.
 BOOST_AUTO_TEST_CASE(balls_that_creep_while_another_one_flies_keep_the_accuracy) {
-  const model::Chain chain{.mass = {2, 0.25, 4, 1},
-                           .law = {contact::Hertz{10}, contact::Hertz{10}, contact::Hertz{1}},
-                           .gap = {100, 0, 0},
-                           .velocity = {1, 0, 0, -1e-5}};
+  const auto chain = creeping_balls();
   const auto truth = impact::simulate(chain, {.accuracy = 1e-12});
   for (const double accuracy : {1e-4, 1e-5, 1e-6, 1e-7}) {
     const auto impact = impact::simulate(chain, {.accuracy = accuracy});
     BOOST_TEST(impact::difference(impact.velocity, truth.velocity, 1) < accuracy);
     BOOST_TEST(impact.estimated_accuracy.has_value());
     const auto brief = impact::ChainSolver().solve(chain, {.accuracy = accuracy});
+    BOOST_TEST(impact::difference(brief.velocity, truth.velocity, 1) < accuracy);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(such_balls_as_a_network_keep_the_accuracy) {
+  const auto chain = creeping_balls();
+  const auto network = model::as_network(chain);
+  const auto truth = impact::simulate(chain, {.accuracy = 1e-12});
+  for (const double accuracy : {1e-4, 1e-5, 1e-6, 1e-7}) {
+    const auto impact = impact::simulate(network, {.accuracy = accuracy});
+    BOOST_TEST(impact::difference(impact.velocity, truth.velocity, 1) < accuracy);
+    BOOST_TEST(impact.estimated_accuracy.has_value());
+    const auto brief = impact::NetworkSolver().solve(network, {.accuracy = accuracy});
     BOOST_TEST(impact::difference(brief.velocity, truth.velocity, 1) < accuracy);
   }
 }

@@ -35,15 +35,25 @@ Numbers start_approach(const Network& network, const StatedContacts& stated,
   return approach;
 }
 
+double largest_gap_rate(const Network& network) {
+  double largest = 0;
+  for (const auto& direction : network.direction)
+    largest = std::max(largest, std::abs(gap_rate(direction, network.velocity)));
+  return largest;
+}
+
+/// Nothing is driven, adheres or is indented: masses do not matter to the speeds then.
+bool has_velocities_alone(const Network& network) {
+  return network.drive.empty() && std::none_of(network.law.begin(), network.law.end(), contact::adheres) &&
+         std::none_of(network.gap.begin(), network.gap.end(), [](double gap) { return gap < 0; });
+}
+
 /// By the responses to contacts and to drives.
 SquaredSpeeds squared_speeds(const Network& network, const Numbers& mass,
                              const std::vector<ContactDirection>& response,
                              const std::vector<ContactDirection>& pushes) {
-  SquaredSpeeds speeds;
-  for (const auto& direction : network.direction) {
-    const double rate = gap_rate(direction, network.velocity);
-    speeds.given = std::max(speeds.given, rate * rate);
-  }
+  const double given = largest_gap_rate(network);
+  SquaredSpeeds speeds{.given = given * given};
   for (std::size_t j = 0; j < mass.size(); ++j) {
     speeds.adhesion = std::max(speeds.adhesion, 2 * well_energy(network.law[j]) / mass[j]);
     if (network.gap[j] < 0) speeds.release(network.law[j], -network.gap[j], mass[j]);
@@ -91,6 +101,10 @@ void scale_responses(DimensionlessNetwork& d) {
 }  // namespace
 
 Speeds speeds(const Network& network) {
+  if (has_velocities_alone(network)) {
+    const double largest = largest_gap_rate(network);
+    return {largest, largest};
+  }
   std::vector<ContactDirection> response;
   responses(network.mass, network.direction, std::ssize(network.velocity), response);
   Numbers mass;
