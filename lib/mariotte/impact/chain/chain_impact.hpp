@@ -122,9 +122,8 @@ struct ChainImpact : ContactImpact {
   MomentumBalance momentum;
 };
 
-/// Simulate a chain until it separates for good, or a limit. A chain that is sampled is divided into islands,
-/// whatever its length. Throws InvalidParameter for a chain, accuracy or flow that makes no sense, and for
-/// samplings of balls or contacts that do not exist.
+/// Simulate a chain until it separates for good, or a limit. Throws InvalidParameter for a chain, accuracy or
+/// flow that makes no sense, and for samplings of balls or contacts that do not exist.
 ChainImpact simulate(const model::Chain& chain, const hybrid::Options& options = {},
                      const RunObserver& observers = {});
 
