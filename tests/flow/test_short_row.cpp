@@ -49,6 +49,17 @@ double energy(const ShortRow& r) {
   return all;
 }
 
+void expect_same(ShortRowLanes& lanes, const std::vector<ShortRow>& expected) {
+  const int contacts = expected.front().contacts;
+  auto rows = many(contacts);
+  follow(lanes, rows);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (int j = 0; j < contacts; ++j) {
+      BOOST_TEST(std::abs(rows[i].rate[j] - expected[i].rate[j]) < 1e-11);
+      BOOST_TEST(rows[i].periods[j] == expected[i].periods[j]);
+    }
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(energy_is_kept_and_nothing_approaches_at_the_end) {
@@ -72,13 +83,10 @@ BOOST_AUTO_TEST_CASE(lanes_of_every_kind_give_the_same) {
     auto expected = many(contacts);
     follow(*baseline::make_short_row_lanes(contacts), expected);
     for (const int room : {contacts, ShortRow::most}) {
-      auto rows = many(contacts);
-      follow(*make_short_row_lanes(room), rows);
-      for (std::size_t i = 0; i < rows.size(); ++i)
-        for (int j = 0; j < contacts; ++j) {
-          BOOST_TEST(std::abs(rows[i].rate[j] - expected[i].rate[j]) < 1e-11);
-          BOOST_TEST(rows[i].periods[j] == expected[i].periods[j]);
-        }
+      expect_same(*make_short_row_lanes(room), expected);
+#ifdef __x86_64__
+      if (has_avx2()) expect_same(*avx2::make_short_row_lanes(room), expected);
+#endif
     }
   }
 }

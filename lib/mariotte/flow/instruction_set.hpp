@@ -31,32 +31,25 @@ namespace mariotte::flow {
 #define MARIOTTE_WIDEST_OF_ALL(function) baseline::function
 #endif
 
+#define MARIOTTE_IN(set, Result, function, parameters) \
+  namespace set {                                      \
+  Result function parameters;                          \
+  }
+#define MARIOTTE_BY(choice, Result, function, parameters, arguments) \
+  MARIOTTE_IN(avx2, Result, function, parameters)                    \
+  MARIOTTE_IN(baseline, Result, function, parameters)                \
+  [[gnu::always_inline]] inline Result function parameters {         \
+    return choice(function) arguments;                               \
+  }
+
 /// Declares a function for each set, in its namespace, and one that takes the widest registers of this
 /// machine.
 #define MARIOTTE_PER_INSTRUCTION_SET(Result, function, parameters, arguments) \
-  namespace avx2 {                                                            \
-  Result function parameters;                                                 \
-  }                                                                           \
-  namespace baseline {                                                        \
-  Result function parameters;                                                 \
-  }                                                                           \
-  [[gnu::always_inline]] inline Result function parameters {                  \
-    return MARIOTTE_WIDEST(function) arguments;                               \
-  }
+  MARIOTTE_BY(MARIOTTE_WIDEST, Result, function, parameters, arguments)
 
 /// The same with AVX-512 among them.
 #define MARIOTTE_PER_WIDE_INSTRUCTION_SET(Result, function, parameters, arguments) \
-  namespace avx512 {                                                               \
-  Result function parameters;                                                      \
-  }                                                                                \
-  namespace avx2 {                                                                 \
-  Result function parameters;                                                      \
-  }                                                                                \
-  namespace baseline {                                                             \
-  Result function parameters;                                                      \
-  }                                                                                \
-  [[gnu::always_inline]] inline Result function parameters {                       \
-    return MARIOTTE_WIDEST_OF_ALL(function) arguments;                             \
-  }
+  MARIOTTE_IN(avx512, Result, function, parameters)                                \
+  MARIOTTE_BY(MARIOTTE_WIDEST_OF_ALL, Result, function, parameters, arguments)
 
 }  // namespace mariotte::flow

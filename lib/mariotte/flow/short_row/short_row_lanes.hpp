@@ -1,22 +1,16 @@
-// Short rows side by side: one scene in each lane of a register.
+// Short rows side by side.
 #pragma once
 #include <iterator>
 #include <memory>
 #include <span>
 
 #include "mariotte/flow/instruction_set.hpp"
+#include "mariotte/flow/lanes/scene_lanes.hpp"
 #include "mariotte/flow/short_row/short_row.hpp"
-#include "mariotte/flow/taylor/taylor_stepper.hpp"
 
 namespace mariotte::flow {
 
-/// What a row becomes does not depend on those beside it: a lane knows nothing of the others.
-class ShortRowLanes {
- public:
-  virtual ~ShortRowLanes() = default;
-  /// Rows that push, until they are over or leave. A lane whose row has come to that takes the next one.
-  virtual void follow(std::span<ShortRow* const> rows, const taylor::Precision& precision) = 0;
-};
+using ShortRowLanes = SceneLanes<ShortRow>;
 
 /// For rows with at most so many contacts.
 MARIOTTE_PER_WIDE_INSTRUCTION_SET(std::unique_ptr<ShortRowLanes>, make_short_row_lanes, (int contacts),
