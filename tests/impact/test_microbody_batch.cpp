@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <numeric>
 #include <random>
 
 #include "mariotte/core/error.hpp"
@@ -10,8 +9,10 @@
 #include "mariotte/impact/microbody/microbody_impact.hpp"
 #include "mariotte/impact/microbody/microbody_solver.hpp"
 #include "support/allocations.hpp"
+#include "support/batch_order.hpp"
 
 using namespace mariotte;
+using namespace mariotte::test;
 using Bodies = std::vector<model::Microbody>;
 using Impacts = std::vector<impact::BriefMicrobodyImpact>;
 
@@ -47,17 +48,8 @@ Impacts solve(const Bodies& bodies, double accuracy, const std::vector<Index>& o
     BOOST_TEST(body.law[0].adhesion == bodies[which].law[0].adhesion);
     impacts[which] = impact;
   });
-  for (Index i = 0; i < std::ssize(order); ++i) {
-    batch.put(order[i], bodies[order[i]], {.accuracy = accuracy});
-    if (i % at_once == at_once - 1) batch.finish();
-  }
-  batch.finish();
+  put_all(batch, bodies, accuracy, order, at_once);
   return impacts;
-}
-std::vector<Index> in_order(std::size_t count) {
-  std::vector<Index> order(count);
-  std::iota(order.begin(), order.end(), 0);
-  return order;
 }
 
 bool same_bits(const impact::BriefMicrobodyImpact& a, const impact::BriefMicrobodyImpact& b) {

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <numeric>
 #include <random>
 #include <vector>
 
 #include "mariotte/impact/chain/chain_batch.hpp"
 #include "mariotte/impact/chain/chain_impact.hpp"
 #include "mariotte/impact/chain/chain_solver.hpp"
+#include "mariotte/impact/chain/row_scene.hpp"
+#include "support/batch_order.hpp"
 #include "support/reference.hpp"
 
 namespace mariotte::test {
@@ -61,17 +62,8 @@ inline Impacts solve(const Chains& chains, double accuracy, const std::vector<In
     BOOST_TEST(chain.velocity == chains[which].velocity, boost::test_tools::per_element());
     impacts[which] = impact;
   });
-  for (Index i = 0; i < std::ssize(order); ++i) {
-    batch.put(order[i], chains[order[i]], {.accuracy = accuracy});
-    if (i % at_once == at_once - 1) batch.finish();
-  }
-  batch.finish();
+  put_all(batch, chains, accuracy, order, at_once);
   return impacts;
-}
-inline std::vector<Index> in_order(std::size_t count) {
-  std::vector<Index> order(count);
-  std::iota(order.begin(), order.end(), 0);
-  return order;
 }
 inline Impacts solve(const Chains& chains, double accuracy) {
   return solve(chains, accuracy, in_order(chains.size()), 1000);
@@ -113,6 +105,18 @@ inline void expect_as_in_general(const Chains& chains, double accuracy) {
   }
 }
 
+/// Whether a row of at most so many balls, followed as one of `Rows`, has to be solved alone.
+template <int most, class Rows>
+bool leaves_lanes(const model::Chain& chain, double accuracy) {
+  NaturalRoot natural_root;
+  const auto scene = impact::row_scene<most>(chain, {.accuracy = accuracy}, natural_root);
+  if (!scene) return true;
+  auto row = impact::dimensionless(*scene, accuracy);
+  Rows().follow({&row, 1}, accuracy);
+  impact::BriefImpact impact;
+  return !impact::describe(*scene, row, accuracy, impact);
+}
+
 inline bool same_bits(const impact::BriefImpact& a, const impact::BriefImpact& b) {
   return a.velocity == b.velocity && a.impulse == b.impulse && a.time == b.time && a.periods == b.periods &&
          a.events == b.events && a.steps == b.steps && a.estimated_accuracy == b.estimated_accuracy;
@@ -127,6 +131,25 @@ inline void expect_independent(const Chains& chains, double accuracy) {
     const auto others = solve(chains, accuracy, order, at_once);
     for (std::size_t i = 0; i < chains.size(); ++i) BOOST_TEST(same_bits(impacts[i], others[i]));
   }
+}
+
+/// Hertz balls that touch, whatever their units: stiffnesses are rounded, so that ratios are exact.
+inline void expect_no_scale(Chains chains, double accuracy) {
+  const auto stiffness = [](contact::Law& law) -> double& {
+    return std::get<contact::PowerLaw>(law).stiffness;
+  };
+  for (auto& chain : chains)
+    for (auto& law : chain.law) stiffness(law) = std::round(8 * stiffness(law) + 1);
+  const auto impacts = solve(chains, accuracy);
+  for (auto& chain : chains) {
+    for (double& mass : chain.mass) mass *= 0x1p-40;
+    for (double& velocity : chain.velocity) velocity *= 0x1p10;
+    for (auto& law : chain.law) stiffness(law) *= 3.7e5;
+  }
+  const auto others = solve(chains, accuracy);
+  for (std::size_t i = 0; i < chains.size(); ++i)
+    for (std::size_t ball = 0; ball < chains[i].mass.size(); ++ball)
+      BOOST_TEST(others[i].velocity[ball] == 0x1p10 * impacts[i].velocity[ball]);
 }
 
 /// Between two chains whose contacts close a different number of times lies one in which some contact grazes:
