@@ -156,17 +156,6 @@ constexpr NamedLaw laws[] = {
      .make = [](const Numbers& n) -> Law { return std::make_shared<Tabulated>(n.points); }},
 };
 
-}  // namespace
-
-const std::span<const NamedLaw> named_laws(laws);
-
-const LawKey* NamedLaw::find(std::string_view key) const {
-  const auto place = std::find_if(keys.begin(), keys.end(), [&](const LawKey& k) { return k.key == key; });
-  return place == keys.end() ? nullptr : &*place;
-}
-
-namespace {
-
 std::string list(const std::vector<std::string_view>& names) {
   std::string text;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -177,6 +166,13 @@ std::string list(const std::vector<std::string_view>& names) {
 }
 
 }  // namespace
+
+const std::span<const NamedLaw> named_laws(laws);
+
+const LawKey* NamedLaw::find(std::string_view key) const {
+  const auto place = std::find_if(keys.begin(), keys.end(), [&](const LawKey& k) { return k.key == key; });
+  return place == keys.end() ? nullptr : &*place;
+}
 
 std::string names_of_laws() {
   std::vector<std::string_view> names;
