@@ -144,13 +144,13 @@ BOOST_AUTO_TEST_CASE(values_that_are_hardly_determined_have_a_warning) {
   BOOST_TEST(fit.warnings[0].starts_with("the measurements do not determine chain.stiffness[0] ("));
 }
 
-BOOST_AUTO_TEST_CASE(a_damping_that_tends_to_zero_has_a_warning) {
+BOOST_AUTO_TEST_CASE(a_damping_that_may_be_zero_has_a_warning) {
   const auto scene = with(with(row(1e6), "1, 1, 1", "1, 1"), "1, 0, 0", "1, 0");
   const auto damped = with(scene, "\"hertz\"", "\"kuwabara-kono\"\ndamping = 1");
   const auto measured = study::parse_measurements("speed,restitution\n1,1\n2,1\n3,1\n", "data.csv");
   const auto fit = fitted(damped, measured, {"chain.damping"});
   BOOST_TEST_REQUIRE(fit.warnings.size() == 1u);
-  BOOST_TEST(fit.warnings[0].starts_with("chain.damping tends to zero: "));
+  BOOST_TEST(fit.warnings[0].starts_with("chain.damping is not told from zero"));
 }
 
 BOOST_AUTO_TEST_CASE(a_row_whose_balls_do_not_meet_is_refused_by_its_line) {

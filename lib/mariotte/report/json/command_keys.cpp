@@ -100,7 +100,7 @@ constexpr Key of_fit[] = {
     {"estimates[].key", "", "key of the scene"},
     {"estimates[].start", "SI", "its value in the scene, where the search starts"},
     {"estimates[].value", "SI", "its value by the measurements"},
-    {"estimates[].standard_error", "SI", "of this value; null if it is beyond all numbers"},
+    {"estimates[].standard_error", "SI", "of this value; null if the search has followed it down to zero"},
     {"estimates[].interval[]", "SI",
      "both ends of its confidence interval; 0 and null if they are beyond all numbers"},
     {"confidence", "1", "level of the intervals"},

@@ -40,7 +40,7 @@ std::string summary(const FitReport& report) {
 std::string values(const study::Fit& fit) {
   const auto row = [&](Index i) -> TableRow {
     const auto& [key, start, value, error, lower, upper] = fit.estimates[static_cast<std::size_t>(i)];
-    return {key, rounded(start, 6), rounded(value, 8), rounded(error, 2),
+    return {key, rounded(start, 6), rounded(value, 8), std::isfinite(error) ? rounded(error, 2) : "–",
             fmt::format("{:.6g} to {:.6g}", lower, upper)};
   };
   return "\nValues [SI]\n" + columns({"key", "start", "value", "standard error",

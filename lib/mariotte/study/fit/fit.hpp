@@ -18,8 +18,8 @@ struct FitError : Error {
 struct Estimate {
   std::string key;
   double start = 0, value = 0;  ///< [SI]
-  double standard_error = 0;
-  double lower = 0, upper = 0;  ///< ends of the confidence interval, by Student's t
+  double standard_error = 0;    ///< infinite of a value that the search has followed down to zero
+  double lower = 0, upper = 0;  ///< ends of the confidence interval; 0 where zero is not told from the value
 };
 
 struct Fit {
@@ -32,7 +32,7 @@ struct Fit {
   double confidence = 0;
   Index runs = 0;                          ///< impacts simulated
   Index runs_with_slopes = 0;              ///< of them, those that carried exact slopes along
-  std::vector<std::string> warnings = {};  ///< of values that the measurements hardly determine
+  std::vector<std::string> warnings = {};  ///< of values that may be zero or that nothing bounds
 
   std::vector<double> values() const;
 };

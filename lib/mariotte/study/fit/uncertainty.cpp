@@ -16,6 +16,7 @@ Slopes matrix(std::span<const double> columns, Index count) {
 
 std::vector<std::vector<double>> undetermined(std::span<const double> columns, Index count,
                                               double tolerance) {
+  if (count == 0) return {};
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(matrix(columns, count), Eigen::ComputeThinV);
   std::vector<std::vector<double>> directions;
   for (Index k = 0; k < count; ++k) {
@@ -27,6 +28,7 @@ std::vector<std::vector<double>> undetermined(std::span<const double> columns, I
 }
 
 Uncertainty uncertainty(std::span<const double> columns, Index count) {
+  if (count == 0) return {};
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(matrix(columns, count), Eigen::ComputeThinV);
   const Eigen::MatrixXd root = svd.matrixV() * svd.singularValues().cwiseInverse().asDiagonal();
   const Eigen::MatrixXd covariance = root * root.transpose();
