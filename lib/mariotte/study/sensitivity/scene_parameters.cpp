@@ -124,9 +124,30 @@ std::vector<impact::Parameter<model::Microbody>> body_parameters(const Document&
   return chosen(document, keys, all_of_body(document, keys));
 }
 
+namespace {
+
+/// The outcome that a key of a result leads to: "velocity[2]" for "final.velocity[2]", "impulse[1]" for
+/// "contacts[1].impulse"; others stay.
+std::string as_outcome(std::string key) {
+  constexpr std::string_view final = "final.", contacts = "contacts[", impulse = "].impulse";
+  if (key.starts_with(final)) return key.substr(final.size());
+  if (key == "energy.dissipated") return "dissipated";
+  if (key.starts_with(contacts) && key.ends_with(impulse))
+    return "impulse[" + key.substr(contacts.size(), key.find(']') - contacts.size()) + "]";
+  return key;
+}
+
+std::vector<std::string> as_outcomes(std::vector<std::string> keys) {
+  for (auto& key : keys) key = as_outcome(key);
+  return keys;
+}
+
+}  // namespace
+
 impact::Sensitivity sensitivity(const Document& document, const scene::Scene& scene,
-                                const std::vector<std::string>& keys,
-                                const std::vector<std::string>& outcomes, const impact::SlopeWatch& watch) {
+                                const std::vector<std::string>& keys, const std::vector<std::string>& of,
+                                const impact::SlopeWatch& watch) {
+  const auto outcomes = as_outcomes(of);
   if (std::find(outcomes.begin(), outcomes.end(), capture_velocity_name) != outcomes.end()) {
     if (outcomes.size() > 1)
       throw InvalidParameter("capture_velocity is asked for alone: other outcomes are those of one run");
@@ -165,7 +186,8 @@ impact::Sensitivity outcomes(const scene::Scene& scene) {
       [] { return std::vector<impact::Parameter<model::Microbody>>{}; });
 }
 
-void keep_asked_for(std::vector<impact::OutcomeSlopes>& all, const std::vector<std::string>& of) {
+void keep_asked_for(std::vector<impact::OutcomeSlopes>& all, const std::vector<std::string>& keys) {
+  const auto of = as_outcomes(keys);
   const auto is_wanted = [](const auto& one, const auto& key) { return is_asked_for(name_of(one), key); };
   for (const auto& key : of)
     if (std::none_of(all.begin(), all.end(), [&](const auto& one) { return is_wanted(one, key); })) {
