@@ -109,13 +109,17 @@ double BodiesPhase<D>::meeting(ConstState x, Index contact, double limit) const 
     if (now.gap_rate > -setting_.slip_noise * setting_.speed) return infinity;
     gap = std::max(now.gap + setting_.gap_noise * c.length, 0.0);
   }
+  const Vec<double, D> relative = b.velocity - (is_plane ? setting_.plane_velocity[c.plane] : a.velocity);
+  const double speed = is_plane ? std::abs(now.gap_rate) : norm(relative);
+  const double left_out = std::max(setting_.slip_noise, setting_.onset_noise);  // a tenth of the accuracy
+  const bool drifts = speed <= left_out * setting_.speed;
+  if (drifts && !turns_a && !turns_b && fall == 0 && !contact::adheres(c.law)) return infinity;
   if (is_plane && !turns_b) return flow::first_crossing(flow::Crossing::falling, gap, now.gap_rate, fall);
 
   const double radii = (is_plane ? sphere_b.radius : c.touching_distance()) - dent;
-  const Vec<double, D> relative = b.velocity - (is_plane ? setting_.plane_velocity[c.plane] : a.velocity);
   if (!turns_a && !turns_b) {
     const double distance = radii + gap, slope = distance * now.gap_rate, ends = gap * (distance + radii);
-    const double speed = dot(relative, relative), square = slope * slope - speed * ends;
+    const double square = slope * slope - speed * speed * ends;
     return slope < 0 && square >= 0 ? ends / (std::sqrt(square) - slope) : infinity;
   }
 
