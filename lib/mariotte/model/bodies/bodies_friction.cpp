@@ -156,7 +156,37 @@ void BodiesSystem<D>::begin_from_rest(Mode& mode, std::size_t place, std::vector
   }
   one.friction = Friction::stick;
   one.from_rest = false;
+  arrest(mode, x);
   changes.push_back({one.contact, BodyEvent::stick});
+}
+
+/// A slip ends within the rounding of its root. What is left of it would last as long as the contact sticks:
+/// friction takes it away at once, as it would have done a moment later.
+template <int D>
+void BodiesSystem<D>::arrest(const Mode& mode, std::vector<double>& x) const {
+  const auto at = layout(x);
+  const auto push = [&](Index body, const Vec<double, D>& lever, const Vec<double, D>& impulse) {
+    const auto& one = setting_.body[body];
+    const auto turn = moment(lever, impulse);
+    for (int k = 0; k < D; ++k) x[at.velocity(body) + k] += impulse[k] / one.mass;
+    for (int k = 0; k < turns(D); ++k)
+      x[at.momentum(body) + k] += D == 2 ? turn[k] / one.inertia[k] : turn[k];
+  };
+  field(mode, x);
+  const auto& impulses = field_.stopping([&](Index contact) { return motion(contact, x).slip; });
+  for (std::size_t k = 0; k < impulses.size(); ++k) {
+    const auto& [place, contact] = field_.stuck()[k];
+    const auto& one = setting_.contact[contact];
+    const auto& now = field_.contact(place).motion;
+    push(setting_.sphere[one.b].body, now.lever_b, impulses[k]);
+    if (one.plane < 0) push(setting_.sphere[one.a].body, now.lever_a, -1.0 * impulses[k]);
+    const Index slot = mode.closed[place].slot;
+    if constexpr (D == 2)
+      x[at.tangential(slot)] += dot(impulses[k], across(now.normal));
+    else
+      for (int i = 0; i < D; ++i) x[at.tangential(slot) + i] += impulses[k][i];
+    x[at.losses(slot)] -= 0.5 * dot(impulses[k], now.slip);
+  }
 }
 
 /// Whether a spring that slips would have to be pulled back to go on, by the field that was asked for last:

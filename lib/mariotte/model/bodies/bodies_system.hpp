@@ -60,6 +60,7 @@ class BodiesSystem {
   void begin_from_rest(Mode& mode, std::size_t place, std::vector<double>& x, BodyEvent otherwise,
                        std::vector<Change>& changes) const;
   void begin_at_rest(ClosedContact& one, ConstState x) const;
+  void arrest(const Mode& mode, std::vector<double>& x) const;
   bool leaves_rest(const Mode& mode, std::size_t place, ConstState x) const;
   bool slip_from_rest(Mode& mode, std::size_t place, const ContactForces<double, D>& held,
                       std::vector<double>& x) const;
