@@ -2,6 +2,8 @@
 #include <boost/test/unit_test.hpp>
 #include <random>
 
+#include "mariotte/contact/dmt.hpp"
+#include "mariotte/contact/jkr.hpp"
 #include "mariotte/impact/chain/chain_impact.hpp"
 #include "mariotte/impact/chain/chain_solver.hpp"
 #include "mariotte/impact/network/network_impact.hpp"
@@ -263,6 +265,32 @@ BOOST_AUTO_TEST_CASE(such_balls_as_a_network_keep_the_accuracy) {
     const auto brief = impact::NetworkSolver().solve(network, {.accuracy = accuracy});
     BOOST_TEST(impact::difference(brief.velocity, truth.velocity, 1) < accuracy);
   }
+}
+
+/// Two balls that adhere ring 66 times beside a ball that creeps into a damped wall. All runs have the same
+/// steps of BDF, and agree in their errors. The pair alone is followed in closed form and by series.
+BOOST_AUTO_TEST_CASE(rows_that_ring_for_long_say_what_steps_of_cvode_leave) {
+  const contact::Law bond =
+      contact::state(contact::Jkr(0.0221554926035175, 18.87033961665781, 0.00010189213356937681, 0));
+  const model::Chain pair{.mass = {0.00019667420298899145, 2.5725081437200994},
+                          .law = {bond},
+                          .gap = {0},
+                          .velocity = {0.8081561391748562, 0}};
+  const hybrid::Options options{.accuracy = 1e-10, .max_time = 10.787224654586286};
+  const auto truth = impact::simulate(pair, options);
+  model::Chain row = pair;
+  row.mass.insert(row.mass.begin(), {infinity, 0.44882497092305407});
+  row.velocity.insert(row.velocity.begin(), {0, -0.27463670197610757});
+  row.gap.insert(row.gap.begin(), {0.00018530584109851807, 0.0044508061083701955});
+  row.law.insert(row.law.begin(),
+                 {contact::state(contact::Dmt(0.9596983823899914, 172.94023295121517, 0.00041259874475712877,
+                                              11.542484773618687)),
+                  contact::state(contact::Dmt(0.01909991439495466, 58.49728478594662, 0.00033718852065985755,
+                                              0.006653474851786529))});
+  const auto impact = impact::simulate(row, options);
+  const double error = std::abs(impact.velocity[2] - truth.velocity[0]);
+  BOOST_TEST_REQUIRE(impact.estimated_accuracy.has_value());
+  BOOST_TEST(error < *impact.estimated_accuracy * model::reference_speed(row));
 }
 
 /// A light ball closes one contact four times, where all others close once or twice.

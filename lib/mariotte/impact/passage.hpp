@@ -12,21 +12,31 @@ namespace mariotte::impact {
 /// What a run has gone through.
 struct Passage {
   Index contacts = 0;
-  Index harmless = 0;  ///< periods up to which none magnifies the errors of another
-  Index periods = 0;   ///< of contact, of all contacts together
-  Index most = 0;      ///< of the contact that has closed most often, where that tells
-  Index steps = 0;     ///< of series and closed forms; CVODE's are shorter and count a thirtieth
-  Index exact = 0;     ///< phases of contact in closed form, which err by rounding alone
-  Index cut = 0;       ///< others, whose errors the accuracy sets
+  Index harmless = 0;        ///< periods up to which none magnifies the errors of another
+  Index periods = 0;         ///< of contact, of all contacts together
+  Index most = 0;            ///< of the contact that has closed most often, where that tells
+  Index steps = 0;           ///< of series and closed forms; CVODE's are shorter and count a thirtieth
+  Index adams = 0, bdf = 0;  ///< steps of CVODE
+  Index exact = 0;           ///< phases of contact in closed form, which err by rounding alone
+  Index cut = 0;             ///< others, whose errors the accuracy sets
   double flight = 0;  ///< the longest one before contacts that push together, over how long they do [Flights]
   bool starts_slowly = false;  ///< some come together very slowly at the start [slow_start.hpp]
   double slowing = 1;          ///< how many times slower than it met a contact that adheres let go, at most
+  double floor = 0;            ///< error that CVODE leaves at its tightest tolerance, where that is known
   double attainable = 16 * epsilon;  ///< accuracy beyond which rounding leaves no run
 };
+
+/// Error that steps of CVODE add up to and no tighter tolerance takes away, relative to the speed: of rows
+/// that ring for long, against extended precision. What friction holds back forgets the errors of its steps.
+inline double floor_of_rings(const Passage& passage) {
+  constexpr double adams = 80 * epsilon, bdf = 400 * epsilon;
+  return adams * static_cast<double>(passage.adams) + bdf * static_cast<double>(passage.bdf);
+}
 
 /// Adds the work of a flow.
 inline void count_flow(Passage& passage, flow::Kind kind, Index phases, Index steps) {
   passage.steps += is_cvode(kind) ? steps / 30 : steps;
+  if (is_cvode(kind)) (kind == flow::Kind::cvode_adams ? passage.adams : passage.bdf) += steps;
   if (kind == flow::Kind::ballistic) return;
   (kind < flow::Kind::taylor ? passage.exact : passage.cut) += phases;
 }
@@ -90,6 +100,7 @@ Passage passage(const Impact& impact) {
     gone.most = std::max(gone.most, std::ssize(contact.periods));
   }
   count_flows(gone, impact.flows);
+  gone.floor = floor_of_rings(gone);
   return gone;
 }
 

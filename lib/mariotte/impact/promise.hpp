@@ -110,6 +110,14 @@ std::optional<double> keep_promise(const hybrid::Options& asked, const Passage& 
   return shaken ? std::max({*shaken, agreed ? *last : 0, slowed_rounding(gone)}) : last;
 }
 
+/// Steps of CVODE add up errors in which two runs may agree: the estimate is no less where they are more than
+/// was asked for.
+template <class Impact>
+void add_floor(const Passage& gone, double asked, Impact& impact) {
+  if (gone.floor > asked)
+    impact.estimated_accuracy = std::max(gone.floor, impact.estimated_accuracy.value_or(0));
+}
+
 /// Something moves at the start, or is driven.
 template <class Model>
 bool moves(const Model& model) {
@@ -150,7 +158,8 @@ void keep_promise(const Model& model, const hybrid::Options& asked, Passage gone
                   Again&& again, Apart&& apart) {
   impact.estimated_accuracy.reset();
   gone.starts_slowly = starts_slowly(model, asked.accuracy);
-  if (!may_have_erred(gone) || impact.ending == hybrid::Ending::interrupted) return;
+  if (!may_have_erred(gone) || impact.ending == hybrid::Ending::interrupted)
+    return add_floor(gone, asked.accuracy, impact);
   const auto run = [&](const hybrid::Options& options) -> std::optional<double> {
     auto tighter = again(model, options);
     if (!may_replace(impact.ending, tighter.ending)) return std::nullopt;
@@ -165,6 +174,7 @@ void keep_promise(const Model& model, const hybrid::Options& asked, Passage gone
     });
   };
   impact.estimated_accuracy = keep_promise(asked, gone, run, shake);
+  add_floor(gone, asked.accuracy, impact);
 }
 
 /// The same for brief results: `solve(model, options)` fills in `impact`; `looser` is memory. What has `gone`
@@ -174,7 +184,7 @@ void keep_promise(const Model& model, const hybrid::Options& asked, Passage gone
                   Brief& looser, Solve&& solve, Apart&& apart) {
   impact.estimated_accuracy.reset();
   gone.starts_slowly = starts_slowly(model, asked.accuracy);
-  if (!may_have_erred(gone)) return;
+  if (!may_have_erred(gone)) return add_floor(gone, asked.accuracy, impact);
   const auto run = [&](const hybrid::Options& options) -> std::optional<double> {
     looser = impact;
     solve(model, options);
@@ -192,6 +202,7 @@ void keep_promise(const Model& model, const hybrid::Options& asked, Passage gone
   };
   const auto estimate = keep_promise(asked, gone, run, shake);
   impact.estimated_accuracy = estimate;
+  add_floor(gone, asked.accuracy, impact);
 }
 
 }  // namespace mariotte::impact
