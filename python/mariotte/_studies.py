@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import json
+import math
 import os
-from typing import Any, Dict, List, Mapping, NamedTuple, Sequence, Tuple, Union
+from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -69,8 +70,8 @@ class Estimate(NamedTuple):
     """One value that was found [SI]."""
 
     value: float
-    standard_error: float
-    lower: float  #: end of the confidence interval
+    standard_error: float  #: inf of a value that the search has followed down to zero
+    lower: float  #: end of the confidence interval; 0 where zero is not told from the value
     upper: float
     start: float
 
@@ -191,8 +192,12 @@ def fit(scene: Scene[Any], data: Union[Path, Mapping[str, Column]], *,
     return found
 
 
-def _estimate(*, key: str, start: float, value: float, standard_error: float, interval: List[float]) -> Estimate:
-    return Estimate(value, standard_error, interval[0], interval[1], start)
+def _estimate(
+    *, key: str, start: float, value: float, standard_error: Optional[float], interval: List[Optional[float]]
+) -> Estimate:
+    """JSON has null for what is beyond all numbers."""
+    error, lower, upper = (math.inf if one is None else one for one in (standard_error, *interval))
+    return Estimate(value, error, lower, upper, start)
 
 
 def _csv(columns: Mapping[str, Column]) -> str:

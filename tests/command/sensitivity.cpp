@@ -80,6 +80,13 @@ BOOST_FIXTURE_TEST_CASE(slopes_by_all_numbers_of_a_very_long_row_are_told, Sessi
   BOOST_TEST(has(run.out, "contact[2998].stiffness"));
 }
 
+BOOST_FIXTURE_TEST_CASE(outcomes_are_asked_for_by_the_keys_of_results_too, Session) {
+  const auto by_key =
+      mariotte(triplet + "--of final.velocity[2] --of contacts[0].impulse --of final.time --csv");
+  BOOST_TEST(by_key.out == mariotte(triplet + "--of velocity[2] --of impulse[0] --of time --csv").out);
+  BOOST_TEST(has(by_key.out, "velocity[2],m/s,"));
+}
+
 BOOST_FIXTURE_TEST_CASE(what_there_is_no_slope_of_or_by_is_told_so, Session) {
   const auto outcome = mariotte(triplet + "--of speed");
   BOOST_TEST(outcome.code == 2);
