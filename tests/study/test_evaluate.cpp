@@ -198,6 +198,8 @@ BOOST_AUTO_TEST_CASE(a_refusal_names_the_key_that_was_meant) {
   names("icr", "needs an index in brackets");
   names("icr[1]", "'icr[1]' does not exist: the last is icr[0]");
   names("flows[0].name", "is no number");
+  const auto pair = scene::parse(test::steel_balls, "pair", {"chain.balls=2", "chain.velocity=[1, 0]"});
+  BOOST_TEST(refusal("icr[*]", pair).find("'icr[*]' stands for nothing") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(an_index_that_only_some_points_have_is_right) {

@@ -116,11 +116,18 @@ class Expansion {
 
   std::vector<Column> operator()(const std::vector<std::string>& keys) {
     for (const auto& key : keys.empty() ? default_keys() : keys)
-      is_slope(key) ? add_slope(key) : expand(key, entry_of<Impact>(key));
+      is_slope(key) ? add_slope(key) : expand_all(key);
     return std::move(columns_);
   }
 
  private:
+  /// Throws BeyondEnd if * stands for nothing, unless a run has to tell.
+  void expand_all(const std::string& key) {
+    const auto before = added_;
+    expand(key, entry_of<Impact>(key));
+    if (added_ == before && counting_ == Counting::by_run)
+      throw BeyondEnd(fmt::format("'{}' stands for nothing: that array is empty{}", key, unnumbered()));
+  }
   void expand(const std::string& key, const Entry<Impact>& entry, std::size_t level = 0) {
     if (!entry.has_index(level)) return add(key, *entry.quantity);
     if (entry.at[level] != impact::every_index) {
@@ -136,6 +143,7 @@ class Expansion {
 
   void add(const std::string& key, const Quantity<Impact>& quantity) {
     const auto& [pattern, unit, symbol, meaning] = quantity.is;
+    ++added_;
     if (!known_.insert(key).second) return;
     columns_.push_back({key, std::string(key.ends_with(".count") ? "1" : unit), symbol, meaning});
   }
@@ -155,9 +163,17 @@ class Expansion {
     const Index count = array.count(result_, entry.at).value_or(0);
     if (entry.at[level] < count) return;
     const auto name = array.is.key.substr(0, array.is.key.size() - 2);
-    throw BeyondEnd(fmt::format("'{}' does not exist: {}", key,
+    throw BeyondEnd(fmt::format("'{}' does not exist: {}{}", key,
                                 count == 0 ? fmt::format("this scene has no {}", name)
-                                           : fmt::format("the last is {}[{}]", name, count - 1)));
+                                           : fmt::format("the last is {}[{}]", name, count - 1),
+                                name == "contacts" ? unnumbered() : ""));
+  }
+  /// Why pairs of bodies that may touch are not among the contacts.
+  std::string unnumbered() const {
+    if constexpr (std::is_same_v<Model, model::Bodies>)
+      if (always_told(model_) < std::ssize(model_.contact))
+        return "; of so many pairs only those that [[bodies.contact]] names have numbers that stay";
+    return "";
   }
 
   /// Runs the scene if nothing less tells; 0 where an array around it has no such index.
@@ -204,6 +220,7 @@ class Expansion {
   bool may_run_;  ///< and has not been yet
   std::vector<Column> columns_;
   std::set<std::string> known_;
+  std::size_t added_ = 0;  ///< columns, also those that were known
 };
 
 }  // namespace
