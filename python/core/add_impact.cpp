@@ -136,13 +136,13 @@ void save_csv(const Impact& impact, const std::string& path) {
 
 void save_hdf5(const Impact& impact, const std::string& path) {
   const auto traced = simulate(impact.box(), impact.options(), {.trace = true});
-  const auto trace = std::visit(
-      Overload{[](const Contacts& contacts) { return contacts.trace; },
-               [](const impact::BodiesImpact& one) { return contact_trace(one.trace, one.dimension); },
-               [](const Body&) -> impact::Trace {
-                 throw InvalidParameter("HDF5 holds traces of contacts; save the body's as .csv");
-               }},
-      traced);
+  const auto trace =
+      std::visit(Overload{[](const Contacts& contacts) { return contacts.trace; },
+                          [](const impact::BodiesImpact& one) { return contact_trace(one); },
+                          [](const Body&) -> impact::Trace {
+                            throw InvalidParameter("HDF5 holds traces of contacts; save the body's as .csv");
+                          }},
+                 traced);
   const auto places = [](const auto& rows) {
     std::vector<Index> all(rows.empty() ? 0 : rows.front().size());
     std::iota(all.begin(), all.end(), 0);

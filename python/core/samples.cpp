@@ -27,7 +27,16 @@ void add(const impact::Sample& sample, double time, Samples& samples) {
   append(samples.force, sample.force);
 }
 
-Samples with_shape(const scene::Scene& scene) {
+/// The contacts of a result among those that a run samples.
+std::vector<Index> contacts_of(const scene::Impact& impact, Index sampled) {
+  const auto* bodies = std::get_if<impact::BodiesImpact>(&impact);
+  if (!bodies) return all(sampled);
+  std::vector<Index> some;
+  for (const auto& one : bodies->contacts) some.push_back(one.contact);
+  return some;
+}
+
+Samples with_shape(const Impact& impact) {
   Samples samples;
   std::visit(Overload{[&](const model::Microbody& body) {
                         samples.velocities = 3;
@@ -35,14 +44,15 @@ Samples with_shape(const scene::Scene& scene) {
                       },
                       [&](const model::Bodies& bodies) {
                         samples.velocities = bodies.dimension * std::ssize(bodies.body);
-                        samples.contacts = std::ssize(bodies.contact);
+                        samples.contacts =
+                            std::ssize(std::get<impact::BodiesImpact>(impact.whole()).contacts);
                       },
                       [&](const scene::LawAlone&) {},
                       [&](const auto& model) {
                         samples.velocities = std::ssize(model.velocity);
                         samples.contacts = std::ssize(model.gap);
                       }},
-             scene.model);
+             impact.box().scene.model);
   return samples;
 }
 
@@ -120,12 +130,12 @@ Samples sample(const Impact& impact, const std::vector<double>& times) {
   auto options = impact.options();
   const double asked = options.accuracy, speed = largest(expected);
   for (;;) {
-    Samples samples = with_shape(box.scene);
+    Samples samples = with_shape(impact);
     Taker taker{.times = times, .samples = samples};
     const impact::Sampling sampling{.velocities = all(samples.velocities),
-                                    .contacts = all(samples.contacts),
+                                    .contacts = contacts_of(impact.whole(), samples.contacts),
                                     .take = std::ref(taker),
-                                    .restart = [&] { samples = with_shape(box.scene); }};
+                                    .restart = [&] { samples = with_shape(impact); }};
     simulate(box, options, {.samplings = {sampling}});
     taker.finish();
     const double apart = impact::difference(expected, taker.last.velocity, speed);
@@ -135,11 +145,9 @@ Samples sample(const Impact& impact, const std::vector<double>& times) {
 }
 
 Samples steps(const Impact& impact) {
-  Samples samples = with_shape(impact.box().scene);
+  Samples samples = with_shape(impact);
   const auto traced = simulate(impact.box(), impact.options(), {.trace = true});
-  std::visit(Overload{[&](const impact::BodiesImpact& one) {
-                        add(contact_trace(one.trace, one.dimension), samples);
-                      },
+  std::visit(Overload{[&](const impact::BodiesImpact& one) { add(contact_trace(one), samples); },
                       [&](const auto& one) { add(one.trace, samples); }},
              traced);
   return samples;

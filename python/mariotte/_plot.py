@@ -49,8 +49,11 @@ class ImpactPlot:
         """Forces of contacts or tips over time; an image of more than twelve."""
         samples = self._impact.trajectory.steps()
         friction, windows, logarithmic, _, _ = _core.picture(self._impact._run)
-        values, quantity = _acting(self._impact, samples.force), "contact force f"
+        values, quantity = samples.force, "contact force f"
         names = names_of_contacts(self._impact, values.shape[1])
+        closed = _closed(self._impact)
+        if closed is not None:
+            values, names = values[:, closed], [names[j] for j in closed]
         if isinstance(self._impact.scene, Body):
             values, names = _with_friction(values, friction)
             quantity = "force on a tip F"
@@ -149,12 +152,11 @@ def names_of_velocities(scene: Scene[Any], moving: str, count: int) -> List[str]
     return [f"ball {i // dimension + 1} {_AXES[i % dimension]}" for i in range(count)]
 
 
-def _acting(impact: "Impact", force: Array) -> Array:
-    """Of bodies, which may touch anywhere, the contacts of the result in its order, as events count them."""
+def _closed(impact: "Impact") -> Optional[List[int]]:
+    """Of bodies, which may touch anywhere, the contacts that have closed; of others all have curves."""
     if not isinstance(impact, BodiesImpact):
-        return force
-    pairs = [tuple(one["between"]) for one in impact.scene.json()["bodies"]["contact"]]
-    return force[:, [pairs.index(pair) for pair in impact.between]]
+        return None
+    return [j for j, periods in enumerate(impact.periods) if len(periods)]
 
 
 def names_of_contacts(impact: "Impact", count: int) -> List[str]:

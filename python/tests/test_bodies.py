@@ -116,5 +116,5 @@ def test_curves_name_the_contacts_that_events_count_from_0_by_numbers_from_1():
     hit = mt.simulate(mt.load(SCENES / "rocking_with_friction.toml"))
     labels = [line.get_label() for line in hit.plot.forces().figure.axes[0].lines]
     named = [label for label in labels if label.startswith("$f")]
-    assert named == ["$f_{1}$ (floor–block.1)", "$f_{2}$ (floor–block.3)"]
-    assert (1,) in [event.close for event in hit.events] and hit.between[1] == ("floor", "block.3")
+    assert named == ["$f_{1}$ (floor–block.1)", "$f_{3}$ (floor–block.3)"]
+    assert (2,) in [event.close for event in hit.events] and hit.between[2] == ("floor", "block.3")

@@ -1,4 +1,5 @@
 // Bodies in contact by series beside CVODE, which shares their field but neither clocks nor polynomials.
+#include <algorithm>
 #include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -13,6 +14,12 @@ using model::TangentialLaw;
 using support::Scenes;
 
 namespace {
+
+/// Contacts that close.
+Index closed(const impact::BodiesImpact& impact) {
+  return std::count_if(impact.contacts.begin(), impact.contacts.end(),
+                       [](const auto& one) { return !one.periods.empty(); });
+}
 
 hybrid::Options options(double accuracy, std::optional<flow::Kind> kind) {
   hybrid::Options options;
@@ -55,7 +62,7 @@ void compare(int dimension, unsigned seed, int count, bool branched = false) {
     BOOST_TEST_CONTEXT("scene " << i) {
       BOOST_CHECK(one.ending == two.ending);
       BOOST_TEST(difference(one, two) < 1e-7);
-      BOOST_TEST(one.contacts.size() == two.contacts.size());
+      BOOST_TEST(closed(one) == closed(two));
     }
     met += !one.contacts.empty();
     series += steps_of(one, flow::Kind::taylor);
@@ -162,7 +169,7 @@ BOOST_AUTO_TEST_CASE(pairs_that_are_far_apart_need_not_be_watched) {
                                 .tangential = {TangentialLaw::mindlin, 0.2, 1e9}});
   const auto one = impact::simulate(bodies, options(1e-8, flow::Kind::taylor));
   std::vector<char> closes(bodies.contact.size(), 0);
-  for (const auto& contact : one.contacts) closes[contact.contact] = 1;
+  for (const auto& contact : one.contacts) closes[contact.contact] = !contact.periods.empty();
   auto few = bodies;  // so few that all are watched all the time: neighbours, and whatever meets
   few.contact.clear();
   for (std::size_t i = 0; i < bodies.contact.size(); ++i) {
@@ -173,7 +180,7 @@ BOOST_AUTO_TEST_CASE(pairs_that_are_far_apart_need_not_be_watched) {
   BOOST_TEST(few.contact.size() <= 64u);
   const auto two = impact::simulate(few, options(1e-8, flow::Kind::cvode_adams));
   BOOST_CHECK(one.ending == hybrid::Ending::separated);
-  BOOST_TEST(one.contacts.size() == two.contacts.size());
+  BOOST_TEST(closed(one) == closed(two));
   BOOST_TEST(difference(one, two) < 1e-5);
 }
 
@@ -285,7 +292,7 @@ BOOST_AUTO_TEST_CASE(a_contact_that_hardly_touches_has_no_peak_there) {
     const auto impact = impact::simulate(bodies, {.accuracy = accuracy, .max_time = 1, .flies_on = true});
     for (const auto& one : impact.contacts) {
       const double expected = 1e4 * std::pow(one.peak_indentation, 1.5);
-      BOOST_TEST(std::abs(one.peak_force - expected) < 1e-6 * expected);
+      BOOST_TEST(std::abs(one.peak_force - expected) <= 1e-6 * expected);
     }
   }
 }
@@ -348,9 +355,9 @@ BOOST_AUTO_TEST_CASE(balls_that_come_from_afar_are_met) {
     const auto one = impact::simulate(bodies, options(1e-9, flow::Kind::taylor));
     const auto two = impact::simulate(bodies, options(1e-9, flow::Kind::cvode_adams));
     BOOST_TEST_CONTEXT((compiled ? "compiled" : "recorded")) {
-      BOOST_TEST_REQUIRE(one.contacts.size() >= 2u);
-      BOOST_TEST(one.contacts[1].periods.front().start < one.contacts[0].periods.front().end.value());
-      BOOST_TEST(one.contacts.size() == two.contacts.size());
+      BOOST_TEST_REQUIRE(closed(one) >= 2);
+      BOOST_TEST(one.contacts[2].periods.front().start < one.contacts[0].periods.front().end.value());
+      BOOST_TEST(closed(one) == closed(two));
       BOOST_TEST(difference(one, two) < 1e-7);
     }
   }

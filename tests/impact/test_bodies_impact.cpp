@@ -80,6 +80,20 @@ BOOST_AUTO_TEST_CASE(rigid_stick_leaves_five_sevenths) {
 }
 
 // u' = u cos(π √(7 k_t/2k)) of a linear pair that never slips.
+/// From far away, so that its stick begins within a rounded instant: what is left of the slip does not last.
+BOOST_AUTO_TEST_CASE(rigid_stick_is_as_right_in_space_as_in_the_plane) {
+  auto bodies = strike(0.07, {TangentialLaw::rigid, 0.15, 0});
+  bodies.contact[0].touching = false;
+  bodies.body[0].position = {-0.1, 20 * radius, 0};
+  const auto plane = impact::simulate(bodies, {.accuracy = 1e-12, .max_time = 1});
+  bodies.dimension = 3;
+  const auto space = impact::simulate(bodies, {.accuracy = 1e-12, .max_time = 1});
+  BOOST_TEST(std::abs(slip_after(plane)) < 2e-12);
+  BOOST_TEST(std::abs(slip_after(space)) < 2e-12);
+  BOOST_TEST(std::abs(space.body[0].velocity.e1 - plane.body[0].velocity.e1) < 2e-12);
+  BOOST_TEST(std::abs(space.energy.residual) < 1e-12 * space.energy.initial);
+}
+
 BOOST_AUTO_TEST_CASE(a_ball_that_falls_meets_the_plane_as_fast_as_it_must) {
   auto bodies = strike(0, rigid, contact::Viscoelastic{.stiffness = 1e6, .damping = 50, .exponent = 1});
   bodies.body[0].velocity = {};
@@ -336,6 +350,41 @@ BOOST_AUTO_TEST_CASE(bodies_that_nothing_can_touch_fly_on) {
   BOOST_TEST((impact.ending == hybrid::Ending::separated));
   BOOST_TEST(impact.body[0].velocity.e1 == 1);
   BOOST_TEST(impact.energy.residual == 0);
+}
+
+/// What is left of equal velocities is no approach: two balls would meet after 10¹³ s.
+BOOST_AUTO_TEST_CASE(bodies_that_drift_by_rounding_do_not_meet) {
+  for (const int dimension : {2, 3}) {
+    model::Bodies bodies{.dimension = dimension};
+    bodies.body = {ball({0, 0, 0}, {}), ball({0.021, 0, 0}, {-1e-16, 0, 0}), ball({0, 0.05, 0}, {0, 1, 0})};
+    for (const auto& [a, b] : {std::pair{0, 1}, std::pair{0, 2}, std::pair{1, 2}})
+      bodies.contact.push_back({.a = {a, 0}, .b = {b, 0}, .law = contact::Hertz(1e6), .tangential = mindlin});
+    const auto impact = impact::simulate(bodies);
+    BOOST_CHECK(impact.ending == hybrid::Ending::separated);
+    BOOST_TEST(impact.events.empty());
+    BOOST_TEST(impact.time == 0);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(few_pairs_keep_their_numbers_in_results) {
+  model::Bodies bodies{.dimension = 2};
+  for (int i = 0; i < 22; ++i) bodies.body.push_back(ball({0.03 * i, 0, 0}, {i == 20 ? 1.0 : 0.0, 0, 0}));
+  for (Index a = 0; a < 4; ++a)
+    bodies.contact.push_back({.a = {a, 0}, .b = {a + 1, 0}, .law = contact::Hertz(1e6)});
+  bodies.contact.push_back({.a = {20, 0}, .b = {21, 0}, .law = contact::Hertz(1e6)});
+  const auto few = impact::simulate(bodies);
+  BOOST_TEST_REQUIRE(few.contacts.size() == 5u);
+  for (Index j = 0; j < 5; ++j) BOOST_TEST(few.contacts[j].contact == j);
+  BOOST_TEST(few.events.front().of(model::BodyEvent::close).front() == 4);
+  for (Index a = 0; a < 20; ++a)
+    for (Index b = a + 2; b < 22; ++b)
+      bodies.contact.push_back({.a = {a, 0}, .b = {b, 0}, .law = contact::Hertz(1e6)});
+  BOOST_TEST(bodies.contact.size() > 200u);
+  bodies.named = 1;
+  const auto many = impact::simulate(bodies);
+  BOOST_TEST_REQUIRE(many.contacts.size() == 2u);
+  BOOST_TEST(many.contacts[1].contact == 4);
+  BOOST_TEST(many.events.front().of(model::BodyEvent::close).front() == 1);
 }
 
 BOOST_AUTO_TEST_CASE(what_is_slow_and_far_away_says_how_many_digits_are_left) {

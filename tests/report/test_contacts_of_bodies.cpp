@@ -14,7 +14,11 @@ impact::BodiesImpact two_of_three() {
   impact::BodiesImpact impact;
   impact.dimension = 2;
   impact.body.resize(1);
-  for (const Index contact : {0, 2}) impact.contacts.emplace_back().contact = contact;
+  for (const Index contact : {0, 2}) {
+    auto& one = impact.contacts.emplace_back();
+    one.contact = contact;
+    one.periods.push_back({0, 4e-5});
+  }
   for (const double time : {0.0, 5e-5}) {
     impact.trace.time.push_back(time);
     impact.trace.body.emplace_back(1);
@@ -66,7 +70,9 @@ BOOST_AUTO_TEST_CASE(friction_of_many_contacts_is_shown_by_its_magnitude) {
   auto named = names;
   named.contacts.clear();
   for (Index j = 0; j < 7; ++j) {
-    impact.contacts.emplace_back().contact = j;
+    auto& one = impact.contacts.emplace_back();
+    one.contact = j;
+    one.periods.push_back({0, 4e-5});
     named.contacts.push_back("floor–body " + std::to_string(j + 1));
   }
   for (auto& row : impact.trace.gap) row.assign(7, 0);
@@ -75,6 +81,14 @@ BOOST_AUTO_TEST_CASE(friction_of_many_contacts_is_shown_by_its_magnitude) {
   const auto plot = report::plot(impact, "", named);
   BOOST_TEST(plot.script.find("'magnitude of friction f_t [N]'") != std::string::npos);
   BOOST_TEST(plot.data.find("\n1,0,5\n") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(contacts_that_never_close_have_no_curve) {
+  auto impact = two_of_three();
+  impact.contacts.insert(impact.contacts.begin() + 1, {.contact = 1});
+  const auto text = report::plot(impact, "", names).script;
+  BOOST_TEST(text.find("'f_{3} (wall\\_1–rod.2)'") != std::string::npos, text);
+  BOOST_TEST(text.find("f_{2}") == std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(samples_have_columns_of_the_contacts_that_acted) {

@@ -72,10 +72,10 @@ double slowing(const std::vector<OneEvent>& events, const model::Bodies& bodies)
   return slowing.most();
 }
 
-/// Keeps the contacts that were named and those that have closed, and numbers events by them.
-void keep_used(Index named, const std::vector<OneEvent>& events, BodiesImpact& impact) {
+/// Keeps the contacts that are always told and those that have closed, and numbers events by them.
+void keep_used(Index at_least, const std::vector<OneEvent>& events, BodiesImpact& impact) {
   const auto is_unused = [&](const BodyContactHistory& one) {
-    return one.contact >= named && one.periods.empty();
+    return one.contact >= at_least && one.periods.empty();
   };
   std::vector<Index> place(impact.contacts.size(), -1);
   Index kept = 0;
@@ -127,7 +127,7 @@ BodiesImpact simulate_once(const model::Bodies& bodies, const hybrid::Options& o
   const auto list =
       balances(system, workspace.mode, start, run.state, impact.contacts, impact, options.accuracy);
   pass_gate(list, impact.ending, impact.message);
-  keep_used(bodies.named, told, impact);
+  keep_used(always_told(bodies), told, impact);
   attainable = std::max(attainable, system.setting().rounding);
   return impact;
 }
@@ -152,8 +152,10 @@ double difference(const model::Bodies& bodies, double speed, const BodiesImpact&
 
 /// A contact that is pressed again before it has opened counts as closed again.
 Passage passage(const BodiesImpact& impact, double attainable) {
-  Passage gone{.contacts = std::ssize(impact.contacts),
-               .harmless = std::ssize(impact.contacts),
+  const auto closed = std::count_if(impact.contacts.begin(), impact.contacts.end(),
+                                    [](const auto& one) { return !one.periods.empty(); });
+  Passage gone{.contacts = closed,
+               .harmless = closed,
                .flight = longest_flight(impact.contacts),
                .slowing = impact.slowing,
                .attainable = std::max(attainable, 16 * epsilon)};

@@ -79,9 +79,6 @@ struct BodiesTrace {
   std::vector<std::vector<Vector3>> slip;      ///< of b on a per contact [m/s]
 };
 
-/// Its velocities, body by body with all components, gaps and normal forces.
-Trace contact_trace(const BodiesTrace& trace, int dimension);
-
 /// All that a run of bodies leaves, in SI.
 struct BodiesImpact {
   hybrid::Ending ending = hybrid::Ending::separated;
@@ -89,8 +86,9 @@ struct BodiesImpact {
   int dimension = 3;
   double time = 0;  ///< of the ending [s]
   std::vector<BodyEnd> body;
-  std::vector<BodyContactHistory> contacts;  ///< those that were named first, then all that have closed
-  std::vector<BodiesEvents> events;          ///< in order of time
+  std::vector<BodyContactHistory>
+      contacts;  ///< all pairs, or of many those that were named and then all that have closed
+  std::vector<BodiesEvents> events;  ///< in order of time
   BodiesBalance energy;
   Vector3 momentum_residual;          ///< final − initial − impulses of planes and gravity [N s]
   Vector3 angular_momentum_residual;  ///< the same about the origin; zero unless there are planes [N m s]
@@ -103,6 +101,9 @@ struct BodiesImpact {
   double lost_digits = 0;  ///< share of indentations that has been lost to rounding on the way to contacts
   BodiesTrace trace;
 };
+
+/// Of its trace the velocities, body by body with all components, gaps and normal forces of its contacts.
+Trace contact_trace(const BodiesImpact& impact);
 
 /// Simulate bodies until they separate for good, or a limit. Throws InvalidParameter for bodies, accuracy or
 /// flow that make no sense, and Error where contacts that stick rigidly are redundant.

@@ -55,9 +55,9 @@ List<BodiesImpact> contacts() {
   using One = BodyContactHistory;
   return {
       {.is = {"contacts[]", "", "",
-              "those that the scene names, in its order, then all others that have closed"},
-       .count = size_of<&BodiesImpact::contacts>,
-       .counted_by_run = true},
+              "all pairs that may touch, as `check` lists them; of more than 200 pairs those that the scene "
+              "names, in its order, then all others that have closed"},
+       .count = size_of<&BodiesImpact::contacts>},
       {.is = {"contacts[].between[]", "", "", "the two that touch; a plane goes first"},
        .read = [](const BodiesImpact& r, Indices at) -> Value {
          return std::string_view(r.contacts[at[0]].between[at[1]]);
@@ -196,6 +196,7 @@ BodiesImpact unfilled(const model::Bodies& bodies) {
   BodiesImpact impact;
   impact.dimension = bodies.dimension;
   impact.body.resize(bodies.body.size());
+  impact.contacts.resize(static_cast<std::size_t>(always_told(bodies)));
   return impact;
 }
 

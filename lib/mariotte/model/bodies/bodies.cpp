@@ -142,6 +142,12 @@ std::string name_of(const Bodies& bodies, const Feature& feature) {
   return body.spheres.size() == 1 ? name : name + "." + std::to_string(feature.sphere + 1);
 }
 
+Index always_told(const Bodies& bodies) {
+  constexpr Index few = 200;
+  const Index all = std::ssize(bodies.contact);
+  return all <= few ? all : bodies.named;
+}
+
 double start_gap(const Bodies& bodies, const BodyContact& contact) {
   return contact.touching ? 0 : gap_of_positions(bodies, contact);
 }

@@ -81,7 +81,7 @@ struct Bodies {
   std::vector<Body> body = {};
   std::vector<Plane> plane = {};
   std::vector<BodyContact> contact = {};
-  Index named = 0;  ///< so many of the first are in results even if they never close
+  Index named = 0;  ///< so many of the first have tables of their own
 };
 
 /// "none", "rigid", "spring", "mindlin".
@@ -94,6 +94,10 @@ std::string name_of(const Bodies& bodies, const Feature& feature);
 
 /// "body 1" for one that has no name.
 std::string body_name(const Bodies& bodies, Index i);
+
+/// So many of the first contacts are in results even if they never close, so that their numbers are the same
+/// in all results: of few pairs all, else those that are named.
+Index always_told(const Bodies& bodies);
 
 /// Gap of a contact at the start [m].
 double start_gap(const Bodies& bodies, const BodyContact& contact);

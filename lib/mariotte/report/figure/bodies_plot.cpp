@@ -22,21 +22,24 @@ std::vector<Index> closing(const impact::BodiesEvents& event) {
   return all;
 }
 
-/// Of all that may touch, what belongs to the contacts of the result, in its order.
+/// Of all that may touch, what belongs to contacts that have closed, in the order of the result.
 template <class Value>
-std::vector<Value> of_result(const impact::BodiesImpact& impact, const std::vector<Value>& all) {
+std::vector<Value> of_closed(const impact::BodiesImpact& impact, const std::vector<Value>& all) {
   std::vector<Value> some;
-  for (const auto& one : impact.contacts) some.push_back(all[static_cast<std::size_t>(one.contact)]);
+  for (const auto& one : impact.contacts)
+    if (!one.periods.empty()) some.push_back(all[static_cast<std::size_t>(one.contact)]);
   return some;
 }
 
 /// "f_{2} (floor–rod.1)", with the number that events have; `index` stands before it.
 std::vector<std::string> numbered(const impact::BodiesImpact& impact, const CurveNames& names,
                                   const char* index) {
-  if (names.contacts.empty()) return {};
-  auto all = of_result(impact, names.contacts);
-  for (std::size_t j = 0; j < all.size(); ++j)
-    all[j] = fmt::format("f_{{{}{}}} ({})", index, j + 1, plain(all[j]));
+  std::vector<std::string> all;
+  if (names.contacts.empty()) return all;
+  for (std::size_t j = 0; j < impact.contacts.size(); ++j)
+    if (const auto& one = impact.contacts[j]; !one.periods.empty())
+      all.push_back(fmt::format("f_{{{}{}}} ({})", index, j + 1,
+                                plain(names.contacts[static_cast<std::size_t>(one.contact)])));
   return all;
 }
 
@@ -93,7 +96,7 @@ Series series(const Vectors& all, bool one_alone = false) {
 Series friction(const impact::BodiesImpact& impact, const CurveNames& names) {
   Vectors all{"friction", "friction f_t", "contact j", "N", Names::at_peak, numbered(impact, names, "t,"),
               {}};
-  for (const auto& row : impact.trace.friction) all.rows.push_back(of_result(impact, row));
+  for (const auto& row : impact.trace.friction) all.rows.push_back(of_closed(impact, row));
   return series(all);
 }
 
@@ -111,9 +114,9 @@ Series spins(const impact::BodiesImpact& impact, const CurveNames& names) {
 RunPlot plot(const impact::BodiesImpact& impact, const std::string& title, const CurveNames& names,
              const scene::Figure& figure) {
   impact::ContactImpact same;
-  same.trace = impact::contact_trace(impact.trace, impact.dimension);
-  for (auto* rows : {&same.trace.gap, &same.trace.force})
-    for (auto& row : *rows) row = of_result(impact, row);
+  auto closed = impact;
+  std::erase_if(closed.contacts, [](const auto& one) { return one.periods.empty(); });
+  same.trace = impact::contact_trace(closed);
   for (const auto& event : impact.events) {
     impact::Event marks{.time = event.time};
     marks.open = event.of(model::BodyEvent::open);
@@ -126,7 +129,7 @@ RunPlot plot(const impact::BodiesImpact& impact, const std::string& title, const
 }
 
 std::vector<Window> windows_of_action(const impact::BodiesTrace& trace) {
-  return windows_of_action(impact::contact_trace(trace, 2));
+  return windows_of_action(impact::Trace{.time = trace.time, .gap = trace.gap, .force = trace.force});
 }
 
 }  // namespace mariotte::report

@@ -76,8 +76,13 @@ std::string motion(const impact::BodiesImpact& impact, const model::Bodies& bodi
                  std::ssize(impact.body), row);
 }
 
-std::string contacts(const impact::BodiesImpact& impact) {
-  const auto row = [&](Index i) -> TableRow {
+/// Of those that closed or have a table of their own in the scene.
+std::string contacts(const impact::BodiesImpact& impact, const model::Bodies& bodies) {
+  std::vector<Index> shown;
+  for (Index i = 0; i < std::ssize(impact.contacts); ++i)
+    if (impact.contacts[i].contact < bodies.named || !impact.contacts[i].periods.empty()) shown.push_back(i);
+  const auto row = [&](Index k) -> TableRow {
+    const Index i = shown[k];
     const auto& one = impact.contacts[i];
     return {fmt::format("{}", i + 1),
             fmt::format("{} – {}", one.between[0], one.between[1]),
@@ -91,7 +96,7 @@ std::string contacts(const impact::BodiesImpact& impact) {
   };
   return "\nContacts\n" + columns({"", "between", "periods", "∫ f_n dt [N s]", "∫ f_t dt", "peak f_n [N]",
                                    "friction [J]", "other loss [J]"},
-                                  std::ssize(impact.contacts), row);
+                                  std::ssize(shown), row);
 }
 
 /// How fast the two of each contact first met and parted; of the only one that has closed also their ratio.
@@ -150,9 +155,10 @@ std::string restitutions(const model::Bodies& bodies) {
 
 std::string table(const impact::BodiesImpact& impact, const scene::Scene& scene, Detail detail) {
   const auto time = display_for(std::vector{impact.time}, "s");
+  const auto& bodies = std::get<model::Bodies>(scene.model);
   return heading(scene.title.empty() ? "Bodies with friction" : scene.title) + summary(impact, scene, time) +
-         events(impact, time) + motion(impact, std::get<model::Bodies>(scene.model)) + contacts(impact) +
-         meetings(impact) + balance_table("Energy", impact, bodies_energies, "energy.residual") +
+         events(impact, time) + motion(impact, bodies) + contacts(impact, bodies) + meetings(impact) +
+         balance_table("Energy", impact, bodies_energies, "energy.residual") +
          (detail == Detail::full ? background(impact, "contact") : "");
 }
 

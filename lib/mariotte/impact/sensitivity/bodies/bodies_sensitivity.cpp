@@ -118,7 +118,8 @@ class GroupSlopes {
 
   bool is_told(Index contact) const {
     const auto& changes = end_.run.changes;
-    return contact < bodies_.named || std::any_of(changes.begin(), changes.end(), [&](const auto& one) {
+    return contact < always_told(bodies_) ||
+           std::any_of(changes.begin(), changes.end(), [&](const auto& one) {
              return one.change.contact == contact && one.change.event != BodyEvent::part;
            });
   }
