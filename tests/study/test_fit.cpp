@@ -3,6 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "mariotte/study/fit/uncertainty.hpp"
 #include "support/measured_bodies.hpp"
 
 using namespace mariotte;
@@ -228,6 +229,22 @@ BOOST_AUTO_TEST_CASE(a_value_that_may_be_zero_is_named) {
   BOOST_TEST(std::abs(fit.estimates[0].value - 1.5) < 1e-4);
   BOOST_TEST_REQUIRE(fit.warnings.size() == 1u);
   BOOST_TEST(has(fit.warnings[0], "surface.zeta_adhesion is not told from zero"));
+}
+
+/// With that value given, the others fit so much worse as the confidence allows.
+BOOST_AUTO_TEST_CASE(ends_of_wide_intervals_are_where_the_fit_gets_worse) {
+  const auto measured = noisy(exact(sphere, true_dampings, speeds_and_diameters), 0.05, 3);
+  const auto best = fitted(sphere, measured, dampings);
+  const auto& adhesion = best.estimates[1];
+  BOOST_TEST(adhesion.standard_error > 0.2 * adhesion.value);
+  const double t = study::student_t(0.95, best.degrees_of_freedom);
+  const double worse = 1 + t * t / static_cast<double>(best.degrees_of_freedom);
+  for (const double end : {adhesion.lower, adhesion.upper}) {
+    if (end == 0) continue;
+    const auto scene = with(sphere, "zeta_adhesion = 1", fmt::format("zeta_adhesion = {}", end));
+    const auto other = fitted(scene, measured, {"surface.zeta_hertz"});
+    BOOST_TEST(other.chi_square / best.chi_square == worse, boost::test_tools::tolerance(0.01));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_start_from_which_all_is_captured_is_refused) {

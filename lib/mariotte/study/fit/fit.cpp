@@ -7,8 +7,8 @@
 
 #include "mariotte/core/counted.hpp"
 #include "mariotte/study/fault.hpp"
+#include "mariotte/study/fit/fit_intervals.hpp"
 #include "mariotte/study/fit/fit_search.hpp"
-#include "mariotte/study/fit/profile.hpp"
 #include "mariotte/study/fit/uncertainty.hpp"
 
 namespace mariotte::study {
@@ -53,40 +53,6 @@ void expect_determined(const Found& found, const std::vector<std::string>& free,
   throw FitError("the measurements do not determine " + names + why, fault::undetermined);
 }
 
-/// Standard error / value from which an interval is no longer taken from it: residuals bend.
-constexpr double bent = 0.2;
-
-/// Ends of an interval in x_j.
-struct Interval {
-  double lower, upper;
-};
-
-/// Of the keys that are not well known by profiles, of what has vanished first: it opens a way for the
-/// others.
-std::vector<Interval> intervals(const FitProblem& problem, const Found& found, double reach) {
-  const auto& x = found.minimum.x;
-  const auto& error = found.relative_error;
-  const double scatter = reach * reach / static_cast<double>(found.degrees_of_freedom);
-  Profile profile(problem, x, found.squares, found.squares * (1 + scatter));
-  std::vector<Interval> all(x.size());
-  bool vanished = false;
-  for (std::size_t j = 0; j < x.size(); ++j) {
-    if (error[j] < infinity) continue;
-    vanished = true;
-    all[j] = {-infinity, profile.end(j, 2 - x[j])};
-    if (all[j].upper < infinity) profile.look_from(j, all[j].upper);
-  }
-  for (std::size_t j = 0; j < x.size(); ++j) {
-    const double step = reach * error[j];
-    if (!(error[j] < infinity)) continue;
-    const bool is_straight = found.squares == 0 || (error[j] < bent && !vanished);
-    all[j] = is_straight
-                 ? Interval{x[j] - step, x[j] + step}
-                 : Interval{profile.end(j, -std::min(step, 1.0)), profile.end(j, std::min(step, 1.0))};
-  }
-  return all;
-}
-
 void estimate(const FitProblem& problem, const Found& found, const FitModel& model,
               const std::vector<std::string>& free, Fit& fit) {
   const auto all = intervals(problem, found, student_t(fit.confidence, fit.degrees_of_freedom));
@@ -120,9 +86,7 @@ void warn(Fit& fit) {
                            one.standard_error);
     else if (one.lower == 0)
       fit.warnings.push_back(
-          fmt::format("{} is not told from zero: all values up to {:.4g} are within the "
-                      "interval",
-                      one.key, one.upper));
+          fmt::format("{} is not told from zero: all values up to {:.4g} fit as well", one.key, one.upper));
   }
   if (!names.empty())
     fit.warnings.push_back("the measurements do not determine " + names +
