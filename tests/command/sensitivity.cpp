@@ -94,6 +94,10 @@ BOOST_FIXTURE_TEST_CASE(what_there_is_no_slope_of_or_by_is_told_so, Session) {
   const auto parameter = mariotte(triplet + "--to chain.law");
   BOOST_TEST(parameter.code == 3);
   BOOST_TEST(has(parameter.err, "--to chain.law"));
+  const auto misspelt = mariotte(triplet + "--to chain.radus");
+  BOOST_TEST(has(misspelt.err, "(did you mean 'chain.radius'?)"));
+  const auto without_table = mariotte(triplet + "--to radius");
+  BOOST_TEST(has(without_table.err, "(did you mean 'chain.radius'?)"));
   const auto beyond = mariotte(triplet + "--to 'mass[99]'");
   BOOST_TEST(beyond.code == 3);
   BOOST_TEST(has(beyond.err, "--to mass[99]: the last is mass[2] [S017]"), beyond.err);

@@ -1,5 +1,6 @@
 #include "mariotte/study/sensitivity/scene_numbers.hpp"
 
+#include "mariotte/core/nearest.hpp"
 #include "mariotte/impact/sensitivity/stencil.hpp"
 #include "mariotte/scene/field.hpp"
 #include "mariotte/study/sensitivity/model_numbers.hpp"
@@ -12,6 +13,19 @@ using scene::Document;
 namespace {
 
 constexpr double places_tried[] = {-4, -0.4, 0, 0.4, 4};  ///< in steps
+
+/// " (did you mean 'chain.radius'?)", of the keys that the tables of a scene have; one that ends like `key`
+/// is nearer than any misspelling.
+std::string suggested_key(const Document& document, std::string_view key) {
+  std::vector<std::string> known;
+  for (const auto& [table, place, node] : *document.tree.table())
+    if (const auto* entries = node.table())
+      for (const auto& one : *entries) known.push_back(table + "." + one.key);
+  key = key.substr(0, key.find('['));
+  for (const auto& one : known)
+    if (one.ends_with("." + std::string(key))) return " (did you mean '" + one + "'?)";
+  return suggestion(key, std::vector<std::string_view>(known.begin(), known.end()));
+}
 
 }  // namespace
 
@@ -41,7 +55,8 @@ SceneNumber expect_number(const Document& document, const std::string& key) {
   if (found && std::isfinite(found->value)) return *found;
   Document copy = document;
   const auto place = add_origin(copy.source, "--to " + key);
-  reject(copy.source, place, fault::leads_nowhere, "is no finite number of the model or the scene");
+  reject(copy.source, place, fault::leads_nowhere,
+         "is no finite number of the model or the scene" + suggested_key(document, key));
 }
 
 double step_around(Document document, const std::string& key, const SceneNumber& number) {
