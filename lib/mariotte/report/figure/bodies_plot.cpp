@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 
 #include "mariotte/report/figure/axis_names.hpp"
@@ -55,12 +56,22 @@ double component(const Vector3& vector, std::size_t axis) {
   return axis == 0 ? vector.e1 : axis == 1 ? vector.e2 : vector.e3;
 }
 
-/// Appends a curve, unless it is zero throughout.
+double largest(const Vectors& all) {
+  double most = 0;
+  for (const auto& row : all.rows)
+    for (const auto& vector : row) most = std::max(most, norm(vector));
+  return most;
+}
+
+/// Appends a curve, unless it is zero throughout, or looks so in a figure that shows `most`.
 template <class Read>
-void add(const Vectors& all, std::size_t owner, const std::string& name, const Read& read, Series& series) {
+void add(const Vectors& all, std::size_t owner, const std::string& name, const Read& read, double most,
+         Series& series) {
+  constexpr double seen = 2e-3;
   std::vector<double> values;
   for (const auto& row : all.rows) values.push_back(read(row[owner]));
-  if (std::all_of(values.begin(), values.end(), [](double value) { return value == 0; })) return;
+  const auto is_flat = [&](double value) { return std::abs(value) <= seen * most; };
+  if (std::all_of(values.begin(), values.end(), is_flat)) return;
   series.name.push_back(name);
   series.rows.resize(values.size());
   for (std::size_t k = 0; k < values.size(); ++k) series.rows[k].push_back(values[k]);
@@ -70,11 +81,12 @@ void add(const Vectors& all, std::size_t owner, const std::string& name, const R
 Series components(const Vectors& all, bool one_alone) {
   constexpr std::array axis = {" x", " y", " z"};
   Series series{all.file, all.quantity, all.along, all.unit, all.names, {}, {}};
+  const double most = largest(all);
   for (std::size_t i = 0; i < all.owner.size(); ++i)
     for (std::size_t k = 0; k < axis.size(); ++k)
       add(
           all, i, all.owner[i] + (one_alone ? "" : axis[k]),
-          [&](const Vector3& vector) { return component(vector, k); }, series);
+          [&](const Vector3& vector) { return component(vector, k); }, most, series);
   return series;
 }
 
