@@ -54,6 +54,13 @@ std::string leader(double x, double y, double to_x, double to_y) {
       x, y, to_x, to_y);
 }
 
+/// To the nearest place of the edge of a name that faces the curve.
+std::string leader_to(const Box& box, double x, double y) {
+  const double inset = std::min(0.02, 0.5 * box.width);
+  const double to = std::clamp(x, box.x + inset, box.x + box.width - inset);
+  return leader(x, y, to, box.y + 0.5 * box.height > y ? box.y : box.y + box.height);
+}
+
 double value_at(const TimeFigure& figure, const Curve& curve, double time) {
   const auto next = std::lower_bound(figure.time.begin(), figure.time.end(), time);
   const auto i = static_cast<std::size_t>(next - figure.time.begin());
@@ -156,10 +163,9 @@ std::string peak_labels(const TimeFigure& figure, const std::vector<Group>& grou
     const double left = std::clamp(x - 0.5 * length, 0.0, std::max(0.0, 1 - length));
     taken.push_back(free_place({left, y, length, label_height}, taken, curves));
     const auto& box = taken.back();
-    const double middle = box.x + 0.5 * length;
     if (std::abs(box.y - y) > 0.5 * label_height || std::abs(box.x - left) > 0.3 * length)
-      text += leader(x, range.place(curve.value[at]), middle, box.y > y ? box.y : box.y + label_height);
-    text += label(words, middle, box.y + 0.5 * label_height, "center", k);
+      text += leader_to(box, x, range.place(curve.value[at]));
+    text += label(words, box.x + 0.5 * length, box.y + 0.5 * label_height, "center", k);
   }
   return text;
 }
