@@ -81,26 +81,37 @@ Json pairs(const Json& contacts) {
   return names.empty() ? Json(contacts.size(), nullptr) : names;
 }
 
-/// Of bodies, which may touch anywhere, the contacts of the result, in the order that numbers them.
-Json acting(const Json& all, const Json& contacts) {
+/// Of bodies, which may touch anywhere, the contacts of the result at these places.
+Json acting(const Json& all, const Json& contacts, const std::vector<std::size_t>& places) {
   auto some = Json::array();
-  for (const auto& one : contacts)
+  for (const auto place : places)
     for (const auto& candidate : all)
-      if (candidate.value("between", Json()) == one.value("between", Json())) some.push_back(candidate);
+      if (candidate.value("between", Json()) == contacts[place].value("between", Json()))
+        some.push_back(candidate);
   return some;
 }
 
-std::string contacts(const Json& scene, const Json& list) {
+std::string contacts(const Json& scene, const Json& list, const std::vector<std::size_t>& numbers = {}) {
   const auto each = [&](const char* name) { return all_of(list, name); };
   return "<h3>Contacts at the start</h3>\n" +
-         table("contact", {{"between", "", pairs(list)},
-                           {"law", "", each("law")},
-                           {"stiffness k [N/mⁿ]", "", each("stiffness")},
-                           {"damping [SI]", "", each("damping")},
-                           {"exponent n", "", each("exponent")},
-                           {"friction", "", each("tangential")},
-                           {"coefficient μ", "", each("friction")},
-                           {"gap", "m", scene.contains("gap") ? scene["gap"] : each("gap")}});
+         table("contact",
+               {{"between", "", pairs(list)},
+                {"law", "", each("law")},
+                {"stiffness k [N/mⁿ]", "", each("stiffness")},
+                {"damping [SI]", "", each("damping")},
+                {"exponent n", "", each("exponent")},
+                {"friction", "", each("tangential")},
+                {"coefficient μ", "", each("friction")},
+                {"gap", "m", scene.contains("gap") ? scene["gap"] : each("gap")}},
+               numbers);
+}
+
+/// Of those that closed, with their numbers among all pairs.
+std::string contacts_of_bodies(const Json& before, const Json& contacts_after) {
+  auto places = closed_among(contacts_after);
+  const auto list = acting(before["contact"], contacts_after, places);
+  for (auto& one : places) ++one;
+  return contacts(before, list, places);
 }
 
 std::string body(const Json& before, const Json& after) {
@@ -127,7 +138,7 @@ std::string before_and_after(const Json& result) {
   if (result.value("model", "") == "microbody") return title + body(before["incidence"], after);
   if (after.contains("bodies"))
     return title + bodies(before, after) +
-           contacts(before, acting(before["contact"], result.value("contacts", Json::array())));
+           contacts_of_bodies(before, result.value("contacts", Json::array()));
   const auto dimension = before.value("dimension", std::size_t{1});
   return title + (dimension > 0 ? balls(before, after, dimension) : freedoms(before, after)) +
          contacts(before, before["contact"]);

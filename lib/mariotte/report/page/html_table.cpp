@@ -7,6 +7,7 @@
 #include <functional>
 #include <regex>
 
+#include "mariotte/core/counted.hpp"
 #include "mariotte/impact/quantities/quantity.hpp"
 #include "mariotte/report/number.hpp"
 #include "mariotte/report/page/html_text.hpp"
@@ -147,19 +148,25 @@ Json flat(const Json& object) {
 }
 
 /// A table; what is zero in every line is named below it.
-std::string without_zeros(std::vector<Column> columns) {
+std::string without_zeros(std::vector<Column> columns, const std::vector<std::size_t>& numbers) {
   const auto zero = std::stable_partition(columns.begin(), columns.end(), std::not_fn(is_zero));
   std::string names;
   for (auto one = zero; one != columns.end(); ++one)
     names += (names.empty() ? "" : ", ") + typeset(one->name);
   columns.erase(zero, columns.end());
-  return (columns.empty() ? "" : table("#", columns)) +
+  return (columns.empty() ? "" : table("#", columns, numbers)) +
          (names.empty() ? "" : "<p>Zero in every line: " + names + ".</p>\n");
 }
 
+/// Of bodies, all pairs of which may touch, contacts that never closed are counted below the table.
 std::string of_objects(const Json& nested, const Key& key) {
   auto list = Json::array();
-  for (const auto& one : nested) list.push_back(flat(one));
+  std::vector<std::size_t> numbers;
+  const bool is_partial = key.model == "bodies" && key.path == "contacts";
+  if (is_partial)
+    for (const auto i : closed_among(nested)) list.push_back(flat(nested[i])), numbers.push_back(i + 1);
+  else
+    for (const auto& one : nested) list.push_back(flat(one));
   std::vector<std::string> names;
   for (const auto& one : list)
     for (const auto& [name, value] : one.items())
@@ -170,7 +177,11 @@ std::string of_objects(const Json& nested, const Key& key) {
     for (const auto& one : list) values.push_back(one.value(name, Json(nullptr)));
     columns.push_back(column(name, {key.model, key.path + "[]." + name}, std::move(values)));
   }
-  return without_zeros(std::move(columns));
+  const auto left_out = nested.size() - list.size();
+  return without_zeros(std::move(columns), numbers) +
+         (left_out > 0 ? fmt::format("<p>{} closed.</p>\n",
+                                     counted(left_out, "other pair has never", "other pairs have never"))
+                       : "");
 }
 
 /// Members that are lists of one length stand side by side, the others one below the other.
@@ -191,7 +202,15 @@ std::string of_members(const Json& object, const Key& key) {
 
 }  // namespace
 
-std::string table(const std::string& head, const std::vector<Column>& columns) {
+std::vector<std::size_t> closed_among(const Json& contacts) {
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    if (!contacts[i].contains("periods") || !contacts[i]["periods"].empty()) places.push_back(i);
+  return places;
+}
+
+std::string table(const std::string& head, const std::vector<Column>& columns,
+                  const std::vector<std::size_t>& numbers) {
   std::vector<const Column*> shown;
   std::vector<double> factor;
   std::string header = "<tr><th>" + escaped(head) + "</th>";
@@ -205,7 +224,7 @@ std::string table(const std::string& head, const std::vector<Column>& columns) {
   const bool is_named = columns.size() > 1 || !columns[0].name.empty();
   const std::size_t rows = columns.empty() ? 0 : columns.front().values.size();
   return framed((is_named ? header + "</tr>\n" : "") + some(rows, shown.size() + 1, [&](std::size_t i) {
-                  auto row = fmt::format("<tr><td class=\"n\">{}</td>", i + 1);
+                  auto row = fmt::format("<tr><td class=\"n\">{}</td>", numbers.empty() ? i + 1 : numbers[i]);
                   for (std::size_t k = 0; k < shown.size(); ++k) row += cell(shown[k]->values[i], factor[k]);
                   return row + "</tr>\n";
                 }));

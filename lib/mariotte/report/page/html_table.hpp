@@ -26,8 +26,12 @@ struct Column {
   Json values;       ///< a list: numbers, words, or lists of numbers
 };
 
-/// Columns of one length side by side, lines numbered from 1 below `head`.
-std::string table(const std::string& head, const std::vector<Column>& columns);
+/// Columns of one length side by side, lines numbered from 1, or by `numbers`, below `head`.
+std::string table(const std::string& head, const std::vector<Column>& columns,
+                  const std::vector<std::size_t>& numbers = {});
+
+/// Places of the contacts of a result that carried force, among all that might.
+std::vector<std::size_t> closed_among(const Json& contacts);
 
 /// A number with four digits and its unit, as in "16.34 mJ".
 std::string quantity(double value, const std::string& unit);
