@@ -62,7 +62,8 @@ class BodiesImpact(WithContacts, of=Bodies):
 
     @property
     def between(self) -> List[Tuple[str, str]]:
-        """Names of the two that touch, per contact; a plane goes first."""
+        """Names of the two of each of m contacts, a plane first: all pairs that may touch, as ``mariotte check`` lists
+        them; of more than 200 those that the scene names, then those that have closed."""
         return self._run.between
 
     @property
