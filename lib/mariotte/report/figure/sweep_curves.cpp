@@ -38,11 +38,12 @@ std::size_t rows_apart(const study::Design& design) {
   return mixed ? design.parameters[drawn[1]].list.size() : 1;
 }
 
-std::string style(const study::Design& design) {
+/// A point between two jumps has no line; marks as wide as a line that is not dashed show it.
+std::string style(const study::Design& design, bool is_dashed) {
   const auto& one = design.parameters[drawn_parameters(design)[0]];
   if (!is_curve(one)) return one.range ? "with points ps 0.4" : "with points";
-  return design.axes[static_cast<std::size_t>(one.axis)].count <= few_points ? "with linespoints"
-                                                                             : "with lines";
+  if (design.axes[static_cast<std::size_t>(one.axis)].count <= few_points) return "with linespoints";
+  return is_dashed ? "with lines" : "with linespoints pt 7 ps 0.2";
 }
 
 /// What changes where the numbers may jump: how the run ended, and columns that count, as impacts.count.
@@ -65,7 +66,7 @@ std::string half(const study::Design& design, const Columns& columns, const Line
   return fmt::format(
       "last = '', count = 0, 'plot.csv'{} using 1:({}stretch({}) % 2 == {} ? {} : NaN) {} lt {} {}",
       apart > 1 ? fmt::format(" every {}::{}", apart, k) : "", line.condition, state(design, columns), parity,
-      line.height, style(design), k + 1, parity ? "title " + quoted(line.title) : "notitle");
+      line.height, style(design, k > 0), k + 1, parity ? "title " + quoted(line.title) : "notitle");
 }
 
 /// What the names of a family are values of.
