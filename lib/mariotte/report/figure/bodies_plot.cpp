@@ -141,7 +141,8 @@ RunPlot plot(const impact::BodiesImpact& impact, const std::string& title, const
 }
 
 std::vector<Window> windows_of_action(const impact::BodiesTrace& trace) {
-  return windows_of_action(impact::Trace{.time = trace.time, .gap = trace.gap, .force = trace.force});
+  return windows_of_action(
+      impact::Trace{.time = trace.time, .velocity = {}, .gap = trace.gap, .force = trace.force});
 }
 
 }  // namespace mariotte::report
