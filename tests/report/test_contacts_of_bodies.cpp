@@ -85,7 +85,9 @@ BOOST_AUTO_TEST_CASE(friction_of_many_contacts_is_shown_by_its_magnitude) {
 
 BOOST_AUTO_TEST_CASE(contacts_that_never_close_have_no_curve) {
   auto impact = two_of_three();
-  impact.contacts.insert(impact.contacts.begin() + 1, {.contact = 1});
+  impact::BodyContactHistory open;
+  open.contact = 1;
+  impact.contacts.insert(impact.contacts.begin() + 1, open);
   const auto text = report::plot(impact, "", names).script;
   BOOST_TEST(text.find("'f_{3} (wall\\_1–rod.2)'") != std::string::npos, text);
   BOOST_TEST(text.find("f_{2}") == std::string::npos);
