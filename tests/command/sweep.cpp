@@ -4,21 +4,16 @@
 #include <sstream>
 
 #include "mariotte/study/journal/crc32.hpp"
+#include "support/lines.hpp"
 #include "sweep_session.hpp"
 
 using support::content;
 using support::has;
+using support::lines;
 using support::Session;
 namespace fs = std::filesystem;
 
 namespace {
-
-std::vector<std::string> lines(const std::string& text) {
-  std::vector<std::string> all;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) all.push_back(line);
-  return all;
-}
 
 const std::string few = std::string(support::three_balls) + R"(
 [[sweep]]

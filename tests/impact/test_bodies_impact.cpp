@@ -7,58 +7,15 @@
 #include "mariotte/core/error.hpp"
 #include "mariotte/impact/bodies/bodies_impact.hpp"
 #include "mariotte/impact/network/network_impact.hpp"
+#include "support/struck_balls.hpp"
 
 using namespace mariotte;
-using model::TangentialLaw;
+using namespace mariotte::test;
 
 namespace {
 
-constexpr double mass = 0.033, radius = 0.01, stiffness = 9e9;
-
-model::Body ball(const Vector3& position, const Vector3& velocity, const Vector3& spin = {}) {
-  const double moment = 0.4 * mass * radius * radius;
-  return {.name = "",
-          .mass = mass,
-          .inertia = {moment, moment, moment},
-          .spheres = {{{}, radius}},
-          .position = position,
-          .velocity = velocity,
-          .spin = spin};
-}
-
-/// One ball that strikes the plane y = 0.
-model::Bodies strike(double angle, const model::Tangential& tangential,
-                     contact::Law law = contact::Hertz(stiffness)) {
-  model::Bodies bodies{.dimension = 2};
-  bodies.body = {ball({0, radius, 0}, {std::sin(angle), -std::cos(angle), 0})};
-  bodies.plane = {{.name = "", .point = {}, .normal = {0, 1, 0}, .velocity = {}}};
-  bodies.contact = {
-      {.a = {0, -1}, .b = {0, 0}, .law = law, .tangential = tangential, .share = 0, .touching = true}};
-  bodies.named = 1;
-  return bodies;
-}
-
-/// Two balls in the plane that meet obliquely, with spin.
-model::Bodies meeting(const model::Tangential& tangential, double share = 0.5) {
-  model::Bodies bodies{.dimension = 2};
-  bodies.body = {ball({0, 0, 0}, {1, 0.3, 0}, {0, 0, 40}),
-                 ball({0.0195, 0.006, 0}, {-0.2, 0.1, 0}, {0, 0, -25})};
-  bodies.contact = {
-      {.a = {0, 0}, .b = {1, 0}, .law = contact::Hertz(1e6), .tangential = tangential, .share = share}};
-  bodies.named = 1;
-  return bodies;
-}
-
-constexpr model::Tangential mindlin{TangentialLaw::mindlin, 0.2, 1.2e6};
-constexpr model::Tangential spring{TangentialLaw::spring, 0.2, 3e5};
-constexpr model::Tangential rigid{TangentialLaw::rigid, 0.2, 0};
-
 double slip_after(const impact::BodiesImpact& impact) {
   return impact.body[0].velocity.e1 + radius * impact.body[0].spin.e3;
-}
-
-void check_near(double value, double expected, double tolerance) {
-  BOOST_TEST(std::abs(value - expected) <= tolerance, value << " instead of " << expected);
 }
 
 }  // namespace
@@ -341,98 +298,4 @@ BOOST_AUTO_TEST_CASE(random_scenes_close_their_ledgers_and_gain_nothing) {
   check_rings(5, 1e-9);
   check_rings(11, 1e-8);
   check_rings(13, 1e-8);
-}
-
-BOOST_AUTO_TEST_CASE(bodies_that_nothing_can_touch_fly_on) {
-  model::Bodies bodies{.dimension = 2};
-  bodies.body = {ball({0, 0, 0}, {1, 0.5, 0}, {0, 0, 3})};
-  const auto impact = impact::simulate(bodies);
-  BOOST_TEST((impact.ending == hybrid::Ending::separated));
-  BOOST_TEST(impact.body[0].velocity.e1 == 1);
-  BOOST_TEST(impact.energy.residual == 0);
-}
-
-/// What is left of equal velocities is no approach: two balls would meet after 10¹³ s.
-BOOST_AUTO_TEST_CASE(bodies_that_drift_by_rounding_do_not_meet) {
-  for (const int dimension : {2, 3}) {
-    model::Bodies bodies{.dimension = dimension};
-    bodies.body = {ball({0, 0, 0}, {}), ball({0.021, 0, 0}, {-1e-16, 0, 0}), ball({0, 0.05, 0}, {0, 1, 0})};
-    for (const auto& [a, b] : {std::pair{0, 1}, std::pair{0, 2}, std::pair{1, 2}})
-      bodies.contact.push_back({.a = {a, 0}, .b = {b, 0}, .law = contact::Hertz(1e6), .tangential = mindlin});
-    const auto impact = impact::simulate(bodies);
-    BOOST_CHECK(impact.ending == hybrid::Ending::separated);
-    BOOST_TEST(impact.events.empty());
-    BOOST_TEST(impact.time == 0);
-  }
-}
-
-BOOST_AUTO_TEST_CASE(few_pairs_keep_their_numbers_in_results) {
-  model::Bodies bodies{.dimension = 2};
-  for (int i = 0; i < 22; ++i) bodies.body.push_back(ball({0.03 * i, 0, 0}, {i == 20 ? 1.0 : 0.0, 0, 0}));
-  for (Index a = 0; a < 4; ++a)
-    bodies.contact.push_back({.a = {a, 0}, .b = {a + 1, 0}, .law = contact::Hertz(1e6)});
-  bodies.contact.push_back({.a = {20, 0}, .b = {21, 0}, .law = contact::Hertz(1e6)});
-  const auto few = impact::simulate(bodies);
-  BOOST_TEST_REQUIRE(few.contacts.size() == 5u);
-  for (Index j = 0; j < 5; ++j) BOOST_TEST(few.contacts[j].contact == j);
-  BOOST_TEST(few.events.front().of(model::BodyEvent::close).front() == 4);
-  for (Index a = 0; a < 20; ++a)
-    for (Index b = a + 2; b < 22; ++b)
-      bodies.contact.push_back({.a = {a, 0}, .b = {b, 0}, .law = contact::Hertz(1e6)});
-  BOOST_TEST(bodies.contact.size() > 200u);
-  bodies.named = 1;
-  const auto many = impact::simulate(bodies);
-  BOOST_TEST_REQUIRE(many.contacts.size() == 2u);
-  BOOST_TEST(many.contacts[1].contact == 4);
-  BOOST_TEST(many.events.front().of(model::BodyEvent::close).front() == 1);
-}
-
-BOOST_AUTO_TEST_CASE(what_is_slow_and_far_away_says_how_many_digits_are_left) {
-  const auto far = [](double gap, double speed) {
-    auto bodies = strike(0.5, mindlin);
-    bodies.contact[0].touching = false;
-    bodies.body[0].position.e2 = radius + gap;
-    bodies.body[0].velocity = speed * bodies.body[0].velocity;
-    return bodies;
-  };
-  hybrid::Options options;
-  options.accuracy = 1e-9;
-  const auto near = impact::simulate(far(0, 1e-9), options);
-  BOOST_TEST(!near.estimated_accuracy.has_value());
-  for (const auto kind : {std::optional<flow::Kind>(), std::optional(flow::Kind::cvode_adams)}) {
-    options.flow = kind;
-    const auto impact = impact::simulate(far(1e-4, 1e-9), options);
-    BOOST_TEST_REQUIRE(impact.estimated_accuracy.has_value());
-    BOOST_TEST(*impact.estimated_accuracy > options.accuracy);
-    const double apart = norm(impact.body[0].velocity - near.body[0].velocity);
-    BOOST_TEST(apart < *impact.estimated_accuracy * 1e-9);
-  }
-  BOOST_CHECK_THROW(impact::simulate(far(1, 1e-10), options), Error);
-}
-
-// A ball is released a metre above a plane, and followed for ten nanoseconds of its fall.
-BOOST_AUTO_TEST_CASE(gaps_that_no_body_crosses_in_time_cost_no_digits) {
-  auto bodies = strike(0, {});
-  bodies.contact[0].touching = false;
-  bodies.body[0].position.e2 = 1;
-  bodies.body[0].velocity = {};
-  bodies.gravity = {0, -9.81, 0};
-  const auto impact = impact::simulate(bodies, {.accuracy = 1e-10, .max_time = 1e-8, .flies_on = true});
-  BOOST_TEST((impact.ending == hybrid::Ending::time_limit), impact.message);
-  BOOST_TEST(!impact.estimated_accuracy.has_value());
-  check_near(impact.body[0].velocity.e2, -9.81e-8, 1e-20);
-}
-
-// A damped ball starts on a plane that it does not press yet. What is left of its vibration in the end is
-// rounding.
-BOOST_AUTO_TEST_CASE(what_settles_is_compared_with_the_speeds_of_its_vibration) {
-  auto bodies = strike(0, {}, contact::PowerLaw{.stiffness = 1e6, .damping = 100, .exponent = 1});
-  bodies.body[0].velocity = {};
-  bodies.gravity = {0, -9.81, 0};
-  const hybrid::Options options{.accuracy = 1e-10, .max_time = 0.05};
-  const auto impact = impact::simulate(bodies, options);
-  check_near(impact.body[0].velocity.e2, 0, 1e-16);
-  check_near(impact.contacts[0].peak_force, 1.4772228 * mass * 9.81, 1e-6);  // with ζ = 0.27524
-  BOOST_TEST(impact.estimated_accuracy.value_or(0) < 1e-12);
-  BOOST_TEST(impact::estimate_accuracy(bodies, options, impact) < 1e-12);
 }

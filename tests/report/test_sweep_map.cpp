@@ -2,23 +2,13 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <regex>
-#include <sstream>
 
 #include "support/drawn_sweeps.hpp"
+#include "support/lines.hpp"
 
 using namespace mariotte;
+using support::lines;
 using namespace mariotte::test;
-
-namespace {
-
-std::vector<std::string> lines(const std::string& text) {
-  std::vector<std::string> all;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) all.push_back(line);
-  return all;
-}
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_large_map_is_thinned_out_evenly) {
   const auto design = map(1000, 500);

@@ -1,21 +1,15 @@
 #define BOOST_TEST_MODULE report_table
 #include <boost/test/unit_test.hpp>
-#include <sstream>
 
 #include "mariotte/report/csv/columns.hpp"
 #include "mariotte/report/table/table.hpp"
 #include "report/three_balls.hpp"
+#include "support/lines.hpp"
 
 using namespace mariotte;
+using support::lines;
 
 namespace {
-
-std::vector<std::string> lines(const std::string& text) {
-  std::vector<std::string> all;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) all.push_back(line);
-  return all;
-}
 
 bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;

@@ -17,6 +17,7 @@ struct Passage {
   Index most = 0;            ///< of the contact that has closed most often, where that tells
   Index steps = 0;           ///< of series and closed forms; CVODE's are shorter and count a thirtieth
   Index adams = 0, bdf = 0;  ///< steps of CVODE
+  Index cvode = 0;           ///< its phases
   Index exact = 0;           ///< phases of contact in closed form, which err by rounding alone
   Index cut = 0;             ///< others, whose errors the accuracy sets
   double flight = 0;  ///< the longest one before contacts that push together, over how long they do [Flights]
@@ -27,16 +28,23 @@ struct Passage {
 };
 
 /// Error that steps of CVODE add up to and no tighter tolerance takes away, relative to the speed: of rows
-/// that ring for long, against extended precision. What friction holds back forgets the errors of its steps.
+/// that ring for long, against extended precision. Steps of a single wave do not add up, and what friction
+/// holds back forgets their errors.
 inline double floor_of_rings(const Passage& passage) {
   constexpr double adams = 80 * epsilon, bdf = 400 * epsilon;
-  return adams * static_cast<double>(passage.adams) + bdf * static_cast<double>(passage.bdf);
+  if (passage.cvode <= passage.harmless) return 0;
+  const double ringing =
+      static_cast<double>(passage.cvode - passage.harmless) / static_cast<double>(passage.cvode);
+  return ringing * (adams * static_cast<double>(passage.adams) + bdf * static_cast<double>(passage.bdf));
 }
 
 /// Adds the work of a flow.
 inline void count_flow(Passage& passage, flow::Kind kind, Index phases, Index steps) {
   passage.steps += is_cvode(kind) ? steps / 30 : steps;
-  if (is_cvode(kind)) (kind == flow::Kind::cvode_adams ? passage.adams : passage.bdf) += steps;
+  if (is_cvode(kind)) {
+    passage.cvode += phases;
+    (kind == flow::Kind::cvode_adams ? passage.adams : passage.bdf) += steps;
+  }
   if (kind == flow::Kind::ballistic) return;
   (kind < flow::Kind::taylor ? passage.exact : passage.cut) += phases;
 }

@@ -86,9 +86,8 @@ struct BodiesImpact {
   int dimension = 3;
   double time = 0;  ///< of the ending [s]
   std::vector<BodyEnd> body;
-  std::vector<BodyContactHistory>
-      contacts;  ///< all pairs, or of many those that were named and then all that have closed
-  std::vector<BodiesEvents> events;  ///< in order of time
+  std::vector<BodyContactHistory> contacts;  ///< as many as are always told, then all that have closed
+  std::vector<BodiesEvents> events;          ///< in order of time
   BodiesBalance energy;
   Vector3 momentum_residual;          ///< final − initial − impulses of planes and gravity [N s]
   Vector3 angular_momentum_residual;  ///< the same about the origin; zero unless there are planes [N m s]

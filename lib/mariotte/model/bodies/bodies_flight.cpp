@@ -109,17 +109,13 @@ double BodiesPhase<D>::meeting(ConstState x, Index contact, double limit) const 
     if (now.gap_rate > -setting_.slip_noise * setting_.speed) return infinity;
     gap = std::max(now.gap + setting_.gap_noise * c.length, 0.0);
   }
-  const Vec<double, D> relative = b.velocity - (is_plane ? setting_.plane_velocity[c.plane] : a.velocity);
-  const double speed = is_plane ? std::abs(now.gap_rate) : norm(relative);
-  const double left_out = std::max(setting_.slip_noise, setting_.onset_noise);  // a tenth of the accuracy
-  const bool drifts = speed <= left_out * setting_.speed;
-  if (drifts && !turns_a && !turns_b && fall == 0 && !contact::adheres(c.law)) return infinity;
   if (is_plane && !turns_b) return flow::first_crossing(flow::Crossing::falling, gap, now.gap_rate, fall);
 
   const double radii = (is_plane ? sphere_b.radius : c.touching_distance()) - dent;
+  const Vec<double, D> relative = b.velocity - (is_plane ? setting_.plane_velocity[c.plane] : a.velocity);
   if (!turns_a && !turns_b) {
     const double distance = radii + gap, slope = distance * now.gap_rate, ends = gap * (distance + radii);
-    const double square = slope * slope - speed * speed * ends;
+    const double speed = dot(relative, relative), square = slope * slope - speed * ends;
     return slope < 0 && square >= 0 ? ends / (std::sqrt(square) - slope) : infinity;
   }
 
@@ -166,6 +162,32 @@ double BodiesPhase<D>::meeting(ConstState x, Index contact, double limit) const 
   return infinity;
 }
 
+/// Whether what moves a contact is slower than a tenth of the accuracy, as what rounding leaves of equal
+/// velocities, and nothing else brings it together.
+template <int D>
+bool BodiesPhase<D>::drifts(ConstState x, Index contact) const {
+  const auto& c = setting_.contact[contact];
+  const bool is_plane = c.plane >= 0;
+  const auto velocity = [&](Index sphere) {
+    return motion_of(setting_.body[setting_.sphere[sphere].body], layout_, x, setting_.sphere[sphere].body)
+        .velocity;
+  };
+  const auto has_arm = [&](Index sphere) { return norm(setting_.sphere[sphere].arm) > 0; };
+  if (contact::adheres(c.law) || has_arm(c.b) || (!is_plane && has_arm(c.a))) return false;
+  if (is_plane && dot(c.apart, setting_.gravity) != 0) return false;
+  const Vec<double, D> relative =
+      velocity(c.b) - (is_plane ? setting_.plane_velocity[c.plane] : velocity(c.a));
+  const double speed = is_plane ? std::abs(dot(c.apart, relative)) : norm(relative);
+  return speed <= std::max(setting_.slip_noise, setting_.onset_noise) * setting_.speed;
+}
+
+template <int D>
+bool BodiesPhase<D>::comes_together(ConstState x) const {
+  for (Index c = 0; c < std::ssize(setting_.contact); ++c)
+    if (meeting(x, c, infinity) < infinity && !drifts(x, c)) return true;
+  return false;
+}
+
 template <int D>
 double BodiesPhase<D>::first_meeting(ConstState x, double limit, double window,
                                      std::vector<Index>& fired) const {
@@ -186,6 +208,8 @@ template void fly(const BodiesSetting<2>&, const BodiesLayout<2>&, ConstState, I
 template void fly(const BodiesSetting<3>&, const BodiesLayout<3>&, ConstState, Index, double, State);
 template void BodiesPhase<2>::fly(ConstState, double, State) const;
 template void BodiesPhase<3>::fly(ConstState, double, State) const;
+template bool BodiesPhase<2>::comes_together(ConstState) const;
+template bool BodiesPhase<3>::comes_together(ConstState) const;
 template double BodiesPhase<2>::first_meeting(ConstState, double, double, std::vector<Index>&) const;
 template double BodiesPhase<3>::first_meeting(ConstState, double, double, std::vector<Index>&) const;
 

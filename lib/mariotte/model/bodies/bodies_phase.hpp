@@ -49,6 +49,8 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
 
   double first_meeting(ConstState x, double limit, double window, std::vector<Index>& fired) const override;
   void fly(ConstState x, double t, State result) const override;
+  /// Of bodies in flight: whether some contact closes, ever, but for those that only drift.
+  bool comes_together(ConstState x) const;
 
   void record(ConstState x, double accuracy, bool all, flow::Recording& recording) const override;
   bool stays_far(ConstState x, double time, ConstState moves) const override;
@@ -88,6 +90,7 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   T load_guard(const BodiesField<T, D, N>& field, const ClosedContact& mode,
                const ContactForces<T, D>& c) const;
   double meeting(ConstState x, Index contact, double limit) const;
+  bool drifts(ConstState x, Index contact) const;
   /// Depth at which a contact that is open closes.
   double closing_depth(Index contact) const {
     return model::closing_depth(setting_.contact[contact].law, memory_of(*mode_, contact));

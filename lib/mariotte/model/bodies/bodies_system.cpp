@@ -304,9 +304,7 @@ template <int D>
 bool BodiesSystem<D>::is_over(const Mode& mode, ConstState x, bool) const {
   if (over_ == Over::at_time_limit || !mode.closed.empty()) return false;
   phase_.bind(mode);
-  if (!phase_.is_ballistic()) return false;
-  std::vector<Index> fired;
-  return !(phase_.first_meeting(x, infinity, 0, fired) < infinity);
+  return phase_.is_ballistic() && !phase_.comes_together(x);
 }
 
 template class BodiesSystem<2>;

@@ -12,7 +12,7 @@ namespace {
 using Values = std::vector<double>;
 
 const double farthest = std::log(1000.0);
-constexpr double start = 1;       // x of the value that a search starts from
+constexpr double first = 1;       // x of the value that a search starts from
 constexpr double bent = 0.2;      // standard error / value from which residuals bend
 constexpr double precise = 0.01;  // relative to the distance of an end
 
@@ -54,7 +54,7 @@ class Profile {
   /// factor up to a thousand comes to it, counted upwards from the start of the search if that is larger.
   double end(std::size_t j, double step) const {
     const double from = starts_.front()[j];
-    const double limit = farthest + (step > 0 ? std::max(0.0, start - from) : 0);
+    const double limit = farthest + (step > 0 ? std::max(0.0, first - from) : 0);
     const auto is_beyond = [&](double distance) { return least(j, from + distance) > most_; };
     double inside = 0, outside = step;
     while (!is_beyond(outside)) {
@@ -105,7 +105,7 @@ class Profile {
 void bound_vanished(const Found& found, Profile& profile, std::vector<Interval>& all) {
   for (std::size_t j = 0; j < all.size(); ++j) {
     if (found.relative_error[j] < infinity) continue;
-    all[j] = {-infinity, profile.end(j, start + 1 - found.minimum.x[j])};
+    all[j] = {-infinity, profile.end(j, first + 1 - found.minimum.x[j])};
     if (all[j].upper < infinity) profile.look_from(j, all[j].upper);
   }
 }

@@ -116,19 +116,21 @@ class GroupSlopes {
     return slopes;
   }
 
-  bool is_told(Index contact) const {
+  bool acts(Index contact) const {
     const auto& changes = end_.run.changes;
-    return contact < always_told(bodies_) ||
-           std::any_of(changes.begin(), changes.end(), [&](const auto& one) {
+    return contact < bodies_.named || std::any_of(changes.begin(), changes.end(), [&](const auto& one) {
              return one.change.contact == contact && one.change.event != BodyEvent::part;
            });
   }
 
-  /// ∫f_n, ∫f_t and losses of contacts that are in results.
+  /// ∫f_n, ∫f_t and losses of contacts that are named or have closed, by their numbers in results.
   void add_contacts() {
-    Index told = 0;
-    for (Index j = 0; j < std::ssize(bodies_.contact); ++j)
-      if (is_told(j)) add_contact(j, "contacts[" + std::to_string(told++) + "].");
+    Index number = 0;
+    for (Index j = 0; j < std::ssize(bodies_.contact); ++j) {
+      const bool is_outcome = acts(j);
+      if (is_outcome) add_contact(j, "contacts[" + std::to_string(number) + "].");
+      number += is_outcome || j < always_told(bodies_);
+    }
   }
   void add_contact(Index j, const std::string& name) {
     const auto at = system_.layout(end_.run.state);
