@@ -31,7 +31,7 @@ struct Passage {
 /// that ring for long, against extended precision. Steps of a single wave do not add up, and what friction
 /// holds back forgets their errors.
 inline double floor_of_rings(const Passage& passage) {
-  constexpr double adams = 80 * epsilon, bdf = 400 * epsilon;
+  constexpr double adams = 120 * epsilon, bdf = 600 * epsilon;
   if (passage.cvode <= passage.harmless) return 0;
   const double ringing =
       static_cast<double>(passage.cvode - passage.harmless) / static_cast<double>(passage.cvode);
