@@ -47,3 +47,10 @@ BOOST_AUTO_TEST_CASE(a_suggestion_is_ready_to_append) {
   BOOST_TEST(mariotte::suggestion_or_few("colour", keys).starts_with(" (nearest: "));
   BOOST_TEST(mariotte::suggestion_or_few("colour", {}).empty());
 }
+
+BOOST_AUTO_TEST_CASE(a_path_that_ends_like_the_word_is_nearer_than_a_misspelling) {
+  constexpr std::array<std::string_view, 3> paths{"radii", "chain.radius", "chain.material"};
+  BOOST_TEST(mariotte::suggested_path("radius", paths) == " (did you mean 'chain.radius'?)");
+  BOOST_TEST(mariotte::suggested_path("chain.radus", paths) == " (did you mean 'chain.radius'?)");
+  BOOST_TEST(mariotte::suggested_path("colour", paths).empty());
+}

@@ -81,4 +81,11 @@ std::string suggestion_or_few(std::string_view word, std::span<const std::string
   return " (nearest: " + few + ")";
 }
 
+std::string suggested_path(std::string_view word, std::span<const std::string_view> candidates) {
+  const auto end = "." + std::string(word);
+  for (const auto one : candidates)
+    if (one.ends_with(end)) return suggestion(one, {&one, 1});
+  return suggestion(word, candidates);
+}
+
 }  // namespace mariotte

@@ -22,4 +22,7 @@ std::string suggestion(std::string_view word, std::span<const std::string_view> 
 /// The same, or " (nearest: run, fit, law)" if nothing is near; "" of no candidates.
 std::string suggestion_or_few(std::string_view word, std::span<const std::string_view> candidates);
 
+/// As `suggestion` of paths, as "chain.radius": one that ends like `word` is nearer than any misspelling.
+std::string suggested_path(std::string_view word, std::span<const std::string_view> candidates);
+
 }  // namespace mariotte

@@ -14,17 +14,14 @@ namespace {
 
 constexpr double places_tried[] = {-4, -0.4, 0, 0.4, 4};  ///< in steps
 
-/// " (did you mean 'chain.radius'?)", of the keys that the tables of a scene have; one that ends like `key`
-/// is nearer than any misspelling.
+/// " (did you mean 'chain.radius'?)", of the keys that the tables of a scene have.
 std::string suggested_key(const Document& document, std::string_view key) {
   std::vector<std::string> known;
   for (const auto& [table, place, node] : *document.tree.table())
     if (const auto* entries = node.table())
       for (const auto& one : *entries) known.push_back(table + "." + one.key);
-  key = key.substr(0, key.find('['));
-  for (const auto& one : known)
-    if (one.ends_with("." + std::string(key))) return " (did you mean '" + one + "'?)";
-  return suggestion(key, std::vector<std::string_view>(known.begin(), known.end()));
+  return suggested_path(key.substr(0, key.find('[')),
+                        std::vector<std::string_view>(known.begin(), known.end()));
 }
 
 }  // namespace

@@ -75,10 +75,8 @@ std::string suggestion_by_end(std::string_view key, std::span<const std::string_
 template <class Impact>
 std::string suggested_key(const std::string& key) {
   const auto known = known_keys<Impact>(indices_in(key));
-  for (const auto& name : known)
-    if (name.ends_with("." + key)) return " (did you mean '" + name + "'?)";
   const std::vector<std::string_view> names(known.begin(), known.end());
-  const auto whole = suggestion(key, names);
+  const auto whole = suggested_path(key, names);
   return whole.empty() ? suggestion_by_end(key, names) : whole;
 }
 
