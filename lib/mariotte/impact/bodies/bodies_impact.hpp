@@ -101,8 +101,9 @@ struct BodiesImpact {
   BodiesTrace trace;
 };
 
-/// Of its trace the velocities, body by body with all components, gaps and normal forces of its contacts.
-Trace contact_trace(const BodiesImpact& impact);
+/// Of its trace the velocities, body by body with all components, gaps and normal forces of its contacts, or
+/// of those that have closed.
+Trace contact_trace(const BodiesImpact& impact, bool closed_alone = false);
 
 /// Simulate bodies until they separate for good, or a limit. Throws InvalidParameter for bodies, accuracy or
 /// flow that make no sense, and Error where contacts that stick rigidly are redundant.

@@ -4,15 +4,16 @@ namespace mariotte::impact {
 namespace {
 
 /// Of all that may touch, what belongs to the contacts of the result.
-std::vector<double> of_result(const BodiesImpact& impact, const std::vector<double>& all) {
+std::vector<double> of_result(const BodiesImpact& impact, bool closed_alone, const std::vector<double>& all) {
   std::vector<double> some;
-  for (const auto& one : impact.contacts) some.push_back(all[one.contact]);
+  for (const auto& one : impact.contacts)
+    if (!closed_alone || !one.periods.empty()) some.push_back(all[one.contact]);
   return some;
 }
 
 }  // namespace
 
-Trace contact_trace(const BodiesImpact& impact) {
+Trace contact_trace(const BodiesImpact& impact, bool closed_alone) {
   const auto& trace = impact.trace;
   Trace made{.time = trace.time, .velocity = {}, .gap = {}, .force = {}, .moving = "body"};
   for (const auto& bodies : trace.body) {
@@ -22,8 +23,8 @@ Trace contact_trace(const BodiesImpact& impact) {
       if (impact.dimension == 3) row.push_back(body.velocity.e3);
     }
   }
-  for (const auto& row : trace.gap) made.gap.push_back(of_result(impact, row));
-  for (const auto& row : trace.force) made.force.push_back(of_result(impact, row));
+  for (const auto& row : trace.gap) made.gap.push_back(of_result(impact, closed_alone, row));
+  for (const auto& row : trace.force) made.force.push_back(of_result(impact, closed_alone, row));
   return made;
 }
 

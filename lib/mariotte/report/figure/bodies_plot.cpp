@@ -126,9 +126,7 @@ Series spins(const impact::BodiesImpact& impact, const CurveNames& names) {
 RunPlot plot(const impact::BodiesImpact& impact, const std::string& title, const CurveNames& names,
              const scene::Figure& figure) {
   impact::ContactImpact same;
-  auto closed = impact;
-  std::erase_if(closed.contacts, [](const auto& one) { return one.periods.empty(); });
-  same.trace = impact::contact_trace(closed);
+  same.trace = impact::contact_trace(impact, /*closed_alone=*/true);
   for (const auto& event : impact.events) {
     impact::Event marks{.time = event.time};
     marks.open = event.of(model::BodyEvent::open);
