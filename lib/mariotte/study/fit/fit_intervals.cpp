@@ -15,6 +15,7 @@ const double farthest = std::log(1000.0);
 constexpr double first = 1;       // x of the value that a search starts from
 constexpr double bent = 0.2;      // standard error / value from which residuals bend
 constexpr double precise = 0.01;  // relative to the distance of an end
+constexpr double roughly = 1e-4;  // tolerance of searches that only compare with a bound
 
 Values without(std::span<const double> x, std::size_t j) {
   Values others(x.begin(), x.end());
@@ -55,16 +56,17 @@ class Profile {
   double end(std::size_t j, double step) const {
     const double from = starts_.front()[j];
     const double limit = farthest + (step > 0 ? std::max(0.0, first - from) : 0);
-    const auto is_beyond = [&](double distance) { return least(j, from + distance) > most_; };
+    auto last = starts_.front();
+    const auto ends = [&](double distance) { return is_beyond(j, from + distance, last); };
     double inside = 0, outside = step;
-    while (!is_beyond(outside)) {
+    while (!ends(outside)) {
       if (std::abs(outside) >= limit) return std::copysign(infinity, step);
       inside = outside;
       outside = std::copysign(std::min(2 * std::abs(outside), limit), step);
     }
     while (std::abs(outside - inside) > precise * std::abs(outside)) {
       const double middle = 0.5 * (inside + outside);
-      (is_beyond(middle) ? outside : inside) = middle;
+      (ends(middle) ? outside : inside) = middle;
     }
     return from + outside;
   }
@@ -76,24 +78,28 @@ class Profile {
   }
 
  private:
-  double least(std::size_t j, double place) const {
-    double least = infinity;
-    for (auto x : starts_) {
+  /// From the last place that was inside, too: most often it is there at once.
+  bool is_beyond(std::size_t j, double place, Values& last) const {
+    auto starts = starts_;
+    starts.insert(starts.begin(), last);
+    for (auto& x : starts) {
       x[j] = place;
-      least = std::min(least, least_from(std::move(x), j));
-      if (least <= most_) break;
+      if (!comes_inside(x, j)) continue;
+      last = x;
+      return false;
     }
-    return least;
+    return true;
   }
 
-  /// Infinite where something cannot be simulated.
-  double least_from(Values x, std::size_t j) const try {
-    if (x.size() == 1) return problem_.sum_of_squares(x);
-    const double place = x[j];
-    const auto found = minimise(of_others(problem_, j, place), without(x, j));
-    return problem_.sum_of_squares(with(found.x, j, place));
+  /// Moves all but x_j until the sum is small enough. False, too, where something cannot be simulated.
+  bool comes_inside(Values& x, std::size_t j) const try {
+    if (problem_.sum_of_squares(x) <= most_) return true;
+    if (x.size() == 1) return false;
+    const auto found = minimise(of_others(problem_, j, x[j]), without(x, j), roughly);
+    x = with(found.x, j, x[j]);
+    return problem_.sum_of_squares(x) <= most_;
   } catch (const Error&) {
-    return infinity;
+    return false;
   }
 
   const FitProblem& problem_;

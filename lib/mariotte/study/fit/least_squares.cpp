@@ -12,8 +12,6 @@ using Eigen::LevenbergMarquardtSpace::Status;
 
 constexpr double turn_back =
     1e100;  // a residual that no search takes for progress, and whose square is finite
-// Values beyond some ten digits are noise of the simulations, and far below that of any measurement.
-constexpr double tolerance = 1e-10;
 constexpr Index most_evaluations = 400;
 
 /// What Eigen calls a functor; 0 tells it that all went well, a negative number to give up.
@@ -61,7 +59,7 @@ std::string reason(Status status, Index evaluations) {
 
 }  // namespace
 
-Minimum minimise(const LeastSquares& problem, std::vector<double> start) {
+Minimum minimise(const LeastSquares& problem, std::vector<double> start, double tolerance) {
   std::vector<double> residuals(static_cast<std::size_t>(problem.count));
   problem.residuals(start, residuals);  // throws what the search would hide
   Functor functor{problem};

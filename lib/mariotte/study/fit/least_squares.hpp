@@ -24,7 +24,9 @@ struct Minimum {
 };
 
 /// Levenberg and Marquardt's method as in MINPACK [Moré 1978], from `start`; x is of order one, and steps are
-/// first no longer than |start|. Throws Error if the functions do at the start.
-Minimum minimise(const LeastSquares& problem, std::vector<double> start);
+/// first no longer than |start|. It ends where sums and steps change by less than the share `tolerance`;
+/// values beyond some ten digits are noise of the simulations, and far below that of any measurement. Throws
+/// Error if the functions do at the start.
+Minimum minimise(const LeastSquares& problem, std::vector<double> start, double tolerance = 1e-10);
 
 }  // namespace mariotte::study
