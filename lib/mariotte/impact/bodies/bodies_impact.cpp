@@ -5,6 +5,7 @@
 
 #include "mariotte/core/error.hpp"
 #include "mariotte/impact/bodies/bodies_balance.hpp"
+#include "mariotte/impact/bodies/bodies_frame.hpp"
 #include "mariotte/impact/bodies/bodies_watch.hpp"
 #include "mariotte/impact/flow_uses.hpp"
 #include "mariotte/impact/sampled_promise.hpp"
@@ -193,6 +194,12 @@ BodiesImpact simulate_in(const model::Bodies& bodies, const hybrid::Options& opt
   return impact;
 }
 
+BodiesImpact simulate_within(const model::Bodies& bodies, const hybrid::Options& options,
+                             const RunObserver& observers) {
+  return bodies.dimension == 2 ? simulate_in<2>(bodies, options, observers)
+                               : simulate_in<3>(bodies, options, observers);
+}
+
 }  // namespace
 
 BodiesImpact simulate(const model::Bodies& bodies, const hybrid::Options& options,
@@ -200,8 +207,11 @@ BodiesImpact simulate(const model::Bodies& bodies, const hybrid::Options& option
   model::validate(bodies);
   hybrid::validate(options);
   model::expect_end(bodies, options.max_time);
-  return bodies.dimension == 2 ? simulate_in<2>(bodies, options, observers)
-                               : simulate_in<3>(bodies, options, observers);
+  const auto frame = moving_frame(bodies);
+  if (!frame) return simulate_within(bodies, options, observers);
+  auto impact = simulate_within(within(frame, bodies), options, from_outside(frame, observers));
+  leave(frame, bodies, impact);
+  return impact;
 }
 
 double estimate_accuracy(const model::Bodies& bodies, const hybrid::Options& options,

@@ -16,7 +16,7 @@ Model within(const MovingFrame& frame, Model model) {
 inline void leave(const MovingFrame& frame, Sensitivity& found) {
   if (!frame) return;
   for (auto& outcome : found.outcome)
-    if (outcome.name == "velocity") *outcome.value += frame.at(static_cast<std::size_t>(*outcome.index));
+    if (outcome.name.ends_with("velocity")) *outcome.value += frame.at(static_cast<std::size_t>(*outcome.index));
 }
 
 }  // namespace mariotte::impact

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <array>
 
+#include "mariotte/impact/bodies/bodies_frame.hpp"
 #include "mariotte/impact/sensitivity/bodies/bodies_variation.hpp"
+#include "mariotte/impact/sensitivity/frame_slopes.hpp"
 #include "mariotte/impact/sensitivity/notes.hpp"
 #include "mariotte/impact/sensitivity/resolved.hpp"
 #include "mariotte/impact/sensitivity/sensitivity.hpp"
@@ -181,6 +183,17 @@ class GroupSlopes {
   Sensitivity result_;
 };
 
+/// The same numbers of bodies as seen in the frame.
+std::vector<Parameter<Bodies>> within(const MovingFrame& frame, std::vector<Parameter<Bodies>> by) {
+  if (!frame) return by;
+  for (auto& one : by)
+    one.set = [frame, set = one.set](double at, Bodies& bodies) {
+      set(at, bodies);
+      bodies = within(frame, std::move(bodies));
+    };
+  return by;
+}
+
 template <int D>
 Sensitivity slopes_in(const Bodies& bodies, const std::vector<Parameter<Bodies>>& by, hybrid::Options options,
                       const SlopeWatch& watch) {
@@ -202,8 +215,13 @@ Sensitivity sensitivity(const Bodies& bodies, const std::vector<Parameter<Bodies
   model::validate(bodies);
   hybrid::validate(options);
   model::expect_end(bodies, options.max_time);
-  return bodies.dimension == 2 ? slopes_in<2>(bodies, by, options, watch)
-                               : slopes_in<3>(bodies, by, options, watch);
+  const auto frame = moving_frame(bodies);
+  const auto moving = within(frame, bodies);
+  const auto by_same = within(frame, by);
+  auto found = bodies.dimension == 2 ? slopes_in<2>(moving, by_same, options, watch)
+                                     : slopes_in<3>(moving, by_same, options, watch);
+  leave(frame, found);
+  return found;
 }
 
 }  // namespace mariotte::impact
