@@ -29,8 +29,24 @@ MovingFrame frame_of_first(std::span<const double> velocities, std::size_t dimen
 void enter(const MovingFrame& frame, std::vector<double>& velocities);
 void leave(const MovingFrame& frame, std::vector<double>& velocities);
 
+/// A model with velocities as seen in the frame.
+template <class Model>
+Model within(const MovingFrame& frame, Model model) {
+  if (frame) enter(frame, model.velocity);
+  return model;
+}
+
 /// Observers who are told velocities as seen from outside.
 RunObserver from_outside(const MovingFrame& frame, RunObserver observers);
+
+/// `run(model, observers)` of what is seen in the frame, if there is one; the result as seen from outside.
+template <class Model, class Run>
+auto run_within(const MovingFrame& frame, const Model& model, const RunObserver& observers, Run&& run) {
+  if (!frame) return run(model, observers);
+  auto impact = run(within(frame, model), from_outside(frame, observers));
+  leave(frame, model, impact);
+  return impact;
+}
 
 /// Velocities, trace and energy as seen from outside again: `start` are the velocities there, and
 /// `kinetic(velocities)` is the energy of some.

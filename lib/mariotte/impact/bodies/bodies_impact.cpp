@@ -194,8 +194,8 @@ BodiesImpact simulate_in(const model::Bodies& bodies, const hybrid::Options& opt
   return impact;
 }
 
-BodiesImpact simulate_within(const model::Bodies& bodies, const hybrid::Options& options,
-                             const RunObserver& observers) {
+BodiesImpact simulate_seen(const model::Bodies& bodies, const hybrid::Options& options,
+                           const RunObserver& observers) {
   return bodies.dimension == 2 ? simulate_in<2>(bodies, options, observers)
                                : simulate_in<3>(bodies, options, observers);
 }
@@ -207,11 +207,8 @@ BodiesImpact simulate(const model::Bodies& bodies, const hybrid::Options& option
   model::validate(bodies);
   hybrid::validate(options);
   model::expect_end(bodies, options.max_time);
-  const auto frame = moving_frame(bodies);
-  if (!frame) return simulate_within(bodies, options, observers);
-  auto impact = simulate_within(within(frame, bodies), options, from_outside(frame, observers));
-  leave(frame, bodies, impact);
-  return impact;
+  return run_within(moving_frame(bodies), bodies, observers,
+                    [&](const auto& same, const auto& told) { return simulate_seen(same, options, told); });
 }
 
 double estimate_accuracy(const model::Bodies& bodies, const hybrid::Options& options,

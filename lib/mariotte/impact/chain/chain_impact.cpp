@@ -204,8 +204,8 @@ ChainImpact simulate_known(const model::Chain& chain, const hybrid::Options& opt
   return impact;
 }
 
-ChainImpact simulate_within(const model::Chain& chain, const hybrid::Options& options,
-                            const RunObserver& observers) {
+ChainImpact simulate_seen(const model::Chain& chain, const hybrid::Options& options,
+                          const RunObserver& observers) {
   if (chain.drive.empty()) return simulate_known(chain, options, observers);
   return simulate_known(with_reached_speeds(chain, options, observers, simulate_once), options, observers);
 }
@@ -217,13 +217,8 @@ ChainImpact simulate(const model::Chain& chain, const hybrid::Options& options,
   model::validate(chain);
   hybrid::validate(options);
   model::expect_end(chain, options.max_time);
-  const auto frame = moving_frame(chain);
-  if (!frame) return simulate_within(chain, options, observers);
-  auto moving = chain;
-  enter(frame, moving.velocity);
-  auto impact = simulate_within(moving, options, from_outside(frame, observers));
-  leave(frame, chain, impact);
-  return impact;
+  return run_within(moving_frame(chain), chain, observers,
+                    [&](const auto& same, const auto& told) { return simulate_seen(same, options, told); });
 }
 
 model::Chain with_reached_speeds(const model::Chain& chain, const hybrid::Options& options) {

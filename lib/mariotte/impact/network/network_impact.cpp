@@ -138,8 +138,8 @@ NetworkImpact simulate_known(const model::Network& network, const hybrid::Option
   return impact;
 }
 
-NetworkImpact simulate_within(const model::Network& network, const hybrid::Options& options,
-                              const RunObserver& observers) {
+NetworkImpact simulate_seen(const model::Network& network, const hybrid::Options& options,
+                            const RunObserver& observers) {
   if (network.drive.empty()) return simulate_known(network, options, observers);
   return simulate_known(with_reached_speeds(network, options, observers, simulate_once), options, observers);
 }
@@ -155,13 +155,8 @@ NetworkImpact simulate(const model::Network& network, const hybrid::Options& opt
   model::validate(network);
   hybrid::validate(options);
   model::expect_end(network, options.max_time);
-  const auto frame = moving_frame(network);
-  if (!frame) return simulate_within(network, options, observers);
-  auto moving = network;
-  enter(frame, moving.velocity);
-  auto impact = simulate_within(moving, options, from_outside(frame, observers));
-  leave(frame, network, impact);
-  return impact;
+  return run_within(moving_frame(network), network, observers,
+                    [&](const auto& same, const auto& told) { return simulate_seen(same, options, told); });
 }
 
 model::Network with_reached_speeds(const model::Network& network, const hybrid::Options& options) {

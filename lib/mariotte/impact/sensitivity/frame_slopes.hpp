@@ -6,12 +6,6 @@
 
 namespace mariotte::impact {
 
-template <class Model>
-Model within(const MovingFrame& frame, Model model) {
-  if (frame) enter(frame, model.velocity);
-  return model;
-}
-
 /// Velocities as seen from outside again.
 inline void leave(const MovingFrame& frame, Sensitivity& found) {
   if (!frame) return;
