@@ -87,7 +87,7 @@ BOOST_AUTO_TEST_CASE(axes_of_inputs_say_words_symbol_and_unit) {
 BOOST_AUTO_TEST_CASE(angles_are_in_degrees) {
   auto design = curve(3);
   design.parameters[0].key = "incidence.angles[1]";
-  design.parameters[0].unit = "1";
+  design.parameters[0].unit = "rad";
   design.parameters[0].range->to = std::acos(0.0);
   BOOST_TEST(report::axis_settings(design, 0, 'x').find("xlabel 'angle β\u00a0[deg]'") != std::string::npos);
   BOOST_TEST(report::coordinate(design, 0, 1) == 45, boost::test_tools::tolerance(1e-12));

@@ -41,13 +41,16 @@ BOOST_AUTO_TEST_CASE(a_unit_is_checked_against_its_key_where_it_is_written) {
   expect("key = 'chain.contact[0].stiffness'\nvalues = ['1 N/m']", "12:11", "N/m^1.5");
 }
 
-BOOST_AUTO_TEST_CASE(a_frequency_counts_periods) {
+BOOST_AUTO_TEST_CASE(a_frequency_counts_periods_and_an_angle_has_a_unit) {
   const std::string driven =
       "[chain]\nmass = [1, 1]\nlaw = 'hertz'\nstiffness = 1\nwall = 'left'\n[chain.drive]\nend = 'left'\n"
-      "quantity = 'velocity'\nsignal = 'sine'\namplitude = 0.1\nfrequency = 2\n[run]\nuntil = 1\n";
-  const auto document = scene::parse_document(
-      driven + "[[sweep]]\nkey = 'chain.drive.frequency'\nvalues = [1, '2 Hz']\n", "s.toml");
-  BOOST_TEST(study::read_sweep(document).design.parameters.at(0).unit == "Hz");
+      "quantity = 'velocity'\nsignal = 'sine'\namplitude = 0.1\nfrequency = 2\nphase = 0\n[run]\nuntil = 1\n";
+  const auto unit_of = [&](const std::string& sweep) {
+    const auto document = scene::parse_document(driven + "[[sweep]]\n" + sweep, "s.toml");
+    return study::read_sweep(document).design.parameters.at(0).unit;
+  };
+  BOOST_TEST(unit_of("key = 'chain.drive.frequency'\nvalues = [1, '2 Hz']\n") == "Hz");
+  BOOST_TEST(unit_of("key = 'chain.drive.phase'\nvalues = [0, '90 deg']\n") == "rad");
 }
 
 BOOST_AUTO_TEST_CASE(a_value_no_scene_can_have_is_rejected_where_it_is_written) {

@@ -183,11 +183,6 @@ std::string name_of_slope(const std::string& key) {
                      by && !by->symbol.empty() ? numbered(by->symbol, parameter) : by_words);
 }
 
-bool is_angle(const std::string& key) {
-  const auto* known = find(dictionary, path_of(key).names.back());
-  return known && known->words == "angle";
-}
-
 std::string with_unit(const std::string& name, const std::string& unit) {
   if (unit.empty() || unit == "1") return name;
   std::string text = unit;

@@ -21,9 +21,6 @@ std::string short_name_of_result(const std::string& key, std::string_view symbol
 /// The same of what a scene says: "gap g_{2}" for "chain.gap[1]".
 std::string name_of_input(const std::string& key);
 
-/// Whether this is an angle, which figures show in degrees.
-bool is_angle(const std::string& key);
-
 /// "∂v_{3}/∂m_{1}" of "sensitivity.velocity[2].mass[0]".
 std::string name_of_slope(const std::string& key);
 

@@ -136,10 +136,17 @@ Dimension of_variable(const Source& source, const Field& table) {
   }
 }
 
+/// Of a key, or an element of it.
+bool is_angle(std::string_view key) {
+  const auto name = key.substr(0, key.rfind('['));
+  return name.ends_with("angle") || name.ends_with("angles") || name.ends_with("phase");
+}
+
 }  // namespace
 
 std::string unit_of_key(std::string_view key, const Dimension& dimension) {
   if (key.ends_with("frequency")) return "Hz";
+  if (is_angle(key)) return "rad";
   return key.ends_with("work_of_adhesion") ? "J/m^2" : unit_of(dimension);
 }
 
@@ -149,7 +156,8 @@ void read_axes(Document& document, const Meaning& meaning, Design& design) {
     auto& parameter = design.parameters[i];
     const auto dimension =
         parameter.is_variable ? std::optional(of_variable(document.source, all[i])) : meaning[i];
-    if (dimension) parameter.unit = unit_of_key(parameter.key, *dimension);
+    if (dimension)
+      parameter.unit = parameter.is_variable ? unit_of(*dimension) : unit_of_key(parameter.key, *dimension);
     const Index count = read_values(document.source, all[i], dimension, parameter);
     place_on_axis(document.source, all[i], count, design, parameter);
   }

@@ -13,7 +13,7 @@ namespace mariotte::study {
 void read_axes(scene::Document& document, const Meaning& meaning, Design& design);
 
 /// SI unit of a key of a scene: a frequency counts periods, of other rates none is known; energy per area is
-/// no stiffness.
+/// no stiffness, and an angle no plain number.
 std::string unit_of_key(std::string_view key, const Dimension& dimension);
 
 }  // namespace mariotte::study
