@@ -26,6 +26,8 @@ int apply(const LawChoice& choice, const scene::Scene& scene) {
   report.outcome = impact::multiple_impact(report.before, report.parameters);
   if (problem.from_table)
     report.velocity_error = impact::multiple_impact(report.before, *problem.from_table).velocity_error;
+  if (choice.rivals && !problem.rivals.distributes)
+    tell_warnings({"liu-zhao-brogliato is left out: it knows contacts of k δ^n alone"}, choice.scene.quiet);
   if (choice.rivals) report.rivals = impact::rival_outcomes(report.before, problem.rivals);
   print(choice.json ? report::text(report::json(report)) : report::table(report));
   const auto why = reason(report.outcome);
@@ -95,7 +97,8 @@ OptionList declare(LawChoice& choice) {
          &choice.at,
          "Where in the table",
          {.value = "NAME=VALUE,…", .between_commas = true, .needs = {"--table"}}},
-        {"--rivals", &choice.rivals, "Show what other impact laws answer, too"},
+        {"--rivals", &choice.rivals,
+         "Show what other impact laws answer, too; without a scene contacts are equal Hertz ones"},
         {"--restitution",
          &choice.restitution,
          "Coefficient of restitution of these; default 1, of [bodies] as simulated",

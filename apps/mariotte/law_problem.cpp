@@ -83,15 +83,15 @@ void complete_by_simulation(LawProblem& problem, scene::Law& law, const Model& m
   problem.report.simulated = impact.velocity;
 }
 
-/// Stiffnesses and exponent for the rival that needs them, if there is a single exponent.
+/// Stiffnesses and exponents for the rival that needs them, if all contacts have such.
 void add_contacts(impact::RivalParameters& parameters, const std::vector<contact::Law>& laws) {
   const auto is_power_law = [](const contact::Law& law) { return contact::power_law(law) != nullptr; };
-  if (laws.empty() || !std::all_of(laws.begin(), laws.end(), is_power_law)) return;
-  const double exponent = contact::exponent(laws.front());
-  for (const auto& law : laws)
-    if (contact::exponent(law) != exponent) return;
-  parameters.exponent = exponent;
-  for (const auto& law : laws) parameters.stiffness.push_back(contact::stiffness(law));
+  parameters.distributes = std::all_of(laws.begin(), laws.end(), is_power_law);
+  if (!parameters.distributes) return;
+  for (const auto& law : laws) {
+    parameters.stiffness.push_back(contact::stiffness(law));
+    parameters.exponent.push_back(contact::exponent(law));
+  }
 }
 
 /// Everything that the scene's model says: what collides, its contacts and, where the law is not complete,

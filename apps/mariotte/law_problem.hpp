@@ -26,7 +26,7 @@ struct LawChoice {
 struct LawProblem {
   std::optional<impact::TableAnswer> from_table;
   report::LawReport report;        ///< all but its outcomes
-  impact::RivalParameters rivals;  ///< stiffnesses and exponent of a chain whose exponents are all equal
+  impact::RivalParameters rivals;  ///< with stiffnesses and exponents of the contacts of a scene
   hybrid::Ending simulation_ended = hybrid::Ending::separated;
   std::string message;                ///< why, for endings other than separated
   std::vector<std::string> warnings;  ///< of the simulation

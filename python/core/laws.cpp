@@ -34,10 +34,11 @@ py::tuple multiple_impact_law(const Values& mass, const Values& velocity, const 
 py::dict rival_laws(const Values& mass, const Values& velocity, double restitution, const Values& stiffness,
                     double exponent, const Values& direction) {
   py::dict all;
+  const auto contacts = std::max<std::size_t>(1, mass.size()) - 1;
   for (const auto& [name, made] :
        rival_outcomes(impact::chain_configuration(mass, velocity), {.restitution = restitution,
                                                                    .stiffness = stiffness,
-                                                                   .exponent = exponent,
+                                                                   .exponent = Values(contacts, exponent),
                                                                    .direction = direction}))
     all[py::str(name)] = outcome(made);
   return all;

@@ -143,6 +143,11 @@ BOOST_FIXTURE_TEST_CASE(rivals_answer_beside_the_law, Session) {
   BOOST_TEST(difference(rivals["by-event"]["velocity"], {0, 0, 1}) < 1e-14);
   const auto simulated = answer["simulated"]["velocity"].get<std::vector<double>>();
   BOOST_TEST(difference(rivals["liu-zhao-brogliato"]["velocity"], simulated) < 1e-8);
+  const auto damped = mariotte(
+      "law three.toml --rivals --json --set 'chain.contact[0].law=hunt-crossley' "
+      "--set 'chain.contact[0].damping=0.1'");
+  BOOST_TEST(has(damped.err, "liu-zhao-brogliato is left out"), damped.err);
+  BOOST_TEST(!has(damped.out, "liu-zhao-brogliato"));
   BOOST_TEST(mariotte("law three.toml --restitution 0.5").code == 2);
   BOOST_TEST(mariotte("law three.toml --rivals --restitution 2").code == 3);
   BOOST_TEST(has(mariotte("law three.toml --rivals --restitution 0").out, "moreau"));

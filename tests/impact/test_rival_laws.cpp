@@ -58,7 +58,8 @@ Numbers all(const Configuration& c, double value) {
 
 LawOutcome distributed(const Configuration& c, double e, double exponent = 1.5, double accuracy = 1e-10) {
   return liu_zhao_brogliato(
-      c, {.restitution = all(c, e), .stiffness = all(c, 1), .exponent = exponent, .accuracy = accuracy});
+      c,
+      {.restitution = all(c, e), .stiffness = all(c, 1), .exponent = all(c, exponent), .accuracy = accuracy});
 }
 
 const std::vector<NamedLaw> laws = {
@@ -207,9 +208,16 @@ BOOST_AUTO_TEST_CASE(elastic_distribution_law_is_the_compliant_chain) {
   for (const auto& c : test::cases("linear_triplets.json")) {
     if (c.at("kappa") > 20) continue;
     const auto outcome = liu_zhao_brogliato(
-        struck_row(3), {.restitution = {1, 1}, .stiffness = {1, c.at("kappa")}, .exponent = 1});
+        struck_row(3), {.restitution = {1, 1}, .stiffness = {1, c.at("kappa")}, .exponent = {1, 1}});
     BOOST_TEST(difference(outcome.velocity, c.at("final")) < 1e-8);
   }
+  const model::Chain mixed{.mass = {1, 1, 1},
+                           .law = {contact::Hertz{1}, contact::Linear{100}},
+                           .gap = {0, 0},
+                           .velocity = {1, 0, 0}};
+  const auto outcome =
+      liu_zhao_brogliato(struck_row(3), {.restitution = {1, 1}, .stiffness = {1, 100}, .exponent = {1.5, 1}});
+  BOOST_TEST(difference(outcome.velocity, impact::simulate(mixed).velocity) < 1e-8);
 }
 
 // It is not where a gap opens between two periods of a contact: the law loads such a contact again at once.

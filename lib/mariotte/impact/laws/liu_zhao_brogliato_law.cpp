@@ -50,7 +50,7 @@ Contacts::Contacts(const Configuration& c, const DistributionLaw& distribution) 
   time = infinity;
   depth = Vector(m);
   for (Index j = 0; j < m; ++j) {
-    depth[j] = std::pow(speed * speed / (compliance(j, j) * law.stiffness[j]), 1 / (law.exponent + 1));
+    depth[j] = std::pow(speed * speed / (compliance(j, j) * law.stiffness[j]), 1 / (law.exponent[j] + 1));
     time = std::min(time, depth[j] / speed);
   }
 }
@@ -61,7 +61,7 @@ State Contacts::derivative(const State& x, const std::vector<Stage>& stage) cons
   for (Index j = 0; j < w.size(); ++j) {
     if (stage[j] == Stage::open) continue;
     const double e = stage[j] == Stage::unloading ? law.restitution[j] : 1;
-    dx.p[j] = law.stiffness[j] * std::pow(std::max(0.0, x.depth[j]), law.exponent);
+    dx.p[j] = law.stiffness[j] * std::pow(std::max(0.0, x.depth[j]), law.exponent[j]);
     dx.depth[j] = -w[j] / (e * e);
   }
   return dx;
@@ -184,8 +184,10 @@ void validate(const Configuration& c, const DistributionLaw& law) {
   if (law.stiffness.size() != c.contact.size() ||
       !std::all_of(law.stiffness.begin(), law.stiffness.end(), positive))
     throw InvalidParameter("the distribution law needs one positive stiffness per contact");
-  if (!(law.exponent >= 1) || !std::isfinite(law.exponent))
-    throw InvalidParameter("the exponent of the distribution law must be finite and at least 1");
+  const auto may_be_exponent = [](double value) { return value >= 1 && std::isfinite(value); };
+  if (law.exponent.size() != c.contact.size() ||
+      !std::all_of(law.exponent.begin(), law.exponent.end(), may_be_exponent))
+    throw InvalidParameter("exponents of the distribution law, one per contact, are finite and at least 1");
   if (!(law.accuracy > 0 && law.accuracy < 1)) throw InvalidParameter("accuracy must lie between 0 and 1");
 }
 

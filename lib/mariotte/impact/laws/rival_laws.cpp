@@ -16,6 +16,7 @@ LawOutcome distributed(const Configuration& c, const std::vector<double>& e,
                        const RivalParameters& parameters) {
   DistributionLaw law{.restitution = e, .stiffness = parameters.stiffness, .exponent = parameters.exponent};
   if (law.stiffness.empty()) law.stiffness.assign(e.size(), 1.0);
+  if (law.exponent.empty()) law.exponent.assign(e.size(), 1.5);
   return liu_zhao_brogliato(c, law);
 }
 
@@ -28,7 +29,8 @@ std::vector<NamedOutcome> rival_outcomes(const Configuration& c, const RivalPara
                                         {"moreau", moreau(c, parameters.restitution)},
                                         {"left-to-right", left_to_right(c, {.restitution = e})},
                                         {"by-event", by_event(c, {.restitution = e})}};
-  if (parameters.restitution > 0) outcomes.push_back({"liu-zhao-brogliato", distributed(c, e, parameters)});
+  if (parameters.restitution > 0 && parameters.distributes)
+    outcomes.push_back({"liu-zhao-brogliato", distributed(c, e, parameters)});
   if (!parameters.direction.empty())
     outcomes.push_back(
         {"ceanga-hurmuzlu", ceanga_hurmuzlu(c, {.restitution = e, .direction = parameters.direction})});

@@ -9,9 +9,10 @@ namespace mariotte::impact {
 
 /// What the laws need beside the configuration.
 struct RivalParameters {
-  double restitution = 1;              ///< e of every contact, 0 ≤ e ≤ 1
-  std::vector<double> stiffness = {};  ///< of the distribution law, one per contact; empty for equal ones
-  double exponent = 1.5;               ///< of the distribution law
+  double restitution = 1;   ///< e of every contact, 0 ≤ e ≤ 1
+  bool distributes = true;  ///< all contacts are k δ^η: Liu, Zhao & Brogliato's law knows no others
+  std::vector<double> stiffness = {};  ///< k of that law, one per contact; empty for equal ones
+  std::vector<double> exponent = {};   ///< η of that law, one per contact; empty for Hertz ones
   std::vector<double> direction =
       {};  ///< impulses up to their size, for Ceanga & Hurmuzlu's law; may be empty
 };
@@ -22,8 +23,8 @@ struct NamedOutcome {
   LawOutcome outcome;
 };
 
-/// "newton", "poisson", "moreau", "left-to-right", "by-event", for e > 0 "liu-zhao-brogliato", and with a
-/// direction "ceanga-hurmuzlu".
+/// "newton", "poisson", "moreau", "left-to-right", "by-event", "liu-zhao-brogliato" for e > 0 and contacts
+/// that it knows, and with a direction "ceanga-hurmuzlu".
 std::vector<NamedOutcome> rival_outcomes(const Configuration& configuration,
                                          const RivalParameters& parameters);
 
