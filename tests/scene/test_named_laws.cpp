@@ -204,6 +204,18 @@ BOOST_AUTO_TEST_CASE(points_of_a_tabulated_law_come_from_a_file) {
              boost::test_tools::tolerance(1e-10));
 }
 
+BOOST_AUTO_TEST_CASE(a_column_that_stands_twice_in_a_table_is_refused) {
+  const test::Folder folder;
+  std::ofstream(folder.path / "pair.toml") << "[chain]\nmass = [1, inf]\nvelocity = [0.5, 0]\n"
+                                              "law = 'tabulated'\ntable = 'curve.csv'\n";
+  std::ofstream(folder.path / "curve.csv") << "indentation,force,indentation [mm]\n0.1,1,1\n0.2,3,2\n";
+  BOOST_CHECK_EXCEPTION(
+      scene::read((folder.path / "pair.toml").string()), scene::SceneError, [](const auto& error) {
+        return std::string_view(error.what()).find("curve.csv:1:19: 'indentation' is given, too") !=
+               std::string_view::npos;
+      });
+}
+
 BOOST_AUTO_TEST_CASE(a_point_that_does_not_rise_is_told_by_its_line) {
   const test::Folder folder;
   std::ofstream(folder.path / "pair.toml") << "[chain]\nmass = [1, inf]\nvelocity = [0.5, 0]\n"

@@ -7,6 +7,7 @@
 
 #include "mariotte/scene/scene.hpp"
 #include "mariotte/scene/sha256.hpp"
+#include "support/folder.hpp"
 
 namespace {
 
@@ -265,6 +266,20 @@ BOOST_AUTO_TEST_CASE(the_fingerprint_is_that_of_the_file_until_something_is_over
   BOOST_TEST(one != parse(five_balls).sha256);
   BOOST_TEST(one != scene::parse(five_balls, "f", {"title=b"}).sha256);
   BOOST_TEST(one == scene::parse(five_balls, "another", {"title=a"}).sha256);
+}
+
+BOOST_AUTO_TEST_CASE(the_fingerprint_tells_of_tables_that_the_scene_names) {
+  const test::Folder folder;
+  const auto name = (folder.path / "s.toml").string();
+  const std::string text = "[chain]\nmass = [1, 1]\nvelocity = [1, 0]\nlaw = 'tabulated'\ntable = 't.csv'\n";
+  const auto print_with = [&](const std::string& rows) {
+    std::ofstream(folder.path / "t.csv") << "indentation,force\n" << rows;
+    return scene::parse(text, name).sha256;
+  };
+  const auto one = print_with("1,1\n");
+  BOOST_TEST(one != scene::sha256(text));
+  BOOST_TEST(one != print_with("1,2\n"));
+  BOOST_TEST(one == print_with("1,1\n"));
 }
 
 BOOST_AUTO_TEST_CASE(a_file_that_cannot_be_read_is_no_scene_error) {

@@ -9,7 +9,7 @@ namespace mariotte::scene {
 struct Document {
   Source source;
   Node tree;           ///< the overrides applied
-  std::string sha256;  ///< of the text and the overrides
+  std::string sha256;  ///< its fingerprint
 };
 
 /// Parse a file, or text of which `name` is the file in messages. Throw FileError or SceneError.

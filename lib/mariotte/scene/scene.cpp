@@ -7,11 +7,11 @@
 #include "mariotte/scene/document.hpp"
 #include "mariotte/scene/error_list.hpp"
 #include "mariotte/scene/figure_reader.hpp"
+#include "mariotte/scene/fingerprint.hpp"
 #include "mariotte/scene/law_reader.hpp"
 #include "mariotte/scene/model_reader.hpp"
 #include "mariotte/scene/overrides.hpp"
 #include "mariotte/scene/run_reader.hpp"
-#include "mariotte/scene/sha256.hpp"
 #include "mariotte/scene/sweep_shape.hpp"
 #include "mariotte/scene/text_file.hpp"
 #include "mariotte/scene/toml.hpp"
@@ -22,14 +22,6 @@ namespace {
 constexpr std::array<std::string_view, 12> scene_keys{"title", "chain",   "network",   "bodies",
                                                       "run",   "sweep",   "columns",   "law",
                                                       "body",  "surface", "incidence", "figure"};
-
-/// The digest of the text alone is that of the file; a zero byte, which no scene holds, sets off each
-/// override.
-std::string fingerprint(const std::string& text, const Overrides& overrides) {
-  std::string all = text;
-  for (const auto& override : overrides) (all += '\0') += override;
-  return sha256(all);
-}
 
 /// Events of a wave through the model: the limit is for what does not end.
 Index events_of_wave(const Model& model) {
@@ -97,7 +89,7 @@ Document parse_document(const std::string& text, const std::string& name, const 
   Document document{.source = {.name = name, .origins = {}}, .tree = {}, .sha256 = {}};
   document.tree = parse_toml(document.source, text);
   apply(overrides, document.source, document.tree);
-  document.sha256 = fingerprint(text, overrides);
+  document.sha256 = fingerprint(text, overrides, document.source, document.tree);
   return document;
 }
 

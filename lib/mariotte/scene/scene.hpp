@@ -57,7 +57,7 @@ struct Scene {
   Figure figure;
   bool until = false;                 ///< whether the time limit is the end that is wanted, by run.until
   std::vector<std::string> warnings;  ///< "file:line:column: message" of suspicious but possible values
-  std::string sha256;                 ///< of the scene's text and overrides, for provenance
+  std::string sha256;                 ///< of text, overrides and tables, for provenance
 };
 
 /// One `--set KEY=VALUE`: keys count from 0 with brackets, as in "chain.velocity[0]=2 m/s".

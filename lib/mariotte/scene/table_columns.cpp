@@ -1,6 +1,7 @@
 #include "mariotte/scene/table_columns.hpp"
 
 #include <filesystem>
+#include <optional>
 
 #include "mariotte/core/quantity.hpp"
 #include "mariotte/scene/csv_table.hpp"
@@ -16,14 +17,22 @@ struct Column {
   std::string unit;
 };
 
+/// The column that a header describes, if it is that of `name`.
+std::optional<Column> column_of(const std::string& header, std::size_t number, const std::string& name) {
+  if (header == name) return Column{number, ""};
+  if (!header.starts_with(name + " [") || !header.ends_with(']')) return {};
+  return Column{number, header.substr(name.size() + 2, header.size() - name.size() - 3)};
+}
+
 Column find_column(const Source& file, const std::vector<Cell>& header, const std::string& name) {
+  std::optional<Column> found;
   for (std::size_t i = 0; i < header.size(); ++i) {
-    const auto& text = header[i].text;
-    if (text == name) return {i, ""};
-    if (text.starts_with(name + " [") && text.ends_with(']'))
-      return {i, text.substr(name.size() + 2, text.size() - name.size() - 3)};
+    const auto column = column_of(header[i].text, i, name);
+    if (found && column) reject(file, header[i].place, fault::contradiction, "'" + name + "' is given, too");
+    if (column) found = column;
   }
-  reject(file, header.front().place, fault::missing, "the column '" + name + "' is missing");
+  if (!found) reject(file, header.front().place, fault::missing, "the column '" + name + "' is missing");
+  return *found;
 }
 
 double value(const Source& file, const std::vector<Cell>& row, const Column& column,

@@ -25,7 +25,8 @@ inline constexpr std::array labels = {
           "suspicious values of the scene, an accuracy that was not reached, that nothing collides, "
           "contacts that faded, and where the model does not hold; left out if there are none"},
     Label{"provenance.version", "version of the program"},
-    Label{"provenance.scene_sha256", "checksum of the scene file with its overrides"},
+    Label{"provenance.scene_sha256",
+          "checksum of the scene file with its overrides and the tables that it names"},
     Label{"provenance.sundials", "version of SUNDIALS"},
     Label{"provenance.compiler", "compiler of the program"},
     Label{"provenance.build_type", "CMake's build type of the program"},
