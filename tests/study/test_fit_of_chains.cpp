@@ -162,3 +162,20 @@ BOOST_AUTO_TEST_CASE(a_row_whose_balls_do_not_meet_is_refused_by_its_line) {
   BOOST_CHECK_EXCEPTION(fitted(plastic(1e9), measured, {"chain.yield_pressure"}), scene::SceneError,
                         is_named);
 }
+
+BOOST_AUTO_TEST_CASE(two_columns_that_mean_one_key_are_refused) {
+  const auto why = [](const std::string& header) -> std::string {
+    try {
+      study::FitModel(scene::parse_document(plastic(1e9), "s.toml"), {"chain.yield_pressure"},
+                      study::parse_measurements(header + "\n0.3,0.4,0.8\n", "data.csv"));
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  BOOST_TEST(why("speed,chain.velocity[0],restitution") ==
+             "data.csv:1:7: 'chain.velocity[0]' is set by another column, too");
+  BOOST_TEST(why("chain.velocity[0],speed,restitution") ==
+             "data.csv:1:19: 'chain.velocity[0]' is set by another column, too");
+  BOOST_TEST(why("speed,speed,restitution") == "data.csv:1:7: 'speed' is set by another column, too");
+}

@@ -45,10 +45,21 @@ FitModel::FitModel(scene::Document document, const std::vector<std::string>& fre
 void FitModel::name_settings(const scene::Scene& scene) {
   const bool is_chain = std::holds_alternative<model::Chain>(scene.model);
   for (std::size_t i = 0; i < measurements_.settings.size(); ++i) {
-    auto& [name, key, unit] = measurements_.settings[i];
-    if (name == "speed" && is_chain) key = "chain.velocity[0]";
-    if (name == "diameter") name_diameter(i, is_chain ? "chain" : "body");
+    auto& one = measurements_.settings[i];
+    if (one.name == "speed" && is_chain) one.key = "chain.velocity[0]";
+    if (one.name == "diameter") name_diameter(i, is_chain ? "chain" : "body");
+    expect_new(i);
   }
+}
+
+/// Two words of the table may mean the same key.
+void FitModel::expect_new(std::size_t i) const {
+  const auto& all = measurements_.settings;
+  for (std::size_t k = 0; k < i; ++k)
+    if (all[k].key == all[i].key)
+      throw scene::SceneError(
+          place_of(measurements_.file, all[i].place) + ": '" + all[i].key + "' is set by another column, too",
+          fault::wrong_columns);
 }
 
 /// Of measured diameters the halves are radii, unless the scene says 'diameter', too.

@@ -64,6 +64,7 @@ class FitModel {
   scene::Scene scene_at(const std::vector<scene::Node>& settings, std::span<const double> values);
   void name_settings(const scene::Scene& scene);
   void name_diameter(std::size_t i, const std::string& table);
+  void expect_new(std::size_t i) const;
   void expect_quantity(const scene::Scene& scene);
   Prediction of_body(const model::Microbody& body, const hybrid::Options& options);
   Prediction of_result(const scene::Scene& scene);

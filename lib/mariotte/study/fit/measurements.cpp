@@ -105,10 +105,11 @@ void expect_complete(const Source& source, const std::vector<Cell>& header, cons
     reject(source, header.front().place, fault::wrong_columns,
            "no column says what differs between the rows, as 'speed' does");
   for (auto one = columns.settings.begin(); one != columns.settings.end(); ++one)
-    if (std::any_of(columns.settings.begin(), one,
-                    [&](const auto& other) { return key_of(other.name) == key_of(one->name); }))
-      reject(source, header[one->number].place, fault::wrong_columns,
-             "'" + key_of(one->name) + "' is set by another column, too");
+    for (auto other = columns.settings.begin(); other != one; ++other)
+      if (key_of(other->name) == key_of(one->name))
+        reject(source, header[one->number].place, fault::wrong_columns,
+               "'" + (other->name == one->name ? one->name : key_of(one->name)) +
+                   "' is set by another column, too");
 }
 
 std::string with_unit(const Cell& cell, const Column& column) {
@@ -177,7 +178,10 @@ Measurements parse_measurements(const std::string& text, const std::string& name
                             .weighted = columns.deviation.has_value(),
                             .rows = {}};
   for (const auto& column : columns.settings)
-    measurements.settings.push_back({.name = column.name, .key = key_of(column.name)});
+    measurements.settings.push_back({.name = column.name,
+                                     .key = key_of(column.name),
+                                     .unit = {},
+                                     .place = table.header[column.number].place});
   for (const auto& cells : table.rows) measurements.rows.push_back(read_row(source, cells, columns));
   return measurements;
 }

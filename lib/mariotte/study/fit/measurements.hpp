@@ -27,7 +27,8 @@ namespace mariotte::study {
 struct Setting {
   std::string name;  ///< as the header says
   std::string key;
-  std::string unit = {};  ///< SI, where the scene reads a number: "1" of a pure one
+  std::string unit = {};    ///< SI, where the scene reads a number: "1" of a pure one
+  scene::Place place = {};  ///< in the header
 };
 
 /// One row: what it puts into the scene, and what was measured there.
