@@ -60,8 +60,21 @@ BOOST_AUTO_TEST_CASE(an_expression_reads_keys_as_names) {
   const auto copy = one;
   const double others[] = {0, 1, 0};
   BOOST_TEST(copy(others) == -std::numbers::pi);
-  for (const char* wrong : {"", "1 +", "a b", "f(1)", "1, 2", "chain.contact[1].stiffness * ("})
+  const double two[] = {2};
+  for (const char* compares : {"x == 2 ? 1 : 0", "x >= 2", "x <= 2", "x != 3"})
+    BOOST_TEST(study::Expression{compares}(two) == 1);
+  for (const char* wrong : {"", "1 +", "a b", "f(1)", "1, 2", "chain.contact[1].stiffness * (", "x = 7",
+                            "(x=2) ? 1 : 2", "x === 2"})
     BOOST_CHECK_THROW(study::Expression{wrong}, study::ExpressionError);
+}
+
+BOOST_AUTO_TEST_CASE(names_mean_one_thing) {
+  for (const char* name : {"pi", "ending", "reason"})
+    BOOST_TEST(has(rejection("[[sweep]]\nvariable = '" + std::string(name) + "'\nvalues = [1]\n"),
+                   "'" + std::string(name) + "' has a meaning of its own"));
+  BOOST_TEST(has(rejection(kappa, {"kappa = final.time"}), "there are two columns 'kappa'"));
+  BOOST_TEST(has(rejection(kappa, {"ending = final.time"}), "there are two columns 'ending'"));
+  BOOST_TEST(has(rejection(kappa, {"q = final.velocity[*]"}), "[*] stands for several numbers"));
 }
 
 BOOST_AUTO_TEST_CASE(a_key_follows_from_a_variable_and_other_keys) {

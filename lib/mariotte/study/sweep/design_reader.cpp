@@ -7,6 +7,7 @@
 #include "mariotte/study/fault.hpp"
 #include "mariotte/study/sweep/design_axes.hpp"
 #include "mariotte/study/sweep/design_trials.hpp"
+#include "mariotte/study/sweep/expression.hpp"
 #include "mariotte/study/sweep/formula_reader.hpp"
 #include "mariotte/study/sweep/sweep_tables.hpp"
 
@@ -28,6 +29,13 @@ void expect_key(const Source& source, const Field& field, std::vector<std::strin
   known.push_back(key);
 }
 
+/// The name of a variable heads a column, too.
+void expect_free(const Source& source, const Field& field) {
+  const auto name = text(source, field);
+  if (is_constant(name) || name == "ending" || name == "reason")
+    reject(source, field, fault::sweep_key, "'" + name + "' has a meaning of its own");
+}
+
 Design read_keys(Document& document) {
   Design design;
   std::vector<std::string> known;
@@ -36,6 +44,7 @@ Design read_keys(Document& document) {
     const auto variable = find(table, "variable");
     const auto key = variable ? *variable : *find(table, "key");
     expect_key(source, key, known);
+    if (variable) expect_free(source, key);
     design.parameters.push_back(
         {.key = text(source, key), .place = key.place(), .is_variable = variable.has_value()});
   }

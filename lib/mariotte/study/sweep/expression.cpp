@@ -4,8 +4,26 @@
 
 #include <algorithm>
 #include <numbers>
+#include <string_view>
 
 namespace mariotte::study {
+namespace {
+
+/// The parser would give a name another value: "x = 2" where "x == 2" is meant.
+void expect_no_assignment(const std::string& text) {
+  for (auto place = text.find('='); place != text.npos; place = text.find('=', place + 1)) {
+    if (place + 1 < text.size() && text[place + 1] == '=')
+      ++place;
+    else if (place == 0 || std::string_view("<>!").find(text[place - 1]) == std::string_view::npos)
+      throw ExpressionError("cannot read '" + text + "': '=' gives no value, '==' compares two");
+  }
+}
+
+}  // namespace
+
+bool is_constant(std::string_view name) {
+  return name == "pi";
+}
 
 struct Expression::Parts {
   std::string text;
@@ -15,6 +33,7 @@ struct Expression::Parts {
 };
 
 Expression::Expression(const std::string& text) try : parts_(std::make_unique<Parts>()) {
+  expect_no_assignment(text);
   parts_->text = text;
   auto& parser = parts_->parser;
   parser.DefineNameChars("0123456789_abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ.[]");

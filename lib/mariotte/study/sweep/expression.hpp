@@ -1,10 +1,11 @@
 // Arithmetic over named numbers, "kappa * chain.contact[0].stiffness". Names are words, or keys of a scene or
-// a result. muParser reads it: + - * / ^, parentheses, sqrt, exp, ln, log10, sin, cos, abs, min, max, pi and
-// more.
+// a result. muParser reads it: + - * / ^, parentheses, comparisons, a ? b : c, sqrt, exp, ln, log10, sin,
+// cos, abs, min, max, pi and more.
 #pragma once
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mariotte/core/error.hpp"
@@ -16,6 +17,9 @@ namespace mariotte::study {
 struct ExpressionError : Error {
   explicit ExpressionError(const std::string& what) : Error(what, fault::sweep_values) {}
 };
+
+/// A name that has its value in every expression.
+bool is_constant(std::string_view name);
 
 /// A copy is independent; one object is not to be shared between threads.
 class Expression {

@@ -106,6 +106,12 @@ class ColumnReader {
     return std::any_of(plan_.columns.begin(), plan_.columns.end(),
                        [&](const Column& one) { return one.key == key; });
   }
+  /// The sweep has a column of that name anyway.
+  bool is_taken(const std::string& name) const {
+    const auto& varied = plan_.design.parameters;
+    if (name == "ending" || name == "reason") return true;
+    return std::any_of(varied.begin(), varied.end(), [&](const auto& one) { return one.key == name; });
+  }
   /// Its place among the results.
   std::size_t result(const Column& column) {
     const auto found = std::find_if(plan_.results.begin(), plan_.results.end(),
@@ -122,7 +128,9 @@ class ColumnReader {
   void add_formula(const std::string& text, std::size_t sign) try {
     const auto name = trimmed(text.substr(0, sign));
     if (name.empty()) throw ColumnError("'" + text + "' needs a name before '='");
-    if (is_known(name)) throw ColumnError("there are two columns '" + name + "'");
+    if (is_known(name) || is_taken(name)) throw ColumnError("there are two columns '" + name + "'");
+    if (text.find("[*]") != text.npos)
+      throw ColumnError("'" + text + "': [*] stands for several numbers, an expression is one");
     Formula formula{.expression = Expression(trimmed(text.substr(sign + 1))), .terms = {}};
     for (const auto& one : formula.expression.names()) formula.terms.push_back(term(one));
     plan_.columns.push_back({.key = name, .written = text});
