@@ -124,6 +124,19 @@ BOOST_AUTO_TEST_CASE(keys_that_no_contact_takes_are_suspicious) {
                  .empty());
 }
 
+BOOST_AUTO_TEST_CASE(radii_alone_give_the_effective_one) {
+  const auto law =
+      std::get<model::Chain>(
+          scene::parse("[chain]\nmass = [1, 1]\nvelocity = [1, 0]\nradius = [1e-3, 3e-3]\nlaw = 'jkr'\n"
+                       "effective_modulus = 1e9\nwork_of_adhesion = 0.1\n[run]\nuntil = 1\n",
+                       "law")
+              .model)
+          .law[0];
+  const auto radius = contact::parameters(law).at(1);
+  BOOST_TEST(radius.key == "effective_radius");
+  BOOST_TEST(radius.value == 0.75e-3, boost::test_tools::tolerance(1e-14));
+}
+
 BOOST_AUTO_TEST_CASE(modulus_and_radius_follow_from_the_balls) {
   const auto scene = scene::parse(
       "[chain]\nradius = ['10 mm', '20 mm']\nmaterial = 'steel'\n"

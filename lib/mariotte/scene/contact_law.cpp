@@ -168,6 +168,18 @@ double read_stiffness(const Source& source, const LawTables& tables, Index conta
   return material_stiffness(source, law_field, contact, pair);
 }
 
+double pair_modulus(const Source& source, const Field& law_field, Index contact, const BallPair& pair) {
+  const auto spheres = elastic_pair(source, law_field, contact, pair, "'effective_modulus'");
+  return contact::effective_modulus(spheres.left, spheres.right);
+}
+double pair_radius(const Source& source, const Field& law_field, Index contact, const BallPair& pair) {
+  const auto [a, b] = pair;
+  if (!a || !b || !a->radius || !b->radius)
+    reject(source, law_field, fault::no_stiffness,
+           name_of(contact) + " needs 'effective_radius', or the radius of both its balls");
+  return contact::effective_radius(*a->radius, *b->radius);
+}
+
 /// A number of the law that its materials and radii do not give, or that goes before them.
 double read_number(const Source& source, const LawTables& tables, Index contact, const Field& law_field,
                    const contact::LawKey& key, double exponent, const BallPair& pair) {
@@ -178,9 +190,8 @@ double read_number(const Source& source, const LawTables& tables, Index contact,
   const bool is_modulus = key.key == "effective_modulus";
   if (!is_modulus && key.key != "effective_radius")
     reject(source, law_field, fault::missing, name_of(contact) + " needs '" + std::string(key.key) + "'");
-  const auto spheres = elastic_pair(source, law_field, contact, pair, "'" + std::string(key.key) + "'");
-  const double value = is_modulus ? contact::effective_modulus(spheres.left, spheres.right)
-                                  : contact::effective_radius(spheres.left_radius, spheres.right_radius);
+  const double value = is_modulus ? pair_modulus(source, law_field, contact, pair)
+                                  : pair_radius(source, law_field, contact, pair);
   if (!(value > 0) || !std::isfinite(value))
     reject(source, law_field, fault::no_stiffness,
            name_of(contact) + " has no finite " + std::string(key.key) + ": two rigid bodies, or two planes");
