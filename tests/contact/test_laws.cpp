@@ -146,6 +146,17 @@ BOOST_AUTO_TEST_CASE(a_law_that_does_not_grow_is_refused) {
   BOOST_CHECK_THROW(Limp().natural_indentation(2), mariotte::InvalidParameter);
 }
 
+BOOST_AUTO_TEST_CASE(a_force_that_is_no_number_is_refused_by_the_name_of_its_law) {
+  class Void final : public CustomLaw {
+    std::string_view name() const override { return "void"; }
+    Force force(double, double) const override { return {std::nan(""), 0, 0}; }
+    double stored_energy(double depth) const override { return depth; }
+  };
+  BOOST_CHECK_EXCEPTION(Void().natural_indentation(2), mariotte::InvalidParameter, [](const auto& error) {
+    return std::string_view(error.what()) == "the law 'void' has a force that is no number";
+  });
+}
+
 BOOST_AUTO_TEST_CASE(only_power_laws_have_an_exponent) {
   const Law power = Hertz{3}, other = std::make_shared<Quadratic>();
   BOOST_TEST(exponent(power) == 1.5);

@@ -59,7 +59,10 @@ class ScaledLaw final : public CustomLaw {
 }  // namespace
 
 double CustomLaw::natural_indentation(double energy) const {
-  return where_reached([this](double depth) { return stored_energy(depth); }, energy, name());
+  const double depth = where_reached([this](double at) { return stored_energy(at); }, energy, name());
+  if (std::isnan(force(depth, 0).value))
+    throw InvalidParameter("the law '" + std::string(name()) + "' has a force that is no number");
+  return depth;
 }
 
 Force smooth_force(const CustomLaw& law, double indentation, double rate) {
