@@ -10,7 +10,8 @@ namespace mariotte::impact {
 inline void leave(const MovingFrame& frame, Sensitivity& found) {
   if (!frame) return;
   for (auto& outcome : found.outcome)
-    if (outcome.name.ends_with("velocity")) *outcome.value += frame.at(static_cast<std::size_t>(*outcome.index));
+    if (outcome.name.ends_with("velocity"))
+      *outcome.value += frame.at(static_cast<std::size_t>(*outcome.index));
 }
 
 }  // namespace mariotte::impact

@@ -28,8 +28,7 @@ bool is_logarithmic(const Parameter& one) {
 
 /// In the unit that suits what the axis shows.
 Display display_of(const Parameter& one) {
-  if (one.unit == "rad")
-    return {.factor = 180 / std::numbers::pi, .unit = "deg", .decimals = 0};
+  if (one.unit == "rad") return {.factor = 180 / std::numbers::pi, .unit = "deg", .decimals = 0};
   std::vector<double> ends;
   if (one.range) ends = {one.range->from, one.range->to};
   for (const auto& value : one.list)
