@@ -1,6 +1,8 @@
 // Impact laws on plain numbers, and contact laws from outside.
 #include <pybind11/stl.h>
 
+#include <algorithm>
+
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "mariotte/impact/laws/multiple_impact_law.hpp"

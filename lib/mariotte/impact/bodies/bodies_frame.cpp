@@ -6,8 +6,8 @@ namespace mariotte::impact {
 namespace {
 
 Vector3 common_velocity(const MovingFrame& frame) {
-  const auto& v = frame.velocity;
-  return {v[0], v[1], frame.dimension == 3 ? v[2] : 0};
+  const auto [e1, e2, e3] = frame.velocity;
+  return {e1, e2, e3};
 }
 
 /// Of mass centres, and of surfaces that spin.

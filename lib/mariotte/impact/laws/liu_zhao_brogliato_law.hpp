@@ -21,13 +21,12 @@ struct DistributionLaw {
 ///
 /// A contact ends when E_j = 0, and is loaded again when its gap closes again; the impact ends when no energy
 /// is stored and no gap closes. Integrated by Dormand & Prince's method of order 5 in δ ~ E^{1/(η+1)}, with
-/// dp = k δ^η dτ and dδ = −w dτ, which is the same curve without the singularity of its start, and what it is
-/// where exponents differ; every change
-/// between loading, unloading and open ends a step. Changes are seen by signs at the ends of steps.
-/// Conserves momentum; loses 1 − e_j² of the energy that contact j takes up, so none for e = 1. Exists for
-/// every e_j > 0. For e = 1 it is the compliant chain itself as long as no contact closes twice, as in a
-/// struck row of equal balls. Where a gap opens between two periods of a contact it is not: here such a
-/// contact is loaded again at once.
+/// dp = k δ^η dτ and dδ = −w dτ, which is the same curve without the singularity of its start, and goes on
+/// where exponents differ. Every change between loading, unloading and open ends a step. Changes are seen by
+/// signs at the ends of steps. Conserves momentum; loses 1 − e_j² of the energy that contact j takes up, so
+/// none for e = 1. Exists for every e_j > 0. For e = 1 it is the compliant chain itself as long as no contact
+/// closes twice, as in a struck row of equal balls. Where a gap opens between two periods of a contact it is
+/// not: here such a contact is loaded again at once.
 LawOutcome liu_zhao_brogliato(const Configuration& configuration, const DistributionLaw& law);
 
 }  // namespace mariotte::impact

@@ -32,8 +32,9 @@ void expect_key(const Source& source, const Field& field, std::vector<std::strin
 /// The name of a variable heads a column, too.
 void expect_free(const Source& source, const Field& field) {
   const auto name = text(source, field);
-  if (is_constant(name) || name == "ending" || name == "reason")
-    reject(source, field, fault::sweep_key, "'" + name + "' has a meaning of its own");
+  if (!is_name(name)) reject(source, field, fault::sweep_key, "'" + name + "' is no name in expressions");
+  if (name == "ending" || name == "reason")
+    reject(source, field, fault::sweep_key, "'" + name + "' is a column of every sweep");
 }
 
 Design read_keys(Document& document) {

@@ -21,8 +21,10 @@ void expect_no_assignment(const std::string& text) {
 
 }  // namespace
 
-bool is_constant(std::string_view name) {
-  return name == "pi";
+bool is_name(const std::string& text) try {
+  return Expression(text).names() == std::vector{text};
+} catch (const ExpressionError&) {
+  return false;
 }
 
 struct Expression::Parts {

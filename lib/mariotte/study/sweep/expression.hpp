@@ -5,7 +5,6 @@
 #include <memory>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "mariotte/core/error.hpp"
@@ -17,9 +16,6 @@ namespace mariotte::study {
 struct ExpressionError : Error {
   explicit ExpressionError(const std::string& what) : Error(what, fault::sweep_values) {}
 };
-
-/// A name that has its value in every expression.
-bool is_constant(std::string_view name);
 
 /// A copy is independent; one object is not to be shared between threads.
 class Expression {
@@ -40,5 +36,8 @@ class Expression {
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };
+
+/// An expression that is this word alone reads it as a name: not as a constant or a function.
+bool is_name(const std::string& text);
 
 }  // namespace mariotte::study
