@@ -24,7 +24,7 @@ LaneTable::~LaneTable() {
 bool LaneTable::reserve(int lanes) {
   if (data_ && lanes <= room_) return false;
   ::operator delete(data_, boundary);
-  room_ = std::max((lanes + whole - 1) / whole * whole, row_limit);
+  room_ = std::max((lanes + whole - 1) / whole * whole, most_row_limit);
   const auto size = static_cast<std::size_t>(rows_) * room_;
   data_ = static_cast<double*>(::operator new(size * sizeof(double), boundary));
   std::fill_n(data_, size, 0.0);

@@ -15,7 +15,22 @@ using Coefficients = std::array<double, order_limit + 1>;
 /// An expansion of rows is compiled for each of these numbers of lanes.
 inline constexpr std::array lane_sizes = {4, 8, 12, 16, 32};
 /// Longer rows are expanded as networks are.
-inline constexpr int row_limit = lane_sizes.back();
+inline constexpr int most_row_limit = lane_sizes.back();
+/// Of x86 processors without AVX2, which are old: fewer sizes take less time to compile.
+#ifdef __x86_64__
+inline constexpr int baseline_row_limit = 8;
+#else
+inline constexpr int baseline_row_limit = most_row_limit;
+#endif
+consteval std::size_t sizes_up_to(int limit) {
+  std::size_t count = 0;
+  for (const int size : lane_sizes) count += size <= limit;
+  return count;
+}
+/// On this machine.
+inline int row_limit() {
+  return flow::has_avx2() ? most_row_limit : baseline_row_limit;
+}
 
 /// The rows of a Coupling, by lane.
 struct Links {
@@ -134,8 +149,8 @@ class Expansion {
 /// rows.
 std::size_t size_for(const Lanes& lanes);
 
-/// For lane_sizes[size] lanes of a row, or for any number of linked lanes, with the widest vectors that this
-/// machine has.
+/// For lane_sizes[size] lanes of a row, up to the row limit, or for any number of linked lanes, with the widest
+/// vectors that this machine has.
 MARIOTTE_PER_WIDE_INSTRUCTION_SET(std::unique_ptr<Expansion>, make_expansion, (std::size_t size), (size))
 
 }  // namespace mariotte::flow::taylor

@@ -37,10 +37,13 @@ class RowSeries final : public Expansion {
   Block<N, Given::by_neighbours> block_;
 };
 
+/// Of a row.
+inline constexpr int most_lanes = width == 2 ? baseline_row_limit : most_row_limit;
+
 /// The series of lane_sizes[size] lanes, or of linked ones.
 template <std::size_t Size = 0>
 std::unique_ptr<Expansion> make_rows(std::size_t size) {
-  if constexpr (Size < lane_sizes.size())
+  if constexpr (Size < sizes_up_to(most_lanes))
     return size == Size ? std::unique_ptr<Expansion>(new RowSeries<(lane_sizes[Size] + width - 1) / width>)
                         : make_rows<Size + 1>(size);
   else
