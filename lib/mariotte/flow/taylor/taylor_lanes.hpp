@@ -149,8 +149,8 @@ class Expansion {
 /// rows.
 std::size_t size_for(const Lanes& lanes);
 
-/// For lane_sizes[size] lanes of a row, up to the row limit, or for any number of linked lanes, with the widest
-/// vectors that this machine has.
+/// For lane_sizes[size] lanes of a row, up to the row limit, or for any number of linked lanes, with the
+/// widest vectors that this machine has.
 MARIOTTE_PER_WIDE_INSTRUCTION_SET(std::unique_ptr<Expansion>, make_expansion, (std::size_t size), (size))
 
 }  // namespace mariotte::flow::taylor

@@ -1,10 +1,10 @@
 // What a configuration tells by its scaled directions A = L⁻¹ Gᵀ, with M = L Lᵀ.
-#include <Eigen/QR>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <optional>
 
 #include "mariotte/impact/laws/configuration.hpp"
+#include "mariotte/model/dense.hpp"
 
 namespace mariotte::impact {
 namespace {
@@ -42,7 +42,11 @@ class ShortestSolution {
 
   Vector of(const Vector& w) const {
     if (const auto y = by_turns(w)) return *y;
-    return Eigen::CompleteOrthogonalDecomposition<Matrix>(Matrix(a_.transpose())).solve(w);
+    const Matrix turned(a_.transpose());
+    const model::MinimumNorm solver(
+        {{turned.data(), static_cast<std::size_t>(turned.size())}, turned.rows()});
+    const auto y = solver.solve({w.data(), static_cast<std::size_t>(w.size())});
+    return Eigen::Map<const Vector>(y.data(), std::ssize(y));
   }
 
  private:

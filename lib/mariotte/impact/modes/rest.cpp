@@ -1,8 +1,9 @@
 #include "mariotte/impact/modes/rest.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 
 #include "mariotte/contact/branched_law.hpp"
@@ -10,6 +11,7 @@
 #include "mariotte/core/error.hpp"
 #include "mariotte/impact/modes/directions.hpp"
 #include "mariotte/model/chain/equilibrium.hpp"
+#include "mariotte/model/dense.hpp"
 
 namespace mariotte::impact {
 namespace {
@@ -77,6 +79,9 @@ double force_of(const model::Chain& chain, const Part& part, const std::vector<d
   return 0;
 }
 
+std::span<const double> span(const auto& numbers) {
+  return {numbers.data(), static_cast<std::size_t>(numbers.size())};
+}
 MatrixXd stiffness_matrix(const MatrixXd& direction, const VectorXd& stiffness) {
   return direction * stiffness.asDiagonal() * direction.transpose();
 }
@@ -101,8 +106,10 @@ Springs springs(const model::Network& network, const VectorXd& gap) {
 /// Gaps after Newton's step, or a shorter one that lowers the energy; the same gaps if none does.
 VectorXd step(const model::Network& network, const MatrixXd& direction, const VectorXd& gap) {
   const auto now = springs(network, gap);
-  const Eigen::CompleteOrthogonalDecomposition<MatrixXd> solver(stiffness_matrix(direction, now.stiffness));
-  const VectorXd move = solver.solve(direction * now.force);
+  const MatrixXd stiffness = stiffness_matrix(direction, now.stiffness);
+  const VectorXd load = direction * now.force;
+  const auto moved = model::MinimumNorm({span(stiffness), load.size()}).solve(span(load));
+  const Eigen::Map<const VectorXd> move(moved.data(), load.size());
   for (double part = 1; part > 1e-10; part /= 2) {
     const VectorXd next = gap + part * (direction.transpose() * move);
     const auto then = springs(network, next);

@@ -1,10 +1,11 @@
 #include "mariotte/impact/modes/vibrations.hpp"
 
-#include <Eigen/SVD>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
 #include "mariotte/impact/modes/directions.hpp"
+#include "mariotte/model/dense.hpp"
 
 namespace mariotte::impact {
 namespace {
@@ -59,14 +60,15 @@ Vibrations vibrations(const model::Network& network, const Rest& rest) {
   };
   const MatrixXd half = matrix(half_directions(network));
   const MatrixXd response = matrix(dense(model::responses(network.mass, network.direction, dofs), dofs));
-  const Eigen::BDCSVD<MatrixXd> svd(half, Eigen::ComputeThinV);
-  const auto& value = svd.singularValues();
+  const auto [value, right] =
+      model::singular_values({{half.data(), static_cast<std::size_t>(half.size())}, dofs});
+  const Eigen::Map<const MatrixXd> shape(right.data(), contacts, std::ssize(value));
   Vibrations all;
   const double noise = static_cast<double>(std::max(dofs, contacts)) * epsilon * value[0];
-  for (Index i = value.size() - 1; i >= 0; --i) {
+  for (Index i = std::ssize(value) - 1; i >= 0; --i) {
     if (value[i] <= noise) continue;
     all.frequency.push_back(value[i]);
-    all.shape.push_back(scaled_to_one(response * svd.matrixV().col(i)));
+    all.shape.push_back(scaled_to_one(response * shape.col(i)));
   }
   all.rigid_motions = moving_dofs(network) - std::ssize(all.frequency);
   return all;

@@ -1,10 +1,11 @@
 #include "mariotte/model/contacts/bound.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 #include "mariotte/core/bracket.hpp"
+#include "mariotte/model/dense.hpp"
 
 namespace mariotte::model {
 namespace {
@@ -53,6 +54,9 @@ Well well_of(const HeldContact& c) {
           .rest = rest};
 }
 
+Eigen::Map<const VectorXd> vector(const std::vector<double>& numbers) {
+  return {numbers.data(), std::ssize(numbers)};
+}
 MatrixXd matrix(const HeldTogether& all) {
   const auto n = std::ssize(all.held);
   return Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
@@ -99,12 +103,11 @@ bool is_bound(const HeldTogether& all) {
   if (n > 1 && std::any_of(all.held.begin(), all.held.end(), is_pressed)) return false;
   for (Index j = 0; j < n; ++j)
     if (could_open(all.held[j], 1 / all.coupling[j * n + j])) return false;
-  const MatrixXd a = matrix(all);
-  const Eigen::CompleteOrthogonalDecomposition<MatrixXd> solver(a);
-  VectorXd rate(n);
-  for (Index j = 0; j < n; ++j) rate[j] = all.held[j].rate;
-  const VectorXd momentum = solver.solve(rate);
-  const auto cluster = clusters(a);
+  const MinimumNorm solver({all.coupling, n});  // the coupling is symmetric
+  std::vector<double> rate;
+  for (const auto& one : all.held) rate.push_back(one.rate);
+  const auto momentum = solver.solve(rate);
+  const auto cluster = clusters(matrix(all));
   std::vector<Well> wells;
   for (const auto& one : all.held) wells.push_back(well_of(one));
   VectorXd ranges(n);
@@ -116,10 +119,9 @@ bool is_bound(const HeldTogether& all) {
     ranges[j] = range(all.held[j], wells[j], excess);
   }
   return std::all_of(all.loose.begin(), all.loose.end(), [&](const LooseContact& open) {
-    const VectorXd coupling = Eigen::Map<const VectorXd>(open.coupling.data(), n);
-    const double drift = open.approach - coupling.dot(momentum);
-    const VectorXd lever = solver.solve(coupling);
-    return drift <= all.noise_speed && open.clearance >= lever.cwiseAbs().dot(ranges);
+    const double drift = open.approach - vector(open.coupling).dot(vector(momentum));
+    const auto lever = solver.solve(open.coupling);
+    return drift <= all.noise_speed && open.clearance >= vector(lever).cwiseAbs().dot(ranges);
   });
 }
 

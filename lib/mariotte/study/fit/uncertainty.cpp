@@ -1,14 +1,14 @@
 #include "mariotte/study/fit/uncertainty.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <boost/math/distributions/students_t.hpp>
+
+#include "mariotte/model/dense.hpp"
 
 namespace mariotte::study {
 namespace {
 
-using Slopes = Eigen::Map<const Eigen::MatrixXd>;
-
-Slopes matrix(std::span<const double> columns, Index count) {
+Eigen::Map<const Eigen::MatrixXd> matrix(std::span<const double> columns, Index count) {
   return {columns.data(), std::ssize(columns) / count, count};
 }
 
@@ -17,11 +17,12 @@ Slopes matrix(std::span<const double> columns, Index count) {
 std::vector<std::vector<double>> undetermined(std::span<const double> columns, Index count,
                                               double tolerance) {
   if (count == 0) return {};
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(matrix(columns, count), Eigen::ComputeThinV);
+  const auto [value, right] = model::singular_values({columns, std::ssize(columns) / count});
   std::vector<std::vector<double>> directions;
   for (Index k = 0; k < count; ++k) {
-    if (svd.singularValues()(k) > tolerance * svd.singularValues()(0)) continue;
-    const Eigen::VectorXd direction = svd.matrixV().col(k) / svd.matrixV().col(k).cwiseAbs().maxCoeff();
+    if (value[k] > tolerance * value[0]) continue;
+    const auto column = matrix(right, count).col(k);
+    const Eigen::VectorXd direction = column / column.cwiseAbs().maxCoeff();
     directions.emplace_back(direction.begin(), direction.end());
   }
   return directions;
@@ -29,8 +30,9 @@ std::vector<std::vector<double>> undetermined(std::span<const double> columns, I
 
 Uncertainty uncertainty(std::span<const double> columns, Index count) {
   if (count == 0) return {};
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(matrix(columns, count), Eigen::ComputeThinV);
-  const Eigen::MatrixXd root = svd.matrixV() * svd.singularValues().cwiseInverse().asDiagonal();
+  const auto [value, right] = model::singular_values({columns, std::ssize(columns) / count});
+  const Eigen::Map<const Eigen::VectorXd> size(value.data(), count);
+  const Eigen::MatrixXd root = matrix(right, count) * size.cwiseInverse().asDiagonal();
   const Eigen::MatrixXd covariance = root * root.transpose();
   const Eigen::VectorXd error = covariance.diagonal().cwiseSqrt();
   Uncertainty found{.standard_error = {error.begin(), error.end()}, .correlation = {}};
