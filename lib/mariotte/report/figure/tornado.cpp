@@ -9,6 +9,7 @@
 
 #include "mariotte/report/csv/csv_cell.hpp"
 #include "mariotte/report/figure/axis_names.hpp"
+#include "mariotte/report/figure/curve_labels.hpp"
 #include "mariotte/report/figure/gnuplot.hpp"
 #include "mariotte/report/figure/palette.hpp"
 #include "mariotte/report/figure/ticks.hpp"
@@ -87,6 +88,14 @@ std::string commands(const Panel& panel, std::size_t number, std::size_t places)
       line_colours[2], number, line_colours[1]);
 }
 
+/// Of the longest name of a bar, so that all panels are alike.
+std::size_t letters_of_names(const std::vector<Panel>& list) {
+  std::size_t most = 19;
+  for (const auto& panel : list)
+    for (const auto& bar : panel.bars) most = std::max(most, letters(name_of_input(bar.parameter)));
+  return most;
+}
+
 /// A narrow figure says below its axis what it shows.
 std::string heading(const Title& title, std::size_t rows, std::size_t columns) {
   const auto layout =
@@ -137,11 +146,11 @@ std::string tornado_script(const impact::Sensitivity& slopes, const std::string&
   const auto height = static_cast<int>(rows) * (head_height + bar_height * static_cast<int>(most)) +
                       (columns > 1 ? 30 : 50) + head.more_height;
   return script_head() +
-         "set style fill solid noborder\nset xzeroaxis\nset arrow from 0, graph 0 to 0, graph 1 nohead lc "
-         "rgb "
-         "'#555555'\nunset key\nset grid xtics noytics\nset xtics nomirror\nset lmargin "
-         "19\nset rmargin 3\nset border 1\n"
-         "set ytics scale 0\n" +
+         fmt::format(
+             "set style fill solid noborder\nset xzeroaxis\nset arrow from 0, graph 0 to 0, graph 1 "
+             "nohead lc rgb '#555555'\nunset key\nset grid xtics noytics\nset xtics nomirror\n"
+             "set lmargin {}\nset rmargin 3\nset border 1\nset ytics scale 0\n",
+             letters_of_names(list)) +
          on_all_terminals(figure, plot + "unset multiplot\n",
                           {columns > 1 ? wide.width : one_column.width, height});
 }
