@@ -28,23 +28,29 @@ py::array friction(const scene::Impact& traced) {
 
 /// Where forces can be seen, what moves, and in which unit.
 struct Seen {
-  std::vector<report::Window> windows;
+  report::Action action;
   std::string moving, unit;
 };
 
 Seen seen(const scene::Impact& traced) {
   return std::visit(
       Overload{[](const impact::ContactImpact& one) {
-                 return Seen{report::windows_of_action(one.trace), one.trace.moving, one.trace.velocity_unit};
+                 return Seen{report::action_of(one.trace), one.trace.moving, one.trace.velocity_unit};
                },
                [](const auto& one) {
-                 return Seen{report::windows_of_action(one.trace), "body", "m/s"};
+                 return Seen{report::action_of(one.trace), "body", "m/s"};
                }},
       traced);
 }
 
-/// Friction of tips, start and end of every panel [s], whether images are logarithmic, what moves, and its
-/// unit.
+py::list pairs(const std::vector<report::Window>& windows) {
+  py::list all;
+  for (const auto& [start, end] : windows) all.append(py::make_tuple(start, end));
+  return all;
+}
+
+/// Friction of tips, start and end of every panel and of those of forces [s], what the axis of the latter
+/// says beside its name, whether images are logarithmic, what moves, and its unit.
 py::tuple picture(const Impact& impact) {
   std::optional<scene::Impact> traced;
   {
@@ -52,11 +58,10 @@ py::tuple picture(const Impact& impact) {
     traced = simulate(impact.box(), impact.options(), {.trace = true});
   }
   const auto& figure = impact.box().scene.figure;
-  const auto [windows, moving, unit] = seen(*traced);
-  py::list panels;
-  for (const auto& [start, end] : report::time_axis(windows, {}, figure).windows)
-    panels.append(py::make_tuple(start, end));
-  return py::make_tuple(friction(*traced), panels, figure.logarithmic, moving, unit);
+  const auto [action, moving, unit] = seen(*traced);
+  const auto axis = report::time_axis(action, {}, figure);
+  return py::make_tuple(friction(*traced), pairs(axis.windows), pairs(report::axis_of_forces(axis).windows),
+                        axis.note, figure.logarithmic, moving, unit);
 }
 
 using Rectangle = std::tuple<double, double, double, double>;

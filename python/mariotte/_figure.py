@@ -34,8 +34,10 @@ def make_panels(ax: Any, windows: Sequence[Window], title: str) -> Tuple[List[An
     return list(axes[0]), list(windows)
 
 
-def draw_curves(axes: Sequence[Any], windows: Sequence[Window], curves: Curves, events: Sequence[Event]) -> None:
-    """All curves in every panel, with marks of events, and a name for each group that lies on one line."""
+def draw_curves(axes: Sequence[Any], windows: Sequence[Window], curves: Curves, events: Sequence[Event],
+                note: str = "") -> None:
+    """All curves in every panel, with marks of events, and a name for each group that lies on one line. The note stands
+    behind the name of the time axis."""
     least, most = value_range(curves, windows)
     factor, unit = _core.display([least, most], curves.unit)
     scale, time_unit = _core.display([windows[-1][1]], "s")
@@ -48,13 +50,13 @@ def draw_curves(axes: Sequence[Any], windows: Sequence[Window], curves: Curves, 
         ax.set_ylim(factor * least, factor * most)
         _mark_events(ax, window, events, scale)
     name_curves(axes, windows, curves, groups, (least, most))
-    label_axes(axes, f"time t [{time_unit}]", f"{curves.quantity} [{unit}]")
+    label_axes(axes, f"time t [{time_unit}]{note}", f"{curves.quantity} [{unit}]")
 
 
 def label_axes(axes: Sequence[Any], x: str, y: str) -> None:
-    """Names beside the first vertical axis and below the last panel."""
+    """Names beside the first vertical axis and below the panel in the middle."""
     axes[0].set_ylabel(y)
-    axes[-1].set_xlabel(x)
+    axes[len(axes) // 2].set_xlabel(x)
 
 
 def tick_events(ax: Any, events: Sequence[Event], scale: float) -> None:

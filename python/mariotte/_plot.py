@@ -48,7 +48,7 @@ class ImpactPlot:
     def forces(self, ax: Optional[Any] = None) -> Any:
         """Forces of contacts or tips over time; an image of more than twelve."""
         samples = self._impact.trajectory.steps()
-        friction, windows, logarithmic, _, _ = _core.picture(self._impact._run)
+        friction, windows, of_forces, note, logarithmic, _, _ = _core.picture(self._impact._run)
         values, quantity = samples.force, "contact force f"
         names = names_of_contacts(self._impact, values.shape[1])
         closed = _closed(self._impact)
@@ -58,12 +58,14 @@ class ImpactPlot:
             values, names = _with_friction(values, friction)
             quantity = "force on a tip F"
         curves = Curves(quantity, "N", names, True, samples.time, values)
-        return self._draw(curves, windows, "contact j", logarithmic, ax)
+        if ax is not None or values.shape[1] > _MOST_CURVES or len(of_forces) == len(windows):
+            return self._draw(curves, windows, "contact j", logarithmic, ax)
+        return self._draw(curves, of_forces, "contact j", logarithmic, ax, note)
 
     def velocities(self, ax: Optional[Any] = None) -> Any:
         """Velocities over time; an image of more than twelve, of speeds in the plane and in space."""
         samples = self._impact.trajectory.steps()
-        _, windows, logarithmic, moving, unit = _core.picture(self._impact._run)
+        _, windows, _, _, logarithmic, moving, unit = _core.picture(self._impact._run)
         values = samples.velocity.reshape(len(samples.time), -1)
         dimension = dimension_of(self._impact.scene)
         names, quantity = names_of_velocities(self._impact.scene, moving, values.shape[1]), "velocity v"
@@ -111,13 +113,14 @@ class ImpactPlot:
         ax.set(xlabel=f"time t [{unit}]", ylabel="ball i", title=wrapped(self._impact.scene.title))
         return ax
 
-    def _draw(self, curves: Curves, windows: List[Window], along: str, logarithmic: bool, ax: Any) -> Any:
+    def _draw(self, curves: Curves, windows: List[Window], along: str, logarithmic: bool, ax: Any,
+              note: str = "") -> Any:
         with style_of(ax):
             axes, windows = make_panels(ax, windows, wrapped(self._impact.scene.title))
             if curves.values.shape[1] > _MOST_CURVES:
                 draw_image(axes, windows, curves, along, self._marks(), logarithmic)
             else:
-                draw_curves(axes, windows, curves, self._marks())
+                draw_curves(axes, windows, curves, self._marks(), note)
         return axes[0]
 
     def _marks(self) -> "List[Event]":

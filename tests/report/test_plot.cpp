@@ -159,6 +159,32 @@ BOOST_AUTO_TEST_CASE(impacts_far_apart_have_panels_of_their_own) {
   BOOST_TEST(count(script, "set xrange [89.8:92.2]\n") == 2 * terminals);
 }
 
+BOOST_AUTO_TEST_CASE(forces_of_many_impacts_far_apart_are_those_of_the_strongest) {
+  auto trace = trace_of(2);
+  trace.time = {0};
+  trace.velocity = {{1, 0}};
+  trace.gap = {{0}};
+  trace.force = {{0}};
+  for (const double peak : {1.0, 7.0, 2.0, 9.0, 8.0}) {
+    const double start = trace.time.back() + 1e-3;
+    for (const auto& [after, force] : {std::pair{0.0, 0.0}, {1e-5, peak}, {2e-5, 0.0}}) {
+      trace.time.push_back(start + after);
+      trace.velocity.push_back({1, 0});
+      trace.gap.push_back({0});
+      trace.force.push_back({force});
+    }
+  }
+  const auto script = script_of(trace);
+  BOOST_TEST(count(script, "set label 'time t [ms]: 3 strongest of 5 impacts'") == terminals);
+  BOOST_TEST(count(script, "set label 'time t [ms]'") == terminals);         // velocities, from first to last
+  BOOST_TEST(count(script, "set label 'f_{1}' at graph") == 2 * terminals);  // the first, and the peak
+  const auto action = report::action_of(trace);
+  BOOST_TEST_REQUIRE(action.strongest.size() == 3u);
+  BOOST_TEST(action.strongest[0].start < 2.03e-3);
+  BOOST_TEST(action.strongest[0].end > 2.03e-3);
+  BOOST_TEST(action.strongest[1].start > 4e-3);
+}
+
 BOOST_AUTO_TEST_CASE(a_window_of_ones_own_is_shown) {
   impact::ChainImpact impact;
   impact.trace = trace_of(3);

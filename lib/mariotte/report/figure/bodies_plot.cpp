@@ -138,9 +138,8 @@ RunPlot plot(const impact::BodiesImpact& impact, const std::string& title, const
   return plot(same, title, of_result_alone, figure, {friction(impact, names), spins(impact, names)});
 }
 
-std::vector<Window> windows_of_action(const impact::BodiesTrace& trace) {
-  return windows_of_action(
-      impact::Trace{.time = trace.time, .velocity = {}, .gap = trace.gap, .force = trace.force});
+Action action_of(const impact::BodiesTrace& trace) {
+  return action_of(impact::Trace{.time = trace.time, .velocity = {}, .gap = trace.gap, .force = trace.force});
 }
 
 }  // namespace mariotte::report

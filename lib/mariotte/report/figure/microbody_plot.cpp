@@ -83,7 +83,7 @@ RunPlot plot(const impact::MicrobodyImpact& impact, const std::string& title, co
   RunPlot plot{.data = data(trace),
                .script = script_head(),
                .figures = {"forces", "velocities"},
-               .axis = time_axis(windows_of_action(trace), contacts(impact.events), figure)};
+               .axis = time_axis(action_of(trace), contacts(impact.events), figure)};
   plot.script += script(forces(trace, title), plot.axis) + script(velocities(trace, title), plot.axis);
   return plot;
 }

@@ -55,11 +55,12 @@ std::string horizontal_axis(const Panel& panel, const TimeAxis& axis, double wid
 }
 
 /// Title, and the name of the time axis below the middle of all panels.
-std::string words_of_sheet(const Title& title, const std::string& unit, const std::vector<Panel>& panels) {
+std::string words_of_sheet(const Title& title, const TimeAxis& axis, const std::vector<Panel>& panels) {
+  const auto note = panels.size() > 1 ? axis.note : "";
   return fmt::format(
-      "set label {} at screen 0.5, 0.96 center noenhanced\nset label 'time t [{}]' at screen {:.4f}, {} "
+      "set label {} at screen 0.5, 0.96 center noenhanced\nset label 'time t [{}]{}' at screen {:.4f}, {} "
       "center\n",
-      title.text, unit, 0.5 * (panels.front().left + panels.back().right), name_of_time);
+      title.text, axis.display.unit, note, 0.5 * (panels.front().left + panels.back().right), name_of_time);
 }
 
 }  // namespace
@@ -95,9 +96,8 @@ std::string on_panels(const std::string& file, const std::string& title, const T
   const double below_head = top - static_cast<double>(head.more_height) / one_column.height;
   std::string plot = "set multiplot\n";
   for (const auto& panel : panels) {
-    plot += panel.is_first
-                ? "set border 3\nset ytics nomirror out\n" + words_of_sheet(head, axis.display.unit, panels)
-                : "set border 1\nunset ytics\n";
+    plot += panel.is_first ? "set border 3\nset ytics nomirror out\n" + words_of_sheet(head, axis, panels)
+                           : "set border 1\nunset ytics\n";
     plot += horizontal_axis(panel, axis, (panel.right - panel.left) * one_column.width);
     plot += inside(panel) + "unset label\nunset arrow\nunset object\n";
   }

@@ -134,9 +134,8 @@ Series forces(const impact::Trace& trace, const CurveNames& names) {
 RunPlot plot(const impact::ContactImpact& impact, const std::string& title, const CurveNames& names,
              const scene::Figure& figure, const std::vector<Series>& more) {
   const auto& trace = impact.trace;
-  RunPlot plot{.data = "",
-               .script = script_head(),
-               .axis = time_axis(windows_of_action(trace), impact.events, figure)};
+  RunPlot plot{
+      .data = "", .script = script_head(), .axis = time_axis(action_of(trace), impact.events, figure)};
   Writer writer(trace.time, title, figure, plot);
   writer.add(velocities(trace, names));
   writer.add(forces(trace, names));

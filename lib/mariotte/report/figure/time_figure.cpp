@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "mariotte/report/figure/curve_labels.hpp"
 #include "mariotte/report/figure/event_marks.hpp"
@@ -42,13 +43,61 @@ std::string plot(const TimeFigure& figure, const std::vector<Group>& groups, con
   return text + "\n";
 }
 
+/// The samples that these windows show.
+TimeFigure within(TimeFigure figure, const std::vector<Window>& windows) {
+  const auto time = figure.time;
+  const auto keep = [&](std::vector<double>& values) {
+    const auto all = std::exchange(values, {});
+    for (std::size_t i = 0; i < time.size(); ++i)
+      if (std::any_of(windows.begin(), windows.end(),
+                      [&](const Window& one) { return time[i] >= one.start && time[i] <= one.end; }))
+        values.push_back(all[i]);
+  };
+  keep(figure.time);
+  for (auto& curve : figure.curves) keep(curve.value);
+  return figure;
+}
+
+std::string drawn(const TimeFigure& figure, const TimeAxis& axis) {
+  const auto groups = coincident(figure);
+  const auto range = range_of(figure, axis);
+  const auto display = display_for(std::vector{range.least, range.most}, figure.unit);
+  const auto named = naming(figure, groups, range);
+  const auto inside = [&](const Panel& panel) {
+    auto text = fmt::format("set yrange [{:.8g}:{:.8g}]\n", display.factor * range.least,
+                            display.factor * range.most);
+    if (panel.is_first) text += vertical_name(fmt::format("{} [{}]", figure.quantity, display.unit));
+    text +=
+        event_marks(axis.events, axis.display, panel.window, sheet_pixels(panel), panel.is_last ? beyond : 0);
+    if (panel.is_last) text += end_labels(figure, groups, named.at_end, range, panel);
+    return text + peak_labels(figure, groups, named.at_peak, range, panel) +
+           plot(figure, groups, axis, display);
+  };
+  return on_panels(figure.file, figure.title, axis,
+                   panels(axis.windows, margin_of(figure, groups, named.at_end)), inside);
+}
+
 }  // namespace
 
-TimeAxis time_axis(std::vector<Window> windows, std::vector<impact::Event> events,
-                   const scene::Figure& figure) {
-  if (figure.window) windows = {{(*figure.window)[0], (*figure.window)[1]}};
-  return {display_for(std::vector{windows.back().end}, "s"), windows, std::move(events),
-          figure.window.has_value()};
+TimeAxis time_axis(const Action& action, std::vector<impact::Event> events, const scene::Figure& figure) {
+  TimeAxis axis{.display = {}, .windows = action.windows, .events = std::move(events)};
+  if (figure.window) {
+    axis.windows = {{(*figure.window)[0], (*figure.window)[1]}};
+    axis.is_chosen = true;
+  } else if (!action.strongest.empty()) {
+    axis.strongest = action.strongest;
+    axis.note = fmt::format(": {} strongest of {} impacts", action.strongest.size(), action.impacts);
+  }
+  axis.display = display_for(std::vector{axis.windows.back().end}, "s");
+  return axis;
+}
+
+TimeAxis axis_of_forces(const TimeAxis& axis) {
+  if (axis.strongest.empty()) return axis;
+  auto own = axis;
+  own.windows = axis.strongest;
+  own.display = display_for(std::vector{own.windows.back().end}, "s");
+  return own;
 }
 
 std::vector<Group> coincident(const TimeFigure& figure) {
@@ -76,22 +125,9 @@ std::vector<Group> coincident(const TimeFigure& figure) {
 }
 
 std::string script(const TimeFigure& figure, const TimeAxis& axis) {
-  const auto groups = coincident(figure);
-  const auto range = range_of(figure, axis);
-  const auto display = display_for(std::vector{range.least, range.most}, figure.unit);
-  const auto named = naming(figure, groups, range);
-  const auto inside = [&](const Panel& panel) {
-    auto text = fmt::format("set yrange [{:.8g}:{:.8g}]\n", display.factor * range.least,
-                            display.factor * range.most);
-    if (panel.is_first) text += vertical_name(fmt::format("{} [{}]", figure.quantity, display.unit));
-    text +=
-        event_marks(axis.events, axis.display, panel.window, sheet_pixels(panel), panel.is_last ? beyond : 0);
-    if (panel.is_last) text += end_labels(figure, groups, named.at_end, range, panel);
-    return text + peak_labels(figure, groups, named.at_peak, range, panel) +
-           plot(figure, groups, axis, display);
-  };
-  return on_panels(figure.file, figure.title, axis,
-                   panels(axis.windows, margin_of(figure, groups, named.at_end)), inside);
+  if (figure.names == Names::at_peak && !axis.strongest.empty())
+    return drawn(within(figure, axis.strongest), axis_of_forces(axis));
+  return drawn(figure, axis);
 }
 
 }  // namespace mariotte::report

@@ -39,12 +39,16 @@ struct TimeAxis {
   Display display;
   std::vector<Window> windows;
   std::vector<impact::Event> events;
-  bool is_chosen = false;  ///< by a user, who wants to see nothing else
+  bool is_chosen = false;         ///< by a user, who wants to see nothing else
+  std::vector<Window> strongest;  ///< those that forces are drawn in, if not in all
+  std::string note;               ///< behind the name of the axis
 };
 
-/// Over these windows, or over the one that a user wants.
-TimeAxis time_axis(std::vector<Window> windows, std::vector<impact::Event> events,
-                   const scene::Figure& figure);
+/// Over the windows of the action, or over the one that a user wants.
+TimeAxis time_axis(const Action& action, std::vector<impact::Event> events, const scene::Figure& figure);
+
+/// The axis of forces: impacts that are many and far apart would be lines on one axis.
+TimeAxis axis_of_forces(const TimeAxis& axis);
 
 /// Curves that cannot be told apart: positions of `figure.curves`, in groups in the order of their first.
 /// They are drawn once, with the names of all.

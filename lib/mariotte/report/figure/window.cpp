@@ -7,7 +7,7 @@ namespace mariotte::report {
 namespace {
 
 constexpr double visible = 1e-3, visible_in_image = 1e-2;  // of the largest force
-constexpr double long_flight = 3;                          // in durations of all the action
+constexpr double long_flight = 3;  // in durations of all the action, or of its longest
 constexpr std::size_t most_windows = 3;
 constexpr double margin = 0.1;  // of what is shown
 
@@ -35,9 +35,14 @@ double duration(const std::vector<Window>& windows) {
   return sum;
 }
 
-/// Those between which no long flight lies, joined.
-std::vector<Window> joined(const std::vector<Window>& stretches) {
-  const double gap = long_flight * duration(stretches);
+double longest(const std::vector<Window>& windows) {
+  double most = 0;
+  for (const auto& one : windows) most = std::max(most, one.end - one.start);
+  return most;
+}
+
+/// Those between which lies no flight longer than `gap`, joined.
+std::vector<Window> joined(const std::vector<Window>& stretches, double gap) {
   std::vector<Window> all;
   for (const auto& one : stretches)
     if (all.empty() || one.start - all.back().end > gap)
@@ -47,11 +52,8 @@ std::vector<Window> joined(const std::vector<Window>& stretches) {
   return all;
 }
 
-std::vector<Window> windows(const std::vector<double>& time, const std::vector<double>& force,
-                            double least = visible) {
-  auto all = joined(stretches(time, force, least * largest(force)));
-  if (duration(all) == 0) return {{time.front(), time.back()}};
-  if (all.size() > most_windows) all = {{all.front().start, all.back().end}};
+/// With some room before and behind, and a short flight before the first.
+std::vector<Window> widened(std::vector<Window> all, const std::vector<double>& time) {
   const double room = margin * duration(all) / static_cast<double>(all.size());
   const double first = all.front().start < duration(all) ? time.front() : all.front().start - room;
   for (auto& one : all) one = {std::max(one.start - room, first), std::min(one.end + room, time.back())};
@@ -59,22 +61,48 @@ std::vector<Window> windows(const std::vector<double>& time, const std::vector<d
   return all;
 }
 
+/// As many as are shown, in the order of time.
+std::vector<Window> strongest(std::vector<Window> all, const std::vector<double>& time,
+                              const std::vector<double>& force) {
+  const auto peak = [&](const Window& one) {
+    double most = 0;
+    for (std::size_t i = 0; i < time.size(); ++i)
+      if (time[i] >= one.start && time[i] <= one.end) most = std::max(most, force[i]);
+    return most;
+  };
+  std::stable_sort(all.begin(), all.end(),
+                   [&](const Window& a, const Window& b) { return peak(a) > peak(b); });
+  all.resize(most_windows);
+  std::sort(all.begin(), all.end(), [](const Window& a, const Window& b) { return a.start < b.start; });
+  return all;
+}
+
+Action action(const std::vector<double>& time, const std::vector<double>& force, double least = visible) {
+  const auto parts = stretches(time, force, least * largest(force));
+  const auto all = joined(parts, long_flight * duration(parts));
+  if (duration(all) == 0) return {.windows = {{time.front(), time.back()}}, .strongest = {}};
+  if (all.size() <= most_windows) return {widened(all, time), {}, all.size()};
+  const auto impacts = joined(parts, long_flight * longest(parts));
+  return {widened({{all.front().start, all.back().end}}, time),
+          widened(strongest(impacts, time, force), time), impacts.size()};
+}
+
 }  // namespace
 
-std::vector<Window> windows_of_action(const impact::Trace& trace) {
+Action action_of(const impact::Trace& trace) {
   std::vector<double> force;
   for (const auto& row : trace.force) force.push_back(largest(row));
   const bool is_image = !trace.force.empty() && trace.force.front().size() > most_curves;
-  return windows(trace.time, force, is_image ? visible_in_image : visible);
+  return action(trace.time, force, is_image ? visible_in_image : visible);
 }
 
-std::vector<Window> windows_of_action(const impact::BodyTrace& trace) {
+Action action_of(const impact::BodyTrace& trace) {
   std::vector<double> time, force;
   for (std::size_t i = 0; i < trace.state.size(); ++i) {
     time.push_back(trace.state[i].time);
     force.push_back(largest(trace.normal_force[i]));
   }
-  return windows(time, force);
+  return action(time, force);
 }
 
 }  // namespace mariotte::report

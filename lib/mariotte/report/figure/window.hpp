@@ -18,11 +18,18 @@ struct Window {
   double end = 0;
 };
 
-/// Where forces can be seen: one window, or up to three beside each other where flights between them last
-/// several times longer than all that happens. Faint late contacts, below a thousandth of the largest force
-/// (in images, which show no more, a hundredth), and a long flight before the first contact are left out.
-std::vector<Window> windows_of_action(const impact::Trace& trace);
-std::vector<Window> windows_of_action(const impact::BodyTrace& trace);
-std::vector<Window> windows_of_action(const impact::BodiesTrace& trace);
+/// Where forces can be seen.
+struct Action {
+  std::vector<Window> windows;    ///< one, or up to three
+  std::vector<Window> strongest;  ///< of more than three the ones with the largest forces, else none
+  std::size_t impacts = 1;        ///< so many are far apart
+};
+
+/// Windows lie beside each other where flights between them last several times longer than all that happens;
+/// more than three are one. Faint late contacts, below a thousandth of the largest force (in images, which
+/// show no more, a hundredth), and a long flight before the first contact are left out.
+Action action_of(const impact::Trace& trace);
+Action action_of(const impact::BodyTrace& trace);
+Action action_of(const impact::BodiesTrace& trace);
 
 }  // namespace mariotte::report

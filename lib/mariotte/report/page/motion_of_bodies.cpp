@@ -76,7 +76,7 @@ Json motion(const impact::BodiesImpact& impact, const scene::Scene& scene) {
   std::vector<DiscContact> contacts;
   for (Index c = 0; c < std::ssize(bodies.contact); ++c)
     contacts.push_back(contact_of(bodies, c, trace, rows));
-  const auto times = instants(time_axis(windows_of_action(trace), {}, scene.figure).windows);
+  const auto times = instants(time_axis(action_of(trace), {}, scene.figure).windows);
   Course course{times, {}, {}};
   for (const double time : times) {
     const auto at = position(trace.time, time);

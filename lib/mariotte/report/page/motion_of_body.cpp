@@ -61,7 +61,7 @@ Json motion(const impact::MicrobodyImpact& impact, const scene::Scene& scene) {
     if (discs.size() <= trace.gap.front().size())
       contacts.insert(contacts.end(), {{-1, on, 0, 1}, {-1, on, 1, 0}});
   }
-  const auto times = instants(time_axis(windows_of_action(trace), {}, scene.figure).windows);
+  const auto times = instants(time_axis(action_of(trace), {}, scene.figure).windows);
   auto all = as_json(discs, contacts, course_of(trace, tips, times));
   all["floor"] = true;
   if (tips.size() == 2) all["links"] = {{0, 1}};
