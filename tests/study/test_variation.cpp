@@ -46,23 +46,52 @@ BOOST_AUTO_TEST_CASE(what_decides_other_numbers_is_resolved_at_every_point) {
   BOOST_TEST(!is_direct(test::three_balls + sweep("run.max_events", "10", "50")));
 }
 
-BOOST_AUTO_TEST_CASE(every_point_is_the_scene_that_the_reader_makes_of_it) {
-  const std::vector<std::string> texts = {test::three_balls +
-                                              sweep("chain.contact[1].stiffness", "0.1", "10") +
-                                              sweep("chain.velocity[2]", "-1", "0"),
-                                          test::steel_balls + sweep("chain.velocity[0]", "1", "2") +
-                                              sweep("chain.material.young", "1e11", "2e11")};
-  for (const auto& text : texts) {
-    auto one = plan(text);
-    study::Variation variation(one.document, one.design, study::find_slots(one.document, one.design));
-    study::Variation slow(one.document, one.design, std::nullopt);
-    for (Index point = one.design.points() - 1; point >= 0; --point) {
-      const auto& scene = variation.at(point);
-      const auto& expected = slow.at(point);
-      BOOST_TEST(study::same_form(scene, expected));
-      BOOST_TEST(copied(scene) == copied(expected), boost::test_tools::per_element());
-    }
+/// At every point, the last one first.
+void expect_scenes_of_reader(const std::string& text) {
+  auto one = plan(text);
+  study::Variation variation(one.document, one.design, study::find_slots(one.document, one.design));
+  study::Variation slow(one.document, one.design, std::nullopt);
+  for (Index point = one.design.points() - 1; point >= 0; --point) {
+    const auto& scene = variation.at(point);
+    const auto& expected = slow.at(point);
+    BOOST_TEST(study::same_form(scene, expected));
+    BOOST_TEST(copied(scene) == copied(expected), boost::test_tools::per_element());
   }
+}
+
+/// A list of so many values that are 0 but for the one at `place`.
+std::string zipped(const std::string& key, int count, int place, double value) {
+  std::string text = "[[sweep]]\nkey = '" + key + "'\nvalues = [";
+  for (int i = 0; i < count; ++i) text += std::to_string(i == place ? value : 0.0) + ", ";
+  return text + "]\n";
+}
+
+BOOST_AUTO_TEST_CASE(every_point_is_the_scene_that_the_reader_makes_of_it) {
+  expect_scenes_of_reader(test::three_balls + sweep("chain.contact[1].stiffness", "0.1", "10") +
+                          sweep("chain.velocity[2]", "-1", "0"));
+  expect_scenes_of_reader(test::steel_balls + sweep("chain.velocity[0]", "1", "2") +
+                          sweep("chain.material.young", "1e11", "2e11"));
+}
+
+BOOST_AUTO_TEST_CASE(a_value_that_other_numbers_have_by_chance_sets_its_own_alone) {
+  // Where the gap is 0 it equals gravity, the other gap, and velocities.
+  const auto balls = "[chain]\ngap = [0, 0]\n" + test::three_balls.substr(test::three_balls.find("mass"));
+  for (const int count : {12, 300}) {
+    const auto gap = zipped("chain.gap[0]", count, count / 2 + 1, 0.5);
+    expect_scenes_of_reader(balls + gap);
+    expect_scenes_of_reader(balls + gap + zipped("chain.gap[1]", count, 1, 0.25) + "zip = true\n");
+    expect_scenes_of_reader(balls + gap + zipped("chain.velocity[2]", count, 3, -1) + "zip = true\n" +
+                            sweep("chain.gravity", "0", "9.81"));
+  }
+  BOOST_TEST(is_direct(balls + zipped("chain.gap[0]", 12, 7, 0.5)));
+}
+
+BOOST_AUTO_TEST_CASE(a_damping_that_follows_from_the_largest_speed_follows_it) {
+  const std::string damped =
+      "[chain]\nmass = [1, 1, 1]\nvelocity = [1, 0, 0]\nlaw = 'viscoelastic'\n"
+      "stiffness = 1\nrestitution = 0.8\n";
+  expect_scenes_of_reader(damped + sweep("chain.velocity[1]", "-1", "0.5") +
+                          sweep("chain.velocity[2]", "-2", "0"));
 }
 
 BOOST_AUTO_TEST_CASE(a_point_that_is_no_scene_is_rejected_and_the_next_one_is_not) {

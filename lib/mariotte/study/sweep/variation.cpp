@@ -1,6 +1,8 @@
 #include "mariotte/study/sweep/variation.hpp"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 #include "mariotte/study/sweep/design_reader.hpp"
 #include "mariotte/study/sweep/numbers.hpp"
@@ -8,7 +10,8 @@
 namespace mariotte::study {
 namespace {
 
-constexpr Index points_tried = 8;  ///< of the whole grid
+constexpr Index points_tried = 64;     ///< of the whole grid
+constexpr Index positions_tried = 64;  ///< of every parameter
 
 /// Numbers of the scene, copied.
 std::vector<double> copied(scene::Scene scene) {
@@ -17,27 +20,20 @@ std::vector<double> copied(scene::Scene scene) {
   return copy;
 }
 
-/// The numbers that equal the parameter's value at every trial.
-struct Candidate {
-  std::size_t parameter;
-  std::vector<bool> follows;
+/// Keys by which numbers may follow from others at some points only, as a damping from the largest speed.
+bool derives(const scene::Node& node) {
+  constexpr std::array<std::string_view, 3> keys{"restitution", "start", "precompression"};
+  if (const auto* array = node.array()) return std::any_of(array->begin(), array->end(), derives);
+  const auto* table = node.table();
+  return table && std::any_of(table->begin(), table->end(), [&](const scene::Entry& one) {
+           return std::find(keys.begin(), keys.end(), one.key) != keys.end() || derives(one.node);
+         });
+}
 
-  void keep_those_of(const std::vector<double>& numbers, double value) {
-    follows.resize(numbers.size(), true);
-    for (std::size_t k = 0; k < numbers.size(); ++k)
-      if (numbers[k] != value) follows[k] = false;
-  }
-  std::vector<std::size_t> slots() const {
-    std::vector<std::size_t> list;
-    for (std::size_t k = 0; k < follows.size(); ++k)
-      if (follows[k]) list.push_back(k);
-    return list;
-  }
-};
-
-/// Both ends and the middle of one axis, all others at their first position.
-std::vector<Index> along(const Axis& axis) {
-  return {0, axis.count / 2 * axis.stride, (axis.count - 1) * axis.stride};
+/// `k` of `count` places among 0 … all − 1, from the first to the last.
+Index spread(Index k, Index count, Index all) {
+  const Index last = all - 1, parts = std::max<Index>(count - 1, 1);
+  return last / parts * k + last % parts * k / parts;
 }
 
 scene::Scene resolved(scene::Document& document, const Design& design, Index point) {
@@ -45,20 +41,45 @@ scene::Scene resolved(scene::Document& document, const Design& design, Index poi
   return resolve(document);
 }
 
+/// The scene of the first point, but for one parameter, which has its value of another point.
+scene::Scene moved(scene::Document& document, const Design& design, std::size_t parameter, Index point) {
+  auto all = values(design, 0);
+  all[parameter] = value(design, parameter, point);
+  assign(document, design, all);
+  return resolve(document);
+}
+
+/// The numbers of a scene that equal those of a parameter wherever it alone moves; empty unless it does move
+/// and no other number does.
+std::vector<std::size_t> slots_of(scene::Document& document, const Design& design, std::size_t parameter) {
+  const auto first = resolved(document, design, 0);
+  const auto before = copied(first);
+  std::vector<bool> follows(before.size(), true), moves(before.size(), false);
+  const auto& axis = design.axes[design.parameters[parameter].axis];
+  const Index tried = std::min(axis.count, positions_tried);
+  for (Index k = 0; k < tried; ++k) {
+    const Index point = spread(k, tried, axis.count) * axis.stride;
+    const auto scene = moved(document, design, parameter, point);
+    if (!same_form(scene, first)) return {};
+    const auto now = copied(scene);
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      if (now[i] != number(design, parameter, point)) follows[i] = false;
+      if (now[i] != before[i]) moves[i] = true;
+    }
+  }
+  std::vector<std::size_t> list;
+  for (std::size_t i = 0; i < moves.size(); ++i)
+    if (moves[i]) list.push_back(i);
+  const bool all_follow = std::all_of(list.begin(), list.end(), [&](std::size_t i) { return follows[i]; });
+  return all_follow ? list : std::vector<std::size_t>();
+}
+
 std::optional<Slots> guess(scene::Document& document, const Design& design) {
+  if (!design.derived.empty() || derives(document.tree)) return {};
   Slots slots;
-  if (!design.derived.empty()) return {};
   for (std::size_t i = 0; i < design.parameters.size(); ++i) {
     if (!is_numeric(design.parameters[i]) || design.parameters[i].is_variable) return {};
-    Candidate candidate{.parameter = i, .follows = {}};
-    for (const Index point : along(design.axes[design.parameters[i].axis])) {
-      const auto scene = resolved(document, design, point);
-      if (const auto all = copied(scene); candidate.follows.empty() || candidate.follows.size() == all.size())
-        candidate.keep_those_of(all, number(design, i, point));
-      else
-        return {};
-    }
-    slots.push_back(candidate.slots());
+    slots.push_back(slots_of(document, design, i));
     if (slots.back().empty()) return {};
   }
   return slots;
@@ -78,10 +99,9 @@ std::optional<Slots> find_slots(const scene::Document& original, const Design& d
   const auto slots = guess(document, design);
   if (!slots) return {};
   Variation direct(original, design, slots);
-  const Index last = design.points() - 1;
-  for (Index k = 0; k <= points_tried; ++k)
-    if (!right_at(document, design, direct, last / points_tried * k + last % points_tried * k / points_tried))
-      return {};
+  const Index tried = std::min(design.points(), points_tried);
+  for (Index k = 0; k < tried; ++k)
+    if (!right_at(document, design, direct, spread(k, tried, design.points()))) return {};
   return slots;
 } catch (const scene::SceneError&) {
   return {};  // some points are no scenes, so each has to be asked
