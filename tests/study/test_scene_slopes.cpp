@@ -193,6 +193,21 @@ BOOST_AUTO_TEST_CASE(slopes_of_rods_that_slip_stick_and_let_go_are_those_of_diff
   BOOST_TEST(deviation(dumbbell, "normal_velocity", "surface.stiffness") < 1e-7);
 }
 
+// It sticks again while adhesion pulls, just before it lets go: there the gap moves by as much as it is with
+// the steps of the parameters. The numbers are differences of the fourth order, at two distances.
+BOOST_AUTO_TEST_CASE(slopes_through_a_tip_that_sticks_again_before_it_lets_go_are_those_of_differences) {
+  const std::string rod =
+      "[body]\nshape = \"rod\"\nradius = 2.45e-6\nlength_ratio = 2\ndensity = 1350\n[surface]\n"
+      "stiffness = 1.74e9\nwork_of_adhesion = 0.01\ndamping_hertz = 0.02\nfriction = 0.5\n"
+      "lever = \"indented\"\n[incidence]\nnormal_speed = 5\ntangential_velocity = [0, -5]\n"
+      "angles = [0, 1.0471975511965976, 0]\n";
+  for (const char* outcome : {"e_n", "v3", "w2", "normal_velocity"})
+    BOOST_TEST(deviation(rod, outcome, "body.radius") < 1e-6, outcome);
+  const auto found = slopes_of(rod, {"body.radius"});
+  BOOST_TEST(slope(found, "e_n", 0) == 1002.509, boost::test_tools::tolerance(1e-6));
+  BOOST_TEST(slope(found, "v3", 0) == -2040.623, boost::test_tools::tolerance(1e-6));
+}
+
 // A row that lies on a wall: nothing closes with a speed, and no force jumps.
 BOOST_AUTO_TEST_CASE(a_row_at_rest_on_a_wall_has_slopes) {
   const std::string row =

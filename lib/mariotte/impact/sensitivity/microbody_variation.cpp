@@ -228,15 +228,19 @@ void MicrobodyVariation::keep_opening(const Passage& event) {
   }
 }
 
+/// Along the slopes of the state to the digit: at the end of a contact they are so large that points beside
+/// it would have let go.
 Vector3 MicrobodyVariation::slip_slope(Index tip, ConstState x, std::span<const double> slopes,
                                        Index c) const {
-  Vector3 sum;
-  std::vector<double> there(x.size());
-  for (std::size_t k = 0; k < stencil.size(); ++k) {
-    const double by = stencil[k].offset * shifted_[c].step;
-    for (std::size_t r = 0; r < x.size(); ++r) there[r] = x[r] + by * slopes[r];
-    sum = sum + (stencil[k].weight / shifted_[c].step) * mechanics(shifted_[c].at[k]).tip(there, tip).slip;
-  }
+  using Number = series::Dual<double, 1>;
+  std::vector<Number> moved;
+  for (std::size_t r = 0; r < x.size(); ++r) moved.push_back(Number(x[r], {slopes[r]}));
+  const auto base = mechanics(base_);
+  const model::MicrobodyField<Number> field(base, moved);
+  const auto& slip = field.tip(tip).slip;
+  Vector3 sum{0, slip.e2.slope[0], slip.e3.slope[0]};
+  for (std::size_t k = 0; k < stencil.size(); ++k)
+    sum = sum + (stencil[k].weight / shifted_[c].step) * mechanics(shifted_[c].at[k]).tip(x, tip).slip;
   return sum;
 }
 
