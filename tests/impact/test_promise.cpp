@@ -337,7 +337,8 @@ BOOST_AUTO_TEST_CASE(contacts_that_close_together_after_a_long_flight_keep_the_a
 }
 
 /// Two balls part too slowly to tell, and fly for 53 times as long as a third one pushes them later: how far
-/// apart they are then is ten times the length of the flight of what may be left out.
+/// apart they are then is ten times the length of the flight of what may be left out. The last ball flies
+/// away: what meets does so 700 times slower. The truth is told by somebody who flies along with the others.
 BOOST_AUTO_TEST_CASE(a_flight_of_ten_durations_is_long) {
   const auto damped = [](double stiffness, double damping, double exponent) {
     return contact::PowerLaw{stiffness, damping, exponent};
@@ -350,10 +351,38 @@ BOOST_AUTO_TEST_CASE(a_flight_of_ten_durations_is_long) {
                            .gap = {0, 0.86762835436484864, 0.16353968981074041, 0.12333498142638522},
                            .velocity = {-0.13347465137237591, -0.13347465137280537, -0.13366329959560605,
                                         -0.13366329959539328, 0.021936714161810533}};
-  const auto truth = impact::simulate(chain, {.accuracy = 1e-13});
+  constexpr double flown = -0.1336;
+  const auto seen = [](std::vector<double> velocity) {
+    for (double& v : velocity) v -= flown;  // exact
+    return velocity;
+  };
+  auto along = chain;
+  along.velocity = seen(chain.velocity);
+  const auto truth = impact::simulate(along, {.accuracy = 1e-13});
   for (const double accuracy : {1e-8, 1e-9, 1e-10})
-    BOOST_TEST(impact::difference(impact::simulate(chain, {.accuracy = accuracy}).velocity, truth.velocity,
-                                  model::reference_speed(chain)) < accuracy);
+    BOOST_TEST(impact::difference(seen(impact::simulate(chain, {.accuracy = accuracy}).velocity),
+                                  truth.velocity, model::reference_speed(chain)) < accuracy);
+}
+
+/// A ball that leaves for good does not count, however fast it is: two others meet at 3 mm/s.
+BOOST_AUTO_TEST_CASE(what_flies_away_does_not_set_the_accuracy) {
+  const model::Chain pair{.mass = {0.2, 0.15},
+                          .law = {contact::Viscoelastic{.stiffness = 0.38, .damping = 0.01}},
+                          .gap = {0.005},
+                          .velocity = {0, -0.003}};
+  const auto truth = impact::simulate(pair, {.accuracy = 1e-13});
+  for (const double away : {-1e-2, -1.0, -100.0}) {
+    model::Chain chain = pair;
+    chain.mass.insert(chain.mass.begin(), 1);
+    chain.law.insert(chain.law.begin(), contact::Hertz{0.1});
+    chain.gap.insert(chain.gap.begin(), 0);
+    chain.velocity.insert(chain.velocity.begin(), away);
+    for (const double accuracy : {1e-4, 1e-6, 1e-10}) {
+      const auto impact = impact::simulate(chain, {.accuracy = accuracy});
+      for (const std::size_t i : {0, 1})
+        BOOST_TEST(std::abs(impact.velocity[i + 1] - truth.velocity[i]) < accuracy * 0.003);
+    }
+  }
 }
 
 /// Balls of one velocity but for 10⁻⁷ to 10⁻¹³ of it fly for 10⁶ times as long as they push: what a run of

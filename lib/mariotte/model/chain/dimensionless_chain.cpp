@@ -49,10 +49,29 @@ std::vector<double> start_approach(const Chain& chain) {
   return approach;
 }
 
-SquaredSpeeds squared_speeds(const Chain& chain) {
+/// The largest speed at which a ball follows one farther on, or what starts indented parts.
+double largest_meeting(const Chain& chain) {
+  double largest = 0, fastest = chain.velocity.front();
+  for (std::size_t j = 0; j < chain.gap.size(); ++j) {
+    const double next = chain.velocity[j + 1];
+    largest = std::max(largest, fastest - next);
+    if (chain.gap[j] < 0) largest = std::max(largest, next - chain.velocity[j]);
+    fastest = std::max(fastest, next);
+  }
+  return largest;
+}
+
+/// Of the velocities: that of what can meet, unless something brings back what flies apart.
+double given_speed(const Chain& chain) {
   const auto [slowest, fastest] = std::minmax_element(chain.velocity.begin(), chain.velocity.end());
   const double spread = std::min(*fastest - *slowest, std::max(std::abs(*slowest), std::abs(*fastest)));
-  SquaredSpeeds speeds{.given = spread * spread};
+  if (chain.gravity != 0 || !chain.drive.empty()) return spread;
+  return of_what_meets(largest_meeting(chain), spread);
+}
+
+SquaredSpeeds squared_speeds(const Chain& chain) {
+  const double given = given_speed(chain);
+  SquaredSpeeds speeds{.given = given * given};
   for (std::size_t j = 0; j < chain.gap.size(); ++j) {
     speeds.given += 2 * std::abs(chain.gravity) * std::max(0.0, chain.gap[j]);
     const double mass = reduced_mass(chain.mass[j], chain.mass[j + 1]);

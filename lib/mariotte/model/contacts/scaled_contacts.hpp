@@ -68,6 +68,13 @@ struct SquaredSpeeds {
   void release(const contact::Law& law, double indentation, double mass);
 };
 
+/// The speed at which bodies meet, of the largest speed in a scene; the latter if none do. No less than what
+/// rounding of the largest leaves ten digits of.
+inline double of_what_meets(double meeting, double largest) {
+  constexpr double least_share = 1e-5;
+  return meeting > 0 ? std::clamp(meeting, least_share * largest, largest) : largest;
+}
+
 /// The largest relative speed of a scene, by velocities, gravity, drives and stored energy, and the one that
 /// its accuracy is relative to: of what is pressed and in balance that of its vibration, if it has any [m/s].
 struct Speeds {

@@ -35,11 +35,15 @@ Numbers start_approach(const Network& network, const StatedContacts& stated,
   return approach;
 }
 
+/// Of contacts that close or start indented, unless drives bring back what flies apart.
 double largest_gap_rate(const Network& network) {
-  double largest = 0;
-  for (const auto& direction : network.direction)
-    largest = std::max(largest, std::abs(gap_rate(direction, network.velocity)));
-  return largest;
+  double largest = 0, meeting = 0;
+  for (std::size_t j = 0; j < network.direction.size(); ++j) {
+    const double rate = gap_rate(network.direction[j], network.velocity);
+    largest = std::max(largest, std::abs(rate));
+    if (rate < 0 || network.gap[j] < 0) meeting = std::max(meeting, std::abs(rate));
+  }
+  return network.drive.empty() ? of_what_meets(meeting, largest) : largest;
 }
 
 /// Nothing is driven, adheres or is indented: masses do not matter to the speeds then.
