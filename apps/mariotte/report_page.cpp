@@ -36,7 +36,13 @@ report::Json read_result(const std::filesystem::path& folder) {
   const auto has = [&](const char* name) { return std::filesystem::exists(folder / name); };
   if (!has("sweep.json") && !has("result.json"))
     throw scene::FileError(folder.string() + ": no run or sweep has left its result here");
-  if (!has("sweep.json")) return read_object(folder / "result.json");
+  if (!has("sweep.json")) {
+    auto result = read_object(folder / "result.json");
+    if (result.contains("derivative"))
+      throw scene::FileError(folder.string() +
+                             ": holds slopes, which have no page: see slopes.csv and tornado.svg");
+    return result;
+  }
   auto result = read_object(folder / "sweep.json");
   std::ifstream csv(folder / "sweep.csv");
   if (!csv) throw scene::FileError((folder / "sweep.csv").string() + ": cannot be read");

@@ -27,6 +27,8 @@ BOOST_AUTO_TEST_CASE(statistics_are_named_by_the_key_alone) {
   columns.add("1,2,3,separated,\n");
   const auto all = columns.statistics();
   BOOST_TEST(all[0].key == "x");
+  BOOST_TEST(all[0].unit == "m/s^2");
+  BOOST_TEST(all[1].unit == "1");
   BOOST_TEST(all[1].key == "icr[0]");
   BOOST_TEST(all[2].key == "y");
 }

@@ -58,8 +58,8 @@ BOOST_AUTO_TEST_CASE(every_part_of_a_result_is_on_the_page) {
                        {"something_new", {1, 2, 3}},
                        {"provenance", {{"version", "1.2.3"}, {"scene_sha256", "abc"}}}};
   const auto page = report::html(result, {});
-  for (const auto* part : {"captured", ">0.125<", ">0.25<", "0.625", "2.0e-10 of it", "something_new",
-                           "version = {1.2.3}", "note    = {scene abc}", "@article"})
+  for (const auto* part : {"captured", ">0.125<", ">0.25<", "0.625", "2.0e-10 of the initial",
+                           "something_new", "version = {1.2.3}", "note    = {scene abc}", "@article"})
     BOOST_TEST(has(page, part), part);
   BOOST_TEST(count(page, "<table>") == count(page, "</table>"));
   BOOST_TEST(count(page, "<tr>") == count(page, "</tr>"));

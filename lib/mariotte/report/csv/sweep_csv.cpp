@@ -30,6 +30,11 @@ std::string key_of_column(const std::string& name) {
   return bracket == name.npos || !name.ends_with(']') ? name : name.substr(0, bracket);
 }
 
+std::string unit_of_column(const std::string& name) {
+  const auto key = key_of_column(name).size();
+  return key == name.size() ? "1" : name.substr(key + 2, name.size() - key - 3);
+}
+
 void append_parameters(const study::Design& design, Index point, std::string& text) {
   for (std::size_t i = 0; i < design.parameters.size(); ++i) {
     append_parameter(design, i, point, text);

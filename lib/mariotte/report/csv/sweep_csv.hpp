@@ -12,6 +12,8 @@ std::string sweep_header(const study::Design& design, const std::vector<study::C
 
 /// A cell of the header without its unit.
 std::string key_of_column(const std::string& name);
+/// Its unit; "1" without one.
+std::string unit_of_column(const std::string& name);
 
 /// Appends the first cells of a point's row, what it gives to the varied keys, each with a comma after it.
 void append_parameters(const study::Design& design, Index point, std::string& text);

@@ -31,12 +31,13 @@ double deviation(const std::vector<double>& values, double mean) {
   return std::sqrt(sum / static_cast<double>(values.size() - 1));
 }
 
-Statistics statistics_of(const std::string& key, std::vector<double> values) {
+Statistics statistics_of(const std::string& key, const std::string& unit, std::vector<double> values) {
   std::sort(values.begin(), values.end());
   const auto count = values.size();
   const double mean =
       count == 0 ? none : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(count);
   return {.key = key,
+          .unit = unit,
           .numbers = count,
           .least = quantile(values, 0),
           .greatest = quantile(values, 1),
@@ -58,7 +59,10 @@ Json or_null(double value) {
 ColumnStatistics::ColumnStatistics(std::string_view header) {
   split(header, keys_);
   keys_.resize(keys_.size() - std::min<std::size_t>(keys_.size(), 2));
-  for (auto& key : keys_) key = key_of_column(key);
+  for (auto& key : keys_) {
+    units_.push_back(unit_of_column(key));
+    key = key_of_column(key);
+  }
   numbers_.resize(keys_.size());
 }
 
@@ -75,13 +79,15 @@ void ColumnStatistics::add(std::string_view rows) {
 
 std::vector<Statistics> ColumnStatistics::statistics() const {
   std::vector<Statistics> list;
-  for (std::size_t i = 0; i < keys_.size(); ++i) list.push_back(statistics_of(keys_[i], numbers_[i]));
+  for (std::size_t i = 0; i < keys_.size(); ++i)
+    list.push_back(statistics_of(keys_[i], units_[i], numbers_[i]));
   return list;
 }
 
 Json ColumnStatistics::json() const {
   return list(statistics(), [](const Statistics& one) {
     return Json{{"key", one.key},
+                {"unit", one.unit},
                 {"numbers", one.numbers},
                 {"least", or_null(one.least)},
                 {"greatest", or_null(one.greatest)},

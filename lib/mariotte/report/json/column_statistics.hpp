@@ -10,7 +10,7 @@ namespace mariotte::report {
 
 /// Of one column; nan where there are too few numbers.
 struct Statistics {
-  std::string key;
+  std::string key, unit;  ///< the unit of the header; "1" without one
   std::size_t numbers = 0;
   double least, greatest, mean;
   double deviation;                ///< of a sample: Σ(x − mean)²/(n − 1), its root
@@ -31,7 +31,7 @@ class ColumnStatistics {
   Json json() const;
 
  private:
-  std::vector<std::string> keys_;
+  std::vector<std::string> keys_, units_;
   std::vector<std::vector<double>> numbers_;
   std::vector<std::string> cells_;
 };

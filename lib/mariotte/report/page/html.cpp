@@ -109,13 +109,13 @@ std::string two_digits(const Json& value) {
 std::string residual(const Json& balance) {
   const double scale = std::abs(balance.value("initial", 0.0)),
                rest = std::abs(balance.value("residual", 0.0));
-  return scale > 0 ? two_digits(rest / scale) + " of it" : two_digits(rest);
+  return scale > 0 ? two_digits(rest / scale) + " of the initial" : two_digits(rest);
 }
 
 std::string checks(const Json& result) {
   std::string cards;
-  for (const auto* count : {"points", "failed"})
-    if (result.contains(count)) cards += card(count, inline_text(result[count]));
+  if (result.contains("points")) cards += card("points", inline_text(result["points"]));
+  if (result.contains("failed")) cards += card("without a result", inline_text(result["failed"]));
   if (result.contains("ending")) cards += card("ending", inline_text(result["ending"]));
   if (result.contains("final") && result["final"].contains("time"))
     cards += card("final time", quantity(result["final"]["time"].get<double>(), "s"));
