@@ -42,6 +42,11 @@ BOOST_AUTO_TEST_CASE(words_stand_for_keys_and_units_may_be_in_header_or_cell) {
   BOOST_TEST(found.weighted);
 }
 
+BOOST_AUTO_TEST_CASE(a_unit_stands_in_the_header_or_in_the_cell) {
+  BOOST_TEST(refuses("speed [mm/s],restitution\n5 m/s,0.8\n",
+                     "data.csv:2:1: the header gives the unit already: 'mm/s'"));
+}
+
 BOOST_AUTO_TEST_CASE(restitution_is_of_the_tip_unless_the_header_says_of_the_centre) {
   for (const auto* name : {"restitution", "restitution.tip"})
     BOOST_TEST((parse_measurements(std::string("speed,") + name + "\n5,0.8\n", "f").quantity == name));

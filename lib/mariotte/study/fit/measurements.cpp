@@ -112,8 +112,19 @@ void expect_complete(const Source& source, const std::vector<Cell>& header, cons
                    "' is set by another column, too");
 }
 
-std::string with_unit(const Cell& cell, const Column& column) {
-  return column.unit.empty() ? cell.text : cell.text + " " + column.unit;
+/// A number with something behind it.
+bool has_unit(const std::string& text) {
+  constexpr std::string_view digits = "0123456789.";
+  return !text.empty() && (digits.find(text.front()) != digits.npos || text.front() == '-') &&
+         digits.find(text.back()) == digits.npos;
+}
+
+std::string with_unit(const Source& source, const Cell& cell, const Column& column) {
+  if (column.unit.empty()) return cell.text;
+  if (has_unit(cell.text))
+    reject(source, cell.place, fault::unknown_unit,
+           "the header gives the unit already: '" + column.unit + "'");
+  return cell.text + " " + column.unit;
 }
 
 double number(const Source& source, const Cell& cell, const std::string& text, const Dimension& dimension) {
@@ -127,7 +138,7 @@ double number(const Source& source, const Cell& cell, const std::string& text, c
 }
 
 scene::Node value(const Source& source, const Cell& cell, const Column& column) {
-  const auto text = with_unit(cell, column);
+  const auto text = with_unit(source, cell, column);
   if (text.empty())
     reject(source, cell.place, fault::missing, "the value of '" + column.name + "' is missing");
   if (column.name != "diameter") return {.value = text, .place = cell.place};
@@ -148,11 +159,11 @@ void expect_possible(const Source& source, const Cell& cell, const Column& colum
 Measurement read_row(const Source& source, const std::vector<Cell>& cells, const Columns& columns) {
   const auto measured = [&](const Column& column) {
     const auto& cell = cells[column.number];
-    return number(source, cell, with_unit(cell, column), dimension_of(columns.measured->name));
+    return number(source, cell, with_unit(source, cell, column), dimension_of(columns.measured->name));
   };
   Measurement row{.place = cells.front().place, .written = {}, .values = {}};
   for (const auto& column : columns.settings) {
-    row.written.push_back(with_unit(cells[column.number], column));
+    row.written.push_back(with_unit(source, cells[column.number], column));
     row.values.push_back(value(source, cells[column.number], column));
   }
   row.measured = measured(*columns.measured);
