@@ -10,10 +10,12 @@ import numpy as np
 from . import _core
 from ._curves import INVISIBLE, Curves, Window, line_style
 from ._events import Event
+from ._numbers import Array
 from ._style import text_size
 
 _SMALL = 0.8  # words of events beside other text
 _LINE = 0.072  # height of a name, as part of that of a panel
+_LEADER = "#9aa5b1"  # grey, unlike data
 
 
 def write_words(ax: Any, window: Window, events: Sequence[Event]) -> None:
@@ -66,7 +68,7 @@ def name_curves(axes: Sequence[Any], windows: Sequence[Window], curves: Curves, 
     _name_ends(axes[-1], windows[-1][1], curves, [(place, groups[place]) for place in flat], span)
     for ax, window in zip(axes, windows):
         named = [(place, group) for place, group in enumerate(groups) if place not in flat]
-        _name_peaks(ax, window, curves, named, span, first=ax is axes[0])
+        _name_peaks(ax, window, windows, curves, named, span)
 
 
 def _names(curves: Curves, group: List[int]) -> List[str]:
@@ -80,23 +82,30 @@ def _name_ends(ax: Any, end: float, curves: Curves, named: List[Tuple[int, List[
               for _, group in named]
     places = _core.spread(wanted, [_LINE * len(_names(curves, group)) for _, group in named])
     for (place, group), at, beside in zip(named, wanted, places):
-        style = line_style(place)
         ax.annotate("\n".join(_names(curves, group)), xy=(1, at), xytext=(1.05, beside), xycoords="axes fraction",
-                    color=style["color"], va="center", annotation_clip=False,
-                    arrowprops={"arrowstyle": "-", "color": style["color"], "linestyle": style["linestyle"],
-                                "shrinkA": 1, "shrinkB": 0, "relpos": (0, 0.5)})
+                    color=line_style(place)["color"], va="center", annotation_clip=False,
+                    arrowprops={"arrowstyle": "-", "color": _LEADER, "linewidth": 0.7, "shrinkA": 1, "shrinkB": 0,
+                                "relpos": (0, 0.5)})
 
 
-def _name_peaks(ax: Any, window: Window, curves: Curves, named: List[Tuple[int, List[int]]],
-                span: Tuple[float, float], first: bool) -> None:
-    shown = (curves.time >= window[0]) & (curves.time <= window[1])
+def _within(curves: Curves, windows: Sequence[Window]) -> Array:
+    shown = np.zeros(len(curves.time), dtype=bool)
+    for start, end in windows:
+        shown |= (curves.time >= start) & (curves.time <= end)
+    return shown
+
+
+def _name_peaks(ax: Any, window: Window, windows: Sequence[Window], curves: Curves,
+                named: List[Tuple[int, List[int]]], span: Tuple[float, float]) -> None:
+    """In the first panel, and in the one that has the highest peak."""
+    shown, seen = _within(curves, [window]), _within(curves, windows)
     taken: List[Tuple[float, float, float, float]] = []
     for place, group in named:
         sizes = np.abs(curves.values[:, group[0]])
         here = int(np.argmax(np.where(shown, sizes, -1)))
         if sizes[here] < INVISIBLE * (span[1] - span[0]) or not shown[here]:
             continue
-        if not first and here != int(np.argmax(sizes)):
+        if window != windows[0] and here != int(np.argmax(np.where(seen, sizes, -1))):
             continue
         text = ", ".join(_names(curves, group))
         width = _width(ax, len(re.sub(r"[$_{}]", "", text)) + 1, text_size())

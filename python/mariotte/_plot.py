@@ -265,9 +265,9 @@ class SweepPlot:
 
     def _map(self, column: str, values: Array, ax: Any) -> Any:
         ax = _axes(ax)
-        (up, y), (right, x) = (self._shown(*self._along(axis)) for axis in (0, 1))
+        (right, x), (up, y) = (self._shown(*self._along(axis)) for axis in (0, 1))
         colours, name = self._of_column(column, values)
-        ax.figure.colorbar(ax.pcolormesh(right, up, colours, shading="nearest"), label=name)
+        ax.figure.colorbar(ax.pcolormesh(right, up, colours.T, shading="nearest"), label=name)
         for axis, along in (("y", up), ("x", right)):
             if _is_logarithmic(along):
                 getattr(ax, f"set_{axis}scale")("log")

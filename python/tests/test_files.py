@@ -226,7 +226,7 @@ def test_sweeps_are_curves_or_maps(triplet):
     both = mt.sweep(triplet, {"velocity[0]": np.geomspace(0.1, 10, 8), "velocity[2]": np.linspace(-1, 0, 9)},
                     columns=["icr[0]", "velocity"])
     assert both.plot("icr[0]").collections[0].get_array().size == 72
-    assert both.plot("icr[0]").get_ylabel() == "initial velocity v$_{1}^{−}$ [m/s]"
+    assert both.plot("icr[0]").get_xlabel() == "initial velocity v$_{1}^{−}$ [m/s]"
     assert both.plot("icr[0]").figure.axes[1].get_ylabel() == "impulse correlation ratio α$_{1}$"
     with pytest.raises(ValueError, match="shape"):
         both.plot("velocity")

@@ -39,9 +39,9 @@ struct TimeAxis {
   Display display;
   std::vector<Window> windows;
   std::vector<impact::Event> events;
-  bool is_chosen = false;         ///< by a user, who wants to see nothing else
-  std::vector<Window> strongest;  ///< those that forces are drawn in, if not in all
-  std::string note;               ///< behind the name of the axis
+  bool is_chosen = false;              ///< by a user, who wants to see nothing else
+  std::vector<Window> strongest = {};  ///< those that forces are drawn in, if not in all
+  std::string note = {};               ///< behind the name of the axis
 };
 
 /// Over the windows of the action, or over the one that a user wants.
