@@ -74,7 +74,15 @@ std::vector<std::size_t> slots_of(scene::Document& document, const Design& desig
   return all_follow ? list : std::vector<std::size_t>();
 }
 
+/// So many scenes are resolved to find the slots.
+Index trials(const Design& design) {
+  Index sum = std::min(design.points(), points_tried);
+  for (const auto& one : design.parameters) sum += std::min(design.axes[one.axis].count, positions_tried);
+  return sum;
+}
+
 std::optional<Slots> guess(scene::Document& document, const Design& design) {
+  if (design.points() <= trials(design)) return {};
   if (!design.derived.empty() || derives(document.tree)) return {};
   Slots slots;
   for (std::size_t i = 0; i < design.parameters.size(); ++i) {

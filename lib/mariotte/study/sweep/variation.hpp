@@ -15,9 +15,10 @@ namespace mariotte::study {
 /// Which numbers of a scene each parameter sets, by their position among all its numbers.
 using Slots = std::vector<std::vector<std::size_t>>;
 
-/// The slots of a design whose keys are all direct; empty otherwise. Each parameter is moved alone, to up to
-/// 64 of its values: what follows it there, and nothing else may move, is its slot. Then up to 64 points of
-/// the whole grid are compared with what the reader makes of them.
+/// The slots of a design whose keys are all direct; empty otherwise, and of one with so few points that to
+/// find them would take longer than to read every point. Each parameter is moved alone, to up to 64 of its
+/// values: what follows it there, and nothing else may move, is its slot. Then up to 64 points of the whole
+/// grid are compared with what the reader makes of them.
 std::optional<Slots> find_slots(const scene::Document& document, const Design& design);
 
 /// Goes from point to point. Not to be shared between threads; each has its own.
