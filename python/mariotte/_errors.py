@@ -103,7 +103,7 @@ class ModelWarning(UserWarning):
     >>> mt.simulate(mt.Chain(mass=[1, 1], velocity=[0, 1], law="hertz", stiffness=1))
     Traceback (most recent call last):
         ...
-    mariotte._errors.ModelWarning: nothing collides: no contact ever closes
+    mariotte._errors.ModelWarning: nothing collides: no contact ever closes faster than a tenth of the accuracy
     """
 
 

@@ -56,7 +56,7 @@ void warn_of_error(const Impact& impact, List& list) {
 template <class Impact>
 void warn_of_nothing(const Impact& impact, List& list) {
   if (impact.events.empty() && impact.ending == hybrid::Ending::separated)
-    list.push_back("nothing collides: no contact ever closes");
+    list.push_back("nothing collides: no contact ever closes faster than a tenth of the accuracy");
 }
 
 /// The time at which noise ends is no result.
