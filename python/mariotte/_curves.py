@@ -32,12 +32,17 @@ def line_style(place: int) -> Dict[str, Any]:
     return {"color": _COLOURS[place % len(_COLOURS)], "linestyle": _DASHES[place % len(_DASHES)]}
 
 
-def value_range(curves: Curves, windows: Sequence[Window]) -> Tuple[float, float]:
-    """Ends of the vertical axis [SI], with room for names."""
+def within(curves: Curves, windows: Sequence[Window]) -> Array:
+    """Which times the windows show, of shape (T,)."""
     shown = np.zeros(len(curves.time), dtype=bool)
     for start, end in windows:
         shown |= (curves.time >= start) & (curves.time <= end)
-    seen = curves.values[shown]
+    return shown
+
+
+def value_range(curves: Curves, windows: Sequence[Window]) -> Tuple[float, float]:
+    """Ends of the vertical axis [SI], with room for names."""
+    seen = curves.values[within(curves, windows)]
     least, most = float(seen.min(initial=0)), float(seen.max(initial=0))
     if least == most:
         return least - 1, most + 1

@@ -8,9 +8,8 @@ from typing import Any, List, Sequence, Tuple
 import numpy as np
 
 from . import _core
-from ._curves import INVISIBLE, Curves, Window, line_style
+from ._curves import INVISIBLE, Curves, Window, line_style, within
 from ._events import Event
-from ._numbers import Array
 from ._style import text_size
 
 _SMALL = 0.8  # words of events beside other text
@@ -88,17 +87,10 @@ def _name_ends(ax: Any, end: float, curves: Curves, named: List[Tuple[int, List[
                                 "relpos": (0, 0.5)})
 
 
-def _within(curves: Curves, windows: Sequence[Window]) -> Array:
-    shown = np.zeros(len(curves.time), dtype=bool)
-    for start, end in windows:
-        shown |= (curves.time >= start) & (curves.time <= end)
-    return shown
-
-
 def _name_peaks(ax: Any, window: Window, windows: Sequence[Window], curves: Curves,
                 named: List[Tuple[int, List[int]]], span: Tuple[float, float]) -> None:
     """In the first panel, and in the one that has the highest peak."""
-    shown, seen = _within(curves, [window]), _within(curves, windows)
+    shown, seen = within(curves, [window]), within(curves, windows)
     taken: List[Tuple[float, float, float, float]] = []
     for place, group in named:
         sizes = np.abs(curves.values[:, group[0]])
