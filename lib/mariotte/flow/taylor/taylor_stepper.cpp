@@ -53,6 +53,14 @@ int harmless_order(const Window& window, int order) {
   return std::min(order, static_cast<int>(decades / std::log10(fastest)));
 }
 
+/// At most: the change of the rate of a depth by its own force, if that was there since the depth was zero.
+double given_since_onset(const Lanes& l, int j) {
+  const double depth = l.indentation[j], rate = std::abs(l.rate[j]), root = std::pow(depth, l.power[j]);
+  const double load =
+      (l.stiffness[j] + l.steepening[j] * root) * depth + (l.damping[j] + l.stiffening[j] * depth) * rate;
+  return (l.left[j] + l.right[j]) * root * load * depth / rate;
+}
+
 }  // namespace
 
 /// Higher orders pay for themselves at tighter tolerances; measured by work_precision.
@@ -223,20 +231,27 @@ double Stepper::reach(const Piece& piece) const {
     before = std::max(before, size[i]);
   }
   if (!(std::min(last, before) > tiny))
-    return std::min({end, freed_stride * stride, reach_of_rounding(piece)});
-  return std::min(end, safe_radius * rough_root(before / last, group));
+    end = std::min(end, freed_stride * stride);
+  else
+    end = std::min(end, safe_radius * rough_root(before / last, group));
+  return within_roots(piece, end);
 }
 
-/// What rounding makes of the root of a depth grows from order to order as if the contact ended where its
-/// tangent does. Where depths are short powers of time it may vanish from some orders, and is in those
-/// between.
-double Stepper::reach_of_rounding(const Piece& piece) const {
+/// Roots end where depths do, but for depths that are even powers of the clock since an onset: theirs end in
+/// rounding alone, which grows from order to order as if they ended where the tangent of the depth does. What
+/// it makes of a force is second order in rounding, and may vanish from the last orders by chance: so it is
+/// bounded by what the force has given since the onset. It does no harm within some of these distances.
+double Stepper::within_roots(const Piece& piece, double end) const {
+  constexpr double harmless = 4, lost = 256 * epsilon * epsilon;
   const auto& l = window.lanes;
-  double end = infinity;
-  for (int j = 0; piece.clock == Expansion::plain && j < l.count; ++j) {
-    if (!(l.active[j] > 0) || !(l.indentation[j] > 0) || !window.is_sharp(j)) continue;
-    const double share = precision_.tolerance / (epsilon * l.indentation[j]);
-    end = std::min(end, l.indentation[j] / std::abs(l.rate[j]) * rough_root(share, piece.order));
+  const double pace = piece.clock == Expansion::plain ? 1 : 0.5 * std::sqrt(l.indentation[piece.clock]);
+  for (int j = 0; !l.widened && j < l.count; ++j) {
+    const double depth = l.indentation[j], rate = std::abs(l.rate[j]);
+    const bool is_far = end * pace * rate > harmless * depth;
+    if (!is_far || !(depth > 0 && l.active[j] > 0) || !window.is_sharp(j) || j == piece.clock) continue;
+    const double share = precision_.tolerance / (lost * std::max(given_since_onset(l, j), tiny));
+    const double distances = std::max(harmless, rough_root(std::min(share, 1 / tiny), piece.order));
+    end = std::min(end, distances * depth / (rate * pace));
   }
   return end;
 }

@@ -70,7 +70,7 @@ class Stepper {
   Fall search_guards(Piece& piece);
   void shorten(Piece& piece, double place);
   double reach(const Piece& piece) const;
-  double reach_of_rounding(const Piece& piece) const;
+  double within_roots(const Piece& piece, double end) const;
   void doze(int lane);
   void listen(int lane);
   /// A touching contact whose force is left out, and which is watched for the depth at which it would be
