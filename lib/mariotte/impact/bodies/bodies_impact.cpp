@@ -133,10 +133,23 @@ BodiesImpact simulate_once(const model::Bodies& bodies, const hybrid::Options& o
   return impact;
 }
 
-/// Largest difference of velocities and of spin × reach, relative to the largest speed at the start, at the
-/// end or at which contacts close, or at least to `speed`.
+/// Which bodies have met another one or a plane.
+std::vector<char> have_met(const model::Bodies& bodies, const BodiesImpact& impact) {
+  std::vector<char> met(bodies.body.size(), 0);
+  for (const auto& one : impact.contacts) {
+    const auto& contact = bodies.contact[one.contact];
+    if (one.periods.empty()) continue;
+    met[contact.b.owner] = 1;
+    if (!contact.a.is_plane()) met[contact.a.owner] = 1;
+  }
+  return met;
+}
+
+/// Largest difference of velocities and of spin × reach, relative to the largest speed of what meets at the
+/// start, at the end or at which contacts close, or at least to `speed`.
 double difference(const model::Bodies& bodies, double speed, const BodiesImpact& a, const BodiesImpact& b) {
   double most = 0;
+  const auto met = have_met(bodies, a);
   for (std::size_t i = 0; i < bodies.body.size(); ++i) {
     const auto& body = bodies.body[i];
     double reach = 0;
@@ -145,7 +158,8 @@ double difference(const model::Bodies& bodies, double speed, const BodiesImpact&
                                   reach * norm(a.body[i].spin - b.body[i].spin));
     if (std::isnan(apart)) return infinity;
     most = std::max(most, apart);
-    speed = std::max({speed, norm(body.velocity), reach * norm(body.spin), norm(a.body[i].velocity)});
+    if (met[i])
+      speed = std::max({speed, norm(body.velocity), reach * norm(body.spin), norm(a.body[i].velocity)});
   }
   for (const auto& contact : a.contacts) speed = std::max(speed, contact.meeting.approach.value_or(0));
   return speed > 0 ? most / speed : most;

@@ -7,6 +7,7 @@
 #include "mariotte/core/scale.hpp"
 #include "mariotte/core/state_vectors.hpp"
 #include "mariotte/model/contacts/bound.hpp"
+#include "mariotte/model/contacts/scaled_contacts.hpp"
 #include "mariotte/model/fault.hpp"
 
 namespace mariotte::model {
@@ -120,12 +121,33 @@ double well_speed(const BodiesSetting<D>& setting) {
 }
 
 template <int D>
+double surface_speed(const Bodies& bodies, const BodiesSetting<D>& setting, Index body) {
+  return norm(bodies.body[body].spin) * setting.body[body].reach;
+}
+
+/// The largest speed of parts that come nearer at the start, or are pressed or swing then: without gravity no
+/// others meet, unless these strike them.
+template <int D>
+double meeting_speed(const Bodies& bodies, const BodiesSetting<D>& setting) {
+  double largest = 0;
+  for (const auto& c : setting.contact) {
+    const Index b = setting.sphere[c.b].body, a = c.plane < 0 ? setting.sphere[c.a].body : b;
+    const auto& from = c.plane < 0 ? bodies.body[a].velocity : bodies.plane[c.plane].velocity;
+    const auto rate = vec<D>(bodies.body[b].velocity - from);
+    const double turning = std::max(surface_speed(bodies, setting, a), surface_speed(bodies, setting, b));
+    const bool swings = turning > 0 && (setting.body[a].has_arms || setting.body[b].has_arms);
+    if (dot(c.apart, rate) < 0 || c.gap < 0 || swings) largest = std::max({largest, norm(rate), turning});
+  }
+  return largest;
+}
+
+template <int D>
 double reference_speed(const Bodies& bodies, const BodiesSetting<D>& setting, double max_time) {
   double speed = falling_speed(setting, max_time);
   for (Index i = 0; i < std::ssize(bodies.body); ++i)
-    speed =
-        std::max({speed, norm(bodies.body[i].velocity), norm(bodies.body[i].spin) * setting.body[i].reach});
+    speed = std::max({speed, norm(bodies.body[i].velocity), surface_speed(bodies, setting, i)});
   for (const auto& plane : bodies.plane) speed = std::max(speed, norm(plane.velocity));
+  if (norm(setting.gravity) == 0) speed = of_what_meets(meeting_speed(bodies, setting), speed);
   speed = std::hypot(speed, well_speed(setting));
   return speed > 0 ? speed : 1;
 }
