@@ -140,6 +140,49 @@ BOOST_AUTO_TEST_CASE(outcomes_that_are_asked_for_are_as_among_all) {
   BOOST_CHECK_THROW(propagated(pair, {}, {"velocity[1]", "speed"}), study::UnknownOutcome);
 }
 
+// The first ball misses the second one in a few samples, and hits the third one in some of them.
+BOOST_AUTO_TEST_CASE(contacts_that_do_not_act_count_with_zero) {
+  const std::string balls = R"([bodies]
+dimension = 2
+law = "hertz"
+tangential = "mindlin"
+friction = 0.06
+material = { young = "5.8 GPa", poisson = 0.34 }
+radius = "28.6 mm"
+mass = "170 g"
+[[bodies.body]]
+position = ["-100 mm", "50 mm ± 5 mm"]
+velocity = ["2 m/s", 0]
+[[bodies.body]]
+position = [0, 0]
+[[bodies.body]]
+position = ["150 mm", "80 mm"]
+)";
+  const study::Samples samples{.count = 300, .seed = 1};
+  const auto all = propagated(balls, samples);
+  BOOST_TEST(all.others == 0);
+  for (const std::string name : {"time", "contacts[0].normal_impulse", "bodies[2].velocity[0]"}) {
+    const auto alone = propagated(balls, samples, {name});
+    const auto among = std::find_if(all.outcomes.begin(), all.outcomes.end(),
+                                    [&](const auto& one) { return one.name == name; });
+    BOOST_TEST_REQUIRE((among != all.outcomes.end()));
+    BOOST_TEST(among->mean.value() == alone.outcomes[0].mean.value(), boost::test_tools::tolerance(1e-12));
+    BOOST_TEST(alone.others == 0);
+  }
+  // Momentum: what balls 0 and 1 have lost together in a direction, ball 2 has.
+  const auto mean = [&](const char* name) {
+    for (const auto& one : all.outcomes)
+      if (one.name == name) return one.mean.value();
+    return std::nan("");
+  };
+  for (const std::string k : {"0", "1"}) {
+    double sum = 0;
+    for (const std::string body : {"0", "1", "2"})
+      sum += mean(("bodies[" + body + "].velocity[" + k + "]").c_str());
+    BOOST_TEST(std::abs(sum - (k == "0" ? 2 : 0)) < 1e-8);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(samples_of_one_seed_are_the_same) {
   const auto one = propagated(pair, {.count = 20, .seed = 5}),
              same = propagated(pair, {.count = 20, .seed = 5}),

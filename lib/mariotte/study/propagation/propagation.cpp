@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <functional>
+#include <unordered_map>
 
 #include "mariotte/scene/key_path.hpp"
 #include "mariotte/study/capture.hpp"
@@ -113,12 +114,29 @@ void sample_side_by_side(const scene::Document& document, const std::vector<Colu
   evaluations.finish();
 }
 
-void sample_one_by_one(const scene::Document& document, const std::vector<std::string>& of,
-                       Propagation& result, Spreads& spreads) {
+/// Values by name, since a sample has no outcomes of a contact that does not act in it, nor of a loss that it
+/// has not: both are zero.
+class ValuesByName {
+ public:
+  explicit ValuesByName(const impact::Sensitivity& found) {
+    for (const auto& one : found.outcome) values_.emplace(name_of(one), one.value);
+  }
+  std::optional<double> operator()(const std::string& name) const {
+    const auto found = values_.find(name);
+    if (found != values_.end()) return found->second;
+    return name.starts_with("contacts[") ? std::optional(0.0) : std::nullopt;
+  }
+
+ private:
+  std::unordered_map<std::string, std::optional<double>> values_;
+};
+
+void sample_one_by_one(const scene::Document& document, Propagation& result, Spreads& spreads) {
   for_each_sample(document, result, spreads, [&](const auto& scene) {
-    auto found = outcomes(scene);
-    keep_asked_for(found.outcome, of);
-    spreads.add(found.ending == result.ending, [&](std::size_t i) { return found.outcome[i].value; });
+    const auto found = outcomes(scene);
+    const ValuesByName values(found);
+    spreads.add(found.ending == result.ending,
+                [&](std::size_t i) { return values(result.outcomes[i].name); });
   });
 }
 
@@ -137,14 +155,14 @@ void sample_captures(scene::Document document, Propagation& result, Spreads& spr
 }
 
 void sample(const scene::Document& document, const std::vector<impact::OutcomeSlopes>& outcomes,
-            const std::vector<std::string>& of, Propagation& result) {
+            Propagation& result) {
   Spreads spreads(result);
   if (outcomes.size() == 1 && outcomes[0].name == capture_velocity_name)
     sample_captures(document, result, spreads);
   else if (const auto columns = columns_of(outcomes))
     sample_side_by_side(document, *columns, result, spreads);
   else
-    sample_one_by_one(document, of, result, spreads);
+    sample_one_by_one(document, result, spreads);
   spreads.report();
 }
 
@@ -164,7 +182,7 @@ Propagation propagate(const scene::Document& document, const scene::Scene& scene
                      .samples = samples,
                      .notes = texts(slopes.notes)};
   for (const auto& outcome : slopes.outcome) result.outcomes.push_back(first_order(outcome, inputs));
-  if (samples.count > 0) sample(document, slopes.outcome, of, result);
+  if (samples.count > 0) sample(document, slopes.outcome, result);
   return result;
 }
 
