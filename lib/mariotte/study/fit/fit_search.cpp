@@ -21,7 +21,7 @@ constexpr double nothing = 1e-3;
 constexpr double loose = 3;
 /// Ratio of sums of squares above which they differ by what searches leave.
 constexpr double alike = 1 - 1e-6;
-constexpr std::size_t most_searches = 8;
+constexpr std::size_t least_searches = 4, most_searches = 8;
 
 /// The slopes by key j.
 std::span<const double> column(const Values& columns, std::size_t rows, std::size_t j) {
@@ -56,17 +56,23 @@ void assess(Found& found) {
   for (std::size_t k = 0; k < errors.size(); ++k) found.relative_error[found.held[k]] = scatter * errors[k];
 }
 
+/// A minimum of which it is not known yet how well it is known.
 Found search(const FitProblem& problem, const Values& start) {
   Found found{
       .minimum = minimise({.count = static_cast<Index>(problem.count()),
                            .residuals = [&](auto x, auto r) { problem.residuals(x, r); },
                            .slopes = [&](auto x, auto columns) { problem.search_slopes(x, columns); }},
                           start),
-      .columns = Values(problem.count() * start.size())};
-  problem.slopes(found.minimum.x, found.columns);
+      .columns = {}};
   const auto scatter = problem.scatter(found.minimum.x);
   found.squares = scatter.squares;
   found.degrees_of_freedom = scatter.rows - std::ssize(start);
+  return found;
+}
+
+Found assessed(const FitProblem& problem, Found found) {
+  found.columns.resize(problem.count() * found.minimum.x.size());
+  problem.slopes(found.minimum.x, found.columns);
   assess(found);
   return found;
 }
@@ -89,13 +95,13 @@ Values Found::held_columns() const {
 }
 
 Found best_of_searches(const FitProblem& problem, const std::vector<Values>& starts) {
-  auto best = search(problem, starts.front());
-  bool is_firm = best.is_firm();
-  for (std::size_t i = 1; i < std::min(starts.size(), most_searches) && !is_firm; ++i) try {
+  auto best = assessed(problem, search(problem, starts.front()));
+  const auto enough = [&] { return best.is_firm() ? least_searches : most_searches; };
+  for (std::size_t i = 1; i < std::min(starts.size(), enough()); ++i) try {
       auto found = search(problem, starts[i]);
-      is_firm = found.is_firm();
-      if (found.squares < alike * best.squares && found.minimum.converged && !found.relative_error.empty())
-        best = std::move(found);
+      if (!found.minimum.converged || !(found.squares < alike * best.squares)) continue;
+      found = assessed(problem, std::move(found));
+      if (!found.relative_error.empty()) best = std::move(found);
     } catch (const Error&) {
       // A way on which something cannot be simulated leads nowhere.
     }

@@ -24,8 +24,8 @@ struct Found {
   std::vector<double> held_columns() const;
 };
 
-/// From the best start; from the next ones, too, until one leads to values that are known. Throws Error if
-/// the best start cannot be simulated.
+/// From the best starts, since a minimum may not be the least one, and from more until one leads to values
+/// that are known. Throws Error if the best start cannot be simulated.
 Found best_of_searches(const FitProblem& problem, const std::vector<std::vector<double>>& starts);
 
 }  // namespace mariotte::study
