@@ -26,9 +26,10 @@ double scatter(const study::Fit& fit) {
 
 std::string summary(const FitReport& report) {
   const auto& [fit, measurements, title, sha256] = report;
-  std::string text = fmt::format("{} of {} · {} · residuals {:.3g} (root mean square)\n",
+  std::string text = fmt::format("{} of {} · {} · residuals {:.3g}{} (root mean square)\n",
                                  counted(measurements.rows.size(), "measurement"), measurements.file,
-                                 counted(fit.estimates.size(), "value"), fit.rms);
+                                 counted(fit.estimates.size(), "value"), fit.rms,
+                                 measurements.unit == "1" ? "" : " " + measurements.unit);
   if (measurements.weighted)
     text += fmt::format("they scatter {:.3g} times as much as their deviations say (χ² {:.4g}, {})\n",
                         scatter(fit), fit.chi_square,
@@ -68,7 +69,9 @@ std::string measured_text(const FitReport& report, double value) {
 std::string residuals(const FitReport& report) {
   TableRow header = {"line"};
   for (const auto& setting : report.measurements.settings) header.push_back(setting.name);
-  for (const auto* name : {"measured", "predicted", "residual"}) header.push_back(name);
+  const auto& unit = report.measurements.unit;
+  for (const std::string name : {"measured", "predicted", "residual"})
+    header.push_back(unit == "1" ? name : name + " [" + unit + "]");
   if (report.measurements.weighted) header.push_back("/ deviation");
   const auto row = [&](Index i) {
     const auto number = static_cast<std::size_t>(i);

@@ -14,7 +14,7 @@ using Values = std::vector<double>;
 const double farthest = std::log(1000.0);
 constexpr double first = 1;       // x of the value that a search starts from
 constexpr double bent = 0.2;      // standard error / value from which residuals bend
-constexpr double precise = 0.01;  // relative to the distance of an end
+constexpr double precise = 0.01;  // relative to the distance of an end, or to its value if that is less
 constexpr double roughly = 1e-4;  // tolerance of searches that only compare with a bound
 
 Values without(std::span<const double> x, std::size_t j) {
@@ -64,7 +64,7 @@ class Profile {
       inside = outside;
       outside = std::copysign(std::min(2 * std::abs(outside), limit), step);
     }
-    while (std::abs(outside - inside) > precise * std::abs(outside)) {
+    while (std::abs(outside - inside) > precise * std::min(1.0, std::abs(outside))) {
       const double middle = 0.5 * (inside + outside);
       (ends(middle) ? outside : inside) = middle;
     }
@@ -116,6 +116,23 @@ void bound_vanished(const Found& found, Profile& profile, std::vector<Interval>&
   }
 }
 
+/// An end of x_j, or the last place on the way to it that the scene allows.
+double possible_end(const FitProblem& problem, Values x, std::size_t j, double end) {
+  double inside = x[j];
+  const auto is_possible = [&](double place) {
+    x[j] = place;
+    return problem.is_possible(x);
+  };
+  if (std::isinf(end) || is_possible(end)) return end;
+  constexpr double exact = 1e-9;
+  double outside = end;
+  while (std::abs(outside - inside) > exact) {
+    const double middle = 0.5 * (inside + outside);
+    (is_possible(middle) ? inside : outside) = middle;
+  }
+  return inside;
+}
+
 }  // namespace
 
 std::vector<Interval> intervals(const FitProblem& problem, const Found& found, double reach) {
@@ -131,6 +148,8 @@ std::vector<Interval> intervals(const FitProblem& problem, const Found& found, d
     all[j] = is_straight ? Interval{x[j] - step, x[j] + step}
                          : Interval{profile.end(j, -guess), profile.end(j, guess)};
   }
+  for (std::size_t j = 0; j < all.size(); ++j)
+    all[j] = {possible_end(problem, x, j, all[j].lower), possible_end(problem, x, j, all[j].upper)};
   return all;
 }
 

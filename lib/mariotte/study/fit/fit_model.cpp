@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 
 #include "mariotte/hybrid/reached_limit.hpp"
 #include "mariotte/impact/laws/restitution.hpp"
@@ -20,6 +21,15 @@ constexpr std::size_t most_letters = 12;  // of a number that a table can show a
 
 std::string place_of(const std::string& file, const Place& place) {
   return where({.name = file, .origins = {}}, place);
+}
+
+/// A number of many digits with six of them, and the unit behind it.
+std::string shortened(const std::string& written) {
+  double value = 0;
+  const auto* end = written.data() + written.size();
+  const auto [stop, problem] = std::from_chars(written.data(), end, value);
+  if (written.size() <= most_letters || problem != std::errc()) return written;
+  return fmt::format("{:.6g}{}", value, std::string_view(stop, end));
 }
 
 /// A key that the scene does not give: as a number it is unknown, or there is no value to start from.
@@ -165,7 +175,7 @@ void FitModel::resolve_row(Measurement& row) {
     const double value = number(document_.source, {reading.node, ""}, *reading.dimension, scene::Domain::any);
     row.values[i].value = value;
     measurements_.settings[i].unit = unit_of_key(measurements_.settings[i].key, *reading.dimension);
-    if (row.written[i].size() > most_letters) row.written[i] = fmt::format("{:.6g}", value);
+    row.written[i] = shortened(row.written[i]);
   }
 }
 

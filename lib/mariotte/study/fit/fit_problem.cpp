@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "mariotte/core/error.hpp"
@@ -81,12 +82,29 @@ void FitProblem::fill(std::span<const double> x, std::span<double> columns, bool
 }
 
 double FitProblem::difference(std::size_t row, std::span<const double> x, std::size_t j) const {
-  const auto predicted = [&](double step) { return model_.of_row(row, values(moved(x, j, step))); };
-  const auto less = predicted(-step_), more = predicted(step_);
-  if (!less.captured && !more.captured) return (more.value - less.value) / (2 * step_);
-  const auto here = predicted(0);
-  if (here.captured || (less.captured && more.captured)) return 0;
-  return (less.captured ? more.value - here.value : here.value - less.value) / step_;
+  const auto rebound = [&](double step) { return model_.of_row(row, values(moved(x, j, step))); };
+  const auto beside = [&](double step) -> std::optional<double> {
+    try {
+      const auto found = rebound(step);
+      return found.captured ? std::nullopt : std::optional(found.value);
+    } catch (const Error&) {
+      return std::nullopt;
+    }
+  };
+  const auto less = beside(-step_), more = beside(step_);
+  if (less && more) return (*more - *less) / (2 * step_);
+  const auto here = rebound(0);
+  if (here.captured || !(less || more)) return 0;
+  return (more ? *more - here.value : here.value - *less) / step_;
+}
+
+bool FitProblem::is_possible(std::span<const double> x) const {
+  try {
+    model_.of_row(0, values(x));
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
 }
 
 FitProblem::Scatter FitProblem::scatter(std::span<const double> x) const {
@@ -98,6 +116,12 @@ FitProblem::Scatter FitProblem::scatter(std::span<const double> x) const {
     found.rows += !all[row].captured || measured.measured != 0;
   }
   return found;
+}
+
+double FitProblem::measured_size() const {
+  double squares = 0;
+  for (const auto& one : model_.measurements().rows) squares += std::pow(one.measured / one.deviation, 2);
+  return std::sqrt(squares);
 }
 
 std::vector<Values> FitProblem::starts() const {

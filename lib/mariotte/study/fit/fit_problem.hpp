@@ -24,9 +24,12 @@ class FitProblem {
   /// (measured − predicted) / deviation. Throws Error also where a value is a million times off the start.
   void residuals(std::span<const double> x, std::span<double> r) const;
 
+  /// The scene allows these values.
+  bool is_possible(std::span<const double> x) const;
+
   /// ∂r/∂x, a column per free key: exact slopes, and central differences where there are none. Where one side
-  /// of these is captured restitution falls to 0 like a root, and the other side alone is asked; what is
-  /// captured itself has no slope.
+  /// of these is captured restitution falls to 0 like a root, and the other side alone is asked, as where one
+  /// side is none that the scene allows; what is captured itself has no slope.
   void slopes(std::span<const double> x, std::span<double> columns) const;
 
   /// The same on the way to the minimum, where six digits are enough: by what costs less.
@@ -40,6 +43,8 @@ class FitProblem {
   };
   Scatter scatter(std::span<const double> x) const;
   double sum_of_squares(std::span<const double> x) const { return scatter(x).squares; }
+  /// √Σ (measured / deviation)²
+  double measured_size() const;
 
   /// The start and its neighbours, each value times 1/4, 1 or 4, the best first; with more than five keys the
   /// start alone. Throws Error if it cannot be simulated.

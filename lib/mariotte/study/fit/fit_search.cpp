@@ -28,14 +28,15 @@ std::span<const double> column(const Values& columns, std::size_t rows, std::siz
   return std::span(columns).subspan(j * rows, rows);
 }
 
-/// Keys but for those that the search has followed down until nothing depends on them any more.
-std::vector<std::size_t> held(const Values& columns, const Values& x) {
+/// Keys but for those that the search has followed down until nothing depends on them any more, beside what
+/// depends on another key, or beside the measured values, whose size is given.
+std::vector<std::size_t> held(const Values& columns, const Values& x, double measured) {
   const auto rows = columns.size() / x.size();
   const auto size = [&](std::size_t j) {
     const auto c = column(columns, rows, j);
     return std::sqrt(std::inner_product(c.begin(), c.end(), c.begin(), 0.0));
   };
-  double largest = 0;
+  double largest = x.size() == 1 ? measured : 0;
   for (std::size_t j = 0; j < x.size(); ++j) largest = std::max(largest, size(j));
   std::vector<std::size_t> keys;
   for (std::size_t j = 0; j < x.size(); ++j)
@@ -44,9 +45,9 @@ std::vector<std::size_t> held(const Values& columns, const Values& x) {
 }
 
 /// How well a minimum is known.
-void assess(Found& found) {
+void assess(const FitProblem& problem, Found& found) {
   const auto keys = found.minimum.x.size();
-  found.held = held(found.columns, found.minimum.x);
+  found.held = held(found.columns, found.minimum.x, problem.measured_size());
   const auto columns = found.held_columns();
   found.directions = undetermined(columns, std::ssize(found.held), slope_tolerance);
   if (found.degrees_of_freedom < 1 || !found.directions.empty()) return;
@@ -73,7 +74,7 @@ Found search(const FitProblem& problem, const Values& start) {
 Found assessed(const FitProblem& problem, Found found) {
   found.columns.resize(problem.count() * found.minimum.x.size());
   problem.slopes(found.minimum.x, found.columns);
-  assess(found);
+  assess(problem, found);
   return found;
 }
 
