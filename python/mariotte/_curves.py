@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, List, NamedTuple, Sequence, Tuple
+from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
 
@@ -25,6 +25,7 @@ class Curves(NamedTuple):
     at_peak: bool  #: names stand above the peaks, else beside the right ends
     time: Array  #: of shape (T,) [s]
     values: Array  #: of shape (T, k) [SI]
+    numbers: Optional[List[int]] = None  #: of the lines of an image; None: from 1
 
 
 def line_style(place: int) -> Dict[str, Any]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Sequence
+from typing import Any, Optional, Sequence
 
 import numpy as np
 
@@ -14,6 +14,7 @@ from ._numbers import Array
 
 _CELLS = 250  # along the time, about a pixel of the screen
 _DECADES = 1e-4
+_TICKS = 16
 
 
 def draw_image(axes: Sequence[Any], windows: Sequence[Window], curves: Curves, along: str, events: Sequence[Event],
@@ -28,11 +29,19 @@ def draw_image(axes: Sequence[Any], windows: Sequence[Window], curves: Curves, a
         count = cells.shape[1]
         image = ax.imshow((np.abs(cells) if logarithmic else cells).T, aspect="auto", origin="lower", norm=norm,
                           extent=(scale * start, scale * end, 0.5, count + 0.5), interpolation="nearest")
-        ax.yaxis.get_major_locator().set_params(integer=True)
+        _number_lines(ax, curves.numbers)
         tick_events(ax, inside((start, end), events), scale)
     bar = f"|{curves.quantity}|" if logarithmic else curves.quantity
     axes[-1].figure.colorbar(image, ax=axes[-1], label=f"{bar} [{unit}]")
     label_axes(axes, f"time t [{time_unit}]", along)
+
+
+def _number_lines(ax: Any, numbers: Optional[Sequence[int]]) -> None:
+    if numbers is None:
+        ax.yaxis.get_major_locator().set_params(integer=True)
+        return
+    step = -(-len(numbers) // _TICKS)
+    ax.set_yticks(range(1, len(numbers) + 1, step), [str(number) for number in numbers[::step]])
 
 
 def _norm(least: float, most: float, logarithmic: bool) -> Any:

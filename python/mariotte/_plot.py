@@ -57,7 +57,7 @@ class ImpactPlot:
         if isinstance(self._impact.scene, Body):
             values, names = _with_friction(values, friction)
             quantity = "force on a tip F"
-        curves = Curves(quantity, "N", names, True, samples.time, values)
+        curves = Curves(quantity, "N", names, True, samples.time, values, closed and [j + 1 for j in closed])
         if ax is not None or values.shape[1] > _MOST_CURVES or len(of_forces) == len(windows):
             return self._draw(curves, windows, "contact j", logarithmic, ax)
         return self._draw(curves, of_forces, "contact j", logarithmic, ax, note)

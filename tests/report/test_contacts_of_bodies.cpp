@@ -99,3 +99,24 @@ BOOST_AUTO_TEST_CASE(samples_have_columns_of_the_contacts_that_acted) {
   BOOST_TEST(text.find("gap3") == std::string::npos);
   BOOST_TEST(text.find(",0.25,40000,") != std::string::npos);
 }
+
+BOOST_AUTO_TEST_CASE(an_image_names_the_lines_of_contacts_by_their_numbers) {
+  auto impact = two_of_three();
+  const auto closed = impact.contacts.front();
+  for (Index contact = 3; contact < 20; ++contact) {
+    auto& one = impact.contacts.emplace_back(closed);
+    one.contact = contact;
+    if (contact % 4 == 0) one.periods.clear();
+  }
+  auto named = names;
+  named.contacts.resize(20, "a–b");
+  for (std::size_t k = 0; k < impact.trace.time.size(); ++k) {
+    impact.trace.gap[k].resize(20, 0);
+    impact.trace.force[k].resize(20, 1e4);
+    impact.trace.friction[k].resize(20);
+  }
+  // Contacts 4, 8, 12 and 16 have never closed; as results list them, they are 4, 8, 12 and 16 of 19.
+  const auto script = report::plot(impact, "", named).script;
+  BOOST_TEST(script.find("set ytics (\"1\" 1, \"2\" 2, \"3\" 3, \"5\" 4, ") != std::string::npos, script);
+  BOOST_TEST(script.find("\"19\" 15)") != std::string::npos, script);
+}

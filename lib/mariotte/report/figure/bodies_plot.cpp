@@ -44,12 +44,21 @@ std::vector<std::string> numbered(const impact::BodiesImpact& impact, const Curv
   return all;
 }
 
+/// Of those that have closed, from 1.
+std::vector<Index> numbers_of_closed(const impact::BodiesImpact& impact) {
+  std::vector<Index> all;
+  for (std::size_t j = 0; j < impact.contacts.size(); ++j)
+    if (!impact.contacts[j].periods.empty()) all.push_back(static_cast<Index>(j) + 1);
+  return all;
+}
+
 /// What has a direction: a vector per row and owner, which are contacts or bodies.
 struct Vectors {
   std::string file, quantity, along, unit;
   Names names;
   std::vector<std::string> owner;
   std::vector<std::vector<Vector3>> rows;
+  std::vector<Index> number = {};
 };
 
 double component(const Vector3& vector, std::size_t axis) {
@@ -92,7 +101,8 @@ Series components(const Vectors& all, bool one_alone) {
 
 /// A curve or a line of an image per owner.
 Series magnitudes(const Vectors& all) {
-  Series series{all.file, "magnitude of " + all.quantity, all.along, all.unit, all.names, all.owner, {}};
+  Series series{all.file,  "magnitude of " + all.quantity, all.along, all.unit, all.names, all.owner, {},
+                all.number};
   for (const auto& row : all.rows) {
     auto& values = series.rows.emplace_back();
     for (const auto& vector : row) values.push_back(norm(vector));
@@ -106,8 +116,9 @@ Series series(const Vectors& all, bool one_alone = false) {
 }
 
 Series friction(const impact::BodiesImpact& impact, const CurveNames& names) {
-  Vectors all{"friction", "friction f_t", "contact j", "N", Names::at_peak, numbered(impact, names, "t,"),
-              {}};
+  Vectors all{"friction", "friction f_t",           "contact j",
+              "N",        Names::at_peak,           numbered(impact, names, "t,"),
+              {},         numbers_of_closed(impact)};
   for (const auto& row : impact.trace.friction) all.rows.push_back(of_closed(impact, row));
   return series(all);
 }
@@ -135,6 +146,7 @@ RunPlot plot(const impact::BodiesImpact& impact, const std::string& title, const
   }
   auto of_result_alone = names;
   of_result_alone.contacts = numbered(impact, names, "");
+  of_result_alone.numbers = numbers_of_closed(impact);
   return plot(same, title, of_result_alone, figure, {friction(impact, names), spins(impact, names)});
 }
 

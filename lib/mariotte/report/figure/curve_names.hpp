@@ -12,6 +12,7 @@ struct CurveNames {
   /// "f_{4} (1–3)", in gnuplot's enhanced text; of bodies "floor–rod" for all that may touch; or empty
   std::vector<std::string> contacts;
   std::vector<std::string> bodies = {};  ///< each once; of [bodies] alone
+  std::vector<Index> numbers = {};       ///< of contacts, if these are not the first ones; from 1
   Index dimension = 1;                   ///< velocities of a ball that follow each other
 };
 

@@ -102,6 +102,17 @@ Colours colours(const HeatMap& map, const TimeAxis& axis) {
   return all;
 }
 
+/// Numbers that are not those of the places have a tick each, as far as there is room.
+std::string number_ticks(const HeatMap& map) {
+  constexpr std::size_t most_ticks = 16;
+  if (map.number.empty()) return "set ytics autofreq\n";
+  const auto step = (map.number.size() + most_ticks - 1) / most_ticks;
+  std::string text;
+  for (std::size_t i = 0; i < map.number.size(); i += step)
+    text += fmt::format("{}\"{}\" {}", i > 0 ? ", " : "", map.number[i], i + 1);
+  return "set ytics (" + text + ")\n";
+}
+
 }  // namespace
 
 std::string heat_map_data(const HeatMap& map, const TimeAxis& axis) {
@@ -123,7 +134,7 @@ std::string script(const HeatMap& map, const TimeAxis& axis, std::size_t first_b
                                                        shown.least, display.factor)
                                          : fmt::format("({:g}*$3)", display.factor);
     return fmt::format("set yrange [0.5:{}]\n{}{}{}", static_cast<double>(count) + 0.5,
-                       panel.is_first ? vertical_name(map.along) : "",
+                       panel.is_first ? vertical_name(map.along) + number_ticks(map) : "",
                        panel.is_last ? "set colorbox\n" : "unset colorbox\n",
                        event_ticks(axis.events, axis.display, panel.window,
                                    (panel.right - panel.left) * one_column.width)) +
@@ -137,7 +148,7 @@ std::string script(const HeatMap& map, const TimeAxis& axis, std::size_t first_b
                      shown.logarithmic ? "set logscale cb\nset format cb '10^{%T}'\n" : "",
                      display.factor * shown.least, display.factor * shown.most, bar, display.unit) +
          on_panels(map.file, map.title, axis, all, inside) +
-         "unset logscale\nset format cb '%h'\nunset colorbox\nset ytics\nset grid\n";
+         "unset logscale\nset format cb '%h'\nunset colorbox\nset ytics autofreq\nset grid\n";
 }
 
 }  // namespace mariotte::report

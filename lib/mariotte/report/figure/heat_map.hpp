@@ -16,6 +16,7 @@ struct HeatMap {
   std::string unit;                        ///< SI
   std::vector<double> time;                ///< [s]
   std::vector<std::vector<double>> value;  ///< a row per time
+  std::vector<Index> number = {};          ///< of each row along the vertical axis; empty: from 1
   bool logarithmic = false;                ///< four decades of magnitudes; even colours if all is within one
 };
 

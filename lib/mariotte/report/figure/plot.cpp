@@ -76,8 +76,8 @@ class Writer {
   }
 
   void add_map(const Series& series) {
-    const HeatMap map{series.file, title_, series.along, series.quantity,
-                      series.unit, time_,  series.rows,  figure_.logarithmic};
+    const HeatMap map{series.file, title_,      series.along,  series.quantity,    series.unit,
+                      time_,       series.rows, series.number, figure_.logarithmic};
     plot_.data += heat_map_data(map, plot_.axis);
     plot_.script += script(map, plot_.axis, block_);
     block_ += plot_.axis.windows.size();
@@ -126,7 +126,7 @@ Series forces(const impact::Trace& trace, const CurveNames& names) {
       "forces",       "contact force f",
       "contact j",    "N",
       Names::at_peak, names.contacts.empty() ? numbered("f_{{{}}}", columns_of(trace.force)) : names.contacts,
-      trace.force};
+      trace.force,    names.numbers};
 }
 
 }  // namespace

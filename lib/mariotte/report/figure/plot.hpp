@@ -22,6 +22,7 @@ struct Series {
   Names names;
   std::vector<std::string> name;  ///< of curves
   std::vector<std::vector<double>> rows;
+  std::vector<Index> number = {};  ///< of the lines of an image; empty: from 1
 };
 
 /// What gnuplot needs for the figures of a run.
