@@ -21,8 +21,8 @@ using scene::Source;
 constexpr std::array<std::string_view, 8> words{
     "speed",     "diameter", "restitution", "restitution.tip", "restitution.centre",
     "deviation", "ending",   "reason"};
-constexpr std::array<std::string_view, 6> tables{"body.",  "surface.", "incidence.",
-                                                 "chain.", "network.", "run."};
+constexpr std::array<std::string_view, 7> tables{"body.",    "surface.", "incidence.", "chain.",
+                                                 "network.", "bodies.",  "run."};
 
 /// A column of the header, "name [unit]".
 struct Column {
@@ -49,6 +49,7 @@ const impact::Description* described(const std::string& name) {
   if (!key) return nullptr;
   if (const auto chain = impact::find_entry<impact::ChainImpact>(*key)) return &chain->quantity->is;
   if (const auto network = impact::find_entry<impact::NetworkImpact>(*key)) return &network->quantity->is;
+  if (const auto bodies = impact::find_entry<impact::BodiesImpact>(*key)) return &bodies->quantity->is;
   const auto body = impact::find_entry<impact::MicrobodyImpact>(*key);
   return body ? &body->quantity->is : nullptr;
 }
@@ -78,6 +79,16 @@ void place_once(const Source& source, const Cell& cell, const Column& column, st
   place = column;
 }
 
+/// What was meant: a unit in other brackets, or without a space before them, or a word with a typo.
+std::string hint(const std::string& name) {
+  const auto bracket = name.find_first_of("[(");
+  if (bracket == std::string::npos || bracket == 0 || !(name.ends_with(']') || name.ends_with(')')))
+    return suggestion(name, words);
+  const auto word = name.substr(0, name.find_last_not_of(' ', bracket - 1) + 1);
+  return "; units stand in brackets behind a space, as in '" + word + " [" +
+         name.substr(bracket + 1, name.size() - bracket - 2) + "]'";
+}
+
 Columns read_header(const Source& source, const std::vector<Cell>& header) {
   Columns columns;
   for (std::size_t i = 0; i < header.size(); ++i) {
@@ -93,7 +104,7 @@ Columns read_header(const Source& source, const std::vector<Cell>& header) {
              "'" + column.name +
                  "' is no column of measurements, as speed, diameter, restitution and "
                  "deviation are, and no key of a scene or a result" +
-                 suggestion(column.name, words));
+                 hint(column.name));
   }
   return columns;
 }
@@ -120,6 +131,8 @@ bool has_unit(const std::string& text) {
 }
 
 std::string with_unit(const Source& source, const Cell& cell, const Column& column) {
+  if (cell.text.empty())
+    reject(source, cell.place, fault::missing, "the value of '" + column.name + "' is missing");
   if (column.unit.empty()) return cell.text;
   if (has_unit(cell.text))
     reject(source, cell.place, fault::unknown_unit,
@@ -139,8 +152,6 @@ double number(const Source& source, const Cell& cell, const std::string& text, c
 
 scene::Node value(const Source& source, const Cell& cell, const Column& column) {
   const auto text = with_unit(source, cell, column);
-  if (text.empty())
-    reject(source, cell.place, fault::missing, "the value of '" + column.name + "' is missing");
   if (column.name != "diameter") return {.value = text, .place = cell.place};
   return {.value = 0.5 * number(source, cell, text, dimension::length), .place = cell.place};
 }

@@ -10,7 +10,7 @@
 namespace mariotte::study {
 namespace {
 
-constexpr std::array<std::string_view, 6> input_tables{"chain",   "network",   "body",
+constexpr std::array<std::string_view, 7> input_tables{"chain",   "network",   "body", "bodies",
                                                        "surface", "incidence", "run"};
 
 template <class List>

@@ -1,6 +1,6 @@
-// Fits of chains: laws that yield or adhere from the restitution of pairs, stiffness from the forces of a
-// row.
-#define BOOST_TEST_MODULE study_fit_of_chains
+// Fits of chains and bodies: laws that yield or adhere from the restitution of pairs, stiffness from the
+// forces of a row.
+#define BOOST_TEST_MODULE study_fit_of_contacts
 #include <fmt/format.h>
 
 #include <boost/test/unit_test.hpp>
@@ -178,4 +178,26 @@ BOOST_AUTO_TEST_CASE(two_columns_that_mean_one_key_are_refused) {
   BOOST_TEST(why("chain.velocity[0],speed,restitution") ==
              "data.csv:1:19: 'chain.velocity[0]' is set by another column, too");
   BOOST_TEST(why("speed,speed,restitution") == "data.csv:1:7: 'speed' is set by another column, too");
+}
+
+// The spin that an object ball takes from a cut shot tells the friction between the balls.
+BOOST_AUTO_TEST_CASE(bodies_are_fitted_to_their_results) {
+  const std::string throw_of_balls = R"([bodies]
+dimension = 2
+law = "hertz"
+tangential = "mindlin"
+friction = 0.06
+material = { young = "5.8 GPa", poisson = 0.34 }
+radius = "28.6 mm"
+mass = "170 g"
+[[bodies.body]]
+position = ["-60 mm", "-20 mm"]
+velocity = ["2 m/s", 0]
+[[bodies.body]]
+position = [0, 0]
+)";
+  const auto measured =
+      exact(throw_of_balls, {"bodies.friction=0.03"},
+            "bodies.body[0].velocity[0] [cm/s],final.bodies[1].spin [rad/s]\n100,0\n200,0\n300,0\n");
+  BOOST_TEST(worst(fitted(throw_of_balls, measured, {"bodies.friction"}), {0.03}) < 1e-8);
 }
