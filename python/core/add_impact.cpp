@@ -20,6 +20,7 @@
 #include "mariotte/report/reason.hpp"
 #include "mariotte/report/text.hpp"
 #include "mariotte/report/trace_file.hpp"
+#include "mariotte/study/sweep/columns.hpp"
 #include "samples.hpp"
 
 namespace mariotte::python {
@@ -77,12 +78,22 @@ void expect_indices(const std::string& text, const impact::Entry<Model>& entry, 
   }
 }
 
+/// What a sweep says of a column that it does not know, with the nearest known one.
+[[noreturn]] void refuse(const Impact& impact, const std::string& text) {
+  try {
+    study::expand_columns({text}, impact.scene(), study::Counting::without_run);
+  } catch (const study::ColumnError& error) {
+    throw py::key_error(error.what());
+  }
+  throw py::key_error(text + " is no number of this result");
+}
+
 /// One number of the result by its key.
 double number(const Impact& impact, const std::string& text) {
   const auto key = impact::parse_key(text);
   const auto look_up = [&]<class Model>(const Model& whole) {
     const auto entry = key ? impact::find_entry<Model>(*key) : std::nullopt;
-    if (!entry) throw py::key_error(text + " is no number of this result");
+    if (!entry) refuse(impact, text);
     expect_indices(text, *entry, whole);
     return impact::number(*entry, whole);
   };

@@ -138,6 +138,8 @@ std::unique_ptr<Sweep> sweep(const SceneBox& box, const std::vector<Axis>& axes,
                              const std::vector<std::string>& columns, int threads) {
   auto document = box.document;
   put_axes(document, axes);
+  if (!axes.empty() && !columns.empty())  // the scene's own may be of its own variables
+    std::erase_if(*document.tree.table(), [](const scene::Entry& entry) { return entry.key == "columns"; });
   const py::gil_scoped_release unlocked;
   auto made = std::make_unique<Sweep>(study::read_sweep(std::move(document), columns), origin(box));
   made->compute(threads);

@@ -202,6 +202,8 @@ def test_a_key_that_no_result_has_is_a_key_error(triplet):
     assert hit["contacts[1].peak_force"] == hit.peak_force[1] and hit["events.count"] == 3
     with pytest.raises(KeyError):
         hit["contacts[1].colour"]
+    with pytest.raises(KeyError, match=r"no result has 'velocitty' \(did you mean 'final.velocity\[0\]'\?\)"):
+        hit["velocitty"]
 
 
 @pytest.mark.parametrize("key, count", [("contacts[9].peak_force", "2 of contacts[]"), ("icr[1]", "1 of icr[]"),

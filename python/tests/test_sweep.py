@@ -70,6 +70,13 @@ def test_words_and_units_are_values(triplet):
     assert grid["time"].shape == (2, 2) and grid["time"][0, 1] > grid["time"][0, 0]
 
 
+def test_axes_and_columns_replace_those_of_the_scene():
+    scene = mt.load(SCENES / "throw.toml")  # whose columns are of its own variable
+    grid = mt.sweep(scene, {"bodies.friction": [0.03, 0.06]}, columns=["final.bodies[1].spin"])
+    alone = mt.simulate(scene.replace({"bodies.friction": 0.03}))
+    assert grid["final.bodies[1].spin"][0] == alone["final.bodies[1].spin"]
+
+
 def test_keys_of_a_body_need_no_table():
     grid = mt.sweep(mt.load(SCENES / "microsphere.toml"), {"radius": ["2 um", "3 um"]}, columns=["velocity", "spin"])
     assert list(grid.axes) == ["body.radius"] and grid["velocity"].shape == grid["spin"].shape == (2, 3)
