@@ -47,7 +47,7 @@ void write_folder(const Slopes& options, const impact::Sensitivity& slopes, cons
   report::write_file(folder / "slopes.csv", report::csv(slopes));
   report::write_file(folder / "result.json", report::text(json(slopes, scene, options.scene)));
   const auto script = report::tornado_script(slopes, scene.title);
-  if (script.empty()) return note("no picture: no relative slope is known");
+  if (script.empty()) return note("no picture: no relative slope is known that is more than rounding");
   report::write_file(folder / "bars.csv", report::tornado_csv(slopes));
   report::write_file(folder / "plot.gp", script);
   if (const auto problem = report::draw(folder, report::tornado_figures()); !problem.empty())

@@ -88,6 +88,14 @@ BOOST_FIXTURE_TEST_CASE(a_folder_without_a_result_is_refused, Session) {
   BOOST_TEST(mariotte("run three.toml --report").code == 2);
 }
 
+BOOST_FIXTURE_TEST_CASE(a_sweep_that_is_not_finished_is_told, Session) {
+  fs::create_directory(folder / "out");
+  std::ofstream(folder / "out/journal.jsonl") << "{}\n";
+  const auto refused = mariotte("report out");
+  BOOST_TEST(refused.code == 6);
+  BOOST_TEST(has(refused.err, "its sweep is not finished"), refused.err);
+}
+
 BOOST_FIXTURE_TEST_CASE(a_page_animates_the_run_with_its_own_data, Session) {
   BOOST_TEST(mariotte("run three.toml --out out --report").code == 0);
   const auto page = content(folder / "out/report.html");

@@ -45,7 +45,7 @@ BOOST_AUTO_TEST_CASE(panels_of_one_body_say_which_component_they_show) {
   slopes.outcome = {{"bodies[1].velocity", 0, "m/s", 0.5, {0.1, -0.2, 3.0, std::nullopt}},
                     {"bodies[1].velocity", 1, "m/s", 0.5, {0.1, -0.2, 3.0, std::nullopt}}};
   const auto script = report::tornado_script(slopes, "Title");
-  for (const char* name : {"bodies[1].velocity[0]", "bodies[1].velocity[1]"})
+  for (const char* name : {"body 2: final velocity v_x", "body 2: final velocity v_y"})
     BOOST_TEST(script.find(name) != std::string::npos);
 }
 
@@ -65,4 +65,12 @@ BOOST_AUTO_TEST_CASE(without_bars_there_is_no_script) {
   slopes.outcome.resize(2);
   slopes.outcome.erase(slopes.outcome.begin());
   BOOST_TEST(report::tornado_script(slopes, "").empty());
+}
+
+BOOST_AUTO_TEST_CASE(what_rounding_leaves_of_a_slope_is_no_bar) {
+  auto slopes = two_outcomes();
+  slopes.outcome.resize(1);
+  for (auto& slope : slopes.outcome[0].slope)
+    if (slope) *slope *= 1e-14;
+  BOOST_TEST(report::relative_slopes(slopes, slopes.outcome[0]).empty());
 }

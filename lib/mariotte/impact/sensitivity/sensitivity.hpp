@@ -29,6 +29,9 @@ struct OutcomeSlopes {
   std::vector<std::optional<double>> slope = {};  ///< empty where there is none
 };
 
+/// Per cent of an outcome per per cent of a parameter below which a slope is rounding.
+inline constexpr double least_relative_slope = 1e-11;
+
 /// "velocity[0]", or "time".
 inline std::string name_of(const OutcomeSlopes& outcome) {
   return outcome.index ? outcome.name + "[" + std::to_string(*outcome.index) + "]" : outcome.name;

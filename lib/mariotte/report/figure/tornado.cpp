@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string_view>
 
 #include "mariotte/report/csv/csv_cell.hpp"
@@ -30,10 +31,37 @@ struct Panel {
   std::vector<RelativeSlope> bars;
 };
 
+struct Word {
+  std::string_view name, words, symbol;
+};
+
+/// Of `[bodies]`: "body 1: final velocity v_x" of bodies[0].velocity[0].
+std::optional<std::string> words_for_part(const impact::OutcomeSlopes& outcome) {
+  constexpr std::array<Word, 7> words{{{"velocity", "final velocity", "v"},
+                                       {"spin", "final spin", "ω"},
+                                       {"normal_impulse", "normal impulse", "p_n"},
+                                       {"tangential_impulse", "tangential impulse", "p_t"},
+                                       {"losses.friction", "loss by friction", "D"},
+                                       {"losses.rescale", "loss by unloading", "D"},
+                                       {"losses.damper", "loss by the damper", "D"}}};
+  const auto open = outcome.name.find('['), close = outcome.name.find("].");
+  if (open == std::string::npos || close == std::string::npos) return {};
+  const auto rest = std::string_view(outcome.name).substr(close + 2);
+  const auto* found =
+      std::find_if(words.begin(), words.end(), [&](const Word& one) { return one.name == rest; });
+  if (found == words.end()) return {};
+  const auto number = std::stol(outcome.name.substr(open + 1, close - open - 1)) + 1;
+  auto symbol = std::string(found->symbol);
+  if (outcome.index) {
+    const char axis = "xyz"[*outcome.index];
+    symbol = symbol.ends_with("_t") ? fmt::format("p_{{t,{}}}", axis) : fmt::format("{}_{}", symbol, axis);
+  }
+  return fmt::format("{} {}: {} {}", outcome.name.starts_with("bodies[") ? "body" : "contact", number,
+                     found->words, symbol);
+}
+
 std::string words_for(const impact::OutcomeSlopes& outcome) {
-  struct Word {
-    std::string_view name, words, symbol;
-  };
+  if (const auto words = words_for_part(outcome)) return *words;
   constexpr std::array<Word, 14> words{{{"velocity", "final velocity", "v"},
                                         {"impulse", "impulse", "p"},
                                         {"icr", "impulse correlation ratio", "α"},
@@ -67,7 +95,15 @@ std::vector<Panel> panels(const impact::Sensitivity& slopes) {
   return list;
 }
 
-/// Bars from the top, with the names of their parameters, and room on both sides of zero.
+/// Few ticks, whose numbers are long, but two at least.
+double step_between(double least, double most) {
+  double step = tick_step(most - least, 3);
+  while (std::floor(most / step) - std::ceil(least / step) < 1) step /= 2;
+  return step;
+}
+
+/// Bars from the top, with the names of their parameters, and room on both sides of zero. A long title goes
+/// on to the left, over the names.
 std::string commands(const Panel& panel, std::size_t number, std::size_t places) {
   std::string tics;
   double least = 0, most = 0;
@@ -78,14 +114,15 @@ std::string commands(const Panel& panel, std::size_t number, std::size_t places)
   }
   const double length = most - least, room = 0.08 * length;
   return fmt::format(
-      "set title {} offset 0,-0.4\nset xtics {:.4g}\nset ytics ({})\nset xrange [{:.4g}:{:.4g}]\nset yrange "
+      "set label 1 {} at graph 1, graph 1 right offset 0,0.7 textcolor rgb '#000000'\nset xtics {:.4g}\nset "
+      "ytics ({})\nset xrange [{:.4g}:{:.4g}]\nset yrange "
       "[-{}.6:-0.4]\n"
       "plot 'bars.csv' every ::1 using (($1=={} && $3<0) ? $3/2 : NaN):(-$2):($3):(0):(-$2-0.34):(-$2+0.34) "
       "with boxxyerror lc rgb '{}' notitle, \\\n"
       "  '' every ::1 using (($1=={} && $3>0) ? $3/2 : NaN):(-$2):(0):($3):(-$2-0.34):(-$2+0.34) "
       "with boxxyerror lc rgb '{}' notitle\n",
-      quoted(panel.name), tick_step(length, 4), tics, least - room, most + room, places, number,
-      line_colours[2], number, line_colours[1]);
+      quoted(panel.name), step_between(least - room, most + room), tics, least - room, most + room, places,
+      number, line_colours[2], number, line_colours[1]);
 }
 
 /// Of the longest name of a bar, so that all panels are alike.
@@ -116,7 +153,8 @@ std::vector<RelativeSlope> relative_slopes(const impact::Sensitivity& slopes,
     bars.push_back({slopes.parameter[c].name, relative});
     longest = std::max(longest, std::abs(relative));
   }
-  std::erase_if(bars, [&](const RelativeSlope& bar) { return !(std::abs(bar.value) > 1e-6 * longest); });
+  const double least = std::max(1e-6 * longest, impact::least_relative_slope);
+  std::erase_if(bars, [&](const RelativeSlope& bar) { return !(std::abs(bar.value) > least); });
   std::stable_sort(bars.begin(), bars.end(), [](const RelativeSlope& a, const RelativeSlope& b) {
     return std::abs(a.value) > std::abs(b.value);
   });
@@ -149,7 +187,7 @@ std::string tornado_script(const impact::Sensitivity& slopes, const std::string&
          fmt::format(
              "set style fill solid noborder\nset xzeroaxis\nset arrow from 0, graph 0 to 0, graph 1 "
              "nohead lc rgb '#555555'\nunset key\nset grid xtics noytics\nset xtics nomirror\n"
-             "set lmargin {}\nset rmargin 3\nset border 1\nset ytics scale 0\n",
+             "set lmargin {}\nset rmargin 3\nset tmargin 2.5\nset border 1\nset ytics scale 0\n",
              letters_of_names(list)) +
          on_all_terminals(figure, plot + "unset multiplot\n",
                           {columns > 1 ? wide.width : one_column.width, height});

@@ -21,6 +21,8 @@ constexpr double nothing = 1e-3;
 constexpr double loose = 3;
 /// Ratio of sums of squares above which they differ by what searches leave.
 constexpr double alike = 1 - 1e-6;
+/// Tolerance of a search, and of one that only says whether it leads elsewhere.
+constexpr double fine = 1e-10, rough = 1e-3;
 constexpr std::size_t least_searches = 4, most_searches = 8;
 
 /// The slopes by key j.
@@ -58,12 +60,12 @@ void assess(const FitProblem& problem, Found& found) {
 }
 
 /// A minimum of which it is not known yet how well it is known.
-Found search(const FitProblem& problem, const Values& start) {
+Found search(const FitProblem& problem, const Values& start, double tolerance) {
   Found found{
       .minimum = minimise({.count = static_cast<Index>(problem.count()),
                            .residuals = [&](auto x, auto r) { problem.residuals(x, r); },
                            .slopes = [&](auto x, auto columns) { problem.search_slopes(x, columns); }},
-                          start),
+                          start, tolerance),
       .columns = {}};
   const auto scatter = problem.scatter(found.minimum.x);
   found.squares = scatter.squares;
@@ -96,12 +98,13 @@ Values Found::held_columns() const {
 }
 
 Found best_of_searches(const FitProblem& problem, const std::vector<Values>& starts) {
-  auto best = assessed(problem, search(problem, starts.front()));
+  auto best = assessed(problem, search(problem, starts.front(), fine));
   const auto enough = [&] { return best.is_firm() ? least_searches : most_searches; };
   for (std::size_t i = 1; i < std::min(starts.size(), enough()); ++i) try {
-      auto found = search(problem, starts[i]);
+      auto found = search(problem, starts[i], rough);
+      if (!(found.squares < alike * best.squares)) continue;
+      found = assessed(problem, search(problem, found.minimum.x, fine));
       if (!found.minimum.converged || !(found.squares < alike * best.squares)) continue;
-      found = assessed(problem, std::move(found));
       if (!found.relative_error.empty()) best = std::move(found);
     } catch (const Error&) {
       // A way on which something cannot be simulated leads nowhere.

@@ -15,6 +15,10 @@
 namespace mariotte::study {
 namespace {
 
+bool is_rounding(double slope, const UncertainInput& input, const std::optional<double>& outcome) {
+  return outcome && std::abs(slope * input.value) < impact::least_relative_slope * std::abs(*outcome);
+}
+
 UncertainOutcome first_order(const impact::OutcomeSlopes& outcome,
                              const std::vector<UncertainInput>& inputs) {
   UncertainOutcome result{name_of(outcome), outcome.unit, outcome.value, 0.0};
@@ -22,7 +26,8 @@ UncertainOutcome first_order(const impact::OutcomeSlopes& outcome,
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     const auto& slope = outcome.slope[i];
     if (!slope || !outcome.value) result.deviation.reset();
-    const double part = slope ? *slope * inputs[i].deviation : 0;
+    const double part =
+        slope && !is_rounding(*slope, inputs[i], outcome.value) ? *slope * inputs[i].deviation : 0;
     variance += part * part;
     result.share.push_back(part * part);
   }
