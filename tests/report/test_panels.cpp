@@ -55,8 +55,8 @@ BOOST_AUTO_TEST_CASE(a_panel_has_two_numbers_at_least) {
   const report::TimeAxis axis{{1e3, "ms", 0}, {{18.346e-3, 18.414e-3}, {33.826e-3, 33.894e-3}}, {}};
   const auto script = report::on_panels("f", "", axis, report::panels(axis.windows, 130),
                                         [](const report::Panel&) { return "plot 0\n"; });
-  BOOST_TEST(has(script, "set xtics 0.05\n"));  // 18.35 and 18.4
-  BOOST_TEST(has(script, "set xtics 33.84,0.04\n"));
+  BOOST_TEST(has(script, "set xtics 18.36,0.04,18.4\n"), script);
+  BOOST_TEST(has(script, "set xtics 33.84,0.04,33.88\n"));
 }
 
 BOOST_AUTO_TEST_CASE(the_time_axis_has_one_name_below_the_middle_of_its_panels) {
@@ -82,4 +82,18 @@ BOOST_AUTO_TEST_CASE(a_long_flight_before_the_contacts_is_left_out) {
   trace.gap.assign(5, {0});
   trace.force = {{0}, {0}, {1}, {1}, {0}};
   BOOST_TEST(has(script_of(trace), "set xrange [1.45:2.05]\n"));
+}
+
+BOOST_AUTO_TEST_CASE(names_wider_than_a_panel_stand_at_the_end_and_their_symbols_above_the_peaks) {
+  auto trace = trace_of(3);
+  trace.time = {0, 2, 3, 90, 92, 93, 180, 182, 183};
+  trace.velocity.assign(9, {1, 1, 1});
+  trace.gap.assign(9, {0, 0});
+  trace.force = {{0, 0}, {1, 0}, {0, 0}, {0, 0}, {0, 1}, {0, 0}, {0, 0}, {1, 0}, {0, 0}};
+  const report::CurveNames names{.contacts = {"f_{1} (belt of rubber–dumbbell.1)", "f_{2} (wall–a)"}};
+  const auto script = report::plot(impact_of(trace), "", names).script;
+  BOOST_TEST(has(script, "set label 'f_{1}' at"), script);
+  BOOST_TEST(has(script, "set label 'f_{1} (belt of rubber–dumbbell.1)' at"));
+  BOOST_TEST(has(script, "set label 'f_{2}' at"));
+  BOOST_TEST(has(script, "set label 'f_{2} (wall–a)' at"));
 }

@@ -39,6 +39,21 @@ std::vector<std::string> names(const TimeFigure& figure, const Group& group) {
   return all;
 }
 
+std::string joint_name(const TimeFigure& figure, const Group& group) {
+  return fmt::format("{}", fmt::join(names(figure, group), ", "));
+}
+
+/// The same without what stands in parentheses.
+std::string symbols(const TimeFigure& figure, const Group& group) {
+  auto all = names(figure, group);
+  for (auto& name : all) name = name.substr(0, name.find(" ("));
+  return fmt::format("{}", fmt::join(all, ", "));
+}
+
+double pixels(const std::string& words) {
+  return letter_width * (static_cast<double>(letters(words)) + 0.5);
+}
+
 /// A label of a group's colour.
 std::string label(const std::string& text, double x, double y, const char* side, std::size_t line) {
   return fmt::format("set label {} at graph {:.4f}, graph {:.4f} {} front textcolor lt {}\n", quoted(text), x,
@@ -109,15 +124,22 @@ double sheet_pixels(const Panel& panel) {
   return (panel.right - panel.left) * one_column.width;
 }
 
-Naming naming(const TimeFigure& figure, const std::vector<Group>& groups, const Range& range) {
+Naming naming(const TimeFigure& figure, const std::vector<Group>& groups, const Range& range,
+              double narrowest) {
   std::vector<std::size_t> count;
   for (const auto& group : groups)
     count.push_back(pulses(figure.curves[group.front()], range.most - range.least));
   const bool have_room = std::none_of(count.begin(), count.end(), [](auto n) { return n > most_pulses; });
+  const auto has_peak = [&](std::size_t k) {
+    return figure.names == Names::at_peak && have_room && count[k] > 0;
+  };
+  bool all_fit = true;
+  for (std::size_t k = 0; k < groups.size(); ++k)
+    all_fit &= !has_peak(k) || pixels(joint_name(figure, groups[k])) <= narrowest;
   Naming all;
   for (std::size_t k = 0; k < groups.size(); ++k) {
-    const bool peak = figure.names == Names::at_peak && have_room && count[k] > 0;
-    (peak ? all.at_peak : all.at_end).push_back(k);
+    if (has_peak(k)) all.at_peak.push_back(k);
+    if (!has_peak(k) || !all_fit) all.at_end.push_back(k);
   }
   return all;
 }
@@ -144,20 +166,21 @@ std::string end_labels(const TimeFigure& figure, const std::vector<Group>& group
   return text;
 }
 
-std::string peak_labels(const TimeFigure& figure, const std::vector<Group>& groups,
-                        const std::vector<std::size_t>& named, const Range& range, const Panel& panel) {
+std::string peak_labels(const TimeFigure& figure, const std::vector<Group>& groups, const Naming& named,
+                        const Range& range, const Panel& panel) {
   const auto& window = panel.window;
   const Window whole{figure.time.front(), figure.time.back()};
   const auto curves = covered(figure, groups, range, window);
   std::vector<Box> taken;
   std::string text;
-  for (const auto k : named) {
+  for (const auto k : named.at_peak) {
     const auto& curve = figure.curves[groups[k].front()];
     const auto at = peak_of(figure, curve, window);
     if (at == figure.time.size() || (!panel.is_first && at != peak_of(figure, curve, whole))) continue;
     if (std::abs(curve.value[at]) < invisible * (range.most - range.least)) continue;
-    const auto words = fmt::format("{}", fmt::join(names(figure, groups[k]), ", "));
-    const double length = letter_width * (static_cast<double>(letters(words)) + 0.5) / sheet_pixels(panel);
+    const bool has_end = std::find(named.at_end.begin(), named.at_end.end(), k) != named.at_end.end();
+    const auto words = has_end ? symbols(figure, groups[k]) : joint_name(figure, groups[k]);
+    const double length = pixels(words) / sheet_pixels(panel);
     const double x = (figure.time[at] - window.start) / (window.end - window.start);
     const double y = range.place(curve.value[at]) + (curve.value[at] < 0 ? -1.2 * label_height : 0.02);
     const double left = std::clamp(x - 0.5 * length, 0.0, std::max(0.0, 1 - length));

@@ -20,12 +20,15 @@ struct Range {
   double place(double value) const { return (value - least) / (most - least); }
 };
 
-/// Which groups are named beside the right end, and which above a peak.
+/// Which groups are named beside the right end, and which above a peak; where a panel is narrower than a
+/// name, all names stand at the end, and their symbols above the peaks.
 struct Naming {
   std::vector<std::size_t> at_end, at_peak;
 };
 
-Naming naming(const TimeFigure& figure, const std::vector<Group>& groups, const Range& range);
+/// `narrowest` is the width of a panel without names at its end [pixels].
+Naming naming(const TimeFigure& figure, const std::vector<Group>& groups, const Range& range,
+              double narrowest);
 
 /// Letters of enhanced text that are seen.
 std::size_t letters(const std::string& text);
@@ -43,7 +46,7 @@ std::string end_labels(const TimeFigure& figure, const std::vector<Group>& group
                        const std::vector<std::size_t>& named, const Range& range, const Panel& panel);
 
 /// Names above the peaks that lie in this panel, or below those that point down.
-std::string peak_labels(const TimeFigure& figure, const std::vector<Group>& groups,
-                        const std::vector<std::size_t>& named, const Range& range, const Panel& panel);
+std::string peak_labels(const TimeFigure& figure, const std::vector<Group>& groups, const Naming& named,
+                        const Range& range, const Panel& panel);
 
 }  // namespace mariotte::report

@@ -30,28 +30,37 @@ double step_between(double start, double end, double width) {
   return tick_step(end - start, width / pixels_of_tick(end, step));
 }
 
-/// The first number and the step of gnuplot's ticks. Where a panel has room for one number only, two near its
-/// ends say how long it is.
-std::string ticks(double start, double end, double width) {
-  double step = step_between(start, end, width);
-  if (std::ceil(start / step) + 1 <= end / step) return fmt::format("{:g}", step);
+/// gnuplot's ticks on a panel of `width` pixels. Beside others no number may reach over to theirs. Where
+/// there is room for one number only, two near the ends say how long the panel is.
+std::string ticks(double start, double end, double width, bool has_others) {
+  const auto inset = [&](double step) {
+    const double half = 0.5 * (pixels_of_tick(end, step) - room_of_tick);
+    return has_others ? std::max(0.0, half - 0.25 * between) * (end - start) / width : 0;
+  };
+  const auto first = [&](double step) { return step * std::ceil((start + inset(step)) / step); };
+  const auto last = [&](double step) { return step * std::floor((end - inset(step)) / step); };
+  const double even = step_between(start, end, width);
+  if (first(even) + even <= last(even) * (1 + 1e-12))
+    return has_others ? fmt::format("{:.10g},{:g},{:.10g}", first(even), even, last(even))
+                      : fmt::format("{:g}", even);
+  double step = even;
   for (int finer = 0; finer < 3; ++finer) {
     step = tick_step(0.3 * step, 1);
-    const double first = step * std::ceil(start / step), last = step * std::floor(end / step);
-    const double apart = width * (last - first) / (end - start);
-    if (last > first && apart > pixels_of_tick(end, step) - room_of_tick)
-      return fmt::format("{:.10g},{:.10g}", first, last - first);
+    const double apart = width * (last(step) - first(step)) / (end - start);
+    if (last(step) > first(step) && apart > pixels_of_tick(end, step) - room_of_tick)
+      return fmt::format("{:.10g},{:.10g},{:.10g}", first(step), last(step) - first(step), last(step));
   }
-  return fmt::format("{:g}", step_between(start, end, width));
+  return fmt::format("{:g}", even);
 }
 
 /// Numbers below the panels; the first has the numbers beside the vertical axis.
 std::string horizontal_axis(const Panel& panel, const TimeAxis& axis, double width) {
+  const bool has_others = !panel.is_first || !panel.is_last;
   const double start = axis.display.factor * panel.window.start, end = axis.display.factor * panel.window.end;
   return fmt::format(
       "set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\nset xrange [{:.10g}:{:.10g}]\n"
       "set xtics {}\n",
-      panel.left, panel.right, start, end, ticks(start, end, width));
+      panel.left, panel.right, start, end, ticks(start, end, width, has_others));
 }
 
 /// Title, and the name of the time axis below the middle of all panels.

@@ -43,7 +43,7 @@ std::string plot(const TimeFigure& figure, const std::vector<Group>& groups, con
   return text + "\n";
 }
 
-/// The samples that these windows show.
+/// The samples that these windows show, without curves that are zero there.
 TimeFigure within(TimeFigure figure, const std::vector<Window>& windows) {
   const auto time = figure.time;
   const auto keep = [&](std::vector<double>& values) {
@@ -55,14 +55,27 @@ TimeFigure within(TimeFigure figure, const std::vector<Window>& windows) {
   };
   keep(figure.time);
   for (auto& curve : figure.curves) keep(curve.value);
+  const auto all = figure.curves;
+  std::erase_if(figure.curves, [](const Curve& curve) {
+    return std::all_of(curve.value.begin(), curve.value.end(), [](double value) { return value == 0; });
+  });
+  if (figure.curves.empty()) figure.curves = all;
   return figure;
+}
+
+/// Of the panels without names at their end [pixels].
+double narrowest(const TimeAxis& axis) {
+  double least = infinity;
+  for (const auto& panel : panels(axis.windows, margin_of({}, {}, {})))
+    least = std::min(least, sheet_pixels(panel));
+  return least;
 }
 
 std::string drawn(const TimeFigure& figure, const TimeAxis& axis) {
   const auto groups = coincident(figure);
   const auto range = range_of(figure, axis);
   const auto display = display_for(std::vector{range.least, range.most}, figure.unit);
-  const auto named = naming(figure, groups, range);
+  const auto named = naming(figure, groups, range, narrowest(axis));
   const auto inside = [&](const Panel& panel) {
     auto text = fmt::format("set yrange [{:.8g}:{:.8g}]\n", display.factor * range.least,
                             display.factor * range.most);
@@ -70,8 +83,7 @@ std::string drawn(const TimeFigure& figure, const TimeAxis& axis) {
     text +=
         event_marks(axis.events, axis.display, panel.window, sheet_pixels(panel), panel.is_last ? beyond : 0);
     if (panel.is_last) text += end_labels(figure, groups, named.at_end, range, panel);
-    return text + peak_labels(figure, groups, named.at_peak, range, panel) +
-           plot(figure, groups, axis, display);
+    return text + peak_labels(figure, groups, named, range, panel) + plot(figure, groups, axis, display);
   };
   return on_panels(figure.file, figure.title, axis,
                    panels(axis.windows, margin_of(figure, groups, named.at_end)), inside);
