@@ -31,7 +31,7 @@ struct AddCheck {
 
   void operator()(std::monostate) const {}
   void operator()(const Range& range) const {
-    if (std::holds_alternative<int*>(target))
+    if (std::holds_alternative<int*>(target) || std::holds_alternative<std::int64_t*>(target))
       made.check(CLI::Range(static_cast<int>(range.least), static_cast<int>(range.most)));
     else
       made.check(CLI::Range(range.least, range.most));
