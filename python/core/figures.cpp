@@ -64,6 +64,40 @@ py::tuple picture(const Impact& impact) {
                         axis.note, figure.logarithmic, moving, unit);
 }
 
+/// A row per sample, three numbers for each of `count`.
+py::array rows_of(const std::vector<std::vector<Vector3>>& rows, Index count) {
+  std::vector<double> numbers;
+  for (const auto& row : rows)
+    for (const auto& one : row) numbers.insert(numbers.end(), {one.e1, one.e2, one.e3});
+  return owned(std::move(numbers), {std::ssize(rows), count, Index{3}});
+}
+
+/// Of bodies: times of the samples, spins of the bodies, and friction of the contacts of the result.
+py::tuple turning(const Impact& impact) {
+  if (!std::holds_alternative<model::Bodies>(impact.box().scene.model))
+    throw InvalidParameter("bodies alone have friction and spins over time");
+  std::optional<scene::Impact> traced;
+  {
+    const py::gil_scoped_release unlocked;
+    traced = simulate(impact.box(), impact.options(), {.trace = true});
+  }
+  const auto& bodies = std::get<impact::BodiesImpact>(*traced);
+  std::vector<std::vector<Vector3>> spins, friction;
+  for (const auto& row : bodies.trace.body) {
+    auto& spin = spins.emplace_back();
+    for (const auto& body : row) spin.push_back(body.spin);
+  }
+  for (const auto& row : bodies.trace.friction) {
+    auto& forces = friction.emplace_back();
+    for (const auto& contact : bodies.contacts)
+      forces.push_back(row[static_cast<std::size_t>(contact.contact)]);
+  }
+  auto time = bodies.trace.time;
+  const auto count = std::ssize(time);
+  return py::make_tuple(owned(std::move(time), {count}), rows_of(spins, std::ssize(bodies.body)),
+                        rows_of(friction, std::ssize(bodies.contacts)));
+}
+
 using Rectangle = std::tuple<double, double, double, double>;
 
 report::Box box(const Rectangle& one) {
@@ -87,6 +121,7 @@ std::pair<double, std::string> display(const std::vector<double>& values, const 
 
 void add_figures(py::module_& module) {
   module.def("picture", &picture, py::arg("impact"));
+  module.def("turning", &turning, py::arg("impact"));
   module.def("spread", &report::spread, py::arg("wanted"), py::arg("space"));
   module.def("free_place", &free_place, py::arg("wanted"), py::arg("taken"));
   module.def("rows_of_words", &report::rows_of_words, py::arg("at"), py::arg("width"), py::arg("rows"));

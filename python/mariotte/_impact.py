@@ -162,7 +162,8 @@ class Impact:
 
     @property
     def plot(self) -> "ImpactPlot":
-        """Figures, by matplotlib: ``hit.plot.forces()``, ``velocities()``, ``energy()`` and ``waves()``."""
+        """Figures, by matplotlib: ``hit.plot.forces()``, ``velocities()``, ``energy()`` and ``waves()``; of bodies
+        ``friction()`` and ``spins()``."""
         from ._plot import ImpactPlot
 
         return ImpactPlot(self)

@@ -9,6 +9,7 @@ import numpy as np
 from . import _core
 from ._bodies import BodiesImpact
 from ._columns import key_of_result
+from ._components import component_curves
 from ._curves import Curves, Window, line_style
 from ._figure import draw_curves, make_panels
 from ._image import draw_image
@@ -76,6 +77,33 @@ class ImpactPlot:
             names = [f"{moving} {i + 1}" for i in range(values.shape[1])]
         curves = Curves(quantity, unit, names, False, samples.time, values)
         return self._draw(curves, windows, "ball i", logarithmic, ax)
+
+    def friction(self, ax: Optional[Any] = None) -> Any:
+        """Friction of bodies over time, by its components along the axes, or by magnitudes if these are more than
+        twelve. Raises ValueError for other scenes, and where there is none."""
+        time, _, forces = _core.turning(self._impact._run)
+        closed = _closed(self._impact) or []
+        names = [name.replace("f_{", "f_{t,") for name in names_of_contacts(self._impact, forces.shape[1])]
+        return self._of_components("friction $f_t$", "N", "contact j", True, time, forces[:, closed],
+                                   [names[j] for j in closed], [j + 1 for j in closed], ax)
+
+    def spins(self, ax: Optional[Any] = None) -> Any:
+        """Spins of bodies over time, by their components along the axes, or by magnitudes if these are more than
+        twelve. Raises ValueError for other scenes, and where nothing spins."""
+        time, spins, _ = _core.turning(self._impact._run)
+        return self._of_components("spin ω", "rad/s", "body i", False, time, spins,
+                                   names_of_bodies(self._impact.scene), None, ax)
+
+    def _of_components(self, quantity: str, unit: str, along: str, at_peak: bool, time: Array, vectors: Array,
+                       owners: List[str], numbers_of_owners: Optional[List[int]], ax: Any) -> Any:
+        _, windows, of_forces, note, logarithmic, _, _ = _core.picture(self._impact._run)
+        axes = ("", "", "") if quantity.startswith("spin") and dimension_of(self._impact.scene) == 2 else _AXES
+        curves = component_curves(quantity, unit, at_peak, time, vectors, owners, _MOST_CURVES, numbers_of_owners, axes)
+        if curves.values.shape[1] == 0:
+            raise ValueError(f"there is no {quantity.split()[0]}")
+        if at_peak and ax is None and curves.values.shape[1] <= _MOST_CURVES:
+            return self._draw(curves, of_forces, along, logarithmic, ax, note if of_forces != windows else "")
+        return self._draw(curves, windows, along, logarithmic, ax)
 
     def energy(self, ax: Optional[Any] = None) -> Any:
         """Kinetic, stored and dissipated energy of a chain over time.
@@ -148,11 +176,15 @@ def names_of_velocities(scene: Scene[Any], moving: str, count: int) -> List[str]
         return ["wall" if np.isinf(mass) else f"ball {i + 1}" for i, mass in enumerate(scene.mass)]
     dimension = dimension_of(scene)
     if isinstance(scene, Bodies):
-        bodies = [one["name"] or f"body {i + 1}" for i, one in enumerate(scene.json()["bodies"]["body"])]
-        return [f"{name} {axis}" for name in bodies for axis in _AXES[:dimension]]
+        return [f"{name} {axis}" for name in names_of_bodies(scene) for axis in _AXES[:dimension]]
     if scene.json()["network"]["dimension"] == 0:
         return [f"{moving} {i + 1}" for i in range(count)]
     return [f"ball {i // dimension + 1} {_AXES[i % dimension]}" for i in range(count)]
+
+
+def names_of_bodies(scene: Scene[Any]) -> List[str]:
+    """Of each, or its number from 1."""
+    return [one["name"] or f"body {i + 1}" for i, one in enumerate(scene.json()["bodies"]["body"])]
 
 
 def _closed(impact: "Impact") -> Optional[List[int]]:

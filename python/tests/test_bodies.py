@@ -103,6 +103,29 @@ def test_members_of_other_results_are_missing(ball):
             getattr(hit, name)
 
 
+def test_friction_and_spins_have_figures(ball, triplet):
+    pytest.importorskip("matplotlib")
+    hit = mt.simulate(ball)
+    pushed = max(np.abs(line.get_ydata()).max() for line in hit.plot.friction().lines if len(line.get_ydata()) > 9)
+    assert pushed == pytest.approx(hit.peak_friction[0], rel=1e-2)
+    ends = [line.get_ydata()[-1] for line in hit.plot.spins().lines if len(line.get_ydata()) > 9]
+    assert ends[0] == pytest.approx(hit.spin.ravel()[np.abs(hit.spin.ravel()).argmax()], abs=1e-9)
+    with pytest.raises(mt.Error, match="bodies alone"):
+        mt.simulate(triplet).plot.friction()
+    smooth = mt.simulate(ball.replace({"bodies.friction": 0.0}))
+    with pytest.raises(ValueError, match="there is no friction"):
+        smooth.plot.friction()
+
+
+def test_images_name_contacts_by_their_numbers():
+    pytest.importorskip("matplotlib")
+    hit = mt.simulate(mt.load(SCENES / "rack_break.toml"))
+    closed = [j + 1 for j, periods in enumerate(hit.periods) if len(periods)]
+    for ax in (hit.plot.forces(), hit.plot.friction()):
+        names = [int(label.get_text()) for label in ax.get_yticklabels()]
+        assert names == closed[::2] and names != list(range(1, len(names) + 1))
+
+
 def test_figures_have_a_curve_per_contact_and_component(ball):
     pytest.importorskip("matplotlib")
     hit = mt.simulate(ball)
