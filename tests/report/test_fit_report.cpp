@@ -192,3 +192,21 @@ stiffness = 1e6
                            "set ylabel 'measured − predicted\u00a0[N]'"})
     BOOST_TEST(has(script, part), part);
 }
+
+BOOST_AUTO_TEST_CASE(angles_are_shown_in_degrees_on_an_even_axis) {
+  const auto scene = rod + "[run]\nimpacts = 1\n";
+  const std::vector<std::string> free = {"surface.zeta_hertz"};
+  const auto measured = exact(scene, {"surface.zeta_hertz=1.2"},
+                              "incidence.angles[1] [deg],restitution\n5,0\n10,0\n30,0\n60,0\n");
+  study::FitModel model(scene::parse_document(scene, "scene.toml"), free, measured);
+  const auto fit = study::fit(model, free);
+  const auto curves = study::fit_curves(model, fit);
+  BOOST_TEST_REQUIRE(curves.has_value());
+  BOOST_TEST(!curves->logarithmic);
+  const report::FitReport report{
+      .fit = fit, .measurements = model.measurements(), .title = "Rod", .scene_sha256 = ""};
+  const auto script = report::fit_script(report, *curves);
+  for (const char* part :
+       {"[deg]", "'curves.csv' skip 1 using (180/pi*$2):", "'points.csv' every ::1 using (180/pi*$"})
+    BOOST_TEST(has(script, part), script);
+}

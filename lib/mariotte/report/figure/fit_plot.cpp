@@ -18,8 +18,19 @@ namespace {
 constexpr const char* fit_figure = "fit";
 constexpr const char* residuals_figure = "residuals";
 
+bool is_angle(const study::Setting& setting) {
+  return setting.unit == "rad";
+}
+
+/// Angles are shown in degrees.
 std::string setting_name(const study::Setting& setting) {
-  return with_unit(name_of_input(setting.key), setting.unit);
+  return with_unit(name_of_input(setting.key), is_angle(setting) ? "deg" : setting.unit);
+}
+
+/// A column of the abscissa as it is shown.
+std::string shown(const FitReport& report, const study::FitCurves& curves, std::size_t column) {
+  const bool in_degrees = is_angle(report.measurements.settings[curves.setting]);
+  return fmt::format("({}${})", in_degrees ? "180/pi*" : "", column);
 }
 
 /// Between the ends of the curves, with tics at 1, 2, 3, 5 and 7 of every decade.
@@ -60,8 +71,8 @@ std::string points(const FitReport& report, const study::FitCurves& curves, std:
   const ColumnPlaces places(report.measurements);
   const auto bars = report.measurements.weighted ? fmt::format(":(${})", places.deviation()) : std::string();
   return fmt::format("'points.csv' every ::1 using {}:{}{} with {} lt {} dt solid lw 1.5 ps 1.6 {}",
-                     places.abscissa(curves), of_curve(k, places.curve(), height), bars,
-                     bars.empty() ? "points" : "yerrorbars", k + 1, title);
+                     shown(report, curves, places.abscissa(curves)), of_curve(k, places.curve(), height),
+                     bars, bars.empty() ? "points" : "yerrorbars", k + 1, title);
 }
 
 /// Micrometres are written as tables of measurements have them, "um".
@@ -96,11 +107,12 @@ std::string height_of(std::size_t k) {
 }
 
 /// The fitted curves with their names, without a name if there is one.
-std::vector<NamedLine> named(const study::FitCurves& curves) {
+std::vector<NamedLine> named(const FitReport& report, const study::FitCurves& curves) {
   std::vector<NamedLine> lines;
   if (curves.curves.size() > 1)
     for (std::size_t k = 0; k < curves.curves.size(); ++k)
-      lines.push_back({"'curves.csv' skip 1", "$2", height_of(k), name_of(curves.curves[k])});
+      lines.push_back(
+          {"'curves.csv' skip 1", shown(report, curves, 2), height_of(k), name_of(curves.curves[k])});
   return lines;
 }
 
@@ -122,7 +134,8 @@ std::string span(const FitReport& report, const study::FitCurves& curves) {
 std::string measured_plot(const FitReport& report, const study::FitCurves& curves, bool titled) {
   std::vector<std::string> draw;
   for (std::size_t k = 0; k < curves.curves.size(); ++k) {
-    draw.push_back(fmt::format("'curves.csv' skip 1 using 2:{} with lines lt {} lw 2 {}", height_of(k), k + 1,
+    draw.push_back(fmt::format("'curves.csv' skip 1 using {}:{} with lines lt {} lw 2 {}",
+                               shown(report, curves, 2), height_of(k), k + 1,
                                titled ? "title " + quoted(name_of(curves.curves[k])) : "notitle"));
     draw.push_back(points(report, curves, k, ColumnPlaces(report.measurements).measured(), "notitle"));
   }
@@ -143,10 +156,10 @@ std::string residual_plot(const FitReport& report, const study::FitCurves& curve
 
 /// Measurements and curves over the abscissa.
 std::string fitted_figure(const FitReport& report, const study::FitCurves& curves) {
-  const auto lines = named(curves);
+  const auto lines = named(report, curves);
   const bool beside = !lines.empty() && fit_beside(lines, "");
   return span(report, curves) + (beside ? names_beside(lines, "") : "") +
-         fmt::format("set key below left horizontal\nset ylabel {}\n",
+         fmt::format("set key below left horizontal height 1\nset ylabel {}\n",
                      quoted(label_of(report.measurements))) +
          (curves.logarithmic ? logarithmic_axis(curves) : "") +
          on_all_terminals(fit_figure, measured_plot(report, curves, !lines.empty() && !beside),
@@ -157,7 +170,7 @@ std::string residual_figure(const FitReport& report, const study::FitCurves& cur
   return names_below("") + "unset label\nset autoscale y\nset ylabel " +
          quoted(with_unit("measured − predicted", report.measurements.unit)) + "\n" +
          on_all_terminals(residuals_figure, residual_plot(report, curves),
-                          sheet_with_names(named(curves).size()));
+                          sheet_with_names(named(report, curves).size()));
 }
 
 }  // namespace

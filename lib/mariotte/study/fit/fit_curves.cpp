@@ -65,7 +65,8 @@ class Collection {
 
   FitCurves drawn() {
     const auto [least, most] = ends(measured());
-    made_.logarithmic = least > 0 && most > wide * least;
+    const bool is_angle = measurements().settings[made_.setting].unit == "rad";
+    made_.logarithmic = !is_angle && least > 0 && most > wide * least;
     for (std::size_t k = 0; k < made_.curves.size(); ++k) draw(k);
     return made_;
   }
