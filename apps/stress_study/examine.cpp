@@ -98,8 +98,8 @@ class Examination {
       : scene_(scene), number_(number), announce_(announce), extent_(extent) {}
 
   Verdict verdict() {
-    for (const double accuracy : accuracies) {
-      add({.flow = "auto", .accuracy = accuracy, .balances = accuracy == accuracies.back()}, accuracy);
+    for (const double accuracy : asked_) {
+      add({.flow = "auto", .accuracy = accuracy, .balances = accuracy == asked_.back()}, accuracy);
       if (extent_.brisk && trials_.front().found.work > most_brisk_work) return left_out(number_);
     }
     best_ = trial({.flow = "auto", .accuracy = tight}, tight);
@@ -128,7 +128,7 @@ class Examination {
   }
   void add(const Method& method, double accuracy) {
     trials_.push_back(trial(method, accuracy));
-    trials_.back().counts = accuracy == accuracies.back() && loads_are_certain(accuracy);
+    trials_.back().counts = accuracy == asked_.back() && loads_are_certain(accuracy);
   }
 
   void add_other_flow() {
@@ -136,7 +136,8 @@ class Examination {
     const bool general = number_ % share_with_general_flow == 0 && !general_.empty();
     if (general) flows = general_;
     if (flows.empty()) return;
-    add({.flow = flows[number_ / share_with_general_flow % flows.size()]}, accuracies.back());
+    add({.flow = flows[number_ / share_with_general_flow % flows.size()], .accuracy = asked_.back()},
+        asked_.back());
     trials_.back().rival = true;
   }
 
@@ -174,7 +175,7 @@ class Examination {
   Verdict described(const Judgement& judgement) const {
     Verdict verdict{.scene = number_,
                     .worst = judgement.worst,
-                    .seconds = trials_[accuracies.size() - 1].found.seconds,
+                    .seconds = trials_[asked_.size() - 1].found.seconds,
                     .naive = trials_.back().name == naive_name,
                     .counts_differ = judgement.counts_differ,
                     .failures = judgement.failures,
@@ -182,9 +183,9 @@ class Examination {
                     .refusals = judgement.refusals,
                     .rivals = judgement.rivals + extent_.spare,
                     .findings = judgement.findings};
-    for (std::size_t i = 0; i < accuracies.size(); ++i) {
+    for (std::size_t i = 0; i < asked_.size(); ++i) {
       const bool known = has_ended(best_.found) && has_ended(trials_[i].found);
-      verdict.error[i] = known ? distance(best_.found, trials_[i].found) / accuracies[i] : -1;
+      verdict.error[i] = known ? distance(best_.found, trials_[i].found) / asked_[i] : -1;
     }
     return verdict;
   }
@@ -193,6 +194,7 @@ class Examination {
   std::uint64_t number_;
   const Announce& announce_;
   Extent extent_;
+  const std::array<double, accuracies.size()> asked_ = accuracies_of(number_);
   std::vector<Trial> trials_;
   Trial best_;
   std::vector<std::string> general_;
@@ -200,6 +202,14 @@ class Examination {
 };
 
 }  // namespace
+
+std::array<double, accuracies.size()> accuracies_of(std::uint64_t scene) {
+  constexpr double golden = 0.618033988749894848;  // its multiples fill an interval evenly
+  const double turns = golden * static_cast<double>(scene), share = std::pow(10, std::floor(turns) - turns);
+  auto all = accuracies;
+  for (double& accuracy : all) accuracy *= share;
+  return all;
+}
 
 Verdict examine(const std::vector<Family>& list, std::uint64_t seed, std::uint64_t number,
                 const Announce& announce, const Extent& extent) {

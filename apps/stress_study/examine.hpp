@@ -1,6 +1,7 @@
 // All runs of one scene, and what they come to.
 #pragma once
 #include <array>
+#include <cstdint>
 #include <functional>
 
 #include "family.hpp"
@@ -8,9 +9,12 @@
 
 namespace mariotte::stress_study {
 
-/// Accuracies that `auto` is asked for, and the one that it is measured against.
+/// Accuracies that `auto` is asked for at least, and the one that it is measured against.
 inline constexpr std::array accuracies = {1e-6, 1e-8, 1e-10};
 inline constexpr double tight = 1e-12;
+
+/// Those of one scene: down to a tenth of these, since steps that are too long by chance are so at some alone.
+std::array<double, accuracies.size()> accuracies_of(std::uint64_t scene);
 
 /// What a table needs of one scene.
 struct Verdict {

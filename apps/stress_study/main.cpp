@@ -35,8 +35,8 @@ struct CommandLine {
 };
 
 constexpr const char* notes = R"(
-Each scene is run by the automatic choice of flows at 1e-6, 1e-8, 1e-10 and 1e-12, by another flow, and by a
-naive simulator without events. A deviation above 10 times the accuracy counts unless small perturbations of
+Each scene is run by the automatic choice of flows at 1e-6, 1e-8, 1e-10, all times a share from a tenth to one,
+and at 1e-12, by another flow, and by a naive simulator without events. A deviation above 10 times the accuracy counts unless small perturbations of
 the scene, run by two flows, change the results as much. Each family that was drawn has a row. Columns: scenes;
 those left out by --brisk; share of runs of `auto` whose error is within 1, 10, 100 times what was asked; scenes
 that the naive simulator could follow; scenes in which numbers of contact periods differ; runs refused by name,
@@ -157,7 +157,7 @@ class Study {
     std::replace(name.begin(), name.end(), ' ', '_');
     const auto path =
         std::filesystem::path(line_.folder) / fmt::format("{}_{}_{}.toml", name, line_.seed, number);
-    report::write_file(path, text(scene, accuracies.back(), what));
+    report::write_file(path, text(scene, accuracies_of(number).back(), what));
   }
 
   const CommandLine& line_;
