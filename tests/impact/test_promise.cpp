@@ -4,6 +4,7 @@
 
 #include "mariotte/contact/dmt.hpp"
 #include "mariotte/contact/jkr.hpp"
+#include "mariotte/contact/tsuji.hpp"
 #include "mariotte/impact/chain/chain_impact.hpp"
 #include "mariotte/impact/chain/chain_solver.hpp"
 #include "mariotte/impact/network/network_impact.hpp"
@@ -285,6 +286,27 @@ BOOST_AUTO_TEST_CASE(rows_that_ring_for_long_say_what_steps_of_cvode_leave) {
   const double error = std::abs(impact.velocity[2] - truth.velocity[0]);
   BOOST_TEST_REQUIRE(impact.estimated_accuracy.has_value());
   BOOST_TEST(error < *impact.estimated_accuracy * model::reference_speed(row));
+}
+
+/// One contact that adheres is followed by BDF, with the same steps at each of these accuracies.
+BOOST_AUTO_TEST_CASE(steps_of_cvode_in_a_single_wave_leave_some_error) {
+  const model::Chain row{
+      .mass = {0.03, 0.05078687884882144, 0.03, 0.006928703655343225, 0.03, infinity},
+      .law = {contact::Hertz{556654098.0639822}, contact::Linear{9071283.092203328},
+              std::make_shared<contact::Tsuji>(134867362.5200464, 945.8293048269235),
+              contact::state(contact::Dmt(1653673879.4373157, 0.005, 16.971779545230163, 0)),
+              contact::Linear{38622430.71324064}},
+      .gap = {0, 0, 0, 8.644609020983613e-06, 3.296925354206567e-06},
+      .velocity = {1.0686214631314788, 0, 0, 0, -0.21599932718017512, 0}};
+  const double end = 0.002145050437939878;
+  for (const double accuracy : {1e-12, 1e-13}) {
+    const auto impact = impact::simulate(row, {.accuracy = accuracy, .max_time = end});
+    const auto adams =
+        impact::simulate(row, {.accuracy = accuracy, .max_time = end, .flow = flow::Kind::cvode_adams});
+    const double apart = impact::difference(impact.velocity, adams.velocity, model::reference_speed(row));
+    BOOST_TEST_MESSAGE(apart << " " << impact.estimated_accuracy.value_or(0));
+    BOOST_TEST(apart < impact.estimated_accuracy.value_or(accuracy));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(steps_of_cvode_in_a_single_wave_do_not_add_up) {

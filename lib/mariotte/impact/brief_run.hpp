@@ -41,7 +41,7 @@ Passage passage(const Run& run, const std::vector<Index>& periods, const std::ve
     const auto& flow = run.flows[static_cast<std::size_t>(kind)];
     count_flow(gone, kind, flow.phases, flow.steps);
   }
-  gone.floor = floor_of_rings(gone);
+  gone.floor = floor_of_cvode(gone);
   Flights flights;
   for (const auto& [time, change] : run.changes) {
     if (starts_force(change)) flights.begin(time);

@@ -1,5 +1,6 @@
 // What a run has gone through, which tells how far its errors may have grown.
 #pragma once
+#include <algorithm>
 #include <vector>
 
 #include "mariotte/core/types.hpp"
@@ -27,15 +28,16 @@ struct Passage {
   double attainable = 16 * epsilon;  ///< accuracy beyond which rounding leaves no run
 };
 
-/// Error that steps of CVODE add up to and no tighter tolerance takes away, relative to the speed: of rows
-/// that ring for long, against extended precision. Steps of a single wave do not add up, and what friction
-/// holds back forgets their errors.
-inline double floor_of_rings(const Passage& passage) {
-  constexpr double adams = 120 * epsilon, bdf = 600 * epsilon;
-  if (passage.cvode <= passage.harmless) return 0;
-  const double ringing =
-      static_cast<double>(passage.cvode - passage.harmless) / static_cast<double>(passage.cvode);
-  return ringing * (adams * static_cast<double>(passage.adams) + bdf * static_cast<double>(passage.bdf));
+/// Error that steps of CVODE leave and no tighter tolerance takes away, relative to the speed, against extended
+/// precision: some 10⁻¹¹ of a single wave, and more of rows that ring for long, where it adds up. What friction
+/// holds back forgets it.
+inline double floor_of_cvode(const Passage& passage) {
+  constexpr double adams = 120 * epsilon, bdf = 600 * epsilon, of_wave = 0.25, most_of_wave = 5e-11;
+  if (passage.cvode == 0) return 0;
+  const double all = adams * static_cast<double>(passage.adams) + bdf * static_cast<double>(passage.bdf);
+  const auto beyond = std::max<Index>(passage.cvode - passage.harmless, 0);
+  const double ringing = static_cast<double>(beyond) / static_cast<double>(passage.cvode);
+  return std::max(ringing * all, std::min(of_wave * all, most_of_wave));
 }
 
 /// Adds the work of a flow.
@@ -108,7 +110,7 @@ Passage passage(const Impact& impact) {
     gone.most = std::max(gone.most, std::ssize(contact.periods));
   }
   count_flows(gone, impact.flows);
-  gone.floor = floor_of_rings(gone);
+  gone.floor = floor_of_cvode(gone);
   return gone;
 }
 

@@ -12,6 +12,8 @@ namespace {
 
 using List = std::vector<std::string>;
 
+constexpr const char* of_cvode =
+    "CVODE, which followed some contacts, leaves as much at its tightest tolerance";
 constexpr const char* close_often = "contacts close so often that errors grow";
 constexpr const char* fly_long = "contacts push together after a flight so long that errors grow";
 constexpr const char* let_go_slowly = "what adheres lets go so slowly that errors grow";
@@ -30,6 +32,7 @@ const char* growth(const std::vector<Contact>& contacts, Index harmless, double 
 }
 
 const char* growth(const impact::ContactImpact& impact) {
+  if (impact::passage(impact).floor >= impact.estimated_accuracy) return of_cvode;
   return growth(impact.contacts, impact::single_wave(1), impact.slowing);
 }
 
