@@ -7,7 +7,7 @@ namespace mariotte::hybrid {
 enum class Ending {
   separated,    ///< no contact carries force and no two bodies can meet again
   captured,     ///< a tip has turned back in the well of adhesion
-  bound,        ///< adhesion holds bodies together for ever; nothing else can meet again
+  bound,        ///< adhesion or friction holds bodies for ever; nothing else can meet again
   time_limit,   ///< Options::max_time was reached
   event_limit,  ///< Options::max_events was reached
   interrupted,  ///< whoever looked on gave it up; what was computed until then is kept

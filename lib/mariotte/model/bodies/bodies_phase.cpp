@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "mariotte/model/bodies/bodies_parting.hpp"
+#include "mariotte/model/bodies/bodies_rest.hpp"
 #include "mariotte/model/bodies/near_pairs.hpp"
 
 namespace mariotte::model {
@@ -41,6 +42,8 @@ bool turns_at_once(const ClosedContact& one, const SettingContact<D>& contact) {
   return one.from_rest || (D == 3 && yields);
 }
 constexpr Index most_steps_at_rest = 2000;
+/// Whether all rests is asked at events, and after so many steps without any.
+constexpr Index steps_between_looks = 500;
 
 }  // namespace
 
@@ -107,6 +110,8 @@ bool BodiesPhase<D>::is_stuck_at_the_end(ConstState x) const {
 template <int D>
 flow::Accepted BodiesPhase<D>::accept(ConstState x) {
   if (is_stuck_at_the_end(x)) return flow::Accepted::ended;
+  if (++accepted_ % steps_between_looks == 0 && is_held(setting_, layout_, *mode_, x, field_))
+    return flow::Accepted::ended;
   const auto& closed = mode_->closed;
   const auto looks = [](const auto& one) {
     return one.friction == Friction::slip && !one.slack && (D == 3 || one.from_rest);

@@ -115,6 +115,7 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   BodiesLayout<D> layout_;
   bool ballistic_ = false, free_flight_ = true, recordable_ = false;
   Index steps_at_rest_ = 0;  ///< of slips that have not left it
+  Index accepted_ = 0;       ///< steps, in all phases
   double time_ = 1, damping_ = 0;
   std::vector<flow::Crossing> crossing_;
   std::vector<double> magnitude_;

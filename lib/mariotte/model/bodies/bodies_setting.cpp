@@ -216,6 +216,7 @@ BodiesSetting<D> setting_of(const Bodies& bodies, double accuracy, double max_ti
   setting.gap_noise = std::max(1e-12, 1e-2 * accuracy);
   setting.faint = std::max(1e-7, 0.03 * std::sqrt(accuracy));
   setting.onset_noise = 0.1 * accuracy;
+  setting.has_limit = !std::isinf(max_time);
   allow_rounding(setting, first_rounding(setting, max_time));
   setting.skin = skin_of(setting);
   return setting;

@@ -96,6 +96,7 @@ struct BodiesSetting {
   double onset_noise = 0;                ///< share of length within which contacts close together
   double faint = 0;                      ///< share of force below which its direction does not matter
   double rounding = 0;                   ///< share of length that has been lost on the way to contacts
+  bool has_limit = false;                ///< in time: until there what friction holds is followed, too
 
   /// Slip in space below which a rigid contact is at rest.
   double rest_speed() const { return 100 * slip_noise * speed; }

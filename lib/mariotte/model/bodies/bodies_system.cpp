@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mariotte/model/bodies/bodies_parting.hpp"
+#include "mariotte/model/bodies/bodies_rest.hpp"
 #include "mariotte/model/bodies/near_pairs.hpp"
 
 namespace mariotte::model {
@@ -302,7 +303,12 @@ void BodiesSystem<D>::transition(Mode& mode, const std::vector<Index>& fired, st
 
 template <int D>
 bool BodiesSystem<D>::is_over(const Mode& mode, ConstState x, bool) const {
-  if (over_ == Over::at_time_limit || !mode.closed.empty()) return false;
+  if (over_ == Over::at_time_limit) return false;
+  if (!mode.closed.empty()) {
+    if (!is_held(setting_, layout(x), mode, x, field_)) return false;
+    phase_.bind(mode);
+    return !phase_.comes_together(x);
+  }
   phase_.bind(mode);
   return phase_.is_ballistic() && !phase_.comes_together(x);
 }

@@ -27,7 +27,9 @@ class BodiesSystem {
   void transition(Mode& mode, const std::vector<Index>& fired, std::vector<double>& x,
                   std::vector<Change>& changes) const;
   bool is_over(const Mode& mode, ConstState x, bool impacted) const;
-  hybrid::Ending ending(const Mode&) const { return hybrid::Ending::separated; }
+  hybrid::Ending ending(const Mode& mode) const {
+    return mode.closed.empty() ? hybrid::Ending::separated : hybrid::Ending::bound;
+  }
   void finish(Mode&, std::vector<Change>&) const {}
   BodiesPhase<D>& problem(const Mode& mode);
 

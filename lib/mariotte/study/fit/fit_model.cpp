@@ -219,7 +219,9 @@ Prediction FitModel::of_body(const model::Microbody& body, const hybrid::Options
 
 Prediction FitModel::of_result(const scene::Scene& scene) {
   const auto verdict = evaluate_(scene, columns_);
-  if (verdict.ending == hybrid::name(hybrid::Ending::bound)) return {.value = 0, .captured = true};
+  const bool is_restitution = columns_.size() > 1;
+  if (is_restitution && verdict.ending == hybrid::name(hybrid::Ending::bound))
+    return {.value = 0, .captured = true};
   if (!verdict.has_numbers()) throw Error("the run ended with " + verdict.ending + ": " + verdict.reason);
   if (columns_.size() == 1) return {.value = columns_[0], .captured = false};
   const auto& before = std::get<model::Chain>(scene.model).velocity;
