@@ -13,7 +13,8 @@ namespace mariotte::stress_study {
 inline constexpr std::array accuracies = {1e-6, 1e-8, 1e-10};
 inline constexpr double tight = 1e-12;
 
-/// Those of one scene: down to a tenth of these, since steps that are too long by chance are so at some alone.
+/// Those of one scene: down to a tenth of these, since steps that are too long by chance are so at some
+/// alone.
 std::array<double, accuracies.size()> accuracies_of(std::uint64_t scene);
 
 /// What a table needs of one scene.

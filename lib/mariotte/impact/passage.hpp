@@ -28,9 +28,9 @@ struct Passage {
   double attainable = 16 * epsilon;  ///< accuracy beyond which rounding leaves no run
 };
 
-/// Error that steps of CVODE leave and no tighter tolerance takes away, relative to the speed, against extended
-/// precision: some 10⁻¹¹ of a single wave, and more of rows that ring for long, where it adds up. What friction
-/// holds back forgets it.
+/// Error that steps of CVODE leave and no tighter tolerance takes away, relative to the speed, against
+/// extended precision: some 10⁻¹¹ of a single wave, and more of rows that ring for long, where it adds up.
+/// What friction holds back forgets it.
 inline double floor_of_cvode(const Passage& passage) {
   constexpr double adams = 120 * epsilon, bdf = 600 * epsilon, of_wave = 0.25, most_of_wave = 5e-11;
   if (passage.cvode == 0) return 0;
