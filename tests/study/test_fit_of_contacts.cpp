@@ -201,3 +201,39 @@ position = [0, 0]
             "bodies.body[0].velocity[0] [cm/s],final.bodies[1].spin [rad/s]\n100,0\n200,0\n300,0\n");
   BOOST_TEST(worst(fitted(throw_of_balls, measured, {"bodies.friction"}), {0.03}) < 1e-8);
 }
+
+// Noise has carried e beyond 1, where the scene allows no restitution.
+BOOST_AUTO_TEST_CASE(a_value_stays_within_what_the_scene_allows) {
+  const auto measured = study::parse_measurements(
+      "speed "
+      "[cm/s],restitution\n20,1.0036\n45.714285714285715,1.0029\n71.4,1.0003\n97.1,1.0055\n122.9,0.9926\n"
+      "148.6,0.9984\n",
+      "data.csv");
+  const std::string pair =
+      "[chain]\nradius = \"10 mm\"\nmaterial = { young = \"210 GPa\", poisson = 0.3, density = \"7800 "
+      "kg/m^3\" }\n"
+      "law = \"kuwabara-kono\"\nrestitution = 0.9\nat = \"1 m/s\"\nvelocity = [\"1 m/s\", 0]\n";
+  study::FitModel model(scene::parse_document(pair, "scene.toml"), {"chain.restitution"}, measured);
+  const auto fit = study::fit(model, {"chain.restitution"});
+  BOOST_TEST(fit.estimates[0].value > 0.999);
+  BOOST_TEST(fit.estimates[0].upper <= 1);
+  BOOST_TEST(fit.estimates[0].lower < fit.estimates[0].value);
+  BOOST_TEST(model.measurements().rows[1].written[0] == "45.7143 cm/s");
+}
+
+// Forces are those of ν = 0, or of less.
+BOOST_AUTO_TEST_CASE(a_single_value_that_vanishes_has_no_error) {
+  const auto triplet = [](double poisson) {
+    return fmt::format(
+        "[chain]\nradius = [0.01, 0.01, 0.01]\nmaterial = {{ young = 2e11, poisson = {}, density = 7800 }}\n"
+        "law = \"hertz\"\nvelocity = [1, 0, 0]\n",
+        poisson);
+  };
+  auto measured = exact(triplet(0.3), {"chain.material.poisson=1e-3"},
+                        "chain.velocity[0],contacts[1].peak_force\n0.2,0\n0.5,0\n1,0\n2,0\n");
+  for (std::size_t i = 0; i < measured.rows.size(); ++i) measured.rows[i].measured *= i % 2 ? 0.97 : 0.99;
+  const auto fit = fitted(triplet(0.3), measured, {"chain.material.poisson"});
+  BOOST_TEST(!std::isfinite(fit.estimates[0].standard_error));
+  BOOST_TEST(fit.estimates[0].lower == 0);
+  BOOST_TEST(fit.estimates[0].upper < 0.5);
+}
