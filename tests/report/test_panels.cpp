@@ -90,7 +90,8 @@ BOOST_AUTO_TEST_CASE(names_wider_than_a_panel_stand_at_the_end_and_their_symbols
   trace.velocity.assign(9, {1, 1, 1});
   trace.gap.assign(9, {0, 0});
   trace.force = {{0, 0}, {1, 0}, {0, 0}, {0, 0}, {0, 1}, {0, 0}, {0, 0}, {1, 0}, {0, 0}};
-  const report::CurveNames names{.contacts = {"f_{1} (belt of rubber–dumbbell.1)", "f_{2} (wall–a)"}};
+  const report::CurveNames names{.velocities = {},
+                                 .contacts = {"f_{1} (belt of rubber–dumbbell.1)", "f_{2} (wall–a)"}};
   const auto script = report::plot(impact_of(trace), "", names).script;
   BOOST_TEST(has(script, "set label 'f_{1}' at"), script);
   BOOST_TEST(has(script, "set label 'f_{1} (belt of rubber–dumbbell.1)' at"));
