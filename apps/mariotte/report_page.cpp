@@ -34,10 +34,10 @@ std::vector<report::Picture> pictures(const std::filesystem::path& folder) {
 
 report::Json read_result(const std::filesystem::path& folder) {
   const auto has = [&](const char* name) { return std::filesystem::exists(folder / name); };
-  if (!has("sweep.json") && has("journal.jsonl"))
-    throw scene::FileError(folder.string() + ": its sweep is not finished; run it again, and it goes on");
   if (!has("sweep.json") && !has("result.json"))
-    throw scene::FileError(folder.string() + ": no run or sweep has left its result here");
+    throw scene::FileError(folder.string() +
+                           (has("journal.jsonl") ? ": its sweep is not finished; run it again, and it goes on"
+                                                 : ": no run or sweep has left its result here"));
   if (!has("sweep.json")) {
     auto result = read_object(folder / "result.json");
     if (result.contains("derivative"))

@@ -36,13 +36,13 @@ struct CommandLine {
 
 constexpr const char* notes = R"(
 Each scene is run by the automatic choice of flows at 1e-6, 1e-8, 1e-10, all times a share from a tenth to one,
-and at 1e-12, by another flow, and by a naive simulator without events. A deviation above 10 times the accuracy counts unless small perturbations of
-the scene, run by two flows, change the results as much. Each family that was drawn has a row. Columns: scenes;
-those left out by --brisk; share of runs of `auto` whose error is within 1, 10, 100 times what was asked; scenes
-that the naive simulator could follow; scenes in which numbers of contact periods differ; runs refused by name,
-failed, without an end; runs of a flow asked for by name that came to no end, which is no fault; runs slower
-than 100 times the median; CPU time a scene costs; the worst deviation over what was asked, and in which scene;
-scenes with anything unexplained.
+and at 1e-12, by another flow, and by a naive simulator without events. A deviation above 10 times the accuracy
+counts unless small perturbations of the scene, run by two flows, change the results as much. Each family that
+was drawn has a row. Columns: scenes; those left out by --brisk; share of runs of `auto` whose error is within
+1, 10, 100 times what was asked; scenes that the naive simulator could follow; scenes in which numbers of
+contact periods differ; runs refused by name, failed, without an end; runs of a flow asked for by name that came
+to no end, which is no fault; runs slower than 100 times the median; CPU time a scene costs; the worst deviation
+over what was asked, and in which scene; scenes with anything unexplained.
 
 --kinds rows draws long rows whose waves become steady. --kinds slopes compares slopes by numbers of the
 scenes with differences of runs instead, --kinds friction-slopes those of bodies with friction.

@@ -80,28 +80,29 @@ class ImpactPlot:
 
     def friction(self, ax: Optional[Any] = None) -> Any:
         """Friction of bodies over time, by its components along the axes, or by magnitudes if these are more than
-        twelve. Raises ValueError for other scenes, and where there is none."""
+        twelve. Raises InvalidParameter for other scenes, and ValueError where there is none."""
         time, _, forces = _core.turning(self._impact._run)
         closed = _closed(self._impact) or []
         names = [name.replace("f_{", "f_{t,") for name in names_of_contacts(self._impact, forces.shape[1])]
-        return self._of_components("friction $f_t$", "N", "contact j", True, time, forces[:, closed],
-                                   [names[j] for j in closed], [j + 1 for j in closed], ax)
+        curves = component_curves("friction $f_t$", "N", True, time, forces[:, closed], [names[j] for j in closed],
+                                  _MOST_CURVES, [j + 1 for j in closed])
+        return self._draw_components(curves, "contact j", ax)
 
     def spins(self, ax: Optional[Any] = None) -> Any:
         """Spins of bodies over time, by their components along the axes, or by magnitudes if these are more than
-        twelve. Raises ValueError for other scenes, and where nothing spins."""
+        twelve. Raises InvalidParameter for other scenes, and ValueError where nothing spins."""
         time, spins, _ = _core.turning(self._impact._run)
-        return self._of_components("spin ω", "rad/s", "body i", False, time, spins,
-                                   names_of_bodies(self._impact.scene), None, ax)
+        axes = ("", "", "") if dimension_of(self._impact.scene) == 2 else _AXES
+        curves = component_curves("spin ω", "rad/s", False, time, spins, names_of_bodies(self._impact.scene),
+                                  _MOST_CURVES, axes=axes)
+        return self._draw_components(curves, "body i", ax)
 
-    def _of_components(self, quantity: str, unit: str, along: str, at_peak: bool, time: Array, vectors: Array,
-                       owners: List[str], numbers_of_owners: Optional[List[int]], ax: Any) -> Any:
+    def _draw_components(self, curves: Curves, along: str, ax: Any) -> Any:
+        count = curves.values.shape[1]
+        if count == 0:
+            raise ValueError(f"there is no {curves.quantity.split()[0]}")
         _, windows, of_forces, note, logarithmic, _, _ = _core.picture(self._impact._run)
-        axes = ("", "", "") if quantity.startswith("spin") and dimension_of(self._impact.scene) == 2 else _AXES
-        curves = component_curves(quantity, unit, at_peak, time, vectors, owners, _MOST_CURVES, numbers_of_owners, axes)
-        if curves.values.shape[1] == 0:
-            raise ValueError(f"there is no {quantity.split()[0]}")
-        if at_peak and ax is None and curves.values.shape[1] <= _MOST_CURVES:
+        if curves.at_peak and ax is None and count <= _MOST_CURVES:
             return self._draw(curves, of_forces, along, logarithmic, ax, note if of_forces != windows else "")
         return self._draw(curves, windows, along, logarithmic, ax)
 

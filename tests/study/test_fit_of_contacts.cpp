@@ -8,6 +8,7 @@
 
 #include "mariotte/impact/chain/chain_impact.hpp"
 #include "mariotte/impact/pair/pair_restitution.hpp"
+#include "support/billiard_balls.hpp"
 #include "support/measured_bodies.hpp"
 
 using namespace mariotte;
@@ -182,15 +183,7 @@ BOOST_AUTO_TEST_CASE(two_columns_that_mean_one_key_are_refused) {
 
 // The spin that an object ball takes from a cut shot tells the friction between the balls.
 BOOST_AUTO_TEST_CASE(bodies_are_fitted_to_their_results) {
-  const std::string throw_of_balls = R"([bodies]
-dimension = 2
-law = "hertz"
-tangential = "mindlin"
-friction = 0.06
-material = { young = "5.8 GPa", poisson = 0.34 }
-radius = "28.6 mm"
-mass = "170 g"
-[[bodies.body]]
+  const std::string throw_of_balls = billiard_balls + R"([[bodies.body]]
 position = ["-60 mm", "-20 mm"]
 velocity = ["2 m/s", 0]
 [[bodies.body]]

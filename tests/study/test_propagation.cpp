@@ -5,6 +5,7 @@
 
 #include "mariotte/study/propagation/propagation.hpp"
 #include "mariotte/study/sensitivity/scene_parameters.hpp"
+#include "support/billiard_balls.hpp"
 
 using namespace mariotte;
 
@@ -142,15 +143,7 @@ BOOST_AUTO_TEST_CASE(outcomes_that_are_asked_for_are_as_among_all) {
 
 // The first ball misses the second one in a few samples, and hits the third one in some of them.
 BOOST_AUTO_TEST_CASE(contacts_that_do_not_act_count_with_zero) {
-  const std::string balls = R"([bodies]
-dimension = 2
-law = "hertz"
-tangential = "mindlin"
-friction = 0.06
-material = { young = "5.8 GPa", poisson = 0.34 }
-radius = "28.6 mm"
-mass = "170 g"
-[[bodies.body]]
+  const std::string balls = test::billiard_balls + R"([[bodies.body]]
 position = ["-100 mm", "50 mm ± 5 mm"]
 velocity = ["2 m/s", 0]
 [[bodies.body]]
@@ -180,6 +173,20 @@ position = ["150 mm", "80 mm"]
     for (const std::string body : {"0", "1", "2"})
       sum += mean(("bodies[" + body + "].velocity[" + k + "]").c_str());
     BOOST_TEST(std::abs(sum - (k == "0" ? 2 : 0)) < 1e-8);
+  }
+}
+
+// A share of the value is no measure of what a deviation does.
+BOOST_AUTO_TEST_CASE(inputs_next_to_zero_have_their_deviations) {
+  const auto found = propagated(test::billiard_balls + R"([[bodies.body]]
+position = ["-100 mm", "1e-12 mm ± 1 mm"]
+velocity = ["2 m/s", 0]
+[[bodies.body]]
+position = [0, 0]
+)");
+  for (const auto& one : found.outcomes) {
+    if (one.name == "bodies[1].velocity[1]") BOOST_TEST(one.deviation.value() > 0.01);
+    if (one.name == "bodies[1].velocity[0]") BOOST_TEST(one.deviation.value() < 1e-6);  // the way is straight
   }
 }
 

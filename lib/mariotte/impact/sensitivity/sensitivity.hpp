@@ -1,5 +1,6 @@
 // Exact slopes of the outcome of an impact by its parameters, through every event.
 #pragma once
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <string>
@@ -29,8 +30,11 @@ struct OutcomeSlopes {
   std::vector<std::optional<double>> slope = {};  ///< empty where there is none
 };
 
-/// Per cent of an outcome per per cent of a parameter below which a slope is rounding.
-inline constexpr double least_relative_slope = 1e-11;
+/// True of a slope with which an outcome changes by rounding alone where its parameter changes by `change`.
+inline bool is_rounding(double slope, double change, double outcome) {
+  constexpr double least = 1e-12;
+  return std::abs(slope * change) <= least * std::abs(outcome);
+}
 
 /// "velocity[0]", or "time".
 inline std::string name_of(const OutcomeSlopes& outcome) {

@@ -38,11 +38,13 @@ inline constexpr std::array<StencilPoint, 8> stencil{{{-4, 1.0 / 280},
 /// Of what is linear in a parameter.
 inline constexpr std::array<StencilPoint, 2> linear_stencil{{{-4, -1.0 / 8}, {4, 1.0 / 8}}};
 
-/// dF/dp, where `value(k)` is F at the k-th of these points.
+/// dF/dp, where `value(k)` is F at the k-th of these points: by differences, so that it is exactly zero where
+/// F stays, however short the step.
 template <class Value>
 double stencil_slope(std::span<const StencilPoint> points, double step, Value&& value) {
+  const double first = value(0);
   double sum = 0;
-  for (std::size_t k = 0; k < points.size(); ++k) sum += points[k].weight * value(k);
+  for (std::size_t k = 1; k < points.size(); ++k) sum += points[k].weight * (value(k) - first);
   return sum / step;
 }
 template <class Value>

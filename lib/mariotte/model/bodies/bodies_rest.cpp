@@ -55,6 +55,8 @@ bool is_held(const BodiesSetting<D>& setting, const BodiesLayout<D>& at, const B
   if (setting.has_limit || mode.closed.empty() || norm(setting.gravity) > 0) return false;
   for (const auto& velocity : setting.plane_velocity)
     if (norm(velocity) > 0) return false;
+  const auto& first = setting.contact[mode.closed.front().contact];  // most often it says no
+  if (std::abs(gap_motion(setting, at, first, x).gap_rate) > rounding * setting.speed) return false;
   field.evaluate(at, mode, x);
   if (largest_speed(setting, at, mode, x) > rounding * setting.speed && !rolls(setting, mode, field))
     return false;

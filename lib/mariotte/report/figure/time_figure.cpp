@@ -55,11 +55,11 @@ TimeFigure within(TimeFigure figure, const std::vector<Window>& windows) {
   };
   keep(figure.time);
   for (auto& curve : figure.curves) keep(curve.value);
-  const auto all = figure.curves;
-  std::erase_if(figure.curves, [](const Curve& curve) {
+  const auto is_zero = [](const Curve& curve) {
     return std::all_of(curve.value.begin(), curve.value.end(), [](double value) { return value == 0; });
-  });
-  if (figure.curves.empty()) figure.curves = all;
+  };
+  if (!std::all_of(figure.curves.begin(), figure.curves.end(), is_zero))
+    std::erase_if(figure.curves, is_zero);
   return figure;
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "mariotte/report/csv/csv_cell.hpp"
@@ -35,6 +36,12 @@ struct Word {
   std::string_view name, words, symbol;
 };
 
+const Word* find(std::span<const Word> words, std::string_view name) {
+  const auto found =
+      std::find_if(words.begin(), words.end(), [&](const Word& one) { return one.name == name; });
+  return found == words.end() ? nullptr : &*found;
+}
+
 /// Of `[bodies]`: "body 1: final velocity v_x" of bodies[0].velocity[0].
 std::optional<std::string> words_for_part(const impact::OutcomeSlopes& outcome) {
   constexpr std::array<Word, 7> words{{{"velocity", "final velocity", "v"},
@@ -47,9 +54,8 @@ std::optional<std::string> words_for_part(const impact::OutcomeSlopes& outcome) 
   const auto open = outcome.name.find('['), close = outcome.name.find("].");
   if (open == std::string::npos || close == std::string::npos) return {};
   const auto rest = std::string_view(outcome.name).substr(close + 2);
-  const auto* found =
-      std::find_if(words.begin(), words.end(), [&](const Word& one) { return one.name == rest; });
-  if (found == words.end()) return {};
+  const auto* found = find(words, rest);
+  if (!found) return {};
   const auto number = std::stol(outcome.name.substr(open + 1, close - open - 1)) + 1;
   auto symbol = std::string(found->symbol);
   if (outcome.index) {
@@ -76,9 +82,8 @@ std::string words_for(const impact::OutcomeSlopes& outcome) {
                                         {"e_n", "tip restitution", "e_n"},
                                         {"e_nm", "centre restitution", "e_{nm}"},
                                         {"contact_time", "contact time", "t"}}};
-  const auto* found =
-      std::find_if(words.begin(), words.end(), [&](const Word& one) { return one.name == outcome.name; });
-  if (found == words.end())
+  const auto* found = find(words, outcome.name);
+  if (!found)
     return plain(outcome.index ? fmt::format("{}[{}]", outcome.name, *outcome.index) : outcome.name);
   if (!outcome.index) return fmt::format("{} {}", found->words, found->symbol);
   return fmt::format("{} {}_{{{}}}", found->words, found->symbol, *outcome.index + 1);
@@ -96,7 +101,7 @@ std::vector<Panel> panels(const impact::Sensitivity& slopes) {
 }
 
 /// Few ticks, whose numbers are long, but two at least.
-double step_between(double least, double most) {
+double step_of_ticks(double least, double most) {
   double step = tick_step(most - least, 3);
   while (std::floor(most / step) - std::ceil(least / step) < 1) step /= 2;
   return step;
@@ -121,7 +126,7 @@ std::string commands(const Panel& panel, std::size_t number, std::size_t places)
       "with boxxyerror lc rgb '{}' notitle, \\\n"
       "  '' every ::1 using (($1=={} && $3>0) ? $3/2 : NaN):(-$2):(0):($3):(-$2-0.34):(-$2+0.34) "
       "with boxxyerror lc rgb '{}' notitle\n",
-      quoted(panel.name), step_between(least - room, most + room), tics, least - room, most + room, places,
+      quoted(panel.name), step_of_ticks(least - room, most + room), tics, least - room, most + room, places,
       number, line_colours[2], number, line_colours[1]);
 }
 
@@ -153,8 +158,9 @@ std::vector<RelativeSlope> relative_slopes(const impact::Sensitivity& slopes,
     bars.push_back({slopes.parameter[c].name, relative});
     longest = std::max(longest, std::abs(relative));
   }
-  const double least = std::max(1e-6 * longest, impact::least_relative_slope);
-  std::erase_if(bars, [&](const RelativeSlope& bar) { return !(std::abs(bar.value) > least); });
+  std::erase_if(bars, [&](const RelativeSlope& bar) {
+    return !(std::abs(bar.value) > 1e-6 * longest) || impact::is_rounding(bar.value, 1, 1);
+  });
   std::stable_sort(bars.begin(), bars.end(), [](const RelativeSlope& a, const RelativeSlope& b) {
     return std::abs(a.value) > std::abs(b.value);
   });

@@ -10,8 +10,7 @@
 namespace mariotte::study {
 namespace {
 
-constexpr double share = 0.01;      // of a value, within which a scene exists four times
-constexpr double rounding = 1e-12;  // of an outcome that does not depend on a value, in its slope times that
+constexpr double share = 0.01;  // of a value, within which a scene exists four times
 
 std::string outcome_of_contacts(const std::string& key) {
   constexpr std::string_view velocity = "final.velocity[", contact = "contacts[", impulse = "].impulse";
@@ -53,15 +52,13 @@ model::Microbody first_impact(model::Microbody body) {
 Slopes slopes_of(const impact::Sensitivity& found, const std::string& outcome) {
   using hybrid::Ending;
   const auto count = found.parameter.size();
-  if (found.ending == Ending::captured || found.ending == Ending::bound) return Slopes(count, 0.0);
   const auto is_it = [&](const auto& one) { return name_of(one) == outcome; };
   const auto one = std::find_if(found.outcome.begin(), found.outcome.end(), is_it);
   const bool has_end = found.ending == Ending::separated || found.ending == Ending::time_limit;
   if (!has_end || found.in_doubt || one == found.outcome.end() || !one->value) return Slopes(count);
   auto slopes = one->slope;
   for (std::size_t i = 0; i < count; ++i)
-    if (slopes[i] && std::abs(*slopes[i] * found.parameter[i].value) <= rounding * std::abs(*one->value))
-      slopes[i] = 0;
+    if (slopes[i] && impact::is_rounding(*slopes[i], found.parameter[i].value, *one->value)) slopes[i] = 0;
   return slopes;
 }
 
@@ -110,6 +107,8 @@ Slopes FitModel::slopes_of_row(std::size_t row, std::span<const double> values) 
   const auto found = sensitivity(scene, values);
   ++runs_;
   ++runs_with_slopes_;
+  const bool is_held = found.ending == hybrid::Ending::captured || found.ending == hybrid::Ending::bound;
+  if (is_held && measurements_.quantity.starts_with("restitution")) return Slopes(free_.size(), 0.0);
   return outcomes_.size() == 1 ? slopes_of(found, outcomes_[0])
                                : of_pair(found, std::get<model::Chain>(scene.model));
 } catch (const Error&) {

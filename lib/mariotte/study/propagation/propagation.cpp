@@ -1,5 +1,6 @@
 #include "mariotte/study/propagation/propagation.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <unordered_map>
@@ -16,7 +17,7 @@ namespace mariotte::study {
 namespace {
 
 bool is_rounding(double slope, const UncertainInput& input, const std::optional<double>& outcome) {
-  return outcome && std::abs(slope * input.value) < impact::least_relative_slope * std::abs(*outcome);
+  return outcome && impact::is_rounding(slope, std::max(std::abs(input.value), input.deviation), *outcome);
 }
 
 UncertainOutcome first_order(const impact::OutcomeSlopes& outcome,
