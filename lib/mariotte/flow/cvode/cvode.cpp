@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <optional>
+#include <utility>
 
 #include "mariotte/core/counted.hpp"
 #include "mariotte/core/error.hpp"
@@ -37,6 +38,11 @@ constexpr Index trial = 2000;
 /// space that leaves rest: friction turns at a rate that falls like the inverse of its speed. Newton's first
 /// correction by an old Jacobian is then wrong, and passes for converged by what earlier steps had promised.
 constexpr Index jacobian_age = 1;
+/// Of so many steps BDF repeats a third at most while it can meet its tolerance, and half of them where that is
+/// below what rounding makes of rates: those of a contact that rests under strong damping follow its depth at
+/// once. There the tolerance is eased, up to a share of the accuracy.
+constexpr Index refusals_counted = 100, most_refusals = 40;
+constexpr double easing = 4, most_eased = 0.1;
 /// Attempts at one step. Each is up to ten times shorter: where a force begins like a small power of the
 /// indentation, the first must be very short.
 constexpr int most_rejections = 40;
@@ -107,6 +113,7 @@ class Cvode final : public Flow {
       if (accepted == Accepted::ended && !outcome) outcome = Outcome::guard;
       if (outcome) return finish(*outcome, step.end, x);
       before_.assign(step.after.begin(), step.after.end());
+      if (count % refusals_counted == 0) ease(count, request.accuracy);
       stalled += step.end - step.start <= 2 * epsilon * step.end;
       if (count == trial && step.end < trial * request.least_step) return finish(Outcome::stiff, step.end, x);
       // a slip in space of two tips that friction holds near zero is stiff, whatever the damping
@@ -130,6 +137,7 @@ class Cvode final : public Flow {
   sundials::Cvode cvode_;
   Problem* problem_ = nullptr;
   double tolerance_ = 0;
+  long refused_ = 0;  ///< attempts at steps, when they were counted last
   std::string complaint_;  ///< SUNDIALS' last message
   std::vector<double> before_;
   std::vector<int> roots_;
@@ -182,6 +190,7 @@ class Cvode final : public Flow {
     tolerance_ =
         local_tolerance(kind_, resolving_accuracy(next, request.accuracy, finest), next.swiftness(x));
     complaint_.clear();
+    refused_ = 0;
     std::copy(x.begin(), x.end(), view(state_.get()).begin());
     check(CVodeReInit(cvode_.get(), 0, state_.get()), "a restart");
     // At an onset the force starts from zero and fools the automatic first step.
@@ -192,6 +201,14 @@ class Cvode final : public Flow {
     check(CVodeSetRootDirection(cvode_.get(), roots_.data()), "the directions of the guards");
     before_.assign(x.begin(), x.end());
     certificate_.begin(next, x);
+  }
+  void ease(Index steps, double accuracy) {
+    long inexact = 0, unsolved = 0;
+    check(CVodeGetNumErrTestFails(cvode_.get(), &inexact), "its counts");
+    check(CVodeGetNumNonlinSolvConvFails(cvode_.get(), &unsolved), "its counts");
+    const long before = std::exchange(refused_, inexact + unsolved);
+    if (kind_ == Kind::cvode_adams || steps == 0 || refused_ - before <= most_refusals) return;
+    tolerance_ = std::max(tolerance_, std::min(easing * tolerance_, most_eased * accuracy));
   }
   void append_roots(std::vector<Index>& fired) {
     check(CVodeGetRootInfo(cvode_.get(), roots_.data()), "root information");
