@@ -40,7 +40,7 @@ model::Bodies dropped_block() {
 
 }  // namespace
 
-/// BDF would go on in steps of a decay if it had to resolve what rounding makes of the rates: about 10⁶ steps.
+/// BDF would take 10⁶ steps, as short as a decay, if it had to resolve what rounding makes of the rates.
 BOOST_AUTO_TEST_CASE(strong_dampers_at_rest_take_few_steps) {
   const double end = 0.08;
   for (const double accuracy : {1e-6, 1e-8, 1e-10}) {
