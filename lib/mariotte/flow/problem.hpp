@@ -31,8 +31,8 @@ struct Entry {
   bool operator==(const Entry&) const = default;
 };
 
-/// A field of one mode, with everything dimensionless. Sizes and pattern never change; field, crossings and
-/// time scale belong to the present mode. Implemented by the models.
+/// A field of one mode, with everything dimensionless. All it says belongs to the present mode: a flow asks
+/// before each phase whether sizes and pattern still fit. Implemented by the models.
 class Problem {
  public:
   virtual ~Problem() = default;
@@ -60,7 +60,7 @@ class Problem {
   /// Shortest natural time of what is active.
   virtual double time_scale() const = 0;
 
-  /// Places of the Jacobian in any mode, and their values in this one, in the same order.
+  /// Places of the Jacobian that may not vanish, and their values, in the same order.
   virtual std::vector<Entry> pattern() const = 0;
   virtual void jacobian(ConstState x, State values) const = 0;
   /// Largest damping group c/√(k m) of the active contacts: what makes a phase stiff.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "mariotte/model/bodies/bodies_parting.hpp"
+#include "mariotte/model/bodies/bodies_pattern.hpp"
 #include "mariotte/model/bodies/bodies_rest.hpp"
 #include "mariotte/model/bodies/near_pairs.hpp"
 
@@ -50,6 +51,7 @@ constexpr Index steps_between_looks = 500;
 template <int D>
 void BodiesPhase<D>::bind(const BodiesMode& mode) {
   mode_ = &mode;
+  entries_.clear();
   layout_.slots = std::ssize(mode.idle) + std::ssize(mode.closed);
   watches_near_ = watches_near(setting_, mode);
   strays_ = watches_near_ ? layout_.bodies : 0;
@@ -156,27 +158,31 @@ void BodiesPhase<D>::derivative(ConstState x, State dx) const {
   field_.rates(*mode_, x, dx);
 }
 
-/// Dense, by columns: only contacts that damp strongly are followed with it.
 template <int D>
-std::vector<flow::Entry> BodiesPhase<D>::pattern() const {
-  std::vector<flow::Entry> entries;
-  for (Index column = 0; column < size(); ++column)
-    for (Index row = 0; row < size(); ++row) entries.push_back({row, column});
-  return entries;
+const std::vector<flow::Entry>& BodiesPhase<D>::entries() const {
+  if (entries_.empty()) entries_ = pattern_of(setting_, layout_, *mode_);
+  return entries_;
 }
 
+/// As many columns at once as slopes are carried.
 template <int D>
 void BodiesPhase<D>::jacobian(ConstState x, State values) const {
-  const Index n = size();
-  sloped_dx_.resize(n);
-  for (Index first = 0; first < n; first += slope_lanes) {
+  const auto& all = entries();
+  sloped_dx_.resize(size());
+  for (std::size_t first = 0, last = 0; first < all.size(); first = last) {
     sloped_x_.assign(x.begin(), x.end());
-    const Index count = std::min<Index>(slope_lanes, n - first);
-    for (Index k = 0; k < count; ++k) sloped_x_[first + k].slope[k] = 1;
+    const auto begins = [&](std::size_t e) { return e == first || all[e].column != all[e - 1].column; };
+    for (Index lane = -1; last < all.size(); ++last) {
+      if (begins(last) && ++lane == slope_lanes) break;
+      if (begins(last)) sloped_x_[all[last].column].slope[lane] = 1;
+    }
     sloped_.evaluate(layout_, *mode_, std::span<const Sloped>(sloped_x_));
     sloped_.rates(*mode_, std::span<const Sloped>(sloped_x_), std::span<Sloped>(sloped_dx_));
-    for (Index k = 0; k < count; ++k)
-      for (Index row = 0; row < n; ++row) values[(first + k) * n + row] = sloped_dx_[row].slope[k];
+    Index lane = -1;
+    for (std::size_t e = first; e < last; ++e) {
+      lane += begins(e);
+      values[e] = sloped_dx_[all[e].row].slope[lane];
+    }
   }
 }
 

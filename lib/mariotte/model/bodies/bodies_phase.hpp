@@ -36,7 +36,7 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   std::span<const flow::Crossing> crossings() const override { return crossing_; }
   std::span<const double> magnitudes() const override { return magnitude_; }
   double time_scale() const override { return time_; }
-  std::vector<flow::Entry> pattern() const override;
+  std::vector<flow::Entry> pattern() const override { return entries(); }
   void jacobian(ConstState x, State values) const override;
   double damping_group() const override { return damping_; }
   double least_load(double) const override { return infinity; }
@@ -81,6 +81,7 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   Index stray_guard(Index k) const { return parting_guard(touching_) + k; }
 
  private:
+  const std::vector<flow::Entry>& entries() const;
   template <class T>
   double cap_noise(const ClosedContact& mode, const ContactMotion<T, D>& motion) const;
   template <class T, class N>
@@ -136,6 +137,7 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   mutable std::vector<Index> followed_;                     ///< components of the state
   mutable std::vector<series::Dual<double, 1>> along_, along_values_;
   mutable std::vector<Sloped> sloped_x_, sloped_dx_;
+  mutable std::vector<flow::Entry> entries_;  ///< of the Jacobian in this mode; empty if nobody has asked
 };
 
 }  // namespace mariotte::model
