@@ -110,6 +110,13 @@ bool has_converged(std::span<const double> row, double end, double largest) {
   return terms * std::pow(end, static_cast<double>(last - 1)) <= share * largest;
 }
 
+/// Whether a force may have a maximum within a step: a parabola through its start, middle and end has its
+/// vertex there, or a quarter of the step beside it.
+bool may_peak(double first, double half, double last) {
+  const double bend = first - 2 * half + last;
+  return bend < 0 && std::abs(last - first) < -3 * bend;
+}
+
 double wrapped(double angle) {
   const double rest = std::remainder(angle, 2 * std::numbers::pi);
   return rest <= -std::numbers::pi ? std::numbers::pi : rest;
@@ -186,7 +193,6 @@ void BodiesObserver<D>::read(ConstState x, std::vector<ContactPeaks>& list) cons
   }
 }
 
-/// Within a step whose middle lies higher than the line between its ends, a force may have its maximum.
 template <int D>
 void BodiesObserver<D>::sample_forces(const flow::Step& step) {
   inside_.resize(step.before.size());
@@ -199,7 +205,7 @@ void BodiesObserver<D>::sample_forces(const flow::Step& step) {
     for (const auto which : {&ContactPeaks::force, &ContactPeaks::friction}) {
       double& most = peaks_[mode_.closed[k].contact].*which;
       const double first = before_[k].*which, half = middle_[k].*which, last = after_[k].*which;
-      if (!(half > 0.5 * (first + last)) || std::max({first, half, last}) <= 0.9 * most) continue;
+      if (!may_peak(first, half, last) || std::max({first, half, last}) <= 0.9 * most) continue;
       const auto at = [&](double share) {
         step.inside(share, inside_);
         read(inside_, within_);
